@@ -55,14 +55,14 @@ static void check_number(const char *text, const char *end)
     }
 }
 
-static void check_fault(const struct fault *fault, const char *text,
-                        const char *end)
+/* The note of a bad record, which begins at notes->text. */
+static void check_note(struct notes *notes, const char *end)
 {
-    char shown[4 * 32 + 4];
-    MUST(fault->what && fault->what[0] && fault->shape == 0);
-    MUST(text <= fault->at && fault->at <= fault->end && fault->end <= end);
-    const size_t length = escape_bytes(shown, fault->at, fault->end, 32);
-    MUST(length < sizeof shown && strlen(shown) == length);
+    count_bad(notes);
+    const struct note *note = &notes->note[0];
+    MUST(notes->kept == 1 && note->remark == REMARK_NONE && note->text[0]);
+    MUST(note->column >= 1 &&
+         note->column <= (unsigned long long)(end - notes->text) + 1);
 }
 
 static void check_record(const struct grammar *g, const struct record *r)
@@ -93,10 +93,6 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
     g.no_tail = b / 14 % 2 != 0;
-    if ((!g.has_line || g.line != NOT_GIVEN) &&
-        (!g.has_shape || g.shape != NOT_GIVEN) && g.has_line) {
-        describe_bare(&g);
-    }
     g.tmin = g.has_domain ? -1 : 0;
     g.tmax = g.has_domain ? HUGE_VAL : 0;
     return g;
@@ -106,16 +102,16 @@ static void check_line(const struct grammar *g, const char *text,
                        const char *end)
 {
     struct record record;
-    struct fault fault;
+    struct notes notes = {.line = 1, .text = text, .end = end, .wanted = ~0u};
     if (!is_record(text, end)) {
         return;
     }
     memset(&record, 0, sizeof record);
-    if (read_record(g, text, end, &record, &fault)) {
+    if (read_record(g, text, end, &record, &notes)) {
         MUST(text <= record.tail && record.tail + record.tail_length <= end);
         check_record(g, &record);
     } else {
-        check_fault(&fault, text, end);
+        check_note(&notes, end);
     }
 }
 
@@ -124,7 +120,7 @@ static void check_doubles(const struct grammar *g, const char *bytes,
 {
     double numbers[MOST_NUMBERS] = {0};
     struct record record;
-    struct fault fault;
+    struct notes notes = {0};
     if ((g->has_line && g->line == NOT_GIVEN) ||
         (g->has_shape && g->shape == NOT_GIVEN)) {
         return;
@@ -132,10 +128,10 @@ static void check_doubles(const struct grammar *g, const char *bytes,
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
     memset(&record, 0, sizeof record);
     record.tail = "";
-    if (take_record(g, numbers, &record, &fault)) {
+    if (take_record(g, numbers, &record, &notes)) {
         check_record(g, &record);
     } else {
-        MUST(fault.what && fault.what[0]);
+        MUST(notes.note[0].text[0]);
     }
 }
 

@@ -13,9 +13,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "grammar.h"
 #include "input.h"
 #include "main.h"
-#include "target.h"
+#include "output.h"
 
 static int is_stdin(const char *file)
 {
@@ -68,7 +69,9 @@ void input_close(struct input *in)
 /* Records a failure of the input.  Returns 0. */
 static int fail(struct block *b, const char *what, int error)
 {
-    b->failure = (struct failure){EXIT_IO, what, error};
+    b->failure = EXIT_IO;
+    b->what = what;
+    b->error = error;
     b->length = 0;
     return 0;
 }
@@ -91,22 +94,22 @@ static int open_next(struct input *in, struct block *b)
 
 /* ------------------------------------------------------------ reading -- */
 
-static int would_wait(const struct input *in)
-{
-    struct pollfd p = {in->fd, POLLIN, 0};
-    int ready = 1;
-    while (!in->regular && (ready = poll(&p, 1, 0)) < 0 && errno == EINTR) {
-    }
-    return ready == 0;
-}
-
-/* Waits for input or its end.  Returns 0 if the work ended meanwhile. */
-static int wait_for_input(const struct input *in)
+/* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns whether
+ * there is input, or its end; *ended: the work ended meanwhile. */
+static int wait_for_input(const struct input *in, int timeout, int *ended)
 {
     struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->ending, POLLIN, 0}};
-    while (!in->regular && poll(p, 2, -1) < 0 && errno == EINTR) {
-    }
-    return in->regular || p[1].revents == 0;
+    int ready = 1;
+    while (!in->regular && (ready = poll(p, 2, timeout)) < 0 && errno == EINTR)
+        ;
+    *ended = p[1].revents != 0;
+    return ready != 0;
+}
+
+static int would_wait(const struct input *in)
+{
+    int ended;
+    return !wait_for_input(in, 0, &ended);
 }
 
 /* From `from` on, replaces each CR by LF unless an LF follows.  A CR at the end
@@ -126,7 +129,8 @@ static void end_lines_at_cr(struct block *b, size_t from)
  * error. */
 static void read_more(struct input *in, struct block *b)
 {
-    while (wait_for_input(in)) {
+    int ended;
+    while (wait_for_input(in, -1, &ended) && !ended) {
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
@@ -203,26 +207,19 @@ static size_t gather(struct input *in, struct block *b)
     return in->ended && !in->error ? b->length : whole;
 }
 
-static void count_lines(struct input *in, struct block *b)
-{
-    const char *end = b->text + b->length;
-    for (const char *p = b->text; p < end;) {
-        const char *stop = end_of_line(p, end);
-        b->records += is_record(p, stop) ? 1 : 0;
-        in->line++;
-        p = stop + 1;
-    }
-}
-
 static void count_records(struct input *in, struct block *b)
 {
+    const char *const end = b->text + b->length;
     b->line = in->record_size > 0 ? 0 : in->line;
     b->record = in->record;
-    b->records = 0;
     if (in->record_size > 0)
         b->records = (b->length + in->record_size - 1) / in->record_size;
     else
-        count_lines(in, b);
+        for (const char *p = b->text, *stop; p < end; p = stop + 1) {
+            stop = end_of_line(p, end);
+            b->records += is_record(p, stop) ? 1 : 0;
+            in->line++;
+        }
     in->record += b->records;
     in->bytes_given += b->length;
 }
@@ -296,10 +293,10 @@ int input_is_empty(struct input *in)
     b.text = in->carry;
     b.length = 0;
     while (b.length == 0 && !in->error) {
-        b.failure.status = 0;
+        b.failure = 0;
         if (!change_file(in, &b)) {
-            in->next -= b.failure.status != 0;
-            return b.failure.status == 0;
+            in->next -= b.failure != 0;
+            return b.failure == 0;
         }
         read_more(in, &b);
     }
@@ -361,52 +358,64 @@ void input_read(struct input *in, struct block *b)
     b->length = 0;
     b->records = 0;
     b->full = 0;
-    b->stopped = 0;
-    b->notes.kept = b->notes.kept_bad = 0;
-    b->notes.bad = 0;
-    b->failure.status = 0;
+    b->failure = 0;
     fill_block(in, b);
     b->input = in->bytes;
 }
 
 void input_complain(const struct block *b)
 {
-    if (b->failure.what) {
-        complain(b->name, b->failure.what);
-    } else {
-        errno = b->failure.error;
-        complain_errno(b->name);
-    }
+    complain(b->name, b->what ? b->what : strerror(b->error));
 }
 
-int input_next(struct input *in, struct block *b)
-{
-    input_read(in, b);
-    if (b->failure.status != 0)
-        input_complain(b);
-    return b->failure.status;
-}
-
-int block_allocate(struct block *block, size_t row, size_t shapes)
+int block_make(struct block *block)
 {
     memset(block, 0, sizeof *block);
     block->text = malloc(BLOCK_CAPACITY + 1);
-    block->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
-    block->hits = malloc(shapes + 1);
-    return block->text && block->out.data && block->hits;
+    return block->text != NULL;
 }
 
-int block_make(struct block *block, size_t row, size_t shapes)
+/* ----------------------------------------------------- lines of one file -- */
+
+static int read_block(struct block *b, struct notes *notes,
+                      line_handler *handle, void *context)
 {
-    return block_allocate(block, row, shapes) ? 0 : out_of_memory();
+    const char *const end = b->text + b->length, *stop;
+    int status = 0;
+    notes->line = b->line;
+    notes->end = end;
+    for (const char *p = b->text; p < end && status == 0; p = stop + 1) {
+        stop = end_of_line(p, end);
+        notes->text = p;
+        if (is_record(p, stop))
+            status = handle(context, p, stop, notes);
+        if (status == EXIT_BAD)
+            print_refusal(notes, b->name);
+        notes->line++;
+    }
+    return status;
 }
 
-void block_free(struct block *block)
+int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
+               void *context)
 {
-    free(block->text);
-    free(block->out.data);
-    free(block->hits);
-    pairs_free(block->pairs);
-    piece_memory_free(&block->pieces);
-    free(block->sums);
+    char *const files[] = {(char *)(uintptr_t)file};
+    struct input in;
+    struct block block;
+    struct notes notes = {0};
+    int status = block_make(&block) ? 0 : out_of_memory();
+    if (status == 0 && (status = input_open(&in, files, 1, 0)) == 0) {
+        in.cr_ends_lines = cr_ends_lines;
+        do {
+            input_read(&in, &block);
+            status = block.failure != 0
+                         ? block.failure
+                         : read_block(&block, &notes, handle, context);
+        } while (status == 0 && block.length > 0);
+        if (block.failure != 0)
+            input_complain(&block);
+        input_close(&in);
+    }
+    free(block.text);
+    return status;
 }

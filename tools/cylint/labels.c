@@ -1,62 +1,19 @@
 /*
- * labels.c - the tails of a scene's lines: names of its shapes
+ * labels.c - the tails of a scene's lines, which are the labels of its shapes
  */
-#include <stdlib.h>
 #include <string.h>
 
 #include "labels.h"
 #include "main.h"
-#include "report.h"
-
-/* Makes space for `more` bytes; at least doubles the capacity. */
-static int grow_bytes(struct labels *labels, size_t more)
-{
-    if (more <= labels->capacity - labels->length)
-        return 0;
-    const size_t twice = 2 * labels->capacity;
-    const size_t capacity =
-        labels->length + more > twice ? labels->length + more : twice;
-    char *bytes = realloc(labels->bytes, capacity);
-    if (!bytes)
-        return out_of_memory();
-    labels->bytes = bytes;
-    labels->capacity = capacity;
-    return 0;
-}
-
-static int grow_ends(struct labels *labels)
-{
-    if (labels->count < labels->end_capacity)
-        return 0;
-    const size_t end_capacity =
-        labels->end_capacity > 0 ? 2 * labels->end_capacity : 64;
-    uint64_t *end = end_capacity <= SIZE_MAX / sizeof *end
-                        ? realloc(labels->end, end_capacity * sizeof *end)
-                        : NULL;
-    if (!end)
-        return out_of_memory();
-    labels->end = end;
-    labels->end_capacity = end_capacity;
-    return 0;
-}
 
 static int store_label(struct scene *scene, const struct record *record)
 {
     struct labels *labels = scene->context;
-    const size_t length = record->tail_length;
-    int status = grow_ends(labels);
-    if (status == 0 && length > 0)
-        status = grow_bytes(labels, length);
-    if (status != 0)
-        return status;
-    if (length > 0) {
-        memcpy(labels->bytes + labels->length, record->tail, length);
-        labels->length += length;
-    }
-    if (length > labels->longest)
-        labels->longest = length;
-    labels->end[labels->count++] = labels->length;
-    return 0;
+    if (record->tail_length > labels->longest)
+        labels->longest = record->tail_length;
+    return texts_add(&labels->texts, record->tail, record->tail_length)
+               ? 0
+               : out_of_memory();
 }
 
 void labels_collect(struct labels *labels, struct scene *scene)
@@ -67,8 +24,9 @@ void labels_collect(struct labels *labels, struct scene *scene)
 
 void labels_give(struct labels *labels, struct scene *scene)
 {
-    if (labels->length > 0) {
-        labels->table = (cylint_scene_labels){labels->end, labels->bytes};
+    const struct texts *t = &labels->texts;
+    if (t->length > 0) {
+        labels->table = (cylint_scene_labels){t->end, t->bytes};
         cylint_scene_set_labels(scene->shapes, &labels->table);
     }
 }
@@ -82,8 +40,7 @@ int labels_take(struct labels *labels, const struct scene *scene,
     labels->table = *of;
     for (size_t i = 0; i < scene->count; i++) {
         const size_t length = labels_get(labels, i).length;
-        if (length > labels->longest)
-            labels->longest = length;
+        labels->longest = length > labels->longest ? length : labels->longest;
     }
     if (labels->longest > 0 &&
         memchr(of->text, '\n', (size_t)of->end[scene->count - 1])) {
@@ -95,14 +52,19 @@ int labels_take(struct labels *labels, const struct scene *scene,
 
 void labels_free(struct labels *labels)
 {
-    free(labels->bytes);
-    free(labels->end);
+    texts_free(&labels->texts);
 }
 
 struct label labels_get(const struct labels *labels, size_t shape)
 {
     const cylint_scene_labels *t = &labels->table;
-    const size_t begin = t->end && shape > 0 ? (size_t)t->end[shape - 1] : 0;
-    const size_t length = t->end ? (size_t)t->end[shape] - begin : 0;
-    return (struct label){length > 0 ? t->text + begin : "", length};
+    return t->end ? text_at(t->end, t->text, shape) : (struct label){"", 0};
+}
+
+struct label name_of_shape(const struct labels *labels, size_t shape)
+{
+    struct label name = labels_get(labels, shape);
+    name.length =
+        (size_t)(field_end(name.text, name.text + name.length) - name.text);
+    return name;
 }

@@ -1,29 +1,19 @@
 /*
- * labels.h - the tails of a scene's lines: names of its shapes
+ * labels.h - the tails of a scene's lines, which are the labels of its shapes
  *
- * They are kept only if a column or a record needs them.
+ * The name of a shape is the first field of its label.
  */
 #ifndef CYLINT_LABELS_H
 #define CYLINT_LABELS_H
 
-#include <stddef.h>
-#include <stdint.h>
-
+#include "names.h"
 #include "scene.h"
 
-/* Zero it before use. */
+/* The labels of shapes.  Zero it before use. */
 struct labels {
-    char *bytes; /* of all labels, one after the other */
-    size_t length, capacity;
-    uint64_t *end; /* end of each shape's label in bytes */
-    size_t count, end_capacity;
+    struct texts texts;        /* of a scene that is read */
     size_t longest;            /* bytes of the longest label */
     cylint_scene_labels table; /* the labels; end is NULL if there are none */
-};
-
-struct label {
-    const char *text;
-    size_t length;
 };
 
 /* Makes scene_add() store the labels here. */
@@ -36,7 +26,9 @@ int labels_take(struct labels *labels, const struct scene *scene,
                 const char *file);
 void labels_free(struct labels *labels);
 
-/* The label of a shape, counted from 0.  Its length is 0 if there is none. */
+/* The label of a shape, counted from 0, and its name.  Their length is 0 if there
+ * is none. */
 struct label labels_get(const struct labels *labels, size_t shape);
+struct label name_of_shape(const struct labels *labels, size_t shape);
 
 #endif

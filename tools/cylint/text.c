@@ -14,6 +14,17 @@ void put_whole(struct text *t, unsigned long long value)
     put_bytes(t, digits + i, sizeof digits - i);
 }
 
+int read_whole(const char *p, const char *end, unsigned long long most,
+               unsigned long long *value)
+{
+    *value = 0;
+    if (p == end)
+        return 0;
+    for (; p < end && *p >= '0' && *p <= '9' && *value <= most; p++)
+        *value = 10 * *value + (unsigned long long)(*p - '0');
+    return p == end && *value <= most;
+}
+
 size_t escape_bytes(char *to, const char *from, const char *end, size_t most)
 {
     static const char hex[] = "0123456789abcdef";

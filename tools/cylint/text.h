@@ -1,5 +1,5 @@
 /*
- * text.h - appends bytes to a buffer of the caller
+ * text.h - bytes: the sizes of buffers, and what is written to and read from them
  *
  * Nothing here allocates: the caller provides memory for TEXT_FULL bytes and the
  * longest row, and empties the text when it holds TEXT_FULL bytes.
@@ -11,7 +11,21 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "sizes.h"
+/* CYLINT_SHRINK divides the sizes, so that the short input of a fuzzer has as
+ * many blocks as a large file. */
+#ifndef CYLINT_SHRINK
+#define CYLINT_SHRINK 1
+#endif
+
+enum {
+    LINE_MOST = (1 << 20) / CYLINT_SHRINK, /* of a line, without its end */
+    BLOCK_GOAL =
+        (1 << 18) / CYLINT_SHRINK,  /* a block is answered from this on */
+    BLOCK_CAPACITY = 2 * LINE_MOST, /* a long line and the bytes read with it */
+    TEXT_FULL =
+        (1 << 18) / CYLINT_SHRINK, /* answers are written from this on */
+    NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK
+};
 
 struct text {
     char *data;
@@ -37,29 +51,40 @@ static inline void put_string(struct text *t, const char *s)
 /* Appends a whole number in decimal digits. */
 void put_whole(struct text *t, unsigned long long value);
 
-/* Appends the eight bytes of a double, the lowest first on every machine.
- * Compilers translate this to one store. */
+/* The bits of a double whose eight bytes are the lowest first, and the reverse. */
+static inline uint64_t little_endian(uint64_t bits)
+{
+    const uint16_t one = 1;
+    uint64_t reversed = 0;
+    if (*(const unsigned char *)&one == 1)
+        return bits;
+    for (int i = 0; i < 8; i++)
+        reversed |= (bits >> 8 * i & 0xff) << (56 - 8 * i);
+    return reversed;
+}
+
 static inline void put_little_endian(struct text *t, double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
-    char *const to = t->data + t->length;
-#define PUT(i) to[i] = (char)(unsigned char)(bits >> 8 * (i))
-    PUT(0), PUT(1), PUT(2), PUT(3), PUT(4), PUT(5), PUT(6), PUT(7);
-#undef PUT
-    t->length += 8;
+    bits = little_endian(bits);
+    put_bytes(t, &bits, sizeof bits);
 }
 
 static inline double get_little_endian(const char bytes[8])
 {
-#define BYTE(i) ((uint64_t)(unsigned char)bytes[i] << 8 * (i))
-    const uint64_t bits = BYTE(0) | BYTE(1) | BYTE(2) | BYTE(3) | BYTE(4) |
-                          BYTE(5) | BYTE(6) | BYTE(7);
-#undef BYTE
+    uint64_t bits;
     double value;
+    memcpy(&bits, bytes, sizeof bits);
+    bits = little_endian(bits);
     memcpy(&value, &bits, sizeof value);
     return value;
 }
+
+/* Reads the digits [p, end).  Returns whether they are a number up to `most`, which
+ * is below 2^60. */
+int read_whole(const char *p, const char *end, unsigned long long most,
+               unsigned long long *value);
 
 /*
  * Copies [from, end).  Writes each byte that is not printable ASCII, and the

@@ -12,22 +12,53 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "answer.h"
 #include "main.h"
-#include "workers.h"
+
+/* ---------------------------------------------------------------- order -- */
+
+int wait_for_turn(struct job *job, unsigned long long ticket)
+{
+    pthread_mutex_lock(&job->order);
+    while (!job->ended && job->next != ticket)
+        pthread_cond_wait(&job->changed, &job->order);
+    const int is_mine = !job->ended;
+    pthread_mutex_unlock(&job->order);
+    return is_mine;
+}
+
+/* Lets the following ticket write, or ends the work. */
+static void pass_turn(struct job *job, int ends)
+{
+    pthread_mutex_lock(&job->order);
+    job->next++;
+    job->ended = ends;
+    pthread_cond_broadcast(&job->changed);
+    pthread_mutex_unlock(&job->order);
+}
+
+static int has_ended(struct job *job)
+{
+    pthread_mutex_lock(&job->order);
+    const int ended = job->ended;
+    pthread_mutex_unlock(&job->order);
+    return ended;
+}
+
+/* -------------------------------------------------------------- workers -- */
 
 struct team;
 
 struct worker {
     struct team *team;
-    struct block block;
+    struct task task;
     pthread_t thread;
     struct worker *next;
 };
 
+/* job->reading protects it. */
 struct team {
     struct job *job;
-    pthread_mutex_t reading; /* protects job->in and the members below */
-    unsigned long long tickets;
     int most, count;
     struct worker *others; /* all but the first */
 
@@ -38,24 +69,23 @@ struct team {
 
 static void *work(void *worker);
 
+static void free_worker(struct worker *w)
+{
+    task_free(&w->task);
+    free(w);
+}
+
 static struct worker *make_worker(struct team *team)
 {
     struct worker *w = malloc(sizeof *w);
-    if (w) {
-        w->team = team;
-        w->next = NULL;
-        if (job_block(team->job, &w->block))
-            return w;
-        block_free(&w->block);
-        free(w);
-    }
+    if (!w)
+        return NULL;
+    w->team = team;
+    w->next = NULL;
+    if (task_make(&w->task, team->job))
+        return w;
+    free_worker(w);
     return NULL;
-}
-
-static void free_worker(struct worker *w)
-{
-    block_free(&w->block);
-    free(w);
 }
 
 static int has_ending(struct team *team)
@@ -99,17 +129,18 @@ static void start_worker(struct team *team)
 }
 
 /* Reads a block and gives it a ticket.  Returns 0 if the work has ended. */
-static int read_block(struct team *team, struct block *b)
+static int read_block(struct team *team, struct task *task)
 {
-    pthread_mutex_lock(&team->reading);
-    const int ended = write_order_ended(&team->job->order);
+    struct job *job = team->job;
+    pthread_mutex_lock(&job->reading);
+    const int ended = has_ended(job);
     if (!ended) {
-        input_read(&team->job->in, b);
-        b->ticket = team->tickets++;
-        if (b->full && team->count < team->most)
+        input_read(&job->in, &task->block);
+        task->ticket = job->tickets++;
+        if (task->block.full && team->count < team->most)
             start_worker(team);
     }
-    pthread_mutex_unlock(&team->reading);
+    pthread_mutex_unlock(&job->reading);
     return !ended;
 }
 
@@ -123,20 +154,12 @@ static void *work(void *worker)
 {
     struct worker *w = worker;
     struct team *team = w->team;
-    struct job *job = team->job;
-    struct block *b = &w->block;
-    while (read_block(team, b)) {
-        switch (answer_block(job, b)) {
-        case ANSWERED:
-            write_order_pass(&job->order);
-            break;
-        case ANSWERED_LAST:
-            write_order_end(&job->order);
+    while (read_block(team, &w->task)) {
+        const enum answered status = answer_block(&w->task);
+        if (status != OVERTAKEN)
+            pass_turn(team->job, status == ANSWERED_LAST);
+        if (status == ANSWERED_LAST)
             close_end(team->ending[1]);
-            break;
-        default: /* OVERTAKEN */
-            break;
-        }
     }
     return NULL;
 }
@@ -144,9 +167,9 @@ static void *work(void *worker)
 /* Waits for all workers.  None starts after the work has ended. */
 static void join_workers(struct team *team)
 {
-    pthread_mutex_lock(&team->reading);
+    pthread_mutex_lock(&team->job->reading);
     struct worker *w = team->others;
-    pthread_mutex_unlock(&team->reading);
+    pthread_mutex_unlock(&team->job->reading);
     while (w) {
         struct worker *next = w->next;
         pthread_join(w->thread, NULL);
@@ -154,13 +177,11 @@ static void join_workers(struct team *team)
         w = next;
     }
     close_end(team->ending[0]);
-    pthread_mutex_destroy(&team->reading);
 }
 
 int workers_run(struct job *job, int most)
 {
-    struct team team = {job,     PTHREAD_MUTEX_INITIALIZER, 0, most, 1, NULL,
-                        {-1, -1}};
+    struct team team = {job, most, 1, NULL, {-1, -1}};
     struct worker *first = make_worker(&team);
     if (!first)
         return out_of_memory();

@@ -4,7 +4,6 @@
 #include "reader_scene.h"
 
 #include "labels.h"
-#include "scene_read.h"
 
 int cylint_python_read(const char *file, int ends, int round,
                        cylint_python_scene *read)
@@ -29,7 +28,7 @@ int cylint_python_read(const char *file, int ends, int round,
                                   .members = members,
                                   .n_members = n,
                                   .count = status == 0 ? scene.count : 0,
-                                  .label_bytes = labels.bytes,
-                                  .label_end = labels.end};
+                                  .label_bytes = labels.texts.bytes,
+                                  .label_end = labels.texts.end};
     return status;
 }

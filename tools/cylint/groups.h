@@ -1,0 +1,45 @@
+/*
+ * groups.h - groups of shapes: those that a record leaves out, ranks, columns of
+ * sums
+ *
+ * By label, a group is all shapes with the same name.  By number, each shape is a
+ * group.
+ */
+#ifndef CYLINT_GROUPS_H
+#define CYLINT_GROUPS_H
+
+#include "labels.h"
+
+/* Zero it before use. */
+struct groups {
+    size_t shapes;
+    struct names names; /* by label: those of the groups */
+    int *of;            /* by label: the group of each shape; NULL: by number */
+    size_t columns;     /* by label: the number of groups, but at least 1 */
+    int *rank;          /* of each shape; NULL: all have the same */
+};
+
+/* Groups the shapes by label.  Returns 0, or an exit status after a message. */
+int groups_make(struct groups *groups, const struct labels *labels);
+/* Reads the ranks of groups from a file. */
+int groups_read_ranks(struct groups *groups, const char *file);
+void groups_free(struct groups *groups);
+
+enum { LEFT_OUT_MOST = 64 };
+
+/* The groups that a record leaves out, without repetition. */
+struct left_out {
+    int count;
+    size_t group[LEFT_OUT_MOST];
+};
+
+/* Reads a record's words not=NAME.  Returns 1, or 0 and writes a note.  A label
+ * that no shape has is a remark. */
+int left_out_read(struct left_out *left_out, const struct groups *groups,
+                  int by_label, const struct record *record,
+                  struct notes *notes);
+
+/* Whether it has the shape's group. */
+int left_out_has(const struct left_out *left_out, size_t group);
+
+#endif
