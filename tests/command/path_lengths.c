@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "groups.h"
+#include "labels.h"
 
 const char *const program = "path_lengths";
 

@@ -10,7 +10,6 @@
 #include "main.h"
 #include "numbers.h"
 #include "text.h"
-#include "words.h"
 
 enum { SHOWN_MOST = 64, SHOWN_CAPACITY = 4 * SHOWN_MOST + 4, HELP_COLUMN = 21 };
 
@@ -50,13 +49,6 @@ int read_flag(const struct option *o, const char *value, void *place)
 {
     (void)value;
     *(int *)place = o->number;
-    return 0;
-}
-
-int read_bits(const struct option *o, const char *value, void *place)
-{
-    (void)value;
-    *(int *)place |= o->number;
     return 0;
 }
 

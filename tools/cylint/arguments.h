@@ -35,7 +35,6 @@ struct option {
 extern const char no_help[]; /* the help of an option that is not shown */
 
 option_reader read_flag;  /* sets an int to `number` */
-option_reader read_bits;  /* adds the bits of `number` to an int */
 option_reader read_text;  /* a const char *, the value */
 option_reader read_word;  /* an int, the index of a word */
 option_reader read_count; /* an int from 1 to `number` */

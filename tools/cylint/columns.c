@@ -9,23 +9,21 @@
 #include "columns.h"
 #include "numbers.h"
 
-/* What a column is, and the type of its member. */
 enum type {
-    TYPE_DOUBLE,
-    TYPE_WHOLE, /* a double that is a whole number */
-    TYPE_INT,   /* a word, or a whole number */
-    TYPE_CHORD, /* t1 - t0, no member */
-    TYPE_LENGTH,
-    TYPE_LABEL
+    REAL,  /* a double */
+    WHOLE, /* a double that is a whole number */
+    WORD,  /* an int: a word, or a whole number */
+    CHORD, /* t1 - t0 */
+    LENGTH,
+    LABEL
 };
 
 /* The row's answer has so many hits if the column has a value. */
-enum needs { ALWAYS = -1, AN_ANSWER, ONE_HIT, TWO_HITS };
+enum needs { ALWAYS = -1, ANSWER, ONE_HIT, TWO_HITS };
 
 struct column {
     const char *name;
-    unsigned
-        queries; /* a bit for each enum query; of points, from QUERIES on */
+    unsigned queries; /* a bit for each query; of points, from QUERIES on */
     enum type type;
     size_t place; /* of the member in a row */
     const char *const *words;
@@ -35,20 +33,20 @@ struct column {
 };
 
 const struct query_kind query_kinds[] = {
-    [QUERY_PAIRS] = {"pairs",
-                     {"relation,n,t0,t1", "distance,part", "distance,part"}},
-    [QUERY_NEAREST] = {"nearest",
-                       {"shape,t,part", "shape,distance,part,label",
-                        "shape,distance,part"}},
-    [QUERY_ANY] = {"any", {"any", "any", "any"}},
-    [QUERY_COUNT] = {"count", {"count", "count", "count"}},
-    [QUERY_ALL] = {"all",
-                   {"record,shape,t0,t1", "record,shape,distance",
-                    "record,shape,distance"}},
-    [QUERY_FIRST] = {"first", {"shape,t,part", "", ""}},
-    [QUERY_PIECES] = {"pieces", {"record,t0,t1,shape,depth", "", ""}},
-    [QUERY_INSIDE] = {"inside", {"count", "count", "count"}},
-    [QUERIES] = {NULL, {NULL}}};
+    {"pairs", "relation,n,t0,t1", "distance,part", "distance,part", 0, 0, 0},
+    {"nearest", "shape,t,part", "shape,distance,part,label",
+     "shape,distance,part", 0, 0, 0},
+    {"any", "any", "any", "any", 0, 0, 0},
+    {"count", "count", "count", "count", 0, 0, 0},
+    {"all", "record,shape,t0,t1", "record,shape,distance",
+     "record,shape,distance", 0, 0, 0},
+    {"first", "shape,t,part", "", "", 0, "the query first is for lines",
+     "the query first leaves out no shapes"},
+    {"pieces", "record,t0,t1,shape,depth", "", "", 0,
+     "the query pieces is for lines", "the query pieces leaves out no shapes"},
+    {"inside", "count", "count", "count", "the query inside is for points", 0,
+     0},
+    {0}};
 
 static const char *const relations[] = {[CYLINT_RELATION_MISS] = "miss",
                                         [CYLINT_RELATION_TOUCH] = "touch",
@@ -100,64 +98,59 @@ enum {
     }
 
 static const struct column columns[] = {
-    {"relation", PAIRS | NEAREST | ALL, TYPE_INT, AT(answer.relation),
-     relations, AN_ANSWER, 0,
+    {"relation", PAIRS | NEAREST | ALL, WORD, AT(answer.relation), relations,
+     ANSWER, 0,
      "miss, touch, along or cross: the whole line and the closed solid"},
-    {"n", PAIRS | ALL, TYPE_INT, AT(answer.n), NULL, AN_ANSWER, 0,
-     "number of hits"},
-    {"t0", PAIRS | ALL | PIECES, TYPE_DOUBLE, AT(answer.hit[0].t), NULL,
-     ONE_HIT, CYLINT_WANT_T,
-     "where on the line, first hit or begin of the piece"},
-    {"t1", PAIRS | ALL | PIECES, TYPE_DOUBLE, AT(answer.hit[1].t), NULL,
-     TWO_HITS, CYLINT_WANT_T,
-     "where on the line, second hit or end of the piece"},
-    {"t", NEAREST | FIRST, TYPE_DOUBLE, AT(answer.hit[0].t), NULL, ONE_HIT,
+    {"n", PAIRS | ALL, WORD, AT(answer.n), NULL, ANSWER, 0, "number of hits"},
+    {"t0", PAIRS | ALL | PIECES, REAL, AT(answer.hit[0].t), NULL, ONE_HIT,
+     CYLINT_WANT_T, "where on the line, first hit or begin of the piece"},
+    {"t1", PAIRS | ALL | PIECES, REAL, AT(answer.hit[1].t), NULL, TWO_HITS,
+     CYLINT_WANT_T, "where on the line, second hit or end of the piece"},
+    {"t", NEAREST | FIRST, REAL, AT(answer.hit[0].t), NULL, ONE_HIT,
      CYLINT_WANT_T, "where on the line"},
-    {"distance", POINTS, TYPE_DOUBLE, AT(distance), NULL, ONE_HIT, 0,
+    {"distance", POINTS, REAL, AT(distance), NULL, ONE_HIT, 0,
      "of a point from the surface, negative inside the solid"},
-    HITS("part", POINTS, TYPE_INT, part, parts, CYLINT_WANT_PART,
+    HITS("part", POINTS, WORD, part, parts, CYLINT_WANT_PART,
          "lateral, cap0 or cap1"),
-    {"feature", POINTS, TYPE_INT, AT(feature), features, ONE_HIT,
-     CYLINT_WANT_PART,
+    {"feature", POINTS, WORD, AT(feature), features, ONE_HIT, CYLINT_WANT_PART,
      "lateral, cap0, cap1, rim0, rim1 or apex: what is nearest"},
-    HITS("side", 0, TYPE_INT, side, sides, CYLINT_WANT_PART,
+    HITS("side", 0, WORD, side, sides, CYLINT_WANT_PART,
          "entering, leaving or both"),
-    HITS("x", POINTS, TYPE_DOUBLE, point[0], NULL, CYLINT_WANT_POINT,
+    HITS("x", POINTS, REAL, point[0], NULL, CYLINT_WANT_POINT,
          "x of the point"),
-    HITS("y", POINTS, TYPE_DOUBLE, point[1], NULL, CYLINT_WANT_POINT,
+    HITS("y", POINTS, REAL, point[1], NULL, CYLINT_WANT_POINT,
          "y of the point"),
-    HITS("z", POINTS, TYPE_DOUBLE, point[2], NULL, CYLINT_WANT_POINT,
+    HITS("z", POINTS, REAL, point[2], NULL, CYLINT_WANT_POINT,
          "z of the point"),
-    HITS("nx", POINTS, TYPE_DOUBLE, normal[0], NULL, CYLINT_WANT_NORMAL,
+    HITS("nx", POINTS, REAL, normal[0], NULL, CYLINT_WANT_NORMAL,
          "x of the outward unit normal"),
-    HITS("ny", POINTS, TYPE_DOUBLE, normal[1], NULL, CYLINT_WANT_NORMAL,
+    HITS("ny", POINTS, REAL, normal[1], NULL, CYLINT_WANT_NORMAL,
          "y of the outward unit normal"),
-    HITS("nz", POINTS, TYPE_DOUBLE, normal[2], NULL, CYLINT_WANT_NORMAL,
+    HITS("nz", POINTS, REAL, normal[2], NULL, CYLINT_WANT_NORMAL,
          "z of the outward unit normal"),
-    HITS("h", 0, TYPE_DOUBLE, z, NULL, CYLINT_WANT_Z,
+    HITS("h", 0, REAL, z, NULL, CYLINT_WANT_Z,
          "axial coordinate, 0 at the base, 1 at the top"),
-    HITS("phi", 0, TYPE_DOUBLE, phi, NULL, CYLINT_WANT_PHI,
+    HITS("phi", 0, REAL, phi, NULL, CYLINT_WANT_PHI,
          "angle about the axis over 2 pi, in [0,1)"),
-    {"chord", PAIRS | ALL, TYPE_CHORD, 0, NULL, TWO_HITS, CYLINT_WANT_T,
-     "t1 - t0"},
-    {"shape", OF_SHAPES, TYPE_WHOLE, AT(shape), NULL, ALWAYS, 0,
+    {"chord", PAIRS | ALL, CHORD, 0, NULL, TWO_HITS, CYLINT_WANT_T, "t1 - t0"},
+    {"shape", OF_SHAPES, WHOLE, AT(shape), NULL, ALWAYS, 0,
      "number of the shape in the scene, from 1; 0 for none"},
-    {"label", OF_SHAPES, TYPE_LABEL, 0, NULL, ALWAYS, 0,
+    {"label", OF_SHAPES, LABEL, 0, NULL, ALWAYS, 0,
      "the tail of the shape's line in the scene"},
-    {"depth", PIECES | POINT_INSIDE, TYPE_WHOLE, AT(depth), NULL, ALWAYS, 0,
+    {"depth", PIECES | POINT_INSIDE, WHOLE, AT(depth), NULL, ALWAYS, 0,
      "number of solids that contain the piece or the point"},
-    {"length", PIECES, TYPE_LENGTH, 0, NULL, ALWAYS, 0,
+    {"length", PIECES, LENGTH, 0, NULL, ALWAYS, 0,
      "t1 - t0, times the length of the direction"},
-    {"any", ANY | POINT_ANY, TYPE_WHOLE, AT(count), NULL, ALWAYS, 0,
+    {"any", ANY | POINT_ANY, WHOLE, AT(count), NULL, ALWAYS, 0,
      "1 if a shape is hit or within the radius, else 0"},
-    {"count", COUNT | POINT_COUNT | POINT_INSIDE, TYPE_WHOLE, AT(count), NULL,
+    {"count", COUNT | POINT_COUNT | POINT_INSIDE, WHOLE, AT(count), NULL,
      ALWAYS, 0,
      "number of shapes that are hit, are within the radius or hold the point"},
-    {"id", EVERY, TYPE_WHOLE, AT(record), NULL, ALWAYS, 0,
+    {"id", EVERY, WHOLE, AT(record), NULL, ALWAYS, 0,
      "number of the record, from 1"},
-    {"record", ALL | PIECES | POINT_ALL, TYPE_WHOLE, AT(record), NULL, ALWAYS,
-     0, "the same as id"},
-    {NULL, 0, TYPE_DOUBLE, 0, NULL, ALWAYS, 0, NULL}};
+    {"record", ALL | PIECES | POINT_ALL, WHOLE, AT(record), NULL, ALWAYS, 0,
+     "the same as id"},
+    {NULL, 0, REAL, 0, NULL, ALWAYS, 0, NULL}};
 
 /* -------------------------------------------------------------- choosing -- */
 
@@ -177,15 +170,15 @@ const char *similar_field(const char *name, size_t length, int query)
 
 static void add_field(struct fields *fields, const struct column *c, int query)
 {
-    const int is_member = c->type == TYPE_WHOLE;
+    const int is_member = c->type == WHOLE;
     const int is_count = is_member && c->place == AT(count);
     fields->column[fields->count++] = c;
     fields->want |= c->want;
-    fields->labels += c->type == TYPE_LABEL;
+    fields->labels += c->type == LABEL;
     fields->counts |= is_count;
     fields->solids |= query == QUERY_INSIDE + QUERIES && !is_count &&
                       !(is_member && c->place == AT(record));
-    if (c->needs == TWO_HITS || (c->words == NULL && c->type == TYPE_INT))
+    if (c->needs == TWO_HITS || (c->words == NULL && c->type == WORD))
         fields->want &= ~(unsigned)CYLINT_WANT_NEAREST;
 }
 
@@ -229,7 +222,7 @@ static double member_of(const struct column *c, const struct row *row)
     const char *at = (const char *)row + c->place;
     double value;
     int word;
-    if (c->type == TYPE_INT) {
+    if (c->type == WORD) {
         memcpy(&word, at, sizeof word);
         return word;
     }
@@ -241,15 +234,15 @@ static double member_of(const struct column *c, const struct row *row)
 static double value_of(const struct column *c, const struct row *row)
 {
     const cylint_hit *hit = row->answer.hit;
-    return c->type == TYPE_CHORD    ? hit[1].t - hit[0].t
-           : c->type == TYPE_LENGTH ? (hit[1].t - hit[0].t) * row->unit
-                                    : member_of(c, row);
+    return c->type == CHORD    ? hit[1].t - hit[0].t
+           : c->type == LENGTH ? (hit[1].t - hit[0].t) * row->unit
+                               : member_of(c, row);
 }
 
 static int is_missing(const struct column *c, const struct row *row)
 {
     return !row || row->answer.n < (int)c->needs ||
-           (c->type == TYPE_LABEL && row->label.length == 0);
+           (c->type == LABEL && row->label.length == 0);
 }
 
 static void put_missing(struct text *out, const struct style *style,
@@ -269,12 +262,12 @@ static void put_field(struct text *out, const struct style *style,
                       const struct column *c, const struct row *row)
 {
     if (is_missing(c, row))
-        put_missing(out, style, c->words || c->type == TYPE_LABEL);
-    else if (c->type == TYPE_LABEL)
+        put_missing(out, style, c->words || c->type == LABEL);
+    else if (c->type == LABEL)
         put_bytes(out, row->label.text, row->label.length);
     else if (c->words)
         put_string(out, c->words[(int)value_of(c, row)]);
-    else if (c->type == TYPE_WHOLE || c->type == TYPE_INT)
+    else if (c->type == WHOLE || c->type == WORD)
         put_whole(out, (unsigned long long)value_of(c, row));
     else
         put_number(out, style, value_of(c, row));

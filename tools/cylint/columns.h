@@ -8,7 +8,7 @@
 #define CYLINT_COLUMNS_H
 
 #include "cylint_scene.h"
-#include "groups.h"
+#include "labels.h"
 #include "text.h"
 
 enum query {
@@ -23,11 +23,12 @@ enum query {
     QUERIES       /* a query of points is the same number and QUERIES */
 };
 
-/* The word of a query and its columns unless -f is given: of lines, of points, of
- * points in binary. */
 struct query_kind {
     const char *word;
-    const char *fields[3];
+    /* the columns unless -f is given: of lines, of points, of points in binary */
+    const char *fields, *point_fields, *binary_fields;
+    /* why a line, a point or not=NAME is wrong, or NULL */
+    const char *no_lines, *no_points, *no_left_out;
 };
 
 extern const struct query_kind query_kinds[]; /* by enum query; then NULL */

@@ -10,38 +10,27 @@
 #include "numbers.h"
 
 const struct kind line_kinds[] = {
-    [LINE_WHOLE] = {"line", 6, "ox oy oz  dx dy dz", {0}},
-    [LINE_RAY] = {"ray", 6, "ox oy oz  dx dy dz", {0}},
-    [LINE_SEGMENT] = {"segment", 6, "ax ay az  bx by bz", {0}},
-    [LINE_SPAN] = {"span", 8, "ox oy oz  dx dy dz  tmin tmax", {0}},
-    [LINE_POINT] = {"point", 3, "x y z", {0}},
-    [LINE_KINDS] = {NULL, 0, NULL, {0}}};
+    {"line", 6, "ox oy oz  dx dy dz", 0, 0},
+    {"ray", 6, "ox oy oz  dx dy dz", 0, 0},
+    {"segment", 6, "ax ay az  bx by bz", 0, 0},
+    {"span", 8, "ox oy oz  dx dy dz  tmin tmax", 0, 0},
+    {"point", 3, "x y z", 0, 0},
+    {0}};
 
 const struct kind shape_kinds[] = {
-    [SHAPE_CYLINDER] = {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r", {6, 6}},
-    [SHAPE_CONE] = {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", {3, 7}},
-    [SHAPE_ECYLINDER] = {"ecylinder",
-                         12,
-                         "cx cy cz  ax ay az  bx by bz  hx hy hz",
-                         {0}},
-    [SHAPE_ECONE] = {"econe",
-                     13,
-                     "cx cy cz  ax ay az  bx by bz  hx hy hz  k",
-                     {12, 12}},
-    [SHAPE_ACONE] = {"acone", 7, "vx vy vz  ux uy uz  degrees", {6, 6}},
-    [SHAPE_SPHERE] = {"sphere", 4, "cx cy cz  r", {3, 3}},
-    [SHAPE_CAPSULE] = {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r", {6, 6}},
-    [SHAPE_RCONE] = {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", {3, 7}},
-    [SHAPE_HALFSPACE] = {"halfspace", 6, "px py pz  nx ny nz", {0}},
-    [SHAPE_KINDS] = {NULL, 0, NULL, {0}}};
+    {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r", 6, 6},
+    {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", 3, 7},
+    {"ecylinder", 12, "cx cy cz  ax ay az  bx by bz  hx hy hz", 0, 0},
+    {"econe", 13, "cx cy cz  ax ay az  bx by bz  hx hy hz  k", 12, 12},
+    {"acone", 7, "vx vy vz  ux uy uz  degrees", 6, 6},
+    {"sphere", 4, "cx cy cz  r", 3, 3},
+    {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r", 6, 6},
+    {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", 3, 7},
+    {"halfspace", 6, "px py pz  nx ny nz", 0, 0},
+    {0}};
 
-const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
-                                  [CYLINT_ENDS_OPEN] = "open",
-                                  [CYLINT_ENDS_CAP0] = "cap0",
-                                  [CYLINT_ENDS_CAP1] = "cap1",
-                                  [CYLINT_ENDS_INFINITE] = "infinite",
-                                  [CYLINT_ENDS_NAPPE] = "nappe",
-                                  NULL};
+const char *const ends_words[] = {"capped",   "open",  "cap0", "cap1",
+                                  "infinite", "nappe", NULL};
 
 #define ENDS_WORD "ends="
 
@@ -280,10 +269,10 @@ static int read_ends(struct reader *r, int *ends)
 /* The first negative radius, else the first radius. */
 static int wrong_number(int kind, const double *v, cylint_status status)
 {
-    const int *radius = shape_kinds[kind].radius;
+    const struct kind *k = &shape_kinds[kind];
     if (status != CYLINT_ERADIUS && status != CYLINT_EANGLE)
         return NOT_GIVEN;
-    return v[radius[0]] >= 0 && v[radius[1]] < 0 ? radius[1] : radius[0];
+    return v[k->radius] >= 0 && v[k->radius1] < 0 ? k->radius1 : k->radius;
 }
 
 static int read_shape(struct reader *r, const struct grammar *g,

@@ -16,7 +16,6 @@
 #include "cylint.h"
 #include "report.h"
 #include "text.h"
-#include "words.h"
 
 /* Lines, and a point. */
 enum line_kind {
@@ -49,7 +48,7 @@ struct kind {
     const char *word;
     int numbers;
     const char *names;
-    int radius[2];
+    int radius, radius1;
 };
 
 extern const struct kind line_kinds[], shape_kinds[]; /* by their enums; NULL */

@@ -1,8 +1,11 @@
 /*
- * labels.c - the tails of a scene's lines, which are the labels of its shapes
+ * labels.c - the labels of shapes, and groups of shapes
  */
+#include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "input.h"
 #include "labels.h"
 #include "main.h"
 
@@ -61,10 +64,198 @@ struct label labels_get(const struct labels *labels, size_t shape)
     return t->end ? text_at(t->end, t->text, shape) : (struct label){"", 0};
 }
 
-struct label name_of_shape(const struct labels *labels, size_t shape)
+/* --------------------------------------------------------------- groups -- */
+
+static struct label name_of_shape(const struct labels *labels, size_t shape)
 {
     struct label name = labels_get(labels, shape);
     name.length =
         (size_t)(field_end(name.text, name.text + name.length) - name.text);
     return name;
+}
+
+int groups_make(struct groups *g, const struct labels *labels)
+{
+    size_t group;
+    g->of = malloc((g->shapes + 1) * sizeof *g->of);
+    if (!g->of)
+        return out_of_memory();
+    for (size_t i = 0; i < g->shapes; i++) {
+        if (!names_add(&g->names, name_of_shape(labels, i), &group))
+            return out_of_memory();
+        g->of[i] = (int)group;
+    }
+    g->columns = g->shapes > 0 ? g->names.texts.count : 1;
+    return 0;
+}
+
+void groups_free(struct groups *g)
+{
+    names_free(&g->names);
+    free(g->of);
+    free(g->rank);
+}
+
+/* ---------------------------------------------------------------- ranks -- */
+
+enum { NO_RANK = INT_MIN };
+
+/* The file as it is read. */
+struct rank_file {
+    const struct groups *groups;
+    const char *name;
+    int *rank; /* of each group, or NO_RANK */
+    int has_warned;
+};
+
+/* Reads an integer that is a whole field.  Returns 0 if it is none. */
+static int read_rank(const struct reader *r, int *rank)
+{
+    const int has_sign = r->p < r->end && (*r->p == '-' || *r->p == '+');
+    unsigned long long size;
+    const int is_whole =
+        read_whole(r->p + has_sign, end_of_field(r), INT_MAX, &size);
+    *rank = has_sign && *r->p == '-' ? -(int)size : (int)size;
+    return is_whole;
+}
+
+/* Stores the rank.  A label that no shape has gives one message. */
+static int take_rank(struct rank_file *f, struct label name, int rank,
+                     struct notes *notes)
+{
+    const size_t group = names_find(&f->groups->names, name);
+    const char *const end = name.text + name.length;
+    if (group == f->groups->names.texts.count) {
+        if (!f->has_warned) {
+            refuse_text(notes, "no shape has this label", name.text, end);
+            print_refusal(notes, f->name);
+        }
+        f->has_warned = 1;
+        return 0;
+    }
+    if (f->rank[group] != NO_RANK) {
+        refuse_text(notes, "this label has a rank already", name.text, end);
+        return EXIT_BAD;
+    }
+    f->rank[group] = rank;
+    return 0;
+}
+
+/* A line LABEL INTEGER. */
+static int read_ranking(void *context, const char *line, const char *end,
+                        struct notes *notes)
+{
+    struct reader r;
+    int rank;
+    if (!begin_line(&r, line, end, notes))
+        return EXIT_BAD;
+    const struct label name = {r.p, (size_t)(end_of_field(&r) - r.p)};
+    if (name.length == 0) {
+        refuse_other_field(&r, "a label");
+        return EXIT_BAD;
+    }
+    skip_to(&r, end_of_field(&r));
+    if (!read_rank(&r, &rank)) {
+        refuse_other(notes, "an integer from -2147483647 to 2147483647", r.p,
+                     end_of_field(&r));
+        return EXIT_BAD;
+    }
+    skip_to(&r, end_of_field(&r));
+    if (r.p < r.end) {
+        refuse_other(notes, "the end of the line", r.p, end_of_field(&r));
+        return EXIT_BAD;
+    }
+    return take_rank(context, name, rank, notes);
+}
+
+/* Names without a line have the rank 0. */
+int groups_read_ranks(struct groups *g, const char *file)
+{
+    const size_t count = g->names.texts.count;
+    struct rank_file f = {.groups = g, .name = file};
+    f.rank = malloc((count + 1) * sizeof *f.rank);
+    g->rank = malloc((g->shapes + 1) * sizeof *g->rank);
+    int status = f.rank && g->rank ? 0 : out_of_memory();
+    for (size_t i = 0; i < count && status == 0; i++)
+        f.rank[i] = NO_RANK;
+    if (status == 0)
+        status = read_lines(file, 0, read_ranking, &f);
+    for (size_t i = 0; i < g->shapes && status == 0; i++)
+        g->rank[i] = f.rank[g->of[i]] == NO_RANK ? 0 : f.rank[g->of[i]];
+    free(f.rank);
+    return status;
+}
+
+/* ------------------------------------------------------------- left out -- */
+
+int left_out_has(const struct left_out *l, size_t group)
+{
+    for (int i = 0; i < l->count; i++)
+        if (l->group[i] == group)
+            return 1;
+    return 0;
+}
+
+/* Writes the group with this name.  Returns 0 if there is none. */
+static int find_group(const struct groups *g, int by_label, struct label name,
+                      size_t *group)
+{
+    unsigned long long number = 0;
+    if (by_label) {
+        *group = names_find(&g->names, name);
+        return *group < g->names.texts.count;
+    }
+    const int is_found =
+        read_whole(name.text, name.text + name.length, g->shapes, &number);
+    *group = (size_t)number - 1;
+    return is_found && number > 0;
+}
+
+static int leave_out(struct left_out *l, size_t group, struct label name,
+                     struct notes *notes)
+{
+    if (left_out_has(l, group))
+        return 1;
+    if (l->count == LEFT_OUT_MOST)
+        return refuse_text(notes, "more than 64 words not=", name.text,
+                           name.text + name.length);
+    l->group[l->count++] = group;
+    return 1;
+}
+
+/* Reads one name. */
+static int read_name(struct left_out *l, const struct groups *g, int by_label,
+                     struct label name, struct notes *notes)
+{
+    const char *const end = name.text + name.length;
+    size_t group;
+    if (name.length == 0)
+        return refuse_text(notes, "not= without a number or label", name.text,
+                           end);
+    if (find_group(g, by_label, name, &group))
+        return leave_out(l, group, name, notes);
+    if (!by_label)
+        return refuse_other(notes, "the number of a shape of the scene",
+                            name.text, end);
+    if (wants_remark(notes, REMARK_LABEL)) {
+        refuse_text(notes, "no shape has this label", name.text, end);
+        advise(notes, "nothing is left out");
+        make_remark(notes, REMARK_LABEL);
+    }
+    return 1;
+}
+
+int left_out_read(struct left_out *l, const struct groups *g, int by_label,
+                  const struct record *record, struct notes *notes)
+{
+    const char *const end = record->words + record->words_length;
+    l->count = 0;
+    for (const char *p = record->words; p < end;) {
+        const char *name = p + strlen(NOT_WORD), *after = field_end(name, end);
+        const struct label label = {name, (size_t)(after - name)};
+        if (!read_name(l, g, by_label, label, notes))
+            return 0;
+        p = skip_separator(after, end);
+    }
+    return 1;
 }

@@ -1,7 +1,9 @@
 /*
- * labels.h - the tails of a scene's lines, which are the labels of its shapes
+ * labels.h - the tails of a scene's lines, which are the labels of its shapes, and
+ * groups of shapes: those that a record leaves out, ranks, columns of sums
  *
- * The name of a shape is the first field of its label.
+ * By label, a group is all shapes whose labels begin with the same field, its name.
+ * By number, each shape is a group.
  */
 #ifndef CYLINT_LABELS_H
 #define CYLINT_LABELS_H
@@ -26,9 +28,41 @@ int labels_take(struct labels *labels, const struct scene *scene,
                 const char *file);
 void labels_free(struct labels *labels);
 
-/* The label of a shape, counted from 0, and its name.  Their length is 0 if there
- * is none. */
+/* The label of a shape, counted from 0.  Its length is 0 if there is none. */
 struct label labels_get(const struct labels *labels, size_t shape);
-struct label name_of_shape(const struct labels *labels, size_t shape);
+
+/* --------------------------------------------------------------- groups -- */
+
+/* Zero it before use. */
+struct groups {
+    size_t shapes;
+    struct names names; /* by label: those of the groups */
+    int *of;            /* by label: the group of each shape; NULL: by number */
+    size_t columns;     /* by label: the number of groups, but at least 1 */
+    int *rank;          /* of each shape; NULL: all have the same */
+};
+
+/* Groups the shapes by label.  Returns 0, or an exit status after a message. */
+int groups_make(struct groups *groups, const struct labels *labels);
+/* Reads the ranks of groups from a file. */
+int groups_read_ranks(struct groups *groups, const char *file);
+void groups_free(struct groups *groups);
+
+enum { LEFT_OUT_MOST = 64 };
+
+/* The groups that a record leaves out, without repetition. */
+struct left_out {
+    int count;
+    size_t group[LEFT_OUT_MOST];
+};
+
+/* Reads a record's words not=NAME.  Returns 1, or 0 and writes a note.  A label
+ * that no shape has is a remark. */
+int left_out_read(struct left_out *left_out, const struct groups *groups,
+                  int by_label, const struct record *record,
+                  struct notes *notes);
+
+/* Whether it has the shape's group. */
+int left_out_has(const struct left_out *left_out, size_t group);
 
 #endif

@@ -98,7 +98,7 @@ static int answer_input(struct job *job)
     int status = read_scene_if_needed(job);
     if (o->sum && o->style.binary)
         job->out.row = sizeof(double) * job->groups.columns;
-    if (status == 0 && o->binary & BINARY_ARRAY)
+    if (status == 0 && o->array)
         status = output_begin_array(&job->out);
     if (status == 0 && o->header)
         status = put_first_line(job);
@@ -136,7 +136,7 @@ static int answer(struct job *job)
 {
     const struct options *o = job->options;
     const size_t record =
-        o->binary & BINARY_IN ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
+        o->binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
     const size_t row =
         o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
     if (o->output && is_read_too(o, o->output))

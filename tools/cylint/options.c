@@ -145,12 +145,11 @@ static const struct option options_known[] = {
      "a record with a tail is bad"},
     {"C", 0, read_flag, AT(comments), 0, 1, 0,
      "copy blank lines and comments through"},
-    {"b", 0, read_bits, AT(binary), 0, BINARY_IN | BINARY_OUT, 0, NULL},
-    {"binary-in", 0, read_bits, AT(binary), 0, BINARY_IN, 0, NULL},
-    {"binary-out", 0, read_bits, AT(binary), 0, BINARY_OUT, 0,
+    {"b", 0, read_flag, AT(binary), 0, 1, 0, NULL},
+    {"binary-in", 0, read_flag, AT(binary_in), 0, 1, 0, NULL},
+    {"binary-out", 0, read_flag, AT(style.binary), 0, 1, 0,
      "little-endian doubles in and out, in, out (needs -k)"},
-    {"npy", 0, read_bits, AT(binary), 0, BINARY_OUT | BINARY_ARRAY, 0,
-     "binary answers as a .npy array"},
+    {"npy", 0, read_flag, AT(array), 0, 1, 0, "binary answers as a .npy array"},
     {"j", "N", read_count, AT(workers), "a number of workers", COUNT_MOST, 0,
      "workers, at most; one for each processor by default"},
     {"hits-only", 0, read_flag, AT(hits_only), 0, 1, 0,
@@ -303,42 +302,25 @@ static int settle_pieces(struct options *o)
     return check(rules);
 }
 
-static const char *refusal_of_lines(const struct options *o)
-{
-    return is_given(o, "within")           ? "the option --within is for points"
-           : o->query == QUERY_INSIDE      ? "the query inside is for points"
-           : o->is_signed                  ? "the option --signed is for points"
-           : o->grammar.line == LINE_POINT ? ""
-                                           : NULL;
-}
-
-/* Of the queries first and pieces. */
-static int settle_lines_only(struct options *o)
-{
-    struct grammar *g = &o->grammar;
-    const int is_first = o->query == QUERY_FIRST;
-    const char *word = query_kinds[o->query].word;
-    g->no_points = is_first ? "the query first is for lines"
-                            : "the query pieces is for lines";
-    g->no_left_out = is_first ? "the query first leaves out no shapes"
-                              : "the query pieces leaves out no shapes";
-    if (g->no_lines)
-        return usage("the query %s is for lines, not for points", word);
-    return o->method ? usage("--method: no method answers the query %s", word)
-                     : 0;
-}
-
 /* Whether the options allow only lines or only points. */
 static int settle_records(struct options *o)
 {
     struct grammar *g = &o->grammar;
-    g->no_lines = refusal_of_lines(o);
-    if (o->query == QUERY_FIRST || o->query == QUERY_PIECES)
-        return settle_lines_only(o);
-    if (g->line != NOT_GIVEN && g->line != LINE_POINT)
-        g->no_points = "";
-    else if (o->method)
-        g->no_points = "a method computes no distances";
+    const struct query_kind *q = &query_kinds[o->query];
+    g->no_lines = is_given(o, "within")   ? "the option --within is for points"
+                  : q->no_lines           ? q->no_lines
+                  : o->is_signed          ? "the option --signed is for points"
+                  : g->line == LINE_POINT ? ""
+                                          : NULL;
+    g->no_points = q->no_points ? q->no_points
+                   : g->line != NOT_GIVEN && g->line != LINE_POINT ? ""
+                   : o->method ? "a method computes no distances"
+                               : NULL;
+    g->no_left_out = q->no_left_out;
+    if (q->no_points && g->no_lines)
+        return usage("the query %s is for lines, not for points", q->word);
+    if (q->no_points && o->method)
+        return usage("--method: no method answers the query %s", q->word);
     if (g->no_lines && g->no_points)
         return o->method ? usage("--method is for lines, not for points")
                          : usage("%s, not for lines", g->no_lines);
@@ -363,10 +345,12 @@ static int refuse_field_name(const struct fields *fields, const char *bad,
 static const char *find_columns(struct fields *fields, const struct options *o,
                                 int is_point)
 {
-    const int set = !is_point ? 0 : o->style.binary ? 2 : 1;
-    return find_fields(
-        fields, o->columns ? o->columns : query_kinds[o->query].fields[set],
-        (int)o->query + (is_point ? QUERIES : 0));
+    const struct query_kind *q = &query_kinds[o->query];
+    const char *unless_given = !is_point         ? q->fields
+                               : o->style.binary ? q->binary_fields
+                                                 : q->point_fields;
+    return find_fields(fields, o->columns ? o->columns : unless_given,
+                       (int)o->query + (is_point ? QUERIES : 0));
 }
 
 /* Reads the columns of lines, of points, or of both: of those records that the
@@ -397,7 +381,7 @@ static int settle_fields(struct options *o)
 
 static int settle_binary(struct options *o)
 {
-    const int out = o->style.binary, in = o->binary & BINARY_IN;
+    const int out = o->style.binary, in = o->binary_in;
     const struct rule rules[] = {
         {is_given(o, "x") && is_given(o, "p"), "-x and -p exclude each other"},
         {out && is_given(o, "x"), "-x: binary output has no digits"},
@@ -436,7 +420,8 @@ static int settle(struct options *o)
     g->has_line = 1;
     g->has_shape = o->scene == NULL;
     g->no_tail = o->tail == TAIL_REFUSED;
-    o->style.binary = (o->binary & BINARY_OUT) != 0;
+    o->binary_in |= o->binary;
+    o->style.binary |= o->binary | o->array;
     o->sum += is_given(o, "sum");
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == 0; i++)
         status = steps[i](o);

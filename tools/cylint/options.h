@@ -16,13 +16,6 @@ enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 /* --sum: no sums; of lengths; of lengths in units of the line's direction. */
 enum sum { SUM_NONE, SUM_LENGTH, SUM_T };
 
-/* Which records and answers are doubles, as a sum. */
-enum {
-    BINARY_IN = 1,
-    BINARY_OUT = 2,
-    BINARY_ARRAY = 4 /* after a .npy header */
-};
-
 /* --tail and --no-tail */
 enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };
 
@@ -49,7 +42,7 @@ struct options {
     struct fields fields, point_fields; /* of lines, of points */
     double radius;                      /* of points, by --within */
     int is_signed;                      /* of points, by --signed */
-    int binary;
+    int binary, binary_in, array; /* -b; records are doubles; a .npy header */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
     int bad;

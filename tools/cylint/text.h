@@ -1,8 +1,6 @@
 /*
- * text.h - bytes: the sizes of buffers, and what is written to and read from them
- *
- * Nothing here allocates: the caller provides memory for TEXT_FULL bytes and the
- * longest row, and empties the text when it holds TEXT_FULL bytes.
+ * text.h - bytes that are written to and read from the caller's memory, and tables
+ * of words
  */
 #ifndef CYLINT_TEXT_H
 #define CYLINT_TEXT_H
@@ -93,5 +91,42 @@ int read_whole(const char *p, const char *end, unsigned long long most,
  * end.  Returns the length.
  */
 size_t escape_bytes(char *to, const char *from, const char *end, size_t most);
+
+/* --------------------------------------------------------------- words -- */
+
+enum { NOT_GIVEN = -1, WORDS_CAPACITY = 160 };
+
+/* A table whose elements begin with a word.  The last one's word is NULL. */
+struct words {
+    const void *table;
+    size_t size; /* of an element */
+};
+
+#define WORDS(table) ((struct words){(table), sizeof *(table)})
+
+/* Word i, or NULL at the end. */
+const char *word_at(struct words words, int i);
+
+/* The index of the text, or NOT_GIVEN. */
+int find_word(struct words words, const char *text, size_t length);
+
+/* Writes `a, b or c`.  Returns `to`. */
+const char *list_words(char to[WORDS_CAPACITY], struct words words);
+
+/* A text that is not one of the expected words, and the nearest of these. */
+struct similar {
+    const char *text;
+    size_t length;
+    const char *word; /* NULL: no word is near */
+    int most;         /* the distance of a nearer word */
+};
+
+/* Compares the words that the caller keeps.  Of equally near ones the first
+ * stays. */
+struct similar similar_to(const char *text, size_t length);
+void similar_try(struct similar *similar, const char *word);
+
+/* The nearest word of a table, or NULL. */
+const char *similar_word(struct words words, const char *text, size_t length);
 
 #endif
