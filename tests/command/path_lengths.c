@@ -359,7 +359,8 @@ int main(int argc, char **argv)
     while (fgets(text, sizeof text, in)) {
         struct record r;
         struct notes notes = {.text = text};
-        MUST(read_record(&g, text, text + strcspn(text, "\n"), &r, &notes));
+        MUST(read_record(&g, text, text + strcspn(text, "\n"), &r, &notes) ==
+             0);
         (strcmp(argv[1], "sums") == 0 ? write_sums : write_pieces)(&r.line);
     }
     fclose(in);

@@ -70,7 +70,7 @@ static void check_record(const struct grammar *g, const struct record *r)
     cylint_answer answer;
     MUST(!g->has_line || r->is_point || r->line.valid);
     MUST(!g->has_shape || r->shape.kind != CYLINT_KIND_NONE);
-    MUST(memchr(r->tail, '\0', r->tail_length) == NULL);
+    MUST(memchr(r->tail.text, '\0', r->tail.length) == NULL);
     if (g->has_line && g->has_shape && r->is_point) {
         cylint_closest closest;
         const double d =
@@ -107,8 +107,8 @@ static void check_line(const struct grammar *g, const char *text,
         return;
     }
     memset(&record, 0, sizeof record);
-    if (read_record(g, text, end, &record, &notes)) {
-        MUST(text <= record.tail && record.tail + record.tail_length <= end);
+    if (read_record(g, text, end, &record, &notes) == 0) {
+        MUST(text <= record.tail.text && end_of(record.tail) <= end);
         check_record(g, &record);
     } else {
         check_note(&notes, end);
@@ -127,8 +127,8 @@ static void check_doubles(const struct grammar *g, const char *bytes,
     }
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
     memset(&record, 0, sizeof record);
-    record.tail = "";
-    if (take_record(g, numbers, &record, &notes)) {
+    record.tail = string_of("");
+    if (take_record(g, numbers, &record, &notes) == 0) {
         check_record(g, &record);
     } else {
         MUST(notes.note[0].text[0]);

@@ -57,13 +57,14 @@ static void deliver_if_full(struct task *task)
         deliver(task);
 }
 
-void end_without_memory(struct task *task)
+int end_without_memory(struct task *task)
 {
     deliver(task);
     if (task->status == ANSWERED) {
         task->job->status = out_of_memory();
         task->status = ANSWERED_LAST;
     }
+    return 0;
 }
 
 void put_answer(struct task *task, int is_hit)
@@ -104,22 +105,20 @@ static int read_left_out(struct task *task)
 {
     const struct job *job = task->job;
     task->left_out.count = 0;
-    return task->record.words_length == 0 ||
+    return task->record.words.length > 0 &&
            left_out_read(&task->left_out, &job->groups, job->options->not_label,
-                         &task->record, &task->notes);
+                         task->record.words, &task->notes);
 }
 
-/* is_good: the record was read. */
-static void answer_or_mark(struct task *task, int is_good)
+/* status: of reading the record. */
+static void answer_or_mark(struct task *task, int status)
 {
-    struct row *row = &task->row;
-    const struct record *r = &task->record;
-    row->tail = (struct label){r->tail, r->tail_length};
-    if (is_good && read_left_out(task) && answer_record(task))
-        count_good(&task->notes);
-    else
+    task->row.tail = task->record.tail;
+    if (status != 0 || read_left_out(task) || answer_record(task))
         mark_bad(task);
-    row->record++;
+    else
+        count_good(&task->notes);
+    task->row.record++;
     task->notes.record++;
 }
 
@@ -127,7 +126,7 @@ static void copy_comment(struct task *task, const char *line, const char *end)
 {
     if (end > line && end[-1] == '\r')
         end--;
-    put_bytes(&task->out, line, (size_t)(end - line));
+    put_string(&task->out, between(line, end));
     put_char(&task->out, '\n');
     deliver_if_full(task);
 }

@@ -70,10 +70,10 @@ enum answered answer_block(struct task *task);
 
 /* Writes the row of the present record's answer. */
 void put_answer(struct task *task, int is_hit);
-/* Ends the work after the answers so far. */
-void end_without_memory(struct task *task);
+/* Ends the work after the answers so far.  Returns 0. */
+int end_without_memory(struct task *task);
 
-/* Answers the present record.  Returns 0 and writes a note if it is bad. */
+/* Answers the present record.  Returns 0, or EXIT_BAD and writes a note. */
 int answer_record(struct task *task);
 
 /* Answers all input with at most `most` workers, the caller included.  Returns

@@ -11,7 +11,7 @@
 #include "numbers.h"
 #include "text.h"
 
-enum { SHOWN_MOST = 64, SHOWN_CAPACITY = 4 * SHOWN_MOST + 4, HELP_COLUMN = 21 };
+enum { VALUE_MOST = 64, HELP_COLUMN = 21 };
 
 const char no_help[] = "";
 
@@ -37,10 +37,10 @@ int usage_value(const struct option *o, const char *value, const char *expected,
                 const char *meant)
 {
     char shown[SHOWN_CAPACITY];
-    escape_bytes(shown, value, value + strlen(value), SHOWN_MOST);
     return usage("%s%s: expected %s, found '%s'%s%s%s", dashes_of(o), o->name,
-                 expected, shown, meant ? "; did you mean " : "",
-                 meant ? meant : "", meant ? "?" : "");
+                 expected, escape(shown, string_of(value), VALUE_MOST),
+                 meant ? "; did you mean " : "", meant ? meant : "",
+                 meant ? "?" : "");
 }
 
 /* --------------------------------------------------------------- values -- */
@@ -63,11 +63,10 @@ int read_word(const struct option *o, const char *value, void *place)
 {
     char expected[WORDS_CAPACITY];
     const struct words words = WORDS((const char *const *)o->extra);
-    const size_t length = strlen(value);
-    const int index = find_word(words, value, length);
+    const int index = find_word(words, string_of(value));
     if (index == NOT_GIVEN)
         return usage_value(o, value, list_words(expected, words),
-                           similar_word(words, value, length));
+                           similar_word(words, string_of(value)));
     *(int *)place = index;
     return 0;
 }
@@ -75,8 +74,7 @@ int read_word(const struct option *o, const char *value, void *place)
 int read_count(const struct option *o, const char *value, void *place)
 {
     unsigned long long count;
-    if (!read_whole(value, value + strlen(value), (unsigned long long)o->number,
-                    &count) ||
+    if (!read_whole(string_of(value), (unsigned long long)o->number, &count) ||
         count == 0)
         return usage_value(o, value, o->extra, NULL);
     *(int *)place = (int)count;
@@ -127,11 +125,11 @@ static int set_next(struct arguments *args, const struct option *o)
 
 /* Suggests long options: one letter is too short. */
 static int refuse_option(const struct option *known, const char *dashes,
-                         const char *name, size_t length)
+                         struct string name)
 {
-    struct similar similar = similar_to(name, length);
-    char shown[SHOWN_CAPACITY];
-    escape_bytes(shown, name, name + length, SHOWN_MOST);
+    struct similar similar = similar_to(name);
+    char text[SHOWN_CAPACITY];
+    const char *shown = escape(text, name, VALUE_MOST);
     for (const struct option *o = known; o->name; o++)
         if (o->name[1])
             similar_try(&similar, o->name);
@@ -140,29 +138,30 @@ static int refuse_option(const struct option *known, const char *dashes,
                         : usage("unknown option '%s%s'", dashes, shown);
 }
 
-static int take_long(struct arguments *args, const char *name)
+static int take_long(struct arguments *args, const char *text)
 {
-    const size_t length = strcspn(name, "=");
+    const struct string name = between(text, text + strcspn(text, "="));
+    const char *value = *end_of(name) == '=' ? end_of(name) + 1 : NULL;
     const int i =
-        length > 1 ? find_word(WORDS(args->known), name, length) : NOT_GIVEN;
+        name.length > 1 ? find_word(WORDS(args->known), name) : NOT_GIVEN;
     if (i == NOT_GIVEN)
-        return refuse_option(args->known, "--", name, length);
+        return refuse_option(args->known, "--", name);
     const struct option *o = &args->known[i];
-    if (name[length] != '=')
-        return o->value ? set_next(args, o) : set(args, o, NULL);
-    return o->value ? set(args, o, name + length + 1)
-                    : usage("--%s takes no value", o->name);
+    if (!o->value && value)
+        return usage("--%s takes no value", o->name);
+    return o->value && !value ? set_next(args, o) : set(args, o, value);
 }
 
 static int take_short(struct arguments *args, const char *letters)
 {
     int status = 0;
     for (const char *p = letters; *p && status == 0; p++) {
-        const int i = find_word(WORDS(args->known), p, 1);
+        const struct string letter = between(p, p + 1);
+        const int i = find_word(WORDS(args->known), letter);
         const struct option *o = &args->known[i == NOT_GIVEN ? 0 : i];
         if (i == NOT_GIVEN)
-            return refuse_option(args->known, "-", p,
-                                 p == letters ? strlen(p) : 1);
+            return refuse_option(args->known, "-",
+                                 p == letters ? string_of(p) : letter);
         if (o->value)
             return p[1] ? set(args, o, p + 1) : set_next(args, o);
         status = set(args, o, NULL);

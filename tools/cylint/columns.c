@@ -159,9 +159,9 @@ static int has_query(const struct column *c, int query)
     return c->queries >> query & 1;
 }
 
-const char *similar_field(const char *name, size_t length, int query)
+const char *similar_field(struct string name, int query)
 {
-    struct similar similar = similar_to(name, length);
+    struct similar similar = similar_to(name);
     for (const struct column *c = columns; c->name; c++)
         if (has_query(c, query))
             similar_try(&similar, c->name);
@@ -188,13 +188,13 @@ const char *find_fields(struct fields *fields, const char *names, int query)
     memset(fields, 0, sizeof *fields);
     fields->want = query < QUERIES ? CYLINT_WANT_NEAREST : 0;
     for (;; names++) {
-        const size_t length = strcspn(names, ",");
-        const int i = find_word(WORDS(columns), names, length);
+        const char *const end = names + strcspn(names, ",");
+        const int i = find_word(WORDS(columns), between(names, end));
         if (i == NOT_GIVEN || !has_query(&columns[i], query) ||
             fields->count == MOST_FIELDS)
             return names;
         add_field(fields, &columns[i], query);
-        names += length;
+        names = end;
         if (*names == '\0')
             return NULL;
     }
@@ -248,7 +248,7 @@ static int is_missing(const struct column *c, const struct row *row)
 static void put_missing(struct text *out, const struct style *style,
                         int is_word)
 {
-    put_string(out, style->missing ? style->missing : is_word ? "-" : "nan");
+    put_word(out, style->missing ? style->missing : is_word ? "-" : "nan");
 }
 
 static void put_number(struct text *out, const struct style *style,
@@ -264,9 +264,9 @@ static void put_field(struct text *out, const struct style *style,
     if (is_missing(c, row))
         put_missing(out, style, c->words || c->type == LABEL);
     else if (c->type == LABEL)
-        put_bytes(out, row->label.text, row->label.length);
+        put_string(out, row->label);
     else if (c->words)
-        put_string(out, c->words[(int)value_of(c, row)]);
+        put_word(out, c->words[(int)value_of(c, row)]);
     else if (c->type == WHOLE || c->type == WORD)
         put_whole(out, (unsigned long long)value_of(c, row));
     else
@@ -287,7 +287,7 @@ static void end_row(struct text *out, const struct style *style,
         return;
     if (row && row->tail.length > 0) {
         put_char(out, style->separator);
-        put_bytes(out, row->tail.text, row->tail.length);
+        put_string(out, row->tail);
     }
     put_char(out, '\n');
 }
@@ -301,7 +301,7 @@ void put_row(struct text *out, const struct fields *fields,
         if (style->binary)
             put_little_endian(out, is_missing(c, row) ? NAN : value_of(c, row));
         else if (!row && i == 0)
-            put_string(out, "error");
+            put_word(out, "error");
         else
             put_field(out, style, c, row);
     }
@@ -313,7 +313,7 @@ void put_header(struct text *out, const struct fields *fields,
 {
     for (int i = 0; i < fields->count; i++) {
         put_separator(out, style, (size_t)i);
-        put_string(out, fields->column[i]->name);
+        put_word(out, fields->column[i]->name);
     }
     end_row(out, style, NULL);
 }
@@ -351,7 +351,7 @@ void put_sums(struct text *out, const struct groups *groups,
         else if (sums)
             put_number(out, style, sums[i]);
         else if (i == 0)
-            put_string(out, "error");
+            put_word(out, "error");
         else
             put_missing(out, style, 0);
     }
@@ -362,12 +362,12 @@ void put_sums_header(struct text *out, const struct groups *groups,
                      const struct style *style)
 {
     for (size_t i = 0; i < groups->columns; i++) {
-        const struct label name = i < groups->names.texts.count
-                                      ? names_get(&groups->names, i)
-                                      : (struct label){"", 0};
+        const struct string name = i < groups->names.texts.count
+                                       ? names_get(&groups->names, i)
+                                       : (struct string){"", 0};
         put_separator(out, style, i);
         if (name.length > 0)
-            put_bytes(out, name.text, name.length);
+            put_string(out, name);
         else
             put_missing(out, style, 1);
     }

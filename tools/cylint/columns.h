@@ -63,8 +63,8 @@ struct row {
     int feature;
     double unit; /* the length of the line's direction */
     cylint_answer answer;
-    struct label label; /* the shape's, if a column needs it */
-    struct label tail;
+    struct string label; /* the shape's, if a column needs it */
+    struct string tail;
 };
 
 /* Writes *fields from names separated by commas.  query: of points with QUERIES
@@ -73,7 +73,7 @@ struct row {
 const char *find_fields(struct fields *fields, const char *names, int query);
 
 /* The name of this query's column nearest to this one, or NULL. */
-const char *similar_field(const char *name, size_t length, int query);
+const char *similar_field(struct string name, int query);
 
 /* The largest length of a row or of the header in bytes, without the tail, if no
  * label is longer than this; the same of sums. */

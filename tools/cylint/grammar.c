@@ -3,30 +3,30 @@
  *
  * Texts are pointers to their begin and end, not C strings: a NUL is a bad byte.
  */
-#include <stdio.h>
 #include <string.h>
 
 #include "grammar.h"
+#include "main.h"
 #include "numbers.h"
 
 const struct kind line_kinds[] = {
-    {"line", 6, "ox oy oz  dx dy dz", 0, 0},
-    {"ray", 6, "ox oy oz  dx dy dz", 0, 0},
-    {"segment", 6, "ax ay az  bx by bz", 0, 0},
-    {"span", 8, "ox oy oz  dx dy dz  tmin tmax", 0, 0},
-    {"point", 3, "x y z", 0, 0},
+    {"line", 6, "ox oy oz  dx dy dz", {0, 0}},
+    {"ray", 6, "ox oy oz  dx dy dz", {0, 0}},
+    {"segment", 6, "ax ay az  bx by bz", {0, 0}},
+    {"span", 8, "ox oy oz  dx dy dz  tmin tmax", {6, 6}},
+    {"point", 3, "x y z", {0, 0}},
     {0}};
 
 const struct kind shape_kinds[] = {
-    {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r", 6, 6},
-    {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", 3, 7},
-    {"ecylinder", 12, "cx cy cz  ax ay az  bx by bz  hx hy hz", 0, 0},
-    {"econe", 13, "cx cy cz  ax ay az  bx by bz  hx hy hz  k", 12, 12},
-    {"acone", 7, "vx vy vz  ux uy uz  degrees", 6, 6},
-    {"sphere", 4, "cx cy cz  r", 3, 3},
-    {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r", 6, 6},
-    {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", 3, 7},
-    {"halfspace", 6, "px py pz  nx ny nz", 0, 0},
+    {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r", {6, 6}},
+    {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", {3, 7}},
+    {"ecylinder", 12, "cx cy cz  ax ay az  bx by bz  hx hy hz", {0, 0}},
+    {"econe", 13, "cx cy cz  ax ay az  bx by bz  hx hy hz  k", {12, 12}},
+    {"acone", 7, "vx vy vz  ux uy uz  degrees", {6, 6}},
+    {"sphere", 4, "cx cy cz  r", {3, 3}},
+    {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r", {6, 6}},
+    {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", {3, 7}},
+    {"halfspace", 6, "px py pz  nx ny nz", {0, 0}},
     {0}};
 
 const char *const ends_words[] = {"capped",   "open",  "cap0", "cap1",
@@ -110,37 +110,27 @@ static cylint_status make_shape(int kind, int ends, const double *v,
 /* -------------------------------------------------------------- fields -- */
 
 /* An empty field is a comma too many: the message shows the comma. */
-static const char *end_of_shown(const struct reader *r)
+static struct string shown_field(const struct reader *r)
 {
-    const char *after = end_of_field(r);
-    return after == r->p && after < r->end ? after + 1 : after;
+    struct string s = field(r);
+    s.length += s.length == 0 && r->p < r->end;
+    return s;
 }
 
 int refuse_field(struct reader *r, const char *what)
 {
-    return refuse_text(r->notes, what, r->p, end_of_shown(r));
+    return refuse_text(r->notes, what, shown_field(r));
 }
 
 int refuse_other_field(struct reader *r, const char *expected)
 {
-    return refuse_other(r->notes, expected, r->p, end_of_shown(r));
+    return refuse_other(r->notes, expected, shown_field(r));
 }
 
 static int refuse_word(struct reader *r, struct words expected)
 {
     char list[WORDS_CAPACITY];
     return refuse_other_field(r, list_words(list, expected));
-}
-
-static void suggest_word(struct reader *r, struct words words)
-{
-    suggest(r->notes,
-            similar_word(words, r->p, (size_t)(end_of_field(r) - r->p)));
-}
-
-static int find_field(const struct reader *r, struct words words)
-{
-    return find_word(words, r->p, (size_t)(end_of_field(r) - r->p));
 }
 
 static int begins_with(const struct reader *r, const char *word)
@@ -157,7 +147,7 @@ static const char *end_of_number(const char *p, const char *end, double *value)
                                                                         : NULL;
 }
 
-/* Counts the successive numbers at r->p. */
+/* Counts the successive numbers at r.p. */
 static int count_numbers(struct reader r)
 {
     double value;
@@ -180,7 +170,7 @@ static int read_numbers(struct reader *r, double *v, int count)
             return refuse_field(r, "number too large");
         r->p = skip_separator(after, end);
     }
-    return 1;
+    return 0;
 }
 
 /* ------------------------------------------------------ lines and shapes -- */
@@ -191,36 +181,49 @@ static int refuse_line_kind(struct reader *r, const struct grammar *g)
     if (count_numbers(*r) > 0)
         advise(r->notes, g->has_shape ? "for bare numbers use -k ray,cylinder"
                                       : "for bare numbers use -k ray");
-    else if (find_field(r, WORDS(shape_kinds)) != NOT_GIVEN)
+    else if (find_word(WORDS(shape_kinds), field(r)) != NOT_GIVEN)
         advise(r->notes, "for a scene use -s");
     else
-        suggest_word(r, WORDS(line_kinds));
-    return 0;
+        suggest(r->notes, similar_word(WORDS(line_kinds), field(r)));
+    return EXIT_BAD;
 }
 
 static int refuse_shape_kind(struct reader *r, const struct grammar *g)
 {
     refuse_word(r, WORDS(shape_kinds));
-    if (!g->has_line && find_field(r, WORDS(line_kinds)) != NOT_GIVEN)
+    if (!g->has_line && find_word(WORDS(line_kinds), field(r)) != NOT_GIVEN)
         advise(r->notes, "a scene has shapes only; for records leave out -s");
     else if (g->convert)
         advise(r->notes, g->convert);
     else
-        suggest_word(r, WORDS(shape_kinds));
-    return 0;
+        suggest(r->notes, similar_word(WORDS(shape_kinds), field(r)));
+    return EXIT_BAD;
 }
 
-/* The library refused the line or shape that begins at `at`.  The message
- * shows its number `wrong`, counted from 0; NOT_GIVEN: its first word. */
+/* The kind of -k, or the one that is read.  NOT_GIVEN: the word is none. */
+static int read_kind(struct reader *r, int given, struct words kinds)
+{
+    const int kind = given == NOT_GIVEN ? find_word(kinds, field(r)) : given;
+    if (given == NOT_GIVEN && kind != NOT_GIVEN)
+        skip_field(r);
+    return kind;
+}
+
+/* The library refused the line or shape that begins at `at`.  The message shows the
+ * number that is wrong, or the first word. */
 static int refuse_status(struct reader *r, const char *at, int has_word,
-                         cylint_status status, int wrong)
+                         const struct kind *k, const double *v,
+                         cylint_status status)
 {
     const char *what = cylint_strerror((int)status);
+    if (status != CYLINT_ERADIUS && status != CYLINT_EANGLE &&
+        status != CYLINT_EDOMAIN)
+        return refuse(r->notes, at, "%s", what);
+    const int second = v[k->checked[0]] >= 0 && v[k->checked[1]] < 0;
     r->p = at;
-    for (int i = wrong == NOT_GIVEN ? 0 : wrong + has_word; i > 0; i--)
-        skip_to(r, end_of_field(r));
-    return wrong == NOT_GIVEN ? refuse(r->notes, at, "%s", what)
-                              : refuse_field(r, what);
+    for (int i = k->checked[second] + has_word; i > 0; i--)
+        skip_field(r);
+    return refuse_field(r, what);
 }
 
 static int read_line(struct reader *r, const struct grammar *g, int *kind,
@@ -228,51 +231,38 @@ static int read_line(struct reader *r, const struct grammar *g, int *kind,
 {
     double v[8];
     const char *at = r->p;
-    *kind = g->line;
-    if (*kind == NOT_GIVEN) {
-        *kind = find_field(r, WORDS(line_kinds));
-        if (*kind == NOT_GIVEN)
-            return refuse_line_kind(r, g);
-        skip_to(r, end_of_field(r));
-    }
+    *kind = read_kind(r, g->line, WORDS(line_kinds));
+    if (*kind == NOT_GIVEN)
+        return refuse_line_kind(r, g);
     record->is_point = *kind == LINE_POINT;
     const char *reason = record->is_point ? g->no_points : g->no_lines;
     if (reason) {
         r->p = at;
         return refuse_field(r, reason);
     }
-    if (!read_numbers(r, v, line_kinds[*kind].numbers))
-        return 0;
+    const struct kind *k = &line_kinds[*kind];
+    if (read_numbers(r, v, k->numbers))
+        return EXIT_BAD;
     const cylint_status status = make_line(g, *kind, v, record);
-    return status == CYLINT_OK ||
-           refuse_status(r, at, g->line == NOT_GIVEN, status,
-                         status == CYLINT_EDOMAIN ? 6 : NOT_GIVEN);
+    return status != CYLINT_OK &&
+           refuse_status(r, at, g->line == NOT_GIVEN, k, v, status);
 }
 
-/* Reads ends=WORD, if it stands there.  Returns 0 if the word is wrong. */
+/* Reads ends=WORD, if it stands there. */
 static int read_ends(struct reader *r, int *ends)
 {
     if (!begins_with(r, ENDS_WORD))
-        return 1;
+        return 0;
     r->p += strlen(ENDS_WORD);
-    *ends = find_field(r, WORDS(ends_words));
+    *ends = find_word(WORDS(ends_words), field(r));
     if (*ends == NOT_GIVEN) {
         refuse_word(r, WORDS(ends_words));
-        suggest_word(r, WORDS(ends_words));
-        return 0;
+        suggest(r->notes, similar_word(WORDS(ends_words), field(r)));
+        return EXIT_BAD;
     }
     r->has_word = 1;
-    skip_to(r, end_of_field(r));
-    return 1;
-}
-
-/* The first negative radius, else the first radius. */
-static int wrong_number(int kind, const double *v, cylint_status status)
-{
-    const struct kind *k = &shape_kinds[kind];
-    if (status != CYLINT_ERADIUS && status != CYLINT_EANGLE)
-        return NOT_GIVEN;
-    return v[k->radius] >= 0 && v[k->radius1] < 0 ? k->radius1 : k->radius;
+    skip_field(r);
+    return 0;
 }
 
 static int read_shape(struct reader *r, const struct grammar *g,
@@ -280,19 +270,15 @@ static int read_shape(struct reader *r, const struct grammar *g,
 {
     double v[13];
     const char *at = r->p;
-    int kind = g->shape, ends = g->ends;
-    if (kind == NOT_GIVEN) {
-        kind = find_field(r, WORDS(shape_kinds));
-        if (kind == NOT_GIVEN)
-            return refuse_shape_kind(r, g);
-        skip_to(r, end_of_field(r));
-    }
-    if (!read_numbers(r, v, shape_kinds[kind].numbers) || !read_ends(r, &ends))
-        return 0;
+    int kind = read_kind(r, g->shape, WORDS(shape_kinds)), ends = g->ends;
+    if (kind == NOT_GIVEN)
+        return refuse_shape_kind(r, g);
+    const struct kind *k = &shape_kinds[kind];
+    if (read_numbers(r, v, k->numbers) || read_ends(r, &ends))
+        return EXIT_BAD;
     const cylint_status status = make_shape(kind, ends, v, &record->shape);
-    return status == CYLINT_OK ||
-           refuse_status(r, at, g->shape == NOT_GIVEN, status,
-                         wrong_number(kind, v, status));
+    return status != CYLINT_OK &&
+           refuse_status(r, at, g->shape == NOT_GIVEN, k, v, status);
 }
 
 /* ------------------------------------------------- words behind, and tail -- */
@@ -307,20 +293,19 @@ static int begins_with_solid(const struct reader *r)
 static int read_words(struct reader *r, const struct grammar *g,
                       struct record *record)
 {
-    record->words = r->p;
-    record->words_length = 0;
-    if (g->has_line && g->has_shape)
-        return !begins_with_solid(r) ||
-               refuse_field(r, "in= and out= are for the shapes of a scene, -s "
-                               "FILE");
-    if (g->no_left_out && g->has_line && begins_with(r, NOT_WORD))
+    const char *const begin = r->p;
+    if (g->has_line && g->has_shape && begins_with_solid(r))
+        return refuse_field(
+            r, "in= and out= are for the shapes of a scene, -s FILE");
+    if (g->no_left_out && !g->has_shape && begins_with(r, NOT_WORD))
         return refuse_field(r, g->no_left_out);
-    while (g->has_shape ? begins_with_solid(r) : begins_with(r, NOT_WORD))
-        skip_to(r, end_of_field(r));
-    record->words_length = (size_t)(r->p - record->words);
-    r->has_word |= record->words_length > 0;
-    return record->words_length == 0 || !g->has_shape ||
-           !begins_with(r, ENDS_WORD) ||
+    while (g->has_shape ? !g->has_line && begins_with_solid(r)
+                        : begins_with(r, NOT_WORD))
+        skip_field(r);
+    record->words = between(begin, r->p);
+    r->has_word |= record->words.length > 0;
+    return g->has_shape && record->words.length > 0 &&
+           begins_with(r, ENDS_WORD) &&
            refuse_field(r, "ends= must stand before in= and out=");
 }
 
@@ -330,8 +315,8 @@ static const char *article(const char *word)
 }
 
 /* Whether the tail of a record of bare numbers, of -k, begins with a number.  Notes
- * "N numbers where a ray has 6". */
-static int refuse_surplus(struct reader *r, const struct grammar *g)
+ * "N numbers where a ray has 6".  After a word a tail may begin with a number. */
+static int has_surplus(struct reader *r, const struct grammar *g)
 {
     const int is_bare = g->line != NOT_GIVEN &&
                         (!g->has_shape || g->shape != NOT_GIVEN) &&
@@ -340,43 +325,37 @@ static int refuse_surplus(struct reader *r, const struct grammar *g)
     if (more == 0)
         return 0;
     const char *line = line_kinds[g->line].word;
+    const char *shape = g->has_shape ? shape_kinds[g->shape].word : "";
     const int numbers = numbers_of_record(g);
-    if (g->has_shape) {
-        const char *shape = shape_kinds[g->shape].word;
-        refuse(r->notes, r->p, "%d numbers where %s %s and %s %s have %d",
-               numbers + more, article(line), line, article(shape), shape,
-               numbers);
-    } else {
-        refuse(r->notes, r->p, "%d numbers where %s %s has %d", numbers + more,
-               article(line), line, numbers);
-    }
+    refuse(r->notes, r->p, "%d numbers where %s %s%s%s%s%s %s %d",
+           numbers + more, article(line), line, *shape ? " and " : "",
+           *shape ? article(shape) : "", *shape ? " " : "", shape,
+           *shape ? "have" : "has", numbers);
     return 1;
 }
 
 /* The tail is copied unchanged.  A NUL is refused, because text tools that read
- * the answers do not accept it.  After a word a tail may begin with a number. */
+ * the answers do not accept it. */
 static int read_tail(struct reader *r, const struct grammar *g,
                      struct record *record)
 {
     const char *end = r->end;
     while (end > r->p && is_blank(end[-1]))
         end--;
-    record->tail = r->p;
-    record->tail_length = (size_t)(end - r->p);
-    const char *nul = memchr(r->p, '\0', record->tail_length);
+    record->tail = between(r->p, end);
+    const char *nul = memchr(r->p, '\0', record->tail.length);
     if (nul)
-        return refuse_text(r->notes, "unexpected byte", nul, nul + 1);
-    if (record->tail_length == 0)
-        return 1;
+        return refuse_text(r->notes, "unexpected byte", between(nul, nul + 1));
+    if (record->tail.length == 0)
+        return 0;
     if (g->no_tail)
-        return refuse_surplus(r, g)
-                   ? 0
-                   : refuse_other_field(r, "the end of the line");
-    if (wants_remark(r->notes, REMARK_SURPLUS) && refuse_surplus(r, g)) {
+        return has_surplus(r, g) ||
+               refuse_other_field(r, "the end of the line");
+    if (wants_remark(r->notes, REMARK_SURPLUS) && has_surplus(r, g)) {
         advise(r->notes, "what follows is copied as the tail");
         make_remark(r->notes, REMARK_SURPLUS);
     }
-    return 1;
+    return 0;
 }
 
 static void remark_domain(const struct grammar *g, int kind, const char *at,
@@ -413,7 +392,7 @@ int begin_line(struct reader *r, const char *text, const char *end,
         return refuse(notes, text, "line longer than 1 MiB");
     end -= end > text && end[-1] == '\r';
     *r = (struct reader){skip_blanks(text, end), end, notes, 0};
-    return 1;
+    return 0;
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,
@@ -422,22 +401,22 @@ int read_record(const struct grammar *g, const char *text, const char *end,
     struct reader r;
     int kind = NOT_GIVEN;
     record->is_point = g->no_lines != NULL;
-    if (!begin_line(&r, text, end, notes))
-        return 0;
+    if (begin_line(&r, text, end, notes))
+        return EXIT_BAD;
     const char *const at = r.p;
-    if ((g->has_line && !read_line(&r, g, &kind, record)) ||
-        (g->has_shape && !read_shape(&r, g, record)) ||
-        !read_words(&r, g, record) || !read_tail(&r, g, record))
-        return 0;
+    if ((g->has_line && read_line(&r, g, &kind, record)) ||
+        (g->has_shape && read_shape(&r, g, record)) ||
+        read_words(&r, g, record) || read_tail(&r, g, record))
+        return EXIT_BAD;
     remark_domain(g, kind, at, notes);
-    return 1;
+    return 0;
 }
 
 int take_record(const struct grammar *g, const double *numbers,
                 struct record *record, struct notes *notes)
 {
     cylint_status status = CYLINT_OK;
-    record->tail_length = record->words_length = 0;
+    record->tail.length = record->words.length = 0;
     if (g->has_line) {
         status = make_line(g, g->line, numbers, record);
         numbers += line_kinds[g->line].numbers;
@@ -448,5 +427,5 @@ int take_record(const struct grammar *g, const double *numbers,
         return refuse(notes, NULL, "%s", cylint_strerror((int)status));
     if (g->has_line)
         remark_domain(g, g->line, NULL, notes);
-    return 1;
+    return 0;
 }

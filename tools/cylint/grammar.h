@@ -48,7 +48,7 @@ struct kind {
     const char *word;
     int numbers;
     const char *names;
-    int radius, radius1;
+    int checked[2];
 };
 
 extern const struct kind line_kinds[], shape_kinds[]; /* by their enums; NULL */
@@ -73,12 +73,10 @@ struct record {
     cylint_line line;
     double point[3]; /* if is_point */
     cylint_shape shape;
-    const char *tail; /* without the blanks around it */
-    size_t tail_length;
-    const char
-        *words; /* not=NAME of a line without a shape; in=NAME and out=NAME
-                          of a shape without a line */
-    size_t words_length;
+    struct string tail; /* without the blanks around it */
+    struct string
+        words; /* not=NAME of a line without a shape; in=NAME and out=NAME
+                            of a shape without a line */
 };
 
 #define NOT_WORD "not="
@@ -88,8 +86,9 @@ struct record {
 /* The number of doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
 
-/* Both return 1 if the record is good, else 0 and write a note.  [text, end) is
- * one line without its line feed; *end must be readable. */
+/* All functions that read return 0, or EXIT_BAD and write a note. */
+
+/* [text, end) is one line without its line feed; *end must be readable. */
 int read_record(const struct grammar *g, const char *text, const char *end,
                 struct record *record, struct notes *notes);
 int take_record(const struct grammar *g, const double *numbers,
@@ -131,19 +130,24 @@ struct reader {
     int has_word; /* ends=WORD, not=NAME, in=NAME or out=NAME was read */
 };
 
-/* Sets a reader to the first field.  Returns 0 if the line is too long. */
+/* Sets a reader to the first field. */
 int begin_line(struct reader *r, const char *text, const char *end,
                struct notes *notes);
 
-static inline const char *end_of_field(const struct reader *r)
+static inline struct string field(const struct reader *r)
 {
-    return field_end(r->p, r->end);
+    return between(r->p, field_end(r->p, r->end));
 }
 
 /* Moves on from the end of a field. */
 static inline void skip_to(struct reader *r, const char *after)
 {
     r->p = skip_separator(after, r->end);
+}
+
+static inline void skip_field(struct reader *r)
+{
+    skip_to(r, field_end(r->p, r->end));
 }
 
 /* refuse_text() and refuse_other() with the field. */

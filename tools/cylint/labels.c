@@ -12,11 +12,9 @@
 static int store_label(struct scene *scene, const struct record *record)
 {
     struct labels *labels = scene->context;
-    if (record->tail_length > labels->longest)
-        labels->longest = record->tail_length;
-    return texts_add(&labels->texts, record->tail, record->tail_length)
-               ? 0
-               : out_of_memory();
+    if (record->tail.length > labels->longest)
+        labels->longest = record->tail.length;
+    return texts_add(&labels->texts, record->tail) ? 0 : out_of_memory();
 }
 
 void labels_collect(struct labels *labels, struct scene *scene)
@@ -58,20 +56,18 @@ void labels_free(struct labels *labels)
     texts_free(&labels->texts);
 }
 
-struct label labels_get(const struct labels *labels, size_t shape)
+struct string labels_get(const struct labels *labels, size_t shape)
 {
     const cylint_scene_labels *t = &labels->table;
-    return t->end ? text_at(t->end, t->text, shape) : (struct label){"", 0};
+    return t->end ? text_at(t->end, t->text, shape) : (struct string){"", 0};
 }
 
 /* --------------------------------------------------------------- groups -- */
 
-static struct label name_of_shape(const struct labels *labels, size_t shape)
+static struct string name_of_shape(const struct labels *labels, size_t shape)
 {
-    struct label name = labels_get(labels, shape);
-    name.length =
-        (size_t)(field_end(name.text, name.text + name.length) - name.text);
-    return name;
+    const struct string label = labels_get(labels, shape);
+    return between(label.text, field_end(label.text, end_of(label)));
 }
 
 int groups_make(struct groups *g, const struct labels *labels)
@@ -108,36 +104,31 @@ struct rank_file {
     int has_warned;
 };
 
-/* Reads an integer that is a whole field.  Returns 0 if it is none. */
-static int read_rank(const struct reader *r, int *rank)
+/* Reads an integer.  Returns 0 if the text is none. */
+static int read_rank(struct string s, int *rank)
 {
-    const int has_sign = r->p < r->end && (*r->p == '-' || *r->p == '+');
+    const int has_sign = s.length > 0 && (*s.text == '-' || *s.text == '+');
     unsigned long long size;
     const int is_whole =
-        read_whole(r->p + has_sign, end_of_field(r), INT_MAX, &size);
-    *rank = has_sign && *r->p == '-' ? -(int)size : (int)size;
+        read_whole(between(s.text + has_sign, end_of(s)), INT_MAX, &size);
+    *rank = has_sign && *s.text == '-' ? -(int)size : (int)size;
     return is_whole;
 }
 
 /* Stores the rank.  A label that no shape has gives one message. */
-static int take_rank(struct rank_file *f, struct label name, int rank,
+static int take_rank(struct rank_file *f, struct string name, int rank,
                      struct notes *notes)
 {
     const size_t group = names_find(&f->groups->names, name);
-    const char *const end = name.text + name.length;
-    if (group == f->groups->names.texts.count) {
-        if (!f->has_warned) {
-            refuse_text(notes, "no shape has this label", name.text, end);
-            print_refusal(notes, f->name);
-        }
+    if (group < f->groups->names.texts.count) {
+        if (f->rank[group] != NO_RANK)
+            return refuse_text(notes, "this label has a rank already", name);
+        f->rank[group] = rank;
+    } else if (!f->has_warned) {
+        refuse_text(notes, "no shape has this label", name);
+        print_refusal(notes, f->name);
         f->has_warned = 1;
-        return 0;
     }
-    if (f->rank[group] != NO_RANK) {
-        refuse_text(notes, "this label has a rank already", name.text, end);
-        return EXIT_BAD;
-    }
-    f->rank[group] = rank;
     return 0;
 }
 
@@ -147,25 +138,18 @@ static int read_ranking(void *context, const char *line, const char *end,
 {
     struct reader r;
     int rank;
-    if (!begin_line(&r, line, end, notes))
+    if (begin_line(&r, line, end, notes))
         return EXIT_BAD;
-    const struct label name = {r.p, (size_t)(end_of_field(&r) - r.p)};
-    if (name.length == 0) {
-        refuse_other_field(&r, "a label");
-        return EXIT_BAD;
-    }
-    skip_to(&r, end_of_field(&r));
-    if (!read_rank(&r, &rank)) {
-        refuse_other(notes, "an integer from -2147483647 to 2147483647", r.p,
-                     end_of_field(&r));
-        return EXIT_BAD;
-    }
-    skip_to(&r, end_of_field(&r));
-    if (r.p < r.end) {
-        refuse_other(notes, "the end of the line", r.p, end_of_field(&r));
-        return EXIT_BAD;
-    }
-    return take_rank(context, name, rank, notes);
+    const struct string name = field(&r);
+    if (name.length == 0)
+        return refuse_other_field(&r, "a label");
+    skip_field(&r);
+    if (!read_rank(field(&r), &rank))
+        return refuse_other(notes, "an integer from -2147483647 to 2147483647",
+                            field(&r));
+    skip_field(&r);
+    return r.p < r.end ? refuse_other(notes, "the end of the line", field(&r))
+                       : take_rank(context, name, rank, notes);
 }
 
 /* Names without a line have the rank 0. */
@@ -197,7 +181,7 @@ int left_out_has(const struct left_out *l, size_t group)
 }
 
 /* Writes the group with this name.  Returns 0 if there is none. */
-static int find_group(const struct groups *g, int by_label, struct label name,
+static int find_group(const struct groups *g, int by_label, struct string name,
                       size_t *group)
 {
     unsigned long long number = 0;
@@ -205,57 +189,42 @@ static int find_group(const struct groups *g, int by_label, struct label name,
         *group = names_find(&g->names, name);
         return *group < g->names.texts.count;
     }
-    const int is_found =
-        read_whole(name.text, name.text + name.length, g->shapes, &number);
+    const int is_number = read_whole(name, g->shapes, &number);
     *group = (size_t)number - 1;
-    return is_found && number > 0;
+    return is_number && number > 0;
 }
 
-static int leave_out(struct left_out *l, size_t group, struct label name,
-                     struct notes *notes)
-{
-    if (left_out_has(l, group))
-        return 1;
-    if (l->count == LEFT_OUT_MOST)
-        return refuse_text(notes, "more than 64 words not=", name.text,
-                           name.text + name.length);
-    l->group[l->count++] = group;
-    return 1;
-}
-
-/* Reads one name. */
 static int read_name(struct left_out *l, const struct groups *g, int by_label,
-                     struct label name, struct notes *notes)
+                     struct string name, struct notes *notes)
 {
-    const char *const end = name.text + name.length;
     size_t group;
     if (name.length == 0)
-        return refuse_text(notes, "not= without a number or label", name.text,
-                           end);
-    if (find_group(g, by_label, name, &group))
-        return leave_out(l, group, name, notes);
-    if (!by_label)
-        return refuse_other(notes, "the number of a shape of the scene",
-                            name.text, end);
-    if (wants_remark(notes, REMARK_LABEL)) {
-        refuse_text(notes, "no shape has this label", name.text, end);
+        return refuse_text(notes, "not= without a number or label", name);
+    if (find_group(g, by_label, name, &group)) {
+        if (l->count == LEFT_OUT_MOST && !left_out_has(l, group))
+            return refuse_text(notes, "more than 64 words not=", name);
+        if (!left_out_has(l, group))
+            l->group[l->count++] = group;
+    } else if (!by_label) {
+        return refuse_other(notes, "the number of a shape of the scene", name);
+    } else if (wants_remark(notes, REMARK_LABEL)) {
+        refuse_text(notes, "no shape has this label", name);
         advise(notes, "nothing is left out");
         make_remark(notes, REMARK_LABEL);
     }
-    return 1;
+    return 0;
 }
 
 int left_out_read(struct left_out *l, const struct groups *g, int by_label,
-                  const struct record *record, struct notes *notes)
+                  struct string words, struct notes *notes)
 {
-    const char *const end = record->words + record->words_length;
+    int status = 0;
     l->count = 0;
-    for (const char *p = record->words; p < end;) {
-        const char *name = p + strlen(NOT_WORD), *after = field_end(name, end);
-        const struct label label = {name, (size_t)(after - name)};
-        if (!read_name(l, g, by_label, label, notes))
-            return 0;
-        p = skip_separator(after, end);
+    for (const char *p = words.text; p < end_of(words) && status == 0;) {
+        const char *name = p + strlen(NOT_WORD),
+                   *after = field_end(name, end_of(words));
+        status = read_name(l, g, by_label, between(name, after), notes);
+        p = skip_separator(after, end_of(words));
     }
-    return 1;
+    return status;
 }

@@ -29,7 +29,7 @@ int labels_take(struct labels *labels, const struct scene *scene,
 void labels_free(struct labels *labels);
 
 /* The label of a shape, counted from 0.  Its length is 0 if there is none. */
-struct label labels_get(const struct labels *labels, size_t shape);
+struct string labels_get(const struct labels *labels, size_t shape);
 
 /* --------------------------------------------------------------- groups -- */
 
@@ -56,11 +56,10 @@ struct left_out {
     size_t group[LEFT_OUT_MOST];
 };
 
-/* Reads a record's words not=NAME.  Returns 1, or 0 and writes a note.  A label
- * that no shape has is a remark. */
+/* Reads a record's words not=NAME.  Returns 0, or EXIT_BAD and writes a note.  A
+ * label that no shape has is a remark. */
 int left_out_read(struct left_out *left_out, const struct groups *groups,
-                  int by_label, const struct record *record,
-                  struct notes *notes);
+                  int by_label, struct string words, struct notes *notes);
 
 /* Whether it has the shape's group. */
 int left_out_has(const struct left_out *left_out, size_t group);

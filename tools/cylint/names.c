@@ -17,30 +17,30 @@ void *grown(void *array, size_t count, size_t *capacity, size_t size)
     return larger;
 }
 
-int texts_add(struct texts *t, const char *text, size_t length)
+int texts_add(struct texts *t, struct string s)
 {
     uint64_t *end = grown(t->end, t->count, &t->end_capacity, sizeof *t->end);
     if (!end)
         return 0;
     t->end = end;
-    while (t->capacity - t->length < length) {
+    while (t->capacity - t->length < s.length) {
         char *bytes = grown(t->bytes, t->capacity, &t->capacity, 1);
         if (!bytes)
             return 0;
         t->bytes = bytes;
     }
-    if (length > 0)
-        memcpy(t->bytes + t->length, text, length);
-    t->length += length;
+    if (s.length > 0)
+        memcpy(t->bytes + t->length, s.text, s.length);
+    t->length += s.length;
     t->end[t->count++] = t->length;
     return 1;
 }
 
-struct label text_at(const uint64_t *end, const char *bytes, size_t i)
+struct string text_at(const uint64_t *end, const char *bytes, size_t i)
 {
     const size_t begin = i > 0 ? (size_t)end[i - 1] : 0;
     const size_t length = (size_t)end[i] - begin;
-    return (struct label){length > 0 ? bytes + begin : "", length};
+    return (struct string){length > 0 ? bytes + begin : "", length};
 }
 
 void texts_free(struct texts *t)
@@ -51,12 +51,12 @@ void texts_free(struct texts *t)
 
 /* ---------------------------------------------------------------- names -- */
 
-struct label names_get(const struct names *n, size_t number)
+struct string names_get(const struct names *n, size_t number)
 {
     return text_at(n->texts.end, n->texts.bytes, number);
 }
 
-static size_t hash(struct label name)
+static size_t hash(struct string name)
 {
     uint64_t h = 14695981039346656037u; /* FNV-1a */
     for (size_t i = 0; i < name.length; i++)
@@ -65,11 +65,11 @@ static size_t hash(struct label name)
 }
 
 /* The bucket that has the name, or the empty one where it belongs. */
-static size_t *bucket_of(const struct names *n, struct label name)
+static size_t *bucket_of(const struct names *n, struct string name)
 {
     size_t i = hash(name) & (n->buckets - 1);
     for (; n->bucket[i] > 0; i = (i + 1) & (n->buckets - 1)) {
-        const struct label other = names_get(n, n->bucket[i] - 1);
+        const struct string other = names_get(n, n->bucket[i] - 1);
         if (other.length == name.length &&
             memcmp(other.text, name.text, name.length) == 0)
             break;
@@ -94,13 +94,13 @@ static int grow_buckets(struct names *n)
     return 1;
 }
 
-int names_add(struct names *n, struct label name, size_t *number)
+int names_add(struct names *n, struct string name, size_t *number)
 {
     if (!grow_buckets(n))
         return 0;
     size_t *bucket = bucket_of(n, name);
     if (*bucket == 0) {
-        if (!texts_add(&n->texts, name.text, name.length))
+        if (!texts_add(&n->texts, name))
             return 0;
         *bucket = n->texts.count;
     }
@@ -108,7 +108,7 @@ int names_add(struct names *n, struct label name, size_t *number)
     return 1;
 }
 
-size_t names_find(const struct names *n, struct label name)
+size_t names_find(const struct names *n, struct string name)
 {
     const size_t found = n->buckets > 0 ? *bucket_of(n, name) : 0;
     return found > 0 ? found - 1 : n->texts.count;

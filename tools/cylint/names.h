@@ -4,13 +4,7 @@
 #ifndef CYLINT_NAMES_H
 #define CYLINT_NAMES_H
 
-#include <stddef.h>
-#include <stdint.h>
-
-struct label {
-    const char *text;
-    size_t length;
-};
+#include "text.h"
 
 /* Texts, one after the other in memory that grows.  Zero it before use. */
 struct texts {
@@ -33,17 +27,17 @@ struct names {
 void *grown(void *array, size_t count, size_t *capacity, size_t size);
 
 /* Returns 0 if there is no memory. */
-int texts_add(struct texts *texts, const char *text, size_t length);
+int texts_add(struct texts *texts, struct string text);
 /* Text i of those that end at end[0], end[1] ... */
-struct label text_at(const uint64_t *end, const char *bytes, size_t i);
+struct string text_at(const uint64_t *end, const char *bytes, size_t i);
 void texts_free(struct texts *texts);
 
 /* Adds the name if it is new, and writes its number.  Returns 0 if there is no
  * memory. */
-int names_add(struct names *names, struct label name, size_t *number);
+int names_add(struct names *names, struct string name, size_t *number);
 /* The number of the name, or the number of all names. */
-size_t names_find(const struct names *names, struct label name);
-struct label names_get(const struct names *names, size_t number);
+size_t names_find(const struct names *names, struct string name);
+struct string names_get(const struct names *names, size_t number);
 void names_free(struct names *names);
 
 #endif

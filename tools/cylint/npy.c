@@ -72,11 +72,11 @@ static const char *value_of(const char *dictionary, const char *key)
 static int refuse_value(char wrong[NPY_WRONG], const char *key,
                         const char *expected, const char *value, char last)
 {
-    char found[4 * VALUE_MOST + 4] = "nothing";
+    char found[SHOWN_CAPACITY] = "nothing";
     if (value) {
         const char *end = strchr(value, last);
         end = end ? end + (last == ')') : value + strlen(value);
-        escape_bytes(found, value, end, VALUE_MOST);
+        escape(found, between(value, end), VALUE_MOST);
     }
     snprintf(wrong, NPY_WRONG, ".npy header: %s: expected %s, found %s", key,
              expected, found);

@@ -106,7 +106,7 @@ static size_t write_hex(char *out, double value)
     struct text t = {out, 0};
     int exponent;
     const double mantissa = 2 * frexp(fabs(value), &exponent);
-    put_string(&t, signbit(value) ? "-0x" : "0x");
+    put_word(&t, signbit(value) ? "-0x" : "0x");
     t.length += cylint_write_digits(out + t.length, mantissa, NUMBER_HEX) - 2;
     exponent = mantissa > 0 ? exponent - 1 : 0;
     put_char(&t, exponent < 0 ? '-' : '+');

@@ -52,11 +52,10 @@ static int read_accel(const struct option *o, const char *value, void *place)
 static int read_method(const struct option *o, const char *value, void *place)
 {
     const struct words names = WORDS(cylint_methods());
-    const size_t length = strlen(value);
-    const int i = find_word(names, value, length);
+    const int i = find_word(names, string_of(value));
     if (i == NOT_GIVEN)
         return usage_value(o, value, o->extra,
-                           similar_word(names, value, length));
+                           similar_word(names, string_of(value)));
     *(const cylint_method **)place = &cylint_methods()[i];
     return 0;
 }
@@ -166,7 +165,7 @@ static const struct option options_known[] = {
 
 static int is_given(const struct options *o, const char *name)
 {
-    return o->given >> find_word(WORDS(options_known), name, strlen(name)) & 1;
+    return o->given >> find_word(WORDS(options_known), string_of(name)) & 1;
 }
 
 /* ---------------------------------------------- options upon each other -- */
@@ -175,14 +174,14 @@ static int is_given(const struct options *o, const char *name)
 static int settle_kinds(struct options *o)
 {
     struct grammar *g = &o->grammar;
-    const char *const kinds = o->kinds;
-    const size_t length = kinds ? strcspn(kinds, ",") : 0;
-    const char *shape = kinds && kinds[length] ? kinds + length + 1 : NULL;
-    if (!kinds)
+    if (!o->kinds)
         return 0;
-    g->line = find_word(WORDS(line_kinds), kinds, length);
+    const char *comma = strchr(o->kinds, ','),
+               *shape = comma ? comma + 1 : NULL;
+    g->line = find_word(WORDS(line_kinds),
+                        comma ? between(o->kinds, comma) : string_of(o->kinds));
     g->shape =
-        shape ? find_word(WORDS(shape_kinds), shape, strlen(shape)) : NOT_GIVEN;
+        shape ? find_word(WORDS(shape_kinds), string_of(shape)) : NOT_GIVEN;
     if (g->line != NOT_GIVEN &&
         (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL))
         return 0;
@@ -194,7 +193,7 @@ static int settle_query(struct options *o)
 {
     const char *word = o->query_word;
     const int query =
-        word ? find_word(WORDS(query_kinds), word, strlen(word)) : NOT_GIVEN;
+        word ? find_word(WORDS(query_kinds), string_of(word)) : NOT_GIVEN;
     o->query = o->scene ? QUERY_NEAREST : QUERY_PAIRS;
     if (word && (query == NOT_GIVEN || query == QUERY_PAIRS))
         return usage("-q: expected nearest, first, any, count, all, pieces or "
@@ -331,12 +330,12 @@ static int settle_records(struct options *o)
 static int refuse_field_name(const struct fields *fields, const char *bad,
                              int query)
 {
-    const size_t length = strcspn(bad, ",");
-    char shown[4 * 64 + 4];
+    const struct string name = between(bad, bad + strcspn(bad, ","));
+    char text[SHOWN_CAPACITY];
+    const char *shown = escape(text, name, 64);
+    const char *meant = similar_field(name, query);
     if (fields->count == MOST_FIELDS)
         return usage("-f: more than %d columns", MOST_FIELDS);
-    escape_bytes(shown, bad, bad + length, 64);
-    const char *meant = similar_field(bad, length, query);
     return meant ? usage("-f: no column '%s' here; did you mean %s?", shown,
                          meant)
                  : usage("-f: no column '%s' here; see --list=columns", shown);

@@ -5,8 +5,10 @@
  * intersect all of them, one by one.  Both choose the lower number at equal t.
  */
 #include <math.h>
+#include <stdio.h>
 
 #include "answer.h"
+#include "main.h"
 
 /* The fields of the present record's columns. */
 static const struct fields *fields_of(const struct task *task)
@@ -46,25 +48,25 @@ static void measure(struct task *task, const cylint_shape *shape)
     memcpy(row->answer.hit[0].normal, closest.normal, sizeof closest.normal);
 }
 
-/* Returns 0 and writes a note if the method does not support the shape.  number: of
- * the shape, from 1; 0: it is in the record. */
+/* Returns EXIT_BAD and writes a note if the method does not support the shape.
+ * number: of the shape, from 1; 0: it is in the record. */
 static int solve(struct task *task, const cylint_shape *shape, size_t number,
                  unsigned want, cylint_answer *answer)
 {
     const cylint_method *method = task->job->options->method;
-    static const char what[] = "method '%s' does not support this shape";
+    char where[48] = "";
     if (!method) {
         cylint_intersect(shape, &task->record.line, want, answer);
-        return 1;
+        return 0;
     }
     if (method->answer(shape, &task->record.line, want, answer) == CYLINT_OK)
-        return 1;
-    return number == 0
-               ? refuse(&task->notes, NULL, what, method->name)
-               : refuse(&task->notes, NULL,
-                        "method '%s' does not support this shape: shape %llu "
-                        "of the scene",
-                        method->name, (unsigned long long)number);
+        return 0;
+    if (number > 0)
+        snprintf(where, sizeof where, ": shape %llu of the scene",
+                 (unsigned long long)number);
+    return refuse(&task->notes, NULL,
+                  "method '%s' does not support this shape%s", method->name,
+                  where);
 }
 
 /* If a column needs it, sets the row's label to that of its shape. */
@@ -99,11 +101,11 @@ static int answer_pair(struct task *task)
     const struct record *r = &task->record;
     if (r->is_point)
         measure(task, &r->shape);
-    else if (!solve(task, &r->shape, 0, fields_of(task)->want,
-                    &task->row.answer))
-        return 0;
+    else if (solve(task, &r->shape, 0, fields_of(task)->want,
+                   &task->row.answer))
+        return EXIT_BAD;
     put_answer(task, r->is_point || task->row.answer.n > 0);
-    return 1;
+    return 0;
 }
 
 /* --------------------------------------------------------------- visits -- */
@@ -177,7 +179,7 @@ static int is_one_by_one(const struct options *o)
     return o->method || o->accel == ACCEL_NONE;
 }
 
-/* As cylint_scene_visit().  Returns 0 and writes a note if the method does not
+/* As cylint_scene_visit().  Returns EXIT_BAD and writes a note if the method does not
  * support a shape. */
 static int visit_line(struct search *s, unsigned want,
                       cylint_scene_hit *callback)
@@ -188,18 +190,18 @@ static int visit_line(struct search *s, unsigned want,
     if (!is_one_by_one(s->task->job->options)) {
         cylint_scene_visit(scene->shapes, &s->task->record.line, want, callback,
                            s);
-        return 1;
+        return 0;
     }
     for (size_t i = 0; i < scene->count; i++) {
         if (is_left_out(s->task, i))
             continue;
         scene_shape(scene, i, &shape);
-        if (!solve(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST, &answer))
-            return 0;
+        if (solve(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST, &answer))
+            return EXIT_BAD;
         if (answer.n > 0 && isnan(callback(s, i, &answer.hit[0])))
             break;
     }
-    return 1;
+    return 0;
 }
 
 static void visit_point(struct search *s, double radius, unsigned want,
@@ -215,10 +217,10 @@ static int answer_nearest(struct task *task)
     struct search s = {.task = task};
     if (task->record.is_point)
         visit_point(&s, o->radius, signed_of(o), keep_closest);
-    else if (!visit_line(&s, CYLINT_WANT_T, keep_nearest_hit))
-        return 0;
+    else if (visit_line(&s, CYLINT_WANT_T, keep_nearest_hit))
+        return EXIT_BAD;
     put_shape(task, s.shape);
-    return 1;
+    return 0;
 }
 
 /* Counts up to `most` shapes; 0: all. */
@@ -231,11 +233,11 @@ static int answer_up_to(struct task *task, size_t most)
     else if (!is_one_by_one(o) && task->left_out.count == 0)
         s.count = cylint_scene_count(task->job->scene.shapes,
                                      &task->record.line, most);
-    else if (!visit_line(&s, 0, count_hit))
-        return 0;
+    else if (visit_line(&s, 0, count_hit))
+        return EXIT_BAD;
     task->row.count = (double)s.count;
     put_answer(task, s.count > 0);
-    return 1;
+    return 0;
 }
 
 static int answer_any(struct task *task)
@@ -255,7 +257,7 @@ enum { FOUND_AT_ONCE = 256 };
 static int answer_all_one_by_one(struct task *task)
 {
     struct search s = {.task = task};
-    return visit_line(&s, 0, count_hit) && visit_line(&s, 0, put_hit);
+    return visit_line(&s, 0, count_hit) || visit_line(&s, 0, put_hit);
 }
 
 static int answer_all(struct task *task)
@@ -277,7 +279,7 @@ static int answer_all(struct task *task)
                 put_shape(task, number[i] + 1);
         first = found > 0 ? number[found - 1] + 1 : 0;
     } while (found == FOUND_AT_ONCE && task->status == ANSWERED);
-    return 1;
+    return 0;
 }
 
 /* --------------------------------------------------------------- solids -- */
@@ -295,14 +297,12 @@ static int answer_first(struct task *task)
     const size_t number =
         first_boundary(task->job->scene.shapes, &task->record.line,
                        fields_of(task)->want, row->answer.hit, &task->pieces);
-    if (number == CYLINT_NO_ROOM) {
-        end_without_memory(task);
-        return 1;
-    }
+    if (number == CYLINT_NO_ROOM)
+        return end_without_memory(task);
     set_owner(task, number);
     row->answer.n = row->shape > 0 ? 1 : -1;
     put_answer(task, row->shape > 0);
-    return 1;
+    return 0;
 }
 
 static cylint_piece_rule rule_of(const struct job *job)
@@ -323,14 +323,12 @@ static int answer_sums(struct task *task)
     if (cylint_scene_line_sums(job->scene.shapes, &task->record.line, &rule,
                                groups->of, groups->columns,
                                job->options->sum == SUM_LENGTH,
-                               task->sums) != CYLINT_SCENE_OK) {
-        end_without_memory(task);
-        return 1;
-    }
+                               task->sums) != CYLINT_SCENE_OK)
+        return end_without_memory(task);
     for (size_t i = 0; i < groups->columns; i++)
         is_hit |= task->sums[i] > 0;
     put_answer(task, is_hit);
-    return 1;
+    return 0;
 }
 
 static int answer_pieces(struct task *task)
@@ -343,10 +341,8 @@ static int answer_pieces(struct task *task)
     const size_t found =
         find_pieces(job->scene.shapes, &task->record.line, &rule,
                     (size_t)job->options->most_pieces, &task->pieces);
-    if (found == CYLINT_NO_ROOM) {
-        end_without_memory(task);
-        return 1;
-    }
+    if (found == CYLINT_NO_ROOM)
+        return end_without_memory(task);
     row->answer.n = 2;
     row->unit = cylint_line_length(&task->record.line);
     for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
@@ -357,7 +353,7 @@ static int answer_pieces(struct task *task)
         set_owner(task, piece->shape);
         put_answer(task, 1);
     }
-    return 1;
+    return 0;
 }
 
 /* A shape holds the point if its signed distance is at most 0. */
@@ -372,15 +368,13 @@ static int answer_inside(struct task *task)
     if (fields->solids)
         depth = depth_of_point(job->scene.shapes, task->record.point,
                                job->groups.rank, &owner, &task->pieces);
-    if (depth == CYLINT_NO_ROOM) {
-        end_without_memory(task);
-        return 1;
-    }
+    if (depth == CYLINT_NO_ROOM)
+        return end_without_memory(task);
     task->row.count = (double)s.count;
     task->row.depth = (double)depth;
     set_owner(task, owner);
     put_answer(task, s.count > 0 || depth > 0);
-    return 1;
+    return 0;
 }
 
 int answer_record(struct task *task)

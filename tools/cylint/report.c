@@ -8,11 +8,8 @@
 
 #include "main.h"
 #include "report.h"
-#include "text.h"
 
-enum { SHOWN_MOST = 32, NAME_MOST = 256 };
-
-/* ---------------------------------------------------------- one record -- */
+enum { FOUND_MOST = 32 };
 
 static struct note *present(struct notes *notes)
 {
@@ -31,28 +28,25 @@ int refuse(struct notes *notes, const char *at, const char *format, ...)
     va_start(list, format);
     vsnprintf(note->text, NOTE_CAPACITY, format, list);
     va_end(list);
-    return 0;
+    return EXIT_BAD;
 }
 
-int refuse_text(struct notes *notes, const char *what, const char *at,
-                const char *end)
+int refuse_text(struct notes *notes, const char *what, struct string text)
 {
-    char found[4 * SHOWN_MOST + 4];
-    if (at == end)
-        return refuse(notes, at, "%s", what);
-    escape_bytes(found, at, end, SHOWN_MOST);
-    return refuse(notes, at, "%s: '%s'", what, found);
+    char found[SHOWN_CAPACITY];
+    return text.length == 0 ? refuse(notes, text.text, "%s", what)
+                            : refuse(notes, text.text, "%s: '%s'", what,
+                                     escape(found, text, FOUND_MOST));
 }
 
-int refuse_other(struct notes *notes, const char *expected, const char *at,
-                 const char *end)
+int refuse_other(struct notes *notes, const char *expected, struct string text)
 {
-    char found[4 * SHOWN_MOST + 4];
-    if (at == end)
-        return refuse(notes, at, "expected %s, found the end of the line",
-                      expected);
-    escape_bytes(found, at, end, SHOWN_MOST);
-    return refuse(notes, at, "expected %s, found '%s'", expected, found);
+    char found[SHOWN_CAPACITY];
+    return text.length == 0
+               ? refuse(notes, text.text,
+                        "expected %s, found the end of the line", expected)
+               : refuse(notes, text.text, "expected %s, found '%s'", expected,
+                        escape(found, text, FOUND_MOST));
 }
 
 static void append(struct note *note, const char *before, const char *text,
@@ -130,9 +124,8 @@ void count_bad(struct notes *notes)
 
 void complain(const char *name, const char *what)
 {
-    char escaped[4 * NAME_MOST + 4];
-    escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
-    message("%s: %s", escaped, what);
+    char shown[SHOWN_CAPACITY];
+    message("%s: %s", escape(shown, string_of(name), SHOWN_MOST), what);
 }
 
 void complain_errno(const char *name)
@@ -143,9 +136,9 @@ void complain_errno(const char *name)
 void complain_at(const char *name, unsigned long long line,
                  unsigned long long column, const char *what)
 {
-    char escaped[4 * NAME_MOST + 4];
-    escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
-    message("%s:%llu:%llu: %s", escaped, line, column, what);
+    char shown[SHOWN_CAPACITY];
+    message("%s:%llu:%llu: %s", escape(shown, string_of(name), SHOWN_MOST),
+            line, column, what);
 }
 
 int out_of_memory(void)
@@ -168,11 +161,10 @@ static void print_note(const struct note *note, const char *name)
     }
 }
 
-int print_refusal(struct notes *notes, const char *name)
+void print_refusal(struct notes *notes, const char *name)
 {
     count_bad(notes);
     print_note(&notes->note[notes->kept - 1], name);
-    return EXIT_BAD;
 }
 
 /* Returns whether a note must be printed, and updates *report if so. */

@@ -8,6 +8,7 @@
 #define CYLINT_REPORT_H
 
 #include "message.h"
+#include "text.h"
 
 /* Messages about good records.  Each is printed for the first such record only. */
 enum remark {
@@ -47,20 +48,18 @@ struct report {
     const char *binary; /* the file that looked binary last, or NULL */
 };
 
-/* All write the note that the present record is bad, and return 0.  `at` is the
- * place in its text, or NULL. */
+/* All write the note that the present record is bad, and return EXIT_BAD.  The place
+ * is in its text, or NULL. */
 /* A text as of printf(). */
 int refuse(struct notes *notes, const char *at, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
-/* `WHAT: 'TEXT'`, or `WHAT` if [at, end) is empty. */
-int refuse_text(struct notes *notes, const char *what, const char *at,
-                const char *end);
+/* `WHAT: 'TEXT'`, or `WHAT` if the text is empty. */
+int refuse_text(struct notes *notes, const char *what, struct string text);
 /* `expected WHAT, found 'TEXT'`; an empty text is the end of the line. */
-int refuse_other(struct notes *notes, const char *expected, const char *at,
-                 const char *end);
+int refuse_other(struct notes *notes, const char *expected, struct string text);
 /* Append `; ADVICE`, and `; did you mean WORD?` unless WORD is NULL. */
 void advise(struct notes *notes, const char *advice);
 void suggest(struct notes *notes, const char *word);
@@ -74,8 +73,8 @@ void make_remark(struct notes *notes, enum remark remark);
 void count_good(struct notes *notes);
 void count_bad(struct notes *notes);
 
-/* Prints the note of the present record at once.  Returns EXIT_BAD. */
-int print_refusal(struct notes *notes, const char *name);
+/* Prints the note of the present record at once. */
+void print_refusal(struct notes *notes, const char *name);
 
 /* Prints the notes of a block and clears them.  Of the bad records the first ten of
  * the whole input are printed. */

@@ -88,15 +88,15 @@ static int read_shape(void *context, const char *line, const char *end,
     struct reading *r = context;
     struct record record;
     const size_t number = r->scene->count;
-    if (!read_record(&r->grammar, line, end, &record, notes)) {
+    if (read_record(&r->grammar, line, end, &record, notes)) {
         if (is_saved(line, (size_t)(notes->end - line)))
             advise(notes, "a saved scene cannot be read from a pipe");
         return EXIT_BAD;
     }
     const int status = scene_add(r->scene, &record);
-    return status != 0 || record.words_length == 0
+    return status != 0 || record.words.length == 0
                ? status
-               : solids_read(&r->scene->solids, number, &record, notes);
+               : solids_read(&r->scene->solids, number, record.words, notes);
 }
 
 /* Returns the command that converts a file with this name, or NULL. */
@@ -161,9 +161,7 @@ static int add_saved(struct scene *scene, const struct scene *saved,
     struct labels labels = {0};
     int status = labels_take(&labels, saved, file);
     for (size_t i = 0; i < saved->count && status == 0; i++) {
-        const struct label label = labels_get(&labels, i);
-        struct record record = {.tail = label.text,
-                                .tail_length = label.length};
+        struct record record = {.tail = labels_get(&labels, i)};
         scene_shape(saved, i, &record.shape);
         status = scene_add(scene, &record);
     }

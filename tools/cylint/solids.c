@@ -30,58 +30,42 @@ void solids_free(struct solids *s)
     memset(s, 0, sizeof *s);
 }
 
-/* Reads the clause of a member, at the slash or at the end of the word.  Without
- * one it is 1, or 0 for a complement.  Returns 0 if it is wrong. */
-static int read_clause(const char *slash, const char *end, int is_out,
+/* Reads a word in=NAME or out=NAME, perhaps with /CLAUSE. */
+static int read_member(struct solids *s, struct string word,
                        cylint_member *member, struct notes *notes)
 {
+    const int is_out = *word.text == 'o';
+    const char *begin = word.text + strlen(is_out ? OUT_WORD : IN_WORD);
+    const char *slash = memchr(begin, '/', (size_t)(end_of(word) - begin));
+    const struct string name = between(begin, slash ? slash : end_of(word));
     unsigned long long clause = is_out ? 0 : 1;
-    if (slash < end &&
-        (!read_whole(slash + 1, end, CLAUSE_MOST, &clause) || clause == 0))
+    if (name.length == 0)
+        return refuse_text(
+            notes, is_out ? "out= without a name" : "in= without a name", word);
+    if (memchr(name.text, '=', name.length))
+        return refuse_text(notes, "the name of a solid has no '='", name);
+    if (slash &&
+        (!read_whole(between(slash + 1, end_of(word)), CLAUSE_MOST, &clause) ||
+         clause == 0))
         return refuse_other(notes, "a clause, an integer from 1 to 999999999",
-                            slash + 1, end);
+                            between(slash + 1, end_of(word)));
+    if ((int)clause > s->last_clause)
+        s->last_clause = (int)clause;
     member->clause = is_out ? -(int)clause : (int)clause;
-    return 1;
+    return names_add(&s->names, name, &member->solid) ? 0 : out_of_memory();
 }
 
-/* Reads the word [text, end): in=NAME or out=NAME, perhaps with /CLAUSE. */
-static int read_member(struct solids *s, const char *text, const char *end,
-                       cylint_member *member, struct notes *notes)
-{
-    const int is_out = *text == 'o';
-    const char *name = text + strlen(is_out ? OUT_WORD : IN_WORD);
-    const char *slash = memchr(name, '/', (size_t)(end - name));
-    const char *name_end = slash ? slash : end;
-    const struct label label = {name, (size_t)(name_end - name)};
-    if (label.length == 0) {
-        refuse_text(notes,
-                    is_out ? "out= without a name" : "in= without a name", text,
-                    end);
-        return EXIT_BAD;
-    }
-    if (memchr(name, '=', label.length)) {
-        refuse_text(notes, "the name of a solid has no '='", name, name_end);
-        return EXIT_BAD;
-    }
-    if (!read_clause(name_end, end, is_out, member, notes))
-        return EXIT_BAD;
-    return names_add(&s->names, label, &member->solid) ? 0 : out_of_memory();
-}
-
-int solids_read(struct solids *s, size_t shape, const struct record *record,
+int solids_read(struct solids *s, size_t shape, struct string words,
                 struct notes *notes)
 {
-    const char *const end = record->words + record->words_length;
     cylint_member member = {.shape = shape};
     int status = 0;
-    for (const char *p = record->words; p < end && status == 0;) {
-        const char *after = field_end(p, end);
-        status = read_member(s, p, after, &member, notes);
+    for (const char *p = words.text; p < end_of(words) && status == 0;) {
+        const char *after = field_end(p, end_of(words));
+        status = read_member(s, between(p, after), &member, notes);
         if (status == 0)
             status = solids_add(s, &member);
-        if (abs(member.clause) > s->last_clause)
-            s->last_clause = abs(member.clause);
-        p = skip_separator(after, end);
+        p = skip_separator(after, end_of(words));
     }
     return status;
 }
@@ -109,28 +93,21 @@ static void number_solids(const struct solids *s, size_t *number)
         }
 }
 
-static void show_name(const struct solids *s, size_t solid,
-                      char shown[4 * NAME_SHOWN + 4])
-{
-    const struct label name = names_get(&s->names, solid);
-    escape_bytes(shown, name.text, name.text + name.length, NAME_SHOWN);
-}
-
 /* Names two solids that have the same number.  solid_at: of each number, the solid
  * from 1. */
 static int complain_of_numbers(const struct solids *s, const size_t *number,
                                size_t *solid_at)
 {
-    char a[4 * NAME_SHOWN + 4], b[4 * NAME_SHOWN + 4], text[512];
+    char a[SHOWN_CAPACITY], b[SHOWN_CAPACITY], text[512];
     for (size_t i = 0; i < s->names.texts.count; i++) {
         const size_t other = solid_at[number[i]];
         if (other > 0) {
-            show_name(s, other - 1, a);
-            show_name(s, i, b);
             snprintf(text, sizeof text,
                      "the solids '%s' and '%s' have the same first shape, "
                      "number %llu; write that shape twice, once for each solid",
-                     a, b, (unsigned long long)number[i] + 1);
+                     escape(a, names_get(&s->names, other - 1), NAME_SHOWN),
+                     escape(b, names_get(&s->names, i), NAME_SHOWN),
+                     (unsigned long long)number[i] + 1);
             complain(s->file, text);
             break;
         }

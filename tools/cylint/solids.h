@@ -24,8 +24,8 @@ struct solids {
 
 /* Adds the members that a record's words in=NAME and out=NAME state.  Returns 0;
  * EXIT_BAD and writes a note; or another exit status after a message. */
-int solids_read(struct solids *solids, size_t shape,
-                const struct record *record, struct notes *notes);
+int solids_read(struct solids *solids, size_t shape, struct string words,
+                struct notes *notes);
 
 /* Adds a member without a name, of a saved scene.  Returns 0, or an exit status
  * after a message. */

@@ -79,27 +79,29 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
     return &swc->places[i];
 }
 
-/* Doubles the capacity.  At least half of the entries stay free. */
+/* Doubles the capacity.  At least half of the entries stay free.  Returns 0 if there
+ * is no memory. */
 static int grow(struct swc *swc)
 {
     const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
     const size_t capacity = (size_t)1 << (bits - 1);
-    if (capacity > SIZE_MAX / sizeof *swc->nodes)
-        return out_of_memory();
-    struct swc_node *nodes = realloc(swc->nodes, capacity * sizeof *nodes);
+    struct swc_node *nodes =
+        capacity > SIZE_MAX / sizeof *nodes
+            ? NULL
+            : realloc(swc->nodes, capacity * sizeof *nodes);
     if (!nodes)
-        return out_of_memory();
+        return 0;
     swc->nodes = nodes;
     size_t *places = calloc(2 * capacity, sizeof *places);
     if (!places)
-        return out_of_memory();
+        return 0;
     free(swc->places);
     swc->places = places;
     swc->bits = bits;
     swc->capacity = capacity;
     for (size_t i = 0; i < swc->count; i++)
         *find_place(swc, nodes[i].number) = i + 1;
-    return 0;
+    return 1;
 }
 
 /* ------------------------------------------------------------- one node -- */
@@ -108,44 +110,35 @@ static int grow(struct swc *swc)
  * numbers as hexadecimal.  Returns whether it is one; it may be infinite. */
 static int is_decimal(const struct reader *r, double *value)
 {
-    const char *end = end_of_field(r);
-    const size_t length = (size_t)(end - r->p);
-    return cylint_read_number(r->p, r->end, value) == end &&
-           !memchr(r->p, 'x', length) && !memchr(r->p, 'X', length);
+    const struct string s = field(r);
+    return cylint_read_number(r->p, r->end, value) == end_of(s) &&
+           !memchr(s.text, 'x', s.length) && !memchr(s.text, 'X', s.length);
 }
 
-/* Reads digits, at most 18 behind leading zeros. */
-static int is_digits(const struct reader *r, uint64_t *number)
-{
-    unsigned long long value;
-    const int is_whole = read_whole(r->p, end_of_field(r), NUMBER_MOST, &value);
-    *number = value;
-    return is_whole;
-}
-
-/* Reads a node's number: digits, or a decimal number that is whole. */
-static int read_whole_number(struct reader *r, uint64_t *number,
-                             const char *expected)
+/* Reads a node's number: at most 18 digits behind leading zeros, or a decimal number
+ * that is whole. */
+static int read_node_number(struct reader *r, uint64_t *number,
+                            const char *expected)
 {
     double value;
-    if (!is_digits(r, number)) {
+    unsigned long long whole;
+    if (!read_whole(field(r), NUMBER_MOST, &whole)) {
         if (!is_decimal(r, &value) || *r->p == '-' || !(value < DECIMAL_MOST) ||
             (double)(uint64_t)value != value)
             return refuse_other_field(r, expected);
-        *number = (uint64_t)value;
+        whole = (uint64_t)value;
     }
-    skip_to(r, end_of_field(r));
-    return 1;
+    *number = whole;
+    skip_field(r);
+    return 0;
 }
 
 static int read_parent(struct reader *r, uint64_t *parent)
 {
     double value;
-    if (is_decimal(r, &value) && value == -1) {
-        *parent = NO_PARENT;
-        return 1;
-    }
-    return read_whole_number(r, parent, "a node's number or -1");
+    *parent = NO_PARENT;
+    return (!is_decimal(r, &value) || value != -1) &&
+           read_node_number(r, parent, "a node's number or -1");
 }
 
 static int read_decimal(struct reader *r, double *value)
@@ -154,28 +147,28 @@ static int read_decimal(struct reader *r, double *value)
         return refuse_other_field(r, "a number");
     if (*value - *value != 0)
         return refuse_field(r, "number too large");
-    skip_to(r, end_of_field(r));
-    return 1;
+    skip_field(r);
+    return 0;
 }
 
 static int read_radius(struct reader *r, double *radius)
 {
     struct reader at = *r;
-    return read_decimal(r, radius) &&
-           (*radius >= 0 || refuse_field(&at, "negative radius"));
+    return read_decimal(r, radius) ||
+           (*radius < 0 && refuse_field(&at, "negative radius"));
 }
 
 /* Reads the node of a line, from its first field on. */
 static int read_node(struct reader *r, struct swc_node *node)
 {
-    if (!read_whole_number(r, &node->number, "a node's number"))
-        return 0;
-    skip_to(r, end_of_field(r)); /* the type */
+    if (read_node_number(r, &node->number, "a node's number"))
+        return EXIT_BAD;
+    skip_field(r); /* the type */
     for (int i = 0; i < 3; i++)
-        if (!read_decimal(r, &node->centre[i]))
-            return 0;
-    if (!read_radius(r, &node->radius))
-        return 0;
+        if (read_decimal(r, &node->centre[i]))
+            return EXIT_BAD;
+    if (read_radius(r, &node->radius))
+        return EXIT_BAD;
     node->line = r->notes->line;
     node->column = (unsigned long long)(r->p - r->notes->text) + 1;
     return read_parent(r, &node->parent);
@@ -188,21 +181,16 @@ static int read_line(void *context, const char *text, const char *end,
     struct swc *swc = context;
     struct swc_node node = {0};
     struct reader r, first;
-    if (!begin_line(&r, text, end, notes))
+    if (begin_line(&r, text, end, notes))
         return EXIT_BAD;
     first = r;
-    if (!read_node(&r, &node))
+    if (read_node(&r, &node))
         return EXIT_BAD;
-    if (swc->count == swc->capacity) {
-        const int status = grow(swc);
-        if (status != 0)
-            return status;
-    }
+    if (swc->count == swc->capacity && !grow(swc))
+        return out_of_memory();
     size_t *place = find_place(swc, node.number);
-    if (*place > 0) {
-        refuse_field(&first, "this node was given before");
-        return EXIT_BAD;
-    }
+    if (*place > 0)
+        return refuse_field(&first, "this node was given before");
     swc->nodes[swc->count++] = node;
     *place = swc->count;
     return 0;
@@ -352,8 +340,7 @@ static int add_shape(struct conversion *c, const struct swc_node *node,
         return EXIT_BAD;
     }
     put_whole(&label, node->number);
-    record.tail = number;
-    record.tail_length = label.length;
+    record.tail = between(number, number + label.length);
     return scene_add(c->scene, &record);
 }
 

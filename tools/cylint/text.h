@@ -1,6 +1,5 @@
 /*
- * text.h - bytes that are written to and read from the caller's memory, and tables
- * of words
+ * text.h - parts of texts, texts in the caller's memory, and tables of words
  */
 #ifndef CYLINT_TEXT_H
 #define CYLINT_TEXT_H
@@ -22,9 +21,44 @@ enum {
     BLOCK_CAPACITY = 2 * LINE_MOST, /* a long line and the bytes read with it */
     TEXT_FULL =
         (1 << 18) / CYLINT_SHRINK, /* answers are written from this on */
-    NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK
+    NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK,
+    SHOWN_MOST = 256, /* bytes of a text in a message */
+    SHOWN_CAPACITY = 4 * SHOWN_MOST + 4
 };
 
+/* A part of a text; its end is not marked. */
+struct string {
+    const char *text;
+    size_t length;
+};
+
+static inline struct string between(const char *begin, const char *end)
+{
+    return (struct string){begin, (size_t)(end - begin)};
+}
+
+static inline struct string string_of(const char *text)
+{
+    return (struct string){text, strlen(text)};
+}
+
+static inline const char *end_of(struct string s)
+{
+    return s.text + s.length;
+}
+
+/* Whether a string is digits, a number up to `most`, which is below 2^60. */
+int read_whole(struct string s, unsigned long long most,
+               unsigned long long *value);
+
+/* Copies a string and a NUL.  Writes each byte that is not printable ASCII, and the
+ * backslash, as \xHH, so that the text is unambiguous.  After `most` bytes it
+ * writes "..." and stops.  Returns `to`. */
+const char *escape(char to[SHOWN_CAPACITY], struct string from, size_t most);
+
+/* --------------------------------------------------------------- texts -- */
+
+/* Memory of the caller, who makes it large enough. */
 struct text {
     char *data;
     size_t length;
@@ -35,15 +69,15 @@ static inline void put_char(struct text *t, char c)
     t->data[t->length++] = c;
 }
 
-static inline void put_bytes(struct text *t, const void *bytes, size_t n)
+static inline void put_string(struct text *t, struct string s)
 {
-    memcpy(t->data + t->length, bytes, n);
-    t->length += n;
+    memcpy(t->data + t->length, s.text, s.length);
+    t->length += s.length;
 }
 
-static inline void put_string(struct text *t, const char *s)
+static inline void put_word(struct text *t, const char *word)
 {
-    put_bytes(t, s, strlen(s));
+    put_string(t, string_of(word));
 }
 
 /* Appends a whole number in decimal digits. */
@@ -66,7 +100,8 @@ static inline void put_little_endian(struct text *t, double value)
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
     bits = little_endian(bits);
-    put_bytes(t, &bits, sizeof bits);
+    memcpy(t->data + t->length, &bits, sizeof bits);
+    t->length += sizeof bits;
 }
 
 static inline double get_little_endian(const char bytes[8])
@@ -78,19 +113,6 @@ static inline double get_little_endian(const char bytes[8])
     memcpy(&value, &bits, sizeof value);
     return value;
 }
-
-/* Reads the digits [p, end).  Returns whether they are a number up to `most`, which
- * is below 2^60. */
-int read_whole(const char *p, const char *end, unsigned long long most,
-               unsigned long long *value);
-
-/*
- * Copies [from, end).  Writes each byte that is not printable ASCII, and the
- * backslash, as \xHH, so that the text is unambiguous.  After `most` bytes it
- * writes "..." and stops.  `to` has 4 * most + 4 bytes.  Writes a NUL at the
- * end.  Returns the length.
- */
-size_t escape_bytes(char *to, const char *from, const char *end, size_t most);
 
 /* --------------------------------------------------------------- words -- */
 
@@ -104,29 +126,24 @@ struct words {
 
 #define WORDS(table) ((struct words){(table), sizeof *(table)})
 
-/* Word i, or NULL at the end. */
-const char *word_at(struct words words, int i);
-
-/* The index of the text, or NOT_GIVEN. */
-int find_word(struct words words, const char *text, size_t length);
+/* The index of a word, or NOT_GIVEN. */
+int find_word(struct words words, struct string s);
 
 /* Writes `a, b or c`.  Returns `to`. */
 const char *list_words(char to[WORDS_CAPACITY], struct words words);
 
-/* A text that is not one of the expected words, and the nearest of these. */
+/* A string that is not one of the expected words, and the nearest of these. */
 struct similar {
-    const char *text;
-    size_t length;
+    struct string string;
     const char *word; /* NULL: no word is near */
     int most;         /* the distance of a nearer word */
 };
 
-/* Compares the words that the caller keeps.  Of equally near ones the first
- * stays. */
-struct similar similar_to(const char *text, size_t length);
+struct similar similar_to(struct string s);
+/* Compares a word that the caller keeps.  Of equally near ones the first stays. */
 void similar_try(struct similar *similar, const char *word);
 
 /* The nearest word of a table, or NULL. */
-const char *similar_word(struct words words, const char *text, size_t length);
+const char *similar_word(struct words words, struct string s);
 
 #endif

@@ -175,9 +175,9 @@ int colours_take_tail(struct scene *scene, const struct record *record)
     const size_t number = scene->count;
     const int status = grow(c, number + 1);
     if (status == 0) {
-        const char *tail = record->tail;
-        c->of[number] = colour_in_tail(tail, tail + record->tail_length);
-        c->label[number] = hash_of_text(tail, record->tail_length);
+        const struct string tail = record->tail;
+        c->of[number] = colour_in_tail(tail.text, end_of(tail));
+        c->label[number] = hash_of_text(tail.text, tail.length);
     }
     return status;
 }

@@ -23,8 +23,7 @@ static int add_ground(struct scene *scene, const char *colour, struct vector up,
     const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
-    record.tail = colour;
-    record.tail_length = strlen(colour);
+    record.tail = string_of(colour);
     cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
     return scene_add(scene, &record);
 }

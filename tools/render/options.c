@@ -77,8 +77,9 @@ static int read_size(const struct option *o, const char *value, void *place)
     int *const size = place;
     unsigned long long width = 0, height = 0;
     const char *x = value + strcspn(value, "x"), *end = x + strlen(x);
-    const int is_size = x < end && read_whole(value, x, MOST_PIXELS, &width) &&
-                        read_whole(x + 1, end, MOST_PIXELS, &height) &&
+    const int is_size = x < end &&
+                        read_whole(between(value, x), MOST_PIXELS, &width) &&
+                        read_whole(between(x + 1, end), MOST_PIXELS, &height) &&
                         width > 0 && height > 0;
     size[0] = (int)width;
     size[1] = (int)height;
@@ -112,7 +113,7 @@ static int read_colouring(const struct option *o, const char *value,
 {
     struct options *options = place;
     const size_t length = strlen(value);
-    const int index = find_word(WORDS(colouring_words), value, length);
+    const int index = find_word(WORDS(colouring_words), string_of(value));
     options->colouring = index == NOT_GIVEN
                              ? COLOUR_ONE
                              : (enum colouring)(index + COLOUR_NUMBER);
@@ -225,7 +226,7 @@ static const struct option options_known[] = {
 
 static int is_given(const struct options *o, const char *name)
 {
-    return o->given >> find_word(WORDS(options_known), name, strlen(name)) & 1;
+    return o->given >> find_word(WORDS(options_known), string_of(name)) & 1;
 }
 
 /* An option about light and colour that was given, or NULL. */
