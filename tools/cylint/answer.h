@@ -24,6 +24,12 @@ struct job {
     pthread_mutex_t reading;
     struct input in;
     unsigned long long tickets; /* of the next block */
+    int most, workers;          /* at most; now */
+    struct worker *others;      /* all but the first */
+    int ending
+        [2]; /* a pipe, closed when the work ends: this wakes a worker that
+                      waits for input.  It is opened before the second worker starts;
+                      until then -1 */
 
     pthread_mutex_t order; /* protects the next two */
     pthread_cond_t changed;

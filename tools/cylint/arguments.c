@@ -189,6 +189,12 @@ int take_arguments(const struct option *known, int argc, char **argv,
     return status;
 }
 
+int was_given(const struct option *known, unsigned long long given,
+              const char *name)
+{
+    return given >> find_word(WORDS(known), string_of(name)) & 1;
+}
+
 /* ----------------------------------------------------------------- help -- */
 
 /* Prints the lines of a help from one column on. */

@@ -64,6 +64,10 @@ const char *read_bound(const char *p, double *bound);
 int take_arguments(const struct option *known, int argc, char **argv,
                    void *options, int *files, unsigned long long *given);
 
+/* Whether the option with this name is one of those. */
+int was_given(const struct option *known, unsigned long long given,
+              const char *name);
+
 /* Prints the lines of the options in --help. */
 void print_options(const struct option *known);
 

@@ -71,7 +71,7 @@ static int read_printed(const struct option *o, const char *value, void *place)
 
 enum { COUNT_MOST = INT_MAX / 10 - 1 };
 
-/* What an option needs; see lack(). */
+/* What an option needs. */
 enum needs { NOTHING, A_SCENE, A_NEURON, PIECES, SOLIDS };
 
 static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
@@ -165,7 +165,7 @@ static const struct option options_known[] = {
 
 static int is_given(const struct options *o, const char *name)
 {
-    return o->given >> find_word(WORDS(options_known), string_of(name)) & 1;
+    return was_given(options_known, o->given, name);
 }
 
 /* ---------------------------------------------- options upon each other -- */
@@ -203,35 +203,23 @@ static int settle_query(struct options *o)
     return 0;
 }
 
-/* What an option needs and there is not, or NULL. */
-static const char *lack(const struct options *o, int needs)
-{
-    const int is_pieces = o->scene && o->query == QUERY_PIECES;
-    switch (needs) {
-    case A_SCENE:
-        return o->scene ? NULL : "a scene, -s FILE";
-    case A_NEURON:
-        return o->scene && swc_is_name(o->scene) ? NULL
-                                                 : "a neuron, -s NAME.swc";
-    case PIECES:
-        return is_pieces ? NULL : "the query -q pieces";
-    case SOLIDS:
-        return is_pieces || o->query == QUERY_INSIDE
-                   ? NULL
-                   : "the query -q pieces or -q inside";
-    default:
-        return NULL;
-    }
-}
-
 static int settle_needs(struct options *o)
 {
+    const int is_pieces = o->scene && o->query == QUERY_PIECES;
+    const struct {
+        int is_met;
+        const char *what;
+    } needs[] = {[A_SCENE] = {o->scene != NULL, "a scene, -s FILE"},
+                 [A_NEURON] = {o->scene && swc_is_name(o->scene),
+                               "a neuron, -s NAME.swc"},
+                 [PIECES] = {is_pieces, "the query -q pieces"},
+                 [SOLIDS] = {is_pieces || o->query == QUERY_INSIDE,
+                             "the query -q pieces or -q inside"}};
     for (int i = 0; options_known[i].name; i++) {
         const struct option *known = &options_known[i];
-        const char *lacking = o->given >> i & 1 ? lack(o, known->needs) : NULL;
-        if (lacking)
+        if (o->given >> i & 1 && known->needs && !needs[known->needs].is_met)
             return usage("%s%s needs %s", known->name[1] ? "--" : "-",
-                         known->name, lacking);
+                         known->name, needs[known->needs].what);
     }
     return 0;
 }

@@ -266,9 +266,12 @@ static void take_back(const struct output *out, size_t length)
 
 int output_write(struct output *out, const char *data, size_t length)
 {
+    const size_t most = (size_t)1 << 30; /* some systems refuse 2 GiB */
     size_t done = 0;
     while (done < length) {
-        const ssize_t n = write(out->fd, data + done, length - done);
+        const size_t rest = length - done;
+        const ssize_t n =
+            write(out->fd, data + done, rest < most ? rest : most);
         if (n >= 0) {
             done += (size_t)n;
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {

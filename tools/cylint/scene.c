@@ -193,17 +193,10 @@ struct writing {
     int status; /* exit status */
 };
 
-/* Some systems write less than 2 GiB at once. */
 static int write_part(void *context, const void *data, size_t bytes)
 {
-    const size_t most = (size_t)1 << 30;
     struct writing *w = context;
-    for (const char *at = data; bytes > 0 && w->status == 0;) {
-        const size_t part = bytes < most ? bytes : most;
-        w->status = output_write(&w->out, at, part);
-        at += part;
-        bytes -= part;
-    }
+    w->status = output_write(&w->out, data, bytes);
     return w->status == 0;
 }
 

@@ -250,28 +250,14 @@ static size_t find_parents(const struct swc *swc)
     return missing;
 }
 
-static void print_missing(size_t count, const char *name)
+static void print_count(const char *name, size_t count, const char *what,
+                        const char *more)
 {
-    char what[120];
-    if (count > 0) {
-        snprintf(what, sizeof what,
-                 "%llu node%s with a parent that is not in the file taken as"
-                 " %s",
-                 (unsigned long long)count, count == 1 ? "" : "s",
-                 count == 1 ? "a root" : "roots");
-        complain(name, what);
-    }
-}
-
-static void print_skipped(size_t count, const char *what, const char *lack,
-                          const char *name)
-{
-    char text[80];
-    if (count > 0) {
-        snprintf(text, sizeof text, "%llu %s%s of no %s skipped",
-                 (unsigned long long)count, what, count == 1 ? "" : "s", lack);
+    char text[120];
+    snprintf(text, sizeof text, "%llu %s%s %s", (unsigned long long)count, what,
+             count == 1 ? "" : "s", more);
+    if (count > 0)
         complain(name, text);
-    }
 }
 
 /* The nodes become shapes of a scene.  Counts what bounds nothing. */
@@ -367,10 +353,14 @@ static int add_shapes(struct swc *swc, struct conversion *c)
         status = convert_node(c, swc, &swc->nodes[i]);
     if (status != 0)
         return status;
-    print_missing(missing, c->name);
-    print_skipped(c->without_length, "edge", "length", c->name);
-    print_skipped(c->without_radius, "edge", "radius", c->name);
-    print_skipped(c->roots_without_radius, "root", "radius", c->name);
+    print_count(c->name, missing, "node",
+                missing == 1
+                    ? "with a parent that is not in the file taken as a root"
+                    : "with a parent that is not in the file taken as roots");
+    print_count(c->name, c->without_length, "edge", "of no length skipped");
+    print_count(c->name, c->without_radius, "edge", "of no radius skipped");
+    print_count(c->name, c->roots_without_radius, "root",
+                "of no radius skipped");
     return 0;
 }
 

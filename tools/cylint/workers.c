@@ -47,24 +47,10 @@ static int has_ended(struct job *job)
 
 /* -------------------------------------------------------------- workers -- */
 
-struct team;
-
 struct worker {
-    struct team *team;
     struct task task;
     pthread_t thread;
     struct worker *next;
-};
-
-/* job->reading protects it. */
-struct team {
-    struct job *job;
-    int most, count;
-    struct worker *others; /* all but the first */
-
-    int ending[2]; /* a pipe, closed when the work ends: this wakes a
-                      worker that waits for input.  It is opened before the
-                      second worker starts; until then -1 */
 };
 
 static void *work(void *worker);
@@ -75,27 +61,24 @@ static void free_worker(struct worker *w)
     free(w);
 }
 
-static struct worker *make_worker(struct team *team)
+static struct worker *make_worker(struct job *job)
 {
     struct worker *w = malloc(sizeof *w);
-    if (!w)
-        return NULL;
-    w->team = team;
-    w->next = NULL;
-    if (task_make(&w->task, team->job))
+    if (w && task_make(&w->task, job))
         return w;
-    free_worker(w);
+    if (w)
+        free_worker(w);
     return NULL;
 }
 
-static int has_ending(struct team *team)
+static int has_ending(struct job *job)
 {
-    if (team->ending[0] < 0 && pipe(team->ending) == 0) {
-        fcntl(team->ending[0], F_SETFD, FD_CLOEXEC);
-        fcntl(team->ending[1], F_SETFD, FD_CLOEXEC);
-        team->job->in.ending = team->ending[0];
+    if (job->ending[0] < 0 && pipe(job->ending) == 0) {
+        fcntl(job->ending[0], F_SETFD, FD_CLOEXEC);
+        fcntl(job->ending[1], F_SETFD, FD_CLOEXEC);
+        job->in.ending = job->ending[0];
     }
-    return team->ending[0] >= 0;
+    return job->ending[0] >= 0;
 }
 
 /* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless asked
@@ -114,31 +97,31 @@ static int start_thread(struct worker *w)
 }
 
 /* If memory, threads or descriptors are short, the present workers continue. */
-static void start_worker(struct team *team)
+static void start_worker(struct job *job)
 {
-    struct worker *w = has_ending(team) ? make_worker(team) : NULL;
+    struct worker *w = has_ending(job) ? make_worker(job) : NULL;
     if (w && start_thread(w)) {
-        w->next = team->others;
-        team->others = w;
-        team->count++;
+        w->next = job->others;
+        job->others = w;
+        job->workers++;
         return;
     }
     if (w)
         free_worker(w);
-    team->most = team->count;
+    job->most = job->workers;
 }
 
 /* Reads a block and gives it a ticket.  Returns 0 if the work has ended. */
-static int read_block(struct team *team, struct task *task)
+static int read_block(struct task *task)
 {
-    struct job *job = team->job;
+    struct job *job = task->job;
     pthread_mutex_lock(&job->reading);
     const int ended = has_ended(job);
     if (!ended) {
         input_read(&job->in, &task->block);
         task->ticket = job->tickets++;
-        if (task->block.full && team->count < team->most)
-            start_worker(team);
+        if (task->block.full && job->workers < job->most)
+            start_worker(job);
     }
     pthread_mutex_unlock(&job->reading);
     return !ended;
@@ -152,41 +135,43 @@ static void close_end(int fd)
 
 static void *work(void *worker)
 {
-    struct worker *w = worker;
-    struct team *team = w->team;
-    while (read_block(team, &w->task)) {
-        const enum answered status = answer_block(&w->task);
+    struct task *task = &((struct worker *)worker)->task;
+    struct job *job = task->job;
+    while (read_block(task)) {
+        const enum answered status = answer_block(task);
         if (status != OVERTAKEN)
-            pass_turn(team->job, status == ANSWERED_LAST);
+            pass_turn(job, status == ANSWERED_LAST);
         if (status == ANSWERED_LAST)
-            close_end(team->ending[1]);
+            close_end(job->ending[1]);
     }
     return NULL;
 }
 
-/* Waits for all workers.  None starts after the work has ended. */
-static void join_workers(struct team *team)
+/* Waits for the other workers.  None starts after the work has ended. */
+static void join_workers(struct job *job)
 {
-    pthread_mutex_lock(&team->job->reading);
-    struct worker *w = team->others;
-    pthread_mutex_unlock(&team->job->reading);
+    pthread_mutex_lock(&job->reading);
+    struct worker *w = job->others;
+    pthread_mutex_unlock(&job->reading);
     while (w) {
         struct worker *next = w->next;
         pthread_join(w->thread, NULL);
         free_worker(w);
         w = next;
     }
-    close_end(team->ending[0]);
+    close_end(job->ending[0]);
 }
 
 int workers_run(struct job *job, int most)
 {
-    struct team team = {job, most, 1, NULL, {-1, -1}};
-    struct worker *first = make_worker(&team);
+    struct worker *first = make_worker(job);
+    job->most = most;
+    job->workers = 1;
+    job->ending[0] = job->ending[1] = -1;
     if (!first)
         return out_of_memory();
     work(first);
-    join_workers(&team);
+    join_workers(job);
     free_worker(first);
     return job->status;
 }

@@ -226,7 +226,7 @@ static const struct option options_known[] = {
 
 static int is_given(const struct options *o, const char *name)
 {
-    return o->given >> find_word(WORDS(options_known), string_of(name)) & 1;
+    return was_given(options_known, o->given, name);
 }
 
 /* An option about light and colour that was given, or NULL. */
