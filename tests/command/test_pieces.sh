@@ -1,7 +1,7 @@
 #!/bin/sh
 # Floor command: the pieces of lines and the sums of their lengths are those of a
-# loop over all shapes, and are the same bytes for any number of workers, any
-# --accel and a saved scene.  cli.txt has the options and messages.
+# loop over all shapes, and are the same bytes for any number of workers and a
+# saved scene.  cli.txt has the options and messages.
 . "$(dirname "$0")/../support/verdict.sh"
 [ -x "$build/tests/command/path_lengths" ] || skip_all 'no tests/command/path_lengths'
 data=$top/../shared/data
@@ -119,8 +119,7 @@ for what in '-q first -f id,shape,label,t,part,side,x,nx,h,phi' '-q pieces' \
     '-q pieces --pieces chords --first 3' '-q pieces --sum label:t' \
     '-q pieces --sum label --header --rank more' '-q pieces --binary-out --rank more'; do
     cylint -s solids -j 1 $what many >want 2>want.err
-    for other in '-s saved -j 1' '-s saved -j 4' '-s solids -j 2' '-s solids --accel none' \
-        '-s solids --accel tree -j 8'; do
+    for other in '-s saved -j 1' '-s saved -j 4' '-s solids -j 2' '-s solids -j 8'; do
         cylint $other $what many >out 2>err
         [ $? -eq 1 ] && cmp want out && cmp want.err err
         verdict "$other: the same bytes: $what" $?

@@ -64,12 +64,10 @@ same() {
 }
 long=shape,label,relation,t,part,side,x,ny,h,phi
 for query in nearest any count all; do
-    for accel in auto none tree; do
-        same saved scene -q $query --accel $accel records
-    done
+    same saved scene -q $query records
+    same saved scene -q $query --accel none records
     same saved scene -q $query --not label labelled
     same saved scene -q $query --within 3 points
-    same saved scene -q $query --within 3 --accel none points
     same saved scene -q $query -k ray -b numbers
     same neuron 'neuron.swc --swc round' -q $query records
     same tubes 'rods --ends open' -q $query records
