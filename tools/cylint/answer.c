@@ -1,8 +1,8 @@
 /*
  * answer.c - answers the records of a block, good and bad ones
  *
- * Answers are collected in the task.  If they fill it, they are written before the
- * block is finished: one line may hit a million shapes of a scene.
+ * Answers are collected in the task.  If they fill it, they are written before
+ * the block is finished: one line may hit a million shapes of a scene.
  */
 #include <stdlib.h>
 

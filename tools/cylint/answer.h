@@ -12,8 +12,9 @@
 #include "pieces.h"
 #include "progress.h"
 
-/* The data shared by all workers.  The first group is constant when they start.  The
- * second is for the worker that reads, the last for the one that writes. */
+/* The data shared by all workers.  The first group is constant when they
+ * start.  The second is for the worker that reads, the last for the one that
+ * writes. */
 struct job {
     const struct options *options;
     struct scene scene;   /* without -s it has no shapes */
@@ -26,10 +27,9 @@ struct job {
     unsigned long long tickets; /* of the next block */
     int most, workers;          /* at most; now */
     struct worker *others;      /* all but the first */
-    int ending
-        [2]; /* a pipe, closed when the work ends: this wakes a worker that
-                      waits for input.  It is opened before the second worker starts;
-                      until then -1 */
+    /* A pipe, closed when the work ends: this wakes a worker that waits for
+     * input.  It is opened before the second worker starts; until then -1. */
+    int ending[2];
 
     pthread_mutex_t order; /* protects the next two */
     pthread_cond_t changed;
@@ -70,8 +70,8 @@ struct task {
 int task_make(struct task *task, struct job *job);
 void task_free(struct task *task);
 
-/* Answers all records of its block, and delivers the answers in the order of the
- * tickets. */
+/* Answers all records of its block, and delivers the answers in the order of
+ * the tickets. */
 enum answered answer_block(struct task *task);
 
 /* Writes the row of the present record's answer. */

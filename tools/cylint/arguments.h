@@ -54,13 +54,13 @@ int usage_value(const struct option *o, const char *value, const char *expected,
  * returns EXIT_USAGE. */
 int check_value(const struct option *o, const char *value, int is_right);
 
-/* Reads a number, inf or -inf at p.  Returns the byte after it, or NULL.  The ends
- * of a domain may be infinite; the numbers of a record may not. */
+/* Reads a number, inf or -inf at p.  Returns the byte after it, or NULL.
+ * The ends of a domain may be infinite; the numbers of a record may not. */
 const char *read_bound(const char *p, double *bound);
 
-/* Reads argv[1..argc) into *options, moves the files to the front of argv and their
- * number to *files, and adds a bit to *given for each option by its index.  The last
- * name in `known` is NULL.  Returns 0 or EXIT_USAGE. */
+/* Reads argv[1..argc) into *options, moves the files to the front of argv
+ * and their number to *files, and adds a bit to *given for each option by
+ * its index.  The last name in `known` is NULL.  Returns 0 or EXIT_USAGE. */
 int take_arguments(const struct option *known, int argc, char **argv,
                    void *options, int *files, unsigned long long *given);
 

@@ -1,8 +1,8 @@
 /*
  * columns.h - the columns of an answer, and how they are written
  *
- * A column is a name, a member of a row, and what a query must compute for it.  Each
- * query has its own set of columns.
+ * A column is a name, a member of a row, and what a query must compute for it.
+ * Each query has its own set of columns.
  */
 #ifndef CYLINT_COLUMNS_H
 #define CYLINT_COLUMNS_H
@@ -25,7 +25,8 @@ enum query {
 
 struct query_kind {
     const char *word;
-    /* the columns unless -f is given: of lines, of points, of points in binary */
+    /* the columns unless -f is given: of lines, of points, of points in
+     * binary */
     const char *fields, *point_fields, *binary_fields;
     /* why a line, a point or not=NAME is wrong, or NULL */
     const char *no_lines, *no_points, *no_left_out;
@@ -55,8 +56,8 @@ struct style {
     const char *missing; /* NULL: nan for a number, - for a word */
 };
 
-/* The values of a row.  answer.n tells which are missing: -1: there is no answer.  A
- * point has one hit, a piece of a line two. */
+/* The values of a row.  answer.n tells which are missing: -1: there is no
+ * answer.  A point has one hit, a piece of a line two. */
 struct row {
     double record, shape, count, depth; /* whole numbers */
     double distance;                    /* of a point */
@@ -67,16 +68,16 @@ struct row {
     struct string tail;
 };
 
-/* Writes *fields from names separated by commas.  query: of points with QUERIES
- * added.  Returns NULL, or the first name that is not a column of this query or is
- * one too many. */
+/* Writes *fields from names separated by commas.  query: of points with
+ * QUERIES added.  Returns NULL, or the first name that is not a column of
+ * this query or is one too many. */
 const char *find_fields(struct fields *fields, const char *names, int query);
 
 /* The name of this query's column nearest to this one, or NULL. */
 const char *similar_field(struct string name, int query);
 
-/* The largest length of a row or of the header in bytes, without the tail, if no
- * label is longer than this; the same of sums. */
+/* The largest length of a row or of the header in bytes, without the tail,
+ * if no label is longer than this; the same of sums. */
 size_t row_capacity(const struct fields *fields, const struct style *style,
                     size_t longest_label);
 size_t sums_capacity(const struct groups *groups, const struct style *style);

@@ -1,7 +1,9 @@
 /*
- * grammar.c - reads a line or point and a shape from a record of text or doubles
+ * grammar.c - reads a line or point and a shape from a record of text or
+ * doubles
  *
- * Texts are pointers to their begin and end, not C strings: a NUL is a bad byte.
+ * Texts are pointers to their begin and end, not C strings: a NUL is a bad
+ * byte.
  */
 #include <string.h>
 
@@ -209,8 +211,8 @@ static int read_kind(struct reader *r, int given, struct words kinds)
     return kind;
 }
 
-/* The library refused the line or shape that begins at `at`.  The message shows the
- * number that is wrong, or the first word. */
+/* The library refused the line or shape that begins at `at`.  The message
+ * shows the number that is wrong, or the first word. */
 static int refuse_status(struct reader *r, const char *at, int has_word,
                          const struct kind *k, const double *v,
                          cylint_status status)
@@ -281,7 +283,8 @@ static int read_shape(struct reader *r, const struct grammar *g,
            refuse_status(r, at, g->shape == NOT_GIVEN, k, v, status);
 }
 
-/* ------------------------------------------------- words behind, and tail -- */
+/* ------------------------------------------------- words behind, and tail
+ * -- */
 
 static int begins_with_solid(const struct reader *r)
 {
@@ -314,8 +317,9 @@ static const char *article(const char *word)
     return strchr("aeiou", word[0]) ? "an" : "a";
 }
 
-/* Whether the tail of a record of bare numbers, of -k, begins with a number.  Notes
- * "N numbers where a ray has 6".  After a word a tail may begin with a number. */
+/* Whether the tail of a record of bare numbers, of -k, begins with a
+ * number.  Notes "N numbers where a ray has 6".  After a word a tail may
+ * begin with a number. */
 static int has_surplus(struct reader *r, const struct grammar *g)
 {
     const int is_bare = g->line != NOT_GIVEN &&
@@ -361,7 +365,7 @@ static int read_tail(struct reader *r, const struct grammar *g,
 static void remark_domain(const struct grammar *g, int kind, const char *at,
                           struct notes *notes)
 {
-    if (g->has_domain && kind >= LINE_SEGMENT &&
+    if (g->has_domain && kind >= LINE_SEGMENT && kind < LINE_KINDS &&
         wants_remark(notes, REMARK_DOMAIN)) {
         refuse(notes, at, "-t has no effect on a %s", line_kinds[kind].word);
         make_remark(notes, REMARK_DOMAIN);
@@ -388,11 +392,10 @@ int is_record(const char *line, const char *end)
 int begin_line(struct reader *r, const char *text, const char *end,
                struct notes *notes)
 {
-    if (end - text > LINE_MOST)
-        return refuse(notes, text, "line longer than 1 MiB");
+    const int is_long = end - text > LINE_MOST;
     end -= end > text && end[-1] == '\r';
     *r = (struct reader){skip_blanks(text, end), end, notes, 0};
-    return 0;
+    return is_long ? refuse(notes, text, "line longer than 1 MiB") : 0;
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,

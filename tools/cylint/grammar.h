@@ -1,5 +1,6 @@
 /*
- * grammar.h - reads a line or point and a shape from a record of text or doubles
+ * grammar.h - reads a line or point and a shape from a record of text or
+ * doubles
  *
  *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
  *            LINE [not=NAME]... [TAIL]         a line or point, with a scene

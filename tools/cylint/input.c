@@ -94,8 +94,8 @@ static int open_next(struct input *in, struct block *b)
 
 /* ------------------------------------------------------------ reading -- */
 
-/* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns whether
- * there is input, or its end; *ended: the work ended meanwhile. */
+/* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns
+ * whether there is input, or its end; *ended: the work ended meanwhile. */
 static int wait_for_input(const struct input *in, int timeout, int *ended)
 {
     struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->ending, POLLIN, 0}};
@@ -263,8 +263,8 @@ static int skip_npy_header(struct input *in, struct block *b)
     return 1;
 }
 
-/* The checks at the end of a file, after its last block was returned.  Returns 0
- * after a failure. */
+/* The checks at the end of a file, after its last block was returned.
+ * Returns 0 after a failure. */
 static int finish_file(struct input *in, struct block *b)
 {
     const int kept = !in->promised || in->bytes_given == in->bytes_promised;

@@ -9,10 +9,9 @@
 
 /* Whole records, and why the input ends after them. */
 struct block {
-    char *
-        text; /* and a NUL byte.  The last record may be the beginning of a line
-                   that is too long, or a binary record cut off by the end of the
-                   input */
+    /* With a NUL byte.  The last record may be the beginning of a line that is
+     * too long, or a binary record cut off by the end of the input. */
+    char *text;
     size_t length;
     int full; /* has BLOCK_GOAL bytes or more: there may be more input */
     const char *name;           /* of the file, for messages */
@@ -69,13 +68,13 @@ void input_close(struct input *in);
 /* Allocates a block's text.  Returns 0 if there is no memory. */
 int block_make(struct block *block);
 
-/* Handles the line [line, end) of a file.  Returns 0; EXIT_BAD after it has written
- * a note; or another exit status after a message. */
+/* Handles the line [line, end) of a file.  Returns 0; EXIT_BAD after it has
+ * written a note; or another exit status after a message. */
 typedef int line_handler(void *context, const char *line, const char *end,
                          struct notes *notes);
 
-/* Calls `handle` for each line of a file that is neither blank nor a comment, and
- * prints the note about a bad line.  Returns 0, or an exit status. */
+/* Calls `handle` for each line of a file that is neither blank nor a comment,
+ * and prints the note about a bad line.  Returns 0, or an exit status. */
 int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
                void *context);
 

@@ -159,11 +159,14 @@ int groups_read_ranks(struct groups *g, const char *file)
     struct rank_file f = {.groups = g, .name = file};
     f.rank = malloc((count + 1) * sizeof *f.rank);
     g->rank = malloc((g->shapes + 1) * sizeof *g->rank);
-    int status = f.rank && g->rank ? 0 : out_of_memory();
-    for (size_t i = 0; i < count && status == 0; i++)
-        f.rank[i] = NO_RANK;
-    if (status == 0)
+    int status = EXIT_MEMORY;
+    if (f.rank && g->rank) {
+        for (size_t i = 0; i < count; i++)
+            f.rank[i] = NO_RANK;
         status = read_lines(file, 0, read_ranking, &f);
+    } else {
+        out_of_memory();
+    }
     for (size_t i = 0; i < g->shapes && status == 0; i++)
         g->rank[i] = f.rank[g->of[i]] == NO_RANK ? 0 : f.rank[g->of[i]];
     free(f.rank);

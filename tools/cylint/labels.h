@@ -1,9 +1,9 @@
 /*
- * labels.h - the tails of a scene's lines, which are the labels of its shapes, and
- * groups of shapes: those that a record leaves out, ranks, columns of sums
+ * labels.h - the tails of a scene's lines, which are the labels of its shapes,
+ * and groups of shapes: those that a record leaves out, ranks, columns of sums
  *
- * By label, a group is all shapes whose labels begin with the same field, its name.
- * By number, each shape is a group.
+ * By label, a group is all shapes whose labels begin with the same field, its
+ * name. By number, each shape is a group.
  */
 #ifndef CYLINT_LABELS_H
 #define CYLINT_LABELS_H
@@ -22,8 +22,8 @@ struct labels {
 void labels_collect(struct labels *labels, struct scene *scene);
 /* Gives the scene the labels that were collected, after all its shapes. */
 void labels_give(struct labels *labels, struct scene *scene);
-/* Uses the labels of a scene that was opened from `file`, in their place.  Returns
- * 0, or an exit status after a message. */
+/* Uses the labels of a scene that was opened from `file`, in their place.
+ * Returns 0, or an exit status after a message. */
 int labels_take(struct labels *labels, const struct scene *scene,
                 const char *file);
 void labels_free(struct labels *labels);
@@ -56,8 +56,8 @@ struct left_out {
     size_t group[LEFT_OUT_MOST];
 };
 
-/* Reads a record's words not=NAME.  Returns 0, or EXIT_BAD and writes a note.  A
- * label that no shape has is a remark. */
+/* Reads a record's words not=NAME.  Returns 0, or EXIT_BAD and writes a
+ * note.  A label that no shape has is a remark. */
 int left_out_read(struct left_out *left_out, const struct groups *groups,
                   int by_label, struct string words, struct notes *notes);
 

@@ -77,7 +77,8 @@ static size_t *bucket_of(const struct names *n, struct string name)
     return &n->bucket[i];
 }
 
-/* Keeps at least half of the buckets empty.  Returns 0 if there is no memory. */
+/* Keeps at least half of the buckets empty.  Returns 0 if there is no
+ * memory. */
 static int grow_buckets(struct names *n)
 {
     if (2 * (n->texts.count + 1) <= n->buckets)

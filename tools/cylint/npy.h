@@ -22,9 +22,9 @@ int npy_is_damaged(const char *bytes, size_t length);
  * message if the version is unknown or the length out of range. */
 size_t npy_length(const char *bytes, char wrong[NPY_WRONG]);
 
-/* Returns 1 and the number of rows if the array is rows x columns doubles, little
- * endian, row after row; otherwise 0 and a message that names the wrong field.
- * Writes a NUL over the header's last byte. */
+/* Returns 1 and the number of rows if the array is rows x columns doubles,
+ * little endian, row after row; otherwise 0 and a message that names the
+ * wrong field. Writes a NUL over the header's last byte. */
 int npy_read(char *header, size_t length, size_t columns,
              unsigned long long *rows, char wrong[NPY_WRONG]);
 

@@ -41,10 +41,10 @@ size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits);
 
 /*
  * The conversions of numbers.c: by the C++17 library (numbers.cc), or slower by
- * the C library (numbers_c.c) where no compiler has it.  Both write the same bytes.
- * cylint_read_decimal() reads a decimal number that begins with a digit, a point
- * or a minus sign before them.  cylint_write_digits() writes a finite value;
- * with NUMBER_HEX one from 1 to 2, or 0, without "0x".
+ * the C library (numbers_c.c) where no compiler has it.  Both write the same
+ * bytes. cylint_read_decimal() reads a decimal number that begins with a digit,
+ * a point or a minus sign before them.  cylint_write_digits() writes a finite
+ * value; with NUMBER_HEX one from 1 to 2, or 0, without "0x".
  */
 const char *cylint_read_decimal(const char *text, const char *end,
                                 double *value);

@@ -19,11 +19,11 @@ const char *cylint_read_decimal(const char *text, const char *end,
     return after > text ? after : NULL;
 }
 
-/* Increases the last digit of d.ddde+xx.  Returns 0 if that is a 9: then a shorter
- * decimal would do. */
+/* Increases the last digit of d.ddde+xx.  Returns 0 if that is a 9: then a
+ * shorter decimal would do. */
 static int increase(char *text)
 {
-    char *last = strchr(text, 'e') - 1;
+    char *last = text + strcspn(text, "e") - 1;
     if (*last == '9')
         return 0;
     ++*last;
@@ -31,11 +31,12 @@ static int increase(char *text)
 }
 
 /*
- * Writes the shortest decimal that reads back as the value; of several the closest.
- * In general only the nearest decimal of a given length needs a test.  A power of
- * two is an exception: the doubles below it are twice as dense, so the next larger
- * decimal may read back although the nearest does not (2^-44, 16 digits).  These
- * have exponents for which the scientific notation is the shorter one.
+ * Writes the shortest decimal that reads back as the value; of several the
+ * closest. In general only the nearest decimal of a given length needs a test.
+ * A power of two is an exception: the doubles below it are twice as dense, so
+ * the next larger decimal may read back although the nearest does not (2^-44,
+ * 16 digits).  These have exponents for which the scientific notation is the
+ * shorter one.
  */
 static size_t write_shortest(char out[NUMBER_CAPACITY], double value)
 {
@@ -45,7 +46,7 @@ static size_t write_shortest(char out[NUMBER_CAPACITY], double value)
         snprintf(text, sizeof text, "%.*e", digits++, value);
     while (digits < NUMBER_MAX_DIGITS && strtod(text, NULL) != value &&
            !(increase(text) && strtod(text, NULL) == value));
-    const int places = digits - 1 - atoi(strchr(text, 'e') + 1);
+    const int places = digits - 1 - atoi(text + strcspn(text, "e") + 1);
     const int length = (int)strlen(text);
     const int fixed =
         snprintf(out, NUMBER_CAPACITY, "%.*f", places > 0 ? places : 0, value);

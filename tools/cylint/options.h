@@ -19,8 +19,8 @@ enum sum { SUM_NONE, SUM_LENGTH, SUM_T };
 /* --tail and --no-tail */
 enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };
 
-/* The enumerations are ints, because options of any kind are written through one
- * pointer. */
+/* The enumerations are ints, because options of any kind are written through
+ * one pointer. */
 struct options {
     unsigned long long given; /* a bit for each option in the table */
     const char

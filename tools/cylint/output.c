@@ -76,8 +76,8 @@ static void remove_at_signals(const char *part)
 
 /* --------------------------------------------------------------- part -- */
 
-/* Opens a new file beside the place.  A number in its name that another file has
- * already, from a host that shares the folder, is passed over. */
+/* Opens a new file beside the place.  A number in its name that another file
+ * has already, from a host that shares the folder, is passed over. */
 static int open_part(struct output *out, unsigned mode)
 {
     const char *slash = strrchr(out->place, '/');
@@ -286,7 +286,8 @@ int output_write(struct output *out, const char *data, size_t length)
     return 0;
 }
 
-/* Completes the .npy header.  Rows that could not be written are not counted. */
+/* Completes the .npy header.  Rows that could not be written are not
+ * counted. */
 static int finish_array(struct output *out)
 {
     struct stat s;

@@ -1,9 +1,9 @@
 /*
  * output.h - the file that a command writes, whole or not at all
  *
- * A regular file is written under another name in its folder and renamed when it
- * is whole, so that readers and failures find the old file or the new one.  The
- * new file has the owner and the permissions of the old one, or those that
+ * A regular file is written under another name in its folder and renamed when
+ * it is whole, so that readers and failures find the old file or the new one.
+ * The new file has the owner and the permissions of the old one, or those that
  * open(2) gives.  A signal that ends the command removes what was written.
  *
  * Written in place are files that are not regular, links to no file, and a file
@@ -37,16 +37,16 @@ int open_file(const char *name, int flags, unsigned mode);
  * message if so. */
 int output_is_input(const char *file, const char *input);
 
-/* All return 0, or an exit status after a message.  A command has one output at a
- * time. */
+/* All return 0, or an exit status after a message.  A command has one output
+ * at a time. */
 /* name: NULL for standard output. */
 int output_open(struct output *out, const char *name, size_t row);
 /* Begins a .npy array of rows, which output_close() completes. */
 int output_begin_array(struct output *out);
 /* A file that cannot take all bytes ends with a whole row. */
 int output_write(struct output *out, const char *data, size_t length);
-/* is_whole: the file takes its place.  0: what was written is removed; a file that
- * was written in place stays as it is. */
+/* is_whole: the file takes its place.  0: what was written is removed; a
+ * file that was written in place stays as it is. */
 int output_close(struct output *out, int is_whole);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * pieces.c - the pieces of a line, its first boundary, and the solids that contain
- * a point, in memory that grows
+ * pieces.c - the pieces of a line, its first boundary, and the solids that
+ * contain a point, in memory that grows
  */
 #include <stdint.h>
 #include <stdlib.h>
@@ -63,7 +63,7 @@ size_t find_pieces(const cylint_scene *scene, const cylint_line *line,
 size_t first_boundary(const cylint_scene *scene, const cylint_line *line,
                       unsigned want, cylint_hit *hit, struct piece_memory *m)
 {
-    size_t number;
+    size_t number = CYLINT_NO_ROOM;
     do
         number = cylint_scene_first_boundary(
             scene, line, want & (unsigned)CYLINT_WANT_ALL, hit, &m->work);
@@ -74,7 +74,7 @@ size_t first_boundary(const cylint_scene *scene, const cylint_line *line,
 size_t depth_of_point(const cylint_scene *scene, const double point[3],
                       const int *rank, size_t *owner, struct piece_memory *m)
 {
-    size_t depth;
+    size_t depth = CYLINT_NO_ROOM;
     do
         depth = cylint_scene_depth(scene, point, rank, owner, &m->work);
     while (depth == CYLINT_NO_ROOM && grow_work(&m->work));

@@ -1,6 +1,6 @@
 /*
- * pieces.h - the pieces of a line, its first boundary, and the solids that contain
- * a point, in memory that grows
+ * pieces.h - the pieces of a line, its first boundary, and the solids that
+ * contain a point, in memory that grows
  */
 #ifndef CYLINT_COMMAND_PIECES_H
 #define CYLINT_COMMAND_PIECES_H
@@ -18,8 +18,8 @@ void piece_memory_free(struct piece_memory *memory);
 
 /* All return CYLINT_NO_ROOM if there is no memory. */
 
-/* Writes all pieces, or the first `most` unless that is 0, to memory->piece.  Returns
- * how many. */
+/* Writes all pieces, or the first `most` unless that is 0, to
+ * memory->piece.  Returns how many. */
 size_t find_pieces(const cylint_scene *scene, const cylint_line *line,
                    const cylint_piece_rule *rule, size_t most,
                    struct piece_memory *memory);

@@ -9,7 +9,8 @@
 
 #include "main.h"
 
-/* Processors on line, unless the process is bound to fewer (taskset, cpusets). */
+/* Processors on line, unless the process is bound to fewer (taskset,
+ * cpusets). */
 int processors(void)
 {
     long n = 0;

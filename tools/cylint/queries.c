@@ -1,8 +1,9 @@
 /*
  * queries.c - the answer to a record, by query
  *
- * The library finds the shapes of a scene.  A published method, and --accel none,
- * intersect all of them, one by one.  Both choose the lower number at equal t.
+ * The library finds the shapes of a scene.  A published method, and --accel
+ * none, intersect all of them, one by one.  Both choose the lower number at
+ * equal t.
  */
 #include <math.h>
 #include <stdio.h>
@@ -179,8 +180,8 @@ static int is_one_by_one(const struct options *o)
     return o->method || o->accel == ACCEL_NONE;
 }
 
-/* As cylint_scene_visit().  Returns EXIT_BAD and writes a note if the method does not
- * support a shape. */
+/* As cylint_scene_visit().  Returns EXIT_BAD and writes a note if the method
+ * does not support a shape. */
 static int visit_line(struct search *s, unsigned want,
                       cylint_scene_hit *callback)
 {

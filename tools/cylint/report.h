@@ -1,8 +1,9 @@
 /*
  * report.h - messages about records, files and memory
  *
- * What is wrong with a record becomes a note of its block.  The notes are printed
- * when the block is delivered, so the messages are in the order of the input.
+ * What is wrong with a record becomes a note of its block.  The notes are
+ * printed when the block is delivered, so the messages are in the order of the
+ * input.
  */
 #ifndef CYLINT_REPORT_H
 #define CYLINT_REPORT_H
@@ -10,7 +11,8 @@
 #include "message.h"
 #include "text.h"
 
-/* Messages about good records.  Each is printed for the first such record only. */
+/* Messages about good records.  Each is printed for the first such record
+ * only. */
 enum remark {
     REMARK_NONE,    /* the record is bad */
     REMARK_SURPLUS, /* its tail begins with a number */
@@ -48,8 +50,8 @@ struct report {
     const char *binary; /* the file that looked binary last, or NULL */
 };
 
-/* All write the note that the present record is bad, and return EXIT_BAD.  The place
- * is in its text, or NULL. */
+/* All write the note that the present record is bad, and return EXIT_BAD.
+ * The place is in its text, or NULL. */
 /* A text as of printf(). */
 int refuse(struct notes *notes, const char *at, const char *format, ...)
 #if defined(__GNUC__)
@@ -76,8 +78,8 @@ void count_bad(struct notes *notes);
 /* Prints the note of the present record at once. */
 void print_refusal(struct notes *notes, const char *name);
 
-/* Prints the notes of a block and clears them.  Of the bad records the first ten of
- * the whole input are printed. */
+/* Prints the notes of a block and clears them.  Of the bad records the first
+ * ten of the whole input are printed. */
 void report_notes(struct report *report, struct notes *notes, const char *name);
 
 /* Prints the number of bad records, if some had no message. */

@@ -1,5 +1,6 @@
 /*
- * scene.c - the shapes of a file: of text, of a neuron's nodes, or a saved scene
+ * scene.c - the shapes of a file: of text, of a neuron's nodes, or a saved
+ * scene
  */
 #include <string.h>
 #include <sys/stat.h>

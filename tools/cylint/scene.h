@@ -1,5 +1,6 @@
 /*
- * scene.h - the shapes of a file: of text, of a neuron's nodes, or a saved scene
+ * scene.h - the shapes of a file: of text, of a neuron's nodes, or a saved
+ * scene
  */
 #ifndef CYLINT_COMMAND_SCENE_H
 #define CYLINT_COMMAND_SCENE_H
@@ -37,13 +38,13 @@ int scene_read_text(struct scene *scene, const char *file, int ends,
 
 enum { NOT_SAVED = -1 };
 
-/* Opens a saved scene.  Its file is mapped and checked.  Returns NOT_SAVED if the
- * file is something else, cannot be opened or is no regular file.  ends must be
- * NOT_GIVEN, as the shapes have ends. */
+/* Opens a saved scene.  Its file is mapped and checked.  Returns NOT_SAVED
+ * if the file is something else, cannot be opened or is no regular file.
+ * ends must be NOT_GIVEN, as the shapes have ends. */
 int scene_open(struct scene *scene, const char *file, int ends);
 
-/* As scene_read_text(), or adds the shapes of a saved scene, with their labels as
- * tails, and their solids. */
+/* As scene_read_text(), or adds the shapes of a saved scene, with their
+ * labels as tails, and their solids. */
 int scene_read(struct scene *scene, const char *file, int ends,
                enum swc_form form);
 

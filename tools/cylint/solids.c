@@ -93,8 +93,8 @@ static void number_solids(const struct solids *s, size_t *number)
         }
 }
 
-/* Names two solids that have the same number.  solid_at: of each number, the solid
- * from 1. */
+/* Names two solids that have the same number.  solid_at: of each number, the
+ * solid from 1. */
 static int complain_of_numbers(const struct solids *s, const size_t *number,
                                size_t *solid_at)
 {

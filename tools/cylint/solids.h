@@ -22,7 +22,7 @@ struct solids {
     int last_clause; /* the largest number of a clause in the file */
 };
 
-/* Adds the members that a record's words in=NAME and out=NAME state.  Returns 0;
+/* Adds the members that a record's words in=NAME and out=NAME state. Returns 0;
  * EXIT_BAD and writes a note; or another exit status after a message. */
 int solids_read(struct solids *solids, size_t shape, struct string words,
                 struct notes *notes);

@@ -79,8 +79,8 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
     return &swc->places[i];
 }
 
-/* Doubles the capacity.  At least half of the entries stay free.  Returns 0 if there
- * is no memory. */
+/* Doubles the capacity.  At least half of the entries stay free.  Returns 0
+ * if there is no memory. */
 static int grow(struct swc *swc)
 {
     const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
@@ -115,8 +115,8 @@ static int is_decimal(const struct reader *r, double *value)
            !memchr(s.text, 'x', s.length) && !memchr(s.text, 'X', s.length);
 }
 
-/* Reads a node's number: at most 18 digits behind leading zeros, or a decimal number
- * that is whole. */
+/* Reads a node's number: at most 18 digits behind leading zeros, or a
+ * decimal number that is whole. */
 static int read_node_number(struct reader *r, uint64_t *number,
                             const char *expected)
 {

@@ -89,12 +89,12 @@ static int least(int a, int b)
 }
 
 /* The number of characters inserted, deleted or replaced, and of neighbours
- * exchanged (optimal string alignment).  cost[i][j] is that of the first i and j
- * characters. */
+ * exchanged (optimal string alignment).  cost[i][j] is that of the first i
+ * and j characters. */
 static int distance(struct string s, struct string word)
 {
     const char *a = s.text, *b = word.text;
-    int cost[LENGTH_MOST + 1][LENGTH_MOST + 1];
+    int cost[LENGTH_MOST + 1][LENGTH_MOST + 1] = {{0}};
     for (size_t i = 0; i <= s.length; i++)
         for (size_t j = 0; j <= word.length; j++) {
             int *c = &cost[i][j];
@@ -109,8 +109,8 @@ static int distance(struct string s, struct string word)
     return cost[s.length][word.length];
 }
 
-/* A word is near if the distance is at most a third of the text's length, or 1, and
- * less than the length. */
+/* A word is near if the distance is at most a third of the text's length, or
+ * 1, and less than the length. */
 struct similar similar_to(struct string s)
 {
     const int length = s.length > LENGTH_MOST ? 0 : (int)s.length;

@@ -51,9 +51,9 @@ static inline const char *end_of(struct string s)
 int read_whole(struct string s, unsigned long long most,
                unsigned long long *value);
 
-/* Copies a string and a NUL.  Writes each byte that is not printable ASCII, and the
- * backslash, as \xHH, so that the text is unambiguous.  After `most` bytes it
- * writes "..." and stops.  Returns `to`. */
+/* Copies a string and a NUL.  Writes each byte that is not printable ASCII,
+ * and the backslash, as \xHH, so that the text is unambiguous.  After `most`
+ * bytes it writes "..." and stops.  Returns `to`. */
 const char *escape(char to[SHOWN_CAPACITY], struct string from, size_t most);
 
 /* --------------------------------------------------------------- texts -- */
@@ -83,7 +83,8 @@ static inline void put_word(struct text *t, const char *word)
 /* Appends a whole number in decimal digits. */
 void put_whole(struct text *t, unsigned long long value);
 
-/* The bits of a double whose eight bytes are the lowest first, and the reverse. */
+/* The bits of a double whose eight bytes are the lowest first, and the
+ * reverse. */
 static inline uint64_t little_endian(uint64_t bits)
 {
     const uint16_t one = 1;
@@ -140,7 +141,8 @@ struct similar {
 };
 
 struct similar similar_to(struct string s);
-/* Compares a word that the caller keeps.  Of equally near ones the first stays. */
+/* Compares a word that the caller keeps.  Of equally near ones the first
+ * stays. */
 void similar_try(struct similar *similar, const char *word);
 
 /* The nearest word of a table, or NULL. */

@@ -1,12 +1,11 @@
 /*
  * workers.c - answers all blocks of the input in several threads
  *
- * Every worker reads a block while no other reads, answers it, waits until
- * its ticket is the next, and writes.  Therefore threads exchange no data, one
+ * Every worker reads a block while no other reads, answers it, waits until its
+ * ticket is the next, and writes.  Therefore threads exchange no data, one
  * worker runs the same code as many, and the number of workers bounds the
- * memory.
- * A worker that reads a full block starts another worker, because more input
- * follows.  A short input, or slow input from a pipe, has one worker.
+ * memory. A worker that reads a full block starts another worker, because more
+ * input follows.  A short input, or slow input from a pipe, has one worker.
  */
 #include <fcntl.h>
 #include <stdlib.h>
@@ -81,8 +80,8 @@ static int has_ending(struct job *job)
     return job->ending[0] >= 0;
 }
 
-/* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless asked
- * for more. */
+/* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless
+ * asked for more. */
 enum { STACK_BYTES = 1 << 20 };
 
 static int start_thread(struct worker *w)
