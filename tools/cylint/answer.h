@@ -19,8 +19,7 @@ struct job {
     const struct options *options;
     struct scene scene;   /* without -s it has no shapes */
     struct labels labels; /* of the shapes, if they are kept */
-    struct groups
-        groups; /* of shapes that records may leave out; ranks; sums */
+    struct groups groups; /* which records leave out; ranks; sums */
 
     pthread_mutex_t reading;
     struct input in;

@@ -19,16 +19,15 @@ typedef int option_reader(const struct option *o, const char *value,
 
 struct option {
     const char *name; /* one letter: a short option */
-    const char
-        *value; /* the name of its value, after a blank or =; NULL: it has
-                          none */
+    /* the name of its value, after a blank or =; NULL: it has none */
+    const char *value;
     option_reader *read;
     size_t place; /* of the member that it sets, in the struct of all options */
-    const void
-        *extra; /* for read_word: a const char *const[], ended by NULL; else
-                          what messages expect, a const char * */
-    int number; /* what read_flag sets; the most of read_count */
-    int needs;  /* what it is for, by the caller's enumeration */
+    /* for read_word: a const char *const[], ended by NULL; else what messages
+     * expect, a const char * */
+    const void *extra;
+    int number;       /* what read_flag sets; the most of read_count */
+    int needs;        /* what it is for, by the caller's enumeration */
     const char *help; /* of it and of those before it that have none */
 };
 

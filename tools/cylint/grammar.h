@@ -75,9 +75,9 @@ struct record {
     double point[3]; /* if is_point */
     cylint_shape shape;
     struct string tail; /* without the blanks around it */
-    struct string
-        words; /* not=NAME of a line without a shape; in=NAME and out=NAME
-                            of a shape without a line */
+    /* not=NAME of a line without a shape, or in=NAME and out=NAME of a shape
+     * without a line */
+    struct string words;
 };
 
 #define NOT_WORD "not="
