@@ -23,8 +23,7 @@ enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };
  * one pointer. */
 struct options {
     unsigned long long given; /* a bit for each option in the table */
-    const char
-        *print; /* help, version or a list, instead of answers; or NULL */
+    const char *print;        /* help, version or a list to print, or NULL */
     const char *kinds, *query_word, *columns; /* of -k, -q and -f */
 
     struct grammar grammar;
