@@ -98,8 +98,6 @@ static int answer_input(struct job *job)
     int status = read_scene_if_needed(job);
     if (o->sum && o->style.binary)
         job->out.row = sizeof(double) * job->groups.columns;
-    if (status == 0 && o->array)
-        status = output_begin_array(&job->out);
     if (status == 0 && o->header)
         status = put_first_line(job);
     if (status == 0 && is_terminal(o))
@@ -144,7 +142,10 @@ static int answer(struct job *job)
     int status = output_open(&job->out, o->output, row);
     if (status != 0)
         return status;
-    status = input_open(&job->in, o->files, o->file_count, record);
+    if (o->array)
+        status = output_begin_array(&job->out);
+    if (status == 0)
+        status = input_open(&job->in, o->files, o->file_count, record);
     if (status == 0)
         status = answer_input(job);
     input_close(&job->in);

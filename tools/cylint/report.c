@@ -81,7 +81,7 @@ void make_remark(struct notes *notes, enum remark remark)
     notes->kept++;
 }
 
-void count_good(struct notes *notes)
+void keep_remarks(struct notes *notes)
 {
     notes->begun = notes->kept;
 }

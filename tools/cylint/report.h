@@ -71,8 +71,9 @@ int wants_remark(const struct notes *notes, enum remark remark);
 /* The note, just written as if the record were bad, is this remark. */
 void make_remark(struct notes *notes, enum remark remark);
 
-/* End the present record. */
-void count_good(struct notes *notes);
+/* The remarks on the present record stay, whatever follows. */
+void keep_remarks(struct notes *notes);
+/* The present record is bad, as the note says. */
 void count_bad(struct notes *notes);
 
 /* Prints the note of the present record at once. */
