@@ -16,10 +16,18 @@ static struct note *present(struct notes *notes)
     return &notes->note[notes->kept];
 }
 
+/* Only the first ten bad records of a block have a text. */
+static int is_silent(const struct notes *notes)
+{
+    return notes->kept_bad == NOTES_MOST && !notes->may_remark;
+}
+
 int refuse(struct notes *notes, const char *at, const char *format, ...)
 {
     va_list list;
     struct note *note = present(notes);
+    if (is_silent(notes))
+        return EXIT_BAD;
     note->line = notes->line;
     note->record = notes->record;
     note->column = at ? (unsigned long long)(at - notes->text) + 1 : 1;
@@ -34,15 +42,16 @@ int refuse(struct notes *notes, const char *at, const char *format, ...)
 int refuse_text(struct notes *notes, const char *what, struct string text)
 {
     char found[SHOWN_CAPACITY];
-    return text.length == 0 ? refuse(notes, text.text, "%s", what)
-                            : refuse(notes, text.text, "%s: '%s'", what,
-                                     escape(found, text, FOUND_MOST));
+    return text.length == 0 || is_silent(notes)
+               ? refuse(notes, text.text, "%s", what)
+               : refuse(notes, text.text, "%s: '%s'", what,
+                        escape(found, text, FOUND_MOST));
 }
 
 int refuse_other(struct notes *notes, const char *expected, struct string text)
 {
     char found[SHOWN_CAPACITY];
-    return text.length == 0
+    return text.length == 0 || is_silent(notes)
                ? refuse(notes, text.text,
                         "expected %s, found the end of the line", expected)
                : refuse(notes, text.text, "expected %s, found '%s'", expected,
@@ -59,18 +68,20 @@ static void append(struct note *note, const char *before, const char *text,
 
 void advise(struct notes *notes, const char *advice)
 {
-    append(present(notes), "", advice, "");
+    if (!is_silent(notes))
+        append(present(notes), "", advice, "");
     present(notes)->is_advised = 1;
 }
 
 void suggest(struct notes *notes, const char *word)
 {
-    if (word)
+    if (word && !is_silent(notes))
         append(present(notes), "did you mean ", word, "?");
 }
 
-int wants_remark(const struct notes *notes, enum remark remark)
+int wants_remark(struct notes *notes, enum remark remark)
 {
+    notes->may_remark |= (notes->wanted & 1u << remark) != 0;
     return (notes->wanted & 1u << remark) != 0;
 }
 
@@ -78,6 +89,7 @@ void make_remark(struct notes *notes, enum remark remark)
 {
     present(notes)->remark = remark;
     notes->wanted &= ~(1u << remark);
+    notes->may_remark = 0;
     notes->kept++;
 }
 
@@ -109,9 +121,10 @@ void count_bad(struct notes *notes)
     struct note *note = &notes->note[notes->begun];
     for (int i = notes->begun; i < notes->kept; i++)
         notes->wanted |= 1u << notes->note[i].remark;
-    *note = *present(notes);
     notes->bad++;
+    notes->may_remark = 0;
     if (notes->kept_bad < NOTES_MOST) {
+        *note = *present(notes);
         note->looks_binary =
             !note->is_advised && looks_binary(notes->text, notes->end);
         notes->kept_bad++;

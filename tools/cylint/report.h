@@ -37,6 +37,7 @@ struct notes {
     const char *text,
         *end;        /* from its first byte to the block's end; or NULL */
     unsigned wanted; /* a bit for each remark to test for */
+    int may_remark;  /* the next note may become a remark */
     struct note note[NOTES_MOST + REMARKS + 1];
     int kept, kept_bad;     /* of these, and how many are about bad records */
     int begun;              /* those before the present record */
@@ -67,7 +68,7 @@ void advise(struct notes *notes, const char *advice);
 void suggest(struct notes *notes, const char *word);
 
 /* Whether to test the present record for a remark. */
-int wants_remark(const struct notes *notes, enum remark remark);
+int wants_remark(struct notes *notes, enum remark remark);
 /* The note, just written as if the record were bad, is this remark. */
 void make_remark(struct notes *notes, enum remark remark);
 
