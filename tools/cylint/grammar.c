@@ -186,7 +186,7 @@ static int refuse_line_kind(struct reader *r, const struct grammar *g)
     else if (find_word(WORDS(shape_kinds), field(r)) != NOT_GIVEN)
         advise(r->notes, "for a scene use -s");
     else
-        suggest(r->notes, similar_word(WORDS(line_kinds), field(r)));
+        suggest(r->notes, WORDS(line_kinds), field(r));
     return EXIT_BAD;
 }
 
@@ -198,7 +198,7 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
     else if (g->convert)
         advise(r->notes, g->convert);
     else
-        suggest(r->notes, similar_word(WORDS(shape_kinds), field(r)));
+        suggest(r->notes, WORDS(shape_kinds), field(r));
     return EXIT_BAD;
 }
 
@@ -259,7 +259,7 @@ static int read_ends(struct reader *r, int *ends)
     *ends = find_word(WORDS(ends_words), field(r));
     if (*ends == NOT_GIVEN) {
         refuse_word(r, WORDS(ends_words));
-        suggest(r->notes, similar_word(WORDS(ends_words), field(r)));
+        suggest(r->notes, WORDS(ends_words), field(r));
         return EXIT_BAD;
     }
     r->has_word = 1;

@@ -73,9 +73,10 @@ void advise(struct notes *notes, const char *advice)
     present(notes)->is_advised = 1;
 }
 
-void suggest(struct notes *notes, const char *word)
+void suggest(struct notes *notes, struct words words, struct string text)
 {
-    if (word && !is_silent(notes))
+    const char *word = is_silent(notes) ? NULL : similar_word(words, text);
+    if (word)
         append(present(notes), "did you mean ", word, "?");
 }
 

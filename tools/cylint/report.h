@@ -63,9 +63,9 @@ int refuse(struct notes *notes, const char *at, const char *format, ...)
 int refuse_text(struct notes *notes, const char *what, struct string text);
 /* `expected WHAT, found 'TEXT'`; an empty text is the end of the line. */
 int refuse_other(struct notes *notes, const char *expected, struct string text);
-/* Append `; ADVICE`, and `; did you mean WORD?` unless WORD is NULL. */
+/* Append `; ADVICE`, and `; did you mean WORD?` if one of the words is near. */
 void advise(struct notes *notes, const char *advice);
-void suggest(struct notes *notes, const char *word);
+void suggest(struct notes *notes, struct words words, struct string text);
 
 /* Whether to test the present record for a remark. */
 int wants_remark(struct notes *notes, enum remark remark);
