@@ -67,19 +67,23 @@ int end_without_memory(struct task *task)
     return 0;
 }
 
-void put_answer(struct task *task, int is_hit)
+/* row: NULL for a bad record. */
+static void put(struct task *task, int is_of_point, const struct row *row)
 {
     const struct options *o = task->job->options;
-    if (!is_hit && o->hits_only)
-        return;
     if (o->sum)
-        put_sums(&task->out, &task->job->groups, &o->style, task->sums,
-                 &task->row);
+        put_sums(&task->out, &task->job->groups, &o->style,
+                 row ? task->sums : NULL, row);
     else
-        put_row(&task->out,
-                task->record.is_point ? &o->point_fields : &o->fields,
-                &o->style, &task->row);
+        put_row(&task->out, is_of_point ? &o->point_fields : &o->fields,
+                &o->style, row);
     deliver_if_full(task);
+}
+
+void put_answer(struct task *task, int is_hit)
+{
+    if (is_hit || !task->job->options->hits_only)
+        put(task, task->record.is_point, &task->row);
 }
 
 /* --------------------------------------------------------- good and bad -- */
@@ -89,16 +93,11 @@ static void mark_bad(struct task *task)
 {
     const struct options *o = task->job->options;
     const struct grammar *g = &o->grammar;
-    const int of_point =
-        g->no_lines || (!g->no_points && task->record.is_point);
     count_bad(&task->notes);
-    if (o->bad == BAD_MARK && o->sum)
-        put_sums(&task->out, &task->job->groups, &o->style, NULL, NULL);
-    else if (o->bad == BAD_MARK)
-        put_row(&task->out, of_point ? &o->point_fields : &o->fields, &o->style,
-                NULL);
     task->stopped = o->bad == BAD_STOP;
-    deliver_if_full(task);
+    if (o->bad == BAD_MARK)
+        put(task, g->no_lines || (!g->no_points && task->record.is_point),
+            NULL);
 }
 
 static int read_left_out(struct task *task)
