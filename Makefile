@@ -116,10 +116,10 @@ isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_TRAVERSAL=cylint_traver
 isa.src/embree/float_filter-fma      := $(avx2) -ffp-contract=fast -fno-math-errno -DCYLINT_FLOAT_FILTER=cylint_float_filter_fma
 isa.src/embree/packet_filter-avx2    := $(avx2) -ffp-contract=fast -DCYLINT_PACKET_FILTER=cylint_packet_filter_avx2
 isa.src/embree/packet_filter-avx512  := $(avx512) -ffp-contract=fast -DCYLINT_PACKET_FILTER=cylint_packet_filter_avx512
-isa.tests/turn_points-one    := -DCYLINT_ONE_LANE -DTURNS=turns_one
-isa.tests/turn_points-narrow := $(avx2) -DCYLINT_NARROW -DTURNS=turns_narrow
-isa.tests/turn_points-avx2   := $(avx2) -DTURNS=turns_avx2
-isa.tests/turn_points-avx512 := $(avx512) -DTURNS=turns_avx512
+isa.tests/numbers/turn_points-one    := -DCYLINT_ONE_LANE -DTURNS=turns_one
+isa.tests/numbers/turn_points-narrow := $(avx2) -DCYLINT_NARROW -DTURNS=turns_narrow
+isa.tests/numbers/turn_points-avx2   := $(avx2) -DTURNS=turns_avx2
+isa.tests/numbers/turn_points-avx512 := $(avx512) -DTURNS=turns_avx512
 isa_builds := $(if $(X86),$(sort $(patsubst isa.%,%,$(filter isa.%,$(.VARIABLES)))))
 
 # -------------------------------------------------------------- objects --
@@ -146,8 +146,8 @@ $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
 # change, the file is written and the folder's objects are compiled again.
 folders := $(patsubst %/,%,$(sort $(dir $(wildcard src/*.c src/*/*.c tools/*/*.c tests/*.c tests/*/*.c))))
 $(folders:%=$(BUILD)/%/flags): $(BUILD)/%/flags: FORCE
-	@mkdir -p $(@D); printf '%s\n' $(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)) >$@.new; \
-	  if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+	@mkdir -p $(@D); flags=$(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)); \
+	  printf '%s\n' "$$flags" | cmp -s - $@ || printf '%s\n' "$$flags" >$@
 
 # ------------------------------------------------ libraries and programs --
 # $(call shared,NAME) and $(call shared,NAME,VERSION) are file names, $(soname)

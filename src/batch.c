@@ -279,12 +279,6 @@ static int use_group(void *self, cylint_filter_batch *from,
     return 0;
 }
 
-static cylint_filter_many *filter_many(void)
-{
-    return CYLINT_OF_BUILD(cylint_build_used(), cylint_many_plain,
-                           cylint_many_avx2, cylint_many_avx512);
-}
-
 /* Questions of one solid.  Returns 1 when no more are wanted. */
 static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                             const cylint_run *run, size_t n)
@@ -292,6 +286,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     const cylint_line *l = job->line;
     cylint_filter_batch from;
     from.shapes = shapes;
+    from.records = NULL;
     from.run = run;
     from.line = l;
     from.lines = job->lines;
@@ -309,7 +304,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.lane = from.first = from.end = 0;
     if (!run)
         from.radius = cylint_ball_about(shapes, from.center);
-    filter_many()(&from, use_group, job);
+    cylint_many_used()(&from, use_group, job);
     return job->stopped;
 }
 

@@ -41,6 +41,13 @@ static inline cylint_build cylint_build_used(void)
     return build == CYLINT_BUILDS ? cylint_choose_build() : build;
 }
 
+/* The kernel for many questions. */
+static inline cylint_filter_many *cylint_many_used(void)
+{
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_many_plain,
+                           cylint_many_avx2, cylint_many_avx512);
+}
+
 /* The kernels for one line and one shape.  Before the first use these are
  * functions that choose the build. */
 extern const cylint_one_kernels *cylint_one_chosen CYLINT_HIDDEN;

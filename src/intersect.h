@@ -10,6 +10,7 @@
 
 #include "filter/filter.h"
 #include "signs/sign.h"
+#include "cylint_pieces.h"
 
 /* As cylint_intersect(), without the filter. */
 int cylint_intersect_by_signs(const cylint_shape *shape,
@@ -33,6 +34,19 @@ CYLINT_API int cylint_occluded_in_doubles(int kind, int ends,
 CYLINT_API void cylint_make_again(cylint_shape *shape, int kind, int ends,
                                   const double p0[3], double r0,
                                   const double p1[3], double r1);
+
+/*
+ * For libcylint-scene: the chords of a line in shapes that constructors made of
+ * records, all of one kind: cylinder, cone, capsule or rounded cone, with accurate
+ * local coordinates.  Writes the chord of the record number[i] and count[i], 0 or 1;
+ * or CYLINT_UNDECIDED: then cylint_chord() answers.  n <= CYLINT_MOST_RECORDS.
+ */
+enum { CYLINT_MOST_RECORDS = 64 };
+CYLINT_API void cylint_chords_of_records(const cylint_record *records,
+                                         int solid, const uint32_t *number,
+                                         size_t n, const cylint_line *line,
+                                         cylint_interval *chord,
+                                         signed char *count);
 
 /* Opens the query of a line through a point, for signs that depend only on that
  * point or on the shape.  Returns an error if the point is not finite. */

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "dispatch.h"
+#include "intersect.h"
 #include "numbers/double_double.h"
 #include "shapes/shape_facts.h"
 #include "solid_sweep.h"
@@ -45,15 +47,21 @@ static int chord_of_answer(const cylint_answer *a, const cylint_line *line,
     return add_chord(line, t0, t1, chord);
 }
 
+static cylint_line whole_of(const cylint_line *line)
+{
+    cylint_line whole = *line;
+    whole.tmin = -HUGE_VAL;
+    whole.tmax = HUGE_VAL;
+    return whole;
+}
+
 int cylint_chord(const cylint_shape *shape, const cylint_line *line,
                  cylint_interval chord[2])
 {
     const int ends = cylint_closed_ends(shape->ends);
-    cylint_line whole = *line;
+    const cylint_line whole = whole_of(line);
     cylint_answer answer;
     cylint_shape closed;
-    whole.tmin = -HUGE_VAL;
-    whole.tmax = HUGE_VAL;
     if (ends != shape->ends) {
         closed = *shape;
         closed.ends = ends;
@@ -61,6 +69,60 @@ int cylint_chord(const cylint_shape *shape, const cylint_line *line,
     }
     cylint_intersect(shape, &whole, CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
     return chord_of_answer(&answer, line, chord);
+}
+
+/* -------------------------------------------------- chords of many shapes -- */
+
+typedef struct {
+    const cylint_line *line;
+    cylint_interval *chord;
+    signed char *count;
+} record_chords;
+
+/* A line that crosses a bounded solid has both ends of the overlap. */
+static int keep_group(void *self, cylint_filter_batch *from,
+                      const cylint_filter_group *g)
+{
+    const record_chords *to = self;
+    const size_t first = (size_t)(g->number - from->list);
+    for (unsigned found = g->found; found; found &= found - 1) {
+        const int lane = cylint_lowest(found);
+        const size_t i = first + (size_t)lane;
+        to->count[i] =
+            (signed char)(g->undecided >> lane & 1
+                              ? CYLINT_UNDECIDED
+                              : add_chord(to->line, g->t[0][lane],
+                                          g->t[1][lane], &to->chord[i]));
+    }
+    return 0;
+}
+
+void cylint_chords_of_records(const cylint_record *records, int solid,
+                              const uint32_t *number, size_t n,
+                              const cylint_line *line, cylint_interval *chord,
+                              signed char *count)
+{
+    const int is_served = line->in_range && cylint_rounds_to_nearest();
+    const cylint_line whole = whole_of(line);
+    record_chords to = {line, chord, count};
+    cylint_filter_batch from;
+    memset(count, is_served ? 0 : CYLINT_UNDECIDED, n);
+    if (!is_served)
+        return;
+    from.shapes = NULL;
+    from.records = records;
+    from.run = NULL;
+    from.line = &whole;
+    from.lines = NULL;
+    from.solid = solid;
+    from.n = from.lane = from.first = 0;
+    from.want = CYLINT_WANT_T;
+    from.relations = from.eager = 0;
+    from.nearest = HUGE_VAL;
+    from.end = n;
+    for (size_t i = 0; i < n; i++)
+        from.list[i] = number[i];
+    cylint_many_used()(&from, keep_group, &to);
 }
 
 /* -------------------------------------------------------------- solids -- */

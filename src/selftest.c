@@ -18,7 +18,7 @@ static double unfolded(double x)
 }
 
 /* Tests for IEEE 754 binary64 in the byte order of uint64_t. */
-/* untaken: in broken builds only, which tests/test_guards.sh makes */
+/* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 static int format_differs(void)
 {
     return sizeof(double) != sizeof(uint64_t) ||
@@ -30,7 +30,7 @@ static int format_differs(void)
 /* (1 + e)^2 = 1 + 2 e + e^2.  One unit in its last place is 4 e^2, so the
  * rounded product differs from 1 + 2 e by 0 or by at least 4 e^2.  A
  * difference of e^2 shows that the product was not rounded. */
-/* untaken: in broken builds only, which tests/test_guards.sh makes */
+/* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 static int contracts(void)
 {
     const double e = 0x1p-27, a = unfolded(1 + e), b = unfolded(1 + e);
@@ -42,7 +42,7 @@ static int contracts(void)
 
 /* 1 + 2^-60 is not a double.  The difference to 1 is 2^-60 only with excess
  * precision, or if the compiler cancels the ones. */
-/* untaken: in broken builds only, which tests/test_guards.sh makes */
+/* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 static int keeps_too_much(void)
 {
     const double one = unfolded(1), tiny = unfolded(0x1p-60);
@@ -50,7 +50,7 @@ static int keeps_too_much(void)
 }
 
 /* 1 + 2^-60 and 1 - 2^-60 round to 1, and ties round to even. */
-/* untaken: in broken builds only, which tests/test_guards.sh makes */
+/* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 static int rounds_to_nearest(void)
 {
     const double one = unfolded(1), tiny = unfolded(0x1p-60);
@@ -60,7 +60,7 @@ static int rounds_to_nearest(void)
 }
 
 /* Called in rounding to nearest.  Reciprocal estimates fail this test. */
-/* untaken: in broken builds only, which tests/test_guards.sh makes */
+/* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 static int quotients_are_off(void)
 {
     return unfolded(1) / unfolded(3) != 0x1.5555555555555p-2 ||
@@ -81,7 +81,7 @@ static int takes_operands_for_zero(void)
            cylint_bits(unfolded(0x1p-930));
 }
 
-/* untaken: in broken builds only, which tests/test_guards.sh makes */
+/* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 int cylint_selftest(void)
 {
     int found = 0;

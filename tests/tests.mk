@@ -1,54 +1,57 @@
 # tests/tests.mk: how the tests are built and run; the Makefile includes it.
 
-$(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) \
+$(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL) $(if $(WRAP),-DWRAPPED)
 
-test_common   := $(patsubst %,$(BUILD)/tests/%.o,families family_records constructed $(if $(MPFR),oracle distance_oracle distance_oracle_elliptic))
+# A test stands in the folder of its subject: tests/README.md.
+$(foreach f,$(wildcard tests/test_*),$(error $f belongs into a folder of tests/))
+test_common   := $(patsubst %,$(BUILD)/tests/%.o,$(addprefix support/,families family_records constructed) \
+                 $(if $(MPFR),support/oracle distance/distance_oracle distance/distance_oracle_elliptic))
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
-test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c)))
-scene_tests   := $(filter $(BUILD)/tests/test_scene%,$(test_programs))
-embree_tests  := $(filter $(BUILD)/tests/test_embree%,$(test_programs))
+test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/*/test_*.c)))
+scene_tests   := $(filter $(addprefix $(BUILD)/tests/,scene/% bvh/% bounds/test_scene%),$(test_programs))
+embree_tests  := $(filter $(addprefix $(BUILD)/tests/,embree/% bounds/test_embree%),$(test_programs))
 test_programs := $(if $(EMBREE),$(test_programs),$(filter-out $(embree_tests),$(test_programs)))
-test_scripts  := $(filter-out $(left_out),$(wildcard tests/test_*.sh))
+test_scripts  := $(filter-out $(left_out),$(wildcard tests/*/test_*.sh))
 
 # ---------------------------------------------------- tests in C, by floor --
 
 # Long runs, which `make check` leaves out, are built as the tests are.
 core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
-              $(patsubst %,$(BUILD)/tests/%,stress search records answers)
+              $(patsubst %,$(BUILD)/tests/%,library/stress library/search package/records package/answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
-$(scene_tests): %: %.o $(BUILD)/tests/scenes.o $(test_common) $(scene_library)
-$(embree_tests): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world)
-$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/tests/scenes.o $(test_common) \
+$(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
+$(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
+$(embree_tests) $(BUILD)/tests/embree/scene_curves: %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
 	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
-$(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
-$(BUILD)/tests/greys: $(BUILD)/tests/greys.o $(BUILD)/libcylint.a
+$(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o
+$(BUILD)/tests/command/greys: $(BUILD)/tests/command/greys.o $(BUILD)/libcylint.a
 
 $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
-$(embree_tests) $(BUILD)/tests/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
-$(BUILD)/tests/pixels $(BUILD)/tests/greys: libs := -lpng
+$(embree_tests) $(BUILD)/tests/embree/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
+$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys: libs := -lpng
 
 # turns_of() in every width.
-$(BUILD)/tests/test_turns: $(patsubst %,$(BUILD)/%.o,tests/turn_points $(filter tests/turn_points-%,$(isa_builds)))
-$(BUILD)/tests/test_turns.o: extra += $(x86)
+$(BUILD)/tests/numbers/test_turns: $(patsubst %,$(BUILD)/%.o,tests/numbers/turn_points $(filter tests/numbers/turn_points-%,$(isa_builds)))
+$(BUILD)/tests/numbers/test_turns.o: extra += $(x86)
 
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
-$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
+$(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
 
-$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD)/tests/pixels $(BUILD)/tests/greys:
+$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/embree/scene_curves $(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys:
 	$(link)
 
-# The command, with system calls that fail as tests/faults.c says.
-$(BUILD)/tests/faulty: $(BUILD)/tests/faults.o $(tool_objects) $(scene_library)
-$(BUILD)/tests/faulty: wrapped := $(call wrap,read write poll open close fsync rename \
+# The command, with system calls that fail as tests/command/faults.c says.
+$(BUILD)/tests/command/faulty: $(BUILD)/tests/command/faults.o $(tool_objects) $(scene_library)
+$(BUILD)/tests/command/faulty: wrapped := $(call wrap,read write poll open close fsync rename \
 	malloc calloc realloc posix_memalign free pipe pthread_create)
 
 # Pieces and sums by a loop over all shapes, to compare with the command's.
-$(BUILD)/tests/path_lengths: $(BUILD)/tests/path_lengths.o $(BUILD)/tools/cylint.a $(scene_library)
-$(BUILD)/tests/path_lengths.o: extra += -Itools/cylint
-$(BUILD)/tests/path_lengths: linker = $(with_numbers) -pthread
-$(BUILD)/tests/path_lengths:
+$(BUILD)/tests/command/path_lengths: $(BUILD)/tests/command/path_lengths.o $(BUILD)/tools/cylint.a $(scene_library)
+$(BUILD)/tests/command/path_lengths.o: extra += -Itools/cylint
+$(BUILD)/tests/command/path_lengths: linker = $(with_numbers) -pthread
+$(BUILD)/tests/command/path_lengths:
 	$(link)
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
@@ -58,12 +61,12 @@ $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 	$(call say,CC $<)$(compile) -Dmain=command_main -c -o $@ $<
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
 	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
-$(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/scenes.o
+$(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/scenes.o
 $(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
 $(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
 
-$(BUILD)/tests/faulty $(fuzz_programs): linker = $(with_numbers) -pthread
-$(BUILD)/tests/faulty $(fuzz_programs):
+$(BUILD)/tests/command/faulty $(fuzz_programs): linker = $(with_numbers) -pthread
+$(BUILD)/tests/command/faulty $(fuzz_programs):
 	$(link)
 
 # ----------------------------------------------------------------- check --
@@ -77,31 +80,35 @@ deps-cross: ## what check-cross and lint need as well (Debian)
 deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
 	@BUILD=$(BUILD) sh tools/deps.sh cluster
 
+# $(call run_tests,TEST...): each is a target of run.mk; the long ones start first.
 # MISSING: what `make deps` installs and was not found, unless the user said so
-missing   = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
-run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
+long_tests = $(addprefix tests/,package/test_amalgamation.sh python/test_python.sh command/test_faults.sh package/test_build.sh package/test_packages.sh package/test_install.sh) \
+             $(addprefix $(BUILD)/tests/,scene/test_closest library/test_environment library/test_batch bounds/test_local_bounds)
+missing    = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
+run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(1))' \
+	BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
-	sh tests/run.sh
+	$(MAKE) --no-print-directory -f tests/support/run.mk
 
-check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/path_lengths) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels $(BUILD)/tests/greys) ## run every test (PARANOID=1: each decision twice)
-	@$(run_tests) $(test_programs) $(test_scripts)
+check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/command/path_lengths) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys) ## run every test (PARANOID=1: each decision twice)
+	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one
 	@$(if $(EMBREE),,echo 'check-embree: no Embree (make deps)'; exit 1)
-	@$(run_tests) $(embree_tests)
+	$(call run_tests,$(embree_tests))
 
 check-embree4: all ## the same with Embree 4, downloaded from PyPI
-	@$(run_tests) tests/test_embree4.sh
+	$(call run_tests,tests/embree/test_embree4.sh)
 
-check-scene: $(BUILD)/tests/test_scene $(if $(EMBREE),$(BUILD)/tests/scene_curves) ## compare scenes with brute force, about two minutes
-	$(BUILD)/tests/test_scene 1000
-	$(if $(EMBREE),$(BUILD)/tests/scene_curves)
+check-scene: $(BUILD)/tests/scene/test_queries $(if $(EMBREE),$(BUILD)/tests/embree/scene_curves) ## compare scenes with brute force, about two minutes
+	$(BUILD)/tests/scene/test_queries 1000
+	$(if $(EMBREE),$(BUILD)/tests/embree/scene_curves)
 
-check-cross: $(BUILD)/tests/records ## compare the bytes from other compilers and processors
-	@BUILD=$(BUILD) sh tests/cross.sh
+check-cross: $(BUILD)/tests/package/records ## compare the bytes from other compilers and processors
+	@BUILD=$(BUILD) sh tests/package/cross.sh
 
 check-cluster: all ## run the recipes of cylint(7) for GNU parallel, Slurm and Spark
-	@BUILD=$(BUILD) sh tests/cluster/check.sh
+	@BUILD=$(BUILD) sh tests/package/cluster/check.sh
 
 # ------------------------------------------------ sanitizers and fuzzing --
 
@@ -114,16 +121,16 @@ sanitize-python: $(BUILD)/cylint ## run the Python package's tests under the san
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/python/sanitize.sh
 
 threaded := -g -O1 -fsanitize=thread
-thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh $(BUILD)/tests/test_scene_many \
-	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
+thread_tests := $(BUILD)/cylint $(BUILD)/tests/command/faulty $(BUILD)/tests/bvh/test_nodes $(BUILD)/tests/scene/test_many \
+	$(if $(EMBREE),$(BUILD)/tests/embree/test_threads) $(if $(PNG),$(BUILD)/cylint-render)
 thread_tests: $(thread_tests)
 check-threads: ## run scenes of several threads, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' thread_tests
-	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_bvh
-	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_many
-	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
-	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
-	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/render_threads.sh)
+	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/bvh/test_nodes
+	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/scene/test_many
+	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/embree/test_threads)
+	BUILD=$(BUILD)/threads WORKERS=8 sh tests/command/test_faults.sh
+	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/command/render_threads.sh)
 
 fuzzed := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp $(sanitized)
 fuzz_programs: $(fuzz_programs)
@@ -136,29 +143,29 @@ fuzz: ## run libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
 # ----------------------------------------------- proofs, coverage, looks --
 
 prove: ## prove the error bounds by Gappa; 1 % less must not be provable
-	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/bounds/prove/prove.sh
 
 lint: all ## static analysis, the ladder of floors, the format of sources
-	@BUILD=$(BUILD) CC='$(CC)' sh tests/lint.sh
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/support/lint.sh
 
 covered: all $(test_programs)
-	@$(run_tests) $(test_programs) tests/test_hard.sh
+	$(call run_tests,$(test_programs) tests/library/test_hard.sh)
 
 # Counters that threads share are wrong, even negative, unless they are atomic.
 counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno
 coverage: ## branches of src/ that no test takes, without a reason beside them
 	rm -rf $(BUILD)/coverage
 	$(MAKE) BUILD=$(BUILD)/coverage vectors= small= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
-	python3 tests/coverage.py $(BUILD)/coverage
+	python3 tests/support/coverage.py $(BUILD)/coverage
 
 mutants: ## change operators and constants, and list changes that pass; COUNT=20 a file
-	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
+	python3 tests/support/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
 
-stress: $(BUILD)/tests/stress ## compare 1e8 cases with the oracle, up to an hour
-	$(BUILD)/tests/stress
+stress: $(BUILD)/tests/library/stress ## compare 1e8 cases with the oracle, up to an hour
+	$(BUILD)/tests/library/stress
 
-search: $(BUILD)/tests/search ## search for the worst errors and the slowest query
-	$(BUILD)/tests/search
+search: $(BUILD)/tests/library/search ## search for the worst errors and the slowest query
+	$(BUILD)/tests/library/search
 
 .PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
 	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress search

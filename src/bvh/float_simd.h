@@ -12,12 +12,18 @@
  *   f_from_bits(x, m)    the integers x & m as floats
  *   f_store_keys(p, x)   stores integers in the order of the floats
  *   i_or_where(x, m, y)  x | y where m, else x
+ *   i_keep(p, x, m)      stores those of 8 integers x[] whose bits in m are 1, in
+ *                        their order, then two zeros; returns how many.  May write
+ *                        up to 10 integers
+ *   i_highest(x)         the highest bits of 8 integers x[]
  */
 #ifndef CYLINT_FLOAT_SIMD_H
 #define CYLINT_FLOAT_SIMD_H
 
 #include <stdint.h>
 #include <string.h>
+
+#include "../numbers/compiler.h"
 
 /* clang-format off */
 #if defined(__AVX2__) && defined(__FMA__)
@@ -192,6 +198,55 @@ static inline vi i_or_where(vi x, vm m, vi y) { return m ? x | y : x; }
 static inline void i_store(uint32_t *x, vi v) { *x = v; }
 
 #endif
+
+#if defined(__AVX512VL__)
+static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
+{
+    i_store(to, _mm256_maskz_compress_epi32((__mmask8)bits, i_load(x)));
+    return _mm_popcnt_u32(bits);
+}
+#elif defined(__AVX2__)
+static inline int i_keep_four(uint32_t *to, const uint32_t *x, unsigned bits)
+{
+    /* which are kept, in four digits */
+    static const uint16_t kept[16] = {
+        0x0000, 0x0000, 0x0001, 0x0010, 0x0002, 0x0020, 0x0021, 0x0210,
+        0x0003, 0x0030, 0x0031, 0x0310, 0x0032, 0x0320, 0x0321, 0x3210};
+    const __m128i at = _mm_srlv_epi32(_mm_set1_epi32(kept[bits]),
+                                      _mm_setr_epi32(0, 4, 8, 12));
+    const __m128 all = _mm_loadu_ps((const float *)(const void *)x);
+    _mm_storeu_ps((float *)(void *)to, _mm_permutevar_ps(all, at));
+    return _mm_popcnt_u32(bits);
+}
+static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
+{
+    int n = i_keep_four(to, x, bits & 15);
+    n += i_keep_four(to + n, x + 4, bits >> 4);
+    to[n] = to[n + 1] = 0;
+    return n;
+}
+#else
+static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
+{
+    int n = 0;
+    for (; bits; bits &= bits - 1)
+        to[n++] = x[cylint_lowest(bits)];
+    to[n] = to[n + 1] = 0;
+    return n;
+}
+#endif
+
+static inline unsigned i_highest(const uint32_t x[8])
+{
+#if defined(__AVX2__)
+    return (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(i_load(x)));
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < 8; i++)
+        bits |= x[i] >> 31 << i;
+    return bits;
+#endif
+}
 
 /* The lanes (bits) where x > y is false. */
 static inline unsigned f_not_greater(vf x, vf y)

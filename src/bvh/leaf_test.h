@@ -122,8 +122,8 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 }
 
 /*
- * Returns the lanes (bits) that the line may hit.  least[] of a lane is a lower
- * bound of s times t_per_s.  *certain, unless certain is NULL: the lanes where the
+ * Returns the lanes (bits) that the line may hit.  least[] of a lane, unless least is
+ * NULL, is a lower bound of s times t_per_s.  *certain, unless certain is NULL: the lanes where the
  * line's point nearest to the axis certainly lies in the domain and, if the
  * piece belongs to a cylinder, in the piece.
  *
@@ -177,8 +177,8 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
     const vf reach = T_error + C;
     hit &= f_not_greater(T - reach, l->last * nn);
     hit &= f_not_greater(l->first * nn, T + reach);
-    if (!hit)
-        return 0;
+    if (!hit || !least)
+        return hit;
     /* entry_shift is infinite or NaN where e.w is 0: f_higher() ignores it */
     const vf per_nn = f_set(1) / nn, per_ew = f_set(1) / f_abs(ew);
     const vf entry_shift = (f_turned(offset, ew) + beyond) * per_ew;
@@ -212,7 +212,8 @@ CYLINT_INLINE unsigned test_bounds(const cylint_leaf *b, const cylinders *all,
     do {
         unsigned some = 0;
         const cylinders here = all ? all[lane / WIDTH] : cylinders_of(b, lane);
-        hit |= test_lanes(&here, l, least + lane, certain ? &some : NULL, bound)
+        hit |= test_lanes(&here, l, least ? least + lane : NULL,
+                          certain ? &some : NULL, bound)
                << lane;
         all_certain |= some << lane;
         lane += WIDTH;
@@ -250,7 +251,7 @@ static inline int is_fit(float E)
 static inline unsigned all_lanes(const cylint_leaf *b, double tmin,
                                  double *least)
 {
-    for (int lane = 0; lane < cylint_leaf_used(b); lane++)
+    for (int lane = 0; least && lane < cylint_leaf_used(b); lane++)
         least[lane] = tmin;
     return lanes_in_use(b);
 }
@@ -287,7 +288,7 @@ static inline void write_least(const cylint_leaf *b, unsigned hit,
  */
 ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
                              const double d[3], double tmin, double tmax,
-                             double least[CYLINT_LEAF_SIZE])
+                             double *least)
 {
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
@@ -320,19 +321,22 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
     l.first = f_set(clamped((tmin * length + along) * steps - q_error));
     l.last = f_set(clamped((tmax * length + along) * steps + q_error));
     float s[CYLINT_LEAF_SIZE] = {0};
-    const unsigned hit = test_cylinders(b, NULL, &l, s, NULL);
-    write_least(b, hit, s, along + q_error / steps, per_length, tmin, least);
+    const unsigned hit = test_cylinders(b, NULL, &l, least ? s : NULL, NULL);
+    if (least)
+        write_least(b, hit, s, along + q_error / steps, per_length, tmin,
+                    least);
     return hit;
 }
 
-/* Near the leaf floats are accurate enough without that: q, e and the domain are
+/* least may be NULL.  Near the leaf floats are accurate enough without that: q, e and the domain are
  * rounded once, which the errors above contain. */
 CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
                                  const double d[3], double tmin, double tmax,
-                                 double least[CYLINT_LEAF_SIZE])
+                                 double *least)
 {
     const double steps = cylint_leaf_steps(b);
-    float s[CYLINT_LEAF_SIZE] = {0}, E = 0, far = 0;
+    float s[CYLINT_LEAF_SIZE] = {0}, *const to = least ? s : NULL;
+    float E = 0, far = 0;
     leaf_line l;
     EACH(j, 3) {
         const float q = (float)((o[j] - (double)b->center[j]) * steps);
@@ -349,8 +353,9 @@ CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
     l.first = f_set((float)(tmin * steps));
     l.last = f_set((float)(tmax * steps));
     l.t_per_s = f_set((float)(1 / steps));
-    const unsigned hit = test_cylinders(b, NULL, &l, s, NULL);
-    write_least(b, hit, s, 0, 1, tmin, least);
+    const unsigned hit = test_cylinders(b, NULL, &l, to, NULL);
+    if (least)
+        write_least(b, hit, s, 0, 1, tmin, least);
     return hit;
 }
 

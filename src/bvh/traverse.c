@@ -124,60 +124,89 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     }
 }
 
+/* ----------------------------------------------------------- in no order -- */
+
 /* Nodes that are visited together, leaves that are, and the most children of such
  * nodes. */
 enum { AHEAD = 16, LEAVES = 32, MOST_PUSHED = AHEAD * CYLINT_CHILDREN };
 
 /*
- * In no order, so that loads overlap: the last AHEAD nodes of the stack are visited
- * together, and leaves wait until there are LEAVES of them.
+ * So that loads overlap, the last AHEAD nodes of the stack are visited together, and
+ * leaves wait until there are LEAVES of them.
  *
  * The levels of nodes do not decrease from the bottom of the stack to its top: the
  * nodes of a batch are visited from its bottom, and their children are one level
  * deeper.  So when nodes of some level are pushed, the others of that level, which
  * lay above their parents, were taken with these: at most MOST_PUSHED nodes of each
- * level are on the stack.
+ * level are on the stack.  i_keep() writes up to KEPT numbers beyond.
  */
+enum { KEPT = CYLINT_CHILDREN + 2 };
+
+typedef struct {
+    const cylint_bvh *bvh;
+    uint32_t stack[MOST_PUSHED * CYLINT_BVH_DEPTH + KEPT];
+    uint32_t leaves[LEAVES + MOST_PUSHED + KEPT];
+    int n, n_leaves;
+} waiting;
+
+/* Adds the children with these bits to those that wait.  Zeros follow, and node 0
+ * and leaf 0 exist, so that two are prefetched without a branch. */
+CYLINT_INLINE int keep_children(const cylint_bvh *bvh, uint32_t *to,
+                                const cylint_node *node, unsigned bits,
+                                uint32_t flag)
+{
+    const int n = i_keep(to, node->child, bits);
+    EACH(k, 2)
+        prefetch_child(bvh, to[k] | flag);
+    for (int k = 2; k < n; k++)
+        prefetch_child(bvh, to[k] | flag);
+    return n;
+}
+
+/* Takes the last nodes and puts their children there. */
+static inline void visit_nodes(waiting *w, const ray_state *state)
+{
+    const int taken = w->n < AHEAD ? w->n : AHEAD;
+    const traversal t = {.ray = state};
+    uint32_t batch[AHEAD];
+    int n = w->n - taken, n_leaves = w->n_leaves; /* in registers */
+    memcpy(batch, w->stack + n, (size_t)taken * sizeof *batch);
+    for (int i = 0; i < taken; i++) {
+        const cylint_node *node = &w->bvh->nodes[batch[i]];
+        child_hits hits;
+        const unsigned hit = hit_children(&t, NULL, node, &hits);
+        const unsigned leaves = i_highest(node->child) & hit;
+        n += keep_children(w->bvh, w->stack + n, node, hit & ~leaves, 0);
+        n_leaves += keep_children(w->bvh, w->leaves + n_leaves, node, leaves,
+                                  CYLINT_LEAF_FLAG);
+    }
+    w->n = n;
+    w->n_leaves = n_leaves;
+}
+
 static void traverse_all(const cylint_bvh *bvh, const double o[3],
                          const double d[3], double tmin, const double *tmax,
                          cylint_line_leaf_callback *callback, void *self)
 {
-    uint32_t stack[MOST_PUSHED * CYLINT_BVH_DEPTH], batch[AHEAD];
-    uint32_t leaves[LEAVES + MOST_PUSHED];
-    double least[CYLINT_LEAF_SIZE];
     ray_state state;
-    traversal t;
-    int n = 1, n_leaves = 0;
+    waiting w;
     start_line(&state, bvh, o, d, tmin, *tmax);
-    t.ray = &state;
-    stack[0] = 0;
-    while (n > 0) {
-        const int taken = n < AHEAD ? n : AHEAD;
-        n -= taken;
-        memcpy(batch, stack + n, (size_t)taken * sizeof *stack);
-        for (int i = 0; i < taken; i++) {
-            const cylint_node *node = &bvh->nodes[batch[i]];
-            child_hits hits;
-            unsigned hit = hit_children(&t, NULL, node, &hits);
-            for (; hit; hit &= hit - 1) {
-                const uint32_t child = node->child[cylint_lowest(hit)];
-                const int is_leaf = child >= CYLINT_LEAF_FLAG;
-                prefetch_child(bvh, child);
-                leaves[n_leaves] = child & ~CYLINT_LEAF_FLAG;
-                stack[n] = child;
-                n_leaves += is_leaf;
-                n += !is_leaf;
-            }
-        }
-        if (n > 0 && n_leaves < LEAVES)
+    w.bvh = bvh;
+    w.stack[0] = 0;
+    w.n = 1;
+    w.n_leaves = 0;
+    while (w.n > 0) {
+        visit_nodes(&w, &state);
+        if (w.n > 0 && w.n_leaves < LEAVES)
             continue;
-        for (int i = 0; i < n_leaves; i++) {
-            const cylint_leaf *leaf = &bvh->leaves[leaves[i]];
-            const unsigned lanes = test_line(leaf, o, d, tmin, *tmax, least);
-            if (lanes && callback(self, leaf, lanes, least))
+        for (int i = 0; i < w.n_leaves; i++) {
+            const cylint_leaf *leaf =
+                &bvh->leaves[w.leaves[i] & ~CYLINT_LEAF_FLAG];
+            const unsigned lanes = test_line(leaf, o, d, tmin, *tmax, NULL);
+            if (lanes && callback(self, leaf, lanes, NULL))
                 return;
         }
-        n_leaves = 0;
+        w.n_leaves = 0;
     }
 }
 

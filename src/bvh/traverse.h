@@ -74,7 +74,8 @@ typedef struct cylint_traversal {
     cylint_traverse_occluded *occluded;
     cylint_traverse_subtree *subtree;
     cylint_traverse_line *line;
-    cylint_traverse_line *all; /* in no order; does not read *tmax again */
+    cylint_traverse_line *all; /* in no order, and the callback gets no least[];
+                                  does not read *tmax again */
 } cylint_traversal;
 
 /* `make bench-embree` counts visits, in one thread. */

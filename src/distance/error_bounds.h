@@ -31,8 +31,8 @@
  *   CYLINT_PAIR_QUOTIENT  of a component of a direction, relative to it
  *   CYLINT_PAIR_PLACE     of a coordinate of the point, from that of its origin
  *
- * The sums are in tests/prove/ratios.txt; tests/test_distance_bounds.c
- * compares z, rho and rims with exact numbers.
+ * The sums are in tests/bounds/prove/ratios.txt;
+ * tests/bounds/test_distance_bounds.c compares z, rho and rims with exact numbers.
  *
  * Triples serve points with S < 2 CYLINT_THINNEST rho.
  *
@@ -52,7 +52,7 @@
 #define CYLINT_FEATURE_MARGIN 0x1p-46
 #define CYLINT_DISTANCE_LEAST 0x1p-300
 
-/* The error of one operation on triples (tests/test_local_residuals.c). */
+/* The error of one operation on triples (tests/bounds/test_local_residuals.c). */
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 
 /*
@@ -91,7 +91,7 @@
  * proved for the lo of z, of D.D, and of D.D - z^2 and the rest of rho alone.
  * The proofs take each coordinate to be as large as the size, so they are up
  * to three times the above; their sum is still below CYLINT_HEAD_TAIL_ERROR
- * (tests/prove/ratios.txt).
+ * (tests/bounds/prove/ratios.txt).
  *
  * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of
  * the sums and products that follow; CYLINT_HEAD_TAIL_ERROR is 2^2 times that.

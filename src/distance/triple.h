@@ -5,7 +5,7 @@
  * 2^-53 |a| and |c| at most 2^-104 |a|, or nearly.  The error of an operation is
  * then below CYLINT_TRIPLE_ROUNDING (error_bounds.h) of |x| + |y| or of |x y|, in
  * rounding to nearest.  Where terms have cancelled, it is below that of their
- * sizes: tests/test_local_residuals.c.
+ * sizes: tests/bounds/test_local_residuals.c.
  *
  * After the triple-word arithmetic of [Hida, Li, Bailey 2001].
  */

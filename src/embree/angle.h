@@ -25,7 +25,7 @@ static inline float cylint_angle_as_float(double phi)
  * pi / 4.  Its difference from pi / 8 has a tangent t of at most 0.4142136.  The
  * series of atan(t) alternates, so the truncation error is less than the first
  * omitted term, 0.4142136^29 / (58 pi) turns.  The bound with all roundings is
- * proved: tests/prove/turn.g.
+ * proved: tests/bounds/prove/turn.g.
  */
 #define CYLINT_ATAN2_TURNS_ERROR 0x1.8bp-45
 

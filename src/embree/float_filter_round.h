@@ -34,7 +34,7 @@
  * e_G = 6 eps K^2 U^2 and e_a = eps U^2 fit lateral_at(): G <= R^2 U^2 but for its
  * error, so that of b is less than 0.14 e_G / sqrt(G).
  *
- * tests/test_embree_float_bounds.c computes these bounds from the forms.
+ * tests/bounds/test_embree_float_bounds.c computes these bounds from the forms.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_ROUND_H
 #define CYLINT_EMBREE_FLOAT_FILTER_ROUND_H

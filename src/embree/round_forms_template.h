@@ -2,7 +2,8 @@
  * round_forms_template.h - the quadratics of round kinds, from dot products
  *
  * For float_filter_round.h, which states them, and for the test of their errors
- * (tests/test_embree_float_bounds.c), which runs them over sizes and errors.
+ * (tests/bounds/test_embree_float_bounds.c), which runs them over sizes and
+ * errors.
  * The including file defines NUM, ADD SUB MUL (x, y) and, with FORM(name), the
  * names of the functions; SMALL(x) is x, whose size is at most 1.
  */

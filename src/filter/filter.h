@@ -4,6 +4,7 @@
 #ifndef CYLINT_FILTER_H
 #define CYLINT_FILTER_H
 
+#include "../shapes/record.h"
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
@@ -124,12 +125,15 @@ typedef struct {
     const double *column;
 } cylint_run;
 
-/* The questions, set by the caller, who sets `lane`, `first` and `end` to 0. */
+/* The questions, set by the caller, who sets `lane`, `first` and `end` to 0.  Of
+ * records, `list` has the numbers instead, `end` is how many, and n is 0: there is no
+ * first pass.  The line is one for all, only t is wanted, and both caps are present. */
 typedef struct {
-    const cylint_shape *shapes; /* all, by number; or the one shape */
-    const cylint_run *run;      /* NULL: one shape for all lines */
-    const cylint_line *line;    /* one line for all shapes, or NULL */
-    const cylint_lines *lines;  /* else a line for each number */
+    const cylint_shape *shapes;   /* all, by number; or the one shape */
+    const cylint_record *records; /* all, by number; or NULL: shapes */
+    const cylint_run *run;        /* NULL: one shape for all lines */
+    const cylint_line *line;      /* one line for all shapes, or NULL */
+    const cylint_lines *lines;    /* else a line for each number */
     int solid;
     size_t n;
     unsigned want;

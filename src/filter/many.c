@@ -9,6 +9,7 @@
  * such; they do not affect their neighbours.
  */
 #include "members.h"
+#include "record_frames.h"
 
 #ifndef CYLINT_MANY
 #define CYLINT_MANY cylint_many_plain
@@ -484,7 +485,12 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
     const cylint_shape *shape[LANES];
     if (!from->line)
         gather_lines(&x->line, from->lines, list);
-    if (from->run) {
+    if (from->records) {
+        const char *record[LANES];
+        for (int i = 0; i < LANES; i++)
+            record[i] = (const char *)&from->records[list[i]];
+        frames_of_records(&x->frame, record, from->solid);
+    } else if (from->run) {
         for (int i = 0; i < LANES; i++)
             shape[i] = &from->shapes[list[i]];
         x->shape = shape;
@@ -501,7 +507,7 @@ void CYLINT_MANY(cylint_filter_batch *from, cylint_filter_use *use, void *self)
     x.shape = NULL;
     if (from->line)
         broadcast_line(&x.line, from->line);
-    if (!from->run)
+    if (!from->run && !from->records)
         broadcast_shape(&x.frame, from->shapes);
     for (int lanes; (lanes = next_numbers(from)) > 0;) {
         size_t *list = from->list + from->first;

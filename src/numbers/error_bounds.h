@@ -22,7 +22,7 @@
 #define CYLINT_NUMBERS_ERROR_BOUNDS_H
 
 /*
- * K: the deepest form is G of a cone.  tests/test_form_depth.c runs
+ * K: the deepest form is G of a cone.  tests/bounds/test_form_depth.c runs
  * forms_template.h over an arithmetic of path lengths and tests that the result
  * is exactly this.
  */
@@ -94,8 +94,8 @@
  * If every datum is 0 or at least 2^-CYLINT_WHOLE_EXPONENT, it is a multiple of
  * that times 2^-52.  A number of degree k, its low part and what is lost with
  * it are multiples of the k-th power of this.  k is CYLINT_DEGREE at most
- * (tests/test_form_depth.c), and that power is a normal number, so nothing
- * underflows.
+ * (tests/bounds/test_form_depth.c), and that power is a normal number, so
+ * nothing underflows.
  */
 #define CYLINT_DEGREE 8
 #define CYLINT_WHOLE_EXPONENT 74
@@ -104,7 +104,7 @@
  * The filters run only if every input is at most CYLINT_WINDOW in size.  The
  * error of an operation that underflows, flushed to zero or not, is at most
  * 2^-1022.  The window bounds the factors that multiply this error later:
- * tests/test_form_depth.c computes the total for the worst form.
+ * tests/bounds/test_form_depth.c computes the total for the worst form.
  */
 #define CYLINT_WINDOW 0x1p60
 #define CYLINT_UNDERFLOW 0x1p-584
@@ -254,7 +254,7 @@
  * error for a = b, which is proportional to r D or |Y| there.  Where G > 0, this
  * is the error of its value as well, because b < a.
  *
- * tests/test_local_bounds.c computes the errors by running the forms over
+ * tests/bounds/test_local_bounds.c computes the errors by running the forms over
  * bounds: all constants are bounds with slack, at most four times too large.
  */
 #define CYLINT_LOCAL_POSITION 16
@@ -274,8 +274,8 @@
  *   of the side    k f (|x| + |y| + k f + CYLINT_LOCAL_UNTRIMMED k Q), and
  *                  |rho| beside |x| if the shape is tapered
  *
- * The last term is for the square of the low parts.  tests/test_local_bounds.c
- * computes both.
+ * The last term is for the square of the low parts.
+ * tests/bounds/test_local_bounds.c computes both.
  *
  * A slope 2 s is known to one quarter: G is, because 4 G_error < G, and so is
  * A t + B, because |t| A_error + B_error <= s / 4.  For the root r next to t,
@@ -296,10 +296,10 @@
 
 /* The error of a residual in levels, in multiples of
  * the square of cylint_frame_error() and of the size of its terms
- * (tests/test_local_residuals.c computes it, a bound with slack); and, relative
- * to the residual, of its rounding and its division by the height, by the square
- * of the axis or by the square of height and cosine: fewer than sixteen roundings
- * to nearest. */
+ * (tests/bounds/test_local_residuals.c computes it, a bound with slack); and,
+ * relative to the residual, of its rounding and its division by the height, by
+ * the square of the axis or by the square of height and cosine: fewer than
+ * sixteen roundings to nearest. */
 #define CYLINT_LOCAL_LEVELS 0x1p54
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
@@ -310,7 +310,7 @@
  *   INPUT     a point that is inexact: 1 / (2 pi) and the second order, where
  *             ex + ey is at most CYLINT_TURN_NEAR |(x, y)|
  *   CUBIC     the roundings of q^3 / 3, and the error of the series,
- *             CYLINT_TURN_SERIES (tests/test_turns.c computes it)
+ *             CYLINT_TURN_SERIES (tests/numbers/test_turns.c computes it)
  *   RELATIVE  the roundings of the quotient, QUOTIENT, and those by 1 / (2 pi),
  *             TANGENT_ROUNDING
  *   NODE      the difference v cos - u sin, whose terms cancel, of products
@@ -327,7 +327,8 @@
 #define CYLINT_TURN_NODE 0x1.52p-97
 
 /* The relative errors of cylint_turn_pair() in rounding to nearest and in the
- * directed modes: sums of those of its operations (tests/prove/ratios.txt). */
+ * directed modes: sums of those of its operations
+ * (tests/bounds/prove/ratios.txt). */
 #define CYLINT_TURN_PAIR_ERROR 0x1p-97
 #define CYLINT_TURN_DIRECTED_ERROR 0x1p-94
 

@@ -4,7 +4,7 @@
 #include "bits.h"
 #include "turns.h"
 
-/* tests/test_turns.c computes these numbers again. */
+/* tests/numbers/test_turns.c computes these numbers again. */
 const double cylint_turn_node[33][4] = {
     {0x1p+0, 0, 0, 0},
     {0x1.ffd886084cd0dp-1, -0x1.1354d4556e4cbp-55, 0x1.92155f7a3667ep-6,

@@ -18,7 +18,7 @@
  *
  * With the slope at t0 in place of s only the sign of the last term changes.
  * For the lateral quadric Q(t) = A t^2 + 2 B t + C these are s = 2 (A t + B)
- * and c = A; for a plane c = 0.  tests/prove/newton.g proves that SLACK
+ * and c = A; for a plane c = 0.  tests/bounds/prove/newton.g proves that SLACK
  * suffices.
  */
 

@@ -11,10 +11,12 @@
 #include <stdint.h>
 
 #include "../numbers/compiler.h"
+#include "../shapes/record.h"
+#include "../shapes/shape_facts.h"
 #include "cylint.h"
 
 /*
- * What the members are, by the form of the tag:
+ * What the members of a cylint_record are, by the form of the tag:
  *
  *                 p0     r0       p1      r1
  *   two points    p0     r0       p1      r1
@@ -25,9 +27,6 @@
  *
  * The index is that of the elliptic shape's semi-axes.
  */
-typedef struct cylint_record {
-    double p0[3], r0, p1[3], r1;
-} cylint_record;
 
 /* A tag: a cylint_kind, a cylint_ends times CYLINT_TAG_ENDS, and CYLINT_TAG_PLAIN
  * if cylint_local_in_doubles() serves the shape. */
@@ -69,6 +68,15 @@ CYLINT_INLINE int cylint_record_kind(const cylint_records *records,
                                      size_t number)
 {
     return records->tag[number] & CYLINT_TAG_KIND;
+}
+
+/* The solid of a closed shape made of a plain record. */
+CYLINT_INLINE int cylint_solid_of_record(int kind)
+{
+    return kind == CYLINT_KIND_CYLINDER  ? CYLINT_SOLID_CYLINDER
+           : kind == CYLINT_KIND_CONE    ? CYLINT_SOLID_CONE
+           : kind == CYLINT_KIND_CAPSULE ? CYLINT_SOLID_CAPSULE
+                                         : CYLINT_SOLID_ROUND_CONE;
 }
 
 CYLINT_INLINE int cylint_record_ends(const cylint_records *records,

@@ -12,6 +12,7 @@
 
 #include "../numbers/bits.h"
 #include "../intersect.h"
+#include "../shapes/shape_facts.h"
 #include "number_set.h"
 #include "visit.h"
 
@@ -21,8 +22,9 @@
  * decides. */
 enum { RECENT = 16 };
 
-/* The most lanes that wait while their shapes are loaded. */
-enum { LATER = 64 };
+/* The most lanes that wait while their shapes are loaded; fewer chords than these
+ * take less time one by one. */
+enum { LATER = CYLINT_MOST_RECORDS, FEW_CHORDS = 3 };
 
 typedef struct {
     const cylint_scene *scene;
@@ -199,10 +201,56 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
     return v->stopped;
 }
 
+/* The chords of the shapes that wait and of which constructors made records of this
+ * kind. */
+static void visit_chords_of_kind(line_visit *v, int kind,
+                                 const uint32_t *number, size_t n)
+{
+    cylint_interval chord[LATER];
+    signed char count[LATER];
+    if (n < FEW_CHORDS) {
+        for (size_t i = 0; i < n; i++)
+            visit_chords_at(v, number[i]);
+        return;
+    }
+    cylint_chords_of_records(v->scene->records.record,
+                             cylint_solid_of_record(kind), number, n, v->domain,
+                             chord, count);
+    for (size_t i = 0; i < n; i++)
+        if (count[i] > 0)
+            v->chord(v->context, number[i], chord[i]);
+        else if (count[i] < 0)
+            visit_chords_at(v, number[i]);
+}
+
+static void visit_later_chords(line_visit *v)
+{
+    const cylint_records *r = &v->scene->records;
+    uint32_t number[CYLINT_KINDS][LATER];
+    size_t n[CYLINT_KINDS] = {0};
+    for (int i = 0; i < v->n_later; i++) {
+        const cylint_leaf *leaf = v->later[i].leaf;
+        const int lane = v->later[i].lane;
+        const uint32_t at = leaf->number[lane];
+        if (is_split_lane(leaf, lane) && line_tested(v, at))
+            continue;
+        const int kind = cylint_record_kind(r, at);
+        if (r->tag[at] & CYLINT_TAG_PLAIN)
+            number[kind][n[kind]++] = at;
+        else
+            visit_chords_at(v, at);
+    }
+    for (int kind = 0; kind < CYLINT_KINDS; kind++)
+        visit_chords_of_kind(v, kind, number[kind], n[kind]);
+}
+
 static int test_later(line_visit *v)
 {
-    for (int i = 0; i < v->n_later && !v->stopped; i++)
-        test_line_lane(v, v->later[i].leaf, v->later[i].lane);
+    if (!v->callback)
+        visit_later_chords(v);
+    else
+        for (int i = 0; i < v->n_later && !v->stopped; i++)
+            test_line_lane(v, v->later[i].leaf, v->later[i].lane);
     v->n_later = 0;
     return v->stopped;
 }

@@ -19,141 +19,11 @@
 #include "../numbers/simd.h"
 #include "measure.h"
 #include "shape_facts.h"
+#include "upright_template.h"
 
 #ifndef CYLINT_MEASURE_LOCAL
 #define CYLINT_MEASURE_LOCAL cylint_measure_local
 #endif
-
-/* Four pairs: a vector and another number. */
-enum { PARTS = 4 / LANES };
-typedef struct {
-    vpair part[PARTS];
-} four;
-
-typedef struct {
-    four x, y, z;
-} rows;
-
-INLINE four load_four(const double hi[4], const double lo[4])
-{
-    four x;
-    EACH(k, PARTS)
-        x.part[k] = (vpair){v_load(hi + k * LANES), v_load(lo + k * LANES)};
-    return x;
-}
-
-INLINE void store_four(double hi[4], double lo[4], const four *x)
-{
-    EACH(k, PARTS) {
-        v_store(hi + k * LANES, x->part[k].hi);
-        v_store(lo + k * LANES, x->part[k].lo);
-    }
-}
-
-#if LANES == 2
-
-/* From registers: a load of two lanes waits for numbers just stored one by
- * one. */
-INLINE four four_of(double x, double y, double z, double w)
-{
-    return (four){{{v_two(x, y), v_set(0)}, {v_two(z, w), v_set(0)}}};
-}
-
-INLINE vpair both_firsts(vpair x, vpair y)
-{
-    return (vpair){v_firsts(x.hi, y.hi), v_firsts(x.lo, y.lo)};
-}
-
-INLINE vpair swapped(vpair x)
-{
-    return (vpair){v_turned(x.hi), v_turned(x.lo)};
-}
-
-/* (x1, x2, x0, x3). */
-INLINE four turned(const four *x)
-{
-    return (four){{both_firsts(swapped(x->part[0]), x->part[1]),
-                   both_firsts(x->part[0], swapped(x->part[1]))}};
-}
-
-INLINE pair last_of(const four *x)
-{
-    const vpair last = swapped(x->part[1]);
-    return (pair){v_first(last.hi), v_first(last.lo)};
-}
-
-INLINE void set_last(four *x, pair last)
-{
-    x->part[1] =
-        both_firsts(x->part[1], (vpair){v_set(last.hi), v_set(last.lo)});
-}
-
-#elif LANES == 4
-
-INLINE four four_of(double x, double y, double z, double w)
-{
-    return (four){{{v_four(x, y, z, w), v_set(0)}}};
-}
-
-/* (x1, x2, x0, x3). */
-INLINE four turned(const four *x)
-{
-    return (four){
-        {{v_turned_three(x->part[0].hi), v_turned_three(x->part[0].lo)}}};
-}
-
-INLINE pair last_of(const four *x)
-{
-    return (pair){v_last(x->part[0].hi), v_last(x->part[0].lo)};
-}
-
-INLINE void set_last(four *x, pair last)
-{
-    x->part[0] = (vpair){v_with_last(x->part[0].hi, last.hi),
-                         v_with_last(x->part[0].lo, last.lo)};
-}
-
-#else
-
-INLINE four four_of(double x, double y, double z, double w)
-{
-    return (four){{{x, 0}, {y, 0}, {z, 0}, {w, 0}}};
-}
-
-INLINE four turned(const four *x)
-{
-    return (four){{x->part[1], x->part[2], x->part[0], x->part[3]}};
-}
-
-INLINE pair last_of(const four *x)
-{
-    return (pair){x->part[3].hi, x->part[3].lo};
-}
-
-INLINE void set_last(four *x, pair last)
-{
-    x->part[3] = (vpair){last.hi, last.lo};
-}
-
-#endif
-
-INLINE four all_four(pair x)
-{
-    four all;
-    EACH(k, PARTS)
-        all.part[k] = (vpair){v_set(x.hi), v_set(x.lo)};
-    return all;
-}
-
-INLINE four products(const four *x, const four *y)
-{
-    four xy;
-    EACH(k, PARTS) {
-        const vpair p = vpair_mul(x->part[k], y->part[k]);
-        xy.part[k] = v_fast_two_sum(p.hi, p.lo);
-    }
-    return xy;
-}
 
 /* x cross y. */
 INLINE four cross(const four *x, const four *y)
@@ -169,40 +39,6 @@ INLINE four cross(const four *x, const four *y)
     return xy;
 }
 
-/* Not normalised. */
-INLINE pair unnormalised_sum(pair x, pair y)
-{
-    const pair sum = two_sum(x.hi, y.hi);
-    return (pair){sum.hi, sum.lo + (x.lo + y.lo)};
-}
-
-/* 1 / sqrt(a) of each: y is that of about a, and what follows are the next terms
- * of y (1 - e)^(-1/2), e = 1 - a y^2. */
-INLINE vpair refined_inverse_roots(vpair a, vd y)
-{
-    const vpair yy = v_two_prod(y, y), ayy = v_two_prod(a.hi, yy.hi);
-    const vd e = ((v_set(1) - ayy.hi) - ayy.lo) - (a.hi * yy.lo + a.lo * yy.hi);
-    return (vpair){y, y * (e * (v_set(0.5) + v_set(0.375) * e))};
-}
-
-/* 1 / sqrt(a) of three numbers, from other numbers that are about as large: so the
- * roots begin early. */
-INLINE void inverse_roots(pair root[3], const pair a[3], const double near[3])
-{
-    double hi[4], lo[4];
-    const four v = four_of(near[0], near[1], near[2], 1),
-               high = four_of(a[0].hi, a[1].hi, a[2].hi, 1),
-               low = four_of(a[0].lo, a[1].lo, a[2].lo, 0);
-    four r;
-    EACH(k, PARTS)
-        r.part[k] =
-            refined_inverse_roots((vpair){high.part[k].hi, low.part[k].hi},
-                                  v_set(1) / v_sqrt(v.part[k].hi));
-    store_four(hi, lo, &r);
-    EACH(k, 3)
-        root[k] = (pair){hi[k], lo[k]};
-}
-
 /* The axis, and the growth of the radius along it.  A low part that underflows is
  * nothing beside an axis that is long enough. */
 INLINE four axis_and_growth(const cylint_shape *s)
@@ -210,105 +46,14 @@ INLINE four axis_and_growth(const cylint_shape *s)
     const int two_points = cylint_has_end_points(s->kind);
     const double *top = two_points ? cylint_top(s) : cylint_axis(s);
     const double *base = cylint_base(s);
-    const double one = two_points ? 1 : 0;
+    const double both = two_points ? 1 : 0;
     const four to = four_of(top[0], top[1], top[2], cylint_r1(s));
-    const four from = four_of(one * base[0], one * base[1], one * base[2],
-                              one * cylint_r0(s));
+    const four from = four_of(both * base[0], both * base[1], both * base[2],
+                              both * cylint_r0(s));
     four w;
     EACH(k, PARTS)
         w.part[k] = v_two_sum(to.part[k].hi, -from.part[k].hi);
     return w;
-}
-
-/* The coordinate along which the axis is least, from which phi is counted.
- * Which one is unpredictable, so there is no branch but for equal ones. */
-INLINE int least_of_axis(const double hi[4], const double lo[4])
-{
-    const double x = fabs(hi[0]), y = fabs(hi[1]), z = fabs(hi[2]);
-    const double xy = cylint_smaller(x, y);
-    const int least = y < x, last = z < xy;
-    return x == y || z == xy ? cylint_least_component(hi, lo)
-                             : least + last * (2 - least);
-}
-
-/* x in lanes of `e`, which is 1 there and else 0; y in the others. */
-INLINE vpair chosen(vd e, vpair x, vpair y)
-{
-    const vd other = v_set(1) - e;
-    return (vpair){e * x.hi + other * y.hi, e * x.lo + other * y.lo};
-}
-
-/* 1 / |w|; lateral2 and 1 / sqrt(lateral2), which is |w|^2 + dr^2 for a cone, |w|^2 -
- * dr^2 for a rounded cone, 1 + dr^2 for an acone, whose dr is its tangent. */
-typedef struct {
-    pair axis, lateral, lateral2;
-} inverse_lengths;
-
-/*
- * Unit vectors along the axis and across it: x is perpendicular to the
- * coordinate direction e along which the axis w is least.
- *
- *   h = 1 / |w|, l = 1 / |w x e|;  z = h w, x = l (w x e),
- *   y = z x x = h l (w (w.e) - e w.w)
- *
- * The component of the last vector along e is -|w x e|^2.  Beside z stands the
- * slope, beside x the height |w|.
- *
- * Errors, in units of u^2, u = 2^-53, each relative to its number: squares 6;
- * |w x e|^2 13, |w|^2 22; e of l 51, of h 64; l 47, h 55; x 67, z, slope and
- * height 90; y 140, of which CYLINT_LOCAL_ERROR allows 1024.
- */
-INLINE inverse_lengths upright_rows(rows *m, const cylint_shape *s)
-{
-    static const double direction[3][4] = {
-        {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-    const four w = axis_and_growth(s);
-    const four w1 = turned(&w), w2 = turned(&w1);
-    double hi[4], lo[4], near[3], square_hi[4], square_lo[4];
-    store_four(hi, lo, &w);
-    const int least = least_of_axis(hi, lo);
-    const double sign = s->kind == CYLINT_KIND_RCONE ? -1 : 1;
-    const int tangent = cylint_has_tangent(s->kind);
-    const double *e = direction[least];
-    near[0] = hi[0] * hi[0] + hi[1] * hi[1] + hi[2] * hi[2];
-    near[1] = near[0] - hi[least] * hi[least];
-    near[2] = (tangent ? 1 : near[0]) + sign * (hi[3] * hi[3]);
-    const vpair along = {v_set(hi[least]), v_set(lo[least])};
-    const four e4 = four_of(e[0], e[1], e[2], 0);
-    const four e1 = turned(&e4), e2 = turned(&e1);
-    four square, x, y;
-    EACH(k, PARTS) {
-        const vd to1 = e1.part[k].hi, to2 = e2.part[k].hi;
-        square.part[k] = vpair_mul(w.part[k], w.part[k]);
-        x.part[k] = (vpair){w1.part[k].hi * to2 - w2.part[k].hi * to1,
-                            w1.part[k].lo * to2 - w2.part[k].lo * to1};
-        y.part[k] = vpair_mul(w.part[k], along);
-    }
-    store_four(square_hi, square_lo, &square);
-    const int j = least == 0, k = 2 - (least == 2);
-    const pair aside = unnormalised_sum((pair){square_hi[j], square_lo[j]},
-                                        (pair){square_hi[k], square_lo[k]});
-    const pair length2 =
-        unnormalised_sum(aside, (pair){square_hi[least], square_lo[least]});
-    const pair lateral2 =
-        unnormalised_sum(tangent ? (pair){1, 0} : length2,
-                         (pair){sign * square_hi[3], sign * square_lo[3]});
-    const pair of[3] = {length2, aside, lateral2};
-    pair root[3];
-    inverse_roots(root, of, near);
-    EACH(k, PARTS)
-        y.part[k] =
-            chosen(e4.part[k].hi, (vpair){v_set(-aside.hi), v_set(-aside.lo)},
-                   y.part[k]);
-    const four to_unit = all_four(root[0]);
-    const four to_y = all_four(pair_mul(root[0], root[1]));
-    four level = all_four(root[1]);
-    set_last(&x, length2);
-    set_last(&level, root[0]);
-    m->z = products(&w, &to_unit);
-    m->x = products(&x, &level);
-    m->y = products(&y, &to_y);
-    return (inverse_lengths){root[0], root[2], lateral2};
 }
 
 INLINE four vector(const double x[3])
@@ -423,8 +168,7 @@ static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,
         const double rest = inverse->lateral2.hi;
         sine = slope;
         if (rest > 0) {
-            cosine = pair_mul(pair_mul(inverse->lateral2, inverse->axis),
-                              inverse->lateral);
+            cosine = cosine_of_hull(inverse);
             slope = pair_mul(dr, inverse->lateral);
         }
         *error /= rest > 0 ? cosine.hi * cosine.hi : 0;
@@ -472,7 +216,9 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
         height = (pair){power, 0};
         slope = (pair){growth.hi / power, growth.lo / power};
     } else {
-        inverse = upright_rows(&m, s);
+        const four axis = axis_and_growth(s);
+        inverse = upright_rows(&m, &axis, s->kind == CYLINT_KIND_RCONE ? -1 : 1,
+                               cylint_has_tangent(s->kind));
         height = last_of(&m.x);
         slope = last_of(&m.z);
         if (cylint_has_tangent(s->kind)) {

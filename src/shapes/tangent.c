@@ -4,8 +4,8 @@
  * By the series of sine and cosine in pairs of doubles: about 2^-96 off
  * before the last rounding, so that only an angle whose tangent lies within
  * 2^-43 ulp of a middle between doubles could be rounded the wrong way.  None
- * is known (observed: tests/test_shape.c against MPFR).  Of the tangents of
- * rational degrees only that of 45 is rational, so there are no ties.
+ * is known (observed: tests/shapes/test_constructors.c against MPFR).  Of the
+ * tangents of rational degrees only that of 45 is rational, so there are no ties.
  */
 #include "measure.h"
 

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "../scene_file.h"
-#include "../scenes.h"
+#include "scene_file.h"
+#include "scenes.h"
 
 struct input {
     const uint8_t *p, *end;

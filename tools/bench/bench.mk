@@ -1,6 +1,6 @@
 # tools/bench/bench.mk: the benchmarks; the Makefile includes it.
 
-$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) \
+$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
@@ -17,7 +17,7 @@ $(bench_programs): %: %.o $(bench_common)
 $(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
 $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
-$(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/scenes.o
+$(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/support/scenes.o
 $(patsubst %,$(BUILD)/tools/bench/%,distance_scene pieces): $(call bench_objects,timing)
 $(BUILD)/tools/bench/pieces: $(if $(EMBREE),$(call bench_objects,embree_chords))
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): %: %.o $(scene_library)
@@ -78,7 +78,7 @@ bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of
 # of the tests.
 rivals := $(BUILD)/rivals
 define rivals_of
-@BUILD=$(BUILD) sh tests/run.sh tests/test_python.sh
+@BUILD=$(BUILD) sh tests/python/test_python.sh
 @[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
 @$(rivals)/bin/pip install -q numpy $(1)
 @$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl

@@ -3,8 +3,8 @@
  *
  *     distance_scene [KIND [N...]]
  *
- * KIND is a number of tests/scenes.h (0: thin cylinders and cones), N the
- * numbers of shapes (1e3 1e4 1e5 1e6).  The points lie in the box of all shapes,
+ * KIND is a number of tests/support/scenes.h (0: thin cylinders and cones), N
+ * the numbers of shapes (1e3 1e4 1e5 1e6).  The points lie in the box of all shapes,
  * 16 sizes away from it, and on the surfaces of shapes.  A line of output has
  * shapes, points, nanoseconds a point for the nearest shape and for the count
  * within 1/2 (neighbours are about 1 apart), for a loop of cylint_distance(),

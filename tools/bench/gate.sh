@@ -15,9 +15,9 @@ make -s -C "$old" BUILD=build bench_programs >"$work/make.log" 2>&1 ||
 old=$old/build
 
 # The same program and families, linked with the other library.
-common="-std=c99 -O2 -ffp-contract=off -DCYLINT_STATIC -DHAVE_GSL -Itests"
+common="-std=c99 -O2 -ffp-contract=off -DCYLINT_STATIC -DHAVE_GSL -Itests/support"
 $CC $common -I"$work/tree/include" -o "$work/gate-old" tools/bench/gate.c \
-    tests/families.c tests/family_records.c "$old/libcylint.a" -lgsl \
+    tests/support/families.c tests/support/family_records.c "$old/libcylint.a" -lgsl \
     -lgslcblas -lm || exit 2
 status=0
 "$work/gate-old" $CASES >"$work/old.hashes"

@@ -3,11 +3,11 @@
  *
  *     scene [-j THREADS] KIND N | NAME COMMAND
  *
- * KIND is a number of tests/scenes.h; COMMAND prints a scene.  The environment
- * variable KERNELS chooses the kernels.  The rays are
- * those of a camera, pixel by pixel, and random ones.  Times are processor
- * time of this thread or, with -j, elapsed time of THREADS threads that share
- * the rays.  Queries of all rays in one call have elapsed times.
+ * KIND is a number of tests/support/scenes.h; COMMAND prints a scene.  The
+ * environment variable KERNELS chooses the kernels.  The rays are those of a
+ * camera, pixel by pixel, and random ones.  Times are processor time of this
+ * thread or, with -j, elapsed time of THREADS threads that share the rays.
+ * Queries of all rays in one call have elapsed times.
  */
 #include <math.h>
 #include <pthread.h>

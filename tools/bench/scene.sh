@@ -1,7 +1,7 @@
 #!/bin/sh
 # make bench-scene: scenes beside batches of all shapes.  SCENES lists the
-# kinds of tests/scenes.h to generate, SIZES the numbers of shapes, KERNELS the
-# kernels (default: all that the processor runs).
+# kinds of tests/support/scenes.h to generate, SIZES the numbers of shapes,
+# KERNELS the kernels (default: all that the processor runs).
 : "${BUILD:=build}" "${SCENES:=0 1 2 5}" "${SIZES:=1000 10000 100000}"
 : "${KERNELS:=$("$BUILD/tools/bench/kernels")}"
 all_kernels=$KERNELS

@@ -19,7 +19,7 @@ amalgamation: $(one_file) ## write libcylint and libcylint-scene as one C file t
 # library exports what.
 check-amalgamation: $(one_file) ## run every test with that file for the library
 	$(MAKE) BUILD=$(BUILD)/amalgamated $(foreach o,library_objects scene_objects,$o='$(abspath $(one_file:.c=.o))') \
-	  left_out='$(BUILD)/amalgamated/tests/test_arena tests/test_amalgamation.sh tests/test_install.sh' check
+	  left_out='$(BUILD)/amalgamated/tests/bounds/test_arena tests/package/test_amalgamation.sh tests/package/test_install.sh' check
 
 %/amalgamation/cylint.o: %/amalgamation/cylint.c
 	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) $(threads) -fPIC -fvisibility=hidden -c -o $@ $<

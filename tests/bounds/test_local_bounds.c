@@ -1,0 +1,653 @@
+/*
+ * test_local_bounds.c - floor filter: error_bounds.h covers the errors of
+ * local_forms_template.h
+ *
+ * The forms are compiled with an arithmetic that carries bounds: on a number,
+ * on its low part, and on its error.  Units: Q = 1, D = 1, norm = 1.  Every
+ * bound is a polynomial with positive coefficients in the radius r, the slope s
+ * and the size of what is compared, and so is every constant's product.  So a
+ * cell of a grid is covered if its greatest error is at most its least product.
+ * Each note has the least value of a constant that would do.  It must be at most
+ * the constant.  The greatest of them must be more than a quarter of it: these
+ * are bounds with slack.
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "local_bounds.h"
+#include "roots/roots.h"
+#include "numbers/error_bounds.h"
+#include "shapes/shape_facts.h"
+
+/* ------------------------------------------------------- arithmetic ----- */
+
+typedef struct {
+    double size, lo, off;
+} number;
+
+/* One operation: doubles, u = 2^-52 in any rounding mode; or unnormalised
+ * pairs (simd.h), whose high parts are exact and whose low parts are rounded to
+ * nearest, 2^-53. */
+static int in_pairs;
+
+static number sum(number x, number y)
+{
+    const double size = x.size + y.size;
+    if (!in_pairs)
+        return (number){
+            size, 0, x.off + y.off + CYLINT_ROUNDING * (size + x.off + y.off)};
+    const double high = size + x.lo + y.lo, low = x.lo + y.lo;
+    const double lo = 0x1p-53 * high + low * (1 + 0x1p-50);
+    return (number){size, lo, x.off + y.off + 0x1p-53 * (low + lo)};
+}
+
+static number product(number x, number y)
+{
+    const double size = x.size * y.size;
+    const double off = x.off * y.size + x.size * y.off + x.off * y.off;
+    if (!in_pairs)
+        return (number){size, 0, off + CYLINT_ROUNDING * (size + off)};
+    const double a = x.size + x.lo, b = y.size + y.lo;
+    const double cross = a * y.lo + x.lo * b;
+    const double lo = 0x1p-53 * a * b + cross * (1 + 0x1p-50);
+    return (number){size, lo, off + x.lo * y.lo + 0x1p-53 * (2 * cross + lo)};
+}
+
+/* A number that is known to be at most `size`. */
+static number at_most(number x, double size)
+{
+    return (number){fmin(x.size, size), x.lo, x.off};
+}
+
+/* What local_forms_template.h calls TRIMMED is compared with another number.
+ * If both are equal it is at most `cap`.  Its error is taken for least_off if
+ * that is larger. */
+static double cap = HUGE_VAL, least_off;
+
+static number trimmed(number x)
+{
+    const double size = fmin(x.size, cap), off = fmax(x.off, least_off);
+    return (number){size, in_pairs ? 0x1p-53 * (size + off) : 0, off};
+}
+
+#define INLINE static inline
+#define NUM number
+#define FORM(name) name##_bounds
+#define SUB(x, y) sum(x, y)
+#define MUL(x, y) product(x, y)
+#define SUM_OF(x, y, z) sum(product(x, y), z)
+#define NEGATED(x) (x)
+#define TRIMMED(x) trimmed(x)
+#include "filter/local_forms_template.h"
+
+/* ------------------------------------------------------------- line ----- */
+
+static double u; /* of error_bounds.h */
+
+/* A number that is given exactly, or as a high part, or as a pair whose error
+ * is `off`. */
+static number given(double size, double off)
+{
+    if (in_pairs)
+        return (number){size, 0x1p-53 * size, off};
+    return (number){size, 0, CYLINT_ROUNDING * size + off};
+}
+
+static number known(double size)
+{
+    return (number){size, 0, 0};
+}
+
+/* What the shape's numbers err by beside a rounding, in doubles without low parts
+ * (shapes/local_doubles.c), in any rounding mode: the matrix, height and slope,
+ * and the angle of a rounded cone. */
+static double matrix_off, height_off, angle_off;
+
+/* The larger in each respect. */
+static number worse(number x, number y)
+{
+    return (number){fmax(x.size, y.size), fmax(x.lo, y.lo), fmax(x.off, y.off)};
+}
+
+/* A row of the matrix times a vector of components up to 1.  The bound is
+ * linear in the sizes of the entries, of which the sum is 1 and so is that of
+ * their errors in units of u, so it is greatest where one entry has all.
+ * transformed() and row_in_pairs() add the low parts in another order: in the
+ * sum of each two numbers here as many roundings are counted, and of numbers as
+ * large. */
+static number row_times(number component)
+{
+    const number entry = given(1, in_pairs ? u : matrix_off), none = {0, 0, 0};
+    number most = none;
+    for (int all = 0; all < 3; all++) {
+        number total = none;
+        for (int j = 0; j < 3; j++) {
+            const number term = j == all ? product(component, entry) : none;
+            total = j ? sum(total, term) : term;
+        }
+        most = worse(most, total);
+    }
+    return at_most(most, 1);
+}
+
+/* The errors of the height and of the slope: relative, CYLINT_LOCAL_ERROR in
+ * pairs (tests/filter/test_local_coordinates.c). */
+static number relative(double size)
+{
+    return given(size, (in_pairs ? CYLINT_LOCAL_ERROR : height_off) * size);
+}
+
+/* Of a rounded cone: sine, cosine and slope have the relative error u in pairs,
+ * and the planes and circles follow from these (frame.h). */
+static int is_round;
+
+static number of_angle(double size)
+{
+    return given(size, (in_pairs ? u : angle_off) * size);
+}
+
+/* z and r of the top's plane and circle, or of the top's ball. */
+static number top_z, top_r;
+
+static void load(line_bounds *l, double r, double slope)
+{
+    const number of_origin = row_times(given(1, 0)),
+                 of_direction = row_times(given(1, 0));
+    for (int i = 0; i < 2; i++) {
+        l->p[i] = of_origin;
+        l->v[i] = of_direction;
+    }
+    l->w = of_direction;
+    l->z = of_origin;
+    top_z = at_most(sum(of_origin, relative(1)), 1);
+    l->r = top_r = known(r);
+    l->slope = relative(slope);
+    if (is_round) {
+        const number circle = at_most(product(of_angle(1), known(r)), r);
+        l->z = top_z = at_most(sum(top_z, circle), 1);
+        l->r = top_r = circle;
+        l->slope = of_angle(slope);
+    }
+    set_products_bounds(l);
+}
+
+/* ------------------------------------------------------------- grid ----- */
+
+static constant POSITION = {"POSITION", CYLINT_LOCAL_POSITION, 0},
+                A = {"A", CYLINT_LOCAL_A, 0},
+                FORM_ERROR = {"FORM", CYLINT_LOCAL_FORM, 0},
+                BALL = {"BALL", CYLINT_LOCAL_BALL, 0},
+                RESIDUAL = {"RESIDUAL", CYLINT_LOCAL_RESIDUAL, 0};
+
+static void judge(constant *c, const char *of)
+{
+    judge_in(c, of, in_pairs ? "pairs" : "doubles");
+}
+
+static void no_constant_is_four_times_too_large(void)
+{
+    check_slack(&POSITION);
+    check_slack(&A);
+    check_slack(&FORM_ERROR);
+    check_slack(&BALL);
+    check_slack(&RESIDUAL);
+}
+
+typedef void cell(double r, double more_r, double s, double more_s);
+
+/* Calls `at` for all cells of radius and slope. */
+static void over_cells(cell *at)
+{
+    for (int i = 0; i < 40; i++) {
+        const double r = i / 40.0, more_r = (i + 1) / 40.0;
+        at(r, more_r, 0, FIRST_SLOPE);
+        for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
+            at(r, more_r, s, s * SLOPE_STEP);
+    }
+}
+
+/* In doubles where the matrix has no low parts: the roundings of which
+ * local_doubles.c gives the counts.  A rounded cone's cosine has its square
+ * between 1 and 1 - CYLINT_LOCAL_STEEPEST^2. */
+static void in_local_doubles(void (*test)(void))
+{
+    const double steepest = 1 - square(CYLINT_LOCAL_STEEPEST);
+    matrix_off = 14.5 * CYLINT_ROUNDING;
+    height_off = 10.5 * CYLINT_ROUNDING;
+    for (int steep = 0; steep <= is_round; steep++) {
+        const double cosine2 = steep ? steepest : 1;
+        u = CYLINT_LOCAL_DOUBLES * CYLINT_ROUNDING / cosine2;
+        angle_off = 13 * CYLINT_ROUNDING / cosine2;
+        test();
+    }
+    matrix_off = height_off = angle_off = 0;
+}
+
+static void in_doubles(void (*test)(void))
+{
+    in_pairs = 0;
+    u = (is_round ? CYLINT_LOCAL_ROUND : 1) * CYLINT_ROUNDING;
+    test();
+    in_local_doubles(test);
+}
+
+/* In doubles, with and without low parts of the matrix; in pairs with the least and
+ * with the greatest u. */
+static void in_each_arithmetic(void (*test)(void))
+{
+    static const double units[] = {CYLINT_LOCAL_ERROR, CYLINT_LOCAL_WORST};
+    in_doubles(test);
+    in_pairs = 1;
+    for (int i = 0; i < 2; i++) {
+        u = units[i];
+        test();
+    }
+    in_pairs = 0;
+}
+
+/* ------------------------------------------------------------ forms ----- */
+
+static void position_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    (void)s;
+    load(&l, more_r, more_s);
+    need(l.p[0].off, u);
+    need(top_z.off, u);
+    need(l.w.off, u); /* the slope of a cap's residual, with D for Q */
+    /* is_ahead(): z w against 2 POSITION u Q D */
+    need(product(top_z, l.w).off, 2 * u);
+}
+
+static void a_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    const number A = A_bounds(&l, 1);
+    /* The estimate of a root rounds A t three times, and A itself. */
+    need(A.off + (in_pairs ? 0 : 4 * 0x1p-53 * A.size), u * square(1 + s));
+}
+
+static void b_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    l.r = at_most(l.r, 1);
+    need(B_bounds(&l, 1).off, u * square(1 + s));
+}
+
+static void n_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    need(N_bounds(&l, top_z, top_r, 1).off, u * (1 + s));
+}
+
+/* T, of which |v| |Y| may be as large as k. */
+static void t_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    number Y[2];
+    set_Y_bounds(&l, Y);
+    need(T_bounds(&l, Y).off, u * (1 + s));
+}
+
+/*
+ * E = a^2 - b^2, a = r |w|, b = |X|.  The computed E grows with a and falls with
+ * b.  So if b >= a, it is at most what it is for b = a, where E = 0; and if
+ * b <= a, it is at least that.  The sign is right if the value exceeds the
+ * error for b = a <= r D.  That error grows with a, and, for |X| = a, it is
+ * greatest if both components are equal.  G of a straight shape: a = r |v|,
+ * b = |p x v|.
+ */
+static void e_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)s;
+    (void)more_s;
+    load(&l, more_r, 0);
+    cap = more_r / sqrt(2);
+    need(E_bounds(&l, top_z, top_r).off, u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = HUGE_VAL;
+}
+
+static void straight_g_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)s;
+    (void)more_s;
+    load(&l, more_r, 0);
+    cap = more_r * sqrt(2);
+    need(G_bounds(&l, 0, NULL).off, u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = HUGE_VAL;
+}
+
+/* The same for r near 0, where the second term decides. */
+static void over_radii(cell *at)
+{
+    at(0, u / 16, 0, 0);
+    for (double r = u / 16; r < 1; r *= SLOPE_STEP)
+        at(r, fmin(r * SLOPE_STEP, 1), 0, 0);
+}
+
+/*
+ * G = |Y|^2 - m^2 of a tapered shape, for |Y| = m = y.  The bound is
+ * 2 off (|Y| + off), off = FORM / 2 u k Q D, where |Y|, the sum of the computed
+ * components, is at least y less the error.
+ */
+static void tapered_g_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    number Y[2];
+    set_Y_bounds(&l, Y);
+    const double k = 1 + s, off = CYLINT_LOCAL_FORM / 2 * u * k;
+    const double most = 2 * sqrt(2) * (1 + more_s);
+    const double lost = sqrt(2) * fmax(Y[0].off, Y[1].off);
+    const double cells[] = {0, u * k / 64};
+    double y = cells[0], more_y = cells[1];
+    while (y < most) {
+        number there[2] = {Y[0], Y[1]};
+        cap = more_y;
+        for (int i = 0; i < 2; i++)
+            there[i].size = fmin(there[i].size, more_y / sqrt(2));
+        if (in_pairs)
+            for (int i = 0; i < 2; i++)
+                there[i].lo = 0x1p-53 * (more_y + there[i].off);
+        need(G_bounds(&l, 1, there).off,
+             2 * off * (fmax(y - lost, 0) + off) / CYLINT_LOCAL_FORM);
+        y = more_y;
+        more_y *= SLOPE_STEP;
+    }
+    cap = HUGE_VAL;
+}
+
+static void forms(void)
+{
+    over_cells(position_cell);
+    judge(&POSITION, "");
+    over_cells(a_cell);
+    judge(&A, "");
+    over_cells(b_cell);
+    judge(&FORM_ERROR, "of B");
+    over_cells(n_cell);
+    judge(&FORM_ERROR, "of N");
+    over_cells(t_cell);
+    judge(&FORM_ERROR, "of T");
+    over_radii(e_cell);
+    judge(&FORM_ERROR, "of E");
+    over_radii(straight_g_cell);
+    judge(&FORM_ERROR, "of G, straight");
+}
+
+static void the_constants_cover_the_errors_of_the_forms(void)
+{
+    in_each_arithmetic(forms);
+    is_round = 1;
+    in_each_arithmetic(forms);
+    is_round = 0;
+}
+
+static void tapered(void)
+{
+    tapered_g_cell(0, 1, 0, FIRST_SLOPE);
+    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= 1.1)
+        tapered_g_cell(0, 1, s, s * 1.1);
+    judge(&FORM_ERROR, "of G, tapered");
+}
+
+static void the_bound_of_a_cone_covers_the_error_of_its_G(void)
+{
+    in_each_arithmetic(tapered);
+    is_round = 1;
+    in_each_arithmetic(tapered);
+    is_round = 0;
+}
+
+/*
+ * g = a^2 - b^2 of a ball, a = r |d|, b^2 = m^2 + |X|^2: as E, for b = a, where
+ * |d| is at most sqrt(3) D.  If m and both components of X have the same error,
+ * that of g is greatest if all three are equal, and then they are r D at most.
+ */
+static void ball_g_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)s;
+    (void)more_s;
+    load(&l, more_r, 0);
+    cap = more_r;
+    least_off = fmax(moment_bounds(&l).off, X_bounds(&l, top_z, 0).off);
+    need(ball_g_bounds(&l, top_z, top_r).off,
+         u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = HUGE_VAL;
+    least_off = 0;
+}
+
+static void balls(void)
+{
+    line_bounds l;
+    over_radii(ball_g_cell);
+    judge(&BALL, "of g");
+    load(&l, 1, 0);
+    const number ball_A = ball_A_bounds(&l);
+    need(ball_A.off + (in_pairs ? 0 : 4 * 0x1p-53 * ball_A.size), u);
+    judge(&A, "of a ball");
+    need(ball_B_bounds(&l, top_z).off, u);
+    judge(&FORM_ERROR, "of B, ball");
+}
+
+static void the_forms_of_balls_have_their_bounds(void)
+{
+    in_each_arithmetic(balls);
+}
+
+/* ------------------------------------------------- a point of the line -- */
+
+/* set_place_signs(): the point at t in units of |t| D + Q, whose least and
+ * greatest share of |t| D have the greatest errors. */
+static number at_t(number p, number v)
+{
+    const double shares[] = {0, 0x1p-30, 0.5, 1 - 0x1p-30};
+    number most = {0, 0, 0};
+    for (int i = 0; i < 4; i++) {
+        const number t = known(shares[i]);
+        const double rest = 1 - shares[i];
+        const number from = {p.size * rest, p.lo * rest, p.off * rest};
+        most = worse(most, sum(product(t, v), from));
+    }
+    return at_most(most, 1);
+}
+
+static void point_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    load(&l, more_r, more_s);
+    need(at_t(l.p[0], l.v[0]).off, u);
+    need(at_t(top_z, l.w).off, u);
+    const number z = at_t(l.z, l.w);
+    need(sum(product(l.slope, z), l.r).off, u * (1 + s));
+}
+
+/* The side of the vertex: A t + B against 2 FORM. */
+static void vertex_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    load(&l, more_r, more_s);
+    need(sum(product(known(1), A_bounds(&l, 1)), B_bounds(&l, 1)).off,
+         2 * u * square(1 + s));
+}
+
+/* C = |p|^2 - rho^2 against 4 eP (widest + eP), eP = POSITION u k, for
+ * |p| = |rho| <= widest. */
+static void point_C_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    load(&l, more_r, more_s);
+    const number p = at_t(l.p[0], l.v[0]);
+    const number z = at_t(l.z, l.w);
+    const number rho = sum(product(l.slope, z), l.r);
+    const double eP = u * (1 + s);
+    double least = 0, most = u / 16;
+    while (least < 1 + more_s) {
+        const number x = at_most(p, most / sqrt(2)), y = at_most(rho, most);
+        const number C = sum(product(y, y), sum(product(x, x), product(x, x)));
+        need(C.off, 4 * eP * (least + CYLINT_LOCAL_POSITION * eP));
+        least = most;
+        most *= 1.1;
+    }
+}
+
+/* set_place_signs(): C = |P|^2 - r^2 of a ball against 8 eZ (r + eZ), eZ = POSITION
+ * u Q, for |P| = r; and A t + B of a ball. */
+static void ball_at_t(void)
+{
+    line_bounds l;
+    double least = 0, most = u / 16;
+    load(&l, 1, 0);
+    const number p = at_t(l.p[0], l.v[0]);
+    const number z = at_t(top_z, l.w);
+    while (least < 1) {
+        const number x = at_most(p, most), high = at_most(z, most);
+        const number pp = sum(product(x, x), product(x, x));
+        const number C = sum(sum(product(high, high), pp),
+                             product(known(most), known(most)));
+        need(C.off, 8 * u * (least + CYLINT_LOCAL_POSITION * u));
+        least = most;
+        most *= 1.1;
+    }
+    judge(&POSITION, "of C, ball");
+    need(
+        sum(product(known(1), ball_A_bounds(&l)), ball_B_bounds(&l, top_z)).off,
+        2 * u);
+    judge(&FORM_ERROR, "of A t + B");
+}
+
+static void point_C_cells(void)
+{
+    point_C_cell(0, 1, 0, FIRST_SLOPE);
+    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
+        point_C_cell(0, 1, s, s * SLOPE_STEP);
+}
+
+static void at_points(void)
+{
+    over_cells(point_cell);
+    judge(&POSITION, is_round ? "at t, round" : "at t");
+    point_C_cells();
+    judge(&POSITION, is_round ? "of C, round" : "of C at t");
+    if (is_round)
+        return;
+    over_cells(vertex_cell);
+    judge(&FORM_ERROR, "of A t + B");
+}
+
+static void the_signs_at_a_point_have_their_bounds(void)
+{
+    in_doubles(ball_at_t);
+    in_doubles(at_points);
+    is_round = 1;
+    in_doubles(at_points);
+    is_round = 0;
+}
+
+/* ----------------------------------------------------------- residuals -- */
+
+/* The square of a pair whose low part need not be a rounding of the high one
+ * (vpair_square()). */
+static number square_of(number x)
+{
+    const double middle = 2 * x.size + x.lo, last = middle * x.lo;
+    const double lo = 0x1p-53 * x.size * x.size + last;
+    const double off = 2 * (x.size + x.lo) * x.off + x.off * x.off;
+    return (number){x.size * x.size, lo, off + 0x1p-53 * (2 * last + lo)};
+}
+
+/*
+ * square_residual(), in units of |t| D + Q: all of across = |x| + |y| + |z| +
+ * |rho| in one of them, where the bound is greatest, since it is a sum of
+ * convex functions of each.  The difference of the high parts is exact, or the
+ * error is one rounding of it, and so is that of each sum with it: Newton's
+ * step counts these, but for what the low parts add to them: at most eight
+ * roundings.  Of a straight shape across has no rho; where |rho| is more than
+ * twice across, the value is as large as rho^2, and the error of rho^2 is a
+ * rounding of the value.
+ */
+static double square_off(number x, number rho)
+{
+    const number xx = square_of(x), square = square_of(rho);
+    const double low = 0x1p-53 * xx.size + xx.lo + square.lo;
+    return xx.off + square.off + 0x1p-53 * 8 * low;
+}
+
+static void residual_cell(double r, double more_r, double s, double more_s)
+{
+    const number p = row_times(given(1, 0)), x = at_t(p, p);
+    const number top = sum(p, relative(1)), z = at_t(top, p);
+    const number slope = is_round ? of_angle(more_s) : relative(more_s);
+    const number circle =
+        is_round ? at_most(product(of_angle(1), known(more_r)), more_r)
+                 : known(more_r);
+    const number plane = is_round ? at_most(sum(p, circle), 1) : p;
+    const number rho =
+        at_t(sum(circle, product(slope, plane)), product(slope, p));
+    const number none = {0, x.lo, x.off}, no_rho = {0, rho.lo, rho.off};
+    double least = 0, most = u;
+    (void)r;
+    while (least < 2 + more_s) {
+        const double off = CYLINT_LOCAL_RESIDUAL * u * (1 + s);
+        const double unit =
+            u * (1 + s) * (CYLINT_LOCAL_UNTRIMMED * (1 + s) + least + off);
+        need(square_off(at_most(x, most), no_rho), unit);
+        need(square_off(none, at_most(rho, most)), unit);
+        need(square_off(at_most(x, most), known(2 * most)), unit);
+        if (s == 0) /* a ball */
+            need(square_off(at_most(z, most), known(2 * most)), unit);
+        least = most;
+        most *= 1.1;
+    }
+    need(x.off + 0x1p-53 * x.lo, u);
+    need(z.off + 0x1p-53 * z.lo, u);
+    if (is_round) { /* the plane of a circle */
+        const number height = at_t(at_most(sum(top, circle), 1), p);
+        need(height.off + 0x1p-53 * height.lo, u);
+    }
+    need(rho.off + 0x1p-53 * rho.lo, u * (1 + s));
+}
+
+static void residuals(void)
+{
+    if (!in_pairs)
+        return;
+    over_cells(residual_cell);
+    judge(&RESIDUAL, "");
+}
+
+static void a_residual_in_pairs_has_its_bound(void)
+{
+    in_each_arithmetic(residuals);
+    is_round = 1;
+    in_each_arithmetic(residuals);
+    is_round = 0;
+}
+
+int main(void)
+{
+    RUN(the_constants_cover_the_errors_of_the_forms);
+    RUN(the_bound_of_a_cone_covers_the_error_of_its_G);
+    RUN(the_forms_of_balls_have_their_bounds);
+    RUN(the_signs_at_a_point_have_their_bounds);
+    RUN(a_residual_in_pairs_has_its_bound);
+    RUN(no_constant_is_four_times_too_large);
+    return check_end();
+}

@@ -1,0 +1,413 @@
+/*
+ * test_nodes.c - floor bvh: the nodes, and builds by several threads
+ */
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "bvh/bvh.h"
+#include "bvh/leaf_test.h"
+#include "random.h"
+#include "scene/scene.h"
+#include "scenes.h"
+#include "shapes/layout.h"
+
+static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
+{
+    const cylint_view view = cylint_plain_view(of->shapes);
+    const cylint_bvh_input input = {
+        .view = &view, .n = of->n, .threads = threads};
+    size_t refused;
+    return CHECK(cylint_bvh_build(bvh, &input, &refused) == CYLINT_BVH_OK);
+}
+
+static int are_equal(const cylint_bvh *x, const cylint_bvh *y)
+{
+    return x->n_leaves == y->n_leaves && x->n_nodes == y->n_nodes &&
+           memcmp(x->leaves, y->leaves, x->n_leaves * sizeof *x->leaves) == 0 &&
+           memcmp(x->nodes, y->nodes, x->n_nodes * sizeof *x->nodes) == 0;
+}
+
+/* ---------------------------------------------------------------- nodes -- */
+
+/* Totals over all nodes. */
+struct visited {
+    const cylint_bvh *bvh;
+    unsigned char *leaves; /* number of parents of each leaf */
+    size_t nodes;
+    size_t gaps; /* nodes that do not follow the last one in memory */
+    int depth;
+};
+
+static void visit(struct visited *f, uint32_t number, int depth)
+{
+    const cylint_node *node = &f->bvh->nodes[number];
+    f->gaps += number != f->nodes++;
+    f->depth = depth > f->depth ? depth : f->depth;
+    for (unsigned i = 0; node->children >> i; i++)
+        if (node->child[i] & CYLINT_LEAF_FLAG)
+            f->leaves[node->child[i] & ~CYLINT_LEAF_FLAG]++;
+        else
+            visit(f, node->child[i], depth + 1);
+}
+
+static void check_nodes(const struct scene_shapes *of)
+{
+    cylint_bvh bvh;
+    if (!make(&bvh, of, 2))
+        return;
+    struct visited f = {.bvh = &bvh, .leaves = calloc(bvh.n_leaves, 1)};
+    size_t once = 0;
+    if (!f.leaves)
+        abort();
+    visit(&f, 0, 1);
+    for (size_t i = 0; i < bvh.n_leaves; i++)
+        once += f.leaves[i] == 1;
+    CHECK(once == bvh.n_leaves);
+    CHECK(f.gaps == 0);
+    CHECK(f.nodes <= cylint_build_most_nodes(bvh.n_leaves));
+    CHECK(f.depth <= CYLINT_BVH_DEPTH);
+    CHECK(f.nodes == bvh.n_nodes);
+    free(f.leaves);
+    cylint_bvh_free(&bvh);
+}
+
+static void every_leaf_has_one_parent_and_nodes_have_no_gaps(void)
+{
+    static const size_t sizes[] = {1, 7, 8, 9, 57, 64, 65, 520, 3000, 20000};
+    static const int kinds[] = {SCENE_THIN, SCENE_FIBRES, SCENE_LATTICE,
+                                SCENE_LENGTHS};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            struct scene_shapes of;
+            scene_generate(kinds[k], sizes[i], 3, &of);
+            check_nodes(&of);
+            scene_release(&of);
+        }
+}
+
+/* Shapes that no split separates, and shapes of which each split separates
+ * one. */
+static void scenes_without_good_splits_have_correct_nodes(void)
+{
+    enum { N = 3000 };
+    static cylint_shape shapes[N];
+    struct scene_shapes of = {.shapes = shapes, .n = N};
+    for (int apart = 0; apart < 2; apart++) {
+        double x = 0x1p-55;
+        for (int i = 0; i < N; i++) {
+            x = apart && i % (N / 100) == 0 ? 2 * x : x;
+            const double base[3] = {x, 0, 0}, top[3] = {x, x, 0};
+            CHECK(cylint_cylinder(&shapes[i], base, top, x / 8,
+                                  CYLINT_ENDS_CAPPED) == CYLINT_OK);
+        }
+        check_nodes(&of);
+    }
+}
+
+/* -------------------------------------------------------------- threads -- */
+
+/* Enough shapes for five threads; some calls use more. */
+static void any_number_of_threads_builds_the_same_bytes(void)
+{
+    static const int kinds[] = {SCENE_FIBRES, SCENE_MIXED, SCENE_FAT};
+    static const int threads[] = {2, 3, 5, 100, 0};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        struct scene_shapes of;
+        cylint_bvh alone, other;
+        scene_generate(kinds[k], 23000, 4, &of);
+        if (!make(&alone, &of, 1))
+            return;
+        for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
+            if (!make(&other, &of, threads[i]))
+                return;
+            CHECK(other.pad <= alone.pad && other.pad >= alone.pad);
+            CHECK(memcmp(&other.box, &alone.box, sizeof alone.box) == 0);
+            CHECK(are_equal(&other, &alone));
+            cylint_bvh_free(&other);
+        }
+        cylint_bvh_free(&alone);
+        scene_release(&of);
+    }
+}
+
+/* The lowest number, whichever thread finds it. */
+static void the_first_refused_shape_is_reported(void)
+{
+    struct scene_shapes of;
+    scene_generate(SCENE_THIN, 23000, 5, &of);
+    const cylint_view view = cylint_plain_view(of.shapes);
+    static const size_t bad[] = {22999, 12000, 11999, 300};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        for (int threads = 1; threads < 6; threads++) {
+            const cylint_bvh_input input = {
+                .view = &view, .n = of.n, .threads = threads};
+            size_t refused = 0;
+            cylint_bvh bvh;
+            of.shapes[bad[i]].kind = CYLINT_KIND_NONE;
+            CHECK(cylint_bvh_build(&bvh, &input, &refused) ==
+                  CYLINT_BVH_ESHAPE);
+            CHECK(refused == bad[i]);
+        }
+    scene_release(&of);
+}
+
+static void scenes_of_several_threads_answer_as_those_of_one(void)
+{
+    struct scene_shapes of;
+    scene_generate(SCENE_UNBOUNDED, 12000, 6, &of);
+    cylint_scene *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
+    if (CHECK(one && four)) {
+        CHECK(cylint_scene_bytes(one) == cylint_scene_bytes(four));
+        for (uint64_t i = 0; i < 100; i++) {
+            cylint_line line;
+            cylint_hit hit[2];
+            memset(hit, 0, sizeof hit);
+            scene_line(&of, (enum scene_lines)(i % LINES_KINDS), 6, i, &line);
+            CHECK(cylint_scene_nearest(one, &line, CYLINT_WANT_T, &hit[0]) ==
+                  cylint_scene_nearest(four, &line, CYLINT_WANT_T, &hit[1]));
+            CHECK(memcmp(&hit[0], &hit[1], sizeof hit[0]) == 0);
+            CHECK(cylint_scene_count(one, &line, 0) ==
+                  cylint_scene_count(four, &line, 0));
+        }
+    }
+    cylint_scene_free(one);
+    cylint_scene_free(four);
+    scene_release(&of);
+}
+
+/* ------------------------------------------------------------- progress -- */
+
+/* What a progress function saw. */
+struct progress {
+    pthread_t caller;
+    long calls, stop; /* the call that stops the build, from 1; 0: none */
+    double part;
+};
+
+static int report(void *context, double part)
+{
+    struct progress *seen = context;
+    CHECK(pthread_equal(seen->caller, pthread_self()));
+    CHECK(part >= seen->part && part <= 1);
+    seen->part = part;
+    return ++seen->calls != seen->stop;
+}
+
+static cylint_scene *make_reported(const struct scene_shapes *of, int threads,
+                                   struct progress *seen, long stop,
+                                   cylint_scene_status *status)
+{
+    *seen = (struct progress){.caller = pthread_self(), .stop = stop};
+    return cylint_scene_new_with_progress(of->shapes, of->n, threads, report,
+                                          seen, status);
+}
+
+/* Some are long and in pieces, some are unbounded. */
+static const int reported[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};
+enum { REPORTED = sizeof reported / sizeof *reported };
+
+static void progress_grows_and_does_not_change_the_scene(void)
+{
+    for (int i = 0; i < 2 * REPORTED; i++) {
+        struct scene_shapes of;
+        struct progress seen;
+        cylint_scene_status status;
+        scene_generate(reported[i / 2], 40000, 7, &of);
+        const int threads = i % 2 ? 4 : 1;
+        cylint_scene *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        cylint_scene *made = make_reported(&of, threads, &seen, 0, &status);
+        if (CHECK(plain && made && status == CYLINT_SCENE_OK)) {
+            CHECK(are_equal(&plain->bvh, &made->bvh));
+            CHECK(cylint_scene_bytes(plain) == cylint_scene_bytes(made));
+            CHECK(seen.part > 0.9 && seen.calls > 20);
+        }
+        cylint_scene_free(plain);
+        cylint_scene_free(made);
+        scene_release(&of);
+    }
+}
+
+static void a_build_stops_when_its_caller_stops_it(void)
+{
+    for (int i = 0; i < 2 * REPORTED; i++) {
+        struct scene_shapes of;
+        struct progress seen;
+        cylint_scene_status status;
+        const int threads = i % 2 ? 4 : 1;
+        scene_generate(reported[i / 2], 20000, 8, &of);
+        for (long stop = 1; stop < 1000; stop += 1 + stop / 8) {
+            cylint_scene *made =
+                make_reported(&of, threads, &seen, stop, &status);
+            CHECK(made ? status == CYLINT_SCENE_OK && seen.calls < stop
+                       : status == CYLINT_SCENE_ESTOPPED && seen.calls == stop);
+            cylint_scene_free(made);
+            if (made)
+                break;
+        }
+        CHECK(seen.calls > 10);
+        scene_release(&of);
+    }
+}
+
+/* --------------------------------------------------------------- pieces -- */
+
+/* A cone or rounded cone of any taper, 1 to 30 times as long as thick. */
+static void draw_tapered(uint64_t *state, int round, cylint_shape *shape)
+{
+    double p[2][3], r[2];
+    const double length = exp(3.4 * random_unit(state)),
+                 taper = random_unit(state) < 0.3 ? 0 : random_unit(state);
+    const int end = random_unit(state) < 0.5;
+    double w[3], ww = 0;
+    for (int j = 0; j < 3; j++) {
+        p[0][j] = random_unit(state);
+        w[j] = random_unit(state) - 0.5;
+        ww += w[j] * w[j];
+    }
+    for (int j = 0; j < 3; j++)
+        p[1][j] = p[0][j] + length * w[j] / sqrt(ww);
+    r[end] = 1;
+    r[!end] = taper;
+    CHECK((round ? cylint_round_cone : cylint_cone)(
+              shape, p[0], r[0], p[1], r[1], CYLINT_ENDS_CAPPED) == CYLINT_OK);
+}
+
+/* Each hit lies in the box of the piece that owns it, and the leaf test does not
+ * reject that piece where the domain is the hit. */
+static long check_pieces(const cylint_shape *shape, const cylint_line *line,
+                         int count)
+{
+    const cylint_view view = cylint_plain_view(shape);
+    cylint_swept_disc swept;
+    cylint_answer answer;
+    double reach[3];
+    cylint_swept_disc_of(&swept, &view, shape);
+    cylint_swept_disc_reach(&swept, reach);
+    const int n = cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer);
+    for (int i = 0; i < n; i++) {
+        const cylint_hit *hit = &answer.hit[i];
+        const cylint_shape_piece piece = {cylint_piece_at(hit->z, count),
+                                          count};
+        const cylint_extent box = cylint_piece_box(&swept, reach, piece);
+        const cylint_boxed_piece boxed = {
+            {box.lower[0], box.lower[1], box.lower[2]},
+            0,
+            {box.upper[0], box.upper[1], box.upper[2]},
+            (uint16_t)piece.index,
+            (uint16_t)piece.count};
+        cylint_leaf leaf;
+        double least[CYLINT_LEAF_SIZE];
+        cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);
+        for (int j = 0; j < 3; j++)
+            CHECK((double)box.lower[j] <= hit->point[j] &&
+                  hit->point[j] <= (double)box.upper[j]);
+        if (!CHECK(test_line(&leaf, line->o, line->d, hit->t, hit->t, least)))
+            REPORT("piece %d of %d, kind %d, radii %g and %g", piece.index,
+                   count, shape->kind, cylint_r0(shape), cylint_r1(shape));
+    }
+    return n;
+}
+
+static void pieces_contain_the_hits_that_they_own(void)
+{
+    uint64_t state = 15;
+    long hits = 0;
+    for (int i = 0; i < 20000; i++) {
+        cylint_shape shape;
+        cylint_line line;
+        double o[3], d[3];
+        draw_tapered(&state, i % 4 > 0, &shape);
+        const double z = random_unit(&state);
+        for (int j = 0; j < 3; j++) {
+            const double along =
+                cylint_base(&shape)[j] + z * cylint_axis(&shape)[j];
+            o[j] = along + (i % 3 ? 30 : 3e5) * (random_unit(&state) - 0.5);
+            d[j] = along + 1.6 * (random_unit(&state) - 0.5) - o[j];
+        }
+        CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
+        hits += check_pieces(&shape, &line, 1 + i % 8);
+    }
+    CHECK(hits > 20000);
+}
+
+/* ------------------------------------------------------------- stacks --- */
+
+enum { MOST_COUNTED = 50000 };
+
+static int count_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                      const double least[CYLINT_LEAF_SIZE])
+{
+    long *count = self;
+    (void)leaf;
+    (void)least;
+    CHECK(lanes == 1);
+    return ++*count == MOST_COUNTED;
+}
+
+/* All children of a node are the same: the next node, or, of the first `n_leaves`
+ * and in the last node, the leaf.  The line hits all boxes. */
+static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
+{
+    static const double o[3] = {0.5, 0.25, -2}, d[3] = {0.25, 0.125, 1};
+    static const cylint_extent box = {{-1, -1, -1}, {1, 1, 1}};
+    const double tmax = 4;
+    const cylint_leaf leaf = {.steps = 0x3c00, .used = 1, .always = 1};
+    cylint_node nodes[CYLINT_BVH_DEPTH];
+    cylint_bvh bvh = {.leaves = &leaf, .nodes = nodes};
+    cylint_bvh_set_box(&bvh, &box, 0);
+    for (int i = 0; i < depth; i++) {
+        nodes[i] = (cylint_node){{-1, -1, -1}, {1, 1, 1}, .children = 0xff};
+        memset(nodes[i].face[1], 2, sizeof nodes[i].face[1]);
+        for (int k = 0; k < CYLINT_CHILDREN; k++)
+            nodes[i].child[k] = k < n_leaves || i == depth - 1
+                                    ? CYLINT_LEAF_FLAG
+                                    : (uint32_t)i + 1;
+    }
+    const cylint_traversal *const builds[] = {&cylint_traversal_plain,
+                                              cylint_traversal_used()};
+    for (int k = 0; k < 2; k++) {
+        long line = 0, all = 0;
+        builds[k]->line(&bvh, o, d, 0, &tmax, count_leaf, &line);
+        builds[k]->all(&bvh, o, d, 0, &tmax, count_leaf, &all);
+        CHECK(line == leaves && all == leaves);
+    }
+}
+
+/* Run by `make sanitize`, which detects an access outside a stack. */
+static void stacks_hold_the_greatest_depth(void)
+{
+    for (int n = 0; n < CYLINT_CHILDREN - 1; n++)
+        traverse_equal_boxes(CYLINT_BVH_DEPTH, n, MOST_COUNTED);
+}
+
+static void each_leaf_is_visited(void)
+{
+    for (int n = 0; n < CYLINT_CHILDREN; n++) {
+        const long nodes = CYLINT_CHILDREN - n;
+        long leaves = CYLINT_CHILDREN;
+        for (int depth = 1; depth <= 5; depth++) {
+            traverse_equal_boxes(depth, n, leaves);
+            leaves = n + nodes * leaves;
+        }
+    }
+}
+
+int main(void)
+{
+    RUN(stacks_hold_the_greatest_depth);
+    RUN(each_leaf_is_visited);
+    RUN(pieces_contain_the_hits_that_they_own);
+    RUN(every_leaf_has_one_parent_and_nodes_have_no_gaps);
+    RUN(scenes_without_good_splits_have_correct_nodes);
+    RUN(any_number_of_threads_builds_the_same_bytes);
+    RUN(the_first_refused_shape_is_reported);
+    RUN(scenes_of_several_threads_answer_as_those_of_one);
+    RUN(progress_grows_and_does_not_change_the_scene);
+    RUN(a_build_stops_when_its_caller_stops_it);
+    return check_end();
+}

@@ -1,0 +1,358 @@
+/*
+ * faults.c - system calls that fail on request, for test_faults.sh
+ *
+ * The Makefile links it around the command with -Wl,--wrap=read and so on.  The
+ * environment sets the failures:
+ *
+ *   CYLINT_FAULTS='short=7 eintr=7'
+ *
+ *   short=SEED    reads and writes transfer only a part
+ *   eintr=SEED    one call in three is interrupted and does nothing
+ *   again=SEED    one read or write in three would block
+ *   wait=SEED     one poll in three that does not wait returns 0
+ *   storm=MICROS  a signal every MICROS microseconds; its handler does nothing
+ *   nonblock=1    standard input and output do not block
+ *   read=N        N bytes are read, then reading fails with EIO
+ *   write=N       N bytes are written, then writing fails with ENOSPC
+ *   close=N       the N-th close fails with EIO
+ *   fsync=N       the N-th fsync fails with ENOSPC; rename=N: the N-th rename
+ *   alloc=N       the N-th allocation fails; allocs=N: and all later ones
+ *   thread=N      the N-th thread and all later ones fail
+ *   pipe=1        every pipe fails
+ *   calls=N       aborts after N reads, writes and polls
+ *   rss=KIB       fails at the end if peak resident memory was larger
+ *   leaks=1       fails at the end if memory was not freed
+ *   count=1       prints the number of allocations at the end
+ *
+ * N counts from 1, bytes from 0.  These failures have the exit status 99.  A
+ * counter decides which calls fail, so one thread has the same failures in
+ * every run.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#define ADD(counter, n) __atomic_add_fetch(&(counter), (n), __ATOMIC_SEQ_CST)
+
+static long long partly, eintr, again, waits, storm, nonblock,
+    read_most = -1, write_most = -1, close_nth, fsync_nth, rename_nth,
+    alloc_nth, alloc_from, thread_from, pipes, calls_most, rss_most, leaks,
+    count_allocations;
+
+static const struct {
+    const char *name;
+    long long *value;
+} words[] = {
+    {"short", &partly},
+    {"eintr", &eintr},
+    {"again", &again},
+    {"wait", &waits},
+    {"storm", &storm},
+    {"nonblock", &nonblock},
+    {"read", &read_most},
+    {"write", &write_most},
+    {"close", &close_nth},
+    {"fsync", &fsync_nth},
+    {"rename", &rename_nth},
+    {"alloc", &alloc_nth},
+    {"allocs", &alloc_from},
+    {"thread", &thread_from},
+    {"pipe", &pipes},
+    {"calls", &calls_most},
+    {"rss", &rss_most},
+    {"leaks", &leaks},
+    {"count", &count_allocations},
+};
+
+static long long draws, calls, allocations, alive, closes, fsyncs, renames,
+    threads, bytes_read, bytes_written;
+
+/* ---------------------------------------------------------- beginning -- */
+
+static void fail_and_exit(const char *what)
+{
+    fprintf(stderr, "faults: %s\n", what);
+    fflush(stderr);
+    _exit(99);
+}
+
+static void set_word(const char *word, size_t length)
+{
+    const size_t count = sizeof words / sizeof *words;
+    for (size_t i = 0; i < count; i++) {
+        const size_t n = strlen(words[i].name);
+        if (length > n && word[n] == '=' && !memcmp(word, words[i].name, n)) {
+            *words[i].value = atoll(word + n + 1);
+            return;
+        }
+    }
+    fail_and_exit("unknown word in CYLINT_FAULTS");
+}
+
+static void on_signal(int number)
+{
+    (void)number;
+}
+
+/* Without SA_RESTART, so that signals interrupt waiting calls. */
+static void begin_storm(void)
+{
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = on_signal;
+    sigaction(SIGALRM, &action, NULL);
+    const struct timeval often = {0, (suseconds_t)storm};
+    const struct itimerval timer = {often, often};
+    setitimer(ITIMER_REAL, &timer, NULL);
+}
+
+__attribute__((constructor)) static void begin(void)
+{
+    const char *p = getenv("CYLINT_FAULTS");
+    while (p && *p) {
+        const size_t length = strcspn(p, " ");
+        if (length > 0) {
+            set_word(p, length);
+        }
+        p += length + (p[length] == ' ');
+    }
+    if (storm) {
+        begin_storm();
+    }
+    for (int fd = 0; nonblock && fd < 2; fd++) {
+        fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK);
+    }
+}
+
+__attribute__((destructor)) static void end(void)
+{
+    struct rusage used;
+    if (count_allocations) {
+        fprintf(stderr, "faults: %lld allocations\n", allocations);
+    }
+    getrusage(RUSAGE_SELF, &used);
+    if (rss_most && used.ru_maxrss > rss_most) {
+        fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);
+        fail_and_exit("too much memory");
+    }
+    if (leaks && alive) {
+        fail_and_exit("memory was not freed");
+    }
+}
+
+/* ------------------------------------------------------ random failures -- */
+
+/* SplitMix64 of the next number, for all threads */
+static uint64_t draw(long long seed)
+{
+    uint64_t z = (uint64_t)seed * 0x100000001b3u +
+                 (uint64_t)ADD(draws, 1) * 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static int fails(long long seed, int error)
+{
+    if (!seed || draw(seed) % 3 != 0) {
+        return 0;
+    }
+    errno = error;
+    return 1;
+}
+
+static int is_unlucky_transfer(void)
+{
+    if (calls_most && ADD(calls, 1) > calls_most) {
+        abort();
+    }
+    return fails(eintr, EINTR) || fails(again, EAGAIN);
+}
+
+/* At least one byte, else it would be an end of file. */
+static size_t part_of(size_t n)
+{
+    return partly && n > 1 ? 1 + (size_t)(draw(partly) % n) : n;
+}
+
+/* How many of n bytes may go before `most` have gone: none is a failure. */
+static size_t rest_of(size_t n, long long most, long long gone)
+{
+    const long long rest = most - gone;
+    return most < 0 || (long long)n <= rest ? n : (size_t)rest;
+}
+
+/* ---------------------------------------------------------- the calls -- */
+
+ssize_t __real_read(int fd, void *to, size_t n);
+ssize_t __wrap_read(int fd, void *to, size_t n)
+{
+    if (is_unlucky_transfer()) {
+        return -1;
+    }
+    const size_t rest = rest_of(part_of(n), read_most, bytes_read);
+    if (rest == 0 && n > 0) {
+        errno = EIO;
+        return -1;
+    }
+    const ssize_t got = __real_read(fd, to, rest);
+    ADD(bytes_read, got > 0 ? got : 0);
+    return got;
+}
+
+ssize_t __real_write(int fd, const void *from, size_t n);
+ssize_t __wrap_write(int fd, const void *from, size_t n)
+{
+    if (is_unlucky_transfer()) {
+        return -1;
+    }
+    const size_t rest = rest_of(part_of(n), write_most, bytes_written);
+    if (rest == 0 && n > 0) {
+        errno = ENOSPC;
+        return -1;
+    }
+    const ssize_t put = __real_write(fd, from, rest);
+    ADD(bytes_written, put > 0 ? put : 0);
+    return put;
+}
+
+int __real_poll(struct pollfd *p, nfds_t n, int timeout);
+int __wrap_poll(struct pollfd *p, nfds_t n, int timeout)
+{
+    if (calls_most && ADD(calls, 1) > calls_most) {
+        abort();
+    }
+    if (fails(eintr, EINTR)) {
+        return -1;
+    }
+    return timeout == 0 && fails(waits, errno) ? 0 : __real_poll(p, n, timeout);
+}
+
+int __real_open(const char *name, int flags, ...);
+int __wrap_open(const char *name, int flags, ...)
+{
+    va_list list;
+    va_start(list, flags);
+    const int mode = flags & O_CREAT ? va_arg(list, int) : 0;
+    va_end(list);
+    return fails(eintr, EINTR) ? -1 : __real_open(name, flags, mode);
+}
+
+/* Whether this is the n-th call; n 0: never. */
+static int is_nth(long long n, long long *count, int error)
+{
+    if (!n || ADD(*count, 1) != n) {
+        return 0;
+    }
+    errno = error;
+    return 1;
+}
+
+/* An interrupted close has closed, as on Linux. */
+int __real_close(int fd);
+int __wrap_close(int fd)
+{
+    const int status = __real_close(fd);
+    return is_nth(close_nth, &closes, EIO) || fails(eintr, EINTR) ? -1 : status;
+}
+
+/* A file system may find only here that the disk is full. */
+int __real_fsync(int fd);
+int __wrap_fsync(int fd)
+{
+    return is_nth(fsync_nth, &fsyncs, ENOSPC) || fails(eintr, EINTR)
+               ? -1
+               : __real_fsync(fd);
+}
+
+int __real_rename(const char *old, const char *new);
+int __wrap_rename(const char *old, const char *new)
+{
+    return is_nth(rename_nth, &renames, ENOSPC) ? -1 : __real_rename(old, new);
+}
+
+int __real_pipe(int ends[2]);
+int __wrap_pipe(int ends[2])
+{
+    if (pipes) {
+        errno = EMFILE;
+        return -1;
+    }
+    return __real_pipe(ends);
+}
+
+int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
+                          void *(*start)(void *), void *argument);
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
+                          void *(*start)(void *), void *argument)
+{
+    if (thread_from && ADD(threads, 1) >= thread_from) {
+        return EAGAIN;
+    }
+    return __real_pthread_create(thread, attr, start, argument);
+}
+
+static int is_denied(void)
+{
+    const long long n = ADD(allocations, 1);
+    if (n == alloc_nth || (alloc_from && n >= alloc_from)) {
+        errno = ENOMEM;
+        return 1;
+    }
+    return 0;
+}
+
+static void *counted(void *memory)
+{
+    ADD(alive, memory != NULL);
+    return memory;
+}
+
+void *__real_malloc(size_t n);
+void *__wrap_malloc(size_t n)
+{
+    return is_denied() ? NULL : counted(__real_malloc(n));
+}
+
+void *__real_calloc(size_t n, size_t size);
+void *__wrap_calloc(size_t n, size_t size)
+{
+    return is_denied() ? NULL : counted(__real_calloc(n, size));
+}
+
+void *__real_realloc(void *old, size_t n);
+void *__wrap_realloc(void *old, size_t n)
+{
+    if (is_denied()) {
+        return NULL;
+    }
+    return old ? __real_realloc(old, n) : counted(__real_realloc(old, n));
+}
+
+int __real_posix_memalign(void **memory, size_t alignment, size_t n);
+int __wrap_posix_memalign(void **memory, size_t alignment, size_t n)
+{
+    if (is_denied()) {
+        return ENOMEM;
+    }
+    const int status = __real_posix_memalign(memory, alignment, n);
+    ADD(alive, status == 0);
+    return status;
+}
+
+void __real_free(void *memory);
+void __wrap_free(void *memory)
+{
+    ADD(alive, -(memory != NULL));
+    __real_free(memory);
+}

@@ -1,0 +1,282 @@
+/*
+ * numbers_agree.c - compares the two back-ends for numbers of the command
+ *
+ * test_numbers.sh compiles numbers.cc, and numbers_c.c with its two
+ * functions renamed, and links both to this file.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "check.h"
+#include "numbers.h"
+#include "random.h"
+
+const char *plain_read_number(const char *text, const char *end, double *value);
+size_t plain_write_number(char out[NUMBER_CAPACITY], double value, int digits);
+
+static uint64_t next_random(void)
+{
+    static uint64_t stream = 20240601;
+    return random_bits(&stream);
+}
+
+static double from_bits(uint64_t bits)
+{
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static int same(double x, double y)
+{
+    return memcmp(&x, &y, sizeof x) == 0;
+}
+
+/* Both back-ends write the same text, and it reads back as the value. */
+static void check_written(double value)
+{
+    static const int forms[] = {NUMBER_SHORTEST, NUMBER_HEX, 17, 6, 1};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+        char one[NUMBER_CAPACITY + 1], two[NUMBER_CAPACITY + 1];
+        size_t m = cylint_write_number(one, value, forms[i]);
+        size_t n = plain_write_number(two, value, forms[i]);
+        one[m] = two[n] = '\0';
+        if (!CHECK(m == n && memcmp(one, two, n) == 0)) {
+            REPORT("%a, form %d: '%s' and '%s'", value, forms[i], one, two);
+        }
+        double back = 0;
+        if (i < 3 && isfinite(value) &&
+            !(CHECK(cylint_read_number(one, one + m, &back) == one + m) &&
+              CHECK(same(back, value)))) {
+            REPORT("'%s' is not read back as %a", one, value);
+        }
+    }
+}
+
+/* Both back-ends read the text alike: they return the same end and the same
+ * bits, and these are strtod()'s. */
+static void check_read(const char *text)
+{
+    const char *end = text + strlen(text);
+    double x = 0, y = 0;
+    const char *one = cylint_read_number(text, end, &x);
+    const char *two = plain_read_number(text, end, &y);
+    if (!(CHECK(one == two) && CHECK(same(x, y)) &&
+          CHECK(!one || same(x, strtod(text, NULL))))) {
+        REPORT("'%s': %d bytes, %a and %d bytes, %a", text,
+               one ? (int)(one - text) : -1, x, two ? (int)(two - text) : -1,
+               y);
+    }
+}
+
+static void every_bit_pattern_is_written_alike(void)
+{
+    for (int i = 0; i < 200000; i++) {
+        check_written(from_bits(next_random()));
+    }
+}
+
+static void powers_of_two_and_their_neighbours_are_written_alike(void)
+{
+    for (int e = -1074; e < 1024; e++) {
+        const double x = ldexp(1.0, e);
+        check_written(x);
+        check_written(-nextafter(x, 0));
+        check_written(nextafter(x, INFINITY));
+    }
+}
+
+static void short_decimals_and_integers_are_written_alike(void)
+{
+    for (int i = 0; i < 100000; i++) {
+        const double whole = (double)(next_random() >> (next_random() & 63));
+        const int places = (int)(next_random() % 30);
+        check_written(whole);
+        check_written(whole * pow(10, -places));
+        check_written(-floor(ldexp(whole, -40)) / 1024);
+    }
+}
+
+static void halfway_between_two_shortest_goes_to_even(void)
+{
+    for (int i = 0; i < 100000; i++) {
+        const int shift = (int)(next_random() % 40);
+        check_written(ldexp((double)(next_random() >> 11 | 1), -shift));
+    }
+}
+
+static void special_values_are_written_alike(void)
+{
+    static const double values[] = {0.0,
+                                    -0.0,
+                                    INFINITY,
+                                    -INFINITY,
+                                    NAN,
+                                    DBL_MIN,
+                                    DBL_MAX,
+                                    5e-324,
+                                    1e5,
+                                    100001,
+                                    1e22,
+                                    1e23,
+                                    0.001,
+                                    0.0001,
+                                    1e-5,
+                                    123456,
+                                    1234567,
+                                    0.30000000000000004,
+                                    9007199254740993.0};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        check_written(values[i]);
+    }
+}
+
+static void every_spelling_is_read_alike(void)
+{
+    static const char *const spellings[] = {
+        "1",
+        "+1",
+        "-1",
+        "1.",
+        ".5",
+        "-.5",
+        "+.5",
+        "1.5e3",
+        "1E+3",
+        "1e-3",
+        "0x1.8p+3",
+        "-0X1.8P-3",
+        "+0x.8",
+        "0x1p",
+        "0x1p+",
+        "0x",
+        "0xg",
+        "0x.",
+        "0x1.",
+        "0x1.fffffffffffff8p0",
+        "0x1.fffffffffffff7p0",
+        "0x-1",
+        "",
+        "+",
+        "-",
+        ".",
+        "e5",
+        "+-1",
+        "-+1",
+        "--1",
+        "++1",
+        " 1",
+        "1e",
+        "1e+",
+        "1ex",
+        "1..2",
+        "1,5",
+        "1 2",
+        "inf",
+        "nan",
+        "-inf",
+        "+nan",
+        "infinity",
+        "1e999",
+        "-1e999",
+        "1e-999",
+        "-1e-999",
+        "1e-320",
+        "2.4e-324",
+        "2.5e-324",
+        "0x1p-1075",
+        "0x1.8p-1075",
+        "0x1p99999",
+        "0x1p-99999",
+        "0e999999999999999999",
+        "1e999999999999999999",
+        "1e-999999999999999999",
+        "1.7976931348623158e308",
+        "1.7976931348623159e308",
+        "9007199254740993",
+        "9007199254740993.00000000000000000000000000000001",
+        "00000000000000000000000000000000000000000000000000000000001.5",
+        "1d5",
+        "1f",
+        "0b1",
+        "1_000",
+        "1'000",
+        "\357\273\2771",
+        "abc"};
+    for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++) {
+        check_read(spellings[i]);
+    }
+}
+
+static void random_text_is_read_alike(void)
+{
+    static const char letters[] = "00123456789..+-eEpPxX ,af";
+    for (int i = 0; i < 300000; i++) {
+        char text[24];
+        const size_t n = next_random() % (sizeof text - 1);
+        for (size_t j = 0; j < n; j++) {
+            text[j] = letters[next_random() % (sizeof letters - 1)];
+        }
+        text[n] = '\0';
+        check_read(text);
+    }
+}
+
+static void decimals_of_up_to_20_digits_are_read_alike(void)
+{
+    static const char *const behind[] = {"", " ", ",", "\t7", "e1", "E", "x"};
+    for (int i = 0; i < 1000000; i++) {
+        char text[40];
+        const uint64_t digits = next_random() >> (next_random() % 64);
+        const int n =
+            snprintf(text, 30, "%s%0*llu", i % 3 ? "-" : "",
+                     (int)(next_random() % 21), (unsigned long long)digits);
+        const int point = (int)(next_random() % (uint64_t)n) + 1;
+        memmove(text + point + 1, text + point, (size_t)(n - point));
+        text[point] = '.';
+        strcpy(text + n + 1, behind[next_random() % 7]);
+        check_read(text);
+    }
+}
+
+static void integers_about_2_to_the_53_are_read_alike(void)
+{
+    for (int i = -2000; i < 2000; i++) {
+        char text[40];
+        for (int places = 0; places < 24; places++) {
+            snprintf(text, sizeof text, "%lld%.*s", (1LL << 53) + i, places,
+                     ".00000000000000000000000");
+            check_read(text);
+            snprintf(text, sizeof text, ".%0*lld", places, (1LL << 53) + i);
+            check_read(text);
+        }
+    }
+}
+
+static void long_decimals_near_midpoints_are_read_alike(void)
+{
+    for (int i = 0; i < 20000; i++) {
+        const double x = from_bits(next_random() & 0x7fefffffffffffffU);
+        char text[900];
+        snprintf(text, sizeof text, "%.*e", (int)(15 + next_random() % 800), x);
+        check_read(text);
+    }
+}
+
+int main(void)
+{
+    RUN(every_bit_pattern_is_written_alike);
+    RUN(powers_of_two_and_their_neighbours_are_written_alike);
+    RUN(short_decimals_and_integers_are_written_alike);
+    RUN(halfway_between_two_shortest_goes_to_even);
+    RUN(special_values_are_written_alike);
+    RUN(every_spelling_is_read_alike);
+    RUN(random_text_is_read_alike);
+    RUN(decimals_of_up_to_20_digits_are_read_alike);
+    RUN(integers_about_2_to_the_53_are_read_alike);
+    RUN(long_decimals_near_midpoints_are_read_alike);
+    return check_end();
+}

@@ -1,0 +1,134 @@
+#!/bin/sh
+# Floor command: --accel does not change the answers of a scene.  There are
+# more lines than --accel auto answers by batches before it builds a BVH.
+. "$(dirname "$0")/../support/verdict.sh"
+cylint=$build/cylint
+
+# 3,000 random cylinders and cones, 700 discs in a row, 5 infinite cylinders.
+awk 'function at() { return 40 * rand() - 20 }
+BEGIN {
+    srand(7)
+    for (i = 0; i < 3000; i++) {
+        x = at(); y = at(); z = at()
+        printf i % 3 ? "cylinder" : "cone"
+        printf " %.17g %.17g %.17g", x, y, z
+        if (i % 3 == 0) printf " %.17g", rand()
+        printf " %.17g %.17g %.17g %.17g\n", x + rand(), y + rand(),
+               z + rand(), rand() / 4
+    }
+    for (i = 0; i < 700; i++)
+        print "cylinder", 30, 0, i / 8, 30, 0, i / 8 + 0.0625, 0.5
+    for (i = 0; i < 5; i++)
+        print "cylinder", at(), at(), at(), at(), at(), at(), 0.1, \
+              "ends=infinite"
+}' >"$scratch/scene"
+awk 'function at() { return 60 * rand() - 30 }
+BEGIN {
+    srand(8)
+    for (i = 0; i < 4000; i++)
+        print substr("ray    line   segment", 1 + 7 * (i % 3), 7), at(),
+              at(), at(), at(), at(), at(), "id" i
+    print "line 30 0 -5  0 0 1"
+    print "line 30 0.5 -5  0 0 1"
+    print "ray 30 0 3.9  0 0 -1"
+    print "ray 3e7 -4e7 5e7  -3 4 -5"
+    print "span 1e300 0 0  -1e297 0 0  -inf inf"
+}' >"$scratch/lines"
+
+for query in nearest any count all; do
+    "$cylint" -s "$scratch/scene" -q $query --accel none -j 1 \
+        "$scratch/lines" >"$scratch/none" 2>"$scratch/messages"
+    status=$?
+    "$cylint" -s "$scratch/scene" -q $query -j 2 "$scratch/lines" \
+        2>>"$scratch/messages" | cmp -s - "$scratch/none"
+    verdict "-q $query: --accel auto and none give the same bytes" $?
+    [ $status -eq 1 ] && [ -s "$scratch/none" ]
+    verdict "-q $query answers, and its exit status counts one bad line" $?
+done
+[ "$(cut -f 1 "$scratch/none" | grep -c '^4001$')" -eq 700 ]
+verdict 'a line down 700 discs hits them all' $?
+
+grep -v 1e300 "$scratch/lines" >"$scratch/good"
+"$cylint" -s "$scratch/scene" --accel none -q all "$scratch/good" \
+    >"$scratch/none"
+for how in tree embree; do
+    "$cylint" -s "$scratch/scene" --accel $how -q all "$scratch/good" |
+        cmp -s - "$scratch/none"
+    verdict "--accel $how and none give the same bytes" $?
+done
+
+# --- shapes left out.  awk computes the expected answers from all hits without
+# not=.  Every shape is in the scene twice with the label of its pair, so many
+# hits have the same t.
+awk 'NF < 10 && NR % 4 == 0 { n++; $NF += 1; print $0 "  L" n " stick"
+                              print $0 "  L" n }' "$scratch/scene" >"$scratch/twins"
+grep ' id[0-9]*$' "$scratch/good" >"$scratch/few"
+"$cylint" -s "$scratch/twins" -q all -f record,shape,t0 -p 17 "$scratch/few" |
+    sort -s -k1,1n -k3,3g >"$scratch/hits"
+# leave_out HOW: writes lines with not= and their expected answers.  A third of
+# the lines leave out no shape, a third the shape of the first hit, a third
+# those of the first two hits.  HOW: by number or by label.
+leave_out() { # HOW
+    awk -v how="$1" -v few="$scratch/few" -v lines="$scratch/excluding" \
+        -v expected="$scratch/expected" '
+        function name(shape) {
+            return how == "number" ? shape : "L" int((shape + 1) / 2)
+        }
+        function finish(    i, near, t, n, words, out) {
+            while ((getline text < few) > 0 && ++record < last)
+                answer(text, 0, "", 0)
+            for (i = 1; i <= hits && i <= last % 3; i++) {
+                words = words " not=" name(shape[i])
+                out[name(shape[i])]
+            }
+            for (i = 1; i <= hits; i++)
+                if (!(name(shape[i]) in out)) {
+                    n++
+                    if (!near || (t0[i] == t && shape[i] < near)) {
+                        near = shape[i]
+                        t = t0[i]
+                    }
+                }
+            answer(text, near + 0, words, n + 0)
+        }
+        function answer(text, near, words, n) {
+            match(text, / id[0-9]+$/)
+            print substr(text, 1, RSTART - 1) words substr(text, RSTART) > lines
+            print near "\t" n "\t" substr(text, RSTART + 1) > expected
+        }
+        $1 != last { if (last) finish(); last = $1; hits = 0 }
+        { hits++; shape[hits] = $2; t0[hits] = $3 }
+        END { finish(); while ((getline text < few) > 0) answer(text, 0, "", 0) }
+    ' "$scratch/hits"
+}
+for how in number label; do
+    leave_out $how
+    [ "$(grep -c not= "$scratch/excluding")" -gt 500 ]
+    verdict "--not $how: more than 500 lines leave out shapes" $?
+    for accel in none tree auto; do
+        for query in nearest count any all; do
+            "$cylint" -s "$scratch/twins" --not $how --accel $accel -q $query \
+                "$scratch/excluding" >"$scratch/$query" || echo "status $?"
+        done >"$scratch/log"
+        cut -f 1,4 "$scratch/nearest" >"$scratch/answers"
+        cut -f 1,3 "$scratch/expected" | cmp -s - "$scratch/answers"
+        verdict "--not $how, --accel $accel: the nearest of the others" $?
+        cut -f 2,3 "$scratch/expected" | cmp -s - "$scratch/count"
+        verdict "--not $how, --accel $accel: the count of the others" $?
+        awk '{ print ($2 > 0) "\t" $3 }' "$scratch/expected" |
+            cmp -s - "$scratch/any"
+        verdict "--not $how, --accel $accel: any of the others" $?
+        cut -f 5 "$scratch/all" | uniq -c |
+            awk '{ print $1 "\t" $2 }' >"$scratch/answers"
+        awk '$2 > 0 { print $2 "\t" $3 }' "$scratch/expected" |
+            cmp -s - "$scratch/answers" && [ ! -s "$scratch/log" ]
+        verdict "--not $how, --accel $accel: all the others" $?
+    done
+    "$cylint" -s "$scratch/twins" --not $how --method=quadratic -f shape,t \
+        "$scratch/excluding" 2>/dev/null | cut -f 1,3 >"$scratch/answers"
+    agree=$(cut -f 1,3 "$scratch/expected" | paste - "$scratch/answers" |
+        awk '$1 == $3 { n++ } END { print int(1000 * n / NR) }')
+    [ "$agree" -ge 999 ]
+    verdict "--not $how: --method=quadratic leaves them out too" $?
+done
+check_end

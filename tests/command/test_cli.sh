@@ -1,0 +1,80 @@
+#!/bin/sh
+# Floor command: the transcripts of cli.txt and the examples of the manuals
+# give their output, and every option, word and column has a transcript.
+#
+# A transcript is `$ command` and the expected output.  `! text` is a line of
+# standard error, `? N` the exit status (default 0), `(empty)` an empty line.  A
+# blank line ends the transcript; text between transcripts is comment.  All
+# commands run in one scratch folder.
+. "$(dirname "$0")/../support/verdict.sh"
+mkdir "$scratch/work"
+PATH=$build:$top/tools/convert:$PATH
+
+# Runs $command and compares its output with expected.out and expected.err.
+finish() {
+    [ -n "$command" ] || return
+    (cd "$scratch/work" && sh -c "$command") </dev/null \
+        >"$scratch/out" 2>"$scratch/err"
+    echo "? $?" >>"$scratch/err"
+    echo "? $status" >>"$scratch/expected.err"
+    diff "$scratch/expected.out" "$scratch/out"
+    wrong=$?
+    diff "$scratch/expected.err" "$scratch/err" || wrong=1
+    verdict "$source: $command" $wrong
+    command=
+}
+
+begin() {
+    command=$1 status=0
+    : >"$scratch/expected.out"
+    : >"$scratch/expected.err"
+}
+
+run_transcripts() { # name; transcripts on standard input
+    source=$1 command=
+    while IFS= read -r line; do
+        case $line in
+        '$ '*) finish; begin "${line#??}" ;;
+        '') finish ;;
+        '! '*) printf '%s\n' "${line#??}" >>"$scratch/expected.err" ;;
+        '? '*) status=${line#??} ;;
+        '(empty)') echo >>"$scratch/expected.out" ;;
+        *) [ -z "$command" ] ||
+            printf '%s\n' "$line" >>"$scratch/expected.out" ;;
+        esac
+    done
+    finish
+}
+
+# Prints, unescaped, the literal displays of a manual that have a command.
+examples() {
+    awk '/^\.Bd -literal/ { show = 1; next }
+         /^\.Ed/ { show = 0; print "" }
+         show { gsub(/\\e/, "\\"); gsub(/\\&/, ""); gsub(/\\-/, "-"); print }
+    ' "$1"
+}
+
+covered() { # word: is it in cli.txt, not as a part of another?
+    grep -Eq -e "(^|[^a-z0-9-])$1([^a-z0-9]|\$)" "$top/tests/command/cli.txt"
+    verdict "no transcript for $1" $?
+}
+
+run_transcripts cli.txt <"$top/tests/command/cli.txt"
+
+for page in cylint.1 cylint.7 cylint-convert.1; do
+    rm -rf "$scratch/work"
+    mkdir "$scratch/work"
+    ln -s "$top/tools" "$scratch/work"
+    examples "$top/man/$page" >"$scratch/examples"
+    run_transcripts $page <"$scratch/examples"
+    [ "$(grep -c '^\$ ' "$scratch/examples")" -ge 4 ]
+    verdict "$page has examples" $?
+done
+
+for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
+        line ray segment span point capped open cap0 cap1 infinite nappe \
+        $(cylint --list=shapes | cut -f1) $(cylint --list=methods | cut -f1) \
+        $(cylint --list=columns | cut -f1); do
+    covered "$word"
+done
+check_end

@@ -1,0 +1,402 @@
+#!/bin/sh
+# Floor command: when system calls are short, interrupted or late, no answer is
+# lost, reordered or changed; when they fail, the command prints a message and
+# stops at the end of a line.  faults.c makes the calls fail.  test_hostile.sh
+# has hostile input and the failures that a shell can make.
+. "$(dirname "$0")/../support/verdict.sh"
+[ -x "$build/tests/command/faulty" ] || skip_all 'no linker that wraps calls'
+cd "$scratch" || exit 1
+cylint=$build/cylint faulty=$build/tests/command/faulty
+: "${WORKERS:=1 2}"
+
+check_wrong() { # NAME; fails if $wrong is not empty
+    [ -z "$wrong" ]
+    verdict "$1:$wrong" $?
+    wrong=
+}
+
+# ---------------------------------------------------------------- inputs --
+
+# Records of all kinds with their number as a tail; some are bad, and some lines
+# are comments or blank.
+awk 'function num(most) { return sprintf("%.17g", (2 * rand() - 1) * most) }
+function three(most) { return num(most) " " num(most) " " num(most) }
+BEGIN {
+    srand(3)
+    split("line ray segment span", lines)
+    split("cylinder cone ecylinder econe acone", shapes)
+    split("7 8 12 13 7", numbers)
+    split("capped open cap0 cap1 infinite nappe", ends)
+    for (i = 1; i <= 9000; i++) {
+        kind = 1 + int(5 * rand())
+        text = lines[l = 1 + int(4 * rand())] " " three(3) " " three(1)
+        if (l == 4) text = text " -2 " 6 * rand()
+        text = text "\t" shapes[kind]
+        for (j = 1; j <= numbers[kind]; j++)
+            text = text ", " (j == 4 && kind == 2 || j == numbers[kind] && kind != 3 \
+                ? 2 * rand() + 0.1 : num(2))
+        if (i % 3 == 0) text = text " ends=" ends[1 + int(6 * rand())]
+        if (i % 701 == 0) text = "nonsense"
+        if (i % 211 == 0) print "# comment\n"
+        print text " r" i (i % 5 == 0 ? "\r" : "")
+    }
+}' >pairs
+awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
+    "0", i % 20 + 0.3, int(i / 20), 1, 0.2 + i / 2000, "s" i % 150 }' >shapes
+awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "rye"),
+    20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5,
+    i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
+sed 's/not=[^ ]* //' rays | head -n 1200 >walk
+awk '{ n = int(NR / 3); word = NR % 3 ? (NR % 3 == 1 ? "in=w" : "out=w") n : ""
+    $8 += NR % 3 / 9; $9 = word " " $9; print }' shapes >walls
+for i in 1 2 3 4 5 6; do echo s$i $((i % 4 - 2)); done >ranks
+awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,
+    i % 7 / 9, i / 9000, i ? int((i - 1) * 0.99) : -1 }' >neuron.swc
+# The hits of the pairs are 13 doubles each; they serve as rays and cylinders.
+"$cylint" --binary-out -f x0,y0,z0,nx0,ny0,nz0,x1,y1,z1,nx1,ny1,nz1,chord \
+    pairs >doubles 2>/dev/null
+
+"$cylint" --save shapes.saved -s shapes 2>/dev/null
+
+jobs='pairs scene saved binary'
+answer() { # PROGRAM JOB [OPTION]...: reads standard input
+    program=$1 job=$2
+    shift 2
+    case $job in
+    pairs) "$program" -f relation,n,t0,t1,part0,part1,id "$@" ;;
+    scene) "$program" -s shapes -q all --not label -f id,shape,label,t0,t1 "$@" ;;
+    saved) "$program" -s shapes.saved -q all --not label -f id,shape,label,t0,t1 "$@" ;;
+    neuron) "$program" -s neuron.swc "$@" ;;
+    pieces) "$program" -s walls -q pieces --pieces cells --rank ranks "$@" ;;
+    sums) "$program" -s walls -q pieces --sum label "$@" ;;
+    first) "$program" -s walls -q first -f shape,label,t,nx "$@" ;;
+    binary) "$program" -b -k ray,cylinder -f n,t0,t1,id "$@" ;;
+    esac
+}
+input_of() {
+    case $1 in
+    pairs) echo pairs ;;
+    scene | saved | neuron) echo rays ;;
+    pieces | sums | first) echo walk ;;
+    binary) echo doubles ;;
+    esac
+}
+
+# One worker without failures gives the expected answers.  The tails show that
+# they are complete and in order.
+for job in $jobs neuron pieces sums first; do
+    answer "$cylint" $job -j 1 <"$(input_of $job)" >$job.out 2>$job.err
+    [ $? -eq 1 ] && [ -s $job.out ] && [ -s $job.err ] ||
+        wrong="$wrong $job"
+done
+cmp -s scene.out saved.out && cmp -s scene.err saved.err || wrong="$wrong saved"
+cut -f 8 pairs.out | grep -v '^$' >ids
+awk 'BEGIN { for (i = 1; i <= 9000; i++) if (i % 701) print "r" i }' | cmp -s - ids ||
+    wrong="$wrong ids"
+[ "$(wc -l <pairs.out)" -eq 9000 ] || wrong="$wrong count"
+check_wrong 'the expected answers have all records in order'
+
+# ------------------------------------- short, interrupted and late calls --
+
+same() { # JOB STATUS WHAT: out and err are as expected
+    [ "$2" -eq 1 ] || wrong="$wrong $3: status $2;"
+    cmp -s $1.out out || wrong="$wrong $3: other answers;"
+    cmp -s $1.err err || wrong="$wrong $3: other messages;"
+}
+
+badly() { # NAME FAULTS: from a file and through a pipe
+    for job in $jobs; do
+        for j in $WORKERS; do
+            CYLINT_FAULTS=$2 answer "$faulty" $job -j $j <"$(input_of $job)" >out 2>err
+            same $job $? "$job -j $j from a file"
+            { cat "$(input_of $job)" | {
+                CYLINT_FAULTS=$2 answer "$faulty" $job -j $j 2>err
+                echo $? >code
+            }; } | cat >out
+            same $job "$(cat code)" "$job -j $j from a pipe"
+        done
+    done
+    check_wrong "$1"
+}
+
+badly 'wrapped calls that do no harm' 'leaks=1'
+badly 'short reads and writes' 'short=1 leaks=1'
+badly 'interrupted calls' 'eintr=1'
+badly 'calls that would block' 'again=1'
+badly 'polls that say wait' 'wait=1'
+badly 'a storm of signals' 'storm=50'
+badly 'standard input and output that do not block' 'nonblock=1'
+for seed in 2 3; do
+    badly "all at once ($seed)" \
+        "short=$seed eintr=$seed again=$seed wait=$seed storm=300 nonblock=1"
+done
+
+for j in $WORKERS; do
+    answer "$faulty" pairs -j $j <pairs >out 2>err &
+    pid=$!
+    while kill -STOP $pid && kill -CONT $pid; do
+        :
+    done 2>/dev/null
+    wait $pid
+    same pairs $? "-j $j"
+done
+check_wrong 'stopped and continued all the time'
+
+# A writer of single bytes with pauses.  The command must wait for them; with too
+# many calls it polls instead.
+head -n 3 pairs | cut -c 1-60 >few
+answer "$cylint" pairs <few >few.out 2>few.err
+for j in $WORKERS; do
+    { i=1
+    while [ $i -le "$(wc -c <few)" ]; do
+        tail -c +$i few | head -c 1
+        [ $((i % 20)) -ne 0 ] || sleep 0.02
+        i=$((i + 1))
+    done; } | {
+        CYLINT_FAULTS='nonblock=1 calls=1000' answer "$faulty" pairs -j $j >out 2>err
+        echo $? >code
+    }
+    same few "$(cat code)" "-j $j"
+done
+check_wrong 'single bytes, from a pipe that does not block'
+
+# A reader that sleeps while its pipe becomes full.
+for j in $WORKERS; do
+    { CYLINT_FAULTS='nonblock=1 calls=2000' answer "$faulty" scene -j $j <rays 2>err
+    echo $? >code; } | { sleep 0.3; cat >out; }
+    same scene "$(cat code)" "-j $j"
+done
+check_wrong 'a slow reader of a pipe that does not block'
+
+# ------------------------------------------------------------- failures --
+
+stopped() { # STATUS EXPECTED MESSAGE WHAT
+    [ "$1" -eq "$2" ] || wrong="$wrong $4: status $1;"
+    [ "$(grep -cFx "cylint: $3" err)" -eq 1 ] || wrong="$wrong $4: $(head -n 1 err);"
+}
+
+first_lines() { # JOB LINES WHAT: out is the first lines of what is right
+    head -n "$2" $1.out | cmp -s - out || wrong="$wrong $3: other answers;"
+}
+
+# Complete records are answered, whatever part of the next one was read.
+whole=$(head -n 5000 pairs | wc -c)
+for bytes in 0 1 $((whole - 1)) $whole $((whole + 1)) 262144; do
+    lines=$(head -n "$(head -c $bytes pairs | wc -l)" pairs | grep -c '^[a-z]')
+    for j in $WORKERS; do
+        CYLINT_FAULTS="read=$bytes short=5" answer "$faulty" pairs -j $j <pairs >out 2>err
+        stopped $? 3 'stdin: Input/output error' "$bytes -j $j"
+        first_lines pairs "$lines" "$bytes -j $j"
+    done
+done
+check_wrong 'a read that fails in mid-file'
+
+for j in $WORKERS; do
+    CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" answer "$faulty" scene -j $j <rays >out 2>err
+    stopped $? 3 'shapes: Input/output error' "-j $j"
+    first_lines scene 0 "-j $j"
+    CYLINT_FAULTS="read=$(($(wc -c <neuron.swc) - 5))" answer "$faulty" neuron -j $j <rays >out 2>err
+    stopped $? 3 'neuron.swc: Input/output error' "-j $j"
+    first_lines neuron 0 "-j $j"
+done
+check_wrong 'a read that fails in the scene'
+
+for j in $WORKERS; do
+    for bytes in 0 1 100000; do
+        CYLINT_FAULTS="write=$bytes short=6 eintr=6" answer "$faulty" pairs -j $j \
+            <pairs >out 2>err
+        stopped $? 3 'standard output: No space left on device' "$bytes -j $j"
+        first_lines pairs "$(head -c $bytes pairs.out | wc -l)" "$bytes -j $j"
+        CYLINT_FAULTS="write=$bytes" answer "$faulty" binary -j $j <doubles >out 2>err
+        stopped $? 3 'standard output: No space left on device' "$bytes -j $j"
+        head -c $((bytes / 32 * 32)) binary.out | cmp -s - out ||
+            wrong="$wrong $bytes -j $j: other rows;"
+        CYLINT_FAULTS="write=$bytes" answer "$faulty" pairs -j $j <pairs 2>err | cat >out
+        head -c $bytes pairs.out | cmp -s - out || wrong="$wrong $bytes -j $j: other bytes;"
+    done
+    CYLINT_FAULTS='close=1' answer "$faulty" pairs -j $j <few >out 2>err
+    stopped $? 3 'standard output: Input/output error' "close -j $j"
+done
+check_wrong 'a write or a close that fails'
+
+# -o FILE is the old file or the whole new one, and no other file is left.
+unchanged() { # WHAT
+    [ "$(cat kept/old)" = old ] || wrong="$wrong $1: the old file changed;"
+    [ "$(ls kept)" = old ] || wrong="$wrong $1: $(echo $(ls kept));"
+}
+
+mkdir kept
+echo old >kept/old
+for j in $WORKERS; do
+    for name in old new; do
+        for fault in write=0 write=100000 fsync=1 rename=1; do
+            CYLINT_FAULTS="$fault leaks=1" answer "$faulty" pairs -j $j \
+                -o kept/$name <pairs 2>err
+            stopped $? 3 "kept/$name: No space left on device" "$fault $name -j $j"
+            unchanged "$fault $name -j $j"
+        done
+        CYLINT_FAULTS='read=100000' answer "$faulty" pairs -j $j -o kept/$name <pairs 2>err
+        stopped $? 3 'stdin: Input/output error' "read $name -j $j"
+        unchanged "read $name -j $j"
+        CYLINT_FAULTS='alloc=1' answer "$faulty" pairs -j $j -o kept/$name <pairs 2>err
+        stopped $? 4 'out of memory' "alloc $name -j $j"
+        unchanged "alloc $name -j $j"
+    done
+    # The first close is that of the old file.
+    CYLINT_FAULTS='close=2' answer "$faulty" pairs -j $j -o kept/old <few 2>err
+    stopped $? 3 'kept/old: Input/output error' "close -j $j"
+    unchanged "close -j $j"
+    CYLINT_FAULTS='write=4000' answer "$faulty" binary -j $j --npy -o kept/old \
+        <doubles 2>err
+    stopped $? 3 'kept/old: No space left on device' "npy -j $j"
+    unchanged "npy -j $j"
+    for name in old new; do
+        for fault in write=0 write=10000 fsync=1 rename=1; do
+            CYLINT_FAULTS="$fault leaks=1" "$faulty" -j $j --save kept/$name -s shapes \
+                2>err
+            stopped $? 3 "kept/$name: No space left on device" "$fault --save $name -j $j"
+            unchanged "$fault --save $name -j $j"
+        done
+    done
+    n=1
+    while [ $n -lt 300 ] &&
+        ! CYLINT_FAULTS="alloc=$n leaks=1" "$faulty" -j $j --save kept/new -s shapes 2>err; do
+        stopped 4 4 'out of memory' "alloc=$n --save -j $j"
+        unchanged "alloc=$n --save -j $j"
+        n=$((n + 1))
+    done
+    cmp -s kept/new shapes.saved || wrong="$wrong alloc=$n --save -j $j: other bytes;"
+    CYLINT_FAULTS='short=4 eintr=4 again=4' "$faulty" -j $j --save kept/new -s shapes 2>err
+    cmp -s kept/new shapes.saved || wrong="$wrong interrupted --save -j $j;"
+    rm kept/new
+    CYLINT_FAULTS='short=4 eintr=4 again=4' answer "$faulty" pairs -j $j -o kept/new \
+        <pairs 2>err
+    code=$?
+    mv kept/new out
+    same pairs $code "interrupted -j $j"
+    unchanged "interrupted -j $j"
+done
+check_wrong 'a file that cannot be written to its end stays as it was'
+
+# A file may have ten thousand bytes, the disk 64 KiB.
+for j in $WORKERS; do
+    (ulimit -f 20; trap '' XFSZ; answer "$cylint" pairs -j $j <pairs >out 2>err)
+    stopped $? 3 'standard output: File too large' "-j $j"
+    [ -s out ] || wrong="$wrong -j $j: nothing;"
+    first_lines pairs "$(wc -l <out)" "-j $j"
+    (ulimit -f 20; trap '' XFSZ; answer "$cylint" pairs -j $j -o kept/old <pairs 2>err)
+    stopped $? 3 'kept/old: File too large' "-j $j"
+    unchanged "limited -j $j"
+    (ulimit -f 20; "$cylint" -j $j -o kept/old pairs 2>err; exit $?) 2>/dev/null
+    [ $? -gt 128 ] || wrong="$wrong -j $j: SIGXFSZ;"
+    unchanged "SIGXFSZ -j $j"
+    if mkdir -p disk && mount -t tmpfs -o size=64k none disk 2>/dev/null; then
+        answer "$cylint" pairs -j $j <pairs >disk/full 2>err
+        stopped $? 3 'standard output: No space left on device' "-j $j"
+        mv disk/full out
+        [ "$(wc -c <out)" -ge 60000 ] || wrong="$wrong disk -j $j: not full;"
+        first_lines pairs "$(wc -l <out)" "disk -j $j"
+        answer "$cylint" pairs -j $j -o disk/full <pairs 2>err
+        stopped $? 3 'disk/full: No space left on device' "-o -j $j"
+        [ -z "$(ls disk)" ] || wrong="$wrong disk -j $j: $(ls disk);"
+        umount disk
+    else
+        echo 'note: no disk can be made and filled here'
+    fi
+done
+check_wrong 'a file that may not grow, a disk that is full'
+
+# A signal that ends the work removes what was written.
+mkfifo waits
+for j in $WORKERS; do
+    for signal in HUP TERM XCPU; do
+        "$cylint" -j $j -o kept/old <waits 2>err &
+        pid=$!
+        { cat pairs
+          for i in $(seq 100); do
+              [ "$(ls kept | wc -l)" -eq 2 ] && break
+              sleep 0.1
+          done
+          kill -$signal $pid
+          wait $pid; } >waits 2>/dev/null
+        [ $? -gt 128 ] || wrong="$wrong $signal -j $j;"
+        unchanged "$signal -j $j"
+    done
+done
+check_wrong 'a signal leaves the old file and no other'
+
+# For every n the n-th allocation fails, alone or with all later ones.
+for job in $jobs neuron pieces sums first; do
+    for j in $WORKERS; do
+        CYLINT_FAULTS='count=1' answer "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
+            sed -n 's/^faults: \(.*\) allocations/\1/p' >count
+        n=$(cat count) died=0
+        [ "$n" -lt 1000 ] || n=1000
+        while [ "$n" -gt 0 ]; do
+            for fault in alloc allocs; do
+                CYLINT_FAULTS="$fault=$n leaks=1" answer "$faulty" $job -j $j \
+                    <"$(input_of $job)" >out 2>err
+                status=$?
+                [ $status -ne 1 ] || { same $job 1 "$job -j $j $fault=$n"; continue; }
+                stopped $status 4 'out of memory' "$job -j $j $fault=$n"
+                first_lines $job "$(wc -l <out)" "$job -j $j $fault=$n"
+                died=$((died + 1))
+            done
+            n=$((n - 1))
+        done
+        [ $died -ge 8 ] || wrong="$wrong $job -j $j: only $died of $(cat count) matter?"
+    done
+done
+check_wrong 'out of memory at the n-th allocation, for every n'
+
+n=0
+while [ $n -lt 9 ]; do
+    n=$((n + 1))
+    CYLINT_FAULTS="thread=$n leaks=1" answer "$faulty" pairs -j 4 <pairs >out 2>err
+    same pairs $? "thread=$n"
+done
+CYLINT_FAULTS='pipe=1 leaks=1' answer "$faulty" pairs -j 4 <pairs >out 2>err
+same pairs $? 'no pipe'
+check_wrong 'threads that cannot be made'
+
+for j in $WORKERS; do
+    { answer "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
+    [ "$(cat code)" -eq 141 ] && ! grep -v nonsense err ||
+        wrong="$wrong status $(cat code);"
+    first_lines pairs 1 "-j $j"
+    { (trap '' PIPE; answer "$cylint" pairs -j $j <pairs 2>err; echo $? >code); } | head -n 1 >out
+    stopped "$(cat code)" 3 'standard output: Broken pipe' "-j $j, ignored"
+    first_lines pairs 1 "-j $j, ignored"
+done
+check_wrong 'a reader that leaves'
+
+# Ten million bad records give ten messages and a count, and need no more memory
+# than ten thousand.
+many=10000000 memory=yes
+if grep -Eq '__(asan|tsan)_init' "$cylint"; then
+    echo 'note: a sanitizer takes memory and time of its own'
+    many=100000 memory=
+fi
+for count in 10000 $many; do
+    for j in $WORKERS; do
+        yes x | head -n $count | {
+            CYLINT_FAULTS=${memory:+rss=$((12000 + 8000 * j))} "$faulty" -j $j -f n 2>err
+            echo $? >code
+        } | uniq -c >out
+        [ "$(cat code)" -eq 1 ] && [ "$(wc -l <err)" -eq 11 ] &&
+            [ "$(tail -n 1 err)" = "cylint: $count bad records in all" ] &&
+            [ "$(echo $(cat out))" = "$count error" ] ||
+            wrong="$wrong $count -j $j: status $(cat code), $(tail -n 1 err)"
+    done
+done
+check_wrong "$many bad records have eleven messages"
+
+# All functions that the command calls to read, write, rename or allocate are
+# wrapped, so that a new one is not forgotten.
+nm -u "$build"/tools/cylint/*.o | awk '{ print $NF }' | sort -u | grep -Ex \
+    '(f|fd|fre|p|open_mem)open.*|creat|f?read|f?write|[pf]?(read|write)v|pread|pwrite|send|recv|getc.*|fgets|getdelim|getline|mmap|.*alloc|strn?dup|v?asprintf|p?select|ppoll|dup[23]?|pipe|fork|aligned_alloc|fd?a?t?a?sync|rename(at)?|link(at)?|mks?temps?' |
+    grep -Evx 'read|write|fwrite|[mc]alloc|realloc|pipe|fsync|rename' >unwrapped
+[ ! -s unwrapped ] || wrong=" $(cat unwrapped)"
+check_wrong 'there are no other calls that can fail'
+
+check_end

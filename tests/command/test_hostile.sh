@@ -1,0 +1,317 @@
+#!/bin/sh
+# Floor command: with hostile input the command never crashes, never writes part
+# of a line, never loses input without a message, and exits with the right
+# status.
+. "$(dirname "$0")/../support/verdict.sh"
+cd "$scratch" || exit 1
+PATH=$build:$PATH
+good='line 0 0 -1  0 0 1  cylinder 0 0 0  0 0 1  1'
+
+# expect NAME STATUS: out equals want and err equals want.err, if those exist,
+# and $status is STATUS.  Removes want and want.err.
+expect() {
+    wrong=0
+    [ "$status" = "$2" ] || { echo "status $status, not $2"; wrong=1; }
+    if [ -e want ]; then diff want out || wrong=1; fi
+    if [ -e want.err ]; then diff want.err err || wrong=1; fi
+    grep -Eiq 'sanitizer|runtime error' err && { cat err; wrong=1; }
+    verdict "$1" $wrong
+    rm -f want want.err
+}
+
+run() {
+    cylint "$@" >out 2>err
+    status=$?
+}
+
+# A sanitizer reserves more address space than any limit below allows.
+is_sanitized() {
+    grep -q __asan_init "$build/cylint"
+}
+
+# --- bytes that are not text
+printf 'line 0 0 \000 0 0 1\n%s a\000b\n%s c\n' "$good" "$good" >in
+printf 'error\tnan\tnan\tnan\nerror\tnan\tnan\tnan\ncross\t2\t1\t2\tc\n' >want
+cat >want.err <<'X'
+cylint: in:1:10: expected a number, found '\x00'
+cylint: in:2:47: unexpected byte: '\x00'
+X
+run in
+expect 'a NUL is a bad byte, not an end' 1
+
+printf '\377\376l\000i\000n\000e\000\n\000' >in
+printf "cylint: in:1:1: expected line, ray, segment, span or point, found '%s'\n" \
+    '\xff\xfel\x00i\x00n\x00e\x00' >want.err
+run -e skip in
+sed -i '1s/$/; this looks like a binary file/' want.err
+echo 'cylint: 2 bad records in all' >>want.err
+expect 'UTF-16 is refused by its first bytes, with one message' 1
+
+printf '%s\r%s\r' "$good" "$good" >in
+printf 'error\tnan\tnan\tnan\n' >want
+printf "cylint: in:1:44: expected a number, found '1%sline'\n" '\x0d' >want.err
+run in
+expect 'a lone carriage return does not end a line' 1
+
+printf '\r\n\r\r\n  \r\n%s\r\n' "$good" >in
+printf 'cross\t2\t1\t2\n' >want
+run in
+expect 'lines of carriage returns are blank' 0
+
+printf '%s \303\251\200\001\n' "$good" >in
+printf 'cross\t2\t1\t2\t\303\251\200\001\n' >want
+run in
+expect 'a tail may hold any other byte' 0
+
+LC_ALL=C awk 'BEGIN { srand(7); for (i = 0; i < 200000; i++)
+    printf "%c", int(256 * rand()) }' >in
+run -f id in
+[ "$(grep -c '; this looks like a binary file$' err)" -eq 1 ] &&
+    [ "$(grep -c '^cylint: ' err)" -eq 2 ] &&
+    [ "$(wc -l <out)" -eq "$(grep -c '^error$' out)" ] &&
+    [ "$(wc -l <out)" -gt 100 ] || status="$status, output"
+expect 'binary garbage gives one error a line, one message and the count' 1
+
+{ cat in; printf '\nx\n'; } >in2
+printf 'y\nz\n' >text
+run -f id text in2 text
+[ "$(grep -c '^cylint: text:' err)" -eq 4 ] &&
+    [ "$(grep -c '^cylint: in2:' err)" -eq 1 ] || status="$status, messages"
+expect 'the messages about files around a binary one are shown' 1
+
+{ echo "$good"; head -c 4000 in; } | tr -d '\n' >in2
+run -s in2 text
+[ "$(grep -c '^cylint: ' err)" -eq 1 ] || status="$status, messages"
+expect 'a binary scene gives one message' 1
+
+# --- numbers
+printf 'line 1e999 0 0 0 0 1 cylinder 0 0 0 0 0 1 1\n%s\n' \
+    'line 1e-999 0 -1 0 0 1 cylinder 0 0 0 0 0 1 1' >in
+printf 'error\tnan\tnan\tnan\ncross\t2\t1\t2\n' >want
+echo "cylint: in:1:6: number too large: '1e999'" >want.err
+run in
+expect 'overflow is an error, underflow is zero' 1
+
+{ printf 'line 0.'; head -c 1000000 /dev/zero | tr '\0' 7
+  printf ' 0 -1 0 0 1 cylinder 0 0 0 0 0 1 1\n'; } >in
+printf 'cross\t2\t1\t2\n' >want
+run in
+expect 'a number of a million digits is a number' 0
+
+# --- long lines
+{ printf '%s ' "$good"; head -c $((1048576 - ${#good} - 1)) /dev/zero |
+    tr '\0' x; printf '\n%s after\n' "$good"; } >in
+run in
+[ "$(wc -c <out)" -eq "$((1048576 - ${#good} - 1 + 13 + 18))" ] ||
+    status="$status, $(wc -c <out) bytes"
+expect 'a line of 1 MiB is answered, its tail whole' 0
+
+{ printf '%s ' "$good"; head -c $((1048577 - ${#good} - 1)) /dev/zero |
+    tr '\0' x; printf '\n%s after\n' "$good"; } >in
+printf 'error\tnan\tnan\tnan\ncross\t2\t1\t2\tafter\n' >want
+echo 'cylint: in:1:1: line longer than 1 MiB' >want.err
+run in
+expect 'a line of 1 MiB and a byte is bad, the next one is not' 1
+
+for size in 3000000 50000000; do
+    { echo "$good a"; head -c $size /dev/zero | tr '\0' x; printf '\n%s b\n' "$good"
+      head -c $size /dev/zero | tr '\0' '#'; } >in
+    printf 'cross\t2\t1\t2\ta\nerror\tnan\tnan\tnan\n' >want
+    printf 'cross\t2\t1\t2\tb\nerror\tnan\tnan\tnan\n' >>want
+    printf 'cylint: in:%d:1: line longer than 1 MiB\n' 2 4 >want.err
+    run in
+    expect "lines of $size bytes are bad, those between are answered" 1
+done
+
+if is_sanitized; then
+    echo "note: no memory limits under a sanitizer"
+else
+    cat in | (ulimit -v 20000; cylint >out 2>err; echo $? >code)
+    status=$(cat code)
+    expect 'memory does not grow with a line' 1
+    yes "$good" | head -n 300000 |
+        (ulimit -v 20000; cylint -f n >out 2>err; echo $? >code)
+    status=$(cat code)
+    [ "$(grep -c '^2$' out)" -eq 300000 ] || status="$status, lost"
+    expect 'memory does not grow with the input' 0
+    yes 'cylinder 0 0 0  0 0 1  1' | head -n 100000 >scene
+    (ulimit -v 20000; cylint -s scene <in >out 2>err; echo $? >code)
+    status=$(cat code)
+    echo 'cylint: out of memory' >want.err
+    expect 'a scene too large for memory says so' 4
+fi
+
+# --- output that fails
+yes "$good" | head -n 100000 >in
+if [ -w /dev/full ]; then
+    echo 'cylint: standard output: No space left on device' >want.err
+    cylint in >/dev/full 2>err
+    status=$?
+    expect 'a full disk gives a message' 3
+    cylint --help >/dev/full 2>err
+    status=$?
+    expect 'a full disk gives a message with --help too' 3
+    echo 'cylint: /dev/full: No space left on device' >want.err
+    run -o /dev/full in
+    expect 'a full disk gives a message with -o too' 3
+fi
+echo 'cylint: standard output: Bad file descriptor' >want.err
+cylint in >&- 2>err
+status=$?
+expect 'a closed standard output gives a message' 3
+cylint --version >&- 2>err
+status=$?
+expect 'a closed standard output gives a message with --version too' 3
+cylint -o written in >&- 2>err
+status=$?
+[ "$(wc -l <written)" -eq 100000 ] || status="$status, lost"
+expect '-o works with standard output closed' 0
+cylint in >out 2>&-
+status=$?
+expect 'a closed standard error does no harm' 0
+echo nonsense | cylint >out 2>&-
+status=$?
+printf 'error\tnan\tnan\tnan\n' >want
+expect 'messages to a closed standard error reach nothing else' 1
+
+{ cylint in 2>err; echo $? >code; } | head -n 1 >out
+status=$(cat code)
+printf 'cross\t2\t1\t2\n' >want
+: >want.err
+expect 'death by SIGPIPE is silent' 141
+
+(ulimit -f 8; trap '' XFSZ; cylint -o limited in 2>err; echo $? >code)
+status=$(cat code)
+echo 'cylint: limited: File too large' >want.err
+expect 'a file size limit gives a message' 3
+
+# --- input that fails
+mkdir folder
+echo 'cylint: folder: Is a directory' >want.err
+run folder
+expect 'a directory is no input' 3
+run -s folder in
+expect 'a directory is no scene' 3
+echo 'cylint: missing: No such file or directory' >want.err
+echo "$good" >one
+printf 'cross\t2\t1\t2\n' >want
+run one missing one
+expect 'a missing file gives a message after the answers before it' 3
+echo 'cylint: stdin: Bad file descriptor' >want.err
+cylint <&- >out 2>err
+status=$?
+expect 'a closed standard input gives a message' 3
+: >want
+: >want.err
+run /dev/null
+expect 'no input, no answers' 0
+run -b -k ray,cylinder /dev/null
+expect 'no binary input, no answers' 0
+printf '\223NUM' >in.npy
+run --binary-in -k ray,cylinder -f n in.npy
+printf 'error\n' >want
+expect 'the beginning of a .npy header is a bad record' 1
+{ printf '\223NUMPY\002\000\377\377\377\377'; cat in; } >in.npy
+echo 'cylint: in.npy: .npy header: length: expected 2 to 65536 bytes, found 4294967295' >want.err
+run --binary-in -k ray,cylinder in.npy
+expect 'a .npy header of 4 GiB is refused' 3
+{ printf '\223NUMPY\001\000\166\000'; head -c 118 /dev/zero; } >in.npy
+echo "cylint: in.npy: .npy header: descr: expected '<f8', found nothing" >want.err
+run --binary-in -k ray,cylinder in.npy
+expect 'a .npy header of NULs is refused' 3
+head -c 1000000 /dev/zero | tr '\0' '\377' >nans
+run -b -k ray,cylinder -f n nans
+[ "$(wc -c <out)" -eq $(((1000000 + 103) / 104 * 8)) ] || status="$status, lost"
+expect 'binary NaN makes bad records, none is lost' 1
+
+# --- many bad records, many answers
+yes nonsense | head -n 100000 >bad
+run bad
+[ "$(wc -l <out)" -eq 100000 ] && [ "$(wc -l <err)" -eq 11 ] &&
+    [ "$(tail -n 1 err)" = 'cylint: 100000 bad records in all' ] ||
+    status="$status, output"
+expect '100000 bad records have eleven messages' 1
+{ cat in; echo nonsense; cat in; } >mixed
+run -e stop mixed
+[ "$(wc -l <out)" -eq 100000 ] || status="$status, output"
+echo "cylint: mixed:100001:1: expected line, ray, segment,\
+ span or point, found 'nonsense'" >want.err
+expect 'the work stops at the bad record, with all answers before it' 1
+yes 'cylinder 0 0 0  0 0 1  1' | head -n 3000 >scene
+yes 'ray 0 0 -1  0 0 1' | head -n 100 >rays
+run -s scene -q all -f id,shape rays
+awk 'BEGIN { for (i = 1; i <= 100; i++) for (j = 1; j <= 3000; j++)
+    print i "\t" j }' >want
+expect 'a scene that answers much answers all' 0
+long=$(head -c 3000 /dev/zero | tr '\0' 'm')
+echo 'line 9 9 9  0 0 1  cylinder 0 0 0  0 0 1  1' >miss
+columns=$(yes t0 | head -n 256 | paste -sd, -)
+run --miss "$long" -f "$columns" miss
+[ "$(wc -c <out)" -eq $((256 * 3001)) ] || status="$status, $(wc -c <out)"
+expect '256 columns of 3000 bytes fit into a row' 0
+run -f "$columns,n" miss
+echo 'cylint: -f: more than 256 columns' >want.err
+echo "Try 'cylint --help'." >>want.err
+expect 'one column more is refused' 2
+
+# --- slow and talkative partners
+printf '%s a\n# b\n%s c' "$good" "$good" >in
+printf 'cross\t2\t1\t2\ta\ncross\t2\t1\t2\tc\n' >want
+i=1
+while [ $i -le "$(wc -c <in)" ]; do
+    tail -c +$i in | head -c 1
+    i=$((i + 1))
+done | { cylint >out 2>err; echo $? >code; }
+status=$(cat code)
+expect 'input in single bytes is put together' 0
+
+{ printf '\357'; sleep 0.05; printf '\273'; sleep 0.05; printf '\277%s\n' \
+    "$good"; } | { cylint >out 2>err; echo $? >code; }
+status=$(cat code)
+printf 'cross\t2\t1\t2\n' >want
+expect 'a byte order mark in single bytes is skipped' 0
+
+# `script` runs the command on a terminal of its own, where its input is empty.
+if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
+    say='cylint: waiting for records from the terminal'
+    for options in '' '-s scene'; do
+        script -qec "cylint $options" /dev/null </dev/null >out
+        status=$?
+        [ "$(grep -c "^$say, LINE.*Ctrl-D" out)" -eq 1 ] || status="$status, $(cat out)"
+        expect "on a terminal cylint $options says what it waits for" 0
+        script -qec "cylint $options in" /dev/null </dev/null >out
+        status=$?
+        ! grep "$say" out || status="$status, said"
+        expect "on a terminal cylint $options FILE does not wait" 0
+    done
+else
+    echo 'note: no terminal can be made here'
+fi
+: >want.err
+cylint </dev/null >out 2>err
+status=$?
+expect 'elsewhere it does not say so' 0
+
+# The partner writes a record and reads its answer before it writes the next.
+# If the command held answers back both would wait forever, so a timer ends
+# them.
+mkfifo there back
+cylint -f n,id <there >back 2>err &
+pid=$!
+(sleep 20 & echo $! >timer; wait $! && kill $pid) >/dev/null 2>&1 &
+exec 3>there 4<back
+: >out
+for i in 1 2 3 4 5; do
+    echo "$good" >&3
+    IFS= read -r answer <&4 || break
+    echo "$answer" >>out
+done
+exec 3>&-
+wait $pid
+status=$?
+exec 4<&-
+kill "$(cat timer)" 2>/dev/null
+printf '2\t%d\n' 1 2 3 4 5 >want
+expect 'a partner on a pipe is answered record by record' 0
+
+check_end

@@ -1,0 +1,180 @@
+#!/bin/sh
+# Floor command: the displays of cylint(7) that are not transcripts work: shapes
+# of other programs, the laser scan and the molecule.  test_cli.sh runs the
+# transcripts, `make check-cluster` the displays about many machines.
+. "$(dirname "$0")/../support/verdict.sh"
+PATH=$build:$top/tools/convert:$PATH
+data=../shared/data
+
+# records_of NAME LINES: each shape of the display with LINES lines around it.
+records_of()
+{
+    sh tests/support/recipe.sh "$1" | awk -v lines="$2" '
+        function pick(reach) { return (2 * rand() - 1) * reach }
+        BEGIN { srand(11) }
+        /^#/ || !NF { next }
+        { numbers["cylinder"] = 7; numbers["acone"] = 7; numbers["cone"] = 8
+          numbers["ecylinder"] = 12; numbers["econe"] = 13
+          numbers["sphere"] = 4; numbers["rcone"] = 8
+          shape = $1
+          for (i = 2; i <= 1 + numbers[$1]; i++)
+              shape = shape " " $i
+          if ($i ~ /^ends=/)
+              shape = shape " " $(i++)
+          card = ""
+          for (; i <= NF; i++)
+              card = card $i " "
+          for (n = 1; n <= lines; n++) {
+              reach = 2 ^ (n % 7)
+              ox = 1 + pick(80); oy = 2 + pick(80); oz = 3 + pick(80)
+              line = sprintf("%.6f %.6f %.6f  %.6f %.6f %.6f", ox, oy, oz,
+                             1 + pick(reach) - ox, 2 + pick(reach) - oy,
+                             3 + pick(reach) - oz)
+              print "line", line, shape, card "|", line
+          } }'
+}
+
+test_foreign_shapes()
+{
+    for program in mcnp geant4 openmc povray; do
+        records_of $program 300 > "$scratch/records" &&
+            [ "$(wc -l < "$scratch/records")" -ge 600 ] &&
+            cylint "$scratch/records" > "$scratch/answers" &&
+            awk -f tests/command/foreign.awk "$scratch/answers" > "$scratch/log"
+        status=$?
+        [ $status -eq 0 ] || head -5 "$scratch/log"
+        verdict "${program}_solids_are_hit_where_their_manuals_say" $status
+    done
+}
+
+# Each solid of the display has the pieces of its definition.
+test_foreign_solids()
+{
+    sh tests/support/recipe.sh solids > "$scratch/solids"
+    awk 'function pick(reach) { return (2 * rand() - 1) * reach }
+         BEGIN { srand(11)
+                 for (n = 0; n < 400; n++) {
+                     reach = 2 ^ (n % 5 + 1)
+                     ox = pick(60); oy = pick(60); oz = pick(60)
+                     printf "line %.6f %.6f %.6f  %.6f %.6f %.6f\n", ox, oy, oz,
+                            pick(reach) - ox, pick(reach) - oy, pick(reach) - oz
+                 } }' > "$scratch/lines"
+    cylint -s "$scratch/solids" -q pieces --pieces chords -f record,shape,t0,t1 \
+        "$scratch/lines" > "$scratch/pieces" &&
+        awk -f tests/command/solids.awk "$scratch/solids" "$scratch/lines" \
+            "$scratch/pieces" > "$scratch/log"
+    status=$?
+    [ $status -eq 0 ] || tail -5 "$scratch/log"
+    verdict solids_of_other_programs_have_the_pieces_of_their_manuals $status
+}
+
+# prints NAME RECIPE TEXT: the recipe prints TEXT in a folder with its files.
+prints()
+{
+    sh tests/support/recipe.sh "$2" > "$scratch/recipe"
+    (cd "$scratch" && sh recipe) > "$scratch/output" 2>&1
+    [ "$(cat "$scratch/output")" = "$3" ] || { cat "$scratch/output"; false; }
+    verdict "$1" $?
+}
+
+# Forty stems.  Each has one point 9 mm and one 45 mm in front of the bark.
+test_stand_in()
+{
+    awk -v scratch="$scratch" 'BEGIN {
+        table = scratch "/tree.csv"; cloud = scratch "/cloud.txt"
+        print "startX,startY,startZ,endX,endY,endZ,radius_cyl" > table
+        for (n = 0; n < 40; n++) {
+            c = cos(n * 0.157); s = sin(n * 0.157)
+            r = 0.1 + n / 200; d = 10 + n
+            printf "%.9f,%.9f,250,%.9f,%.9f,260,%g\n", d * c, d * s,
+                   d * c, d * s, r > table
+            for (off = 0.009; off < 0.05; off += 0.036)
+                printf "%.9f %.9f 255.5\n", (d - r - off) * c,
+                       (d - r - off) * s > cloud
+        }
+    }'
+    prints half_of_the_points_are_near_a_stem lidar \
+'of 80 points are within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %
+-2 to -1 cm      0
+-1 to  0 cm      0
+ 0 to  1 cm     40
+ 1 to  2 cm      0
+ 2 to  3 cm      0
+ 3 to  4 cm      0
+ 4 to  5 cm     40'
+}
+
+# Volumes by random lines, here of a union whose volume is known, and radiation
+# lengths.
+test_lengths()
+{
+    printf 'sphere 0 0 0  10  soma\ncapsule 0 0 0  30 0 0  1  branch\n' \
+        > "$scratch/cell"
+    prints random_lines_measure_the_volume_in_cylint_7 volume \
+        "$(sh tests/support/recipe.sh volume-said)"
+    awk '{ off = $2 - 4253.8; exit !(off * off < 9 * $5 * $5) }' \
+        "$scratch/output"
+    verdict the_volume_is_within_three_standard_errors $?
+    prints the_detector_has_the_radiation_lengths_in_cylint_7 detector \
+        "$(sh tests/support/recipe.sh detector-said)"
+    # at eta = 0: the pipe and the tracker, and 10 cm of lead beside the hole
+    awk '$1 == 0 { fine = $3 == 0.008 && $2 < 17.827 && $2 > 16
+                   exit !fine }' "$scratch/output"
+    verdict the_hole_for_cables_has_no_lead $?
+}
+
+test_real_tree()
+{
+    cp $data/tree_archi.csv "$scratch/tree.csv"
+    cp $data/tree_cloud_xyz.txt "$scratch/cloud.txt"
+    prints the_scan_of_a_real_tree_has_the_shares_in_cylint_7 \
+        lidar "$(sh tests/support/recipe.sh lidar-said)"
+    prints the_fit_of_a_real_tree_has_the_residuals_in_cylint_7 \
+        residuals "$(sh tests/support/recipe.sh residuals-said)"
+    prints the_light_in_a_real_tree_has_the_shares_in_cylint_7 \
+        crown "$(sh tests/support/recipe.sh crown-said)"
+}
+
+# Two parallel bonds, the second 2 above the first.  Rays from the two lower atoms
+# hit the upper bond, which is 0.2 thick, and nothing else.
+test_molecule()
+{
+    for atom in '1 C 0 0' '2 O 1.2 0' '3 C 0 2' '4 O 1.2 2'; do
+        set -- $atom
+        printf 'ATOM  %5d  %s   GLY A   %d    %8.3f%8.3f%8.3f  1.00  0.00           %s\n' \
+            "$1" "$2" "$1" "$3" 0 "$4" "$2"
+    done > "$scratch/molecule.pdb"
+    sh tests/support/recipe.sh molecule > "$scratch/molecule"
+    (cd "$scratch" && sh molecule) > "$scratch/output" 2>&1
+    printf '3-4\t1.8\t%d\n' 1 2 > "$scratch/expected"
+    diff "$scratch/expected" "$scratch/output"
+    verdict a_ray_from_an_atom_hits_the_other_bond_and_not_its_own $?
+}
+
+# Every display of the page has a name or is a transcript, and every name is run
+# here or by tests/package/cluster/check.sh.
+test_all_are_run()
+{
+    awk '/^\.\\" recipe/ { named = NR + 1 }
+         /^\.Bd/ && NR != named { getline; if (!/^\$ /) print NR ": " $0 }
+        ' man/cylint.7 > "$scratch/unnamed"
+    for name in $(sh tests/support/recipe.sh); do
+        grep -Eq "[ ']$name([ ';)]|\$)" tests/command/test_recipes.sh \
+            tests/package/cluster/check.sh || echo "$name"
+    done >> "$scratch/unnamed"
+    [ ! -s "$scratch/unnamed" ] || { cat "$scratch/unnamed"; false; }
+    verdict every_display_of_the_page_is_run $?
+}
+
+test_all_are_run
+test_foreign_shapes
+test_foreign_solids
+test_stand_in
+test_molecule
+test_lengths
+if [ -d $data ]; then
+    test_real_tree
+else
+    echo "note: no $data, the real tree is not tested"
+fi
+check_end

@@ -1,0 +1,152 @@
+#!/bin/sh
+# Floor command: a saved scene gives the bytes that its text gives, for every
+# query, and processes that open it share its memory.
+. "$(dirname "$0")/../support/verdict.sh"
+cd "$scratch" || exit 1
+PATH=$build:$PATH
+
+# Shapes of every kind; some are unbounded, some have labels, some labels are the
+# same.  Among them a row of discs that one line hits.
+awk 'function at(most) { return sprintf("%.17g", (2 * rand() - 1) * most) }
+function three(most) { return at(most) " " at(most) " " at(most) }
+BEGIN {
+    srand(7)
+    split("cylinder cone ecylinder econe acone sphere capsule rcone", word)
+    for (i = 0; i < 2000; i++) {
+        kind = 1 + i % 8
+        x = at(20); y = at(20); z = at(20); r = rand() + 0.01
+        top = x + at(1) " " y + at(1) " " z + at(1)
+        text = word[kind] " " x " " y " " z " "
+        if (kind == 1 || kind == 7) text = text top " " r
+        if (kind == 2 || kind == 8) text = text r " " top " " rand()
+        if (kind == 3 || kind == 4) text = text three(1) " " three(1) " " three(1)
+        if (kind == 4) text = text " " rand()
+        if (kind == 5) text = text three(1) " " 5 + 60 * rand()
+        if (kind == 6) text = text r
+        if (kind < 6)
+            text = text " ends=" (i % 101 ? i % 3 ? "capped" : "open" : "infinite")
+        print text (i % 5 ? " L" i % 300 " of " i : "")
+    }
+    for (i = 0; i < 700; i++)
+        print "cylinder", 30, 0, i / 8, 30, 0, i / 8 + 0.0625, 0.5
+}' >scene
+awk 'function at() { return 60 * rand() - 30 }
+BEGIN {
+    srand(8)
+    for (i = 0; i < 900; i++) {
+        print substr("ray    line   segment", 1 + 7 * (i % 3), 7), at(),
+              at(), at(), at(), at(), at(), (!i || i % 4 ? "" : "not=" i), "id" i
+        if (i % 90 == 0)
+            print "point", at(), at(), at(), "id" i
+    }
+    print "line 30 0 -5  0 0 1\nray 3e7 -4e7 5e7  -3 4 -5\nrye 1 2 3"
+}' >records
+sed 's/not=/&L/' records >labelled
+awk '{ print "point", $2, $3, $4 }' records | head -n 300 >points
+grep '^ray' records | sed 's/ not=[0-9]*//; s/ *id.*//; s/^ray *//' >numbers
+printf '1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n3 3 0 5 20 1 2\n' >neuron.swc
+cylint --save saved -s scene
+verdict 'a scene is saved without a question' $?
+cylint --save neuron -s neuron.swc --swc round
+grep '^c[yo]' scene | sed 's/ends=[a-z]*//' >rods
+cylint --save tubes -s rods --ends open
+
+# same SAVED TEXT ARGUMENT...: the same bytes and messages from both scenes
+same() {
+    from=$1 text=$2
+    shift 2
+    cylint -s $text "$@" >want 2>want.err
+    echo $? >>want.err
+    cylint -s $from "$@" >out 2>err
+    echo $? >>err
+    cmp want out && cmp want.err err
+    verdict "$text: the saved scene gives the same bytes: $*" $?
+}
+long=shape,label,relation,t,part,side,x,ny,h,phi
+for query in nearest any count all; do
+    for accel in auto none tree; do
+        same saved scene -q $query --accel $accel records
+    done
+    same saved scene -q $query --not label labelled
+    same saved scene -q $query --within 3 points
+    same saved scene -q $query --within 3 --accel none points
+    same saved scene -q $query -k ray -b numbers
+    same neuron 'neuron.swc --swc round' -q $query records
+    same tubes 'rods --ends open' -q $query records
+done
+same saved scene -f $long --header records
+same saved scene -q all -f id,shape,label,t0,nx1,chord -j 1 records
+same saved scene -f shape,label,distance,feature,x,nx points
+same saved scene --method quadratic records
+[ "$(cylint -s saved -q all -f label numbers -k ray | grep -c ' of ')" -gt 100 ]
+verdict 'labels are saved' $?
+
+# The text and the saved scene give one file, whatever the threads and the query.
+cylint --save again -s saved && cmp saved again &&
+    cylint -j 3 --save again -s scene -q any records >out 2>err
+cmp saved again
+verdict 'a scene that is saved again is the same file' $?
+sed 's/ L[0-9]* of .*//' scene >unnamed
+cylint --save small -s unnamed
+[ "$(wc -c <small)" -lt $(($(wc -c <saved) - 8 * 2700)) ]
+verdict 'a scene without labels has no space for them' $?
+
+# The old file stays whole while another process has opened it.
+if mkfifo waits 2>/dev/null; then
+    rm -f out
+    cylint -s saved -q count <waits >out &
+    exec 3>waits
+    echo 'line 30 0 -5  0 0 1' >&3
+    for i in $(seq 200); do [ -s out ] && break; sleep 0.05; done
+    cylint --save saved -s neuron.swc
+    echo 'line 30 0 -5  0 0 1' >&3
+    exec 3>&-
+    wait $!
+    [ "$(uniq out | wc -l)" -eq 1 ] && [ "$(wc -l <out)" -eq 2 ] && [ "$(head -n 1 out)" -ge 700 ]
+    verdict 'a file is replaced under a process that has opened it' $?
+    cylint --save saved -s scene
+fi
+
+if command -v cylint-render >/dev/null; then
+    cylint-render scene --size 60x40 --colour label -o text.png 2>err &&
+        cylint-render saved --size 60x40 --colour label -o saved.png 2>err && cmp text.png saved.png
+    verdict 'cylint-render draws a saved scene as its text' $?
+fi
+
+# Processes map the file: its pages are in memory once.  of_map NAME: the sum of
+# these lines of the first process, in KiB.
+of_map() {
+    awk -v name="$1:" '/^[0-9a-f]+-/ { inside = /many.saved$/ }
+        inside && $1 == name { sum += $2 } END { print sum + 0 }' maps
+}
+awk 'BEGIN { srand(5); for (i = 0; i < 100000; i++) print "sphere", 99 * rand(),
+    99 * rand(), 99 * rand(), 0.2 }' >many
+cylint --save many.saved -s many
+mkfifo first second
+cylint -s many.saved <first >out1 &
+one=$!
+exec 3>first
+cylint -s many.saved <second >out2 &
+two=$!
+exec 4>second
+echo 'ray 0 0 0 1 1 1' | tee /dev/fd/3 >&4
+for i in $(seq 200); do
+    [ -s out1 ] && [ -s out2 ] && break
+    sleep 0.05
+done
+cat /proc/$one/smaps >maps 2>/dev/null
+exec 3>&- 4>&-
+wait $one && wait $two && cmp out1 out2
+verdict 'two processes answer from one saved scene' $?
+if [ -s maps ]; then
+    size=$(($(wc -c <many.saved) / 1024))
+    shared=$(($(of_map Shared_Clean) + $(of_map Shared_Dirty)))
+    echo "note: of $size KiB mapped, $shared KiB are shared," \
+        "$(of_map Private_Dirty) KiB are the process's own"
+    [ "$(of_map Rss)" -ge $((size * 9 / 10)) ] && [ $shared -ge $((size * 9 / 10)) ] &&
+        [ "$(of_map Private_Dirty)" -eq 0 ] && [ "$(of_map Pss)" -le $((size * 6 / 10)) ]
+    verdict 'and the pages are in memory once' $?
+else
+    skip 'shared pages' 'no /proc/PID/smaps'
+fi
+check_end

@@ -1,0 +1,443 @@
+/*
+ * test_oracle.c - floor distance: distances against the oracle
+ *
+ * CYLINT_CASES is the number of shapes of each family, with POINTS points each;
+ * a twentieth of that for families of wild exponents.  CYLINT_ELLIPTIC is the
+ * number of shapes of each family of elliptic kinds, whose oracle takes a
+ * quarter of a millisecond a point.  CYLINT_FAR is the number of cases whose
+ * numbers have any exponents of doubles, and CYLINT_ELLIPTIC_FAR that of
+ * elliptic kinds.  CYLINT_SEED chooses others.
+ */
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_distance.h"
+#include "distance_points.h"
+#include "environment.h"
+#include "ulps.h"
+
+#ifdef HAVE_MPFR
+#include "distance_oracle.h"
+#include "oracle.h"
+#include "shapes/layout.h"
+
+enum {
+    CASES = 250,
+    ELLIPTIC = 100,
+    FAR_CASES = 300,
+    FAR_ELLIPTIC = 200,
+    POINTS = 4,
+    STRAIN = 6,
+    LEAN = 6
+};
+
+#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
+
+static struct tally {
+    long n, signs, features;
+    double distance, point, normal; /* the largest errors in ulp */
+    double safety;                  /* the least ratio to the distance */
+    long above;                     /* safeties above the distance */
+    long ties;                      /* of features, or of points, that round to
+                                       the same distance: elliptic kinds */
+} places[PLACES];
+
+static void report_point(const struct family_case *c, const double p[3],
+                         const cylint_closest *got,
+                         const struct oracle_closest *want)
+{
+    REPORT_CASE(c);
+    REPORT("point %a %a %a", p[0], p[1], p[2]);
+    REPORT("got  %.17g part %d feature %d, point %.17g %.17g %.17g, normal "
+           "%.17g %.17g %.17g",
+           got->distance, got->part, got->feature, got->point[0], got->point[1],
+           got->point[2], got->normal[0], got->normal[1], got->normal[2]);
+    REPORT("want %.17g part %d feature %d, point %.17g %.17g %.17g, normal "
+           "%.17g %.17g %.17g",
+           want->distance, want->part, want->feature, want->point[0],
+           want->point[1], want->point[2], want->normal[0], want->normal[1],
+           want->normal[2]);
+}
+
+static int sign(double x)
+{
+    return (x > 0) - (x < 0);
+}
+
+/* Smaller numbers than `least` are equal. */
+static double error_of(const double got[3], const double want[3], double least)
+{
+    double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        const double off = ulps_member(got[i], want[i]);
+        if (!isinf(want[i]) && fmax(fabs(got[i]), fabs(want[i])) >= least)
+            worst = fmax(worst, off);
+    }
+    return worst;
+}
+
+/* In all rounding modes. */
+static void check_safety(const struct family_case *c, const double p[3],
+                         struct tally *sum, const struct oracle_closest *want)
+{
+    const double far = fabs(want->distance);
+    for (int m = 0; m < ENVIRONMENTS; m += 4) {
+        environment_set(environment_of(m));
+        const double safe = cylint_safety(&c->shape, p);
+        environment_reset();
+        const int above =
+            !(safe >= 0) || signbit(safe) ||
+            (isinf(safe) ? !isinf(want->distance)
+                         : safe > 0 && oracle_distance_error(safe) > 0);
+        sum->above += above;
+        if (far > 0 && m == 0)
+            sum->safety = fmin(sum->safety, safe / far);
+        if (!CHECK(!above)) {
+            REPORT_CASE(c);
+            REPORT("point %a %a %a: safety %a, distance %a, rounding %d", p[0],
+                   p[1], p[2], safe, want->distance, m / 4);
+        }
+    }
+}
+
+/* Of the last distance, which may have been rounded to 0. */
+static int sign_of_oracle(const struct oracle_closest *want)
+{
+    return want->distance != 0 || oracle_distance_is_zero()
+               ? sign(want->distance)
+           : signbit(want->distance) ? -1
+                                     : 1;
+}
+
+/* Of an answer from the oracle's: whether sign and feature are wrong, and the
+ * largest errors in ulp. */
+struct differences {
+    int sign, feature;
+    double distance, point, normal;
+};
+
+static void check_differences(const struct family_case *c, const double p[3],
+                              struct tally *sum, const cylint_closest *got,
+                              const struct oracle_closest *want,
+                              struct differences off)
+{
+    sum->signs += off.sign;
+    sum->features += off.feature;
+    sum->distance = fmax(sum->distance, off.distance);
+    sum->point = fmax(sum->point, off.point);
+    sum->normal = fmax(sum->normal, off.normal);
+    if (!CHECK(!off.sign && !off.feature && off.distance <= 1 &&
+               off.point <= 4 && off.normal <= 4))
+        report_point(c, p, got, want);
+}
+
+/* The error of an elliptic distance: in ulp, or, if that is less, in 2^-113 of
+ * the lengths. */
+static double elliptic_error(double got, const struct oracle_closest *want)
+{
+    const double off = fabs(oracle_distance_error(got));
+    const double unit = ulp(want->distance) / (want->length * 0x1p-113);
+    return off < HUGE_VAL ? fmin(off, off * unit) : off;
+}
+
+/* Components of the point that are below 2^-100 of their terms can be 0.  The
+ * largest term is at least as large as the largest coordinate, and as the base.
+ */
+static double point_error(const cylint_shape *s, const double got[3],
+                          const double want[3])
+{
+    double checked[3], size = 0;
+    for (int i = 0; i < 3; i++)
+        size = fmax(size, fmax(fabs(want[i]), fabs(cylint_base(s)[i])));
+    for (int i = 0; i < 3; i++)
+        checked[i] =
+            got[i] == 0 && fabs(want[i]) < 0x1p-98 * size ? want[i] : got[i];
+    return error_of(checked, want, 0);
+}
+
+/* Whether the point is on the surface, but for roundings, and as far from p as
+ * the distance tells. */
+static int is_as_near(const cylint_shape *s, const double p[3],
+                      const cylint_closest *got)
+{
+    struct oracle_closest at;
+    double size = 0, of_point = 0, of_p = 0;
+    for (int i = 0; i < 3; i++) {
+        size = hypot(size, got->point[i] - p[i]);
+        of_point =
+            fmax(of_point, fmax(ulp(got->point[i]), ulp(cylint_base(s)[i])));
+        of_p = fmax(of_p, ulp(p[i]));
+    }
+    oracle_distance(s, got->point, &at);
+    return fabs(at.distance) <= 8 * of_point &&
+           !(fabs(size - fabs(got->distance)) > 8 * fmax(of_p, of_point));
+}
+
+static void check_elliptic(const struct family_case *c, const double p[3],
+                           struct tally *sum)
+{
+    struct oracle_closest want;
+    cylint_closest got;
+    memset(&got, 0, sizeof got);
+    oracle_distance(&c->shape, p, &want);
+    CHECK(cylint_distance(&c->shape, p, WANT, &got) == got.distance);
+    sum->n++;
+    check_safety(c, p, sum, &want);
+    const int wrong_sign = sign(got.distance) != sign_of_oracle(&want);
+    const double off = elliptic_error(got.distance, &want);
+    const double near = fabs(want.distance);
+    const double tolerance = fmax(ulp(near), want.length * 0x1p-113);
+    int wrong_feature = got.part != want.part || got.feature != want.feature;
+    double off_point = point_error(&c->shape, got.point, want.point);
+    double off_normal = error_of(got.normal, want.normal, 0x1p-80);
+    if (want.too_near || want.is_tie ||
+        (wrong_feature &&
+         fabs(want.by_feature[got.feature] - near) <= tolerance))
+        sum->ties++, wrong_feature = !is_as_near(&c->shape, p, &got),
+                     off_point = off_normal = 0;
+    check_differences(c, p, sum, &got, &want,
+                      (struct differences){wrong_sign, wrong_feature, off,
+                                           off_point, off_normal});
+}
+
+/* Without point and normal the distance comes from other kernels. */
+static void check_less_wanted(const struct family_case *c, const double p[3],
+                              const cylint_closest *all)
+{
+    for (unsigned want = 0; want <= CYLINT_WANT_PART;
+         want += CYLINT_WANT_PART) {
+        cylint_closest got;
+        memset(&got, 0, sizeof got);
+        const double returned = cylint_distance(&c->shape, p, want, &got);
+        if (!CHECK(returned == all->distance && got.distance == all->distance &&
+                   got.flags == 0 &&
+                   (!want ||
+                    (got.part == all->part && got.feature == all->feature)))) {
+            REPORT_CASE(c);
+            REPORT("point %a %a %a: want %u gives %.17g part %d feature %d",
+                   p[0], p[1], p[2], want, got.distance, got.part, got.feature);
+        }
+    }
+}
+
+static void check_point(const struct family_case *c, const double p[3],
+                        struct tally *sum)
+{
+    struct oracle_closest want;
+    cylint_closest got;
+    memset(&got, 0, sizeof got);
+    oracle_distance(&c->shape, p, &want);
+    const double returned = cylint_distance(&c->shape, p, WANT, &got);
+    sum->n++;
+    CHECK(returned == got.distance && got.flags == 0);
+    check_less_wanted(c, p, &got);
+    const int wrong_sign = sign(got.distance) != sign_of_oracle(&want);
+    const int wrong_feature = got.part != want.part ||
+                              (want.part >= 0 && got.feature != want.feature);
+    const double off =
+        want.part < 0 ? 0 : fabs(oracle_distance_error(got.distance));
+    const double off_point =
+        want.part < 0 ? 0 : error_of(got.point, want.point, 0);
+    const double off_normal =
+        want.part < 0 ? 0 : error_of(got.normal, want.normal, 0);
+    check_differences(c, p, sum, &got, &want,
+                      (struct differences){wrong_sign, wrong_feature, off,
+                                           off_point, off_normal});
+    if (want.part >= 0)
+        check_safety(c, p, sum, &want);
+}
+
+static void print_tally(const char *name, const struct tally *t)
+{
+    printf("note: %-14s %8ld points, wrong: %ld signs, %ld features; ulp: %.4g "
+           "distance, %.4g point, %.4g normal; safety / distance from %.4g, "
+           "%ld above; %ld ties\n",
+           name, t->n, t->signs, t->features, t->distance, t->point, t->normal,
+           t->safety, t->above, t->ties);
+}
+
+/* h += lean a, or h += lean (a - 2 b). */
+static void lean_axis(double *x, double lean, int both)
+{
+    for (int i = 0; i < 3; i++)
+        x[9 + i] += lean * x[3 + i] - (both ? 2 * lean * x[6 + i] : 0);
+}
+
+/* Makes an elliptic shape longer, thinner, more oblique or nearly a cylinder.
+ * is_promised() leaves out what becomes too flat. */
+static void strain(struct family_case *c, uint64_t *stream)
+{
+    double *x = c->shape_data;
+    const int mode = random_int(stream, 6), both = random_int(stream, 2);
+    if (mode == 0)
+        lean_axis(x, draw(stream, -3, 3), both);
+    if (mode == 1 || mode == 2)
+        lean_axis(x, pow(10, draw(stream, 0, LEAN)), both);
+    for (int v = 3; v < 12 && (mode == 2 || mode == 3); v += 3) {
+        const double by = pow(10, draw(stream, -STRAIN, STRAIN));
+        for (int i = 0; i < 3; i++)
+            x[v + i] *= by;
+    }
+    if (mode == 4 && c->shape_word == FAMILY_ECONE)
+        x[12] = 1 + draw_small(stream);
+    if (mode == 5 && c->shape_word == FAMILY_ECONE)
+        x[12] = pow(10, draw(stream, -STRAIN, STRAIN));
+    family_make(c);
+}
+
+/* The largest exponent of n numbers; *least: at most the exponents of those
+ * that are not 0. */
+static int exponents_of(const double *x, int n, int *least)
+{
+    int most = INT_MIN / 2, exponent;
+    for (int i = 0; i < n; i++) {
+        frexp(x[i], &exponent);
+        if (x[i] != 0 && exponent > most)
+            most = exponent;
+        if (x[i] != 0 && exponent < *least)
+            *least = exponent;
+    }
+    return most;
+}
+
+/* The distance of this point from an elliptic shape is promised to 1 ulp.  The
+ * vectors are scaled, so that no product overflows or underflows. */
+static int is_promised(const cylint_shape *s, const double p[3])
+{
+    const double *data[] = {cylint_a(s), cylint_b(s), cylint_axis(s)};
+    double least = HUGE_VAL, most = 0, normal[3], half[3], v[3][3];
+    int low = INT_MAX, high = INT_MIN / 2;
+    for (int i = 0; i < 3; i++) {
+        const int e = exponents_of(data[i], 3, &low);
+        high = e > high ? e : high;
+        half[i] = 0.5 * p[i] - 0.5 * cylint_base(s)[i];
+    }
+    const int far = exponents_of(half, 3, &low);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            v[i][k] = ldexp(data[i][k], -high);
+        least = fmin(least, sqrt(dot3(v[i], v[i])));
+        most = fmax(most, sqrt(dot3(v[i], v[i])));
+    }
+    cross3(normal, v[0], v[1]);
+    return most <= 1e12 * least &&
+           (cylint_r1(s) == 0 || fabs(log10(cylint_r1(s))) <= 6) &&
+           fabs(dot3(normal, v[2])) >= 0x1p-60 * most * most * most &&
+           low >= high - 899 && far < high + 1299;
+}
+
+static void over_families(int wild, int elliptic)
+{
+    const uint64_t cases =
+        elliptic ? check_setting("CYLINT_ELLIPTIC", ELLIPTIC)
+                 : check_setting("CYLINT_CASES", CASES) / (wild ? 20 : 1);
+    const uint64_t seed = check_setting("CYLINT_SEED", 16);
+    memset(places, 0, sizeof places);
+    for (int k = 0; k < PLACES; k++)
+        places[k].safety = 1;
+    for (int f = 0; f < family_count(); f++)
+        for (uint64_t i = 0; i < cases; i++) {
+            struct family_case c;
+            if (family_is_wild(f) != wild)
+                continue;
+            family_case(seed, f, i, &c);
+            if (cylint_is_elliptic(c.shape.kind) != elliptic)
+                continue;
+            uint64_t stream = seed + i * 64 + (uint64_t)f;
+            if (elliptic)
+                strain(&c, &stream);
+            if (c.shape.kind == CYLINT_KIND_NONE)
+                continue;
+            for (int k = 0; k < POINTS; k++) {
+                double p[3];
+                const enum place place = draw_point(&c, &stream, p);
+                if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
+                    (elliptic && !is_promised(&c.shape, p)))
+                    continue;
+                if (elliptic)
+                    check_elliptic(&c, p, &places[place]);
+                else
+                    check_point(&c, p, &places[place]);
+            }
+        }
+    for (int k = 0; k < PLACES; k++)
+        print_tally(place_names[k], &places[k]);
+}
+
+static void distances_are_those_of_the_oracle(void)
+{
+    over_families(0, 0);
+}
+
+/* Found by the families: products of subnormal coordinates underflow. */
+static void a_subnormal_coordinate_is_not_lost(void)
+{
+    static const double shape[8] = {-7, 0, 3, 450, 618, 0, 3, 75};
+    static const double point[3] = {203, -9 * 0x1p-1074, 408};
+    struct tally sum = {0};
+    struct family_case c;
+    memset(&c, 0, sizeof c);
+    c.shape_word = FAMILY_RCONE;
+    memcpy(c.shape_data, shape, sizeof shape);
+    c.ends = CYLINT_ENDS_CAP1;
+    c.line_data[3] = 1;
+    if (CHECK(family_make(&c)))
+        check_point(&c, point, &sum);
+}
+
+static void also_of_mixed_exponents(void)
+{
+    over_families(1, 0);
+}
+
+static void elliptic_distances_are_those_of_the_oracle(void)
+{
+    over_families(0, 1);
+}
+
+static void check_any_exponents(int elliptic, uint64_t cases)
+{
+    uint64_t stream = check_setting("CYLINT_SEED", 16);
+    struct tally sum = {.safety = 1};
+    for (uint64_t i = 0; family_count() > 0 && i < cases;) {
+        struct family_case c;
+        double p[3];
+        if (!draw_far_case(&c, &stream, p) ||
+            cylint_is_elliptic(c.shape.kind) != elliptic ||
+            (elliptic && !is_promised(&c.shape, p)))
+            continue;
+        if (elliptic)
+            check_elliptic(&c, p, &sum);
+        else
+            check_point(&c, p, &sum);
+        i++;
+    }
+    print_tally("any exponents", &sum);
+}
+
+static void distances_of_any_exponents_are_those_of_the_oracle(void)
+{
+    check_any_exponents(0, check_setting("CYLINT_FAR", FAR_CASES));
+}
+
+static void elliptic_distances_of_any_exponents_are_too(void)
+{
+    check_any_exponents(1, check_setting("CYLINT_ELLIPTIC_FAR", FAR_ELLIPTIC));
+}
+
+#endif
+
+int main(void)
+{
+#ifdef HAVE_MPFR
+    RUN(distances_are_those_of_the_oracle);
+    RUN(a_subnormal_coordinate_is_not_lost);
+    RUN(also_of_mixed_exponents);
+    RUN(elliptic_distances_are_those_of_the_oracle);
+    RUN(distances_of_any_exponents_are_those_of_the_oracle);
+    RUN(elliptic_distances_of_any_exponents_are_too);
+#endif
+    return check_end();
+}

@@ -1,0 +1,567 @@
+/*
+ * test_answers.c - floor embree: the adapter answers float rays as the
+ * library does
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "embree_compare.h"
+#include "shapes/layout.h"
+
+/* A ray from outside to a point in the shape's box. */
+static void aim_at(uint64_t *state, const cylint_shape *shape, struct rays *r,
+                   int i)
+{
+    double lo[3], hi[3];
+    float o[3], d[3], away[3];
+    cylint_bounds(shape, lo, hi);
+    world_direction(state, away);
+    for (int k = 0; k < 3; k++) {
+        const double target = lo[k] + (hi[k] - lo[k]) * world_uniform(state);
+        o[k] = (float)(target + 2 * (away[k] + world_uniform(state)));
+        d[k] = (float)(target - o[k]);
+    }
+    rays_add(r, i, o, d, 0, HUGE_VALF);
+}
+
+/* ------------------------------------------------------- single answers -- */
+
+static void every_kind_with_all_caps_answers_as_the_library(void)
+{
+    uint64_t other_kinds = 1, round_kinds = 2;
+    const double c[3] = {0.5, 0.25, -0.5};
+    for (int how = 0; how < 2; how++)
+        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_RCONE; kind++)
+            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_CAP1;
+                 ends++) {
+                uint64_t *const state =
+                    kind >= CYLINT_KIND_SPHERE ? &round_kinds : &other_kinds;
+                int hits = 0, parts[3] = {0, 0, 0};
+                cylint_shape shape;
+                struct world w;
+                struct rays r;
+                world_shape(state, kind, (cylint_ends)ends, c, 1, 0.4, &shape);
+                w = made(&shape, 1, both_ways[how]);
+                for (int i = 0; i < 300; i++) {
+                    cylint_hit hit;
+                    cylint_line line;
+                    rays_begin(&r, 1);
+                    aim_at(state, &shape, &r, 0);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    line = rays_line(&r, 0);
+                    if (cylint_nearest(&w.pack, &line, CYLINT_WANT_PART,
+                                       &hit) == 0) {
+                        hits++;
+                        parts[hit.part]++;
+                    }
+                }
+                /* enough rays hit, and enough miss */
+                CHECK(hits > 60 && hits < 300 && parts[CYLINT_PART_LATERAL]);
+                CHECK((parts[CYLINT_PART_CAP1] > 0) ==
+                          (ends == CYLINT_ENDS_CAPPED ||
+                           ends == CYLINT_ENDS_CAP1) ||
+                      cylint_r1(&shape) == 0 || kind == CYLINT_KIND_SPHERE);
+                world_free(&w);
+            }
+}
+
+static void packets_answer_and_leave_other_lanes_alone(void)
+{
+    static const int sizes[4] = {1, 4, 8, 16};
+    cylint_shape shapes[SOME];
+    uint64_t state = 2;
+    world_shapes(&state, SCENE_MIXED, shapes, SOME);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(shapes, SOME, both_ways[how]);
+        int hits = 0, active = 0;
+        for (int turn = 0; turn < 800; turn++) {
+            struct rays r;
+            struct rays_query query = {0};
+            query.coherent = turn & 1;
+            rays_begin(&r, sizes[turn % 4]);
+            for (int i = 0; i < r.n; i++) {
+                aim(&state, &r, i); /* inactive rays too would hit */
+                r.valid[i] = r.n == 1 || world_uniform(&state) < 0.7 ? -1 : 0;
+            }
+            rays_intersect(&r, w.scene, &query);
+            agrees(&w, &r);
+            for (int i = 0; i < r.n; i++) {
+                active += r.valid[i] != 0;
+                hits += r.valid[i] && rays_hit(&r, i);
+            }
+            memcpy(r.word, r.before, sizeof r.word);
+            rays_occluded(&r, w.scene, &query);
+            for (int i = 0; i < r.n; i++)
+                if (r.valid[i] &&
+                    !CHECK(rays_shadowed(&r, i) == shadow_expected(&w, &r, i)))
+                    world_show(&w, &r, i);
+            CHECK(rays_strayed(&r, 1) == 0);
+        }
+        if (!CHECK(hits > active / 10 && hits < active))
+            REPORT("%d hits of %d", hits, active);
+        world_free(&w);
+    }
+}
+
+static void a_ray_that_starts_inside_hits_where_it_leaves(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 4};
+    const float o[3] = {0, 0, 1}, d[3] = {0, 0, 0.5f};
+    cylint_shape shape;
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(&shape, 1, both_ways[how]);
+        struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
+        CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 6);
+        CHECK(rays_at(&r, HIT_U, 0)->f == 1);
+        world_free(&w);
+    }
+}
+
+/* Ends of the domain, on the hit itself and one float beside it. */
+static void the_domain_holds_its_ends(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    const float o[3] = {-4, 0.25f, 0.5f}, d[3] = {3, 0, 0};
+    cylint_shape shape;
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(&shape, 1, both_ways[how]);
+        struct rays r;
+        float t[2];
+        cylint_line line;
+        cylint_answer answer;
+        int hits = 0;
+        rays_begin(&r, 1);
+        rays_add(&r, 0, o, d, 0, HUGE_VALF);
+        rays_intersect(&r, w.scene, NULL);
+        line = rays_line(&r, 0);
+        CHECK(cylint_intersect(&shape, &line, CYLINT_WANT_T, &answer) == 2);
+        for (int k = 0; k < 2; k++)
+            t[k] = (float)answer.hit[k].t;
+        for (int a = -2; a <= 2; a++)
+            for (int b = -2; b <= 2; b++)
+                for (int which = 0; which < 3; which++) {
+                    float from = t[which == 2], to = t[which > 0];
+                    for (int k = 0; k < abs(a); k++)
+                        from = nextafterf(from, a < 0 ? 0 : HUGE_VALF);
+                    for (int k = 0; k < abs(b); k++)
+                        to = nextafterf(to, b < 0 ? 0 : HUGE_VALF);
+                    if (from > to)
+                        continue;
+                    rays_begin(&r, 1);
+                    rays_add(&r, 0, o, d, from, to);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    hits += rays_hit(&r, 0);
+                }
+        CHECK(hits > 0);
+        world_free(&w);
+    }
+}
+
+/* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
+static void a_ray_within_a_face_of_the_box_is_not_lost(void)
+{
+    const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
+    cylint_shape shape;
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(&shape, 1, both_ways[how]);
+        int hits = 0;
+        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n)
+            for (int face = 0; face < 6; face++)
+                for (int sign = 0; sign < 8; sign++) {
+                    const int across = face / 2,
+                              along = (across + 1 + sign % 2) % 3;
+                    const float zero = sign & 4 ? -0.0f : 0.0f;
+                    float o[3] = {0, 0, 2}, d[3];
+                    struct rays r;
+                    o[across] += face % 2 ? 1.0f : -1.0f;
+                    for (int k = 0; k < 3; k++)
+                        d[k] = zero;
+                    d[along] = sign & 2 ? 1.0f : -1.0f;
+                    o[along] -= 3 * d[along];
+                    rays_begin(&r, n);
+                    rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    hits += rays_hit(&r, n / 2);
+                }
+        CHECK(hits == 4 * 6 * 8);
+        world_free(&w);
+    }
+}
+
+/* The library refuses such a line, so nothing is hit.  (Embree gets no rays
+ * that are not finite: for these its results are undefined.) */
+static void a_ray_without_direction_hits_nothing(void)
+{
+    const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
+    const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
+    cylint_shape shape;
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(&shape, 1, both_ways[how]);
+        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+            struct rays r;
+            rays_begin(&r, n);
+            for (int i = 0; i < n; i++)
+                rays_add(&r, i, o, i % 2 ? fine : none, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&w, &r);
+            CHECK(n == 1 || rays_hit(&r, 1));
+        }
+        world_free(&w);
+    }
+}
+
+/* ---------------------------------------------------------------- masks -- */
+
+static int is_visible(struct world *w, unsigned mask)
+{
+    const float o[3] = {0.5f, 0.5f, -3}, d[3] = {0, 0, 1};
+    struct rays r;
+    int hit;
+    rays_begin(&r, 4);
+    rays_add(&r, 2, o, d, 0, HUGE_VALF);
+    rays_at(&r, RAY_MASK, 2)->u = mask;
+    rays_intersect(&r, w->scene, NULL);
+    hit = rays_hit(&r, 2);
+    CHECK(rays_strayed(&r, 0) == 0);
+    memcpy(r.word, r.before, sizeof r.word);
+    rays_occluded(&r, w->scene, NULL);
+    CHECK(rays_shadowed(&r, 2) == hit);
+    return hit;
+}
+
+static void masks_select_the_visible_geometries(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {1, 1, 1};
+    cylint_shape shape;
+    struct world w;
+    if (!rtcGetDeviceProperty(world_device(),
+                              RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED)) {
+        printf("note: this Embree was built without ray masks\n");
+        return;
+    }
+    cylint_cylinder(&shape, p0, p1, 0.5, CYLINT_ENDS_CAPPED);
+    w = made(&shape, 1, 0);
+    for (int bit = 0; bit < 32; bit++)
+        CHECK(is_visible(&w, 1u << bit));
+    CHECK(!is_visible(&w, 0));
+    rtcSetGeometryMask(w.geometry, 6);
+    rtcCommitGeometry(w.geometry);
+    rtcCommitScene(w.scene);
+    CHECK(!is_visible(&w, 1) && is_visible(&w, 2) && is_visible(&w, 4) &&
+          !is_visible(&w, ~6u));
+    world_free(&w);
+}
+
+/* ----------------------------------------------------------------- ties -- */
+
+/* Of shapes hit at the same t the lowest number is reported, whichever leaf
+ * they are in; of shapes whose t differ by less than a float's last place the
+ * nearer one. */
+static void equal_and_nearly_equal_hits_are_distinguished(void)
+{
+    enum { MANY = 40 };
+    cylint_shape shapes[MANY];
+    const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
+    uint64_t state = 3;
+    for (int how = 0; how < 2; how++)
+        for (int turn = 0; turn < 60; turn++) {
+            struct world w;
+            struct rays r;
+            for (int i = 0; i < MANY; i++) {
+                /* caps toward the ray, from 0 to a few doubles apart, and solids
+             * of different sizes, so that they are grouped in some order */
+                double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
+                p0[2] =
+                    turn < 30 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
+                p1[2] = 1 + floor(8 * world_uniform(&state));
+                cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
+                                turn % 3 ? CYLINT_ENDS_CAPPED
+                                         : CYLINT_ENDS_CAP0);
+            }
+            w = made(shapes, MANY, both_ways[how]);
+            for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+                rays_begin(&r, n);
+                for (int i = 0; i < n; i++)
+                    rays_add(&r, i, o, d, 0, HUGE_VALF);
+                rays_intersect(&r, w.scene, NULL);
+                agrees(&w, &r);
+            }
+            world_free(&w);
+        }
+}
+
+/* The same with shapes that move along the ray; at time 1/2 it hits the
+ * caps. */
+static void equal_hits_of_moving_shapes_are_distinguished(void)
+{
+    enum { MANY = 40 };
+    cylint_shape shapes[MANY], moved[MANY], now[MANY];
+    const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
+    cylint_embree_options options = {0};
+    struct world w, at;
+    for (int i = 0; i < MANY; i++) {
+        const double away = i % 7 - 3, p0[3] = {0, 0, away},
+                     p1[3] = {0, 0, away + 4}, q0[3] = {0, 0, -away},
+                     q1[3] = {0, 0, 4 - away};
+        const double r = 1 + 0.125 * (i * 17 % MANY);
+        cylint_cylinder(&shapes[i], p0, p1, r, CYLINT_ENDS_CAPPED);
+        cylint_cylinder(&moved[i], q0, q1, r, CYLINT_ENDS_CAPPED);
+        CHECK(!cylint_embree_between(&shapes[i], &moved[i], 0.5, &now[i]));
+    }
+    options.moved = moved;
+    if (!CHECK(world_make(&w, shapes, MANY, &options)))
+        return;
+    at = w;
+    cylint_pack_shapes(&at.pack, w.pack_memory, now, MANY);
+    at.shapes = now;
+    for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+        struct rays r;
+        rays_begin(&r, n);
+        for (int i = 0; i < n; i++) {
+            rays_add(&r, i, o, d, 0, HUGE_VALF);
+            rays_at(&r, RAY_TIME, i)->f = 0.5f;
+        }
+        rays_intersect(&r, w.scene, NULL);
+        agrees(&at, &r);
+        CHECK(rays_at(&r, HIT_PRIM, 0)->u == 0);
+    }
+    world_free(&w);
+}
+
+/* An angle a little less than a whole turn: v is still below 1. */
+static void v_is_below_a_whole_turn(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    cylint_shape shape;
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(&shape, 1, both_ways[how]);
+        for (int k = 24; k < 48; k += 4) {
+            const float o[3] = {-ldexpf(1, -k), -4, 0.5f}, d[3] = {0, 1, 0};
+            struct rays r;
+            rays_begin(&r, 1);
+            rays_add(&r, 0, o, d, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&w, &r);
+            CHECK(rays_at(&r, HIT_V, 0)->f > 0.99f &&
+                  rays_at(&r, HIT_V, 0)->f < 1);
+        }
+        world_free(&w);
+    }
+}
+
+/* ------------------------------------------------------------ instances -- */
+
+/* A geometry that is never hit.  It records the rays, by their ids, as they
+ * reach it inside an instance. */
+static struct rays local[RAYS_MOST];
+
+static void spy_bounds(const struct RTCBoundsFunctionArguments *a)
+{
+    const struct RTCBounds everything = {-1e6f, -1e6f, -1e6f, 0,
+                                         1e6f,  1e6f,  1e6f,  0};
+    *a->bounds_o = everything;
+}
+
+static void spy_ray(const struct RTCIntersectFunctionNArguments *a)
+{
+    const union ray_word *word = (const union ray_word *)(void *)a->rayhit;
+    for (int i = 0; i < (int)a->N; i++)
+        for (int m = 0; a->valid[i] && m < HIT_NG; m++)
+            local[word[RAY_ID * (int)a->N + i].u].before[m] =
+                word[m * (int)a->N + i];
+}
+
+static void spy_shadow(const struct RTCOccludedFunctionNArguments *a)
+{
+    (void)a;
+}
+
+static void add_spy(RTCScene scene)
+{
+    RTCGeometry spy = rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(spy, 1);
+    rtcSetGeometryBoundsFunction(spy, spy_bounds, NULL);
+    rtcSetGeometryIntersectFunction(spy, spy_ray);
+    rtcSetGeometryOccludedFunction(spy, spy_shadow);
+    rtcSetGeometryMask(spy, 0xffffffffu);
+    rtcCommitGeometry(spy);
+    rtcAttachGeometry(scene, spy);
+    rtcReleaseGeometry(spy);
+}
+
+static RTCScene scene_with_instance(RTCScene of, unsigned id, uint64_t *state)
+{
+    RTCScene outer = rtcNewScene(world_device());
+    RTCGeometry instance =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    const double scale = pow(10, 4 * world_uniform(state) - 2);
+    float matrix[12];
+    for (int c = 0; c < 4; c++)
+        world_direction(state, matrix + 3 * c);
+    for (int k = 0; k < 9; k++)
+        matrix[k] = (float)(scale * matrix[k]);
+    rtcSetGeometryInstancedScene(instance, of);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            matrix);
+    rtcSetGeometryMask(instance, 0xffffffffu);
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(outer, instance, id);
+    rtcReleaseGeometry(instance);
+    rtcCommitScene(outer);
+    return outer;
+}
+
+/* Whether ray `at`, in instance 7, hit. */
+static int agrees_inside(const struct world *w, struct rays *r, int at)
+{
+    struct rays *offered = &local[at];
+    const unsigned none = RTC_INVALID_GEOMETRY_ID;
+    const int hit = rays_hit(r, at);
+    CHECK(rays_at(r, HIT_INST, at)->u == (hit ? 7 : none));
+    CHECK(rays_at(r, HIT_GEOM, at)->u == (hit ? 0 : none));
+#if RTC_VERSION_MAJOR >= 4
+    CHECK(rays_at(r, HIT_INST_PRIM, at)->u == (hit ? 0 : none));
+#endif
+    /* the answer, for the ray that the recorder got */
+    offered->n = 1;
+    for (int m = HIT_NG; m < RAY_MEMBERS; m++)
+        offered->word[m] = *rays_at(r, (enum ray_member)m, at);
+    offered->word[RAY_TFAR] = *rays_at(r, RAY_TFAR, at);
+    offered->before[RAY_TFAR].f = HUGE_VALF;
+    if (!CHECK(world_agrees(w, offered, 0, 1)))
+        world_show(w, offered, 0);
+    return hit;
+}
+
+/* Skewed and scaled instances: the transformed ray counts. */
+static void instances_answer_for_the_transformed_ray(void)
+{
+    cylint_shape shapes[SOME];
+    uint64_t state = 4;
+    world_shapes(&state, SCENE_MIXED, shapes, SOME);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(shapes, SOME, both_ways[how]);
+        int hits = 0;
+        add_spy(w.scene);
+        rtcCommitScene(w.scene);
+        for (int turn = 0; turn < 40; turn++) {
+            RTCScene outer = scene_with_instance(w.scene, 7, &state);
+            struct RTCBounds box;
+            rtcGetSceneBounds(w.scene, &box);
+            for (int i = 0; i < 60; i++) {
+                static const int sizes[4] = {1, 4, 8, 16};
+                const int n = sizes[i % 4], one = i % n, all = i % 8 > 3;
+                struct rays r;
+                float o[3], d[3];
+                world_direction(&state, o);
+                world_direction(&state, d);
+                for (int k = 0; k < 3; k++)
+                    o[k] *= 4;
+                rays_begin(&r, n);
+                for (int at = 0; at < n; at++) {
+                    if (all || at == one)
+                        rays_add(&r, at, o, d, 0, HUGE_VALF);
+                    for (int k = 0; k < 3; k++)
+                        d[k] += 0.02f * (float)world_uniform(&state);
+                }
+                rays_intersect(&r, outer, NULL);
+                CHECK(rays_strayed(&r, 0) == 0);
+                for (int at = 0; at < n; at++)
+                    if (r.valid[at])
+                        hits += agrees_inside(&w, &r, at);
+            }
+            rtcReleaseScene(outer);
+        }
+        CHECK(hits > 100);
+        world_free(&w);
+    }
+}
+
+/* An application may instance scenes itself: the hit gets the ids in the
+ * context.  (Both versions of Embree tested allow one level.) */
+static void a_hit_gets_the_instance_of_the_context(void)
+{
+    cylint_shape shapes[SOME];
+    uint64_t state = 13;
+    struct rays_query query = {0};
+    struct world w;
+    int hits = 0;
+    world_shapes(&state, SCENE_LATTICE, shapes, SOME);
+    w = made(shapes, SOME, 0);
+    query.instance = 9;
+    for (int i = 0; i < 400; i++) {
+        static const int sizes[4] = {1, 4, 8, 16};
+        struct rays r;
+        rays_begin(&r, sizes[i % 4]);
+        for (int k = 0; k < r.n; k++)
+            aim(&state, &r, k);
+        rays_intersect(&r, w.scene, &query);
+        agrees(&w, &r);
+        for (int k = 0; k < r.n; k++) {
+            hits += rays_hit(&r, k);
+            CHECK(rays_at(&r, HIT_INST, k)->u ==
+                  (rays_hit(&r, k) ? 9 : RTC_INVALID_GEOMETRY_ID));
+        }
+    }
+    CHECK(hits > 100);
+    world_free(&w);
+}
+
+/* ------------------------------------------------------------ bare hits -- */
+
+static void bare_hits_are_completed_later(void)
+{
+    cylint_shape shapes[SOME];
+    uint64_t state = 10;
+    int hits = 0;
+    world_shapes(&state, SCENE_MIXED, shapes, SOME);
+    for (int how = 0; how < 2; how++) {
+        struct world w =
+            made(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
+        for (int i = 0; i < 500; i++) {
+            struct rays r;
+            rays_begin(&r, 1);
+            aim(&state, &r, 0);
+            rays_intersect(&r, w.scene, NULL);
+            for (int m = HIT_NG; m <= HIT_V; m++)
+                CHECK(r.word[m].u == r.before[m].u);
+            if (!CHECK(world_agrees(&w, &r, 0, 0)))
+                world_show(&w, &r, 0);
+            if (!rays_hit(&r, 0))
+                continue;
+            cylint_embree_complete(w.geometry,
+                                   (struct RTCRayHit *)(void *)r.word);
+            agrees(&w, &r);
+            hits++;
+        }
+        world_free(&w);
+    }
+    CHECK(hits > 100);
+}
+
+int main(void)
+{
+    RUN(every_kind_with_all_caps_answers_as_the_library);
+    RUN(packets_answer_and_leave_other_lanes_alone);
+    RUN(a_ray_that_starts_inside_hits_where_it_leaves);
+    RUN(the_domain_holds_its_ends);
+    RUN(a_ray_within_a_face_of_the_box_is_not_lost);
+    RUN(a_ray_without_direction_hits_nothing);
+    RUN(masks_select_the_visible_geometries);
+    RUN(equal_and_nearly_equal_hits_are_distinguished);
+    RUN(equal_hits_of_moving_shapes_are_distinguished);
+    RUN(v_is_below_a_whole_turn);
+    RUN(instances_answer_for_the_transformed_ray);
+    RUN(a_hit_gets_the_instance_of_the_context);
+    RUN(bare_hits_are_completed_later);
+    return check_end();
+}

@@ -1,0 +1,38 @@
+#!/bin/sh
+# Floors scene and embree: their tests on Embree 4, if embree4/fetch.sh gets it.
+# EMBREE4=no skips them without a download.
+here=$(dirname "$0")
+. "$here/../support/verdict.sh"
+. "$here/../support/installs.sh"
+folder=$build/embree4
+[ "$EMBREE4" = no ] && { echo 'EMBREE4=no'; exit 77; }
+library=$(sh "$here/embree4/fetch.sh" "$folder/wheel")
+status=$?
+[ $status -eq 0 ] || { echo "$library"; exit $status; }
+library=$(cd "$(dirname "$library")" && pwd)/$(basename "$library")
+# libcylint is the same, so its objects are not compiled again
+mkdir -p "$folder/src" &&
+    cp -pr "$build/src/." "$folder/src" &&
+    rm -rf "$folder/src/scene" "$folder/src/embree" "$folder/src/bvh"
+make_with_4()
+{
+    make -s -C "$top" BUILD="$folder" EMBREE=4 \
+        EMBREE_CFLAGS='-Itests/embree -Werror=implicit-function-declaration -Werror=pedantic' \
+        EMBREE_LIBS="$library -Wl,-rpath,$(dirname "$library")" "$@"
+}
+
+# The program of cylint_embree(3), with the three changes that the page names.
+display cylint_embree.3 1 | sed 's/embree3/embree4/
+    /^ *struct RTCIntersectContext/d; /^ *rtcInitIntersectContext/d
+    s/rtcIntersect1(.*/rtcIntersect1(scene, \&at, NULL);/' > "$scratch/example.c"
+display cylint_embree.3 2 > "$scratch/said"
+make_with_4 "$folder/libcylint-embree.a" "$folder/libcylint.a" &&
+    $cc -std=c99 -Werror -Iinclude -Itests/embree -o "$scratch/example" \
+        "$scratch/example.c" "$folder/libcylint-embree.a" \
+        "$folder/libcylint.a" "$library" -Wl,-rpath,"$(dirname "$library")" \
+        -pthread -lm &&
+    "$scratch/example" | diff "$scratch/said" - || {
+    echo 'FAILED the program of cylint_embree(3)'
+    exit 1
+}
+make_with_4 check-embree

@@ -1,0 +1,332 @@
+/*
+ * test_filter.c - floor embree: filters get each hit once
+ *
+ * A filter here rejects by a rule on shape and t.  Each hit that it gets must
+ * be a hit of the library with all its members, and the result must be the
+ * nearest hit that the rule accepts.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "embree_world.h"
+
+enum { SOME = 150, MOST_OFFERS = 4 * SOME };
+
+typedef enum rule { ACCEPT, REJECT, EXITS, HALF, RULES } rule;
+
+/* The rules of the filters in one query, and the hits that they got. */
+struct record {
+    const struct world *w;
+    rule geometry, context; /* ACCEPT where there is no such filter */
+    struct rays *r;
+    struct {
+        int ray;
+        unsigned prim;
+        float t;
+    } offer[2][MOST_OFFERS];
+    int offers[2]; /* to the geometry's, the context's */
+    int bare, occlusion;
+    int bad; /* wrong arguments */
+};
+
+static int user_word; /* its address is the user pointer */
+
+static int passes(rule rule, unsigned prim, float t, int leaving)
+{
+    union ray_word word;
+    word.f = t;
+    switch (rule) {
+    case ACCEPT:
+        return 1;
+    case REJECT:
+        return 0;
+    case EXITS:
+        return leaving;
+    default:
+        return (prim * 2654435761u + word.u * 40503u) >> 7 & 1;
+    }
+}
+
+/* The index of the library's hit with these members, or -1. */
+static int offered_hit(const struct record *q, unsigned prim, float t, float u,
+                       int ray, cylint_answer *answer)
+{
+    const cylint_line line = rays_line(q->r, ray);
+    int number = -1;
+    const int n = prim < q->w->n ? cylint_intersect(&q->w->shapes[prim], &line,
+                                                    CYLINT_WANT_ALL, answer)
+                                 : 0;
+    for (int i = 0; i < n; i++)
+        if (world_float_above(answer->hit[i].t) == t &&
+            (number < 0 || q->bare || (float)answer->hit[i].z == u))
+            number = i;
+    return number;
+}
+
+/* Whether u, v and Ng are right; a bare hit keeps the values before, unless
+ * Embree traces a stream. */
+static int described(const struct record *q, const union ray_word *hit, int ray,
+                     const cylint_hit *at)
+{
+    int good = 1;
+    if (q->bare && !q->occlusion && !rays_are_native(q->w->scene, q->r->n))
+        return 1;
+    if (q->bare) {
+        for (int m = HIT_NG; m <= HIT_V; m++)
+            good &= hit[m - HIT_NG].u ==
+                    (q->occlusion ? 0 : q->r->before[m * q->r->n + ray].u);
+        return good;
+    }
+    for (int k = 0; k < 3; k++)
+        good &= hit[k].f == (float)at->normal[k];
+    return good && hit[HIT_U - HIT_NG].f == (float)at->z &&
+           hit[HIT_V - HIT_NG].f == world_turn(at->phi);
+}
+
+static void filter(struct record *q, int which,
+                   const struct RTCFilterFunctionNArguments *a)
+{
+    union ray_word hit[RAY_MEMBERS - HIT_NG], ray[HIT_NG];
+    cylint_answer answer;
+    int number, lane;
+    if (which == 1 && a->valid[0] == 0)
+        return; /* Embree 3 calls it after a rejection by the geometry's too */
+    if (a->N != 1 || a->valid[0] != -1 || a->geometryUserPtr != &user_word) {
+        q->bad++;
+        return;
+    }
+    memcpy(hit, a->hit, sizeof hit);
+    memcpy(ray, a->ray, sizeof ray);
+    lane = (int)ray[RAY_ID].u;
+    if (q->offers[which] < MOST_OFFERS) {
+        q->offer[which][q->offers[which]].ray = lane;
+        q->offer[which][q->offers[which]].prim = hit[HIT_PRIM - HIT_NG].u;
+        q->offer[which][q->offers[which]].t = ray[RAY_TFAR].f;
+    }
+    q->offers[which]++;
+    number = offered_hit(q, hit[HIT_PRIM - HIT_NG].u, ray[RAY_TFAR].f,
+                         hit[HIT_U - HIT_NG].f, lane, &answer);
+    if (number < 0) {
+        q->bad++;
+        return;
+    }
+    q->bad += !described(q, hit, lane, &answer.hit[number]);
+    q->bad += hit[HIT_GEOM - HIT_NG].u != 0;
+    q->bad += hit[HIT_INST - HIT_NG].u != RTC_INVALID_GEOMETRY_ID;
+    if (!passes(which ? q->context : q->geometry, hit[HIT_PRIM - HIT_NG].u,
+                ray[RAY_TFAR].f,
+                answer.hit[number].side == CYLINT_SIDE_LEAVING))
+        a->valid[0] = 0;
+}
+
+static void geometry_filter(const struct RTCFilterFunctionNArguments *a)
+{
+    filter(rays_user(a), 0, a);
+}
+
+static void context_filter(const struct RTCFilterFunctionNArguments *a)
+{
+    filter(rays_user(a), 1, a);
+}
+
+/* The shape of the nearest hit that both rules accept, or n. */
+static size_t expected(const struct record *q, int ray, double *t)
+{
+    const cylint_line line = rays_line(q->r, ray);
+    size_t nearest = q->w->n;
+    *t = HUGE_VAL;
+    for (size_t i = 0; i < q->w->n; i++) {
+        cylint_answer answer;
+        const int n =
+            cylint_intersect(&q->w->shapes[i], &line, CYLINT_WANT_ALL, &answer);
+        for (int k = 0; k < n; k++) {
+            const float f = world_float_above(answer.hit[k].t);
+            const int leaving = answer.hit[k].side == CYLINT_SIDE_LEAVING;
+            if (answer.hit[k].t < *t &&
+                passes(q->geometry, (unsigned)i, f, leaving) &&
+                passes(q->context, (unsigned)i, f, leaving)) {
+                nearest = i;
+                *t = answer.hit[k].t;
+            }
+        }
+    }
+    return nearest;
+}
+
+/* Hits of a shape that floats show at t: entry and exit may be one float. */
+static int hits_at(const struct record *q, int ray, unsigned prim, float t)
+{
+    const cylint_line line = rays_line(q->r, ray);
+    cylint_answer answer;
+    int n = 0;
+    const int hits =
+        cylint_intersect(&q->w->shapes[prim], &line, CYLINT_WANT_T, &answer);
+    for (int i = 0; i < hits; i++)
+        n += world_float_above(answer.hit[i].t) == t;
+    return n;
+}
+
+/* The number of calls beyond one for each hit. */
+static int twice(const struct record *q, int which)
+{
+    int n = 0;
+    const int most =
+        q->offers[which] < MOST_OFFERS ? q->offers[which] : MOST_OFFERS;
+    for (int i = 0; i < most; i++) {
+        int same = 1;
+        for (int j = 0; j < i; j++)
+            same += q->offer[which][i].prim == q->offer[which][j].prim &&
+                    q->offer[which][i].t == q->offer[which][j].t &&
+                    q->offer[which][i].ray == q->offer[which][j].ray;
+        n += same > 1 &&
+             same > hits_at(q, q->offer[which][i].ray, q->offer[which][i].prim,
+                            q->offer[which][i].t);
+    }
+    return n;
+}
+
+/* All hits of active rays. */
+static int hits_there_are(const struct record *q)
+{
+    int hits = 0;
+    for (int ray = 0; ray < q->r->n; ray++) {
+        const cylint_line line = rays_line(q->r, ray);
+        for (size_t i = 0; q->r->valid[ray] && i < q->w->n; i++) {
+            cylint_answer answer;
+            hits += cylint_intersect(&q->w->shapes[i], &line, CYLINT_WANT_COUNT,
+                                     &answer);
+        }
+    }
+    return hits;
+}
+
+static void check_answers(struct record *q, int occlusion)
+{
+    for (int i = 0; i < q->r->n; i++) {
+        double t;
+        size_t prim;
+        if (!q->r->valid[i])
+            continue;
+        prim = expected(q, i, &t);
+        if (occlusion) {
+            if (!CHECK(rays_shadowed(q->r, i) == (prim < q->w->n)))
+                world_show(q->w, q->r, i);
+        } else if (prim == q->w->n) {
+            CHECK(!rays_hit(q->r, i));
+            CHECK(rays_at(q->r, RAY_TFAR, i)->u ==
+                  q->r->before[RAY_TFAR * q->r->n + i].u);
+        } else if (!CHECK(rays_hit(q->r, i) &&
+                          rays_at(q->r, HIT_PRIM, i)->u == prim &&
+                          rays_at(q->r, RAY_TFAR, i)->f ==
+                              world_float_above(t))) {
+            REPORT("rules %d %d: shape %lu at t %a is the nearest to pass",
+                   q->geometry, q->context, (unsigned long)prim, t);
+            world_show(q->w, q->r, i);
+        }
+    }
+}
+
+/* Half of the packets are coherent. */
+static void add_rays(uint64_t *state, struct rays *r)
+{
+    const double spread = world_uniform(state) < 0.5 ? 1 : 0.05;
+    float all[3];
+    world_direction(state, all);
+    for (int i = 0; i < r->n; i++) {
+        float o[3], d[3];
+        world_direction(state, d);
+        for (int k = 0; k < 3; k++) {
+            d[k] = (float)((1 - spread) * all[k] + spread * d[k]);
+            o[k] = (float)(cbrt(SOME) *
+                           (spread * (world_uniform(state) - 0.5) - d[k]));
+        }
+        if (r->n == 1 || world_uniform(state) < 0.8)
+            rays_add(r, i, o, d, 5 * (float)world_uniform(state), HUGE_VALF);
+    }
+}
+
+static void query_packets(struct world *w, uint64_t *state, rule geometry,
+                          rule context, int n, int occlusion, int bare)
+{
+    static struct record q;
+    struct rays r;
+    struct rays_query query = {0};
+    memset(&q, 0, sizeof q);
+    q.w = w;
+    q.r = &r;
+    q.geometry = geometry;
+    q.context = context;
+    q.occlusion = occlusion;
+    q.bare = bare;
+    query.user = &q;
+    query.filter = context == ACCEPT ? NULL : context_filter;
+    rays_begin(&r, n);
+    add_rays(state, &r);
+    if (occlusion)
+        rays_occluded(&r, w->scene, &query);
+    else
+        rays_intersect(&r, w->scene, &query);
+    CHECK(q.bad == 0);
+    CHECK(rays_strayed(&r, occlusion) == 0);
+    CHECK(twice(&q, 0) == 0 && twice(&q, 1) == 0);
+    if (geometry == REJECT)
+        CHECK(q.offers[0] == hits_there_are(&q) && q.offers[1] == 0);
+    else if (context == REJECT)
+        CHECK(q.offers[0] == 0 ? q.offers[1] == hits_there_are(&q)
+                               : q.offers[1] <= q.offers[0]);
+    check_answers(&q, occlusion);
+}
+
+static void with_filters(unsigned how, int kind)
+{
+    static const int sizes[4] = {1, 4, 8, 16};
+    cylint_shape shapes[SOME];
+    cylint_embree_options options = {0};
+    uint64_t state = 11;
+    struct world w;
+    options.flags = how | CYLINT_EMBREE_CONTEXT_FILTER;
+    options.user = &user_word;
+    world_shapes(&state, kind, shapes, SOME);
+    if (!CHECK(world_make(&w, shapes, SOME, &options)))
+        return;
+    for (int geometry = ACCEPT; geometry < RULES; geometry++) {
+        rtcSetGeometryIntersectFilterFunction(
+            w.geometry, geometry == ACCEPT ? NULL : geometry_filter);
+        rtcSetGeometryOccludedFilterFunction(
+            w.geometry, geometry == ACCEPT ? NULL : geometry_filter);
+        rtcCommitGeometry(w.geometry);
+        rtcCommitScene(w.scene);
+        for (int context = ACCEPT; context < RULES; context++)
+            for (int i = 0; i < 40; i++)
+                query_packets(&w, &state, (rule)geometry, (rule)context,
+                              sizes[i / 2 % 4], i & 1,
+                              (how & CYLINT_EMBREE_BARE) != 0);
+    }
+    world_free(&w);
+}
+
+static void filters_get_each_hit_once_from_leaves(void)
+{
+    for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
+        with_filters(0, kind);
+}
+
+static void filters_get_each_hit_once_from_single_primitives(void)
+{
+    with_filters(CYLINT_EMBREE_SINGLE, SCENE_FIBRES);
+    with_filters(CYLINT_EMBREE_SINGLE, SCENE_MIXED);
+}
+
+static void filters_get_bare_hits_without_description(void)
+{
+    with_filters(CYLINT_EMBREE_BARE, SCENE_MIXED);
+}
+
+int main(void)
+{
+    RUN(filters_get_each_hit_once_from_leaves);
+    RUN(filters_get_each_hit_once_from_single_primitives);
+    RUN(filters_get_bare_hits_without_description);
+    return check_end();
+}

@@ -1,0 +1,288 @@
+/*
+ * test_random.c - floor embree: random rays have the answers of brute
+ * force
+ *
+ * All kinds of lines through all kinds of scenes, as float rays, compared with
+ * cylint_nearest() on the same floats.  From within three sizes of the scene
+ * every answer has the same bits.  Embree misses some rays from farther away,
+ * up to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported
+ * hit must be a hit of the library.
+ *
+ *     test_random [RAYS [SHAPES [SEED]]]
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "shapes/layout.h"
+#include "embree_world.h"
+#include "vectors.h"
+
+static int rays_wanted = 100000, shapes_wanted = 200;
+static uint64_t seed = 1;
+
+static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
+                             SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
+                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
+                             SCENE_ROUND,   SCENE_STRANDS};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+struct tally {
+    long rays, hits, shadows;
+    long far, far_missed, far_other; /* from farther than `sizes` */
+    double sizes;                    /* as far as boxes are wide enough */
+};
+
+/* Makes a ray for Embree from the line.  Returns 0 if that is impossible. */
+static int add_line(struct rays *r, int i, const cylint_line *line)
+{
+    float o[3], d[3];
+    const float tnear = (float)fmax(line->tmin, 0), tfar = (float)line->tmax;
+    int length = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!(fabs(line->o[k]) < 1e18 && fabs(line->d[k]) < 1e18))
+            return 0;
+        o[k] = (float)line->o[k];
+        d[k] = (float)line->d[k];
+        /* less is 0 to Embree's boxes: the direction would be another */
+        length |= fabsf(d[k]) > 1e-12f;
+    }
+    if (!length || !(tnear <= tfar))
+        return 0;
+    rays_add(r, i, o, d, tnear, tfar);
+    return 1;
+}
+
+static int is_far(const struct scene_shapes *s, const cylint_line *line,
+                  double sizes)
+{
+    double size = 0;
+    int far = 0;
+    for (int k = 0; k < 3; k++)
+        size = fmax(size, s->hi[k] - s->lo[k]);
+    for (int k = 0; k < 3; k++)
+        far |= line->o[k] < s->lo[k] - sizes * size ||
+               line->o[k] > s->hi[k] + sizes * size;
+    return far;
+}
+
+/* Whether the shape of the answer has a hit there. */
+static int is_a_hit(const struct world *w, struct rays *r, int i)
+{
+    const cylint_line line = rays_line(r, i);
+    const unsigned shape = rays_at(r, HIT_PRIM, i)->u;
+    cylint_answer answer;
+    int n = shape < w->n ? cylint_intersect(&w->shapes[shape], &line,
+                                            CYLINT_WANT_T, &answer)
+                         : 0;
+    while (n > 0 &&
+           world_float_above(answer.hit[n - 1].t) != rays_at(r, RAY_TFAR, i)->f)
+        n--;
+    return n > 0;
+}
+
+static void compare(const struct world *w, const struct scene_shapes *s,
+                    struct rays *r, int i, struct tally *n)
+{
+    const cylint_line line = rays_line(r, i);
+    const int agrees = world_agrees(w, r, i, 1),
+              far = is_far(s, &line, n->sizes);
+    n->rays++;
+    n->hits += rays_hit(r, i);
+    n->far += far;
+    n->far_missed += far && !agrees && !rays_hit(r, i);
+    n->far_other += far && !agrees && rays_hit(r, i);
+    if (!CHECK(agrees || (far && (!rays_hit(r, i) || is_a_hit(w, r, i))))) {
+        REPORT("scene %s, from %s", s->name, far ? "afar" : "near");
+        world_show(w, r, i);
+    }
+}
+
+static void compare_shadow(const struct world *w, const struct scene_shapes *s,
+                           struct rays *r, int i, struct tally *n)
+{
+    const cylint_line line = rays_line(r, i);
+    const int expected = cylint_count(&w->pack, &line, 1) != 0;
+    n->shadows += expected;
+    if (!CHECK(rays_shadowed(r, i) == expected ||
+               (expected && is_far(s, &line, n->sizes))))
+        world_show(w, r, i);
+}
+
+static void compare_lines(const struct world *w, const struct scene_shapes *s,
+                          enum scene_lines kind, uint64_t seed, int rays,
+                          struct tally *n)
+{
+    static const int sizes[4] = {1, 4, 8, 16};
+    uint64_t index = 0;
+    for (int n_rays = 0, turn = 0;
+         n_rays < rays && index < 100u * (unsigned)rays; turn++) {
+        struct rays r;
+        rays_begin(&r, sizes[turn % 4]);
+        for (int i = 0; i < r.n; i++) {
+            cylint_line line;
+            if (scene_line(s, kind, seed, index++, &line) == CYLINT_OK)
+                n_rays += add_line(&r, i, &line);
+        }
+        if (r.n == 1 && !r.valid[0])
+            continue;
+        rays_intersect(&r, w->scene, NULL);
+        CHECK(rays_strayed(&r, 0) == 0);
+        for (int i = 0; i < r.n; i++)
+            if (r.valid[i])
+                compare(w, s, &r, i, n);
+        memcpy(r.word, r.before, sizeof r.word);
+        rays_occluded(&r, w->scene, NULL);
+        CHECK(rays_strayed(&r, 1) == 0);
+        for (int i = 0; i < r.n; i++)
+            if (r.valid[i])
+                compare_shadow(w, s, &r, i, n);
+    }
+}
+
+static void answers_are_those_of_brute_force(unsigned how, double sizes)
+{
+    struct tally n = {.sizes = sizes};
+    for (int i = 0; i < SCENES; i++) {
+        struct scene_shapes s;
+        struct world w;
+        cylint_embree_options options = {0};
+        options.flags = how;
+        scene_generate(scenes[i], (size_t)shapes_wanted, seed, &s);
+        if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
+            for (int kind = 0; kind < LINES_KINDS; kind++)
+                compare_lines(&w, &s, (enum scene_lines)kind, seed,
+                              1 + rays_wanted / (2 * SCENES * LINES_KINDS), &n);
+            world_free(&w);
+        } else {
+            REPORT("scene %s, shape %lu: %s", s.name,
+                   (unsigned long)w.problem.shape,
+                   cylint_embree_strerror(w.problem.status));
+        }
+        scene_release(&s);
+    }
+    CHECK(n.rays >= rays_wanted / 2 && n.hits > n.rays / 4 &&
+          n.hits < n.rays - n.rays / 100);
+    CHECK(n.far < n.rays / 4 && n.far_missed + n.far_other <= n.far / 20);
+    printf("note: %ld rays, %ld hit, as by brute force; of %ld from farther "
+           "than %g sizes %ld missed, %ld another nearest\n",
+           n.rays, n.hits, n.far, sizes, n.far_missed, n.far_other);
+}
+
+static void leaves_answer_as_brute_force_does(void)
+{
+    answers_are_those_of_brute_force(0, 4095);
+}
+
+/* Certain occlusion in floats is right. */
+static void without_filters_leaves_answer_as_brute_force_does(void)
+{
+    answers_are_those_of_brute_force(CYLINT_EMBREE_NO_FILTERS, 4095);
+}
+
+static void primitives_answer_as_brute_force_does(void)
+{
+    answers_are_those_of_brute_force(CYLINT_EMBREE_SINGLE, 3);
+}
+
+/* Lengths from 1e-6 to 1e7: the entry and the exit of a small shape may round
+ * to the same float.  The entry is the hit even if the traversal finds the
+ * piece with the exit first. */
+static void hits_of_a_shape_that_share_a_float_are_distinguished(void)
+{
+    struct tally n = {.sizes = 4095};
+    for (uint64_t turn = 1; turn <= 8; turn++) {
+        struct scene_shapes s;
+        struct world w;
+        scene_generate(SCENE_LENGTHS, 300, turn, &s);
+        if (CHECK(world_make(&w, s.shapes, s.n, NULL)))
+            compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
+        world_free(&w);
+        scene_release(&s);
+    }
+    CHECK(n.hits > n.rays / 4);
+}
+
+static double between(uint64_t *state, double from, double to)
+{
+    return from + (to - from) * world_uniform(state);
+}
+
+/* A ray that nearly touches the shape: at its lateral surface, at a rim, or
+ * with an end of its domain. */
+static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
+                            uint64_t *state)
+{
+    const double z = between(state, -0.1, 1.1), L = between(state, 0.3, 3);
+    const double away = between(state, 0.8, 1.2);
+    double v[3], out[3], along[3], size = 0;
+    float o[3], d[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = between(state, -1, 1);
+    cross3(out, cylint_axis(s), v);
+    for (int k = 0; k < 3; k++)
+        size += out[k] * out[k];
+    cross3(along, out, cylint_axis(s));
+    for (int k = 0; k < 3; k++) {
+        const double radial = cylint_r0(s) * away * out[k] / sqrt(size);
+        d[k] = (float)(along[k] / sqrt(size) +
+                       between(state, -0.3, 0.3) * cylint_axis(s)[k]);
+        o[k] = (float)(cylint_base(s)[k] + z * cylint_axis(s)[k] + radial -
+                       L * (double)d[k]);
+    }
+    rays_add(r, i, o, d, 0,
+             between(state, 0, 1) < 0.3
+                 ? HUGE_VALF
+                 : (float)(L + between(state, -0.2, 0.2)));
+}
+
+static void rays_that_barely_miss_are_not_occluded(void)
+{
+    enum { SOLIDS = 100, TURNS = 40000 };
+    cylint_embree_options options = {0};
+    uint64_t state = seed;
+    long hits = 0;
+    options.flags = CYLINT_EMBREE_NO_FILTERS;
+    for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
+        cylint_shape shapes[SOLIDS];
+        struct world w;
+        world_shapes(&state, scene, shapes, SOLIDS);
+        for (int i = 0; i < SOLIDS; i++) {
+            const cylint_shape was = shapes[i];
+            cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
+                            cylint_r0(&was), CYLINT_ENDS_CAPPED);
+        }
+        if (!CHECK(world_make(&w, shapes, SOLIDS, &options)))
+            return;
+        for (int turn = 0; turn < TURNS; turn++) {
+            struct rays r;
+            rays_begin(&r, 1);
+            add_grazing_ray(&r, 0, &shapes[turn % SOLIDS], &state);
+            rays_occluded(&r, w.scene, NULL);
+            const cylint_line line = rays_line(&r, 0);
+            const int expected = cylint_count(&w.pack, &line, 1) != 0;
+            hits += expected;
+            if (!CHECK(rays_shadowed(&r, 0) == expected))
+                world_show(&w, &r, 0);
+        }
+        world_free(&w);
+    }
+    CHECK(hits > TURNS / 4 && hits < 2 * TURNS - TURNS / 4);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        rays_wanted = atoi(argv[1]);
+    if (argc > 2)
+        shapes_wanted = atoi(argv[2]);
+    if (argc > 3)
+        seed = strtoull(argv[3], NULL, 10);
+    RUN(leaves_answer_as_brute_force_does);
+    RUN(without_filters_leaves_answer_as_brute_force_does);
+    RUN(primitives_answer_as_brute_force_does);
+    RUN(rays_that_barely_miss_are_not_occluded);
+    RUN(hits_of_a_shape_that_share_a_float_are_distinguished);
+    return check_end();
+}

@@ -1,0 +1,454 @@
+/*
+ * test_shapes.c - floor embree: shapes of a geometry move, change, have
+ * a box, or are refused with their number
+ */
+#include <math.h>
+#include <string.h>
+
+#include "embree_compare.h"
+#include "shapes/layout.h"
+
+/* --------------------------------------------------------------- motion -- */
+
+static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
+{
+    static const float times[4] = {0, 0.25f, 0.5f, 1};
+    cylint_shape shapes[SOME], moved[SOME], now[SOME];
+    cylint_embree_options options = {0};
+    struct world w, at;
+    uint64_t state = 5;
+    int hits = 0;
+    world_shapes(&state, SCENE_MIXED, shapes, SOME);
+    for (int i = 0; i < SOME; i++) {
+        double c[3];
+        for (int k = 0; k < 3; k++)
+            c[k] = world_uniform(&state);
+        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c, 0.3,
+                    0.05, &moved[i]);
+    }
+    options.moved = moved;
+    if (!CHECK(world_make(&w, shapes, SOME, &options)))
+        return;
+    at = w;
+    at.pack_memory = malloc(cylint_pack_bytes(SOME));
+    for (int turn = 0; turn < 4; turn++) {
+        for (int i = 0; i < SOME; i++)
+            CHECK(cylint_embree_between(&shapes[i], &moved[i], times[turn],
+                                        &now[i]) == CYLINT_OK);
+        cylint_pack_shapes(&at.pack, at.pack_memory, now, SOME);
+        at.shapes = now;
+        for (int i = 0; i < 500; i++) {
+            static const int sizes[4] = {1, 4, 8, 16};
+            struct rays r;
+            rays_begin(&r, sizes[i % 4]);
+            for (int k = 0; k < r.n; k++) {
+                aim(&state, &r, k);
+                rays_at(&r, RAY_TIME, k)->f = times[turn];
+            }
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&at, &r);
+            hits += rays_hit(&r, 0);
+            memcpy(r.word, r.before, sizeof r.word);
+            rays_occluded(&r, w.scene, NULL);
+            for (int k = 0; k < r.n; k++)
+                if (!CHECK(rays_shadowed(&r, k) == shadow_expected(&at, &r, k)))
+                    world_show(&at, &r, k);
+        }
+    }
+    CHECK(hits > 100);
+    free(at.pack_memory);
+    world_free(&w);
+}
+
+/* The numbers given to the constructors change linearly. */
+static void between_moves_the_constructors_numbers(void)
+{
+    const double p[2][3] = {{0, 0, 0}, {1, 2, 4}},
+                 q[2][3] = {{0, 0, 2}, {8, 2, 4}};
+    double pm[3], qm[3], km = 0.5 * (0.75 + 0.25), x[3] = {1, 0, 0},
+                         y[3] = {0, 3, 0}, z[3] = {0, 1, 5};
+    cylint_shape a, b, half, expected;
+    for (int k = 0; k < 3; k++) {
+        pm[k] = 0.5 * (p[0][k] + p[1][k]);
+        qm[k] = 0.5 * (q[0][k] + q[1][k]);
+    }
+    /* constructors leave members unwritten that the kind does not have */
+#define HALF(MAKE_A, MAKE_B, MAKE_EXPECTED)                        \
+    memset(&a, 0, sizeof a);                                       \
+    memset(&b, 0, sizeof b);                                       \
+    memset(&expected, 0, sizeof expected);                         \
+    CHECK(!(MAKE_A) && !(MAKE_B) && !(MAKE_EXPECTED));             \
+    memset(&half, 0, sizeof half);                                 \
+    CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_OK); \
+    CHECK(memcmp(&half, &expected, sizeof half) == 0);             \
+    CHECK(cylint_embree_between(&a, &b, 0, &half) == CYLINT_OK);   \
+    CHECK(memcmp(&half, &a, sizeof half) == 0);                    \
+    CHECK(cylint_embree_between(&a, &b, 1, &half) == CYLINT_OK);   \
+    CHECK(memcmp(&half, &b, sizeof half) == 0)
+    HALF(cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
+         cylint_cylinder(&b, p[1], q[1], 2, CYLINT_ENDS_OPEN),
+         cylint_cylinder(&expected, pm, qm, 1.5, CYLINT_ENDS_OPEN));
+    HALF(cylint_cone(&a, p[0], 1, q[0], 0, CYLINT_ENDS_CAP0),
+         cylint_cone(&b, p[1], 3, q[1], 0.5, CYLINT_ENDS_CAP0),
+         cylint_cone(&expected, pm, 2, qm, 0.25, CYLINT_ENDS_CAP0));
+    HALF(cylint_tangent_cone(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED),
+         cylint_tangent_cone(&b, p[1], q[1], 0.25, CYLINT_ENDS_CAPPED),
+         cylint_tangent_cone(&expected, pm, qm, 0.625, CYLINT_ENDS_CAPPED));
+    HALF(
+        cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_ENDS_CAPPED),
+        cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_ENDS_CAPPED),
+        (z[1] = 0.5, z[2] = 3.5,
+         cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_ENDS_CAPPED)));
+    z[1] = 1, z[2] = 5;
+    HALF(
+        cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_ENDS_CAPPED),
+        cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
+        (z[1] = 0.5, z[2] = 3.5,
+         cylint_elliptic_cone(&expected, pm, x, y, z, km, CYLINT_ENDS_CAPPED)));
+    HALF(cylint_capsule(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
+         cylint_round_cone(&b, p[1], 2, q[1], 1, CYLINT_ENDS_OPEN),
+         cylint_round_cone(&expected, pm, 1.5, qm, 1, CYLINT_ENDS_OPEN));
+    HALF(cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED),
+         cylint_sphere(&b, p[1], 3, CYLINT_ENDS_CAPPED),
+         cylint_sphere(&expected, pm, 2, CYLINT_ENDS_CAPPED));
+    /* the ball about q holds the other at time 0: the ends are exchanged */
+    HALF(
+        cylint_round_cone(&a, p[0], 1, q[0], 99, CYLINT_ENDS_CAPPED),
+        cylint_round_cone(&b, p[1], 0.5, q[1], 0.25, CYLINT_ENDS_CAPPED),
+        cylint_round_cone(&expected, pm, 0.75, qm, 49.625, CYLINT_ENDS_CAPPED));
+    cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED);
+    cylint_capsule(&b, p[0], p[0], 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_embree_between(&a, &a, 0.5, &half) == CYLINT_OK &&
+          cylint_surface(&half) == CYLINT_PART_LATERAL);
+#undef HALF
+    /* an axis that vanishes at time 1/2 */
+    cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&b, q[0], p[0], 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_EAXIS);
+    CHECK(half.kind == CYLINT_KIND_NONE);
+}
+
+/* --------------------------------------------------------------- update -- */
+
+static void query_some(struct world *w, uint64_t *state)
+{
+    for (int i = 0; i < 100; i++) {
+        struct rays r;
+        rays_begin(&r, 4);
+        for (int k = 0; k < 4; k++)
+            aim(state, &r, k);
+        rays_intersect(&r, w->scene, NULL);
+        agrees(w, &r);
+    }
+}
+
+static void an_update_reads_the_changed_shapes(void)
+{
+    cylint_shape shapes[SOME], kept;
+    uint64_t state = 6;
+    for (int how = 0; how < 2; how++) {
+        struct world w;
+        long long bytes;
+        world_shapes(&state, SCENE_THIN, shapes, SOME);
+        w = made(shapes, SOME, both_ways[how]);
+        query_some(&w, &state);
+        bytes = world_memory.bytes;
+        for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
+            world_shapes(&state, kind, shapes, SOME);
+            CHECK(cylint_embree_update(w.geometry, &w.problem) ==
+                  CYLINT_EMBREE_OK);
+            rtcCommitScene(w.scene);
+            cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SOME);
+            query_some(&w, &state);
+        }
+        /* a later scene needs no more memory than the first */
+        world_shapes(&state, SCENE_THIN, shapes, SOME);
+        for (int i = 0; i < 50; i++)
+            CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
+        rtcCommitScene(w.scene);
+        CHECK(world_memory.bytes < 2 * bytes);
+        /* a shape that is refused, and then one that is not */
+        kept = shapes[17];
+        cylint_cylinder(&shapes[17], cylint_base(&kept), cylint_base(&kept), 1,
+                        CYLINT_ENDS_CAPPED);
+        world_errors();
+        CHECK(cylint_embree_update(w.geometry, &w.problem) ==
+              CYLINT_EMBREE_ESHAPE);
+        CHECK(w.problem.status == CYLINT_EMBREE_ESHAPE &&
+              w.problem.shape == 17);
+        CHECK(world_errors() == 1 &&
+              world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+        shapes[17] = kept;
+        CHECK(cylint_embree_update(w.geometry, &w.problem) == CYLINT_EMBREE_OK);
+        rtcCommitScene(w.scene);
+        cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SOME);
+        query_some(&w, &state);
+        world_free(&w);
+    }
+}
+
+/* --------------------------------------------------------------- bounds -- */
+
+/* Embree's box contains the shapes; it is wider only by the padding that the
+ * header states and a rounding to float. */
+static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
+{
+    cylint_shape shapes[SOME];
+    uint64_t state = 7;
+    for (int how = 0; how < 2; how++)
+        for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
+            for (int n = 1; n <= SOME; n += 33) {
+                double lo[3], hi[3], least[3], most[3];
+                double size = 0, most_of_all = 0;
+                struct RTCBounds box;
+                const float *lower = &box.lower_x, *upper = &box.upper_x;
+                struct world w;
+                world_shapes(&state, kind, shapes, (size_t)n);
+                w = made(shapes, (size_t)n, both_ways[how]);
+                for (int i = 0; i < n; i++) {
+                    cylint_bounds(&shapes[i], lo, hi);
+                    for (int k = 0; k < 3; k++) {
+                        least[k] = i && least[k] < lo[k] ? least[k] : lo[k];
+                        most[k] = i && most[k] > hi[k] ? most[k] : hi[k];
+                    }
+                }
+                for (int k = 0; k < 3; k++) {
+                    size = fmax(size, most[k] - least[k]);
+                    most_of_all = fmax(most_of_all, fmax(-least[k], most[k]));
+                }
+                rtcGetSceneBounds(w.scene, &box);
+                for (int k = 0; k < 3; k++) {
+                    const double per_size =
+                        both_ways[how] & CYLINT_EMBREE_SINGLE ? 0x1.1p-19
+                                                              : 0x1.1p-9;
+                    const double pad =
+                        size * per_size + 0x1.1p-23 * most_of_all;
+                    CHECK(lower[k] < least[k] &&
+                          lower[k] >=
+                              -nextafterf(world_float_above(pad - least[k]),
+                                          HUGE_VALF));
+                    CHECK(upper[k] > most[k] &&
+                          upper[k] <=
+                              nextafterf(world_float_above(pad + most[k]),
+                                         HUGE_VALF));
+                }
+                world_free(&w);
+            }
+}
+
+static void a_geometry_without_shapes_is_never_hit(void)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(NULL, 0, both_ways[how]);
+        struct RTCBounds box;
+        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+            struct rays r;
+            rays_begin(&r, n);
+            rays_add(&r, 0, o, d, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&w, &r);
+        }
+        rtcGetSceneBounds(w.scene, &box);
+        CHECK(box.lower_x > box.upper_x);
+        CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
+        world_free(&w);
+    }
+    CHECK(world_errors() == 0);
+}
+
+/* -------------------------------------------------------------- refusal -- */
+
+enum { ROW = 30 };
+
+/* Makes a geometry of ROW shapes, of which `first` and the last are bad. */
+static void refused(const cylint_shape *bad, size_t first, int status)
+{
+    cylint_shape shapes[ROW];
+    uint64_t state = 8;
+    world_shapes(&state, SCENE_FAT, shapes, ROW);
+    shapes[first] = shapes[ROW - 1] = *bad;
+    for (int how = 0; how < 2; how++) {
+        const cylint_embree_options options = options_for(both_ways[how]);
+        cylint_embree_problem problem = {0, 0};
+        const long long bytes = world_memory.bytes;
+        world_errors();
+        CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                      &problem));
+        CHECK(problem.status == status && problem.shape == first);
+        CHECK(world_errors() == 1 &&
+              world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+        CHECK(world_memory.bytes == bytes);
+        CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                      NULL));
+        world_errors();
+    }
+}
+
+static void shapes_that_embree_would_drop_are_refused_by_number(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
+           nan[3] = {0, 0, NAN};
+    cylint_shape shape;
+    CHECK(cylint_cylinder(&shape, p0, nan, 1, CYLINT_ENDS_CAPPED));
+    refused(&shape, 0, CYLINT_EMBREE_ESHAPE);
+    CHECK(cylint_cylinder(&shape, p0, p0, 1, CYLINT_ENDS_CAPPED));
+    refused(&shape, 7, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_INFINITE));
+    refused(&shape, 8, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_angle_cone(&shape, p0, p1, 30, CYLINT_ENDS_NAPPE));
+    refused(&shape, 9, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_cylinder(&shape, p0, far, 1, CYLINT_ENDS_CAPPED));
+    refused(&shape, 15, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_cylinder(&shape, p0, p1, 1e300, CYLINT_ENDS_CAPPED));
+    refused(&shape, 16, CYLINT_EMBREE_ESHAPE);
+    /* a shape within the limit is hit */
+    CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_ENDS_CAPPED));
+    for (int how = 0; how < 2; how++) {
+        const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
+        struct world w = made(&shape, 1, both_ways[how]);
+        struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
+        CHECK(rays_hit(&r, 0));
+        world_free(&w);
+    }
+}
+
+static void impossible_motion_is_refused_by_number(void)
+{
+    cylint_shape shapes[ROW], moved[ROW];
+    cylint_embree_options options = {0};
+    cylint_embree_problem problem;
+    const long long bytes = world_memory.bytes;
+    const double p0[3] = {0, 0, 0}, p1[3] = {1, 0, 0}, p2[3] = {0, 1, 0},
+                 p3[3] = {0, 0, 1};
+    uint64_t state = 9;
+    world_shapes(&state, SCENE_FAT, shapes, ROW);
+    memcpy(moved, shapes, sizeof moved);
+    options.moved = moved;
+    cylint_cylinder(&moved[11], p0, p1, 1, CYLINT_ENDS_OPEN); /* other ends */
+    cylint_elliptic_cylinder(&moved[12], p0, p1, p2, p3, CYLINT_ENDS_CAPPED);
+    for (int i = 11; i <= 12; i++) {
+        world_errors();
+        CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                      &problem));
+        CHECK(problem.status == CYLINT_EMBREE_EMOTION &&
+              problem.shape == (size_t)i);
+        CHECK(world_errors() == 1 &&
+              world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+        moved[i] = shapes[i];
+    }
+    cylint_cylinder(&moved[13], p0, p0, 1, CYLINT_ENDS_CAPPED);
+    CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                  &problem));
+    CHECK(problem.status == CYLINT_EMBREE_ESHAPE && problem.shape == 13);
+    CHECK(world_memory.bytes == bytes);
+    world_errors();
+}
+
+/* Enough shapes for five threads to make and update the geometry. */
+static void five_threads_make_a_geometry_that_answers_the_same(void)
+{
+    enum { MANY = 21000 };
+    static cylint_shape shapes[MANY];
+    const long long bytes = world_memory.bytes;
+    const double side = cbrt(MANY);
+    cylint_embree_options options = {0};
+    uint64_t state = 12;
+    struct world one, five;
+    int hits = 0;
+    world_shapes(&state, SCENE_FIBRES, shapes, MANY);
+    options.threads = 5;
+    if (!CHECK(world_make(&one, shapes, MANY, NULL) &&
+               world_make(&five, shapes, MANY, &options)))
+        return;
+    CHECK(cylint_embree_bytes(one.geometry) ==
+          cylint_embree_bytes(five.geometry));
+    CHECK(cylint_embree_update(five.geometry, NULL) == CYLINT_EMBREE_OK);
+    rtcCommitScene(five.scene);
+    for (int i = 0; i < 300; i++) {
+        struct rays r, s;
+        float o[3], d[3];
+        world_direction(&state, d);
+        for (int k = 0; k < 3; k++)
+            o[k] = (float)(side * (world_uniform(&state) - 0.5));
+        rays_begin(&r, 1);
+        rays_add(&r, 0, o, d, 0, HUGE_VALF);
+        s = r;
+        rays_intersect(&r, one.scene, NULL);
+        rays_intersect(&s, five.scene, NULL);
+        CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);
+        hits += rays_hit(&r, 0);
+    }
+    CHECK(hits > 100);
+    world_free(&one);
+    world_free(&five);
+    CHECK(world_memory.bytes == bytes);
+}
+
+/* The shapes stand side by side, 2 high.  A ray along the axis from below and one
+ * from above. */
+static void u_is_z_below_0_and_above_1_on_round_ends(void)
+{
+    static const float expected[4][2] = {
+        {-0.1f, 1.1f}, {-0.1f, 1.05f}, {0, 1}, {0, 0}};
+    static const int sizes[4] = {1, 4, 8, 16};
+    cylint_shape shapes[4];
+    double p[4][3], q[4][3];
+    for (int i = 0; i < 4; i++) {
+        memcpy(p[i], (double[3]){i, 0, 0}, sizeof p[i]);
+        memcpy(q[i], (double[3]){i, 0, 2}, sizeof q[i]);
+    }
+    CHECK(!cylint_capsule(&shapes[0], p[0], q[0], 0.2, CYLINT_ENDS_CAPPED) &&
+          !cylint_round_cone(&shapes[1], p[1], 0.2, q[1], 0.1,
+                             CYLINT_ENDS_CAPPED) &&
+          !cylint_cylinder(&shapes[2], p[2], q[2], 0.2, CYLINT_ENDS_CAPPED) &&
+          !cylint_sphere(&shapes[3], p[3], 0.2, CYLINT_ENDS_CAPPED));
+    for (int way = 0; way < 2; way++) {
+        struct world w = made(shapes, 4, both_ways[way]);
+        for (int size = 0; size < 4; size++)
+            for (int i = 0; i < 8; i++) {
+                const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
+                const float d[3] = {0, 0, -o[2]};
+                struct rays r;
+                rays_begin(&r, sizes[size]);
+                for (int k = 0; k < r.n; k++)
+                    rays_add(&r, k, o, d, 0, HUGE_VALF);
+                rays_intersect(&r, w.scene, NULL);
+                agrees(&w, &r);
+                CHECK(rays_at(&r, HIT_U, r.n - 1)->f == expected[i / 2][i % 2]);
+            }
+        world_free(&w);
+    }
+}
+
+static void every_status_has_its_text(void)
+{
+    static const char *const texts[] = {
+        [CYLINT_EMBREE_OK] = "no error",
+        [CYLINT_EMBREE_ESHAPE] = "a shape is invalid, unbounded, or has a "
+                                 "coordinate of 1.844e18 or more",
+        [CYLINT_EMBREE_EMOTION] =
+            "the two states of a shape differ in kind or ends",
+        [CYLINT_EMBREE_EMEMORY] = "out of memory",
+        [CYLINT_EMBREE_EDEVICE] = "the Embree device made no geometry",
+        [CYLINT_EMBREE_EVERSION] =
+            "the device is of another version of Embree"};
+    check_texts(cylint_embree_strerror, texts, sizeof texts / sizeof *texts);
+    CHECK(cylint_embree_version() == RTC_VERSION_MAJOR);
+}
+
+int main(void)
+{
+    RUN(moving_shapes_are_hit_where_they_are_at_the_rays_time);
+    RUN(between_moves_the_constructors_numbers);
+    RUN(an_update_reads_the_changed_shapes);
+    RUN(the_scenes_box_is_the_padded_box_of_the_shapes);
+    RUN(a_geometry_without_shapes_is_never_hit);
+    RUN(shapes_that_embree_would_drop_are_refused_by_number);
+    RUN(impossible_motion_is_refused_by_number);
+    RUN(five_threads_make_a_geometry_that_answers_the_same);
+    RUN(u_is_z_below_0_and_above_1_on_round_ends);
+    RUN(every_status_has_its_text);
+    return check_end();
+}

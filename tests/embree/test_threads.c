@@ -1,0 +1,133 @@
+/*
+ * test_threads.c - floor embree: eight threads get the answers of one
+ *
+ * Every thread traces all single rays and packets, nearest and occluded,
+ * through one geometry of the adapter and one cylint_scene, each in another
+ * order.  The processor's subnormal modes differ from thread to thread; the
+ * answers must not.  `make check-threads` runs this under the thread sanitizer.
+ *
+ *     test_threads [RAYS]
+ */
+#include <math.h>
+#include <pthread.h>
+#include <string.h>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "embree_world.h"
+
+enum { THREADS = 8, SHAPES = 500, MOST = 1 << 16 };
+
+static int n_questions = 2000;
+static struct world w;
+static cylint_scene *scene;
+
+/* An answer, as bytes that can be compared. */
+struct answer {
+    unsigned word[RAY_MEMBERS - RAY_TFAR];
+    unsigned shadowed;
+    unsigned long shape, count;
+    double t;
+};
+
+static struct answer answers[THREADS + 1][MOST];
+
+/* Question `number`, the same for all threads. */
+static void answer_question(int number, struct answer *a)
+{
+    static const int sizes[4] = {1, 4, 8, 16};
+    const double side = cbrt(SHAPES);
+    uint64_t state = (uint64_t)number;
+    const int n = sizes[number % 4];
+    struct rays r;
+    cylint_line line;
+    cylint_hit hit;
+    memset(a, 0, sizeof *a);
+    rays_begin(&r, n);
+    for (int i = 0; i < n; i++) {
+        float o[3], d[3];
+        world_direction(&state, d);
+        for (int k = 0; k < 3; k++)
+            o[k] = (float)(side * (world_uniform(&state) - 0.5 - d[k]));
+        rays_add(&r, i, o, d, 0, HUGE_VALF);
+    }
+    rays_intersect(&r, w.scene, NULL);
+    for (int m = RAY_TFAR; m < RAY_MEMBERS; m++)
+        a->word[m - RAY_TFAR] = rays_at(&r, (enum ray_member)m, n - 1)->u;
+    line = rays_line(&r, n - 1);
+    memcpy(r.word, r.before, sizeof r.word);
+    rays_occluded(&r, w.scene, NULL);
+    a->shadowed = (unsigned)rays_shadowed(&r, n - 1);
+    a->shape =
+        (unsigned long)cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit);
+    a->t = a->shape < SHAPES ? hit.t : 0;
+    a->count = (unsigned long)cylint_scene_count(scene, &line, 0);
+}
+
+/* 0 to 3: flush subnormal results, flush subnormal operands. */
+static void choose_subnormals(int mode)
+{
+#if defined(__SSE2__)
+    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (mode & 1 ? 0x8000u : 0) |
+               (mode & 2 ? 0x40u : 0));
+#else
+    (void)mode;
+#endif
+}
+
+static void *work(void *p)
+{
+    const int thread = *(const int *)p;
+    choose_subnormals(thread & 3);
+    for (int i = 0; i < n_questions; i++) {
+        const int number = (i + thread * (n_questions / THREADS)) % n_questions;
+        answer_question(number, &answers[thread][number]);
+    }
+    return NULL;
+}
+
+static void eight_threads_get_the_answers_of_one(void)
+{
+    static cylint_shape shapes[SHAPES];
+    pthread_t thread[THREADS];
+    int number[THREADS + 1];
+    uint64_t seed = 21;
+    long hits = 0;
+    world_shapes(&seed, SCENE_MIXED, shapes, SHAPES);
+    scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    if (!CHECK(world_make(&w, shapes, SHAPES, NULL) && scene))
+        return;
+    for (int i = 0; i <= THREADS; i++)
+        number[i] = i;
+    work(&number[THREADS]); /* alone, before the others */
+    for (int i = 0; i < THREADS; i++)
+        CHECK(pthread_create(&thread[i], NULL, work, &number[i]) == 0);
+    for (int i = 0; i < THREADS; i++)
+        pthread_join(thread[i], NULL);
+    for (int i = 0; i < n_questions; i++) {
+        const struct answer *alone = &answers[THREADS][i];
+        const int hit = alone->word[HIT_GEOM - RAY_TFAR] == 0;
+        hits += hit;
+        CHECK((alone->shape < SHAPES) == hit && hit == (int)alone->shadowed);
+        for (int t = 0; t < THREADS; t++)
+            if (!CHECK(memcmp(&answers[t][i], alone, sizeof *alone) == 0))
+                REPORT("question %d, thread %d", i, t);
+    }
+    CHECK(hits > n_questions / 10);
+    cylint_scene_free(scene);
+    world_free(&w);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        n_questions = atoi(argv[1]);
+    if (n_questions < 1 || n_questions > MOST)
+        return 2;
+    RUN(eight_threads_get_the_answers_of_one);
+    return check_end();
+}

@@ -1,0 +1,135 @@
+#!/bin/sh
+# Floor numbers: with compiler flags that break exact arithmetic the library
+# does not compile, or, where no macro shows the flag, cylint_selftest() finds
+# the fault.
+. "$(dirname "$0")/../support/verdict.sh"
+src=$top/src
+cc=${CC:-cc}
+flags="-std=c99 -O2 -I$top/include -I$src"
+
+result() { # what status
+    verdict "$1" "$2" || cat "$scratch/messages"
+}
+
+# supported FLAG...: whether the compiler supports the flags on this processor
+supported() {
+    $cc $flags "$@" -c -o "$scratch/probe.o" "$scratch/probe.c" 2>/dev/null
+}
+
+# refused FLAG...: root.c does not compile, and the message is libcylint's
+refused() {
+    if ! supported "$@"; then
+        printf 'note: %s does not support %s\n' "$cc" "$*"
+        return
+    fi
+    if $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
+    then
+        result "refused with $*" 1
+    else
+        grep -q 'error.*libcylint' "$scratch/messages"
+        result "refused with $* by a message of libcylint" $?
+    fi
+}
+
+# accepted FLAG...
+accepted() {
+    $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
+    result "accepted with $*" $?
+}
+
+# found MASK FLAG...: the selftest of a program returns all bits of MASK; for
+# MASK 0 it returns 0
+found() {
+    mask=$1
+    shift
+    if ! supported "$@"; then
+        printf 'note: %s does not support %s\n' "$cc" "$*"
+        return
+    fi
+    $cc $flags "$@" -o "$scratch/selftest" "$scratch/main.c" "$src/selftest.c" \
+        -lm 2>"$scratch/messages" || {
+        printf 'note: %s does not link with %s\n' "$cc" "$*"
+        return
+    }
+    "$scratch/selftest" >"$scratch/messages"
+    got=$(cat "$scratch/messages")
+    if [ "$mask" -eq 0 ]; then
+        [ "$got" -eq 0 ]
+    else
+        [ $((got & mask)) -eq "$mask" ]
+    fi
+    result "the selftest finds $mask with $*" $?
+}
+
+printf '#include <stdint.h>\nint probe(void) { return 0; }\n' >"$scratch/probe.c" # -m32 may lack headers
+cat >"$scratch/main.c" <<'END'
+#include <cylint.h>
+#include <stdio.h>
+
+int main(void)
+{
+    return printf("%d\n", cylint_selftest()) < 0;
+}
+END
+bit() { # NAME: the value of CYLINT_SELFTEST_NAME
+    cat >"$scratch/bit.c" <<END
+#include <cylint.h>
+#include <stdio.h>
+
+int main(void)
+{
+    return printf("%d\n", CYLINT_SELFTEST_$1) < 0;
+}
+END
+    $cc $flags -o "$scratch/bit" "$scratch/bit.c" && "$scratch/bit"
+}
+
+accepted -ffp-contract=off
+refused -ffast-math
+refused -Ofast
+refused -ffinite-math-only
+refused -mfpmath=387
+# where the C library's 32-bit headers are not installed, the others serve
+mkdir "$scratch/gnu"
+: >"$scratch/gnu/stubs-32.h"
+refused -m32 -mfpmath=387 -idirafter "$scratch" \
+    -idirafter "/usr/include/$($cc -print-multiarch 2>/dev/null)"
+
+# A <float.h> of a machine with other doubles.
+for wrong in 'FLT_EVAL_METHOD 2' 'FLT_EVAL_METHOD -1' 'DBL_MANT_DIG 64' \
+             'DBL_MAX_EXP 128' 'FLT_RADIX 16'; do
+    printf '#include_next <float.h>\n#undef %s\n#define %s\n' \
+        "${wrong% *}" "$wrong" >"$scratch/float.h"
+    refused "-I$scratch"
+done
+rm "$scratch/float.h"
+
+found 0 -ffp-contract=off
+found 0 -O0 -ffp-contract=off
+found 0 -O3 -march=native -ffp-contract=off
+if $cc --version | grep -qi clang; then
+    # the pragma of the source overrides the flag
+    found 0 -mfma -ffp-contract=on
+else
+    fused=$(bit CONTRACTED)
+    grep -qw fma /proc/cpuinfo 2>/dev/null &&
+        found "$fused" -mfma -ffp-contract=fast
+    # no macro of gcc 12 shows these flags
+    [ "$(printf '__ASSOCIATIVE_MATH__' |
+        $cc -fno-signed-zeros -fno-trapping-math -fassociative-math -E - |
+        tail -n 1)" = __ASSOCIATIVE_MATH__ ] &&
+        found "$(bit UNROUNDED)" -ffp-contract=off -fno-signed-zeros \
+            -fno-trapping-math -fassociative-math
+fi
+# the start-up code that comes with -ffast-math flushes subnormals
+case $($cc -dumpmachine) in x86_64-*)
+    $cc $flags -ffp-contract=off -c -o "$scratch/own.o" "$src/selftest.c"
+    if $cc -O2 -I"$top/include" -ffast-math -o "$scratch/fast" \
+        "$scratch/main.c" "$scratch/own.o" -lm 2>"$scratch/messages"; then
+        "$scratch/fast" >"$scratch/messages"
+        [ "$(cat "$scratch/messages")" -eq $(($(bit FLUSHED) | $(bit ZEROED))) ]
+        result 'the selftest finds flushing start-up code, and nothing else' $?
+    fi ;;
+esac
+
+check_end

@@ -1,0 +1,264 @@
+#!/bin/sh
+# Compares the command's answers from every compiler, optimisation and processor
+# of this machine (make check-cross; takes some minutes).  Relation, n and all
+# members of hits must be the same bytes everywhere, and so must distances of points.
+# Where the command cannot be built, the library's answers are compared, which
+# answers.c prints.  Then the C tests about systems and compilers run: under
+# Windows (wine), and with subnormals flushed.
+# The input is hard.txt and CYLINT_CASES (100000) records of all families with
+# CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
+# deps-cross` installs them.
+. "$(dirname "$0")/../support/verdict.sh"
+records=$build/tests/package/records
+build=$build/cross
+mkdir -p "$build" || exit 1
+
+# The makes started here do not share the jobs of the make that runs this.
+MAKEFLAGS=$(printf '%s' "$MAKEFLAGS" | sed 's/ *--jobserver-[a-z]*=[^ ]*//g')
+export MAKEFLAGS
+unset MFLAGS
+unset DISPLAY
+WINEPREFIX=$build/wine WINEDEBUG=-all
+export WINEPREFIX WINEDEBUG
+
+exact=relation,n,t0,t1,part0,part1,side0,side1
+members=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
+closest=distance,part,feature,x,y,z,nx,ny,nz
+
+# gcc -m32 without gcc-multilib, which Debian cannot install beside cross
+# compilers, does not find the kernel's headers.
+kernel_headers="-idirafter /usr/include/$(gcc -print-multiarch 2>/dev/null)"
+
+# name | compiler | its flags | flags to link | what runs the program
+builds() {
+    cat <<END
+gcc -O2|gcc|-O2||
+gcc -O0|gcc|-O0||
+gcc -O3|gcc|-O3||
+gcc -O3 -march=native|gcc|-O3 -march=native||
+clang -O0|clang|-O0||
+clang -O3|clang|-O3||
+clang -O3 -mfma|clang|-O3 -mfma||
+clang 19 -O2|clang-19|-O2||
+clang 19 -O3 -mfma|clang-19|-O3 -mfma||
+musl|musl-gcc|-O2|-static|
+gcc -m32 (SSE2)|gcc|-O2 -m32 -msse2 -mfpmath=sse $kernel_headers|-m32|
+aarch64 (qemu)|aarch64-linux-gnu-gcc|-O2|-static|qemu-aarch64
+s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x
+END
+}
+
+# prints the library's answers in the form of the command's
+libraries() {
+    cat <<END
+tcc, without the Makefile|tcc|-O2||
+Windows (mingw-w64, wine)|x86_64-w64-mingw32-gcc|-O2|-static|/usr/lib/wine/wine64
+END
+}
+
+# usable COMPILER FLAGS LINK RUNNER: whether programs can be built and run;
+# says what is missing
+usable() {
+    for tool in "$1" $4; do
+        command -v "$tool" >/dev/null || { echo "no $tool"; return 1; }
+    done
+    printf '#include <errno.h>\n#include <math.h>\nint main(int n, char **x)\n%s\n' \
+        '{ return x[0] && sqrt((double)n) != 1; }' >"$build/probe.c"
+    rm -f "$build/probe" "$build/probe.exe"
+    $1 $2 $3 -o "$build/probe" "$build/probe.c" -lm 2>/dev/null ||
+        { echo "$1 $2 does not link"; return 1; }
+    [ -e "$build/probe" ] || mv "$build/probe.exe" "$build/probe"
+    $4 "$build/probe" 2>/dev/null || { echo 'its programs do not run'; return 1; }
+}
+
+# folder_of NAME: the folder of its build
+folder_of() {
+    printf '%s/%s' "$build" "$(printf '%s' "$1" | tr -c 'a-zA-Z0-9\n' _)"
+}
+
+# built NAME TARGET...: by make in $folder with $compiler, $flags and $link;
+# numbers by the C library, since few targets have a C++ one
+built() {
+    what=$1
+    shift
+    targets=
+    for target in "$@"; do
+        targets="$targets $folder/$target"
+    done
+    ${MAKE:-make} -s -C "$top" CC="$compiler" CXX17= CFLAGS="$flags" \
+        LDFLAGS="$link" BUILD="$folder" $targets >"$build/messages" 2>&1 &&
+        return
+    verdict "$what: it cannot be built" 1 || tail -n 5 "$build/messages"
+    return 1
+}
+
+result() { # NAME STATUS
+    verdict "$1" "$2" && printf 'ok   %s\n' "$1"
+}
+
+# answers FOLDER COLUMNS RUNNER INPUT: writes the answers to FOLDER/answers
+answers() {
+    $3 "$1/cylint" -x -f "$2" "$4" >"$1/answers" 2>"$1/messages"
+    status=$?
+    [ $status -eq 0 ] || {
+        printf 'exit status %d\n' $status
+        head -n 3 "$1/messages"
+    }
+}
+
+# points: makes a record with a point of each record with a line: its first hit,
+# or the line's origin where the hit is nan or inf
+points() {
+    paste "$build/members" "$build/input" | awk -F '\t' '{
+        n = split($NF, field, " ")
+        for (at = 2; field[at] !~ /^[a-z]/; at++)
+            ;
+        printf "point %s", $1 $2 $3 ~ /n/ ? field[2] " " field[3] " " field[4] :
+                                         $1 " " $2 " " $3
+        for (; at <= n; at++)
+            printf " %s", field[at]
+        print ""
+    }'
+}
+
+# compare NAME KIND COLUMNS INPUT: the answers of this build are the bytes of the
+# first build's, which are kept in $build/KIND
+compare() {
+    trouble=$(answers "$folder" "$3" "$runner" "$4" </dev/null)
+    [ "$reference" != "$name" ] || cp "$folder/answers" "$build/$2"
+    if [ -z "$trouble" ] && cmp -s "$build/$2" "$folder/answers"; then
+        result "$1" 0
+        return
+    fi
+    result "$1: $trouble" 1
+    printf '%d answers differ\n' \
+        "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
+    paste "$4" "$build/$2" "$folder/answers" |
+        awk -F '\t' -v columns="$(printf '%s' "$3" | tr -cd , | wc -c)" '{
+            want = got = ""
+            for (i = 2; i <= columns + 2; i++) want = want " " $i
+            for (i = columns + 3; i <= NF; i++) got = got " " $i
+        }
+        want != got && n++ < 5 {
+            printf "%s\n  got %s\n  want%s\n", $1, got, want
+        }'
+}
+
+if [ ! -x "$records" ]; then
+    echo "$records has not been built"
+    exit 77
+fi
+grep '=>' tests/library/hard.txt | grep -v '^#' | sed 's/ *=>.*//' >"$build/input"
+"$records" "${CYLINT_SEED:-1}" "${CYLINT_CASES:-100000}" >>"$build/input" ||
+    exit
+printf '%d records\n' "$(wc -l <"$build/input")"
+
+builds >"$build/table"
+reference=
+while IFS='|' read -r name compiler flags link runner; do
+    missing=$(usable "$compiler" "$flags" "$link" "$runner") || {
+        skip "$name" "$missing"
+        continue
+    }
+    folder=$(folder_of "$name")
+    built "$name" cylint || continue
+    [ -n "$reference" ] || reference=$name
+    compare "$name" exact "$exact" "$build/input"
+    compare "$name, members" members "$members" "$build/input"
+    [ "$reference" != "$name" ] || points >"$build/points"
+    compare "$name, distances" closest "$closest" "$build/points"
+done <"$build/table"
+
+printf 'answers of %s are the measure\n' "$reference"
+
+# ------------------------------------------- the library without the command --
+
+compiler=gcc flags=-O2 link= folder=$build/gcc__O2
+built 'answers.c' tests/package/answers || exit
+"$records" "${CYLINT_SEED:-1}" "${CYLINT_CASES:-100000}" "$build/binary" &&
+    "$folder/tests/package/answers" "$build/binary" >"$build/library" || exit
+
+# bare FOLDER: $compiler on all files but those of scenes, and answers.c
+bare() {
+    mkdir -p "$1/tests/package"
+    for file in $(find src -name '*.c' ! -path 'src/bvh/*' ! -path 'src/scene/*' \
+        ! -path 'src/embree/*') tests/support/families.c tests/support/family_records.c \
+        tests/package/answers.c; do
+        object=$1/$(printf '%s' "${file%.c}" | tr / -).o
+        $compiler $flags -ffp-contract=off -Iinclude -Isrc -Itests/support \
+            -c -o "$object" "$file" || return
+    done >"$build/messages" 2>&1
+    $compiler $link -o "$1/tests/package/answers" "$1"/*.o -lm
+}
+
+libraries >"$build/table"
+while IFS='|' read -r name compiler flags link runner; do
+    missing=$(usable "$compiler" "$flags" "$link" "$runner") || {
+        skip "$name" "$missing"
+        continue
+    }
+    folder=$(folder_of "$name")
+    case $name in
+    *'without the Makefile')
+        bare "$folder" || {
+            result "$name: it cannot be built" 1
+            tail -n 5 "$build/messages"
+            continue
+        } ;;
+    *) built "$name" tests/package/answers || continue ;;
+    esac
+    program=$folder/tests/package/answers
+    [ -e "$program" ] || program=$program.exe
+    $runner "$program" "$build/binary" </dev/null 2>"$build/messages" |
+        tr -d '\r' >"$folder/answers"
+    cmp -s "$build/library" "$folder/answers"
+    result "$name: the library's answers" $?
+done <"$build/table"
+
+# ----------------------------------------------------------- tests of systems --
+
+# tests_pass NAME RUNNER TEST...: skipped tests print their reason
+tests_pass() {
+    name=$1 runner=$2
+    shift 2
+    for test in "$@"; do
+        [ -e "$folder/$test.exe" ] && test=$test.exe
+        $runner "$folder/$test" </dev/null >"$build/messages" 2>&1
+        status=$?
+        last=$(tr -d '\r' <"$build/messages" | tail -n 1)
+        if [ $status -eq 77 ]; then
+            skip "$name, $test" "$last"
+        else
+            result "$name, $test: $last" $status
+            [ $status -eq 0 ] || head -n 5 "$build/messages"
+        fi
+    done
+}
+
+name=Windows compiler=x86_64-w64-mingw32-gcc flags=-O2 link=-static
+runner=/usr/lib/wine/wine64
+folder=$(folder_of 'Windows (mingw-w64, wine)')
+if missing=$(usable $compiler "$flags" "$link" $runner); then
+    # those that need no package and no memory that may not be touched
+    tests=$(grep -L -e 'check_skip(' -e 'return 77' -e 'guarded\.h' \
+        -e 'batch_layout\.h' \
+        tests/*/test_*.c | sed -e 's|\.c$||' -e '/embree/d')
+    built $name $tests && tests_pass $name $runner $tests
+else
+    skip "$name, C tests" "$missing"
+fi
+
+# FTZ and DAZ are set by these tests.
+link=
+for compiler in gcc clang clang-19; do
+    flags=-O2
+    folder=$(folder_of "$compiler environment")
+    missing=$(usable $compiler "$flags" '' '') || {
+        skip "$compiler, subnormals flushed" "$missing"
+        continue
+    }
+    tests='tests/library/test_environment tests/scene/test_environment'
+    built "$compiler" $tests && tests_pass "$compiler" '' $tests
+done
+
+check_end && [ $passed -gt 1 ]

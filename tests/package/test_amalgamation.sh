@@ -1,0 +1,94 @@
+#!/bin/sh
+# Floor tools: `make amalgamation` writes the libraries, scenes too, as one C file,
+# which every compiler at hand compiles without a flag or a warning, and tests of
+# the libraries that are linked to it pass.
+. "$(dirname "$0")/../support/verdict.sh"
+. "$(dirname "$0")/../support/installs.sh"
+
+command -v python3 > /dev/null || skip_all 'no python3 (make deps)'
+
+# compiles COMPILER OBJECT FLAG...
+compiles()
+{
+    compiler=$1 object=$2
+    shift 2
+    $compiler "$@" -c "$folder/cylint.c" -o "$scratch/$object.o" \
+        > "$scratch/log" 2>&1 && [ ! -s "$scratch/log" ] ||
+        { head -n 20 "$scratch/log"; false; }
+}
+
+make_here amalgamation
+folder=$build/amalgamation
+[ -s "$folder/cylint.c" ] && cmp "$folder/cylint.h" include/cylint.h &&
+    cmp "$folder/cylint_scene.h" include/cylint_scene.h
+verdict make_amalgamation_writes_a_file_and_its_headers $?
+
+# within a tenth
+sed -n 's/^The file has \([0-9.]*\) MB and \([0-9,]*\) lines\.$/\1 \2/p' man/cylint.3 | tr -d , |
+    awk -v bytes="$(wc -c < "$folder/cylint.c")" -v lines="$(wc -l < "$folder/cylint.c")" '
+        function near(a, b) { return a > 0.9 * b && a < 1.1 * b }
+        { found = near($1 * 1e6, bytes) && near($2, lines) }
+        END { exit !found }'
+verdict cylint_3_states_its_size $?
+compiles "$cc" plain
+verdict it_compiles_without_a_flag $? || { check_end; exit; }
+strict='-Wall -Wextra -Wpedantic -Wconversion'
+case ${CFLAGS:-} in # beside the sanitizers' code gcc warns of values that are initialized
+*-fsanitize*) strict="$strict -Wno-maybe-uninitialized" ;;
+esac
+compiles "$cc" library -O2 -std=c99 $strict -DCYLINT_THREADS -pthread ${CFLAGS:-}
+verdict it_compiles_optimized_without_a_warning $? || { check_end; exit; }
+for other in clang tcc aarch64-linux-gnu-gcc s390x-linux-gnu-gcc; do
+    command -v $other > /dev/null || continue
+    compiles $other "$other" -Wall
+    verdict "${other}_compiles_it" $?
+done
+
+$cxx -c "$folder/cylint.c" -o "$scratch/cxx.o" > "$scratch/log" 2>&1
+[ $? -ne 0 ] && grep -q 'error.*cylint.c is C: compile it with a C compiler' "$scratch/log" &&
+    [ "$(grep -c 'error:' "$scratch/log")" -eq 1 ] || { head "$scratch/log"; false; }
+verdict a_compiler_of_cxx_gives_one_error $?
+
+# The examples of README.md and cylint_scene(3), compiled with it as a user does.
+awk '/^```c$/ { inside = 1; next } /^```/ { inside = 0 } inside' README.md > "$scratch/example.c"
+$cc -I "$folder" -o "$scratch/example" "$scratch/example.c" "$folder/cylint.c" -lm &&
+    [ "$("$scratch/example")" = "t = 5
+t = 6" ]
+verdict the_example_runs_with_it $?
+for object in plain library; do
+    display cylint_scene.3 1 > "$scratch/scene.c"
+    $cc ${CFLAGS:-} -I "$folder" -o "$scratch/scene" "$scratch/scene.c" \
+        "$scratch/$object.o" -pthread -lm &&
+        display cylint_scene.3 2 > "$scratch/said" && "$scratch/scene" | diff "$scratch/said" -
+    verdict "the_example_of_scenes_runs_with_it_$object" $?
+done
+
+# Tests that `make check` has built, with this object for libcylint.a.
+libraries=
+for library in mpfr gmp gsl gslcblas; do
+    echo 'int main(void) { return 0; }' > "$scratch/empty.c"
+    $cc -o "$scratch/empty" "$scratch/empty.c" -l$library 2> /dev/null &&
+        libraries="$libraries -l$library"
+done
+common=
+for part in support/families support/family_records support/constructed \
+    support/oracle support/scenes; do
+    [ -f "$build/tests/$part.o" ] && common="$common $build/tests/$part.o"
+done
+for t in library/test_batch library/test_environment numbers/test_exact \
+    library/test_intersect library/test_interface methods/test_ordinary \
+    methods/test_degenerate methods/test_misprints library/test_outside \
+    library/test_properties shapes/test_round_constructors \
+    shapes/test_constructors signs/test_rare_branches roots/test_midpoints \
+    bvh/test_nodes scene/test_environment scene/test_hits scene/test_many \
+    bounds/test_scene_point_bounds; do
+    [ -f "$build/tests/$t.o" ] || continue
+    $cc ${CFLAGS:-} -o "$scratch/test" "$build/tests/$t.o" $common \
+        "$scratch/library.o" $libraries -pthread -lm && "$scratch/test" > "$scratch/log" 2>&1
+    status=$?
+    sum=$(sed -n 's/^\([0-9]*\) passed, 0 failed$/\1/p' "$scratch/log")
+    [ $status -eq 0 ] && [ "${sum:-0}" -gt 0 ] || tail -n 20 "$scratch/log"
+    verdict "${t}_passes_with_it" $status
+    passed=$((passed + ${sum:-0}))
+done
+check_end

@@ -1,0 +1,491 @@
+#!/bin/sh
+# Floor tools: what make install puts into a scratch folder works: the README's
+# example compiles and links with it, the README's commands run, and uninstall
+# removes it.  The library also compiles without the Makefile.
+. "$(dirname "$0")/../support/verdict.sh"
+. "$(dirname "$0")/../support/installs.sh"
+root=$scratch/root
+lib=$root/usr/lib
+major=${version%%.*}
+
+make_in_root() { make_here DESTDIR="$root" PREFIX=/usr "$1"; }
+
+test_install()
+{
+    make_in_root install
+    verdict install_succeeds $?
+    for f in bin/cylint lib/libcylint.a lib/libcylint.so \
+        "lib/libcylint.so.$major" "lib/libcylint.so.$version" \
+        lib/libcylint-scene.a "lib/libcylint-scene.so.$major" \
+        lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
+        include/cylint.h include/cylint_methods.h include/cylint_scene.h \
+        include/cylint_distance.h include/cylint_pieces.h share/man/man3/cylint_distance.3 \
+        share/man/man3/cylint_pieces.3 \
+        share/man/man1/cylint.1 share/man/man3/cylint.3 \
+        share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
+        bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
+        share/man/man1/cylint-convert.1 share/man/man7/cylint.7 \
+        share/doc/cylint/README.md share/doc/cylint/LICENSE share/doc/cylint/CHANGES.md \
+        share/bash-completion/completions/cylint share/zsh/site-functions/_cylint \
+        share/bash-completion/completions/cylint-convert; do
+        [ -s "$root/usr/$f" ]
+        verdict "install_puts_$f" $?
+    done
+    ! grep -l '@[A-Z_]*@' "$lib"/pkgconfig/*.pc
+    verdict the_pc_files_are_filled_in $?
+    "$root/usr/bin/cylint" --version | grep -q -F "$version"
+    verdict the_installed_command_prints_the_version $?
+}
+
+# What a debugger needs fills nine tenths of the built files.
+test_strip()
+{
+    [ -z "$(nm "$root/usr/bin/cylint" 2> /dev/null)" ] &&
+        ! grep -l '\.debug_info' "$root/usr/bin/cylint" "$lib"/*.a "$lib"/*.so
+    verdict installed_files_are_stripped $?
+    make_here DESTDIR="$scratch/whole" PREFIX=/usr STRIP=: install &&
+        cmp "$build/cylint" "$scratch/whole/usr/bin/cylint" &&
+        cmp "$build/libcylint.a" "$scratch/whole/usr/lib/libcylint.a" &&
+        cmp "$build/libcylint.so" "$scratch/whole/usr/lib/libcylint.so"
+    verdict STRIP_chooses_the_program_that_strips $?
+}
+
+# converts NAME TEXT ARGUMENT...: the installed cylint-convert, found in the
+# path or by a link, writes this line.
+converts()
+{
+    name=$1 text=$2
+    shift 2
+    (cd "$scratch" && PATH=$root/usr/bin:$PATH cylint-convert "$@" < in) \
+        > "$scratch/said" 2>&1 &&
+        [ "$(cat "$scratch/said")" = "$text" ] || { cat "$scratch/said"; false; }
+    verdict "installed_converter_$name" $?
+}
+
+test_converters()
+{
+    printf '1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n' > "$scratch/in"
+    cone='cone 0 0 10 1 0 0 0 2 2'
+    converts swc "$cone" swc
+    cp "$scratch/in" "$scratch/a=b"
+    converts swc_by_name "$cone" swc -- a=b
+    printf 'radius,startX,startY,startZ,endX,endY,endZ\n.5,0,0,0,0,0,2\n' \
+        > "$scratch/in"
+    converts qsm 'cylinder 0 0 0 0 0 2 .5 1' qsm
+    echo 'cylinder { <0,0,0>, <0,0,1>, 1 }' > "$scratch/in"
+    converts pov 'cylinder 0 0 0 0 0 1 1 1' pov
+    { echo 'loop_ _atom_site.id _atom_site.type_symbol'
+      echo '_atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z'
+      echo '1 C 0 0 0  2 O 0 0 1.2'; } > "$scratch/in"
+    converts pdb 'cylinder 0 0 0 0 0 1.2 2 1-2' pdb -r 2
+    PATH=$root/usr/bin:$PATH cylint-convert forest -n 1 > "$scratch/forest" &&
+        [ "$(wc -l < "$scratch/forest")" -gt 1000 ] &&
+        echo 'ray 0 0 9  0 0 -1' |
+        "$root/usr/bin/cylint" -s "$scratch/forest" > /dev/null
+    verdict installed_converter_forest $?
+    sed "s|'/usr/share/cylint'|'$root/usr/share/cylint'|" \
+        "$root/usr/bin/cylint-convert" > "$scratch/elsewhere" &&
+        sh "$scratch/elsewhere" pdb -r 2 "$scratch/in" |
+        diff "$scratch/said" -
+    verdict a_moved_converter_finds_its_programs_by_the_prefix $?
+    for kind in '' swc pdb qsm pov forest; do
+        "$root/usr/bin/cylint-convert" $kind --help |
+            grep -q '^usage: cylint-convert'
+        verdict "installed_converter_helps_$kind" $?
+    done
+}
+
+# block LANGUAGE NUMBER: the text of a fenced block of README.md.
+block()
+{
+    awk -v fence='```'"$1" -v wanted="$2" '
+        inside && /^```/ { inside = 0; next }
+        inside == 2
+        /^```/ && !inside { inside = 1 }
+        $0 == fence && inside == 1 && ++n == wanted { inside = 2 }
+    ' README.md
+}
+
+# The flags of the installed .pc files of $packages; without pkg-config this
+# function reads them.
+flags()
+{
+    if command -v pkg-config > /dev/null; then
+        PKG_CONFIG_LIBDIR=$lib/pkgconfig PKG_CONFIG_SYSROOT_DIR=$root \
+            PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 \
+            pkg-config "$@" ${packages:-cylint}
+    else
+        echo "-I$root/usr/include -L$lib $(printf -- '-l%s ' $packages) -lcylint"
+    fi
+}
+
+# archives: the static libraries of $packages and their dependencies.
+archives()
+{
+    for package in $packages; do
+        echo "$lib/lib$package.a"
+    done
+    echo "$lib/libcylint.a"
+    case $packages in
+    *embree*) echo -lembree3 -pthread ;;
+    *scene*) echo -pthread ;;
+    esac
+}
+
+# example NAME LINKING COMPILER FLAGS...: compiles the README's program, which
+# must print what the README shows.
+example()
+{
+    name=$1 linking=$2
+    shift 2
+    case $linking in
+    static) with="$(flags --cflags) $(archives) -lm" ;;
+    shared) with=$(flags --cflags --libs) ;;
+    esac
+    rm -f "$scratch/example"
+    quiet "$@" -Wall -Wextra -Wpedantic -Werror -o "$scratch/example" \
+        "$scratch/$source" $with $sanitizers &&
+        LD_LIBRARY_PATH=$lib "$scratch/example" > "$scratch/said" &&
+        diff "$scratch/example.said" "$scratch/said"
+    verdict "$name" $?
+}
+
+# A library built with sanitizers needs them at linking.
+sanitizers_of()
+{
+    if nm "$lib/libcylint.a" | grep -q '__asan\|__ubsan'; then
+        echo -fsanitize=address,undefined
+    fi
+}
+
+test_example()
+{
+    block c 1 > "$scratch/example.c"
+    block '' 1 > "$scratch/example.said"
+    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+    verdict the_readme_has_an_example_and_its_output $?
+    cp "$scratch/example.c" "$scratch/example.cc"
+    sanitizers=$(sanitizers_of)
+    for linking in static shared; do
+        source=example.c
+        example "the_example_as_c_$linking" $linking $cc -std=c99
+        source=example.cc
+        example "the_example_as_cxx_$linking" $linking $cxx -std=c++11
+    done
+}
+
+# The README's lines in a home where only the system's folders are known: the
+# linked example runs and its manual is found.  After that make install prints no
+# lines.
+test_readme_install()
+{
+    [ -z "$(sanitizers_of)" ] && command -v pkg-config > /dev/null || {
+        echo 'note: sanitized or no pkg-config, the README is not installed'
+        return
+    }
+    home=$scratch/home
+    mkdir "$home"
+    cp "$scratch/example.c" "$home"
+    cp README.md tools/install_hints.sh "$home"
+    { echo "make() { (cd '$top' && command $make -s --no-print-directory \
+          BUILD='${BUILD:-build}' CC='$cc' CXX='$cxx' \"\$@\"); }"
+      echo "cc() { command $cc \"\$@\"; }"
+      block sh 1
+      echo 'command -v cylint'
+      echo 'man -w cylint 2>/dev/null || echo $MANPATH'
+      echo 'make install PREFIX=$HOME/.local'; } > "$home/lines"
+    (cd "$home" && env -i HOME="$home" PATH=/usr/local/bin:/usr/bin:/bin \
+        ${CXX17+CXX17="$CXX17"} sh lines) > "$scratch/said" 2> "$scratch/log"
+    { echo 'To use what was installed, set:'
+      echo "    export PATH=$home/.local/bin:\$PATH"
+      echo "    export PKG_CONFIG_PATH=$home/.local/lib/pkgconfig:\$PKG_CONFIG_PATH"
+      echo "    export LD_LIBRARY_PATH=$home/.local/lib\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}"
+      cat "$scratch/example.said"
+      echo "$home/.local/bin/cylint"; } > "$scratch/expected"
+    grep -v "^install\|^ln\|MANPATH\|^$home/.local/share/man" "$scratch/said" |
+        diff "$scratch/expected" - && grep -q "$home/.local/share/man" "$scratch/said"
+    verdict the_readmes_lines_install_and_run_a_linked_example $? ||
+        cat "$scratch/log"
+}
+
+# The printed lines work for a folder that the system does not search.
+test_hints()
+{
+    at=$scratch/else/where
+    env -i PATH=/usr/bin:/bin sh tools/install_hints.sh "$at/bin" "$at/lib" \
+        "$at/man" > "$scratch/hints"
+    [ "$(grep -c '^    export [A-Z_]*=' "$scratch/hints")" -eq 4 ]
+    verdict four_lines_for_a_folder_outside_all_paths $?
+    { sed 1d "$scratch/hints"
+      echo "exec sh tools/install_hints.sh $at/bin $at/lib $at/man"; } > "$scratch/again"
+    [ -z "$(env -i PATH=/usr/bin:/bin sh "$scratch/again")" ]
+    verdict no_lines_if_all_paths_are_set $?
+}
+
+# After a program comes its output.
+test_manual_examples()
+{
+    sanitizers=$(sanitizers_of)
+    source=example.c
+    sed -n 's/^ \*     //p' include/cylint.h | sed '/^}/q' > "$scratch/example.c"
+    sed -n 's/^ \* prints "\(.*\)"\..*/\1/p' include/cylint.h > "$scratch/example.said"
+    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+    verdict the_header_begins_with_an_example $?
+    example the_headers_example static $cc -std=c99
+    for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint.3,7 cylint_methods.3,1 \
+        cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5 \
+        cylint_pieces.3,1 cylint_pieces.3,3 cylint_pieces.3,5; do
+        page=${shown%,*} number=${shown#*,}
+        display $page $number > "$scratch/example.c"
+        display $page $((number + 1)) > "$scratch/example.said"
+        [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+        verdict "${page}_has_example_$number" $?
+        example "${page}_example_$number" static $cc -std=c99
+    done
+    display cylint_scene.3 1 > "$scratch/example.c"
+    display cylint_scene.3 2 > "$scratch/example.said"
+    example_of cylint_scene.3 cylint-scene
+    display cylint_scene.3 3 > "$scratch/example.c"
+    display cylint_scene.3 4 > "$scratch/example.said"
+    with_threads=-pthread
+    example_of cylint_scene.3_threads cylint-scene
+    with_threads=
+    display cylint_scene.3 5 > "$scratch/example.c"
+    display cylint_scene.3 6 > "$scratch/example.said"
+    example_of cylint_scene.3_points cylint-scene
+    display cylint_scene.3 7 > "$scratch/example.c"
+    display cylint_scene.3 8 > "$scratch/example.said"
+    example_of cylint_scene.3_many cylint-scene
+    display cylint_scene.3 9 > "$scratch/example.c"
+    display cylint_scene.3 10 > "$scratch/example.said"
+    example_of cylint_scene.3_file cylint-scene
+    display cylint_scene.3 11 > "$scratch/example.c"
+    display cylint_scene.3 12 > "$scratch/example.said"
+    example_of cylint_scene.3_pieces cylint-scene
+    display cylint_scene.3 1 > "$scratch/example.c"
+    display cylint_scene.3 2 > "$scratch/example.said"
+    command -v pkg-config > /dev/null &&
+        grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc" 2>/dev/null || return
+    example_of cylint_scene.3 cylint-embree
+    example_of cylint_scene.3 cylint-embree cylint-scene
+    example_of cylint_scene.3 cylint-scene cylint-embree
+    display cylint_embree.3 1 > "$scratch/example.c"
+    display cylint_embree.3 2 > "$scratch/example.said"
+    example_of cylint_embree.3 cylint-embree
+}
+
+# example_of PAGE LIBRARY...: links with shared and with static libraries.
+example_of()
+{
+    page=$1
+    shift
+    packages=$*
+    for linking in static shared; do
+        example "${page}_example_${linking}_$(echo $packages | tr ' ' _)" \
+            $linking $cc -std=c99 $with_threads
+    done
+    packages=
+}
+
+# The structs in the manuals have the members of the headers at the same offsets;
+# otherwise an array has a negative length.
+test_manual_structs()
+{
+    { echo '#include <stddef.h>'
+      echo '#include <cylint_methods.h>'
+      echo '#include <cylint_distance.h>'
+      echo '#include <cylint_pieces.h>'
+      echo '#include <cylint_scene.h>'
+      awk '
+        function equal(what, a, b) {
+            print "typedef char same_" ++n "[" what "(" a ") == " \
+                  what "(" b ") ? 1 : -1];"
+        }
+        /^typedef struct cylint_/ {
+            name = $3; names = ""
+            print "typedef struct {"
+            next
+        }
+        !name { next }
+        /^}/ {
+            print "} page_" name ";"
+            equal("sizeof", name, "page_" name)
+            count = split(names, member, " ")
+            for (i = 1; i <= count; i++)
+                equal("offsetof", name ", " member[i],
+                      "page_" name ", " member[i])
+            name = ""
+            next
+        }
+        {
+            gsub(/[/][*].*[*][/]/, "")
+            print
+            count = split($0, part, /[,;]/)
+            for (i = 1; i <= count; i++) {
+                sub(/\[.*/, "", part[i])
+                sub(/.*[ *]/, "", part[i])
+                if (part[i] ~ /^[a-z]/)
+                    names = names " " part[i]
+            }
+        }' man/*.3
+    } > "$scratch/structs.c"
+    [ "$(grep -c '^typedef struct {' "$scratch/structs.c")" -ge 6 ] &&
+        quiet $cc -std=c99 $(flags --cflags) -c -o "$scratch/structs.o" \
+            "$scratch/structs.c"
+    verdict the_manuals_show_the_structs_of_the_headers $?
+}
+
+# none FOUND VERDICT: passes if FOUND is empty.
+none()
+{
+    [ -z "$1" ] || { echo "found: $1"; false; }
+    verdict "$2" $?
+}
+
+# foreign_to LIBRARY NAMES: undefined symbols except NAMES and cylint_*.
+foreign_to()
+{
+    nm -u "$lib/$1.a" | awk -v known="$2" '
+        BEGIN { n = split(known, name, " ")
+                for (i = 1; i <= n; i++) fine[name[i]] = 1 }
+        $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u
+}
+
+# declared HEADER...: the functions that the headers declare.
+declared()
+{
+    for header; do
+        grep -v '^ *#' "include/$header" | tr -s '\n ' '  ' |
+            grep -o 'CYLINT_API [^(;]*(' | sed 's/.*[ *]\(cylint_[a-z0-9_]*\)($/\1/'
+    done
+}
+
+# missing_from LIBRARY: functions on standard input that it does not export.
+missing_from()
+{
+    nm -D --defined-only "$1" | awk '{ print $3 }' | sort > "$scratch/exported"
+    sort | comm -23 - "$scratch/exported"
+}
+
+test_symbols()
+{
+    command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
+    for library in libcylint libcylint-scene; do
+        none "$(nm -D --defined-only "$lib/$library.so" |
+            awk '$3 !~ /^(cylint_|__odr_asan)/ { print $3 }')" \
+            "shared_${library}_exports_only_its_own_names"
+        none "$(nm -g --defined-only "$lib/$library.a" |
+            awk 'NF == 3 && $3 !~ /^(cylint_|__odr_asan)/ { print $3 }')" \
+            "static_${library}_defines_only_its_own_names"
+    done
+    none "$(declared cylint.h cylint_distance.h cylint_pieces.h cylint_methods.h |
+        missing_from "$lib/libcylint.so")" \
+        libcylint_exports_every_function_of_its_headers
+    none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
+        libcylint_scene_exports_every_function_of_its_header
+    none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
+        awk '$3 !~ /^(cylint_scene_|cylint_piece_rows_|__odr_asan)/ { print $3 }')" \
+        a_scenes_library_exports_only_scenes
+    if [ -n "$(sanitizers_of)" ]; then
+        echo 'note: sanitized, so what the libraries use is not looked at'
+        return
+    fi
+    # Functions of math.h, and those that compilers call for loops and copies.
+    math='acos asin atan atan2 ceil copysign cos fabs floor fma fmax fmin'
+    math="$math fmod frexp hypot ilogb ldexp log log2 logb lrint modf"
+    math="$math nearbyint nextafter pow rint round scalbln scalbn sin sincos"
+    math="$math sqrt tan trunc sinpi cospi"
+    memory='memcpy memmove memset memcmp strlen strcmp __stack_chk_fail'
+    # __cpu_model: the compiler's record of the processor
+    others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model'
+    [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
+    none "$(foreign_to libcylint "$math $memory $others")" \
+        the_library_uses_only_mathematics_and_memory
+    heap='malloc calloc realloc free madvise'
+    threads='sysconf pthread_create pthread_join pthread_mutex_lock'
+    threads="$threads pthread_mutex_unlock pthread_mutex_destroy"
+    threads="$threads pthread_cond_wait pthread_cond_broadcast"
+    threads="$threads pthread_cond_destroy pthread_self"
+    # of a saved scene
+    files='fileno fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek'
+    files="$files ftell rewind rename remove snprintf __errno_location"
+    none "$(foreign_to libcylint-scene \
+        "$math $memory $others $heap $threads $files sqrtf")" \
+        scenes_use_memory_threads_and_files_and_nothing_else
+}
+
+test_without_makefile()
+{
+    here=$(pwd)
+    mkdir -p "$scratch/bare" &&
+        for f in $(find src -name '*.c' ! -path 'src/scene/*' \
+            ! -path 'src/embree/*' ! -path 'src/bvh/*'); do
+            object=$scratch/bare/$(echo "${f#src/}" | tr / -)
+            (cd "$scratch" && quiet $cc -O2 -ffp-contract=off \
+                -I"$here/include" -c "$here/$f" -o "${object%.c}.o") || exit 1
+        done &&
+        quiet $cc -I include -o "$scratch/bare/example" \
+            "$scratch/example.c" "$scratch"/bare/*.o -lm &&
+        "$scratch/bare/example" | diff "$scratch/example.said" -
+}
+
+# sh runs each `$ ` line of the README's console blocks with the installed command
+# in the path; the lines after it are the expected output.
+test_readme_commands()
+{
+    here=$(pwd)
+    mkdir "$scratch/steps" "$scratch/work"
+    ln -s "$here/tools" "$scratch/work/tools"
+    awk -v steps="$scratch/steps/" '
+        /^```/ { inside = $0 == "```console"; open = 0; next }
+        !inside { next }
+        /^\$ / { step = sprintf("%s%02d", steps, ++n)
+                 printf "" > (step ".said")
+                 text = substr($0, 3)
+                 print text > (step ".sh")
+                 open = text ~ /\\$/
+                 next }
+        open { print > (step ".sh"); open = /\\$/; next }
+        { print > (step ".said") }
+    ' README.md
+    for step in "$scratch"/steps/*.sh; do
+        (cd "$scratch/work" && PATH=$root/usr/bin:$PATH sh "$step") \
+            > "$scratch/said" 2>&1
+        diff "${step%.sh}.said" "$scratch/said" || { cat "$step"; false; }
+        verdict "readme_command_$(basename "$step" .sh)" $?
+    done
+    [ "$(ls "$scratch/steps" | wc -l)" -ge 6 ]
+    verdict the_readme_shows_commands $?
+}
+
+# In $prefix some folders are there before make install, which is run twice.
+test_uninstall()
+{
+    make_in_root uninstall &&
+        [ "$(find "$root")" = "$root" ] || { find "$root"; false; }
+    verdict uninstall_leaves_nothing_behind $?
+    prefix=$scratch/prefix
+    mkdir -p "$prefix/share/man/man3" "$prefix/bin" "$prefix/lib/other"
+    find "$prefix" | sort > "$scratch/before"
+    make_here PREFIX="$prefix" install && make_here PREFIX="$prefix" install &&
+        touch "$prefix/include/other.h" && make_here PREFIX="$prefix" uninstall
+    { cat "$scratch/before"; echo "$prefix/include"
+      echo "$prefix/include/other.h"; } | sort > "$scratch/after"
+    find "$prefix" | sort | diff "$scratch/after" -
+    verdict uninstall_removes_the_empty_folders_that_install_made $?
+}
+
+test_install
+test_strip
+test_converters
+test_example
+test_readme_install
+test_hints
+test_symbols
+(test_without_makefile)
+verdict the_library_compiles_without_the_makefile $?
+test_readme_commands
+test_manual_examples
+test_manual_structs
+test_uninstall
+check_end

@@ -1,0 +1,58 @@
+#!/bin/sh
+# Floor tools: the Python package.  Its source distribution stands alone: a wheel
+# is made of it elsewhere and installed into the environment that `make deps`
+# makes; then pytest runs tests/python and the examples of the docstrings and of
+# tools/python/README.md.
+. "$(dirname "$0")/../support/verdict.sh"
+home=$build/python # the environment, and what is built
+python=$home/bin/python
+
+[ -x "$python" ] || skip_all 'no environment of Python (make deps)'
+for flag in ${CFLAGS:-} ${CXXFLAGS:-}; do
+    case $flag in -fsanitize*) skip_all 'sanitized, so Python does not load it' ;; esac
+done
+
+make_sdist()
+{
+    rm -rf "$home/dist"
+    (cd tools/python && quiet "$python" -c "
+import sys, scikit_build_core.build as backend
+backend.build_sdist(sys.argv[1])" "$home/dist")
+}
+
+# Builds again only if the sources changed; a clone's Makefile is out of reach.
+make_wheel()
+{
+    sum=$(cat "$home"/dist/*.tar.gz | gzip -dc | cksum)
+    [ "$sum" = "$(cat "$home/wheel/sum" 2>/dev/null)" ] && return
+    rm -rf "$home/wheel"
+    mkdir "$home/wheel" && (
+        cd "$scratch" &&
+            quiet env -u CFLAGS -u CXXFLAGS -u MAKEFLAGS -u MAKELEVEL -u BUILD \
+                "$python" -m pip wheel --no-build-isolation --no-deps --no-index \
+                -w "$home/wheel" "$home"/dist/*.tar.gz
+    ) && echo "$sum" > "$home/wheel/sum"
+}
+
+run_pytest()
+{
+    (cd "$home" && CYLINT_COMMAND=$build/cylint PYTHONDONTWRITEBYTECODE=1 \
+        "$python" -m pytest -q -p no:cacheprovider "$top/tests/python") \
+        > "$scratch/pytest" 2>&1
+    passed_here=$(sed -n 's/^.*\b\([0-9][0-9]*\) passed.*/\1/p' "$scratch/pytest" | tail -n 1)
+    failed_here=$(tail -n 1 "$scratch/pytest" | sed -n 's/.*\b\([0-9][0-9]*\) \(failed\|error\).*/\1/p')
+    passed=$((passed + ${passed_here:-0}))
+    failed=$((failed + ${failed_here:-0}))
+    [ "${failed_here:-0}" -eq 0 ] && [ "${passed_here:-0}" -gt 50 ] ||
+        { cat "$scratch/pytest"; false; }
+    verdict pytest_ran_the_tests_and_examples $?
+}
+
+make_sdist
+verdict the_source_distribution_is_made $? || { check_end; exit; }
+make_wheel
+verdict a_wheel_is_made_of_it_elsewhere $? || { check_end; exit; }
+quiet "$python" -m pip install --no-deps --no-index --force-reinstall "$home"/wheel/*.whl
+verdict the_wheel_is_installed $? || { check_end; exit; }
+run_pytest
+check_end

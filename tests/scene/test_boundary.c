@@ -1,0 +1,458 @@
+/*
+ * test_boundary.c - the first boundary of solids, the solids at a point, and
+ * the pieces and sums of many lines
+ *
+ * piece_world.h makes the scenes and gives the expected pieces.
+ *
+ * CYLINT_CASES: scenes in each test.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef HAVE_MPFR
+#include <mpfr.h>
+#endif
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "piece_world.h"
+
+static int same_double(double x, double y)
+{
+    return memcmp(&x, &y, sizeof x) == 0;
+}
+
+/* Memory that is at first too small, or large. */
+static double memory[1 << 16];
+
+static cylint_workspace any_workspace(void)
+{
+    return (cylint_workspace){memory, (size_t)choice(2) * sizeof memory, 0};
+}
+
+/* Whether a query is to be repeated with more memory. */
+static int needs_more(size_t n, cylint_workspace *work)
+{
+    if (n != CYLINT_NO_ROOM)
+        return 0;
+    if (!CHECK(work->wanted > work->bytes && work->wanted <= sizeof memory))
+        exit(1);
+    work->bytes = work->wanted;
+    return 1;
+}
+
+/* ------------------------------------------------------ first boundary -- */
+
+typedef struct {
+    size_t number; /* world.n: there is none */
+    double t;
+    int enters, is_complement;
+} boundary;
+
+/* Whether shape i begins or ends at t as a member of the solid of this number. */
+static int is_surface(size_t i, size_t owner, double t, int enters,
+                      int *is_complement)
+{
+    int begins = 0, ends = 0, is_plain = !is_member(i) && i == owner,
+        is_removed = 0;
+    for (int j = 0; j < world.chords[i]; j++) {
+        begins |= world.chord[i][j].t0 == t;
+        ends |= world.chord[i][j].t1 == t;
+    }
+    for (size_t j = 0; j < world.members; j++)
+        if (world.member[j].shape == i &&
+            number_of(world.member[j].solid) == owner) {
+            is_plain |= world.member[j].clause > 0;
+            is_removed |= world.member[j].clause < 0;
+        }
+    *is_complement = !(is_plain && (enters ? begins : ends));
+    return !*is_complement || (is_removed && (enters ? ends : begins));
+}
+
+/* Of world.line; its chords are known. */
+static boundary expected_boundary(void)
+{
+    static cylint_piece piece[MOST];
+    const cylint_piece_rule unions = {.mode = CYLINT_PIECES_UNION},
+                            owners = {.mode = CYLINT_PIECES_OWNER};
+    boundary b = {.number = world.n};
+    if (expected_pieces(&unions, piece) == 0)
+        return b;
+    b.enters = piece[0].t0 > world.line.tmin;
+    b.t = b.enters ? piece[0].t0 : piece[0].t1;
+    if (!(b.t < world.line.tmax))
+        return b;
+    const size_t n = expected_pieces(&owners, piece);
+    size_t i = 0;
+    while (i < n && !b.enters && piece[i].t1 != b.t)
+        i++;
+    if (!CHECK(i < n))
+        return b;
+    const size_t owner = piece[i].shape;
+    for (b.number = 0; b.number < world.n; b.number++)
+        if (is_surface(b.number, owner, b.t, b.enters, &b.is_complement))
+            return b;
+    CHECK(b.number < world.n);
+    return b;
+}
+
+/* The hit of the shape at the boundary. */
+static int expected_hit(const boundary *b, cylint_hit *hit)
+{
+    cylint_shape shape = world.shape[b->number];
+    cylint_line whole = world.line;
+    cylint_answer a;
+    if (shape.ends < CYLINT_ENDS_INFINITE)
+        shape.ends = CYLINT_ENDS_CAPPED;
+    whole.tmin = -HUGE_VAL;
+    whole.tmax = HUGE_VAL;
+    cylint_intersect(&shape, &whole, CYLINT_WANT_ALL, &a);
+    for (int i = 0; i < a.n; i++)
+        if (a.hit[i].t == b->t && (a.hit[i].side == CYLINT_SIDE_ENTERING) ==
+                                      (b->enters != b->is_complement)) {
+            *hit = a.hit[i];
+            hit->side = b->enters ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
+            for (int j = 0; j < 3 && b->is_complement; j++)
+                hit->normal[j] = 0 - hit->normal[j];
+            return 1;
+        }
+    return 0;
+}
+
+static int same_hit(const cylint_hit *x, const cylint_hit *y)
+{
+    int same = x->part == y->part && x->side == y->side &&
+               same_double(x->t, y->t) && same_double(x->z, y->z) &&
+               same_double(x->phi, y->phi);
+    for (int i = 0; i < 3; i++)
+        same = same && same_double(x->point[i], y->point[i]) &&
+               same_double(x->normal[i], y->normal[i]);
+    return same;
+}
+
+static size_t first_boundary(unsigned want, cylint_hit *hit)
+{
+    cylint_workspace work = any_workspace();
+    size_t n;
+    do
+        n = cylint_scene_first_boundary(world.scene, &world.line, want, hit,
+                                        &work);
+    while (needs_more(n, &work));
+    return n;
+}
+
+static long boundaries, in_bores;
+
+static void check_boundary(void)
+{
+    cylint_hit got, expected, few;
+    const boundary b = expected_boundary();
+    const double *d = world.line.d;
+    memset(&few, 0x5a, sizeof few);
+    const cylint_hit untouched = few;
+    const size_t n = first_boundary(CYLINT_WANT_ALL, &got);
+    if (!CHECK(n == b.number))
+        REPORT("shape %zu, not %zu, at t %a", n, b.number, b.t);
+    if (n != b.number || n == world.n)
+        return;
+    boundaries++;
+    in_bores += b.is_complement;
+    if (!CHECK(expected_hit(&b, &expected) && same_hit(&got, &expected)))
+        REPORT("shape %zu, t %a, part %d, side %d", n, got.t, got.part,
+               got.side);
+    const double along =
+        d[0] * got.normal[0] + d[1] * got.normal[1] + d[2] * got.normal[2];
+    CHECK(b.enters ? along <= 1e-14 : along >= -1e-14);
+    CHECK(first_boundary(CYLINT_WANT_T, &few) == n);
+    CHECK(same_double(few.t, got.t) && few.side == untouched.side &&
+          same_double(few.normal[0], untouched.normal[0]));
+}
+
+static void begin_world(void)
+{
+    make_shapes();
+    if (choice(4))
+        make_solids();
+}
+
+static void the_first_boundary_is_that_of_a_loop(void)
+{
+    const long worlds = (long)check_setting("CYLINT_CASES", 300);
+    rng = 3;
+    boundaries = in_bores = 0;
+    for (long i = 0; i < worlds; i++) {
+        begin_world();
+        for (int j = 0; j < LINES; j++) {
+            cylint_line line;
+            if (any_line(&line) != CYLINT_OK)
+                continue;
+            find_chords(&line);
+            check_boundary();
+        }
+        cylint_scene_free(world.scene);
+    }
+    CHECK(boundaries > 10 * worlds && in_bores > worlds / 10);
+    fprintf(stderr, "%ld boundaries, %ld of them in bores\n", boundaries,
+            in_bores);
+}
+
+static void an_invalid_line_has_no_boundary(void)
+{
+    cylint_workspace work = {NULL, 0, 0};
+    const double o[3] = {0, 0, 0};
+    cylint_hit hit;
+    rng = 4;
+    begin_world();
+    CHECK(cylint_whole_line(&world.line, o, o) != CYLINT_OK);
+    CHECK(cylint_scene_first_boundary(world.scene, &world.line, CYLINT_WANT_ALL,
+                                      &hit, &work) == world.n);
+    cylint_scene_free(world.scene);
+}
+
+/* --------------------------------------------------------------- depth -- */
+
+static int point_is_in(size_t solid, const int *contains)
+{
+    int has_members = 0;
+    for (size_t i = 0; i < world.members; i++) {
+        const cylint_member *m = &world.member[i];
+        int holds = 0;
+        for (size_t j = 0; j < world.members && m->solid == solid; j++) {
+            const cylint_member *k = &world.member[j];
+            if (k->solid == solid && abs(k->clause) == abs(m->clause))
+                holds |= (contains[k->shape] >= 0) == (k->clause > 0);
+        }
+        has_members |= m->solid == solid;
+        if (m->solid == solid && !holds)
+            return 0;
+    }
+    return has_members;
+}
+
+static size_t expected_depth(const double point[3], const int *rank,
+                             size_t *owner)
+{
+    size_t depth = 0;
+    int contains[SHAPES];
+    *owner = SIZE_MAX;
+    for (size_t i = 0; i < world.n; i++) {
+        contains[i] = cylint_contains(&world.shape[i], point);
+        if (!is_member(i) && contains[i] >= 0)
+            add_owner(i, rank, owner, &depth);
+    }
+    for (size_t i = 0; i < world.solids; i++)
+        if (point_is_in(i, contains))
+            add_owner(number_of(i), rank, owner, &depth);
+    *owner = *owner == SIZE_MAX ? world.n : *owner;
+    return depth;
+}
+
+static void the_depth_is_that_of_a_loop(void)
+{
+    const long worlds = (long)check_setting("CYLINT_CASES", 300);
+    long inside = 0;
+    rng = 5;
+    for (long i = 0; i < worlds; i++) {
+        begin_world();
+        for (int j = 0; j < 50; j++) {
+            const int *rank = choice(2) ? world.rank : NULL;
+            cylint_workspace work = any_workspace();
+            double point[3];
+            size_t owner, expected, n;
+            point_of_integers(point, 7);
+            point[choice(3)] /= choice(2) + 1;
+            do
+                n = cylint_scene_depth(world.scene, point, rank, &owner, &work);
+            while (needs_more(n, &work));
+            inside += n > 0;
+            if (!CHECK(n == expected_depth(point, rank, &expected) &&
+                       owner == expected))
+                REPORT("point %g %g %g: depth %zu, owner %zu, not %zu",
+                       point[0], point[1], point[2], n, owner, expected);
+        }
+        cylint_scene_free(world.scene);
+    }
+    CHECK(inside > worlds);
+    fprintf(stderr, "%ld points in solids\n", inside);
+}
+
+static void no_solid_contains_an_infinite_point(void)
+{
+    const double point[3] = {0, HUGE_VAL, 0};
+    cylint_workspace work = {NULL, 0, 0};
+    size_t owner = 0;
+    rng = 6;
+    begin_world();
+    CHECK(cylint_scene_depth(world.scene, point, NULL, &owner, &work) == 0 &&
+          owner == world.n);
+    cylint_scene_free(world.scene);
+}
+
+/* ---------------------------------------------------------- many lines -- */
+
+enum { MANY = 1500, LABELS = 5 };
+
+static double column[8][MANY];
+static cylint_line each[MANY];
+
+static cylint_lines many_lines(void)
+{
+    cylint_lines lines = {.n = MANY, .tmin = column[6], .tmax = column[7]};
+    for (size_t i = 0; i < MANY; i++) {
+        if (any_line(&each[i]) != CYLINT_OK)
+            cylint_whole_line(&each[i], each[i].o, each[i].d);
+        column[6][i] = each[i].segment ? 0 : each[i].tmin;
+        column[7][i] = each[i].segment ? 1 : each[i].tmax;
+        for (int j = 0; j < 3; j++) {
+            column[j][i] = each[i].o[j] = choice(13) - 6;
+            column[3 + j][i] = each[i].d[j] = choice(5) - 2;
+        }
+        cylint_span(&each[i], each[i].o, each[i].d, column[6][i], column[7][i]);
+    }
+    for (int j = 0; j < 3; j++) {
+        lines.o[j] = column[j];
+        lines.d[j] = column[3 + j];
+    }
+    return lines;
+}
+
+static size_t pieces_of(size_t i, const cylint_piece_rule *rule, size_t most,
+                        cylint_piece *to)
+{
+    cylint_workspace work = any_workspace();
+    size_t n;
+    do
+        n = cylint_scene_pieces(world.scene, &each[i], rule, to,
+                                most > 0 ? most : MOST, &work);
+    while (needs_more(n, &work));
+    return n;
+}
+
+static int same_piece(const cylint_piece *x, const cylint_piece *y)
+{
+    return same_double(x->t0, y->t0) && same_double(x->t1, y->t1) &&
+           x->shape == y->shape && x->depth == y->depth;
+}
+
+static void check_rows(const cylint_lines *lines, const cylint_piece_rule *rule,
+                       size_t most, int threads)
+{
+    static cylint_piece piece[MOST];
+    cylint_piece_rows rows;
+    const cylint_scene_status status = cylint_scene_pieces_lines(
+        world.scene, lines, rule, most, threads, &rows);
+    if (!CHECK(status == CYLINT_SCENE_OK && rows.first[0] == 0))
+        return;
+    for (size_t i = 0; i < lines->n; i++) {
+        const size_t n = pieces_of(i, rule, most, piece);
+        int same = rows.first[i + 1] - rows.first[i] == n;
+        for (size_t j = 0; j < n && same; j++)
+            same = same_piece(&rows.pieces[rows.first[i] + j], &piece[j]);
+        if (!CHECK(same))
+            REPORT("line %zu, %d threads, most %zu", i, threads, most);
+    }
+    cylint_piece_rows_free(&rows);
+    CHECK(!rows.first && !rows.pieces);
+}
+
+static void pieces_of_many_lines_are_those_of_each(void)
+{
+    static const int threads[] = {1, 2, 5};
+    const long worlds = (long)check_setting("CYLINT_CASES", 8);
+    rng = 7;
+    for (long i = 0; i < worlds; i++) {
+        begin_world();
+        cylint_lines lines = many_lines();
+        for (int k = 0; k < 3; k++) {
+            const cylint_piece_rule rule = {
+                .mode = (cylint_piece_mode)choice(4),
+                .rank = choice(2) ? world.rank : NULL};
+            check_rows(&lines, &rule, (size_t)choice(4), threads[k]);
+        }
+        lines.n = 0;
+        const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+        check_rows(&lines, &rule, 0, 2);
+        cylint_scene_free(world.scene);
+    }
+}
+
+/* ---------------------------------------------------------------- sums -- */
+
+#ifdef HAVE_MPFR
+/* Of the pieces with this label. */
+static double exact_sum(const cylint_piece *piece, size_t n, const int *label,
+                        int wanted)
+{
+    double nearest;
+    mpfr_t sum;
+    mpfr_init2(sum, 4000);
+    mpfr_set_zero(sum, 1);
+    for (size_t i = 0; i < n; i++)
+        if ((label ? label[piece[i].shape] : 0) == wanted) {
+            mpfr_add_d(sum, sum, piece[i].t1, MPFR_RNDN);
+            mpfr_sub_d(sum, sum, piece[i].t0, MPFR_RNDN);
+        }
+    nearest = mpfr_get_d(sum, MPFR_RNDN);
+    mpfr_clear(sum);
+    return nearest;
+}
+
+static void check_sums(const cylint_lines *lines, const cylint_piece_rule *rule,
+                       const int *label, int in_units, const double *sums)
+{
+    static cylint_piece piece[MOST];
+    for (size_t i = 0; i < lines->n; i++) {
+        const size_t n = pieces_of(i, rule, 0, piece);
+        for (int k = 0; k < LABELS; k++) {
+            double expected = exact_sum(piece, n, label, k);
+            if (in_units && expected != 0)
+                expected *= cylint_line_length(&each[i]);
+            if (!CHECK(same_double(sums[i * LABELS + (size_t)k], expected)))
+                REPORT("line %zu, label %d: %a, not %a", i, k,
+                       sums[i * LABELS + (size_t)k], expected);
+        }
+    }
+}
+
+static void sums_are_the_nearest_doubles_for_all_threads(void)
+{
+    static const int threads[] = {1, 2, 5};
+    static double sums[3][MANY * LABELS];
+    const long worlds = (long)check_setting("CYLINT_CASES", 8);
+    rng = 8;
+    for (long i = 0; i < worlds; i++) {
+        int label[SHAPES];
+        begin_world();
+        const cylint_lines lines = many_lines();
+        const cylint_piece_rule rule = {.mode = (cylint_piece_mode)choice(4),
+                                        .rank = choice(2) ? world.rank : NULL};
+        const int in_units = choice(2), *labels = choice(4) ? label : NULL;
+        for (int j = 0; j < SHAPES; j++)
+            label[j] = choice(LABELS + 2) - 1; /* -1 and 5 do not count */
+        for (int k = 0; k < 3; k++) {
+            memset(sums[k], 0x5a, sizeof sums[k]);
+            CHECK(cylint_scene_sums(world.scene, &lines, &rule, labels, LABELS,
+                                    in_units, threads[k],
+                                    sums[k]) == CYLINT_SCENE_OK);
+        }
+        CHECK(memcmp(sums[0], sums[1], sizeof sums[0]) == 0 &&
+              memcmp(sums[0], sums[2], sizeof sums[0]) == 0);
+        check_sums(&lines, &rule, labels, in_units, sums[0]);
+        cylint_scene_free(world.scene);
+    }
+}
+#endif
+
+int main(void)
+{
+    RUN(the_first_boundary_is_that_of_a_loop);
+    RUN(an_invalid_line_has_no_boundary);
+    RUN(the_depth_is_that_of_a_loop);
+    RUN(no_solid_contains_an_infinite_point);
+    RUN(pieces_of_many_lines_are_those_of_each);
+#ifdef HAVE_MPFR
+    RUN(sums_are_the_nearest_doubles_for_all_threads);
+#endif
+    return check_end();
+}

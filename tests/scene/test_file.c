@@ -1,0 +1,508 @@
+/*
+ * test_file.c - floor scene: a scene that was saved and opened returns the
+ * same bits, and no damaged file makes a query fail
+ *
+ * CYLINT_CASES: how many damaged files are opened in each way.
+ */
+#if defined(__linux__)
+#define _DEFAULT_SOURCE 1 /* fork() with -std=c99 */
+#endif
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "environment.h"
+#include "same_scenes.h"
+#include "scene_file.h"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#define HAS_PROCESSES
+#endif
+
+enum { SHAPES = 400, SMALL = 6 };
+
+static char path[64]; /* of a file that may be written */
+
+/* ---------------------------------------------------------------- tests -- */
+
+static void an_opened_scene_answers_as_the_saved_one(void)
+{
+    static const unsigned flags[] = {0, CYLINT_SCENE_READ, CYLINT_SCENE_TRUSTED,
+                                     CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        struct scene_shapes of;
+        cylint_scene_status status = CYLINT_SCENE_EFILE;
+        scene_generate(kind, SHAPES, 7, &of);
+        cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
+        for (int i = 0; i < 4; i++) {
+            cylint_scene *opened = cylint_scene_open(path, flags[i], &status);
+            if (!CHECK(opened && status == CYLINT_SCENE_OK))
+                continue;
+            const int wrong = differences(built, opened, &of, 11);
+            if (!CHECK(wrong == 0))
+                REPORT("%s, flags %u: %d differ", of.name, flags[i], wrong);
+            CHECK(cylint_scene_bytes(opened) >= 65 * of.n);
+            CHECK(cylint_scene_add(opened, of.shapes, 1) ==
+                  CYLINT_SCENE_EFINISHED);
+            cylint_scene_free(opened);
+        }
+        cylint_scene_free(built);
+        scene_release(&of);
+    }
+    remove(path);
+}
+
+/* The bytes of a scene's file; bytes->data is freed by the caller. */
+static void write_bytes(const cylint_scene *scene, struct bytes *b)
+{
+    scene_file_write(scene, b, (size_t)1 << 20);
+}
+
+static void an_opened_scene_saves_the_same_bytes(void)
+{
+    struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
+    for (int kind = 0; kind < SCENE_KINDS; kind++)
+        for (size_t n = 1; n <= 16; n *= 4) {
+            struct scene_shapes of;
+            scene_generate(kind, n, 5, &of);
+            cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
+            write_bytes(built, &first);
+            cylint_scene *opened =
+                cylint_scene_open_memory(first.data, first.n, 0, NULL);
+            write_bytes(opened, &again);
+            CHECK(first.n == again.n &&
+                  memcmp(first.data, again.data, first.n) == 0);
+            cylint_scene_free(opened);
+            cylint_scene_free(built);
+            scene_release(&of);
+        }
+    free(first.memory);
+    free(again.memory);
+}
+
+/* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
+ * a tangent cone, with labels. */
+static void write_small(struct bytes *b)
+{
+    static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
+    static const cylint_scene_labels labels = {ends, "abcdef"};
+    const double p[3] = {0, 0, 0}, q[3] = {3, 1, 2}, h[3] = {0, 0, 2},
+                 x[3] = {1, 0.5, 0}, y[3] = {0, 1, 0.25};
+    cylint_shape shape[SMALL];
+    cylint_cylinder(&shape[0], p, q, 0.125, CYLINT_ENDS_CAPPED);
+    cylint_sphere(&shape[1], q, 0.5, CYLINT_ENDS_CAPPED);
+    cylint_elliptic_cone(&shape[2], q, x, y, h, 0.5, CYLINT_ENDS_OPEN);
+    cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
+    cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
+    cylint_scene_set_labels(scene, &labels);
+    write_bytes(scene, b);
+    cylint_scene_free(scene);
+}
+
+static void bytes_in_memory_open_at_every_address(void)
+{
+    struct scene_shapes of;
+    struct bytes b = {NULL, NULL, 0, 0};
+    scene_generate(SCENE_MIXED, SHAPES, 3, &of);
+    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    write_bytes(built, &b);
+    for (size_t shift = 0; shift < 80; shift += 8) {
+        char *copy = malloc(b.n + shift);
+        memcpy(copy + shift, b.data, b.n);
+        cylint_scene *opened =
+            cylint_scene_open_memory(copy + shift, b.n, 0, NULL);
+        CHECK(opened && differences(built, opened, &of, shift) == 0);
+        cylint_scene_free(opened);
+        free(copy);
+    }
+    free(b.memory);
+    cylint_scene_free(built);
+    scene_release(&of);
+}
+
+static void an_empty_scene_can_be_saved(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    write_bytes(empty, &b);
+    CHECK(b.n == 512);
+    cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+    CHECK(opened && cylint_scene_size(opened) == 0 &&
+          !cylint_scene_get_labels(opened));
+    cylint_scene_free(opened);
+    cylint_scene_free(empty);
+    free(b.memory);
+}
+
+static void labels_are_saved(void)
+{
+    static const char text[] = "axon\0dend";
+    static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
+    const double p[3] = {0, 0, 0}, q[3] = {0, 0, 1};
+    cylint_shape shape[3];
+    struct bytes b = {NULL, NULL, 0, 0};
+    for (int i = 0; i < 3; i++)
+        cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
+    for (int k = 0; k < 2; k++) {
+        const cylint_scene_labels labels = {ends[k], text};
+        cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
+        CHECK(!cylint_scene_get_labels(scene));
+        cylint_scene_set_labels(scene, &labels);
+        write_bytes(scene, &b);
+        cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+        const cylint_scene_labels *got = cylint_scene_get_labels(opened);
+        CHECK(got && memcmp(got->end, ends[k], sizeof ends[k]) == 0 &&
+              (ends[k][2] == 0 || memcmp(got->text, text, 9) == 0));
+        cylint_scene_set_labels(opened, NULL);
+        CHECK(!cylint_scene_get_labels(opened));
+        cylint_scene_free(opened);
+        cylint_scene_free(scene);
+    }
+    free(b.memory);
+}
+
+static int write_few(void *context, const void *data, size_t n)
+{
+    int *calls = context;
+    (void)data;
+    (void)n;
+    return --*calls > 0;
+}
+
+static void a_failure_leaves_the_old_file(void)
+{
+    struct scene_shapes of;
+    char missing[96];
+    cylint_scene_status status = CYLINT_SCENE_OK;
+    scene_generate(SCENE_FAT, SMALL, 3, &of);
+    cylint_scene *scene = cylint_scene_begin(0);
+    CHECK(cylint_scene_add(scene, of.shapes, of.n) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_save(scene, path) == CYLINT_SCENE_EUNFINISHED);
+    CHECK(!cylint_scene_open(path, 0, &status) &&
+          status == CYLINT_SCENE_EFILE && errno == ENOENT);
+    CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
+    for (int calls = 1; calls < 6; calls++) {
+        int more = calls;
+        CHECK(cylint_scene_write(scene, write_few, &more) ==
+              CYLINT_SCENE_ESTOPPED);
+    }
+    snprintf(missing, sizeof missing, "%s.d/x", path);
+    errno = 0;
+    CHECK(cylint_scene_save(scene, missing) == CYLINT_SCENE_EFILE &&
+          errno == ENOENT);
+#ifdef HAS_PROCESSES
+    /* a folder cannot be replaced by a file */
+    snprintf(missing, sizeof missing, "%s.d", path);
+    CHECK(mkdir(missing, 0700) == 0);
+    CHECK(cylint_scene_save(scene, missing) == CYLINT_SCENE_EFILE);
+    CHECK(rmdir(missing) == 0);
+    snprintf(missing, sizeof missing, "%s.d.%ld.new", path, (long)getpid());
+    CHECK(access(missing, F_OK) != 0);
+    CHECK(!cylint_scene_open("/", 0, &status) && status == CYLINT_SCENE_EFILE);
+#endif
+    cylint_scene_free(scene);
+    scene_release(&of);
+}
+
+#ifdef HAS_PROCESSES
+
+/* A link of this name would lead the writer to another file. */
+static void a_file_beside_the_new_one_is_not_written(void)
+{
+    char beside[96], target[96];
+    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
+    snprintf(target, sizeof target, "%s.target", path);
+    CHECK(symlink(target, beside) == 0);
+    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
+    CHECK(access(target, F_OK) != 0 && access(path, F_OK) == 0);
+    CHECK(remove(beside) == 0 && remove(path) == 0);
+    cylint_scene_free(empty);
+}
+
+/* Such a file has one reader, who must not close and open it again. */
+static void a_named_pipe_is_read(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    int status = 1;
+    write_small(&b);
+    CHECK(mkfifo(path, 0600) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        FILE *to = fopen(path, "wb");
+        _exit(!to || fwrite(b.data, 1, b.n, to) != b.n || fclose(to) != 0);
+    }
+    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    CHECK(opened && cylint_scene_size(opened) == SMALL);
+    CHECK(waitpid(child, &status, 0) == child && status == 0);
+    cylint_scene_free(opened);
+    remove(path);
+    free(b.memory);
+}
+
+/* The file is replaced while it is mapped: the mapping stays as it was. */
+static void two_processes_map_one_file(void)
+{
+    struct scene_shapes of;
+    int status = 1;
+    scene_generate(SCENE_THIN, SHAPES, 3, &of);
+    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
+    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        cylint_scene *again = cylint_scene_open(path, 0, NULL);
+        _exit(!again || differences(again, opened, &of, 5) != 0);
+    }
+    CHECK(differences(built, opened, &of, 5) == 0);
+    CHECK(waitpid(child, &status, 0) == child && status == 0);
+    cylint_scene *other = cylint_scene_new(of.shapes, 3, 1, NULL);
+    CHECK(cylint_scene_save(other, path) == CYLINT_SCENE_OK);
+    CHECK(differences(built, opened, &of, 6) == 0);
+    cylint_scene_free(other);
+    cylint_scene_free(opened);
+    cylint_scene_free(built);
+    scene_release(&of);
+    remove(path);
+}
+
+#endif
+
+/* A file that was saved in one environment opens in each other one: shapes whose
+ * axes and radii are subnormal, or nearly, in some coordinates. */
+static void saved_anywhere(struct environment there)
+{
+    static const double tiny[] = {0, 0x1p-1074, 0x1p-1023, 0x1p-1021, 0x1p-400};
+    struct bytes b = {NULL, NULL, 0, 0};
+    cylint_shape shape[4 * 5];
+    for (int i = 0; i < 20; i++) {
+        const double x = tiny[i / 4], y = i % 2 ? x : 0;
+        const double p[3] = {i, y, 0.25}, q[3] = {i + 1, 0, y};
+        if (i % 4 == 0)
+            cylint_cylinder(&shape[i], p, q, x > 0 ? x : 1, CYLINT_ENDS_OPEN);
+        else if (i % 4 == 1)
+            cylint_cone(&shape[i], p, x, q, 0.5, CYLINT_ENDS_CAPPED);
+        else if (i % 4 == 2)
+            cylint_round_cone(&shape[i], p, x, q, 0.9979, CYLINT_ENDS_CAPPED);
+        else
+            cylint_sphere(&shape[i], p, x > 0 ? x : 1, CYLINT_ENDS_CAPPED);
+    }
+    environment_set(there);
+    cylint_scene *built = cylint_scene_new(shape, 20, 1, NULL);
+    write_bytes(built, &b);
+    environment_reset();
+    for (int i = 0; i < ENVIRONMENTS; i++) {
+        cylint_scene_status status;
+        const struct environment other = environment_of(i);
+        if (!can_treat_subnormals(other.tiny))
+            continue;
+        environment_set(other);
+        cylint_scene *opened =
+            cylint_scene_open_memory(b.data, b.n, 0, &status);
+        environment_reset();
+        if (!CHECK(opened && same_shapes(built, opened)))
+            REPORT("in environment %d: status %d", i, (int)status);
+        cylint_scene_free(opened);
+    }
+    cylint_scene_free(built);
+    free(b.memory);
+}
+
+static void a_file_opens_in_every_environment(void)
+{
+    everywhere(saved_anywhere);
+}
+
+/* ------------------------------------------------------- damaged files -- */
+
+/* Changes of a byte, by exclusive or: of one bit, of all; or, for many cases, all.
+ * Returns 0 after the last. */
+static int next_change(int change)
+{
+    if (check_setting("CYLINT_CASES", 0) >= 1e6)
+        return (change + 1) % 256;
+    return change == 0 ? 1 : change == 128 ? 255 : 2 * change % 510;
+}
+
+static void every_changed_byte_is_refused(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    write_small(&b);
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
+    for (size_t i = 0; i < b.n; i++)
+        for (int change = 1; change != 0; change = next_change(change)) {
+            b.data[i] = (char)(b.data[i] ^ change);
+            const cylint_scene_status status = scene_file_try(b.data, b.n);
+            if (!CHECK(status != CYLINT_SCENE_OK))
+                REPORT("byte %zu ^ %d", i, change);
+            CHECK(i >= 8 || status == CYLINT_SCENE_EFORMAT);
+            CHECK(i < 8 || i >= 24 || status == CYLINT_SCENE_EVERSION);
+            CHECK(i < 24 || status == CYLINT_SCENE_EDAMAGED ||
+                  status == CYLINT_SCENE_EVERSION);
+            b.data[i] = (char)(b.data[i] ^ change);
+        }
+    free(b.memory);
+}
+
+static void every_shorter_file_is_refused(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    write_small(&b);
+    for (size_t n = 0; n < b.n; n++) {
+        char *copy = malloc(n + 1); /* so that a read beyond it is found */
+        memcpy(copy, b.data, n);
+        const cylint_scene_status status = scene_file_try(copy, n);
+        CHECK(status == (n < 8 ? CYLINT_SCENE_EFORMAT : CYLINT_SCENE_EDAMAGED));
+        free(copy);
+    }
+    b.n += 64;
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
+    free(b.memory);
+}
+
+/* With the checksum made right, each byte in turn changes. */
+static void no_changed_byte_makes_a_query_fail(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    int opened = 0;
+    write_small(&b);
+    for (size_t i = 0; i < b.n; i++)
+        for (int change = 1; change != 0; change = next_change(change)) {
+            b.data[i] = (char)(b.data[i] ^ change);
+            scene_file_repair(b.data, b.n);
+            opened += scene_file_try(b.data, b.n) == CYLINT_SCENE_OK;
+            b.data[i] = (char)(b.data[i] ^ change);
+        }
+    CHECK(opened > 100);
+    free(b.memory);
+}
+
+/* Opens a file of rounded cones, cylinders and a cone after number `at`, counted in
+ * doubles, has become x. */
+static cylint_scene_status status_with(size_t at, double x)
+{
+    const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
+    struct bytes b = {NULL, NULL, 0, 0};
+    cylint_shape shape[4];
+    cylint_round_cone(&shape[0], p, 1, q, 1.5, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&shape[1], p, q, 1, CYLINT_ENDS_CAPPED);
+    cylint_capsule(&shape[2], p, q, 1, CYLINT_ENDS_OPEN);
+    cylint_cone(&shape[3], p, 1, q, 2, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, 4, 1, NULL);
+    write_bytes(scene, &b);
+    cylint_scene_free(scene);
+    memcpy(b.data + at * sizeof x, &x, sizeof x);
+    scene_file_repair(b.data, b.n);
+    const cylint_scene_status status = scene_file_try(b.data, b.n);
+    free(b.memory);
+    return status;
+}
+
+enum { FIRST_RECORD = 512 / 8, RECORD = 64 / 8, FRAME = 144 / 8 };
+
+/* NaN is in no order with other numbers. */
+static void numbers_that_constructors_refuse_are_refused(void)
+{
+    CHECK(status_with(FIRST_RECORD, 0) == CYLINT_SCENE_OK);
+    for (size_t i = FIRST_RECORD; i < FIRST_RECORD + 4 * RECORD; i++) {
+        CHECK(status_with(i, (double)NAN) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(i, HUGE_VAL) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(i, -HUGE_VAL) == CYLINT_SCENE_EDAMAGED);
+    }
+    for (size_t i = FRAME; i < FRAME + 6; i++)
+        CHECK(status_with(i, (double)NAN) == CYLINT_SCENE_EDAMAGED);
+    CHECK(status_with(FRAME, 9) == CYLINT_SCENE_EDAMAGED);
+}
+
+/* One ball of a rounded cone holds the other, or nearly. */
+static void a_rounded_cone_that_is_a_ball_is_refused(void)
+{
+    static const double r[] = {1.9979, 1.99999, 2 - 0x1p-52, 2, 2.1, 4};
+    for (int i = 0; i < 6; i++)
+        CHECK(status_with(FIRST_RECORD + 7, r[i]) ==
+              (i == 0 ? CYLINT_SCENE_OK : CYLINT_SCENE_EDAMAGED));
+}
+
+/* Several numbers of larger files at once, of 1, 2, 4 or 8 bytes. */
+static void no_changed_numbers_make_a_query_fail(void)
+{
+    const int cases = (int)check_setting("CYLINT_CASES", 6000);
+    uint64_t random = 17;
+    struct bytes b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
+    bytes_reserve(&c, (size_t)1 << 20);
+    int opened = 0;
+    for (int i = 0; i < cases; i++) {
+        if (i % 1000 == 0) {
+            struct scene_shapes of;
+            scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i, &of);
+            cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+            write_bytes(scene, &b);
+            cylint_scene_free(scene);
+            scene_release(&of);
+        }
+        memcpy(c.data, b.data, b.n);
+        const int changes = 1 + (int)(random_bits(&random) % 3);
+        for (int k = 0; k < changes; k++) {
+            const size_t bytes = (size_t)1 << random_bits(&random) % 4;
+            const size_t at = random_bits(&random) % (b.n / bytes) * bytes;
+            const size_t from = random_bits(&random) % (b.n / bytes) * bytes;
+            const uint64_t any = random_bits(&random);
+            /* any bits, a number from elsewhere, or a number near this one */
+            switch (random_bits(&random) % 3) {
+            case 0:
+                memcpy(c.data + at, &any, bytes);
+                break;
+            case 1:
+                memcpy(c.data + at, b.data + from, bytes);
+                break;
+            default:
+                c.data[at] = (char)(c.data[at] + (int)(any % 5) - 2);
+            }
+        }
+        scene_file_repair(c.data, b.n);
+        opened += scene_file_try(c.data, b.n) == CYLINT_SCENE_OK;
+    }
+    CHECK(opened > cases / 10);
+    CHECK(opened < cases);
+    free(b.memory);
+    free(c.memory);
+}
+
+int main(void)
+{
+    snprintf(path, sizeof path, "%s/scene_file.%ld",
+             getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp",
+#ifdef HAS_PROCESSES
+             (long)getpid());
+#else
+             0L);
+#endif
+    RUN(an_opened_scene_answers_as_the_saved_one);
+    RUN(an_opened_scene_saves_the_same_bytes);
+    RUN(bytes_in_memory_open_at_every_address);
+    RUN(an_empty_scene_can_be_saved);
+    RUN(labels_are_saved);
+    RUN(a_failure_leaves_the_old_file);
+#ifdef HAS_PROCESSES
+    RUN(a_file_beside_the_new_one_is_not_written);
+    RUN(a_named_pipe_is_read);
+    RUN(two_processes_map_one_file);
+#endif
+    RUN(a_file_opens_in_every_environment);
+    RUN(every_changed_byte_is_refused);
+    RUN(every_shorter_file_is_refused);
+    RUN(no_changed_byte_makes_a_query_fail);
+    RUN(numbers_that_constructors_refuse_are_refused);
+    RUN(a_rounded_cone_that_is_a_ball_is_refused);
+    RUN(no_changed_numbers_make_a_query_fail);
+    return check_end();
+}

@@ -1,0 +1,281 @@
+/*
+ * test_pieces.c - the pieces of a line in solids, in every mode, against a loop
+ * over all cells
+ *
+ * integer_shapes.h says why the coordinates are small integers.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "environment.h"
+#include "piece_world.h"
+
+static long cases_of(long normal)
+{
+    const char *text = getenv("CYLINT_CASES");
+    return text ? strtol(text, NULL, 10) : normal;
+}
+
+/* ---------------------------------------------------------- the library -- */
+
+/* With memory that is at first too small. */
+static size_t query(const cylint_line *line, const cylint_piece_rule *rule,
+                    cylint_piece *to, size_t capacity)
+{
+    static double memory[1 << 16];
+    cylint_workspace work = {memory, (size_t)choice(2) * sizeof memory, 0};
+    for (;;) {
+        const size_t n =
+            cylint_scene_pieces(world.scene, line, rule, to, capacity, &work);
+        if (n != CYLINT_NO_ROOM)
+            return n;
+        if (!CHECK(work.wanted > work.bytes && work.wanted <= sizeof memory))
+            exit(1);
+        work.bytes = work.wanted;
+    }
+}
+
+/* `capacity` pieces at a time. */
+static size_t resumed(const cylint_piece_rule *rule, cylint_piece *to,
+                      size_t capacity)
+{
+    cylint_line line = world.line;
+    cylint_piece_rule next = *rule;
+    size_t n = 0, more;
+    do {
+        more = query(&line, &next, to + n, capacity);
+        n += more;
+        if (n > 0 && rule->mode == CYLINT_PIECES_CHORDS)
+            next.after = &to[n - 1];
+        else if (n > 0)
+            line.tmin = to[n - 1].t1;
+    } while (more == capacity);
+    return n;
+}
+
+static int same_pieces(const cylint_piece *x, size_t n, const cylint_piece *y,
+                       size_t m)
+{
+    for (size_t i = 0; i < n && n == m; i++)
+        if (x[i].t0 != y[i].t0 || x[i].t1 != y[i].t1 ||
+            x[i].shape != y[i].shape || x[i].depth != y[i].depth)
+            return 0;
+    return n == m;
+}
+
+static long pieces_compared;
+
+static void check_rule(const cylint_piece_rule *rule)
+{
+    static cylint_piece expected[MOST], got[MOST];
+    static const size_t capacities[] = {1, 2, 3, 4, 5, 7, MOST};
+    const size_t n = rule->mode == CYLINT_PIECES_CHORDS
+                         ? expected_chords(expected)
+                         : expected_pieces(rule, expected);
+    for (size_t i = 0; i < sizeof capacities / sizeof *capacities; i++) {
+        const size_t m = resumed(rule, got, capacities[i]);
+        pieces_compared += (long)m;
+        if (!CHECK(same_pieces(expected, n, got, m)))
+            REPORT("mode %d, %zu at a time: %zu pieces, not %zu", rule->mode,
+                   capacities[i], m, n);
+    }
+}
+
+/* -------------------------------------------------------------- worlds -- */
+
+static void check_line(void)
+{
+    cylint_line line;
+    if (any_line(&line) != CYLINT_OK)
+        return;
+    find_chords(&line);
+    for (int mode = CYLINT_PIECES_UNION; mode <= CYLINT_PIECES_CHORDS; mode++)
+        for (int ranked = 0; ranked < 2; ranked++) {
+            const cylint_piece_rule rule = {.mode = (cylint_piece_mode)mode,
+                                            .rank = ranked ? world.rank : NULL};
+            check_rule(&rule);
+        }
+}
+
+static struct {
+    char data[1 << 16];
+    size_t n;
+} file;
+
+static int append_to_file(void *context, const void *data, size_t bytes)
+{
+    (void)context;
+    if (bytes > sizeof file.data - file.n)
+        return 0;
+    memcpy(file.data + file.n, data, bytes);
+    file.n += bytes;
+    return 1;
+}
+
+/* In place of the scene, with its solids. */
+static void open_saved_scene(void)
+{
+    file.n = 0;
+    CHECK(cylint_scene_write(world.scene, append_to_file, NULL) ==
+          CYLINT_SCENE_OK);
+    cylint_scene_free(world.scene);
+    world.scene = cylint_scene_open_memory(file.data, file.n, 0, NULL);
+    if (!CHECK(world.scene != NULL))
+        exit(1);
+    CHECK(cylint_scene_members(world.scene) == world.members);
+    for (size_t i = 0; i < world.members; i++) {
+        cylint_member m;
+        cylint_scene_member(world.scene, i, &m);
+        CHECK(m.shape == world.member[i].shape &&
+              m.solid == world.member[i].solid &&
+              m.clause == world.member[i].clause);
+    }
+}
+
+static void check_worlds(long worlds, int with_solids)
+{
+    pieces_compared = 0;
+    for (long i = 0; i < worlds; i++) {
+        make_shapes();
+        if (with_solids)
+            make_solids();
+        for (int j = 0; j < LINES; j++)
+            check_line();
+        if (i % 16 == 0) {
+            open_saved_scene();
+            for (int j = 0; j < 3; j++)
+                check_line();
+        }
+        cylint_scene_free(world.scene);
+    }
+    CHECK(pieces_compared > 100 * worlds);
+    fprintf(stderr, "%ld pieces\n", pieces_compared);
+}
+
+static void pieces_of_shapes_are_those_of_a_loop(void)
+{
+    rng = 1;
+    check_worlds(cases_of(100), 0);
+}
+
+static void pieces_of_solids_are_those_of_a_loop(void)
+{
+    rng = 2;
+    check_worlds(cases_of(100), 1);
+}
+
+/* --------------------------------------------------------- environment -- */
+
+typedef struct {
+    size_t n[4];
+    cylint_piece piece[4][MOST];
+    double sum;
+    size_t depth, owner, boundary;
+    cylint_hit hit;
+} scene_answers;
+
+/* All pieces in each mode and what else is computed from chords, of lines and of their
+ * origins. */
+static void answer_all(const cylint_line *line, scene_answers *to)
+{
+    static double memory[1 << 16];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION, .rank = world.rank};
+    memset(to, 0, sizeof *to);
+    for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
+        rule.mode = (cylint_piece_mode)mode;
+        to->n[mode] = cylint_scene_pieces(world.scene, line, &rule,
+                                          to->piece[mode], MOST, &work);
+    }
+    CHECK(cylint_scene_line_sums(world.scene, line, &rule, NULL, 1, 0,
+                                 &to->sum) == CYLINT_SCENE_OK);
+    to->boundary = cylint_scene_first_boundary(
+        world.scene, line, CYLINT_WANT_ALL, &to->hit, &work);
+    to->depth =
+        cylint_scene_depth(world.scene, line->o, world.rank, &to->owner, &work);
+}
+
+static long subnormal_ends;
+
+/* Half of the lines have such long directions that t is subnormal. */
+static void answer_there(struct environment there)
+{
+    static scene_answers expected, got;
+    cylint_line line;
+    rng = 3;
+    for (int i = 0; i < 400; i++) {
+        const double size = i % 2 ? 0x1p1021 : 1;
+        if (i % 40 == 0) {
+            make_shapes();
+            if (i % 80 == 0)
+                make_solids();
+        }
+        if (any_line(&line) == CYLINT_OK) {
+            const double d[3] = {line.d[0] * size, line.d[1] * size,
+                                 line.d[2] * size};
+            cylint_span(&line, line.o, d, line.tmin / size, line.tmax / size);
+            answer_all(&line, &expected);
+            environment_set(there);
+            answer_all(&line, &got);
+            environment_reset();
+            CHECK(memcmp(&expected, &got, sizeof got) == 0);
+            const double t = expected.piece[0][0].t0;
+            subnormal_ends += t > 0 && t < DBL_MIN;
+        }
+        if (i % 40 == 39)
+            cylint_scene_free(world.scene);
+    }
+}
+
+static void pieces_are_the_same_in_every_environment(void)
+{
+    subnormal_ends = 0;
+    everywhere(answer_there);
+    CHECK(subnormal_ends > 0);
+}
+
+/* -------------------------------------------------------------- errors -- */
+
+static void bad_solids_change_nothing(void)
+{
+    const double p[3] = {0, 0, 0};
+    cylint_shape shape[3];
+    const cylint_member good[2] = {{0, 0, 1}, {1, 0, -2}};
+    const cylint_member bad[][2] = {{{0, 0, 1}, {3, 0, 2}},
+                                    {{0, 0, 1}, {1, 2, 2}},
+                                    {{0, 0, 1}, {1, 0, 0}},
+                                    {{0, 0, 1}, {0, 1, 1}}};
+    static const cylint_scene_status status[] = {
+        CYLINT_SCENE_ESIZE, CYLINT_SCENE_ESIZE, CYLINT_SCENE_ESOLID,
+        CYLINT_SCENE_ESOLID};
+    for (int i = 0; i < 3; i++)
+        cylint_sphere(&shape[i], p, 1 + i, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_begin(0);
+    CHECK(cylint_scene_set_solids(scene, good, 2) == CYLINT_SCENE_EUNFINISHED);
+    cylint_scene_free(scene);
+    scene = cylint_scene_new(shape, 3, 1, NULL);
+    CHECK(cylint_scene_set_solids(scene, good, 2) == CYLINT_SCENE_OK);
+    for (int i = 0; i < 4; i++) {
+        cylint_member m;
+        CHECK(cylint_scene_set_solids(scene, bad[i], 2) == status[i]);
+        CHECK(cylint_scene_members(scene) == 2);
+        cylint_scene_member(scene, 1, &m);
+        CHECK(m.shape == 1 && m.clause == -2);
+    }
+    CHECK(cylint_scene_set_solids(scene, NULL, 0) == CYLINT_SCENE_OK &&
+          cylint_scene_members(scene) == 0);
+    cylint_scene_free(scene);
+}
+
+int main(void)
+{
+    RUN(bad_solids_change_nothing);
+    RUN(pieces_of_shapes_are_those_of_a_loop);
+    RUN(pieces_of_solids_are_those_of_a_loop);
+    RUN(pieces_are_the_same_in_every_environment);
+    return check_end();
+}

@@ -1,0 +1,165 @@
+/*
+ * test_records.c - floor scene: a record holds its shape, and local
+ * coordinates in doubles decide right or not at all
+ *
+ * The shapes are those of the families of families.h.  A decision is compared with
+ * cylint_occluded() in every rounding mode.
+ */
+#include <fenv.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "families.h"
+#include "intersect.h"
+#include "random.h"
+#include "scene/records.h"
+#include "shapes/shape_facts.h"
+
+#ifndef HAVE_GSL
+
+int main(void)
+{
+    return check_skip("built without GSL, so there are no families");
+}
+
+#else
+
+enum { CASES = 2000, BLOCK = 64 };
+
+static long cases_of_family(void)
+{
+    const char *text = getenv("CYLINT_CASES");
+    return text ? strtol(text, NULL, 10) : CASES;
+}
+
+static void case_number(int family, long i, struct family_case *c)
+{
+    static const cylint_ends ends[] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
+                                       CYLINT_ENDS_CAP0, CYLINT_ENDS_CAP1};
+    family_case(31, family, (uint64_t)i, c);
+    c->ends = ends[i % 4];
+    family_make(c);
+}
+
+static int is_shape_of(const cylint_shape *x, const cylint_shape *y)
+{
+    return memcmp(x, y, sizeof *x) == 0;
+}
+
+/* Refused shapes too; hulls of two balls of which one holds the other too. */
+static void a_scene_returns_its_shapes(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        static cylint_shape shapes[BLOCK];
+        cylint_shape back;
+        cylint_scene *scene = cylint_scene_begin(0);
+        for (int block = 0; block < 2; block++) {
+            for (int i = 0; i < BLOCK; i++) {
+                struct family_case c;
+                family_case(9, family, (uint64_t)(block * BLOCK + i), &c);
+                shapes[i] = c.shape;
+            }
+            CHECK(cylint_scene_add(scene, shapes, BLOCK) == CYLINT_SCENE_OK);
+        }
+        CHECK(cylint_scene_size(scene) == 2 * BLOCK);
+        CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
+        for (int i = 0; i < BLOCK; i++) {
+            cylint_scene_shape(scene, (size_t)(BLOCK + i), &back);
+            if (!CHECK(is_shape_of(&back, &shapes[i])))
+                REPORT("family %s, shape %d", family_name(family), i);
+        }
+        cylint_scene_free(scene);
+    }
+}
+
+static void a_ball_of_a_hull_keeps_its_part(void)
+{
+    static const double p[3] = {1, 2, 3}, q[3] = {1, 2, 3.5};
+    cylint_shape shapes[4], back;
+    CHECK(cylint_round_cone(&shapes[0], p, 2, q, 1, CYLINT_ENDS_CAP0) ==
+          CYLINT_OK);
+    CHECK(cylint_round_cone(&shapes[1], p, 1, q, 2, CYLINT_ENDS_CAP0) ==
+          CYLINT_OK);
+    CHECK(cylint_capsule(&shapes[2], p, p, 1, CYLINT_ENDS_CAP1) == CYLINT_OK);
+    CHECK(cylint_cylinder(&shapes[3], p, p, 1, CYLINT_ENDS_CAPPED) ==
+          CYLINT_EAXIS);
+    cylint_scene *scene = cylint_scene_new(shapes, 4, 1, NULL);
+    for (size_t i = 0; i < 4; i++) {
+        cylint_scene_shape(scene, i, &back);
+        CHECK(is_shape_of(&back, &shapes[i]));
+    }
+    cylint_scene_free(scene);
+}
+
+static void a_finished_scene_takes_no_shape(void)
+{
+    cylint_shape shape;
+    static const double c[3] = {0, 0, 0};
+    CHECK(cylint_sphere(&shape, c, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    cylint_scene *scene = cylint_scene_begin(1);
+    CHECK(cylint_scene_add(scene, NULL, 0) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);
+    CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_finish(scene, 0, NULL, NULL) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_EFINISHED);
+    CHECK(cylint_scene_finish(scene, 0, NULL, NULL) == CYLINT_SCENE_EFINISHED);
+    CHECK(cylint_scene_size(scene) == 1);
+    cylint_scene_free(scene);
+}
+
+/* Totals over all lines and shapes. */
+static struct {
+    long decided, undecided;
+} total;
+
+static void check_decision(const cylint_records *records,
+                           const struct family_case *c, int mode)
+{
+    const cylint_record *r = &records->record[0];
+    const int hit = cylint_occluded(&c->shape, &c->line);
+    fesetround(mode);
+    const int is =
+        cylint_occluded_in_doubles(cylint_record_kind(records, 0), (int)c->ends,
+                                   r->p0, r->r0, r->p1, r->r1, &c->line);
+    fesetround(FE_TONEAREST);
+    total.decided += is != CYLINT_UNDECIDED;
+    total.undecided += is == CYLINT_UNDECIDED;
+    if (!CHECK(is == CYLINT_UNDECIDED || is == hit)) {
+        REPORT("%d instead of %d, mode %d:", is, hit, mode);
+        family_report(c);
+    }
+}
+
+static void local_coordinates_in_doubles_decide_right_or_not_at_all(void)
+{
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                                FE_TOWARDZERO};
+    const long cases = cases_of_family();
+    for (int family = 0; family < family_count(); family++)
+        for (long i = 0; i < cases; i++) {
+            struct family_case c;
+            cylint_records records = {.n = 0};
+            case_number(family, i, &c);
+            CHECK(cylint_records_add(&records, &c.shape, 1));
+            if (records.tag[0] & CYLINT_TAG_PLAIN)
+                for (int m = 0; m < 4; m++)
+                    check_decision(&records, &c, modes[m]);
+            cylint_records_free(&records);
+        }
+    CHECK(total.decided > 10 * cases && total.undecided > 0);
+    printf("note: %ld decisions, %ld undecided\n", total.decided,
+           total.undecided);
+}
+
+int main(void)
+{
+    RUN(a_scene_returns_its_shapes);
+    RUN(a_ball_of_a_hull_keeps_its_part);
+    RUN(a_finished_scene_takes_no_shape);
+    RUN(local_coordinates_in_doubles_decide_right_or_not_at_all);
+    return check_end();
+}
+
+#endif

@@ -1,0 +1,206 @@
+/*
+ * test_refit.c - floor scene: a scene whose shapes moved returns the bits of
+ * a new scene
+ *
+ * CYLINT_CASES: how many times shapes move in each scene.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "random.h"
+#include "same_scenes.h"
+#include "scenes.h"
+
+enum { SHAPES = 300, MOVES = 4 };
+
+static int is_elliptic(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
+}
+
+static int is_finite_shape(const cylint_shape *s)
+{
+    double lo[3], hi[3];
+    int finite = s->kind != CYLINT_KIND_NONE;
+    cylint_bounds(s, lo, hi);
+    for (int j = 0; j < 3; j++)
+        finite &= fabs(lo[j]) < 0x1p399 && fabs(hi[j]) < 0x1p399;
+    return finite;
+}
+
+/* Whether a shape may take the place of another, by the words of the header. */
+static int may_replace(const cylint_shape *x, const cylint_shape *y)
+{
+    return is_elliptic(x) == is_elliptic(y) &&
+           (x->kind == CYLINT_KIND_NONE) == (y->kind == CYLINT_KIND_NONE) &&
+           (is_finite_shape(x) || !is_finite_shape(y));
+}
+
+/* Replaces [first, first + n) of the shapes where that is possible, by those of
+ * another scene. */
+static void replace(struct scene_shapes *of, const struct scene_shapes *by,
+                    size_t first, size_t n)
+{
+    for (size_t i = first; i < first + n; i++)
+        if (may_replace(&by->shapes[i], &of->shapes[i]))
+            of->shapes[i] = by->shapes[i];
+    for (int j = 0; j < 3; j++) {
+        of->lo[j] = fmin(of->lo[j], by->lo[j]);
+        of->hi[j] = fmax(of->hi[j], by->hi[j]);
+    }
+}
+
+static void check_moves(int kind, uint64_t seed, long moves)
+{
+    struct scene_shapes of, by;
+    uint64_t random = seed;
+    cylint_scene_status status;
+    scene_generate(kind, SHAPES, seed, &of);
+    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(cylint_scene_worsening(scene) == 1);
+    for (long k = 0; k < moves; k++) {
+        /* sometimes of another kind, size and place */
+        const int other =
+            random_int(&random, 4) ? kind : random_int(&random, SCENE_KINDS);
+        scene_generate(other, SHAPES, seed + 1 + (uint64_t)k, &by);
+        const size_t first = (size_t)random_below(&random, of.n),
+                     most = of.n - first;
+        const size_t n = random_int(&random, 4)
+                             ? 1 + (size_t)random_below(&random, most)
+                             : 1;
+        const int all = random_int(&random, 5) == 0;
+        replace(&of, &by, all ? 0 : first, all ? of.n : n);
+        status = all ? cylint_scene_refit(scene, 0, of.n, of.shapes)
+                     : cylint_scene_refit(scene, first, n, of.shapes + first);
+        CHECK(status == CYLINT_SCENE_OK);
+        cylint_scene *expected = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        CHECK(differences(expected, scene, &of, seed + (uint64_t)k) == 0);
+        CHECK(cylint_scene_worsening(scene) > 0);
+        cylint_scene_free(expected);
+        scene_release(&by);
+    }
+    cylint_scene_free(scene);
+    scene_release(&of);
+}
+
+static void a_scene_that_moved_answers_as_a_new_one(void)
+{
+    const long moves = (long)check_setting("CYLINT_CASES", MOVES);
+    for (int kind = 0; kind < SCENE_KINDS; kind++)
+        check_moves(kind, 100 + (uint64_t)kind, moves);
+}
+
+/* Cylinders in a row, in the order of their numbers or in another. */
+static void fill_row(cylint_shape *shapes, size_t n, size_t stride)
+{
+    for (size_t i = 0; i < n; i++) {
+        const double x = (double)(i * stride % n);
+        cylint_cylinder(&shapes[i], (double[]){x, 0, 0}, (double[]){x, 1, 1},
+                        0.25, CYLINT_ENDS_CAPPED);
+    }
+}
+
+static double move_each(cylint_scene *scene, const cylint_shape *shapes,
+                        size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        CHECK(cylint_scene_refit(scene, i, 1, &shapes[i]) == CYLINT_SCENE_OK);
+    return cylint_scene_worsening(scene);
+}
+
+static void moving_forth_and_back_adds_nothing_to_boxes(void)
+{
+    static cylint_shape shapes[SHAPES];
+    double forth = 0, back = 0;
+    fill_row(shapes, SHAPES, 1);
+    cylint_scene *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    for (int k = 0; k < 20; k++) {
+        fill_row(shapes, SHAPES, 7);
+        forth = move_each(scene, shapes, SHAPES);
+        fill_row(shapes, SHAPES, 1);
+        back = move_each(scene, shapes, SHAPES);
+    }
+    CHECK(forth > 3); /* neighbours in a leaf are far from each other */
+    CHECK(back < 1.05);
+    cylint_scene_free(scene);
+}
+
+static void what_is_refused_changes_nothing(void)
+{
+    static cylint_shape shapes[SHAPES], moved[SHAPES];
+    const double o[3] = {0, 0, 0}, far[3] = {0x1p401, 0, 0}, x[3] = {1, 0, 0},
+                 y[3] = {0, 2, 0}, z[3] = {0, 0, 1};
+    cylint_line line;
+    cylint_hit hit;
+    fill_row(shapes, SHAPES, 1);
+    fill_row(moved, SHAPES, 7);
+    cylint_scene *scene = cylint_scene_begin(0);
+    cylint_scene_add(scene, shapes, SHAPES);
+    CHECK(cylint_scene_refit(scene, 0, 1, moved) == CYLINT_SCENE_EUNFINISHED);
+    cylint_scene_finish(scene, 1, NULL, NULL);
+    CHECK(cylint_scene_refit(scene, 0, 0, NULL) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_refit(scene, SHAPES, 0, NULL) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_refit(scene, 1, SHAPES, moved) == CYLINT_SCENE_ESIZE);
+    CHECK(cylint_scene_refit(scene, SIZE_MAX, 2, moved) == CYLINT_SCENE_ESIZE);
+    cylint_cylinder(&moved[40], o, x, 1, CYLINT_ENDS_INFINITE);
+    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
+    cylint_elliptic_cylinder(&moved[40], o, x, y, z, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
+    cylint_cylinder(&moved[40], o, o, 1, CYLINT_ENDS_CAPPED); /* refused */
+    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
+    cylint_cylinder(&moved[40], o, far, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
+    cylint_whole_line(&line, (double[]){3, 0.5, 0}, z);
+    CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == 3 &&
+          hit.t < 1);
+    CHECK(cylint_scene_worsening(scene) == 1);
+    cylint_scene_free(scene);
+}
+
+static int append_bytes(void *context, const void *data, size_t n)
+{
+    struct {
+        char *data;
+        size_t n;
+    } *b = context;
+    b->data = realloc(b->data, b->n + n);
+    memcpy(b->data + b->n, data, n);
+    b->n += n;
+    return 1;
+}
+
+static void a_scene_that_moved_is_saved(void)
+{
+    struct scene_shapes of, by;
+    struct {
+        char *data;
+        size_t n;
+    } file = {NULL, 0};
+    scene_generate(SCENE_MIXED, SHAPES, 7, &of);
+    scene_generate(SCENE_MIXED, SHAPES, 8, &by);
+    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    replace(&of, &by, 50, 100);
+    CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
+          CYLINT_SCENE_OK);
+    CHECK(cylint_scene_write(scene, append_bytes, &file) == CYLINT_SCENE_OK);
+    cylint_scene *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
+    CHECK(opened && differences(scene, opened, &of, 9) == 0);
+    CHECK(cylint_scene_refit(opened, 0, 1, of.shapes) == CYLINT_SCENE_EOPENED);
+    cylint_scene_free(opened);
+    cylint_scene_free(scene);
+    free(file.data);
+    scene_release(&of);
+    scene_release(&by);
+}
+
+int main(void)
+{
+    RUN(a_scene_that_moved_answers_as_a_new_one);
+    RUN(moving_forth_and_back_adds_nothing_to_boxes);
+    RUN(what_is_refused_changes_nothing);
+    RUN(a_scene_that_moved_is_saved);
+    return check_end();
+}

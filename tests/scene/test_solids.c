@@ -1,0 +1,579 @@
+/*
+ * test_solids.c - solids that are set, refused and saved, workspaces of every
+ * size, and named cases
+ */
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "piece_world.h"
+#include "scene_file.h"
+
+enum { FEW = 12 };
+
+static cylint_line line[FEW];
+
+static void draw_lines(void)
+{
+    for (int i = 0; i < FEW;)
+        i += any_line(&line[i]) == CYLINT_OK;
+}
+
+/* All bits of the pieces of the lines in all modes. */
+static size_t all_pieces(const cylint_scene *scene, cylint_piece *to)
+{
+    static double memory[1 << 16];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    size_t n = 0;
+    memset(to, 0, MOST * sizeof *to);
+    for (int i = 0; i < FEW; i++)
+        for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
+            const cylint_piece_rule rule = {.mode = (cylint_piece_mode)mode};
+            const size_t more = cylint_scene_pieces(scene, &line[i], &rule,
+                                                    to + n, MOST - n, &work);
+            MUST(more < MOST - n);
+            n += more;
+        }
+    return n;
+}
+
+static int same_solids(const cylint_scene *x, const cylint_scene *y)
+{
+    static cylint_piece p[MOST], q[MOST];
+    const size_t n = cylint_scene_members(x);
+    int same = cylint_scene_members(y) == n;
+    for (size_t i = 0; i < n && same; i++) {
+        cylint_member a, b;
+        cylint_scene_member(x, i, &a);
+        cylint_scene_member(y, i, &b);
+        same = a.shape == b.shape && a.solid == b.solid && a.clause == b.clause;
+    }
+    return same && all_pieces(x, p) == all_pieces(y, q) &&
+           memcmp(p, q, sizeof p) == 0;
+}
+
+/* -------------------------------------------------------------- errors -- */
+
+/* Members that are refused, and why. */
+static const struct {
+    cylint_scene_status status;
+    size_t n;
+    cylint_member member[3];
+} refused[] = {
+    {CYLINT_SCENE_ESOLID, 1, {{0, 0, 0}}},
+    {CYLINT_SCENE_ESOLID, 2, {{0, 0, 1}, {1, 0, 0}}},
+    {CYLINT_SCENE_ESOLID, 1, {{0, 0, INT_MIN}}},
+    {CYLINT_SCENE_ESOLID, 2, {{3, 0, 1}, {3, 1, 1}}},
+    {CYLINT_SCENE_ESOLID, 3, {{3, 0, 1}, {1, 0, -1}, {3, 1, -1}}},
+    {CYLINT_SCENE_ESOLID, 2, {{3, 0, -1}, {3, 1, -1}}},
+    {CYLINT_SCENE_ESIZE, 1, {{SHAPES, 0, 1}}},
+    {CYLINT_SCENE_ESIZE, 2, {{1, 0, 1}, {SIZE_MAX, 0, 1}}},
+    {CYLINT_SCENE_ESIZE, 1, {{((size_t)1 << 16) * 65536, 0, 1}}},
+    {CYLINT_SCENE_ESIZE, 2, {{1, 0, 1}, {2, 3, 1}}},
+    {CYLINT_SCENE_ESIZE, 1, {{1, SIZE_MAX, 1}}},
+    {CYLINT_SCENE_ESIZE, ((size_t)1 << 28) + 1, {{1, 0, 1}}},
+};
+
+static void a_refused_solid_changes_nothing(void)
+{
+    rng = 1;
+    for (int with = 0; with < 2; with++) {
+        make_shapes();
+        if (with)
+            make_solids();
+        draw_lines();
+        cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
+        cylint_scene_set_solids(same, world.member, world.members);
+        for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+            const cylint_scene_status status = cylint_scene_set_solids(
+                world.scene, refused[i].member, refused[i].n);
+            if (!CHECK(status == refused[i].status))
+                REPORT("case %zu: status %d", i, (int)status);
+            CHECK(same_solids(world.scene, same));
+        }
+        cylint_scene_free(same);
+        cylint_scene_free(world.scene);
+    }
+}
+
+static void an_unfinished_scene_has_no_solids(void)
+{
+    const cylint_member member = {0, 0, 1};
+    cylint_shape shape;
+    const double o[3] = {0, 0, 0};
+    cylint_scene *scene = cylint_scene_begin(0);
+    cylint_sphere(&shape, o, 1, CYLINT_ENDS_CAPPED);
+    cylint_scene_add(scene, &shape, 1);
+    CHECK(cylint_scene_set_solids(scene, &member, 1) ==
+          CYLINT_SCENE_EUNFINISHED);
+    CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_members(scene) == 0);
+    CHECK(cylint_scene_set_solids(scene, &member, 1) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_members(scene) == 1);
+    cylint_scene_free(scene);
+}
+
+/* Also that no members remove all solids, and that the members are copied. */
+static void solids_replace_those_before(void)
+{
+    rng = 2;
+    make_shapes();
+    draw_lines();
+    cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
+    for (int i = 0; i < 10; i++) {
+        make_solids();
+        CHECK(cylint_scene_set_solids(same, NULL, 0) == CYLINT_SCENE_OK &&
+              cylint_scene_members(same) == 0);
+        cylint_member copy[MEMBERS];
+        memcpy(copy, world.member, sizeof copy);
+        CHECK(cylint_scene_set_solids(same, copy, world.members) ==
+              CYLINT_SCENE_OK);
+        memset(copy, 0xff, sizeof copy);
+        CHECK(same_solids(world.scene, same));
+    }
+    cylint_scene *plain = cylint_scene_new(world.shape, world.n, 1, NULL);
+    cylint_scene_set_solids(same, NULL, 0);
+    CHECK(same_solids(plain, same));
+    cylint_scene_free(plain);
+    cylint_scene_free(same);
+    cylint_scene_free(world.scene);
+}
+
+/* -------------------------------------------------------- saved scenes -- */
+
+/* Section 9 is that of the solids; a header has the bytes of each from byte 56 on. */
+enum { SECTION_OF_SOLIDS = 9, SECTIONS = 11, BYTES_OF_SECTIONS = 56 };
+
+static uint64_t bytes_of_section(const struct bytes *b, int section)
+{
+    uint64_t n;
+    memcpy(&n, b->data + BYTES_OF_SECTIONS + 8 * section, sizeof n);
+    return n;
+}
+
+static size_t begin_of_solids(const struct bytes *b)
+{
+    uint64_t at = 512;
+    for (int i = 0; i < SECTION_OF_SOLIDS; i++)
+        at += (bytes_of_section(b, i) + 63) / 64 * 64;
+    return (size_t)at;
+}
+
+static void saved_solids_are_the_same(void)
+{
+    const long worlds = (long)check_setting("CYLINT_CASES", 100);
+    rng = 3;
+    for (long i = 0; i < worlds; i++) {
+        struct bytes b = {NULL, NULL, 0, 0};
+        make_shapes();
+        make_solids();
+        draw_lines();
+        scene_file_write(world.scene, &b, (size_t)1 << 20);
+        for (unsigned flags = 0; flags < 2; flags++) {
+            cylint_scene *opened = cylint_scene_open_memory(
+                b.data, b.n, flags ? CYLINT_SCENE_TRUSTED : 0, NULL);
+            if (CHECK(opened))
+                CHECK(same_solids(world.scene, opened));
+            /* solids of an opened scene can be replaced */
+            CHECK(cylint_scene_set_solids(opened, NULL, 0) == CYLINT_SCENE_OK);
+            CHECK(cylint_scene_members(opened) == 0);
+            CHECK(cylint_scene_set_solids(opened, world.member,
+                                          world.members) == CYLINT_SCENE_OK);
+            CHECK(same_solids(world.scene, opened));
+            cylint_scene_free(opened);
+        }
+        CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
+        cylint_scene_free(world.scene);
+        free(b.memory);
+    }
+}
+
+/* The status after word `at` of the members has become x. */
+static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
+{
+    char *word = b->data + begin_of_solids(b) + 4 * at;
+    uint32_t old;
+    memcpy(&old, word, sizeof old);
+    memcpy(word, &x, sizeof x);
+    scene_file_repair(b->data, b->n);
+    const cylint_scene_status status = scene_file_try(b->data, b->n);
+    memcpy(word, &old, sizeof old);
+    return status;
+}
+
+static void damaged_members_are_refused(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    rng = 4;
+    make_shapes();
+    make_solids();
+    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    CHECK(bytes_of_section(&b, SECTION_OF_SOLIDS) == 12 * world.members);
+    for (size_t i = 0; i < world.members; i++) {
+        const uint32_t shape = (uint32_t)world.member[i].shape,
+                       n = (uint32_t)world.members;
+        CHECK(status_with(&b, 3 * i, shape) == CYLINT_SCENE_OK);
+        CHECK(status_with(&b, 3 * i, SHAPES) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(&b, 3 * i, UINT32_MAX) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(&b, 3 * i + 1, n) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(&b, 3 * i + 1, UINT32_MAX) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(&b, 3 * i + 2, 0) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(&b, 3 * i + 2, UINT32_C(1) << 31) ==
+              CYLINT_SCENE_EDAMAGED);
+    }
+    free(b.memory);
+    cylint_scene_free(world.scene);
+}
+
+/* The sizes of the sections of solids and of ranks, which this version does not have. */
+static void damaged_sizes_are_refused(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    rng = 5;
+    make_shapes();
+    make_solids();
+    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    for (int i = SECTION_OF_SOLIDS; i < SECTIONS; i++) {
+        char *const size = b.data + BYTES_OF_SECTIONS + 8 * i;
+        for (int change = 1; change < 256; change++) {
+            *size = (char)(*size ^ change);
+            scene_file_repair(b.data, b.n);
+            const cylint_scene_status status = scene_file_try(b.data, b.n);
+            CHECK(i == SECTION_OF_SOLIDS ? status != CYLINT_SCENE_EVERSION
+                                         : status == CYLINT_SCENE_EVERSION);
+            *size = (char)(*size ^ change);
+        }
+    }
+    free(b.memory);
+    cylint_scene_free(world.scene);
+}
+
+/* What a damaged file returns is not promised, but each query ends. */
+static void no_changed_byte_makes_pieces_fail(void)
+{
+    static cylint_piece piece[MOST];
+    struct bytes b = {NULL, NULL, 0, 0};
+    int opened = 0;
+    rng = 6;
+    make_shapes();
+    make_solids();
+    draw_lines();
+    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    const int changes = (int)check_setting("CYLINT_CASES", 2500);
+    for (int i = 0; i < changes; i++) {
+        const size_t from = begin_of_solids(&b);
+        const size_t at = choice(2) ? from + (size_t)choice((int)(b.n - from))
+                                    : (size_t)choice((int)b.n);
+        const char old = b.data[at];
+        b.data[at] = (char)(old ^ (1 << choice(8)));
+        scene_file_repair(b.data, b.n);
+        cylint_scene *scene = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+        if (scene) {
+            opened++;
+            all_pieces(scene, piece);
+        }
+        cylint_scene_free(scene);
+        b.data[at] = old;
+    }
+    CHECK(opened > changes / 20 && opened < changes);
+    free(b.memory);
+    cylint_scene_free(world.scene);
+}
+
+/* ----------------------------------------------------------- workspaces -- */
+
+enum { QUERIES = 7, GUARD = 64 };
+
+typedef struct {
+    size_t n;
+    cylint_piece piece[3];
+    cylint_hit hit;
+    size_t owner;
+} query_answer;
+
+/* Pieces in each mode, few and all; the first boundary; the depth. */
+static void make_query(int query, int of, cylint_workspace *work,
+                       query_answer *a)
+{
+    const cylint_piece_rule rule = {.mode = (cylint_piece_mode)(query % 4)};
+    memset(a, 0, sizeof *a);
+    if (query < 5)
+        a->n = cylint_scene_pieces(world.scene, &line[of], &rule, a->piece,
+                                   query == 4 ? 1 : 2, work);
+    else if (query == 5)
+        a->n = cylint_scene_first_boundary(world.scene, &line[of],
+                                           CYLINT_WANT_ALL, &a->hit, work);
+    else
+        a->n =
+            cylint_scene_depth(world.scene, line[of].o, NULL, &a->owner, work);
+}
+
+/* Makes a query with `bytes` bytes; nothing beyond them may change. */
+static void query_with(size_t bytes, int query, int of, query_answer *a,
+                       size_t *wanted)
+{
+    static const cylint_piece zero;
+    unsigned char *memory = malloc(bytes + GUARD);
+    cylint_workspace work = {memory, bytes, 0};
+    memset(memory, 0x5a, bytes + GUARD);
+    make_query(query, of, &work, a);
+    for (size_t i = 0; i < GUARD; i++)
+        CHECK(memory[bytes + i] == 0x5a);
+    CHECK(work.memory == memory && work.bytes == bytes);
+    CHECK(memcmp(&a->piece[2], &zero, sizeof zero) == 0);
+    CHECK(a->n != CYLINT_NO_ROOM || work.wanted > bytes);
+    *wanted = a->n == CYLINT_NO_ROOM ? work.wanted : 0;
+    free(memory);
+}
+
+static void check_sizes(int query, int of)
+{
+    static double memory[1 << 16];
+    cylint_workspace large = {memory, sizeof memory, 0};
+    query_answer expected, a;
+    size_t wanted, bytes = 0, enough;
+    make_query(query, of, &large, &expected);
+    CHECK(expected.n != CYLINT_NO_ROOM);
+    for (int i = 0;; i++) { /* as a caller does */
+        query_with(bytes, query, of, &a, &wanted);
+        if (wanted == 0 || !CHECK(i < 9))
+            break;
+        bytes = wanted;
+    }
+    enough = bytes;
+    CHECK(a.n == expected.n && memcmp(&a, &expected, sizeof a) == 0);
+    const size_t step = enough > 900 ? enough / 300 : 1;
+    for (bytes = 0; bytes <= enough + 8; bytes += step) {
+        query_with(bytes, query, of, &a, &wanted);
+        if (a.n != CYLINT_NO_ROOM)
+            CHECK(memcmp(&a, &expected, sizeof a) == 0);
+        else
+            CHECK(bytes < enough);
+    }
+}
+
+static void workspaces_of_every_size_are_kept(void)
+{
+    const int worlds = (int)check_setting("CYLINT_CASES", 6);
+    rng = 7;
+    for (int i = 0; i < worlds; i++) {
+        make_shapes();
+        if (i % 3)
+            make_solids();
+        draw_lines();
+        for (int query = 0; query < QUERIES; query++)
+            for (int of = 0; of < 4; of++)
+                check_sizes(query, of);
+        cylint_scene_free(world.scene);
+    }
+}
+
+/* ---------------------------------------------- one solid without a scene -- */
+
+/* One solid in world.member, some of its shapes refused. */
+static void make_one_solid(int clause[SHAPES])
+{
+    const double p[3] = {0, 0, 0};
+    const int clauses = 1 + choice(5);
+    world.n = world.members = 1 + (size_t)choice(choice(3) ? 6 : SHAPES);
+    world.solids = 1;
+    for (size_t i = 0; i < world.n; i++) {
+        cylint_shape *s = &world.shape[i];
+        if (choice(16) == 0)
+            cylint_cylinder(s, p, p, 1, CYLINT_ENDS_CAPPED);
+        else
+            while (any_shape(s) != CYLINT_OK) {
+            }
+        clause[i] = (1 + choice(clauses)) * (choice(3) ? 100 : -100);
+        world.member[i] = (cylint_member){i, 0, clause[i]};
+    }
+}
+
+static void pieces_of_one_solid_are_those_of_a_loop(void)
+{
+    static cylint_piece expected[MOST];
+    static const size_t capacities[] = {1, 2, 3, CYLINT_SOLID_PIECES};
+    long found = 0;
+    rng = 8;
+    for (int i = 0; i < 50000; i++) {
+        int clause[SHAPES];
+        cylint_line of;
+        make_one_solid(clause);
+        if (any_line(&of) != CYLINT_OK)
+            continue;
+        find_chords(&of);
+        const size_t n = expected_chords(expected),
+                     most = capacities[choice(4)];
+        size_t m = 0;
+        int more;
+        do {
+            cylint_interval got[CYLINT_SOLID_PIECES];
+            more = cylint_solid_pieces(world.shape, clause, world.n, &of, got,
+                                       most);
+            for (int j = 0; j < more; j++, m++)
+                CHECK(m < n && got[j].t0 == expected[m].t0 &&
+                      got[j].t1 == expected[m].t1);
+            if (more > 0)
+                of.tmin = got[more - 1].t1;
+        } while (more == (int)most);
+        CHECK(m == n);
+        found += (long)m;
+    }
+    CHECK(found > 10000);
+}
+
+static void bad_members_of_one_solid_are_refused(void)
+{
+    const double p[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    cylint_shape shape[CYLINT_SOLID_MEMBERS + 1];
+    int clause[CYLINT_SOLID_MEMBERS + 1];
+    cylint_interval piece[CYLINT_SOLID_PIECES];
+    const cylint_interval nothing = {7, 7};
+    cylint_line ray, bad;
+    for (int i = 0; i <= CYLINT_SOLID_MEMBERS; i++) {
+        cylint_sphere(&shape[i], p, 1 + i, CYLINT_ENDS_CAPPED);
+        clause[i] = i % 2 ? -1 - i : 1;
+    }
+    cylint_ray(&ray, p, d);
+    cylint_ray(&bad, p, p);
+    piece[0] = nothing;
+    CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS + 1, &ray,
+                              piece, 9) == -1);
+    CHECK(cylint_solid_pieces(shape, clause, 0, &ray, piece, 9) == 0);
+    CHECK(cylint_solid_pieces(shape, clause, 2, &ray, piece, 0) == 0);
+    CHECK(cylint_solid_pieces(shape, clause, 2, &bad, piece, 9) == 0);
+    clause[5] = 0;
+    CHECK(cylint_solid_pieces(shape, clause, 6, &ray, piece, 9) == -1);
+    CHECK(piece[0].t0 == nothing.t0 && piece[0].t1 == nothing.t1);
+    clause[5] = -6;
+    CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS, &ray, piece,
+                              9) == 0);
+    clause[CYLINT_SOLID_MEMBERS - 1] =
+        1; /* a ball of this radius, without those */
+    CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS, &ray, piece,
+                              9) == 1 &&
+          piece[0].t0 == CYLINT_SOLID_MEMBERS - 2 &&
+          piece[0].t1 == CYLINT_SOLID_MEMBERS);
+}
+
+/* --------------------------------------------------------- named cases -- */
+
+static const double ex[3] = {1, 0, 0};
+
+/* All pieces of a ray from `o` along x; at most 8. */
+static size_t pieces_along_x(const cylint_scene *scene, double ox,
+                             cylint_piece_mode mode, cylint_piece piece[8])
+{
+    static double memory[1 << 12];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    const cylint_piece_rule rule = {.mode = mode};
+    const double o[3] = {ox, 0, 0};
+    cylint_line ray;
+    cylint_ray(&ray, o, ex);
+    return cylint_scene_pieces(scene, &ray, &rule, piece, 8, &work);
+}
+
+/* SIREN, issue 186: neighbours have a common face.  Each entry has an exit, and the
+ * lengths add up. */
+static void solids_with_a_common_face_have_whole_chords(void)
+{
+    cylint_shape rod[8];
+    cylint_piece piece[8];
+    for (int i = 0; i < 8; i++) {
+        const double p[3] = {0.1 * i, 0, 0}, q[3] = {0.1 * (i + 1), 0, 0};
+        cylint_cylinder(&rod[i], p, q, 0.5, CYLINT_ENDS_CAPPED);
+    }
+    for (size_t n = 2; n < 8; n++) {
+        cylint_scene *scene = cylint_scene_new(rod, n, 1, NULL);
+        CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_UNION, piece) == 1);
+        const double end = piece[0].t1;
+        CHECK(piece[0].t0 == 1 && piece[0].depth == 1);
+        CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_OWNER, piece) == n);
+        for (size_t i = 0; i < n; i++) {
+            CHECK(piece[i].shape == i && piece[i].t0 < piece[i].t1);
+            CHECK(i == 0 || piece[i].t0 == piece[i - 1].t1);
+        }
+        CHECK(piece[n - 1].t1 == end);
+        CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_CHORDS, piece) == n);
+        cylint_scene_free(scene);
+    }
+}
+
+/* ROOT, issue 23192: the sum over materials is that of all lengths.  A full rod lies
+ * between two hollow ones, in a larger one; the radii and ends touch. */
+static void the_sum_over_materials_is_the_whole_length(void)
+{
+    const double p0[3] = {0, 0, -4}, p1[3] = {0, 0, 4};
+    const int rank[4] = {0, 1, 2, 3}, label[4] = {0, 1, 2, 3};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_OWNER, .rank = rank};
+    cylint_shape rod[4];
+    for (int i = 0; i < 4; i++)
+        cylint_cylinder(&rod[i], p0, p1, i + 1, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(rod, 4, 1, NULL);
+    for (int i = -40; i <= 40; i++) {
+        const double x = -8, y = i / 8.0, z = i % 4, d[3] = {2, 0, 0};
+        const double tmin = 0, tmax = HUGE_VAL;
+        const cylint_lines lines = {
+            1, {&x, &y, &z}, {d, d + 1, d + 2}, &tmin, &tmax};
+        double sums[4], all;
+        CHECK(cylint_scene_sums(scene, &lines, &rule, label, 4, 1, 1, sums) ==
+              CYLINT_SCENE_OK);
+        CHECK(cylint_scene_sums(scene, &lines, &rule, NULL, 1, 1, 1, &all) ==
+              CYLINT_SCENE_OK);
+        const double sum = sums[0] + sums[1] + sums[2] + sums[3];
+        const double half = fabs(y) < 4 ? 2 * sqrt(16 - y * y) : 0;
+        CHECK(fabs(sum - all) <= 4e-15 * all && fabs(all - half) <= 8e-15);
+        CHECK(sums[0] >= 0 && sums[1] >= 0 && (fabs(y) < 1) == (sums[0] > 0));
+    }
+    cylint_scene_free(scene);
+}
+
+/* McCode, issues 2502 and 997: a hollow cylinder, a ray from 64 m along a diameter. */
+static void a_hollow_sample_far_away_has_two_pieces(void)
+{
+    const double p0[3] = {0, 0, -0.25}, p1[3] = {0, 0, 0.25};
+    const cylint_member members[] = {{0, 0, 1}, {1, 0, -2}};
+    const int clause[] = {1, -2};
+    const double o[3] = {-64, 0, 0};
+    cylint_interval wall[CYLINT_SOLID_PIECES];
+    cylint_piece piece[8];
+    cylint_shape rod[2];
+    cylint_line ray;
+    cylint_cylinder(&rod[0], p0, p1, 0x1.4p-7, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&rod[1], p0, p1, 0x1p-7, CYLINT_ENDS_CAPPED);
+    cylint_ray(&ray, o, ex);
+    CHECK(cylint_solid_pieces(rod, clause, 2, &ray, wall,
+                              CYLINT_SOLID_PIECES) == 2);
+    cylint_scene *scene = cylint_scene_new(rod, 2, 1, NULL);
+    CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);
+    CHECK(pieces_along_x(scene, -64, CYLINT_PIECES_UNION, piece) == 2);
+    for (int i = 0; i < 2; i++) {
+        const double near = i ? 0x1p-7 : -0x1.4p-7,
+                     far = i ? 0x1.4p-7 : -0x1p-7;
+        CHECK(piece[i].t0 == 64 + near && piece[i].t1 == 64 + far);
+        CHECK(wall[i].t0 == piece[i].t0 && wall[i].t1 == piece[i].t1);
+        CHECK(piece[i].shape == 0 && piece[i].depth == 1);
+    }
+    cylint_scene_free(scene);
+}
+
+int main(void)
+{
+    RUN(a_refused_solid_changes_nothing);
+    RUN(an_unfinished_scene_has_no_solids);
+    RUN(solids_replace_those_before);
+    RUN(saved_solids_are_the_same);
+    RUN(damaged_members_are_refused);
+    RUN(damaged_sizes_are_refused);
+    RUN(no_changed_byte_makes_pieces_fail);
+    RUN(workspaces_of_every_size_are_kept);
+    RUN(pieces_of_one_solid_are_those_of_a_loop);
+    RUN(bad_members_of_one_solid_are_refused);
+    RUN(solids_with_a_common_face_have_whole_chords);
+    RUN(the_sum_over_materials_is_the_whole_length);
+    RUN(a_hollow_sample_far_away_has_two_pieces);
+    return check_end();
+}

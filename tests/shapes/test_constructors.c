@@ -1,0 +1,589 @@
+/*
+ * test_constructors.c - floor shape: constructors, their errors, and boxes
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint.h"
+#include "families.h"
+#include "vectors.h"
+#ifdef HAVE_MPFR
+#include "oracle.h"
+#include "shapes/shape_facts.h"
+#endif
+
+static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
+static const double axis_z[3] = {0, 0, 1}, origin[3] = {0, 0, 0};
+static const double axis_x[3] = {1, 0, 0}, axis_y[3] = {0, 1, 0};
+
+/* A valid case of each shape word; tests change its data. */
+static struct family_case good_case(family_shape word)
+{
+    static const double data[5][13] = {
+        {0, 0, 0, 0, 0, 1, 1},
+        {0, 0, 0, 1, 0, 0, 1, 0.5},
+        {0, 0, 0, 0, 0, 1, 30},
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5}};
+    static const double line[8] = {0, 0, -1, 0, 0, 1, 0, 5};
+    struct family_case c;
+    memset(&c, 0, sizeof c);
+    c.shape_word = word;
+    memcpy(c.shape_data, data[word], sizeof c.shape_data);
+    memcpy(c.line_data, line, sizeof c.line_data);
+    return c;
+}
+
+/* The status of the shape after number i of its record is set to x. */
+static cylint_status spoiled(family_shape word, int i, double x)
+{
+    struct family_case c = good_case(word);
+    c.shape_data[i] = x;
+    family_make(&c);
+    return c.shape_status;
+}
+
+static int answers_miss(const cylint_shape *shape, const cylint_line *line)
+{
+    cylint_answer answer;
+    answer.relation = answer.n = answer.flags = -1;
+    return cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer) == 0 &&
+           answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
+           answer.flags == CYLINT_FLAG_INVALID &&
+           cylint_occluded(shape, line) == 0;
+}
+
+static void good_shapes_are_accepted_with_all_ends(void)
+{
+    for (int word = 0; word < 5; word++) {
+        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
+            struct family_case c = good_case((family_shape)word);
+            c.ends = (cylint_ends)ends;
+            CHECK(family_make(&c));
+            CHECK((int)c.shape.ends == ends);
+            CHECK(c.shape.kind != CYLINT_KIND_NONE);
+        }
+    }
+}
+
+static void a_number_that_is_not_finite_is_refused_in_every_place(void)
+{
+    for (int word = 0; word < 5; word++) {
+        const int n = family_shape_size((family_shape)word);
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < 3; k++) {
+                CHECK(spoiled((family_shape)word, i, bad_numbers[k]) ==
+                      CYLINT_ENONFINITE);
+            }
+        }
+    }
+}
+
+static void ends_outside_the_list_are_refused(void)
+{
+    static const int values[] = {-1, CYLINT_ENDS_NAPPE + 1, 1000};
+    for (int word = 0; word < 5; word++) {
+        for (int i = 0; i < 3; i++) {
+            struct family_case c = good_case((family_shape)word);
+            c.ends = (cylint_ends)values[i];
+            family_make(&c);
+            CHECK(c.shape_status == CYLINT_EENDS);
+        }
+    }
+}
+
+static void an_axis_without_length_is_refused(void)
+{
+    const double minus_zero[3] = {-0.0, -0.0, 0}, p[3] = {1e300, -3, 5e-324};
+    cylint_shape s;
+    CHECK(cylint_cylinder(&s, p, p, 1, CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
+    CHECK(cylint_cone(&s, p, 1, p, 0, CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
+    CHECK(cylint_cone(&s, origin, 1, minus_zero, 2, CYLINT_ENDS_OPEN) ==
+          CYLINT_EAXIS);
+    CHECK(cylint_angle_cone(&s, p, minus_zero, 45, CYLINT_ENDS_OPEN) ==
+          CYLINT_EAXIS);
+    CHECK(cylint_tangent_cone(&s, p, origin, 1, CYLINT_ENDS_OPEN) ==
+          CYLINT_EAXIS);
+    CHECK(cylint_elliptic_cone(&s, p, axis_x, axis_y, minus_zero, 1,
+                               CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
+    CHECK(cylint_elliptic_cylinder(&s, p, axis_x, axis_y, origin,
+                                   CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
+}
+
+static void radii_must_not_be_negative_nor_all_zero(void)
+{
+    CHECK(spoiled(FAMILY_CYLINDER, 6, -1) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_CYLINDER, 6, -5e-324) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_CYLINDER, 6, 0) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_CYLINDER, 6, -0.0) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_CYLINDER, 6, 5e-324) == CYLINT_OK);
+    CHECK(spoiled(FAMILY_CONE, 3, -1) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_CONE, 7, -5e-324) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_CONE, 3, 0) == CYLINT_OK);
+    CHECK(spoiled(FAMILY_CONE, 7, -0.0) == CYLINT_OK);
+    CHECK(spoiled(FAMILY_ECONE, 12, -1) == CYLINT_ERADIUS);
+    CHECK(spoiled(FAMILY_ECONE, 12, 0) == CYLINT_OK);
+    CHECK(spoiled(FAMILY_ECONE, 12, -0.0) == CYLINT_OK);
+    cylint_shape s;
+    CHECK(cylint_cone(&s, origin, 0, axis_z, -0.0, CYLINT_ENDS_OPEN) ==
+          CYLINT_ERADIUS);
+}
+
+static void half_angles_lie_between_0_and_90(void)
+{
+    static const double bad[] = {0, -0.0, 90, 90.5, -1, -45, 180, 1e300};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        CHECK(spoiled(FAMILY_ACONE, 6, bad[i]) == CYLINT_EANGLE);
+    }
+    CHECK(spoiled(FAMILY_ACONE, 6, nextafter(90, 0)) == CYLINT_OK);
+    CHECK(spoiled(FAMILY_ACONE, 6, 1e-300) == CYLINT_OK);
+    cylint_shape s;
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, 0, 0) == CYLINT_EANGLE);
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, -1, 0) == CYLINT_EANGLE);
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, NAN, 0) == CYLINT_ENONFINITE);
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, HUGE_VAL, 0) ==
+          CYLINT_ENONFINITE);
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);
+}
+
+static void the_tangent_of_45_degrees_is_1(void)
+{
+    cylint_shape s;
+    CHECK(cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE) ==
+          CYLINT_OK);
+    CHECK(cylint_r1(&s) == 1);
+}
+
+static void dependent_axes_are_refused_exactly(void)
+{
+    cylint_shape s;
+    /* three vectors of one plane; moved by one ulp they span the space */
+    const double a[3] = {1, 2, 3}, b[3] = {4, 5, 6}, h[3] = {7, 8, 9};
+    const double g[3] = {7, 8, nextafter(9, 10)};
+    CHECK(cylint_elliptic_cylinder(&s, origin, a, b, h, 0) ==
+          CYLINT_EDEGENERATE);
+    CHECK(cylint_elliptic_cylinder(&s, origin, a, b, g, 0) == CYLINT_OK);
+    CHECK(cylint_elliptic_cylinder(&s, origin, a, a, axis_z, 0) ==
+          CYLINT_EDEGENERATE);
+    CHECK(cylint_elliptic_cone(&s, origin, a, origin, axis_z, 0, 0) ==
+          CYLINT_EDEGENERATE);
+    /* 0.1, 0.2, 0.3 as doubles: 0.1 x 3 is not 0.3 */
+    const double p[3] = {0.1, 0.1, 1}, q[3] = {0.3, 0.3, 3};
+    CHECK(cylint_elliptic_cylinder(&s, origin, p, q, axis_x, 0) == CYLINT_OK);
+    /* at the ends of the range, where products over- and underflow */
+    const double x[3] = {5e-324, 0, 0}, y[3] = {0, 5e-324, 0};
+    const double z[3] = {0, 0, 5e-324}, far[3] = {0, 1e308, 1e308};
+    CHECK(cylint_elliptic_cylinder(&s, origin, x, y, z, 0) == CYLINT_OK);
+    CHECK(cylint_elliptic_cylinder(&s, origin, x, y, far, 0) == CYLINT_OK);
+    CHECK(cylint_elliptic_cylinder(&s, far, far, far, x, 0) ==
+          CYLINT_EDEGENERATE);
+}
+
+static void lines_are_checked(void)
+{
+    cylint_line l;
+    const double zero[3] = {0, -0.0, 0}, tiny[3] = {0, 5e-324, 0};
+    for (int i = 0; i < 6; i++) {
+        for (int k = 0; k < 3; k++) {
+            double x[6] = {0, 0, 0, 1, 2, 3};
+            x[i] = bad_numbers[k];
+            CHECK(cylint_whole_line(&l, x, x + 3) == CYLINT_ENONFINITE);
+            CHECK(cylint_ray(&l, x, x + 3) == CYLINT_ENONFINITE);
+            CHECK(cylint_segment(&l, x, x + 3) == CYLINT_ENONFINITE);
+            CHECK(cylint_span(&l, x, x + 3, 0, 1) == CYLINT_ENONFINITE);
+            CHECK(!l.valid);
+        }
+    }
+    CHECK(cylint_whole_line(&l, axis_x, zero) == CYLINT_EDIRECTION);
+    CHECK(cylint_ray(&l, axis_x, zero) == CYLINT_EDIRECTION);
+    CHECK(cylint_span(&l, axis_x, zero, 0, 1) == CYLINT_EDIRECTION);
+    CHECK(cylint_segment(&l, axis_x, axis_x) == CYLINT_EDIRECTION);
+    CHECK(cylint_segment(&l, origin, zero) == CYLINT_EDIRECTION);
+    CHECK(cylint_ray(&l, axis_x, tiny) == CYLINT_OK);
+    CHECK(cylint_segment(&l, zero, tiny) == CYLINT_OK);
+    CHECK(cylint_span(&l, zero, axis_x, 1, 0) == CYLINT_EDOMAIN);
+    CHECK(cylint_span(&l, zero, axis_x, NAN, 0) == CYLINT_EDOMAIN);
+    CHECK(cylint_span(&l, zero, axis_x, 0, NAN) == CYLINT_EDOMAIN);
+    CHECK(cylint_span(&l, zero, axis_x, 0, 0) == CYLINT_OK);
+    CHECK(cylint_span(&l, zero, axis_x, -HUGE_VAL, HUGE_VAL) == CYLINT_OK);
+}
+
+static void every_status_has_its_text(void)
+{
+    static const char *const texts[] = {
+        [CYLINT_OK] = "no error",
+        [CYLINT_ENONFINITE] = "a number is not finite",
+        [CYLINT_EAXIS] = "the axis has no length",
+        [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
+        [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
+        [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees",
+        [CYLINT_EENDS] = "this kind of shape has no such ends",
+        [CYLINT_EDIRECTION] = "the direction has no length",
+        [CYLINT_EDOMAIN] = "the domain is empty or not a number",
+        [CYLINT_EMETHOD] = "this method does not support such a shape"};
+    check_texts(cylint_strerror, texts, sizeof texts / sizeof *texts);
+}
+
+static void an_invalid_shape_or_line_misses_with_the_flag(void)
+{
+    cylint_line line, no_line;
+    cylint_whole_line(&line, origin, axis_x);
+    cylint_ray(&no_line, origin, origin);
+    for (int word = 0; word < 5; word++) {
+        struct family_case c = good_case((family_shape)word);
+        family_make(&c);
+        CHECK(answers_miss(&c.shape, &no_line));
+        c.shape_data[1] = NAN;
+        family_make(&c);
+        CHECK(answers_miss(&c.shape, &line));
+        CHECK(answers_miss(&c.shape, &no_line));
+        CHECK(cylint_contains(&c.shape, origin) == -1);
+        double lo[3], hi[3];
+        cylint_bounds(&c.shape, lo, hi);
+        for (int i = 0; i < 3; i++) {
+            CHECK(lo[i] == HUGE_VAL && hi[i] == -HUGE_VAL);
+        }
+    }
+}
+
+static void bounds_writes_three_numbers_to_each_array(void)
+{
+    for (int word = 0; word < 5; word++)
+        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
+            struct family_case c = good_case((family_shape)word);
+            double lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
+            c.ends = (cylint_ends)ends;
+            CHECK(family_make(&c));
+            cylint_bounds(&c.shape, lo, hi);
+            CHECK(lo[3] == 7 && hi[3] == 7);
+            for (int i = 0; i < 3; i++)
+                CHECK(lo[i] < hi[i]);
+        }
+}
+
+static void points_that_are_not_finite_are_outside(void)
+{
+    for (int word = 0; word < 5; word++) {
+        struct family_case c = good_case((family_shape)word);
+        c.ends = CYLINT_ENDS_INFINITE;
+        family_make(&c);
+        for (int i = 0; i < 9; i++) {
+            double p[3] = {0, 0, 0.5};
+            p[i / 3] = bad_numbers[i % 3];
+            CHECK(cylint_contains(&c.shape, p) == -1);
+        }
+    }
+}
+
+/* A point next to the apex or the base, but for one coordinate. */
+static void a_coordinate_that_is_nan_is_outside_of_any_shape(void)
+{
+    for (int family = 0; family < family_count(); family++)
+        for (uint64_t i = 0; i < 50; i++) {
+            struct family_case c;
+            family_case(9, family, i, &c);
+            if (!cylint_is_round(c.shape.kind))
+                c.ends = i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
+            family_make(&c);
+            for (int axis = 0; axis < 3; axis++) {
+                double p[3] = {c.shape_data[0], c.shape_data[1],
+                               c.shape_data[2]};
+                p[axis] = NAN;
+                if (!CHECK(cylint_contains(&c.shape, p) == -1))
+                    REPORT_CASE(&c);
+            }
+        }
+}
+
+static void extreme_shapes_are_accepted(void)
+{
+    const double low[3] = {-1.7e308, -1.7e308, -1.7e308};
+    const double high[3] = {1.7e308, 1.7e308, 1.7e308};
+    const double tiny[3] = {5e-324, 0, 0};
+    cylint_shape s;
+    cylint_line l;
+    CHECK(cylint_cylinder(&s, low, high, 1e308, 0) == CYLINT_OK);
+    CHECK(cylint_contains(&s, origin) == 1);
+    CHECK(cylint_segment(&l, low, high) == CYLINT_OK);
+    cylint_answer a;
+    CHECK(cylint_intersect(&s, &l, CYLINT_WANT_ALL, &a) == 2);
+    CHECK(a.hit[0].t == 0 && a.hit[1].t == 1);
+    CHECK(a.hit[0].part == CYLINT_PART_CAP0 &&
+          a.hit[1].part == CYLINT_PART_CAP1);
+    for (int i = 0; i < 3; i++) {
+        CHECK(a.hit[0].point[i] == low[i] && a.hit[1].point[i] == high[i]);
+    }
+    CHECK(cylint_cylinder(&s, origin, tiny, DBL_MAX, 0) == CYLINT_OK);
+    CHECK(cylint_cylinder(&s, low, high, 5e-324, 0) == CYLINT_OK);
+    CHECK(cylint_contains(&s, origin) == 1);
+    CHECK(cylint_cone(&s, origin, 0, tiny, 5e-324, 0) == CYLINT_OK);
+    CHECK(cylint_contains(&s, origin) == 0);
+    CHECK(cylint_cone(&s, low, DBL_MAX, high, 0, 0) == CYLINT_OK);
+}
+
+/* -------------------------------------------------------------- bounds -- */
+
+/* lo and hi are within `ulps` of the exact box and not inside it. */
+static int outward(const double lo[3], const double hi[3],
+                   const double want_lo[3], const double want_hi[3], int ulps)
+{
+    for (int i = 0; i < 3; i++) {
+        double l = want_lo[i], h = want_hi[i];
+        for (int k = 0; k < ulps; k++) {
+            l = nextafter(l, -HUGE_VAL);
+            h = nextafter(h, HUGE_VAL);
+        }
+        if (!(l <= lo[i] && lo[i] <= want_lo[i] && want_hi[i] <= hi[i] &&
+              hi[i] <= h)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+enum { BOX_ULPS = 4 };
+
+static void boxes_of_simple_shapes_are_tight(void)
+{
+    cylint_shape s;
+    double lo[3], hi[3];
+    const double all_lo[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    const double all_hi[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+    const double lo1[3] = {-2, -2, 0}, hi1[3] = {2, 2, 1};
+    cylint_cylinder(&s, origin, axis_z, 2, CYLINT_ENDS_OPEN);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo1, hi1, BOX_ULPS));
+
+    const double p[3] = {3, 4, 0}, lo2[3] = {-4, -3, -5};
+    const double hi2[3] = {4 + 3, 3 + 4, 5};
+    cylint_cylinder(&s, origin, p, 5, CYLINT_ENDS_CAPPED);
+    cylint_bounds(&s, lo, hi); /* radius 5 sqrt(1 - u_i^2): 4, 3, 5 */
+    CHECK(outward(lo, hi, lo2, hi2, BOX_ULPS));
+
+    const double lo3[3] = {-1, -2, 0}, hi3[3] = {2, 2, 1};
+    const double a[3] = {1, 0, 0}, b[3] = {0, 2, 0}, h[3] = {1, 0, 1};
+    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_ENDS_CAPPED);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo3, hi3, BOX_ULPS));
+
+    const double lo4[3] = {-1, -1, 0}, hi4[3] = {1, 1, 1};
+    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_CAPPED);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo4, hi4, BOX_ULPS));
+
+    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, all_lo, all_hi, 0));
+}
+
+static void boxes_are_exact_where_nothing_is_rounded(void)
+{
+    const double p0[3] = {4, 5, 6}, p1[3] = {4, 5, 9};
+    cylint_shape s;
+    double lo[3], hi[3];
+
+    const double lo1[3] = {-1, -1, 0}, hi1[3] = {1, 1, 1};
+    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_CAPPED);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo1, hi1, 0));
+
+    const double lo2[3] = {2, 3, 6}, hi2[3] = {6, 7, 9};
+    cylint_cone(&s, p0, 2, p1, 1, CYLINT_ENDS_CAPPED);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo2, hi2, 0));
+
+    const double lo3[3] = {-HUGE_VAL, -HUGE_VAL, 6};
+    const double hi3[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    cylint_cone(&s, p0, 0, p1, 1, CYLINT_ENDS_NAPPE);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo3, hi3, 0));
+}
+
+/* A point of a rim by its angle; returns 0 if the shape is not bounded. */
+static void rim_point(const struct family_case *c, int top, double turn,
+                      double p[3])
+{
+    const cylint_shape *s = &c->shape;
+    const double x = cos(turn), y = sin(turn),
+                 r = top ? cylint_r1(s) : cylint_r0(s);
+    if (c->shape_word >= FAMILY_SPHERE) { /* of the ball about that end */
+        const int last = s->kind == CYLINT_KIND_SPHERE ? 0 : top;
+        const double up = sin(5 * turn), across = cos(5 * turn);
+        const double n[3] = {x * across, y * across, up};
+        for (int i = 0; i < 3; i++) {
+            p[i] = (last ? cylint_top(s)[i] : cylint_base(s)[i]) +
+                   (last ? cylint_r1(s) : cylint_r0(s)) * n[i];
+        }
+        return;
+    }
+    if (c->shape_word >= FAMILY_ECYLINDER) {
+        for (int i = 0; i < 3; i++) {
+            p[i] = cylint_base(s)[i] + (top ? cylint_axis(s)[i] : 0) +
+                   r * (x * cylint_a(s)[i] + y * cylint_b(s)[i]);
+        }
+        return;
+    }
+    const double size = sqrt(dot3(cylint_axis(s), cylint_axis(s)));
+    double e[3] = {0, 0, 0}, f[3];
+    const double *w = cylint_axis(s);
+    e[fabs(w[0]) < fabs(w[1]) ? 0 : 1] = 1;
+    const double along = dot3(e, w) / (size * size);
+    for (int i = 0; i < 3; i++) {
+        e[i] -= along * w[i];
+    }
+    const double scale = 1 / sqrt(dot3(e, e));
+    for (int i = 0; i < 3; i++) {
+        e[i] *= scale;
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        f[i] = (w[j] * e[k] - w[k] * e[j]) / size;
+    }
+    const double radius = c->shape_word == FAMILY_ACONE ? r * size : r;
+    for (int i = 0; i < 3; i++) {
+        p[i] = cylint_base(s)[i] + (top ? w[i] : 0) +
+               radius * (x * e[i] + y * f[i]);
+    }
+}
+
+/* The box contains the rims and is no larger, within the rounding of the points
+ * and the steps between them. */
+static void boxes_fit_the_rims(void)
+{
+    enum { POINTS = 720 };
+    for (uint64_t n = 0; n < 400 && family_count() > 0; n++) {
+        struct family_case c;
+        double lo[3], hi[3], low[3], high[3];
+        family_case(7, 0, n, &c);
+        if (c.shape.ends >= CYLINT_ENDS_INFINITE) {
+            continue;
+        }
+        cylint_bounds(&c.shape, lo, hi);
+        rim_point(&c, 0, 0, low);
+        rim_point(&c, 0, 0, high);
+        for (int i = 0; i < 2 * POINTS; i++) {
+            double p[3];
+            rim_point(&c, i % 2, 6.283185307179586 * i / POINTS, p);
+            for (int k = 0; k < 3; k++) {
+                low[k] = fmin(low[k], p[k]);
+                high[k] = fmax(high[k], p[k]);
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            const double size = high[k] - low[k] + fabs(high[k]);
+            if (!CHECK(lo[k] <= low[k] + 1e-14 * size &&
+                       hi[k] >= high[k] - 1e-14 * size) ||
+                !CHECK(lo[k] >= low[k] - 1e-4 * size &&
+                       hi[k] <= high[k] + 1e-4 * size)) {
+                family_report(&c);
+            }
+        }
+    }
+}
+
+#ifdef HAVE_MPFR
+
+/* The double next to x, on the inner or outer side of side i of the box. */
+static void at_side(const double lo[3], const double hi[3], int i, int up,
+                    double p[3])
+{
+    for (int k = 0; k < 3; k++) {
+        p[k] = lo[k] / 2 + hi[k] / 2;
+    }
+    p[i] = up ? nextafter(hi[i], HUGE_VAL) : nextafter(lo[i], -HUGE_VAL);
+}
+
+/* No line in the plane just outside a side of the box meets the solid, and hits
+ * on the solid are inside the box, both exactly. */
+static void a_box_contains_its_solid(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        for (uint64_t n = 0; n < 100; n++) {
+            struct family_case c;
+            double lo[3], hi[3];
+            family_case(8, family, n, &c);
+            cylint_bounds(&c.shape, lo, hi);
+            for (int side = 0; side < 12; side++) {
+                const int i = side / 4, up = side % 2;
+                cylint_line line;
+                cylint_answer answer;
+                double p[3];
+                if (!isfinite(lo[i]) || !isfinite(hi[i])) {
+                    continue;
+                }
+                at_side(lo, hi, i, up, p);
+                if (cylint_whole_line(&line, p,
+                                      (i + 1 + side / 2 % 2) % 3 == 0 ? axis_x
+                                      : (i + 1 + side / 2 % 2) % 3 == 1
+                                          ? axis_y
+                                          : axis_z) != CYLINT_OK) {
+                    continue;
+                }
+                oracle_intersect(&c.shape, &line, 0, &answer);
+                if (!CHECK(answer.relation == CYLINT_RELATION_MISS)) {
+                    REPORT("side %d of the box", side);
+                    family_report(&c);
+                }
+            }
+        }
+    }
+}
+
+/* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
+static void differences_have_their_low_parts(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        for (uint64_t n = 0; n < 200; n++) {
+            struct family_case c;
+            family_case(9, family, n, &c);
+            const cylint_line *l = &c.line;
+            const cylint_shape *s = &c.shape;
+            for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
+                const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
+                                     -c.line_data[3 + i]};
+                CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
+            }
+            for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
+                const double w[4] = {cylint_axis(s)[i],
+                                     cylint_axis_pair(s, i).lo,
+                                     cylint_base(s)[i], -cylint_top(s)[i]};
+                CHECK(!isfinite(cylint_axis(s)[i]) ||
+                      oracle_sum_sign(w, 4) == 0);
+            }
+        }
+    }
+}
+
+#endif
+
+int main(void)
+{
+    RUN(good_shapes_are_accepted_with_all_ends);
+    RUN(a_number_that_is_not_finite_is_refused_in_every_place);
+    RUN(ends_outside_the_list_are_refused);
+    RUN(an_axis_without_length_is_refused);
+    RUN(radii_must_not_be_negative_nor_all_zero);
+    RUN(half_angles_lie_between_0_and_90);
+    RUN(the_tangent_of_45_degrees_is_1);
+    RUN(dependent_axes_are_refused_exactly);
+    RUN(lines_are_checked);
+    RUN(every_status_has_its_text);
+    RUN(an_invalid_shape_or_line_misses_with_the_flag);
+    RUN(bounds_writes_three_numbers_to_each_array);
+    RUN(points_that_are_not_finite_are_outside);
+    RUN(a_coordinate_that_is_nan_is_outside_of_any_shape);
+    RUN(extreme_shapes_are_accepted);
+    RUN(boxes_of_simple_shapes_are_tight);
+    RUN(boxes_are_exact_where_nothing_is_rounded);
+    RUN(boxes_fit_the_rims);
+#ifdef HAVE_MPFR
+    RUN(a_box_contains_its_solid);
+    RUN(differences_have_their_low_parts);
+#else
+    puts("note: no MPFR: no oracle to compare boxes with (make deps)");
+#endif
+    return check_end();
+}

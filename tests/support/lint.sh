@@ -1,0 +1,177 @@
+#!/bin/sh
+# Checks the sources with other tools than the compiler: cppcheck, clang-tidy,
+# gcc's analyzer, sh -n, mandoc; whether includes and calls point down the
+# ladder; and how the sources look: clang-format, tabs, blanks at line ends,
+# width, file length.  A tool that is not installed is named and its check
+# skipped (make deps-cross).  `make lint` runs this; every finding fails.
+cd "$(dirname "$0")/../.." || exit 1
+. tests/support/verdict.sh
+work=$scratch
+
+result() { # NAME: passes if $work/found is empty
+    [ ! -s "$work/found" ]
+    if verdict "$1" $?; then
+        printf 'ok   %s\n' "$1"
+    else
+        head -n 40 "$work/found"
+    fi
+}
+
+installed() { # TOOL CHECK
+    command -v "$1" >/dev/null && return
+    skip "$2" "no $1"
+    return 1
+}
+
+git ls-files >"$work/all" 2>/dev/null || find . -type f -not -path './build*' |
+    sed 's|^\./||' >"$work/all"
+while read -r file; do
+    [ -f "$file" ] && printf '%s\n' "$file"
+done <"$work/all" >"$work/files"
+of_kind() { grep -E "$1" "$work/files"; }
+library=$(of_kind '^src/.*\.c$')
+command=$(of_kind '^tools/(cylint|render)/.*\.c$')
+sources=$(of_kind '\.(c|cc|h)$')
+scripts=$(of_kind '\.sh$')
+pages=$(of_kind '^man/.*\.[0-9]$')
+options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L -DCYLINT_EMBREE=3'
+
+# Removes findings that were checked and are no faults.
+remove_checked() {
+    grep -v \
+        -e 'gullotti\.c:.*Uninitialized variable: m\.row' \
+        -e 'answer\.c:.*StackAddressEscape' \
+        -e 'grammar\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\|value .*v\[\)' \
+        -e '\(options\|arguments\|message\)\.c:.*valist\.Uninitialized' \
+        -e 'boxes\.c:.*CallAndMessage' \
+        -e 'exact\.c:.*right shift is undefined' \
+        -e 'swc\.c:.*memleak' \
+        -e 'labels\.c:.*leak of .bytes' \
+        -e 'build\.c:.*bugprone-integer-division' \
+        -e '\(packet\.c\|ray_test\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
+        -e 'geometry\.c:.*NonNullParamChecker' \
+        -e '\(hit\|ray_test\)\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\)' \
+        -e 'double_double\.h:.*UndefinedBinaryOperatorResult' \
+        -e 'ray\.h:.*uninitialized\.ArraySubscript' \
+        -e 'leaf_test\.h:.*use of uninitialized value' \
+        -e '\(float_bounds\.h\|swept_disc\.c\):.*use of uninitialized value' \
+        -e 'float_filter.*uninitialized value .at\.' \
+        -e 'triple_vector\.h:.*use of uninitialized value .\*[uv]_' \
+        -e 'surd\.c:.*uninitialized value .sum' \
+        -e 'forms_template\.h:.*core\.UndefinedBinaryOperatorResult' \
+        -e '\(lanes\.h\|cc1\):.*uninitialized value .*\[[12]\]' \
+        -e 'uninitialized value .q\.alpha\[1\]' \
+        -e 'uninitialized value .\*\?f\.den' \
+        -e 'Nd where does a line meet a cylinder or a cone?' \
+        -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
+        -e 'outdated mandoc\.db'
+    # The reasons, in the order of the patterns: cross() writes all of a row;
+    # task->row is filled before each use; a record has the count of numbers of
+    # its kinds; va_start was called; terms of circular and elliptic kinds are
+    # never mixed, but an analyzer can forget the kind; a box has three sides; a
+    # number with limbs has a highest bit; growing memory is kept in its struct (twice);
+    # blocks are counted whole; a query lives as long as its packet, and a mask
+    # that is not 0 has a first lane; allocated memory is not NULL; of the facts
+    # of a hit only the computed ones are read; both analyzers take three rounds
+    # of EACH for one, and gcc's misses the assignments f.num = f.den and
+    # sum = size_of(); a hit of the float filter has its place; the name line is
+    # a question; manuals that are not installed are referenced.
+}
+
+# ------------------------------------------------------------- analysis --
+
+if installed cppcheck cppcheck; then
+    # Not enabled: style, whose rules differ from ours.
+    cppcheck --quiet -j 2 --std=c99 --language=c --inline-suppr -Iinclude \
+        -Isrc --enable=warning,portability,performance --max-configs=4 \
+        --suppress=missingIncludeSystem --suppress=toomanyconfigs \
+        --template='{file}:{line}: {severity}: {message} [{id}]' \
+        $library $command 2>&1 | remove_checked >"$work/found"
+    result cppcheck
+fi
+
+if installed clang-tidy clang-tidy; then
+    # Of the analyzer's checks not those that want C11's Annex K.
+    checks='-*,clang-analyzer-*,-clang-analyzer-security.insecureAPI.*'
+    checks=$checks,bugprone-infinite-loop,bugprone-integer-division
+    checks=$checks,bugprone-sizeof-*,bugprone-suspicious-mem*
+    checks=$checks,bugprone-macro-repeated-side-effects
+    for file in $library $command; do
+        printf '%s\n' "$file"
+    done | xargs -n 4 -P 2 sh -c 'checks=$1 options=$2; shift 2
+        clang-tidy --quiet --checks="$checks" "$@" -- $options 2>/dev/null' \
+        sh "$checks" "$options" | grep -E '(warning|error):' |
+        sort -u | remove_checked >"$work/found"
+    result clang-tidy
+fi
+
+if installed gcc 'gcc -fanalyzer'; then
+    # many.c would take it half of an hour; most of it is in one.c, too
+    for file in $library $command; do
+        [ "$file" = src/filter/many.c ] || printf '%s\n' "$file"
+    done | xargs -n 1 -P 2 gcc $options -O1 -fanalyzer -c -o /dev/null 2>&1 |
+        grep -E '(warning|error):' | sort -u | remove_checked >"$work/found"
+    result 'gcc -fanalyzer'
+fi
+
+# ------------------------------------------------------------ the ladder --
+
+if installed python3 'the ladder'; then
+    python3 tests/support/ladder.py "${BUILD:-build}" >"$work/found" 2>&1
+    result 'includes and calls point down the ladder of src/README.md'
+fi
+
+# -------------------------------------------------- scripts and manuals --
+
+: >"$work/found"
+for file in $scripts; do
+    sh -n "$file" 2>>"$work/found"
+done
+result 'sh -n'
+
+if installed mandoc mandoc; then
+    mandoc -T lint -W style $pages 2>&1 | remove_checked >"$work/found"
+    result mandoc
+fi
+
+# ------------------------------------------------------------ appearance --
+
+if installed clang-format-14 'layout by clang-format'; then
+    clang-format-14 --dry-run $(of_kind '\.(c|h)$' |
+        grep -v '^tests/embree/embree4/') 2>&1 | grep 'warning:' >"$work/found"
+    result 'layout as .clang-format has it'
+fi
+
+tab=$(printf '\t')
+grep -nE "$tab" $sources $scripts >"$work/found"
+result 'no tabs'
+
+grep -nE "[ $tab]+\$" $sources $scripts Makefile README.md >"$work/found"
+result 'no blanks at line ends'
+
+# Aligned formulas may stay aligned; beyond these few columns nothing may.
+awk 'length($0) > 80 {
+    printf "%s%s:%d: %d columns\n", (length($0) > 84 ? "" : "note: "),
+           FILENAME, FNR, length($0)
+}' $sources >"$work/wide"
+grep -v '^note' "$work/wide" >"$work/found"
+result '80 columns'
+grep '^note' "$work/wide"
+
+for file in $sources; do
+    lines=$(wc -l <"$file")
+    [ "$lines" -lt 700 ] || printf '%s: %d lines\n' "$file" "$lines"
+done >"$work/found"
+result 'files below 700 lines'
+
+for file in $(grep -Ev '^tests/fuzz/corpus/|\.png$' "$work/files"); do
+    [ ! -s "$file" ] || [ -z "$(tail -c 1 "$file" | tr -d '\n')" ] ||
+        printf '%s\n' "$file"
+done >"$work/found"
+result 'every file ends with a newline'
+
+grep -nE '(^|[^[:alnum:]_])(TODO|FIXME|XXX)([^[:alnum:]_]|$)' $sources \
+    $scripts | grep -v '^tests/support/lint.sh' >"$work/found"
+result 'nothing left for later'
+
+check_end

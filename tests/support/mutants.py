@@ -1,0 +1,401 @@
+#!/usr/bin/env python3
+"""Tests whether the tests detect a wrong library.
+
+Changes one operator, sign, constant or index of the numeric core at a time (a
+mutant), builds the library and runs its tests; those that detected most
+mutants of the file so far run first.  Prints each mutant that passes all tests
+(a survivor) with its line.  A survivor means that a test is missing, that a
+bound is wider than necessary, or that the change has no effect.  The reason of
+an understood survivor stands beside its line (tests/support/reasons.py); such mutants
+are counted but not printed.
+
+    tests/support/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
+                     [--jobs N] [--full] [--again FILE | --understood]
+    tests/support/mutants.py --check
+
+Needs what `make check` needs, including MPFR and GSL.  --count is the number of
+random mutants of each file.  --skip leaves out the first N of the seed's
+sequence, so that a run can be continued.  --again tries only the mutants that
+an earlier run printed to FILE.  --understood tries those that have a reason, and
+prints reasons whose mutants a test detects.  --full runs all tests with all
+cases.  --check only prints reasons beside lines without such a mutant or branch.
+"""
+import argparse
+import os
+import queue
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+from reasons import beside_lines, sources, without_comments
+
+FLOORS = ["src"] + ["src/" + floor for floor in (
+    "numbers", "shapes", "signs", "roots", "filter", "methods", "distance")]
+SCENE_FLOORS = ["src/bvh", "src/scene"]
+CORE = ["signs/forms_template.h", "signs/overlap_template.h",
+        "roots/newton_template.h",
+        "numbers/double_double.h", "numbers/error_free_template.h",
+        "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
+        "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
+        "roots/hit.c", "shapes/local.c", "distance/triple.h",
+        "filter/local_forms_template.h", "filter/frame.h", "filter/kernel.h",
+        "filter/surfaces.h", "filter/levels.h", "filter/levels_template.h",
+        "filter/one_answer.h", "filter/refine.h", "filter/inside.h",
+        "filter/one.c", "filter/many.c", "intersect.c", "batch.c",
+        "box.c", "distance/distance.c", "distance/meridian.c",
+        "distance/nearest_point.c", "distance/rounded_distance.c",
+        "distance/head_tail.h", "distance/pair_lanes.h",
+        "distance/distance_template.h", "distance/describe_nearest.h",
+        "distance/other_ends.h", "distance/one_distance.c",
+        "distance/near_surface.h",
+        "distance/surd_sum.c", "distance/critical.c", "distance/safety.c",
+        "distance/many_distances.c", "bvh/traverse_point.c"]
+# (program, environment).  Programs that take seconds run with few cases first,
+# and with all cases only for --full, on mutants that pass the others.
+FEW = {"CYLINT_CASES": "50"}
+HARD = "library/test_hard"  # of the command
+SHORT = [("signs/test_rare_branches", {}), ("shapes/test_constructors", {}),
+         (HARD, {}), ("bounds/test_form_depth", {}),
+         ("bounds/test_local_bounds", {}), ("bounds/test_local_residuals", {}),
+         ("filter/test_local_coordinates", FEW),
+         ("library/test_intersect", FEW), ("roots/test_midpoints", {}),
+         ("roots/test_budget", FEW), ("library/test_environment", FEW),
+         ("library/test_properties", FEW),
+         ("library/test_batch", {"CYLINT_CASES": "3"})]
+FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
+        ("library/test_environment", {}), ("numbers/test_exact", {}),
+        ("numbers/test_double_double", {}), ("roots/test_budget", {}),
+        ("library/test_properties", {}), ("library/test_batch", {})]
+DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
+            ("bounds/test_distance_bounds", {"CYLINT_CASES": "10"}),
+            ("distance/test_batch", {"CYLINT_CASES": "3"}),
+            ("distance/test_oracle", {"CYLINT_CASES": "2"}),
+            ("distance/test_elliptic", {}), ("distance/test_elliptic_certain", {}),
+            ("bounds/test_elliptic_bounds", {})]
+POINTS = [("bounds/test_scene_point_bounds", {}), ("scene/test_closest", {})]
+# The tests of files in a folder; of other files they are SHORT and FULL.
+OF_FOLDER = {"distance": DISTANCE, "bvh": POINTS}
+
+# (pattern, replacements)
+SWAPS = [
+    (r"(?<= )\+(?= )", ["-"]), (r"(?<= )-(?= )", ["+"]),
+    (r"(?<= )\*(?= )", ["+"]), (r"(?<= )/(?= )", ["*"]),
+    (r"(?<= )<(?= )", ["<=", ">"]), (r"(?<= )>(?= )", [">=", "<"]),
+    (r"(?<= )<=(?= )", ["<"]), (r"(?<= )>=(?= )", [">"]),
+    (r"(?<= )==(?= )", ["!="]), (r"(?<= )!=(?= )", ["=="]),
+    (r"&&", ["||"]), (r"\|\|", ["&&"]),
+    (r"(?<=[(,= ])-(?=[A-Za-z(0-9])", [""]),  # a sign
+    (r"(?<=[ (])!(?=[A-Za-z(])", [""]),
+    (r"\bADD\b", ["SUB"]), (r"\bSUB\b", ["ADD"]),
+    (r"\bpair_add\b", ["pair_sub"]), (r"\bpair_sub\b", ["pair_add"]),
+    (r"\btwo_sum\b", ["two_diff"]), (r"\bfast_two_sum\b", ["two_diff"]),
+    (r"\bROOT_ENTRY\b", ["ROOT_EXIT"]), (r"\bROOT_EXIT\b", ["ROOT_ENTRY"]),
+    (r"\bCYLINT_SIDE_ENTERING\b", ["CYLINT_SIDE_LEAVING"]),
+    (r"\bCYLINT_SIDE_LEAVING\b", ["CYLINT_SIDE_ENTERING"]),
+    (r"(?<![\w.])[0-9]+(?![\w.])", ["+1"]),   # a constant or an index
+    (r"(?<=p)[-+]?[0-9]+\b", ["+1"]),         # a power of two
+]
+
+
+def is_length(code, at):
+    """Whether the number there is the length of an array that is declared: a
+    longer one changes nothing."""
+    kind = (r"\s*(?:(?:const|static)\s+)*(?!return\b)[A-Za-z_]\w*\s+"
+            r"\*?\w[\w\s,*\[\]+]*\[$")
+    return any(re.match(kind, re.split(ends, code[:at][-400:])[-1])
+               for ends in (r"[;{}()=]", r"[;{}()=,]"))
+
+
+def mutants_of(name, text):
+    code = without_comments(text)
+    for pattern, others in SWAPS:
+        for m in re.finditer(pattern, code):
+            for other in others:
+                if other == "+1":
+                    if is_length(code, m.start()):
+                        continue
+                    other = "%d" % (int(m.group()) + 1)
+                yield name, m.start(), m.end(), other
+
+
+def run(command, **more):
+    return subprocess.run(command, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL, **more)
+
+
+class Bench:
+    """A copy of the sources: built once, then only what uses the changed file."""
+
+    def __init__(self, top, work, cc, tests):
+        self.work, self.cc, self.tests = work, cc, tests
+        for folder in ("src", "include", "tests", "man", "tools/cylint"):
+            shutil.copytree(os.path.join(top, folder),
+                            os.path.join(work, folder))
+        self.flags = ["-std=c99", "-ffp-contract=off", "-fPIC", "-Iinclude",
+                      "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error",
+                      "-Isrc", "-Itests/support", "-D_POSIX_C_SOURCE=200809L",
+                      "-DHAVE_MPFR", "-DHAVE_GSL", "-DCHECK_STOPS"]
+        self.library = sum((self.c_files(f) for f in FLOORS), [])
+        self.common = ["tests/%s.c" % t for t in (
+            "support/families", "support/family_records",
+            "support/constructed", "support/oracle", "support/scenes",
+            "distance/distance_oracle", "distance/distance_oracle_elliptic")]
+        self.scene = sum((self.c_files(f) for f in SCENE_FLOORS), [])
+        self.tool = self.c_files("tools/cylint") + self.scene
+        self.programs = sorted({t for t, _ in tests} - {HARD})
+        self.sources = (self.library + self.scene +
+                        ["tests/%s.c" % t for t in self.programs])
+        if not self.compile(self.sources + self.common +
+                            self.c_files("tools/cylint")):
+            sys.exit("mutants: the sources do not compile as they are")
+        if not all([self.link(t) for t, _ in tests]):
+            sys.exit("mutants: the programs do not link as they are")
+        self.seconds = [self.time_of(*t) for t in tests]
+
+    def c_files(self, folder):
+        return ["%s/%s" % (folder, f)
+                for f in sorted(os.listdir(os.path.join(self.work, folder)))
+                if f.endswith(".c")]
+
+    def compile(self, sources):
+        def job(source):
+            # tests are compiled once, so they may be optimised
+            fast = ("-O2" if source.startswith("tests") else
+                    "-O0" if source == "src/filter/many.c" else "-O1")
+            return run([self.cc] + self.flags +
+                       [fast, "-c", source, "-o", source[:-2] + ".o"],
+                       cwd=self.work).returncode == 0
+        with ThreadPoolExecutor(1 if len(sources) < 20 else 2) as pool:
+            return all(pool.map(job, sources))
+
+    def link(self, test):
+        """Links the program of a test, unless it exists.  The library is static,
+        because tests use functions that are hidden in the shared one."""
+        name = "cylint" if test == HARD else "tests/" + test
+        if os.path.exists(os.path.join(self.work, name)):
+            return True
+        objects = lambda files: [f[:-2] + ".o" for f in files]
+        if not os.path.exists(os.path.join(self.work, "libcylint.a")):
+            run(["ar", "rcs", "libcylint.a"] + objects(self.library),
+                cwd=self.work)
+        parts = (self.tool if test == HARD else
+                 ["tests/%s.c" % test] + self.common +
+                 (self.scene if "scene" in test else []))
+        return run([self.cc, "-o", name] + objects(parts) +
+                   ["libcylint.a", "-lmpfr", "-lgmp", "-lgsl", "-lgslcblas", "-pthread", "-lm"],
+                   cwd=self.work).returncode == 0
+
+    def unlink(self):
+        for name in ["libcylint.a", "cylint"] + ["tests/" + t for t in self.programs]:
+            path = os.path.join(self.work, name)
+            if os.path.exists(path):
+                os.remove(path)
+
+    def users(self, name):
+        """The sources that are or include this file."""
+        name, seen = "/" + os.path.basename(name), []
+        for s in self.sources:
+            rule = subprocess.run([self.cc] + self.flags + ["-MM", s],
+                                  cwd=self.work, capture_output=True,
+                                  text=True).stdout
+            if any(r.endswith(name) for r in rule.split()):
+                seen.append(s)
+        return seen
+
+    def passes(self, test, environment, seconds=600):
+        command = (["sh", "tests/%s.sh" % HARD] if test == HARD else
+                   ["tests/" + test])
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU,
+                                           (int(seconds), int(seconds)))
+        return run(command, cwd=self.work, preexec_fn=limit,
+                   env=dict(os.environ, BUILD=self.work,
+                            **environment)).returncode == 0
+
+    def time_of(self, test, environment):
+        before = os.times().children_user
+        if not self.passes(test, environment):
+            sys.exit("mutants: %s fails before anything is changed" % test)
+        return max(os.times().children_user - before, 0.01)
+
+    def killer(self, order):
+        """The number of the first test to fail, or None.  A test that takes
+        far longer than usual counts as a failure."""
+        for i in order:
+            test, environment = self.tests[i]
+            if not self.link(test) or not self.passes(
+                    test, environment, 3 * self.seconds[i] + 2):
+                return i
+        return None
+
+    def detect(self, texts, mutant, users, order):
+        """The number of the test that fails, "compiler", or None."""
+        name, start, end, other = mutant
+        text, path = texts[name], os.path.join(self.work, "src", name)
+        with open(path, "w") as f:
+            f.write(text[:start] + other + text[end:])
+        objects = [os.path.join(self.work, u[:-2] + ".o") for u in users]
+        for o in objects:
+            os.rename(o, o + ".kept")
+        self.unlink()
+        killer = "compiler"
+        if self.compile(users):
+            killer = self.killer(order)
+        with open(path, "w") as f:
+            f.write(text)
+        for o in objects:
+            os.replace(o + ".kept", o)
+        return killer
+
+
+def line_of(texts, mutant):
+    return texts[mutant[0]].count("\n", 0, mutant[1]) + 1
+
+
+def change(texts, mutant):
+    name, start, end, other = mutant
+    return "%r -> %r" % (texts[name][start:end], other)
+
+
+def describe(texts, mutant):
+    line = line_of(texts, mutant)
+    return "src/%s:%d: %s: %s" % (mutant[0], line, change(texts, mutant),
+                                  texts[mutant[0]].splitlines()[line - 1].strip())
+
+
+def printed(path):
+    """The mutants in a run's output; line numbers do not last."""
+    with open(path) as f:
+        return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line.strip()) for line in f}
+
+
+def reasons_of(text):
+    """(change, line) of each mutant that has a reason."""
+    return {(one, line) for what, lines in beside_lines(text, "mutant")
+            for one in re.findall(r"'[^']*' -> '[^']*'", what)
+            for line in lines}
+
+
+def drawn(args, texts, name, understood):
+    """All mutants of a file, and those to try."""
+    every = list(mutants_of(name, texts[name]))
+    if args.understood:
+        return every, [m for m in every if is_understood(texts, m, understood)]
+    if args.again:
+        again = printed(args.again)
+        return every, [m for m in every if re.sub(
+            r":\d+:", ":", describe(texts, m), count=1) in again]
+    chosen = random.Random(args.seed).sample(every, len(every))
+    return every, chosen[args.skip:args.skip + args.count]
+
+
+def is_understood(texts, mutant, understood):
+    return (change(texts, mutant), line_of(texts, mutant)) in understood
+
+
+def check(top):
+    """Prints the reasons that concern nothing, and returns their number."""
+    stale = []
+    for path in sources(top):
+        with open(os.path.join(top, path)) as f:
+            name, text = path[len("src/"):], f.read()
+        possible = {(change({name: text}, m), line_of({name: text}, m))
+                    for m in mutants_of(name, text)}
+        stale += ["%s:%d: no mutant %s" % (path, line, what)
+                  for what, line in sorted(reasons_of(text) - possible)]
+        code = without_comments(text).split("\n")
+        stale += ["%s:%d: no branch" % (path, lines[0])
+                  for _, lines in beside_lines(text, "untaken")
+                  if not any(re.search(r"\b(if|for|while|case)\b|\?|&&|\|\|", l)
+                             for l in code[lines[0] - 1:lines[-1]])]
+    print("".join(line + "\n" for line in stale), end="")
+    return len(stale)
+
+
+def try_file(name, args, benches, texts):
+    understood = reasons_of(texts[name])
+    every, chosen = drawn(args, texts, name, understood)
+    if not chosen:
+        return 0
+    idle = queue.Queue()
+    for bench in benches:
+        idle.put(bench)
+    users = benches[0].users(name)
+    tests = benches[0].tests
+    wanted = OF_FOLDER.get(name.split("/")[0])
+    used = [i for i, test in enumerate(tests)
+            if (test in wanted if wanted else
+                not any(test in of for of in OF_FOLDER.values()))]
+    kills = [0] * len(tests)
+    fates = {}  # of the mutants with one description, as a line may have several
+    count = dict.fromkeys(("killed", "uncompiled", "understood", "survived"), 0)
+
+    def try_one(mutant):
+        bench = idle.get()
+        worth = [-k / s for k, s in zip(kills, bench.seconds)]
+        order = sorted(used, key=lambda i: worth[i])
+        killer = bench.detect(texts, mutant, users, order)
+        idle.put(bench)
+        if killer is None:
+            fate = "survived"
+            if is_understood(texts, mutant, understood):
+                fate = "understood"
+        elif killer == "compiler":
+            fate = "uncompiled"
+        else:
+            fate = "killed"
+            kills[killer] += 1
+        count[fate] += 1
+        if fate == "survived":
+            print(describe(texts, mutant), flush=True)
+        fates.setdefault(describe(texts, mutant), set()).add(fate)
+
+    with ThreadPoolExecutor(len(benches)) as pool:
+        list(pool.map(try_one, chosen))
+    print("%s: %d possible, %d tried: %d killed, %d did not compile, "
+          "%d survived for a known reason, %d survived"
+          % (name, len(every), len(chosen), count["killed"],
+             count["uncompiled"], count["understood"], count["survived"]),
+          flush=True)
+    stale = [d for d, of in fates.items() if "understood" not in of]
+    for line in stale if args.understood else []:
+        print("detected: " + line, flush=True)
+    return len(stale) if args.understood else count["survived"]
+
+
+def main():
+    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    p.add_argument("--count", type=int, default=20)
+    p.add_argument("--seed", type=int, default=1)
+    p.add_argument("--skip", type=int, default=0)
+    p.add_argument("--jobs", type=int, default=2)
+    p.add_argument("--cc", default="cc")
+    p.add_argument("--files", default=",".join(CORE))
+    p.add_argument("--again")
+    p.add_argument("--understood", action="store_true")
+    p.add_argument("--check", action="store_true")
+    p.add_argument("--full", action="store_true")
+    args = p.parse_args()
+    here = os.path.dirname(os.path.abspath(__file__))
+    top = os.path.dirname(os.path.dirname(here))
+    if args.check:
+        return check(top) > 0
+    texts = {n: open(os.path.join(top, "src", n)).read()
+             for n in args.files.split(",")}
+    folders = {n.split("/")[0] for n in texts}
+    tests = sum((OF_FOLDER[f] for f in sorted(folders & set(OF_FOLDER))), [])
+    if folders - set(OF_FOLDER):
+        tests += SHORT + FULL if args.full else SHORT
+    with tempfile.TemporaryDirectory() as work:
+        benches = [Bench(top, os.path.join(work, str(i)), args.cc, tests)
+                   for i in range(args.jobs)]
+        survived = sum(try_file(n, args, benches, texts) for n in texts)
+    return survived > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
