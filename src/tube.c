@@ -5,6 +5,7 @@
 
 #include "numbers/bits.h"
 #include "numbers/double_double.h"
+#include "numbers/exact.h"
 
 /* x divided by a power of two, so that products neither over- nor underflow.  Of n
  * numbers. */
@@ -46,6 +47,28 @@ static pair dot_product(const double x[3], const double y[3])
     return sum;
 }
 
+/* The sign of axis . (x cross y), exact: that of the sine of the angle from x to y. */
+static int turn_sign(const double axis[3], const double x[3], const double y[3])
+{
+    cylint_arena arena;
+    cylint_arena_open(&arena);
+    exact sum = cylint_exact_from(&arena, 0);
+    for (int i = 0; i < 3; i++) {
+        exact product[2];
+        for (int k = 0; k < 2; k++)
+            product[k] = cylint_exact_mul(
+                &arena, cylint_exact_from(&arena, x[(i + 1 + k) % 3]),
+                cylint_exact_from(&arena, y[(i + 2 - k) % 3]));
+        const exact component =
+            cylint_exact_add(&arena, product[0], cylint_exact_neg(product[1]));
+        sum = cylint_exact_add(
+            &arena, sum,
+            cylint_exact_mul(&arena, cylint_exact_from(&arena, axis[i]),
+                             component));
+    }
+    return sum.sign;
+}
+
 /* Writes the two half-spaces of a sector, and their clauses from 3 on. */
 static cylint_status make_sector(const double p0[3], const double p1[3],
                                  const double sector[2][3],
@@ -64,15 +87,15 @@ static cylint_status make_sector(const double p0[3], const double p1[3],
     }
     cross_product(direction[0], axis, normal[0]);
     cross_product(axis, direction[1], normal[1]);
-    /* the sine of the sector's angle, and where it is 0 whether that is 0 */
-    const double sine = -dot_product(normal[0], direction[1]).hi;
-    if (sine == 0 && dot_product(normal[0], normal[1]).hi < 0)
+    /* Rounded normals would take an angle of 0 for a full turn. */
+    const int turn = turn_sign(axis, direction[0], direction[1]);
+    if (turn == 0 && dot_product(normal[0], normal[1]).hi < 0)
         return CYLINT_EDIRECTION;
     for (int i = 0; i < 2; i++) {
         const cylint_status status = cylint_halfspace(&shape[i], p0, normal[i]);
         if (status != CYLINT_OK)
             return status == CYLINT_EAXIS ? CYLINT_EDIRECTION : status;
-        clause[i] = sine >= 0 ? 3 + i : 3;
+        clause[i] = turn >= 0 ? 3 + i : 3;
     }
     return CYLINT_OK;
 }

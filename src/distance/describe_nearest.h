@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
     vd point[3], normal[3];
     vm point_known, normal_known;
-} described;
+} described_point;
 
 /* What a point is nearest to: is_top: at the top, which end. */
 typedef struct {
@@ -178,7 +178,7 @@ INLINE vm given_coordinate(vd *to, const shape_lanes *s, const vfeature *f,
     return given;
 }
 
-INLINE void describe_nearest(described *to, const vnearest *n,
+INLINE void describe_nearest(described_point *to, const vnearest *n,
                              const half_plane *m, const shape_lanes *s,
                              const vd x[3], int kind)
 {

@@ -87,7 +87,7 @@ INLINE vm describe_lanes(const shape_lanes *s, const vd x[3], int i, int n,
 {
     half_plane m;
     vnearest nearest;
-    described members;
+    described_point members;
     pairs_nearest(&nearest, &m, s, x, kind, 1);
     describe_nearest(&members, &nearest, &m, s, x, kind);
     vm certain = m_and(is_certain(&nearest), v_le(v_set(CYLINT_DISTANCE_LEAST),

@@ -59,13 +59,13 @@ static close_distance quotient(triple form, pair divisor, double size,
                                    (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-/* What pairs found: feature: -1 where it is not certain.  size: at least |D|, the
+/* What pairs computed: feature: -1 where it is not certain.  size: at least |D|, the
  * height and the radii.  error: of rho, z and d. */
 typedef struct {
     int feature;
     pair z, rho, d;
     double size, error;
-} found;
+} distance_in_pairs;
 
 static close_distance close_to_plane(const cylint_shape *s,
                                      const double point[3], int top,
@@ -143,10 +143,11 @@ typedef struct {
     pair x, foot;
     double error;  /* of all four */
     double margin; /* the same, and that of a comparison of doubles */
-} corner;
+} end_corner;
 
-static int load_corner(corner *k, const cylint_shape *s, const double point[3],
-                       const found *at, int top)
+static int load_corner(end_corner *k, const cylint_shape *s,
+                       const double point[3], const distance_in_pairs *at,
+                       int top)
 {
     const double size = at->size, r = top ? cylint_r1(s) : cylint_r0(s);
     const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
@@ -166,7 +167,7 @@ static int load_corner(corner *k, const cylint_shape *s, const double point[3],
 }
 
 /* The feature of a corner and the distance, or -1. */
-static int corner_feature(const corner *k, int top, close_distance *to)
+static int corner_feature(const end_corner *k, int top, close_distance *to)
 {
     const double M = k->margin, a = k->lateral.d.hi, b = k->plane.d.hi;
     const int inside = (a < 0) & (b < 0);
@@ -192,7 +193,7 @@ static int corner_feature(const corner *k, int top, close_distance *to)
 /* Computes the distance of a point near the surface; whether it is certain.  Finds
  * the feature, if it was not, of a point near a rim of a capped cylinder or
  * cone. */
-ASIDE int is_certain_in_triples(found *at, const cylint_shape *s,
+ASIDE int is_certain_in_triples(distance_in_pairs *at, const cylint_shape *s,
                                 const double point[3])
 {
     const double size = at->size;
@@ -213,7 +214,7 @@ ASIDE int is_certain_in_triples(found *at, const cylint_shape *s,
                  ? close_to_line(s, point, at->rho, at->error, size)
                  : close_to_plane(s, point, top, size);
     } else if (!round && s->ends == CYLINT_ENDS_CAPPED) {
-        corner k;
+        end_corner k;
         if (!load_corner(&k, s, point, at, top))
             return 0;
         at->feature = corner_feature(&k, top, &to);

@@ -59,12 +59,12 @@ ASIDE int find_distance(vnearest *n, const half_plane *m,
         n->d.high <= n->d.low && fabs(d.hi) >= CYLINT_DISTANCE_LEAST;
     if (certain && (n->known || !parted))
         return 1;
-    found at = {n->known ? (int)n->feature : -1,
-                {m->z.hi, m->z.lo},
-                {m->rho.hi, m->rho.lo},
-                {d.hi, d.lo},
-                m->size,
-                m->error};
+    distance_in_pairs at = {n->known ? (int)n->feature : -1,
+                            {m->z.hi, m->z.lo},
+                            {m->rho.hi, m->rho.lo},
+                            {d.hi, d.lo},
+                            m->size,
+                            m->error};
     if (!is_certain_in_triples(&at, shape, point))
         return certain;
     n->feature = at.feature;
@@ -95,7 +95,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     want &= ~(unsigned)CYLINT_WANT_PART;
     if (!(want & CYLINT_WANT_GEOMETRY))
         return want;
-    described to;
+    described_point to;
     describe_nearest(&to, n, m, s, point, kind);
     if (want & CYLINT_WANT_POINT && to.point_known) {
         EACH(i, 3)
@@ -163,7 +163,7 @@ static int normal_of_feature(const cylint_shape *shape, const double point[3],
     const cylint_shape *const at[1] = {shape};
     shape_lanes s;
     half_plane m;
-    described to;
+    described_point to;
     vnearest n = {{{0, 0}, 0, 0, 0}, feature, 1};
     if (!cylint_rounds_to_nearest())
         return 0;

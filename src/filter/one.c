@@ -7,17 +7,16 @@
  * residuals in pairs.  refine() goes on with what they do not decide.
  */
 #define CYLINT_NARROW
-#include "../numbers/double_double.h" /* before simd.h */
-#include "../numbers/simd.h"
-#include "filter.h"
-#include "plane.h"
-
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain
 #endif
 #ifndef CYLINT_SIGN_AT_ORIGIN
 #define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
 #endif
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/simd.h"
+#include "filter.h"
+#include "plane.h"
 
 /* Half-spaces, and shapes and lines that the filter does not serve. */
 static int no_solid(const cylint_shape *shape, const cylint_line *line,
@@ -81,12 +80,12 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
     if (m_bits(v.misses) & 1)
         return write_miss(a->answer);
     if (!(m_bits(v.crosses) & 1))
-        return undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
     if (!roots)
         return answer_by_signs(&l, &v, a, solid);
     if (!(m_bits(v.sided) & 1) || is_grazing(&v, solid) ||
         !cylint_rounds_to_nearest())
-        return undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
     pair_line in;
     load_pairs(&in, &from, 1, solid);
     return answer_by_roots(&l, &v, &in, a, solid);

@@ -121,7 +121,7 @@ INLINE int is_plain(const cylint_shape *shape, unsigned want, int solid)
            !(want & CYLINT_WANT_PART);
 }
 
-INLINE int undecided(cylint_question *question, cylint_known known)
+INLINE int leave_undecided(cylint_question *question, cylint_known known)
 {
     question->known = known;
     return CYLINT_UNDECIDED;
@@ -134,7 +134,7 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
     cylint_question *question = a->question;
     const int plain = is_plain(a->shape, a->want, solid);
     if (!plain && !(m_bits(v->sided) & 1))
-        return undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
     if (plain && a->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
         line->tmax > v_first(latest(solid)) && !cylint_solid_is_nappe(solid) &&
         m_bits(is_ahead(l, v, solid)) & 1) {
@@ -157,7 +157,7 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
     question->A = v_first(v->A.v);
     question->rises = (int)(m_bits(v_lt(v->B.e, v->B.v)) & 1) -
                       (int)(m_bits(v_lt(v->B.v, -v->B.e)) & 1);
-    return undecided(question, CYLINT_KNOWN_LINE);
+    return leave_undecided(question, CYLINT_KNOWN_LINE);
 }
 
 /* The ends without which there is no answer. */
@@ -178,7 +178,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     const estimate at = estimate_end(l, v, &e, solid);
     const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
     if (bits.present & ~m_bits(at.is_near))
-        return undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
     const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));
     if (!ends_needed(h, bits, a->want))
@@ -195,7 +195,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     v_store(question->error, r.error);
     v_store(question->low, r.low);
     v_store(question->high, r.high);
-    return undecided(question, CYLINT_KNOWN_ROOTS);
+    return leave_undecided(question, CYLINT_KNOWN_ROOTS);
 }
 
 #endif

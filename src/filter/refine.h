@@ -191,7 +191,7 @@ INLINE int refine_line(cylint_question *q, int solid)
     if (!(m_bits(v.crosses) & 1) ||
         (!sided &&
          (q->want & CYLINT_WANT_T || !is_plain(shape, q->want, solid))))
-        return undecided(q, CYLINT_KNOWN_USELESS);
+        return leave_undecided(q, CYLINT_KNOWN_USELESS);
     count_all_roundings(&v, solid);
     if (q->want & CYLINT_WANT_T)
         return answer_by_roots(&l, &v, &in, &a, solid);

@@ -7,7 +7,7 @@
  *
  * The compiler's flags choose the instruction set.  CYLINT_ONE_LANE chooses
  * plain doubles, which are also the choice where no instruction set is
- * available.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
+ * available.  CYLINT_FOUR_LANES chooses at most four.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
  * line and one shape; compilers with GNU's vectors have two lanes on every
  * processor.  With two lanes there are also functions that join two numbers,
  * join the first or the second lanes of two vectors, swap the lanes, and return
@@ -32,7 +32,8 @@
 
 #define LANES 1
 
-#elif !defined(CYLINT_NARROW) && defined(__AVX512F__)
+#elif !defined(CYLINT_NARROW) && !defined(CYLINT_FOUR_LANES) && \
+    defined(__AVX512F__)
 
 #include <immintrin.h>
 #define LANES 8

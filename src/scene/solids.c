@@ -45,12 +45,12 @@ void cylint_solids_free(cylint_solids *s)
 
 size_t cylint_solids_bytes(const cylint_solids *s, size_t shapes)
 {
-    return s->n == 0
-               ? 0
-               : s->n_members *
-                         (2 * sizeof *s->of_shapes + sizeof *s->complements) +
-                     (shapes + 1) * sizeof *s->first_of_shape +
-                     s->n * sizeof *s->solid + s->n_always * sizeof *s->always;
+    return s->n == 0 ? 0
+                     : s->n_members * (2 * sizeof *s->of_shapes +
+                                       sizeof *s->complements) +
+                           (shapes + 1) * sizeof *s->first_of_shape +
+                           s->n * (sizeof *s->solid + sizeof *s->holding) +
+                           s->n_always * sizeof *s->always;
 }
 
 /* Whether a shape is beside the hierarchy. */

@@ -6,8 +6,10 @@
  */
 #if !defined(__GNUC__)
 #define CYLINT_ONE_LANE
-#elif !defined(__AVX2__)
-#define CYLINT_NARROW /* two lanes; else four */
+#elif defined(__AVX2__)
+#define CYLINT_FOUR_LANES
+#else
+#define CYLINT_NARROW /* two lanes */
 #endif
 #include "local.h"
 

@@ -223,11 +223,45 @@ static void bad_sectors_are_refused(void)
           n == 1);
 }
 
+/* Integers of which no double has a cross product: y is x 2^22, moved by one in a
+ * coordinate, or not.  axis . (x cross y) is then a component of axis cross x. */
+static void directions_that_nearly_agree_make_the_sector_that_they_say(void)
+{
+    const double p0[3] = {0, 0, 0}, outer[2] = {1, 1};
+    int found[3] = {0};
+    rng = 4;
+    for (int i = 0; i < 100 * TUBES; i++) {
+        const int k = random_int(&rng, 3), move = random_int(&rng, 3) - 1;
+        int64_t axis[3], x[3];
+        double p1[3], sector[2][3];
+        cylint_shape s[CYLINT_TUBE_MEMBERS];
+        int clauses[CYLINT_TUBE_MEMBERS];
+        size_t n;
+        for (int j = 0; j < 3; j++) {
+            axis[j] = random_int(&rng, 1 << 30) - (1 << 29);
+            x[j] = random_int(&rng, 1 << 30) - (1 << 29);
+            p1[j] = (double)axis[j];
+            sector[0][j] = (double)x[j];
+            sector[1][j] = 0x1p22 * sector[0][j] + (j == k ? move : 0);
+        }
+        const int64_t turn = move * (axis[(k + 1) % 3] * x[(k + 2) % 3] -
+                                     axis[(k + 2) % 3] * x[(k + 1) % 3]);
+        const cylint_status status = cylint_tube(
+            p0, p1, outer, NULL, (const double(*)[3])sector, s, clauses, &n);
+        found[turn == 0 ? 0 : turn > 0 ? 1 : 2]++;
+        CHECK(turn == 0 ? status == CYLINT_EDIRECTION
+                        : status == CYLINT_OK && n == 3 &&
+                              (clauses[1] != clauses[2]) == (turn > 0));
+    }
+    CHECK(found[0] > TUBES && found[1] > TUBES && found[2] > TUBES);
+}
+
 int main(void)
 {
     RUN(pieces_are_where_radius_height_and_angle_say);
     RUN(sectors_of_simple_directions_are_exact);
     RUN(sectors_about_a_coordinate_are_exact);
     RUN(bad_sectors_are_refused);
+    RUN(directions_that_nearly_agree_make_the_sector_that_they_say);
     return check_end();
 }

@@ -24,14 +24,17 @@ folder=$build/amalgamation
 verdict make_amalgamation_writes_a_file_and_its_headers $?
 
 # within a tenth
-sed -n 's/^The file has \([0-9.]*\) MB and \([0-9,]*\) lines\.$/\1 \2/p' man/cylint.3 | tr -d , |
-    awk -v bytes="$(wc -c < "$folder/cylint.c")" -v lines="$(wc -l < "$folder/cylint.c")" '
+cat "$folder/cylint.c" "$folder/cylint_builds.h" "$folder/cylint_templates.h" > "$scratch/all"
+sed -n 's/^have \([0-9.]*\) MB and \([0-9,]*\) lines: each .*/\1 \2/p' man/cylint.3 | tr -d , |
+    awk -v bytes="$(wc -c < "$scratch/all")" -v lines="$(wc -l < "$scratch/all")" '
         function near(a, b) { return a > 0.9 * b && a < 1.1 * b }
         { found = near($1 * 1e6, bytes) && near($2, lines) }
         END { exit !found }'
 verdict cylint_3_states_its_size $?
 compiles "$cc" plain
 verdict it_compiles_without_a_flag $? || { check_end; exit; }
+compiles "$cc" small -DCYLINT_PLAIN
+verdict it_compiles_without_kernels_for_avx $?
 strict='-Wall -Wextra -Wpedantic -Wconversion'
 case ${CFLAGS:-} in # beside the sanitizers' code gcc warns of values that are initialized
 *-fsanitize*) strict="$strict -Wno-maybe-uninitialized" ;;

@@ -32,6 +32,7 @@ static struct {
     int requested, refuse; /* allocations; the number of the one that fails */
     int kept;              /* realloc() of existing memory was refused */
     int held;              /* allocations not freed yet */
+    size_t bytes;          /* of malloc() and calloc() */
 } heap;
 
 void *__real_malloc(size_t);
@@ -56,11 +57,13 @@ static void *heap_hold(void *p)
 
 void *__wrap_malloc(size_t size)
 {
+    heap.bytes += size;
     return heap_refuses() ? NULL : heap_hold(__real_malloc(size));
 }
 
 void *__wrap_calloc(size_t n, size_t size)
 {
+    heap.bytes += n * size;
     return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
 }
 
@@ -233,6 +236,111 @@ static void a_refused_refit_changes_nothing(void)
     cylint_scene_free(scene);
 }
 
+/* -------------------------------------------------------------- solids -- */
+
+enum { PIPES = SHAPES / 2 };
+
+/* Pipes side by side. */
+static cylint_scene *scene_of_pipes(cylint_member members[SHAPES])
+{
+    cylint_shape shapes[SHAPES];
+    for (size_t i = 0; i < SHAPES; i++) {
+        const double x = (double)(i / 2);
+        cylint_cylinder(&shapes[i], (double[]){x, 0, 0}, (double[]){x, 0, 9},
+                        i % 2 ? 0.25 : 0.375, CYLINT_ENDS_CAPPED);
+        members[i] = (cylint_member){i, i / 2, i % 2 ? -2 : 1};
+    }
+    return cylint_scene_new(shapes, SHAPES, 1, NULL);
+}
+
+static void watch_heap(int refuse)
+{
+    heap.requested = heap.held = 0;
+    heap.bytes = 0;
+    heap.refuse = refuse;
+    heap.watched = 1;
+}
+
+/* cylint_scene_bytes() counts what stays: `spare` bytes are freed before the call
+ * returns, and an array has a place that is not used. */
+static void refused_solids_change_nothing(void)
+{
+    cylint_member members[SHAPES];
+    cylint_scene *scene = scene_of_pipes(members);
+    const size_t before = cylint_scene_bytes(scene), spare = SHAPES * 12;
+    cylint_scene_status status;
+    int refusals = 0;
+    do {
+        watch_heap(refusals + 1);
+        status = cylint_scene_set_solids(scene, members, SHAPES);
+        heap.watched = 0;
+        CHECK(status == CYLINT_SCENE_OK ||
+              (status == CYLINT_SCENE_EMEMORY && heap.held == 0 &&
+               cylint_scene_members(scene) == 0 &&
+               cylint_scene_bytes(scene) == before));
+    } while (status != CYLINT_SCENE_OK && ++refusals < ENOUGH);
+    CHECK(refusals > 5 && refusals < ENOUGH);
+    const size_t held = cylint_scene_bytes(scene) - before;
+    CHECK(held <= heap.bytes && held + spare + 64 > heap.bytes);
+    cylint_scene_free(scene);
+}
+
+/* Rows, or sums; the last sum is that of a line through all pipes. */
+static cylint_scene_status ask_pieces(const cylint_scene *scene, int query,
+                                      const cylint_lines *lines,
+                                      const cylint_line *line, double *found)
+{
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_OWNER};
+    cylint_piece_rows rows;
+    double sums[LINES];
+    cylint_scene_status status;
+    if (query == 0) {
+        status = cylint_scene_pieces_lines(scene, lines, &rule, 0, 1, &rows);
+        if (status == CYLINT_SCENE_OK) {
+            *found = (double)rows.first[lines->n] / 8;
+            cylint_piece_rows_free(&rows);
+        }
+    } else if (query == 1) {
+        status = cylint_scene_sums(scene, lines, &rule, NULL, 1, 0, 1, sums);
+        *found = sums[lines->n - 1];
+    } else {
+        status = cylint_scene_line_sums(scene, line, &rule, NULL, 1, 0, found);
+    }
+    return status;
+}
+
+static void refused_pieces_free_all_memory(void)
+{
+    enum { FEW = 200 };
+    static const double expected[] = {PIPES * FEW / 4.0, PIPES / 4.0,
+                                      PIPES / 4.0};
+    double x[6][FEW];
+    const cylint_lines lines = {
+        .n = FEW, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}};
+    cylint_member members[SHAPES];
+    cylint_scene *scene = scene_of_pipes(members);
+    cylint_line line;
+    CHECK(cylint_scene_set_solids(scene, members, SHAPES) == CYLINT_SCENE_OK);
+    for (int i = 0; i < FEW; i++)
+        for (int j = 0; j < 6; j++)
+            x[j][i] = j == 0 ? -1 : j == 2 ? 4 : j == 3;
+    cylint_ray(&line, (double[]){-1, 0, 4}, (double[]){1, 0, 0});
+    for (int query = 0; query < 3; query++) {
+        cylint_scene_status status;
+        double found = 0;
+        int refusals = 0;
+        do {
+            watch_heap(refusals + 1);
+            status = ask_pieces(scene, query, &lines, &line, &found);
+            heap.watched = 0;
+            CHECK(heap.held == 0);
+        } while (status == CYLINT_SCENE_EMEMORY && ++refusals < ENOUGH);
+        CHECK(status == CYLINT_SCENE_OK && refusals > 3);
+        CHECK(found == expected[query]);
+    }
+    cylint_scene_free(scene);
+}
+
 static int has_threads = 1; /* the library was built with them */
 
 /* Many lines with at most `most` threads beside the caller's.  The library calls
@@ -296,6 +404,8 @@ int main(void)
 {
     RUN(an_opened_scene_frees_all_memory);
     RUN(a_refused_refit_changes_nothing);
+    RUN(refused_solids_change_nothing);
+    RUN(refused_pieces_free_all_memory);
     RUN(many_lines_need_no_memory_and_no_threads);
     RUN(a_scene_frees_all_memory);
     RUN(a_scene_that_is_stopped_frees_all_memory);

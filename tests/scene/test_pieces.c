@@ -4,12 +4,14 @@
  *
  * integer_shapes.h says why the coordinates are small integers.
  */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
 #include "cylint_scene.h"
+#include "environment.h"
 #include "piece_world.h"
 
 static long cases_of(long normal)
@@ -166,6 +168,78 @@ static void pieces_of_solids_are_those_of_a_loop(void)
     check_worlds(cases_of(100), 1);
 }
 
+/* --------------------------------------------------------- environment -- */
+
+typedef struct {
+    size_t n[4];
+    cylint_piece piece[4][MOST];
+    double sum;
+    size_t depth, owner, boundary;
+    cylint_hit hit;
+} scene_answers;
+
+/* All pieces in each mode and what else is computed from chords, of lines and of their
+ * origins. */
+static void answer_all(const cylint_line *line, scene_answers *to)
+{
+    static double memory[1 << 16];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION, .rank = world.rank};
+    memset(to, 0, sizeof *to);
+    for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
+        rule.mode = (cylint_piece_mode)mode;
+        to->n[mode] = cylint_scene_pieces(world.scene, line, &rule,
+                                          to->piece[mode], MOST, &work);
+    }
+    CHECK(cylint_scene_line_sums(world.scene, line, &rule, NULL, 1, 0,
+                                 &to->sum) == CYLINT_SCENE_OK);
+    to->boundary = cylint_scene_first_boundary(
+        world.scene, line, CYLINT_WANT_ALL, &to->hit, &work);
+    to->depth =
+        cylint_scene_depth(world.scene, line->o, world.rank, &to->owner, &work);
+}
+
+static long subnormal_ends;
+
+/* Half of the lines have such long directions that t is subnormal. */
+static void answer_there(struct environment there)
+{
+    static scene_answers expected, got;
+    cylint_line line;
+    rng = 3;
+    for (int i = 0; i < 400; i++) {
+        const double size = i % 2 ? 0x1p1021 : 1;
+        if (i % 40 == 0) {
+            make_shapes();
+            if (i % 80 == 0)
+                make_solids();
+        }
+        if (any_line(&line) == CYLINT_OK) {
+            const double d[3] = {line.d[0] * size, line.d[1] * size,
+                                 line.d[2] * size};
+            cylint_span(&line, line.o, d, line.tmin / size, line.tmax / size);
+            answer_all(&line, &expected);
+            environment_set(there);
+            answer_all(&line, &got);
+            environment_reset();
+            CHECK(memcmp(&expected, &got, sizeof got) == 0);
+            const double t = expected.piece[0][0].t0;
+            subnormal_ends += t > 0 && t < DBL_MIN;
+        }
+        if (i % 40 == 39)
+            cylint_scene_free(world.scene);
+    }
+}
+
+static void pieces_are_the_same_in_every_environment(void)
+{
+    subnormal_ends = 0;
+    everywhere(answer_there);
+    CHECK(subnormal_ends > 0);
+}
+
+/* -------------------------------------------------------------- errors -- */
+
 static void bad_solids_change_nothing(void)
 {
     const double p[3] = {0, 0, 0};
@@ -202,5 +276,6 @@ int main(void)
     RUN(bad_solids_change_nothing);
     RUN(pieces_of_shapes_are_those_of_a_loop);
     RUN(pieces_of_solids_are_those_of_a_loop);
+    RUN(pieces_are_the_same_in_every_environment);
     return check_end();
 }

@@ -371,6 +371,94 @@ static void workspaces_of_every_size_are_kept(void)
     }
 }
 
+/* ---------------------------------------------- one solid without a scene -- */
+
+/* One solid in world.member, some of its shapes refused. */
+static void make_one_solid(int clause[SHAPES])
+{
+    const double p[3] = {0, 0, 0};
+    const int clauses = 1 + choice(5);
+    world.n = world.members = 1 + (size_t)choice(choice(3) ? 6 : SHAPES);
+    world.solids = 1;
+    for (size_t i = 0; i < world.n; i++) {
+        cylint_shape *s = &world.shape[i];
+        if (choice(16) == 0)
+            cylint_cylinder(s, p, p, 1, CYLINT_ENDS_CAPPED);
+        else
+            while (any_shape(s) != CYLINT_OK) {
+            }
+        clause[i] = (1 + choice(clauses)) * (choice(3) ? 100 : -100);
+        world.member[i] = (cylint_member){i, 0, clause[i]};
+    }
+}
+
+static void pieces_of_one_solid_are_those_of_a_loop(void)
+{
+    static cylint_piece expected[MOST];
+    static const size_t capacities[] = {1, 2, 3, CYLINT_SOLID_PIECES};
+    long found = 0;
+    rng = 8;
+    for (int i = 0; i < 50000; i++) {
+        int clause[SHAPES];
+        cylint_line of;
+        make_one_solid(clause);
+        if (any_line(&of) != CYLINT_OK)
+            continue;
+        find_chords(&of);
+        const size_t n = expected_chords(expected),
+                     most = capacities[choice(4)];
+        size_t m = 0;
+        int more;
+        do {
+            cylint_interval got[CYLINT_SOLID_PIECES];
+            more = cylint_solid_pieces(world.shape, clause, world.n, &of, got,
+                                       most);
+            for (int j = 0; j < more; j++, m++)
+                CHECK(m < n && got[j].t0 == expected[m].t0 &&
+                      got[j].t1 == expected[m].t1);
+            if (more > 0)
+                of.tmin = got[more - 1].t1;
+        } while (more == (int)most);
+        CHECK(m == n);
+        found += (long)m;
+    }
+    CHECK(found > 10000);
+}
+
+static void bad_members_of_one_solid_are_refused(void)
+{
+    const double p[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    cylint_shape shape[CYLINT_SOLID_MEMBERS + 1];
+    int clause[CYLINT_SOLID_MEMBERS + 1];
+    cylint_interval piece[CYLINT_SOLID_PIECES];
+    const cylint_interval nothing = {7, 7};
+    cylint_line ray, bad;
+    for (int i = 0; i <= CYLINT_SOLID_MEMBERS; i++) {
+        cylint_sphere(&shape[i], p, 1 + i, CYLINT_ENDS_CAPPED);
+        clause[i] = i % 2 ? -1 - i : 1;
+    }
+    cylint_ray(&ray, p, d);
+    cylint_ray(&bad, p, p);
+    piece[0] = nothing;
+    CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS + 1, &ray,
+                              piece, 9) == -1);
+    CHECK(cylint_solid_pieces(shape, clause, 0, &ray, piece, 9) == 0);
+    CHECK(cylint_solid_pieces(shape, clause, 2, &ray, piece, 0) == 0);
+    CHECK(cylint_solid_pieces(shape, clause, 2, &bad, piece, 9) == 0);
+    clause[5] = 0;
+    CHECK(cylint_solid_pieces(shape, clause, 6, &ray, piece, 9) == -1);
+    CHECK(piece[0].t0 == nothing.t0 && piece[0].t1 == nothing.t1);
+    clause[5] = -6;
+    CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS, &ray, piece,
+                              9) == 0);
+    clause[CYLINT_SOLID_MEMBERS - 1] =
+        1; /* a ball of this radius, without those */
+    CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS, &ray, piece,
+                              9) == 1 &&
+          piece[0].t0 == CYLINT_SOLID_MEMBERS - 2 &&
+          piece[0].t1 == CYLINT_SOLID_MEMBERS);
+}
+
 /* --------------------------------------------------------- named cases -- */
 
 static const double ex[3] = {1, 0, 0};
@@ -482,6 +570,8 @@ int main(void)
     RUN(damaged_sizes_are_refused);
     RUN(no_changed_byte_makes_pieces_fail);
     RUN(workspaces_of_every_size_are_kept);
+    RUN(pieces_of_one_solid_are_those_of_a_loop);
+    RUN(bad_members_of_one_solid_are_refused);
     RUN(solids_with_a_common_face_have_whole_chords);
     RUN(the_sum_over_materials_is_the_whole_length);
     RUN(a_hollow_sample_far_away_has_two_pieces);

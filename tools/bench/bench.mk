@@ -19,8 +19,10 @@ $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
 $(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/support/scenes.o
 $(patsubst %,$(BUILD)/tools/bench/%,distance_scene pieces): $(call bench_objects,timing)
+$(BUILD)/tools/bench/pieces: $(if $(EMBREE),$(call bench_objects,embree_chords))
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): %: %.o $(scene_library)
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): libs := $(threads_link)
+$(BUILD)/tools/bench/pieces: libs += $(EMBREE_LIBS)
 
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many embree_packets): $(call bench_objects,timing)
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many): $(call bench_objects,embree_race)
@@ -72,16 +74,28 @@ bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
 
-# The rivals have an environment of their own; the wheel is that of the tests.
+# $(call rivals_of,PACKAGE...): they have an environment of their own; the wheel is that
+# of the tests.
 rivals := $(BUILD)/rivals
+define rivals_of
+@BUILD=$(BUILD) sh tests/python/test_python.sh
+@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
+@$(rivals)/bin/pip install -q numpy $(1)
+@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
+endef
 bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the Python package and of its rivals, fetched by pip
-	@BUILD=$(BUILD) sh tests/python/test_python.sh
-	@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
-	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d itk-rtk
-	@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
+	$(call rivals_of,scikit-spatial trimesh embreex rtree vtk open3d itk-rtk)
 	$(rivals)/bin/python tools/bench/python_rays.py $(BUILD)/tools/bench/python_scene $(rivals)/input
 	$(rivals)/bin/python tools/bench/python_distance.py $(BUILD)/tools/bench/python_scene $(rivals)/input
 	$(rivals)/bin/python tools/bench/python_sums.py
+
+# The version of a wheel whose objects python_geant4.py can read.
+$(call bench_objects,geant4 timing): extra += -fPIC
+$(BUILD)/tools/bench/geant4.so: $(call bench_objects,geant4 timing) $(BUILD)/libcylint.a
+	$(call say,LD $@)$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ -lm
+bench-geant4: $(BUILD)/tools/bench/geant4.so $(BUILD)/cylint ## hollow solids and sectors beside Geant4, fetched by pip; RAYS=4000
+	$(call rivals_of,geant4-pybind==0.1.3)
+	$(rivals)/bin/python tools/bench/python_geant4.py $< $(RAYS)
 
 # An adapter that counts the nodes and leaves that a ray visits.
 count_visits: $(BUILD)/tools/bench/embree_counts
@@ -93,4 +107,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs gate bench-scene bench-pieces bench-large bench-text bench-saved bench-embree bench-python count_visits stages count_stages
+.PHONY: bench bench_programs gate bench-scene bench-pieces bench-large bench-text bench-saved bench-embree bench-python bench-geant4 count_visits stages count_stages

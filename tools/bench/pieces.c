@@ -6,8 +6,9 @@
  *
  * Cylinders in random directions fill a cube; rays begin in it.  The contestants take
  * turns in one run, pinned; the least time of each counts, in ns a hit and beside the
- * recipe: numbers of all shapes, both roots of each, sorted, merged.  --sums: the seconds that the sums of a million rays take
- * with two threads.
+ * recipe: numbers of all shapes, both roots of each, sorted, merged; and beside Embree
+ * where it is installed (embree_chords.h).  --sums: the seconds that the sums of a
+ * million rays take with two threads.
  */
 #include <math.h>
 #include <stdint.h>
@@ -17,6 +18,7 @@
 #include <time.h>
 
 #include "cylint_scene.h"
+#include "embree_chords.h"
 #include "random.h"
 #include "timing.h"
 
@@ -36,7 +38,9 @@ static const struct stick {
 
 static struct {
     cylint_shape *shapes;
+    struct prepared_cylinder *cylinders;
     cylint_scene *scene;
+    struct embree_chords *embree;
     cylint_line rays[RAYS];
     size_t numbers[MOST];
     cylint_piece pieces[MOST];
@@ -62,17 +66,20 @@ static void make_scene(size_t n, const struct stick *of)
     uint64_t random = 1;
     const double length = of->length / cbrt((double)n);
     bench.shapes = malloc(n * sizeof *bench.shapes);
-    if (!bench.shapes)
+    bench.cylinders = malloc(n * sizeof *bench.cylinders);
+    if (!bench.shapes || !bench.cylinders)
         exit(4);
     for (size_t i = 0; i < n; i++) {
-        double p[3], q[3], d[3];
-        direction(&random, d);
+        struct prepared_cylinder *c = &bench.cylinders[i];
+        double q[3];
+        direction(&random, c->axis);
+        c->length = length;
+        c->r = of->radius * length;
         for (int j = 0; j < 3; j++) {
-            p[j] = random_unit(&random);
-            q[j] = p[j] + length * d[j];
+            c->p[j] = random_unit(&random);
+            q[j] = c->p[j] + length * c->axis[j];
         }
-        cylint_cylinder(&bench.shapes[i], p, q, of->radius * length,
-                        CYLINT_ENDS_CAPPED);
+        cylint_cylinder(&bench.shapes[i], c->p, q, c->r, CYLINT_ENDS_CAPPED);
     }
     bench.scene = cylint_scene_new(bench.shapes, n, 0, NULL);
     if (!bench.scene)
@@ -84,6 +91,13 @@ static void make_scene(size_t n, const struct stick *of)
             o[j] = random_unit(&random);
         cylint_ray(&bench.rays[i], o, d);
     }
+}
+
+static void free_scene(void)
+{
+    cylint_scene_free(bench.scene);
+    free(bench.shapes);
+    free(bench.cylinders);
 }
 
 /* ---------------------------------------------------------- contestants -- */
@@ -173,14 +187,24 @@ static size_t find_four(const cylint_line *ray)
     return find_pieces(ray, CYLINT_PIECES_UNION, 4);
 }
 
-enum { NEAREST, COUNT, RECIPE };
+#ifdef CYLINT_EMBREE
+static size_t use_embree(const cylint_line *ray)
+{
+    return embree_chords_union(bench.embree, ray, &bench.sum);
+}
+#endif
+
+enum { NEAREST, COUNT, RECIPE, EMBREE };
 static const struct {
     const char *name;
     size_t (*answer)(const cylint_line *ray);
-} contestants[] = {{"nearest", find_nearest}, {"count", count_hits},
-                   {"recipe", use_recipe},    {"union", find_union},
-                   {"owner", find_owners},    {"chords", find_chords},
-                   {"first", find_first},     {"first 4", find_four}};
+} contestants[] = {
+    {"nearest", find_nearest}, {"count", count_hits},  {"recipe", use_recipe},
+#ifdef CYLINT_EMBREE
+    {"Embree", use_embree},
+#endif
+    {"union", find_union},     {"owner", find_owners}, {"chords", find_chords},
+    {"first", find_first},     {"first 4", find_four}};
 enum { CONTESTANTS = sizeof contestants / sizeof *contestants };
 
 /* The sums of many lines, two threads, in seconds of the clock. */
@@ -220,8 +244,7 @@ static void time_sums(size_t n, const struct stick *of)
     for (int k = 0; k < 6; k++)
         free(column[k]);
     free(sums);
-    cylint_scene_free(bench.scene);
-    free(bench.shapes);
+    free_scene();
 }
 
 static void race_pieces(size_t n, const struct stick *of)
@@ -229,6 +252,9 @@ static void race_pieces(size_t n, const struct stick *of)
     struct timing least[CONTESTANTS];
     size_t found[CONTESTANTS];
     make_scene(n, of);
+#ifdef CYLINT_EMBREE
+    bench.embree = embree_chords_new(bench.cylinders, n);
+#endif
     for (int round = 0; round < ROUNDS; round++)
         for (int c = 0; c < CONTESTANTS; c++) {
             const struct timing start = timing_now();
@@ -242,16 +268,22 @@ static void race_pieces(size_t n, const struct stick *of)
         }
     printf("%zu %s: %.1f hits a ray, nearest %.0f ns\n", n, of->name,
            (double)found[COUNT] / RAYS, least[NEAREST].ns / RAYS);
-    for (int c = 1; c < CONTESTANTS; c++)
+    for (int c = 1; c < CONTESTANTS; c++) {
         printf("  %-8s %7.0f ns a ray, %5.0f a hit, %5.2f of the recipe, "
-               "%5.2f of nearest; %.2f pieces a ray\n",
+               "%5.2f of nearest",
                contestants[c].name, least[c].ns / RAYS,
                least[c].ns / (double)found[COUNT],
-               least[c].ns / least[RECIPE].ns, least[c].ns / least[NEAREST].ns,
-               (double)found[c] / RAYS);
+               least[c].ns / least[RECIPE].ns, least[c].ns / least[NEAREST].ns);
+#ifdef CYLINT_EMBREE
+        printf(", %5.2f of Embree", least[c].ns / least[EMBREE].ns);
+#endif
+        printf("; %.2f pieces a ray\n", (double)found[c] / RAYS);
+    }
     fflush(stdout);
-    cylint_scene_free(bench.scene);
-    free(bench.shapes);
+#ifdef CYLINT_EMBREE
+    embree_chords_free(bench.embree);
+#endif
+    free_scene();
 }
 
 int main(int argc, char **argv)

@@ -1,16 +1,22 @@
-"""Joins the library's sources to one file.
+"""Joins the library's sources to one C file, which has each text once.
 
 usage: amalgamate.py CC OUTPUT VERSION FILE.c... [FILE-NAME=FLAGS]...
 
-OUTPUT compiles with `cc -c cylint.c`.  Every FILE.c is a section.  A further
+OUTPUT, cylint.c, compiles with `cc -c cylint.c`.  Every FILE.c is a section.  A further
 argument adds a section for an instruction set: FILE.c again with -D and -m of
 FLAGS, for gcc and clang on x86.
 
-Headers that are the same for all files come first.  Headers that depend on the
-instruction set (they include a header of intrinsics) and templates stand in each
-section that includes them.  The macros of a section are undefined at its end.
-Names of file scope that several sections define get the section's number: the
-preprocessor (CC -E) shows the names, and #define renames them.
+Headers that are the same for all files come first.  What several sections need under
+different macros is a part: templates, headers that depend on the instruction set (they
+include a header of intrinsics), and files with several builds.  They stand beside OUTPUT,
+which includes them with CYLINT_PART, the number of a part, defined.  cylint_builds.h has
+files, and in part 0 the headers whose macro CYLINT_NEEDS_... is defined.
+cylint_templates.h has templates; its part 1 undefines all macros of parts.  Two files,
+because compilers read a file to its end.
+
+Names of file scope get the number of their section: all those of parts, and of other
+files those that several define.  The preprocessor (CC -E) shows the names, and #define
+renames them.
 """
 
 import functools
@@ -34,7 +40,7 @@ PUBLIC = {
     "cylint_pieces.h",
     "cylint_scene.h",
 }
-X86 = "defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))"
+X86 = "defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__)) && !defined(CYLINT_PLAIN)"
 
 
 # ----------------------------------------------------------- include files --
@@ -50,9 +56,22 @@ def resolve(name, includer):
     raise SystemExit(f"{includer}: cannot find {name}")
 
 
-def included(path):
-    found = [INCLUDE.match(line) for line in path.read_text().splitlines()]
-    files = [resolve(m[1], path) for m in found if m]
+def lines_with_depth(path):
+    """The lines of a file, each with the number of conditions around it, without that
+    of its guard."""
+    depth = -1 if not is_repeated(path) and path.suffix == ".h" else 0
+    for line in path.read_text().splitlines():
+        depth -= re.match(r" *# *endif", line) is not None
+        yield line, depth
+        depth += re.match(r" *# *if", line) is not None
+
+
+def included(path, most_depth=99):
+    """The files that it includes, within so many conditions at most."""
+    found = [
+        (INCLUDE.match(line), depth) for line, depth in lines_with_depth(path)
+    ]
+    files = [resolve(m[1], path) for m, depth in found if m and depth <= most_depth]
     return [f for f in files if f is not None]
 
 
@@ -71,12 +90,12 @@ def is_private(path):
     )
 
 
-def private_files(path):
+def private_files(path, most_depth=99):
     """A file and the private headers that it includes."""
     files = {path}
-    for header in included(path):
+    for header in included(path, most_depth):
         if is_private(header):
-            files |= private_files(header)
+            files |= private_files(header, most_depth)
     return files
 
 
@@ -95,24 +114,99 @@ def shared_headers(files):
     return order
 
 
-def text_of(path, done):
-    """The lines of a file with its includes in their places.
+# ------------------------------------------------------------------- parts --
 
-    done: the private headers with guards that this section has already.
-    """
-    lines = [f"/* {path.parent.name}/{path.name} */"]
-    for line in path.read_text().splitlines():
-        match = INCLUDE.match(line)
-        if not match:
-            lines.append(line)
-            continue
-        file = resolve(match[1], path)
-        if file is None or not is_private(file) or file in done:
-            continue
-        if not is_repeated(file):
-            done.add(file)
-        lines += text_of(file, done)
-    return lines
+
+class Parts:
+    """The texts that sections include: path -> number, from 2 on."""
+
+    def __init__(self, files, built_again):
+        self.number = {}
+        self.headers = []
+        for path in files:
+            self.collect(path)
+        self.files = set()
+        for path in files:
+            if path in built_again:
+                self.number[path] = len(self.number) + 2
+                self.files.add(self.number[path])
+
+    def collect(self, path):
+        for header in included(path):
+            self.collect(header)
+            if not is_private(header):
+                continue
+            if is_repeated(header):
+                self.number.setdefault(header, len(self.number) + 2)
+            elif header not in self.headers:
+                self.headers.append(header)
+
+    def include_headers(self, path):
+        """Lines that include the headers that a file needs without a condition."""
+        needed = private_files(path, 0)
+        return [
+            *(f"#define {needs(h)}" for h in self.headers if h in needed),
+            *self.include(0),
+        ]
+
+    def text(self, path):
+        """The lines of a file with includes of templates.  In a C file all headers
+        of parts stand where the first of them is included, but those that it
+        includes under a condition."""
+        lines = [f"/* {path.parent.name}/{path.name} */"]
+        wanted = path.suffix == ".c"
+        for line, depth in lines_with_depth(path):
+            match = INCLUDE.match(line)
+            file = match and resolve(match[1], path)
+            if not match:
+                lines.append(line)
+            elif file in self.number:
+                lines += self.include(self.number[file])
+            elif file in self.headers and depth > 0:
+                lines += self.include_headers(file)
+            elif file in self.headers and wanted:
+                lines += self.include_headers(path)
+                wanted = False
+        return lines
+
+    def include(self, number):
+        is_file = number == 0 or number in self.files
+        return [
+            "#undef CYLINT_PART",
+            f"#define CYLINT_PART {number}",
+            f'#include "cylint_{"builds" if is_file else "templates"}.h"',
+            "#undef CYLINT_PART",
+        ]
+
+    def write(self):
+        """The lines of cylint_builds.h and of cylint_templates.h."""
+        builds = ["#if CYLINT_PART == 0"]
+        for header in self.headers:
+            builds.append(f"#ifdef {needs(header)}")
+            builds += self.text(header)
+            builds.append("#endif")
+        templates = ["#if CYLINT_PART == 1"]
+        templates += [f"#undef {name}" for name in self.macros()]
+        for path, number in self.number.items():
+            to = builds if number in self.files else templates
+            to.append(f"#elif CYLINT_PART == {number}")
+            to += self.text(path)
+        return [*builds, "#endif"], [*templates, "#endif"]
+
+    def macros(self):
+        lines = []
+        for path in [*self.headers, *self.number]:
+            lines += self.text(path)
+        return sorted((macros_in(lines) - {"CYLINT_PART"}) | set(map(needs, self.headers)))
+
+
+def needs(header):
+    return "CYLINT_NEEDS_" + header.stem.upper()
+
+
+def macros_in(lines):
+    found = [re.match(r" *# *define (\w+)", line) for line in lines]
+    return {m[1] for m in found if m}
 
 
 # ------------------------------------------------------ names of file scope --
@@ -234,28 +328,29 @@ def names_in_text(lines):
 
 
 class Section:
-    def __init__(self, path, flags, cc):
+    def __init__(self, path, flags, cc, parts):
         self.path = path
         self.flags = flags.split()
-        self.done = set()
-        self.lines = text_of(path, self.done)
+        self.number = parts.number.get(path)
+        self.lines = parts.text(path)
         private = private_files(path)
+        self.headers = [h for h in parts.headers if h in private]
         defined = ["-DCYLINT_BUILDS_X86"] if flags else []
         self.names = names_of(cc, path, self.flags + defined, private)
         self.names |= names_in_text(self.lines)
-        self.names -= set(self.macros())
+        for header in self.headers:
+            self.names |= names_in_text(parts.text(header))
+        self.names -= macros_in(self.lines)
 
-    def macros(self):
-        """The macros that are defined at the section's end, perhaps."""
-        found = [re.match(r" *# *define (\w+)", line) for line in self.lines]
-        return sorted({m[1] for m in found if m})
+    def is_private(self):
+        return bool(self.headers or self.number)
 
     def isa(self):
         """The instruction sets, as names of gcc.  Options with a value only
         change the speed."""
         return [f[2:] for f in self.flags if f.startswith("-m") and "=" not in f]
 
-    def write(self, out, number, clashing):
+    def write(self, out, number, clashing, parts):
         title = "/".join(self.path.parts[-2:])
         target = self.isa()
         out.append(
@@ -266,11 +361,16 @@ class Section:
         if target:
             out.append(f"#if {X86}")
             out += target_begin(target)
+        out.append(f"#define CYLINT_SECTION {number}")
         out += [f"#define {name} {value}" for name, value in defined]
-        out += [f"#define {name} {name}_{number}" for name in renamed]
-        out += self.lines
-        for name in [*self.macros(), *renamed, *(d[0] for d in defined)]:
+        out += [f"#define {name} CYLINT_OWN({name})" for name in renamed]
+        out += parts.include(self.number) if self.number else self.lines
+        if self.is_private():
+            out += parts.include(1)
+        mine = [] if self.number else sorted(macros_in(self.lines))
+        for name in [*mine, *renamed, *(d[0] for d in defined)]:
             out.append(f"#undef {name}")
+        out.append("#undef CYLINT_SECTION")
         if target:
             out += target_end(target)
             out.append("#endif")
@@ -328,8 +428,10 @@ def target_end(target):
 PREAMBLE = """/*
  * cylint.c - libcylint {version} in one file; made by `make amalgamation`
  *
- * Compile it with `cc -O2 -c cylint.c`; programs include cylint.h and link with
- * -lm.  Scenes, of cylint_scene.h, use threads with -DCYLINT_THREADS -pthread.
+ * Compile it with `cc -O2 -c cylint.c`; cylint_builds.h and cylint_templates.h lie beside
+ * it.  Programs include cylint.h and link with -lm.  Scenes, of cylint_scene.h, use
+ * threads with -DCYLINT_THREADS -pthread.  -DCYLINT_PLAIN leaves out the kernels for AVX2
+ * and AVX-512, which take half of the time to compile.
  * gcc and clang need no other flags: the file turns the contraction of a * b + c
  * off, and compiles the kernels for AVX2 and AVX-512 by attributes.  Other
  * compilers must not contract; cylint_selftest() reports if they do.
@@ -363,31 +465,48 @@ PREAMBLE = """/*
 #pragma GCC diagnostic ignored "-Wstringop-overread"
 #endif
 #endif
+
+/* A name with the number of the section. */
+#define CYLINT_JOIN(x, number) x##_##number
+#define CYLINT_JOINED(x, number) CYLINT_JOIN(x, number)
+#define CYLINT_OWN(x) CYLINT_JOINED(x, CYLINT_SECTION)
 """
 
 
 def main(cc, output, version, *arguments):
     plain = [Path(a).resolve() for a in arguments if "=" not in a]
-    sections = [Section(path, "", cc) for path in plain]
-    for argument in arguments:
-        if "=" in argument:
-            name, flags = argument.split("=", 1)
-            path = Path(re.sub(r"-\w+$", ".c", name)).resolve()
-            sections.append(Section(path, flags, cc))
-    headers = []
-    for header in shared_headers(plain):
-        headers += text_of(header, set())
-    counts = Counter(name for s in sections for name in s.names)
+    builds = [
+        (Path(re.sub(r"-\w+$", ".c", name)).resolve(), flags)
+        for name, flags in (a.split("=", 1) for a in arguments if "=" in a)
+    ]
+    parts = Parts(plain, {path for path, _ in builds})
+    sections = [Section(p, f, cc, parts) for p, f in [*((p, "") for p in plain), *builds]]
+    sections.sort(key=Section.is_private)
+    shared = [s for s in sections if not s.is_private()]
+    headers = [line for h in shared_headers(plain) for line in parts.text(h)]
+    counts = Counter(name for s in shared for name in s.names)
     clashing = {name for name, count in counts.items() if count > 1}
     clashing |= names_in_text(headers)
+    own = set().union(*(s.names for s in sections if s.is_private()))
+    own -= set(parts.macros())
     licence = "\n".join(
         f" * {line}".rstrip()
         for line in Path("LICENSE").read_text().splitlines()
     )
-    out = [PREAMBLE.format(version=version, licence=licence, x86=X86), *headers]
-    for number, section in enumerate(sections):
-        section.write(out, number, clashing)
+    out = [
+        PREAMBLE.format(version=version, licence=licence, x86=X86),
+        *headers,
+    ]
+    for number, section in enumerate(shared):
+        section.write(out, number, clashing, parts)
+    out += [f"#define {name} CYLINT_OWN({name})" for name in sorted(own)]
+    for number, section in enumerate(sections[len(shared):], len(shared)):
+        section.write(out, number, set(), parts)
     Path(output).write_text("\n".join([*out, "#endif"]) + "\n")
+    for name, lines in zip(("builds", "templates"), parts.write()):
+        file = f"cylint_{name}.h"
+        title = f"/* {file} - what cylint.c includes several times */"
+        Path(output).with_name(file).write_text("\n".join([title, *lines]) + "\n")
 
 
 if __name__ == "__main__":
