@@ -39,6 +39,7 @@ static const char help[] =
     "                     SOLID: in=NAME[/CLAUSE] or out=NAME[/CLAUSE]\n"
     "  --save FILE        save the scene for other calls' -s; without input\n"
     "                     files only that\n"
+    "  --text             write the scene as text instead of answers\n"
     "  --swc FORM         of a neuron: cones (default) or round\n"
     "  -q QUERY           with -s: nearest (default), first, any, count, all,\n"
     "                     pieces or inside\n"

@@ -10,6 +10,7 @@
 #include "processors.h"
 #include "saved.h"
 #include "scene_read.h"
+#include "scene_text.h"
 #include "sums.h"
 #include "workers.h"
 
@@ -166,6 +167,22 @@ static int answer_input(struct job *job, struct shapes *shapes)
     return status;
 }
 
+static int write_text(struct job *job, struct shapes *shapes)
+{
+    const struct options *o = job->options;
+    struct scene *scene = &shapes->scene;
+    struct labels *labels = &shapes->labels;
+    labels_collect(labels, scene);
+    const int status =
+        scene_read(scene, o->scene, o->grammar.ends, (enum swc_form)o->swc);
+    if (status != 0) {
+        return status;
+    }
+    labels_give(labels, scene);
+    return scene_write_text(scene, labels, o->scene, o->style.digits,
+                            &job->out);
+}
+
 static int run(struct job *job, struct shapes *shapes)
 {
     const struct options *o = job->options;
@@ -177,7 +194,7 @@ static int run(struct job *job, struct shapes *shapes)
     if (status != 0) {
         return status;
     }
-    status = answer_input(job, shapes);
+    status = o->text ? write_text(job, shapes) : answer_input(job, shapes);
     const int closed = output_close(&job->out, status == 0);
     if (status != 0 || closed != 0) {
         return status != 0 ? status : closed;

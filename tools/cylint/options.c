@@ -33,6 +33,7 @@ enum option_id {
     OPT_SUM,
     OPT_SWC,
     OPT_TAIL,
+    OPT_TEXT,
     OPT_UNION,
     OPT_VERSION,
     OPT_WITHIN
@@ -73,6 +74,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"sum", OPT_SUM, 1},
                                               {"swc", OPT_SWC, 1},
                                               {"tail", OPT_TAIL, 0},
+                                              {"text", OPT_TEXT, 0},
                                               {"union", OPT_UNION, 0},
                                               {"version", OPT_VERSION, 0},
                                               {"within", OPT_WITHIN, 1},
@@ -326,6 +328,9 @@ static void take_flag(struct options *options, struct pending *pending,
     case OPT_UNION:
         pending->of_pieces = o->name;
         options->mode = CYLINT_PIECES_UNION;
+        break;
+    case OPT_TEXT:
+        options->text = 1;
         break;
     case OPT_SIGNED:
         options->point_want = CYLINT_SIGNED;
@@ -625,6 +630,21 @@ static int settle_save(struct options *options, const struct pending *pending)
                : 0;
 }
 
+/* --text writes the scene, and answers no records. */
+static int settle_text(const struct options *o, const struct pending *pending)
+{
+    if (!o->text) {
+        return 0;
+    }
+    if (!o->scene) {
+        return usage("--text needs a scene, -s FILE");
+    }
+    return o->save || o->file_count > 0 || pending->query || pending->fields ||
+                   pending->kinds || o->style.binary
+               ? usage("--text writes the scene only: no answers, no --save")
+               : 0;
+}
+
 static int settle(struct options *options, const struct pending *pending)
 {
     static char dash[] = "-";
@@ -633,6 +653,9 @@ static int settle(struct options *options, const struct pending *pending)
     g->has_line = 1;
     g->has_shape = options->scene == NULL;
     int status = settle_save(options, pending);
+    if (status == 0) {
+        status = settle_text(options, pending);
+    }
     if (status != 0) {
         return status;
     }
@@ -641,7 +664,7 @@ static int settle(struct options *options, const struct pending *pending)
         options->file_count = 1;
     }
     if (options->scene && strcmp(options->scene, "-") == 0 &&
-        uses_stdin(options) && !options->only_saves) {
+        uses_stdin(options) && !options->only_saves && !options->text) {
         return usage("the scene and the records are both standard input");
     }
     if (pending->not_what && !options->scene) {
