@@ -143,8 +143,8 @@ static cylint_status make_halfspace(const double *v, cylint_ends ends,
     return CYLINT_EENDS;
 }
 
-static cylint_status make_shape(int kind, int ends, const double *v,
-                                cylint_shape *shape)
+cylint_status shape_of_numbers(int kind, int ends, const double *v,
+                               cylint_shape *shape)
 {
     const cylint_ends e = ends != NOT_GIVEN     ? (cylint_ends)ends
                           : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
@@ -410,7 +410,7 @@ static int read_shape(struct reader *r, const struct grammar *g,
         !read_ends(r, &ends)) {
         return 0;
     }
-    const cylint_status status = make_shape(kind, ends, v, shape);
+    const cylint_status status = shape_of_numbers(kind, ends, v, shape);
     return status == CYLINT_OK ||
            refuse_status(r, at, g->shape == NOT_GIVEN, (int)status,
                          status == CYLINT_ERADIUS  ? wrong_radius(kind, v)
@@ -568,7 +568,7 @@ int take_parts(const struct grammar *g, const double *numbers,
         numbers += line_kinds[g->line].numbers;
     }
     if (g->has_shape && status == CYLINT_OK) {
-        status = make_shape(g->shape, g->ends, numbers, parts->shape);
+        status = shape_of_numbers(g->shape, g->ends, numbers, parts->shape);
     }
     if (!g->has_shape) {
         *parts->left_out_length = 0;

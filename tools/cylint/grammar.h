@@ -121,6 +121,10 @@ int find_kind(const struct kind *kinds, int count, const char *text,
 /* Writes g->bare from the kinds. */
 void describe_bare(struct grammar *g);
 
+/* Makes a shape of this enum shape_kind.  ends: cylint_ends or NOT_GIVEN. */
+cylint_status shape_of_numbers(int kind, int ends, const double *v,
+                               cylint_shape *shape);
+
 /* The number of doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
 

@@ -15,12 +15,13 @@ All lengths have the same unit, which may be any.  A line is o + t d; t counts
 multiples of d, which need not have length 1.
 """
 
-from ._closest import ClosestPoints, ClosestShapes, ShapesWithin
+from ._closest import ClosestPoints, ShapesWithin
 from ._core import version as __version__
 from ._enums import Ends, Feature, Kind, Part, Relation, Side
-from ._intersect import Hits, intersect
-from ._read import read_scene, write_scene
-from ._scene import AllHits, Boundaries, NearestHits, Pieces, Scene
+from ._files import read_scene, write_scene
+from ._hits import Hits, intersect
+from ._molecules import read_molecule
+from ._scene import AllHits, Boundaries, ClosestShapes, NearestHits, Pieces, Scene
 from ._shapes import (
     Shapes,
     angle_cone,
@@ -36,6 +37,7 @@ from ._shapes import (
     tangent_cone,
     tube,
 )
+from ._trees import read_qsm
 
 __all__ = [
     "AllHits",
@@ -64,6 +66,8 @@ __all__ = [
     "elliptic_cylinder",
     "halfspace",
     "intersect",
+    "read_molecule",
+    "read_qsm",
     "read_scene",
     "round_cone",
     "sphere",

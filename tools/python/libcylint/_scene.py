@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Balls, Points, SceneLines, balls, takes
-from ._arrays import Progress, counted, integers, shapes_of, workers
-from ._closest import ClosestShapes, ShapesWithin
+from ._arguments import (
+    Balls, BallsWithin, Doubles, Points, Progress, SceneLines, counted, integers,
+    takes, workers,
+)  # fmt: skip
+from ._closest import ClosestPoints, ShapesWithin
+from ._files import read_begun
 from ._hits import DescribedHits
-from ._read import read_begun
-from ._shapes import Shapes
+from ._shapes import Shapes, kinds_of, shapes_of
 
 
 class NearestHits(DescribedHits):
@@ -32,29 +34,50 @@ class NearestHits(DescribedHits):
     """
 
     index: NDArray[np.int64]
-    t: NDArray[np.float64]
     part: NDArray[np.int8]
 
     def __init__(
-        self,
-        scene: _core.Scene,
-        lines: SceneLines,
-        index: NDArray[np.int64],
-        t: NDArray[np.float64],
-        part: NDArray[np.int8],
-        threads: int | None,
+        self, scene: _core.Scene, lines: SceneLines, columns: Any, threads: int | None
     ) -> None:
-        self.index, self.t, self.part = index, t, part
+        self.index, self.t, self.part = columns
         self._scene = scene
-        super().__init__(None, index.copy(), lines, lines.shape, threads)
+        super().__init__(None, self.index.copy(), lines, threads)
 
     @cached_property
-    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:  # type: ignore[override]
-        return shapes_of(self._scene, self._source[1])
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:  # type: ignore[override]
+        records, index = shapes_of(self._scene, self._source[1])
+        return kinds_of(records), index
 
     def __repr__(self) -> str:
         hits = counted(np.count_nonzero(self.index >= 0), "hit")
         return f"<libcylint.NearestHits {self.index.shape}: {hits}>"
+
+
+class ClosestShapes(ClosestPoints):
+    """What `Scene.closest` returns: the shape that is closest to each point.
+
+    index: (...) int64, the number of the shape; -1 for none within the radius.
+    distance: (...), from the point to its surface, negative inside; nan for
+    none.  If signed distances were compared, the surface is that of the closed
+    solid.
+
+    part, feature, point and normal are as of `ClosestPoints`.
+    """
+
+    index: NDArray[np.int64]
+
+    def __init__(
+        self, scene: _core.Scene, around: Balls, columns: Any, threads: int | None
+    ) -> None:
+        self.index, distance = columns
+        super().__init__(None, self.index.copy(), around, distance, threads)
+        self._scene = scene
+        self._signed = around.signed
+
+    @cached_property
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:  # type: ignore[override]
+        records, index = shapes_of(self._scene, self._source[1], self._signed)
+        return kinds_of(records), index
 
 
 class AllHits(NamedTuple):
@@ -68,7 +91,7 @@ class AllHits(NamedTuple):
 
     line: NDArray[np.int64]
     index: NDArray[np.int64]  # type: ignore[assignment]
-    t: NDArray[np.float64]
+    t: Doubles
 
 
 class Pieces(NamedTuple):
@@ -84,8 +107,8 @@ class Pieces(NamedTuple):
     line: NDArray[np.int64]
     shape: NDArray[np.int64]
     depth: NDArray[np.int64]
-    t0: NDArray[np.float64]
-    t1: NDArray[np.float64]
+    t0: Doubles
+    t1: Doubles
 
 
 class Boundaries(NamedTuple):
@@ -98,9 +121,9 @@ class Boundaries(NamedTuple):
     """
 
     index: NDArray[np.int64]  # type: ignore[assignment]
-    t: NDArray[np.float64]
-    point: NDArray[np.float64]
-    normal: NDArray[np.float64]
+    t: Doubles
+    point: Doubles
+    normal: Doubles
     side: NDArray[np.int8]
     part: NDArray[np.int8]
 
@@ -155,12 +178,10 @@ class Scene:
         labels: list[Any] = []
         for part in [shapes] if whole else shapes:
             if not isinstance(part, Shapes):
-                raise TypeError(
-                    f"expected Shapes, found {type(part).__name__}"
-                )
+                raise TypeError(f"expected Shapes, found {type(part).__name__}")
             row = part._in_a_row()
             labels.append(len(row) if row._labels is None else row._labels)
-            begun.add(row._records)
+            begun.add(row.kind)
         self._start(begun, _joined(labels), threads, progress)
 
     def _start(
@@ -289,16 +310,39 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    def _ask(self, query: Any, lines: SceneLines, answer: Any) -> None:
-        """Calls a function of _core for lines, which writes the answer."""
+    def _ask(
+        self, query: Any, lines: SceneLines, kinds: str, *more: Any
+    ) -> list[NDArray[Any]]:
+        """Calls a function of _core for lines, which writes columns of these types:
+        i index, t number, b byte, ? bool, v vector."""
+        columns = _columns(lines.shape, kinds)
         if not query(
-            lines.broadcast_to(lines.shape),
-            lines.excluded(len(self)),
-            answer,
-            workers(self._choose(lines.threads)),
-            lines.progress,
-        ):
+            lines.core_of(len(self)), *more, columns,
+            workers(self._choose(lines.threads)), lines.progress,
+        ):  # fmt: skip
             raise lines.refuse()
+        return columns
+
+    def _list(self, query: Any, lines: SceneLines, *more: Any) -> Any:
+        """Calls a function of _core for lines that returns flat arrays."""
+        found = query(
+            lines.core_of(len(self)), *more,
+            workers(self._choose(lines.threads)), lines.progress,
+        )  # fmt: skip
+        if found is None:
+            raise lines.refuse()
+        return found
+
+    def _near(
+        self, query: Any, around: Points, radii: Any, kinds: str, *more: Any
+    ) -> list[NDArray[Any]]:
+        """Calls a function of _core for points and radii, as `_ask`."""
+        columns = _columns(around.shape, kinds)
+        query(
+            around.array, radii, *more, columns,
+            workers(self._choose(around.threads)), around.progress,
+        )  # fmt: skip
+        return columns
 
     @takes(SceneLines)
     def nearest(self, lines: SceneLines) -> NearestHits:
@@ -315,13 +359,10 @@ class Scene:
         >>> int(first.index), int(second.index), float(second.t)
         (0, 1, 8.0)
         """
-        chosen = self._choose(lines.threads)
         lines.keep()
-        shape = lines.shape
-        index, part = np.empty(shape, np.int64), np.empty(shape, np.int8)
-        t = np.empty(shape)
-        self._ask(self._scene.nearest, lines, (index, t, part))
-        return NearestHits(self._scene, lines, index, t, part, chosen)
+        columns = self._ask(self._scene.nearest, lines, "itb")
+        chosen = self._choose(lines.threads)
+        return NearestHits(self._scene, lines, columns, chosen)
 
     @takes(SceneLines)
     def any(self, lines: SceneLines) -> NDArray[np.bool_]:
@@ -329,9 +370,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        answers = np.empty(lines.shape, np.bool_)
-        self._ask(self._scene.any, lines, answers)
-        return answers
+        return self._ask(self._scene.any, lines, "?")[0]
 
     @takes(SceneLines)
     def count(self, lines: SceneLines) -> NDArray[np.int64]:
@@ -339,9 +378,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        counts = np.empty(lines.shape, np.int64)
-        self._ask(self._scene.count, lines, counts)
-        return counts
+        return self._ask(self._scene.count, lines, "i")[0]
 
     @takes(SceneLines)
     def all(self, lines: SceneLines) -> AllHits:
@@ -355,22 +392,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        found = self._scene.all(
-            lines.flat(),
-            lines.excluded(len(self)).reshape(-1),
-            workers(self._choose(lines.threads)),
-            lines.progress,
-        )
-        if found is None:
-            raise lines.refuse()
-        size = found.size()
-        hits = AllHits(
-            np.empty(size, np.int64),
-            np.empty(size, np.int64),
-            np.empty((size, 2)),
-        )
-        found.write(tuple(hits))
-        return hits
+        return AllHits(*self._list(self._scene.all, lines))
 
     def _integers(
         self, name: str, values: ArrayLike | None
@@ -462,31 +484,17 @@ class Scene:
         >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
         Pieces(line=array([0, 0]), shape=array([0, 2]), depth=array([2, 1]), t0=array([ 4., 13.]), t1=array([ 7., 15.]))
         """
-        lines = SceneLines(
-            origins, directions, tmin, tmax, to=to, errors=errors
-        )
         most = 0 if first is None else int(first)
         if most < 0 or (first is not None and most == 0):
             raise ValueError(f"first: expected a number above 0, found {first}")
-        found = self._scene.pieces(
-            lines.flat(),
-            lines.excluded(len(self)).reshape(-1),
-            _mode(mode),
-            self._integers("rank", rank),
-            most,
-            workers(self._choose(threads)),
-            progress,
+        lines = SceneLines(
+            origins, directions, tmin, tmax,
+            to=to, errors=errors, threads=threads, progress=progress,
+        )  # fmt: skip
+        ranks = self._integers("rank", rank)
+        return Pieces(
+            *self._list(self._scene.pieces, lines, _mode(mode), ranks, most)
         )
-        if found is None:
-            raise lines.refuse()
-        size = found.size()
-        columns = Pieces(
-            *(np.empty(size, np.int64) for _ in range(3)),
-            np.empty(size),
-            np.empty(size),
-        )
-        found.write(tuple(columns))
-        return columns
 
     def sums(
         self,
@@ -526,15 +534,9 @@ class Scene:
         if units not in ("length", "t"):
             raise ValueError(f"units: expected length or t, found {units!r}")
         lines = SceneLines(
-            origins,
-            directions,
-            tmin,
-            tmax,
-            to=to,
-            errors=errors,
-            threads=threads,
-            progress=progress,
-        )
+            origins, directions, tmin, tmax,
+            to=to, errors=errors, threads=threads, progress=progress,
+        )  # fmt: skip
         label = self._integers("labels", labels)
         width = 1
         if label is not None:
@@ -545,16 +547,9 @@ class Scene:
             raise ValueError(f"columns: found {width}")
         sums = np.empty((*lines.shape, width))
         if not self._scene.sums(
-            lines.broadcast_to(lines.shape),
-            lines.excluded(len(self)),
-            _mode(mode),
-            self._integers("rank", rank),
-            label,
-            units == "length",
-            sums,
-            workers(self._choose(threads)),
-            progress,
-        ):
+            lines.core(), _mode(mode), self._integers("rank", rank), label,
+            units == "length", sums, workers(self._choose(threads)), progress,
+        ):  # fmt: skip
             raise lines.refuse()
         return sums[..., 0] if labels is None and columns is None else sums
 
@@ -576,19 +571,9 @@ class Scene:
         >>> cylint.Scene(balls).depth([[0.5, 0, 0], [1.5, 0, 0], [3, 0, 0]])
         (array([2, 1, 0]), array([ 0,  1, -1]))
         """
-        around = Balls(
-            Points(points, threads=threads, progress=progress), "r", 0.0
-        )
-        deep = np.empty(around.shape, np.int64)
-        index = np.empty(around.shape, np.int64)
-        self._scene.depth(
-            around.points,
-            around.radii,
-            self._integers("rank", rank),
-            (deep, index),
-            workers(self._choose(threads)),
-            progress,
-        )
+        asked = Points(points, threads=threads, progress=progress)
+        ranks = self._integers("rank", rank)
+        deep, index = self._near(self._scene.depth, asked, _ZERO, "ii", ranks)
         return deep, index
 
     @takes(SceneLines)
@@ -603,27 +588,12 @@ class Scene:
         >>> wall.index, wall.t, wall.normal[1]
         (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
         """
-        shape = lines.shape
-        found = Boundaries(
-            np.empty(shape, np.int64),
-            np.empty(shape),
-            np.empty((*shape, 3)),
-            np.empty((*shape, 3)),
-            np.empty(shape, np.int8),
-            np.empty(shape, np.int8),
-        )
-        self._ask(self._scene.first_boundary, lines, tuple(found))
-        return found
+        found = self._ask(self._scene.first_boundary, lines, "itbbvv")
+        index, t, part, side, point, normal = found
+        return Boundaries(index, t, point, normal, side, part)
 
-    def closest(
-        self,
-        points: ArrayLike,
-        within: ArrayLike = np.inf,
-        *,
-        signed: bool = False,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> ClosestShapes:
+    @takes(BallsWithin)
+    def closest(self, around: BallsWithin) -> ClosestShapes:
         """The shape whose surface is closest to each point.
 
         points: (..., 3); within: (...), the greatest distance.  They broadcast.
@@ -651,25 +621,14 @@ class Scene:
         >>> chain.closest([2.25, 0, 0.75], signed=True).distance
         array(-0.25)
         """
-        chosen = self._choose(threads)
-        asked = Points(points, threads=threads, progress=progress)
-        asked.keep()
-        around = Balls(asked, "within", within, signed)
-        index = np.empty(around.shape, np.int64)
-        distance = np.empty(around.shape)
-        self._scene.closest(
-            around.points,
-            around.radii,
-            signed,
-            (index, distance),
-            workers(chosen),
-            progress,
+        around.keep()
+        columns = self._near(
+            self._scene.closest, around, around.radii, "it", around.signed
         )
-        return ClosestShapes(
-            self._scene, index, around.points, distance, chosen, signed
-        )
+        chosen = self._choose(around.threads)
+        return ClosestShapes(self._scene, around, columns, chosen)
 
-    @takes(balls)
+    @takes(Balls)
     def within(self, around: Balls) -> ShapesWithin:
         """All shapes near each point, as flat arrays.
 
@@ -682,36 +641,21 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        found = self._scene.within(
-            around.points.reshape(-1, 3),
-            around.radii.reshape(-1),
-            around.signed,
-            workers(self._choose(around.threads)),
-            around.progress,
-        )
-        size = found.size()
-        near = ShapesWithin(
-            np.empty(size, np.int64), np.empty(size, np.int64), np.empty(size)
-        )
-        found.write(tuple(near))
-        return near
+        return ShapesWithin(
+            *self._scene.within(
+                around.array, around.radii, around.signed,
+                workers(self._choose(around.threads)), around.progress,
+            )
+        )  # fmt: skip
 
-    @takes(balls)
+    @takes(Balls)
     def within_count(self, around: Balls) -> NDArray[np.int64]:
         """How many surfaces are within a radius of each point: (...) int64.
 
         Arguments as of `within`.
         """
-        counts = np.empty(around.shape, np.int64)
-        self._scene.within_count(
-            around.points,
-            around.radii,
-            around.signed,
-            counts,
-            workers(self._choose(around.threads)),
-            around.progress,
-        )
-        return counts
+        query = self._scene.within_count
+        return self._near(query, around, around.radii, "i", around.signed)[0]
 
     @takes(Points)
     def contains(self, points: Points) -> NDArray[np.int64]:
@@ -724,15 +668,18 @@ class Scene:
         >>> cylint.Scene(posts).contains([[2, 0, 0.5], [5, 0, 1], [9, 0, 0]])
         array([2, 1, 0])
         """
-        counts = np.empty(points.shape, np.int64)
-        self._scene.contains(
-            points.array,
-            np.broadcast_to(0.0, points.shape),
-            counts,
-            workers(self._choose(points.threads)),
-            points.progress,
-        )
-        return counts
+        return self._near(self._scene.contains, points, _ZERO, "i")[0]
+
+
+_ZERO = np.array(0.0)  # a radius without effect
+_TYPES = {"i": np.int64, "t": np.float64, "b": np.int8, "?": np.bool_}
+
+
+def _columns(shape: tuple[int, ...], kinds: str) -> list[NDArray[Any]]:
+    return [
+        np.empty((*shape, 3)) if kind == "v" else np.empty(shape, _TYPES[kind])
+        for kind in kinds
+    ]
 
 
 def _joined(labels: list[Any]) -> NDArray[np.object_] | None:

@@ -3,109 +3,65 @@
  */
 #include <cerrno>
 #include <exception>
-#include <initializer_list>
-#include <memory>
 #include <new>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <nanobind/stl/unique_ptr.h>
 
 #include "calls.h"
-#include "cylint_scene.h"
-#include "elements.h"
 
 namespace
 {
 
-constexpr size_t BLOCK = 256; /* lines or points */
-enum { CAPACITY = 128 };      /* shapes of one call of the library */
+enum { CAPACITY = 128 }; /* shapes of one call of the library */
 
-/* A shape that belongs to a line or point: both t, NaN for none; or the
- * distance. */
-struct Row {
-    int64_t asked, index;
-    double value[2];
-};
+using Integers = std::optional<Input>; /* int32 for each shape, contiguous */
 
-/* The shapes of each block of lines or points. */
-struct Found {
-    Found(size_t count, size_t values)
-        : blocks((count + BLOCK - 1) / BLOCK), width(values)
-    {
-    }
-    std::vector<std::vector<Row>> blocks;
-    const size_t width; /* values of a row */
-
-    size_t size() const
-    {
-        size_t sum = 0;
-        for (const auto &block : blocks)
-            sum += block.size();
-        return sum;
-    }
-
-    /* columns: number of the line or point, index, values (..., width),
-     * contiguous */
-    void write(nb::tuple columns) const
-    {
-        const Array asked(columns[0], true), index(columns[1], true),
-            value(columns[2], true);
-        auto *to_asked = reinterpret_cast<int64_t *>(asked.data());
-        auto *to_index = reinterpret_cast<int64_t *>(index.data());
-        auto *to_value = reinterpret_cast<double *>(value.data());
-        for (const auto &block : blocks) {
-            for (const Row &row : block) {
-                *to_asked++ = row.asked;
-                *to_index++ = row.index;
-                for (size_t k = 0; k < width; k++)
-                    *to_value++ = row.value[k];
-            }
-        }
-    }
-};
-
-/* The pieces of each block of lines. */
-struct Pieces {
+/* Answers that are rows, any number of them for each line or point, by blocks. */
+template <size_t INTEGERS, size_t DOUBLES> struct Rows {
     struct Row {
-        int64_t line;
-        cylint_piece piece;
+        int64_t integer[INTEGERS];
+        double number[DOUBLES];
     };
-    explicit Pieces(size_t count) : blocks((count + BLOCK - 1) / BLOCK)
+    explicit Rows(const Grid &grid) : blocks(blocks_of(grid))
     {
     }
-    std::vector<std::vector<Row>> blocks;
 
-    size_t size() const
+    /* Arrays of NumPy: one for each integer, and one for each double, or one of
+     * pairs of them. */
+    nb::tuple columns(bool pairs) const
     {
-        size_t sum = 0;
+        size_t size = 0;
         for (const auto &block : blocks)
-            sum += block.size();
-        return sum;
+            size += block.size();
+        nb::list list;
+        for (size_t k = 0; k < INTEGERS; k++)
+            fill<int64_t>(list, nb::make_tuple(size), "i8", 1,
+                          [k](const Row &row) { return row.integer + k; });
+        if (pairs)
+            fill<double>(list, nb::make_tuple(size, DOUBLES), "f8", DOUBLES,
+                         [](const Row &row) { return row.number; });
+        for (size_t k = 0; k < DOUBLES && !pairs; k++)
+            fill<double>(list, nb::make_tuple(size), "f8", 1,
+                         [k](const Row &row) { return row.number + k; });
+        return nb::tuple(list);
     }
 
-    /* columns: line, shape, depth (int64), t0, t1, contiguous */
-    void write(nb::tuple columns) const
-    {
-        const Array line(columns[0], true), shape(columns[1], true),
-            depth(columns[2], true), t0(columns[3], true), t1(columns[4], true);
-        size_t i = 0;
-        for (const auto &block : blocks) {
-            for (const Row &row : block) {
-                at<int64_t>(line, i) = row.line;
-                at<int64_t>(shape, i) = static_cast<int64_t>(row.piece.shape);
-                at<int64_t>(depth, i) = static_cast<int64_t>(row.piece.depth);
-                at<double>(t0, i) = row.piece.t0;
-                at<double>(t1, i++) = row.piece.t1;
-            }
-        }
-    }
+    std::vector<std::vector<Row>> blocks;
 
   private:
-    template <class T> static T &at(const Array &array, size_t i)
+    template <class Value, class Get>
+    void fill(nb::list &list, const nb::tuple &shape, const char *type,
+              size_t width, const Get &get) const
     {
-        return reinterpret_cast<T *>(array.data())[i];
+        const nb::object made =
+            nb::module_::import_("numpy").attr("empty")(shape, type);
+        auto *to = static_cast<Value *>(nb::cast<Output>(made).data());
+        for (const auto &block : blocks)
+            for (const Row &row : block)
+                to = std::copy_n(get(row), width, to);
+        list.append(made);
     }
 };
 
@@ -123,14 +79,39 @@ template <class Query> size_t with_workspace(const Query &query)
     }
 }
 
-void put(char *to, int64_t value)
-{
-    *reinterpret_cast<int64_t *>(to) = value;
-}
+/* The points (..., 3) and radii (...) of a block. */
+enum { POINTS, RADII, BEHIND_BALLS };
 
-void put(char *to, double value)
+template <class Function> class EachBall
 {
-    *reinterpret_cast<double *>(to) = value;
+  public:
+    EachBall(ptrdiff_t s, const Function &f) : step(s), function(f)
+    {
+    }
+    bool run(const Part &part)
+    {
+        for (size_t i = 0; i < part.size; i++) {
+            double point[3];
+            for (int axis = 0; axis < 3; axis++)
+                std::memcpy(&point[axis], part.at(POINTS, i) + axis * step,
+                            sizeof *point);
+            function(part, i, point, part.value<double>(RADII, i));
+        }
+        return true;
+    }
+
+  private:
+    const ptrdiff_t step;
+    const Function &function;
+};
+
+/* Calls function(part, i, point, radius) for each point. */
+template <class Function>
+void each_ball(const Grid &grid, const Input &points, int threads,
+               const Callback &progress, const Function &function)
+{
+    each_block<EachBall<Function>>(grid, threads, progress,
+                                   coordinate_step(points), function);
 }
 
 /* The build of a scene, which the library reports to listen(). */
@@ -166,11 +147,10 @@ class Scene
         n = cylint_scene_size(begun);
     }
 
-    /* records: a contiguous array of shapes */
-    void add(nb::handle records)
+    /* shapes: (n), contiguous */
+    void add(Input shapes)
     {
-        const Array shapes(records);
-        const auto more = static_cast<size_t>(shapes.size(0));
+        const size_t more = shapes.shape(0);
         cylint_scene_status status;
         {
             nb::gil_scoped_release released;
@@ -185,8 +165,9 @@ class Scene
      * message or None). */
     static nb::tuple open(const nb::bytes &path, bool read, bool trusted)
     {
-        const unsigned flags = (read ? CYLINT_SCENE_READ : 0U) |
-                               (trusted ? CYLINT_SCENE_TRUSTED : 0U);
+        const unsigned flags =
+            read * static_cast<unsigned>(CYLINT_SCENE_READ) |
+            trusted * static_cast<unsigned>(CYLINT_SCENE_TRUSTED);
         cylint_scene_status status;
         cylint_scene *opened;
         int error;
@@ -271,7 +252,7 @@ class Scene
         return all ? label_texts(all->end, all->text, n) : nb::none();
     }
 
-    void finish(int threads, nb::handle progress)
+    void finish(int threads, const Callback &progress)
     {
         cylint_scene_status status;
         Build build{Listener(progress, n), nullptr};
@@ -294,16 +275,14 @@ class Scene
     /* Writes the shapes with these numbers (int64, contiguous), -1 for a shape
      * that nothing hits, or all shapes if numbers is None.  closed: as closed
      * solids. */
-    void take(nb::handle numbers, nb::handle records, bool closed) const
+    void take(std::optional<Input> numbers, Output shapes, bool closed) const
     {
-        const Array wanted(numbers), to(records, true);
-        auto *const shape = reinterpret_cast<cylint_shape *>(to.data());
+        auto *const shape = static_cast<cylint_shape *>(shapes.data());
         const auto *const number =
-            reinterpret_cast<const int64_t *>(wanted.data());
-        const auto count = static_cast<size_t>(to.size(0));
+            numbers ? static_cast<const int64_t *>(numbers->data()) : nullptr;
         nb::gil_scoped_release released;
-        for (size_t i = 0; i < count; i++) {
-            const int64_t at = wanted ? number[i] : static_cast<int64_t>(i);
+        for (size_t i = 0; i < shapes.shape(0); i++) {
+            const int64_t at = number ? number[i] : static_cast<int64_t>(i);
             if (at < 0)
                 shape[i] = cylint_shape{};
             else
@@ -319,80 +298,81 @@ class Scene
         return cylint_scene_bytes(scene.get());
     }
 
-    /* exclude: for each line the number (int64) of a shape that is left out,
-     * below 0 for none.  columns: index (int64), t, part.  All return false if a
-     * line is refused and not masked. */
-    bool nearest(const Lines &lines, nb::handle exclude, nb::tuple columns,
-                 int threads, nb::handle progress) const
+    /* columns: index (int64), t, part.  All return false, or None, if a line is
+     * refused and not masked. */
+    bool nearest(const Lines &lines, Outputs columns, int threads,
+                 const Callback &progress) const
     {
-        const Array index(columns[0], true), t(columns[1], true),
-            part(columns[2], true);
-        return each_line(lines, exclude, {&index, &t, &part}, threads, progress,
-                         [this](const cylint_line &line, size_t except,
-                                char *const *to, size_t) {
-                             cylint_hit hit;
-                             const size_t found = cylint_scene_nearest_other(
-                                 scene.get(), &line, except,
-                                 CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
-                             put(to[0], number_of(found));
-                             put(to[1], found < n ? hit.t : not_a_number);
-                             *to[2] =
-                                 static_cast<char>(found < n ? hit.part : -1);
-                         });
+        return ask(lines, columns, {0, 0, 0}, threads, progress,
+                   [this](const Part &part, size_t i, const cylint_line &line) {
+                       cylint_hit hit;
+                       const size_t found = cylint_scene_nearest_other(
+                           scene.get(), &line, left_out(part, i),
+                           CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
+                       write_hit(part, i, found, found < n ? &hit : nullptr);
+                   });
     }
 
-    /* answers: bool */
-    bool any(const Lines &lines, nb::handle exclude, nb::handle answers,
-             int threads, nb::handle progress) const
+    /* columns: bool */
+    bool any(const Lines &lines, Outputs columns, int threads,
+             const Callback &progress) const
     {
-        const Array to(answers, true);
-        return each_line(lines, exclude, {&to}, threads, progress,
-                         [this](const cylint_line &line, size_t except,
-                                char *const *at, size_t) {
-                             *at[0] = static_cast<char>(cylint_scene_occluded(
-                                 scene.get(), &line, except));
-                         });
+        return ask(lines, columns, {0}, threads, progress,
+                   [this](const Part &part, size_t i, const cylint_line &line) {
+                       part.value<bool>(COLUMNS, i) = cylint_scene_occluded(
+                           scene.get(), &line, left_out(part, i));
+                   });
     }
 
-    /* counts: int64 */
-    bool count(const Lines &lines, nb::handle exclude, nb::handle counts,
-               int threads, nb::handle progress) const
+    /* columns: int64 */
+    bool count(const Lines &lines, Outputs columns, int threads,
+               const Callback &progress) const
     {
-        const Array to(counts, true);
-        return each_line(lines, exclude, {&to}, threads, progress,
-                         [this](const cylint_line &line, size_t except,
-                                char *const *at, size_t) {
-                             const size_t count =
-                                 cylint_scene_count(scene.get(), &line, 0);
-                             const int left_out =
-                                 except < n && is_hit(except, line);
-                             put(at[0], static_cast<int64_t>(count) - left_out);
-                         });
+        return ask(lines, columns, {0}, threads, progress,
+                   [this](const Part &part, size_t i, const cylint_line &line) {
+                       const size_t except = left_out(part, i);
+                       const size_t count =
+                           cylint_scene_count(scene.get(), &line, 0);
+                       const bool less = except < n && is_hit(except, line);
+                       part.value<int64_t>(COLUMNS, i) =
+                           static_cast<int64_t>(count - less);
+                   });
     }
 
-    /* The hits of all lines, which have one axis, in order; nullptr if a line
-     * is refused and not masked. */
-    std::unique_ptr<Found> all(const Lines &lines, nb::handle exclude,
-                               int threads, nb::handle progress) const
+    /* Returns (line, index, t (..., 2)). */
+    nb::object all(const Lines &lines, int threads,
+                   const Callback &progress) const
     {
-        auto found = std::make_unique<Found>(
-            static_cast<size_t>(lines.starts.size(0)), 2);
-        const bool good = each_line(lines, exclude, {}, threads, progress,
-                                    [&](const cylint_line &line, size_t except,
-                                        char *const *, size_t number) {
-                                        add_hits(line, except, number,
-                                                 found->blocks[number / BLOCK]);
-                                    });
-        return good ? std::move(found) : nullptr;
+        return rows<2, 2>(
+            lines, true, threads, progress,
+            [this](auto &to, const Part &part, size_t i,
+                   const cylint_line &line) {
+                const size_t except = left_out(part, i);
+                const auto query = [&](size_t from, size_t *numbers) {
+                    return cylint_scene_all(scene.get(), &line, from, numbers,
+                                            CAPACITY);
+                };
+                each_found(query, [&](size_t index) {
+                    if (index == except)
+                        return;
+                    cylint_shape shape;
+                    cylint_answer answer;
+                    cylint_scene_shape(scene.get(), index, &shape);
+                    cylint_intersect(&shape, &line, CYLINT_WANT_T, &answer);
+                    to.push_back(
+                        {{number(part, i), integer(index)},
+                         {answer.n > 0 ? answer.hit[0].t : not_a_number,
+                          answer.n > 1 ? answer.hit[1].t : not_a_number}});
+                });
+            });
     }
 
     /* Members of solids: (k, 3) int64, contiguous: shape, solid, clause. */
-    void set_solids(nb::handle members)
+    void set_solids(Input members)
     {
-        const Array from(members);
-        const auto *const row = reinterpret_cast<const int64_t *>(from.data());
+        const auto *const row = static_cast<const int64_t *>(members.data());
         std::vector<cylint_member> all;
-        for (ptrdiff_t i = 0; i < from.size(0); i++)
+        for (size_t i = 0; i < members.shape(0); i++)
             all.push_back({static_cast<size_t>(row[3 * i]),
                            static_cast<size_t>(row[3 * i + 1]),
                            static_cast<int>(row[3 * i + 2])});
@@ -404,91 +384,70 @@ class Scene
         return cylint_scene_members(scene.get());
     }
 
-    void solids(nb::handle members) const
+    void solids(Output members) const
     {
-        const Array to(members, true);
-        auto *const row = reinterpret_cast<int64_t *>(to.data());
-        for (ptrdiff_t i = 0; i < to.size(0); i++) {
+        auto *const row = static_cast<int64_t *>(members.data());
+        for (size_t i = 0; i < members.shape(0); i++) {
             cylint_member member;
-            cylint_scene_member(scene.get(), static_cast<size_t>(i), &member);
-            row[3 * i] = static_cast<int64_t>(member.shape);
-            row[3 * i + 1] = static_cast<int64_t>(member.solid);
+            cylint_scene_member(scene.get(), i, &member);
+            row[3 * i] = integer(member.shape);
+            row[3 * i + 1] = integer(member.solid);
             row[3 * i + 2] = member.clause;
         }
     }
 
-    /* rank: int32 for each shape, contiguous, or None; first: 0 for all.  The
-     * lines have one axis. */
-    std::unique_ptr<Pieces> pieces(const Lines &lines, nb::handle exclude,
-                                   int mode, nb::handle rank, size_t first,
-                                   int threads, nb::handle progress) const
+    /* first: 0 for all pieces.  Returns (line, shape, depth, t0, t1). */
+    nb::object pieces(const Lines &lines, int mode, Integers rank, size_t first,
+                      int threads, const Callback &progress) const
     {
-        const Array ranks(rank);
-        const cylint_piece_rule rule = rule_of(mode, ranks);
-        auto found =
-            std::make_unique<Pieces>(static_cast<size_t>(lines.starts.size(0)));
-        const bool good = each_line(
-            lines, exclude, {}, threads, progress,
-            [&](const cylint_line &line, size_t, char *const *, size_t number) {
-                add_pieces(line, rule, first, number,
-                           found->blocks[number / BLOCK]);
+        const cylint_piece_rule rule = rule_of(mode, rank);
+        return rows<3, 2>(
+            lines, false, threads, progress,
+            [&](auto &to, const Part &part, size_t i, const cylint_line &line) {
+                std::vector<cylint_piece> some(first > 0 ? first : CAPACITY);
+                size_t found;
+                for (;;) {
+                    found = with_workspace([&](cylint_workspace *work) {
+                        return cylint_scene_pieces(scene.get(), &line, &rule,
+                                                   some.data(), some.size(),
+                                                   work);
+                    });
+                    if (first > 0 || found < some.size())
+                        break;
+                    some.resize(2 * some.size());
+                }
+                for (size_t k = 0; k < found; k++)
+                    to.push_back({{number(part, i), integer(some[k].shape),
+                                   integer(some[k].depth)},
+                                  {some[k].t0, some[k].t1}});
             });
-        return good ? std::move(found) : nullptr;
     }
 
-    /* label: int32 for each shape, contiguous, or None; sums: (..., labels), the
-     * last axis contiguous. */
-    bool sums(const Lines &lines, nb::handle exclude, int mode, nb::handle rank,
-              nb::handle label, bool in_units, nb::handle sums, int threads,
-              nb::handle progress) const
+    /* sums: (..., labels), the last axis contiguous. */
+    bool sums(const Lines &lines, int mode, Integers rank, Integers label,
+              bool in_units, Output sums, int threads,
+              const Callback &progress) const
     {
-        const Array ranks(rank), labels(label), to(sums, true);
-        const cylint_piece_rule rule = rule_of(mode, ranks);
-        const auto columns = static_cast<size_t>(to.size(to.axes() - 1));
-        return each_line(
-            lines, exclude, {&to}, threads, progress,
-            [&](const cylint_line &line, size_t, char *const *at, size_t) {
-                if (cylint_scene_line_sums(
-                        scene.get(), &line, &rule, integers_of(labels), columns,
-                        in_units,
-                        reinterpret_cast<double *>(at[0])) != CYLINT_SCENE_OK)
+        const cylint_piece_rule rule = rule_of(mode, rank);
+        const size_t labels = sums.shape(sums.ndim() - 1);
+        return ask(
+            lines, {sums}, {1}, threads, progress,
+            [&](const Part &part, size_t i, const cylint_line &line) {
+                if (cylint_scene_line_sums(scene.get(), &line, &rule,
+                                           integers_of(label), labels, in_units,
+                                           &part.value<double>(COLUMNS, i)) !=
+                    CYLINT_SCENE_OK)
                     throw std::bad_alloc();
             });
     }
 
-    /* columns: depth, index (int64).  radii: of no effect. */
-    void depth(nb::handle points, nb::handle radii, nb::handle rank,
-               nb::tuple columns, int threads, nb::handle progress) const
+    /* columns: index (int64), t, part, side, point (..., 3), normal (..., 3) */
+    bool first_boundary(const Lines &lines, Outputs columns, int threads,
+                        const Callback &progress) const
     {
-        const Array ranks(rank), deep(columns[0], true),
-            index(columns[1], true);
-        each_ball(
-            points, radii, {&deep, &index}, threads, progress,
-            [&](const double(&point)[3], double, char *const *to, size_t) {
-                size_t owner = n;
-                const size_t count =
-                    with_workspace([&](cylint_workspace *work) {
-                        return cylint_scene_depth(scene.get(), point,
-                                                  integers_of(ranks), &owner,
-                                                  work);
-                    });
-                put(to[0], static_cast<int64_t>(count));
-                put(to[1], number_of(owner));
-            });
-    }
-
-    /* columns: index (int64), t, point (..., 3), normal (..., 3), side */
-    bool first_boundary(const Lines &lines, nb::handle exclude,
-                        nb::tuple columns, int threads,
-                        nb::handle progress) const
-    {
-        const Array index(columns[0], true), t(columns[1], true),
-            point(columns[2], true), normal(columns[3], true),
-            side(columns[4], true), part(columns[5], true);
-        return each_line(
-            lines, exclude, {&index, &t, &point, &normal, &side, &part},
-            threads, progress,
-            [this](const cylint_line &line, size_t, char *const *to, size_t) {
+        return ask(
+            lines, columns, {0, 0, 0, 0, 1, 1}, threads, progress,
+            [this](const Part &part, size_t i, const cylint_line &line) {
                 cylint_hit hit;
                 const size_t found =
                     with_workspace([&](cylint_workspace *work) {
@@ -496,122 +455,206 @@ class Scene
                             scene.get(), &line, CYLINT_WANT_ALL, &hit, work);
                     });
                 const bool is_found = found < n;
-                put(to[0], number_of(found));
-                put(to[1], is_found ? hit.t : not_a_number);
-                for (size_t j = 0; j < 3; j++) {
-                    put(to[2] + 8 * j, is_found ? hit.point[j] : not_a_number);
-                    put(to[3] + 8 * j, is_found ? hit.normal[j] : not_a_number);
+                const int side = is_found ? static_cast<int>(hit.side) : -1;
+                write_hit(part, i, found, is_found ? &hit : nullptr);
+                part.value<signed char>(COLUMNS + 3, i) =
+                    static_cast<signed char>(side);
+                for (size_t k = 0; k < 3; k++) {
+                    part.value<double>(COLUMNS + 4, i, k) =
+                        is_found ? hit.point[k] : not_a_number;
+                    part.value<double>(COLUMNS + 5, i, k) =
+                        is_found ? hit.normal[k] : not_a_number;
                 }
-                *to[4] = static_cast<char>(is_found ? hit.side : -1);
-                *to[5] = static_cast<char>(is_found ? hit.part : -1);
             });
+    }
+
+    /* columns: depth, index (int64).  radii: of no effect. */
+    void depth(Input points, Input radii, Integers rank, Outputs columns,
+               int threads, const Callback &progress) const
+    {
+        each_ball(balls(points, radii, columns), points, threads, progress,
+                  [&](const Part &part, size_t i, const double *point, double) {
+                      size_t owner = n;
+                      const size_t count =
+                          with_workspace([&](cylint_workspace *work) {
+                              return cylint_scene_depth(scene.get(), point,
+                                                        integers_of(rank),
+                                                        &owner, work);
+                          });
+                      part.value<int64_t>(BEHIND_BALLS, i) = integer(count);
+                      part.value<int64_t>(BEHIND_BALLS + 1, i) =
+                          number_of(owner);
+                  });
     }
 
     /* columns: index (int64), distance */
-    void closest(nb::handle points, nb::handle radii, bool is_signed,
-                 nb::tuple columns, int threads, nb::handle progress) const
+    void closest(Input points, Input radii, bool is_signed, Outputs columns,
+                 int threads, const Callback &progress) const
     {
         const unsigned want = is_signed ? CYLINT_SIGNED : 0;
-        const Array index(columns[0], true), distance(columns[1], true);
-        each_ball(points, radii, {&index, &distance}, threads, progress,
-                  [this, want](const double(&point)[3], double radius,
-                               char *const *to, size_t) {
+        each_ball(balls(points, radii, columns), points, threads, progress,
+                  [this, want](const Part &part, size_t i, const double *point,
+                               double radius) {
                       cylint_closest answer;
                       const size_t found = cylint_scene_closest(
                           scene.get(), point, radius, want, &answer);
-                      put(to[0], number_of(found));
-                      put(to[1], found < n ? answer.distance : not_a_number);
+                      part.value<int64_t>(BEHIND_BALLS, i) = number_of(found);
+                      part.value<double>(BEHIND_BALLS + 1, i) =
+                          found < n ? answer.distance : not_a_number;
                   });
     }
 
-    /* counts: int64 */
-    void within_count(nb::handle points, nb::handle radii, bool is_signed,
-                      nb::handle counts, int threads, nb::handle progress) const
+    /* columns: int64 */
+    void within_count(Input points, Input radii, bool is_signed,
+                      Outputs columns, int threads,
+                      const Callback &progress) const
     {
         const unsigned want = is_signed ? CYLINT_SIGNED : 0;
-        const Array to(counts, true);
-        each_ball(points, radii, {&to}, threads, progress,
-                  [this, want](const double(&point)[3], double radius,
-                               char *const *at, size_t) {
-                      put(at[0], static_cast<int64_t>(cylint_scene_within_count(
-                                     scene.get(), point, radius, want, 0)));
+        each_ball(balls(points, radii, columns), points, threads, progress,
+                  [this, want](const Part &part, size_t i, const double *point,
+                               double radius) {
+                      part.value<int64_t>(BEHIND_BALLS, i) =
+                          integer(cylint_scene_within_count(scene.get(), point,
+                                                            radius, want, 0));
                   });
     }
 
-    /* counts: int64.  radii: of no effect. */
-    void contains(nb::handle points, nb::handle radii, nb::handle counts,
-                  int threads, nb::handle progress) const
+    /* columns: int64.  radii: of no effect. */
+    void contains(Input points, Input radii, Outputs columns, int threads,
+                  const Callback &progress) const
     {
-        const Array to(counts, true);
         each_ball(
-            points, radii, {&to}, threads, progress,
-            [this](const double(&point)[3], double, char *const *at, size_t) {
-                put(at[0], static_cast<int64_t>(
-                               cylint_scene_contains(scene.get(), point, 0)));
+            balls(points, radii, columns), points, threads, progress,
+            [this](const Part &part, size_t i, const double *point, double) {
+                part.value<int64_t>(BEHIND_BALLS, i) =
+                    integer(cylint_scene_contains(scene.get(), point, 0));
             });
     }
 
-    /* The shapes within the radius of each point, in order.  Points and radii
-     * have one axis. */
-    std::unique_ptr<Found> within(nb::handle points, nb::handle radii,
-                                  bool is_signed, int threads,
-                                  nb::handle progress) const
+    /* Returns (point, index, distance). */
+    nb::tuple within(Input points, Input radii, bool is_signed, int threads,
+                     const Callback &progress) const
     {
         const unsigned want = is_signed ? CYLINT_SIGNED : 0;
-        auto found = std::make_unique<Found>(nb::len(radii), 1);
-        each_ball(points, radii, {}, threads, progress,
-                  [&](const double(&point)[3], double radius, char *const *,
-                      size_t number) {
-                      add_shapes(point, radius, want, number,
-                                 found->blocks[number / BLOCK]);
-                  });
-        return found;
+        const Grid grid = balls(points, radii, {}, true);
+        Rows<2, 1> found(grid);
+        each_ball(
+            grid, points, threads, progress,
+            [&](const Part &part, size_t i, const double *point,
+                double radius) {
+                const auto query = [&](size_t from, size_t *numbers) {
+                    return cylint_scene_within(scene.get(), point, radius, want,
+                                               from, numbers, nullptr,
+                                               CAPACITY);
+                };
+                each_found(query, [&](size_t index) {
+                    cylint_shape shape;
+                    cylint_closest answer;
+                    cylint_scene_shape(scene.get(), index, &shape);
+                    found.blocks[part.block].push_back(
+                        {{number(part, i), integer(index)},
+                         {cylint_distance(&shape, point, want, &answer)}});
+                });
+            });
+        return found.columns(false);
     }
 
   private:
+    enum { COLUMNS = BEHIND_LINES };
     struct Free {
         void operator()(cylint_scene *p) const
         {
             cylint_scene_free(p);
         }
     };
-    using Arrays = std::initializer_list<const Array *>;
 
-    /* int32, or nullptr for no array */
-    static const int *integers_of(const Array &array)
+    static int64_t integer(size_t value)
     {
-        return array ? reinterpret_cast<const int *>(array.data()) : nullptr;
+        return static_cast<int64_t>(value);
     }
 
-    static cylint_piece_rule rule_of(int mode, const Array &ranks)
+    static int64_t number(const Part &part, size_t i)
     {
-        return {static_cast<cylint_piece_mode>(mode), integers_of(ranks),
-                nullptr};
-    }
-
-    void add_pieces(const cylint_line &line, const cylint_piece_rule &rule,
-                    size_t most, size_t number,
-                    std::vector<Pieces::Row> &rows) const
-    {
-        std::vector<cylint_piece> some(most > 0 ? most : CAPACITY);
-        size_t found;
-        for (;;) {
-            found = with_workspace([&](cylint_workspace *work) {
-                return cylint_scene_pieces(scene.get(), &line, &rule,
-                                           some.data(), some.size(), work);
-            });
-            if (most > 0 || found < some.size())
-                break;
-            some.resize(2 * some.size());
-        }
-        for (size_t i = 0; i < found; i++)
-            rows.push_back({static_cast<int64_t>(number), some[i]});
+        return integer(part.number + i);
     }
 
     /* -1 if none is found */
     int64_t number_of(size_t found) const
     {
-        return found < n ? static_cast<int64_t>(found) : -1;
+        return found < n ? integer(found) : -1;
+    }
+
+    /* The shape that a line leaves out, or n. */
+    size_t left_out(const Part &part, size_t i) const
+    {
+        const auto index = part.value<int64_t>(LEFT_OUT, i);
+        return index < 0 ? n : static_cast<size_t>(index);
+    }
+
+    static const int *integers_of(const Integers &array)
+    {
+        return array ? static_cast<const int *>(array->data()) : nullptr;
+    }
+
+    static cylint_piece_rule rule_of(int mode, const Integers &rank)
+    {
+        return {static_cast<cylint_piece_mode>(mode), integers_of(rank),
+                nullptr};
+    }
+
+    /* Writes index, t and part. */
+    void write_hit(const Part &part, size_t i, size_t found,
+                   const cylint_hit *hit) const
+    {
+        part.value<int64_t>(COLUMNS, i) = number_of(found);
+        part.value<double>(COLUMNS + 1, i) = hit ? hit->t : not_a_number;
+        const int of = hit ? static_cast<int>(hit->part) : -1;
+        part.value<signed char>(COLUMNS + 2, i) = static_cast<signed char>(of);
+    }
+
+    /* Calls function(part, i, line) for each line.  inner: the axes of an element of
+     * each column. */
+    template <class Function>
+    static bool ask(const Lines &lines, const Outputs &columns,
+                    const std::vector<size_t> &inner, int threads,
+                    const Callback &progress, const Function &function)
+    {
+        Grid grid;
+        lines.add_to(grid);
+        for (size_t k = 0; k < columns.size(); k++)
+            grid.add(columns[k], inner[k]);
+        grid.finish(false);
+        return each_line(grid, lines, threads, progress, function);
+    }
+
+    /* Calls function(rows, part, i, line) for each line.  Returns the rows in the
+     * order of the lines, as Rows::columns(), or None. */
+    template <size_t INTEGERS, size_t DOUBLES, class Function>
+    static nb::object rows(const Lines &lines, bool pairs, int threads,
+                           const Callback &progress, const Function &function)
+    {
+        Grid grid;
+        lines.add_to(grid);
+        grid.finish(true);
+        Rows<INTEGERS, DOUBLES> found(grid);
+        const bool good =
+            each_line(grid, lines, threads, progress,
+                      [&](const Part &part, size_t i, const cylint_line &line) {
+                          function(found.blocks[part.block], part, i, line);
+                      });
+        return good ? nb::object(found.columns(pairs)) : nb::none();
+    }
+
+    static Grid balls(const Input &points, const Input &radii,
+                      const Outputs &columns, bool in_order = false)
+    {
+        Grid grid;
+        grid.add(points, 1);
+        grid.add(radii);
+        for (const auto &column : columns)
+            grid.add(column);
+        grid.finish(in_order);
+        return grid;
     }
 
     /* Calls query(from, numbers), which finds at most CAPACITY shapes, until all
@@ -626,48 +669,6 @@ class Scene
                 write(numbers[i]);
             from = found > 0 ? numbers[found - 1] + 1 : 0;
         } while (found == CAPACITY);
-    }
-
-    void add_hits(const cylint_line &line, size_t except, size_t asked,
-                  std::vector<Row> &rows) const
-    {
-        each_found(
-            [&](size_t from, size_t *numbers) {
-                return cylint_scene_all(scene.get(), &line, from, numbers,
-                                        CAPACITY);
-            },
-            [&](size_t index) {
-                if (index == except)
-                    return;
-                cylint_shape shape;
-                cylint_answer answer;
-                cylint_scene_shape(scene.get(), index, &shape);
-                cylint_intersect(&shape, &line, CYLINT_WANT_T, &answer);
-                rows.push_back(
-                    {static_cast<int64_t>(asked),
-                     static_cast<int64_t>(index),
-                     {answer.n > 0 ? answer.hit[0].t : not_a_number,
-                      answer.n > 1 ? answer.hit[1].t : not_a_number}});
-            });
-    }
-
-    void add_shapes(const double (&point)[3], double radius, unsigned want,
-                    size_t asked, std::vector<Row> &rows) const
-    {
-        each_found(
-            [&](size_t from, size_t *numbers) {
-                return cylint_scene_within(scene.get(), point, radius, want,
-                                           from, numbers, nullptr, CAPACITY);
-            },
-            [&](size_t index) {
-                cylint_shape shape;
-                cylint_closest answer;
-                cylint_scene_shape(scene.get(), index, &shape);
-                rows.push_back(
-                    {static_cast<int64_t>(asked),
-                     static_cast<int64_t>(index),
-                     {cylint_distance(&shape, point, want, &answer)}});
-            });
     }
 
     bool is_hit(size_t index, const cylint_line &line) const
@@ -714,58 +715,6 @@ class Scene
             throw nb::value_error(cylint_scene_strerror(status));
     }
 
-    /* Calls function(line, except, addresses, number) for each line, the number
-     * of the shape that it leaves out, or n, and the elements of the arrays that
-     * belong to it.  Returns false if a line is refused and not masked. */
-    template <class Function>
-    bool each_line(const Lines &lines, nb::handle exclude, Arrays arrays,
-                   int threads, nb::handle progress,
-                   const Function &function) const
-    {
-        const Array excluded(exclude);
-        Grid grid(lines.starts, 0);
-        lines.add_to(grid);
-        grid.add(excluded);
-        for (const Array *array : arrays)
-            grid.add(*array);
-        grid.prepare();
-        return each_element(grid, BLOCK, threads, progress,
-                            [&](char *const *at, size_t number) {
-                                cylint_line line;
-                                if (lines.make(at, &line) != CYLINT_OK &&
-                                    !lines.masked)
-                                    return false;
-                                int64_t index;
-                                std::memcpy(&index, at[4], sizeof index);
-                                const size_t except =
-                                    index < 0 ? n : static_cast<size_t>(index);
-                                function(line, except, at + 5, number);
-                                return true;
-                            });
-    }
-
-    /* The same for points (..., 3) and radii (...):
-     * function(point, radius, addresses, number). */
-    template <class Function>
-    static void each_ball(nb::handle points, nb::handle radii, Arrays arrays,
-                          int threads, nb::handle progress,
-                          const Function &function)
-    {
-        const Array p(points), r(radii);
-        Grid grid(r, 0);
-        grid.add(p), grid.add(r);
-        for (const Array *array : arrays)
-            grid.add(*array);
-        grid.prepare();
-        each_element(grid, BLOCK, threads, progress,
-                     [&](char *const *at, size_t i) {
-                         double point[3];
-                         read_point(at[0], p.last_stride(), point);
-                         function(point, number(at[1]), at + 2, i);
-                         return true;
-                     });
-    }
-
     nb::object memory; /* of the scene, if it was opened there */
     std::vector<uint64_t> label_ends;
     std::string label_text;
@@ -775,19 +724,6 @@ class Scene
 
 } // namespace
 
-nb::object label_texts(const uint64_t *end, const char *text, size_t count)
-{
-    nb::list labels;
-    uint64_t begin = 0;
-    for (size_t i = 0; i < count; i++) {
-        labels.append(nb::steal(PyUnicode_DecodeUTF8(
-            text + begin, static_cast<Py_ssize_t>(end[i] - begin),
-            "surrogateescape")));
-        begin = end[i];
-    }
-    return labels;
-}
-
 nb::object scene_object(cylint_scene *begun)
 {
     return begun ? nb::cast(std::make_unique<Scene>(begun)) : nb::none();
@@ -796,60 +732,31 @@ nb::object scene_object(cylint_scene *begun)
 void register_scene(nb::module_ &module)
 {
     nb::class_<Scene>(module, "Scene")
-        .def(nb::init<size_t>(), nb::arg("expected"))
-        .def("add", &Scene::add, nb::arg("records"))
-        .def("finish", &Scene::finish, nb::arg("threads"),
-             nb::arg("progress").none())
-        .def_static("open", &Scene::open, nb::arg("path"), nb::arg("read"),
-                    nb::arg("trusted"))
-        .def_static("open_bytes", &Scene::open_bytes, nb::arg("bytes"))
-        .def("save", &Scene::save, nb::arg("path"))
+        .def(nb::init<size_t>())
+        .def("add", &Scene::add)
+        .def("finish", &Scene::finish)
+        .def_static("open", &Scene::open)
+        .def_static("open_bytes", &Scene::open_bytes)
+        .def("save", &Scene::save)
         .def("to_bytes", &Scene::to_bytes)
-        .def("set_labels", &Scene::set_labels, nb::arg("labels"))
+        .def("set_labels", &Scene::set_labels)
         .def("labels", &Scene::labels)
         .def("size", &Scene::size)
-        .def("take", &Scene::take, nb::arg("numbers").none(),
-             nb::arg("records"), nb::arg("closed"))
+        .def("take", &Scene::take)
         .def("bytes", &Scene::bytes)
-        .def("nearest", &Scene::nearest, nb::arg("lines"), nb::arg("exclude"),
-             nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
-        .def("any", &Scene::any, nb::arg("lines"), nb::arg("exclude"),
-             nb::arg("answers"), nb::arg("threads"), nb::arg("progress").none())
-        .def("count", &Scene::count, nb::arg("lines"), nb::arg("exclude"),
-             nb::arg("counts"), nb::arg("threads"), nb::arg("progress").none())
-        .def("all", &Scene::all, nb::arg("lines"), nb::arg("exclude"),
-             nb::arg("threads"), nb::arg("progress").none())
-        .def("set_solids", &Scene::set_solids, nb::arg("members"))
+        .def("nearest", &Scene::nearest)
+        .def("any", &Scene::any)
+        .def("count", &Scene::count)
+        .def("all", &Scene::all)
+        .def("set_solids", &Scene::set_solids)
         .def("members", &Scene::members)
-        .def("solids", &Scene::solids, nb::arg("members"))
-        .def("pieces", &Scene::pieces, nb::arg("lines"), nb::arg("exclude"),
-             nb::arg("mode"), nb::arg("rank").none(), nb::arg("first"),
-             nb::arg("threads"), nb::arg("progress").none())
-        .def("sums", &Scene::sums, nb::arg("lines"), nb::arg("exclude"),
-             nb::arg("mode"), nb::arg("rank").none(), nb::arg("label").none(),
-             nb::arg("in_units"), nb::arg("sums"), nb::arg("threads"),
-             nb::arg("progress").none())
-        .def("depth", &Scene::depth, nb::arg("points"), nb::arg("radii"),
-             nb::arg("rank").none(), nb::arg("columns"), nb::arg("threads"),
-             nb::arg("progress").none())
-        .def("first_boundary", &Scene::first_boundary, nb::arg("lines"),
-             nb::arg("exclude"), nb::arg("columns"), nb::arg("threads"),
-             nb::arg("progress").none())
-        .def("closest", &Scene::closest, nb::arg("points"), nb::arg("radii"),
-             nb::arg("is_signed"), nb::arg("columns"), nb::arg("threads"),
-             nb::arg("progress").none())
-        .def("within_count", &Scene::within_count, nb::arg("points"),
-             nb::arg("radii"), nb::arg("is_signed"), nb::arg("counts"),
-             nb::arg("threads"), nb::arg("progress").none())
-        .def("contains", &Scene::contains, nb::arg("points"), nb::arg("radii"),
-             nb::arg("counts"), nb::arg("threads"), nb::arg("progress").none())
-        .def("within", &Scene::within, nb::arg("points"), nb::arg("radii"),
-             nb::arg("is_signed"), nb::arg("threads"),
-             nb::arg("progress").none());
-    nb::class_<Pieces>(module, "Pieces")
-        .def("size", &Pieces::size)
-        .def("write", &Pieces::write, nb::arg("columns"));
-    nb::class_<Found>(module, "Found")
-        .def("size", &Found::size)
-        .def("write", &Found::write, nb::arg("columns"));
+        .def("solids", &Scene::solids)
+        .def("pieces", &Scene::pieces)
+        .def("sums", &Scene::sums)
+        .def("depth", &Scene::depth)
+        .def("first_boundary", &Scene::first_boundary)
+        .def("closest", &Scene::closest)
+        .def("within_count", &Scene::within_count)
+        .def("contains", &Scene::contains)
+        .def("within", &Scene::within);
 }
