@@ -34,8 +34,8 @@ static const char help[] =
     "  --ortho            parallel rays\n"
     "  --zoom FACTOR      enlarge about the picture's centre\n"
     "  --colour HOW       of shapes without a field #rrggbb in their records:\n"
-    "                     number, label, kind, connected, radius, height\n"
-    "                     or #rrggbb\n"
+    "                     number, label, kind, connected, radius, height,\n"
+    "                     element, chain or #rrggbb\n"
     "  --shade HOW        light (default), plain or normal\n"
     "  --light X,Y,Z      the direction to the sun\n"
     "  --ground HOW       #rrggbb below the scene, or none (default)\n"
@@ -132,7 +132,7 @@ static int set_stage(const struct options *o, struct scene *scene,
 {
     const int has_ground = o->ground && boxes->size > 0;
     const struct vector up = unit(o->viewing.up);
-    int status = colours_complete(colours, scene, o->colouring, o->colour, up);
+    int status = colours_complete(colours, scene, o->colour, up);
     if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
         complain(o->scene, "no shape is bounded, or the view is along --up; "
                            "use --eye and --look-at");
@@ -175,7 +175,7 @@ static int prepare(const struct options *o, struct scene *scene,
 int main(int argc, char **argv)
 {
     struct options options;
-    struct colours colours = {NULL, NULL, 0, 0};
+    struct colours colours = {0};
     struct scene scene;
     struct stage stage;
     struct view view;
@@ -189,6 +189,7 @@ int main(int argc, char **argv)
     if (status != 0 || options.print) {
         return status != 0 ? status : print_about(options.print);
     }
+    colours.how = options.colouring;
     stages_start(&stages, options.progress);
     status = picture_open(&out, options.output);
     if (status != 0) {

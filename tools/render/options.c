@@ -207,8 +207,8 @@ static const char *read_look_options(struct options *options, int id,
     case OPT_COLOUR:
         return read_colouring(value, options)
                    ? NULL
-                   : "number, label, kind, connected, radius, height or "
-                     "#rrggbb";
+                   : "number, label, kind, connected, radius, height, "
+                     "element, chain or #rrggbb";
     case OPT_GROUND:
         return read_ground(value, &options->ground) ? NULL : "none or #rrggbb";
     case OPT_LIGHT:

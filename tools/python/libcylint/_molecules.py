@@ -28,7 +28,7 @@ def read_molecule(
 
     stick: the radius of a cylinder for each bond; 0: no bonds.  Two atoms are bonded
     if their distance is at least 0.4 and at most 0.45 more than the sum of their
-    covalent radii; two hydrogens never are.
+    covalent radii, those of gemmi; two hydrogens never are.
     ball: a sphere for each atom, of this fraction of its van der Waals radius; 0: none.
     stick=0, ball=1 gives van der Waals balls, ball=0.25 balls and sticks.
     waters: False leaves out the molecules of water.
@@ -68,7 +68,8 @@ def read_molecule(
     parts = []
     if ball > 0:
         radii = np.array([_radius(cra.atom.element.vdw_r) for cra in atoms])
-        parts.append(sphere(at, ball * radii).with_labels(labels))
+        with np.errstate(over="ignore"):  # sphere() refuses infinity
+            parts.append(sphere(at, ball * radii).with_labels(labels))
     if stick > 0:
         i, j = _bonds(model, atoms, at)
         named = labels[i] + "--" + labels[j]
@@ -86,7 +87,7 @@ def _model(name: str, waters: bool) -> Any:
         ) from None
     data = contents(name)
     try:
-        structure = gemmi.read_structure_string(data)
+        structure = gemmi.read_structure_string(data, merge_chain_parts=False)
     except (RuntimeError, ValueError) as error:
         raise ValueError(f"{name}: {error}") from None
     if structure.input_format == gemmi.CoorFormat.Pdb:
@@ -151,7 +152,7 @@ def _bonds(model: Any, atoms: list[Any], at: Any) -> Any:
     # Without a cell, and so without symmetric copies.
     near = gemmi.NeighborSearch(model, gemmi.UnitCell(), reach).populate()
     search = gemmi.ContactSearch(reach)
-    search.setup_atomic_radii(1, (_ALLOWANCE + 0.01) / 2)
+    search.setup_atomic_radii(1, _ALLOWANCE + 0.01)  # of a pair
     search.ignore = gemmi.ContactSearch.Ignore.Nothing
     found = [
         sorted((pair.partner1.atom.serial, pair.partner2.atom.serial))
