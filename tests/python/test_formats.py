@@ -98,7 +98,7 @@ def test_balls_are_a_fraction_of_the_van_der_waals_radius(molecule):
     assert balls.labels.tolist() == [
         "A:1:GLY:CA", "A:1:GLY:CB", "A:1:GLY:O", "A:1:GLY:HA", "A:1:GLY:HB",
         "B:45A:CYS:SG", "A:301:ZN:ZN:Zn",
-    ]  # fmt: skip
+    ]
     both = molecule(text, ball=0.25)
     assert len(both) == 7 + 5 and both.r[0] == 0.25 * 1.7
     assert both.kind[:7].tolist() == [cylint.Kind.SPHERE] * 7
@@ -200,7 +200,7 @@ def test_mmcif_has_texts_quotes_and_rows_over_lines(molecule):
         (CHAIN, {"ball": np.nan}, "ball: expected 0 or a positive number, found nan"),
         (CHAIN, {"ball": 1.7e308}, "a number is not finite"),
     ],
-)  # fmt: skip
+)
 def test_what_is_no_molecule_is_refused(molecule, text, options, message):
     with pytest.raises(ValueError, match=message):
         molecule(text, **options)
@@ -243,7 +243,7 @@ def tree(tmp_path):
         ("\N{BYTE ORDER MARK}ID,length,radius,startX,startY,startZ,axis_x,axis_y,axis_z\n"
          "7,1.125,.5,1,2,2.875,0,0,1\n", {"z": (2.875, 4)}),
     ],
-)  # fmt: skip
+)
 def test_columns_are_found_by_name(tree, text, options):
     shapes = tree(text)
     low, high = options.get("z", (3.1, 4))
@@ -274,7 +274,7 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
     texts = [re.sub(".*: ", "", str(warning.message)) for warning in said]
     assert texts == [
         "1 cylinder of no length skipped", "1 cylinder of no radius skipped",
-    ]  # fmt: skip
+    ]
     with pytest.warns(UserWarning, match="1 cylinder of no radius") as said:
         assert tree(HEAD + POINTS, round=True).labels.tolist() == ["7", "8"]
     assert len(said) == 1
@@ -294,7 +294,7 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
         (HEAD + "7,1,2,3,4,5,6,nan\n", "cylinder 0: a number is not finite"),
         ("", "expected a header line, found the end of the file"),
     ],
-)  # fmt: skip
+)
 def test_what_is_no_table_is_refused(tree, text, message):
     with pytest.raises(ValueError, match=message):
         tree(text)
@@ -307,7 +307,7 @@ def convert(*arguments, given=b""):
     done = subprocess.run(
         [sys.executable, "-m", "libcylint", "convert", *map(str, arguments)],
         input=given, capture_output=True,
-    )  # fmt: skip
+    )
     return done.returncode, done.stdout.decode(), done.stderr.decode()
 
 
@@ -369,7 +369,7 @@ def test_convert_has_the_status_of_the_command(tmp_path):
             done = subprocess.run(
                 [sys.executable, "-m", "libcylint", "convert", "qsm", "-t"],
                 input=TREEQSM.encode(), stdout=full, stderr=subprocess.PIPE,
-            )  # fmt: skip
+            )
         assert done.returncode == 3 and b"No space left" in done.stderr
 
 
@@ -381,7 +381,7 @@ def display(name, page="cylint.7"):
     done = subprocess.run(
         ["sh", TOP / "tests/support/recipe.sh", name, page],
         capture_output=True, text=True, check=True,
-    )  # fmt: skip
+    )
     assert done.stdout
     return done.stdout
 
@@ -402,7 +402,7 @@ def recipe(tmp_path):
         done = subprocess.run(
             ["sh", "-c", text], cwd=tmp_path, env=os.environ | {"PATH": path},
             capture_output=True, text=True,
-        )  # fmt: skip
+        )
         assert done.stderr == ""
         return done.stdout
 
@@ -464,7 +464,7 @@ def test_a_protein_has_the_colours_of_its_elements(recipe, tmp_path):
     (tmp_path / "molecule.pdb").write_text(
         atom(1, " C", 0, 0, 0, "C") + atom(2, " O", 1.5, 0, 0, "O")
         + atom(3, " N", -1.4, 0, 0, "N")
-    )  # fmt: skip
+    )
     recipe(text)
     pixels = recipe(f"{render.parent}/tests/command/pixels protein.png")
     colour = np.array([row.split()[2:5] for row in pixels.splitlines()], int)
@@ -495,5 +495,5 @@ def test_a_real_tree_has_the_answers_of_the_manual(recipe, tmp_path):
     assert len(cylint.read_qsm(tmp_path / "tree.csv")) == 1231
     for name, said in (
         ("lidar", "lidar-said"), ("residuals", "residuals-said"), ("crown", "crown-said"),
-    ):  # fmt: skip
+    ):
         assert recipe(display(name)) == display(said)

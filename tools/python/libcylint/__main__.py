@@ -51,18 +51,18 @@ def _arguments() -> argparse.Namespace:
     add = kind(
         "molecule", read_molecule, "PDB or mmCIF: a cylinder for each bond, and with "
         "-b a ball for each atom", aliases=["pdb", "mmcif"],
-    )  # fmt: skip
+    )
     add("-r", "--stick", type=float, default=0.15, metavar="RADIUS",
-        help="of bonds, in angstrom, default 0.15; 0: no bonds")  # fmt: skip
+        help="of bonds, in angstrom, default 0.15; 0: no bonds")
     add("-b", "--ball", type=float, default=0.0, metavar="FRACTION",
-        help="of the van der Waals radius, for balls")  # fmt: skip
+        help="of the van der Waals radius, for balls")
     add("--no-waters", dest="waters", action="store_false", help="leave out water")
     add = kind("qsm", read_qsm, "trees as tables of cylinders")
     add("-t", "--treeqsm", action="store_true", help="text of TreeQSM, without header")
     add("--round", action="store_true", help="capsules in place of cylinders")
     add = kind("swc", _read_neuron, "neurons: a frustum from each node to its parent")
     add("--swc", choices=["cones", "round"], default="cones",
-        help="round: rounded cones, and a ball at each root")  # fmt: skip
+        help="round: rounded cones, and a ball at each root")
     return parser.parse_args()
 
 
@@ -73,7 +73,7 @@ def _say(message: Any, *_: Any) -> None:
 def main() -> int:
     if hasattr(signal, "SIGPIPE"):
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    warnings.showwarning = _say
+    warnings.showwarning = _say  # type: ignore[assignment]
     options = vars(_arguments())
     read, files = options.pop("read"), options.pop("files")
     try:

@@ -24,9 +24,7 @@ _FLOAT64 = np.dtype(np.float64)
 _NONE = np.array(-1)  # leaves out no shape
 
 
-def takes(
-    make: Callable[_P, _Made],
-) -> Callable[
+def takes(make: Callable[_P, _Made]) -> Callable[
     [Callable[[_Self, _Made], _Answer]], Callable[Concatenate[_Self, _P], _Answer]
 ]:
     """Gives function(self, made) the arguments from which `make` makes `made`."""
@@ -167,15 +165,9 @@ class Lines:
     left_out: NDArray[np.int64] = _NONE
 
     def __init__(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         if errors not in ("raise", "mask"):
@@ -222,22 +214,15 @@ class SceneLines(Lines):
     """
 
     def __init__(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        exclude: ArrayLike = -1,
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        exclude: ArrayLike = -1, errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         super().__init__(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,
-        )  # fmt: skip
+        )
         if not (isinstance(exclude, int) and exclude == -1):
             self.left_out = integers("exclude", exclude)
             lines = np.broadcast_to(_NONE, self.shape)
@@ -257,11 +242,10 @@ class SceneLines(Lines):
 class Points:
     """Points of any shape."""
 
+    radii: Doubles = np.array(0.0)  # without effect
+
     def __init__(
-        self,
-        points: ArrayLike,
-        *,
-        threads: int | None = None,
+        self, points: ArrayLike, *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         self.array = doubles("points", points, 3)
@@ -283,13 +267,8 @@ class Balls(Points):
     radii_name = "r"
 
     def __init__(
-        self,
-        points: ArrayLike,
-        r: ArrayLike,
-        *,
-        signed: bool = False,
-        threads: int | None = None,
-        progress: Progress | None = None,
+        self, points: ArrayLike, r: ArrayLike, *, signed: bool = False,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> None:
         super().__init__(points, threads=threads, progress=progress)
         self.radii = doubles(self.radii_name, r)
@@ -309,13 +288,8 @@ class BallsWithin(Balls):
     radii_name = "within"
 
     def __init__(
-        self,
-        points: ArrayLike,
-        within: ArrayLike = np.inf,
-        *,
-        signed: bool = False,
-        threads: int | None = None,
-        progress: Progress | None = None,
+        self, points: ArrayLike, within: ArrayLike = np.inf, *, signed: bool = False,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> None:
         super().__init__(
             points, within, signed=signed, threads=threads, progress=progress

@@ -30,12 +30,8 @@ class ClosestPoints:
     distance: Doubles
 
     def __init__(
-        self,
-        kinds: NDArray[np.int32] | None,
-        index: NDArray[np.int64] | None,
-        points: Points,
-        distance: Doubles,
-        threads: int | None,
+        self, kinds: NDArray[np.int32] | None, index: NDArray[np.int64] | None,
+        points: Points, distance: Doubles, threads: int | None,
     ) -> None:
         """kinds: of shapes.  index: the shapes' numbers, -1 for none; None: the
         shapes broadcast with the points.  They and points must not change."""
@@ -46,17 +42,13 @@ class ClosestPoints:
     def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64] | None]:
         return self._source[:2]  # type: ignore[return-value]
 
-    def _write(
-        self, progress: Progress | None = None, **wanted: NDArray[Any]
-    ) -> None:
+    def _write(self, progress: Progress | None = None, **wanted: NDArray[Any]) -> None:
         """Computes the arrays that are given."""
         _, _, points, threads = self._source
         kinds, index = self._shapes
         names = ("distance", "part", "feature", "point", "normal")
         columns = [wanted.get(name) for name in names]
-        _core.closest(
-            kinds, index, points, None, columns, workers(threads), progress
-        )
+        _core.closest(kinds, index, points, None, columns, workers(threads), progress)
 
     @cached_property
     def _where(self) -> tuple[NDArray[np.int8], NDArray[np.int8]]:

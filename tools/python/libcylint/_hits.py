@@ -16,6 +16,16 @@ _MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
 _POINTS = ("point", "normal", "outside", "inside")
 
 
+def _member(name: str, text: str) -> Any:
+    """A member that is computed when it is first used."""
+
+    def compute(hits: DescribedHits) -> NDArray[Any]:
+        return hits._describe(name)
+
+    compute.__doc__ = text
+    return cached_property(compute)
+
+
 class DescribedHits:
     """Hits with their shapes and lines.  A member has the axes of t; points and
     vectors have one axis more, of length 3.  Members are computed when they are
@@ -24,11 +34,8 @@ class DescribedHits:
     t: Doubles
 
     def __init__(
-        self,
-        kinds: NDArray[np.int32] | None,
-        index: NDArray[np.int64] | None,
-        lines: Lines,
-        threads: int | None,
+        self, kinds: NDArray[np.int32] | None, index: NDArray[np.int64] | None,
+        lines: Lines, threads: int | None,
     ) -> None:
         """kinds: of shapes.  index: the shapes' numbers, of the nearest hits; None:
         two hits of each shape; they broadcast with the lines.  The arrays must not
@@ -45,38 +52,22 @@ class DescribedHits:
         axes = (*self.t.shape, 3) if member in _POINTS else self.t.shape
         column = np.empty(axes, np.int8 if member == "side" else np.float64)
         columns = [column if name == member else None for name in _MEMBERS]
-        _core.describe(
-            kinds, index, lines.core(), columns, workers(threads), None
-        )
+        _core.describe(kinds, index, lines.core(), columns, workers(threads), None)
         return column
 
-    @cached_property
-    def point(self) -> Doubles:
-        """(..., 3): the points o + t d; nan for none."""
-        return self._describe("point")
-
-    @cached_property
-    def normal(self) -> Doubles:
-        """(..., 3): the outward unit normals; nan for none."""
-        return self._describe("normal")
-
-    @cached_property
-    def z(self) -> Doubles:
-        """(...): axial coordinates, 0 at the base, 1 at the top."""
-        return self._describe("z")
-
-    @cached_property
-    def phi(self) -> Doubles:
-        """(...): angles about the axis divided by 2 pi, in [0, 1)."""
-        return self._describe("phi")
-
-    @cached_property
-    def side(self) -> NDArray[np.int8]:
-        """(...) int8, a value of `Side`; -1 for none."""
-        return self._describe("side")
-
-    @cached_property
-    def outside(self) -> Doubles:
+    point: Doubles = _member("point", "(..., 3): the points o + t d; nan for none.")
+    normal: Doubles = _member(
+        "normal", "(..., 3): the outward unit normals; nan for none."
+    )
+    z: Doubles = _member("z", "(...): axial coordinates, 0 at the base, 1 at the top.")
+    phi: Doubles = _member(
+        "phi", "(...): angles about the axis divided by 2 pi, in [0, 1)."
+    )
+    side: NDArray[np.int8] = _member(
+        "side", "(...) int8, a value of `Side`; -1 for none."
+    )
+    outside: Doubles = _member(
+        "outside",
         """(..., 3): points next to `point` that are outside the shape.
 
         `point` is rounded, so it is as often inside the shape as outside.  A ray
@@ -92,17 +83,16 @@ class DescribedHits:
         0
         >>> int(cylint.intersect(ball, hit.outside[:, 0], d).n.sum())
         0
-        """
-        return self._describe("outside")
-
-    @cached_property
-    def inside(self) -> Doubles:
+        """,
+    )
+    inside: Doubles = _member(
+        "inside",
         """(..., 3): points next to `point` that are inside the shape.
 
         A ray that starts there hits the surface of a bounded convex shape once.
         nan for none, and where the shape is thinner than the steps of float64.
-        """
-        return self._describe("inside")
+        """,
+    )
 
 
 class Hits(DescribedHits):
@@ -185,11 +175,8 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     o, d, _, _ = lines.arrays
     copies = new_copy(o, shape), new_copy(d, shape)
     if not _core.intersect(
-        kinds,
-        lines.core(),
-        [hits.relation, hits.n, hits.t, hits.part, *copies],
-        workers(lines.threads),
-        lines.progress,
+        kinds, lines.core(), [hits.relation, hits.n, hits.t, hits.part, *copies],
+        workers(lines.threads), lines.progress,
     ):
         raise lines.refuse()
     lines.keep(copies)

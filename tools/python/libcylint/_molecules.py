@@ -15,10 +15,7 @@ _ALLOWANCE = 0.45  # beyond the sum of their covalent radii, the usual tolerance
 
 
 def read_molecule(
-    path: str | os.PathLike[str],
-    *,
-    stick: float = 0.15,
-    ball: float = 0.0,
+    path: str | os.PathLike[str], *, stick: float = 0.15, ball: float = 0.0,
     waters: bool = True,
 ) -> Shapes:
     """Reads a molecule in PDB or mmCIF, also of a file *.gz; `-` is standard input.
@@ -80,7 +77,7 @@ def read_molecule(
 def _model(name: str, waters: bool) -> Any:
     """The first model of a file, with one location for each atom."""
     try:
-        import gemmi
+        import gemmi  # type: ignore[import-not-found, unused-ignore]
     except ImportError:
         raise ImportError(
             "read_molecule needs gemmi: pip install libcylint[molecules]"
@@ -117,8 +114,7 @@ def _check_columns(name: str, text: str) -> None:
 def _check(name: str, atoms: list[Any], labels: Any, at: Any) -> None:
     known = np.array([cra.atom.element.atomic_number > 0 for cra in atoms])
     for good, what in (
-        (np.isfinite(at).all(axis=1), "no coordinates"),
-        (known, "no known element"),
+        (np.isfinite(at).all(axis=1), "no coordinates"), (known, "no known element"),
     ):
         if not good.all():
             raise ValueError(f"{name}: atom {labels[np.argmin(good)]} has {what}")
@@ -144,8 +140,8 @@ def _bonds(model: Any, atoms: list[Any], at: Any) -> Any:
     """The numbers of bonded atoms, (2, k), ascending."""
     import gemmi
 
-    for i, cra in enumerate(atoms):
-        cra.atom.serial = i
+    for number, cra in enumerate(atoms):
+        cra.atom.serial = number
     covalent = np.array([_radius(cra.atom.element.covalent_r) for cra in atoms])
     hydrogen = np.array([cra.atom.is_hydrogen() for cra in atoms])
     reach = 2 * float(covalent.max()) + _ALLOWANCE + 0.01  # singles

@@ -14,7 +14,7 @@ from . import _core
 from ._arguments import (
     Balls, BallsWithin, Doubles, Points, Progress, SceneLines, counted, integers,
     takes, workers,
-)  # fmt: skip
+)
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
 from ._hits import DescribedHits
@@ -44,7 +44,7 @@ class NearestHits(DescribedHits):
         super().__init__(None, self.index.copy(), lines, threads)
 
     @cached_property
-    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:  # type: ignore[override]
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
         records, index = shapes_of(self._scene, self._source[1])
         return kinds_of(records), index
 
@@ -75,7 +75,7 @@ class ClosestShapes(ClosestPoints):
         self._signed = around.signed
 
     @cached_property
-    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:  # type: ignore[override]
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
         records, index = shapes_of(self._scene, self._source[1], self._signed)
         return kinds_of(records), index
 
@@ -167,16 +167,13 @@ class Scene:
     """
 
     def __init__(
-        self,
-        shapes: Shapes | Iterable[Shapes],
-        *,
-        threads: int | None = None,
+        self, shapes: Shapes | Iterable[Shapes], *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
-        whole = isinstance(shapes, Shapes)
-        begun = _core.Scene(len(shapes._in_a_row()) if whole else 0)
+        parts = [shapes] if isinstance(shapes, Shapes) else shapes
+        begun = _core.Scene(shapes.size if isinstance(shapes, Shapes) else 0)
         labels: list[Any] = []
-        for part in [shapes] if whole else shapes:
+        for part in parts:
             if not isinstance(part, Shapes):
                 raise TypeError(f"expected Shapes, found {type(part).__name__}")
             row = part._in_a_row()
@@ -185,11 +182,8 @@ class Scene:
         self._start(begun, _joined(labels), threads, progress)
 
     def _start(
-        self,
-        begun: _core.Scene,
-        labels: NDArray[np.object_] | None,
-        threads: int | None,
-        progress: Progress | None,
+        self, begun: _core.Scene, labels: NDArray[np.object_] | None,
+        threads: int | None, progress: Progress | None,
     ) -> None:
         self._scene = begun
         self._labels = labels  # in place of the cached property
@@ -198,13 +192,8 @@ class Scene:
 
     @classmethod
     def read(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        ends: Any = None,
-        swc: str | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
+        cls, path: str | os.PathLike[str], *, ends: Any = None, swc: str | None = None,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> Scene:
         """`Scene(read_scene(path, ends=ends, swc=swc))` in a sixth of the memory.
 
@@ -269,11 +258,7 @@ class Scene:
 
     @classmethod
     def open(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        trusted: bool = False,
-        read: bool = False,
+        cls, path: str | os.PathLike[str], *, trusted: bool = False, read: bool = False,
         threads: int | None = None,
     ) -> Scene:
         """Opens a scene that `save` or `cylint --save` wrote.
@@ -310,39 +295,26 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    def _ask(
-        self, query: Any, lines: SceneLines, kinds: str, *more: Any
-    ) -> list[NDArray[Any]]:
+    def _ask(self, query: Any, lines: SceneLines, kinds: str, rule: Any = None) -> Any:
         """Calls a function of _core for lines, which writes columns of these types:
-        i index, t number, b byte, ? bool, v vector."""
-        columns = _columns(lines.shape, kinds)
-        if not query(
-            lines.core_of(len(self)), *more, columns,
-            workers(self._choose(lines.threads)), lines.progress,
-        ):  # fmt: skip
-            raise lines.refuse()
-        return columns
-
-    def _list(self, query: Any, lines: SceneLines, *more: Any) -> Any:
-        """Calls a function of _core for lines that returns flat arrays."""
+        i index, t number, b byte, ? bool, v vector; "": it returns flat arrays."""
+        columns = [_columns(lines.shape, kinds)] if kinds else []
         found = query(
-            lines.core_of(len(self)), *more,
+            self._scene, lines.core_of(len(self)), rule or _PLAIN, *columns,
             workers(self._choose(lines.threads)), lines.progress,
-        )  # fmt: skip
-        if found is None:
+        )
+        if not found:
             raise lines.refuse()
-        return found
+        return columns[0] if kinds else found
 
-    def _near(
-        self, query: Any, around: Points, radii: Any, kinds: str, *more: Any
-    ) -> list[NDArray[Any]]:
-        """Calls a function of _core for points and radii, as `_ask`."""
+    def _near(self, query: Any, around: Points, kinds: str, rule: Any = None) -> Any:
+        """The same for points and their radii."""
         columns = _columns(around.shape, kinds)
-        query(
-            around.array, radii, *more, columns,
+        found = query(
+            self._scene, around.array, around.radii, rule or _PLAIN, columns,
             workers(self._choose(around.threads)), around.progress,
-        )  # fmt: skip
-        return columns
+        )
+        return columns if kinds else found
 
     @takes(SceneLines)
     def nearest(self, lines: SceneLines) -> NearestHits:
@@ -360,7 +332,7 @@ class Scene:
         (0, 1, 8.0)
         """
         lines.keep()
-        columns = self._ask(self._scene.nearest, lines, "itb")
+        columns = self._ask(_core.Scene.nearest, lines, "itb")
         chosen = self._choose(lines.threads)
         return NearestHits(self._scene, lines, columns, chosen)
 
@@ -370,7 +342,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        return self._ask(self._scene.any, lines, "?")[0]
+        return self._ask(_core.Scene.any, lines, "?")[0]
 
     @takes(SceneLines)
     def count(self, lines: SceneLines) -> NDArray[np.int64]:
@@ -378,7 +350,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        return self._ask(self._scene.count, lines, "i")[0]
+        return self._ask(_core.Scene.count, lines, "i")[0]
 
     @takes(SceneLines)
     def all(self, lines: SceneLines) -> AllHits:
@@ -392,7 +364,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        return AllHits(*self._list(self._scene.all, lines))
+        return AllHits(*self._ask(_core.Scene.all, lines, ""))
 
     def _integers(
         self, name: str, values: ArrayLike | None
@@ -406,15 +378,11 @@ class Scene:
                 f"{name}: expected {len(self)} integers, one a shape, found the shape {array.shape}"
             )
         limits = np.iinfo(np.int32)
-        if array.size and not (
-            limits.min <= array.min() and array.max() <= limits.max
-        ):
+        if array.size and not (limits.min <= array.min() and array.max() <= limits.max):
             raise ValueError(f"{name}: a number does not fit 32 bits")
         return np.ascontiguousarray(array, np.int32)
 
-    def set_solids(
-        self, shape: ArrayLike, solid: ArrayLike, clause: ArrayLike
-    ) -> None:
+    def set_solids(self, shape: ArrayLike, solid: ArrayLike, clause: ArrayLike) -> None:
         """Sets solids made of shapes, in place of those before.
 
         shape, solid, clause: integers that broadcast to one axis.  Shape number
@@ -433,8 +401,7 @@ class Scene:
         (array([3., 6.]), array([4., 7.]))
         """
         given = np.broadcast_arrays(
-            integers("shape", shape),
-            integers("solid", solid),
+            integers("shape", shape), integers("solid", solid),
             integers("clause", clause),
         )
         rows = np.column_stack([column.reshape(-1) for column in given])
@@ -453,23 +420,13 @@ class Scene:
     @property
     def solids(self) -> NDArray[np.int64]:
         """The members of solids: (k, 3), each a shape, a solid and a clause."""
-        members = np.empty((self._scene.members(), 3), np.int64)
-        self._scene.solids(members)
-        return members
+        return np.array(self._scene.solids(), np.int64).reshape(-1, 3)
 
     def pieces(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        mode: str = "owner",
-        rank: ArrayLike | None = None,
-        first: int | None = None,
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        mode: str = "owner", rank: ArrayLike | None = None, first: int | None = None,
+        errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> Pieces:
         """The pieces of each line that are inside solids, in order.
@@ -490,27 +447,18 @@ class Scene:
         lines = SceneLines(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,
-        )  # fmt: skip
-        ranks = self._integers("rank", rank)
-        return Pieces(
-            *self._list(self._scene.pieces, lines, _mode(mode), ranks, most)
         )
+        rule = _core.Scene.Rule(
+            _mode(mode), self._integers("rank", rank), None, most, False
+        )
+        return Pieces(*self._ask(_core.Scene.pieces, lines, "", rule))
 
     def sums(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        labels: ArrayLike | None = None,
-        columns: int | None = None,
-        mode: str = "owner",
-        rank: ArrayLike | None = None,
-        units: str = "length",
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        labels: ArrayLike | None = None, columns: int | None = None,
+        mode: str = "owner", rank: ArrayLike | None = None, units: str = "length",
+        errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.float64]:
         """The lengths of each line inside solids, added by label.
@@ -536,7 +484,7 @@ class Scene:
         lines = SceneLines(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,
-        )  # fmt: skip
+        )
         label = self._integers("labels", labels)
         width = 1
         if label is not None:
@@ -545,21 +493,20 @@ class Scene:
             width = int(columns)
         if width < 0:
             raise ValueError(f"columns: found {width}")
+        rule = _core.Scene.Rule(
+            _mode(mode), self._integers("rank", rank), label, width, units == "length"
+        )
         sums = np.empty((*lines.shape, width))
-        if not self._scene.sums(
-            lines.core(), _mode(mode), self._integers("rank", rank), label,
-            units == "length", sums, workers(self._choose(threads)), progress,
-        ):  # fmt: skip
+        if not _core.Scene.sums(
+            self._scene, lines.core(), rule, [sums],
+            workers(self._choose(threads)), progress,
+        ):
             raise lines.refuse()
         return sums[..., 0] if labels is None and columns is None else sums
 
     def depth(
-        self,
-        points: ArrayLike,
-        *,
-        rank: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
+        self, points: ArrayLike, *, rank: ArrayLike | None = None,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """How many solids contain each point, and which one owns it: (...), (...).
 
@@ -572,8 +519,8 @@ class Scene:
         (array([2, 1, 0]), array([ 0,  1, -1]))
         """
         asked = Points(points, threads=threads, progress=progress)
-        ranks = self._integers("rank", rank)
-        deep, index = self._near(self._scene.depth, asked, _ZERO, "ii", ranks)
+        rule = _core.Scene.Rule(0, self._integers("rank", rank), None, 0, False)
+        deep, index = self._near(_core.Scene.depth, asked, "ii", rule)
         return deep, index
 
     @takes(SceneLines)
@@ -588,7 +535,7 @@ class Scene:
         >>> wall.index, wall.t, wall.normal[1]
         (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
         """
-        found = self._ask(self._scene.first_boundary, lines, "itbbvv")
+        found = self._ask(_core.Scene.first_boundary, lines, "itbbvv")
         index, t, part, side, point, normal = found
         return Boundaries(index, t, point, normal, side, part)
 
@@ -622,9 +569,7 @@ class Scene:
         array(-0.25)
         """
         around.keep()
-        columns = self._near(
-            self._scene.closest, around, around.radii, "it", around.signed
-        )
+        columns = self._near(_core.Scene.closest, around, "it", _signed(around))
         chosen = self._choose(around.threads)
         return ClosestShapes(self._scene, around, columns, chosen)
 
@@ -641,12 +586,8 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        return ShapesWithin(
-            *self._scene.within(
-                around.array, around.radii, around.signed,
-                workers(self._choose(around.threads)), around.progress,
-            )
-        )  # fmt: skip
+        found = self._near(_core.Scene.within, around, "", _signed(around))
+        return ShapesWithin(*found)
 
     @takes(Balls)
     def within_count(self, around: Balls) -> NDArray[np.int64]:
@@ -654,8 +595,8 @@ class Scene:
 
         Arguments as of `within`.
         """
-        query = self._scene.within_count
-        return self._near(query, around, around.radii, "i", around.signed)[0]
+        query = _core.Scene.within_count
+        return self._near(query, around, "i", _signed(around))[0]
 
     @takes(Points)
     def contains(self, points: Points) -> NDArray[np.int64]:
@@ -668,11 +609,15 @@ class Scene:
         >>> cylint.Scene(posts).contains([[2, 0, 0.5], [5, 0, 1], [9, 0, 0]])
         array([2, 1, 0])
         """
-        return self._near(self._scene.contains, points, _ZERO, "i")[0]
+        return self._near(_core.Scene.contains, points, "i")[0]
 
 
-_ZERO = np.array(0.0)  # a radius without effect
+_PLAIN = _core.Scene.Rule(0, None, None, 0, False)
 _TYPES = {"i": np.int64, "t": np.float64, "b": np.int8, "?": np.bool_}
+
+
+def _signed(around: Balls) -> Any:
+    return _core.Scene.Rule(0, None, None, 0, around.signed)
 
 
 def _columns(shape: tuple[int, ...], kinds: str) -> list[NDArray[Any]]:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import (
     Doubles, Points, Progress, broadcast, counted, doubles, place, takes, workers,
-)  # fmt: skip
+)
 from ._closest import ClosestPoints
 from ._enums import Ends, Kind
 
@@ -19,10 +19,8 @@ _layout = _core.shape_members()
 _record = np.dtype((np.void, _layout["size"]))
 _readable = np.dtype(
     {
-        "names": ["kind", "ends"],
-        "formats": [np.intc, np.intc],
-        "offsets": [_layout["kind"], _layout["ends"]],
-        "itemsize": _layout["size"],
+        "names": ["kind", "ends"], "formats": [np.intc, np.intc],
+        "offsets": [_layout["kind"], _layout["ends"]], "itemsize": _layout["size"],
     }
 )
 
@@ -33,11 +31,9 @@ _CONSTRUCTORS = {
     "cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1},
     "elliptic_cylinder": {"c": 3, "a": 3, "b": 3, "h": 3},
     "elliptic_cone": {"c": 3, "a": 3, "b": 3, "h": 3, "k": 1},
-    "tangent_cone": {"v": 3, "u": 3, "tangent": 1},
-    "sphere": {"c": 3, "r": 1},
+    "tangent_cone": {"v": 3, "u": 3, "tangent": 1}, "sphere": {"c": 3, "r": 1},
     "capsule": {"p0": 3, "p1": 3, "r": 1},
-    "round_cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1},
-    "halfspace": {"p": 3, "n": 3},
+    "round_cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1}, "halfspace": {"p": 3, "n": 3},
     "angle_cone": {"v": 3, "u": 3, "degrees": 1},
 }
 _NAMES = list(_CONSTRUCTORS)
@@ -82,15 +78,6 @@ def shapes_of(
     return records, np.where(index < 0, -1, places.reshape(index.shape))
 
 
-def _fixed(shapes: Shapes, value: object) -> None:
-    raise AttributeError("shapes cannot be changed")
-
-
-def _argument(name: str, text: str) -> Any:
-    """A member of shapes that is an argument of their constructors."""
-    return property(lambda s: s._member(name, *s._read()), _fixed, None, text)
-
-
 class Shapes:
     """An array of shapes, made by a constructor such as `cylinder`.
 
@@ -124,37 +111,9 @@ class Shapes:
     __array_ufunc__ = None  # NumPy leaves operators such as == to this class
     __hash__ = None  # type: ignore[assignment]
 
-    p0: Doubles = _argument(
-        "p0",
-        "(..., 3): where the axis begins, of cylinders, cones, capsules and round "
-        "cones.",
-    )
-    p1: Doubles = _argument("p1", "(..., 3): where the axis ends, of the same.")
-    r0: Doubles = _argument(
-        "r0", "(...): the radius at p0; r of a cylinder or capsule."
-    )
-    r1: Doubles = _argument(
-        "r1", "(...): the radius at p1; r of a cylinder or capsule."
-    )
-    r: Doubles = _argument(
-        "r", "(...): the radius, of cylinders, capsules and spheres."
-    )
-    c: Doubles = _argument(
-        "c", "(..., 3): the centre, of spheres; of the base, of elliptic kinds."
-    )
-    a: Doubles = _argument("a", "(..., 3): a semi-axis of the base, of elliptic kinds.")
-    b: Doubles = _argument("b", "(..., 3): the other semi-axis, of elliptic kinds.")
-    h: Doubles = _argument("h", "(..., 3): from base to top, of elliptic kinds.")
-    k: Doubles = _argument("k", "(...): what the top is scaled by, of elliptic cones.")
-    p: Doubles = _argument("p", "(..., 3): a point of the plane, of half-spaces.")
-    n: Doubles = _argument(
-        "n", "(..., 3): the outward normal as given, of half-spaces."
-    )
-    v: Doubles = _argument("v", "(..., 3): the apex, of cones with an angle.")
-    u: Doubles = _argument("u", "(..., 3): the axis, of cones with an angle.")
-    tangent: Doubles = _argument(
-        "tangent", "(...): the tangent of the half angle, of cones with an angle."
-    )
+    p0: Doubles; p1: Doubles; r0: Doubles; r1: Doubles; r: Doubles  # noqa: E702
+    c: Doubles; a: Doubles; b: Doubles; h: Doubles; k: Doubles  # noqa: E702
+    p: Doubles; n: Doubles; v: Doubles; u: Doubles; tangent: Doubles  # noqa: E702
 
     def __init__(
         self, records: NDArray[np.void], labels: NDArray[np.object_] | None = None
@@ -326,7 +285,7 @@ class Shapes:
         query(
             self.kind, None, points.array, ulps, [None] * column + [answers],
             workers(points.threads), points.progress,
-        )  # fmt: skip
+        )
         return answers
 
     @takes(Points)
@@ -396,11 +355,7 @@ class Shapes:
         return self._ask(_core.safety, points, np.float64, 0)
 
     def on_surface(
-        self,
-        points: ArrayLike,
-        ulps: ArrayLike = 0.0,
-        *,
-        threads: int | None = None,
+        self, points: ArrayLike, ulps: ArrayLike = 0.0, *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
         """Whether points are on the surfaces: (...) bool.
@@ -437,11 +392,41 @@ class Shapes:
         return f"<libcylint.Shapes {self.shape}: {counts or 'none'}>"
 
 
+# The members of shapes that are arguments of their constructors.
+_MEMBERS = {
+    "p0": "(..., 3): where the axis begins, of cylinders, cones, capsules and round cones.",
+    "p1": "(..., 3): where the axis ends, of the same.",
+    "r0": "(...): the radius at p0; r of a cylinder or capsule.",
+    "r1": "(...): the radius at p1; r of a cylinder or capsule.",
+    "r": "(...): the radius, of cylinders, capsules and spheres.",
+    "c": "(..., 3): the centre, of spheres; of the base, of elliptic kinds.",
+    "a": "(..., 3): a semi-axis of the base, of elliptic kinds.",
+    "b": "(..., 3): the other semi-axis, of elliptic kinds.",
+    "h": "(..., 3): from base to top, of elliptic kinds.",
+    "k": "(...): what the top is scaled by, of elliptic cones.",
+    "p": "(..., 3): a point of the plane, of half-spaces.",
+    "n": "(..., 3): the outward normal as given, of half-spaces.",
+    "v": "(..., 3): the apex, of cones with an angle.",
+    "u": "(..., 3): the axis, of cones with an angle.",
+    "tangent": "(...): the tangent of the half angle, of cones with an angle.",
+}
+
+
+def _fixed(shapes: Shapes, value: object) -> None:
+    raise AttributeError("shapes cannot be changed")
+
+
+for _name, _text in _MEMBERS.items():
+
+    def _get(shapes: Shapes, name: str = _name) -> Doubles:
+        return shapes._member(name, *shapes._read())
+
+    setattr(Shapes, _name, property(_get, _fixed, None, _text))
+
+
 def _restore(
-    shape: tuple[int, ...],
-    used: dict[str, NDArray[np.bool_]],
-    parts: dict[str, Doubles],
-    ends: NDArray[np.int8],
+    shape: tuple[int, ...], used: dict[str, NDArray[np.bool_]],
+    parts: dict[str, Doubles], ends: NDArray[np.int8],
     labels: NDArray[np.object_] | None,
 ) -> Shapes:
     """The shapes of a pickle."""
@@ -471,10 +456,7 @@ def codes_of(ends: str | int | ArrayLike) -> NDArray[np.int8]:
 
 
 def _build(
-    name: str,
-    numbers: Doubles,
-    ends: NDArray[np.int8],
-    shape: tuple[int, ...] | None,
+    name: str, numbers: Doubles, ends: NDArray[np.int8], shape: tuple[int, ...] | None,
 ) -> NDArray[np.void]:
     """Shapes of one constructor, from numbers (n, k) and ends (n).  shape: that of
     the arguments, for messages."""
@@ -589,11 +571,7 @@ def halfspace(p: ArrayLike, n: ArrayLike) -> Shapes:
 
 
 def tube(
-    p0: ArrayLike,
-    p1: ArrayLike,
-    outer: ArrayLike,
-    inner: ArrayLike = 0,
-    *,
+    p0: ArrayLike, p1: ArrayLike, outer: ArrayLike, inner: ArrayLike = 0, *,
     sector: ArrayLike | None = None,
 ) -> tuple[Shapes, NDArray[np.intc]]:
     """The shapes and clauses of a hollow cylinder or cone, or of a sector of one.
@@ -622,9 +600,7 @@ def tube(
     points = [doubles(n, value, 3) for n, value in (("p0", p0), ("p1", p1))]
     sides = doubles("sector", np.zeros((2, 3)) if sector is None else sector, 3)
     for name, value, expected in (
-        ("p0", points[0], (3,)),
-        ("p1", points[1], (3,)),
-        ("sector", sides, (2, 3)),
+        ("p0", points[0], (3,)), ("p1", points[1], (3,)), ("sector", sides, (2, 3)),
     ):
         if value.shape != expected:
             raise ValueError(
@@ -633,9 +609,7 @@ def tube(
     numbers = np.concatenate([*points, *radii, sides.reshape(-1)])
     records = np.empty(_TUBE_MEMBERS, _record)
     clauses = np.empty(_TUBE_MEMBERS, np.intc)
-    status, n = _core.make_tube(
-        numbers, sector is not None, kinds_of(records), clauses
-    )
+    status, n = _core.make_tube(numbers, sector is not None, kinds_of(records), clauses)
     if status:
         raise ValueError(f"tube: {_core.strerror(status)}")
     return Shapes(records[:n]), clauses[:n]

@@ -66,7 +66,7 @@ def read_qsm(
                 return np.loadtxt(
                     lines, kind, delimiter=separator, quotechar='"', ndmin=2,
                     usecols=[names.index(column) for column in columns],
-                )  # fmt: skip
+                )
             except ValueError as error:
                 raise ValueError(f"{name}: {error}") from None
 

@@ -40,6 +40,8 @@ class Lines
     }
     /* Adds the arrays to an empty grid. */
     void add_to(Grid &grid) const;
+    /* The number of axes to which the arrays broadcast. */
+    size_t axes() const;
 
     const bool segments, masked;
 

@@ -17,6 +17,12 @@ void Lines::add_to(Grid &grid) const
     grid.add(left_out);
 }
 
+size_t Lines::axes() const
+{
+    return std::max({origins.ndim() - 1, directions.ndim() - 1, starts.ndim(),
+                     ends.ndim(), left_out.ndim()});
+}
+
 int LineBlock::make(size_t i, cylint_line *line) const
 {
     const double o[3] = {column[0][i], column[1][i], column[2][i]};
