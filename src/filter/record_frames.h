@@ -1,7 +1,7 @@
 /*
  * record_frames.h - the local coordinates of shapes that are kept as records, in lanes
  *
- * The wide text of shapes/upright.h, with the errors that it states; so the bounds
+ * The wide text of shapes/upright_template.h, with the errors that it states; so the bounds
  * of error_bounds.h hold.
  */
 #ifndef CYLINT_RECORD_FRAMES_H
@@ -13,7 +13,7 @@
 #include "frame.h"
 
 #define CYLINT_WIDE
-#include "../shapes/upright.h"
+#include "../shapes/upright_template.h"
 
 INLINE void set_pair(frames *to, int at, vpair x)
 {

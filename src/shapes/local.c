@@ -19,7 +19,7 @@
 #include "../numbers/simd.h"
 #include "measure.h"
 #include "shape_facts.h"
-#include "upright.h"
+#include "upright_template.h"
 
 #ifndef CYLINT_MEASURE_LOCAL
 #define CYLINT_MEASURE_LOCAL cylint_measure_local

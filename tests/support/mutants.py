@@ -207,7 +207,7 @@ class Bench:
                 seen.append(s)
         return seen
 
-    def passes(self, test, environment, seconds=60):
+    def passes(self, test, environment, seconds=600):
         command = (["sh", "tests/%s.sh" % HARD] if test == HARD else
                    ["tests/" + test])
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU,

@@ -1,17 +1,12 @@
 /*
- * upright.h - unit vectors along and across the axis of a shape, in pairs
+ * upright_template.h - unit vectors along and across the axis of a shape, in pairs
  *
  * One text at two widths.  Narrow: one shape, and a vector of lanes has x, y, z and
  * one more number.  Wide (CYLINT_WIDE): each lane has a shape of its own.  What one
  * number of a shape is depends on the width: a `real` in doubles, a `one` in pairs.
  *
- * Include double_double.h and simd.h before.
+ * The file includes double_double.h, simd.h and measure.h before.
  */
-#ifndef CYLINT_UPRIGHT_H
-#define CYLINT_UPRIGHT_H
-
-#include "../numbers/compiler.h"
-#include "measure.h"
 
 /* ----------------------------------- four numbers of each shape, in pairs -- */
 
@@ -398,5 +393,3 @@ INLINE one cosine_of_hull(const inverse_lengths *inverse)
 {
     return one_mul(one_mul(inverse->lateral2, inverse->axis), inverse->lateral);
 }
-
-#endif
