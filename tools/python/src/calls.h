@@ -2,7 +2,7 @@
  * calls.h - what the module's files offer to module.cc
  *
  * The Python code has checked all arrays; they broadcast.  Arrays named shapes are
- * the member `kind` of arrays of raw cylint_shape.  columns: arrays for the answers.
+ * the member `kind` of arrays of cylint_shape.  columns: arrays for the answers.
  */
 #ifndef CYLINT_PYTHON_CALLS_H
 #define CYLINT_PYTHON_CALLS_H

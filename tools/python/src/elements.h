@@ -38,7 +38,7 @@ inline ptrdiff_t coordinate_step(const Input &array)
 class Grid
 {
   public:
-    /* Returns the number of the array.  `inner` last axes belong to its elements. */
+    /* Returns the number of the array.  `inner` last axes belong to elements. */
     template <class Array> int add(const Array &array, size_t inner = 0)
     {
         const size_t outer = array.ndim() - inner;

@@ -123,7 +123,7 @@ class Block
 /*
  * columns: distance or safety (...), part, or what contains() and on_surface()
  * return, feature, point (..., 3), normal; None where it is not wanted.  With
- * `index` the shapes are numbered by it, and -1 stands for a shape that was refused.
+ * `index` the shapes are numbered by it, and -1 stands for a refused shape.
  */
 void ask_points(int query, Input shapes, std::optional<Input> index,
                 Input points, std::optional<Input> ulps, Outputs columns,
