@@ -8,7 +8,7 @@
 # commands run in one scratch folder.
 . "$(dirname "$0")/../support/verdict.sh"
 mkdir "$scratch/work"
-PATH=$build:$top/tools/convert:$PATH
+PATH=$build:$PATH
 
 # Runs $command and compares its output with expected.out and expected.err.
 finish() {
@@ -61,7 +61,7 @@ covered() { # word: is it in cli.txt, not as a part of another?
 
 run_transcripts cli.txt <"$top/tests/command/cli.txt"
 
-for page in cylint.1 cylint.7 cylint-convert.1; do
+for page in cylint.1 cylint.7; do
     rm -rf "$scratch/work"
     mkdir "$scratch/work"
     ln -s "$top/tools" "$scratch/work"

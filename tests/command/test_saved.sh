@@ -84,6 +84,10 @@ cylint --save again -s saved && cmp saved again &&
     cylint -j 3 --save again -s scene -q any records >out 2>err
 cmp saved again
 verdict 'a scene that is saved again is the same file' $?
+for from in scene saved; do
+    cylint -s $from --text -j 3 >text 2>err && cylint --save again -s text && cmp saved again && [ ! -s err ]
+    verdict "the text of $from is read as the same scene" $?
+done
 sed 's/ L[0-9]* of .*//' scene >unnamed
 cylint --save small -s unnamed
 [ "$(wc -c <small)" -lt $(($(wc -c <saved) - 8 * 2700)) ]

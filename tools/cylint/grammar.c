@@ -81,8 +81,8 @@ static cylint_status make_halfspace(const double *v, cylint_ends ends,
     return CYLINT_EENDS;
 }
 
-static cylint_status make_shape(int kind, int ends, const double *v,
-                                cylint_shape *shape)
+cylint_status shape_of_numbers(int kind, int ends, const double *v,
+                               cylint_shape *shape)
 {
     const cylint_ends e = ends != NOT_GIVEN     ? (cylint_ends)ends
                           : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
@@ -278,7 +278,8 @@ static int read_shape(struct reader *r, const struct grammar *g,
     const struct kind *k = &shape_kinds[kind];
     if (read_numbers(r, v, k->numbers) || read_ends(r, &ends))
         return EXIT_BAD;
-    const cylint_status status = make_shape(kind, ends, v, &record->shape);
+    const cylint_status status =
+        shape_of_numbers(kind, ends, v, &record->shape);
     return status != CYLINT_OK &&
            refuse_status(r, at, g->shape == NOT_GIVEN, k, v, status);
 }
@@ -425,7 +426,7 @@ int take_record(const struct grammar *g, const double *numbers,
         numbers += line_kinds[g->line].numbers;
     }
     if (g->has_shape && status == CYLINT_OK)
-        status = make_shape(g->shape, g->ends, numbers, &record->shape);
+        status = shape_of_numbers(g->shape, g->ends, numbers, &record->shape);
     if (status != CYLINT_OK)
         return refuse(notes, NULL, "%s", cylint_strerror((int)status));
     if (g->has_line)

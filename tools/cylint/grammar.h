@@ -84,6 +84,10 @@ struct record {
 #define IN_WORD "in="
 #define OUT_WORD "out="
 
+/* Makes a shape of this enum shape_kind.  ends: cylint_ends or NOT_GIVEN. */
+cylint_status shape_of_numbers(int kind, int ends, const double *v,
+                               cylint_shape *shape);
+
 /* The number of doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
 

@@ -7,6 +7,7 @@
 
 #include "answer.h"
 #include "main.h"
+#include "scene_text.h"
 
 const char *const program = "cylint";
 
@@ -130,6 +131,19 @@ static int save(struct job *job)
     return status == 0 ? scene_save(&job->scene, o->save) : status;
 }
 
+static int write_text(struct job *job)
+{
+    const struct options *o = job->options;
+    labels_collect(&job->labels, &job->scene);
+    const int status = scene_read(&job->scene, o->scene, o->grammar.ends,
+                                  (enum swc_form)o->swc);
+    if (status != 0)
+        return status;
+    labels_give(&job->labels, &job->scene);
+    return scene_write_text(&job->scene, &job->labels, o->scene,
+                            o->style.digits, &job->out);
+}
+
 static int answer(struct job *job)
 {
     const struct options *o = job->options;
@@ -147,7 +161,7 @@ static int answer(struct job *job)
     if (status == 0)
         status = input_open(&job->in, o->files, o->file_count, record);
     if (status == 0)
-        status = answer_input(job);
+        status = o->text ? write_text(job) : answer_input(job);
     input_close(&job->in);
     const int closed = output_close(&job->out, status == 0);
     if (status != 0 || closed != 0)

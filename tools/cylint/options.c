@@ -94,6 +94,8 @@ static const struct option options_known[] = {
     {"save", "FILE", read_text, AT(save), 0, 0, A_SCENE,
      "save the scene for other calls' -s; without input\n"
      "files only that"},
+    {"text", 0, read_flag, AT(text), 0, 1, A_SCENE,
+     "write the scene as text instead of answers"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, A_NEURON,
      "of a neuron: cones (default) or round"},
     {"q", "QUERY", read_text, AT(query_word), 0, 0, A_SCENE,
@@ -257,7 +259,8 @@ static int settle_files(struct options *o)
 {
     static char dash[] = "-";
     static char *standard_input[] = {dash};
-    o->only_saves = o->save && o->file_count == 0;
+    const int given_files = o->file_count > 0;
+    o->only_saves = o->save && !given_files;
     if (o->file_count == 0) {
         o->files = standard_input;
         o->file_count = 1;
@@ -268,7 +271,11 @@ static int settle_files(struct options *o)
         {o->scene && o->only_saves &&
              (o->output || o->query_word || o->columns || o->kinds),
          "--save: answers need an input file; - is standard input"},
-        {is_same(o->scene, "-") && uses_stdin(o) && !o->only_saves,
+        {o->text && o->scene &&
+             (o->save || given_files || o->query_word || o->columns ||
+              o->kinds || o->style.binary),
+         "--text writes the scene only: no answers, no --save"},
+        {is_same(o->scene, "-") && uses_stdin(o) && !o->only_saves && !o->text,
          "the scene and the records are both standard input"},
         {0, NULL}};
     return check(rules);

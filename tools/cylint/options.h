@@ -30,6 +30,7 @@ struct options {
     const char *scene; /* NULL: pairs */
     const char *save;  /* the file to save the scene to, or NULL */
     int only_saves;    /* answers no records */
+    int text;          /* writes the scene as text instead of answers */
     int swc;           /* enum swc_form of a neuron */
     int accel;
     enum query query;

@@ -100,17 +100,17 @@ static int read_shape(void *context, const char *line, const char *end,
                : solids_read(&r->scene->solids, number, record.words, notes);
 }
 
+#define MOLECULE "convert it with python -m libcylint convert molecule"
+
 /* Returns the command that converts a file with this name, or NULL. */
 static const char *converter_of(const char *file)
 {
     static const char *const remedies[][2] = {
-        {".csv", "convert it with cylint-convert qsm"},
-        {".pdb", "convert it with cylint-convert pdb"},
-        {".ent", "convert it with cylint-convert pdb"},
-        {".cif", "convert it with cylint-convert pdb"},
-        {".mmcif", "convert it with cylint-convert pdb"},
-        {".pov", "convert it with cylint-convert pov"},
-        {".inc", "convert it with cylint-convert pov"}};
+        {".csv", "for a tree see python -m libcylint convert qsm"},
+        {".pdb", MOLECULE},
+        {".ent", MOLECULE},
+        {".cif", MOLECULE},
+        {".mmcif", MOLECULE}};
     const char *dot = strrchr(file, '.');
     for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++)
         if (strcmp(dot, remedies[i][0]) == 0)

@@ -9,9 +9,6 @@
  * the file, marks a root.  Parents may stand after their children, so the
  * shapes are made after all nodes were read.  Rounded cones join without gaps;
  * with them a root gives a sphere.
- *
- * tools/convert/swc.awk accepts the same files, gives the same shapes in the
- * same order and writes the same messages.
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -82,7 +82,7 @@ static int set_stage(const struct options *o, struct scene *scene,
 {
     const int has_ground = o->ground && boxes->size > 0;
     const struct vector up = unit(o->viewing.up);
-    int status = colours_complete(colours, scene, o->colouring, o->colour, up);
+    int status = colours_complete(colours, scene, o->colour, up);
     if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
         complain(o->scene, "no shape is bounded, or the view is along --up; "
                            "use --eye and --look-at");
@@ -125,7 +125,7 @@ static int prepare(const struct options *o, struct scene *scene,
 int main(int argc, char **argv)
 {
     struct options options;
-    struct colours colours = {NULL, NULL, 0, 0};
+    struct colours colours = {0};
     struct scene scene;
     struct stage stage;
     struct view view;
@@ -139,6 +139,7 @@ int main(int argc, char **argv)
     if (status != 0 || options.print) {
         return status != 0 ? status : print_about(options.print);
     }
+    colours.how = options.colouring;
     stages_start(&stages, options.progress);
     status = picture_open(&out, options.output);
     if (status != 0) {
