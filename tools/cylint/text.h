@@ -34,12 +34,13 @@ struct string {
 
 static inline struct string between(const char *begin, const char *end)
 {
-    return (struct string){begin, (size_t)(end - begin)};
+    const struct string s = {begin, (size_t)(end - begin)};
+    return s;
 }
 
 static inline struct string string_of(const char *text)
 {
-    return (struct string){text, strlen(text)};
+    return between(text, text + strlen(text));
 }
 
 static inline const char *end_of(struct string s)
