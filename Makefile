@@ -94,7 +94,7 @@ $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
 # flags of FILE.c's build NAME.
-avx2   := -mavx2 -mfma $(unaligned)
+avx2   := -mavx2 -mfma -mpopcnt $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
 # Registers of 32 bytes cost the constructors of cones 90 ns: gcc 12 leaves their upper halves in use.
 isa.src/shapes/local-fma   := $(avx2) -mprefer-vector-width=128 -DCYLINT_MEASURE_LOCAL=cylint_measure_local_fma
