@@ -233,7 +233,7 @@ endef
 # Folders of this project alone, then those that others use as well.
 own_folders = $(PREFIX)/share/cylint $(DOCDIR) $(LIBDIR)/cmake/cylint
 folders_of  = sh tools/install_folders.sh $(1) '$(DESTDIR)' $(PREFIX)/share/cylint/folders $(own_folders)
-programs    = cylint cylint-convert cylint-render
+programs    = cylint cylint-render
 completions = $(programs:%=$(DESTDIR)$(BASHDIR)/%) $(DESTDIR)$(ZSHDIR)/_cylint
 
 install-folders:
@@ -243,9 +243,7 @@ install-folders:
 install: all install-folders ## install into $(DESTDIR)$(PREFIX)
 	$(if $(commands),install -m 755 $(commands) $(DESTDIR)$(BINDIR))
 	$(if $(commands),$(STRIP) $(patsubst $(BUILD)/%,$(DESTDIR)$(BINDIR)/%,$(commands)))
-	$(fill_in) tools/convert/cylint-convert > $(DESTDIR)$(BINDIR)/cylint-convert
-	chmod 755 $(DESTDIR)$(BINDIR)/cylint-convert
-	install -m 644 tools/convert/*.awk tools/render/autumn.awk $(DESTDIR)$(PREFIX)/share/cylint
+	install -m 644 tools/render/autumn.awk $(DESTDIR)$(PREFIX)/share/cylint
 	$(foreach l,$(libraries),$(call install_library,$l))
 	install -m 644 $(headers) $(DESTDIR)$(INCLUDEDIR)
 	install -m 644 README.md LICENSE man/CHANGES.md $(DESTDIR)$(DOCDIR)

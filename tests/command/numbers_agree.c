@@ -1,8 +1,8 @@
 /*
  * numbers_agree.c - compares the two back-ends for numbers of the command
  *
- * test_numbers.sh compiles numbers.cc, and numbers_c.c with its two
- * functions renamed, and links both to this file.
+ * test_numbers.sh links numbers.c with numbers.cc, and with numbers_c.c under
+ * other names, to this file.
  */
 #include <float.h>
 #include <math.h>
@@ -134,80 +134,26 @@ static void special_values_are_written_alike(void)
     }
 }
 
+/* The spellings are separated by |; one of them is empty. */
 static void every_spelling_is_read_alike(void)
 {
-    static const char *const spellings[] = {
-        "1",
-        "+1",
-        "-1",
-        "1.",
-        ".5",
-        "-.5",
-        "+.5",
-        "1.5e3",
-        "1E+3",
-        "1e-3",
-        "0x1.8p+3",
-        "-0X1.8P-3",
-        "+0x.8",
-        "0x1p",
-        "0x1p+",
-        "0x",
-        "0xg",
-        "0x.",
-        "0x1.",
-        "0x1.fffffffffffff8p0",
-        "0x1.fffffffffffff7p0",
-        "0x-1",
-        "",
-        "+",
-        "-",
-        ".",
-        "e5",
-        "+-1",
-        "-+1",
-        "--1",
-        "++1",
-        " 1",
-        "1e",
-        "1e+",
-        "1ex",
-        "1..2",
-        "1,5",
-        "1 2",
-        "inf",
-        "nan",
-        "-inf",
-        "+nan",
-        "infinity",
-        "1e999",
-        "-1e999",
-        "1e-999",
-        "-1e-999",
-        "1e-320",
-        "2.4e-324",
-        "2.5e-324",
-        "0x1p-1075",
-        "0x1.8p-1075",
-        "0x1p99999",
-        "0x1p-99999",
-        "0e999999999999999999",
-        "1e999999999999999999",
-        "1e-999999999999999999",
-        "1.7976931348623158e308",
-        "1.7976931348623159e308",
-        "9007199254740993",
-        "9007199254740993.00000000000000000000000000000001",
-        "00000000000000000000000000000000000000000000000000000000001.5",
-        "1d5",
-        "1f",
-        "0b1",
-        "1_000",
-        "1'000",
-        "\357\273\2771",
-        "abc"};
-    for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++) {
-        check_read(spellings[i]);
+    char spellings[] =
+        "1|+1|-1|1.|.5|-.5|+.5|1.5e3|1E+3|1e-3|0x1.8p+3|-0X1.8P-3|+0x.8|"
+        "0x1p|0x1p+|0x|0xg|0x.|0x1.|0x1.fffffffffffff8p0|"
+        "0x1.fffffffffffff7p0|0x-1||+|-|.|e5|+-1|-+1|--1|++1| 1|1e|1e+|"
+        "1ex|1..2|1,5|1 2|inf|nan|-inf|+nan|infinity|1e999|-1e999|1e-999|"
+        "-1e-999|1e-320|2.4e-324|2.5e-324|0x1p-1075|0x1.8p-1075|"
+        "0x1p99999|0x1p-99999|0e999999999999999999|1e999999999999999999|"
+        "1e-999999999999999999|1.7976931348623158e308|"
+        "1.7976931348623159e308|9007199254740993|"
+        "9007199254740993.00000000000000000000000000000001|"
+        "00000000000000000000000000000000000000000000000000000000001.5|"
+        "1d5|1f|0b1|1_000|1'000|\357\273\2771|abc";
+    for (char *text = spellings, *bar; text; text = bar ? bar + 1 : NULL) {
+        bar = strchr(text, '|');
+        if (bar)
+            *bar = '\0';
+        check_read(text);
     }
 }
 

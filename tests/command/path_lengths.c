@@ -16,8 +16,6 @@
 #include <string.h>
 
 #include "labels.h"
-#include "names.h"
-#include "scene_read.h"
 
 const char *const program = "path_lengths";
 
@@ -92,7 +90,7 @@ static double sum_rounded(const struct sum *s)
 static struct {
     struct scene scene;
     struct labels labels;
-    struct names names;
+    struct groups groups;
     size_t n, members, solids;
     cylint_shape *shape;
     cylint_member *member;
@@ -146,9 +144,10 @@ static void read_all(const char *file, const char *ranks)
     labels_collect(&all.labels, &all.scene);
     MUST(scene_read_text(&all.scene, file, NOT_GIVEN, SWC_CONES) == 0);
     labels_give(&all.labels, &all.scene);
-    MUST(scene_prepare(&all.scene, ACCEL_TREE, 2) == 0);
-    MUST(names_make(&all.names, &all.labels, all.scene.count, ranks, 1) == 0);
-    all.n = all.scene.count;
+    MUST(scene_build(&all.scene, 2) == 0);
+    all.n = all.groups.shapes = all.scene.count;
+    MUST(groups_make(&all.groups, &all.labels) == 0);
+    MUST(!ranks || groups_read_ranks(&all.groups, ranks) == 0);
     all.shape = array_of(all.n + 1, sizeof *all.shape);
     all.is_member = array_of(all.n + 1, 1);
     all.contains = array_of(all.n + 1, 1);
@@ -165,7 +164,7 @@ static void free_all(void)
 {
     scene_free(&all.scene);
     labels_free(&all.labels);
-    names_free(&all.names);
+    groups_free(&all.groups);
     free(all.shape);
     free(all.is_member);
     free(all.contains);
@@ -203,7 +202,7 @@ static int solid_holds(size_t solid)
 
 static int outranks(size_t x, size_t y)
 {
-    const int *rank = all.names.rank;
+    const int *rank = all.groups.rank;
     return y == all.n ||
            (rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y);
 }
@@ -298,36 +297,36 @@ static void write_pieces(const cylint_line *line)
 /* Those of the library, from one line and, unless it is a segment, from lines. */
 static void compare_sums(const cylint_line *line, const double *expected)
 {
-    const struct names *names = &all.names;
+    const struct groups *groups = &all.groups;
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_OWNER,
-                                    .rank = names->rank};
+                                    .rank = groups->rank};
     const cylint_lines lines = {1,
                                 {&line->o[0], &line->o[1], &line->o[2]},
                                 {&line->d[0], &line->d[1], &line->d[2]},
                                 &line->tmin,
                                 &line->tmax};
-    double *sums = array_of(names->columns, sizeof *sums);
-    MUST(cylint_scene_line_sums(all.scene.shapes, line, &rule, names->column,
-                                names->columns, 1, sums) == CYLINT_SCENE_OK);
-    MUST(memcmp(sums, expected, names->columns * sizeof *sums) == 0);
+    double *sums = array_of(groups->columns, sizeof *sums);
+    MUST(cylint_scene_line_sums(all.scene.shapes, line, &rule, groups->of,
+                                groups->columns, 1, sums) == CYLINT_SCENE_OK);
+    MUST(memcmp(sums, expected, groups->columns * sizeof *sums) == 0);
     if (!line->segment) {
-        MUST(cylint_scene_sums(all.scene.shapes, &lines, &rule, names->column,
-                               names->columns, 1, 1, sums) == CYLINT_SCENE_OK);
-        MUST(memcmp(sums, expected, names->columns * sizeof *sums) == 0);
+        MUST(cylint_scene_sums(all.scene.shapes, &lines, &rule, groups->of,
+                               groups->columns, 1, 1, sums) == CYLINT_SCENE_OK);
+        MUST(memcmp(sums, expected, groups->columns * sizeof *sums) == 0);
     }
     free(sums);
 }
 
 static void write_sums(const cylint_line *line)
 {
-    const size_t ends = find_ends(line), columns = all.names.columns;
+    const size_t ends = find_ends(line), columns = all.groups.columns;
     struct sum *sum = array_of(columns, sizeof *sum);
     double *sums = array_of(columns, sizeof *sums);
     for (size_t i = 1; i < ends; i++) {
         const double t0 = all.end[i - 1], t1 = all.end[i];
         const cylint_piece cell = owner_of_cell(t0, t1);
         if (t0 < t1 && cell.depth > 0) {
-            struct sum *s = &sum[all.names.column[cell.shape]];
+            struct sum *s = &sum[all.groups.of[cell.shape]];
             if (t1 - t0 > DBL_MAX) {
                 s->is_infinite = 1;
             } else {
@@ -359,8 +358,9 @@ int main(int argc, char **argv)
     MUST(in != NULL);
     while (fgets(text, sizeof text, in)) {
         struct record r;
-        struct fault fault;
-        MUST(read_record(&g, text, text + strcspn(text, "\n"), &r, &fault));
+        struct notes notes = {.text = text};
+        MUST(read_record(&g, text, text + strcspn(text, "\n"), &r, &notes) ==
+             0);
         (strcmp(argv[1], "sums") == 0 ? write_sums : write_pieces)(&r.line);
     }
     fclose(in);

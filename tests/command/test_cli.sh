@@ -8,7 +8,7 @@
 # commands run in one scratch folder.
 . "$(dirname "$0")/../support/verdict.sh"
 mkdir "$scratch/work"
-PATH=$build:$top/tools/convert:$PATH
+PATH=$build:$PATH
 
 # Runs $command and compares its output with expected.out and expected.err.
 finish() {
@@ -61,7 +61,7 @@ covered() { # word: is it in cli.txt, not as a part of another?
 
 run_transcripts cli.txt <"$top/tests/command/cli.txt"
 
-for page in cylint.1 cylint.7 cylint-convert.1; do
+for page in cylint.1 cylint.7; do
     rm -rf "$scratch/work"
     mkdir "$scratch/work"
     ln -s "$top/tools" "$scratch/work"
@@ -71,7 +71,13 @@ for page in cylint.1 cylint.7 cylint-convert.1; do
     verdict "$page has examples" $?
 done
 
-for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
+# The options are those of the manual.
+cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | tr -d ' ' | sort -u >"$scratch/options"
+sed -n '/^\.Sh OPTIONS/,/^\.Sh SOLIDS/s/^\.It \(Fl .*\)/\1/p' "$top/man/cylint.1" |
+    grep -Eo 'Fl -?[a-zA-Z-]+' | sed 's/Fl /-/' | sort -u | diff "$scratch/options" -
+verdict 'cylint.1 has the options of --help' $?
+
+for word in $(cat "$scratch/options") \
         line ray segment span point capped open cap0 cap1 infinite nappe \
         $(cylint --list=shapes | cut -f1) $(cylint --list=methods | cut -f1) \
         $(cylint --list=columns | cut -f1); do

@@ -266,6 +266,13 @@ for j in $WORKERS; do
         n=$((n + 1))
     done
     cmp -s kept/new shapes.saved || wrong="$wrong alloc=$n --save -j $j: other bytes;"
+    n=1
+    while [ $n -lt 300 ] &&
+        ! CYLINT_FAULTS="alloc=$n leaks=1" "$faulty" --text -s walls >out 2>err; do
+        stopped 4 4 'out of memory' "alloc=$n --text"
+        n=$((n + 1))
+    done
+    [ $n -gt 5 ] && "$cylint" --text -s walls | cmp -s - out || wrong="$wrong alloc=$n --text: other text;"
     CYLINT_FAULTS='short=4 eintr=4 again=4' "$faulty" -j $j --save kept/new -s shapes 2>err
     cmp -s kept/new shapes.saved || wrong="$wrong interrupted --save -j $j;"
     rm kept/new

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Floor command: records of -k, answered in batches, and records with words,
-# answered one by one, give the same bytes for all kinds, columns and comments.
+# Floor command: records of bare numbers, -k, give the same bytes as records with
+# words, for all kinds.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH
@@ -51,11 +51,8 @@ for line in line ray span; do
     for shape in cylinder cone ecylinder econe acone; do
         records $line,$shape '' >worded
         records $line,$shape 1 >bare
-        same 'default columns'   $line,$shape -f id,relation,n,t0,t1
-        same 'the nearest only'  $line,$shape -f t0,part0
-        same 'parts, hits only'  $line,$shape -f part0,part1,chord --hits-only
-        same 'relation, comments' $line,$shape -f relation -C
-        same 'columns without batches'  $line,$shape -f t0,side1,nx0
+        same 'both hits' $line,$shape -f id,relation,n,t0,t1,part0,part1,chord -C
+        same 'the nearest hit' $line,$shape -f t0,side0,nx0 --hits-only
     done
 done
 

@@ -1,11 +1,11 @@
 #!/bin/sh
 # Floor command: the pieces of lines and the sums of their lengths are those of a
-# loop over all shapes, and are the same bytes for any number of workers, any
-# --accel and a saved scene.  cli.txt has the options and messages.
+# loop over all shapes, and are the same bytes for any number of workers and a
+# saved scene.  cli.txt has the options and messages.
 . "$(dirname "$0")/../support/verdict.sh"
 [ -x "$build/tests/command/path_lengths" ] || skip_all 'no tests/command/path_lengths'
 data=$top/../shared/data
-PATH=$build:$build/tests/command:$top/tools/convert:$PATH
+PATH=$build:$build/tests/command:$PATH
 cd "$scratch" || exit 1
 
 # agrees NAME SCENE LINES [RANKS]
@@ -24,14 +24,14 @@ agrees()
 
 # A neuron's frusta overlap at every node.  Its labels become five names.
 if [ -f "$data/medulla_7114.swc" ]; then
-    swc2scene "$data/medulla_7114.swc" >nodes 2>skipped
+    cylint -s "$data/medulla_7114.swc" --text >nodes 2>skipped
 else
     echo "note: no $data/medulla_7114.swc; a random neuron is used"
     awk 'BEGIN { srand(9); for (n = 1; n < 5000; n++) {
         p = n > 1 ? n - 1 - int(rand() * n / 4) : -1
         x[n] = x[p] + 9 * rand() - 4; y[n] = y[p] + 9 * rand() - 4; z[n] = z[p] + 7 * rand()
         print n, 3, x[n], y[n], z[n], 1 + 3 * rand(), p } }' >random.swc
-    swc2scene random.swc >nodes 2>skipped
+    cylint -s random.swc --text >nodes 2>skipped
 fi
 awk '!/^#/ { $NF = ($NF * 7 + int($NF / 64)) % 5 ? "type" int($NF / 100) % 4 : ""; print }' nodes >neuron
 awk '/^c/ && NR % 97 == 0 { n++; kind = n % 4
@@ -119,8 +119,7 @@ for what in '-q first -f id,shape,label,t,part,side,x,nx,h,phi' '-q pieces' \
     '-q pieces --pieces chords --first 3' '-q pieces --sum label:t' \
     '-q pieces --sum label --header --rank more' '-q pieces --binary-out --rank more'; do
     cylint -s solids -j 1 $what many >want 2>want.err
-    for other in '-s saved -j 1' '-s saved -j 4' '-s solids -j 2' '-s solids --accel none' \
-        '-s solids --accel tree -j 8'; do
+    for other in '-s saved -j 1' '-s saved -j 4' '-s solids -j 2' '-s solids -j 8'; do
         cylint $other $what many >out 2>err
         [ $? -eq 1 ] && cmp want out && cmp want.err err
         verdict "$other: the same bytes: $what" $?

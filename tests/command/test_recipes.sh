@@ -1,10 +1,10 @@
 #!/bin/sh
 # Floor command: the displays of cylint(7) that are not transcripts work: shapes
-# of other programs, the laser scan and the molecule.  test_cli.sh runs the
-# transcripts, `make check-cluster` the displays about many machines.
+# of other programs and lengths in solids.  test_cli.sh runs the transcripts,
+# tests/python/test_formats.py the displays about trees and molecules,
+# `make check-cluster` those about many machines.
 . "$(dirname "$0")/../support/verdict.sh"
-PATH=$build:$top/tools/convert:$PATH
-data=../shared/data
+PATH=$build:$PATH
 
 # records_of NAME LINES: each shape of the display with LINES lines around it.
 records_of()
@@ -77,33 +77,6 @@ prints()
     verdict "$1" $?
 }
 
-# Forty stems.  Each has one point 9 mm and one 45 mm in front of the bark.
-test_stand_in()
-{
-    awk -v scratch="$scratch" 'BEGIN {
-        table = scratch "/tree.csv"; cloud = scratch "/cloud.txt"
-        print "startX,startY,startZ,endX,endY,endZ,radius_cyl" > table
-        for (n = 0; n < 40; n++) {
-            c = cos(n * 0.157); s = sin(n * 0.157)
-            r = 0.1 + n / 200; d = 10 + n
-            printf "%.9f,%.9f,250,%.9f,%.9f,260,%g\n", d * c, d * s,
-                   d * c, d * s, r > table
-            for (off = 0.009; off < 0.05; off += 0.036)
-                printf "%.9f %.9f 255.5\n", (d - r - off) * c,
-                       (d - r - off) * s > cloud
-        }
-    }'
-    prints half_of_the_points_are_near_a_stem lidar \
-'of 80 points are within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %
--2 to -1 cm      0
--1 to  0 cm      0
- 0 to  1 cm     40
- 1 to  2 cm      0
- 2 to  3 cm      0
- 3 to  4 cm      0
- 4 to  5 cm     40'
-}
-
 # Volumes by random lines, here of a union whose volume is known, and radiation
 # lengths.
 test_lengths()
@@ -123,44 +96,16 @@ test_lengths()
     verdict the_hole_for_cables_has_no_lead $?
 }
 
-test_real_tree()
-{
-    cp $data/tree_archi.csv "$scratch/tree.csv"
-    cp $data/tree_cloud_xyz.txt "$scratch/cloud.txt"
-    prints the_scan_of_a_real_tree_has_the_shares_in_cylint_7 \
-        lidar "$(sh tests/support/recipe.sh lidar-said)"
-    prints the_fit_of_a_real_tree_has_the_residuals_in_cylint_7 \
-        residuals "$(sh tests/support/recipe.sh residuals-said)"
-    prints the_light_in_a_real_tree_has_the_shares_in_cylint_7 \
-        crown "$(sh tests/support/recipe.sh crown-said)"
-}
-
-# Two parallel bonds, the second 2 above the first.  Rays from the two lower atoms
-# hit the upper bond, which is 0.2 thick, and nothing else.
-test_molecule()
-{
-    for atom in '1 C 0 0' '2 O 1.2 0' '3 C 0 2' '4 O 1.2 2'; do
-        set -- $atom
-        printf 'ATOM  %5d  %s   GLY A   %d    %8.3f%8.3f%8.3f  1.00  0.00           %s\n' \
-            "$1" "$2" "$1" "$3" 0 "$4" "$2"
-    done > "$scratch/molecule.pdb"
-    sh tests/support/recipe.sh molecule > "$scratch/molecule"
-    (cd "$scratch" && sh molecule) > "$scratch/output" 2>&1
-    printf '3-4\t1.8\t%d\n' 1 2 > "$scratch/expected"
-    diff "$scratch/expected" "$scratch/output"
-    verdict a_ray_from_an_atom_hits_the_other_bond_and_not_its_own $?
-}
-
 # Every display of the page has a name or is a transcript, and every name is run
-# here or by tests/package/cluster/check.sh.
+# here, by tests/python/test_formats.py or tests/package/cluster/check.sh.
 test_all_are_run()
 {
     awk '/^\.\\" recipe/ { named = NR + 1 }
          /^\.Bd/ && NR != named { getline; if (!/^\$ /) print NR ": " $0 }
         ' man/cylint.7 > "$scratch/unnamed"
     for name in $(sh tests/support/recipe.sh); do
-        grep -Eq "[ ']$name([ ';)]|\$)" tests/command/test_recipes.sh \
-            tests/package/cluster/check.sh || echo "$name"
+        grep -Eq "[ '\"]$name([ ';)\"]|\$)" tests/command/test_recipes.sh \
+            tests/python/test_formats.py tests/package/cluster/check.sh || echo "$name"
     done >> "$scratch/unnamed"
     [ ! -s "$scratch/unnamed" ] || { cat "$scratch/unnamed"; false; }
     verdict every_display_of_the_page_is_run $?
@@ -169,12 +114,5 @@ test_all_are_run()
 test_all_are_run
 test_foreign_shapes
 test_foreign_solids
-test_stand_in
-test_molecule
 test_lengths
-if [ -d $data ]; then
-    test_real_tree
-else
-    echo "note: no $data, the real tree is not tested"
-fi
 check_end

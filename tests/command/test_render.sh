@@ -7,7 +7,7 @@
 page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] ||
     skip_all 'no libpng, so no cylint-render (make deps)'
-PATH=$build:$top/tools/convert:$PATH
+PATH=$build:$PATH
 cd "$scratch" || exit 1
 
 # pixel FILE X Y: red green blue opacity, 0 to 255
@@ -350,6 +350,47 @@ shows()
     verdict "$name" $?
 }
 
+# discs LABEL...: the colours of discs with these labels from left to right
+discs()
+{
+    x=0
+    for label; do
+        echo "cylinder $x 0 0 $x 0 2 1 $label"
+        x=$((x + 2))
+    done > atoms.scene
+    cylint-render atoms.scene -o atoms.png --ortho --from 0,0,1 --up 0,1,0 \
+        --size $((10 * x))x20 --samples 1 --background none --shade plain \
+        --colour "$how" || return 1
+    "$build/tests/command/pixels" atoms.png |
+        awk '$2 == 10 && $6 && $3 " " $4 " " $5 != last { last = $3 " " $4 " " $5; print last }'
+}
+
+test_atoms()
+{
+    how=element
+    discs A:1:GLY:CA A:1:GLY:N B:1:LIG:CL1:Cl A:1:GLY:1HB A:2:HOH:O A:1:GLY:CA--A:1:GLY:N \
+        x A:1:GLY '' A:1:X:Q1 ':1:GLY:S #123456 x' 'a A:1:GLY:O' > atoms
+    # carbon and hydrogen are grey, nitrogen blue, chlorine green, oxygen red, a bond
+    # grey; three shapes without a label in one colour; pink; its own; as those
+    awk 'function is(word) { if (word == "grey") return $1 == $2 && $2 == $3
+             if (word == "blue") return $3 > 2 * $2
+             if (word == "green") return $2 > 2 * $1
+             if (word == "red") return $1 > 2 * $2
+             if (word == "clay") return $1 == clay || !clay && (clay = $1)
+             if (word == "pink") return $1 > 2 * $2 && $3 > 2 * $2
+             return $3 > $2 && $2 > $1 }
+         BEGIN { split("grey blue green grey red grey clay pink own clay", word) }
+         !is(word[NR]) { print NR ": " $0; wrong = 1 }
+         END { exit wrong || NR != 10 }' atoms
+    verdict atoms_have_the_colours_of_their_elements $? || cat atoms
+    how=chain
+    discs A:1:GLY:CA B:1:GLY:CA A:2:X:Q:Zn AA:1:GLY:N A:1:GLY:C--B:1:GLY:N x > atoms
+    [ "$(wc -l < atoms)" -eq 6 ] && [ "$(sort -u atoms | wc -l)" -eq 4 ] &&
+        [ "$(sed -n 1p atoms)" = "$(sed -n 3p atoms)" ] &&
+        [ "$(sed -n 1p atoms)" = "$(sed -n 5p atoms)" ]
+    verdict each_chain_has_its_colour $? || cat atoms
+}
+
 test_colours()
 {
     for x in '0 0.5 a' '2 0.6 b' '4 0.7 a' '6 0.8 a' '8 0.9 c'; do
@@ -370,6 +411,7 @@ test_colours()
         'ecylinder 6 0 0  0.5 0 0  0 0.5 0  0 0 2' \
         'cylinder 8 0 0 8 0 2 0.5' > five.scene
     shows linked_shapes_agree 4 --shade plain --colour connected
+    test_atoms
 }
 
 # With round joints a bent neuron has no notch at its outer side: the pixel that
@@ -409,7 +451,7 @@ test_faults()
     refuses 2 "--up: expected a direction X,Y,Z, found '0,0,0'" --up 0,0,0
     refuses 2 "--eye: expected X,Y,Z, found '1,2'" --eye 1,2
     refuses 2 "--colour: expected number, label, kind, connected, radius,\
- height or #rrggbb, found '#12345'" --colour '#12345'
+ height, element, chain or #rrggbb, found '#12345'" --colour '#12345'
     refuses 2 "--look-at needs --eye" some.scene -o x.png --look-at 0,0,0
     refuses 2 "--from and --eye exclude each other" some.scene -o x.png \
         --from 1,0,0 --eye 1,0,0
@@ -507,24 +549,13 @@ test_pictures()
             printf '1 1 0 0 0 2 -1\n2 3 0 9 9 1 1\n' > $neuron.swc
         fi
     done
-    molecule=$top/../shared/data/1hvr.pdb
-    if [ -e "$molecule" ]; then
-        ln -s "$molecule" molecule.pdb
-    else
-        printf 'ATOM  %5d  %s   GLY A   1    %8.3f   0.000   0.000\n' \
-            1 C 0 2 N 1.5 3 O -1.4 > molecule.pdb
-    fi
-    for p in forest neurons xray protein; do
+    for p in forest neurons xray; do
         sh "$top/tests/support/recipe.sh" $p cylint-render.1 |
-            sed 's/forest -n 48/forest -n 1/; s/960x540/96x54/; s/640x540/64x54/; s/720x405/72x40/; s/samples [0-9]*/samples 1/' > small
+            sed "s|/usr/local/share/cylint|$top/tools/render|; s/trees=48/trees=1/" |
+            sed 's/960x540/96x54/; s/640x540/64x54/; s/720x405/72x40/; s/samples [0-9]*/samples 1/' > small
         sh small > out 2>&1 && [ -s $p.png ] || { cat small out; false; }
         verdict "the manual's command draws $p" $?
     done
-    "$build/tests/command/pixels" protein.png | awk '
-        $3 > 2 * $4 { red++ }
-        $5 > 2 * $3 { blue++ }
-        END { exit !(red > 9 && blue > 9) }'
-    verdict "the manual's command gives atoms the colours of elements" $?
     for p in forest:518400:100 neurons:518400:100 xray:291600:20; do
         "$build/tests/command/pixels" "$top/tools/render/${p%%:*}.png" | awk -v p=$p '
             BEGIN { split(p, of, ":") }

@@ -64,12 +64,10 @@ same() {
 }
 long=shape,label,relation,t,part,side,x,ny,h,phi
 for query in nearest any count all; do
-    for accel in auto none tree; do
-        same saved scene -q $query --accel $accel records
-    done
+    same saved scene -q $query records
+    same saved scene -q $query --accel none records
     same saved scene -q $query --not label labelled
     same saved scene -q $query --within 3 points
-    same saved scene -q $query --within 3 --accel none points
     same saved scene -q $query -k ray -b numbers
     same neuron 'neuron.swc --swc round' -q $query records
     same tubes 'rods --ends open' -q $query records
@@ -86,6 +84,10 @@ cylint --save again -s saved && cmp saved again &&
     cylint -j 3 --save again -s scene -q any records >out 2>err
 cmp saved again
 verdict 'a scene that is saved again is the same file' $?
+for from in scene saved; do
+    cylint -s $from --text -j 3 >text 2>err && cylint --save again -s text && cmp saved again && [ ! -s err ]
+    verdict "the text of $from is read as the same scene" $?
+done
 sed 's/ L[0-9]* of .*//' scene >unnamed
 cylint --save small -s unnamed
 [ "$(wc -c <small)" -lt $(($(wc -c <saved) - 8 * 2700)) ]

@@ -55,14 +55,14 @@ static void check_number(const char *text, const char *end)
     }
 }
 
-static void check_fault(const struct fault *fault, const char *text,
-                        const char *end)
+/* The note of a bad record, which begins at notes->text. */
+static void check_note(struct notes *notes, const char *end)
 {
-    char shown[4 * 32 + 4];
-    MUST(fault->what && fault->what[0] && fault->shape == 0);
-    MUST(text <= fault->at && fault->at <= fault->end && fault->end <= end);
-    const size_t length = escape_bytes(shown, fault->at, fault->end, 32);
-    MUST(length < sizeof shown && strlen(shown) == length);
+    count_bad(notes);
+    const struct note *note = &notes->note[0];
+    MUST(notes->kept == 1 && note->remark == REMARK_NONE && note->text[0]);
+    MUST(note->column >= 1 &&
+         note->column <= (unsigned long long)(end - notes->text) + 1);
 }
 
 static void check_record(const struct grammar *g, const struct record *r)
@@ -70,7 +70,7 @@ static void check_record(const struct grammar *g, const struct record *r)
     cylint_answer answer;
     MUST(!g->has_line || r->is_point || r->line.valid);
     MUST(!g->has_shape || r->shape.kind != CYLINT_KIND_NONE);
-    MUST(memchr(r->tail, '\0', r->tail_length) == NULL);
+    MUST(memchr(r->tail.text, '\0', r->tail.length) == NULL);
     if (g->has_line && g->has_shape && r->is_point) {
         cylint_closest closest;
         const double d =
@@ -93,10 +93,6 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
     g.no_tail = b / 14 % 2 != 0;
-    if ((!g.has_line || g.line != NOT_GIVEN) &&
-        (!g.has_shape || g.shape != NOT_GIVEN) && g.has_line) {
-        describe_bare(&g);
-    }
     g.tmin = g.has_domain ? -1 : 0;
     g.tmax = g.has_domain ? HUGE_VAL : 0;
     return g;
@@ -106,16 +102,16 @@ static void check_line(const struct grammar *g, const char *text,
                        const char *end)
 {
     struct record record;
-    struct fault fault;
+    struct notes notes = {.line = 1, .text = text, .end = end, .wanted = ~0u};
     if (!is_record(text, end)) {
         return;
     }
     memset(&record, 0, sizeof record);
-    if (read_record(g, text, end, &record, &fault)) {
-        MUST(text <= record.tail && record.tail + record.tail_length <= end);
+    if (read_record(g, text, end, &record, &notes) == 0) {
+        MUST(text <= record.tail.text && end_of(record.tail) <= end);
         check_record(g, &record);
     } else {
-        check_fault(&fault, text, end);
+        check_note(&notes, end);
     }
 }
 
@@ -124,18 +120,18 @@ static void check_doubles(const struct grammar *g, const char *bytes,
 {
     double numbers[MOST_NUMBERS] = {0};
     struct record record;
-    struct fault fault;
+    struct notes notes = {0};
     if ((g->has_line && g->line == NOT_GIVEN) ||
         (g->has_shape && g->shape == NOT_GIVEN)) {
         return;
     }
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
     memset(&record, 0, sizeof record);
-    record.tail = "";
-    if (take_record(g, numbers, &record, &fault)) {
+    record.tail = string_of("");
+    if (take_record(g, numbers, &record, &notes) == 0) {
         check_record(g, &record);
     } else {
-        MUST(fault.what && fault.what[0]);
+        MUST(notes.note[0].text[0]);
     }
 }
 

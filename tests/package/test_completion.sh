@@ -3,7 +3,7 @@
 # of --list and the words that the commands accept, and otherwise file names.
 . "$(dirname "$0")/../support/verdict.sh"
 completion=$top/tools/cylint/completion
-PATH=$build:$top/tools/convert:$PATH
+PATH=$build:$PATH
 mkdir "$scratch/work" "$scratch/functions"
 cp "$completion" "$scratch/functions/_cylint"
 cd "$scratch/work" || exit 1
@@ -66,13 +66,10 @@ for shell in in_bash in_zsh; do
     is_offered 'what is left out' 'number label' cylint --not ''
     is_offered 'forms of neurons' 'cones round' cylint --swc ''
     is_offered 'lists' 'methods shapes columns' cylint --list ''
-    is_offered 'kinds of files' 'swc pdb qsm pov forest' cylint-convert ''
-    is_offered 'options of cylint-convert' '--swc --round --skip -b -n -r -t' cylint-convert pdb -
     command -v cylint-render > /dev/null &&
         is_offered 'shades' 'light plain normal' cylint-render --shade '' &&
         is_offered 'X-rays' 'auto linear' cylint-render --xray ''
-    for words in 'cylint' 'cylint -o' 'cylint -s' 'cylint --header' 'cylint -p' \
-        'cylint-convert swc'; do
+    for words in 'cylint' 'cylint -o' 'cylint -s' 'cylint --header' 'cylint -p'; do
         is_offered "files after $words" '' $words ''
     done
     case $shell in

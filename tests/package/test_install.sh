@@ -23,11 +23,9 @@ test_install()
         share/man/man3/cylint_pieces.3 \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
-        bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
-        share/man/man1/cylint-convert.1 share/man/man7/cylint.7 \
+        share/cylint/autumn.awk share/man/man7/cylint.7 \
         share/doc/cylint/README.md share/doc/cylint/LICENSE share/doc/cylint/CHANGES.md \
-        share/bash-completion/completions/cylint share/zsh/site-functions/_cylint \
-        share/bash-completion/completions/cylint-convert; do
+        share/bash-completion/completions/cylint share/zsh/site-functions/_cylint; do
         [ -s "$root/usr/$f" ]
         verdict "install_puts_$f" $?
     done
@@ -50,49 +48,13 @@ test_strip()
     verdict STRIP_chooses_the_program_that_strips $?
 }
 
-# converts NAME TEXT ARGUMENT...: the installed cylint-convert, found in the
-# path or by a link, writes this line.
-converts()
+test_forest()
 {
-    name=$1 text=$2
-    shift 2
-    (cd "$scratch" && PATH=$root/usr/bin:$PATH cylint-convert "$@" < in) \
-        > "$scratch/said" 2>&1 &&
-        [ "$(cat "$scratch/said")" = "$text" ] || { cat "$scratch/said"; false; }
-    verdict "installed_converter_$name" $?
-}
-
-test_converters()
-{
-    printf '1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n' > "$scratch/in"
-    cone='cone 0 0 10 1 0 0 0 2 2'
-    converts swc "$cone" swc
-    cp "$scratch/in" "$scratch/a=b"
-    converts swc_by_name "$cone" swc -- a=b
-    printf 'radius,startX,startY,startZ,endX,endY,endZ\n.5,0,0,0,0,0,2\n' \
-        > "$scratch/in"
-    converts qsm 'cylinder 0 0 0 0 0 2 .5 1' qsm
-    echo 'cylinder { <0,0,0>, <0,0,1>, 1 }' > "$scratch/in"
-    converts pov 'cylinder 0 0 0 0 0 1 1 1' pov
-    { echo 'loop_ _atom_site.id _atom_site.type_symbol'
-      echo '_atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z'
-      echo '1 C 0 0 0  2 O 0 0 1.2'; } > "$scratch/in"
-    converts pdb 'cylinder 0 0 0 0 0 1.2 2 1-2' pdb -r 2
-    PATH=$root/usr/bin:$PATH cylint-convert forest -n 1 > "$scratch/forest" &&
+    awk -v trees=1 -f "$root/usr/share/cylint/autumn.awk" > "$scratch/forest" &&
         [ "$(wc -l < "$scratch/forest")" -gt 1000 ] &&
         echo 'ray 0 0 9  0 0 -1' |
         "$root/usr/bin/cylint" -s "$scratch/forest" > /dev/null
-    verdict installed_converter_forest $?
-    sed "s|'/usr/share/cylint'|'$root/usr/share/cylint'|" \
-        "$root/usr/bin/cylint-convert" > "$scratch/elsewhere" &&
-        sh "$scratch/elsewhere" pdb -r 2 "$scratch/in" |
-        diff "$scratch/said" -
-    verdict a_moved_converter_finds_its_programs_by_the_prefix $?
-    for kind in '' swc pdb qsm pov forest; do
-        "$root/usr/bin/cylint-convert" $kind --help |
-            grep -q '^usage: cylint-convert'
-        verdict "installed_converter_helps_$kind" $?
-    done
+    verdict the_installed_forest_is_a_scene $?
 }
 
 # block LANGUAGE NUMBER: the text of a fenced block of README.md.
@@ -477,7 +439,7 @@ test_uninstall()
 
 test_install
 test_strip
-test_converters
+test_forest
 test_example
 test_readme_install
 test_hints

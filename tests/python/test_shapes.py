@@ -422,12 +422,14 @@ def test_what_text_cannot_hold_is_refused(tmp_path):
     path.write_text("as it was")
     rods = cylint.cylinder(*UNIT, [1, 2])
     for label, why in (
-        ("two\nlines", "label 1: text has no line feed"),
-        ("nul\0", "label 1: text has no line feed and no NUL"),
-        (" blank", "label 1: text has no blanks around"),
-        ("blank\t", "label 1: text has no blanks around"),
-        ("return\r", "label 1: text has no blanks around"),
-        ("x" * 2**20, "label 1: the line would be longer than 1 MiB"),
+        ("two\nlines", "shape 1: text has no line feed"),
+        ("nul\0", "shape 1: text has no line feed and no NUL"),
+        (" blank", "shape 1: text has no blanks around"),
+        ("blank\t", "shape 1: text has no blanks around"),
+        ("return\r", "shape 1: text has no blanks around"),
+        ("in=a", "shape 1: text has no labels that begin with in= or out="),
+        ("out=", "shape 1: text has no labels that begin with in= or out="),
+        ("x" * 2**20, "shape 1: the line would be longer than 1 MiB"),
     ):
         with pytest.raises(ValueError, match=why):
             cylint.write_scene(path, rods.with_labels(["fine", label]))

@@ -240,10 +240,11 @@ static void small_scenes_answer_as_brute_force(void)
 static void real_scenes_answer_as_brute_force(void)
 {
     static const char *const real[][2] = {
-        {"neuron", "tools/convert/swc2scene ../shared/data/medulla_7114.swc "
-                   "2>/dev/null"},
-        {"tree", "tools/convert/qsm2scene ../shared/data/tree_archi.csv "
-                 "2>/dev/null"},
+        {"neuron", "awk '{ at[$1] = $3 \" \" $4 \" \" $5 \" \" $6 } at[$7] "
+                   "{ print \"cone\", at[$1], at[$7] }' "
+                   "../shared/data/medulla_7114.swc 2>/dev/null"},
+        {"tree", "awk -F, 'NR > 1 { print \"cylinder\", $1, $2, $3, $4, $5, "
+                 "$6, $10 }' ../shared/data/tree_archi.csv 2>/dev/null"},
     };
     const size_t usual = lines_of_a_kind;
     lines_of_a_kind = usual > LINES ? usual / 4 : usual / 2;

@@ -41,8 +41,8 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
 int scene_generate(int kind, size_t n, uint64_t seed,
                    struct scene_shapes *scene);
 
-/* Reads a scene file, with cylinders and cones in decimal only as
- * cylint-convert writes them, from the output of a shell command.  Returns 0 if
+/* Reads a scene file, with cylinders and cones in decimal only, from the output of
+ * a shell command.  Returns 0 if
  * there is none. */
 int scene_from(const char *name, const char *command,
                struct scene_shapes *scene);

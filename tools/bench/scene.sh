@@ -11,8 +11,8 @@ for KERNELS in $all_kernels; do
     export KERNELS
     echo "kernels: $KERNELS"
     if [ -r $neurons ]; then
-        $bench neurons "tools/convert/swc2scene $neurons 2>/dev/null"
-        $bench -j 2 neurons "tools/convert/swc2scene $neurons 2>/dev/null"
+        $bench neurons "$BUILD/cylint -s $neurons --text 2>/dev/null"
+        $bench -j 2 neurons "$BUILD/cylint -s $neurons --text 2>/dev/null"
     fi
     for kind in $SCENES; do
         for n in $SIZES; do

@@ -1,32 +1,39 @@
 /*
- * answer.h - computes the answers to a block of records
+ * answer.h - answers records: the data of the whole work, and of one worker
  */
 #ifndef CYLINT_ANSWER_H
 #define CYLINT_ANSWER_H
 
-#include "block.h"
+#include <pthread.h>
+
 #include "input.h"
-#include "labels.h"
-#include "names.h"
 #include "options.h"
 #include "output.h"
+#include "pieces.h"
 #include "progress.h"
-#include "scene.h"
-#include "write_order.h"
 
-/* The data shared by all blocks.  The first group is constant.  The second is
- * for the thread that reads, the last for the thread that writes. */
+/* The data shared by all workers.  The first group is constant when they
+ * start.  The second is for the worker that reads, the last for the one that
+ * writes. */
 struct job {
     const struct options *options;
-    const struct scene *scene;
-    const struct labels *labels; /* of the shapes, if they are kept */
-    const struct groups *groups; /* of shapes that records may leave out */
-    const struct names *names;   /* their ranks and columns of sums */
-    char refusal[96];            /* message: the method does not support this */
+    struct scene scene;   /* without -s it has no shapes */
+    struct labels labels; /* of the shapes, if they are kept */
+    struct groups groups; /* which records leave out; ranks; sums */
 
+    pthread_mutex_t reading;
     struct input in;
+    unsigned long long tickets; /* of the next block */
+    int most, workers;          /* at most; now */
+    struct worker *others;      /* all but the first */
+    /* A pipe, closed when the work ends: this wakes a worker that waits for
+     * input.  It is opened before the second worker starts; until then -1. */
+    int ending[2];
 
-    struct write_order order;
+    pthread_mutex_t order; /* protects the next two */
+    pthread_cond_t changed;
+    unsigned long long next; /* the ticket of the block that is written next */
+    int ended;               /* nothing is written any more */
 
     struct output out;
     struct report report;
@@ -34,21 +41,51 @@ struct job {
     int status; /* exit status of the work */
 };
 
-void job_prepare(struct job *job, const struct options *options,
-                 const struct scene *scene, const struct labels *labels,
-                 const struct groups *groups, const struct names *names);
-
-/* Allocates the buffers of a block.  Returns 0 if there is no memory. */
-int job_block(const struct job *job, struct block *block);
-
 enum answered {
     ANSWERED,      /* the block's ticket is still the next */
     ANSWERED_LAST, /* the same, and the work ends: see job->status */
     OVERTAKEN      /* the work ended before its ticket was the next */
 };
 
-/* Answers all records of a block, and delivers the answers in the order of the
- * tickets. */
-enum answered answer_block(struct job *job, struct block *b);
+/* A block of records, and what changes while they are answered. */
+struct task {
+    struct job *job;
+    struct block block;
+    unsigned long long ticket; /* blocks are written in this order */
+
+    struct text out;
+    struct notes notes;
+    enum answered status; /* of the last delivery */
+    int stopped;          /* at a bad record, by -e stop */
+
+    struct record record; /* the present record */
+    struct left_out left_out;
+    struct row row;
+    struct piece_memory pieces;
+    double *sums; /* NULL: no sums are wanted */
+};
+
+/* Allocates what a task needs.  Returns 0 if there is no memory. */
+int task_make(struct task *task, struct job *job);
+void task_free(struct task *task);
+
+/* Answers all records of its block, and delivers the answers in the order of
+ * the tickets. */
+enum answered answer_block(struct task *task);
+
+/* Writes the row of the present record's answer. */
+void put_answer(struct task *task, int is_hit);
+/* Ends the work after the answers so far.  Returns 0. */
+int end_without_memory(struct task *task);
+
+/* Answers the present record.  Returns 0, or EXIT_BAD and writes a note. */
+int answer_record(struct task *task);
+
+/* Answers all input with at most `most` workers, the caller included.  Returns
+ * the exit status of the work. */
+int workers_run(struct job *job, int most);
+
+/* Waits until the ticket is the next.  Returns 0 if the work has ended. */
+int wait_for_turn(struct job *job, unsigned long long ticket);
 
 #endif

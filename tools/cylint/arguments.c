@@ -1,5 +1,5 @@
 /*
- * arguments.c - a command line, argument by argument
+ * arguments.c - a table of options, and a command line that is read by it
  */
 #include <math.h>
 #include <stdarg.h>
@@ -7,11 +7,15 @@
 #include <string.h>
 
 #include "arguments.h"
-#include "grammar.h"
 #include "main.h"
 #include "numbers.h"
-#include "similar.h"
 #include "text.h"
+
+enum { VALUE_MOST = 64, HELP_COLUMN = 21 };
+
+const char no_help[] = "";
+
+/* ------------------------------------------------------------- messages -- */
 
 int usage(const char *format, ...)
 {
@@ -24,32 +28,62 @@ int usage(const char *format, ...)
     return EXIT_USAGE;
 }
 
-int usage_similar(const struct option *o, const char *value,
-                  const char *expected, const char *meant)
+static const char *dashes_of(const struct option *o)
 {
-    char shown[4 * 64 + 4];
-    escape_bytes(shown, value, value + strlen(value), 64);
-    return usage("%s%s: expected %s, found '%s'%s%s%s", o->name[1] ? "--" : "-",
-                 o->name, expected, shown, meant ? "; did you mean " : "",
-                 meant ? meant : "", meant ? "?" : "");
+    return o->name[1] ? "--" : "-";
 }
 
-int usage_value(const struct option *o, const char *value, const char *expected)
+int usage_value(const struct option *o, const char *value, const char *expected,
+                const char *meant)
 {
-    return usage_similar(o, value, expected, NULL);
+    char shown[SHOWN_CAPACITY];
+    return usage("%s%s: expected %s, found '%s'%s%s%s", dashes_of(o), o->name,
+                 expected, escape(shown, string_of(value), VALUE_MOST),
+                 meant ? "; did you mean " : "", meant ? meant : "",
+                 meant ? "?" : "");
 }
 
-int read_count(const char *value, int most, int *count)
+/* --------------------------------------------------------------- values -- */
+
+int read_flag(const struct option *o, const char *value, void *place)
 {
-    int n = 0;
-    for (const char *p = value; *p >= '0' && *p <= '9' && n <= most; p++) {
-        n = 10 * n + (*p - '0');
-        if (p[1] == '\0' && n >= 1 && n <= most) {
-            *count = n;
-            return 1;
-        }
-    }
+    (void)value;
+    *(int *)place = o->number;
     return 0;
+}
+
+int read_text(const struct option *o, const char *value, void *place)
+{
+    (void)o;
+    *(const char **)place = value;
+    return 0;
+}
+
+int read_word(const struct option *o, const char *value, void *place)
+{
+    char expected[WORDS_CAPACITY];
+    const struct words words = WORDS((const char *const *)o->extra);
+    const int index = find_word(words, string_of(value));
+    if (index == NOT_GIVEN)
+        return usage_value(o, value, list_words(expected, words),
+                           similar_word(words, string_of(value)));
+    *(int *)place = index;
+    return 0;
+}
+
+int read_count(const struct option *o, const char *value, void *place)
+{
+    unsigned long long count;
+    if (!read_whole(string_of(value), (unsigned long long)o->number, &count) ||
+        count == 0)
+        return usage_value(o, value, o->extra, NULL);
+    *(int *)place = (int)count;
+    return 0;
+}
+
+int check_value(const struct option *o, const char *value, int is_right)
+{
+    return is_right ? 0 : usage_value(o, value, o->extra, NULL);
 }
 
 const char *read_bound(const char *p, double *bound)
@@ -63,128 +97,134 @@ const char *read_bound(const char *p, double *bound)
     return after && *bound - *bound == 0 ? after : NULL;
 }
 
-int read_separator(const char *value, char *separator)
-{
-    if (strcmp(value, "\\t") == 0) {
-        *separator = '\t';
-        return 1;
-    }
-    *separator = value[0];
-    return value[0] != '\0' && value[0] != '\n' && value[1] == '\0';
-}
+/* ------------------------------------------------------------ arguments -- */
 
-int read_word(const struct option *o, const char *value,
-              const char *const *words, const char *expected, int *index)
-{
-    const size_t length = strlen(value);
-    *index = find_word(words, value, length);
-    return *index != NOT_GIVEN
-               ? 0
-               : usage_similar(o, value, expected,
-                               similar_word(words, value, length));
-}
-
-/* The arguments, the position in them, and the function that takes them. */
+/* The arguments, the position in them, and where their values go. */
 struct arguments {
+    const struct option *known;
     char **argv;
     int count, next;
-    const struct option *known;
-    option_handler *handle;
-    void *context;
+    void *options;
+    unsigned long long *given;
 };
 
-static const struct option *find_option(const struct option *known,
-                                        const char *name, size_t length)
+static int set(struct arguments *args, const struct option *o,
+               const char *value)
 {
-    for (const struct option *o = known; o->name; o++) {
-        if (strlen(o->name) == length && memcmp(o->name, name, length) == 0) {
-            return o;
-        }
-    }
-    return NULL;
+    *args->given |= 1ULL << (o - args->known);
+    return o->read(o, value, (char *)args->options + o->place);
 }
 
-/* One letter is too short for a suggestion. */
-static int refuse_option(const struct option *known, const char *dashes,
-                         const char *name, size_t length)
+/* Sets an option to the next argument. */
+static int set_next(struct arguments *args, const struct option *o)
 {
-    struct similar similar = similar_to(name, length);
-    char shown[4 * 64 + 4];
-    escape_bytes(shown, name, name + length, 64);
-    for (const struct option *o = known; o->name; o++) {
-        if (o->name[1]) {
+    return args->next < args->count
+               ? set(args, o, args->argv[args->next++])
+               : usage("%s%s needs a value", dashes_of(o), o->name);
+}
+
+/* Suggests long options: one letter is too short. */
+static int refuse_option(const struct option *known, const char *dashes,
+                         struct string name)
+{
+    struct similar similar = similar_to(name);
+    char text[SHOWN_CAPACITY];
+    const char *shown = escape(text, name, VALUE_MOST);
+    for (const struct option *o = known; o->name; o++)
+        if (o->name[1])
             similar_try(&similar, o->name);
-        }
-    }
     return similar.word ? usage("unknown option '%s%s'; did you mean --%s?",
                                 dashes, shown, similar.word)
                         : usage("unknown option '%s%s'", dashes, shown);
 }
 
-static int take_long(struct arguments *args, const char *name)
+static int take_long(struct arguments *args, const char *text)
 {
-    const size_t length = strcspn(name, "=");
-    const struct option *o =
-        length > 1 ? find_option(args->known, name, length) : NULL;
-    char shown[4 * 64 + 4];
-    escape_bytes(shown, name, name + length, 64);
-    if (!o) {
-        return refuse_option(args->known, "--", name, length);
-    }
-    if (!o->has_value) {
-        return name[length] == '=' ? usage("--%s takes no value", shown)
-                                   : args->handle(args->context, o, NULL);
-    }
-    if (name[length] == '=') {
-        return args->handle(args->context, o, name + length + 1);
-    }
-    return args->next < args->count
-               ? args->handle(args->context, o, args->argv[args->next++])
-               : usage("--%s needs a value", shown);
+    const struct string name = between(text, text + strcspn(text, "="));
+    const char *value = *end_of(name) == '=' ? end_of(name) + 1 : NULL;
+    const int i =
+        name.length > 1 ? find_word(WORDS(args->known), name) : NOT_GIVEN;
+    if (i == NOT_GIVEN)
+        return refuse_option(args->known, "--", name);
+    const struct option *o = &args->known[i];
+    if (!o->value && value)
+        return usage("--%s takes no value", o->name);
+    return o->value && !value ? set_next(args, o) : set(args, o, value);
 }
 
 static int take_short(struct arguments *args, const char *letters)
 {
     int status = 0;
     for (const char *p = letters; *p && status == 0; p++) {
-        const struct option *o = find_option(args->known, p, 1);
-        char shown[8];
-        escape_bytes(shown, p, p + 1, 1);
-        if (!o) {
-            return p == letters && p[1]
-                       ? refuse_option(args->known, "-", p, strlen(p))
-                       : usage("unknown option '-%s'", shown);
-        }
-        if (!o->has_value) {
-            status = args->handle(args->context, o, NULL);
-        } else if (p[1]) {
-            return args->handle(args->context, o, p + 1);
-        } else if (args->next < args->count) {
-            return args->handle(args->context, o, args->argv[args->next++]);
-        } else {
-            return usage("-%s needs a value", shown);
-        }
+        const struct string letter = between(p, p + 1);
+        const int i = find_word(WORDS(args->known), letter);
+        const struct option *o = &args->known[i == NOT_GIVEN ? 0 : i];
+        if (i == NOT_GIVEN)
+            return refuse_option(args->known, "-",
+                                 p == letters ? string_of(p) : letter);
+        if (o->value)
+            return p[1] ? set(args, o, p + 1) : set_next(args, o);
+        status = set(args, o, NULL);
     }
     return status;
 }
 
 int take_arguments(const struct option *known, int argc, char **argv,
-                   option_handler *handle, void *context, int *files)
+                   void *options, int *files, unsigned long long *given)
 {
-    struct arguments args = {argv, argc, argc > 0, known, handle, context};
+    struct arguments args = {known, argv, argc, argc > 0, options, given};
     int only_files = 0, status = 0;
     *files = 0;
     while (status == 0 && args.next < args.count) {
         char *arg = args.argv[args.next++];
-        if (only_files || arg[0] != '-' || arg[1] == '\0') {
+        if (only_files || arg[0] != '-' || arg[1] == '\0')
             argv[(*files)++] = arg;
-        } else if (strcmp(arg, "--") == 0) {
+        else if (strcmp(arg, "--") == 0)
             only_files = 1;
-        } else if (arg[1] == '-') {
+        else if (arg[1] == '-')
             status = take_long(&args, arg + 2);
-        } else {
+        else
             status = take_short(&args, arg + 1);
-        }
     }
     return status;
+}
+
+int was_given(const struct option *known, unsigned long long given,
+              const char *name)
+{
+    return given >> find_word(WORDS(known), string_of(name)) & 1;
+}
+
+/* ----------------------------------------------------------------- help -- */
+
+/* Prints the lines of a help from one column on. */
+static void print_help(int column, const char *help)
+{
+    if (*help == '\0' || column > HELP_COLUMN - 2) {
+        printf("\n");
+        column = 0;
+    }
+    while (*help) {
+        const int length = (int)strcspn(help, "\n");
+        printf("%*s%.*s\n", HELP_COLUMN - column, "", length, help);
+        help += length + (help[length] == '\n');
+        column = 0;
+    }
+}
+
+void print_options(const struct option *known)
+{
+    int column = 0;
+    for (const struct option *o = known; o->name; o++) {
+        if (o->help == no_help)
+            continue;
+        column +=
+            printf("%s%s%s", column > 0 ? ", " : "  ", dashes_of(o), o->name);
+        if (o->value)
+            column += printf("%s%s", *o->value == '=' ? "" : " ", o->value);
+        if (o->help) {
+            print_help(column, o->help);
+            column = 0;
+        }
+    }
 }

@@ -1,5 +1,5 @@
 /*
- * arguments.h - a command line, argument by argument
+ * arguments.h - a table of options, and a command line that is read by it
  *
  * Options and files may be mixed; all arguments after -- are files.  The value
  * of a short option is the rest of its argument or the next argument.  The
@@ -8,45 +8,66 @@
 #ifndef CYLINT_ARGUMENTS_H
 #define CYLINT_ARGUMENTS_H
 
-/* A short option is its letter. */
+#include <stddef.h>
+
+struct option;
+
+/* Reads a value into the option's place.  Returns 0, or EXIT_USAGE after a
+ * message.  value: NULL if the option has none. */
+typedef int option_reader(const struct option *o, const char *value,
+                          void *place);
+
 struct option {
-    const char *name;
-    int id;
-    int has_value;
+    const char *name; /* one letter: a short option */
+    /* the name of its value, after a blank or =; NULL: it has none */
+    const char *value;
+    option_reader *read;
+    size_t place; /* of the member that it sets, in the struct of all options */
+    /* for read_word: a const char *const[], ended by NULL; else what messages
+     * expect, a const char * */
+    const void *extra;
+    int number;       /* what read_flag sets; the most of read_count */
+    int needs;        /* what it is for, by the caller's enumeration */
+    const char *help; /* of it and of those before it that have none */
 };
 
+extern const char no_help[]; /* the help of an option that is not shown */
+
+option_reader read_flag;  /* sets an int to `number` */
+option_reader read_text;  /* a const char *, the value */
+option_reader read_word;  /* an int, the index of a word */
+option_reader read_count; /* an int from 1 to `number` */
+
 /* Prints a message and a hint to --help.  Returns EXIT_USAGE. */
-int usage(const char *format, ...);
-int usage_value(const struct option *o, const char *value,
-                const char *expected);
+int usage(const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
 /* The same for a wrong value.  `meant` is the known word nearest to it, or
  * NULL. */
-int usage_similar(const struct option *o, const char *value,
-                  const char *expected, const char *meant);
+int usage_value(const struct option *o, const char *value, const char *expected,
+                const char *meant);
 
-/* Reads a whole number from 1 to `most`.  Returns whether it is one. */
-int read_count(const char *value, int most, int *count);
+/* Returns 0 if the value is right; else prints what was expected, o->extra, and
+ * returns EXIT_USAGE. */
+int check_value(const struct option *o, const char *value, int is_right);
 
-/* Reads a number, inf or -inf at p.  Returns the byte after it, or NULL.  The ends
- * of a domain may be infinite; the numbers of a record may not. */
+/* Reads a number, inf or -inf at p.  Returns the byte after it, or NULL.
+ * The ends of a domain may be infinite; the numbers of a record may not. */
 const char *read_bound(const char *p, double *bound);
 
-/* Reads one character, or \t for a tab.  Returns whether it is that. */
-int read_separator(const char *value, char *separator);
-
-/* Finds the value in `words` (NULL at the end).  Returns 0 or EXIT_USAGE. */
-int read_word(const struct option *o, const char *value,
-              const char *const *words, const char *expected, int *index);
-
-/* Handles an option; value is NULL if it has none.  Returns 0 or an exit
- * status. */
-typedef int option_handler(void *context, const struct option *o,
-                           const char *value);
-
-/* Calls `handle` for each option in argv[1..argc).  Moves the files to the front
- * of argv and their number to *files.  The last name in `known` is NULL.
- * Returns 0, EXIT_USAGE, or the result of `handle`. */
+/* Reads argv[1..argc) into *options, moves the files to the front of argv
+ * and their number to *files, and adds a bit to *given for each option by
+ * its index.  The last name in `known` is NULL.  Returns 0 or EXIT_USAGE. */
 int take_arguments(const struct option *known, int argc, char **argv,
-                   option_handler *handle, void *context, int *files);
+                   void *options, int *files, unsigned long long *given);
+
+/* Whether the option with this name is one of those. */
+int was_given(const struct option *known, unsigned long long given,
+              const char *name);
+
+/* Prints the lines of the options in --help. */
+void print_options(const struct option *known);
 
 #endif

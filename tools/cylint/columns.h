@@ -1,15 +1,14 @@
 /*
  * columns.h - the columns of an answer, and how they are written
  *
- * A column is a name, a value and the members of an answer that it needs.  Each
- * query has its own set of columns.
+ * A column is a name, a member of a row, and what a query must compute for it.
+ * Each query has its own set of columns.
  */
 #ifndef CYLINT_COLUMNS_H
 #define CYLINT_COLUMNS_H
 
-#include "cylint.h"
-#include "cylint_distance.h"
 #include "cylint_scene.h"
+#include "labels.h"
 #include "text.h"
 
 enum query {
@@ -20,47 +19,34 @@ enum query {
     QUERY_ALL,     /* all that are hit, a row for each */
     QUERY_FIRST,   /* of lines only: where it enters or leaves a solid first */
     QUERY_PIECES,  /* of lines only: the pieces inside solids */
-    QUERY_INSIDE,  /* of points only */
-    QUERIES,
-
-    /* the same of points */
-    QUERY_POINT = QUERIES,
-    QUERY_POINT_NEAREST, /* the shape with the least distance */
-    QUERY_POINT_ANY,     /* whether one is within the radius */
-    QUERY_POINT_COUNT,
-    QUERY_POINT_ALL,
-    QUERY_POINT_FIRST,
-    QUERY_POINT_PIECES,
-    QUERY_POINT_INSIDE, /* how many shapes or solids hold the point */
-    ALL_QUERIES
+    QUERY_INSIDE, /* of points only: how many shapes or solids hold the point */
+    QUERIES       /* a query of points is the same number and QUERIES */
 };
 
-extern const char *const query_words[]; /* those of lines, then NULL */
+struct query_kind {
+    const char *word;
+    /* the columns unless -f is given: of lines, of points, of points in
+     * binary */
+    const char *fields, *point_fields, *binary_fields;
+    /* why a line, a point or not=NAME is wrong, or NULL */
+    const char *no_lines, *no_points, *no_left_out;
+};
 
-/* The same query of points. */
-static inline enum query query_of_points(enum query query)
-{
-    return (enum query)(query + QUERY_POINT);
-}
+extern const struct query_kind query_kinds[]; /* by enum query; then NULL */
 
 struct column;
 
 enum { MOST_FIELDS = 256 };
 
-/* The columns of a row, and the mask for cylint_intersect() or cylint_distance()
- * that they need. */
+/* The columns of a row, and what they need. */
 struct fields {
     const struct column *column[MOST_FIELDS];
     int count;
-    int labels;   /* number of columns that are labels */
-    int relation; /* whether a column is the relation */
-    int counts;   /* whether a column is a count */
-    int solids; /* whether a column is of pieces or of solids that hold a point */
-    unsigned want;
+    int labels;    /* number of columns that are labels */
+    int counts;    /* whether a column is a count */
+    int solids;    /* of solids that hold a point */
+    unsigned want; /* for cylint_intersect() or cylint_distance() */
 };
-
-/* Whether a column is a side. */
-int fields_need_sides(const struct fields *fields);
 
 /* How rows look. */
 struct style {
@@ -70,45 +56,46 @@ struct style {
     const char *missing; /* NULL: nan for a number, - for a word */
 };
 
-/* The values of a row. */
+/* The values of a row.  answer.n tells which are missing: -1: there is no
+ * answer.  A point has one hit, a piece of a line two. */
 struct row {
-    unsigned long long record, shape, count, depth;
-    const cylint_answer *answer;   /* NULL: there is none */
-    const cylint_closest *closest; /* of a point; NULL: there is none */
-    const cylint_piece *piece;     /* of a line; NULL: there is none */
-    double unit;                   /* the length of its direction */
-    const char *label;             /* the shape's, if a column needs it */
-    size_t label_length;           /* 0: there is none */
-    const char *tail;
-    size_t tail_length;
+    double record, shape, count, depth; /* whole numbers */
+    double distance;                    /* of a point */
+    int feature;
+    double unit; /* the length of the line's direction */
+    cylint_answer answer;
+    struct string label; /* the shape's, if a column needs it */
+    struct string tail;
 };
 
-/* binary: the output has numbers only. */
-const char *default_fields(enum query query, int binary);
-
-/* Writes *fields from names separated by commas.  Returns NULL, or the first
- * name that is not a column of this query or is one too many, and its length. */
-const char *find_fields(struct fields *fields, const char *names,
-                        enum query query, size_t *length);
+/* Writes *fields from names separated by commas.  query: of points with
+ * QUERIES added.  Returns NULL, or the first name that is not a column of
+ * this query or is one too many. */
+const char *find_fields(struct fields *fields, const char *names, int query);
 
 /* The name of this query's column nearest to this one, or NULL. */
-const char *similar_field(const char *name, size_t length, enum query query);
+const char *similar_field(struct string name, int query);
 
-/* The largest length of a row or of the header in bytes, without the tail, if
- * no label is longer than this. */
+/* The largest length of a row or of the header in bytes, without the tail,
+ * if no label is longer than this; the same of sums. */
 size_t row_capacity(const struct fields *fields, const struct style *style,
                     size_t longest_label);
+size_t sums_capacity(const struct groups *groups, const struct style *style);
 
+/* row or sums NULL: `error` and missing values, for a bad record. */
 void put_row(struct text *out, const struct fields *fields,
              const struct style *style, const struct row *row);
-/* `error` and missing values, for a bad record. */
-void put_error(struct text *out, const struct fields *fields,
-               const struct style *style);
 void put_header(struct text *out, const struct fields *fields,
                 const struct style *style);
 
+/* Rows of --sum: a column for each group of shapes, and at least one. */
+void put_sums(struct text *out, const struct groups *groups,
+              const struct style *style, const double *sums,
+              const struct row *row);
+void put_sums_header(struct text *out, const struct groups *groups,
+                     const struct style *style);
+
 /* For --list=columns: name, TAB, the queries that have it, TAB, its meaning. */
-void list_columns(void (*print)(const char *name, const char *queries,
-                                const char *about));
+void list_columns(void);
 
 #endif

@@ -1,5 +1,6 @@
 /*
- * grammar.h - reads a line or point and a shape from a record of text or doubles
+ * grammar.h - reads a line or point and a shape from a record of text or
+ * doubles
  *
  *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
  *            LINE [not=NAME]... [TAIL]         a line or point, with a scene
@@ -14,7 +15,8 @@
 #include <stddef.h>
 
 #include "cylint.h"
-#include "sizes.h"
+#include "report.h"
+#include "text.h"
 
 /* Lines, and a point. */
 enum line_kind {
@@ -39,32 +41,31 @@ enum shape_kind {
     SHAPE_KINDS
 };
 
-enum { NOT_GIVEN = -1, MOST_NUMBERS = 8 + 13 /* a span and an econe */ };
+enum { MOST_NUMBERS = 8 + 13 /* a span and an econe */ };
 
-/* The notation of a kind: its word, the count and the names of its numbers. */
+/* The notation of a kind: its word, the count and the names of its numbers, and
+ * which of them are radii, factors or angles. */
 struct kind {
     const char *word;
     int numbers;
     const char *names;
+    int checked[2];
 };
 
-extern const struct kind line_kinds[LINE_KINDS];
-extern const struct kind shape_kinds[SHAPE_KINDS];
+extern const struct kind line_kinds[], shape_kinds[]; /* by their enums; NULL */
 extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 
 /* The parts of a record, and their defaults. */
 struct grammar {
     int has_line, has_shape;
     int line; /* enum line_kind by -k, or NOT_GIVEN: a word names it */
-    const char *no_lines, *no_points; /* why a line or a point is a fault; NULL:
-                                         it is none */
-    const char *no_left_out;          /* why not=NAME is a fault, or NULL */
-    int shape;                        /* enum shape_kind likewise */
-    int ends; /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
+    /* why a line, a point or not=NAME is wrong; NULL: it is not */
+    const char *no_lines, *no_points, *no_left_out;
+    int shape; /* enum shape_kind likewise */
+    int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
     double tmin, tmax;
     int no_tail;         /* a tail makes a record bad */
-    char bare[48];       /* "a ray and a cylinder have 13", with -k */
     const char *convert; /* how to convert a file that is no scene, or NULL */
 };
 
@@ -73,57 +74,34 @@ struct record {
     cylint_line line;
     double point[3]; /* if is_point */
     cylint_shape shape;
-    const char *tail; /* without the blanks around it */
-    size_t tail_length;
-    const char *left_out; /* the words not=NAME, of a line without a shape */
-    size_t left_out_length;
-    const char *solids; /* the words in=NAME and out=NAME, of a shape without a
-                           line */
-    size_t solids_length;
+    struct string tail; /* without the blanks around it */
+    /* not=NAME of a line without a shape, or in=NAME and out=NAME of a shape
+     * without a line */
+    struct string words;
 };
 
 #define NOT_WORD "not="
 #define IN_WORD "in="
 #define OUT_WORD "out="
 
-/* The fault of a record.  at..end is the wrong text; NULL in binary input.
- * expected: 1 if `what` was expected there; 0 if `what` describes the fault. */
-struct fault {
-    const char *what;
-    int expected;
-    const char *at, *end;
-    unsigned long long shape; /* of the scene, or 0 */
-    int numbers;              /* "N numbers where WHAT", or 0 */
-    const char *meant;        /* the known word nearest to the text, or NULL */
-    const char *remedy;       /* what the user can do, or NULL */
-};
-
-/* A message about a good record; printed for the first such record only. */
-enum remark {
-    REMARK_SURPLUS, /* its tail begins with a number */
-    REMARK_DOMAIN,  /* -t does not apply to its line or point */
-    REMARK_LABEL,   /* it leaves out a label that no shape has */
-    REMARKS
-};
-
-/* wanted: a bit for each remark to test for.  found: those that apply to the
- * last record, each with its text. */
-struct remarks {
-    unsigned wanted, found;
-    struct fault fault[REMARKS];
-};
-
-/* The index of the text in `words` (NULL at the end), or NOT_GIVEN. */
-int find_word(const char *const *words, const char *text, size_t length);
-int find_kind(const struct kind *kinds, int count, const char *text,
-              size_t length);
-
-/* Writes g->bare from the kinds. */
-void describe_bare(struct grammar *g);
+/* Makes a shape of this enum shape_kind.  ends: cylint_ends or NOT_GIVEN. */
+cylint_status shape_of_numbers(int kind, int ends, const double *v,
+                               cylint_shape *shape);
 
 /* The number of doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
 
+/* All functions that read return 0, or EXIT_BAD and write a note. */
+
+/* [text, end) is one line without its line feed; *end must be readable. */
+int read_record(const struct grammar *g, const char *text, const char *end,
+                struct record *record, struct notes *notes);
+int take_record(const struct grammar *g, const double *numbers,
+                struct record *record, struct notes *notes);
+
+/* -------------------------------------------------------------- fields -- */
+
+/* Fields are separated by blanks, tabs, and at most one comma. */
 static inline int is_blank(char c)
 {
     return c == ' ' || c == '\t';
@@ -131,18 +109,16 @@ static inline int is_blank(char c)
 
 static inline const char *skip_blanks(const char *p, const char *end)
 {
-    while (p < end && is_blank(*p)) {
+    while (p < end && is_blank(*p))
         p++;
-    }
     return p;
 }
 
 /* Returns the end of the field at p. */
 static inline const char *field_end(const char *p, const char *end)
 {
-    while (p < end && !is_blank(*p) && *p != ',') {
+    while (p < end && !is_blank(*p) && *p != ',')
         p++;
-    }
     return p;
 }
 
@@ -152,43 +128,42 @@ static inline const char *skip_separator(const char *p, const char *end)
     return p < end && *p == ',' ? skip_blanks(p + 1, end) : p;
 }
 
+/* The next field of a line, and where its faults are noted. */
+struct reader {
+    const char *p, *end;
+    struct notes *notes;
+    int has_word; /* ends=WORD, not=NAME, in=NAME or out=NAME was read */
+};
+
+/* Sets a reader to the first field. */
+int begin_line(struct reader *r, const char *text, const char *end,
+               struct notes *notes);
+
+static inline struct string field(const struct reader *r)
+{
+    return between(r->p, field_end(r->p, r->end));
+}
+
+/* Moves on from the end of a field. */
+static inline void skip_to(struct reader *r, const char *after)
+{
+    r->p = skip_separator(after, r->end);
+}
+
+static inline void skip_field(struct reader *r)
+{
+    skip_to(r, field_end(r->p, r->end));
+}
+
+/* refuse_text() and refuse_other() with the field. */
+int refuse_field(struct reader *r, const char *what);
+int refuse_other_field(struct reader *r, const char *expected);
+
 /* Returns the end of the line at p: its line feed, or the end of the text. */
 const char *end_of_line(const char *p, const char *end);
 
 /* Whether a line has a record: it is neither blank nor a comment.  A line that
  * is too long counts as a record. */
 int is_record(const char *line, const char *end);
-
-/* Removes a carriage return from the end.  Returns 0 and a fault if the line is
- * too long. */
-int trim_line(const char *text, const char **end, struct fault *fault);
-
-/* The places for the parts of a record; only those in the grammar are
- * written. */
-struct parts {
-    int *is_point;
-    cylint_line *line;
-    double *point;
-    cylint_shape *shape;
-    const char **tail;
-    size_t *tail_length;
-    const char **left_out; /* used only if there is no shape */
-    size_t *left_out_length;
-    const char **solids; /* used only if there is no line */
-    size_t *solids_length;
-    struct remarks *remarks; /* NULL: no remarks */
-};
-
-/* All return 1 if the record is good, else 0 and write *fault.  [text, end) is
- * one line without its line feed; *end must be readable. */
-int read_record(const struct grammar *g, const char *text, const char *end,
-                struct record *record, struct fault *fault);
-struct parts parts_of(struct record *record);
-int take_record(const struct grammar *g, const double *numbers,
-                struct record *record, struct fault *fault);
-int read_parts(const struct grammar *g, const char *text, const char *end,
-               const struct parts *parts, struct fault *fault);
-int take_parts(const struct grammar *g, const double *numbers,
-               const struct parts *parts, struct fault *fault);
 
 #endif

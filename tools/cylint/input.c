@@ -13,9 +13,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "grammar.h"
 #include "input.h"
 #include "main.h"
-#include "target.h"
+#include "output.h"
 
 static int is_stdin(const char *file)
 {
@@ -30,9 +31,8 @@ static double total_size(char *const *files, int count)
     for (int i = 0; i < count; i++) {
         struct stat s;
         if ((is_stdin(files[i]) ? fstat(0, &s) : stat(files[i], &s)) != 0 ||
-            !S_ISREG(s.st_mode)) {
+            !S_ISREG(s.st_mode))
             return 0;
-        }
         total += (double)s.st_size;
     }
     return total;
@@ -54,9 +54,8 @@ int input_open(struct input *in, char *const *files, int count,
 
 static void close_file(struct input *in)
 {
-    if (in->fd > 0) {
+    if (in->fd > 0)
         close(in->fd);
-    }
     in->fd = -1;
 }
 
@@ -70,7 +69,9 @@ void input_close(struct input *in)
 /* Records a failure of the input.  Returns 0. */
 static int fail(struct block *b, const char *what, int error)
 {
-    b->failure = (struct failure){EXIT_IO, what, error};
+    b->failure = EXIT_IO;
+    b->what = what;
+    b->error = error;
     b->length = 0;
     return 0;
 }
@@ -80,9 +81,8 @@ static int open_next(struct input *in, struct block *b)
     const char *file = in->files[in->next++];
     in->name = b->name = is_stdin(file) ? "stdin" : file;
     in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY, 0);
-    if (in->fd < 0) {
+    if (in->fd < 0)
         return fail(b, NULL, errno);
-    }
     struct stat s;
     in->regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
     in->line = 1;
@@ -94,22 +94,22 @@ static int open_next(struct input *in, struct block *b)
 
 /* ------------------------------------------------------------ reading -- */
 
-static int would_wait(const struct input *in)
-{
-    struct pollfd p = {in->fd, POLLIN, 0};
-    int ready = 1;
-    while (!in->regular && (ready = poll(&p, 1, 0)) < 0 && errno == EINTR) {
-    }
-    return ready == 0;
-}
-
-/* Waits for input or its end.  Returns 0 if the work ended meanwhile. */
-static int wait_for_input(const struct input *in)
+/* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns
+ * whether there is input, or its end; *ended: the work ended meanwhile. */
+static int wait_for_input(const struct input *in, int timeout, int *ended)
 {
     struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->ending, POLLIN, 0}};
-    while (!in->regular && poll(p, 2, -1) < 0 && errno == EINTR) {
-    }
-    return in->regular || p[1].revents == 0;
+    int ready = 1;
+    while (!in->regular && (ready = poll(p, 2, timeout)) < 0 && errno == EINTR)
+        ;
+    *ended = p[1].revents != 0;
+    return ready != 0;
+}
+
+static int would_wait(const struct input *in)
+{
+    int ended;
+    return !wait_for_input(in, 0, &ended);
 }
 
 /* From `from` on, replaces each CR by LF unless an LF follows.  A CR at the end
@@ -119,9 +119,8 @@ static void end_lines_at_cr(struct block *b, size_t from)
     char *last = b->text + b->length - 1;
     char *p = b->text + (from > 0 ? from - 1 : 0);
     while (p < last && (p = memchr(p, '\r', (size_t)(last - p))) != NULL) {
-        if (p[1] != '\n') {
+        if (p[1] != '\n')
             *p = '\n';
-        }
         p++;
     }
 }
@@ -130,19 +129,18 @@ static void end_lines_at_cr(struct block *b, size_t from)
  * error. */
 static void read_more(struct input *in, struct block *b)
 {
-    while (wait_for_input(in)) {
+    int ended;
+    while (wait_for_input(in, -1, &ended) && !ended) {
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
-            if (in->cr_ends_lines) {
+            if (in->cr_ends_lines)
                 end_lines_at_cr(b, b->length - (size_t)n);
-            }
             in->bytes += (unsigned long long)n;
             return;
         }
-        if (n == 0) {
+        if (n == 0)
             break;
-        }
         if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) {
             in->error = errno;
             break;
@@ -182,14 +180,11 @@ static void skip_line(struct input *in, struct block *b)
 static size_t find_whole(const struct input *in, const struct block *b,
                          size_t known, size_t searched)
 {
-    if (in->record_size > 0) {
+    if (in->record_size > 0)
         return b->length - b->length % in->record_size;
-    }
-    for (size_t i = b->length; i > searched; i--) {
-        if (b->text[i - 1] == '\n') {
+    for (size_t i = b->length; i > searched; i--)
+        if (b->text[i - 1] == '\n')
             return i;
-        }
-    }
     return known;
 }
 
@@ -212,27 +207,19 @@ static size_t gather(struct input *in, struct block *b)
     return in->ended && !in->error ? b->length : whole;
 }
 
-static void count_lines(struct input *in, struct block *b)
-{
-    const char *end = b->text + b->length;
-    for (const char *p = b->text; p < end;) {
-        const char *stop = end_of_line(p, end);
-        b->records += is_record(p, stop) ? 1 : 0;
-        in->line++;
-        p = stop + 1;
-    }
-}
-
 static void count_records(struct input *in, struct block *b)
 {
+    const char *const end = b->text + b->length;
     b->line = in->record_size > 0 ? 0 : in->line;
     b->record = in->record;
-    b->records = 0;
-    if (in->record_size > 0) {
+    if (in->record_size > 0)
         b->records = (b->length + in->record_size - 1) / in->record_size;
-    } else {
-        count_lines(in, b);
-    }
+    else
+        for (const char *p = b->text, *stop; p < end; p = stop + 1) {
+            stop = end_of_line(p, end);
+            b->records += is_record(p, stop) ? 1 : 0;
+            in->line++;
+        }
     in->record += b->records;
     in->bytes_given += b->length;
 }
@@ -241,16 +228,14 @@ static void count_records(struct input *in, struct block *b)
 
 static void skip_byte_order_mark(struct block *b)
 {
-    if (b->length >= 3 && memcmp(b->text, "\xef\xbb\xbf", 3) == 0) {
+    if (b->length >= 3 && memcmp(b->text, "\xef\xbb\xbf", 3) == 0)
         drop_front(b, 3);
-    }
 }
 
 static int read_until(struct input *in, struct block *b, size_t length)
 {
-    while (b->length < length && npy_begins(b->text, b->length) && !in->ended) {
+    while (b->length < length && npy_begins(b->text, b->length) && !in->ended)
         read_more(in, b);
-    }
     return b->length >= length;
 }
 
@@ -263,33 +248,30 @@ static int skip_npy_header(struct input *in, struct block *b)
     }
     const size_t length = npy_length(b->text, in->npy_wrong);
     unsigned long long rows = 0;
-    if (length == 0) {
+    if (length == 0)
         return fail(b, in->npy_wrong, 0);
-    }
     if (!read_until(in, b, length)) {
         return fail(b, ".npy header: length: the file ends within the header",
                     0);
     }
     if (!npy_read(b->text, length, in->record_size / sizeof(double), &rows,
-                  in->npy_wrong)) {
+                  in->npy_wrong))
         return fail(b, in->npy_wrong, 0);
-    }
     drop_front(b, length);
     in->promised = 1;
     in->bytes_promised = rows * in->record_size;
     return 1;
 }
 
-/* The checks at the end of a file, after its last block was returned.  Returns 0
- * after a failure. */
+/* The checks at the end of a file, after its last block was returned.
+ * Returns 0 after a failure. */
 static int finish_file(struct input *in, struct block *b)
 {
     const int kept = !in->promised || in->bytes_given == in->bytes_promised;
     close_file(in);
     b->name = in->name;
-    if (in->error) {
+    if (in->error)
         return fail(b, NULL, in->error);
-    }
     return kept ||
            fail(b, "the .npy header has another number of rows than the file",
                 0);
@@ -311,10 +293,10 @@ int input_is_empty(struct input *in)
     b.text = in->carry;
     b.length = 0;
     while (b.length == 0 && !in->error) {
-        b.failure.status = 0;
+        b.failure = 0;
         if (!change_file(in, &b)) {
-            in->next -= b.failure.status != 0;
-            return b.failure.status == 0;
+            in->next -= b.failure != 0;
+            return b.failure == 0;
         }
         read_more(in, &b);
     }
@@ -341,9 +323,8 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
         memcpy(in->carry, b->text + whole, in->carried);
     }
     b->length = whole;
-    if (in->fresh && in->record_size == 0) {
+    if (in->fresh && in->record_size == 0)
         skip_byte_order_mark(b);
-    }
     in->fresh = 0;
     b->text[b->length] = '\0';
 }
@@ -358,12 +339,10 @@ static int is_compressed(const struct input *in, const struct block *b)
 static void fill_block(struct input *in, struct block *b)
 {
     while (b->length == 0) {
-        if ((in->fd < 0 || in->ended) && !change_file(in, b)) {
+        if ((in->fd < 0 || in->ended) && !change_file(in, b))
             return;
-        }
-        if (!begin_block(in, b)) {
+        if (!begin_block(in, b))
             return;
-        }
         const size_t whole = gather(in, b);
         if (is_compressed(in, b)) {
             fail(b, "is compressed by gzip; pipe it through zcat", 0);
@@ -379,53 +358,64 @@ void input_read(struct input *in, struct block *b)
     b->length = 0;
     b->records = 0;
     b->full = 0;
-    b->stopped = 0;
-    b->notes.kept = b->notes.kept_bad = 0;
-    b->notes.bad = 0;
-    b->failure.status = 0;
+    b->failure = 0;
     fill_block(in, b);
     b->input = in->bytes;
 }
 
 void input_complain(const struct block *b)
 {
-    if (b->failure.what) {
-        complain(b->name, b->failure.what);
-    } else {
-        errno = b->failure.error;
-        complain_errno(b->name);
-    }
+    complain(b->name, b->what ? b->what : strerror(b->error));
 }
 
-int input_next(struct input *in, struct block *b)
-{
-    input_read(in, b);
-    if (b->failure.status != 0) {
-        input_complain(b);
-    }
-    return b->failure.status;
-}
-
-int block_allocate(struct block *block, size_t row, size_t shapes)
+int block_make(struct block *block)
 {
     memset(block, 0, sizeof *block);
     block->text = malloc(BLOCK_CAPACITY + 1);
-    block->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
-    block->hits = malloc(shapes + 1);
-    return block->text && block->out.data && block->hits;
+    return block->text != NULL;
 }
 
-int block_make(struct block *block, size_t row, size_t shapes)
+/* ----------------------------------------------------- lines of one file -- */
+
+static int read_block(struct block *b, struct notes *notes,
+                      line_handler *handle, void *context)
 {
-    return block_allocate(block, row, shapes) ? 0 : out_of_memory();
+    const char *const end = b->text + b->length, *stop;
+    int status = 0;
+    notes->line = b->line;
+    notes->end = end;
+    for (const char *p = b->text; p < end && status == 0; p = stop + 1) {
+        stop = end_of_line(p, end);
+        notes->text = p;
+        if (is_record(p, stop))
+            status = handle(context, p, stop, notes);
+        if (status == EXIT_BAD)
+            print_refusal(notes, b->name);
+        notes->line++;
+    }
+    return status;
 }
 
-void block_free(struct block *block)
+int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
+               void *context)
 {
-    free(block->text);
-    free(block->out.data);
-    free(block->hits);
-    pairs_free(block->pairs);
-    piece_memory_free(&block->pieces);
-    free(block->sums);
+    char *const files[] = {(char *)(uintptr_t)file};
+    struct input in;
+    struct block block;
+    struct notes notes = {0};
+    int status = block_make(&block) ? 0 : out_of_memory();
+    if (status == 0 && (status = input_open(&in, files, 1, 0)) == 0) {
+        in.cr_ends_lines = cr_ends_lines;
+        do {
+            input_read(&in, &block);
+            status = block.failure != 0
+                         ? block.failure
+                         : read_block(&block, &notes, handle, context);
+        } while (status == 0 && block.length > 0);
+        if (block.failure != 0)
+            input_complain(&block);
+        input_close(&in);
+    }
+    free(block.text);
+    return status;
 }

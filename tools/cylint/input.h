@@ -4,8 +4,26 @@
 #ifndef CYLINT_INPUT_H
 #define CYLINT_INPUT_H
 
-#include "block.h"
 #include "npy.h"
+#include "report.h"
+
+/* Whole records, and why the input ends after them. */
+struct block {
+    /* With a NUL byte.  The last record may be the beginning of a line that is
+     * too long, or a binary record cut off by the end of the input. */
+    char *text;
+    size_t length;
+    int full; /* has BLOCK_GOAL bytes or more: there may be more input */
+    const char *name;           /* of the file, for messages */
+    unsigned long long line;    /* number of the first line, from 1 */
+    unsigned long long record;  /* number of the first record, from 1 */
+    unsigned long long records; /* number of records */
+    unsigned long long input;   /* bytes of all input read so far */
+
+    int failure;      /* exit status; 0: none */
+    const char *what; /* its message; NULL: the text for `error` */
+    int error;        /* errno */
+};
 
 struct input {
     char *const *files; /* "-" is standard input */
@@ -27,8 +45,8 @@ struct input {
     int promised;              /* a .npy header states the number of rows */
     unsigned long long bytes_promised, bytes_given;
     int error;  /* errno of a read: reported after the records before it */
-    int ending; /* a descriptor: its end of file ends the waiting
-                           for input; -1: none */
+    int ending; /* a descriptor: its end of file ends the waiting for input; -1:
+                   none */
 
     unsigned long long bytes; /* read so far, of all files */
     double total;             /* bytes of all files; 0: unknown */
@@ -45,18 +63,19 @@ int input_is_empty(struct input *in);
 void input_read(struct input *in, struct block *block);
 /* Prints the failure. */
 void input_complain(const struct block *block);
-/* Reads a block and prints its failure.  Returns 0, or an exit status after a
- * message. */
-int input_next(struct input *in, struct block *block);
-
 void input_close(struct input *in);
 
-/* Allocate the buffers of a block: for answers of at most `row` bytes without
- * the tail, and for the numbers of hits with `shapes` shapes.  block_allocate()
- * returns 0 if there is no memory, block_make() an exit status after a
- * message. */
-int block_allocate(struct block *block, size_t row, size_t shapes);
-int block_make(struct block *block, size_t row, size_t shapes);
-void block_free(struct block *block);
+/* Allocates a block's text.  Returns 0 if there is no memory. */
+int block_make(struct block *block);
+
+/* Handles the line [line, end) of a file.  Returns 0; EXIT_BAD after it has
+ * written a note; or another exit status after a message. */
+typedef int line_handler(void *context, const char *line, const char *end,
+                         struct notes *notes);
+
+/* Calls `handle` for each line of a file that is neither blank nor a comment,
+ * and prints the note about a bad line.  Returns 0, or an exit status. */
+int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
+               void *context);
 
 #endif

@@ -1,69 +1,20 @@
 /*
- * labels.c - the tails of a scene's lines: names of its shapes
+ * labels.c - the labels of shapes, and groups of shapes
  */
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "input.h"
 #include "labels.h"
 #include "main.h"
-#include "report.h"
-
-/* Makes space for `more` bytes; at least doubles the capacity. */
-static int grow_bytes(struct labels *labels, size_t more)
-{
-    if (more <= labels->capacity - labels->length) {
-        return 0;
-    }
-    const size_t twice = 2 * labels->capacity;
-    const size_t capacity =
-        labels->length + more > twice ? labels->length + more : twice;
-    char *bytes = realloc(labels->bytes, capacity);
-    if (!bytes) {
-        return out_of_memory();
-    }
-    labels->bytes = bytes;
-    labels->capacity = capacity;
-    return 0;
-}
-
-static int grow_ends(struct labels *labels)
-{
-    if (labels->count < labels->end_capacity) {
-        return 0;
-    }
-    const size_t end_capacity =
-        labels->end_capacity > 0 ? 2 * labels->end_capacity : 64;
-    uint64_t *end = end_capacity <= SIZE_MAX / sizeof *end
-                        ? realloc(labels->end, end_capacity * sizeof *end)
-                        : NULL;
-    if (!end) {
-        return out_of_memory();
-    }
-    labels->end = end;
-    labels->end_capacity = end_capacity;
-    return 0;
-}
 
 static int store_label(struct scene *scene, const struct record *record)
 {
     struct labels *labels = scene->context;
-    const size_t length = record->tail_length;
-    int status = grow_ends(labels);
-    if (status == 0 && length > 0) {
-        status = grow_bytes(labels, length);
-    }
-    if (status != 0) {
-        return status;
-    }
-    if (length > 0) {
-        memcpy(labels->bytes + labels->length, record->tail, length);
-        labels->length += length;
-    }
-    if (length > labels->longest) {
-        labels->longest = length;
-    }
-    labels->end[labels->count++] = labels->length;
-    return 0;
+    if (record->tail.length > labels->longest)
+        labels->longest = record->tail.length;
+    return texts_add(&labels->texts, record->tail) ? 0 : out_of_memory();
 }
 
 void labels_collect(struct labels *labels, struct scene *scene)
@@ -74,8 +25,9 @@ void labels_collect(struct labels *labels, struct scene *scene)
 
 void labels_give(struct labels *labels, struct scene *scene)
 {
-    if (labels->length > 0) {
-        labels->table = (cylint_scene_labels){labels->end, labels->bytes};
+    const struct texts *t = &labels->texts;
+    if (t->length > 0) {
+        labels->table = (cylint_scene_labels){t->end, t->bytes};
         cylint_scene_set_labels(scene->shapes, &labels->table);
     }
 }
@@ -84,15 +36,12 @@ int labels_take(struct labels *labels, const struct scene *scene,
                 const char *file)
 {
     const cylint_scene_labels *of = cylint_scene_get_labels(scene->shapes);
-    if (!of) {
+    if (!of)
         return 0;
-    }
     labels->table = *of;
     for (size_t i = 0; i < scene->count; i++) {
         const size_t length = labels_get(labels, i).length;
-        if (length > labels->longest) {
-            labels->longest = length;
-        }
+        labels->longest = length > labels->longest ? length : labels->longest;
     }
     if (labels->longest > 0 &&
         memchr(of->text, '\n', (size_t)of->end[scene->count - 1])) {
@@ -104,14 +53,181 @@ int labels_take(struct labels *labels, const struct scene *scene,
 
 void labels_free(struct labels *labels)
 {
-    free(labels->bytes);
-    free(labels->end);
+    texts_free(&labels->texts);
 }
 
-struct label labels_get(const struct labels *labels, size_t shape)
+struct string labels_get(const struct labels *labels, size_t shape)
 {
     const cylint_scene_labels *t = &labels->table;
-    const size_t begin = t->end && shape > 0 ? (size_t)t->end[shape - 1] : 0;
-    const size_t length = t->end ? (size_t)t->end[shape] - begin : 0;
-    return (struct label){length > 0 ? t->text + begin : "", length};
+    return t->end ? text_at(t->end, t->text, shape) : (struct string){"", 0};
+}
+
+/* --------------------------------------------------------------- groups -- */
+
+static struct string name_of_shape(const struct labels *labels, size_t shape)
+{
+    const struct string label = labels_get(labels, shape);
+    return between(label.text, field_end(label.text, end_of(label)));
+}
+
+int groups_make(struct groups *g, const struct labels *labels)
+{
+    size_t group;
+    g->of = malloc((g->shapes + 1) * sizeof *g->of);
+    if (!g->of)
+        return out_of_memory();
+    for (size_t i = 0; i < g->shapes; i++) {
+        if (!names_add(&g->names, name_of_shape(labels, i), &group))
+            return out_of_memory();
+        g->of[i] = (int)group;
+    }
+    g->columns = g->shapes > 0 ? g->names.texts.count : 1;
+    return 0;
+}
+
+void groups_free(struct groups *g)
+{
+    names_free(&g->names);
+    free(g->of);
+    free(g->rank);
+}
+
+/* ---------------------------------------------------------------- ranks -- */
+
+enum { NO_RANK = INT_MIN };
+
+/* The file as it is read. */
+struct rank_file {
+    const struct groups *groups;
+    const char *name;
+    int *rank; /* of each group, or NO_RANK */
+    int has_warned;
+};
+
+/* Reads an integer.  Returns 0 if the text is none. */
+static int read_rank(struct string s, int *rank)
+{
+    const int has_sign = s.length > 0 && (*s.text == '-' || *s.text == '+');
+    unsigned long long size;
+    const int is_whole =
+        read_whole(between(s.text + has_sign, end_of(s)), INT_MAX, &size);
+    *rank = has_sign && *s.text == '-' ? -(int)size : (int)size;
+    return is_whole;
+}
+
+/* Stores the rank.  A label that no shape has gives one message. */
+static int take_rank(struct rank_file *f, struct string name, int rank,
+                     struct notes *notes)
+{
+    const size_t group = names_find(&f->groups->names, name);
+    if (group < f->groups->names.texts.count) {
+        if (f->rank[group] != NO_RANK)
+            return refuse_text(notes, "this label has a rank already", name);
+        f->rank[group] = rank;
+    } else if (!f->has_warned) {
+        refuse_text(notes, "no shape has this label", name);
+        print_refusal(notes, f->name);
+        f->has_warned = 1;
+    }
+    return 0;
+}
+
+/* A line LABEL INTEGER. */
+static int read_ranking(void *context, const char *line, const char *end,
+                        struct notes *notes)
+{
+    struct reader r;
+    int rank;
+    if (begin_line(&r, line, end, notes))
+        return EXIT_BAD;
+    const struct string name = field(&r);
+    if (name.length == 0)
+        return refuse_other_field(&r, "a label");
+    skip_field(&r);
+    if (!read_rank(field(&r), &rank))
+        return refuse_other(notes, "an integer from -2147483647 to 2147483647",
+                            field(&r));
+    skip_field(&r);
+    return r.p < r.end ? refuse_other(notes, "the end of the line", field(&r))
+                       : take_rank(context, name, rank, notes);
+}
+
+/* Names without a line have the rank 0. */
+int groups_read_ranks(struct groups *g, const char *file)
+{
+    const size_t count = g->names.texts.count;
+    struct rank_file f = {.groups = g, .name = file};
+    f.rank = malloc((count + 1) * sizeof *f.rank);
+    g->rank = malloc((g->shapes + 1) * sizeof *g->rank);
+    int status = EXIT_MEMORY;
+    if (f.rank && g->rank) {
+        for (size_t i = 0; i < count; i++)
+            f.rank[i] = NO_RANK;
+        status = read_lines(file, 0, read_ranking, &f);
+    } else {
+        out_of_memory();
+    }
+    for (size_t i = 0; i < g->shapes && status == 0; i++)
+        g->rank[i] = f.rank[g->of[i]] == NO_RANK ? 0 : f.rank[g->of[i]];
+    free(f.rank);
+    return status;
+}
+
+/* ------------------------------------------------------------- left out -- */
+
+int left_out_has(const struct left_out *l, size_t group)
+{
+    for (int i = 0; i < l->count; i++)
+        if (l->group[i] == group)
+            return 1;
+    return 0;
+}
+
+/* Writes the group with this name.  Returns 0 if there is none. */
+static int find_group(const struct groups *g, int by_label, struct string name,
+                      size_t *group)
+{
+    unsigned long long number = 0;
+    if (by_label) {
+        *group = names_find(&g->names, name);
+        return *group < g->names.texts.count;
+    }
+    const int is_number = read_whole(name, g->shapes, &number);
+    *group = (size_t)number - 1;
+    return is_number && number > 0;
+}
+
+static int read_name(struct left_out *l, const struct groups *g, int by_label,
+                     struct string name, struct notes *notes)
+{
+    size_t group;
+    if (name.length == 0)
+        return refuse_text(notes, "not= without a number or label", name);
+    if (find_group(g, by_label, name, &group)) {
+        if (l->count == LEFT_OUT_MOST && !left_out_has(l, group))
+            return refuse_text(notes, "more than 64 words not=", name);
+        if (!left_out_has(l, group))
+            l->group[l->count++] = group;
+    } else if (!by_label) {
+        return refuse_other(notes, "the number of a shape of the scene", name);
+    } else if (wants_remark(notes, REMARK_LABEL)) {
+        refuse_text(notes, "no shape has this label", name);
+        advise(notes, "nothing is left out");
+        make_remark(notes, REMARK_LABEL);
+    }
+    return 0;
+}
+
+int left_out_read(struct left_out *l, const struct groups *g, int by_label,
+                  struct string words, struct notes *notes)
+{
+    int status = 0;
+    l->count = 0;
+    for (const char *p = words.text; p < end_of(words) && status == 0;) {
+        const char *name = p + strlen(NOT_WORD),
+                   *after = field_end(name, end_of(words));
+        status = read_name(l, g, by_label, between(name, after), notes);
+        p = skip_separator(after, end_of(words));
+    }
+    return status;
 }

@@ -1,42 +1,67 @@
 /*
- * labels.h - the tails of a scene's lines: names of its shapes
+ * labels.h - the tails of a scene's lines, which are the labels of its shapes,
+ * and groups of shapes: those that a record leaves out, ranks, columns of sums
  *
- * They are kept only if a column or a record needs them.
+ * By label, a group is all shapes whose labels begin with the same field, its
+ * name. By number, each shape is a group.
  */
 #ifndef CYLINT_LABELS_H
 #define CYLINT_LABELS_H
 
-#include <stddef.h>
-#include <stdint.h>
-
+#include "names.h"
 #include "scene.h"
 
-/* Zero it before use. */
+/* The labels of shapes.  Zero it before use. */
 struct labels {
-    char *bytes; /* of all labels, one after the other */
-    size_t length, capacity;
-    uint64_t *end; /* end of each shape's label in bytes */
-    size_t count, end_capacity;
+    struct texts texts;        /* of a scene that is read */
     size_t longest;            /* bytes of the longest label */
     cylint_scene_labels table; /* the labels; end is NULL if there are none */
-};
-
-struct label {
-    const char *text;
-    size_t length;
 };
 
 /* Makes scene_add() store the labels here. */
 void labels_collect(struct labels *labels, struct scene *scene);
 /* Gives the scene the labels that were collected, after all its shapes. */
 void labels_give(struct labels *labels, struct scene *scene);
-/* Uses the labels of a scene that was opened from `file`, in their place.  Returns
- * 0, or an exit status after a message. */
+/* Uses the labels of a scene that was opened from `file`, in their place.
+ * Returns 0, or an exit status after a message. */
 int labels_take(struct labels *labels, const struct scene *scene,
                 const char *file);
 void labels_free(struct labels *labels);
 
 /* The label of a shape, counted from 0.  Its length is 0 if there is none. */
-struct label labels_get(const struct labels *labels, size_t shape);
+struct string labels_get(const struct labels *labels, size_t shape);
+
+/* --------------------------------------------------------------- groups -- */
+
+/* Zero it before use. */
+struct groups {
+    size_t shapes;
+    struct names names; /* by label: those of the groups */
+    int *of;            /* by label: the group of each shape; NULL: by number */
+    size_t columns;     /* by label: the number of groups, but at least 1 */
+    int *rank;          /* of each shape; NULL: all have the same */
+};
+
+/* Groups the shapes by label.  Returns 0, or an exit status after a message. */
+int groups_make(struct groups *groups, const struct labels *labels);
+/* Reads the ranks of groups from a file. */
+int groups_read_ranks(struct groups *groups, const char *file);
+void groups_free(struct groups *groups);
+
+enum { LEFT_OUT_MOST = 64 };
+
+/* The groups that a record leaves out, without repetition. */
+struct left_out {
+    int count;
+    size_t group[LEFT_OUT_MOST];
+};
+
+/* Reads a record's words not=NAME.  Returns 0, or EXIT_BAD and writes a
+ * note.  A label that no shape has is a remark. */
+int left_out_read(struct left_out *left_out, const struct groups *groups,
+                  int by_label, struct string words, struct notes *notes);
+
+/* Whether it has the shape's group. */
+int left_out_has(const struct left_out *left_out, size_t group);
 
 #endif

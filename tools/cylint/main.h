@@ -1,5 +1,5 @@
 /*
- * main.h - the command's name and exit status
+ * main.h - the command's name and exit status, and its machine
  */
 #ifndef CYLINT_MAIN_H
 #define CYLINT_MAIN_H
@@ -13,5 +13,8 @@ enum {
     EXIT_IO = 3, /* input or output failed */
     EXIT_MEMORY = 4
 };
+
+/* The number of processors that this process may use; at least 1. */
+int processors(void);
 
 #endif

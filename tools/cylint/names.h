@@ -1,30 +1,43 @@
 /*
- * names.h - the names of shapes: their ranks, and their columns of sums
- *
- * The name of a shape is the first field of its label.
+ * names.h - texts in memory that grows, and different names with their numbers
  */
 #ifndef CYLINT_NAMES_H
 #define CYLINT_NAMES_H
 
-#include "labels.h"
+#include "text.h"
 
-/* Zero it before use. */
-struct names {
-    const struct labels *labels;
-    int *rank;     /* of each shape; NULL: all have the same */
-    int *column;   /* of each shape, for sums; NULL: there are no sums */
-    size_t *shape; /* of each column, the first shape with this name */
-    size_t columns;
+/* Texts, one after the other in memory that grows.  Zero it before use. */
+struct texts {
+    char *bytes;
+    size_t length, capacity;
+    uint64_t *end; /* of each text in bytes */
+    size_t count, end_capacity;
 };
 
-/* rank_file: NULL if there is none.  Returns 0, or an exit status after a
- * message. */
-int names_make(struct names *names, const struct labels *labels, size_t shapes,
-               const char *rank_file, int has_sums);
-void names_free(struct names *names);
+/* Different names, numbered in the order in which they come.  Zero it before
+ * use. */
+struct names {
+    struct texts texts;
+    size_t *bucket; /* a hash table: a name's number from 1, or 0 */
+    size_t buckets; /* 0 or a power of two */
+};
 
-/* The name of a column, in the order in which names first appear in the scene.
- * Its length is 0 if the shapes have no label. */
-struct label names_of_column(const struct names *names, size_t column);
+/* Returns an array with space for one more element, or NULL.  At least doubles
+ * the capacity if there is none. */
+void *grown(void *array, size_t count, size_t *capacity, size_t size);
+
+/* Returns 0 if there is no memory. */
+int texts_add(struct texts *texts, struct string text);
+/* Text i of those that end at end[0], end[1] ... */
+struct string text_at(const uint64_t *end, const char *bytes, size_t i);
+void texts_free(struct texts *texts);
+
+/* Adds the name if it is new, and writes its number.  Returns 0 if there is no
+ * memory. */
+int names_add(struct names *names, struct string name, size_t *number);
+/* The number of the name, or the number of all names. */
+size_t names_find(const struct names *names, struct string name);
+struct string names_get(const struct names *names, size_t number);
+void names_free(struct names *names);
 
 #endif

@@ -7,17 +7,14 @@
  * 2.0 has Latin 1.  [NumPy Enhancement Proposal 1]
  */
 #include <stdio.h>
-#include <string.h>
 
 #include "npy.h"
-#include "text.h"
 
 static const char magic[] = "\x93NUMPY";
 
 enum {
     MAGIC = sizeof magic - 1,
-    MAGIC_SURE =
-        4, /* this many bytes of the magic do not occur in data by chance */
+    MAGIC_SURE = 4, /* bytes of it that do not occur in data by chance */
     VALUE_MOST = 40 /* bytes of a value in a message */
 };
 
@@ -48,9 +45,8 @@ size_t npy_length(const char *bytes, char wrong[NPY_WRONG])
         return 0;
     }
     unsigned long text = b[2] + ((unsigned long)b[3] << 8);
-    if (b[0] > 1) {
+    if (b[0] > 1)
         text += ((unsigned long)b[4] << 16) + ((unsigned long)b[5] << 24);
-    }
     if (text < 2 || text > NPY_HEADER_MOST) {
         snprintf(wrong, NPY_WRONG,
                  ".npy header: length: expected 2 to %d bytes, found %lu",
@@ -60,108 +56,71 @@ size_t npy_length(const char *bytes, char wrong[NPY_WRONG])
     return prefix_length(bytes) + (size_t)text;
 }
 
-static const char *skip_spaces(const char *p)
-{
-    while (*p == ' ') {
-        p++;
-    }
-    return p;
-}
-
-/* Returns the text after 'key': in the dictionary. */
-static const char *value_of_key(const char *dictionary, const char *key)
+/* Returns the value of 'key': in the dictionary, or NULL. */
+static const char *value_of(const char *dictionary, const char *key)
 {
     const char *p = strstr(dictionary, key);
-    if (!p) {
+    if (!p)
         return NULL;
-    }
-    p = skip_spaces(p + strlen(key));
-    return *p == ':' ? skip_spaces(p + 1) : NULL;
-}
-
-/* Reads a number and the comma after it. */
-static const char *read_extent(const char *p, unsigned long long *extent)
-{
-    const char *first = p = skip_spaces(p);
-    *extent = 0;
-    while (*p >= '0' && *p <= '9' && p - first < 18) {
-        *extent = 10 * *extent + (unsigned long long)(*p++ - '0');
-    }
-    if (p == first) {
-        return NULL;
-    }
-    return skip_spaces(p);
-}
-
-static int read_shape(const char *p, unsigned long long extents[2])
-{
-    if (!p || *p != '(') {
-        return 0;
-    }
-    p = read_extent(p + 1, &extents[0]);
-    if (!p || *p != ',') {
-        return 0;
-    }
-    p = read_extent(p + 1, &extents[1]);
-    return p && (*p == ')' || (*p == ',' && *skip_spaces(p + 1) == ')'));
+    p += strlen(key);
+    p += strspn(p, " ");
+    return *p == ':' ? p + 1 + strspn(p + 1, " ") : NULL;
 }
 
 /* Writes the message that the value of a key is wrong.  The value ends before
- * `last`, or with it if it is a bracket. */
-static int refuse(char wrong[NPY_WRONG], const char *key, const char *expected,
-                  const char *value, char last)
+ * `last`, or with it if it is a bracket.  Returns 0. */
+static int refuse_value(char wrong[NPY_WRONG], const char *key,
+                        const char *expected, const char *value, char last)
 {
-    char found[4 * VALUE_MOST + 4] = "nothing";
+    char found[SHOWN_CAPACITY] = "nothing";
     if (value) {
         const char *end = strchr(value, last);
-        const size_t length = end ? (size_t)(end - value) : strlen(value);
-        escape_bytes(found, value, value + length + (end && last == ')'),
-                     VALUE_MOST);
+        end = end ? end + (last == ')') : value + strlen(value);
+        escape(found, between(value, end), VALUE_MOST);
     }
     snprintf(wrong, NPY_WRONG, ".npy header: %s: expected %s, found %s", key,
              expected, found);
     return 0;
 }
 
+/* Reads (ROWS, columns), perhaps with a comma at the end. */
+static int read_shape(const char *shape, size_t columns,
+                      unsigned long long *rows)
+{
+    unsigned long long found;
+    char last, bracket = 0;
+    return shape &&
+           sscanf(shape, "(%18llu ,%18llu %c %c", rows, &found, &last,
+                  &bracket) >= 3 &&
+           found == columns && (last == ')' || (last == ',' && bracket == ')'));
+}
+
 int npy_read(char *header, size_t length, size_t columns,
              unsigned long long *rows, char wrong[NPY_WRONG])
 {
     const char *dictionary = header + prefix_length(header);
+    char expected[40];
     header[length - 1] = '\0'; /* the format has a line feed here */
-    const char *descr = value_of_key(dictionary, "'descr'");
-    const char *fortran = value_of_key(dictionary, "'fortran_order'");
-    const char *shape = value_of_key(dictionary, "'shape'");
-    unsigned long long extents[2];
-    if (!descr || strncmp(descr, "'<f8'", 5) != 0) {
-        return refuse(wrong, "descr", "'<f8'", descr, ',');
-    }
-    if (!fortran || strncmp(fortran, "False", 5) != 0) {
-        return refuse(wrong, "fortran_order", "False", fortran, ',');
-    }
-    if (!read_shape(shape, extents) || extents[1] != columns) {
-        char expected[40];
-        snprintf(expected, sizeof expected, "(ROWS, %lu)",
-                 (unsigned long)columns);
-        return refuse(wrong, "shape", expected, shape, ')');
-    }
-    *rows = extents[0];
-    return 1;
+    const char *descr = value_of(dictionary, "'descr'");
+    const char *fortran = value_of(dictionary, "'fortran_order'");
+    const char *shape = value_of(dictionary, "'shape'");
+    if (!descr || strncmp(descr, "'<f8'", 5) != 0)
+        return refuse_value(wrong, "descr", "'<f8'", descr, ',');
+    if (!fortran || strncmp(fortran, "False", 5) != 0)
+        return refuse_value(wrong, "fortran_order", "False", fortran, ',');
+    snprintf(expected, sizeof expected, "(ROWS, %lu)", (unsigned long)columns);
+    return read_shape(shape, columns, rows) ||
+           refuse_value(wrong, "shape", expected, shape, ')');
 }
 
 void npy_write(char header[NPY_WRITTEN], unsigned long long rows,
                size_t columns)
 {
-    enum { BEFORE = 10, TEXT = NPY_WRITTEN - BEFORE };
-    char text[TEXT + 1];
-    snprintf(text, sizeof text,
+    char text[NPY_WRITTEN + 1], dictionary[NPY_WRITTEN];
+    snprintf(dictionary, sizeof dictionary,
              "{'descr': '<f8', 'fortran_order': False, 'shape': (%llu, %lu), }",
              rows, (unsigned long)columns);
-    memcpy(header, magic, MAGIC);
-    memcpy(header + MAGIC, "\1\0", 2);
-    header[MAGIC + 2] = TEXT;
-    header[MAGIC + 3] = 0;
-    const size_t length = strlen(text);
-    memcpy(header + BEFORE, text, length);
-    memset(header + BEFORE + length, ' ', TEXT - length);
-    header[NPY_WRITTEN - 1] = '\n';
+    snprintf(text, sizeof text, "%s\1%c%c%c%-117.117s\n", magic, 0,
+             NPY_WRITTEN - 10, 0, dictionary);
+    memcpy(header, text, NPY_WRITTEN);
 }

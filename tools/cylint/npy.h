@@ -4,9 +4,7 @@
 #ifndef CYLINT_NPY_H
 #define CYLINT_NPY_H
 
-#include <stddef.h>
-
-#include "sizes.h"
+#include "text.h"
 
 enum {
     NPY_PREFIX = 12,   /* bytes that contain the header's length */
@@ -24,11 +22,9 @@ int npy_is_damaged(const char *bytes, size_t length);
  * message if the version is unknown or the length out of range. */
 size_t npy_length(const char *bytes, char wrong[NPY_WRONG]);
 
-/*
- * Returns 1 and the number of rows if the array is rows x columns doubles,
+/* Returns 1 and the number of rows if the array is rows x columns doubles,
  * little endian, row after row; otherwise 0 and a message that names the
- * wrong field.  Writes a NUL over the header's last byte.
- */
+ * wrong field. Writes a NUL over the header's last byte. */
 int npy_read(char *header, size_t length, size_t columns,
              unsigned long long *rows, char wrong[NPY_WRONG]);
 

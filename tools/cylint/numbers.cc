@@ -1,57 +1,38 @@
-// numbers.cc - numbers by the C++17 library: fast, locale-free, shortest
+// numbers.cc - decimal numbers by the C++17 library: fast, locale-free, shortest
 //
-// Where the library lacks std::from_chars for double, the C back-end below
-// takes its place; the bytes are the same.
+// Where the library lacks std::from_chars for double, the C text below takes its
+// place; the bytes are the same.
 #include <charconv>
 
 #if !defined(__cpp_lib_to_chars)
 #include "numbers_c.c"
 #else
 
-#include "numbers_common.h"
+#include <cstdlib>
 
-// std::from_chars takes no '+' and no "0x", but does take inf and nan.
-extern "C" const char *cylint_read_number(const char *text, const char *end,
-                                          double *value)
+#include "numbers.h"
+
+extern "C" const char *cylint_read_decimal(const char *text, const char *end,
+                                           double *value)
 {
-    const char *const after_short = read_short(text, end, value);
-    if (after_short) {
-        return after_short;
-    }
-    const bool plus = text < end && *text == '+';
-    const bool minus = text < end && *text == '-';
-    const char *const digits = text + (plus || minus);
-    if (digits == end || !(is_digit(*digits) || *digits == '.')) {
+    const auto [after, error] = std::from_chars(text, end, *value);
+    if (error == std::errc::invalid_argument)
         return nullptr;
-    }
-    if (begins_hex(digits, end)) {
-        return read_hex(text, digits + 2, end, value);
-    }
-    const auto [after, error] = std::from_chars(text + plus, end, *value);
-    if (error == std::errc::invalid_argument) {
-        return nullptr;
-    }
     // Too large or too small: from_chars returns the same error for both.
-    if (error == std::errc::result_out_of_range) {
+    if (error == std::errc::result_out_of_range)
         *value = std::strtod(text, nullptr);
-    }
     return after;
 }
 
-extern "C" size_t cylint_write_number(char out[NUMBER_CAPACITY], double value,
-                                      int digits)
+extern "C" size_t cylint_write_digits(char *out, double value, int digits)
 {
-    if (!is_finite(value)) {
-        return write_not_finite(out, value);
-    }
-    if (digits == NUMBER_HEX) {
-        return write_hex(out, value);
-    }
+    char *const end = out + NUMBER_CAPACITY;
     const auto written =
-        digits == NUMBER_SHORTEST
-            ? std::to_chars(out, out + NUMBER_CAPACITY, value)
-            : std::to_chars(out, out + NUMBER_CAPACITY, value,
-                            std::chars_format::general, digits);
+        digits == NUMBER_SHORTEST ? std::to_chars(out, end, value)
+        : digits == NUMBER_HEX
+            ? std::to_chars(out, end, value, std::chars_format::hex)
+            : std::to_chars(out, end, value, std::chars_format::general,
+                            digits);
     return static_cast<size_t>(written.ptr - out);
 }
 

@@ -1,9 +1,7 @@
 /*
  * numbers.h - converts text to double and double to text
  *
- * Two back-ends give the same bytes: numbers.cc (std::from_chars and
- * std::to_chars) and numbers_c.c (strtod and printf, slower).  The command
- * never calls setlocale(), so the locale has no effect.
+ * The command never calls setlocale(), so the locale has no effect.
  */
 #ifndef CYLINT_NUMBERS_H
 #define CYLINT_NUMBERS_H
@@ -40,6 +38,17 @@ const char *cylint_read_number(const char *text, const char *end,
  * text is the shorter of fixed and scientific notation, fixed when equal.
  */
 size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits);
+
+/*
+ * The conversions of numbers.c: by the C++17 library (numbers.cc), or slower by
+ * the C library (numbers_c.c) where no compiler has it.  Both write the same
+ * bytes. cylint_read_decimal() reads a decimal number that begins with a digit,
+ * a point or a minus sign before them.  cylint_write_digits() writes a finite
+ * value; with NUMBER_HEX one from 1 to 2, or 0, without "0x".
+ */
+const char *cylint_read_decimal(const char *text, const char *end,
+                                double *value);
+size_t cylint_write_digits(char *out, double value, int digits);
 
 #ifdef __cplusplus
 }

@@ -1,689 +1,491 @@
 /*
- * options.c - reads the options of cylint
+ * options.c - the options of cylint
+ *
+ * A new option needs a line in the table, and a rule if it does not go with
+ * others.
  */
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "arguments.h"
+#include "main.h"
 #include "numbers.h"
 #include "options.h"
-#include "similar.h"
+#include "swc.h"
 
-enum option_id {
-    OPT_ACCEL = 256,
-    OPT_BINARY_IN,
-    OPT_BINARY_OUT,
-    OPT_ENDS,
-    OPT_FIRST,
-    OPT_HEADER,
-    OPT_HELP,
-    OPT_HITS_ONLY,
-    OPT_LIST,
-    OPT_METHOD,
-    OPT_MISS,
-    OPT_NO_TAIL,
-    OPT_NOT,
-    OPT_NPY,
-    OPT_PIECES,
-    OPT_PROGRESS,
-    OPT_RANK,
-    OPT_SAVE,
-    OPT_SIGNED,
-    OPT_SUM,
-    OPT_SWC,
-    OPT_TAIL,
-    OPT_UNION,
-    OPT_VERSION,
-    OPT_WITHIN
-};
+/* --------------------------------------------------------------- values -- */
 
-static const struct option options_known[] = {{"b", 'b', 0},
-                                              {"C", 'C', 0},
-                                              {"d", 'd', 1},
-                                              {"e", 'e', 1},
-                                              {"f", 'f', 1},
-                                              {"j", 'j', 1},
-                                              {"k", 'k', 1},
-                                              {"o", 'o', 1},
-                                              {"p", 'p', 1},
-                                              {"q", 'q', 1},
-                                              {"s", 's', 1},
-                                              {"t", 't', 1},
-                                              {"x", 'x', 0},
-                                              {"accel", OPT_ACCEL, 1},
-                                              {"binary-in", OPT_BINARY_IN, 0},
-                                              {"binary-out", OPT_BINARY_OUT, 0},
-                                              {"ends", OPT_ENDS, 1},
-                                              {"first", OPT_FIRST, 1},
-                                              {"header", OPT_HEADER, 0},
-                                              {"help", OPT_HELP, 0},
-                                              {"hits-only", OPT_HITS_ONLY, 0},
-                                              {"list", OPT_LIST, 1},
-                                              {"method", OPT_METHOD, 1},
-                                              {"miss", OPT_MISS, 1},
-                                              {"no-tail", OPT_NO_TAIL, 0},
-                                              {"not", OPT_NOT, 1},
-                                              {"npy", OPT_NPY, 0},
-                                              {"pieces", OPT_PIECES, 1},
-                                              {"progress", OPT_PROGRESS, 0},
-                                              {"rank", OPT_RANK, 1},
-                                              {"save", OPT_SAVE, 1},
-                                              {"signed", OPT_SIGNED, 0},
-                                              {"sum", OPT_SUM, 1},
-                                              {"swc", OPT_SWC, 1},
-                                              {"tail", OPT_TAIL, 0},
-                                              {"union", OPT_UNION, 0},
-                                              {"version", OPT_VERSION, 0},
-                                              {"within", OPT_WITHIN, 1},
-                                              {NULL, 0, 0}};
-
-/* Values that are checked after all options were read. */
-struct pending {
-    const char *kinds, *query, *fields;
-    int tail;              /* --tail: no remark on it */
-    int not_what;          /* --not was given */
-    int has_swc;           /* --swc was given */
-    int hex;               /* -x */
-    int within;            /* --within */
-    const char *of_pieces; /* an option that needs -q pieces */
-};
-
-/* ------------------------------------------------------------- values -- */
-
-static int read_domain(const char *value, struct grammar *g)
+/* One character, or \t for a tab. */
+static int read_separator(const struct option *o, const char *value,
+                          void *place)
 {
+    const int is_tab = strcmp(value, "\\t") == 0;
+    *(char *)place = is_tab ? '\t' : value[0];
+    return check_value(
+        o, value,
+        is_tab || (value[0] != '\0' && value[0] != '\n' && value[1] == '\0'));
+}
+
+static int read_domain(const struct option *o, const char *value, void *place)
+{
+    struct grammar *g = place;
     const char *p = read_bound(value, &g->tmin);
-    if (!p || *p != ',') {
-        return 0;
-    }
-    p = read_bound(p + 1, &g->tmax);
+    p = p && *p == ',' ? read_bound(p + 1, &g->tmax) : NULL;
     g->has_domain = 1;
-    return p && *p == '\0' && g->tmin <= g->tmax;
+    return check_value(o, value, p && *p == '\0' && g->tmin <= g->tmax);
 }
 
-static int read_radius(const char *value, double *radius)
+static int read_radius(const struct option *o, const char *value, void *place)
 {
-    const char *p = read_bound(value, radius);
-    return p && *p == '\0';
+    const char *p = read_bound(value, place);
+    return check_value(o, value, p && *p == '\0');
 }
 
-static const cylint_method *find_method(const char *name)
+/* `embree` is an old name of `tree`. */
+static int read_accel(const struct option *o, const char *value, void *place)
 {
-    const cylint_method *m = cylint_methods();
-    while (m->name && strcmp(m->name, name) != 0) {
-        m++;
-    }
-    return m->name ? m : NULL;
+    return read_word(o, strcmp(value, "embree") == 0 ? "tree" : value, place);
 }
 
-static int read_accel(struct options *options, const struct option *o,
-                      const char *value)
+static int read_method(const struct option *o, const char *value, void *place)
 {
-    int index;
-    const int status =
-        read_word(o, value, accel_words, "auto, none or tree", &index);
-    options->accel = index == ACCEL_EMBREE ? ACCEL_TREE : (enum accel)index;
-    return status;
-}
-
-static int read_method(struct options *options, const struct option *o,
-                       const char *value)
-{
-    struct similar similar = similar_to(value, strlen(value));
-    options->method = find_method(value);
-    if (options->method) {
-        return 0;
-    }
-    for (const cylint_method *m = cylint_methods(); m->name; m++) {
-        similar_try(&similar, m->name);
-    }
-    return usage_similar(o, value, "a method of --list=methods", similar.word);
-}
-
-static int read_bad_policy(struct options *options, const struct option *o,
-                           const char *value)
-{
-    static const char *const words[] = {"mark", "skip", "stop", NULL};
-    int index;
-    const int status = read_word(o, value, words, "mark, skip or stop", &index);
-    options->bad = (enum bad_policy)index;
-    return status;
-}
-
-static int read_not(struct options *options, const struct option *o,
-                    const char *value)
-{
-    static const char *const words[] = {"number", "label", NULL};
-    return read_word(o, value, words, "number or label", &options->not_label);
-}
-
-static int read_mode(struct options *options, const struct option *o,
-                     const char *value)
-{
-    static const char *const words[] = {[CYLINT_PIECES_UNION] = "union",
-                                        [CYLINT_PIECES_OWNER] = "owner",
-                                        [CYLINT_PIECES_CELLS] = "cells",
-                                        [CYLINT_PIECES_CHORDS] = "chords",
-                                        NULL};
-    int index;
-    const int status =
-        read_word(o, value, words, "owner, union, cells or chords", &index);
-    options->mode = (cylint_piece_mode)index;
-    return status;
-}
-
-static int read_sum(struct options *options, const struct option *o,
-                    const char *value)
-{
-    static const char *const words[] = {"label", "label:t", NULL};
-    int index;
-    const int status = read_word(o, value, words, "label or label:t", &index);
-    options->sum = index == 0 ? SUM_LENGTH : SUM_T;
-    return status;
-}
-
-/* Reads the value of an option that needs -q pieces. */
-static int take_value_of_pieces(struct options *options,
-                                struct pending *pending, const struct option *o,
-                                const char *value)
-{
-    pending->of_pieces = o->name;
-    if (o->id == OPT_FIRST) {
-        return read_count(value, INT_MAX / 10 - 1, &options->most_pieces)
-                   ? 0
-                   : usage_value(o, value, "a number of pieces");
-    }
-    return o->id == OPT_SUM ? read_sum(options, o, value)
-                            : read_mode(options, o, value);
-}
-
-static int read_list(struct options *options, const struct option *o,
-                     const char *value)
-{
-    static const char *const words[] = {"methods", "shapes", "columns", NULL};
-    int index;
-    options->print = value;
-    return read_word(o, value, words, "methods, shapes or columns", &index);
-}
-
-/* Keeps a value that is tested later or not at all.  Returns 0 if this option's
- * value is tested now. */
-static int keep_value(struct options *options, struct pending *pending, int id,
-                      const char *value)
-{
-    switch (id) {
-    case 'f':
-        pending->fields = value;
-        return 1;
-    case 'k':
-        pending->kinds = value;
-        return 1;
-    case 'o':
-        options->output = value;
-        return 1;
-    case 'q':
-        pending->query = value;
-        return 1;
-    case 's':
-        options->scene = value;
-        return 1;
-    case OPT_MISS:
-        options->style.missing = value;
-        return 1;
-    case OPT_RANK:
-        options->rank = value;
-        return 1;
-    case OPT_SAVE:
-        options->save = value;
-        return 1;
-    default:
-        return 0;
-    }
-}
-
-static int take_value(struct options *options, struct pending *pending,
-                      const struct option *o, const char *value)
-{
-    switch (o->id) {
-    case 'd':
-        return read_separator(value, &options->style.separator)
-                   ? 0
-                   : usage_value(o, value, "one character");
-    case 'e':
-        return read_bad_policy(options, o, value);
-    case 'j':
-        return read_count(value, INT_MAX / 10 - 1, &options->workers)
-                   ? 0
-                   : usage_value(o, value, "a number of workers");
-    case 'p':
-        return read_count(value, NUMBER_MAX_DIGITS, &options->style.digits)
-                   ? 0
-                   : usage_value(o, value, "1 to 17 digits");
-    case 't':
-        return read_domain(value, &options->grammar)
-                   ? 0
-                   : usage_value(o, value, "MIN,MAX with MIN <= MAX");
-    case OPT_ACCEL:
-        return read_accel(options, o, value);
-    case OPT_ENDS:
-        return read_word(o, value, ends_words,
-                         "capped, open, cap0, cap1, infinite or nappe",
-                         &options->grammar.ends);
-    case OPT_LIST:
-        return read_list(options, o, value);
-    case OPT_METHOD:
-        return read_method(options, o, value);
-    case OPT_NOT:
-        pending->not_what = 1;
-        return read_not(options, o, value);
-    case OPT_WITHIN:
-        pending->within = 1;
-        return read_radius(value, &options->radius)
-                   ? 0
-                   : usage_value(o, value, "a radius");
-    case OPT_FIRST:
-    case OPT_PIECES:
-    case OPT_SUM:
-        return take_value_of_pieces(options, pending, o, value);
-    default: /* OPT_SWC */
-        pending->has_swc = 1;
-        return read_word(o, value, swc_forms, SWC_FORMS, &options->swc);
-    }
-}
-
-static void take_flag(struct options *options, struct pending *pending,
-                      const struct option *o)
-{
-    switch (o->id) {
-    case 'b':
-        options->binary_in = options->style.binary = 1;
-        break;
-    case OPT_BINARY_IN:
-        options->binary_in = 1;
-        break;
-    case OPT_BINARY_OUT:
-        options->style.binary = 1;
-        break;
-    case OPT_NPY:
-        options->style.binary = options->array = 1;
-        break;
-    case 'C':
-        options->comments = 1;
-        break;
-    case 'x':
-        pending->hex = 1;
-        break;
-    case OPT_HEADER:
-        options->header = 1;
-        break;
-    case OPT_HITS_ONLY:
-        options->hits_only = 1;
-        break;
-    case OPT_PROGRESS:
-        options->progress = 1;
-        break;
-    case OPT_UNION:
-        pending->of_pieces = o->name;
-        options->mode = CYLINT_PIECES_UNION;
-        break;
-    case OPT_SIGNED:
-        options->point_want = CYLINT_SIGNED;
-        break;
-    case OPT_TAIL:
-    case OPT_NO_TAIL:
-        pending->tail = o->id == OPT_TAIL;
-        options->grammar.no_tail = o->id == OPT_NO_TAIL;
-        break;
-    default: /* OPT_HELP, OPT_VERSION */
-        options->print = o->name;
-    }
-}
-
-/* The context of take_arguments(). */
-struct parsed_options {
-    struct options *options;
-    struct pending pending;
-};
-
-static int take_option(void *context, const struct option *o, const char *value)
-{
-    struct parsed_options *parsed = context;
-    if (o->has_value) {
-        return keep_value(parsed->options, &parsed->pending, o->id, value)
-                   ? 0
-                   : take_value(parsed->options, &parsed->pending, o, value);
-    }
-    take_flag(parsed->options, &parsed->pending, o);
+    const struct words names = WORDS(cylint_methods());
+    const int i = find_word(names, string_of(value));
+    if (i == NOT_GIVEN)
+        return usage_value(o, value, o->extra,
+                           similar_word(names, string_of(value)));
+    *(const cylint_method **)place = &cylint_methods()[i];
     return 0;
+}
+
+static int read_printed(const struct option *o, const char *value, void *place)
+{
+    int index;
+    *(const char **)place = value ? value : o->name;
+    return value ? read_word(o, value, &index) : 0;
+}
+
+/* ---------------------------------------------------------------- table -- */
+
+enum { COUNT_MOST = INT_MAX / 10 - 1 };
+
+/* What an option needs. */
+enum needs { NOTHING, A_SCENE, A_NEURON, PIECES, SOLIDS };
+
+static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
+static const char *const sums[] = {"label", "label:t", NULL};
+static const char *const names_of_shapes[] = {"number", "label", NULL};
+static const char *const accels[] = {"auto", "none", "tree", NULL};
+static const char *const bad_policies[] = {"mark", "skip", "stop", NULL};
+static const char *const lists[] = {"methods", "shapes", "columns", NULL};
+
+#define AT(member) offsetof(struct options, member)
+
+/* In the order of --help.  A help of NULL is that of the next option. */
+static const struct option options_known[] = {
+    {"k", "LINE,SHAPE", read_text, AT(kinds), 0, 0, 0,
+     "records are bare numbers of these kinds; -s: -k LINE"},
+    {"s", "FILE", read_text, AT(scene), 0, 0, 0,
+     "a scene, one SHAPE [ends=WORD] [SOLID]... [TAIL] a line,\n"
+     "or a neuron: NAME.swc, or a file of --save\n"
+     "SOLID: in=NAME[/CLAUSE] or out=NAME[/CLAUSE]"},
+    {"save", "FILE", read_text, AT(save), 0, 0, A_SCENE,
+     "save the scene for other calls' -s; without input\n"
+     "files only that"},
+    {"text", 0, read_flag, AT(text), 0, 1, A_SCENE,
+     "write the scene as text instead of answers"},
+    {"swc", "FORM", read_word, AT(swc), swc_forms, 0, A_NEURON,
+     "of a neuron: cones (default) or round"},
+    {"q", "QUERY", read_text, AT(query_word), 0, 0, A_SCENE,
+     "with -s: nearest (default), first, any, count, all,\n"
+     "pieces or inside"},
+    {"pieces", "MODE", read_word, AT(mode), modes, 0, PIECES,
+     "of -q pieces: owner (default), union, cells or chords"},
+    {"union", 0, read_flag, AT(mode), 0, 1, PIECES,
+     "the same as --pieces union"},
+    {"rank", "FILE", read_text, AT(rank), 0, 0, SOLIDS,
+     "lines LABEL INTEGER: of several solids the one with the\n"
+     "least rank owns a place"},
+    {"first", "K", read_count, AT(most_pieces), "a number of pieces",
+     COUNT_MOST, PIECES, "of -q pieces: the first K pieces of each line"},
+    {"sum", "WHAT", read_word, AT(sum), sums, 0, PIECES,
+     "of -q pieces: sums of lengths, one for each label: label;\n"
+     "in multiples of the direction: label:t"},
+    {"not", "WHAT", read_word, AT(not_label), names_of_shapes, 0, A_SCENE,
+     "with -s: a record's not=NAME leaves out the shape with\n"
+     "this number (default) or those with this label"},
+    {"within", "R", read_radius, AT(radius), "a radius", 0, A_SCENE,
+     "with -s: of points, shapes up to R away"},
+    {"signed", 0, read_flag, AT(is_signed), 0, 1, 0,
+     "of points: distances from closed solids"},
+    {"f", "LIST", read_text, AT(columns), 0, 0, 0,
+     "output columns, see --list=columns"},
+    {"ends", "WORD", read_word, AT(grammar.ends), ends_words, 0, 0,
+     "the ends of shapes without ends="},
+    {"t", "MIN,MAX", read_domain, AT(grammar), "MIN,MAX with MIN <= MAX", 0, 0,
+     "the domain of lines and rays"},
+    {"method", "NAME", read_method, AT(method), "a method of --list=methods", 0,
+     0, "answer by a published method, see --list=methods"},
+    {"accel", "HOW", read_accel, AT(accel), accels, 0, 0,
+     "with -s: auto, none or tree; the answers are the same"},
+    {"p", "N", read_count, AT(style.digits), "1 to 17 digits",
+     NUMBER_MAX_DIGITS, 0, NULL},
+    {"x", 0, read_flag, AT(style.digits), 0, NUMBER_HEX, 0,
+     "N significant digits; hexadecimal"},
+    {"d", "CHAR", read_separator, AT(style.separator), "one character", 0, 0,
+     "output separator, instead of a tab"},
+    {"miss", "TOKEN", read_text, AT(style.missing), 0, 0, 0,
+     "what to write for a missing value"},
+    {"e", "HOW", read_word, AT(bad), bad_policies, 0, 0,
+     "bad records: mark (default), skip or stop"},
+    {"tail", 0, read_flag, AT(tail), 0, TAIL_ALLOWED, 0,
+     "with -k: a tail may begin with a number"},
+    {"no-tail", 0, read_flag, AT(tail), 0, TAIL_REFUSED, 0,
+     "a record with a tail is bad"},
+    {"C", 0, read_flag, AT(comments), 0, 1, 0,
+     "copy blank lines and comments through"},
+    {"b", 0, read_flag, AT(binary), 0, 1, 0, NULL},
+    {"binary-in", 0, read_flag, AT(binary_in), 0, 1, 0, NULL},
+    {"binary-out", 0, read_flag, AT(style.binary), 0, 1, 0,
+     "little-endian doubles in and out, in, out (needs -k)"},
+    {"npy", 0, read_flag, AT(array), 0, 1, 0, "binary answers as a .npy array"},
+    {"j", "N", read_count, AT(workers), "a number of workers", COUNT_MOST, 0,
+     "workers, at most; one for each processor by default"},
+    {"hits-only", 0, read_flag, AT(hits_only), 0, 1, 0,
+     "only answers with a hit"},
+    {"header", 0, read_flag, AT(header), 0, 1, 0, "column names first"},
+    {"o", "FILE", read_text, AT(output), 0, 0, 0, "output file"},
+    {"progress", 0, read_flag, AT(progress), 0, 1, 0,
+     "write the progress to standard error"},
+    {"list", "=WHAT", read_printed, AT(print), lists, 0, 0,
+     "methods, shapes or columns, one a line"},
+    {"help", 0, read_printed, AT(print), 0, 0, 0, NULL},
+    {"version", 0, read_printed, AT(print), 0, 0, 0, ""},
+    {0}};
+
+static int is_given(const struct options *o, const char *name)
+{
+    return was_given(options_known, o->given, name);
 }
 
 /* ---------------------------------------------- options upon each other -- */
 
 /* -k LINE,SHAPE, or -k LINE with a scene. */
-static int settle_kinds(struct grammar *g, const char *kinds)
+static int settle_kinds(struct options *o)
 {
-    const size_t length = strcspn(kinds, ",");
-    const char *shape = kinds[length] ? kinds + length + 1 : NULL;
-    g->line = find_kind(line_kinds, LINE_KINDS, kinds, length);
-    g->shape = shape ? find_kind(shape_kinds, SHAPE_KINDS, shape, strlen(shape))
-                     : NOT_GIVEN;
-    if (g->line != NOT_GIVEN &&
-        (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL)) {
-        describe_bare(g);
+    struct grammar *g = &o->grammar;
+    if (!o->kinds)
         return 0;
-    }
+    const char *comma = strchr(o->kinds, ','),
+               *shape = comma ? comma + 1 : NULL;
+    g->line = find_word(WORDS(line_kinds),
+                        comma ? between(o->kinds, comma) : string_of(o->kinds));
+    g->shape =
+        shape ? find_word(WORDS(shape_kinds), string_of(shape)) : NOT_GIVEN;
+    if (g->line != NOT_GIVEN &&
+        (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL))
+        return 0;
     return usage(g->has_shape ? "-k: expected LINE,SHAPE, as in -k ray,cylinder"
                               : "-k: expected LINE, as in -k ray");
 }
 
-static int settle_query(struct options *options, const char *query)
+static int settle_query(struct options *o)
 {
-    options->query = options->scene ? QUERY_NEAREST : QUERY_PAIRS;
-    if (!query) {
-        return 0;
-    }
-    const int index = find_word(query_words, query, strlen(query));
-    if (index == NOT_GIVEN || index == QUERY_PAIRS) {
+    const char *word = o->query_word;
+    const int query =
+        word ? find_word(WORDS(query_kinds), string_of(word)) : NOT_GIVEN;
+    o->query = o->scene ? QUERY_NEAREST : QUERY_PAIRS;
+    if (word && (query == NOT_GIVEN || query == QUERY_PAIRS))
         return usage("-q: expected nearest, first, any, count, all, pieces or "
                      "inside");
-    }
-    options->query = (enum query)index;
-    return options->scene ? 0 : usage("-q needs a scene, -s FILE");
+    if (word)
+        o->query = (enum query)query;
+    return 0;
 }
 
-/* The options of pieces, after the query. */
-static int settle_pieces(const struct options *o, const struct pending *pending)
+static int settle_needs(struct options *o)
 {
-    const int is_pieces = o->query == QUERY_PIECES;
-    if (pending->of_pieces && !is_pieces) {
-        return usage("--%s needs the query -q pieces", pending->of_pieces);
+    const int is_pieces = o->scene && o->query == QUERY_PIECES;
+    const struct {
+        int is_met;
+        const char *what;
+    } needs[] = {[A_SCENE] = {o->scene != NULL, "a scene, -s FILE"},
+                 [A_NEURON] = {o->scene && swc_is_name(o->scene),
+                               "a neuron, -s NAME.swc"},
+                 [PIECES] = {is_pieces, "the query -q pieces"},
+                 [SOLIDS] = {is_pieces || o->query == QUERY_INSIDE,
+                             "the query -q pieces or -q inside"}};
+    for (int i = 0; options_known[i].name; i++) {
+        const struct option *known = &options_known[i];
+        if (o->given >> i & 1 && known->needs && !needs[known->needs].is_met)
+            return usage("%s%s needs %s", known->name[1] ? "--" : "-",
+                         known->name, needs[known->needs].what);
     }
-    if (o->rank && !is_pieces && o->query != QUERY_INSIDE) {
-        return usage("--rank needs the query -q pieces or -q inside");
+    return 0;
+}
+
+/* A combination of options that is wrong. */
+struct rule {
+    int is_broken;
+    const char *message;
+};
+
+/* The last rule has no message. */
+static int check(const struct rule *rules)
+{
+    for (; rules->message; rules++)
+        if (rules->is_broken)
+            return usage("%s", rules->message);
+    return 0;
+}
+
+static int is_same(const char *a, const char *b)
+{
+    return a && b && strcmp(a, b) == 0;
+}
+
+static int uses_stdin(const struct options *o)
+{
+    int uses = 0;
+    for (int i = 0; i < o->file_count; i++)
+        uses |= is_same(o->files[i], "-");
+    return uses;
+}
+
+/* Before the files are completed: --save without one answers no records. */
+static int settle_files(struct options *o)
+{
+    static char dash[] = "-";
+    static char *standard_input[] = {dash};
+    const int given_files = o->file_count > 0;
+    o->only_saves = o->save && !given_files;
+    if (o->file_count == 0) {
+        o->files = standard_input;
+        o->file_count = 1;
     }
-    if (o->rank && strcmp(o->rank, "-") == 0) {
-        return usage("--rank: needs a file, not standard input");
-    }
-    if (o->sum && o->most_pieces > 0) {
-        return usage("--first and --sum exclude each other");
-    }
-    return o->sum && pending->fields
-               ? usage("-f and --sum exclude each other: the columns of --sum "
-                       "are labels")
-               : 0;
+    const struct rule rules[] = {
+        {o->scene && is_same(o->save, o->output),
+         "--save and -o name the same file"},
+        {o->scene && o->only_saves &&
+             (o->output || o->query_word || o->columns || o->kinds),
+         "--save: answers need an input file; - is standard input"},
+        {o->text && o->scene &&
+             (o->save || given_files || o->query_word || o->columns ||
+              o->kinds || o->style.binary),
+         "--text writes the scene only: no answers, no --save"},
+        {is_same(o->scene, "-") && uses_stdin(o) && !o->only_saves && !o->text,
+         "the scene and the records are both standard input"},
+        {0, NULL}};
+    return check(rules);
+}
+
+static int settle_pieces(struct options *o)
+{
+    const struct rule rules[] = {
+        {is_same(o->rank, "-"), "--rank: needs a file, not standard input"},
+        {o->sum && o->most_pieces > 0, "--first and --sum exclude each other"},
+        {o->sum && o->columns,
+         "-f and --sum exclude each other: the columns of --sum are labels"},
+        {is_given(o, "within") && o->query == QUERY_INSIDE,
+         "--within: the query inside has no radius"},
+        {o->radius < 0 && !o->is_signed,
+         "--within: a radius below 0 needs --signed"},
+        {0, NULL}};
+    return check(rules);
+}
+
+/* Whether the options allow only lines or only points. */
+static int settle_records(struct options *o)
+{
+    struct grammar *g = &o->grammar;
+    const struct query_kind *q = &query_kinds[o->query];
+    g->no_lines = is_given(o, "within")   ? "the option --within is for points"
+                  : q->no_lines           ? q->no_lines
+                  : o->is_signed          ? "the option --signed is for points"
+                  : g->line == LINE_POINT ? ""
+                                          : NULL;
+    g->no_points = q->no_points ? q->no_points
+                   : g->line != NOT_GIVEN && g->line != LINE_POINT ? ""
+                   : o->method ? "a method computes no distances"
+                               : NULL;
+    g->no_left_out = q->no_left_out;
+    if (q->no_points && g->no_lines)
+        return usage("the query %s is for lines, not for points", q->word);
+    if (q->no_points && o->method)
+        return usage("--method: no method answers the query %s", q->word);
+    if (g->no_lines && g->no_points)
+        return o->method ? usage("--method is for lines, not for points")
+                         : usage("%s, not for lines", g->no_lines);
+    return 0;
 }
 
 /* Prints the fault of -f at the name `bad`. */
-static int refuse_field(const struct fields *fields, const char *bad,
-                        size_t length, enum query query)
+static int refuse_field_name(const struct fields *fields, const char *bad,
+                             int query)
 {
-    if (fields->count == MOST_FIELDS) {
+    const struct string name = between(bad, bad + strcspn(bad, ","));
+    char text[SHOWN_CAPACITY];
+    const char *shown = escape(text, name, 64);
+    const char *meant = similar_field(name, query);
+    if (fields->count == MOST_FIELDS)
         return usage("-f: more than %d columns", MOST_FIELDS);
-    }
-    char shown[4 * 64 + 4];
-    escape_bytes(shown, bad, bad + length, 64);
-    const char *meant = similar_field(bad, length, query);
     return meant ? usage("-f: no column '%s' here; did you mean %s?", shown,
                          meant)
                  : usage("-f: no column '%s' here; see --list=columns", shown);
 }
 
+static const char *find_columns(struct fields *fields, const struct options *o,
+                                int is_point)
+{
+    const struct query_kind *q = &query_kinds[o->query];
+    const char *unless_given = !is_point         ? q->fields
+                               : o->style.binary ? q->binary_fields
+                                                 : q->point_fields;
+    return find_fields(fields, o->columns ? o->columns : unless_given,
+                       (int)o->query + (is_point ? QUERIES : 0));
+}
+
 /* Reads the columns of lines, of points, or of both: of those records that the
  * other options allow.  If names fit only one of them, the other is refused. */
-static int settle_fields(struct options *o, const char *names)
+static int settle_fields(struct options *o)
 {
     struct grammar *g = &o->grammar;
-    const enum query points = query_of_points(o->query);
-    const int binary = o->style.binary;
-    size_t length, point_length;
-    const char *bad = find_fields(
-        &o->fields, names ? names : default_fields(o->query, binary), o->query,
-        &length);
-    const char *point_bad = find_fields(
-        &o->point_fields, names ? names : default_fields(points, binary),
-        points, &point_length);
-    if (bad && (point_bad || g->no_points)) {
-        const int of_points = g->no_lines && !g->no_points;
-        return of_points ? refuse_field(&o->point_fields, point_bad,
-                                        point_length, points)
-                         : refuse_field(&o->fields, bad, length, o->query);
-    }
-    if (point_bad && g->no_lines) {
-        return refuse_field(&o->point_fields, point_bad, point_length, points);
-    }
-    if (bad && !g->no_lines) {
+    const char *bad = find_columns(&o->fields, o, 0);
+    const char *point_bad = find_columns(&o->point_fields, o, 1);
+    if (g->no_lines && point_bad)
+        return refuse_field_name(&o->point_fields, point_bad,
+                                 (int)o->query + QUERIES);
+    if (!g->no_lines && bad && (point_bad || g->no_points))
+        return refuse_field_name(&o->fields, bad, (int)o->query);
+    if (bad && !g->no_lines)
         g->no_lines = "the columns of -f are those of points";
-    }
-    if (point_bad && !g->no_points) {
+    if (point_bad && !g->no_points)
         g->no_points = "the columns of -f are those of lines";
-    }
-    if (o->point_fields.solids) {
+    if (o->point_fields.solids)
         g->no_left_out = "depth, shape and label leave out no shapes";
-    }
-    return 0;
-}
-
-/* The radius of --within: a radius below 0 is a depth in a solid. */
-static int settle_radius(const struct options *o, const struct pending *pending)
-{
-    if (pending->within && !o->scene) {
-        return usage("--within needs a scene, -s FILE");
-    }
-    if (pending->within && o->query == QUERY_INSIDE) {
-        return usage("--within: the query inside has no radius");
-    }
-    return o->radius < 0 && !o->point_want
-               ? usage("--within: a radius below 0 needs --signed")
-               : 0;
-}
-
-/* Why a line is a fault, or NULL. */
-static const char *refusal_of_lines(const struct options *o,
-                                    const struct pending *pending)
-{
-    return pending->within                 ? "the option --within is for points"
-           : o->query == QUERY_INSIDE      ? "the query inside is for points"
-           : o->point_want                 ? "the option --signed is for points"
-           : o->grammar.line == LINE_POINT ? ""
-                                           : NULL;
-}
-
-/* Of the queries first and pieces. */
-static int settle_lines_only(struct options *o)
-{
-    struct grammar *g = &o->grammar;
-    const int is_first = o->query == QUERY_FIRST;
-    const char *word = query_words[o->query];
-    g->no_points = is_first ? "the query first is for lines"
-                            : "the query pieces is for lines";
-    g->no_left_out = is_first ? "the query first leaves out no shapes"
-                              : "the query pieces leaves out no shapes";
-    if (g->no_lines) {
-        return usage("the query %s is for lines, not for points", word);
-    }
-    return o->method ? usage("--method: no method answers the query %s", word)
-                     : 0;
-}
-
-/* Whether the options allow only lines or only points. */
-static int settle_records(struct options *o, const struct pending *pending)
-{
-    struct grammar *g = &o->grammar;
-    const int status = settle_radius(o, pending);
-    if (status != 0) {
-        return status;
-    }
-    g->no_lines = refusal_of_lines(o, pending);
-    if (o->query == QUERY_FIRST || o->query == QUERY_PIECES) {
-        return settle_lines_only(o);
-    }
-    if (g->line != NOT_GIVEN && g->line != LINE_POINT) {
-        g->no_points = "";
-    } else if (o->method) {
-        g->no_points = "a method computes no distances";
-    }
-    if (g->no_lines && g->no_points) {
-        return o->method ? usage("--method is for lines, not for points")
-                         : usage("%s, not for lines", g->no_lines);
-    }
-    return 0;
-}
-
-/* A header and rows of doubles have one set of columns. */
-static void settle_one_set(struct options *o)
-{
-    struct grammar *g = &o->grammar;
-    if ((o->header || o->style.binary) && !g->no_lines && !g->no_points) {
+    /* A header and rows of doubles have one set of columns. */
+    if ((o->header || o->style.binary) && !g->no_lines && !g->no_points)
         g->no_points =
             o->header ? "the header is that of lines; for points use -k point"
                       : "binary output is of lines; for points use -k point";
-    }
-}
-
-/* -x or -p, of numbers in text. */
-static int settle_digits(struct options *options, int hex)
-{
-    if (hex && options->style.digits > 0) {
-        return usage("-x and -p exclude each other");
-    }
-    if (options->style.binary && (hex || options->style.digits > 0)) {
-        return usage("-%c: binary output has no digits", hex ? 'x' : 'p');
-    }
-    if (hex) {
-        options->style.digits = NUMBER_HEX;
-    }
     return 0;
 }
 
-static int settle_binary(const struct options *options)
+static int settle_binary(struct options *o)
 {
-    const struct grammar *g = &options->grammar;
-    if (options->binary_in && g->line == NOT_GIVEN) {
-        return usage("binary input needs the kinds, -k %s",
-                     g->has_shape ? "LINE,SHAPE" : "LINE");
-    }
-    if (options->style.binary && options->header) {
-        return usage("--header: binary output has none");
-    }
-    if (options->style.binary && options_fields(options)->labels > 0) {
-        return usage("-f label: binary output has numbers only");
-    }
-    if (options->style.binary && options->style.missing) {
-        return usage("--miss: in binary output what is missing is NaN");
-    }
-    if (options->comments && (options->binary_in || options->style.binary)) {
-        return usage("-C: only text has comments");
-    }
-    return 0;
+    const int out = o->style.binary, in = o->binary_in;
+    const struct rule rules[] = {
+        {is_given(o, "x") && is_given(o, "p"), "-x and -p exclude each other"},
+        {out && is_given(o, "x"), "-x: binary output has no digits"},
+        {out && is_given(o, "p"), "-p: binary output has no digits"},
+        {in && o->grammar.line == NOT_GIVEN && o->grammar.has_shape,
+         "binary input needs the kinds, -k LINE,SHAPE"},
+        {in && o->grammar.line == NOT_GIVEN,
+         "binary input needs the kinds, -k LINE"},
+        {out && o->header, "--header: binary output has none"},
+        {out && options_fields(o)->labels > 0,
+         "-f label: binary output has numbers only"},
+        {out && o->style.missing,
+         "--miss: in binary output what is missing is NaN"},
+        {(in || out) && o->comments, "-C: only text has comments"},
+        {0, NULL}};
+    return check(rules);
 }
 
 /* The remarks to test for. */
-static unsigned wanted_remarks(const struct grammar *g, int tail)
+static unsigned wanted_remarks(const struct options *o)
 {
-    unsigned wanted = 0;
-    if (g->bare[0] && !tail && !g->no_tail) {
-        wanted |= 1u << REMARK_SURPLUS;
-    }
-    if (g->has_domain) {
-        wanted |= 1u << REMARK_DOMAIN;
-    }
-    if (!g->has_shape) {
-        wanted |= 1u << REMARK_LABEL;
-    }
-    return wanted;
+    const struct grammar *g = &o->grammar;
+    return (unsigned)(o->kinds && o->tail == TAIL_WITH_REMARK)
+               << REMARK_SURPLUS |
+           (unsigned)g->has_domain << REMARK_DOMAIN |
+           (unsigned)!g->has_shape << REMARK_LABEL;
 }
 
-static int uses_stdin(const struct options *options)
+static int settle(struct options *o)
 {
-    for (int i = 0; i < options->file_count; i++) {
-        if (strcmp(options->files[i], "-") == 0) {
-            return 1;
-        }
+    static int (*const steps[])(struct options *) = {
+        settle_files,  settle_kinds,   settle_query,  settle_needs,
+        settle_pieces, settle_records, settle_fields, settle_binary};
+    struct grammar *g = &o->grammar;
+    int status = 0;
+    g->has_line = 1;
+    g->has_shape = o->scene == NULL;
+    g->no_tail = o->tail == TAIL_REFUSED;
+    o->binary_in |= o->binary;
+    o->style.binary |= o->binary | o->array;
+    o->sum += is_given(o, "sum");
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && status == 0; i++)
+        status = steps[i](o);
+    o->remarks = wanted_remarks(o);
+    return status;
+}
+
+int read_options(struct options *o, int argc, char **argv)
+{
+    memset(o, 0, sizeof *o);
+    o->grammar.line = o->grammar.shape = o->grammar.ends = NOT_GIVEN;
+    o->style.separator = '\t';
+    o->radius = HUGE_VAL;
+    o->files = argv;
+    const int status =
+        take_arguments(options_known, argc, argv, o, &o->file_count, &o->given);
+    return status != 0 || o->print ? status : settle(o);
+}
+
+/* ----------------------------------------------------------------- help -- */
+
+static void print_all_help(void)
+{
+    fputs("cylint [OPTION]... [FILE]...\n"
+          "  a line and a shape in every record\n"
+          "cylint -s SCENE [OPTION]... [FILE]...\n"
+          "  a line or point in every record, and all shapes of SCENE\n"
+          "\n"
+          "Intersects lines with cylinders, cones and round shapes, and "
+          "computes the\n"
+          "distances of points from them.  Reads records from files or "
+          "standard input\n"
+          "(-), one a line, and writes one answer for each.\n"
+          "\n"
+          "  record  LINE SHAPE [ends=WORD] [TAIL]\n"
+          "          with -s: LINE [not=NAME]... [TAIL]\n"
+          "  LINE    line|ray ox oy oz dx dy dz   segment ax ay az bx by bz\n"
+          "          span ox oy oz dx dy dz tmin tmax   point x y z\n"
+          "  SHAPE   cylinder p0 p1 r   cone p0 r0 p1 r1   ecylinder c a b h\n"
+          "          econe c a b h k    acone v u degrees\n"
+          "          sphere c r   capsule p0 p1 r   rcone p0 r0 p1 r1\n"
+          "          halfspace p n\n"
+          "  WORD    capped open cap0 cap1 infinite nappe\n"
+          "\n",
+          stdout);
+    print_options(options_known);
+    fputs("\n"
+          "Exit status: 0 all answered, 1 some records bad, 2 usage, 3 input "
+          "or output\n"
+          "failed, 4 out of memory.  See cylint(1).\n",
+          stdout);
+}
+
+int print_about(const char *what)
+{
+    if (strcmp(what, "help") == 0)
+        print_all_help();
+    else if (strcmp(what, "version") == 0)
+        puts("cylint " CYLINT_VERSION);
+    else if (strcmp(what, "columns") == 0)
+        list_columns();
+    else if (strcmp(what, "methods") == 0)
+        for (const cylint_method *m = cylint_methods(); m->name; m++)
+            printf("%s\t%s\t%s\n", m->name, m->source, m->shapes);
+    else
+        for (const struct kind *k = shape_kinds; k->word; k++)
+            printf("%s\t%d\t%s\n", k->word, k->numbers, k->names);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        complain_errno("standard output");
+        return EXIT_IO;
     }
     return 0;
-}
-
-/* Before the files are completed: --save without one answers no records. */
-static int settle_save(struct options *options, const struct pending *pending)
-{
-    const char *const o = options->output;
-    if (!options->save) {
-        return 0;
-    }
-    if (!options->scene) {
-        return usage("--save needs a scene, -s FILE");
-    }
-    if (o && strcmp(options->save, o) == 0) {
-        return usage("--save and -o name the same file");
-    }
-    options->only_saves = options->file_count == 0;
-    return options->only_saves &&
-                   (o || pending->query || pending->fields || pending->kinds)
-               ? usage("--save: answers need an input file; - is standard "
-                       "input")
-               : 0;
-}
-
-static int settle(struct options *options, const struct pending *pending)
-{
-    static char dash[] = "-";
-    static char *standard_input[] = {dash};
-    struct grammar *g = &options->grammar;
-    g->has_line = 1;
-    g->has_shape = options->scene == NULL;
-    int status = settle_save(options, pending);
-    if (status != 0) {
-        return status;
-    }
-    if (options->file_count == 0) {
-        options->files = standard_input;
-        options->file_count = 1;
-    }
-    if (options->scene && strcmp(options->scene, "-") == 0 &&
-        uses_stdin(options) && !options->only_saves) {
-        return usage("the scene and the records are both standard input");
-    }
-    if (pending->not_what && !options->scene) {
-        return usage("--not needs a scene, -s FILE");
-    }
-    if (pending->has_swc && !(options->scene && swc_is_name(options->scene))) {
-        return usage("--swc needs a neuron, -s NAME.swc");
-    }
-    status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
-    options->remarks = wanted_remarks(g, pending->tail);
-    if (status == 0) {
-        status = settle_query(options, pending->query);
-    }
-    if (status == 0) {
-        status = settle_pieces(options, pending);
-    }
-    if (status == 0) {
-        status = settle_records(options, pending);
-    }
-    if (status == 0) {
-        status = settle_fields(options, pending->fields);
-        settle_one_set(options);
-    }
-    if (status == 0) {
-        status = settle_digits(options, pending->hex);
-    }
-    return status == 0 ? settle_binary(options) : status;
-}
-
-int read_options(struct options *options, int argc, char **argv)
-{
-    struct parsed_options parsed = {.options = options};
-    memset(options, 0, sizeof *options);
-    options->grammar.line = NOT_GIVEN;
-    options->grammar.shape = NOT_GIVEN;
-    options->grammar.ends = NOT_GIVEN;
-    options->mode = CYLINT_PIECES_OWNER;
-    options->style.separator = '\t';
-    options->radius = HUGE_VAL;
-    options->files = argv;
-    const int status = take_arguments(options_known, argc, argv, take_option,
-                                      &parsed, &options->file_count);
-    return status != 0 || options->print ? status
-                                         : settle(options, &parsed.pending);
 }

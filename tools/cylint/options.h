@@ -1,5 +1,5 @@
 /*
- * options.h - reads the options of cylint
+ * options.h - the options of cylint
  */
 #ifndef CYLINT_OPTIONS_H
 #define CYLINT_OPTIONS_H
@@ -7,45 +7,53 @@
 #include "columns.h"
 #include "cylint_methods.h"
 #include "grammar.h"
-#include "search.h"
-#include "swc.h"
+
+/* All but ACCEL_NONE are the same: the hierarchy finds the shapes. */
+enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_TREE };
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
 /* --sum: no sums; of lengths; of lengths in units of the line's direction. */
 enum sum { SUM_NONE, SUM_LENGTH, SUM_T };
 
+/* --tail and --no-tail */
+enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };
+
+/* The enumerations are ints, because options of any kind are written through
+ * one pointer. */
 struct options {
+    unsigned long long given; /* a bit for each option in the table */
+    const char *print;        /* help, version or a list to print, or NULL */
+    const char *kinds, *query_word, *columns; /* of -k, -q and -f */
+
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
     const char *save;  /* the file to save the scene to, or NULL */
     int only_saves;    /* answers no records */
+    int text;          /* writes the scene as text instead of answers */
     int swc;           /* enum swc_form of a neuron */
-    enum accel accel;
+    int accel;
     enum query query;
-    cylint_piece_mode mode;
-    enum sum sum;
+    int mode; /* of pieces: the words of --pieces, from 0 */
+    int sum;
     int most_pieces;                    /* of a line; 0: all */
     const char *rank;                   /* the file of --rank, or NULL */
     struct fields fields, point_fields; /* of lines, of points */
     double radius;                      /* of points, by --within */
-    unsigned point_want;                /* CYLINT_SIGNED by --signed, or 0 */
+    int is_signed;                      /* of points, by --signed */
+    int binary, binary_in, array; /* -b; records are doubles; a .npy header */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
-    enum bad_policy bad;
-    int not_label;    /* not=NAME in a record is a label, not a number */
+    int bad;
+    int not_label; /* not=NAME in a record is a label, not a number */
+    int tail;
     unsigned remarks; /* a bit for each enum remark to test for */
-    int binary_in;
-    int array;    /* binary answers with a .npy header */
-    int workers;  /* 0: one for each processor */
-    int comments; /* copied through */
+    int workers;      /* 0: one for each processor */
+    int comments;     /* copied through */
     int hits_only, header, progress;
     const char *output; /* NULL: standard output */
     char **files;
     int file_count;
-
-    const char *print; /* help, version or the name of a list, to print
-                              instead of answers; or NULL */
 };
 
 /* Returns 0, or EXIT_USAGE after a message.  Moves the files to the front of
@@ -60,7 +68,8 @@ static inline const struct fields *options_fields(const struct options *options)
                                      : &options->fields;
 }
 
-/* Writes the help, the version or a list to standard output. */
+/* Writes the help, the version or a list to standard output.  Returns 0 or
+ * EXIT_IO. */
 int print_about(const char *what);
 
 #endif

@@ -1,35 +1,210 @@
 /*
- * output.c - writes bytes to standard output or a file
+ * output.c - the file that a command writes, whole or not at all
  */
+#define _XOPEN_SOURCE 700 /* realpath() */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "main.h"
 #include "npy.h"
-#include "options.h"
 #include "output.h"
 #include "report.h"
+
+enum { NAME_KEPT = 200, TRIES = 100 };
+
+int open_file(const char *name, int flags, unsigned mode)
+{
+    int fd;
+    do {
+        fd = open(name, flags | O_NOCTTY, mode);
+    } while (fd < 0 && errno == EINTR);
+    return fd;
+}
+
+static int failed(const struct output *out)
+{
+    complain_errno(out->name);
+    return EXIT_IO;
+}
+
+/* ------------------------------------------------------------ signals -- */
+
+/* The file that a signal removes. */
+static const char *part_of_signal;
+static volatile sig_atomic_t has_part;
+
+/* The disposition is the default again, so that raise() ends the command. */
+static void remove_and_die(int number)
+{
+    if (has_part)
+        unlink(part_of_signal);
+    raise(number);
+}
+
+static const int deadly[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE,
+                             SIGTERM, SIGXCPU, SIGXFSZ};
+
+static void block_deadly(sigset_t *before)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
+        sigaddset(&set, deadly[i]);
+    sigprocmask(SIG_BLOCK, &set, before);
+}
+
+/* A signal that is ignored stays ignored. */
+static void remove_at_signals(const char *part)
+{
+    struct sigaction action, old;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = remove_and_die;
+    action.sa_flags = (int)SA_RESETHAND;
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
+        if (sigaction(deadly[i], NULL, &old) == 0 && old.sa_handler == SIG_DFL)
+            sigaction(deadly[i], &action, NULL);
+    part_of_signal = part;
+    has_part = 1;
+}
+
+/* --------------------------------------------------------------- part -- */
+
+/* Opens a new file beside the place.  A number in its name that another file
+ * has already, from a host that shares the folder, is passed over. */
+static int open_part(struct output *out, unsigned mode)
+{
+    const char *slash = strrchr(out->place, '/');
+    const char *base = slash ? slash + 1 : out->place;
+    long number = (long)getpid();
+    int fd;
+    do {
+        snprintf(out->part, sizeof out->part, "%.*s%.*s.%ld.part",
+                 (int)(base - out->place), out->place, NAME_KEPT, base,
+                 number++);
+        fd = open_file(out->part, O_WRONLY | O_CREAT | O_EXCL, mode);
+    } while (fd < 0 && errno == EEXIST && number < (long)getpid() + TRIES);
+    return fd;
+}
+
+/* Sets out->fd to a new part.  `old` is the file in its place, NULL if there is
+ * none.  Returns 0 if it cannot be opened, or not with the old owner. */
+static int begin_part(struct output *out, const struct stat *old)
+{
+    sigset_t before;
+    block_deadly(&before);
+    int fd = open_part(out, old ? old->st_mode & 0777 : 0666);
+    if (fd >= 0 && old &&
+        (fchown(fd, old->st_uid, old->st_gid) != 0 ||
+         fchmod(fd, old->st_mode & 07777) != 0)) {
+        unlink(out->part);
+        close(fd);
+        fd = -1;
+    }
+    if (fd >= 0) {
+        out->fd = fd;
+        remove_at_signals(out->part);
+    } else {
+        out->part[0] = '\0';
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return fd >= 0;
+}
+
+static int is_link(const char *name)
+{
+    struct stat s;
+    return lstat(name, &s) == 0 && S_ISLNK(s.st_mode);
+}
+
+static int open_new(struct output *out)
+{
+    if (is_link(out->name)) {
+        out->fd = open_file(out->name, O_WRONLY | O_CREAT, 0666);
+        return out->fd >= 0 ? 0 : failed(out);
+    }
+    if (snprintf(out->place, PATH_MAX, "%s", out->name) >= PATH_MAX) {
+        errno = ENAMETOOLONG;
+        return failed(out);
+    }
+    return begin_part(out, NULL) ? 0 : failed(out);
+}
+
+static int open_target(struct output *out, const char *name)
+{
+    struct stat old;
+    out->name = name ? name : "standard output";
+    out->part[0] = '\0';
+    if (!name) {
+        out->fd = 1;
+        return 0;
+    }
+    const int fd = out->fd = open_file(name, O_WRONLY, 0);
+    if (fd < 0)
+        return errno == ENOENT ? open_new(out) : failed(out);
+    if (fstat(fd, &old) != 0 || !S_ISREG(old.st_mode))
+        return 0;
+    if (realpath(name, out->place) && begin_part(out, &old)) {
+        close(fd);
+        return 0;
+    }
+    return ftruncate(fd, 0) == 0 ? 0 : failed(out);
+}
+
+/* Returns whether all bytes are on the disk.  Not all file systems support
+ * fsync(); a disk may become full only now. */
+static int is_stored(int fd)
+{
+    int status;
+    do {
+        status = fsync(fd);
+    } while (status != 0 && errno == EINTR);
+    return status == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+static int close_target(struct output *out, int is_whole)
+{
+    int status = 0;
+    if (out->part[0] && is_whole && !is_stored(out->fd))
+        status = failed(out);
+    if (close(out->fd) != 0 && errno != EINTR && status == 0)
+        status = failed(out);
+    if (out->part[0] && is_whole && status == 0 &&
+        rename(out->part, out->place) != 0)
+        status = failed(out);
+    if (out->part[0] && (!is_whole || status != 0))
+        unlink(out->part);
+    has_part = 0;
+    return status;
+}
+
+/* -------------------------------------------------------------- output -- */
 
 /* Opens each standard stream that is closed in the wrong direction, so that
  * its use fails. */
 void guard_standard_streams(void)
 {
-    for (int fd = 0; fd < 3; fd++) {
-        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF) {
+    for (int fd = 0; fd < 3; fd++)
+        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF)
             (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
-        }
-    }
 }
 
-static int is_output(const struct stat *out, const char *file)
+int output_is_input(const char *file, const char *input)
 {
-    struct stat in;
-    const int status = strcmp(file, "-") == 0 ? fstat(0, &in) : stat(file, &in);
-    return status == 0 && in.st_dev == out->st_dev && in.st_ino == out->st_ino;
+    struct stat out, in;
+    const int is_same =
+        stat(file, &out) == 0 && S_ISREG(out.st_mode) &&
+        (strcmp(input, "-") == 0 ? fstat(0, &in) : stat(input, &in)) == 0 &&
+        in.st_dev == out.st_dev && in.st_ino == out.st_ino;
+    if (is_same)
+        complain(file, "is both input and output");
+    return is_same;
 }
 
 static int put_array_header(struct output *out, unsigned long long rows)
@@ -39,59 +214,29 @@ static int put_array_header(struct output *out, unsigned long long rows)
     return output_write(out, header, sizeof header);
 }
 
-int output_is_input(const char *file, const struct options *o)
-{
-    struct stat s;
-    if (stat(file, &s) != 0 || !S_ISREG(s.st_mode)) {
-        return 0;
-    }
-    int read_too = (o->scene != NULL && is_output(&s, o->scene)) ||
-                   (o->rank != NULL && is_output(&s, o->rank));
-    for (int i = 0; i < o->file_count; i++) {
-        read_too |= is_output(&s, o->files[i]);
-    }
-    if (read_too) {
-        complain(file, "is both input and output");
-    }
-    return read_too;
-}
-
 /* The number of rows is written at the end, so the file must be seekable. */
-static int begin_array(struct output *out)
+int output_begin_array(struct output *out)
 {
     struct stat s;
-    const int way_back = fstat(out->target.fd, &s) == 0 && S_ISREG(s.st_mode) &&
-                         !(fcntl(out->target.fd, F_GETFL) & O_APPEND);
+    const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
+                         !(fcntl(out->fd, F_GETFL) & O_APPEND);
     if (!way_back) {
-        complain(out->target.name, "a .npy array must go to a file");
+        complain(out->name, "a .npy array must go to a file");
         return EXIT_IO;
     }
-    out->array = (long long)lseek(out->target.fd, 0, SEEK_CUR);
+    out->array = (long long)lseek(out->fd, 0, SEEK_CUR);
     return put_array_header(out, 0);
 }
 
-int output_open(struct output *out, const struct options *o)
+/* Reports a closed standard output even if there is no output. */
+int output_open(struct output *out, const char *name, size_t row)
 {
+    out->row = row;
     out->array = -1;
-    out->row =
-        o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
-    if (o->output && output_is_input(o->output, o)) {
-        return EXIT_IO;
-    }
-    int status = target_open(&out->target, o->output);
-    if (status != 0) {
-        return status;
-    }
-    /* Reports a closed standard output even if there is no output. */
-    if ((fcntl(out->target.fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+    const int status = open_target(out, name);
+    if (status == 0 && (fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
-        complain_errno(out->target.name);
-        status = EXIT_IO;
-    } else if (o->array) {
-        status = begin_array(out);
-    }
-    if (status != 0) {
-        target_close(&out->target, 0);
+        return failed(out);
     }
     return status;
 }
@@ -100,13 +245,11 @@ int output_open(struct output *out, const struct options *o)
 static size_t half_row(const struct output *out, const char *data,
                        size_t length)
 {
-    if (out->row > 0) {
+    if (out->row > 0)
         return length % out->row;
-    }
     size_t whole = length;
-    while (whole > 0 && data[whole - 1] != '\n') {
+    while (whole > 0 && data[whole - 1] != '\n')
         whole--;
-    }
     return length - whole;
 }
 
@@ -115,25 +258,27 @@ static size_t half_row(const struct output *out, const char *data,
 static void take_back(const struct output *out, size_t length)
 {
     struct stat s;
-    const off_t at = lseek(out->target.fd, 0, SEEK_CUR);
-    if (fstat(out->target.fd, &s) == 0 && S_ISREG(s.st_mode) &&
-        at == s.st_size && ftruncate(out->target.fd, at - (off_t)length) != 0) {
-        complain_errno(out->target.name);
-    }
+    const off_t at = lseek(out->fd, 0, SEEK_CUR);
+    if (fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) && at == s.st_size &&
+        ftruncate(out->fd, at - (off_t)length) != 0)
+        complain_errno(out->name);
 }
 
 int output_write(struct output *out, const char *data, size_t length)
 {
+    const size_t most = (size_t)1 << 30; /* some systems refuse 2 GiB */
     size_t done = 0;
     while (done < length) {
-        const ssize_t n = write(out->target.fd, data + done, length - done);
+        const size_t rest = length - done;
+        const ssize_t n =
+            write(out->fd, data + done, rest < most ? rest : most);
         if (n >= 0) {
             done += (size_t)n;
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            struct pollfd p = {out->target.fd, POLLOUT, 0};
+            struct pollfd p = {out->fd, POLLOUT, 0};
             poll(&p, 1, -1);
         } else if (errno != EINTR) {
-            complain_errno(out->target.name);
+            complain_errno(out->name);
             take_back(out, half_row(out, data, done));
             return EXIT_IO;
         }
@@ -141,14 +286,15 @@ int output_write(struct output *out, const char *data, size_t length)
     return 0;
 }
 
-/* Completes the .npy header.  Rows that could not be written are not counted. */
+/* Completes the .npy header.  Rows that could not be written are not
+ * counted. */
 static int finish_array(struct output *out)
 {
     struct stat s;
-    const off_t at = lseek(out->target.fd, 0, SEEK_CUR);
-    if (at == -1 || fstat(out->target.fd, &s) != 0 ||
-        lseek(out->target.fd, (off_t)out->array, SEEK_SET) == -1) {
-        complain_errno(out->target.name);
+    const off_t at = lseek(out->fd, 0, SEEK_CUR);
+    if (at == -1 || fstat(out->fd, &s) != 0 ||
+        lseek(out->fd, (off_t)out->array, SEEK_SET) == -1) {
+        complain_errno(out->name);
         return EXIT_IO;
     }
     const long long end = (long long)(at < s.st_size ? at : s.st_size);
@@ -158,8 +304,8 @@ static int finish_array(struct output *out)
 
 int output_close(struct output *out, int is_whole)
 {
-    const int stays = is_whole || !out->target.part[0];
+    const int stays = is_whole || !out->part[0];
     const int status = out->array >= 0 && stays ? finish_array(out) : 0;
-    const int closed = target_close(&out->target, is_whole && status == 0);
+    const int closed = close_target(out, is_whole && status == 0);
     return status != 0 ? status : closed;
 }

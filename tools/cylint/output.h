@@ -1,18 +1,28 @@
 /*
- * output.h - writes bytes to standard output or a file
+ * output.h - the file that a command writes, whole or not at all
+ *
+ * A regular file is written under another name in its folder and renamed when
+ * it is whole, so that readers and failures find the old file or the new one.
+ * The new file has the owner and the permissions of the old one, or those that
+ * open(2) gives.  A signal that ends the command removes what was written.
+ *
+ * Written in place are files that are not regular, links to no file, and a file
+ * that its folder or its owner does not let us replace.
  */
 #ifndef CYLINT_OUTPUT_H
 #define CYLINT_OUTPUT_H
 
+#include <limits.h>
 #include <stddef.h>
 
-#include "target.h"
-
-struct options;
+enum { PART_MOST = PATH_MAX + 32 };
 
 struct output {
-    struct target target;
-    size_t row;      /* bytes of a binary row; 0: rows are lines */
+    const char *name;
+    int fd;
+    char place[PART_MOST]; /* the file itself, where `name` is a link */
+    char part[PART_MOST];  /* its name until it is whole; "": in place */
+    size_t row;            /* bytes of a binary row; 0: rows are lines */
     long long array; /* position of the .npy header in the file; -1: none */
 };
 
@@ -20,15 +30,23 @@ struct output {
  * file opened would become standard output.  Call it first. */
 void guard_standard_streams(void);
 
-/* Whether this regular file is an input file, too; prints a message if so. */
-int output_is_input(const char *file, const struct options *options);
+/* open(), repeated if a signal interrupts it. */
+int open_file(const char *name, int flags, unsigned mode);
 
-/* All three return 0, or an exit status after a message.  The file of -o must
- * not be an input file; it takes its place if it is whole.  Output that cannot
- * take all bytes ends with a whole row.  A .npy header is completed at the
- * end. */
-int output_open(struct output *out, const struct options *options);
+/* Whether a regular file is this input file; "-" is standard input.  Prints a
+ * message if so. */
+int output_is_input(const char *file, const char *input);
+
+/* All return 0, or an exit status after a message.  A command has one output
+ * at a time. */
+/* name: NULL for standard output. */
+int output_open(struct output *out, const char *name, size_t row);
+/* Begins a .npy array of rows, which output_close() completes. */
+int output_begin_array(struct output *out);
+/* A file that cannot take all bytes ends with a whole row. */
 int output_write(struct output *out, const char *data, size_t length);
+/* is_whole: the file takes its place.  0: what was written is removed; a
+ * file that was written in place stays as it is. */
 int output_close(struct output *out, int is_whole);
 
 #endif

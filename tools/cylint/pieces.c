@@ -1,6 +1,6 @@
 /*
- * pieces.c - the pieces of a line, its first boundary, and the solids that contain
- * a point, in memory that grows
+ * pieces.c - the pieces of a line, its first boundary, and the solids that
+ * contain a point, in memory that grows
  */
 #include <stdint.h>
 #include <stdlib.h>
@@ -22,16 +22,9 @@ static int grow_work(cylint_workspace *work)
     free(work->memory);
     work->bytes = wanted > WORK_FIRST ? wanted : WORK_FIRST;
     work->memory = malloc(work->bytes);
-    if (!work->memory) {
+    if (!work->memory)
         work->bytes = 0;
-    }
     return work->memory != NULL;
-}
-
-/* Whether there is memory to begin with. */
-static int has_work(struct piece_memory *m)
-{
-    return m->work.memory || grow_work(&m->work);
 }
 
 static int grow_pieces(struct piece_memory *m)
@@ -48,94 +41,42 @@ static int grow_pieces(struct piece_memory *m)
     return more != NULL;
 }
 
-void pieces_begin(struct piece_search *s, const cylint_scene *scene,
-                  const cylint_line *line, const cylint_piece_rule *rule,
-                  int most)
+/* A search that finds more pieces than before begins again. */
+size_t find_pieces(const cylint_scene *scene, const cylint_line *line,
+                   const cylint_piece_rule *rule, size_t most,
+                   struct piece_memory *m)
 {
-    s->scene = scene;
-    s->line = *line;
-    s->rule = *rule;
-    s->rule.after = NULL;
-    s->wanted = most > 0 ? (size_t)most : SIZE_MAX;
-    s->is_continued = 0;
+    size_t found, wanted;
+    int has_memory = m->capacity > 0 || grow_pieces(m);
+    while (has_memory) {
+        wanted = most > 0 && most < m->capacity ? most : m->capacity;
+        found =
+            cylint_scene_pieces(scene, line, rule, m->piece, wanted, &m->work);
+        if (found < wanted || found == most)
+            return found;
+        has_memory =
+            found == CYLINT_NO_ROOM ? grow_work(&m->work) : grow_pieces(m);
+    }
+    return CYLINT_NO_ROOM;
 }
 
-/* The next search begins behind the last piece found. */
-static void move_on(struct piece_search *s, const struct piece_memory *m)
+size_t first_boundary(const cylint_scene *scene, const cylint_line *line,
+                      unsigned want, cylint_hit *hit, struct piece_memory *m)
 {
-    s->is_continued = 1;
-    s->last = m->piece[m->count - 1];
-    if (s->rule.mode == CYLINT_PIECES_CHORDS) {
-        s->rule.after = &s->last;
-    } else if (s->last.t1 < s->line.tmax) {
-        s->line.tmin = s->last.t1;
-    } else {
-        s->wanted = 0;
-    }
+    size_t number = CYLINT_NO_ROOM;
+    do
+        number = cylint_scene_first_boundary(
+            scene, line, want & (unsigned)CYLINT_WANT_ALL, hit, &m->work);
+    while (number == CYLINT_NO_ROOM && grow_work(&m->work));
+    return number;
 }
 
-/* A search that continues takes as long as the one before, so it has space for more
- * pieces. */
-int pieces_next(struct piece_search *s, struct piece_memory *m)
+size_t depth_of_point(const cylint_scene *scene, const double point[3],
+                      const int *rank, size_t *owner, struct piece_memory *m)
 {
-    m->count = 0;
-    if (s->wanted == 0) {
-        return 1;
-    }
-    if (!has_work(m) || ((s->is_continued || !m->piece) && !grow_pieces(m))) {
-        return 0;
-    }
-    const size_t capacity = s->wanted < m->capacity ? s->wanted : m->capacity;
-    size_t found;
-    while ((found = cylint_scene_pieces(s->scene, &s->line, &s->rule, m->piece,
-                                        capacity, &m->work)) ==
-           CYLINT_NO_ROOM) {
-        if (!grow_work(&m->work)) {
-            return 0;
-        }
-    }
-    m->count = found;
-    s->wanted = found < capacity ? 0 : s->wanted - found;
-    if (s->wanted > 0) {
-        move_on(s, m);
-    }
-    return 1;
-}
-
-int first_boundary(const cylint_scene *scene, const cylint_line *line,
-                   unsigned want, cylint_hit *hit, struct piece_memory *m,
-                   unsigned long long *shape)
-{
-    const unsigned members = want & (unsigned)CYLINT_WANT_ALL;
-    size_t number;
-    if (!has_work(m)) {
-        return 0;
-    }
-    while ((number = cylint_scene_first_boundary(scene, line, members, hit,
-                                                 &m->work)) == CYLINT_NO_ROOM) {
-        if (!grow_work(&m->work)) {
-            return 0;
-        }
-    }
-    *shape = number < cylint_scene_size(scene) ? number + 1 : 0;
-    return 1;
-}
-
-int depth_of_point(const cylint_scene *scene, const double point[3],
-                   const int *rank, struct piece_memory *m,
-                   unsigned long long *depth, unsigned long long *owner)
-{
-    size_t number, found;
-    if (!has_work(m)) {
-        return 0;
-    }
-    while ((found = cylint_scene_depth(scene, point, rank, &number,
-                                       &m->work)) == CYLINT_NO_ROOM) {
-        if (!grow_work(&m->work)) {
-            return 0;
-        }
-    }
-    *depth = found;
-    *owner = number < cylint_scene_size(scene) ? number + 1 : 0;
-    return 1;
+    size_t depth = CYLINT_NO_ROOM;
+    do
+        depth = cylint_scene_depth(scene, point, rank, owner, &m->work);
+    while (depth == CYLINT_NO_ROOM && grow_work(&m->work));
+    return depth;
 }

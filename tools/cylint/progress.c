@@ -32,9 +32,8 @@ static void show(struct progress *p, double now, double done, double total)
     const double spent = now - p->start;
     fprintf(stderr, "%s%s: %llu %s, %.0f/s", p->terminal ? "\r" : "", program,
             p->count, p->unit, spent > 0 ? (double)p->count / spent : 0);
-    if (p->in_bytes && done > 0 && spent > 0) {
+    if (p->in_bytes && done > 0 && spent > 0)
         fprintf(stderr, ", %.1f MB/s", 1e-6 * done / spent);
-    }
     if (total > 0 && done > 0 && done <= total) {
         fprintf(stderr, ", %.0f %%, %.0f s left", 100 * done / total,
                 spent * (total - done) / done);
@@ -48,21 +47,18 @@ void progress_add(struct progress *p, unsigned long long count, double done,
                   double total)
 {
     p->count += count;
-    if (!p->shown) {
+    if (!p->shown)
         return;
-    }
     const double now = seconds();
     const double pause = p->terminal && p->dirty ? 0.2 : 1;
-    if (now - p->last >= pause) {
+    if (now - p->last >= pause)
         show(p, now, done, total);
-    }
 }
 
 void progress_end(struct progress *p)
 {
-    if (p->dirty) {
+    if (p->dirty)
         fputs("\r\033[K", stderr);
-    } else if (p->shown && !p->terminal) {
+    else if (p->shown && !p->terminal)
         show(p, seconds(), 0, 0);
-    }
 }

@@ -1,56 +1,102 @@
 /*
- * report.c - messages about records: the first ten bad ones, then a count
+ * report.c - messages about records, files and memory
  */
 #include <errno.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "grammar.h"
 #include "main.h"
-#include "message.h"
 #include "report.h"
-#include "text.h"
 
-enum { SHOWN_MOST = 32, NAME_MOST = 256 };
+enum { FOUND_MOST = 32 };
 
-/* WHAT: 'TEXT', or expected WHAT, found 'TEXT'. */
-static int describe_matter(char text[NOTE_CAPACITY], const struct fault *fault)
+static struct note *present(struct notes *notes)
 {
-    char found[4 * SHOWN_MOST + 4];
-    const int shown = fault->at != fault->end;
-    if (shown) {
-        escape_bytes(found, fault->at, fault->end, SHOWN_MOST);
-    }
-    if (fault->shape > 0) {
-        return snprintf(text, NOTE_CAPACITY, "%s: shape %llu of the scene",
-                        fault->what, fault->shape);
-    }
-    if (fault->numbers > 0) {
-        return snprintf(text, NOTE_CAPACITY, "%d numbers where %s",
-                        fault->numbers, fault->what);
-    }
-    if (!fault->expected) {
-        return snprintf(text, NOTE_CAPACITY, shown ? "%s: '%s'" : "%s",
-                        fault->what, shown ? found : "");
-    }
-    return shown ? snprintf(text, NOTE_CAPACITY, "expected %s, found '%s'",
-                            fault->what, found)
-                 : snprintf(text, NOTE_CAPACITY,
-                            "expected %s, found the end of the line",
-                            fault->what);
+    return &notes->note[notes->kept];
 }
 
-static void describe(char text[NOTE_CAPACITY], const struct fault *fault)
+/* Only the first ten bad records of a block have a text. */
+static int is_silent(const struct notes *notes)
 {
-    int length = describe_matter(text, fault);
-    if (fault->meant && length < NOTE_CAPACITY) {
-        length += snprintf(text + length, (size_t)(NOTE_CAPACITY - length),
-                           "; did you mean %s?", fault->meant);
-    }
-    if (fault->remedy && length < NOTE_CAPACITY) {
-        snprintf(text + length, (size_t)(NOTE_CAPACITY - length), "; %s",
-                 fault->remedy);
-    }
+    return notes->kept_bad == NOTES_MOST && !notes->may_remark;
+}
+
+int refuse(struct notes *notes, const char *at, const char *format, ...)
+{
+    va_list list;
+    struct note *note = present(notes);
+    if (is_silent(notes))
+        return EXIT_BAD;
+    note->line = notes->line;
+    note->record = notes->record;
+    note->column = at ? (unsigned long long)(at - notes->text) + 1 : 1;
+    note->remark = REMARK_NONE;
+    note->is_advised = 0;
+    va_start(list, format);
+    vsnprintf(note->text, NOTE_CAPACITY, format, list);
+    va_end(list);
+    return EXIT_BAD;
+}
+
+int refuse_text(struct notes *notes, const char *what, struct string text)
+{
+    char found[SHOWN_CAPACITY];
+    return text.length == 0 || is_silent(notes)
+               ? refuse(notes, text.text, "%s", what)
+               : refuse(notes, text.text, "%s: '%s'", what,
+                        escape(found, text, FOUND_MOST));
+}
+
+int refuse_other(struct notes *notes, const char *expected, struct string text)
+{
+    char found[SHOWN_CAPACITY];
+    return text.length == 0 || is_silent(notes)
+               ? refuse(notes, text.text,
+                        "expected %s, found the end of the line", expected)
+               : refuse(notes, text.text, "expected %s, found '%s'", expected,
+                        escape(found, text, FOUND_MOST));
+}
+
+static void append(struct note *note, const char *before, const char *text,
+                   const char *after)
+{
+    const size_t length = strlen(note->text);
+    snprintf(note->text + length, NOTE_CAPACITY - length, "; %s%s%s", before,
+             text, after);
+}
+
+void advise(struct notes *notes, const char *advice)
+{
+    if (!is_silent(notes))
+        append(present(notes), "", advice, "");
+    present(notes)->is_advised = 1;
+}
+
+void suggest(struct notes *notes, struct words words, struct string text)
+{
+    const char *word = is_silent(notes) ? NULL : similar_word(words, text);
+    if (word)
+        append(present(notes), "did you mean ", word, "?");
+}
+
+int wants_remark(struct notes *notes, enum remark remark)
+{
+    notes->may_remark |= (notes->wanted & 1u << remark) != 0;
+    return (notes->wanted & 1u << remark) != 0;
+}
+
+void make_remark(struct notes *notes, enum remark remark)
+{
+    present(notes)->remark = remark;
+    notes->wanted &= ~(1u << remark);
+    notes->may_remark = 0;
+    notes->kept++;
+}
+
+void keep_remarks(struct notes *notes)
+{
+    notes->begun = notes->kept;
 }
 
 /* In text, control characters other than tabs and line ends are rare; in
@@ -59,10 +105,7 @@ static void describe(char text[NOTE_CAPACITY], const struct fault *fault)
 static int looks_binary(const char *text, const char *end)
 {
     enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
-    if (!text) {
-        return 0;
-    }
-    const size_t length = (size_t)(end - text);
+    const size_t length = text ? (size_t)(end - text) : 0;
     const size_t looked_at = length < LOOKED_AT ? length : LOOKED_AT;
     size_t control = 0;
     for (size_t i = 0; i < looked_at; i++) {
@@ -72,101 +115,31 @@ static int looks_binary(const char *text, const char *end)
     return control > SLIPS && control > looked_at / ONE_IN;
 }
 
-static struct note *add_note(struct notes *notes, unsigned long long line,
-                             unsigned long long record, const char *text,
-                             const struct fault *fault)
+/* Removes the remarks on a record that is bad.  With advice the text does not
+ * depend on how much of a pipe was read. */
+void count_bad(struct notes *notes)
 {
-    struct note *note = &notes->note[notes->kept++];
-    note->line = line;
-    note->record = record;
-    note->column = fault->at ? (unsigned long long)(fault->at - text) + 1 : 1;
-    note->remark = NOT_GIVEN;
-    note->binary = 0;
-    describe(note->text, fault);
-    return note;
-}
-
-void take_note(struct notes *notes, unsigned long long line,
-               unsigned long long record, const char *text, const char *end,
-               const struct fault *fault)
-{
+    struct note *note = &notes->note[notes->begun];
+    for (int i = notes->begun; i < notes->kept; i++)
+        notes->wanted |= 1u << notes->note[i].remark;
     notes->bad++;
+    notes->may_remark = 0;
     if (notes->kept_bad < NOTES_MOST) {
+        *note = *present(notes);
+        note->looks_binary =
+            !note->is_advised && looks_binary(notes->text, notes->end);
         notes->kept_bad++;
-        /* `end` depends on how much of a pipe was read */
-        add_note(notes, line, record, text, fault)->binary =
-            !fault->remedy && looks_binary(text, end);
+        notes->begun++;
     }
+    notes->kept = notes->begun;
 }
 
-void take_remarks(struct notes *notes, struct remarks *remarks,
-                  unsigned long long line, unsigned long long record,
-                  const char *text)
-{
-    for (int i = 0; i < REMARKS; i++) {
-        if (remarks->found & 1u << i) {
-            add_note(notes, line, record, text, &remarks->fault[i])->remark = i;
-        }
-    }
-    remarks->wanted &= ~remarks->found;
-    remarks->found = 0;
-}
-
-void print_note(const struct note *note, const char *name)
-{
-    char escaped[4 * NAME_MOST + 4];
-    const char *binary = note->binary ? "; this looks like a binary file" : "";
-    escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
-    if (note->line > 0) {
-        message("%s:%llu:%llu: %s%s", escaped, note->line, note->column,
-                note->text, binary);
-    } else {
-        message("%s: record %llu: %s", escaped, note->record, note->text);
-    }
-}
-
-/* Returns whether a note must be printed, and updates *report if so. */
-static int must_print(struct report *report, const struct note *note,
-                      const char *name)
-{
-    if (note->remark != NOT_GIVEN) {
-        const unsigned bit = 1u << note->remark;
-        const int is_first = !(report->remarks & bit);
-        report->remarks |= bit;
-        return is_first;
-    }
-    if (report->shown == NOTES_MOST || report->binary == name) {
-        return 0;
-    }
-    report->binary = note->binary ? name : NULL;
-    report->shown++;
-    return 1;
-}
-
-void report_notes(struct report *report, struct notes *notes, const char *name)
-{
-    for (int i = 0; i < notes->kept; i++) {
-        if (must_print(report, &notes->note[i], name)) {
-            print_note(&notes->note[i], name);
-        }
-    }
-    report->bad += notes->bad;
-    notes->kept = notes->kept_bad = 0;
-    notes->bad = 0;
-}
-
-void report_end(const struct report *report)
-{
-    if (report->bad > report->shown) {
-        message("%llu bad records in all", report->bad);
-    }
-}
+/* ------------------------------------------------------------ printing -- */
 
 void complain(const char *name, const char *what)
 {
-    char escaped[4 * NAME_MOST + 4];
-    escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
-    message("%s: %s", escaped, what);
+    char shown[SHOWN_CAPACITY];
+    message("%s: %s", escape(shown, string_of(name), SHOWN_MOST), what);
 }
 
 void complain_errno(const char *name)
@@ -174,8 +147,69 @@ void complain_errno(const char *name)
     complain(name, strerror(errno));
 }
 
+void complain_at(const char *name, unsigned long long line,
+                 unsigned long long column, const char *what)
+{
+    char shown[SHOWN_CAPACITY];
+    message("%s:%llu:%llu: %s", escape(shown, string_of(name), SHOWN_MOST),
+            line, column, what);
+}
+
 int out_of_memory(void)
 {
     message("out of memory");
     return EXIT_MEMORY;
+}
+
+static void print_note(const struct note *note, const char *name)
+{
+    char text[NOTE_CAPACITY + 40];
+    if (note->line > 0) {
+        snprintf(text, sizeof text, "%s%s", note->text,
+                 note->looks_binary ? "; this looks like a binary file" : "");
+        complain_at(name, note->line, note->column, text);
+    } else {
+        snprintf(text, sizeof text, "record %llu: %s", note->record,
+                 note->text);
+        complain(name, text);
+    }
+}
+
+void print_refusal(struct notes *notes, const char *name)
+{
+    count_bad(notes);
+    print_note(&notes->note[notes->kept - 1], name);
+}
+
+/* Returns whether a note must be printed, and updates *report if so. */
+static int must_print(struct report *report, const struct note *note,
+                      const char *name)
+{
+    if (note->remark != REMARK_NONE) {
+        const unsigned bit = 1u << note->remark;
+        const int is_first = !(report->remarks & bit);
+        report->remarks |= bit;
+        return is_first;
+    }
+    if (report->shown == NOTES_MOST || report->binary == name)
+        return 0;
+    report->binary = note->looks_binary ? name : NULL;
+    report->shown++;
+    return 1;
+}
+
+void report_notes(struct report *report, struct notes *notes, const char *name)
+{
+    for (int i = 0; i < notes->kept; i++)
+        if (must_print(report, &notes->note[i], name))
+            print_note(&notes->note[i], name);
+    report->bad += notes->bad;
+    notes->kept = notes->kept_bad = notes->begun = 0;
+    notes->bad = 0;
+}
+
+void report_end(const struct report *report)
+{
+    if (report->bad > report->shown)
+        message("%llu bad records in all", report->bad);
 }

@@ -1,69 +1,100 @@
 /*
- * report.h - messages about records: the first ten bad ones, then a count
+ * report.h - messages about records, files and memory
  *
- * Blocks keep notes.  They are printed when the block is delivered, so the
- * messages are in the order of the input.
+ * What is wrong with a record becomes a note of its block.  The notes are
+ * printed when the block is delivered, so the messages are in the order of the
+ * input.
  */
 #ifndef CYLINT_REPORT_H
 #define CYLINT_REPORT_H
 
-#include <stddef.h>
+#include "message.h"
+#include "text.h"
 
-#include "grammar.h"
+/* Messages about good records.  Each is printed for the first such record
+ * only. */
+enum remark {
+    REMARK_NONE,    /* the record is bad */
+    REMARK_SURPLUS, /* its tail begins with a number */
+    REMARK_DOMAIN,  /* -t does not apply to its line or point */
+    REMARK_LABEL,   /* it leaves out a label that no shape has */
+    REMARKS
+};
 
 enum { NOTES_MOST = 10, NOTE_CAPACITY = 384 };
 
 struct note {
-    unsigned long long line;   /* from 1; 0 in binary input */
-    unsigned long long record; /* from 1; used where line is 0 */
-    unsigned long long column; /* from 1 */
-    int remark; /* enum remark: the record is good; NOT_GIVEN: it is bad */
-    int binary; /* its file looks like a binary one */
+    unsigned long long line, record, column; /* from 1; line 0: binary input */
+    enum remark remark;
+    int looks_binary; /* its file */
+    int is_advised;   /* the text says what to do */
     char text[NOTE_CAPACITY];
 };
 
+/* The notes of a block, and of its present record, which is counted later. */
 struct notes {
-    struct note note[NOTES_MOST + REMARKS];
-    int kept;               /* of note[], in the input's order */
-    int kept_bad;           /* of these, bad records: the first ten */
+    unsigned long long line, record; /* the present record's numbers */
+    const char *text,
+        *end;        /* from its first byte to the block's end; or NULL */
+    unsigned wanted; /* a bit for each remark to test for */
+    int may_remark;  /* the next note may become a remark */
+    struct note note[NOTES_MOST + REMARKS + 1];
+    int kept, kept_bad;     /* of these, and how many are about bad records */
+    int begun;              /* those before the present record */
     unsigned long long bad; /* bad records in all */
 };
 
 /* The messages printed so far, of all blocks. */
 struct report {
-    unsigned long long bad;   /* bad records */
-    unsigned long long shown; /* those that had a message */
-    unsigned remarks;         /* a bit for each remark that was printed */
-    const char *binary;       /* the file that looked binary last, or NULL */
+    unsigned long long bad, shown; /* bad records; those that had a message */
+    unsigned remarks;              /* a bit for each remark that was printed */
+    const char *binary; /* the file that looked binary last, or NULL */
 };
 
-/* Notes that a record, which begins at `text`, is bad.  The block's text goes
- * on to `end`; NULL in binary input. */
-void take_note(struct notes *notes, unsigned long long line,
-               unsigned long long record, const char *text, const char *end,
-               const struct fault *fault);
+/* All write the note that the present record is bad, and return EXIT_BAD.
+ * The place is in its text, or NULL. */
+/* A text as of printf(). */
+int refuse(struct notes *notes, const char *at, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+/* `WHAT: 'TEXT'`, or `WHAT` if the text is empty. */
+int refuse_text(struct notes *notes, const char *what, struct string text);
+/* `expected WHAT, found 'TEXT'`; an empty text is the end of the line. */
+int refuse_other(struct notes *notes, const char *expected, struct string text);
+/* Append `; ADVICE`, and `; did you mean WORD?` if one of the words is near. */
+void advise(struct notes *notes, const char *advice);
+void suggest(struct notes *notes, struct words words, struct string text);
 
-/* Notes the remarks on a good record, and removes them from those wanted. */
-void take_remarks(struct notes *notes, struct remarks *remarks,
-                  unsigned long long line, unsigned long long record,
-                  const char *text);
+/* Whether to test the present record for a remark. */
+int wants_remark(struct notes *notes, enum remark remark);
+/* The note, just written as if the record were bad, is this remark. */
+void make_remark(struct notes *notes, enum remark remark);
 
-/* Prints the notes of a block and clears them.  Each remark is printed once; of
- * the bad records the first ten of the whole input are printed. */
+/* The remarks on the present record stay, whatever follows. */
+void keep_remarks(struct notes *notes);
+/* The present record is bad, as the note says. */
+void count_bad(struct notes *notes);
+
+/* Prints the note of the present record at once. */
+void print_refusal(struct notes *notes, const char *name);
+
+/* Prints the notes of a block and clears them.  Of the bad records the first
+ * ten of the whole input are printed. */
 void report_notes(struct report *report, struct notes *notes, const char *name);
 
-/* Prints one note at once, for a bad line of a scene. */
-void print_note(const struct note *note, const char *name);
-
-/* Prints the count, if some bad records had no message. */
+/* Prints the number of bad records, if some had no message. */
 void report_end(const struct report *report);
 
-/* `PROGRAM: NAME: WHAT`, NAME escaped. */
+/* `PROGRAM: NAME:LINE:COLUMN: WHAT`, NAME escaped. */
+void complain_at(const char *name, unsigned long long line,
+                 unsigned long long column, const char *what);
+/* `PROGRAM: NAME: WHAT`; the same with the text of errno. */
 void complain(const char *name, const char *what);
-
-/* `PROGRAM: NAME: TEXT OF ERRNO` */
 void complain_errno(const char *name);
 
+/* Returns EXIT_MEMORY after a message. */
 int out_of_memory(void);
 
 #endif

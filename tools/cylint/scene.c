@@ -1,37 +1,44 @@
 /*
- * scene.c - the shapes that every line is intersected with
- *
- * The library visits those that a line hits.  A published method intersects them
- * one by one.  Both choose the lower number at equal t.
+ * scene.c - the shapes of a file: of text, of a neuron's nodes, or a saved
+ * scene
  */
-#include <math.h>
+#include <string.h>
+#include <sys/stat.h>
 
-#include "left_out.h"
+#include "input.h"
+#include "labels.h"
 #include "main.h"
-#include "report.h"
+#include "output.h"
 #include "scene.h"
+
+int scene_failed(cylint_scene_status status, const char *name, int exit_status)
+{
+    if (status == CYLINT_SCENE_OK)
+        return 0;
+    if (status == CYLINT_SCENE_EMEMORY)
+        return out_of_memory();
+    complain(name, cylint_scene_strerror((int)status));
+    return exit_status;
+}
+
+static int scene_begin(struct scene *scene)
+{
+    if (!scene->shapes)
+        scene->shapes = cylint_scene_begin(0);
+    return scene->shapes ? 0 : out_of_memory();
+}
 
 int scene_add(struct scene *scene, const struct record *record)
 {
-    const int status = scene->also ? scene->also(scene, record) : 0;
-    if (status != 0) {
-        return status;
-    }
-    if (!scene->shapes) {
-        scene->shapes = cylint_scene_begin(0);
-    }
-    const cylint_scene_status added =
-        scene->shapes ? cylint_scene_add(scene->shapes, &record->shape, 1)
-                      : CYLINT_SCENE_EMEMORY;
-    if (added == CYLINT_SCENE_EMEMORY) {
-        return out_of_memory();
-    }
-    if (added != CYLINT_SCENE_OK) {
-        complain("-s", cylint_scene_strerror((int)added));
-        return EXIT_USAGE;
-    }
-    scene->count++;
-    return 0;
+    int status = scene->also ? scene->also(scene, record) : 0;
+    if (status == 0)
+        status = scene_begin(scene);
+    if (status == 0)
+        status =
+            scene_failed(cylint_scene_add(scene->shapes, &record->shape, 1),
+                         "-s", EXIT_USAGE);
+    scene->count += status == 0;
+    return status;
 }
 
 void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape)
@@ -39,170 +46,168 @@ void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape)
     cylint_scene_shape(scene->shapes, i, shape);
 }
 
-int scene_prepare(struct scene *scene, enum accel accel, int threads)
+int scene_build(struct scene *scene, int threads)
 {
-    if (!scene->shapes && !(scene->shapes = cylint_scene_begin(0))) {
-        return out_of_memory();
-    }
-    int status = search_make(&scene->search, scene->shapes, accel, threads);
-    if (status == 0 && scene->solids.count > 0) {
-        status = search_build(scene->shapes, threads);
-        status =
-            status == 0 ? solids_give(&scene->solids, scene->shapes) : status;
-    }
-    return status;
+    int status = scene_begin(scene);
+    if (status != 0)
+        return status;
+    const cylint_scene_status finished =
+        cylint_scene_finish(scene->shapes, threads, NULL, NULL);
+    if (finished != CYLINT_SCENE_EFINISHED)
+        status = scene_failed(finished, "-s", EXIT_USAGE);
+    return status == 0 && scene->solids.count > 0
+               ? solids_give(&scene->solids, scene->shapes)
+               : status;
 }
 
 void scene_free(struct scene *scene)
 {
-    search_free(&scene->search);
     solids_free(&scene->solids);
     cylint_scene_free(scene->shapes);
     scene->shapes = NULL;
 }
 
-int solve(solver method, const cylint_shape *shape, const cylint_line *line,
-          unsigned want, cylint_answer *answer)
-{
-    if (method) {
-        return method(shape, line, want, answer) == CYLINT_OK;
-    }
-    cylint_intersect(shape, line, want, answer);
-    return 1;
-}
+/* ----------------------------------------------------------------- text -- */
 
-/* ------------------------------------------------------ by the library -- */
-
-/* The nearest of the shapes that are not left out. */
-struct nearest {
-    const struct left_out *left_out;
-    size_t shape; /* from 1; 0: none */
-    double t;
+/* The context of read_shape(). */
+struct reading {
+    struct scene *scene;
+    struct grammar grammar;
 };
 
-static double keep_nearest(void *context, size_t number, const cylint_hit *hit)
+static int is_saved(const char *bytes, size_t length)
 {
-    struct nearest *n = context;
-    const size_t shape = number + 1;
-    if (!left_out_has(n->left_out, number) &&
-        (n->shape == 0 || hit->t < n->t ||
-         (!(hit->t > n->t) && shape < n->shape))) {
-        n->shape = shape;
-        n->t = hit->t;
-    }
-    return n->shape > 0 ? n->t : HUGE_VAL;
+    cylint_scene_status status;
+    cylint_scene_free(cylint_scene_open_memory(bytes, length, 0, &status));
+    return status != CYLINT_SCENE_EFORMAT && status != CYLINT_SCENE_EMEMORY;
 }
 
-struct counter {
-    const struct left_out *left_out;
-    unsigned long long count, most;
+/* Adds the shape of a line, and to the solids that it names. */
+static int read_shape(void *context, const char *line, const char *end,
+                      struct notes *notes)
+{
+    struct reading *r = context;
+    struct record record;
+    const size_t number = r->scene->count;
+    if (read_record(&r->grammar, line, end, &record, notes)) {
+        if (is_saved(line, (size_t)(notes->end - line)))
+            advise(notes, "a saved scene cannot be read from a pipe");
+        return EXIT_BAD;
+    }
+    const int status = scene_add(r->scene, &record);
+    return status != 0 || record.words.length == 0
+               ? status
+               : solids_read(&r->scene->solids, number, record.words, notes);
+}
+
+#define MOLECULE "convert it with python -m libcylint convert molecule"
+
+/* Returns the command that converts a file with this name, or NULL. */
+static const char *converter_of(const char *file)
+{
+    static const char *const remedies[][2] = {
+        {".csv", "for a tree see python -m libcylint convert qsm"},
+        {".pdb", MOLECULE},
+        {".ent", MOLECULE},
+        {".cif", MOLECULE},
+        {".mmcif", MOLECULE}};
+    const char *dot = strrchr(file, '.');
+    for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++)
+        if (strcmp(dot, remedies[i][0]) == 0)
+            return remedies[i][1];
+    return NULL;
+}
+
+int scene_read_text(struct scene *scene, const char *file, int ends,
+                    enum swc_form form)
+{
+    struct reading reading = {scene,
+                              {.has_shape = 1,
+                               .line = NOT_GIVEN,
+                               .shape = NOT_GIVEN,
+                               .ends = ends,
+                               .convert = converter_of(file)}};
+    scene->solids.file = file;
+    return swc_is_name(file) ? swc_read(scene, file, ends, form)
+                             : read_lines(file, 0, read_shape, &reading);
+}
+
+/* --------------------------------------------------------- saved scenes -- */
+
+static int is_regular(const char *file)
+{
+    struct stat about;
+    return strcmp(file, "-") != 0 && stat(file, &about) == 0 &&
+           S_ISREG(about.st_mode);
+}
+
+int scene_open(struct scene *scene, const char *file, int ends)
+{
+    cylint_scene_status status = CYLINT_SCENE_EFORMAT;
+    if (is_regular(file))
+        scene->shapes = cylint_scene_open(file, 0, &status);
+    if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE)
+        return NOT_SAVED;
+    if (status == CYLINT_SCENE_OK && ends != NOT_GIVEN) {
+        complain(file, "is a saved scene, whose shapes have their ends");
+        return EXIT_USAGE;
+    }
+    scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
+    return scene_failed(status, file, EXIT_IO);
+}
+
+static int add_saved(struct scene *scene, const struct scene *saved,
+                     const char *file)
+{
+    struct labels labels = {0};
+    int status = labels_take(&labels, saved, file);
+    for (size_t i = 0; i < saved->count && status == 0; i++) {
+        struct record record = {.tail = labels_get(&labels, i)};
+        scene_shape(saved, i, &record.shape);
+        status = scene_add(scene, &record);
+    }
+    const size_t members = cylint_scene_members(saved->shapes);
+    for (size_t i = 0; i < members && status == 0; i++) {
+        cylint_member member;
+        cylint_scene_member(saved->shapes, i, &member);
+        status = solids_add(&scene->solids, &member);
+    }
+    return status;
+}
+
+int scene_read(struct scene *scene, const char *file, int ends,
+               enum swc_form form)
+{
+    struct scene saved = {0};
+    int status = scene_open(&saved, file, ends);
+    if (status == NOT_SAVED)
+        status = scene_read_text(scene, file, ends, form);
+    else if (status == 0)
+        status = add_saved(scene, &saved, file);
+    scene_free(&saved);
+    return status;
+}
+
+/* The context of write_part(). */
+struct writing {
+    struct output out;
+    int status; /* exit status */
 };
 
-static double count_hit(void *context, size_t number, const cylint_hit *hit)
+static int write_part(void *context, const void *data, size_t bytes)
 {
-    struct counter *c = context;
-    (void)hit;
-    c->count += !left_out_has(c->left_out, number);
-    return c->count == c->most ? (double)NAN : HUGE_VAL;
+    struct writing *w = context;
+    w->status = output_write(&w->out, data, bytes);
+    return w->status == 0;
 }
 
-static size_t nearest_by_search(const struct scene *scene,
-                                const struct scene_query *q)
+int scene_save(const struct scene *scene, const char *file)
 {
-    struct nearest n = {.left_out = q->left_out};
-    search_visit(&scene->search, q->line, CYLINT_WANT_T, q->hits, keep_nearest,
-                 &n);
-    return n.shape;
-}
-
-static unsigned long long count_by_search(const struct scene *scene,
-                                          const struct scene_query *q,
-                                          unsigned long long most)
-{
-    struct counter c = {.left_out = q->left_out, .most = most};
-    if (!scene->search.shapes && q->left_out->count == 0) {
-        return cylint_scene_count(scene->search.scene, q->line,
-                                  most == ~0ULL ? 0 : (size_t)most);
-    }
-    search_visit(&scene->search, q->line, 0, q->hits, count_hit, &c);
-    return c.count;
-}
-
-/* --------------------------------------------------------- by a method -- */
-
-/* Sets row->shape.  Returns 0, or the shape that the method does not support. */
-static size_t nearest_by_method(const struct scene *scene,
-                                const struct scene_query *q, struct row *row)
-{
-    const unsigned first = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
-    double t = 0;
-    row->shape = 0;
-    for (size_t i = 0; i < scene->count; i++) {
-        cylint_shape shape;
-        cylint_answer answer;
-        if (left_out_has(q->left_out, i)) {
-            continue;
-        }
-        scene_shape(scene, i, &shape);
-        if (!solve(q->method, &shape, q->line, first, &answer)) {
-            return i + 1;
-        }
-        if (answer.n > 0 && (row->shape == 0 || answer.hit[0].t < t)) {
-            row->shape = i + 1;
-            t = answer.hit[0].t;
-        }
-    }
-    return 0;
-}
-
-static size_t count_by_method(const struct scene *scene,
-                              const struct scene_query *q,
-                              unsigned long long most, struct row *row)
-{
-    row->count = 0;
-    for (size_t i = 0; i < scene->count && row->count < most; i++) {
-        cylint_shape shape;
-        cylint_answer answer;
-        if (left_out_has(q->left_out, i)) {
-            continue;
-        }
-        scene_shape(scene, i, &shape);
-        if (!solve(q->method, &shape, q->line, CYLINT_WANT_COUNT, &answer)) {
-            return i + 1;
-        }
-        row->count += answer.n > 0;
-    }
-    return 0;
-}
-
-/* The columns of the nearest hit are computed for its shape only. */
-size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
-                     const struct fields *fields, cylint_answer *answer,
-                     struct row *row)
-{
-    cylint_shape shape;
-    size_t refused = 0;
-    row->answer = NULL;
-    if (q->method) {
-        refused = nearest_by_method(scene, q, row);
-    } else {
-        row->shape = nearest_by_search(scene, q);
-    }
-    if (refused == 0 && row->shape > 0) {
-        scene_shape(scene, row->shape - 1, &shape);
-        solve(q->method, &shape, q->line, fields->want | CYLINT_WANT_NEAREST,
-              answer);
-        row->answer = answer;
-    }
-    return refused;
-}
-
-size_t scene_count(const struct scene *scene, const struct scene_query *q,
-                   unsigned long long most, struct row *row)
-{
-    if (q->method) {
-        return count_by_method(scene, q, most, row);
-    }
-    row->count = count_by_search(scene, q, most);
-    return 0;
+    struct writing w = {.status = 0};
+    const int status = output_open(&w.out, file, 1);
+    if (status != 0)
+        return status;
+    cylint_scene_write(scene->shapes, write_part, &w);
+    const int closed = output_close(&w.out, w.status == 0);
+    return w.status != 0 ? w.status : closed;
 }

@@ -1,21 +1,20 @@
 /*
- * scene.h - the shapes that every line is intersected with
+ * scene.h - the shapes of a file: of text, of a neuron's nodes, or a saved
+ * scene
  */
 #ifndef CYLINT_COMMAND_SCENE_H
 #define CYLINT_COMMAND_SCENE_H
 
-#include "columns.h"
-#include "cylint.h"
-#include "cylint_methods.h"
+#include "cylint_scene.h"
 #include "grammar.h"
-#include "search.h"
 #include "solids.h"
+#include "swc.h"
 
+/* Zero it before use. */
 struct scene {
     cylint_scene *shapes; /* NULL: none yet */
     size_t count;
-    struct search search; /* once scene_prepare() was called */
-    struct solids solids; /* that were read, for scene_prepare() */
+    struct solids solids; /* that were read, for scene_build() */
 
     /* Called with the record of shape number `count`, unless NULL.  Returns
      * 0 or an exit status. */
@@ -23,41 +22,42 @@ struct scene {
     void *context; /* for also() */
 };
 
-/* Adds the shape of a record and calls also().  Returns 0 or an exit status. */
+/* All return 0, or an exit status after a message. */
+
+/* What it is for a status of the library.  name: of the file. */
+int scene_failed(cylint_scene_status status, const char *name, int exit_status);
+
+/* Adds the shape of a record and calls also(). */
 int scene_add(struct scene *scene, const struct record *record);
+
+/* Reads shapes, one a line, or a neuron's nodes (swc.h), which become shapes of
+ * this form.  ends: of shapes whose records do not state them, or NOT_GIVEN.
+ * Stops at the first bad line. */
+int scene_read_text(struct scene *scene, const char *file, int ends,
+                    enum swc_form form);
+
+enum { NOT_SAVED = -1 };
+
+/* Opens a saved scene.  Its file is mapped and checked.  Returns NOT_SAVED
+ * if the file is something else, cannot be opened or is no regular file.
+ * ends must be NOT_GIVEN, as the shapes have ends. */
+int scene_open(struct scene *scene, const char *file, int ends);
+
+/* As scene_read_text(), or adds the shapes of a saved scene, with their
+ * labels as tails, and their solids. */
+int scene_read(struct scene *scene, const char *file, int ends,
+               enum swc_form form);
+
+/* Builds the scene by this number of threads, 0: one for each processor, unless
+ * that was done, and sets its solids. */
+int scene_build(struct scene *scene, int threads);
+
+/* Saves a scene that was built, with its labels. */
+int scene_save(const struct scene *scene, const char *file);
 
 /* Writes shape number i, from 0. */
 void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape);
 
-/* Prepares the shapes for all queries without a method, and sets their solids.
- * Returns 0 or an exit status. */
-int scene_prepare(struct scene *scene, enum accel accel, int threads);
 void scene_free(struct scene *scene);
-
-/* Intersects one line and one shape; NULL is cylint_intersect(). */
-typedef cylint_method_fn *solver;
-
-/* Returns 0 if the method does not support this shape. */
-int solve(solver method, const cylint_shape *shape, const cylint_line *line,
-          unsigned want, cylint_answer *answer);
-
-struct left_out;
-
-/* A line to intersect with the shapes of a scene. */
-struct scene_query {
-    solver method;
-    const cylint_line *line;
-    const struct left_out *left_out; /* shapes to leave out */
-    signed char *hits;               /* for search_visit() */
-};
-
-/* Both write *row and return 0, or the number, from 1, of a shape that the
- * method does not support.  row->answer points to *answer. */
-size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
-                     const struct fields *fields, cylint_answer *answer,
-                     struct row *row);
-/* Counts the shapes that are hit, up to `most`. */
-size_t scene_count(const struct scene *scene, const struct scene_query *q,
-                   unsigned long long most, struct row *row);
 
 #endif

@@ -9,22 +9,19 @@
  * the file, marks a root.  Parents may stand after their children, so the
  * shapes are made after all nodes were read.  Rounded cones join without gaps;
  * with them a root gives a sphere.
- *
- * tools/convert/swc.awk accepts the same files, gives the same shapes in the
- * same order and writes the same messages.
  */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "block.h"
+#include "input.h"
 #include "main.h"
 #include "numbers.h"
 #include "scene.h"
 #include "swc.h"
 
-enum { DIGITS_MOST = 18 }; /* of a node's number: it fits 64 bits */
+#define NUMBER_MOST 999999999999999999u /* of a node: 18 digits */
 
 #define NO_PARENT UINT64_MAX
 /* All whole numbers below this one are doubles. */
@@ -36,6 +33,14 @@ struct swc_node {
     unsigned long long line, column; /* of the parent's number */
     size_t up;                       /* the parent's index, from 1; 0: a root */
     size_t path; /* the first node, from 1, whose ancestor this is; 0: none */
+};
+
+/* The nodes of a file, in its order. */
+struct swc {
+    struct swc_node *nodes;
+    size_t count, capacity;
+    size_t *places; /* a hash table of indices into nodes[], from 1 */
+    int bits;       /* it has 2^bits entries */
 };
 
 const char *const swc_forms[] = {
@@ -66,222 +71,126 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
     const size_t mask = ((size_t)1 << swc->bits) - 1;
     size_t i = first_place(swc, number);
     while (swc->places[i] > 0 &&
-           swc->nodes[swc->places[i] - 1].number != number) {
+           swc->nodes[swc->places[i] - 1].number != number)
         i = (i + 1) & mask;
-    }
     return &swc->places[i];
 }
 
-/* Doubles the capacity.  At least half of the entries stay free. */
+/* Doubles the capacity.  At least half of the entries stay free.  Returns 0
+ * if there is no memory. */
 static int grow(struct swc *swc)
 {
     const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
     const size_t capacity = (size_t)1 << (bits - 1);
-    if (capacity > SIZE_MAX / sizeof *swc->nodes) {
-        return out_of_memory();
-    }
-    struct swc_node *nodes = realloc(swc->nodes, capacity * sizeof *nodes);
-    if (!nodes) {
-        return out_of_memory();
-    }
+    struct swc_node *nodes =
+        capacity > SIZE_MAX / sizeof *nodes
+            ? NULL
+            : realloc(swc->nodes, capacity * sizeof *nodes);
+    if (!nodes)
+        return 0;
     swc->nodes = nodes;
     size_t *places = calloc(2 * capacity, sizeof *places);
-    if (!places) {
-        return out_of_memory();
-    }
+    if (!places)
+        return 0;
     free(swc->places);
     swc->places = places;
     swc->bits = bits;
     swc->capacity = capacity;
-    for (size_t i = 0; i < swc->count; i++) {
+    for (size_t i = 0; i < swc->count; i++)
         *find_place(swc, nodes[i].number) = i + 1;
-    }
-    return 0;
-}
-
-void swc_free(struct swc *swc)
-{
-    free(swc->nodes);
-    free(swc->places);
+    return 1;
 }
 
 /* ------------------------------------------------------------- one node -- */
-
-/* The rest of the text, and the place for a fault. */
-struct reader {
-    const char *p, *end;
-    struct fault *fault;
-};
-
-static const char *end_of_field(const struct reader *r)
-{
-    const char *p = r->p;
-    while (p < r->end && !is_blank(*p) && *p != ',') {
-        p++;
-    }
-    return p;
-}
-
-/* Continues behind a field and its separator: blanks, one comma, blanks. */
-static void skip_to(struct reader *r, const char *field_end)
-{
-    const char *p = skip_blanks(field_end, r->end);
-    r->p = p < r->end && *p == ',' ? skip_blanks(p + 1, r->end) : p;
-}
-
-/* An empty field is a comma too many: the message shows the comma. */
-static int refuse(struct reader *r, const char *what, int expected)
-{
-    const char *end = end_of_field(r);
-    if (end == r->p && end < r->end) {
-        end++;
-    }
-    *r->fault = (struct fault){
-        .what = what, .expected = expected, .at = r->p, .end = end};
-    return 0;
-}
 
 /* Reads the field as a decimal number; other programs do not read SWC's
  * numbers as hexadecimal.  Returns whether it is one; it may be infinite. */
 static int is_decimal(const struct reader *r, double *value)
 {
-    const char *end = end_of_field(r);
-    const size_t length = (size_t)(end - r->p);
-    return cylint_read_number(r->p, r->end, value) == end &&
-           !memchr(r->p, 'x', length) && !memchr(r->p, 'X', length);
+    const struct string s = field(r);
+    return cylint_read_number(r->p, r->end, value) == end_of(s) &&
+           !memchr(s.text, 'x', s.length) && !memchr(s.text, 'X', s.length);
 }
 
-/* Reads digits, at most DIGITS_MOST behind leading zeros. */
-static int is_digits(const struct reader *r, uint64_t *number)
-{
-    const char *end = end_of_field(r);
-    const char *p = r->p;
-    *number = 0;
-    while (p < end && end - p > DIGITS_MOST && *p == '0') {
-        p++;
-    }
-    const int fits = p < end && end - p <= DIGITS_MOST;
-    while (fits && p < end && *p >= '0' && *p <= '9') {
-        *number = 10 * *number + (uint64_t)(*p++ - '0');
-    }
-    return fits && p == end;
-}
-
-/* Reads a node's number: digits, or a decimal number that is whole. */
-static int read_whole(struct reader *r, uint64_t *number, const char *expected)
+/* Reads a node's number: at most 18 digits behind leading zeros, or a
+ * decimal number that is whole. */
+static int read_node_number(struct reader *r, uint64_t *number,
+                            const char *expected)
 {
     double value;
-    if (!is_digits(r, number)) {
+    unsigned long long whole;
+    if (!read_whole(field(r), NUMBER_MOST, &whole)) {
         if (!is_decimal(r, &value) || *r->p == '-' || !(value < DECIMAL_MOST) ||
-            (double)(uint64_t)value != value) {
-            return refuse(r, expected, 1);
-        }
-        *number = (uint64_t)value;
+            (double)(uint64_t)value != value)
+            return refuse_other_field(r, expected);
+        whole = (uint64_t)value;
     }
-    skip_to(r, end_of_field(r));
-    return 1;
+    *number = whole;
+    skip_field(r);
+    return 0;
 }
 
 static int read_parent(struct reader *r, uint64_t *parent)
 {
     double value;
-    if (is_decimal(r, &value) && value == -1) {
-        *parent = NO_PARENT;
-        return 1;
-    }
-    return read_whole(r, parent, "a node's number or -1");
+    *parent = NO_PARENT;
+    return (!is_decimal(r, &value) || value != -1) &&
+           read_node_number(r, parent, "a node's number or -1");
 }
 
 static int read_decimal(struct reader *r, double *value)
 {
-    if (!is_decimal(r, value)) {
-        return refuse(r, "a number", 1);
-    }
-    if (*value - *value != 0) {
-        return refuse(r, "number too large", 0);
-    }
-    skip_to(r, end_of_field(r));
-    return 1;
+    if (!is_decimal(r, value))
+        return refuse_other_field(r, "a number");
+    if (*value - *value != 0)
+        return refuse_field(r, "number too large");
+    skip_field(r);
+    return 0;
 }
 
 static int read_radius(struct reader *r, double *radius)
 {
     struct reader at = *r;
-    return read_decimal(r, radius) &&
-           (*radius >= 0 || refuse(&at, "negative radius", 0));
+    return read_decimal(r, radius) ||
+           (*radius < 0 && refuse_field(&at, "negative radius"));
 }
 
-/* [text, end) is one line. */
-static int read_node(const char *text, const char *end, struct swc_node *node,
-                     struct fault *fault)
+/* Reads the node of a line, from its first field on. */
+static int read_node(struct reader *r, struct swc_node *node)
 {
-    struct reader r = {skip_blanks(text, end), end, fault};
-    if (!read_whole(&r, &node->number, "a node's number")) {
-        return 0;
-    }
-    skip_to(&r, end_of_field(&r)); /* the type */
-    for (int i = 0; i < 3; i++) {
-        if (!read_decimal(&r, &node->centre[i])) {
-            return 0;
-        }
-    }
-    if (!read_radius(&r, &node->radius)) {
-        return 0;
-    }
-    node->column = (unsigned long long)(r.p - text) + 1;
-    return read_parent(&r, &node->parent);
+    if (read_node_number(r, &node->number, "a node's number"))
+        return EXIT_BAD;
+    skip_field(r); /* the type */
+    for (int i = 0; i < 3; i++)
+        if (read_decimal(r, &node->centre[i]))
+            return EXIT_BAD;
+    if (read_radius(r, &node->radius))
+        return EXIT_BAD;
+    node->line = r->notes->line;
+    node->column = (unsigned long long)(r->p - r->notes->text) + 1;
+    return read_parent(r, &node->parent);
 }
 
-/* ------------------------------------------------------------ all nodes -- */
-
-static int print_fault(struct block *b, unsigned long long line,
-                       const char *text, const struct fault *fault)
+/* Adds the node of a line. */
+static int read_line(void *context, const char *text, const char *end,
+                     struct notes *notes)
 {
-    take_note(&b->notes, line, 0, text, b->text + b->length, fault);
-    print_note(&b->notes.note[0], b->name);
-    return EXIT_BAD;
-}
-
-static int read_line(struct swc *swc, struct block *b, const char *text,
-                     const char *end, unsigned long long line)
-{
+    struct swc *swc = context;
     struct swc_node node = {0};
-    struct fault fault;
-    node.line = line;
-    if (!trim_line(text, &end, &fault) ||
-        !read_node(text, end, &node, &fault)) {
-        return print_fault(b, line, text, &fault);
-    }
-    if (swc->count == swc->capacity) {
-        const int status = grow(swc);
-        if (status != 0) {
-            return status;
-        }
-    }
+    struct reader r, first;
+    if (begin_line(&r, text, end, notes))
+        return EXIT_BAD;
+    first = r;
+    if (read_node(&r, &node))
+        return EXIT_BAD;
+    if (swc->count == swc->capacity && !grow(swc))
+        return out_of_memory();
     size_t *place = find_place(swc, node.number);
-    if (*place > 0) {
-        struct reader r = {skip_blanks(text, end), end, &fault};
-        refuse(&r, "this node was given before", 0);
-        return print_fault(b, line, text, &fault);
-    }
+    if (*place > 0)
+        return refuse_field(&first, "this node was given before");
     swc->nodes[swc->count++] = node;
     *place = swc->count;
     return 0;
-}
-
-int swc_read_nodes(struct swc *swc, struct block *b)
-{
-    const char *end = b->text + b->length;
-    unsigned long long line = b->line;
-    int status = 0;
-    for (const char *p = b->text; p < end && status == 0; line++) {
-        const char *feed = end_of_line(p, end);
-        if (is_record(p, feed)) {
-            status = read_line(swc, b, p, feed, line);
-        }
-        p = feed + 1;
-    }
-    return status;
 }
 
 /* --------------------------------------------------------------- shapes -- */
@@ -289,12 +198,12 @@ int swc_read_nodes(struct swc *swc, struct block *b)
 static int refuse_cycle(const struct swc *swc, size_t index, const char *name)
 {
     const struct swc_node *node = &swc->nodes[index - 1];
-    struct note note = {.line = node->line, .column = node->column};
-    snprintf(note.text, sizeof note.text,
+    char text[80];
+    snprintf(text, sizeof text,
              node->up == index ? "node %llu is its own parent"
                                : "the parents of node %llu lead back to it",
              (unsigned long long)node->number);
-    print_note(&note, name);
+    complain_at(name, node->line, node->column, text);
     return EXIT_BAD;
 }
 
@@ -303,9 +212,8 @@ static size_t first_of_cycle(const struct swc *swc, size_t start)
 {
     size_t first = start;
     for (size_t i = swc->nodes[start - 1].up; i != start;
-         i = swc->nodes[i - 1].up) {
+         i = swc->nodes[i - 1].up)
         first = i < first ? i : first;
-    }
     return first;
 }
 
@@ -319,9 +227,8 @@ static int refuse_cycles(const struct swc *swc, const char *name)
             swc->nodes[i - 1].path = start;
             i = swc->nodes[i - 1].up;
         }
-        if (i > 0 && swc->nodes[i - 1].path == start) {
+        if (i > 0 && swc->nodes[i - 1].path == start)
             return refuse_cycle(swc, first_of_cycle(swc, i), name);
-        }
     }
     return 0;
 }
@@ -340,28 +247,14 @@ static size_t find_parents(const struct swc *swc)
     return missing;
 }
 
-static void print_missing(size_t count, const char *name)
+static void print_count(const char *name, size_t count, const char *what,
+                        const char *more)
 {
-    char what[120];
-    if (count > 0) {
-        snprintf(what, sizeof what,
-                 "%llu node%s with a parent that is not in the file taken as"
-                 " %s",
-                 (unsigned long long)count, count == 1 ? "" : "s",
-                 count == 1 ? "a root" : "roots");
-        complain(name, what);
-    }
-}
-
-static void print_skipped(size_t count, const char *what, const char *lack,
-                          const char *name)
-{
-    char text[80];
-    if (count > 0) {
-        snprintf(text, sizeof text, "%llu %s%s of no %s skipped",
-                 (unsigned long long)count, what, count == 1 ? "" : "s", lack);
+    char text[120];
+    snprintf(text, sizeof text, "%llu %s%s %s", (unsigned long long)count, what,
+             count == 1 ? "" : "s", more);
+    if (count > 0)
         complain(name, text);
-    }
 }
 
 /* The nodes become shapes of a scene.  Counts what bounds nothing. */
@@ -409,13 +302,11 @@ static cylint_status make_shape(const struct conversion *c,
 {
     const cylint_ends ends =
         c->ends == NOT_GIVEN ? CYLINT_ENDS_CAPPED : (cylint_ends)c->ends;
-    if (!parent) {
+    if (!parent)
         return cylint_sphere(shape, node->centre, node->radius, ends);
-    }
-    if (c->form == SWC_ROUND) {
+    if (c->form == SWC_ROUND)
         return cylint_round_cone(shape, node->centre, node->radius,
                                  parent->centre, parent->radius, ends);
-    }
     return cylint_cone(shape, node->centre, node->radius, parent->centre,
                        parent->radius, ends);
 }
@@ -423,20 +314,16 @@ static cylint_status make_shape(const struct conversion *c,
 static int add_shape(struct conversion *c, const struct swc_node *node,
                      const struct swc_node *parent)
 {
-    char number[DIGITS_MOST + 1];
+    char number[24];
     struct text label = {number, 0};
     struct record record;
     const cylint_status status = make_shape(c, node, parent, &record.shape);
     if (status != CYLINT_OK) {
-        struct note note = {.line = node->line, .column = 1};
-        snprintf(note.text, sizeof note.text, "%s",
-                 cylint_strerror((int)status));
-        print_note(&note, c->name);
+        complain_at(c->name, node->line, 1, cylint_strerror((int)status));
         return EXIT_BAD;
     }
     put_whole(&label, node->number);
-    record.tail = number;
-    record.tail_length = label.length;
+    record.tail = between(number, number + label.length);
     return scene_add(c->scene, &record);
 }
 
@@ -450,26 +337,40 @@ static int convert_node(struct conversion *c, const struct swc *swc,
     return is_shape ? add_shape(c, node, parent) : 0;
 }
 
-int swc_add_shapes(struct swc *swc, struct scene *scene, int ends,
-                   enum swc_form form, const char *name)
+/* After all nodes were read. */
+static int add_shapes(struct swc *swc, struct conversion *c)
 {
-    struct conversion c = {
-        .scene = scene, .form = form, .ends = ends, .name = name};
     if (swc->count == 0) {
-        complain(name, "no node was found");
+        complain(c->name, "no node was found");
         return EXIT_BAD;
     }
     const size_t missing = find_parents(swc);
-    int status = refuse_cycles(swc, name);
-    for (size_t i = 0; i < swc->count && status == 0; i++) {
-        status = convert_node(&c, swc, &swc->nodes[i]);
-    }
-    if (status != 0) {
+    int status = refuse_cycles(swc, c->name);
+    for (size_t i = 0; i < swc->count && status == 0; i++)
+        status = convert_node(c, swc, &swc->nodes[i]);
+    if (status != 0)
         return status;
-    }
-    print_missing(missing, name);
-    print_skipped(c.without_length, "edge", "length", name);
-    print_skipped(c.without_radius, "edge", "radius", name);
-    print_skipped(c.roots_without_radius, "root", "radius", name);
+    print_count(c->name, missing, "node",
+                missing == 1
+                    ? "with a parent that is not in the file taken as a root"
+                    : "with a parent that is not in the file taken as roots");
+    print_count(c->name, c->without_length, "edge", "of no length skipped");
+    print_count(c->name, c->without_radius, "edge", "of no radius skipped");
+    print_count(c->name, c->roots_without_radius, "root",
+                "of no radius skipped");
     return 0;
+}
+
+int swc_read(struct scene *scene, const char *file, int ends,
+             enum swc_form form)
+{
+    struct swc swc = {0};
+    struct conversion c = {
+        .scene = scene, .form = form, .ends = ends, .name = file};
+    int status = read_lines(file, 1, read_line, &swc);
+    if (status == 0)
+        status = add_shapes(&swc, &c);
+    free(swc.nodes);
+    free(swc.places);
+    return status;
 }

@@ -1,35 +1,139 @@
 /*
- * text.c - whole numbers and escaped bytes
+ * text.c - parts of texts, texts in the caller's memory, and tables of words
  */
 #include "text.h"
 
-void put_whole(struct text *t, unsigned long long value)
+int read_whole(struct string s, unsigned long long most,
+               unsigned long long *value)
 {
-    char digits[24];
-    size_t i = sizeof digits;
-    do {
-        digits[--i] = (char)('0' + value % 10);
-        value /= 10;
-    } while (value);
-    put_bytes(t, digits + i, sizeof digits - i);
+    const char *p = s.text;
+    *value = 0;
+    for (; p < end_of(s) && *p >= '0' && *p <= '9' && *value <= most; p++)
+        *value = 10 * *value + (unsigned long long)(*p - '0');
+    return s.length > 0 && p == end_of(s) && *value <= most;
 }
 
-size_t escape_bytes(char *to, const char *from, const char *end, size_t most)
+void put_whole(struct text *t, unsigned long long value)
+{
+    char digits[24], *p = digits + sizeof digits;
+    do {
+        *--p = (char)('0' + value % 10);
+        value /= 10;
+    } while (value);
+    put_string(t, between(p, digits + sizeof digits));
+}
+
+const char *escape(char to[SHOWN_CAPACITY], struct string from, size_t most)
 {
     static const char hex[] = "0123456789abcdef";
     struct text t = {to, 0};
-    const char *last = (size_t)(end - from) > most ? from + most : end;
-    for (const char *p = from; p < last; p++) {
-        const unsigned char c = (unsigned char)*p;
+    for (size_t i = 0; i < from.length && i < most; i++) {
+        const unsigned char c = (unsigned char)from.text[i];
         if (c >= 0x20 && c < 0x7f && c != '\\') {
-            put_char(&t, *p);
+            put_char(&t, (char)c);
         } else {
-            put_string(&t, "\\x");
+            put_word(&t, "\\x");
             put_char(&t, hex[c >> 4]);
             put_char(&t, hex[c & 15]);
         }
     }
-    put_string(&t, last < end ? "..." : "");
-    to[t.length] = '\0';
-    return t.length;
+    put_word(&t, from.length > most ? "..." : "");
+    put_char(&t, '\0');
+    return to;
+}
+
+/* --------------------------------------------------------------- words -- */
+
+static const char *word_at(struct words words, int i)
+{
+    const char *word;
+    memcpy(&word, (const char *)words.table + (size_t)i * words.size,
+           sizeof word);
+    return word;
+}
+
+int find_word(struct words words, struct string s)
+{
+    const char *word;
+    for (int i = 0; (word = word_at(words, i)) != NULL; i++)
+        if (strlen(word) == s.length && memcmp(word, s.text, s.length) == 0)
+            return i;
+    return NOT_GIVEN;
+}
+
+const char *list_words(char to[WORDS_CAPACITY], struct words words)
+{
+    struct text t = {to, 0};
+    for (int i = 0; word_at(words, i); i++) {
+        if (i > 0)
+            put_word(&t, word_at(words, i + 1) ? ", " : " or ");
+        put_word(&t, word_at(words, i));
+    }
+    put_char(&t, '\0');
+    return to;
+}
+
+enum { LENGTH_MOST = 31 };
+
+/* Upper and lower case count as equal. */
+static int same(char a, char b)
+{
+    const char lower = (char)(a | 0x20);
+    return a == b ||
+           (lower == (char)(b | 0x20) && lower >= 'a' && lower <= 'z');
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* The number of characters inserted, deleted or replaced, and of neighbours
+ * exchanged (optimal string alignment).  cost[i][j] is that of the first i
+ * and j characters. */
+static int distance(struct string s, struct string word)
+{
+    const char *a = s.text, *b = word.text;
+    int cost[LENGTH_MOST + 1][LENGTH_MOST + 1] = {{0}};
+    for (size_t i = 0; i <= s.length; i++)
+        for (size_t j = 0; j <= word.length; j++) {
+            int *c = &cost[i][j];
+            *c = (int)(i + j);
+            if (i > 0 && j > 0)
+                *c = least(cost[i - 1][j - 1] + !same(a[i - 1], b[j - 1]),
+                           least(cost[i - 1][j], cost[i][j - 1]) + 1);
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) &&
+                same(a[i - 2], b[j - 1]))
+                *c = least(*c, cost[i - 2][j - 2] + 1);
+        }
+    return cost[s.length][word.length];
+}
+
+/* A word is near if the distance is at most a third of the text's length, or
+ * 1, and less than the length. */
+struct similar similar_to(struct string s)
+{
+    const int length = s.length > LENGTH_MOST ? 0 : (int)s.length;
+    const int third = length < 6 ? 1 : length / 3;
+    return (struct similar){s, NULL, least(third, length - 1)};
+}
+
+void similar_try(struct similar *similar, const char *word)
+{
+    const struct string s = string_of(word);
+    if (similar->most < 0 || s.length > LENGTH_MOST)
+        return;
+    const int d = distance(similar->string, s);
+    if (d <= similar->most) {
+        similar->word = word;
+        similar->most = d - 1;
+    }
+}
+
+const char *similar_word(struct words words, struct string s)
+{
+    struct similar similar = similar_to(s);
+    for (int i = 0; word_at(words, i); i++)
+        similar_try(&similar, word_at(words, i));
+    return similar.word;
 }

@@ -1,8 +1,5 @@
 /*
- * text.h - appends bytes to a buffer of the caller
- *
- * Nothing here allocates: the caller provides memory for TEXT_FULL bytes and the
- * longest row, and empties the text when it holds TEXT_FULL bytes.
+ * text.h - parts of texts, texts in the caller's memory, and tables of words
  */
 #ifndef CYLINT_TEXT_H
 #define CYLINT_TEXT_H
@@ -11,8 +8,58 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "sizes.h"
+/* CYLINT_SHRINK divides the sizes, so that the short input of a fuzzer has as
+ * many blocks as a large file. */
+#ifndef CYLINT_SHRINK
+#define CYLINT_SHRINK 1
+#endif
 
+enum {
+    LINE_MOST = (1 << 20) / CYLINT_SHRINK, /* of a line, without its end */
+    BLOCK_GOAL =
+        (1 << 18) / CYLINT_SHRINK,  /* a block is answered from this on */
+    BLOCK_CAPACITY = 2 * LINE_MOST, /* a long line and the bytes read with it */
+    TEXT_FULL =
+        (1 << 18) / CYLINT_SHRINK, /* answers are written from this on */
+    NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK,
+    SHOWN_MOST = 256, /* bytes of a text in a message */
+    SHOWN_CAPACITY = 4 * SHOWN_MOST + 4
+};
+
+/* A part of a text; its end is not marked. */
+struct string {
+    const char *text;
+    size_t length;
+};
+
+static inline struct string between(const char *begin, const char *end)
+{
+    const struct string s = {begin, (size_t)(end - begin)};
+    return s;
+}
+
+static inline struct string string_of(const char *text)
+{
+    return between(text, text + strlen(text));
+}
+
+static inline const char *end_of(struct string s)
+{
+    return s.text + s.length;
+}
+
+/* Whether a string is digits, a number up to `most`, which is below 2^60. */
+int read_whole(struct string s, unsigned long long most,
+               unsigned long long *value);
+
+/* Copies a string and a NUL.  Writes each byte that is not printable ASCII,
+ * and the backslash, as \xHH, so that the text is unambiguous.  After `most`
+ * bytes it writes "..." and stops.  Returns `to`. */
+const char *escape(char to[SHOWN_CAPACITY], struct string from, size_t most);
+
+/* --------------------------------------------------------------- texts -- */
+
+/* Memory of the caller, who makes it large enough. */
 struct text {
     char *data;
     size_t length;
@@ -23,50 +70,83 @@ static inline void put_char(struct text *t, char c)
     t->data[t->length++] = c;
 }
 
-static inline void put_bytes(struct text *t, const void *bytes, size_t n)
+static inline void put_string(struct text *t, struct string s)
 {
-    memcpy(t->data + t->length, bytes, n);
-    t->length += n;
+    memcpy(t->data + t->length, s.text, s.length);
+    t->length += s.length;
 }
 
-static inline void put_string(struct text *t, const char *s)
+static inline void put_word(struct text *t, const char *word)
 {
-    put_bytes(t, s, strlen(s));
+    put_string(t, string_of(word));
 }
 
 /* Appends a whole number in decimal digits. */
 void put_whole(struct text *t, unsigned long long value);
 
-/* Appends the eight bytes of a double, the lowest first on every machine.
- * Compilers translate this to one store. */
+/* The bits of a double whose eight bytes are the lowest first, and the
+ * reverse. */
+static inline uint64_t little_endian(uint64_t bits)
+{
+    const uint16_t one = 1;
+    uint64_t reversed = 0;
+    if (*(const unsigned char *)&one == 1)
+        return bits;
+    for (int i = 0; i < 8; i++)
+        reversed |= (bits >> 8 * i & 0xff) << (56 - 8 * i);
+    return reversed;
+}
+
 static inline void put_little_endian(struct text *t, double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
-    char *const to = t->data + t->length;
-#define PUT(i) to[i] = (char)(unsigned char)(bits >> 8 * (i))
-    PUT(0), PUT(1), PUT(2), PUT(3), PUT(4), PUT(5), PUT(6), PUT(7);
-#undef PUT
-    t->length += 8;
+    bits = little_endian(bits);
+    memcpy(t->data + t->length, &bits, sizeof bits);
+    t->length += sizeof bits;
 }
 
 static inline double get_little_endian(const char bytes[8])
 {
-#define BYTE(i) ((uint64_t)(unsigned char)bytes[i] << 8 * (i))
-    const uint64_t bits = BYTE(0) | BYTE(1) | BYTE(2) | BYTE(3) | BYTE(4) |
-                          BYTE(5) | BYTE(6) | BYTE(7);
-#undef BYTE
+    uint64_t bits;
     double value;
+    memcpy(&bits, bytes, sizeof bits);
+    bits = little_endian(bits);
     memcpy(&value, &bits, sizeof value);
     return value;
 }
 
-/*
- * Copies [from, end).  Writes each byte that is not printable ASCII, and the
- * backslash, as \xHH, so that the text is unambiguous.  After `most` bytes it
- * writes "..." and stops.  `to` has 4 * most + 4 bytes.  Writes a NUL at the
- * end.  Returns the length.
- */
-size_t escape_bytes(char *to, const char *from, const char *end, size_t most);
+/* --------------------------------------------------------------- words -- */
+
+enum { NOT_GIVEN = -1, WORDS_CAPACITY = 160 };
+
+/* A table whose elements begin with a word.  The last one's word is NULL. */
+struct words {
+    const void *table;
+    size_t size; /* of an element */
+};
+
+#define WORDS(table) ((struct words){(table), sizeof *(table)})
+
+/* The index of a word, or NOT_GIVEN. */
+int find_word(struct words words, struct string s);
+
+/* Writes `a, b or c`.  Returns `to`. */
+const char *list_words(char to[WORDS_CAPACITY], struct words words);
+
+/* A string that is not one of the expected words, and the nearest of these. */
+struct similar {
+    struct string string;
+    const char *word; /* NULL: no word is near */
+    int most;         /* the distance of a nearer word */
+};
+
+struct similar similar_to(struct string s);
+/* Compares a word that the caller keeps.  Of equally near ones the first
+ * stays. */
+void similar_try(struct similar *similar, const char *word);
+
+/* The nearest word of a table, or NULL. */
+const char *similar_word(struct words words, struct string s);
 
 #endif

@@ -1,84 +1,94 @@
 /*
  * workers.c - answers all blocks of the input in several threads
  *
- * Every worker reads a block while no other reads, answers it, waits until
- * its ticket is the next, and writes.  Therefore threads exchange no data, one
+ * Every worker reads a block while no other reads, answers it, waits until its
+ * ticket is the next, and writes.  Therefore threads exchange no data, one
  * worker runs the same code as many, and the number of workers bounds the
- * memory.
- * A worker that reads a full block starts another worker, because more input
- * follows.  A short input, or slow input from a pipe, has one worker.
+ * memory. A worker that reads a full block starts another worker, because more
+ * input follows.  A short input, or slow input from a pipe, has one worker.
  */
 #include <fcntl.h>
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "answer.h"
 #include "main.h"
-#include "workers.h"
 
-struct team;
+/* ---------------------------------------------------------------- order -- */
+
+int wait_for_turn(struct job *job, unsigned long long ticket)
+{
+    pthread_mutex_lock(&job->order);
+    while (!job->ended && job->next != ticket)
+        pthread_cond_wait(&job->changed, &job->order);
+    const int is_mine = !job->ended;
+    pthread_mutex_unlock(&job->order);
+    return is_mine;
+}
+
+/* Lets the following ticket write, or ends the work. */
+static void pass_turn(struct job *job, int ends)
+{
+    pthread_mutex_lock(&job->order);
+    job->next++;
+    job->ended = ends;
+    pthread_cond_broadcast(&job->changed);
+    pthread_mutex_unlock(&job->order);
+}
+
+static int has_ended(struct job *job)
+{
+    pthread_mutex_lock(&job->order);
+    const int ended = job->ended;
+    pthread_mutex_unlock(&job->order);
+    return ended;
+}
+
+/* -------------------------------------------------------------- workers -- */
 
 struct worker {
-    struct team *team;
-    struct block block;
+    struct task task;
     pthread_t thread;
     struct worker *next;
 };
 
-struct team {
-    struct job *job;
-    pthread_mutex_t reading; /* protects job->in and the members below */
-    unsigned long long tickets;
-    int most, count;
-    struct worker *others; /* all but the first */
-
-    int ending[2]; /* a pipe, closed when the work ends: this wakes a
-                      worker that waits for input.  It is opened before the
-                      second worker starts; until then -1 */
-};
-
 static void *work(void *worker);
-
-static struct worker *make_worker(struct team *team)
-{
-    struct worker *w = malloc(sizeof *w);
-    if (w) {
-        w->team = team;
-        w->next = NULL;
-        if (job_block(team->job, &w->block)) {
-            return w;
-        }
-        block_free(&w->block);
-        free(w);
-    }
-    return NULL;
-}
 
 static void free_worker(struct worker *w)
 {
-    block_free(&w->block);
+    task_free(&w->task);
     free(w);
 }
 
-static int has_ending(struct team *team)
+static struct worker *make_worker(struct job *job)
 {
-    if (team->ending[0] < 0 && pipe(team->ending) == 0) {
-        fcntl(team->ending[0], F_SETFD, FD_CLOEXEC);
-        fcntl(team->ending[1], F_SETFD, FD_CLOEXEC);
-        team->job->in.ending = team->ending[0];
-    }
-    return team->ending[0] >= 0;
+    struct worker *w = malloc(sizeof *w);
+    if (w && task_make(&w->task, job))
+        return w;
+    if (w)
+        free_worker(w);
+    return NULL;
 }
 
-/* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless asked
- * for more. */
+static int has_ending(struct job *job)
+{
+    if (job->ending[0] < 0 && pipe(job->ending) == 0) {
+        fcntl(job->ending[0], F_SETFD, FD_CLOEXEC);
+        fcntl(job->ending[1], F_SETFD, FD_CLOEXEC);
+        job->in.ending = job->ending[0];
+    }
+    return job->ending[0] >= 0;
+}
+
+/* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless
+ * asked for more. */
 enum { STACK_BYTES = 1 << 20 };
 
 static int start_thread(struct worker *w)
 {
     pthread_attr_t attributes;
-    if (pthread_attr_init(&attributes) != 0) {
+    if (pthread_attr_init(&attributes) != 0)
         return 0;
-    }
     pthread_attr_setstacksize(&attributes, STACK_BYTES);
     const int started = pthread_create(&w->thread, &attributes, work, w) == 0;
     pthread_attr_destroy(&attributes);
@@ -86,92 +96,81 @@ static int start_thread(struct worker *w)
 }
 
 /* If memory, threads or descriptors are short, the present workers continue. */
-static void start_worker(struct team *team)
+static void start_worker(struct job *job)
 {
-    struct worker *w = has_ending(team) ? make_worker(team) : NULL;
+    struct worker *w = has_ending(job) ? make_worker(job) : NULL;
     if (w && start_thread(w)) {
-        w->next = team->others;
-        team->others = w;
-        team->count++;
+        w->next = job->others;
+        job->others = w;
+        job->workers++;
         return;
     }
-    if (w) {
+    if (w)
         free_worker(w);
-    }
-    team->most = team->count;
+    job->most = job->workers;
 }
 
 /* Reads a block and gives it a ticket.  Returns 0 if the work has ended. */
-static int read_block(struct team *team, struct block *b)
+static int read_block(struct task *task)
 {
-    pthread_mutex_lock(&team->reading);
-    const int ended = write_order_ended(&team->job->order);
+    struct job *job = task->job;
+    pthread_mutex_lock(&job->reading);
+    const int ended = has_ended(job);
     if (!ended) {
-        input_read(&team->job->in, b);
-        b->ticket = team->tickets++;
-        if (b->full && team->count < team->most) {
-            start_worker(team);
-        }
+        input_read(&job->in, &task->block);
+        task->ticket = job->tickets++;
+        if (task->block.full && job->workers < job->most)
+            start_worker(job);
     }
-    pthread_mutex_unlock(&team->reading);
+    pthread_mutex_unlock(&job->reading);
     return !ended;
 }
 
 static void close_end(int fd)
 {
-    if (fd >= 0) {
+    if (fd >= 0)
         close(fd);
-    }
 }
 
 static void *work(void *worker)
 {
-    struct worker *w = worker;
-    struct team *team = w->team;
-    struct job *job = team->job;
-    struct block *b = &w->block;
-    while (read_block(team, b)) {
-        switch (answer_block(job, b)) {
-        case ANSWERED:
-            write_order_pass(&job->order);
-            break;
-        case ANSWERED_LAST:
-            write_order_end(&job->order);
-            close_end(team->ending[1]);
-            break;
-        default: /* OVERTAKEN */
-            break;
-        }
+    struct task *task = &((struct worker *)worker)->task;
+    struct job *job = task->job;
+    while (read_block(task)) {
+        const enum answered status = answer_block(task);
+        if (status != OVERTAKEN)
+            pass_turn(job, status == ANSWERED_LAST);
+        if (status == ANSWERED_LAST)
+            close_end(job->ending[1]);
     }
     return NULL;
 }
 
-/* Waits for all workers.  None starts after the work has ended. */
-static void join_workers(struct team *team)
+/* Waits for the other workers.  None starts after the work has ended. */
+static void join_workers(struct job *job)
 {
-    pthread_mutex_lock(&team->reading);
-    struct worker *w = team->others;
-    pthread_mutex_unlock(&team->reading);
+    pthread_mutex_lock(&job->reading);
+    struct worker *w = job->others;
+    pthread_mutex_unlock(&job->reading);
     while (w) {
         struct worker *next = w->next;
         pthread_join(w->thread, NULL);
         free_worker(w);
         w = next;
     }
-    close_end(team->ending[0]);
-    pthread_mutex_destroy(&team->reading);
+    close_end(job->ending[0]);
 }
 
 int workers_run(struct job *job, int most)
 {
-    struct team team = {job,     PTHREAD_MUTEX_INITIALIZER, 0, most, 1, NULL,
-                        {-1, -1}};
-    struct worker *first = make_worker(&team);
-    if (!first) {
+    struct worker *first = make_worker(job);
+    job->most = most;
+    job->workers = 1;
+    job->ending[0] = job->ending[1] = -1;
+    if (!first)
         return out_of_memory();
-    }
     work(first);
-    join_workers(&team);
+    join_workers(job);
     free_worker(first);
     return job->status;
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "atoms.h"
 #include "colours.h"
 #include "connected.h"
 #include "main.h"
@@ -13,8 +14,9 @@
 #include "sampling.h"
 #include "../../src/shapes/layout.h"
 
-const char *const colouring_words[] = {"number", "label",  "kind", "connected",
-                                       "radius", "height", NULL};
+const char *const colouring_words[] = {"number",    "label",  "kind",
+                                       "connected", "radius", "height",
+                                       "element",   "chain",  NULL};
 
 enum { NO_COLOUR = 1 << 24 };
 
@@ -130,6 +132,25 @@ static uint32_t colour_in_tail(const char *p, const char *end)
     return NO_COLOUR;
 }
 
+/* By the first field of the tail, the label of an atom or bond. */
+static uint32_t colour_of_atom(enum colouring how, const char *tail,
+                               const char *end)
+{
+    const char *p = tail;
+    uint32_t colour;
+    size_t chain;
+    while (p < end && !is_separator(*p)) {
+        p++;
+    }
+    const size_t length = (size_t)(p - tail);
+    if (how == COLOUR_ELEMENT && colour_of_element(tail, length, &colour)) {
+        return colour;
+    }
+    return how == COLOUR_CHAIN && number_of_chain(tail, length, &chain)
+               ? colour_of_number(chain)
+               : NO_COLOUR;
+}
+
 static uint32_t hash_of_text(const char *text, size_t length)
 {
     uint32_t hash = 0;
@@ -175,9 +196,12 @@ int colours_take_tail(struct scene *scene, const struct record *record)
     const size_t number = scene->count;
     const int status = grow(c, number + 1);
     if (status == 0) {
-        const char *tail = record->tail;
-        c->of[number] = colour_in_tail(tail, tail + record->tail_length);
-        c->label[number] = hash_of_text(tail, record->tail_length);
+        const char *tail = record->tail.text, *end = end_of(record->tail);
+        c->of[number] = colour_in_tail(tail, end);
+        if (c->of[number] == NO_COLOUR) {
+            c->of[number] = colour_of_atom(c->how, tail, end);
+        }
+        c->label[number] = hash_of_text(tail, record->tail.length);
     }
     return status;
 }
@@ -315,9 +339,10 @@ static int colour_others(struct colours *c, const struct scene *scene,
     return 0;
 }
 
-int colours_complete(struct colours *c, const struct scene *scene,
-                     enum colouring how, uint32_t one, struct vector up)
+int colours_complete(struct colours *c, const struct scene *scene, uint32_t one,
+                     struct vector up)
 {
+    const enum colouring how = c->how;
     int status = grow(c, scene->count);
     if (status != 0) {
         return status;

@@ -20,14 +20,17 @@ enum colouring {
     COLOUR_KIND,      /* by the kind of shape */
     COLOUR_CONNECTED, /* one colour for shapes connected by common end points */
     COLOUR_RADIUS,    /* from thin to thick */
-    COLOUR_HEIGHT     /* from low to high */
+    COLOUR_HEIGHT,    /* from low to high */
+    COLOUR_ELEMENT,   /* atoms by their elements (atoms.h) */
+    COLOUR_CHAIN      /* atoms and bonds by their chains */
 };
 
 extern const char *const colouring_words[]; /* from COLOUR_NUMBER on, NULL */
 
 struct colours {
-    uint32_t *of;           /* 0xrrggbb for each shape, sRGB */
-    uint32_t *label;        /* a hash of each tail, 0 if it has none */
+    enum colouring how; /* of the shapes that have no colour in their tails */
+    uint32_t *of;       /* 0xrrggbb for each shape, sRGB */
+    uint32_t *label;    /* a hash of each tail, 0 if it has none */
     size_t capacity, count; /* capacity; the number of shapes read */
 };
 
@@ -37,7 +40,7 @@ int colours_take_tail(struct scene *scene, const struct record *record);
 /* Gives a colour to all shapes of the scene that have none.  `one` is the colour
  * for COLOUR_ONE.  Returns 0 or an exit status. */
 int colours_complete(struct colours *colours, const struct scene *scene,
-                     enum colouring how, uint32_t one, struct vector up);
+                     uint32_t one, struct vector up);
 
 void colours_free(struct colours *colours);
 

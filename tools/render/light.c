@@ -38,12 +38,12 @@ static size_t first_of_solids(struct tracer *tracer, const cylint_line *ray,
                               unsigned want, cylint_hit *hit)
 {
     const struct stage *stage = tracer->stage;
-    unsigned long long number = 0;
-    if (!first_boundary(stage->scene, ray, want, hit, &tracer->memory,
-                        &number)) {
+    const size_t number =
+        first_boundary(stage->scene, ray, want, hit, &tracer->memory);
+    if (number == CYLINT_NO_ROOM) {
         tracer->has_failed = 1;
     }
-    return number > 0 ? (size_t)number - 1 : stage->count;
+    return number < stage->count ? number : stage->count;
 }
 
 /* The normal of a boundary points out of the solid.  Writes the same hit as one of

@@ -3,64 +3,15 @@
  *
  * The locale is never set: numbers have a point everywhere.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "main.h"
 #include "options.h"
-#include "processors.h"
 #include "report.h"
-#include "scene_read.h"
 #include "stages.h"
 
 const char *const program = "cylint-render";
-
-static const char help[] =
-    "cylint-render [OPTION]... SCENE -o FILE\n"
-    "\n"
-    "Renders a scene, as cylint -s reads it, and writes a PNG file.\n"
-    "\n"
-    "  -o FILE            the picture; - is standard output\n"
-    "  --size WxH         pixels, default 1280x720\n"
-    "  --samples N        rays per pixel, default 8\n"
-    "  -j N               workers; the picture is the same\n"
-    "  --eye X,Y,Z        the camera's place; default: the scene fits\n"
-    "  --look-at X,Y,Z    the point that an --eye looks at, default the "
-    "middle\n"
-    "  --from X,Y,Z       only the direction to the camera\n"
-    "  --up X,Y,Z         the upward direction, default 0,0,1\n"
-    "  --fov DEGREES      from bottom to top, default 30\n"
-    "  --ortho            parallel rays\n"
-    "  --zoom FACTOR      enlarge about the picture's centre\n"
-    "  --colour HOW       of shapes without a field #rrggbb in their records:\n"
-    "                     number, label, kind, connected, radius, height\n"
-    "                     or #rrggbb\n"
-    "  --shade HOW        light (default), plain or normal\n"
-    "  --light X,Y,Z      the direction to the sun\n"
-    "  --ground HOW       #rrggbb below the scene, or none (default)\n"
-    "  --background HOW   sky (default), #rrggbb or none: transparent\n"
-    "  --xray HOW         grey, by the length inside the solids: MU for\n"
-    "                     exp(-MU length), auto for a fitting MU, or linear\n"
-    "  --ends WORD        the ends of shapes whose records do not state them\n"
-    "  --swc FORM         of a neuron, NAME.swc: cones (default) or round\n"
-    "  --progress         report the progress on standard error\n"
-    "  --help, --version\n"
-    "\n"
-    "Exit status: 0 done, 1 a bad scene, 2 usage, 3 input or output failed,\n"
-    "4 out of memory.  See cylint-render(1).\n";
-
-static int print_about(const char *what)
-{
-    fputs(strcmp(what, "help") == 0 ? help
-                                    : "cylint-render " CYLINT_VERSION "\n",
-          stdout);
-    if (fflush(stdout) != 0) {
-        complain_errno("standard output");
-        return EXIT_IO;
-    }
-    return 0;
-}
 
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
  * its rim.  Its record's tail has its colour. */
@@ -72,8 +23,7 @@ static int add_ground(struct scene *scene, const char *colour, struct vector up,
     const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
-    record.tail = colour;
-    record.tail_length = strlen(colour);
+    record.tail = string_of(colour);
     cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
     return scene_add(scene, &record);
 }
@@ -92,21 +42,21 @@ static int draw_picture(const struct options *o, struct scene *scene,
                         struct stages *stages, struct output *out)
 {
     const unsigned long long pixels =
-        (unsigned long long)o->width * (unsigned long long)o->height;
+        (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
     /* More builders than processors are not faster. */
     const int processors_here = processors();
     const int workers = o->workers > 0 ? o->workers : processors_here;
     const int builders = workers < processors_here ? workers : processors_here;
-    int status = scene_prepare(scene, ACCEL_TREE, builders);
+    int status = scene_build(scene, builders);
     if (status != 0) {
         return status;
     }
     stage->scene = scene->shapes;
     stages_end(stages, "built a scene of", cylint_scene_bytes(stage->scene),
                "bytes");
-    status = picture_make(&picture, o->width, o->height,
+    status = picture_make(&picture, o->size[0], o->size[1],
                           is_xray                   ? 1
                           : o->backdrop.transparent ? 4
                                                     : 3);
@@ -132,7 +82,7 @@ static int set_stage(const struct options *o, struct scene *scene,
 {
     const int has_ground = o->ground && boxes->size > 0;
     const struct vector up = unit(o->viewing.up);
-    int status = colours_complete(colours, scene, o->colouring, o->colour, up);
+    int status = colours_complete(colours, scene, o->colour, up);
     if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
         complain(o->scene, "no shape is bounded, or the view is along --up; "
                            "use --eye and --look-at");
@@ -149,7 +99,7 @@ static int set_stage(const struct options *o, struct scene *scene,
                                 has_ground,
                                 boxes->middle,
                                 boxes->size,
-                                o->shading,
+                                (enum shading)o->shading,
                                 sun_of(o, view),
                                 up};
     }
@@ -175,7 +125,7 @@ static int prepare(const struct options *o, struct scene *scene,
 int main(int argc, char **argv)
 {
     struct options options;
-    struct colours colours = {NULL, NULL, 0, 0};
+    struct colours colours = {0};
     struct scene scene;
     struct stage stage;
     struct view view;
@@ -189,6 +139,7 @@ int main(int argc, char **argv)
     if (status != 0 || options.print) {
         return status != 0 ? status : print_about(options.print);
     }
+    colours.how = options.colouring;
     stages_start(&stages, options.progress);
     status = picture_open(&out, options.output);
     if (status != 0) {

@@ -2,6 +2,7 @@
  * options.c - the options of the command line
  */
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -9,55 +10,8 @@
 #include "main.h"
 #include "numbers.h"
 #include "options.h"
+#include "report.h"
 #include "swc.h"
-
-enum option_id {
-    OPT_BACKGROUND = 256,
-    OPT_COLOUR,
-    OPT_ENDS,
-    OPT_EYE,
-    OPT_FOV,
-    OPT_FROM,
-    OPT_GROUND,
-    OPT_HELP,
-    OPT_LIGHT,
-    OPT_LOOK_AT,
-    OPT_ORTHO,
-    OPT_PROGRESS,
-    OPT_SAMPLES,
-    OPT_SHADE,
-    OPT_SIZE,
-    OPT_SWC,
-    OPT_UP,
-    OPT_VERSION,
-    OPT_XRAY,
-    OPT_ZOOM
-};
-
-static const struct option options_known[] = {{"j", 'j', 1},
-                                              {"o", 'o', 1},
-                                              {"background", OPT_BACKGROUND, 1},
-                                              {"colour", OPT_COLOUR, 1},
-                                              {"color", OPT_COLOUR, 1},
-                                              {"ends", OPT_ENDS, 1},
-                                              {"eye", OPT_EYE, 1},
-                                              {"fov", OPT_FOV, 1},
-                                              {"from", OPT_FROM, 1},
-                                              {"ground", OPT_GROUND, 1},
-                                              {"help", OPT_HELP, 0},
-                                              {"light", OPT_LIGHT, 1},
-                                              {"look-at", OPT_LOOK_AT, 1},
-                                              {"ortho", OPT_ORTHO, 0},
-                                              {"progress", OPT_PROGRESS, 0},
-                                              {"samples", OPT_SAMPLES, 1},
-                                              {"shade", OPT_SHADE, 1},
-                                              {"size", OPT_SIZE, 1},
-                                              {"swc", OPT_SWC, 1},
-                                              {"up", OPT_UP, 1},
-                                              {"version", OPT_VERSION, 0},
-                                              {"xray", OPT_XRAY, 1},
-                                              {"zoom", OPT_ZOOM, 1},
-                                              {NULL, 0, 0}};
 
 enum { MOST_PIXELS = 1 << 16 /* of a side */ };
 
@@ -85,248 +39,232 @@ static int read_point(const char *p, struct vector *point)
     return 1;
 }
 
-/* The length of a direction neither vanishes nor overflows. */
-static int read_direction(const char *p, struct vector *direction)
+static int read_place(const struct option *o, const char *value, void *place)
 {
-    return read_point(p, direction) && length(*direction) > 0 &&
-           length(*direction) < HUGE_VAL;
+    return check_value(o, value, read_point(value, place));
 }
 
-static int read_between(const char *p, double above, double below,
-                        double *value)
+/* The length of a direction neither vanishes nor overflows. */
+static int read_direction(const struct option *o, const char *value,
+                          void *place)
+{
+    const struct vector *direction = place;
+    return check_value(o, value,
+                       read_point(value, place) && length(*direction) > 0 &&
+                           length(*direction) < HUGE_VAL);
+}
+
+static int read_positive(const char *p, double *value)
 {
     p = read_finite(p, value);
-    return p && *p == '\0' && *value > above && *value < below;
+    return p && *p == '\0' && *value > 0;
+}
+
+static int read_factor(const struct option *o, const char *value, void *place)
+{
+    return check_value(o, value, read_positive(value, place));
+}
+
+static int read_angle(const struct option *o, const char *value, void *place)
+{
+    const double *angle = place;
+    return check_value(o, value, read_positive(value, place) && *angle < 180);
 }
 
 /* WxH */
-static int read_size(const char *value, int *width, int *height)
+static int read_size(const struct option *o, const char *value, void *place)
 {
-    char first[8];
-    const size_t length = strcspn(value, "x");
-    if (value[length] == '\0' || length >= sizeof first) {
-        return 0;
-    }
-    memcpy(first, value, length);
-    first[length] = '\0';
-    return read_count(first, MOST_PIXELS, width) &&
-           read_count(value + length + 1, MOST_PIXELS, height);
+    int *const size = place;
+    unsigned long long width = 0, height = 0;
+    const char *x = value + strcspn(value, "x"), *end = x + strlen(x);
+    const int is_size = x < end &&
+                        read_whole(between(value, x), MOST_PIXELS, &width) &&
+                        read_whole(between(x + 1, end), MOST_PIXELS, &height) &&
+                        width > 0 && height > 0;
+    size[0] = (int)width;
+    size[1] = (int)height;
+    return check_value(o, value, is_size);
 }
 
-static int read_background(const char *value, struct backdrop *b)
+static void set_sky(struct backdrop *b)
 {
+    b->top = light_of_colour(SKY_TOP);
+    b->bottom = light_of_colour(SKY_BOTTOM);
+}
+
+static int read_background(const struct option *o, const char *value,
+                           void *place)
+{
+    struct backdrop *b = place;
     uint32_t colour = SKY_TOP;
+    int is_right = 1;
     b->transparent = strcmp(value, "none") == 0;
-    if (b->transparent) {
-        return 1;
-    }
     if (strcmp(value, "sky") == 0) {
-        b->top = light_of_colour(SKY_TOP);
-        b->bottom = light_of_colour(SKY_BOTTOM);
-        return 1;
+        set_sky(b);
+    } else if (!b->transparent) {
+        is_right = read_colour(value, strlen(value), &colour);
+        b->top = b->bottom = light_of_colour(colour);
     }
-    const int is_colour = read_colour(value, strlen(value), &colour);
-    b->top = b->bottom = light_of_colour(colour);
-    return is_colour;
+    return check_value(o, value, is_right);
 }
 
-static int read_colouring(const char *value, struct options *options)
+static int read_colouring(const struct option *o, const char *value,
+                          void *place)
 {
-    const int index = find_word(colouring_words, value, strlen(value));
-    if (index == NOT_GIVEN) {
-        options->colouring = COLOUR_ONE;
-        return read_colour(value, strlen(value), &options->colour);
-    }
-    options->colouring = (enum colouring)(index + COLOUR_NUMBER);
-    return 1;
+    struct options *options = place;
+    const size_t length = strlen(value);
+    const int index = find_word(WORDS(colouring_words), string_of(value));
+    options->colouring = index == NOT_GIVEN
+                             ? COLOUR_ONE
+                             : (enum colouring)(index + COLOUR_NUMBER);
+    return check_value(o, value,
+                       index != NOT_GIVEN ||
+                           read_colour(value, length, &options->colour));
 }
 
-static int read_shading(const struct option *o, const char *value,
-                        enum shading *shading)
-{
-    static const char *const words[] = {"light", "plain", "normal", NULL};
-    int index;
-    const int status =
-        read_word(o, value, words, "light, plain or normal", &index);
-    *shading = (enum shading)index;
-    return status;
-}
-
-static int read_ground(const char *value, const char **ground)
+static int read_ground(const struct option *o, const char *value, void *place)
 {
     uint32_t colour;
-    *ground = strcmp(value, "none") != 0 ? value : NULL;
-    return !*ground || read_colour(value, strlen(value), &colour);
+    const int is_none = strcmp(value, "none") == 0;
+    *(const char **)place = is_none ? NULL : value;
+    return check_value(o, value,
+                       is_none || read_colour(value, strlen(value), &colour));
 }
 
-static int read_xray(const char *value, struct xray *xray)
+static int read_xray(const struct option *o, const char *value, void *place)
 {
+    struct xray *xray = place;
     xray->scale = strcmp(value, "auto") == 0     ? XRAY_AUTO
                   : strcmp(value, "linear") == 0 ? XRAY_LINEAR
                                                  : XRAY_GIVEN;
-    return xray->scale != XRAY_GIVEN ||
-           read_between(value, 0, HUGE_VAL, &xray->mu);
-}
-
-/* ------------------------------------------------------------ options -- */
-
-/* Returns NULL, or a text that names the expected value. */
-static const char *read_view_options(struct viewing *v, int id,
-                                     const char *value)
-{
-    switch (id) {
-    case OPT_EYE:
-        v->has_eye = 1;
-        return read_point(value, &v->eye) ? NULL : "X,Y,Z";
-    case OPT_LOOK_AT:
-        v->has_target = 1;
-        return read_point(value, &v->target) ? NULL : "X,Y,Z";
-    case OPT_FROM:
-        v->has_from = 1;
-        return read_direction(value, &v->from) ? NULL : "a direction X,Y,Z";
-    case OPT_UP:
-        return read_direction(value, &v->up) ? NULL : "a direction X,Y,Z";
-    case OPT_FOV:
-        return read_between(value, 0, 180, &v->fov)
-                   ? NULL
-                   : "degrees above 0 and below 180";
-    default: /* OPT_ZOOM */
-        return read_between(value, 0, HUGE_VAL, &v->zoom) ? NULL
-                                                          : "a number above 0";
-    }
-}
-
-static const char *read_look_options(struct options *options, int id,
-                                     const char *value)
-{
-    switch (id) {
-    case OPT_BACKGROUND:
-        return read_background(value, &options->backdrop)
-                   ? NULL
-                   : "sky, none or #rrggbb";
-    case OPT_COLOUR:
-        return read_colouring(value, options)
-                   ? NULL
-                   : "number, label, kind, connected, radius, height or "
-                     "#rrggbb";
-    case OPT_GROUND:
-        return read_ground(value, &options->ground) ? NULL : "none or #rrggbb";
-    case OPT_LIGHT:
-        options->has_sun = 1;
-        return read_direction(value, &options->sun) ? NULL
-                                                    : "a direction X,Y,Z";
-    case OPT_SAMPLES:
-        return read_count(value, MOST_PIXELS, &options->samples)
-                   ? NULL
-                   : "a number of samples";
-    case OPT_SIZE:
-        return read_size(value, &options->width, &options->height)
-                   ? NULL
-                   : "WIDTHxHEIGHT";
-    case OPT_XRAY:
-        return read_xray(value, &options->xray) ? NULL : "MU, auto or linear";
-    default: /* 'j' */
-        return read_count(value, INT_MAX / 10 - 1, &options->workers)
-                   ? NULL
-                   : "a number of workers";
-    }
+    return check_value(
+        o, value, xray->scale != XRAY_GIVEN || read_positive(value, &xray->mu));
 }
 
 /* A viewer refuses a PNG file with the name of another format. */
-static int is_named_otherwise(const char *file)
+static int read_output(const struct option *o, const char *value, void *place)
 {
     static const char *const endings[] = {
-        ".jpg",  ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp",
-        ".avif", ".jxl",  ".ppm", ".tga", ".svg", ".pdf",  ".eps"};
-    const char *dot = strrchr(file, '.');
-    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++) {
-        if (strcasecmp(dot, endings[i]) == 0) {
-            return 1;
-        }
+        ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".avif",
+        ".jxl", ".ppm",  ".tga", ".svg", ".pdf", ".eps",  NULL};
+    const char *dot = strrchr(value, '.');
+    int is_other = 0;
+    for (int i = 0; dot && endings[i]; i++) {
+        is_other |= strcasecmp(dot, endings[i]) == 0;
     }
+    *(const char **)place = value;
+    return check_value(o, value, !is_other);
+}
+
+static int read_printed(const struct option *o, const char *value, void *place)
+{
+    (void)value;
+    *(const char **)place = o->name;
     return 0;
 }
 
-static int take_value(struct options *options, const struct option *o,
-                      const char *value)
+/* ---------------------------------------------------------------- table -- */
+
+enum { OF_SURFACES = 1 /* an option for light and colour, not for X-rays */ };
+
+static const char *const shadings[] = {"light", "plain", "normal", NULL};
+static const char direction[] = "a direction X,Y,Z";
+
+#define COLOURINGS                                                       \
+    "number, label, kind, connected, radius, height, element, chain or " \
+    "#rrggbb"
+
+#define AT(member) offsetof(struct options, member)
+
+/* In the order of --help. */
+static const struct option options_known[] = {
+    {"o", "FILE", read_output, AT(output), "a PNG file, NAME.png", 0, 0,
+     "the picture; - is standard output"},
+    {"size", "WxH", read_size, AT(size), "WIDTHxHEIGHT", 0, 0,
+     "pixels, default 1280x720"},
+    {"samples", "N", read_count, AT(samples), "a number of samples",
+     MOST_PIXELS, 0, "rays per pixel, default 8"},
+    {"j", "N", read_count, AT(workers), "a number of workers", INT_MAX / 10 - 1,
+     0, "workers; the picture is the same"},
+    {"eye", "X,Y,Z", read_place, AT(viewing.eye), "X,Y,Z", 0, 0,
+     "the camera's place; default: the scene fits"},
+    {"look-at", "X,Y,Z", read_place, AT(viewing.target), "X,Y,Z", 0, 0,
+     "the point that an --eye looks at, default the middle"},
+    {"from", "X,Y,Z", read_direction, AT(viewing.from), direction, 0, 0,
+     "only the direction to the camera"},
+    {"up", "X,Y,Z", read_direction, AT(viewing.up), direction, 0, 0,
+     "the upward direction, default 0,0,1"},
+    {"fov", "DEGREES", read_angle, AT(viewing.fov),
+     "degrees above 0 and below 180", 0, 0, "from bottom to top, default 30"},
+    {"ortho", 0, read_flag, AT(viewing.parallel), 0, 1, 0, "parallel rays"},
+    {"zoom", "FACTOR", read_factor, AT(viewing.zoom), "a number above 0", 0, 0,
+     "enlarge about the picture's centre"},
+    {"colour", "HOW", read_colouring, 0, COLOURINGS, 0, OF_SURFACES,
+     "of shapes without a field #rrggbb in their records:\n"
+     "number, label, kind, connected, radius, height,\nelement, chain or "
+     "#rrggbb"},
+    {"color", "HOW", read_colouring, 0, COLOURINGS, 0, OF_SURFACES, no_help},
+    {"shade", "HOW", read_word, AT(shading), shadings, 0, OF_SURFACES,
+     "light (default), plain or normal"},
+    {"light", "X,Y,Z", read_direction, AT(sun), direction, 0, OF_SURFACES,
+     "the direction to the sun"},
+    {"ground", "HOW", read_ground, AT(ground), "none or #rrggbb", 0,
+     OF_SURFACES, "#rrggbb below the scene, or none (default)"},
+    {"background", "HOW", read_background, AT(backdrop), "sky, none or #rrggbb",
+     0, OF_SURFACES, "sky (default), #rrggbb or none: transparent"},
+    {"xray", "HOW", read_xray, AT(xray), "MU, auto or linear", 0, 0,
+     "grey, by the length inside the solids: MU for\n"
+     "exp(-MU length), auto for a fitting MU, or linear"},
+    {"ends", "WORD", read_word, AT(ends), ends_words, 0, 0,
+     "the ends of shapes whose records do not state them"},
+    {"swc", "FORM", read_word, AT(swc), swc_forms, 0, 0,
+     "of a neuron, NAME.swc: cones (default) or round"},
+    {"progress", 0, read_flag, AT(progress), 0, 1, 0,
+     "report the progress on standard error"},
+    {"help", 0, read_printed, AT(print), 0, 0, 0, NULL},
+    {"version", 0, read_printed, AT(print), 0, 0, 0, ""},
+    {0}};
+
+static int is_given(const struct options *o, const char *name)
 {
-    const char *expected;
-    switch (o->id) {
-    case 'o':
-        options->output = value;
-        return is_named_otherwise(value)
-                   ? usage_value(o, value, "a PNG file, NAME.png")
-                   : 0;
-    case OPT_ENDS:
-        return read_word(o, value, ends_words,
-                         "capped, open, cap0, cap1, infinite or nappe",
-                         &options->ends);
-    case OPT_SHADE:
-        return read_shading(o, value, &options->shading);
-    case OPT_SWC:
-        options->has_swc = 1;
-        return read_word(o, value, swc_forms, SWC_FORMS, &options->swc);
-    case OPT_EYE:
-    case OPT_LOOK_AT:
-    case OPT_FROM:
-    case OPT_UP:
-    case OPT_FOV:
-    case OPT_ZOOM:
-        expected = read_view_options(&options->viewing, o->id, value);
-        break;
-    default:
-        expected = read_look_options(options, o->id, value);
-    }
-    return expected ? usage_value(o, value, expected) : 0;
+    return was_given(options_known, o->given, name);
 }
 
-static int is_about_surfaces(int id)
+/* An option about light and colour that was given, or NULL. */
+static const char *surface_option(const struct options *o)
 {
-    return id == OPT_BACKGROUND || id == OPT_COLOUR || id == OPT_GROUND ||
-           id == OPT_LIGHT || id == OPT_SHADE;
+    const char *name = NULL;
+    for (int i = 0; options_known[i].name; i++) {
+        if (o->given >> i & 1 && options_known[i].needs == OF_SURFACES) {
+            name = options_known[i].name;
+        }
+    }
+    return name;
 }
 
-static int take_option(void *context, const struct option *o, const char *value)
+static int settle(struct options *o, char **argv, int files)
 {
-    struct options *options = context;
-    if (is_about_surfaces(o->id)) {
-        options->surface = o->name;
-    }
-    switch (o->id) {
-    case OPT_ORTHO:
-        options->viewing.parallel = 1;
-        return 0;
-    case OPT_PROGRESS:
-        options->progress = 1;
-        return 0;
-    case OPT_HELP:
-    case OPT_VERSION:
-        options->print = o->name;
-        return 0;
-    default:
-        return take_value(options, o, value);
-    }
-}
-
-static int settle(struct options *options, char **argv, int files)
-{
-    const struct viewing *v = &options->viewing;
+    struct viewing *v = &o->viewing;
+    v->has_eye = is_given(o, "eye");
+    v->has_target = is_given(o, "look-at");
+    v->has_from = is_given(o, "from");
+    v->aspect = (double)o->size[0] / o->size[1];
     if (files != 1) {
         return usage("expected one scene, found %d", files);
     }
-    options->scene = argv[0];
-    if (options->has_swc && !swc_is_name(options->scene)) {
+    o->scene = argv[0];
+    if (is_given(o, "swc") && !swc_is_name(o->scene)) {
         return usage("--swc needs a neuron, NAME.swc");
     }
-    if (!options->output) {
+    if (!o->output) {
         return usage(
             "no output file: use -o FILE, or -o - for standard output");
     }
     if (v->has_target && !v->has_eye) {
         return usage("--look-at needs --eye");
     }
-    if (options->xray.scale != XRAY_NONE && options->surface) {
-        return usage("--xray and --%s exclude each other", options->surface);
+    if (o->xray.scale != XRAY_NONE && surface_option(o)) {
+        return usage("--xray and --%s exclude each other", surface_option(o));
     }
     if (v->has_from && v->has_eye) {
         return usage("--from and --eye exclude each other");
@@ -334,22 +272,44 @@ static int settle(struct options *options, char **argv, int files)
     return 0;
 }
 
-int read_options(struct options *options, int argc, char **argv)
+int read_options(struct options *o, int argc, char **argv)
 {
     int files;
-    memset(options, 0, sizeof *options);
-    options->ends = NOT_GIVEN;
-    options->width = 1280;
-    options->height = 720;
-    options->samples = 8;
-    options->viewing.up = vector(0, 0, 1);
-    options->viewing.fov = 30;
-    options->viewing.zoom = 1;
-    options->colour = CLAY;
-    read_background("sky", &options->backdrop);
+    memset(o, 0, sizeof *o);
+    o->ends = NOT_GIVEN;
+    o->size[0] = 1280;
+    o->size[1] = 720;
+    o->samples = 8;
+    o->viewing.up = vector(0, 0, 1);
+    o->viewing.fov = 30;
+    o->viewing.zoom = 1;
+    o->colour = CLAY;
+    set_sky(&o->backdrop);
     const int status =
-        take_arguments(options_known, argc, argv, take_option, options, &files);
-    options->viewing.aspect = (double)options->width / options->height;
-    return status != 0 || options->print ? status
-                                         : settle(options, argv, files);
+        take_arguments(options_known, argc, argv, o, &files, &o->given);
+    o->has_sun = is_given(o, "light");
+    return status != 0 || o->print ? status : settle(o, argv, files);
+}
+
+/* ----------------------------------------------------------------- help -- */
+
+int print_about(const char *what)
+{
+    if (strcmp(what, "version") == 0) {
+        puts("cylint-render " CYLINT_VERSION);
+    } else {
+        puts(
+            "cylint-render [OPTION]... SCENE -o FILE\n"
+            "\n"
+            "Renders a scene, as cylint -s reads it, and writes a PNG file.\n");
+        print_options(options_known);
+        puts("\nExit status: 0 done, 1 a bad scene, 2 usage, 3 input or output "
+             "failed,\n"
+             "4 out of memory.  See cylint-render(1).");
+    }
+    if (fflush(stdout) != 0) {
+        complain_errno("standard output");
+        return EXIT_IO;
+    }
+    return 0;
 }

@@ -13,27 +13,31 @@
 #include "xray.h"
 
 struct options {
+    unsigned long long given; /* a bit for each option in the table */
     const char *scene, *output;
     int ends;         /* of records without ends, or NOT_GIVEN */
-    int has_swc, swc; /* whether --swc was given; its enum swc_form */
-    int width, height, samples;
+    int swc;          /* enum swc_form */
+    int size[2];      /* width and height */
+    int samples;
     int workers; /* 0: one for each processor */
     int progress;
     struct viewing viewing;
     int has_sun;
     struct vector sun; /* towards it */
-    enum shading shading;
+    int shading; /* enum shading */
     enum colouring colouring;
     uint32_t colour;    /* of shapes without a colour of their own */
     const char *ground; /* #rrggbb, or NULL */
     struct backdrop backdrop;
-    const char *surface; /* the last option about light and colour, or NULL */
     struct xray xray;
 
-    const char *print; /* the text of --help or --version, or NULL */
+    const char *print; /* help or version, to print instead; or NULL */
 };
 
 /* Returns 0, or reports the fault and returns EXIT_USAGE. */
 int read_options(struct options *options, int argc, char **argv);
+
+/* Writes the help or the version.  Returns 0 or EXIT_IO. */
+int print_about(const char *what);
 
 #endif

@@ -108,9 +108,7 @@ static int encode(png_structp png, png_infop info, const struct picture *p)
 
 int picture_open(struct output *out, const char *file)
 {
-    out->row = 1;
-    out->array = -1;
-    return target_open(&out->target, strcmp(file, "-") == 0 ? NULL : file);
+    return output_open(out, strcmp(file, "-") == 0 ? NULL : file, 1);
 }
 
 int picture_write(const struct picture *p, struct output *out)

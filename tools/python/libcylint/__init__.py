@@ -15,59 +15,24 @@ All lengths have the same unit, which may be any.  A line is o + t d; t counts
 multiples of d, which need not have length 1.
 """
 
-from ._closest import ClosestPoints, ClosestShapes, ShapesWithin
+from ._closest import ClosestPoints, ShapesWithin
 from ._core import version as __version__
 from ._enums import Ends, Feature, Kind, Part, Relation, Side
-from ._intersect import Hits, intersect
-from ._read import read_scene, write_scene
-from ._scene import AllHits, Boundaries, NearestHits, Pieces, Scene
+from ._files import read_scene, write_scene
+from ._hits import Hits, intersect
+from ._molecules import read_molecule
+from ._scene import AllHits, Boundaries, ClosestShapes, NearestHits, Pieces, Scene
 from ._shapes import (
-    Shapes,
-    angle_cone,
-    capsule,
-    concatenate,
-    cone,
-    cylinder,
-    elliptic_cone,
-    elliptic_cylinder,
-    halfspace,
-    round_cone,
-    sphere,
-    tangent_cone,
-    tube,
+    Shapes, angle_cone, capsule, concatenate, cone, cylinder, elliptic_cone,
+    elliptic_cylinder, halfspace, round_cone, sphere, tangent_cone, tube,
 )
+from ._trees import read_qsm
 
 __all__ = [
-    "AllHits",
-    "Boundaries",
-    "ClosestPoints",
-    "ClosestShapes",
-    "Ends",
-    "Feature",
-    "Hits",
-    "Kind",
-    "NearestHits",
-    "Part",
-    "Pieces",
-    "Relation",
-    "Scene",
-    "Shapes",
-    "ShapesWithin",
-    "Side",
-    "__version__",
-    "angle_cone",
-    "capsule",
-    "concatenate",
-    "cone",
-    "cylinder",
-    "elliptic_cone",
-    "elliptic_cylinder",
-    "halfspace",
-    "intersect",
-    "read_scene",
-    "round_cone",
-    "sphere",
-    "tangent_cone",
-    "tube",
-    "write_scene",
+    "AllHits", "Boundaries", "ClosestPoints", "ClosestShapes", "Ends", "Feature",
+    "Hits", "Kind", "NearestHits", "Part", "Pieces", "Relation", "Scene", "Shapes",
+    "ShapesWithin", "Side", "__version__", "angle_cone", "capsule", "concatenate",
+    "cone", "cylinder", "elliptic_cone", "elliptic_cylinder", "halfspace", "intersect",
+    "read_molecule", "read_qsm", "read_scene", "round_cone", "sphere", "tangent_cone",
+    "tube", "write_scene",
 ]

@@ -1,38 +1,31 @@
-"""Arguments that several functions share: lines, points, balls."""
+"""Arguments: lines, points and numbers, as arrays that NumPy broadcasts."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+import operator
+import os
+from collections.abc import Callable
 from functools import wraps
 from inspect import Parameter, signature
-from typing import Concatenate, ParamSpec, TypeVar
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import (
-    Progress,
-    broadcast,
-    doubles,
-    integers,
-    new_copy,
-    owned,
-    place,
-)
 
+Progress = Callable[[int, int], object]
+Doubles = NDArray[np.float64]
 _P = ParamSpec("_P")
 _Self = TypeVar("_Self")
 _Made = TypeVar("_Made")
 _Answer = TypeVar("_Answer")
+_FLOAT64 = np.dtype(np.float64)
+_NONE = np.array(-1)  # leaves out no shape
 
 
-def takes(
-    make: Callable[_P, _Made],
-) -> Callable[
-    [Callable[[_Self, _Made], _Answer]],
-    Callable[Concatenate[_Self, _P], _Answer],
+def takes(make: Callable[_P, _Made]) -> Callable[
+    [Callable[[_Self, _Made], _Answer]], Callable[Concatenate[_Self, _P], _Answer]
 ]:
     """Gives function(self, made) the arguments from which `make` makes `made`."""
 
@@ -55,6 +48,113 @@ def takes(
     return decorate
 
 
+# ---------------------------------------------------------------- arrays --
+
+
+def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
+    """An array of float64 (..., width), or (...) if width is 1.
+
+    An aligned array of float64 is returned as it is, whatever its strides.  A
+    new array is read-only, so that `owned` does not copy it.
+    """
+    given = array = np.asarray(value)
+    if given.dtype is not _FLOAT64 or not given.flags.aligned:
+        if given.dtype.kind not in "fiubO":
+            raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
+        if given.dtype.itemsize > 8:
+            raise TypeError(
+                f"{name}: {given.dtype} (longdouble) has digits that float64 has "
+                "not; round it by astype(float)"
+            )
+        array = np.require(given, np.float64, "A")
+    if array is not given or isinstance(value, (list, tuple)):
+        array.flags.writeable = False
+    if width > 1 and (array.ndim == 0 or array.shape[-1] != width):
+        raise ValueError(
+            f"{name}: expected the shape (..., {width}), found {array.shape}"
+        )
+    return array
+
+
+def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
+    """An array of int64 (...)."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name}: expected integers, found {array.dtype}")
+    return np.require(array, np.int64, "A")
+
+
+def broadcast(names: str, *arrays: Any) -> tuple[int, ...]:
+    """The shape that arrays broadcast to; `names` are theirs, for messages."""
+    try:
+        return np.broadcast(*arrays).shape
+    except ValueError:
+        text = ", ".join(
+            f"{name} {array.shape}"
+            for name, array in zip(names.split(), arrays, strict=True)
+        )
+        raise ValueError(f"shapes that do not broadcast: {text}") from None
+
+
+def _is_fixed(array: NDArray[Any]) -> bool:
+    """Whether an array, and the arrays that it is a view of, are read-only."""
+    base: Any = array
+    while isinstance(base, np.ndarray) and not base.flags.writeable:
+        base = base.base
+    return base is None
+
+
+def owned(array: Doubles) -> Doubles:
+    """These numbers, in memory that nobody else writes to: the array itself if it
+    is read-only, else a copy.  Axes along which it does not change are not copied.
+    """
+    if _is_fixed(array):
+        return array
+    once = array[tuple(slice(None if step else 1) for step in array.strides)]
+    return np.broadcast_to(once.copy(), array.shape)
+
+
+def new_copy(array: Doubles, shape: tuple[int, ...]) -> Doubles | None:
+    """Memory for a copy of vectors (..., 3) that _core makes beside its answers of
+    this shape; None if `owned` does with less."""
+    whole = array.shape[:-1] == shape and 0 not in array.strides
+    return np.empty(array.shape) if whole and not _is_fixed(array) else None
+
+
+# --------------------------------------------------------------- calls --
+
+
+def workers(threads: int | None) -> int:
+    """The number of threads: None stands for one per processor."""
+    if threads is None:
+        if hasattr(os, "sched_getaffinity"):
+            return len(os.sched_getaffinity(0))
+        return os.cpu_count() or 1
+    try:
+        count = operator.index(threads)
+    except TypeError:
+        raise TypeError(f"threads: expected an integer, found {threads!r}") from None
+    if count < 1:
+        raise ValueError(f"threads: expected at least 1, found {count}")
+    return count
+
+
+def counted(count: int | np.integer[Any], noun: str) -> str:
+    """How a repr shows a number of things."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def place(index: int, shape: tuple[int, ...]) -> str:
+    """How messages name element `index` of an array."""
+    if len(shape) == 0:
+        return ""
+    where = tuple(int(i) for i in np.unravel_index(index, shape))
+    return f" {where[0]}" if len(where) == 1 else f" {where}"
+
+
+# ------------------------------------------------------ lines and points --
+
+
 class Lines:
     """Lines of any shape, broadcast.
 
@@ -62,100 +162,49 @@ class Lines:
     errors: "mask" if lines that are refused hit nothing; else they are raised.
     """
 
+    left_out: NDArray[np.int64] = _NONE
+
     def __init__(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         if errors not in ("raise", "mask"):
-            raise ValueError(
-                f"errors: expected raise or mask, found {errors!r}"
-            )
-        self.masked = errors == "mask"
-        self.threads = threads
-        self.progress = progress
+            raise ValueError(f"errors: expected raise or mask, found {errors!r}")
         ends = to if directions is None else directions
         if ends is None or not (directions is None or to is None):
             raise TypeError("expected either directions or to")
+        second = "directions" if to is None else "to"
+        self.masked = errors == "mask"
         self.segments = to is not None
-        if self.segments and not (
-            np.array_equal(tmin, 0) and np.array_equal(tmax, np.inf)
-        ):
+        self.threads = threads
+        self.progress = progress
+        o = doubles("origins", origins, 3)
+        d = doubles(second, ends, 3)
+        start, end = doubles("tmin", tmin), doubles("tmax", tmax)
+        if self.segments and ((start != 0).any() or (end != np.inf).any()):
             raise TypeError("tmin and tmax need directions; t of to is 0 to 1")
-        second = "to" if self.segments else "directions"
-        self.arrays: tuple[NDArray[np.float64], ...] = (
-            doubles("origins", origins, 3),
-            doubles(second, ends, 3),
-            doubles("tmin", tmin),
-            doubles("tmax", tmax),
-        )
-        o, d, start, end = self.arrays
+        self.arrays = o, d, start, end
         self.shape = broadcast(
-            ("origins", o.shape[:-1]),
-            (second, d.shape[:-1]),
-            ("tmin", start.shape),
-            ("tmax", end.shape),
+            f"origins {second} tmin tmax", o[..., 0], d[..., 0], start, end
         )
 
-    def keep(self) -> None:
-        """Lets these lines own their arrays, for members computed later."""
-        self.arrays = tuple(owned(array) for array in self.arrays)
-
-    @contextmanager
-    def kept(
-        self, shape: tuple[int, ...]
-    ) -> Iterator[list[NDArray[np.float64] | None]]:
-        """The same, at the end of the block, which copies the larger arrays.
-
-        Yields arrays for the origins and for the directions, None for those
-        that the block does not copy.
-        """
-        copies = [new_copy(array, shape) for array in self.arrays[:2]]
-        yield copies
-        self.arrays = tuple(
+    def keep(self, copies: tuple[Doubles | None, ...] = (None, None)) -> None:
+        """Lets these lines own their arrays, for members computed later: copies of
+        the origins and directions, if there are some."""
+        self.arrays = tuple(  # type: ignore[assignment]
             owned(array) if copy is None else copy
-            for array, copy in zip(
-                self.arrays, [*copies, None, None], strict=True
-            )
+            for array, copy in zip(self.arrays, (*copies, None, None), strict=True)
         )
 
-    def broadcast_to(self, shape: tuple[int, ...]) -> _core.Lines:
-        """The arrays of these lines, as views of this shape."""
-        o, d, start, end = self.arrays
-        return _core.Lines(
-            np.broadcast_to(o, (*shape, 3)),
-            np.broadcast_to(d, (*shape, 3)),
-            np.broadcast_to(start, shape),
-            np.broadcast_to(end, shape),
-            self.segments,
-            self.masked,
-        )
-
-    def flat(self) -> _core.Lines:
-        """The arrays of these lines with one axis."""
-        o, d, start, end = self.arrays
-        return _core.Lines(
-            np.broadcast_to(o, (*self.shape, 3)).reshape(-1, 3),
-            np.broadcast_to(d, (*self.shape, 3)).reshape(-1, 3),
-            np.broadcast_to(start, self.shape).reshape(-1),
-            np.broadcast_to(end, self.shape).reshape(-1),
-            self.segments,
-            self.masked,
-        )
+    def core(self) -> _core.Lines:
+        return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
 
     def refuse(self) -> ValueError:
         """The error that names the first refused line and the reason."""
-        index, status = _core.first_bad_line(self.broadcast_to(self.shape))
-        return ValueError(
-            f"line{place(index, self.shape)}: {_core.strerror(status)}"
-        )
+        index, status = _core.first_bad_line(self.core())
+        return ValueError(f"line{place(index, self.shape)}: {_core.strerror(status)}")
 
 
 class SceneLines(Lines):
@@ -165,90 +214,83 @@ class SceneLines(Lines):
     """
 
     def __init__(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        exclude: ArrayLike = -1,
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        exclude: ArrayLike = -1, errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         super().__init__(
-            origins,
-            directions,
-            tmin,
-            tmax,
-            to=to,
-            errors=errors,
-            threads=threads,
-            progress=progress,
+            origins, directions, tmin, tmax,
+            to=to, errors=errors, threads=threads, progress=progress,
         )
-        self.numbers = integers("exclude", exclude)
-        self.shape = broadcast(
-            ("lines", self.shape), ("exclude", self.numbers.shape)
-        )
+        if not (isinstance(exclude, int) and exclude == -1):
+            self.left_out = integers("exclude", exclude)
+            lines = np.broadcast_to(_NONE, self.shape)
+            self.shape = broadcast("lines exclude", lines, self.left_out)
 
-    def excluded(self, shapes: int) -> NDArray[np.int64]:
-        """The numbers that are left out, of so many shapes, as a view."""
-        most = int(self.numbers.max(initial=-1))
-        if most >= shapes:
-            raise IndexError(
-                f"exclude: found {most}, the scene has {shapes} shapes"
-            )
-        return np.broadcast_to(self.numbers, self.shape)
+    def core_of(self, shapes: int) -> _core.Lines:
+        """Lines for a scene with so many shapes."""
+        if self.left_out is not _NONE:
+            most = int(self.left_out.max(initial=-1))
+            if most >= shapes:
+                raise IndexError(
+                    f"exclude: found {most}, the scene has {shapes} shapes"
+                )
+        return self.core()
 
 
 class Points:
     """Points of any shape."""
 
+    radii: Doubles = np.array(0.0)  # without effect
+
     def __init__(
-        self,
-        points: ArrayLike,
-        *,
-        threads: int | None = None,
+        self, points: ArrayLike, *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         self.array = doubles("points", points, 3)
-        self.shape = self.array.shape[:-1]
         self.threads = threads
         self.progress = progress
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return self.array.shape[:-1]
 
     def keep(self) -> None:
         """Lets these points own their array, for members computed later."""
         self.array = owned(self.array)
 
-    def broadcast_to(self, shape: tuple[int, ...]) -> NDArray[np.float64]:
-        """The points, as a view of this shape."""
-        return np.broadcast_to(self.array, (*shape, 3))
 
+class Balls(Points):
+    """Points with radii, broadcast.  signed: compare signed distances."""
 
-class Balls:
-    """Points with radii, broadcast.  name: of the radii, for messages.  signed:
-    compare signed distances."""
+    radii_name = "r"
 
     def __init__(
-        self, points: Points, name: str, radii: ArrayLike, signed: bool = False
+        self, points: ArrayLike, r: ArrayLike, *, signed: bool = False,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> None:
-        numbers = doubles(name, radii)
-        self.shape = broadcast(("points", points.shape), (name, numbers.shape))
-        self.points = points.broadcast_to(self.shape)
-        self.radii = np.broadcast_to(numbers, self.shape)
+        super().__init__(points, threads=threads, progress=progress)
+        self.radii = doubles(self.radii_name, r)
         self.signed = signed
-        self.threads = points.threads
-        self.progress = points.progress
+        self._shape = broadcast(
+            f"points {self.radii_name}", self.array[..., 0], self.radii
+        )
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return self._shape
 
 
-def balls(
-    points: ArrayLike,
-    r: ArrayLike,
-    *,
-    signed: bool = False,
-    threads: int | None = None,
-    progress: Progress | None = None,
-) -> Balls:
-    asked = Points(points, threads=threads, progress=progress)
-    return Balls(asked, "r", r, signed)
+class BallsWithin(Balls):
+    """Balls whose radii are named `within`."""
+
+    radii_name = "within"
+
+    def __init__(
+        self, points: ArrayLike, within: ArrayLike = np.inf, *, signed: bool = False,
+        threads: int | None = None, progress: Progress | None = None,
+    ) -> None:
+        super().__init__(
+            points, within, signed=signed, threads=threads, progress=progress
+        )

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Points
-from ._arrays import Progress, broadcast, counted, shapes_of, workers
+from ._arguments import Doubles, Points, Progress, counted, workers
 
 
 class ClosestPoints:
@@ -28,43 +27,28 @@ class ClosestPoints:
     sphere about the point, where the first coordinate is largest.
     """
 
-    distance: NDArray[np.float64]
+    distance: Doubles
 
     def __init__(
-        self,
-        records: NDArray[np.void] | None,
-        index: NDArray[np.int64] | None,
-        points: NDArray[np.float64],
-        distance: NDArray[np.float64],
-        threads: int | None,
+        self, kinds: NDArray[np.int32] | None, index: NDArray[np.int64] | None,
+        points: Points, distance: Doubles, threads: int | None,
     ) -> None:
-        """index: the shapes' numbers, -1 for none; None: a record for each
-        point.  points: (..., 3), broadcast.  They and records must not
-        change."""
-        self._source = (records, index, points, threads)
+        """kinds: of shapes.  index: the shapes' numbers, -1 for none; None: the
+        shapes broadcast with the points.  They and points must not change."""
+        self._source = (kinds, index, points.array, threads)
         self.distance = distance
 
     @property
-    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64] | None]:
-        return self._source[:2]
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64] | None]:
+        return self._source[:2]  # type: ignore[return-value]
 
-    def _write(
-        self,
-        *,
-        distance: NDArray[Any] | None = None,
-        part: NDArray[Any] | None = None,
-        feature: NDArray[Any] | None = None,
-        point: NDArray[Any] | None = None,
-        normal: NDArray[Any] | None = None,
-        progress: Progress | None = None,
-    ) -> None:
+    def _write(self, progress: Progress | None = None, **wanted: NDArray[Any]) -> None:
         """Computes the arrays that are given."""
         _, _, points, threads = self._source
-        records, index = self._shapes
-        columns = (distance, part, feature, point, normal)
-        _core.closest(
-            records, index, points, columns, workers(threads), progress
-        )
+        kinds, index = self._shapes
+        names = ("distance", "part", "feature", "point", "normal")
+        columns = [wanted.get(name) for name in names]
+        _core.closest(kinds, index, points, None, columns, workers(threads), progress)
 
     @cached_property
     def _where(self) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
@@ -85,14 +69,14 @@ class ClosestPoints:
         return self._where[1]
 
     @cached_property
-    def point(self) -> NDArray[np.float64]:
+    def point(self) -> Doubles:
         """(..., 3): the closest points of the surfaces; nan for none."""
         point = np.empty((*self.distance.shape, 3))
         self._write(point=point)
         return point
 
     @cached_property
-    def normal(self) -> NDArray[np.float64]:
+    def normal(self) -> Doubles:
         """(..., 3): the outward unit normals there; nan for none."""
         normal = np.empty((*self.distance.shape, 3))
         self._write(normal=normal)
@@ -100,55 +84,8 @@ class ClosestPoints:
 
     def __repr__(self) -> str:
         found = np.count_nonzero(np.isfinite(self.distance))
-        name = type(self).__name__
-        shape = self.distance.shape
+        name, shape = type(self).__name__, self.distance.shape
         return f"<libcylint.{name} {shape}: {counted(found, 'distance')}>"
-
-
-def closest_points(records: NDArray[np.void], points: Points) -> ClosestPoints:
-    """The answer for shapes and points, broadcast."""
-    shape = broadcast(("shapes", records.shape), ("points", points.shape))
-    answer = ClosestPoints(
-        np.broadcast_to(records, shape),
-        None,
-        points.broadcast_to(shape),
-        np.empty(shape),
-        points.threads,
-    )
-    answer._write(distance=answer.distance, progress=points.progress)
-    return answer
-
-
-class ClosestShapes(ClosestPoints):
-    """What `Scene.closest` returns: the shape that is closest to each point.
-
-    index: (...) int64, the number of the shape; -1 for none within the radius.
-    distance: (...), from the point to its surface, negative inside; nan for
-    none.  If signed distances were compared, the surface is that of the closed
-    solid.
-
-    part, feature, point and normal are as of `ClosestPoints`.
-    """
-
-    index: NDArray[np.int64]
-
-    def __init__(
-        self,
-        scene: _core.Scene,
-        index: NDArray[np.int64],
-        points: NDArray[np.float64],
-        distance: NDArray[np.float64],
-        threads: int | None,
-        signed: bool,
-    ) -> None:
-        super().__init__(None, index.copy(), points, distance, threads)
-        self.index = index
-        self._scene = scene
-        self._signed = signed
-
-    @cached_property
-    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:  # type: ignore[override]
-        return shapes_of(self._scene, self._source[1], self._signed)
 
 
 class ShapesWithin(NamedTuple):
@@ -162,4 +99,4 @@ class ShapesWithin(NamedTuple):
 
     point: NDArray[np.int64]
     index: NDArray[np.int64]  # type: ignore[assignment]
-    distance: NDArray[np.float64]
+    distance: Doubles

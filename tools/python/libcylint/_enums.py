@@ -2,74 +2,29 @@
 
 from enum import IntEnum
 
+Kind = IntEnum(
+    "Kind", "CYLINDER CONE ACONE ECYLINDER ECONE SPHERE CAPSULE RCONE HALFSPACE"
+)
+Kind.__doc__ = "What a shape is."
 
-class Kind(IntEnum):
-    """What a shape is."""
+Ends = IntEnum("Ends", "CAPPED OPEN CAP0 CAP1 INFINITE NAPPE", start=0)
+Ends.__doc__ = "Which caps a shape has, or that it is unbounded."
 
-    CYLINDER = 1
-    CONE = 2
-    ACONE = 3
-    ECYLINDER = 4
-    ECONE = 5
-    SPHERE = 6
-    CAPSULE = 7
-    RCONE = 8
-    HALFSPACE = 9
+Relation = IntEnum("Relation", "NONE MISS TOUCH ALONG CROSS", start=-1)
+Relation.__doc__ = """How the whole line, for all t, lies to the closed solid.
 
+NONE: the line was refused.
+"""
 
-class Ends(IntEnum):
-    """Which caps a shape has, or that it is unbounded."""
+Part = IntEnum("Part", "NONE LATERAL CAP0 CAP1", start=-1)
+Part.__doc__ = "The part of the surface where a hit lies."
 
-    CAPPED = 0
-    OPEN = 1
-    CAP0 = 2
-    CAP1 = 3
-    INFINITE = 4
-    NAPPE = 5
+Feature = IntEnum("Feature", "NONE LATERAL CAP0 CAP1 RIM0 RIM1 APEX", start=-1)
+Feature.__doc__ = """Where the closest point of a surface lies.
 
+Rims and apex belong to the part LATERAL.  The rims of a capsule and a round cone are
+the circles where it touches its balls.
+"""
 
-class Relation(IntEnum):
-    """How the whole line, for all t, lies to the closed solid.
-
-    NONE: the line was refused.
-    """
-
-    NONE = -1
-    MISS = 0
-    TOUCH = 1
-    ALONG = 2
-    CROSS = 3
-
-
-class Part(IntEnum):
-    """The part of the surface where a hit lies."""
-
-    NONE = -1
-    LATERAL = 0
-    CAP0 = 1
-    CAP1 = 2
-
-
-class Feature(IntEnum):
-    """Where the closest point of a surface lies.
-
-    Rims and apex belong to the part LATERAL.  The rims of a capsule and a round
-    cone are the circles where it touches its balls.
-    """
-
-    NONE = -1
-    LATERAL = 0
-    CAP0 = 1
-    CAP1 = 2
-    RIM0 = 3
-    RIM1 = 4
-    APEX = 5
-
-
-class Side(IntEnum):
-    """Whether the line enters or leaves the solid at a hit, as t grows."""
-
-    NONE = -1
-    ENTERING = 0
-    LEAVING = 1
-    BOTH = 2
+Side = IntEnum("Side", "NONE ENTERING LEAVING BOTH", start=-1)
+Side.__doc__ = "Whether the line enters or leaves the solid at a hit, as t grows."

@@ -1,4 +1,4 @@
-"""Members of hits that are computed when they are first used."""
+"""Lines and shapes, element by element, and the members of hits."""
 
 from __future__ import annotations
 
@@ -9,79 +9,65 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Lines
-from ._arrays import workers
+from ._arguments import Doubles, Lines, broadcast, counted, new_copy, takes, workers
+from ._shapes import Shapes
 
 _MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
 _POINTS = ("point", "normal", "outside", "inside")
 
 
+def _member(name: str, text: str) -> Any:
+    """A member that is computed when it is first used."""
+
+    def compute(hits: DescribedHits) -> NDArray[Any]:
+        return hits._describe(name)
+
+    compute.__doc__ = text
+    return cached_property(compute)
+
+
 class DescribedHits:
     """Hits with their shapes and lines.  A member has the axes of t; points and
-    vectors have one axis more, of length 3."""
+    vectors have one axis more, of length 3.  Members are computed when they are
+    first used."""
 
-    t: NDArray[np.float64]
+    t: Doubles
 
     def __init__(
-        self,
-        records: NDArray[np.void] | None,
-        index: NDArray[np.int64] | None,
-        lines: Lines,
-        shape: tuple[int, ...],
-        threads: int | None,
+        self, kinds: NDArray[np.int32] | None, index: NDArray[np.int64] | None,
+        lines: Lines, threads: int | None,
     ) -> None:
-        """index: the shapes' numbers, of the nearest hits; None: two hits of
-        each of the records, which have the axes `shape`, as the lines.  The
-        arrays must not change."""
-        self._source = (records, index, lines, shape, threads)
+        """kinds: of shapes.  index: the shapes' numbers, of the nearest hits; None:
+        two hits of each shape; they broadcast with the lines.  The arrays must not
+        change."""
+        self._source = (kinds, index, lines, threads)
 
     @property
-    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64] | None]:
-        return self._source[:2]
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64] | None]:
+        return self._source[:2]  # type: ignore[return-value]
 
     def _describe(self, member: str) -> NDArray[Any]:
-        _, _, lines, shape, threads = self._source
-        records, index = self._shapes
+        _, _, lines, threads = self._source
+        kinds, index = self._shapes
         axes = (*self.t.shape, 3) if member in _POINTS else self.t.shape
         column = np.empty(axes, np.int8 if member == "side" else np.float64)
-        _core.describe(
-            records,
-            index,
-            lines.broadcast_to(shape),
-            index is not None,
-            tuple(column if name == member else None for name in _MEMBERS),
-            workers(threads),
-            None,
-        )
+        columns = [column if name == member else None for name in _MEMBERS]
+        _core.describe(kinds, index, lines.core(), columns, workers(threads), None)
         return column
 
-    @cached_property
-    def point(self) -> NDArray[np.float64]:
-        """(..., 3): the points o + t d; nan for none."""
-        return self._describe("point")
-
-    @cached_property
-    def normal(self) -> NDArray[np.float64]:
-        """(..., 3): the outward unit normals; nan for none."""
-        return self._describe("normal")
-
-    @cached_property
-    def z(self) -> NDArray[np.float64]:
-        """(...): axial coordinates, 0 at the base, 1 at the top."""
-        return self._describe("z")
-
-    @cached_property
-    def phi(self) -> NDArray[np.float64]:
-        """(...): angles about the axis divided by 2 pi, in [0, 1)."""
-        return self._describe("phi")
-
-    @cached_property
-    def side(self) -> NDArray[np.int8]:
-        """(...) int8, a value of `Side`; -1 for none."""
-        return self._describe("side")
-
-    @cached_property
-    def outside(self) -> NDArray[np.float64]:
+    point: Doubles = _member("point", "(..., 3): the points o + t d; nan for none.")
+    normal: Doubles = _member(
+        "normal", "(..., 3): the outward unit normals; nan for none."
+    )
+    z: Doubles = _member("z", "(...): axial coordinates, 0 at the base, 1 at the top.")
+    phi: Doubles = _member(
+        "phi", "(...): angles about the axis divided by 2 pi, in [0, 1)."
+    )
+    side: NDArray[np.int8] = _member(
+        "side", "(...) int8, a value of `Side`; -1 for none."
+    )
+    outside: Doubles = _member(
+        "outside",
         """(..., 3): points next to `point` that are outside the shape.
 
         `point` is rounded, so it is as often inside the shape as outside.  A ray
@@ -97,14 +83,101 @@ class DescribedHits:
         0
         >>> int(cylint.intersect(ball, hit.outside[:, 0], d).n.sum())
         0
-        """
-        return self._describe("outside")
-
-    @cached_property
-    def inside(self) -> NDArray[np.float64]:
+        """,
+    )
+    inside: Doubles = _member(
+        "inside",
         """(..., 3): points next to `point` that are inside the shape.
 
         A ray that starts there hits the surface of a bounded convex shape once.
         nan for none, and where the shape is thinner than the steps of float64.
-        """
-        return self._describe("inside")
+        """,
+    )
+
+
+class Hits(DescribedHits):
+    """What `intersect` returns: at most two hits for each line and shape.
+
+    relation: (...) int8, a value of `Relation`, of the whole line; -1 for a line
+    that was refused.
+    n: (...) int8, the number of hits: 0, 1 or 2.
+    t: (..., 2), ascending; nan for none.
+    part: (..., 2) int8, a value of `Part`; -1 for none.
+
+    The others are computed when they are first used, from a copy of the lines.
+    z, phi and side are (..., 2); point, normal, outside and inside are
+    (..., 2, 3).
+    """
+
+    relation: NDArray[np.int8]
+    n: NDArray[np.int8]
+    part: NDArray[np.int8]
+
+    def __init__(
+        self, kinds: NDArray[np.int32], lines: Lines, shape: tuple[int, ...]
+    ) -> None:
+        self.relation = np.empty(shape, np.int8)
+        self.n = np.empty(shape, np.int8)
+        self.t = np.empty((*shape, 2))
+        self.part = np.empty((*shape, 2), np.int8)
+        super().__init__(kinds, None, lines, lines.threads)
+
+    def __repr__(self) -> str:
+        hits = counted(int(self.n.sum()), "hit")
+        return f"<libcylint.Hits {self.n.shape}: {hits}>"
+
+
+@takes(Lines)
+def intersect(shapes: Shapes, lines: Lines) -> Hits:
+    """Intersects lines o + t d, tmin <= t <= tmax, with shapes.
+
+    origins, directions: (..., 3); tmin, tmax: (...).  They and the shapes
+    broadcast as arrays of NumPy do: n lines and n shapes give n answers, and
+    shapes[:, None] gives a row for each shape.  tmin=-np.inf gives whole lines.
+
+    to: (..., 3), in place of directions: the lines are segments from origins to
+    these points, 0 <= t <= 1, without the rounding of their difference.
+
+    threads: at most so many; None: one per processor.  The answer does not
+    depend on it.  progress: called with (done, total) several times a second
+    and at the end.  A signal such as Ctrl-C ends the call.
+
+    Raises ValueError for the first line that is refused: a number that is not
+    finite, a direction of length 0, tmin > tmax.  With errors="mask" such a line
+    hits nothing: its relation is -1, and t is nan.
+
+    The answer keeps a copy of the lines, 48 bytes each, for the members that are
+    computed later.  Arrays that are read-only are not copied.
+
+    >>> rod = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
+    >>> hit = cylint.intersect(rod, [[0, 0, -5], [9, 0, 0]], [0, 0, 1])
+    >>> hit.relation, hit.n
+    (array([3, 0], dtype=int8), array([2, 0], dtype=int8))
+    >>> hit.t
+    array([[ 5.,  6.],
+           [nan, nan]])
+    >>> hit.part
+    array([[ 1,  2],
+           [-1, -1]], dtype=int8)
+    >>> hit.normal[0]
+    array([[ 0.,  0., -1.],
+           [ 0.,  0.,  1.]])
+    >>> cylint.intersect(rod, [0, 0, -5], to=[0, 0, 5]).t
+    array([0.5, 0.6])
+    >>> rays = [[0, 0, -5], [np.nan, 0, 0]]
+    >>> cylint.intersect(rod, rays, [0, 0, 1], errors="mask").relation
+    array([ 3, -1], dtype=int8)
+    """
+    kinds, shape = shapes.kind, lines.shape
+    if kinds.ndim > 0 and kinds.shape != shape:
+        shape = broadcast("shapes lines", kinds, np.broadcast_to(0, shape))
+    hits = Hits(kinds, lines, shape)
+    o, d, _, _ = lines.arrays
+    copies = new_copy(o, shape), new_copy(d, shape)
+    if not _core.intersect(
+        kinds, lines.core(), [hits.relation, hits.n, hits.t, hits.part, *copies],
+        workers(lines.threads), lines.progress,
+    ):
+        raise lines.refuse()
+    lines.keep(copies)
+    return hits

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Balls, Points, SceneLines, balls, takes
-from ._arrays import Progress, counted, integers, shapes_of, workers
-from ._closest import ClosestShapes, ShapesWithin
+from ._arguments import (
+    Balls, BallsWithin, Doubles, Points, Progress, SceneLines, counted, integers,
+    takes, workers,
+)
+from ._closest import ClosestPoints, ShapesWithin
+from ._files import read_begun
 from ._hits import DescribedHits
-from ._read import read_begun
-from ._shapes import Shapes
+from ._shapes import Shapes, kinds_of, shapes_of
 
 
 class NearestHits(DescribedHits):
@@ -32,29 +34,50 @@ class NearestHits(DescribedHits):
     """
 
     index: NDArray[np.int64]
-    t: NDArray[np.float64]
     part: NDArray[np.int8]
 
     def __init__(
-        self,
-        scene: _core.Scene,
-        lines: SceneLines,
-        index: NDArray[np.int64],
-        t: NDArray[np.float64],
-        part: NDArray[np.int8],
-        threads: int | None,
+        self, scene: _core.Scene, lines: SceneLines, columns: Any, threads: int | None
     ) -> None:
-        self.index, self.t, self.part = index, t, part
+        self.index, self.t, self.part = columns
         self._scene = scene
-        super().__init__(None, index.copy(), lines, lines.shape, threads)
+        super().__init__(None, self.index.copy(), lines, threads)
 
     @cached_property
-    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:  # type: ignore[override]
-        return shapes_of(self._scene, self._source[1])
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
+        records, index = shapes_of(self._scene, self._source[1])
+        return kinds_of(records), index
 
     def __repr__(self) -> str:
         hits = counted(np.count_nonzero(self.index >= 0), "hit")
         return f"<libcylint.NearestHits {self.index.shape}: {hits}>"
+
+
+class ClosestShapes(ClosestPoints):
+    """What `Scene.closest` returns: the shape that is closest to each point.
+
+    index: (...) int64, the number of the shape; -1 for none within the radius.
+    distance: (...), from the point to its surface, negative inside; nan for
+    none.  If signed distances were compared, the surface is that of the closed
+    solid.
+
+    part, feature, point and normal are as of `ClosestPoints`.
+    """
+
+    index: NDArray[np.int64]
+
+    def __init__(
+        self, scene: _core.Scene, around: Balls, columns: Any, threads: int | None
+    ) -> None:
+        self.index, distance = columns
+        super().__init__(None, self.index.copy(), around, distance, threads)
+        self._scene = scene
+        self._signed = around.signed
+
+    @cached_property
+    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
+        records, index = shapes_of(self._scene, self._source[1], self._signed)
+        return kinds_of(records), index
 
 
 class AllHits(NamedTuple):
@@ -68,7 +91,7 @@ class AllHits(NamedTuple):
 
     line: NDArray[np.int64]
     index: NDArray[np.int64]  # type: ignore[assignment]
-    t: NDArray[np.float64]
+    t: Doubles
 
 
 class Pieces(NamedTuple):
@@ -84,8 +107,8 @@ class Pieces(NamedTuple):
     line: NDArray[np.int64]
     shape: NDArray[np.int64]
     depth: NDArray[np.int64]
-    t0: NDArray[np.float64]
-    t1: NDArray[np.float64]
+    t0: Doubles
+    t1: Doubles
 
 
 class Boundaries(NamedTuple):
@@ -98,9 +121,9 @@ class Boundaries(NamedTuple):
     """
 
     index: NDArray[np.int64]  # type: ignore[assignment]
-    t: NDArray[np.float64]
-    point: NDArray[np.float64]
-    normal: NDArray[np.float64]
+    t: Doubles
+    point: Doubles
+    normal: Doubles
     side: NDArray[np.int8]
     part: NDArray[np.int8]
 
@@ -144,31 +167,23 @@ class Scene:
     """
 
     def __init__(
-        self,
-        shapes: Shapes | Iterable[Shapes],
-        *,
-        threads: int | None = None,
+        self, shapes: Shapes | Iterable[Shapes], *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
-        whole = isinstance(shapes, Shapes)
-        begun = _core.Scene(len(shapes._in_a_row()) if whole else 0)
+        parts = [shapes] if isinstance(shapes, Shapes) else shapes
+        begun = _core.Scene(shapes.size if isinstance(shapes, Shapes) else 0)
         labels: list[Any] = []
-        for part in [shapes] if whole else shapes:
+        for part in parts:
             if not isinstance(part, Shapes):
-                raise TypeError(
-                    f"expected Shapes, found {type(part).__name__}"
-                )
+                raise TypeError(f"expected Shapes, found {type(part).__name__}")
             row = part._in_a_row()
             labels.append(len(row) if row._labels is None else row._labels)
-            begun.add(row._records)
+            begun.add(row.kind)
         self._start(begun, _joined(labels), threads, progress)
 
     def _start(
-        self,
-        begun: _core.Scene,
-        labels: NDArray[np.object_] | None,
-        threads: int | None,
-        progress: Progress | None,
+        self, begun: _core.Scene, labels: NDArray[np.object_] | None,
+        threads: int | None, progress: Progress | None,
     ) -> None:
         self._scene = begun
         self._labels = labels  # in place of the cached property
@@ -177,13 +192,8 @@ class Scene:
 
     @classmethod
     def read(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        ends: Any = None,
-        swc: str | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
+        cls, path: str | os.PathLike[str], *, ends: Any = None, swc: str | None = None,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> Scene:
         """`Scene(read_scene(path, ends=ends, swc=swc))` in a sixth of the memory.
 
@@ -248,11 +258,7 @@ class Scene:
 
     @classmethod
     def open(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        trusted: bool = False,
-        read: bool = False,
+        cls, path: str | os.PathLike[str], *, trusted: bool = False, read: bool = False,
         threads: int | None = None,
     ) -> Scene:
         """Opens a scene that `save` or `cylint --save` wrote.
@@ -289,16 +295,26 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    def _ask(self, query: Any, lines: SceneLines, answer: Any) -> None:
-        """Calls a function of _core for lines, which writes the answer."""
-        if not query(
-            lines.broadcast_to(lines.shape),
-            lines.excluded(len(self)),
-            answer,
-            workers(self._choose(lines.threads)),
-            lines.progress,
-        ):
+    def _ask(self, query: Any, lines: SceneLines, kinds: str, rule: Any = None) -> Any:
+        """Calls a function of _core for lines, which writes columns of these types:
+        i index, t number, b byte, ? bool, v vector; "": it returns flat arrays."""
+        columns = [_columns(lines.shape, kinds)] if kinds else []
+        found = query(
+            self._scene, lines.core_of(len(self)), rule or _PLAIN, *columns,
+            workers(self._choose(lines.threads)), lines.progress,
+        )
+        if not found:
             raise lines.refuse()
+        return columns[0] if kinds else found
+
+    def _near(self, query: Any, around: Points, kinds: str, rule: Any = None) -> Any:
+        """The same for points and their radii."""
+        columns = _columns(around.shape, kinds)
+        found = query(
+            self._scene, around.array, around.radii, rule or _PLAIN, columns,
+            workers(self._choose(around.threads)), around.progress,
+        )
+        return columns if kinds else found
 
     @takes(SceneLines)
     def nearest(self, lines: SceneLines) -> NearestHits:
@@ -315,13 +331,10 @@ class Scene:
         >>> int(first.index), int(second.index), float(second.t)
         (0, 1, 8.0)
         """
-        chosen = self._choose(lines.threads)
         lines.keep()
-        shape = lines.shape
-        index, part = np.empty(shape, np.int64), np.empty(shape, np.int8)
-        t = np.empty(shape)
-        self._ask(self._scene.nearest, lines, (index, t, part))
-        return NearestHits(self._scene, lines, index, t, part, chosen)
+        columns = self._ask(_core.Scene.nearest, lines, "itb")
+        chosen = self._choose(lines.threads)
+        return NearestHits(self._scene, lines, columns, chosen)
 
     @takes(SceneLines)
     def any(self, lines: SceneLines) -> NDArray[np.bool_]:
@@ -329,9 +342,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        answers = np.empty(lines.shape, np.bool_)
-        self._ask(self._scene.any, lines, answers)
-        return answers
+        return self._ask(_core.Scene.any, lines, "?")[0]
 
     @takes(SceneLines)
     def count(self, lines: SceneLines) -> NDArray[np.int64]:
@@ -339,9 +350,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        counts = np.empty(lines.shape, np.int64)
-        self._ask(self._scene.count, lines, counts)
-        return counts
+        return self._ask(_core.Scene.count, lines, "i")[0]
 
     @takes(SceneLines)
     def all(self, lines: SceneLines) -> AllHits:
@@ -355,22 +364,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        found = self._scene.all(
-            lines.flat(),
-            lines.excluded(len(self)).reshape(-1),
-            workers(self._choose(lines.threads)),
-            lines.progress,
-        )
-        if found is None:
-            raise lines.refuse()
-        size = found.size()
-        hits = AllHits(
-            np.empty(size, np.int64),
-            np.empty(size, np.int64),
-            np.empty((size, 2)),
-        )
-        found.write(tuple(hits))
-        return hits
+        return AllHits(*self._ask(_core.Scene.all, lines, ""))
 
     def _integers(
         self, name: str, values: ArrayLike | None
@@ -384,15 +378,11 @@ class Scene:
                 f"{name}: expected {len(self)} integers, one a shape, found the shape {array.shape}"
             )
         limits = np.iinfo(np.int32)
-        if array.size and not (
-            limits.min <= array.min() and array.max() <= limits.max
-        ):
+        if array.size and not (limits.min <= array.min() and array.max() <= limits.max):
             raise ValueError(f"{name}: a number does not fit 32 bits")
         return np.ascontiguousarray(array, np.int32)
 
-    def set_solids(
-        self, shape: ArrayLike, solid: ArrayLike, clause: ArrayLike
-    ) -> None:
+    def set_solids(self, shape: ArrayLike, solid: ArrayLike, clause: ArrayLike) -> None:
         """Sets solids made of shapes, in place of those before.
 
         shape, solid, clause: integers that broadcast to one axis.  Shape number
@@ -411,8 +401,7 @@ class Scene:
         (array([3., 6.]), array([4., 7.]))
         """
         given = np.broadcast_arrays(
-            integers("shape", shape),
-            integers("solid", solid),
+            integers("shape", shape), integers("solid", solid),
             integers("clause", clause),
         )
         rows = np.column_stack([column.reshape(-1) for column in given])
@@ -431,23 +420,13 @@ class Scene:
     @property
     def solids(self) -> NDArray[np.int64]:
         """The members of solids: (k, 3), each a shape, a solid and a clause."""
-        members = np.empty((self._scene.members(), 3), np.int64)
-        self._scene.solids(members)
-        return members
+        return np.array(self._scene.solids(), np.int64).reshape(-1, 3)
 
     def pieces(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        mode: str = "owner",
-        rank: ArrayLike | None = None,
-        first: int | None = None,
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        mode: str = "owner", rank: ArrayLike | None = None, first: int | None = None,
+        errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> Pieces:
         """The pieces of each line that are inside solids, in order.
@@ -462,47 +441,24 @@ class Scene:
         >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
         Pieces(line=array([0, 0]), shape=array([0, 2]), depth=array([2, 1]), t0=array([ 4., 13.]), t1=array([ 7., 15.]))
         """
-        lines = SceneLines(
-            origins, directions, tmin, tmax, to=to, errors=errors
-        )
         most = 0 if first is None else int(first)
         if most < 0 or (first is not None and most == 0):
             raise ValueError(f"first: expected a number above 0, found {first}")
-        found = self._scene.pieces(
-            lines.flat(),
-            lines.excluded(len(self)).reshape(-1),
-            _mode(mode),
-            self._integers("rank", rank),
-            most,
-            workers(self._choose(threads)),
-            progress,
+        lines = SceneLines(
+            origins, directions, tmin, tmax,
+            to=to, errors=errors, threads=threads, progress=progress,
         )
-        if found is None:
-            raise lines.refuse()
-        size = found.size()
-        columns = Pieces(
-            *(np.empty(size, np.int64) for _ in range(3)),
-            np.empty(size),
-            np.empty(size),
+        rule = _core.Scene.Rule(
+            _mode(mode), self._integers("rank", rank), None, most, False
         )
-        found.write(tuple(columns))
-        return columns
+        return Pieces(*self._ask(_core.Scene.pieces, lines, "", rule))
 
     def sums(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        labels: ArrayLike | None = None,
-        columns: int | None = None,
-        mode: str = "owner",
-        rank: ArrayLike | None = None,
-        units: str = "length",
-        errors: str = "raise",
-        threads: int | None = None,
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        labels: ArrayLike | None = None, columns: int | None = None,
+        mode: str = "owner", rank: ArrayLike | None = None, units: str = "length",
+        errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.float64]:
         """The lengths of each line inside solids, added by label.
@@ -526,14 +482,8 @@ class Scene:
         if units not in ("length", "t"):
             raise ValueError(f"units: expected length or t, found {units!r}")
         lines = SceneLines(
-            origins,
-            directions,
-            tmin,
-            tmax,
-            to=to,
-            errors=errors,
-            threads=threads,
-            progress=progress,
+            origins, directions, tmin, tmax,
+            to=to, errors=errors, threads=threads, progress=progress,
         )
         label = self._integers("labels", labels)
         width = 1
@@ -543,28 +493,20 @@ class Scene:
             width = int(columns)
         if width < 0:
             raise ValueError(f"columns: found {width}")
+        rule = _core.Scene.Rule(
+            _mode(mode), self._integers("rank", rank), label, width, units == "length"
+        )
         sums = np.empty((*lines.shape, width))
-        if not self._scene.sums(
-            lines.broadcast_to(lines.shape),
-            lines.excluded(len(self)),
-            _mode(mode),
-            self._integers("rank", rank),
-            label,
-            units == "length",
-            sums,
-            workers(self._choose(threads)),
-            progress,
+        if not _core.Scene.sums(
+            self._scene, lines.core(), rule, [sums],
+            workers(self._choose(threads)), progress,
         ):
             raise lines.refuse()
         return sums[..., 0] if labels is None and columns is None else sums
 
     def depth(
-        self,
-        points: ArrayLike,
-        *,
-        rank: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
+        self, points: ArrayLike, *, rank: ArrayLike | None = None,
+        threads: int | None = None, progress: Progress | None = None,
     ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """How many solids contain each point, and which one owns it: (...), (...).
 
@@ -576,19 +518,9 @@ class Scene:
         >>> cylint.Scene(balls).depth([[0.5, 0, 0], [1.5, 0, 0], [3, 0, 0]])
         (array([2, 1, 0]), array([ 0,  1, -1]))
         """
-        around = Balls(
-            Points(points, threads=threads, progress=progress), "r", 0.0
-        )
-        deep = np.empty(around.shape, np.int64)
-        index = np.empty(around.shape, np.int64)
-        self._scene.depth(
-            around.points,
-            around.radii,
-            self._integers("rank", rank),
-            (deep, index),
-            workers(self._choose(threads)),
-            progress,
-        )
+        asked = Points(points, threads=threads, progress=progress)
+        rule = _core.Scene.Rule(0, self._integers("rank", rank), None, 0, False)
+        deep, index = self._near(_core.Scene.depth, asked, "ii", rule)
         return deep, index
 
     @takes(SceneLines)
@@ -603,27 +535,12 @@ class Scene:
         >>> wall.index, wall.t, wall.normal[1]
         (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
         """
-        shape = lines.shape
-        found = Boundaries(
-            np.empty(shape, np.int64),
-            np.empty(shape),
-            np.empty((*shape, 3)),
-            np.empty((*shape, 3)),
-            np.empty(shape, np.int8),
-            np.empty(shape, np.int8),
-        )
-        self._ask(self._scene.first_boundary, lines, tuple(found))
-        return found
+        found = self._ask(_core.Scene.first_boundary, lines, "itbbvv")
+        index, t, part, side, point, normal = found
+        return Boundaries(index, t, point, normal, side, part)
 
-    def closest(
-        self,
-        points: ArrayLike,
-        within: ArrayLike = np.inf,
-        *,
-        signed: bool = False,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> ClosestShapes:
+    @takes(BallsWithin)
+    def closest(self, around: BallsWithin) -> ClosestShapes:
         """The shape whose surface is closest to each point.
 
         points: (..., 3); within: (...), the greatest distance.  They broadcast.
@@ -651,25 +568,12 @@ class Scene:
         >>> chain.closest([2.25, 0, 0.75], signed=True).distance
         array(-0.25)
         """
-        chosen = self._choose(threads)
-        asked = Points(points, threads=threads, progress=progress)
-        asked.keep()
-        around = Balls(asked, "within", within, signed)
-        index = np.empty(around.shape, np.int64)
-        distance = np.empty(around.shape)
-        self._scene.closest(
-            around.points,
-            around.radii,
-            signed,
-            (index, distance),
-            workers(chosen),
-            progress,
-        )
-        return ClosestShapes(
-            self._scene, index, around.points, distance, chosen, signed
-        )
+        around.keep()
+        columns = self._near(_core.Scene.closest, around, "it", _signed(around))
+        chosen = self._choose(around.threads)
+        return ClosestShapes(self._scene, around, columns, chosen)
 
-    @takes(balls)
+    @takes(Balls)
     def within(self, around: Balls) -> ShapesWithin:
         """All shapes near each point, as flat arrays.
 
@@ -682,36 +586,17 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        found = self._scene.within(
-            around.points.reshape(-1, 3),
-            around.radii.reshape(-1),
-            around.signed,
-            workers(self._choose(around.threads)),
-            around.progress,
-        )
-        size = found.size()
-        near = ShapesWithin(
-            np.empty(size, np.int64), np.empty(size, np.int64), np.empty(size)
-        )
-        found.write(tuple(near))
-        return near
+        found = self._near(_core.Scene.within, around, "", _signed(around))
+        return ShapesWithin(*found)
 
-    @takes(balls)
+    @takes(Balls)
     def within_count(self, around: Balls) -> NDArray[np.int64]:
         """How many surfaces are within a radius of each point: (...) int64.
 
         Arguments as of `within`.
         """
-        counts = np.empty(around.shape, np.int64)
-        self._scene.within_count(
-            around.points,
-            around.radii,
-            around.signed,
-            counts,
-            workers(self._choose(around.threads)),
-            around.progress,
-        )
-        return counts
+        query = _core.Scene.within_count
+        return self._near(query, around, "i", _signed(around))[0]
 
     @takes(Points)
     def contains(self, points: Points) -> NDArray[np.int64]:
@@ -724,15 +609,22 @@ class Scene:
         >>> cylint.Scene(posts).contains([[2, 0, 0.5], [5, 0, 1], [9, 0, 0]])
         array([2, 1, 0])
         """
-        counts = np.empty(points.shape, np.int64)
-        self._scene.contains(
-            points.array,
-            np.broadcast_to(0.0, points.shape),
-            counts,
-            workers(self._choose(points.threads)),
-            points.progress,
-        )
-        return counts
+        return self._near(_core.Scene.contains, points, "i")[0]
+
+
+_PLAIN = _core.Scene.Rule(0, None, None, 0, False)
+_TYPES = {"i": np.int64, "t": np.float64, "b": np.int8, "?": np.bool_}
+
+
+def _signed(around: Balls) -> Any:
+    return _core.Scene.Rule(0, None, None, 0, around.signed)
+
+
+def _columns(shape: tuple[int, ...], kinds: str) -> list[NDArray[Any]]:
+    return [
+        np.empty((*shape, 3)) if kind == "v" else np.empty(shape, _TYPES[kind])
+        for kind in kinds
+    ]
 
 
 def _joined(labels: list[Any]) -> NDArray[np.object_] | None:

@@ -3,40 +3,50 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, overload
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Points, takes
-from ._arrays import Progress, broadcast, counted, doubles, place, workers
-from ._closest import ClosestPoints, closest_points
+from ._arguments import (
+    Doubles, Points, Progress, broadcast, counted, doubles, place, takes, workers,
+)
+from ._closest import ClosestPoints
 from ._enums import Ends, Kind
 
-_members = _core.shape_members()
-_record = np.dtype((np.void, _members["size"]))
+_layout = _core.shape_members()
+_record = np.dtype((np.void, _layout["size"]))
 _readable = np.dtype(
     {
-        "names": ["kind", "ends"],
-        "formats": [np.intc, np.intc],
-        "offsets": [_members["kind"], _members["ends"]],
-        "itemsize": _members["size"],
+        "names": ["kind", "ends"], "formats": [np.intc, np.intc],
+        "offsets": [_layout["kind"], _layout["ends"]], "itemsize": _layout["size"],
     }
 )
 
+# The arguments of each constructor with their widths.  Row i makes the kind number
+# i of _core.read_shapes(); the last row makes the kind of tangent_cone.
+_CONSTRUCTORS = {
+    "cylinder": {"p0": 3, "p1": 3, "r": 1},
+    "cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1},
+    "elliptic_cylinder": {"c": 3, "a": 3, "b": 3, "h": 3},
+    "elliptic_cone": {"c": 3, "a": 3, "b": 3, "h": 3, "k": 1},
+    "tangent_cone": {"v": 3, "u": 3, "tangent": 1}, "sphere": {"c": 3, "r": 1},
+    "capsule": {"p0": 3, "p1": 3, "r": 1},
+    "round_cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1}, "halfspace": {"p": 3, "n": 3},
+    "angle_cone": {"v": 3, "u": 3, "degrees": 1},
+}
+_NAMES = list(_CONSTRUCTORS)
+_MOST_NUMBERS = 13
+_TUBE_MEMBERS = 4
+_ENDS = {e.name.lower(): np.array(e, np.int8) for e in Ends}
 
-def _widths(arguments: str) -> dict[str, int]:
-    """The arguments of a constructor and their widths, from "p0:3 p1:3 r:1"."""
-    pairs = (item.split(":") for item in arguments.split())
-    return {name: int(width) for name, width in pairs}
 
-
-def _places(widths: dict[str, int]) -> dict[str, tuple[int, int]]:
-    """Where the members of shapes are in a row of numbers: from, to."""
+def _places(widths: dict[str, int]) -> dict[str, slice]:
+    """Where the members of shapes are in a row of numbers."""
     ends = np.cumsum(list(widths.values())).tolist()
     places = {
-        name: (end - width, end)
+        name: slice(end - width, end)
         for (name, width), end in zip(widths.items(), ends, strict=True)
     }
     if "p0" in places and "r" in places:
@@ -44,32 +54,28 @@ def _places(widths: dict[str, int]) -> dict[str, tuple[int, int]]:
     return places
 
 
-_constructors = {name: _widths(text) for name, text in _core.constructors()}
-_places_of = {name: _places(each) for name, each in _constructors.items()}
-_TUBE_MEMBERS = 4
-_MOST_NUMBERS = max(sum(each.values()) for each in _constructors.values())
+_PLACES = {name: _places(widths) for name, widths in _CONSTRUCTORS.items()}
 
 
-class _Argument:
-    """A member of shapes that is an argument of their constructors."""
+def kinds_of(records: NDArray[np.void]) -> NDArray[np.int32]:
+    """The kinds of shapes, where _core finds the shapes."""
+    return records.view(_readable)["kind"]
 
-    def __init__(self, text: str) -> None:
-        self.__doc__ = text
 
-    def __set_name__(self, owner: type, name: str) -> None:
-        self._name = name
-
-    @overload
-    def __get__(self, shapes: None, owner: type) -> _Argument: ...
-    @overload
-    def __get__(self, shapes: Shapes, owner: type) -> NDArray[np.float64]: ...
-    def __get__(self, shapes: Shapes | None, owner: type) -> Any:
-        if shapes is None:
-            return self
-        return shapes._member(self._name, *shapes._read())
-
-    def __set__(self, shapes: Shapes, value: object) -> None:
-        raise AttributeError("shapes cannot be changed")
+def shapes_of(
+    scene: _core.Scene, index: NDArray[np.int64] | None, closed: bool = False
+) -> tuple[NDArray[np.void], NDArray[np.int64]]:
+    """Records of the shapes of a scene with these numbers, each once, and an index
+    into the records for each number; -1 stays.  None: all shapes, in order.
+    closed: as closed solids."""
+    if index is None:
+        records = np.empty(scene.size(), _record)
+        scene.take(None, kinds_of(records), closed)
+        return records, np.arange(len(records))
+    numbers, places = np.unique(index, return_inverse=True)
+    records = np.empty(len(numbers), _record)
+    scene.take(numbers, kinds_of(records), closed)
+    return records, np.where(index < 0, -1, places.reshape(index.shape))
 
 
 class Shapes:
@@ -105,10 +111,12 @@ class Shapes:
     __array_ufunc__ = None  # NumPy leaves operators such as == to this class
     __hash__ = None  # type: ignore[assignment]
 
+    p0: Doubles; p1: Doubles; r0: Doubles; r1: Doubles; r: Doubles  # noqa: E702
+    c: Doubles; a: Doubles; b: Doubles; h: Doubles; k: Doubles  # noqa: E702
+    p: Doubles; n: Doubles; v: Doubles; u: Doubles; tangent: Doubles  # noqa: E702
+
     def __init__(
-        self,
-        records: NDArray[np.void],
-        labels: NDArray[np.object_] | None = None,
+        self, records: NDArray[np.void], labels: NDArray[np.object_] | None = None
     ) -> None:
         if records.dtype != _record:
             raise TypeError("shapes are made by their constructors")
@@ -132,20 +140,17 @@ class Shapes:
         return len(self._records)
 
     def __getitem__(self, index: Any) -> Shapes:
-        return Shapes(
-            np.asarray(self._records[index], _record),
-            None
-            if self._labels is None
-            else np.asarray(self._labels[index], np.object_),
-        )
+        labels = self._labels
+        if labels is not None:
+            labels = np.asarray(labels[index], np.object_)
+        return Shapes(np.asarray(self._records[index], _record), labels)
 
     def __iter__(self) -> Iterator[Shapes]:
         return (self[i] for i in range(len(self)))
 
     def reshape(self, *shape: Any) -> Shapes:
         """The same shapes in another array shape."""
-        records = self._records.reshape(*shape)
-        labels = self._labels
+        records, labels = self._records.reshape(*shape), self._labels
         return Shapes(
             records, None if labels is None else labels.reshape(records.shape)
         )
@@ -153,9 +158,7 @@ class Shapes:
     def _in_a_row(self) -> Shapes:
         """Shapes with one axis, contiguous; a single shape counts as one."""
         if self.ndim > 1:
-            raise ValueError(
-                f"shapes: expected one axis, found the shape {self.shape}"
-            )
+            raise ValueError(f"shapes: expected one axis, found the shape {self.shape}")
         row = self.reshape(self.size)
         return Shapes(np.ascontiguousarray(row._records), row._labels)
 
@@ -168,7 +171,7 @@ class Shapes:
     def __eq__(self, other: object) -> Any:
         if not isinstance(other, Shapes):
             return NotImplemented
-        broadcast(("shapes", self.shape), ("other", other.shape))
+        broadcast("shapes other", self._records, other._records)
         (kinds, numbers), (others, their_numbers) = self._read(), other._read()
         return (
             (kinds == others)
@@ -180,50 +183,22 @@ class Shapes:
         equal = self.__eq__(other)
         return equal if equal is NotImplemented else ~equal
 
-    def _read(self) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
-        """For each shape the number of its constructor, and its arguments."""
+    def _read(self) -> tuple[NDArray[np.int8], Doubles]:
+        """For each shape the row of its constructor, and its arguments."""
         kinds = np.empty(self.size, np.int8)
         numbers = np.zeros((self.size, _MOST_NUMBERS))
-        _core.read_shapes(self._records.reshape(-1), kinds, numbers)
-        return kinds.reshape(self.shape), numbers.reshape(
-            *self.shape, _MOST_NUMBERS
-        )
+        _core.read_shapes(kinds_of(self._records.reshape(-1)), kinds, numbers)
+        return kinds.reshape(self.shape), numbers.reshape(*self.shape, _MOST_NUMBERS)
 
-    def _member(
-        self, name: str, kinds: NDArray[np.int8], numbers: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
+    def _member(self, name: str, kinds: NDArray[np.int8], numbers: Doubles) -> Doubles:
         """A member, from the answer of `_read`."""
-        width = next(a[name] for a in _constructors.values() if name in a)
+        width = next(a[name] for a in _CONSTRUCTORS.values() if name in a)
         values = np.full((*self.shape, width), np.nan)
-        for row, places in enumerate(_places_of.values()):
+        for row, places in enumerate(_PLACES.values()):
             if name in places:
-                begin, end = places[name]
                 found = kinds == row
-                values[found] = numbers[found, begin:end]
+                values[found] = numbers[found, places[name]]
         return values if width > 1 else values[..., 0]
-
-    p0 = _Argument(
-        """(..., 3): where the axis begins, of cylinders, cones, capsules and
-        round cones."""
-    )
-    p1 = _Argument("(..., 3): where the axis ends, of the same.")
-    r0 = _Argument("(...): the radius at p0; r of a cylinder or capsule.")
-    r1 = _Argument("(...): the radius at p1; r of a cylinder or capsule.")
-    r = _Argument("(...): the radius, of cylinders, capsules and spheres.")
-    c = _Argument(
-        "(..., 3): the centre, of spheres; that of the base, of elliptic kinds."
-    )
-    a = _Argument("(..., 3): a semi-axis of the base, of elliptic kinds.")
-    b = _Argument("(..., 3): the other semi-axis, of elliptic kinds.")
-    h = _Argument("(..., 3): from the base to the top, of elliptic kinds.")
-    k = _Argument("(...): what the top is scaled by, of elliptic cones.")
-    p = _Argument("(..., 3): a point of the plane, of half-spaces.")
-    n = _Argument("(..., 3): the outward normal as given, of half-spaces.")
-    v = _Argument("(..., 3): the apex, of cones with an angle.")
-    u = _Argument("(..., 3): the axis, of cones with an angle.")
-    tangent = _Argument(
-        "(...): the tangent of the half angle, of cones with an angle."
-    )
 
     def to_dict(self) -> dict[str, NDArray[Any]]:
         """Arrays with the members that some of the shapes have, by name.
@@ -240,14 +215,12 @@ class Shapes:
         (array(['sphere', 'capsule'], dtype='<U17'), array([2., 1.]), array([nan,  1.]))
         """
         kinds, numbers = self._read()
-        names = list(_constructors)
-        words = [e.name.lower() for e in Ends]
         table: dict[str, NDArray[Any]] = {
-            "kind": np.asarray(np.array(names)[kinds]),
-            "ends": np.asarray(np.array(words)[self.ends]),
+            "kind": np.asarray(np.array(_NAMES)[kinds]),
+            "ends": np.asarray(np.array(list(_ENDS))[self.ends]),
         }
         for kind in np.unique(kinds):
-            for name in _places_of[names[kind]]:
+            for name in _PLACES[_NAMES[kind]]:
                 if name not in table:
                     table[name] = self._member(name, kinds, numbers)
         if self._labels is not None:
@@ -279,14 +252,14 @@ class Shapes:
     @property
     def kind(self) -> NDArray[np.int32]:
         """The kind of each shape, a value of `Kind`."""
-        return self._records.view(_readable)["kind"]
+        return kinds_of(self._records)
 
     @property
     def ends(self) -> NDArray[np.int32]:
         """The ends of each shape, a value of `Ends`."""
         return self._records.view(_readable)["ends"]
 
-    def bounds(self) -> NDArray[np.float64]:
+    def bounds(self) -> Doubles:
         """The least boxes that hold the solids, (..., 2, 3): low, high corner.
 
         Each side is rounded outward.  Unbounded sides are infinite.
@@ -295,20 +268,23 @@ class Shapes:
         array([[-1., -1.,  0.],
                [ 1.,  1.,  2.]])
         """
-        boxes = np.empty((self.size, 2, 3))
-        _core.bounds(self._records.reshape(-1), boxes)
+        boxes = np.empty((self.size, 6))
+        _core.bounds(kinds_of(self._records.reshape(-1)), boxes)
         return boxes.reshape(*self.shape, 2, 3)
 
-    def _ask(self, points: Points, query: Any, answer: Any) -> NDArray[Any]:
-        """Calls a function of _core for shapes and points, broadcast."""
-        shape = broadcast(("shapes", self.shape), ("points", points.shape))
-        answers = np.empty(shape, answer)
+    def _ask(
+        self, query: Any, points: Points, answer: Any, column: int, ulps: Any = None
+    ) -> NDArray[Any]:
+        """Calls a function of _core for shapes and points, broadcast, which writes
+        one of the columns."""
+        given = [self._records, points.array[..., 0]]
+        if ulps is not None:
+            given.append(ulps)
+        names = "shapes points" if ulps is None else "shapes points ulps"
+        answers = np.empty(broadcast(names, *given), answer)
         query(
-            np.broadcast_to(self._records, shape),
-            points.broadcast_to(shape),
-            answers,
-            workers(points.threads),
-            points.progress,
+            self.kind, None, points.array, ulps, [None] * column + [answers],
+            workers(points.threads), points.progress,
         )
         return answers
 
@@ -322,10 +298,10 @@ class Shapes:
         ...     [[0, 0, 1], [1, 0, 1], [0, 0, 3]])
         array([ 1,  0, -1], dtype=int8)
         """
-        return self._ask(points, _core.contains, np.int8)
+        return self._ask(_core.contains, points, np.int8, 1)
 
     @takes(Points)
-    def distance(self, points: Points) -> NDArray[np.float64]:
+    def distance(self, points: Points) -> Doubles:
         """How far points are from the surfaces: (...), in the unit of lengths.
 
         points: (..., 3), broadcast against the shapes: n points and n shapes
@@ -346,7 +322,7 @@ class Shapes:
         >>> tube.distance([[4, 0, -4], [0.5, 0, 1], [1, 0, 1], [np.nan, 0, 0]])
         array([ 5. , -0.5,  0. ,  inf])
         """
-        return closest_points(self._records, points).distance
+        return self._ask(_core.closest, points, np.float64, 0)
 
     @takes(Points)
     def closest(self, points: Points) -> ClosestPoints:
@@ -361,10 +337,11 @@ class Shapes:
         (<Feature.RIM0: 3>, <Part.LATERAL: 0>)
         """
         points.keep()
-        return closest_points(self._records, points)
+        distance = self._ask(_core.closest, points, np.float64, 0)
+        return ClosestPoints(self.kind, None, points, distance, points.threads)
 
     @takes(Points)
-    def safety(self, points: Points) -> NDArray[np.float64]:
+    def safety(self, points: Points) -> Doubles:
         """How far points may move without crossing the surfaces: (...).
 
         A number from 0 to abs(distance(points)), never above it, that takes
@@ -375,14 +352,10 @@ class Shapes:
         >>> bool(3.999 < step <= 4)
         True
         """
-        return self._ask(points, _core.safety, np.float64)
+        return self._ask(_core.safety, points, np.float64, 0)
 
     def on_surface(
-        self,
-        points: ArrayLike,
-        ulps: ArrayLike = 0.0,
-        *,
-        threads: int | None = None,
+        self, points: ArrayLike, ulps: ArrayLike = 0.0, *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
         """Whether points are on the surfaces: (...) bool.
@@ -398,28 +371,13 @@ class Shapes:
         """
         asked = Points(points, threads=threads, progress=progress)
         most = doubles("ulps", ulps)
-        shape = broadcast(
-            ("shapes", self.shape),
-            ("points", asked.shape),
-            ("ulps", most.shape),
-        )
-        answers = np.empty(shape, np.bool_)
-        _core.on_surface(
-            np.broadcast_to(self._records, shape),
-            asked.broadcast_to(shape),
-            np.broadcast_to(most, shape),
-            answers,
-            workers(threads),
-            progress,
-        )
-        return answers
+        return self._ask(_core.on_surface, asked, np.bool_, 1, most)
 
     def __reduce__(self) -> tuple[Any, ...]:
         kinds, numbers = self.reshape(self.size)._read()
-        names = list(_constructors)
-        used = {names[k]: kinds == k for k in np.unique(kinds)}
+        used = {_NAMES[k]: kinds == k for k in np.unique(kinds)}
         parts = {
-            name: numbers[rows, : sum(_constructors[name].values())]
+            name: numbers[rows, : sum(_CONSTRUCTORS[name].values())]
             for name, rows in used.items()
         }
         ends = self.ends.astype(np.int8)
@@ -434,77 +392,101 @@ class Shapes:
         return f"<libcylint.Shapes {self.shape}: {counts or 'none'}>"
 
 
+# The members of shapes that are arguments of their constructors.
+_MEMBERS = {
+    "p0": "(..., 3): where the axis begins, of cylinders, cones, capsules and round cones.",
+    "p1": "(..., 3): where the axis ends, of the same.",
+    "r0": "(...): the radius at p0; r of a cylinder or capsule.",
+    "r1": "(...): the radius at p1; r of a cylinder or capsule.",
+    "r": "(...): the radius, of cylinders, capsules and spheres.",
+    "c": "(..., 3): the centre, of spheres; of the base, of elliptic kinds.",
+    "a": "(..., 3): a semi-axis of the base, of elliptic kinds.",
+    "b": "(..., 3): the other semi-axis, of elliptic kinds.",
+    "h": "(..., 3): from base to top, of elliptic kinds.",
+    "k": "(...): what the top is scaled by, of elliptic cones.",
+    "p": "(..., 3): a point of the plane, of half-spaces.",
+    "n": "(..., 3): the outward normal as given, of half-spaces.",
+    "v": "(..., 3): the apex, of cones with an angle.",
+    "u": "(..., 3): the axis, of cones with an angle.",
+    "tangent": "(...): the tangent of the half angle, of cones with an angle.",
+}
+
+
+def _fixed(shapes: Shapes, value: object) -> None:
+    raise AttributeError("shapes cannot be changed")
+
+
+for _name, _text in _MEMBERS.items():
+
+    def _get(shapes: Shapes, name: str = _name) -> Doubles:
+        return shapes._member(name, *shapes._read())
+
+    setattr(Shapes, _name, property(_get, _fixed, None, _text))
+
+
 def _restore(
-    shape: tuple[int, ...],
-    used: dict[str, NDArray[np.bool_]],
-    parts: dict[str, NDArray[np.float64]],
-    ends: NDArray[np.int8],
+    shape: tuple[int, ...], used: dict[str, NDArray[np.bool_]],
+    parts: dict[str, Doubles], ends: NDArray[np.int8],
     labels: NDArray[np.object_] | None,
 ) -> Shapes:
     """The shapes of a pickle."""
     records = np.zeros(ends.size, _record)
     for name, rows in used.items():
-        records[rows] = _build(name, parts[name], ends.reshape(-1)[rows])
+        records[rows] = _build(name, parts[name], ends.reshape(-1)[rows], None)
     return Shapes(records.reshape(shape), labels)
 
 
-def _codes(ends: str | int | ArrayLike) -> NDArray[np.int8]:
+# --------------------------------------------------------- constructors --
+
+
+def codes_of(ends: str | int | ArrayLike) -> NDArray[np.int8]:
     """The ends as numbers, from words or numbers."""
+    if isinstance(ends, str) and ends in _ENDS:
+        return _ENDS[ends]
     words = np.asarray(ends)
     if words.dtype.kind not in "US":
         return words.astype(np.int8)
     codes = np.empty(words.shape, np.int8)
     for word in np.unique(words):
-        if str(word).upper() not in Ends.__members__:
-            known = ", ".join(e.name.lower() for e in Ends)
+        if str(word).lower() not in _ENDS:
+            known = ", ".join(_ENDS)
             raise ValueError(f"ends: expected one of {known}; found '{word}'")
-        codes[words == word] = Ends[str(word).upper()]
+        codes[words == word] = _ENDS[str(word).lower()]
     return codes
 
 
 def _build(
-    name: str, numbers: NDArray[np.float64], ends: NDArray[np.int8]
+    name: str, numbers: Doubles, ends: NDArray[np.int8], shape: tuple[int, ...] | None,
 ) -> NDArray[np.void]:
-    """Shapes of one constructor, from numbers (n, k) and ends (n)."""
+    """Shapes of one constructor, from numbers (n, k) and ends (n).  shape: that of
+    the arguments, for messages."""
     records = np.empty(len(numbers), _record)
     statuses = np.empty(len(numbers), np.int8)
-    if _core.make_shapes(name, numbers, ends, records, statuses) > 0:
-        raise _Refused(int(np.flatnonzero(statuses)[0]), statuses)
+    row = _NAMES.index(name)
+    if _core.make_shapes(row, numbers, ends, kinds_of(records), statuses) > 0:
+        bad = int(np.flatnonzero(statuses)[0])
+        at = place(bad, (len(numbers),) if shape is None else shape)
+        raise ValueError(f"{name}{at}: {_core.strerror(int(statuses[bad]))}")
     return records
 
 
-class _Refused(Exception):
-    def __init__(self, row: int, statuses: NDArray[np.int8]) -> None:
-        self.row = row
-        self.reason = _core.strerror(int(statuses[row]))
-
-
-def _make(name: str, ends: Any, **arguments: ArrayLike) -> Shapes:
-    """Broadcasts the arguments of a constructor and calls it."""
-    widths = list(_constructors[name].values())
-    codes = _codes(ends)
+def _make(name: str, given: dict[str, Any]) -> Shapes:
+    """Broadcasts the arguments of a constructor, those of its row, and `ends`."""
+    codes = codes_of(given.get("ends", "infinite"))
     arrays = [
-        doubles(key, value, width)
-        for (key, value), width in zip(arguments.items(), widths, strict=True)
+        doubles(key, given[key], 3) if width > 1 else doubles(key, given[key])[..., None]
+        for key, width in _CONSTRUCTORS[name].items()
     ]
-    cut = [
-        a.shape[:-1] if w > 1 else a.shape
-        for a, w in zip(arrays, widths, strict=True)
-    ]
-    shape = broadcast(*zip(arguments, cut, strict=True), ("ends", codes.shape))
-    numbers = np.empty((*shape, sum(widths)))
+    names = " ".join(_CONSTRUCTORS[name]) + " ends"
+    shape = broadcast(names, *(a[..., 0] for a in arrays), codes)
+    numbers = np.empty((*shape, sum(a.shape[-1] for a in arrays)))
     at = 0
-    for array, width in zip(arrays, widths, strict=True):
-        numbers[..., at : at + width] = array if width > 1 else array[..., None]
-        at += width
-    size = int(np.prod(shape, dtype=np.intp))
-    rows = np.ascontiguousarray(np.broadcast_to(codes, shape)).reshape(size)
-    try:
-        records = _build(name, numbers.reshape(size, sum(widths)), rows)
-    except _Refused as refused:
-        raise ValueError(
-            f"{name}{place(refused.row, shape)}: {refused.reason}"
-        ) from None
+    for array in arrays:
+        numbers[..., at : at + array.shape[-1]] = array
+        at += array.shape[-1]
+    rows = np.empty(shape, np.int8)
+    rows[...] = codes
+    records = _build(name, numbers.reshape(-1, at), rows.reshape(-1), shape)
     return Shapes(records.reshape(shape))
 
 
@@ -520,16 +502,11 @@ def cylinder(
     >>> cylint.cylinder([0, 0, 0], [0, 0, 1], [0.5, 1, 2], ends="open")
     <libcylint.Shapes (3,): 3 cylinders>
     """
-    return _make("cylinder", ends, p0=p0, p1=p1, r=r)
+    return _make("cylinder", locals())
 
 
 def cone(
-    p0: ArrayLike,
-    r0: ArrayLike,
-    p1: ArrayLike,
-    r1: ArrayLike,
-    *,
-    ends: Any = "capped",
+    p0: ArrayLike, r0: ArrayLike, p1: ArrayLike, r1: ArrayLike, *, ends: Any = "capped"
 ) -> Shapes:
     """Frusta: radius r0 (...) at p0 (..., 3) and r1 at p1.
 
@@ -540,16 +517,11 @@ def cone(
     array([[-1., -1.,  0.],
            [ 1.,  1.,  3.]])
     """
-    return _make("cone", ends, p0=p0, r0=r0, p1=p1, r1=r1)
+    return _make("cone", locals())
 
 
 def elliptic_cylinder(
-    c: ArrayLike,
-    a: ArrayLike,
-    b: ArrayLike,
-    h: ArrayLike,
-    *,
-    ends: Any = "capped",
+    c: ArrayLike, a: ArrayLike, b: ArrayLike, h: ArrayLike, *, ends: Any = "capped"
 ) -> Shapes:
     """Elliptic cylinders: c + x a + y b + z h with x^2 + y^2 <= 1.
 
@@ -560,17 +532,11 @@ def elliptic_cylinder(
     >>> cylint.intersect(flat, [-5, 0, 0.5], [1, 0, 0]).t
     array([3., 7.])
     """
-    return _make("elliptic_cylinder", ends, c=c, a=a, b=b, h=h)
+    return _make("elliptic_cylinder", locals())
 
 
 def elliptic_cone(
-    c: ArrayLike,
-    a: ArrayLike,
-    b: ArrayLike,
-    h: ArrayLike,
-    k: ArrayLike,
-    *,
-    ends: Any = "capped",
+    c: ArrayLike, a: ArrayLike, b: ArrayLike, h: ArrayLike, k: ArrayLike, *, ends: Any = "capped"
 ) -> Shapes:
     """Elliptic cones: c + x a + y b + z h with x^2 + y^2 <= (1 + (k-1) z)^2.
 
@@ -579,7 +545,7 @@ def elliptic_cone(
     >>> cylint.elliptic_cone([0, 0, 0], [2, 0, 0], [0, 1, 0], [0, 0, 1], 0.5)
     <libcylint.Shapes (): 1 econe>
     """
-    return _make("elliptic_cone", ends, c=c, a=a, b=b, h=h, k=k)
+    return _make("elliptic_cone", locals())
 
 
 def sphere(c: ArrayLike, r: ArrayLike, *, ends: Any = "capped") -> Shapes:
@@ -588,7 +554,7 @@ def sphere(c: ArrayLike, r: ArrayLike, *, ends: Any = "capped") -> Shapes:
     >>> cylint.intersect(cylint.sphere([0, 0, 0], 1), [-3, 0, 0], [1, 0, 0]).t
     array([2., 4.])
     """
-    return _make("sphere", ends, c=c, r=r)
+    return _make("sphere", locals())
 
 
 def halfspace(p: ArrayLike, n: ArrayLike) -> Shapes:
@@ -601,15 +567,11 @@ def halfspace(p: ArrayLike, n: ArrayLike) -> Shapes:
     >>> cylint.intersect(cylint.halfspace([5, 0, 0], [-2, 0, 0]), [0, 0, 0], [1, 0, 0]).t
     array([ 5., nan])
     """
-    return _make("halfspace", "capped", p=p, n=n)
+    return _make("halfspace", locals())
 
 
 def tube(
-    p0: ArrayLike,
-    p1: ArrayLike,
-    outer: ArrayLike,
-    inner: ArrayLike = 0,
-    *,
+    p0: ArrayLike, p1: ArrayLike, outer: ArrayLike, inner: ArrayLike = 0, *,
     sector: ArrayLike | None = None,
 ) -> tuple[Shapes, NDArray[np.intc]]:
     """The shapes and clauses of a hollow cylinder or cone, or of a sector of one.
@@ -638,9 +600,7 @@ def tube(
     points = [doubles(n, value, 3) for n, value in (("p0", p0), ("p1", p1))]
     sides = doubles("sector", np.zeros((2, 3)) if sector is None else sector, 3)
     for name, value, expected in (
-        ("p0", points[0], (3,)),
-        ("p1", points[1], (3,)),
-        ("sector", sides, (2, 3)),
+        ("p0", points[0], (3,)), ("p1", points[1], (3,)), ("sector", sides, (2, 3)),
     ):
         if value.shape != expected:
             raise ValueError(
@@ -649,7 +609,7 @@ def tube(
     numbers = np.concatenate([*points, *radii, sides.reshape(-1)])
     records = np.empty(_TUBE_MEMBERS, _record)
     clauses = np.empty(_TUBE_MEMBERS, np.intc)
-    status, n = _core.make_tube(numbers, sector is not None, records, clauses)
+    status, n = _core.make_tube(numbers, sector is not None, kinds_of(records), clauses)
     if status:
         raise ValueError(f"tube: {_core.strerror(status)}")
     return Shapes(records[:n]), clauses[:n]
@@ -667,16 +627,11 @@ def capsule(
     array([[-0.5, -0.5, -0.5],
            [ 0.5,  0.5,  2.5]])
     """
-    return _make("capsule", ends, p0=p0, p1=p1, r=r)
+    return _make("capsule", locals())
 
 
 def round_cone(
-    p0: ArrayLike,
-    r0: ArrayLike,
-    p1: ArrayLike,
-    r1: ArrayLike,
-    *,
-    ends: Any = "capped",
+    p0: ArrayLike, r0: ArrayLike, p1: ArrayLike, r1: ArrayLike, *, ends: Any = "capped"
 ) -> Shapes:
     """Round cones: the convex hulls of two balls.
 
@@ -687,15 +642,11 @@ def round_cone(
     >>> cylint.intersect(drop, [0, 0, -5], [0, 0, 1]).t
     array([4., 8.])
     """
-    return _make("round_cone", ends, p0=p0, r0=r0, p1=p1, r1=r1)
+    return _make("round_cone", locals())
 
 
 def angle_cone(
-    v: ArrayLike,
-    u: ArrayLike,
-    degrees: ArrayLike,
-    *,
-    ends: Any = "infinite",
+    v: ArrayLike, u: ArrayLike, degrees: ArrayLike, *, ends: Any = "infinite"
 ) -> Shapes:
     """Cones from apex v, axis u (..., 3) and half angle in degrees (...).
 
@@ -706,15 +657,11 @@ def angle_cone(
     >>> light.contains([[1, 0, 3], [3, 0, 4]])
     array([ 1, -1], dtype=int8)
     """
-    return _make("angle_cone", ends, v=v, u=u, degrees=degrees)
+    return _make("angle_cone", locals())
 
 
 def tangent_cone(
-    v: ArrayLike,
-    u: ArrayLike,
-    tangent: ArrayLike,
-    *,
-    ends: Any = "infinite",
+    v: ArrayLike, u: ArrayLike, tangent: ArrayLike, *, ends: Any = "infinite"
 ) -> Shapes:
     """Cones as of `angle_cone`, from the tangent of the half angle (...).
 
@@ -722,7 +669,7 @@ def tangent_cone(
     array([[-0.5, -0.5,  0. ],
            [ 0.5,  0.5,  1. ]])
     """
-    return _make("tangent_cone", ends, v=v, u=u, tangent=tangent)
+    return _make("tangent_cone", locals())
 
 
 def concatenate(shapes: Iterable[Shapes]) -> Shapes:

@@ -1,108 +1,138 @@
 /*
  * calls.h - what the module's files offer to module.cc
  *
- * All arguments named like arrays are arrays of NumPy that the Python code has
- * checked and broadcast.  Shapes are arrays of raw cylint_shape.
+ * The Python code has checked all arrays; they broadcast.  Arrays named shapes are
+ * the member `kind` of arrays of cylint_shape.  columns: arrays for the answers.
  */
 #ifndef CYLINT_PYTHON_CALLS_H
 #define CYLINT_PYTHON_CALLS_H
 
-#include <nanobind/nanobind.h>
-
+#include <cstddef>
 #include <limits>
 
-#include "array.h"
 #include "cylint_scene.h"
+#include "elements.h"
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-inline const cylint_shape *as_shape(const char *p)
+static_assert(offsetof(cylint_shape, kind) == 0,
+              "an array of `kind` has shapes");
+
+inline const cylint_shape *as_shape(const void *p)
 {
-    return reinterpret_cast<const cylint_shape *>(p);
+    return static_cast<const cylint_shape *>(p);
 }
 
-/* The shape whose number is at p, or nullptr for a number below 0. */
-inline const cylint_shape *numbered(const Array &shapes, const char *p)
-{
-    int64_t index;
-    std::memcpy(&index, p, sizeof index);
-    return index < 0 ? nullptr
-                     : as_shape(shapes.data() + index * shapes.stride(0));
-}
-
-/* Arrays of lines: origins and directions (..., 3), tmin and tmax (...).
+/*
+ * Arrays of lines: origins and directions (..., 3), tmin and tmax (...), and the
+ * numbers of shapes that lines leave out (...), int64, below 0 for none.
  * are_segments: the directions are end points, b, and the lines are exact.
- * mask: refused lines are accepted; they hit nothing. */
+ * mask: refused lines are accepted; they hit nothing.
+ */
 class Lines
 {
   public:
-    Lines(nb::handle o, nb::handle d, nb::handle tmin, nb::handle tmax,
+    Lines(Input o, Input d, Input tmin, Input tmax, Input out,
           bool are_segments, bool mask)
-        : origins(o), directions(d), starts(tmin), ends(tmax),
-          segments(are_segments), masked(mask)
+        : segments(are_segments), masked(mask), origins(o), directions(d),
+          starts(tmin), ends(tmax), left_out(out)
     {
     }
-    const Array origins, directions, starts, ends;
+    /* Adds the arrays to an empty grid. */
+    void add_to(Grid &grid) const;
+    /* The number of axes to which the arrays broadcast. */
+    size_t axes() const;
+
     const bool segments, masked;
 
-    /* Adds the four arrays; returns the number of the first. */
-    int add_to(Grid &grid) const;
-
-    /* The strides of coordinates. */
-    ptrdiff_t o_step() const
-    {
-        return origins.last_stride();
-    }
-    ptrdiff_t d_step() const
-    {
-        return directions.last_stride();
-    }
-
-    /* Makes a line of the elements of the four arrays.  Returns the status of
-     * its constructor. */
-    int make(const char *const *at, cylint_line *line) const;
+  private:
+    friend class LineBlock;
+    const Input origins, directions, starts, ends, left_out;
 };
+
+/* The numbers of the arrays of lines in a grid, and of the next array. */
+enum { ORIGINS, DIRECTIONS, STARTS, ENDS, LEFT_OUT, BEHIND_LINES };
+
+/* The lines of a block, in columns. */
+class LineBlock
+{
+  public:
+    explicit LineBlock(const Lines &l) : source(l)
+    {
+    }
+    /* Makes line i.  Returns the status of its constructor. */
+    int make(size_t i, cylint_line *line) const;
+    /* Returns whether the block has the lines of the last one. */
+    bool gather(const Part &part);
+
+  protected:
+    const Lines &source;
+    double column[8][BLOCK]; /* o, d, tmin, tmax */
+
+  private:
+    const char *from[4] = {};
+    size_t size = 0;
+};
+
+/* Calls function(part, i, line) for each line.  Returns false, and stops, if a line
+ * is refused and not masked. */
+template <class Function> class EachLine : LineBlock
+{
+  public:
+    EachLine(const Lines &l, const Function &f) : LineBlock(l), function(f)
+    {
+    }
+    bool run(const Part &part)
+    {
+        gather(part);
+        for (size_t i = 0; i < part.size; i++) {
+            cylint_line line;
+            if (make(i, &line) != CYLINT_OK && !source.masked)
+                return false;
+            function(part, i, line);
+        }
+        return true;
+    }
+
+  private:
+    const Function &function;
+};
+
+template <class Function>
+bool each_line(const Grid &grid, const Lines &lines, int threads,
+               const Callback &progress, const Function &function)
+{
+    return each_block<EachLine<Function>>(grid, threads, progress, lines,
+                                          function);
+}
 
 /* shapes.cc */
-nb::tuple make_tube(nb::handle numbers, bool is_sector, nb::handle shapes,
-                    nb::handle clauses);
-int make_shapes(const char *name, nb::handle numbers, nb::handle ends,
-                nb::handle shapes, nb::handle statuses);
-void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers);
-/* What a shape was made of: its word in text, and its numbers.  The last number
- * of a cone with an angle is the tangent. */
-struct Arguments {
-    const char *word;
-    int count;
-    double number[13];
-};
-Arguments arguments_of(const cylint_shape &shape);
-nb::tuple constructors();
+nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
+                    Output clauses);
+int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
+                Output statuses);
+void read_shapes(Input shapes, Output kinds, Output numbers);
 nb::dict shape_members();
-void bounds(nb::handle shapes, nb::handle boxes);
+void bounds(Input shapes, Output boxes);
 
 /* intersect.cc */
-bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
-               int threads, nb::handle progress);
-void describe(nb::handle shapes, nb::handle index, const Lines &lines,
-              bool nearest, nb::tuple columns, int threads,
-              nb::handle progress);
+bool intersect(Input shapes, const Lines &lines, Outputs columns, int threads,
+               const Callback &progress);
+void describe(Input shapes, std::optional<Input> index, const Lines &lines,
+              Outputs columns, int threads, const Callback &progress);
 nb::tuple first_bad_line(const Lines &lines);
 
-/* points.cc */
-void contains(nb::handle shapes, nb::handle points, nb::handle answers,
-              int threads, nb::handle progress);
-void safety(nb::handle shapes, nb::handle points, nb::handle answers,
-            int threads, nb::handle progress);
-void on_surface(nb::handle shapes, nb::handle points, nb::handle ulps,
-                nb::handle answers, int threads, nb::handle progress);
-void closest(nb::handle shapes, nb::handle index, nb::handle points,
-             nb::tuple columns, int threads, nb::handle progress);
+/* points.cc: a query is a number of module.cc */
+enum { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
+void ask_points(int query, Input shapes, std::optional<Input> index,
+                Input points, std::optional<Input> ulps, Outputs columns,
+                int threads, const Callback &progress);
 
-/* scene.cc, reader.cc, writer.cc */
+/* scene.cc, text.cc */
 void register_scene(nb::module_ &module);
 nb::tuple read_scene(const char *file, int ends, bool round);
-nb::bytes write_scene(nb::handle shapes, size_t first, nb::handle labels);
+nb::bytes write_scene(Input shapes, size_t first,
+                      std::optional<nb::list> labels);
 
 /* Labels, one behind the other, as texts. */
 nb::object label_texts(const uint64_t *end, const char *text, size_t count);

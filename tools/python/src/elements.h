@@ -1,92 +1,116 @@
 /*
- * elements.h - the elements of a call, in blocks, by several threads
+ * elements.h - the elements that arrays of NumPy broadcast to, in blocks, by
+ * several threads
  */
 #ifndef CYLINT_PYTHON_ELEMENTS_H
 #define CYLINT_PYTHON_ELEMENTS_H
 
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/vector.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <memory>
 
-#include "array.h"
 #include "work.h"
 
-/*
- * Calls function(addresses, number) for each element of a grid that is prepared:
- * the addresses of the element in the arrays of the grid, and, of a grid with
- * one axis, the element's number.  One thread handles the elements of a block,
- * `block` consecutive ones, in their order.  A function that returns false ends
- * the call.  Returns false if one did.  work.h describes the other arguments.
- */
-template <class Function>
-bool each_element(const Grid &grid, size_t block, int threads,
-                  nb::handle progress, const Function &function)
+namespace nb = nanobind;
+
+/* Arrays in place, with their strides. */
+using Input = nb::ndarray<nb::ro, nb::device::cpu>;
+using Output = nb::ndarray<nb::device::cpu>;
+using Outputs = std::vector<std::optional<Output>>; /* None: not wanted */
+
+/* Bytes from one coordinate of an array (..., 3) to the next. */
+inline ptrdiff_t coordinate_step(const Input &array)
 {
-    const size_t pieces = (grid.row() + block - 1) / block;
-    std::atomic<bool> good{true};
-    work(grid.rows() * pieces, grid.elements(), threads, progress,
-         [&](int, size_t i) {
-             std::vector<char *> at;
-             const size_t begin = i % pieces * block;
-             const size_t end = std::min(begin + block, grid.row());
-             grid.locate(i / pieces, begin, at);
-             for (size_t k = begin; k < end && good; k++) {
-                 if (!function(at.data(), i / pieces * grid.row() + k))
-                     good = false;
-                 grid.advance(at);
-             }
-             return good.load();
-         });
-    return good;
+    return static_cast<ptrdiff_t>(array.stride(array.ndim() - 1) *
+                                  static_cast<int64_t>(array.itemsize()));
 }
 
 /*
- * Calls block.run(row, begin, count) for all parts of at most `size` elements of
- * the rows.  Each thread has a block of its own, Block(grid, from...).  Parts
- * of different rows that begin at the same element come one after the other:
- * they often have the same shapes or points.  Returns as each_element() does.
+ * The elements of a call.  Arrays are added, then finish() is called.  An array has
+ * the stride 0 along an axis in which it does not change.
  */
-template <class Block, class... From>
-bool each_block(const Grid &grid, size_t size, int threads, nb::handle progress,
-                const From &...from)
-{
-    std::vector<std::unique_ptr<Block>> blocks(
-        static_cast<size_t>(std::max(threads, 1)));
-    std::atomic<bool> good{true};
-    const size_t rows = grid.rows();
-    work(rows * ((grid.row() + size - 1) / size), grid.elements(), threads,
-         progress, [&](int worker, size_t i) {
-             auto &block = blocks[static_cast<size_t>(worker)];
-             if (!block)
-                 block = std::make_unique<Block>(grid, from...);
-             const size_t begin = i / rows * size;
-             if (!block->run(i % rows, begin,
-                             std::min(size, grid.row() - begin)))
-                 good = false;
-             return good.load();
-         });
-    return good;
-}
-
-/* A part of a row: its elements in the arrays of a grid. */
-class RowPart
+class Grid
 {
   public:
-    explicit RowPart(const Grid &g) : grid(g), length(0)
+    /* Returns the number of the array.  `inner` last axes belong to elements. */
+    template <class Array> int add(const Array &array, size_t inner = 0)
+    {
+        const size_t outer = array.ndim() - inner;
+        const int number = add_none(outer);
+        bases.back() = static_cast<char *>(
+            const_cast<void *>(static_cast<const void *>(array.data())));
+        for (size_t i = 0; i < outer; i++) {
+            if (array.shape(outer - 1 - i) == 1)
+                continue;
+            axes[i].length = array.shape(outer - 1 - i);
+            axes[i].strides.back() =
+                static_cast<ptrdiff_t>(array.stride(outer - 1 - i)) *
+                static_cast<ptrdiff_t>(array.itemsize());
+        }
+        return number;
+    }
+    template <class Array>
+    int add(const std::optional<Array> &array, size_t inner = 0)
+    {
+        return array ? add(*array, inner) : add_none(0);
+    }
+    /* Joins axes along which all arrays go on with one stride, and moves the
+     * longest to the front: the row.  in_order: elements stay in C order. */
+    void finish(bool in_order);
+
+    size_t size() const
+    {
+        return count;
+    }
+    size_t row() const
+    {
+        return axes[0].length;
+    }
+    const std::vector<ptrdiff_t> &strides() const /* along the row */
+    {
+        return axes[0].strides;
+    }
+    /* Writes the address of element i of a row for each array; nullptr for none. */
+    void locate(size_t row, size_t i, std::vector<char *> &at) const;
+
+  private:
+    int add_none(size_t outer);
+    struct Axis {
+        size_t length;
+        std::vector<ptrdiff_t> strides; /* in bytes, of each array */
+    };
+    std::vector<Axis> axes; /* the last one first */
+    std::vector<char *> bases;
+    size_t count = 0;
+};
+
+enum {
+    BLOCK = 512
+}; /* elements of a block at most: their columns fit the first cache */
+
+/* A block: successive elements of a row. */
+class Part
+{
+  public:
+    explicit Part(const Grid &g) : grid(g)
     {
     }
     void locate(size_t row, size_t begin, size_t count)
     {
         grid.locate(row, begin, first);
-        length = count;
-    }
-    size_t size() const
-    {
-        return length;
+        number = row * grid.row() + begin;
+        block = row * ((grid.row() + BLOCK - 1) / BLOCK) + begin / BLOCK;
+        size = count;
     }
     ptrdiff_t stride(int array) const
     {
-        return grid.stride(array);
+        return grid.strides()[static_cast<size_t>(array)];
     }
     /* The address of element i; nullptr if the array has no data. */
     char *at(int array, size_t i = 0) const
@@ -94,38 +118,84 @@ class RowPart
         char *const p = first[static_cast<size_t>(array)];
         return p ? p + static_cast<ptrdiff_t>(i) * stride(array) : p;
     }
-    const char *const *addresses(int array) const
+    /* Value k of element i. */
+    template <class Value> Value &value(int array, size_t i, size_t k = 0) const
     {
-        return &first[static_cast<size_t>(array)];
+        return reinterpret_cast<Value *>(at(array, i))[k];
     }
-
     /* Reads the double that is `offset` bytes into each element. */
-    void read(double *to, int array, ptrdiff_t offset) const
+    void read(double *to, int array, ptrdiff_t offset = 0) const
     {
         const char *p = at(array) + offset;
         const ptrdiff_t step = stride(array);
-        for (size_t i = 0; i < length; i++, p += step)
-            to[i] = number(p);
+        const size_t n = size;
+        for (size_t i = 0; i < n; i++, p += step)
+            std::memcpy(&to[i], p, sizeof *to);
     }
-
-    /* Writes value number k of each element, unless the array has no data. */
+    /* Writes value k of each element, unless the array has no data. */
     template <class Value>
-    void write(const Value *from, int array, size_t k) const
+    void write(const Value *from, int array, size_t k = 0) const
     {
         char *p = at(array);
         if (!p)
             return;
         p += k * sizeof(Value);
         const ptrdiff_t step = stride(array);
-        const size_t n = length;
+        const size_t n = size;
         for (size_t i = 0; i < n; i++, p += step)
             *reinterpret_cast<Value *>(p) = from[i];
     }
 
+    size_t size = 0;
+    size_t number = 0; /* of the first element, in C order if the grid is */
+    size_t block = 0;  /* the number of this block */
+
   private:
     const Grid &grid;
-    size_t length;
     std::vector<char *> first;
 };
+
+/* The number of blocks. */
+inline size_t blocks_of(const Grid &grid)
+{
+    return (grid.row() + BLOCK - 1) / BLOCK *
+           (grid.size() > 0 ? grid.size() / grid.row() : 0);
+}
+
+/*
+ * Calls block.run(part) for all blocks of a grid.  Each thread has a Block of its
+ * own, Block(from...).  Parts of different rows that begin at the same element come
+ * one after the other: they often have the same shapes or points.  A block that
+ * returns false ends the call, which then returns false.
+ */
+template <class Block, class... From>
+bool each_block(const Grid &grid, int threads, const Callback &progress,
+                const From &...from)
+{
+    struct Worker {
+        explicit Worker(const Grid &g, const From &...f) : part(g), block(f...)
+        {
+        }
+        Part part;
+        Block block;
+    };
+    std::vector<std::unique_ptr<Worker>> workers(
+        static_cast<size_t>(std::max(threads, 1)));
+    std::atomic<bool> good{true};
+    const size_t rows = grid.size() > 0 ? grid.size() / grid.row() : 0;
+    work(blocks_of(grid), grid.size(), threads, progress,
+         [&](int number, size_t i) {
+             auto &worker = workers[static_cast<size_t>(number)];
+             if (!worker)
+                 worker = std::make_unique<Worker>(grid, from...);
+             const size_t begin = i / rows * BLOCK;
+             worker->part.locate(i % rows, begin,
+                                 std::min<size_t>(BLOCK, grid.row() - begin));
+             if (!worker->block.run(worker->part))
+                 good = false;
+             return good.load();
+         });
+    return good;
+}
 
 #endif

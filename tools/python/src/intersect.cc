@@ -1,48 +1,83 @@
 /*
  * intersect.cc - lines and shapes, element by element, in batches
  *
- * A block is a part of a row of the grid.  If the shape does not change in it,
- * its lines go to cylint_intersect_lines(); if the line does not change, its
- * shapes to cylint_intersect_shapes(); else both to cylint_intersect_pairs().
- * Batches have no exact segments: these go to cylint_intersect() one by one.
+ * If the shape does not change in a block, its lines go to
+ * cylint_intersect_lines(); if the line does not change, its shapes to
+ * cylint_intersect_shapes(); else both to cylint_intersect_pairs().  Batches have
+ * no exact segments: these go to cylint_intersect() one by one.
  */
-#include <cmath>
-#include <limits>
-
 #include "calls.h"
-#include "elements.h"
+
+void Lines::add_to(Grid &grid) const
+{
+    grid.add(origins, 1);
+    grid.add(directions, 1);
+    grid.add(starts);
+    grid.add(ends);
+    grid.add(left_out);
+}
+
+size_t Lines::axes() const
+{
+    return std::max({origins.ndim() - 1, directions.ndim() - 1, starts.ndim(),
+                     ends.ndim(), left_out.ndim()});
+}
+
+int LineBlock::make(size_t i, cylint_line *line) const
+{
+    const double o[3] = {column[0][i], column[1][i], column[2][i]};
+    const double d[3] = {column[3][i], column[4][i], column[5][i]};
+    return source.segments
+               ? cylint_segment(line, o, d)
+               : cylint_span(line, o, d, column[6][i], column[7][i]);
+}
+
+bool LineBlock::gather(const Part &part)
+{
+    const char *const at[4] = {part.at(ORIGINS), part.at(DIRECTIONS),
+                               part.at(STARTS), part.at(ENDS)};
+    if (size == part.size && std::equal(at, at + 4, from))
+        return true;
+    std::copy(at, at + 4, from);
+    size = part.size;
+    const ptrdiff_t o_step = coordinate_step(source.origins);
+    const ptrdiff_t d_step = coordinate_step(source.directions);
+    for (int axis = 0; axis < 3; axis++) {
+        part.read(column[axis], ORIGINS, axis * o_step);
+        part.read(column[3 + axis], DIRECTIONS, axis * d_step);
+    }
+    part.read(column[6], STARTS);
+    part.read(column[7], ENDS);
+    return false;
+}
 
 namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/* Lines of a block: its columns fit the first cache. */
-constexpr size_t BLOCK = 512;
-
-/* The places of the arrays in the grid. */
-struct Places {
-    int shapes, lines, relation, n, t, part, origins, directions;
-};
+/* The numbers of further arrays in the grid. */
+enum { SHAPES = BEHIND_LINES, COLUMNS };
+enum { RELATION, N, T, PART, COPIED_ORIGINS, COPIED_DIRECTIONS };
 
 /* What a worker keeps from block to block. */
-class Block
+class Block : LineBlock
 {
   public:
-    Block(const Grid &grid, const Places &p, const Lines &l)
-        : row(grid), place(p), source(l)
+    explicit Block(const Lines &l) : LineBlock(l)
     {
     }
 
-    /* Returns false if a line is refused and not masked. */
-    bool run(size_t number, size_t begin, size_t count)
+    bool run(const Part &p)
     {
-        row.locate(number, begin, count);
-        if (!answer()) {
-            if (!source.masked)
-                return false;
+        part = &p;
+        if (!gather(p))
+            lines_valid = set_lines();
+        const bool valid = answer();
+        if (!valid && !source.masked)
+            return false;
+        if (!valid)
             mark_refused();
-        }
         write();
         return true;
     }
@@ -51,274 +86,184 @@ class Block
     /* Returns false if a line is refused; the other answers are right. */
     bool answer()
     {
-        if (source.segments) {
-            gather_lines();
+        if (source.segments)
             return run_segments();
-        }
-        const bool one_shape = row.stride(place.shapes) == 0;
-        const bool one_line = row.stride(place.lines) == 0 &&
-                              row.stride(place.lines + 1) == 0 &&
-                              row.stride(place.lines + 2) == 0 &&
-                              row.stride(place.lines + 3) == 0;
-        if (one_line && !one_shape)
-            return run_shapes();
-        gather_lines();
-        if (one_shape) {
-            cylint_intersect_lines(shape_at(0), &lines, &columns());
+        bool one_line = part->stride(SHAPES) != 0;
+        for (int array = ORIGINS; array <= ENDS; array++)
+            one_line = one_line && part->stride(array) == 0;
+        cylint_columns to{};
+        to.relation = relation, to.n = n, to.t0 = t[0], to.t1 = t[1];
+        to.part0 = parts[0], to.part1 = parts[1];
+        if (part->stride(SHAPES) == 0) {
+            cylint_intersect_lines(shape_at(0), &lines, &to);
+        } else if (pack_shapes(); one_line) {
+            cylint_line line;
+            make(0, &line);
+            cylint_intersect_shapes(&pack, &line, &to);
         } else {
-            pack_shapes();
-            cylint_intersect_pairs(&pack, &lines, &columns());
+            cylint_intersect_pairs(&pack, &lines, &to);
         }
         return lines_valid;
-    }
-
-    bool run_shapes()
-    {
-        cylint_line line;
-        const bool valid = make(0, &line);
-        pack_shapes();
-        cylint_intersect_shapes(&pack, &line, &columns());
-        return valid;
     }
 
     bool run_segments()
     {
         bool valid = true;
-        for (size_t i = 0; i < row.size(); i++) {
+        for (size_t i = 0; i < part->size; i++) {
             cylint_line line;
-            valid &= make(i, &line);
+            valid &= make(i, &line) == CYLINT_OK;
             cylint_answer answer;
             cylint_intersect(shape_at(i), &line,
                              CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
-            write_answer(i, answer);
+            relation[i] = static_cast<signed char>(answer.relation);
+            n[i] = static_cast<signed char>(answer.n);
+            for (int k = 0; k < 2; k++) {
+                const bool there = k < answer.n;
+                t[k][i] = there ? answer.hit[k].t : not_a_number;
+                parts[k][i] =
+                    static_cast<signed char>(there ? answer.hit[k].part : -1);
+            }
         }
         return valid;
-    }
-
-    /* Makes line i.  Returns false if it is refused. */
-    bool make(size_t i, cylint_line *line) const
-    {
-        const char *at[4];
-        for (int k = 0; k < 4; k++)
-            at[k] = row.at(place.lines + k, i);
-        return source.make(at, line) == CYLINT_OK;
     }
 
     /* A refused line has no relation. */
     void mark_refused()
     {
         cylint_line line;
-        for (size_t i = 0; i < row.size(); i++)
-            if (!make(i, &line))
+        for (size_t i = 0; i < part->size; i++)
+            if (make(i, &line) != CYLINT_OK)
                 relation[i] = -1;
-    }
-
-    void write_answer(size_t i, const cylint_answer &answer)
-    {
-        relation[i] = static_cast<signed char>(answer.relation);
-        n[i] = static_cast<signed char>(answer.n);
-        for (int k = 0; k < 2; k++) {
-            const bool there = k < answer.n;
-            t[k][i] = there ? answer.hit[k].t : not_a_number;
-            part[k][i] =
-                static_cast<signed char>(there ? answer.hit[k].part : -1);
-        }
     }
 
     const cylint_shape *shape_at(size_t i) const
     {
-        return as_shape(row.at(place.shapes, i));
+        return as_shape(part->at(SHAPES, i));
     }
 
     /* Consecutive blocks often have the same shapes. */
     void pack_shapes()
     {
         const cylint_shape *shapes = shape_at(0);
-        if (shapes == packed && pack.n == row.size())
+        if (shapes == packed && pack.n == part->size)
             return;
         packed = shapes;
-        if (row.stride(place.shapes) !=
-            static_cast<ptrdiff_t>(sizeof(cylint_shape))) {
-            gathered.resize(row.size());
-            for (size_t i = 0; i < row.size(); i++)
+        if (part->stride(SHAPES) != sizeof(cylint_shape)) {
+            gathered.resize(part->size);
+            for (size_t i = 0; i < part->size; i++)
                 gathered[i] = *shape_at(i);
             shapes = gathered.data();
         }
-        memory.resize(cylint_pack_bytes(row.size()));
-        cylint_pack_shapes(&pack, memory.data(), shapes, row.size());
+        memory.resize(cylint_pack_bytes(part->size));
+        cylint_pack_shapes(&pack, memory.data(), shapes, part->size);
     }
 
     /* Whether an array is one number, and which. */
     bool is_constant(int array, double value) const
     {
-        return row.stride(array) == 0 && number(row.at(array)) == value;
+        return part->stride(array) == 0 &&
+               column[array == STARTS ? 6 : 7][0] == value;
     }
 
-    /* Reads the lines into columns and tests whether they are valid. */
-    void gather_lines()
+    /* Returns whether all lines are valid. */
+    bool set_lines()
     {
-        const char *const *const at = row.addresses(place.lines);
-        const std::vector<const char *> from(at, at + 4);
-        if (from == lines_from && row.size() == lines.n)
-            return;
+        lines.n = part->size;
         for (int axis = 0; axis < 3; axis++) {
-            row.read(column[axis], place.lines, axis * source.o_step());
-            row.read(column[3 + axis], place.lines + 1, axis * source.d_step());
             lines.o[axis] = column[axis];
             lines.d[axis] = column[3 + axis];
         }
-        lines.tmin = lines.tmax = nullptr;
-        if (!is_constant(place.lines + 2, 0)) {
-            row.read(column[6], place.lines + 2, 0);
-            lines.tmin = column[6];
-        }
-        if (!is_constant(place.lines + 3, infinity)) {
-            row.read(column[7], place.lines + 3, 0);
-            lines.tmax = column[7];
-        }
-        lines.n = row.size();
-        lines_from = from;
-        lines_valid = are_valid();
-    }
-
-    bool are_valid() const
-    {
+        lines.tmin = is_constant(STARTS, 0) ? nullptr : column[6];
+        lines.tmax = is_constant(ENDS, infinity) ? nullptr : column[7];
         int bad = 0;
-        for (size_t i = 0; i < row.size(); i++) {
+        for (size_t i = 0; i < lines.n; i++) {
             double sum = 0; /* NaN if a coordinate is not finite */
             for (int k = 0; k < 6; k++)
                 sum += column[k][i] * 0;
             bad |= (!(sum == 0)) | ((column[3][i] == 0) & (column[4][i] == 0) &
                                     (column[5][i] == 0));
         }
-        for (size_t i = 0; i < row.size() && (lines.tmin || lines.tmax); i++)
-            bad |= !((lines.tmin ? lines.tmin[i] : 0) <=
-                     (lines.tmax ? lines.tmax[i] : infinity));
+        for (size_t i = 0; i < lines.n && (lines.tmin || lines.tmax); i++)
+            bad |= !(column[6][i] <= column[7][i]);
         return !bad;
-    }
-
-    const cylint_columns &columns()
-    {
-        answers = {relation, n, t[0], t[1], part[0], part[1]};
-        return answers;
     }
 
     void write() const
     {
-        row.write(relation, place.relation, 0);
-        row.write(n, place.n, 0);
+        part->write(relation, COLUMNS + RELATION);
+        part->write(n, COLUMNS + N);
         for (size_t k = 0; k < 2; k++) {
-            row.write(t[k], place.t, k);
-            row.write(part[k], place.part, k);
+            part->write(t[k], COLUMNS + T, k);
+            part->write(parts[k], COLUMNS + PART, k);
         }
         for (size_t axis = 0; axis < 3; axis++) {
-            row.write(column[axis], place.origins, axis);
-            row.write(column[3 + axis], place.directions, axis);
+            part->write(column[axis], COLUMNS + COPIED_ORIGINS, axis);
+            part->write(column[3 + axis], COLUMNS + COPIED_DIRECTIONS, axis);
         }
     }
 
-    RowPart row;
-    const Places place;
-    const Lines &source;
-    std::vector<const char *> lines_from;
+    const Part *part = nullptr;
     cylint_lines lines{};
     bool lines_valid = true;
     cylint_pack pack{};
     const cylint_shape *packed = nullptr;
     std::vector<cylint_shape> gathered;
     std::vector<char> memory;
-    cylint_columns answers{};
-    double column[8][BLOCK], t[2][BLOCK];
-    signed char relation[BLOCK], n[BLOCK], part[2][BLOCK];
+    double t[2][BLOCK];
+    signed char relation[BLOCK], n[BLOCK], parts[2][BLOCK];
 };
 
 } // namespace
 
-int Lines::add_to(Grid &grid) const
-{
-    const int number_of_first = grid.add(origins);
-    grid.add(directions), grid.add(starts), grid.add(ends);
-    return number_of_first;
-}
-
-int Lines::make(const char *const *at, cylint_line *line) const
-{
-    double o[3], d[3];
-    read_point(at[0], o_step(), o);
-    read_point(at[1], d_step(), d);
-    return segments ? cylint_segment(line, o, d)
-                    : cylint_span(line, o, d, number(at[2]), number(at[3]));
-}
-
 /* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins
  * and the directions (..., 3), None where they are not wanted.  Returns false
  * if a line is refused and not masked; the answers are then not complete. */
-bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
-               int threads, nb::handle progress)
+bool intersect(Input shapes, const Lines &lines, Outputs columns, int threads,
+               const Callback &progress)
 {
-    const Array s(shapes), relation(columns[0], true), n(columns[1], true),
-        t(columns[2], true), part(columns[3], true), o(columns[4], true),
-        d(columns[5], true);
-    Grid grid(relation, 0);
-    Places place{};
-    place.shapes = grid.add(s);
-    place.lines = lines.add_to(grid);
-    place.relation = grid.add(relation);
-    place.n = grid.add(n);
-    place.t = grid.add(t);
-    place.part = grid.add(part);
-    place.origins = grid.add(o);
-    place.directions = grid.add(d);
-    grid.prepare();
-    return each_block<Block>(grid, BLOCK, threads, progress, place, lines);
+    static const size_t inner[] = {0, 0, 1, 1, 1, 1};
+    Grid grid;
+    lines.add_to(grid);
+    grid.add(shapes);
+    for (size_t k = 0; k < columns.size(); k++)
+        grid.add(columns[k], inner[k]);
+    grid.finish(false);
+    return each_block<Block>(grid, threads, progress, lines);
 }
 
 namespace
 {
 
-unsigned bit(bool wanted, unsigned value)
-{
-    return wanted ? value : 0;
-}
+/* The columns of describe(), in the order of _MEMBERS in _hits.py. */
+enum { POINT, NORMAL, Z, PHI, SIDE, OUTSIDE, INSIDE, MEMBERS };
 
-double *doubles(char *p)
+/* Writes hit k of an element to the wanted columns.  hit: NULL if there is none. */
+void write_hit(const Part &part, size_t i, size_t k, const cylint_shape *shape,
+               const cylint_hit *hit)
 {
-    return reinterpret_cast<double *>(p);
-}
-
-/* Copies three numbers, or NaN where there are none, to those of hit k, unless
- * the array is not wanted. */
-void put(char *array, size_t k, const double *from)
-{
-    for (size_t axis = 0; array && axis < 3; axis++)
-        doubles(array)[3 * k + axis] = from ? from[axis] : not_a_number;
-}
-
-/* The numbers of the columns in the grid.  They are in the order of _MEMBERS in
- * _hits.py. */
-struct Members {
-    int point, normal, z, phi, side, outside, inside;
-};
-
-/* Writes the members of hit k that are wanted.  hit: NULL if there is none. */
-void write_hit(const Members &m, char *const *to, size_t k,
-               const cylint_shape *shape, const cylint_hit *hit)
-{
-    put(to[m.point], k, hit ? hit->point : nullptr);
-    put(to[m.normal], k, hit ? hit->normal : nullptr);
-    if (to[m.z])
-        doubles(to[m.z])[k] = hit ? hit->z : not_a_number;
-    if (to[m.phi])
-        doubles(to[m.phi])[k] = hit ? hit->phi : not_a_number;
-    if (to[m.side])
-        to[m.side][k] = static_cast<char>(hit ? hit->side : -1);
-    for (const int side : {-1, 1}) {
-        char *const moved = to[side < 0 ? m.outside : m.inside];
-        double point[3];
-        if (moved)
-            put(moved, k,
-                hit && cylint_outside(shape, hit, side, point) ? point
-                                                               : nullptr);
+    for (int member = 0; member < MEMBERS; member++) {
+        const int array = COLUMNS + member;
+        const double none[3] = {not_a_number, not_a_number, not_a_number};
+        double moved[3];
+        const double *from = none;
+        if (!part.at(array))
+            continue;
+        if (member == SIDE) {
+            part.value<signed char>(array, i, k) = static_cast<signed char>(
+                hit ? static_cast<int>(hit->side) : -1);
+            continue;
+        }
+        if (hit && (member == OUTSIDE || member == INSIDE))
+            from = cylint_outside(shape, hit, member == OUTSIDE ? -1 : 1, moved)
+                       ? moved
+                       : none;
+        else if (hit)
+            from = member == POINT    ? hit->point
+                   : member == NORMAL ? hit->normal
+                   : member == Z      ? &hit->z
+                                      : &hit->phi;
+        const size_t width = member == Z || member == PHI ? 1 : 3;
+        std::copy(from, from + width, &part.value<double>(array, i, k * width));
     }
 }
 
@@ -330,74 +275,62 @@ void write_hit(const Members &m, char *const *to, size_t k,
  * wanted.  With `index` the shapes are numbered by it, -1 is a miss, and there
  * is one hit, not two: the first.
  */
-void describe(nb::handle shapes, nb::handle index, const Lines &lines,
-              bool nearest, nb::tuple columns, int threads, nb::handle progress)
+void describe(Input shapes, std::optional<Input> index, const Lines &lines,
+              Outputs columns, int threads, const Callback &progress)
 {
-    const Array s(shapes), number_of(index), point(columns[0], true),
-        normal(columns[1], true), z(columns[2], true), phi(columns[3], true),
-        side(columns[4], true), outside(columns[5], true),
-        inside(columns[6], true);
-    Grid grid(lines.starts, 0);
-    const int of = nearest ? grid.add(number_of) : grid.add(s);
-    const int line = lines.add_to(grid);
-    Members m{};
-    m.point = grid.add(point);
-    m.normal = grid.add(normal);
-    m.z = grid.add(z);
-    m.phi = grid.add(phi);
-    m.side = grid.add(side);
-    m.outside = grid.add(outside);
-    m.inside = grid.add(inside);
-    const bool moved = outside || inside;
-    const unsigned want =
-        bit(point || moved, CYLINT_WANT_POINT) |
-        bit(normal || moved, CYLINT_WANT_NORMAL) | bit(bool(z), CYLINT_WANT_Z) |
-        bit(bool(phi), CYLINT_WANT_PHI) | bit(side || moved, CYLINT_WANT_PART) |
-        bit(nearest, CYLINT_WANT_NEAREST);
-    grid.prepare();
-    const size_t hits = nearest ? 1 : 2;
-    each_element(grid, BLOCK, threads, progress, [&](char *const *at, size_t) {
-        const cylint_shape *const shape =
-            nearest ? numbered(s, at[of]) : as_shape(at[of]);
-        cylint_answer answer;
-        answer.n = 0;
-        cylint_line l;
-        lines.make(at + line, &l); /* a refused line hits nothing */
-        if (shape)
-            cylint_intersect(shape, &l, want, &answer);
-        for (size_t h = 0; h < hits; h++)
-            write_hit(m, at, h, shape,
-                      static_cast<int>(h) < answer.n ? &answer.hit[h]
-                                                     : nullptr);
-        return true;
-    });
+    static const unsigned wants[] = {CYLINT_WANT_POINT, CYLINT_WANT_NORMAL,
+                                     CYLINT_WANT_Z, CYLINT_WANT_PHI,
+                                     CYLINT_WANT_PART};
+    const bool nearest = index.has_value();
+    const auto *const records = static_cast<const char *>(shapes.data());
+    unsigned want = nearest ? CYLINT_WANT_NEAREST : 0;
+    Grid grid;
+    lines.add_to(grid);
+    grid.add(nearest ? *index : shapes);
+    for (size_t member = 0; member < columns.size(); member++) {
+        grid.add(columns[member], (member < Z || member > SIDE) + !nearest);
+        if (columns[member])
+            want |= member <= SIDE ? wants[member]
+                                   : CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
+                                         CYLINT_WANT_PART;
+    }
+    grid.finish(false);
+    each_line(grid, lines, threads, progress,
+              [&](const Part &part, size_t i, const cylint_line &line) {
+                  const cylint_shape *shape = as_shape(part.at(SHAPES, i));
+                  if (nearest) {
+                      const auto number = part.value<int64_t>(SHAPES, i);
+                      shape = number < 0 ? nullptr : as_shape(records) + number;
+                  }
+                  cylint_answer answer;
+                  answer.n = 0;
+                  if (shape) /* a refused line hits nothing */
+                      cylint_intersect(shape, &line, want, &answer);
+                  for (int k = 0; k < (nearest ? 1 : 2); k++)
+                      write_hit(part, i, static_cast<size_t>(k), shape,
+                                k < answer.n ? &answer.hit[k] : nullptr);
+              });
 }
 
 /* Returns (number of the first refused line in C order, status), or (-1, 0). */
 nb::tuple first_bad_line(const Lines &lines)
 {
-    const Array &model = lines.starts;
-    size_t count = 1;
-    for (int axis = 0; axis < model.axes(); axis++)
-        count *= static_cast<size_t>(model.size(axis));
-    const Array *const arrays[] = {&lines.origins, &lines.directions,
-                                   &lines.starts, &lines.ends};
-    for (size_t i = 0; i < count; i++) {
-        const char *at[4];
-        for (int k = 0; k < 4; k++) {
-            at[k] = arrays[k]->data();
-            size_t rest = i;
-            for (int axis = model.axes(); axis-- > 0;) {
-                const auto size = static_cast<size_t>(model.size(axis));
-                at[k] += static_cast<ptrdiff_t>(rest % size) *
-                         arrays[k]->stride(axis);
-                rest /= size;
-            }
+    Grid grid;
+    lines.add_to(grid);
+    grid.finish(true);
+    Part part(grid);
+    LineBlock block(lines);
+    for (size_t begin = 0; begin < grid.size(); begin += part.size) {
+        const size_t at = begin % grid.row();
+        part.locate(begin / grid.row(), at,
+                    std::min<size_t>(BLOCK, grid.row() - at));
+        block.gather(part);
+        for (size_t i = 0; i < part.size; i++) {
+            cylint_line line;
+            const int status = block.make(i, &line);
+            if (status != CYLINT_OK)
+                return nb::make_tuple(part.number + i, status);
         }
-        cylint_line line;
-        const int status = lines.make(at, &line);
-        if (status != CYLINT_OK)
-            return nb::make_tuple(i, status);
     }
     return nb::make_tuple(-1, 0);
 }

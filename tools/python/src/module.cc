@@ -1,51 +1,40 @@
 /*
  * module.cc - libcylint._core, which the package's Python code calls
  *
- * The functions expect arrays that are checked, converted and broadcast; only
- * the Python code calls them.
+ * The functions expect arrays that are checked and converted, and that broadcast;
+ * only the Python code calls them.
  */
 #include "calls.h"
+
+/* A query of points, of one kind. */
+template <int query>
+void points_query(Input shapes, std::optional<Input> index, Input points,
+                  std::optional<Input> ulps, Outputs columns, int threads,
+                  const Callback &progress)
+{
+    ask_points(query, shapes, index, points, ulps, columns, threads, progress);
+}
 
 NB_MODULE(_core, m)
 {
     m.attr("version") = cylint_version();
-    m.def("strerror", &cylint_strerror, nb::arg("status"));
-    m.def("constructors", &constructors);
+    m.def("strerror", &cylint_strerror);
     m.def("shape_members", &shape_members);
+    m.def("make_shapes", &make_shapes);
+    m.def("make_tube", &make_tube);
+    m.def("read_shapes", &read_shapes);
+    m.def("bounds", &bounds);
 
     nb::class_<Lines>(m, "Lines")
-        .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle, bool,
-                      bool>(),
-             nb::arg("origins"), nb::arg("directions"), nb::arg("tmin"),
-             nb::arg("tmax"), nb::arg("segments"), nb::arg("masked"));
-    m.def("first_bad_line", &first_bad_line, nb::arg("lines"));
-
-    m.def("make_shapes", &make_shapes, nb::arg("name"), nb::arg("numbers"),
-          nb::arg("ends"), nb::arg("shapes"), nb::arg("statuses"));
-    m.def("make_tube", &make_tube, nb::arg("numbers"), nb::arg("is_sector"),
-          nb::arg("shapes"), nb::arg("clauses"));
-    m.def("read_shapes", &read_shapes, nb::arg("shapes"), nb::arg("kinds"),
-          nb::arg("numbers"));
-    m.def("contains", &contains, nb::arg("shapes"), nb::arg("points"),
-          nb::arg("answers"), nb::arg("threads"), nb::arg("progress").none());
-    m.def("safety", &safety, nb::arg("shapes"), nb::arg("points"),
-          nb::arg("answers"), nb::arg("threads"), nb::arg("progress").none());
-    m.def("on_surface", &on_surface, nb::arg("shapes"), nb::arg("points"),
-          nb::arg("ulps"), nb::arg("answers"), nb::arg("threads"),
-          nb::arg("progress").none());
-    m.def("closest", &closest, nb::arg("shapes"), nb::arg("index").none(),
-          nb::arg("points"), nb::arg("columns"), nb::arg("threads"),
-          nb::arg("progress").none());
-    m.def("bounds", &bounds, nb::arg("shapes"), nb::arg("boxes"));
-
-    m.def("intersect", &intersect, nb::arg("shapes"), nb::arg("lines"),
-          nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none());
-    m.def("describe", &describe, nb::arg("shapes"), nb::arg("index").none(),
-          nb::arg("lines"), nb::arg("nearest"), nb::arg("columns"),
-          nb::arg("threads"), nb::arg("progress").none());
-    m.def("read_scene", &read_scene, nb::arg("file"), nb::arg("ends"),
-          nb::arg("round"));
-    m.def("write_scene", &write_scene, nb::arg("shapes"), nb::arg("first"),
-          nb::arg("labels").none());
+        .def(nb::init<Input, Input, Input, Input, Input, bool, bool>());
+    m.def("first_bad_line", &first_bad_line);
+    m.def("intersect", &intersect);
+    m.def("describe", &describe);
+    m.def("closest", &points_query<CLOSEST>);
+    m.def("contains", &points_query<CONTAINS>);
+    m.def("safety", &points_query<SAFETY>);
+    m.def("on_surface", &points_query<ON_SURFACE>);
+    m.def("read_scene", &read_scene);
+    m.def("write_scene", &write_scene);
     register_scene(m);
 }

@@ -5,249 +5,139 @@
  * shape; if the shapes lie one behind the other, that of pairs; else there is a
  * batch for each pair.
  */
-#include <type_traits>
-
 #include "calls.h"
 #include "cylint_distance.h"
-#include "elements.h"
 
 namespace
 {
 
-/* Points of a block: the columns of distances fit the first cache. */
-constexpr size_t BLOCK = 512;
+/* The numbers of the arrays in the grid; SHAPES: of the shapes or their numbers. */
+enum { POINTS, SHAPES, ULPS, COLUMNS };
+enum { DISTANCE, PART, FEATURE, POINT, NORMAL };
 
-/* The shapes that are numbered, if they are, and the points. */
 struct Source {
-    const Array *numbered_shapes;
-    const Array &points;
+    int query;
+    ptrdiff_t step;               /* of coordinates */
+    const cylint_shape *numbered; /* shapes that are numbered, or nullptr */
 };
 
 /* A shape that was refused: it has no distance. */
 const cylint_shape none = {};
 
-/* The points of a block of the grid, and their shapes.  `shapes` and `points`
- * are the numbers of the arrays in the grid, `shapes` that of the shapes or of
- * their numbers. */
-class PointBlock
-{
-  protected:
-    PointBlock(const Grid &grid, int shapes, int points, const Source &s)
-        : row(grid), shapes_at(shapes), points_at(points), source(s)
-    {
-    }
-
-    void locate(size_t number, size_t begin, size_t count)
-    {
-        row.locate(number, begin, count);
-        for (int axis = 0; axis < 3; axis++)
-            row.read(xyz[axis], points_at, axis * source.points.last_stride());
-    }
-
-    /* Calls points(shape, points, 0), or pairs(shapes, points, first) as often as
-     * it takes; once for each element if `singly`. */
-    template <class OneShape, class Pairs>
-    void ask(bool singly, const OneShape &points, const Pairs &pairs) const
-    {
-        const ptrdiff_t stride = row.stride(shapes_at);
-        singly = singly || source.numbered_shapes;
-        if (!singly && stride == 0)
-            points(shape(0), points_from(0, row.size()), 0);
-        else if (!singly && stride == sizeof(cylint_shape))
-            pairs(shape(0), points_from(0, row.size()), 0);
-        else
-            for (size_t i = 0; i < row.size(); i++)
-                pairs(shape(i), points_from(i, 1), i);
-    }
-
-    RowPart row;
-
-  private:
-    const cylint_shape *shape(size_t i) const
-    {
-        const char *const p = row.at(shapes_at, i);
-        if (!source.numbered_shapes)
-            return as_shape(p);
-        const cylint_shape *found = numbered(*source.numbered_shapes, p);
-        return found ? found : &none;
-    }
-
-    cylint_points points_from(size_t i, size_t n) const
-    {
-        return {n, {xyz[0] + i, xyz[1] + i, xyz[2] + i}};
-    }
-
-    const int shapes_at, points_at;
-    const Source source;
-    double xyz[3][BLOCK];
-};
-
-/* ------------------------------------ one number for each point and shape -- */
-
-/* The places of the arrays in the grid; numbers: doubles, or None. */
-struct NumberPlaces {
-    int shapes, points, numbers, answers;
-};
-
-/* points, pairs: batches of the library; they take one of the numbers if there
- * are numbers. */
-template <class Answer, auto points, auto pairs> class NumberBlock : PointBlock
-{
-  public:
-    NumberBlock(const Grid &grid, const NumberPlaces &p, const Source &s)
-        : PointBlock(grid, p.shapes, p.points, s), place(p)
-    {
-    }
-
-    bool run(size_t row_number, size_t begin, size_t count)
-    {
-        locate(row_number, begin, count);
-        const auto to = [this](auto batch) {
-            return [this, batch](const cylint_shape *s, const cylint_points &p,
-                                 size_t i) {
-                if constexpr (std::is_invocable_v<decltype(batch), decltype(s),
-                                                  decltype(&p), Answer *>)
-                    batch(s, &p, answers + i);
-                else
-                    batch(s, &p, number(row.at(place.numbers, i)), answers + i);
-            };
-        };
-        ask(row.stride(place.numbers) != 0, to(points), to(pairs));
-        row.write(answers, place.answers, 0);
-        return true;
-    }
-
-  private:
-    const NumberPlaces place;
-    Answer answers[BLOCK];
-};
-
-/* Writes an answer for each element.  numbers: None, or an array of doubles. */
-template <class Answer, auto points, auto pairs>
-void each_pair(nb::handle shapes, nb::handle places, nb::handle numbers,
-               nb::handle answers, int threads, nb::handle progress)
-{
-    const Array s(shapes), p(places), x(numbers), a(answers, true);
-    Grid grid(a, 0);
-    NumberPlaces place{};
-    place.shapes = grid.add(s);
-    place.points = grid.add(p);
-    place.numbers = grid.add(x);
-    place.answers = grid.add(a);
-    grid.prepare();
-    const Source source = {nullptr, p};
-    each_block<NumberBlock<Answer, points, pairs>>(grid, BLOCK, threads,
-                                                   progress, place, source);
-}
-
-/* ----------------------------------------------------------- distances -- */
-
-/* The places of the arrays in the grid; of the shapes or of their numbers. */
-struct Places {
-    int shapes, points, distance, part, feature, point, normal;
-};
-
 /* What a worker keeps from block to block. */
-class DistanceBlock : PointBlock
+class Block
 {
   public:
-    DistanceBlock(const Grid &grid, const Places &p, const Source &s)
-        : PointBlock(grid, p.shapes, p.points, s), place(p)
+    explicit Block(const Source &s) : source(s)
     {
     }
 
-    bool run(size_t number, size_t begin, size_t count)
+    bool run(const Part &p)
     {
-        locate(number, begin, count);
-        const auto to = [this](auto batch) {
-            return [this, batch](const cylint_shape *s, const cylint_points &p,
-                                 size_t i) {
-                const cylint_closest_columns columns = columns_from(i);
-                batch(s, &p, &columns);
-            };
-        };
-        ask(false, to(cylint_distance_points), to(cylint_distance_pairs));
+        part = &p;
+        for (int axis = 0; axis < 3; axis++)
+            part->read(xyz[axis], POINTS, axis * source.step);
+        const ptrdiff_t stride = part->stride(SHAPES);
+        const bool singly = source.numbered || part->stride(ULPS) != 0;
+        if (!singly && stride == 0)
+            ask(true, 0, part->size);
+        else if (!singly && stride == sizeof(cylint_shape))
+            ask(false, 0, part->size);
+        else
+            for (size_t i = 0; i < part->size; i++)
+                ask(true, i, 1);
         write();
         return true;
     }
 
   private:
-    /* The columns that are wanted, from element i. */
-    cylint_closest_columns columns_from(size_t i)
+    const cylint_shape *shape(size_t i) const
+    {
+        if (!source.numbered)
+            return as_shape(part->at(SHAPES, i));
+        const auto number = part->value<int64_t>(SHAPES, i);
+        return number < 0 ? &none : source.numbered + number;
+    }
+
+    /* Of count elements from element i, which have one shape or one each. */
+    void ask(bool one_shape, size_t i, size_t count)
+    {
+        const cylint_shape *s = shape(i);
+        const cylint_points p = {count, {xyz[0] + i, xyz[1] + i, xyz[2] + i}};
+        switch (source.query) {
+        case CONTAINS:
+            return (one_shape ? cylint_contains_points
+                              : cylint_contains_pairs)(s, &p, small[PART] + i);
+        case SAFETY:
+            return (one_shape ? cylint_safety_points
+                              : cylint_safety_pairs)(s, &p, distance + i);
+        case ON_SURFACE:
+            return (one_shape ? cylint_on_surface_points
+                              : cylint_on_surface_pairs)(
+                s, &p, part->value<double>(ULPS, i), small[PART] + i);
+        default:
+            const cylint_closest_columns to = columns(i);
+            (one_shape ? cylint_distance_points : cylint_distance_pairs)(s, &p,
+                                                                         &to);
+        }
+    }
+
+    bool is_wanted(int column) const
+    {
+        return part->at(COLUMNS + column) != nullptr;
+    }
+
+    /* The wanted columns, from element i. */
+    cylint_closest_columns columns(size_t i)
     {
         cylint_closest_columns to{};
-        to.distance = row.at(place.distance) ? distance + i : nullptr;
-        to.part = row.at(place.part) ? part + i : nullptr;
-        to.feature = row.at(place.feature) ? feature + i : nullptr;
+        to.distance = is_wanted(DISTANCE) ? distance + i : nullptr;
+        to.part = is_wanted(PART) ? small[PART] + i : nullptr;
+        to.feature = is_wanted(FEATURE) ? small[FEATURE] + i : nullptr;
         for (int axis = 0; axis < 3; axis++) {
-            to.point[axis] = row.at(place.point) ? point[axis] + i : nullptr;
-            to.normal[axis] = row.at(place.normal) ? normal[axis] + i : nullptr;
+            to.point[axis] = is_wanted(POINT) ? vector[0][axis] + i : nullptr;
+            to.normal[axis] = is_wanted(NORMAL) ? vector[1][axis] + i : nullptr;
         }
         return to;
     }
 
     void write() const
     {
-        row.write(distance, place.distance, 0);
-        row.write(part, place.part, 0);
-        row.write(feature, place.feature, 0);
+        part->write(distance, COLUMNS + DISTANCE);
+        part->write(small[PART], COLUMNS + PART);
+        part->write(small[FEATURE], COLUMNS + FEATURE);
         for (size_t axis = 0; axis < 3; axis++) {
-            row.write(point[axis], place.point, axis);
-            row.write(normal[axis], place.normal, axis);
+            part->write(vector[0][axis], COLUMNS + POINT, axis);
+            part->write(vector[1][axis], COLUMNS + NORMAL, axis);
         }
     }
 
-    const Places place;
-    double distance[BLOCK], point[3][BLOCK], normal[3][BLOCK];
-    signed char part[BLOCK], feature[BLOCK];
+    const Part *part = nullptr;
+    const Source source;
+    double xyz[3][BLOCK], distance[BLOCK], vector[2][3][BLOCK];
+    signed char small[FEATURE + 1][BLOCK];
 };
 
 } // namespace
 
-void contains(nb::handle shapes, nb::handle points, nb::handle answers,
-              int threads, nb::handle progress)
-{
-    each_pair<signed char, cylint_contains_points, cylint_contains_pairs>(
-        shapes, points, nb::none(), answers, threads, progress);
-}
-
-void safety(nb::handle shapes, nb::handle points, nb::handle answers,
-            int threads, nb::handle progress)
-{
-    each_pair<double, cylint_safety_points, cylint_safety_pairs>(
-        shapes, points, nb::none(), answers, threads, progress);
-}
-
-/* A bool of NumPy is a byte, 0 or 1. */
-void on_surface(nb::handle shapes, nb::handle points, nb::handle ulps,
-                nb::handle answers, int threads, nb::handle progress)
-{
-    each_pair<signed char, cylint_on_surface_points, cylint_on_surface_pairs>(
-        shapes, points, ulps, answers, threads, progress);
-}
-
 /*
- * columns: distance (...), part, feature, point (..., 3), normal; None where it
- * is not wanted.  With `index` the shapes are numbered by it, and -1 stands for
- * a shape that was refused.
+ * columns: distance or safety (...), part, or what contains() and on_surface()
+ * return, feature, point (..., 3), normal; None where it is not wanted.  With
+ * `index` the shapes are numbered by it, and -1 stands for a refused shape.
  */
-void closest(nb::handle shapes, nb::handle index, nb::handle points,
-             nb::tuple columns, int threads, nb::handle progress)
+void ask_points(int query, Input shapes, std::optional<Input> index,
+                Input points, std::optional<Input> ulps, Outputs columns,
+                int threads, const Callback &progress)
 {
-    const Array s(shapes), number_of(index), p(points),
-        distance(columns[0], true), part(columns[1], true),
-        feature(columns[2], true), point(columns[3], true),
-        normal(columns[4], true);
-    Grid grid(p, 1);
-    Places place{};
-    place.shapes = grid.add(number_of ? number_of : s);
-    place.points = grid.add(p);
-    place.distance = grid.add(distance);
-    place.part = grid.add(part);
-    place.feature = grid.add(feature);
-    place.point = grid.add(point);
-    place.normal = grid.add(normal);
-    grid.prepare();
-    const Source source = {number_of ? &s : nullptr, p};
-    each_block<DistanceBlock>(grid, BLOCK, threads, progress, place, source);
+    Grid grid;
+    grid.add(points, 1);
+    grid.add(index ? *index : shapes);
+    grid.add(ulps);
+    columns.resize(NORMAL + 1);
+    for (size_t k = 0; k < columns.size(); k++)
+        grid.add(columns[k], k >= POINT);
+    grid.finish(false);
+    const Source source = {query, coordinate_step(points),
+                           index ? as_shape(shapes.data()) : nullptr};
+    each_block<Block>(grid, threads, progress, source);
 }

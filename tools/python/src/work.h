@@ -9,6 +9,10 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
+
+/* progress(done, total), or nothing */
+using Callback = std::optional<nanobind::object>;
 
 /*
  * Lets Python handle signals and calls progress(done, total), unless progress is
@@ -17,7 +21,7 @@
 class Listener
 {
   public:
-    Listener(nanobind::handle callback, size_t elements);
+    Listener(const Callback &callback, size_t elements);
     /* `part` of the work is done, 0 to 1.  Throws exceptions of Python. */
     void listen(double part);
     /* All is done.  The caller has Python's lock. */
@@ -25,7 +29,7 @@ class Listener
 
   private:
     using Clock = std::chrono::steady_clock;
-    const nanobind::handle progress;
+    const Callback progress;
     const size_t total;
     Clock::time_point due;
 };
@@ -38,7 +42,7 @@ class Listener
  * total.  An exception of Python or of a task ends the work and is passed on.  A
  * task that returns false ends it, too.
  */
-void work(size_t blocks, size_t total, int threads, nanobind::handle progress,
+void work(size_t blocks, size_t total, int threads, const Callback &progress,
           const std::function<bool(int worker, size_t block)> &task);
 
 #endif

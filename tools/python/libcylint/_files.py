@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import gzip
 import os
+import sys
 import warnings
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import shapes_of
-from ._shapes import Shapes, _codes
+from ._shapes import Shapes, codes_of, shapes_of
 
 _NOT_GIVEN = -1
 _BAD, _USAGE, _MEMORY = 1, 2, 4
@@ -19,10 +21,7 @@ _AT_ONCE = 1 << 16  # shapes; Ctrl-C ends the writing between them
 
 
 def read_scene(
-    path: str | os.PathLike[str],
-    *,
-    ends: Any = None,
-    swc: str | None = None,
+    path: str | os.PathLike[str], *, ends: Any = None, swc: str | None = None
 ) -> Shapes:
     """Reads a file of shapes, one a line, or a neuron in SWC (*.swc).
 
@@ -51,12 +50,10 @@ def read_scene(
 
 def read_begun(
     path: str | os.PathLike[str], *, ends: Any, swc: str | None
-) -> tuple[
-    _core.Scene, NDArray[np.object_] | None, list[tuple[int, int, int]]
-]:
+) -> tuple[_core.Scene, NDArray[np.object_] | None, list[tuple[int, int, int]]]:
     """A scene that is begun, its labels, and members (shape, solid, clause) of its
     solids, by the arguments of `read_scene`."""
-    code = _NOT_GIVEN if ends is None else int(_codes(ends))
+    code = _NOT_GIVEN if ends is None else int(codes_of(ends))
     name = os.fspath(path)
     if swc not in (None, "cones", "round"):
         raise ValueError(f"swc: expected cones or round, found {swc!r}")
@@ -76,27 +73,27 @@ def read_begun(
         raise errors.get(status, OSError)(text)
     for text in messages:
         warnings.warn(text, stacklevel=2)
-    return (
-        begun or _core.Scene(0),
-        None if labels is None else np.array(labels, np.object_),
-        members,
-    )
+    names = None if labels is None else np.array(labels, np.object_)
+    return begun or _core.Scene(0), names, members
 
 
-def write_scene(path: str | os.PathLike[str], shapes: Shapes) -> None:
+def write_scene(
+    path: str | os.PathLike[str], shapes: Shapes, labels: ArrayLike | None = None
+) -> None:
     """Writes shapes with one axis to a file, one a line, with their labels.
 
+    labels: (...) str, in place of those of the shapes, as of `Shapes.with_labels`.
     `read_scene` reads the same shapes and labels, and so do `cylint -s` and the
     other commands.  Each number is the shortest text that is read as the same
-    float64.  Raises ValueError, and writes nothing, for a label with a line feed
-    or with blanks around it, and for a cone whose tangent no angle in degrees
-    has, as some of `tangent_cone`: the text has angles.
+    float64.  Raises ValueError, and writes nothing, for a label with a line feed or
+    with blanks around it, or that begins with in= or out=, and for a cone whose
+    tangent no angle in degrees has, as some of `tangent_cone`: the text has angles.
 
     >>> import os, tempfile
     >>> folder = tempfile.TemporaryDirectory()
     >>> name = os.path.join(folder.name, "scene")
     >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 0.1]], 0.5, ends="open")
-    >>> cylint.write_scene(name, rods.with_labels(["long", "short"]))
+    >>> cylint.write_scene(name, rods, ["long", "short"])
     >>> print(open(name).read(), end="")
     cylinder 0 0 0 0 0 1 0.5 ends=open long
     cylinder 0 0 0 0 0 0.1 0.5 ends=open short
@@ -107,17 +104,29 @@ def write_scene(path: str | os.PathLike[str], shapes: Shapes) -> None:
     name = os.fspath(path)
     if name.endswith((".swc", ".SWC")):
         raise ValueError(f"a file *.swc is read as a neuron: {name}")
+    texts = [*scene_text(shapes if labels is None else shapes.with_labels(labels))]
+    with open(name, "wb") as file:
+        file.writelines(texts)
+
+
+def scene_text(shapes: Shapes) -> Iterator[bytes]:
+    """The text of a scene, in parts.  Raises ValueError for what text cannot hold."""
     row = shapes._in_a_row()
     labels = None
     if row._labels is not None:
         labels = [x.encode("utf-8", "surrogateescape") for x in row._labels]
-    texts = [
-        _core.write_scene(
-            row._records[i : i + _AT_ONCE],
-            i,
-            labels and labels[i : i + _AT_ONCE],
-        )
-        for i in range(0, len(row), _AT_ONCE)
-    ]
-    with open(name, "wb") as file:
-        file.writelines(texts)
+    for i in range(0, len(row), _AT_ONCE):
+        some = labels and labels[i : i + _AT_ONCE]
+        yield _core.write_scene(row.kind[i : i + _AT_ONCE], i, some)
+
+
+def contents(name: str) -> bytes:
+    """The bytes of a file, which may be compressed by gzip; `-` is standard input."""
+    if name == "-":
+        data = sys.stdin.buffer.read()
+    else:
+        with open(name, "rb") as file:
+            data = file.read()
+    if data.startswith(b"\x1f\x8b"):
+        data = gzip.decompress(data)
+    return data

@@ -1,17 +1,64 @@
 /*
- * work.cc - a call's work in blocks, by several threads, without Python's lock
+ * elements.cc - the elements of a call, and its work in threads
  */
-#include "work.h"
+#include "elements.h"
 
-#include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
-#include <vector>
 
-namespace nb = nanobind;
+int Grid::add_none(size_t outer)
+{
+    bases.push_back(nullptr);
+    while (axes.size() < outer)
+        axes.push_back({1, {}});
+    for (Axis &axis : axes)
+        axis.strides.resize(bases.size(), 0);
+    return static_cast<int>(bases.size()) - 1;
+}
+
+void Grid::finish(bool in_order)
+{
+    count = 1;
+    for (const Axis &axis : axes)
+        count *= axis.length;
+    axes.erase(std::remove_if(axes.begin(), axes.end(),
+                              [](const Axis &a) { return a.length == 1; }),
+               axes.end());
+    for (size_t a = axes.size(); a-- > 1;) {
+        Axis &inner = axes[a - 1];
+        const auto goes_on = [&inner](ptrdiff_t along, ptrdiff_t outer) {
+            return outer == along * static_cast<ptrdiff_t>(inner.length);
+        };
+        if (std::equal(inner.strides.begin(), inner.strides.end(),
+                       axes[a].strides.begin(), goes_on)) {
+            inner.length *= axes[a].length;
+            axes.erase(axes.begin() + static_cast<ptrdiff_t>(a));
+        }
+    }
+    if (axes.empty())
+        axes.push_back({1, std::vector<ptrdiff_t>(bases.size(), 0)});
+    if (!in_order)
+        std::swap(axes[0], *std::max_element(axes.begin(), axes.end(),
+                                             [](const Axis &a, const Axis &b) {
+                                                 return a.length < b.length;
+                                             }));
+}
+
+void Grid::locate(size_t row, size_t i, std::vector<char *> &at) const
+{
+    at = bases;
+    for (size_t axis = 0; axis < axes.size(); axis++) {
+        const size_t to = axis == 0 ? i : row % axes[axis].length;
+        for (size_t a = 0; a < at.size(); a++)
+            at[a] += static_cast<ptrdiff_t>(to) * axes[axis].strides[a];
+        if (axis > 0)
+            row /= axes[axis].length;
+    }
+}
+
+/* ------------------------------------------------------------- threads -- */
 
 namespace
 {
@@ -25,7 +72,7 @@ constexpr size_t blocks_a_thread = 4;
 class Work
 {
   public:
-    Work(size_t n, size_t elements, nb::handle progress,
+    Work(size_t n, size_t elements, const Callback &progress,
          const std::function<bool(int, size_t)> &function)
         : blocks(n), listener(progress, elements), task(function)
     {
@@ -82,7 +129,7 @@ class Work
 
 } // namespace
 
-Listener::Listener(nb::handle callback, size_t elements)
+Listener::Listener(const Callback &callback, size_t elements)
     : progress(callback), total(elements), due(Clock::now() + interval)
 {
 }
@@ -95,20 +142,20 @@ void Listener::listen(double part)
         nb::gil_scoped_acquire acquired;
         if (PyErr_CheckSignals() != 0)
             throw nb::python_error();
-        if (!progress.is_none())
-            progress(static_cast<size_t>(part * static_cast<double>(total)),
-                     total);
+        if (progress)
+            (*progress)(static_cast<size_t>(part * static_cast<double>(total)),
+                        total);
     }
     due = Clock::now() + interval;
 }
 
 void Listener::end() const
 {
-    if (!progress.is_none())
-        progress(total, total);
+    if (progress)
+        (*progress)(total, total);
 }
 
-void work(size_t blocks, size_t total, int threads, nb::handle progress,
+void work(size_t blocks, size_t total, int threads, const Callback &progress,
           const std::function<bool(int, size_t)> &task)
 {
     const size_t most = blocks / blocks_a_thread + 1;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Floor command: --accel does not change the answers of a scene.  There are
-# more lines than --accel auto answers by batches before it builds a BVH.
+# Floor command: the shapes that a scene's hierarchy finds are those of a loop over
+# all shapes: --accel=none for lines, a record for each pair for points.
 . "$(dirname "$0")/../support/verdict.sh"
 cylint=$build/cylint
 
@@ -48,14 +48,35 @@ done
 [ "$(cut -f 1 "$scratch/none" | grep -c '^4001$')" -eq 700 ]
 verdict 'a line down 700 discs hits them all' $?
 
-grep -v 1e300 "$scratch/lines" >"$scratch/good"
-"$cylint" -s "$scratch/scene" --accel none -q all "$scratch/good" \
-    >"$scratch/none"
-for how in tree embree; do
-    "$cylint" -s "$scratch/scene" --accel $how -q all "$scratch/good" |
-        cmp -s - "$scratch/none"
-    verdict "--accel $how and none give the same bytes" $?
+# --- points, some inside shapes.  A record for each point and shape gives all
+# distances.
+head -n 400 "$scratch/scene" >"$scratch/few"
+awk 'NR % 50 == 0 && $5 + 0 { print "point", $2, $3, $4 / 2 }' "$scratch/lines" >"$scratch/points"
+awk '/^cyl/ && NR % 20 == 1 { print "point", ($2 + $5) / 2, ($3 + $6) / 2, ($4 + $7) / 2 + 0.01 }' \
+    "$scratch/few" >>"$scratch/points"
+awk -v shapes="$scratch/few" '{ while ((getline shape < shapes) > 0) print $0, shape, NR
+    close(shapes) }' "$scratch/points" >"$scratch/pairs"
+for signed in '' --signed; do
+    "$cylint" $signed -f distance,part -p 17 "$scratch/pairs" | awk -v signed=$signed '
+        function answer() { if (NR > 1) print near "\t" least "\t" part "\t" n + 0 }
+        $3 != last { answer(); n = number = 0; last = $3 }
+        { size = signed || $1 > 0 ? $1 + 0 : -$1; number++; n += size <= 4 }
+        number == 1 || size < least { near = number; least = size; part = $2 }
+        END { answer() }' >"$scratch/want"
+    "$cylint" -s "$scratch/few" $signed -p 17 -f shape,distance,part "$scratch/points" |
+        awk -v signed=$signed '{ print $1 "\t" (signed || $2 > 0 ? $2 + 0 : -$2) "\t" $3 }' >"$scratch/near"
+    "$cylint" -s "$scratch/few" $signed -q count --within 4 "$scratch/points" |
+        paste "$scratch/near" - | cmp -s - "$scratch/want"
+    verdict "the nearest shape of each point, and the number within 4 $signed" $?
+    "$cylint" -s "$scratch/few" $signed -q all --within 4 -f id "$scratch/points" | uniq -c |
+        awk '{ print $1 }' >"$scratch/counts"
+    awk '$4 > 0 { print $4 }' "$scratch/want" | cmp -s - "$scratch/counts"
+    verdict "all shapes within 4 of each point $signed" $?
 done
+[ "$(wc -l <"$scratch/want")" -gt 50 ]
+verdict 'there are more than 50 points' $?
+
+grep -v 1e300 "$scratch/lines" >"$scratch/good"
 
 # --- shapes left out.  awk computes the expected answers from all hits without
 # not=.  Every shape is in the scene twice with the label of its pair, so many
@@ -105,7 +126,7 @@ for how in number label; do
     leave_out $how
     [ "$(grep -c not= "$scratch/excluding")" -gt 500 ]
     verdict "--not $how: more than 500 lines leave out shapes" $?
-    for accel in none tree auto; do
+    for accel in none auto; do
         for query in nearest count any all; do
             "$cylint" -s "$scratch/twins" --not $how --accel $accel -q $query \
                 "$scratch/excluding" >"$scratch/$query" || echo "status $?"

@@ -1,0 +1,499 @@
+"""Molecules, trees, `python -m libcylint convert`, and the recipes that use them."""
+
+import gzip
+import os
+import re
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import libcylint as cylint
+
+TOP = Path(__file__).parents[2]
+DATA = TOP.parent / "shared" / "data"
+
+
+def atom(number, name, x, y, z, element="", *, alt="", residue="GLY A   1"):
+    """A line of PDB.  x, y, z: text or numbers."""
+    at = "".join(f"{v:8}" if isinstance(v, str) else f"{v:8.3f}" for v in (x, y, z))
+    return (
+        f"ATOM  {number:5d} {name:4}{alt:1}{residue:10}   {at}  1.00  0.00"
+        f"          {element:>2}\n"
+    )
+
+
+def twin(pdb):
+    """mmCIF of a PDB file's atoms, its columns in another order."""
+    rows, model = [], 1
+    for line in pdb.splitlines():
+        model += line.startswith("ENDMDL")
+        if line.startswith(("ATOM  ", "HETATM")):
+            name, alt = line[12:16].strip(), line[16].strip() or "."
+            element = line[76:78].strip() or name[:1]
+            rows.append(
+                f"{line[:6]} {line[46:54]} {line[38:46]} {line[30:38]} {alt} "
+                f"{line[21]} {line[22:26]} {line[17:20]} {line[6:11]} {element} "
+                f'"{name}" {model} {line[21]} . 1 0'
+            )
+    names = (
+        "group_PDB Cartn_z Cartn_y Cartn_x label_alt_id auth_asym_id auth_seq_id "
+        "label_comp_id id type_symbol label_atom_id pdbx_PDB_model_num "
+        "label_asym_id label_seq_id occupancy B_iso_or_equiv"
+    ).split()
+    heads = "\n".join("_atom_site." + name for name in names)
+    return f"data_TWIN\nloop_\n{heads}\n" + "\n".join(rows) + "\n"
+
+
+@pytest.fixture
+def molecule(tmp_path):
+    def read(text, **options):
+        path = tmp_path / "molecule"
+        path.write_text(text)
+        return cylint.read_molecule(path, **options)
+
+    return read
+
+
+CHAIN = (
+    atom(1, " CA", 0, 0, 0, "C")
+    + atom(2, " CB", 1.54, 0, 0, "C")
+    + atom(3, " O", 3.06, 0, 0, "O")
+    + atom(4, " HA", 0, 1.1, 0, "H")
+    + atom(5, " HB", 0.7, 1.1, 0, "H")
+    + atom(6, " SG", -9, 0, 0, "S", residue="CYS B  45A")
+)
+
+
+@pytest.mark.parametrize("form", [str, twin])
+def test_bonds_are_by_distance_but_not_of_two_hydrogens(molecule, form):
+    if form is twin:  # without the insertion code
+        sticks = molecule(twin(CHAIN.replace("45A", "45 ")))
+    else:
+        sticks = molecule(CHAIN)
+    want = ["CA--CB", "CA--HA", "CA--HB", "CB--O", "CB--HB"]
+    assert [re.sub("A:1:GLY:", "", x) for x in sticks.labels] == want
+    assert sticks.p0[3].tolist() == [1.54, 0, 0]
+    assert sticks.p1[3].tolist() == [3.06, 0, 0]
+    assert (sticks.r == 0.15).all() and (sticks.kind == cylint.Kind.CYLINDER).all()
+    assert (molecule(CHAIN, stick=0.25).r == 0.25).all()
+
+
+def test_bonds_end_exactly_at_their_limits(molecule):
+    """0.4 angstrom, and the sum of the covalent radii and 0.45."""
+    for distance, bonded in ((0.399, 0), (0.4, 1), (1.91, 1), (1.911, 0)):
+        text = atom(1, " C1", 0, 0, 0, "C") + atom(2, " C2", distance, 0, 0, "C")
+        far = atom(3, " C3", 90, 0, 0, "C") + atom(4, " C4", 91, 0, 0, "C")
+        assert len(molecule(text + far)) == 1 + bonded, distance
+
+
+def test_balls_are_a_fraction_of_the_van_der_waals_radius(molecule):
+    text = CHAIN + atom(7, "ZN", 20, 0, 0, "ZN", residue=" ZN A 301")
+    balls = molecule(text, stick=0, ball=1)
+    radii = [1.7, 1.7, 1.52, 1.2, 1.2, 1.8, 1.39]
+    assert balls.r.tolist() == radii and balls.c[2].tolist() == [3.06, 0, 0]
+    assert balls.labels.tolist() == [
+        "A:1:GLY:CA", "A:1:GLY:CB", "A:1:GLY:O", "A:1:GLY:HA", "A:1:GLY:HB",
+        "B:45A:CYS:SG", "A:301:ZN:ZN:Zn",
+    ]
+    both = molecule(text, ball=0.25)
+    assert len(both) == 7 + 5 and both.r[0] == 0.25 * 1.7
+    assert both.kind[:7].tolist() == [cylint.Kind.SPHERE] * 7
+
+
+def test_labels_show_the_element_where_the_name_does_not(molecule):
+    names = [(" CA", "C"), ("CA", "CA"), ("1HB", "H"), ("SE", "SE"), ("CL1", "CL")]
+    text = "".join(
+        atom(i, name, 5 * i, 0, 0, element, residue=f"GLY A   {i}")
+        for i, (name, element) in enumerate(names)
+    )
+    labels = molecule(text, stick=0, ball=1).labels
+    ends = [re.sub("A:.:GLY:", "", label) for label in labels]
+    assert ends == ["CA", "CA:Ca", "1HB", "SE:Se", "CL1:Cl"]
+
+
+@pytest.mark.parametrize("form", [str, twin])
+def test_the_first_location_and_the_first_model_are_read(molecule, form):
+    text = (
+        "MODEL        1\n"
+        + atom(1, " C", 0, 0, 0, "C", alt="A")
+        + atom(2, " C", 0.5, 0, 0, "C", alt="B")
+        + atom(3, "CL", -1.7, 0, 0, "CL", alt="A")
+        + "ENDMDL\nMODEL        2\n"
+        + atom(4, " C", 0, 1.5, 0, "C")
+        + "ENDMDL\n"
+    )
+    sticks = molecule(form(text))
+    assert len(sticks) == 1
+    assert sorted([*sticks.p0[:, 0], *sticks.p1[:, 0]]) == [-1.7, 0]
+
+
+def test_waters_may_be_left_out(molecule):
+    text = CHAIN + atom(9, " O", 30, 0, 0, "O", residue="HOH A 401")
+    assert len(molecule(text, stick=0, ball=1)) == 7
+    assert len(molecule(text, stick=0, ball=1, waters=False)) == 6
+
+
+def test_symmetric_copies_are_not_bonded(molecule):
+    cell = "CRYST1    3.000    3.000    3.000  90.00  90.00  90.00 P 1           1\n"
+    text = atom(1, " C1", 0.2, 0, 0, "C") + atom(2, " C2", 2.7, 0, 0, "C")
+    assert len(molecule(cell + text)) == 0
+
+
+def test_a_compressed_file_is_read(tmp_path):
+    path = tmp_path / "molecule.pdb.gz"
+    path.write_bytes(gzip.compress(CHAIN.encode()))
+    assert len(cylint.read_molecule(path)) == 5
+
+
+CIF = """# a comment, then a blank line
+
+data_1ABC
+_entry.id   1ABC
+_struct.title   'An atom''s   title with _atom_site.id, loop_ and # in it'
+_struct.details
+;loop_
+_atom_site.Cartn_x
+ 9.9 data_NONE
+;
+loop_
+_Atom_Site.group_PDB _atom_site.id _atom_site.type_symbol
+_atom_site.label_atom_id
+_atom_site.label_alt_id
+_atom_site.label_comp_id _atom_site.label_asym_id _atom_site.label_seq_id
+_atom_site.Cartn_x
+_atom_site.Cartn_y
+_atom_site.Cartn_z
+_atom_site.occupancy _atom_site.B_iso_or_equiv _atom_site.pdbx_PDB_model_num
+ATOM   11 C "C1'" . U A 1 0.000
+  0.000 0.000 1 0 1
+ATOM   12 C 'C2"' ? U A 1
+1.50(2) 0.0 -0 1 0 1 ATOM
+13 O "O1'" A U A 1 1.500 1.4e0 0.000 1 0 1 ATOM 14 O "O1'" B U A 1 1.500 1.3 0.000 1 0 1
+HETATM 16 C C . U A 1 0.000 1.000 0.000 1 0 2
+"""
+
+
+def test_mmcif_has_texts_quotes_and_rows_over_lines(molecule):
+    sticks = molecule(CIF)
+    assert sticks.p1.tolist() == [[1.5, 0, 0], [1.5, 1.4, 0]]
+    assert sticks.labels[1] == "A:1:U:C2\"--A:1:U:O1'"
+
+
+@pytest.mark.parametrize(
+    "text, options, message",
+    [
+        (atom(1, " C", 0, "oops", 0, "C"), {}, r":1: expected a number in columns 39 to 46, found 'oops'"),
+        (atom(1, " C", 0, 0, "nan", "C"), {}, r"atom A:1:GLY:C has no coordinates"),
+        (atom(1, "XX", 0, 0, 0, "XX"), {}, r"atom A:1:GLY:XX has no known element"),
+        (CIF.replace("1.50(2)", "1.5x"), {}, r"atom A:1:U:C2\" has no coordinates"),
+        ("hello\n", {}, "wrong format"),
+        ("", {}, "wrong format"),
+        ("data_X\n_cell.id 3\n", {}, "no atom was found"),
+        ("data_X\n_cell.id \"text\nloop_\n", {}, "unterminated"),
+        ("data_X\nloop_\n_cell.id\n_cell.x\n1 2.0 3\nloop_\n", {}, "Wrong number of values"),
+        (CHAIN, {"stick": -1}, "stick: expected 0 or a positive number, found -1"),
+        (CHAIN, {"stick": 0}, "stick and ball are 0: nothing to make"),
+        (CHAIN, {"ball": np.nan}, "ball: expected 0 or a positive number, found nan"),
+        (CHAIN, {"ball": 1.7e308}, "a number is not finite"),
+    ],
+)
+def test_what_is_no_molecule_is_refused(molecule, text, options, message):
+    with pytest.raises(ValueError, match=message):
+        molecule(text, **options)
+
+
+def test_a_file_that_cannot_be_read(tmp_path):
+    for read in (cylint.read_molecule, cylint.read_qsm):
+        with pytest.raises(FileNotFoundError, match="none"):
+            read(tmp_path / "none")
+
+
+def test_gemmi_is_needed(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "gemmi", None)
+    with pytest.raises(ImportError, match=r"pip install libcylint\[molecules\]"):
+        cylint.read_molecule(tmp_path / "x")
+
+
+# --------------------------------------------------------------- trees --
+
+
+@pytest.fixture
+def tree(tmp_path):
+    def read(text, **options):
+        path = tmp_path / "tree.csv"
+        path.write_text(text)
+        return cylint.read_qsm(path, **options)
+
+    return read
+
+
+@pytest.mark.parametrize(
+    "text, options",
+    [
+        ('"cyl_ID","startX","startY","startZ","endX","endY","endZ","radius_cyl"\n'
+         "7,1,2,3.10,1,2,4,0.50\n", {}),
+        ("ID;parentID;radius;start_x;start_y;start_z;end_x;end_y;end_z\n"
+         '"7";0;0.50;1;2;3.10;1;2;4\n', {}),
+        ("ID\tradius\tStart X\tStart Y\tStart Z\tend.X\tend.Y\tend.Z\r\n"
+         "7\t.5\t1\t2\t3.1\t1\t2\t4\r\n# 8\n\n", {}),
+        ("\N{BYTE ORDER MARK}ID,length,radius,startX,startY,startZ,axis_x,axis_y,axis_z\n"
+         "7,1.125,.5,1,2,2.875,0,0,1\n", {"z": (2.875, 4)}),
+    ],
+)
+def test_columns_are_found_by_name(tree, text, options):
+    shapes = tree(text)
+    low, high = options.get("z", (3.1, 4))
+    assert shapes.p0.tolist() == [[1, 2, low]] and shapes.p1.tolist() == [[1, 2, high]]
+    assert shapes.r.tolist() == [0.5] and shapes.labels.tolist() == ["7"]
+    assert shapes.kind == cylint.Kind.CYLINDER
+    assert tree(text, round=True).kind == cylint.Kind.CAPSULE
+
+
+TREEQSM = "0.5\t2\t1\t2\t3\t0\t0\t1\t0\t2\t1\n0.4\t0.1\t1\t2\t3\t1\t0\t0\t1\t0\t1\n"
+
+
+@pytest.mark.parametrize("head", ["", "radius (m)  length (m) start_point\n"])
+def test_treeqsm_text_has_no_header(tree, head):
+    shapes = tree(head + TREEQSM, treeqsm=True)
+    assert shapes.p1.tolist() == [[1, 2, 5], [1 + 0.1 * 1, 2, 3]]
+    assert shapes.r.tolist() == [0.5, 0.4] and shapes.labels.tolist() == ["1", "2"]
+
+
+HEAD = "ID,radius,startX,startY,startZ,endX,endY,endZ\n"
+POINTS = "7,.5,1,2,3,1,2,4\n8,.5,1,2,4,1,2,4\n9,0,1,2,4,1,2,5\n"
+
+
+def test_what_bounds_nothing_is_left_out_and_counted(tree):
+    with pytest.warns(UserWarning) as said:
+        shapes = tree(HEAD + POINTS)
+    assert shapes.labels.tolist() == ["7"]
+    texts = [re.sub(".*: ", "", str(warning.message)) for warning in said]
+    assert texts == [
+        "1 cylinder of no length skipped", "1 cylinder of no radius skipped",
+    ]
+    with pytest.warns(UserWarning, match="1 cylinder of no radius") as said:
+        assert tree(HEAD + POINTS, round=True).labels.tolist() == ["7", "8"]
+    assert len(said) == 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(tree(HEAD)) == 0 and len(tree("", treeqsm=True)) == 0
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        ("radius,startX,startY\n1,2,3\n", ":1: the header names no column 'startz'"),
+        (HEAD + "7,1,2,3,4,5,6\n", "row 1 with 7 columns"),
+        (HEAD.replace(",", ";") + "7;1;2;3;4;5;6;7\n8;0,5;2;3;4;5;6;7\n",
+         "could not convert string '0,5' to float64 at row 1"),
+        (HEAD + "7,-1,2,3,4,5,6,7\n", "row 0: negative radius"),
+        (HEAD + "7,1,2,3,4,5,6,nan\n", "cylinder 0: a number is not finite"),
+        ("", "expected a header line, found the end of the file"),
+    ],
+)
+def test_what_is_no_table_is_refused(tree, text, message):
+    with pytest.raises(ValueError, match=message):
+        tree(text)
+
+
+# -------------------------------------------------------------- convert --
+
+
+def convert(*arguments, given=b""):
+    done = subprocess.run(
+        [sys.executable, "-m", "libcylint", "convert", *map(str, arguments)],
+        input=given, capture_output=True,
+    )
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+def test_convert_writes_the_scene_that_is_read(tmp_path):
+    path, scene = tmp_path / "m", tmp_path / "scene"
+    path.write_text(CHAIN)
+    for kind in ("molecule", "pdb", "mmcif"):
+        status, text, said = convert(kind, "-b", "0.25", "-r", ".1", path)
+        assert (status, said) == (0, "")
+        scene.write_text(text)
+        again = cylint.read_scene(scene)
+        want = cylint.read_molecule(path, stick=0.1, ball=0.25)
+        assert (again == want).all() and again.labels.tolist() == want.labels.tolist()
+    packed = gzip.compress(CHAIN.encode())
+    assert convert("molecule", "-b", ".25", "-r", ".1", given=packed)[1] == text
+    water = CHAIN + atom(9, " O", 30, 0, 0, "O", residue="HOH A 401")
+    options = ("molecule", "-r", "0", "-b", "1")
+    assert convert(*options, given=water.encode())[1].count("\n") == 7
+    status, text, _ = convert(*options, "--no-waters", given=water.encode())
+    assert text.count("\n") == 6
+
+
+def test_convert_reads_trees_and_neurons(tmp_path):
+    assert convert("qsm", "-t", given=TREEQSM.encode())[1] == (
+        "cylinder 1 2 3 1 2 5 0.5 1\ncylinder 1 2 3 1.1 2 3 0.4 2\n"
+    )
+    status, text, said = convert("qsm", "--round", given=(HEAD + POINTS).encode())
+    assert text == "capsule 1 2 3 1 2 4 0.5 7\nrcone 1 2 4 0.5 1 2 4 0.5 8\n"
+    assert said == "libcylint: -: 1 cylinder of no radius skipped\n"
+    nodes = b"1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n"
+    cone = "cone 0 0 10 1 0 0 0 2 2\n"
+    assert convert("swc", given=nodes) == (0, cone, "")
+    for name in ("a.swc", "a=b"):
+        (tmp_path / name).write_bytes(nodes)
+        assert convert("swc", tmp_path / name) == (0, cone, "")
+    assert convert("swc", "--swc=round", tmp_path / "a=b", tmp_path / "a.swc")[1] == (
+        2 * "sphere 0 0 0 2 1\nrcone 0 0 10 1 0 0 0 2 2\n"
+    )
+
+
+def test_convert_has_the_status_of_the_command(tmp_path):
+    bad = tmp_path / "bad"
+    bad.write_text("1 1 0 0 0 2 x\n")
+    status, text, said = convert("swc", bad)
+    assert (status, text) == (1, "")
+    assert said == f"libcylint: {bad}:1:13: expected a node's number or -1, found 'x'\n"
+    assert convert("qsm", bad)[0] == convert("pdb", bad)[0] == 1
+    status, text, said = convert("molecule", tmp_path / "none")
+    assert (status, text) == (3, "")
+    assert said == f"libcylint: {tmp_path / 'none'}: No such file or directory\n"
+    for wrong in ((), ("pov",), ("swc", "--swc=oval"), ("pdb", "-r", "thick")):
+        status, text, said = convert(*wrong)
+        assert status == 2 and text == "" and said.startswith("usage: ")
+    for kind in ((), ("molecule",), ("qsm",), ("swc",)):
+        status, text, _ = convert(*kind, "--help")
+        assert status == 0 and "usage: python -m libcylint convert" in text
+    if os.path.exists("/dev/full"):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run(
+                [sys.executable, "-m", "libcylint", "convert", "qsm", "-t"],
+                input=TREEQSM.encode(), stdout=full, stderr=subprocess.PIPE,
+            )
+        assert done.returncode == 3 and b"No space left" in done.stderr
+
+
+# -------------------------------------------------------------- recipes --
+
+
+def display(name, page="cylint.7"):
+    """A display of a manual."""
+    done = subprocess.run(
+        ["sh", TOP / "tests/support/recipe.sh", name, page],
+        capture_output=True, text=True, check=True,
+    )
+    assert done.stdout
+    return done.stdout
+
+
+@pytest.fixture
+def recipe(tmp_path):
+    """Runs a display in a folder, with the command and this Python."""
+    command = os.environ.get("CYLINT_COMMAND")
+    if not command:
+        pytest.skip("CYLINT_COMMAND does not name the command")
+    (tmp_path / "bin").mkdir()
+    python = tmp_path / "bin" / "python"
+    python.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
+    python.chmod(0o755)
+    path = f"{tmp_path / 'bin'}:{os.path.dirname(command)}:{os.environ['PATH']}"
+
+    def run(text):
+        done = subprocess.run(
+            ["sh", "-c", text], cwd=tmp_path, env=os.environ | {"PATH": path},
+            capture_output=True, text=True,
+        )
+        assert done.stderr == ""
+        return done.stdout
+
+    return run
+
+
+def test_the_formats_of_the_manual(recipe, tmp_path):
+    (tmp_path / "molecule.pdb").write_text(CHAIN)
+    (tmp_path / "tree.csv").write_text(HEAD + POINTS[:17])
+    (tmp_path / "neuron.swc").write_text("1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n")
+    recipe(display("formats").replace("pip ", ": pip "))
+    count = {
+        name: len(cylint.read_scene(tmp_path / f"{name}.scene"))
+        for name in ("molecule", "tree", "neuron")
+    }
+    assert count == {"molecule": 6 + 5, "tree": 1, "neuron": 2}
+
+
+def test_half_of_the_points_are_near_a_stem(recipe, tmp_path):
+    """Forty stems.  Each has one point 9 mm and one 45 mm in front of the bark."""
+    table, cloud = [HEAD], []
+    for n in range(40):
+        c, s = np.cos(n * 0.157), np.sin(n * 0.157)
+        r, d = 0.1 + n / 200, 10 + n
+        foot = f"{d * c:.9f},{d * s:.9f}"
+        table.append(f"{n},{r:g},{foot},250,{foot},260\n")
+        for off in (0.009, 0.045):
+            cloud.append(f"{(d - r - off) * c:.9f} {(d - r - off) * s:.9f} 255.5\n")
+    (tmp_path / "tree.csv").write_text("".join(table))
+    (tmp_path / "cloud.txt").write_text("".join(cloud))
+    assert recipe(display("lidar")) == (
+        "of 80 points are within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %\n"
+        "-2 to -1 cm      0\n-1 to  0 cm      0\n 0 to  1 cm     40\n"
+        " 1 to  2 cm      0\n 2 to  3 cm      0\n 3 to  4 cm      0\n"
+        " 4 to  5 cm     40\n"
+    )
+
+
+def test_a_ray_from_an_atom_hits_the_other_bond_and_not_its_own(recipe, tmp_path):
+    """Two parallel bonds, the second 2 above the first.  Rays from the two lower
+    atoms hit the upper bond, which is 0.2 thick, and nothing else."""
+    (tmp_path / "molecule.pdb").write_text(
+        atom(1, " C", 0, 0, 0, "C", residue="GLY A   1")
+        + atom(2, " O", 1.2, 0, 0, "O", residue="GLY A   2")
+        + atom(3, " C", 0, 0, 2, "C", residue="GLY A   3")
+        + atom(4, " O", 1.2, 0, 2, "O", residue="GLY A  -4")
+    )
+    bond = "A:3:GLY:C--A:-4:GLY:O\t1.8\t"
+    said = recipe(display("molecule"))
+    assert said == f"{bond}A:1:GLY:C\n{bond}A:2:GLY:O\n"
+
+
+def test_a_protein_has_the_colours_of_its_elements(recipe, tmp_path):
+    render = Path(os.environ["CYLINT_COMMAND"]).with_name("cylint-render")
+    if not render.exists():
+        pytest.skip("no cylint-render")
+    text = display("protein", "cylint-render.1")
+    text = text.replace("640x540", "64x54").replace("samples 64", "samples 1")
+    (tmp_path / "molecule.pdb").write_text(
+        atom(1, " C", 0, 0, 0, "C") + atom(2, " O", 1.5, 0, 0, "O")
+        + atom(3, " N", -1.4, 0, 0, "N")
+    )
+    recipe(text)
+    pixels = recipe(f"{render.parent}/tests/command/pixels protein.png")
+    colour = np.array([row.split()[2:5] for row in pixels.splitlines()], int)
+    assert (colour[:, 0] > 2 * colour[:, 1]).sum() > 9  # red
+    assert (colour[:, 2] > 2 * colour[:, 0]).sum() > 9  # blue
+
+
+# ------------------------------------------------------------ real files --
+
+real = pytest.mark.skipif(not DATA.exists(), reason=f"no {DATA}")
+
+
+@real
+def test_a_protease_has_1922_sticks_and_1890_balls(tmp_path):
+    path = DATA / "1hvr.pdb"
+    shapes = cylint.read_molecule(path, ball=0.25)
+    kinds = [np.count_nonzero(shapes.kind == k) for k in (cylint.Kind.CYLINDER, cylint.Kind.SPHERE)]
+    assert kinds == [1922, 1890]
+    (tmp_path / "cif").write_text(twin(path.read_text()))
+    again = cylint.read_molecule(tmp_path / "cif", ball=0.25)
+    assert (again == shapes).all() and (again.labels == shapes.labels).all()
+
+
+@real
+def test_a_real_tree_has_the_answers_of_the_manual(recipe, tmp_path):
+    for name, file in (("tree.csv", "tree_archi.csv"), ("cloud.txt", "tree_cloud_xyz.txt")):
+        (tmp_path / name).symlink_to(DATA / file)
+    assert len(cylint.read_qsm(tmp_path / "tree.csv")) == 1231
+    for name, said in (
+        ("lidar", "lidar-said"), ("residuals", "residuals-said"), ("crown", "crown-said"),
+    ):
+        assert recipe(display(name)) == display(said)

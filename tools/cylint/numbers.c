@@ -1,0 +1,122 @@
+/*
+ * numbers.c - converts text to double and double to text
+ *
+ * Short decimals are read here, because they are the most frequent numbers.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "numbers.h"
+#include "text.h"
+
+static int is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static const char *skip_and_count(const char *p, uint64_t *count)
+{
+    for (; is_digit(*p); p++)
+        *count = 10 * *count + (uint64_t)(*p - '0');
+    return p;
+}
+
+/* Whether none of eight bytes is below '.', as separators and signs are.  A
+ * borrow can only make a further byte count as below. */
+static int is_solid(const char *p)
+{
+    const uint64_t ones = 0x0101010101010101u;
+    uint64_t x;
+    memcpy(&x, p, sizeof x);
+    return ((x - ones * '.') & ~x & (ones << 7)) == 0;
+}
+
+/* Numbers of 17 characters or more are rarely short and are not tested. */
+static int is_long(const char *text, const char *end)
+{
+    return end - text > 17 && (is_solid(text + 1) & is_solid(text + 9));
+}
+
+/*
+ * Reads digits with a point but without an exponent, the most frequent form.
+ * The number is M / 10^k, where M has all the digits and k of them are after
+ * the point.  If M < 2^53 and k <= 22, both are doubles and the quotient is
+ * rounded once: it is the nearest double [Clinger 1990].  This needs arithmetic
+ * without excess precision.  Returns NULL for other numbers.
+ */
+static const char *read_short(const char *text, const char *end, double *value)
+{
+    static const double powers[2][19] = {
+        {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+         1e13, 1e14, 1e15, 1e16, 1e17, 1e18},
+        {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
+         -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18}};
+    enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
+    if (FLT_EVAL_METHOD != 0 || is_long(text, end))
+        return NULL;
+    const int minus = *text == '-';
+    const char *const digits = text + (minus || *text == '+');
+    uint64_t m = 0;
+    const char *after = skip_and_count(digits, &m);
+    ptrdiff_t count = after - digits, parts = 0;
+    if (*after == '.') {
+        const char *const part = after + 1;
+        after = skip_and_count(part, &m);
+        parts = after - part;
+        count += parts;
+    }
+    if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53 ||
+        (*after | 0x20) == 'e' || (*after | 0x20) == 'x')
+        return NULL;
+    *value = (double)(int64_t)m / powers[minus][parts];
+    return after;
+}
+
+/* The libraries read inf and nan, too, and not all of them read a plus sign. */
+const char *cylint_read_number(const char *text, const char *end, double *value)
+{
+    const char *after = read_short(text, end, value);
+    if (after)
+        return after;
+    const char *p = text + (text < end && (*text == '+' || *text == '-'));
+    if (p == end || !(is_digit(*p) || *p == '.'))
+        return NULL;
+    if (*p != '0' || (p[1] | 0x20) != 'x')
+        return cylint_read_decimal(*text == '+' ? p : text, end, value);
+    char *stop;
+    *value = strtod(text, &stop);
+    return stop;
+}
+
+/* Writes nan without its sign, which differs between machines; inf with it. */
+static size_t write_not_finite(char *out, double value)
+{
+    const char *word = value > 0 ? "inf" : value < 0 ? "-inf" : "nan";
+    memcpy(out, word, strlen(word));
+    return strlen(word);
+}
+
+/* Writes the mantissa as a number from 1 to 2, because libraries differ in the
+ * leading digits of others and of subnormals.  It ends with p+0. */
+static size_t write_hex(char *out, double value)
+{
+    struct text t = {out, 0};
+    int exponent;
+    const double mantissa = 2 * frexp(fabs(value), &exponent);
+    put_word(&t, signbit(value) ? "-0x" : "0x");
+    t.length += cylint_write_digits(out + t.length, mantissa, NUMBER_HEX) - 2;
+    exponent = mantissa > 0 ? exponent - 1 : 0;
+    put_char(&t, exponent < 0 ? '-' : '+');
+    put_whole(&t, (unsigned)abs(exponent));
+    return t.length;
+}
+
+size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits)
+{
+    return value - value != 0     ? write_not_finite(out, value)
+           : digits == NUMBER_HEX ? write_hex(out, value)
+                                  : cylint_write_digits(out, value, digits);
+}

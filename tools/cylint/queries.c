@@ -1,0 +1,389 @@
+/*
+ * queries.c - the answer to a record, by query
+ *
+ * The library finds the shapes of a scene.  A published method, and --accel
+ * none, intersect all of them, one by one.  Both choose the lower number at
+ * equal t.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "answer.h"
+#include "main.h"
+
+/* The fields of the present record's columns. */
+static const struct fields *fields_of(const struct task *task)
+{
+    const struct options *o = task->job->options;
+    return task->record.is_point ? &o->point_fields : &o->fields;
+}
+
+static unsigned signed_of(const struct options *o)
+{
+    return o->is_signed ? CYLINT_SIGNED : 0;
+}
+
+static int is_left_out(const struct task *task, size_t shape)
+{
+    const struct job *job = task->job;
+    return task->left_out.count > 0 &&
+           left_out_has(&task->left_out, job->options->not_label
+                                             ? (size_t)job->groups.of[shape]
+                                             : shape);
+}
+
+/* ------------------------------------------------------------ one shape -- */
+
+/* part is -1 only if there is no surface. */
+static void measure(struct task *task, const cylint_shape *shape)
+{
+    struct row *row = &task->row;
+    cylint_closest closest = {.part = 0};
+    row->distance = cylint_distance(
+        shape, task->record.point,
+        fields_of(task)->want | signed_of(task->job->options), &closest);
+    row->answer.n = closest.part >= 0;
+    row->answer.hit[0].part = closest.part;
+    row->feature = closest.feature;
+    memcpy(row->answer.hit[0].point, closest.point, sizeof closest.point);
+    memcpy(row->answer.hit[0].normal, closest.normal, sizeof closest.normal);
+}
+
+/* Returns EXIT_BAD and writes a note if the method does not support the shape.
+ * number: of the shape, from 1; 0: it is in the record. */
+static int solve(struct task *task, const cylint_shape *shape, size_t number,
+                 unsigned want, cylint_answer *answer)
+{
+    const cylint_method *method = task->job->options->method;
+    char where[48] = "";
+    if (!method) {
+        cylint_intersect(shape, &task->record.line, want, answer);
+        return 0;
+    }
+    if (method->answer(shape, &task->record.line, want, answer) == CYLINT_OK)
+        return 0;
+    if (number > 0)
+        snprintf(where, sizeof where, ": shape %llu of the scene",
+                 (unsigned long long)number);
+    return refuse(&task->notes, NULL,
+                  "method '%s' does not support this shape%s", method->name,
+                  where);
+}
+
+/* If a column needs it, sets the row's label to that of its shape. */
+static void find_label(struct task *task)
+{
+    struct row *row = &task->row;
+    row->label.length = 0;
+    if (fields_of(task)->labels > 0 && row->shape > 0)
+        row->label = labels_get(&task->job->labels, (size_t)row->shape - 1);
+}
+
+/* Writes a row for the shape with this number, from 1; 0: there is none. */
+static void put_shape(struct task *task, size_t number)
+{
+    cylint_shape shape;
+    task->row.shape = (double)number;
+    task->row.answer.n = -1;
+    if (number > 0) {
+        scene_shape(&task->job->scene, number - 1, &shape);
+        if (task->record.is_point)
+            measure(task, &shape);
+        else
+            solve(task, &shape, number, fields_of(task)->want,
+                  &task->row.answer);
+    }
+    find_label(task);
+    put_answer(task, number > 0);
+}
+
+static int answer_pair(struct task *task)
+{
+    const struct record *r = &task->record;
+    if (r->is_point)
+        measure(task, &r->shape);
+    else if (solve(task, &r->shape, 0, fields_of(task)->want,
+                   &task->row.answer))
+        return EXIT_BAD;
+    put_answer(task, r->is_point || task->row.answer.n > 0);
+    return 0;
+}
+
+/* --------------------------------------------------------------- visits -- */
+
+/* What a visit finds: the shape with the least t or distance, and how many. */
+struct search {
+    struct task *task;
+    size_t shape; /* from 1; 0: none */
+    double least;
+    size_t count, most; /* most: the visit ends; 0: it does not */
+};
+
+static double keep_nearest(struct search *s, size_t number, double key)
+{
+    if (!is_left_out(s->task, number) &&
+        (s->shape == 0 || key < s->least ||
+         (!(key > s->least) && number + 1 < s->shape))) {
+        s->shape = number + 1;
+        s->least = key;
+    }
+    return s->shape > 0 ? s->least : HUGE_VAL;
+}
+
+static double count_one(struct search *s, size_t number)
+{
+    s->count += !is_left_out(s->task, number);
+    return s->count == s->most && s->most > 0 ? (double)NAN : HUGE_VAL;
+}
+
+static double keep_nearest_hit(void *search, size_t number,
+                               const cylint_hit *hit)
+{
+    return keep_nearest(search, number, hit->t);
+}
+
+static double count_hit(void *search, size_t number, const cylint_hit *hit)
+{
+    (void)hit;
+    return count_one(search, number);
+}
+
+static double put_hit(void *search, size_t number, const cylint_hit *hit)
+{
+    struct search *s = search;
+    (void)hit;
+    if (!is_left_out(s->task, number))
+        put_shape(s->task, number + 1);
+    return s->task->status == ANSWERED ? HUGE_VAL : (double)NAN;
+}
+
+static double keep_closest(void *search, size_t number, double distance,
+                           int flags)
+{
+    const struct search *s = search;
+    (void)flags;
+    return keep_nearest(search, number,
+                        s->task->job->options->is_signed ? distance
+                                                         : fabs(distance));
+}
+
+static double count_near(void *search, size_t number, double distance,
+                         int flags)
+{
+    (void)distance;
+    (void)flags;
+    return count_one(search, number);
+}
+
+static int is_one_by_one(const struct options *o)
+{
+    return o->method || o->accel == ACCEL_NONE;
+}
+
+/* As cylint_scene_visit().  Returns EXIT_BAD and writes a note if the method
+ * does not support a shape. */
+static int visit_line(struct search *s, unsigned want,
+                      cylint_scene_hit *callback)
+{
+    const struct scene *scene = &s->task->job->scene;
+    cylint_shape shape;
+    cylint_answer answer;
+    if (!is_one_by_one(s->task->job->options)) {
+        cylint_scene_visit(scene->shapes, &s->task->record.line, want, callback,
+                           s);
+        return 0;
+    }
+    for (size_t i = 0; i < scene->count; i++) {
+        if (is_left_out(s->task, i))
+            continue;
+        scene_shape(scene, i, &shape);
+        if (solve(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST, &answer))
+            return EXIT_BAD;
+        if (answer.n > 0 && isnan(callback(s, i, &answer.hit[0])))
+            break;
+    }
+    return 0;
+}
+
+static void visit_point(struct search *s, double radius, unsigned want,
+                        cylint_scene_near *callback)
+{
+    cylint_scene_visit_point(s->task->job->scene.shapes, s->task->record.point,
+                             radius, want, callback, s);
+}
+
+static int answer_nearest(struct task *task)
+{
+    const struct options *o = task->job->options;
+    struct search s = {.task = task};
+    if (task->record.is_point)
+        visit_point(&s, o->radius, signed_of(o), keep_closest);
+    else if (visit_line(&s, CYLINT_WANT_T, keep_nearest_hit))
+        return EXIT_BAD;
+    put_shape(task, s.shape);
+    return 0;
+}
+
+/* Counts up to `most` shapes; 0: all. */
+static int answer_up_to(struct task *task, size_t most)
+{
+    const struct options *o = task->job->options;
+    struct search s = {.task = task, .most = most};
+    if (task->record.is_point)
+        visit_point(&s, o->radius, signed_of(o), count_near);
+    else if (!is_one_by_one(o) && task->left_out.count == 0)
+        s.count = cylint_scene_count(task->job->scene.shapes,
+                                     &task->record.line, most);
+    else if (visit_line(&s, 0, count_hit))
+        return EXIT_BAD;
+    task->row.count = (double)s.count;
+    put_answer(task, s.count > 0);
+    return 0;
+}
+
+static int answer_any(struct task *task)
+{
+    return answer_up_to(task, 1);
+}
+
+static int answer_count(struct task *task)
+{
+    return answer_up_to(task, 0);
+}
+
+enum { FOUND_AT_ONCE = 256 };
+
+/* The first visit finds shapes that the method does not support, so that a bad
+ * record has no partial answer. */
+static int answer_all_one_by_one(struct task *task)
+{
+    struct search s = {.task = task};
+    return visit_line(&s, 0, count_hit) || visit_line(&s, 0, put_hit);
+}
+
+static int answer_all(struct task *task)
+{
+    const struct options *o = task->job->options;
+    const cylint_scene *scene = task->job->scene.shapes;
+    const struct record *r = &task->record;
+    size_t number[FOUND_AT_ONCE], found, first = 0;
+    if (!r->is_point && is_one_by_one(o))
+        return answer_all_one_by_one(task);
+    do {
+        found = r->is_point ? cylint_scene_within(scene, r->point, o->radius,
+                                                  signed_of(o), first, number,
+                                                  NULL, FOUND_AT_ONCE)
+                            : cylint_scene_all(scene, &r->line, first, number,
+                                               FOUND_AT_ONCE);
+        for (size_t i = 0; i < found && task->status == ANSWERED; i++)
+            if (!is_left_out(task, number[i]))
+                put_shape(task, number[i] + 1);
+        first = found > 0 ? number[found - 1] + 1 : 0;
+    } while (found == FOUND_AT_ONCE && task->status == ANSWERED);
+    return 0;
+}
+
+/* --------------------------------------------------------------- solids -- */
+
+/* Sets the row's shape from a number of the library. */
+static void set_owner(struct task *task, size_t number)
+{
+    task->row.shape = number < task->job->scene.count ? (double)number + 1 : 0;
+    find_label(task);
+}
+
+static int answer_first(struct task *task)
+{
+    struct row *row = &task->row;
+    const size_t number =
+        first_boundary(task->job->scene.shapes, &task->record.line,
+                       fields_of(task)->want, row->answer.hit, &task->pieces);
+    if (number == CYLINT_NO_ROOM)
+        return end_without_memory(task);
+    set_owner(task, number);
+    row->answer.n = row->shape > 0 ? 1 : -1;
+    put_answer(task, row->shape > 0);
+    return 0;
+}
+
+static cylint_piece_rule rule_of(const struct job *job)
+{
+    static const cylint_piece_mode modes[] = {
+        CYLINT_PIECES_OWNER, CYLINT_PIECES_UNION, CYLINT_PIECES_CELLS,
+        CYLINT_PIECES_CHORDS};
+    return (cylint_piece_rule){.mode = modes[job->options->mode],
+                               .rank = job->groups.rank};
+}
+
+static int answer_sums(struct task *task)
+{
+    const struct job *job = task->job;
+    const struct groups *groups = &job->groups;
+    const cylint_piece_rule rule = rule_of(job);
+    int is_hit = 0;
+    if (cylint_scene_line_sums(job->scene.shapes, &task->record.line, &rule,
+                               groups->of, groups->columns,
+                               job->options->sum == SUM_LENGTH,
+                               task->sums) != CYLINT_SCENE_OK)
+        return end_without_memory(task);
+    for (size_t i = 0; i < groups->columns; i++)
+        is_hit |= task->sums[i] > 0;
+    put_answer(task, is_hit);
+    return 0;
+}
+
+static int answer_pieces(struct task *task)
+{
+    const struct job *job = task->job;
+    const cylint_piece_rule rule = rule_of(job);
+    struct row *row = &task->row;
+    if (job->options->sum)
+        return answer_sums(task);
+    const size_t found =
+        find_pieces(job->scene.shapes, &task->record.line, &rule,
+                    (size_t)job->options->most_pieces, &task->pieces);
+    if (found == CYLINT_NO_ROOM)
+        return end_without_memory(task);
+    row->answer.n = 2;
+    row->unit = cylint_line_length(&task->record.line);
+    for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
+        const cylint_piece *piece = &task->pieces.piece[i];
+        row->answer.hit[0].t = piece->t0;
+        row->answer.hit[1].t = piece->t1;
+        row->depth = (double)piece->depth;
+        set_owner(task, piece->shape);
+        put_answer(task, 1);
+    }
+    return 0;
+}
+
+/* A shape holds the point if its signed distance is at most 0. */
+static int answer_inside(struct task *task)
+{
+    const struct fields *fields = fields_of(task);
+    const struct job *job = task->job;
+    struct search s = {.task = task};
+    size_t owner = job->scene.count, depth = 0;
+    if (fields->counts)
+        visit_point(&s, 0, CYLINT_SIGNED, count_near);
+    if (fields->solids)
+        depth = depth_of_point(job->scene.shapes, task->record.point,
+                               job->groups.rank, &owner, &task->pieces);
+    if (depth == CYLINT_NO_ROOM)
+        return end_without_memory(task);
+    task->row.count = (double)s.count;
+    task->row.depth = (double)depth;
+    set_owner(task, owner);
+    put_answer(task, s.count > 0 || depth > 0);
+    return 0;
+}
+
+int answer_record(struct task *task)
+{
+    static int (*const answers[])(struct task *) = {
+        [QUERY_PAIRS] = answer_pair,    [QUERY_NEAREST] = answer_nearest,
+        [QUERY_ANY] = answer_any,       [QUERY_COUNT] = answer_count,
+        [QUERY_ALL] = answer_all,       [QUERY_FIRST] = answer_first,
+        [QUERY_PIECES] = answer_pieces, [QUERY_INSIDE] = answer_inside};
+    return answers[task->job->options->query](task);
+}

@@ -1,0 +1,275 @@
+/*
+ * scene_text.c - shapes as text of the grammar, which is read as the same shapes
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../../src/shapes/layout.h"
+#include "main.h"
+#include "numbers.h"
+#include "report.h"
+#include "scene_text.h"
+
+enum { CLAUSE_MOST = 999999999 };
+
+/* ------------------------------------------------------------- numbers -- */
+
+/* The kind whose constructor made the shape. */
+static int kind_of(const cylint_shape *s)
+{
+    static const int kinds[] = {[CYLINT_KIND_CYLINDER] = SHAPE_CYLINDER,
+                                [CYLINT_KIND_CONE] = SHAPE_CONE,
+                                [CYLINT_KIND_ACONE] = SHAPE_ACONE,
+                                [CYLINT_KIND_ECYLINDER] = SHAPE_ECYLINDER,
+                                [CYLINT_KIND_ECONE] = SHAPE_ECONE,
+                                [CYLINT_KIND_SPHERE] = SHAPE_SPHERE,
+                                [CYLINT_KIND_CAPSULE] = SHAPE_CAPSULE,
+                                [CYLINT_KIND_RCONE] = SHAPE_RCONE,
+                                [CYLINT_KIND_HALFSPACE] = SHAPE_HALFSPACE};
+    return s->kind == CYLINT_KIND_SPHERE &&
+                   cylint_surface(s) != CYLINT_PART_LATERAL
+               ? SHAPE_RCONE
+               : kinds[s->kind];
+}
+
+int numbers_of_shape(const cylint_shape *s, double number[13])
+{
+    /* p: base, t: top, r: its radius at the base, R: at the top or the tangent */
+    static const char *const parts[SHAPE_KINDS] = {
+        [SHAPE_CYLINDER] = "ptr",   [SHAPE_CONE] = "prtR",
+        [SHAPE_ECYLINDER] = "pabh", [SHAPE_ECONE] = "pabhR",
+        [SHAPE_ACONE] = "phR",      [SHAPE_SPHERE] = "pr",
+        [SHAPE_CAPSULE] = "ptr",    [SHAPE_RCONE] = "prtR",
+        [SHAPE_HALFSPACE] = "ph"};
+    const int kind = kind_of(s);
+    /* The ball about p1 has its base there. */
+    const int turned =
+        s->kind == CYLINT_KIND_SPHERE && cylint_surface(s) == CYLINT_PART_CAP1;
+    for (const char *p = parts[kind]; *p; p++) {
+        const int is_top = (*p == 't' || *p == 'R') != turned;
+        const double *from = *p == 'a'                ? cylint_a(s)
+                             : *p == 'b'              ? cylint_b(s)
+                             : *p == 'h'              ? cylint_axis(s)
+                             : *p == 'r' || *p == 'R' ? cylint_radii(s) + is_top
+                             : is_top                 ? cylint_top(s)
+                                                      : cylint_base(s);
+        const size_t count = *p == 'r' || *p == 'R' ? 1 : 3;
+        memcpy(number, from, count * sizeof *number);
+        number += count;
+    }
+    return kind;
+}
+
+/*
+ * Text has the angle of a cone in degrees, a shape its tangent.  The tangent
+ * grows with the angle, so this steps from an approximation, of 15 digits, to the
+ * first double whose tangent is not on the same side.  Returns 0 if no angle has
+ * the tangent.
+ */
+static double angle_of(const cylint_shape *shape)
+{
+    const double degree = 57.29577951308232; /* 180 / pi */
+    const double tangent = cylint_r1(shape);
+    char digits[NUMBER_CAPACITY + 1] = {0};
+    double angle;
+    const size_t length =
+        cylint_write_number(digits, atan(tangent) * degree, 15);
+    cylint_read_number(digits, digits + length, &angle);
+    angle = fmin(angle, nextafter(90, 0));
+    for (int before = 0;;) {
+        cylint_shape made;
+        if (cylint_angle_cone(&made, cylint_base(shape), cylint_axis(shape),
+                              angle, CYLINT_ENDS_INFINITE) != CYLINT_OK) {
+            return 0;
+        }
+        const double reached = cylint_r1(&made);
+        const int side = (reached < tangent) - (reached > tangent);
+        if (side == 0) {
+            return angle;
+        }
+        if (side == -before) {
+            return 0;
+        }
+        before = side;
+        angle = nextafter(angle, side * HUGE_VAL);
+    }
+}
+
+/* -------------------------------------------------------------- record -- */
+
+static int begins_with(const struct string *label, const char *word)
+{
+    return label->length >= strlen(word) &&
+           memcmp(label->text, word, strlen(word)) == 0;
+}
+
+/* A label is the rest of a line without the blanks around it. */
+static const char *fault_of(const struct shape_record *r)
+{
+    for (size_t i = 0; i < r->members; i++) {
+        if (abs(r->member[i].clause) > CLAUSE_MOST) {
+            return "text has clauses up to 999999999";
+        }
+    }
+    const struct string *label = &r->label;
+    const char *const text = label->text;
+    if (label->length == 0) {
+        return NULL;
+    }
+    const char last = text[label->length - 1];
+    return memchr(text, '\n', label->length) ||
+                   memchr(text, '\0', label->length)
+               ? "text has no line feed and no NUL in labels"
+           : is_blank(text[0]) || is_blank(last) || last == '\r'
+               ? "text has no blanks around labels"
+           : begins_with(label, IN_WORD) || begins_with(label, OUT_WORD)
+               ? "text has no labels that begin with in= or out="
+           : r->members > 0 && begins_with(label, "ends=")
+               ? "text has no label that begins with ends= in a solid"
+               : NULL;
+}
+
+static void put_shape(struct text *t, const struct shape_record *r, int kind,
+                      const double *number, int digits)
+{
+    const int usual = kind == SHAPE_ACONE || kind == SHAPE_HALFSPACE
+                          ? CYLINT_ENDS_INFINITE
+                          : CYLINT_ENDS_CAPPED;
+    put_word(t, shape_kinds[kind].word);
+    for (int i = 0; i < shape_kinds[kind].numbers; i++) {
+        put_char(t, ' ');
+        t->length +=
+            cylint_write_number(t->data + t->length, number[i], digits);
+    }
+    /* A label of this form would be read as the ends. */
+    if (r->shape->ends != usual || begins_with(&r->label, "ends=")) {
+        put_word(t, " ends=");
+        put_word(t, ends_words[r->shape->ends]);
+    }
+}
+
+/* A solid of a saved scene has no name: its number serves. */
+static void put_member(struct text *t, const struct solids *s,
+                       const cylint_member *m)
+{
+    put_word(t, m->clause < 0 ? " " OUT_WORD : " " IN_WORD);
+    if (m->solid < s->names.texts.count) {
+        put_string(t, names_get(&s->names, m->solid));
+    } else {
+        put_whole(t, m->solid + 1);
+    }
+    put_char(t, '/');
+    put_whole(t, (unsigned long long)abs(m->clause));
+}
+
+/* The bytes of the words that put_member() writes, at most. */
+static size_t bytes_of_solids(const struct shape_record *r)
+{
+    size_t bytes = 0;
+    for (size_t i = 0; i < r->members; i++) {
+        const size_t solid = r->member[i].solid;
+        bytes += 48 + (solid < r->solids->names.texts.count
+                           ? names_get(&r->solids->names, solid).length
+                           : 0);
+    }
+    return bytes;
+}
+
+const char *put_record(struct text *t, const struct shape_record *r, int digits)
+{
+    double number[13];
+    const int kind = numbers_of_shape(r->shape, number);
+    const size_t begin = t->length;
+    const char *fault = fault_of(r);
+    if (fault) {
+        return fault;
+    }
+    if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0) {
+        return "text has angles, and no angle in degrees has its tangent";
+    }
+    put_shape(t, r, kind, number, digits);
+    if (bytes_of_solids(r) + r->label.length <= LINE_MOST) {
+        for (size_t i = 0; i < r->members; i++) {
+            put_member(t, r->solids, &r->member[i]);
+        }
+        if (r->label.length > 0) {
+            /* The first comma after a field separates. */
+            put_word(t, r->label.text[0] == ',' ? " ," : " ");
+            put_string(t, r->label);
+        }
+        put_char(t, '\n');
+        if (t->length - begin - 1 <= LINE_MOST) {
+            return NULL;
+        }
+    }
+    t->length = begin;
+    return "the line would be longer than 1 MiB";
+}
+
+/* --------------------------------------------------------------- scene -- */
+
+static int compare_members(const void *a, const void *b)
+{
+    const cylint_member *m = a, *n = b;
+    return m->shape != n->shape   ? (m->shape > n->shape ? 1 : -1)
+           : m->solid != n->solid ? (m->solid > n->solid ? 1 : -1)
+                                  : abs(m->clause) - abs(n->clause);
+}
+
+static int refuse_shape(const char *file, size_t shape, const char *why)
+{
+    char text[160];
+    struct text t = {text, 0};
+    put_word(&t, "shape ");
+    put_whole(&t, shape + 1);
+    put_word(&t, ": ");
+    put_word(&t, why);
+    put_char(&t, '\0');
+    complain(file, text);
+    return EXIT_BAD;
+}
+
+static int put_records(struct scene *scene, const struct labels *labels,
+                       const char *file, int digits, struct output *out,
+                       struct text *t)
+{
+    const struct solids *s = &scene->solids;
+    size_t at = 0;
+    int status = 0;
+    for (size_t i = 0; i < scene->count && status == 0; i++) {
+        cylint_shape shape;
+        struct shape_record r = {&shape, s,
+                                 s->count > 0 ? s->member + at : NULL, 0,
+                                 labels_get(labels, i)};
+        scene_shape(scene, i, &shape);
+        for (; at < s->count && s->member[at].shape == i; at++) {
+            r.members++;
+        }
+        const char *fault = put_record(t, &r, digits);
+        if (fault) {
+            return refuse_shape(file, i, fault);
+        }
+        if (t->length >= TEXT_FULL || i + 1 == scene->count) {
+            status = output_write(out, t->data, t->length);
+            t->length = 0;
+        }
+    }
+    return status;
+}
+
+int scene_write_text(struct scene *scene, const struct labels *labels,
+                     const char *file, int digits, struct output *out)
+{
+    struct solids *s = &scene->solids;
+    struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
+    if (!t.data) {
+        return out_of_memory();
+    }
+    solids_complete(s);
+    if (s->count > 0) {
+        qsort(s->member, s->count, sizeof *s->member, compare_members);
+    }
+    const int status = put_records(scene, labels, file, digits, out, &t);
+    free(t.data);
+    return status;
+}

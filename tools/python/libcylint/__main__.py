@@ -1,0 +1,94 @@
+"""python -m libcylint convert: writes scenes for `cylint -s` from other formats."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+import tempfile
+import warnings
+from typing import Any
+
+from ._files import contents, read_scene, scene_text
+from ._molecules import read_molecule
+from ._shapes import Shapes
+from ._trees import read_qsm
+
+_BAD, _IO = 1, 3
+
+
+def _read_neuron(path: str, swc: str) -> Shapes:
+    """A neuron in a file of any name, or of standard input."""
+    if path.endswith((".swc", ".SWC")):
+        return read_scene(path, swc=swc)
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "neuron.swc")
+        with open(name, "wb") as file:
+            file.write(contents(path))
+        try:
+            return read_scene(name, swc=swc)
+        except ValueError as error:
+            raise ValueError(str(error).replace(name, path)) from None
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m libcylint")
+    convert = parser.add_subparsers(required=True, metavar="convert").add_parser(
+        "convert",
+        help="write the scene of other programs' files to standard output",
+        description="Writes a scene for cylint -s to standard output.  FILE may be "
+        "*.gz; - is standard input.",
+    )
+    kinds = convert.add_subparsers(required=True, metavar="KIND")
+
+    def kind(name: str, read: Any, text: str, **named: Any) -> Any:
+        made = kinds.add_parser(name, help=text, description=text, **named)
+        made.set_defaults(read=read)
+        made.add_argument("files", metavar="FILE", nargs="*", default=["-"])
+        return made.add_argument
+
+    add = kind(
+        "molecule", read_molecule, "PDB or mmCIF: a cylinder for each bond, and with "
+        "-b a ball for each atom", aliases=["pdb", "mmcif"],
+    )
+    add("-r", "--stick", type=float, default=0.15, metavar="RADIUS",
+        help="of bonds, in angstrom, default 0.15; 0: no bonds")
+    add("-b", "--ball", type=float, default=0.0, metavar="FRACTION",
+        help="of the van der Waals radius, for balls")
+    add("--no-waters", dest="waters", action="store_false", help="leave out water")
+    add = kind("qsm", read_qsm, "trees as tables of cylinders")
+    add("-t", "--treeqsm", action="store_true", help="text of TreeQSM, without header")
+    add("--round", action="store_true", help="capsules in place of cylinders")
+    add = kind("swc", _read_neuron, "neurons: a frustum from each node to its parent")
+    add("--swc", choices=["cones", "round"], default="cones",
+        help="round: rounded cones, and a ball at each root")
+    return parser.parse_args()
+
+
+def _say(message: Any, *_: Any) -> None:
+    print(f"libcylint: {message}", file=sys.stderr)
+
+
+def main() -> int:
+    if hasattr(signal, "SIGPIPE"):
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    warnings.showwarning = _say  # type: ignore[assignment]
+    options = vars(_arguments())
+    read, files = options.pop("read"), options.pop("files")
+    try:
+        for name in files:
+            for text in scene_text(read(name, **options)):
+                sys.stdout.buffer.write(text)
+        sys.stdout.buffer.flush()
+    except (ValueError, ImportError) as error:
+        _say(error)
+        return _BAD
+    except OSError as error:
+        _say(f"{error.filename or 'standard output'}: {error.strerror}")
+        return _IO
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

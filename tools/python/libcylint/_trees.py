@@ -1,0 +1,96 @@
+"""Trees as tables of cylinders (QSM)."""
+
+from __future__ import annotations
+
+import os
+import re
+import warnings
+from typing import Any
+
+import numpy as np
+
+from ._files import contents
+from ._shapes import Shapes, capsule, cylinder
+
+_TREEQSM = "radius length startx starty startz axisx axisy axisz"
+
+
+def read_qsm(
+    path: str | os.PathLike[str], *, round: bool = False, treeqsm: bool = False
+) -> Shapes:
+    """Reads a tree as a table of cylinders, also of a file *.gz; `-`: standard input.
+
+    The table has a header line, as aRchi, rTwig and SimpleForest write it.  Columns
+    are found by their names, whatever the case and punctuation: startX or start_x and
+    so on; endX, or else axis_x and length; radius or radius_cyl; ID or cyl_ID.
+    Commas, semicolons or tabs separate them.
+    treeqsm: text of TreeQSM, which has no header: radius, length, start and axis.
+
+    round: capsules, whose round ends fill the joints, in place of cylinders.
+    The label of a shape is its ID, or if there is none, the number of its row, from 1.
+    Cylinders without length or radius are left out; a warning has their number.
+
+    Raises ValueError for the first bad row, OSError if the file cannot be read.
+
+    >>> import os, tempfile
+    >>> name = os.path.join(tempfile.mkdtemp(), "tree.csv")
+    >>> with open(name, "w") as file:
+    ...     print("ID,radius,startX,startY,startZ,endX,endY,endZ", file=file)
+    ...     print("7,.5,0,0,0,0,0,2", file=file)
+    >>> tree = cylint.read_qsm(name)
+    >>> tree, tree.labels
+    (<libcylint.Shapes (1,): 1 cylinder>, array(['7'], dtype='<U1'))
+    """
+    name = os.fspath(path)
+    lines = contents(name).decode("utf-8-sig", "surrogateescape").splitlines()
+    if treeqsm:
+        names, separator = _TREEQSM.split(), None
+        if lines and re.match(r'\s*"?radius', lines[0], re.IGNORECASE):
+            del lines[0]
+    elif lines:
+        separator = next((s for s in ";\t" if s in lines[0]), ",")
+        names = [_plain(field) for field in lines.pop(0).split(separator)]
+    else:
+        raise ValueError(f"{name}: expected a header line, found the end of the file")
+    ended = "endx" in names
+    last = ["endx", "endy", "endz"] if ended else ["axisx", "axisy", "axisz", "length"]
+    wanted = ["radius", "startx", "starty", "startz", *last]
+    for column in wanted:
+        if column not in names:
+            raise ValueError(f"{name}:1: the header names no column {column!r}")
+
+    def read(columns: list[str], kind: Any) -> Any:
+        with warnings.catch_warnings():  # of tables without rows, and of comments
+            warnings.simplefilter("ignore")
+            try:
+                return np.loadtxt(
+                    lines, kind, delimiter=separator, quotechar='"', ndmin=2,
+                    usecols=[names.index(column) for column in columns],
+                )
+            except ValueError as error:
+                raise ValueError(f"{name}: {error}") from None
+
+    numbers = read(wanted, float)
+    r, p0, p1 = numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7]
+    if not ended:
+        p1 = p0 + numbers[:, 7:] * p1
+    if (r < 0).any():
+        raise ValueError(f"{name}: row {np.argmax(r < 0)}: negative radius")
+    labels = np.arange(1, len(r) + 1).astype(str)
+    if "id" in names and len(r) > 0:
+        labels = np.char.strip(read(["id"], str)[:, 0])
+    long = np.full(len(r), True) if round else (p0 != p1).any(axis=1)
+    for count, lack in (((~long).sum(), "length"), ((long & (r == 0)).sum(), "radius")):
+        if count > 0:
+            cylinders = "cylinder" if count == 1 else "cylinders"
+            warnings.warn(f"{name}: {count} {cylinders} of no {lack} skipped", stacklevel=2)
+    kept = long & (r != 0)
+    make = capsule if round else cylinder
+    return make(p0[kept], p1[kept], r[kept]).with_labels(labels[kept])
+
+
+def _plain(field: str) -> str:
+    """The name of a column, without its case and punctuation."""
+    plain = re.sub("[^a-z0-9]", "", field.lower())
+    plain = re.sub("^cylid$", "id", plain)
+    return re.sub("^(radiuscyl|cylradius)$", "radius", plain)

@@ -1,0 +1,115 @@
+/*
+ * text.cc - reads scenes and neurons, and writes scenes, by the command's own code
+ *
+ * tools/cylint/message.c is left out of the module: the reader's messages come
+ * to message() below, and Python raises them or warns of them.
+ */
+#include <nanobind/stl/string.h>
+
+#include <cstdarg>
+#include <cstdio>
+#include <string>
+
+#include "calls.h"
+
+extern "C" {
+#include "message.h"
+#include "numbers.h"
+#include "scene_text.h"
+
+extern const char *const program;
+const char *const program = "cylint";
+}
+
+namespace
+{
+thread_local std::vector<std::string> *messages;
+}
+
+extern "C" void message(const char *format, ...)
+{
+    char text[2048];
+    va_list list;
+    va_start(list, format);
+    std::vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    if (messages)
+        messages->emplace_back(text);
+}
+
+nb::object label_texts(const uint64_t *end, const char *text, size_t count)
+{
+    nb::list labels;
+    uint64_t begin = 0;
+    for (size_t i = 0; i < count; i++) {
+        labels.append(nb::steal(PyUnicode_DecodeUTF8(
+            text + begin, static_cast<Py_ssize_t>(end[i] - begin),
+            "surrogateescape")));
+        begin = end[i];
+    }
+    return labels;
+}
+
+/* ends: of shapes whose line does not say, or -1.  Returns (status, a scene that is
+ * begun, labels, members of solids, messages); None instead of a scene without
+ * shapes and instead of labels that are all empty. */
+nb::tuple read_scene(const char *file, int ends, bool round)
+{
+    std::vector<std::string> said;
+    struct scene scene = {};
+    struct labels names = {};
+    int status;
+    {
+        nb::gil_scoped_release released;
+        messages = &said;
+        labels_collect(&names, &scene);
+        status = scene_read(&scene, file, ends, round ? SWC_ROUND : SWC_CONES);
+        solids_complete(&scene.solids);
+        messages = nullptr;
+    }
+    nb::object begun = nb::none(), labels = nb::none();
+    nb::list members;
+    if (status == 0) {
+        begun = scene_object(scene.shapes);
+        scene.shapes = nullptr; /* the object's now */
+        if (names.texts.length > 0)
+            labels = label_texts(names.texts.end, names.texts.bytes, scene.count);
+        for (size_t i = 0; i < scene.solids.count; i++) {
+            const cylint_member &m = scene.solids.member[i];
+            members.append(nb::make_tuple(m.shape, m.solid, m.clause));
+        }
+    }
+    scene_free(&scene);
+    labels_free(&names);
+    return nb::make_tuple(status, begun, labels, members, said);
+}
+
+/* shapes: (n), the first of which has the number `first`; labels: a list of n
+ * bytes, or None. */
+nb::bytes write_scene(Input shapes, size_t first,
+                      std::optional<nb::list> labels)
+{
+    std::string text;
+    std::vector<char> line(LINE_MOST + RECORD_MOST);
+    const auto *const from = static_cast<const char *>(shapes.data());
+    const struct solids none = {};
+    for (size_t i = 0; i < shapes.shape(0); i++) {
+        struct shape_record r = {};
+        r.shape =
+            as_shape(from + 4 * shapes.stride(0) * static_cast<int64_t>(i));
+        r.solids = &none;
+        nb::bytes label;
+        if (labels) {
+            label = nb::cast<nb::bytes>((*labels)[i]);
+            r.label = {label.c_str(), label.size()};
+        }
+        struct text record = {line.data(), 0};
+        if (const char *fault = put_record(&record, &r, NUMBER_SHORTEST)) {
+            const std::string why =
+                "shape " + std::to_string(first + i) + ": " + fault;
+            throw nb::value_error(why.c_str());
+        }
+        text.append(record.data, record.length);
+    }
+    return nb::bytes(text.data(), text.size());
+}
