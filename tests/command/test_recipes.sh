@@ -96,6 +96,21 @@ test_lengths()
     verdict the_hole_for_cables_has_no_lead $?
 }
 
+# The function for McStas, beside the one that it replaces.
+test_mcstas()
+{
+    sh tests/support/recipe.sh mcstas > "$scratch/mcstas.c"
+    cat tests/command/mcstas_cases.c >> "$scratch/mcstas.c"
+    quiet "${CC:-cc}" -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude \
+        -o "$scratch/mcstas" "$scratch/mcstas.c" "$build/libcylint.a" -lm
+    verdict the_function_for_mcstas_compiles $? && {
+        "$scratch/mcstas" > "$scratch/log"
+        status=$?
+        cat "$scratch/log"
+        verdict far_parallel_and_hollow_samples_of_mcstas_are_right $status
+    }
+}
+
 # Every display of the page has a name or is a transcript, and every name is run
 # here, by tests/python/test_formats.py or tests/package/cluster/check.sh.
 test_all_are_run()
@@ -115,4 +130,5 @@ test_all_are_run
 test_foreign_shapes
 test_foreign_solids
 test_lengths
+test_mcstas
 check_end
