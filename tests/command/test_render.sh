@@ -566,6 +566,24 @@ test_pictures()
     cd ..
 }
 
+# The view from far away of the README: by the formula a twentieth of the pixels is
+# wrong from 1e7 and more than half of them from 1e8.
+test_far_view()
+{
+    (PATH=$build:$PATH && sh "$top/tools/render/far.sh" 40) > "$scratch/far.ppm" &&
+        awk 'NR == 1 { size = $2 " " $3; next }
+             { n = NR - 2
+               pixel[int(n % 120 / 40), int(n / 120) * 40 + n % 40] = $0 }
+             END { for (i = 0; i < 1600; i++) {
+                       near += pixel[0, i] != pixel[2, i]
+                       far += pixel[1, i] != pixel[2, i]
+                       blank += pixel[2, i] == "250 250 248"
+                   }
+                   exit !(size == "120 40" && NR == 4801 && near > 80 && far > 800 &&
+                          blank > 900 && blank < 1200) }' "$scratch/far.ppm"
+    verdict the_view_from_far_away_is_clean_where_the_formula_s_is_not $?
+}
+
 # The forest of the README is the same under each awk.
 test_forest()
 {
@@ -596,5 +614,6 @@ test_joints
 test_faults
 test_manual
 test_pictures
+test_far_view
 test_forest
 check_end

@@ -21,13 +21,18 @@ TOP = Path(__file__).parents[2]
 
 
 def docstrings(module):
-    """The examples of a module; doctest leaves out cached properties."""
+    """The examples of a module; doctest finds cached properties since Python 3.13."""
     finder, names = doctest.DocTestFinder(), {"cylint": cylint, "np": np}
-    yield from finder.find(module, extraglobs=names)
+    found = finder.find(module, extraglobs=names)
+    yield from found
+    names_found = {test.name for test in found}
     for kind in vars(module).values():
         if inspect.isclass(kind) and kind.__module__ == module.__name__:
             for member in vars(kind).values():
-                if isinstance(member, functools.cached_property):
+                if not isinstance(member, functools.cached_property):
+                    continue
+                name = f"{module.__name__}.{kind.__name__}.{member.attrname}"
+                if name not in names_found:
                     yield from finder.find(
                         member.func,
                         member.attrname,

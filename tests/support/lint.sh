@@ -125,6 +125,11 @@ for file in $scripts; do
 done
 result 'sh -n'
 
+if installed actionlint 'the workflows'; then # go install github.com/rhysd/actionlint/cmd/actionlint@latest
+    actionlint .github/workflows/*.yml >"$work/found" 2>&1
+    result 'the workflows by actionlint'
+fi
+
 if installed mandoc mandoc; then
     mandoc -T lint -W style $pages 2>&1 | remove_checked >"$work/found"
     result mandoc

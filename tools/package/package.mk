@@ -33,6 +33,10 @@ dist: ## write the committed sources to $(BUILD)/cylint-VERSION.tar.gz
 deb: dist ## build Debian packages of the committed sources and run lintian
 	sh tools/package/deb.sh $(tarball) $(version) $(BUILD)/deb
 
+PYTHON ?= python3
+wheel: ## write wheels for Linux (manylinux, musllinux) and the source distribution to $(BUILD)/wheels; PYTHON=python3.12
+	sh tools/package/wheel.sh $(PYTHON) $(BUILD)/wheels
+
 cmake_files = $(addprefix $(DESTDIR)$(LIBDIR)/cmake/cylint/,cylint-config.cmake cylint-config-version.cmake)
 install: install-cmake
 install-cmake: install-folders
@@ -42,4 +46,4 @@ uninstall: uninstall-cmake
 uninstall-cmake:
 	rm -f $(cmake_files)
 
-.PHONY: amalgamation check-amalgamation dist deb install-cmake uninstall-cmake
+.PHONY: amalgamation check-amalgamation dist deb wheel install-cmake uninstall-cmake
