@@ -24,6 +24,19 @@ int family_line_size(family_line word)
     return word == FAMILY_SPAN ? 8 : 6;
 }
 
+int family_lengths(family_shape word)
+{
+    return family_shape_size(word) -
+           (word == FAMILY_ACONE || word == FAMILY_ECONE);
+}
+
+int family_is_size(family_shape word, int i)
+{
+    const int two = word == FAMILY_CONE || word == FAMILY_RCONE;
+    return word != FAMILY_ECYLINDER &&
+           (i == family_shape_size(word) - 1 || (two && i == 3));
+}
+
 static void make_line(struct family_case *c)
 {
     const double *x = c->line_data;
