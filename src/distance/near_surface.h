@@ -59,8 +59,8 @@ static close_distance quotient(triple form, pair divisor, double size,
                                    (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-/* What pairs computed: feature: -1 where it is not certain.  size: at least |D|, the
- * height and the radii.  error: of rho, z and d. */
+/* What pairs computed: feature: -1 where it is not certain.  size: at least |D|,
+ * the height and the radii.  error: of rho, z and d. */
 typedef struct {
     int feature;
     pair z, rho, d;

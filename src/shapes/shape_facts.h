@@ -15,8 +15,8 @@
  *   rcone         -        yes        yes        -      round: two balls
  *   halfspace     -         -          -         -      none: a plane
  *
- * A half-space has the point p as base and the normal n as axis: its plane is that of
- * the cap at z = 0, and its ends are infinite.  It has no local coordinates.
+ * A half-space has the point p as base and the normal n as axis: its plane is that
+ * of the cap at z = 0, and its ends are infinite.  It has no local coordinates.
  *
  * A shape is bounded by the planes z = 0 and z = 1 or, where it is tapered, by
  * the plane through its apex (a nappe), or it is unbounded.  A round shape is
