@@ -117,6 +117,12 @@ CYLINT_INLINE int cylint_closed_ends(int ends)
     return cylint_ends_are_planes(ends) ? CYLINT_ENDS_CAPPED : ends;
 }
 
+/* No part of the surface is missing. */
+CYLINT_INLINE int cylint_surface_is_whole(int ends)
+{
+    return cylint_closed_ends(ends) == ends;
+}
+
 /* The caps that can be hit: bit 0 and bit 1. */
 CYLINT_INLINE unsigned cylint_caps_present(int ends)
 {
