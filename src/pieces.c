@@ -9,6 +9,7 @@
 #include "dispatch.h"
 #include "intersect.h"
 #include "numbers/double_double.h"
+#include "numbers/exact.h"
 #include "shapes/shape_facts.h"
 #include "solid_sweep.h"
 
@@ -148,8 +149,8 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
-/* Whether member i, which the line does not meet, leaves its clause without a point of
- * the line: no other member is in the clause, and it is no complement. */
+/* Whether member i, which the line does not meet, leaves its clause without a point
+ * of the line: no other member is in the clause, and it is no complement. */
 static int is_empty_clause(const int *clause, const int32_t *number, size_t n,
                            size_t i)
 {
@@ -200,6 +201,19 @@ int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
 
 /* -------------------------------------------------------------- length -- */
 
+/* The double nearest to (hi + lo) 2^e, which is positive. */
+static double nearest_to(pair x, int e)
+{
+    cylint_arena arena;
+    if (cylint_exponent(x.hi) + e >= DBL_MIN_EXP - 1)
+        return cylint_scaled(x.hi, e);
+    cylint_arena_open(&arena);
+    return cylint_exact_nearest(
+        cylint_exact_add(&arena, cylint_exact_from(&arena, x.hi),
+                         cylint_exact_from(&arena, x.lo)),
+        e);
+}
+
 double cylint_line_length(const cylint_line *line)
 {
     const double size = cylint_largest(line->d);
@@ -214,5 +228,5 @@ double cylint_line_length(const cylint_line *line)
             cylint_scaled_pair((pair){line->d[i], line->d_lo[i]}, -e);
         square = pair_add(square, pair_mul(d, d));
     }
-    return cylint_scaled(pair_sqrt(square).hi, e);
+    return nearest_to(pair_sqrt(square), e);
 }

@@ -40,23 +40,47 @@ exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
     return cylint_leading(cylint_exact_add(arena, x, y));
 }
 
-/* One step of Newton's, s + s (1 - x s^2) / 2, from a double s. */
+/* 1 / sqrt(x) less or plus 2^-30 of itself, by integers, so that it is the same in
+ * every rounding mode. */
+static exact first_inverse_root(cylint_arena *arena, exact x)
+{
+    const uint64_t leading = (uint64_t)x.limb[x.n - 1] << 32 |
+                             (x.n > 1 ? x.limb[x.n - 2] : 0);
+    int shift = 0;
+    while (leading >> shift > UINT32_MAX)
+        shift += 2;
+    const uint64_t X = leading >> shift; /* 2^30 <= X < 2^32 */
+    uint64_t n = 0;                      /* the largest with n^2 X < 2^94 */
+    for (uint64_t bit = (uint64_t)1 << 31; bit != 0; bit >>= 1) {
+        const uint64_t square = (n | bit) * (n | bit);
+        const uint64_t low = (square & UINT32_MAX) * X;
+        if ((square >> 32) * X + (low >> 32) < (uint64_t)1 << 62)
+            n |= bit;
+    }
+    /* x is near X 2^(shift + 32 (top - 2)) */
+    const int e = -47 - shift / 2 - 16 * (cylint_top_of(x) - 2);
+    exact s = cylint_exact_from(arena, (double)n * cylint_power_of_two(e & 31));
+    s.exponent += (e - (e & 31)) / 32;
+    return s;
+}
+
+/* Two steps of Newton's, s + s (1 - x s^2) / 2. */
 exact cylint_inverse_root(cylint_arena *arena, exact x)
 {
     const int used = arena->used;
-    int e;
-    const double hi = cylint_exact_round(x, &e).hi;
-    const int odd = e & 1, half = -(e - odd) / 2, bits = half & 31;
-    exact s = cylint_exact_from(arena, cylint_power_of_two(bits) /
-                                           sqrt(odd ? 2 * hi : hi));
-    s.exponent += (half - bits) / 32;
-    const exact xss = cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
-    const exact rest = cylint_leading(cylint_exact_add(
-        arena, cylint_exact_from(arena, 1), cylint_exact_neg(xss)));
-    const exact step = cylint_exact_mul(
-        arena, rest, cylint_exact_mul(arena, s, cylint_exact_from(arena, 0.5)));
-    return cylint_exact_keep(arena, used,
-                             cylint_leading(cylint_exact_add(arena, s, step)));
+    exact s = first_inverse_root(arena, x);
+    for (int i = 0; i < 2; i++) {
+        const exact xss =
+            cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
+        const exact rest = cylint_leading(cylint_exact_add(
+            arena, cylint_exact_from(arena, 1), cylint_exact_neg(xss)));
+        const exact step = cylint_exact_mul(
+            arena, rest,
+            cylint_exact_mul(arena, s, cylint_exact_from(arena, 0.5)));
+        s = cylint_exact_keep(arena, used,
+                              cylint_leading(cylint_exact_add(arena, s, step)));
+    }
+    return s;
 }
 
 exact cylint_inverse(cylint_arena *arena, exact x)

@@ -195,8 +195,8 @@ static void list_by_shape(cylint_solids *s, size_t shapes,
     }
 }
 
-/* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a member
- * of a solid that is not bounded. */
+/* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a
+ * member of a solid that is not bounded. */
 static int is_always_tested(const cylint_solids *s, uint32_t shape)
 {
     const uint32_t first = s->first_of_shape[shape],

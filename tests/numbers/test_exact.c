@@ -251,11 +251,14 @@ static void inverses_and_roots_in(struct environment there)
             continue;
         exact size = a;
         size.sign = 1;
+        const exact here = cylint_inverse(&arena, a);
         environment_set(there);
         const exact inverse = cylint_inverse(&arena, a),
                     root = cylint_square_root(&arena, size),
                     both = cylint_inverse_root(&arena, cylint_leading(size));
         environment_reset();
+        CHECK(cylint_exact_add(&arena, here, cylint_exact_neg(inverse)).sign ==
+              0);
         real_of(x, a);
         mpfr_ui_div(y, 1, x, MPFR_RNDN);
         CHECK(apart(inverse, y) < CYLINT_INVERSE_ERROR);
