@@ -144,7 +144,7 @@ $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
 
 # FOLDER/flags holds the commands that compile the folder's files.  If they
 # change, the file is written and the folder's objects are compiled again.
-folders := $(patsubst %/,%,$(sort $(dir $(wildcard src/*.c src/*/*.c tools/*/*.c tests/*.c tests/*/*.c))))
+folders := $(patsubst %/,%,$(sort $(dir $(wildcard src/*.c src/*/*.c tools/*/*.c tools/*/*/*.c tests/*.c tests/*/*.c))))
 $(folders:%=$(BUILD)/%/flags): $(BUILD)/%/flags: FORCE
 	@mkdir -p $(@D); flags=$(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)); \
 	  printf '%s\n' "$$flags" | cmp -s - $@ || printf '%s\n' "$$flags" >$@

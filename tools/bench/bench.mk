@@ -1,21 +1,17 @@
 # tools/bench/bench.mk: the benchmarks; the Makefile includes it.
 
-$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
+$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support -Itools/bench -Itools/bench/rivals $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
-bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance distance_elliptic gate)
 embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many embree_packets embree_threads embree_counts)
-bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 
-$(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
-$(BUILD)/tools/bench/methods: $(call bench_objects,classes statistics truth)
-$(BUILD)/tools/bench/batch: $(call bench_objects,batch_scene batch_turns batch_core batch_cases classes cost_inputs lean)
-$(BUILD)/tools/bench/single: $(call bench_objects,lean)
-$(BUILD)/tools/bench/distance: $(call bench_objects,lean_distance)
-$(bench_programs): %: %.o $(bench_common)
-$(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
-$(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
+# The program of all cases in C: `bench CASE...`.
+bench := $(BUILD)/tools/bench/bench
+$(bench): $(call bench_objects,bench inputs single batch distance methods rivals/lean rivals/lean_distance) \
+	$(test_common) $(scene_library)
+$(bench) $(BUILD)/tools/bench/stages: libs := $(test_libs) $(threads_link)
+$(BUILD)/tools/bench/stages: $(BUILD)/tools/bench/stages.o $(test_common) $(BUILD)/libcylint.a
 
 $(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/support/scenes.o
 $(patsubst %,$(BUILD)/tools/bench/%,distance_scene pieces): $(call bench_objects,timing)
@@ -32,24 +28,20 @@ $(embree_programs): libs := $(EMBREE_LIBS) $(threads_link)
 $(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_used cylint_intersect)
 
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
-$(BUILD)/tools/bench/kernels: $(BUILD)/tools/bench/kernels.o $(BUILD)/libcylint.a
 
-$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene large pieces measure kernels):
+$(bench) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene large pieces measure):
 	$(link)
 
-# Where the processor has fused multiply-add, a second build with it.
-FMA ?= $(shell grep -qw fma /proc/cpuinfo 2>/dev/null && echo yes)
-bench_programs: $(bench_programs) $(BUILD)/tools/bench/kernels
-bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
-	@$(if $(GSL),,echo 'bench: no GSL, so no questions (make deps)'; exit 1)
-	@$(if $(MPFR),,echo 'note: no MPFR, errors are not measured')
-	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
-	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
+# $(call run_bench,CASE...): the lines of output are also in $(BUILD)/bench-CASE.csv
+run_bench = @$(foreach c,$(1),$(bench) $(if $(QUICK),-s 0.02) $(if $(N),-n $(N)) $c | tee $(BUILD)/bench-$c.csv;)
 
-gate: bench_programs ## answers and times beside those of COMMIT=...; ONLY=hash: no times
-	@BUILD='$(BUILD)' CC='$(CC)' sh tools/bench/gate.sh
+bench: $(bench) ## one line or point, one shape; batches; time against error; QUICK=1: in a minute
+	$(call run_bench,single batch distance methods)
 
-bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) ## time of scenes and of batches of all shapes
+gate: $(bench) $(BUILD)/tests/package/records $(BUILD)/tests/package/answers ## answers and times beside those of COMMIT=...
+	@BUILD='$(BUILD)' sh tools/bench/gate.sh
+
+bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,bench scene distance_scene) ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 bench-pieces: $(BUILD)/tools/bench/pieces ## time of the pieces of a line, and of what callers do without them
@@ -107,4 +99,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs gate bench-scene bench-pieces bench-large bench-text bench-saved bench-embree bench-python bench-geant4 count_visits stages count_stages
+.PHONY: bench gate bench-scene bench-pieces bench-large bench-text bench-saved bench-embree bench-python bench-geant4 count_visits stages count_stages

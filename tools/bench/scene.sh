@@ -3,7 +3,7 @@
 # kinds of tests/support/scenes.h to generate, SIZES the numbers of shapes,
 # KERNELS the kernels (default: all that the processor runs).
 : "${BUILD:=build}" "${SCENES:=0 1 2 5}" "${SIZES:=1000 10000 100000}"
-: "${KERNELS:=$("$BUILD/tools/bench/kernels")}"
+: "${KERNELS:=$("$BUILD/tools/bench/bench" -o NONE single | sed "s/.*theirs,//; s/,ratio//; y/,/ /")}"
 all_kernels=$KERNELS
 bench=$BUILD/tools/bench/scene
 neurons=../shared/data/medulla_top24.swc

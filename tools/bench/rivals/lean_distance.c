@@ -2,12 +2,7 @@
  * lean_distance.c - signed distances in doubles: capped cylinder, capped cone,
  * sphere, capsule, rounded cone
  */
-#include "lean_distance.h"
-
-#include <math.h>
-
-#include "vectors.h"
-#include "../../src/shapes/layout.h"
+#include "lean.h"
 
 static inline double positive(double x)
 {
@@ -20,7 +15,7 @@ static inline double clamped(double x)
 }
 
 /* The coordinates along and across the axis. */
-static inline double along_and_across(const struct lean_solid *s,
+static inline double along_and_across(const struct lean_body *s,
                                       const double point[3], double *across)
 {
     double q[3];
@@ -31,7 +26,7 @@ static inline double along_and_across(const struct lean_solid *s,
     return z;
 }
 
-static double cylinder_distance(const struct lean_solid *s,
+static double cylinder_distance(const struct lean_body *s,
                                 const double point[3])
 {
     double across;
@@ -43,7 +38,7 @@ static double cylinder_distance(const struct lean_solid *s,
 }
 
 /* From a cap and from the side; the lesser of the squares. */
-static double cone_distance(const struct lean_solid *s, const double point[3])
+static double cone_distance(const struct lean_body *s, const double point[3])
 {
     double across;
     const double y = along_and_across(s, point, &across) - s->half;
@@ -59,7 +54,7 @@ static double cone_distance(const struct lean_solid *s, const double point[3])
     return side_x < 0 && cap_y < 0 ? -distance : distance;
 }
 
-static double sphere_distance(const struct lean_solid *s, const double point[3])
+static double sphere_distance(const struct lean_body *s, const double point[3])
 {
     double q[3];
     for (int i = 0; i < 3; i++)
@@ -67,8 +62,7 @@ static double sphere_distance(const struct lean_solid *s, const double point[3])
     return sqrt(dot3(q, q)) - s->r0;
 }
 
-static double capsule_distance(const struct lean_solid *s,
-                               const double point[3])
+static double capsule_distance(const struct lean_body *s, const double point[3])
 {
     double q[3];
     for (int i = 0; i < 3; i++)
@@ -79,7 +73,7 @@ static double capsule_distance(const struct lean_solid *s,
     return sqrt(dot3(q, q)) - s->r0;
 }
 
-static double rcone_distance(const struct lean_solid *s, const double point[3])
+static double rcone_distance(const struct lean_body *s, const double point[3])
 {
     double x;
     const double y = along_and_across(s, point, &x), h = 2 * s->half;
@@ -91,31 +85,26 @@ static double rcone_distance(const struct lean_solid *s, const double point[3])
     return x * s->level + y * s->slope - s->r0;
 }
 
-void lean_solid_of(struct lean_solid *to, const cylint_shape *s)
+void lean_prepare_body(struct lean_body *to, const struct solid *s)
 {
-    const double length = sqrt(dot3(cylint_axis(s), cylint_axis(s)));
-    const int is_capsule = s->kind == CYLINT_KIND_CAPSULE;
-    const double dr = cylint_r1(s) - cylint_r0(s);
+    const double length = sqrt(dot3(s->axis, s->axis)), dr = s->r1 - s->r0;
+    const int is_capsule = s->kind == CAPSULE;
     for (int i = 0; i < 3; i++) {
-        to->axis[i] =
-            is_capsule ? cylint_axis(s)[i] : cylint_axis(s)[i] / length;
-        to->base[i] = cylint_base(s)[i];
-        if (s->kind == CYLINT_KIND_CYLINDER)
-            to->base[i] += cylint_axis(s)[i] / 2;
+        to->axis[i] = is_capsule ? s->axis[i] : s->axis[i] / length;
+        to->base[i] = s->kind == CYLINDER ? s->middle[i] : s->base[i];
     }
     to->half = length / 2;
-    to->r0 = cylint_r0(s);
-    to->r1 = cylint_r1(s);
+    to->r0 = s->r0;
+    to->r1 = s->r1;
     to->slope = -dr / length;
     to->level = sqrt(positive(1 - to->slope * to->slope));
     to->inverse = 1 / (length * length + (is_capsule ? 0 : dr * dr));
 }
 
-lean_distance *lean_distance_of(const cylint_shape *s)
+lean_distance *lean_distance_of(const struct solid *s)
 {
-    return s->kind == CYLINT_KIND_CYLINDER  ? cylinder_distance
-           : s->kind == CYLINT_KIND_CONE    ? cone_distance
-           : s->kind == CYLINT_KIND_SPHERE  ? sphere_distance
-           : s->kind == CYLINT_KIND_CAPSULE ? capsule_distance
-                                            : rcone_distance;
+    static lean_distance *const formulas[KINDS] = {
+        cylinder_distance, cone_distance,    NULL,
+        sphere_distance,   capsule_distance, rcone_distance};
+    return formulas[s->kind];
 }
