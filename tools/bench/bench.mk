@@ -25,7 +25,7 @@ $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many): $(call ben
 $(embree_programs): %: %.o $(call bench_objects,embree_scenes embree_rivals) \
 	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 $(embree_programs): libs := $(EMBREE_LIBS) $(threads_link)
-$(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_used cylint_intersect)
+$(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_of_one cylint_intersect)
 
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
 

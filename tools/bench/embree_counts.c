@@ -4,9 +4,8 @@
  * usage: embree_counts MOST
  *
  * The scenes and rays of embree.c with an adapter that counts its visits.
- * Calls of the float filter, of its second stage for shapes that the first one
- * does not decide, and of cylint_intersect() are counted by wrappers (linked with
- * --wrap).
+ * Calls of the float filter and of cylint_intersect() are counted by wrappers
+ * (linked with --wrap).
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,38 +18,24 @@
 enum { RAYS = 100000 };
 
 static struct {
-    long shapes, again, exactly;
+    long shapes, exactly;
 } counted;
 
-static const cylint_float_filter *filter;
+static cylint_float_filter *filter;
 
-static cylint_float_filter_result count_nearest(
-    const cylint_float_filter_target *target,
-    const cylint_float_filter_ray *line,
-    const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
+static void count_questions(const cylint_float_filter_question of[], int n,
+                            cylint_float_filter_answer to[])
 {
-    counted.shapes++;
-    return filter->nearest(target, line, limits, to);
+    counted.shapes += n;
+    filter(of, n, to);
 }
 
-static cylint_float_filter_result count_again(
-    cylint_float_filter_state *q, const cylint_float_filter_target *target,
-    const cylint_float_filter_ray *line, cylint_float_filter_hit *hit)
+cylint_float_filter *__real_cylint_float_filter_of_one(void);
+cylint_float_filter *__wrap_cylint_float_filter_of_one(void);
+cylint_float_filter *__wrap_cylint_float_filter_of_one(void)
 {
-    counted.again++;
-    return filter->test_entry(q, target, line, hit);
-}
-
-const cylint_float_filter *__real_cylint_float_filter_used(void);
-const cylint_float_filter *__wrap_cylint_float_filter_used(void);
-const cylint_float_filter *__wrap_cylint_float_filter_used(void)
-{
-    static cylint_float_filter counting;
-    filter = __real_cylint_float_filter_used();
-    counting = *filter;
-    counting.nearest = count_nearest;
-    counting.test_entry = count_again;
-    return &counting;
+    filter = __real_cylint_float_filter_of_one();
+    return count_questions;
 }
 
 int __real_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
@@ -77,12 +62,12 @@ static void count(const struct cylinder_kind *kind, size_t n, enum form form)
         memset(&cylint_visits, 0, sizeof cylint_visits);
         trace_nearest(&rival, &rays, &t);
         const double n_rays = rays.n;
-        printf("%s %s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\t%.4f\n",
-               kind->name, names[form], n, camera ? "coherent" : "incoherent",
+        printf("%s %s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name,
+               names[form], n, camera ? "coherent" : "incoherent",
                (double)cylint_visits.nodes / n_rays,
                (double)cylint_visits.leaves / n_rays,
                (double)cylint_visits.lanes / n_rays,
-               (double)counted.shapes / n_rays, (double)counted.again / n_rays,
+               (double)counted.shapes / n_rays,
                (double)counted.exactly / n_rays);
         free_rays(&rays);
     }
@@ -95,7 +80,7 @@ int main(int argc, char **argv)
     const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
     puts("# visits a ray; fewer is better");
     printf("scene\tn\trays\tnodes/ray\tleaves/ray\tpieces/ray\tshapes/ray\t"
-           "again/ray\texactly/ray\n");
+           "exactly/ray\n");
     for (size_t n = 1000; n <= most; n *= 10)
         count(&thin, n, CYLINDERS);
     for (size_t n = 1000; n <= most; n *= 1000)
