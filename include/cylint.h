@@ -220,11 +220,12 @@ CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
                                            cylint_ends ends);
 
 /* All points x with (x - p).n <= 0: n points out, and need not have length 1.  The
- * shape is unbounded: its `ends` are CYLINT_ENDS_INFINITE.  Its surface, a plane, is
- * the part lateral; z and phi of a hit are 0.  A line has one hit; a line parallel to
- * the plane has none: inside it is `cross`, in the plane `along`, outside `miss`.
- * The boxes are infinite, but where n has one component that is not 0 they end at
- * the plane.  Published methods (cylint_methods.h) refuse it.  EAXIS: n = 0. */
+ * shape is unbounded: its `ends` are CYLINT_ENDS_INFINITE.  Its surface, a plane,
+ * is the part lateral; z and phi of a hit are 0.  A line has one hit; a line
+ * parallel to the plane has none: inside it is `cross`, in the plane `along`,
+ * outside `miss`.  The boxes are infinite, but where n has one component that is
+ * not 0 they end at the plane.  Published methods (cylint_methods.h) refuse it.
+ * EAXIS: n = 0. */
 CYLINT_API cylint_status cylint_halfspace(cylint_shape *shape,
                                           const double p[3], const double n[3]);
 

@@ -97,23 +97,24 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * point is on the surface.  In rounding to nearest, where 90 bits prove it, part
  * and feature are exact, and the distance and each component of point and normal is
  * the double nearest to the real number.  That is proved for nearly all points, if
- * the lengths a, b, h and the vector from c to the point are below 2^100, components
- * are 0 or at least 2^-100, and |a.(b x h)| is at least 2^-40 of its largest term.
- * Not for points as near to two features, inside also to two points of the lateral
- * surface, as roundings of doubles, and for many inside open ends.
+ * the lengths a, b, h and the vector from c to the point are below 2^100,
+ * components are 0 or at least 2^-100, and |a.(b x h)| is at least 2^-40 of its
+ * largest term.  Not for points as near to two features, inside also to two points
+ * of the lateral surface, as roundings of doubles, and for many inside open ends.
  *
  * Other answers are measured, not proved.  The lateral surface and each rim have at
  * most four stationary points.  All of them are computed in sums of three doubles,
  * so the nearest of several local minima is found.  Let L be the length of the
- * longest of a, b, h and the vector from c to the point.  In rounding to nearest, if
- * a, b and h differ in length by factors up to 1e12, |a.(b x h)| is at least 2^-60
- * of the cube of the longest, and k is 0 or from 1e-6 to 1e6, a distance of 2^-60 L
- * or more is within 1 unit in its last place, and a smaller one has an error of at
- * most 2^-113 L.  The components of point and normal are within 4 units in their
- * last places, or 0 if they are below 2^-100 of their terms, but where stationary
- * points coincide.  Part and feature are those of a distance that exceeds the least
- * one by at most 2^-113 L.  Of points with equal distances on one ellipse the answer
- * is the one with the least phi.  For other shapes only the sign is right.
+ * longest of a, b, h and the vector from c to the point.  In rounding to nearest,
+ * if a, b and h differ in length by factors up to 1e12, |a.(b x h)| is at least
+ * 2^-60 of the cube of the longest, and k is 0 or from 1e-6 to 1e6, a distance of
+ * 2^-60 L or more is within 1 unit in its last place, and a smaller one has an
+ * error of at most 2^-113 L.  The components of point and normal are within 4 units
+ * in their last places, or 0 if they are below 2^-100 of their terms, but where
+ * stationary points coincide.  Part and feature are those of a distance that
+ * exceeds the least one by at most 2^-113 L.  Of points with equal distances on one
+ * ellipse the answer is the one with the least phi.  For other shapes only the sign
+ * is right.
  *
  * A proved answer takes 0.25 to 0.6 microseconds, another one 6 to 16; up to 0.1
  * milliseconds where stationary points nearly coincide.

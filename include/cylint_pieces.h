@@ -85,24 +85,26 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
                                    cylint_interval *pieces, size_t capacity);
 
 /*
- * Writes the shapes and clauses of a hollow cylinder or cone, or of a sector of one, as
- * cylint_solid_pieces() takes them, and *n, how many: 1 to CYLINT_TUBE_MEMBERS.  It
- * only calls constructors.
+ * Writes the shapes and clauses of a hollow cylinder or cone, or of a sector of
+ * one, as cylint_solid_pieces() takes them, and *n, how many: 1 to
+ * CYLINT_TUBE_MEMBERS.  It only calls constructors.
  *
- * The axis runs from p0 to p1.  outer[0], outer[1]: the radii at p0 and p1.  inner: those
- * of the bore, whose boundary does not belong to the solid; NULL, or two zeros: none.
+ * The axis runs from p0 to p1.  outer[0], outer[1]: the radii at p0 and p1.  inner:
+ * those of the bore, whose boundary does not belong to the solid; NULL, or two
+ * zeros: none.
  *
- * sector: two directions from the axis, NULL: a full turn.  The solid is the part from
- * the half plane through the axis and sector[0] to that through sector[1], right-handed
- * about the axis.  Up to half a turn it is within two half-spaces, beyond that within
- * one or the other.  Their planes contain p0; their normals are the cross products of
- * the axis and the directions, each component within 0.501 units in its last place,
- * if the thread rounds to nearest.  So the planes contain the axis but for that
- * rounding; exactly, if the axis lies along a coordinate, or the products have no more
- * than 53 bits.  The axis is the double nearest to p1 - p0 then.
+ * sector: two directions from the axis, NULL: a full turn.  The solid is the part
+ * from the half plane through the axis and sector[0] to that through sector[1],
+ * right-handed about the axis.  Up to half a turn it is within two half-spaces,
+ * beyond that within one or the other.  Their planes contain p0; their normals are
+ * the cross products of the axis and the directions, each component within 0.501
+ * units in its last place, if the thread rounds to nearest.  So the planes contain
+ * the axis but for that rounding; exactly, if the axis lies along a coordinate, or
+ * the products have no more than 53 bits.  The axis is the double nearest to p1 -
+ * p0 then.
  *
- * Fails as the constructors do.  EDIRECTION: a direction is parallel to the axis, or
- * both are on the same side of it and parallel to each other.
+ * Fails as the constructors do.  EDIRECTION: a direction is parallel to the axis,
+ * or both are on the same side of it and parallel to each other.
  */
 enum { CYLINT_TUBE_MEMBERS = 4 };
 CYLINT_API cylint_status cylint_tube(const double p0[3], const double p1[3],
@@ -113,9 +115,9 @@ CYLINT_API cylint_status cylint_tube(const double p0[3], const double p1[3],
                                      int clauses[CYLINT_TUBE_MEMBERS],
                                      size_t *n);
 
-/* Returns |d|, the length of one unit of t: of a segment, that from end to end.  If the
- * thread rounds to nearest, its error is at most 0.501 units in the last place.  Infinite if it is beyond the largest
- * double; 0 for a refused line. */
+/* Returns |d|, the length of one unit of t: of a segment, that from end to end.  If
+ * the thread rounds to nearest, its error is at most 0.501 units in the last place.
+ * Infinite if it is beyond the largest double; 0 for a refused line. */
 CYLINT_API double cylint_line_length(const cylint_line *line);
 
 #ifdef __cplusplus

@@ -341,11 +341,11 @@ CYLINT_API size_t cylint_scene_within(const cylint_scene *scene,
 /*
  * Solids made of shapes: hollow ones, sectors, cuts.
  *
- * A solid is a conjunction of clauses, a clause a union of shapes and complements of
- * shapes, as cylint_solid_pieces() explains.  A shape that is in no solid is itself a
- * solid.  Pieces, cylint_scene_depth() and cylint_scene_first_boundary() are about
- * solids.  All other queries are about shapes: cylint_scene_nearest() returns the
- * hit on a bore's cylinder as well.
+ * A solid is a conjunction of clauses, a clause a union of shapes and complements
+ * of shapes, as cylint_solid_pieces() explains.  A shape that is in no solid is
+ * itself a solid.  Pieces, cylint_scene_depth() and cylint_scene_first_boundary()
+ * are about solids.  All other queries are about shapes: cylint_scene_nearest()
+ * returns the hit on a bore's cylinder as well.
  */
 
 /* Shape number `shape` belongs to a clause of solid number `solid`.  clause: its
@@ -364,9 +364,9 @@ typedef struct cylint_member {
  * The number of a solid, for ranks, pieces and labels, is that of its least shape
  * that is not a complement; if there is none, of its least shape.
  *
- * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is more than
- * n, or n is more than 2^28.  ESOLID: a clause is 0, or two solids have the same number.
- * A failure changes nothing.
+ * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is more
+ * than n, or n is more than 2^28.  ESOLID: a clause is 0, or two solids have the
+ * same number.  A failure changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_set_solids(
     cylint_scene *scene, const cylint_member *members, size_t n);
@@ -379,8 +379,8 @@ CYLINT_API void cylint_scene_member(const cylint_scene *scene, size_t i,
 
 /*
  * Pieces: the parts of a line's domain that are inside solids, in order.  They are
- * computed from the chords of the shapes, as cylint_chord() returns them; what their
- * ends are is said in cylint_pieces.h.  t0 < t1 always.
+ * computed from the chords of the shapes, as cylint_chord() returns them; what
+ * their ends are is said in cylint_pieces.h.  t0 < t1 always.
  */
 typedef enum cylint_piece_mode {
     CYLINT_PIECES_UNION, /* maximal intervals inside at least one solid: disjoint,
@@ -409,8 +409,8 @@ typedef struct cylint_piece_rule {
         *after; /* chords only: those after this one; NULL: all */
 } cylint_piece_rule;
 
-/* Memory for a query, at an address as of malloc().  It need not be initialised, and
- * nothing stays in it.  Each thread needs its own. */
+/* Memory for a query, at an address as of malloc().  It need not be initialised,
+ * and nothing stays in it.  Each thread needs its own. */
 typedef struct cylint_workspace {
     void *memory;
     size_t bytes;
@@ -422,14 +422,14 @@ typedef struct cylint_workspace {
 
 /*
  * Writes the pieces of a line, ascending, at most `capacity`, and returns how many.
- * If it returns `capacity`, more may follow: call again with line->tmin = the last t1;
- * for chords, which may overlap, with the same line and rule->after = the last.  The
- * pieces are then those that one call returns.  A capacity of a few is faster: the line
- * is traversed only so far.
+ * If it returns `capacity`, more may follow: call again with line->tmin = the last
+ * t1; for chords, which may overlap, with the same line and rule->after = the last.
+ * The pieces are then those that one call returns.  A capacity of a few is faster:
+ * the line is traversed only so far.
  *
- * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many bytes
- * to try next, which is more than before.  It takes 48 bytes a chord; with solids about
- * 130.  An invalid line has no pieces.
+ * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
+ * bytes to try next, which is more than before.  It takes 48 bytes a chord; with
+ * solids about 130.  An invalid line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
                                       const cylint_line *line,
@@ -438,17 +438,19 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
                                       cylint_workspace *work);
 
 /*
- * Returns the number of the shape where a line first enters or leaves the union of all
- * solids, strictly between tmin and tmax, and writes the wanted members of *hit.
- * Returns the number of all shapes if there is no such place.
+ * Returns the number of the shape where a line first enters or leaves the union of
+ * all solids, strictly between tmin and tmax, and writes the wanted members of
+ * *hit.  Returns the number of all shapes if there is no such place.
  *
- * The shape is a member of the solid, and the point is on its surface; caps count as
- * present.  side: whether the line enters the solid.  The normal points out of the
+ * The shape is a member of the solid, and the point is on its surface; caps count
+ * as present.  side: whether the line enters the solid.  The normal points out of
+ * the
  * solid: on the surface of a bore it points into the bore.  Members are otherwise
  * those of cylint_intersect().  Where surfaces of several shapes have this t, it is
  * the shape with the lowest number that the line enters or leaves as the solid.
  *
- * The workspace: as for cylint_scene_pieces().  If it does not suffice, CYLINT_NO_ROOM.
+ * The workspace: as for cylint_scene_pieces().  If it does not suffice,
+ * CYLINT_NO_ROOM.
  */
 CYLINT_API size_t cylint_scene_first_boundary(const cylint_scene *scene,
                                               const cylint_line *line,
@@ -456,9 +458,9 @@ CYLINT_API size_t cylint_scene_first_boundary(const cylint_scene *scene,
                                               cylint_workspace *work);
 
 /* Returns how many solids contain a point, boundaries included; a complement is
- * without its boundary.  Writes the number of the solid with the least rank, of equal
- * ranks the lowest number, or that of all shapes if there is none.  rank: as in
- * cylint_piece_rule.  Exact.  The workspace: as for cylint_scene_pieces(). */
+ * without its boundary.  Writes the number of the solid with the least rank, of
+ * equal ranks the lowest number, or that of all shapes if there is none.  rank: as
+ * in cylint_piece_rule.  Exact.  The workspace: as for cylint_scene_pieces(). */
 CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,
                                      const double point[3], const int *rank,
                                      size_t *owner, cylint_workspace *work);
@@ -533,8 +535,8 @@ CYLINT_API void cylint_scene_closest_points(
     int threads, size_t *numbers, const cylint_closest_columns *answers);
 
 /*
- * Pieces of many lines, and sums.  These functions allocate memory, and can fail with
- * EMEMORY; then nothing is to be freed.  An invalid line has no pieces.
+ * Pieces of many lines, and sums.  These functions allocate memory, and can fail
+ * with EMEMORY; then nothing is to be freed.  An invalid line has no pieces.
  */
 
 /* The pieces of line i are pieces[first[i]] to pieces[first[i + 1] - 1]. */
@@ -543,8 +545,8 @@ typedef struct cylint_piece_rows {
     cylint_piece *pieces;
 } cylint_piece_rows;
 
-/* Makes the pieces of each line, as cylint_scene_pieces() writes them: the first `most`
- * of each line, or all if `most` is 0.  rule->after is not read. */
+/* Makes the pieces of each line, as cylint_scene_pieces() writes them: the first
+ * `most` of each line, or all if `most` is 0.  rule->after is not read. */
 CYLINT_API cylint_scene_status
 cylint_scene_pieces_lines(const cylint_scene *scene, const cylint_lines *lines,
                           const cylint_piece_rule *rule, size_t most,
@@ -552,16 +554,16 @@ cylint_scene_pieces_lines(const cylint_scene *scene, const cylint_lines *lines,
 CYLINT_API void cylint_piece_rows_free(cylint_piece_rows *rows);
 
 /*
- * Adds the lengths of pieces by label.  sums[i * labels + label] is the sum of t1 - t0
- * over the pieces of line i whose shapes have the label: the double nearest to the
- * sum of these real numbers.  It is infinite if a piece is.  With the mode `owner` each
- * place counts once, for its owner; with `union` for the owner of the piece's begin;
- * with `chords` as often as solids contain it.
+ * Adds the lengths of pieces by label.  sums[i * labels + label] is the sum of t1 -
+ * t0 over the pieces of line i whose shapes have the label: the double nearest to
+ * the sum of these real numbers.  It is infinite if a piece is.  With the mode
+ * `owner` each place counts once, for its owner; with `union` for the owner of the
+ * piece's begin; with `chords` as often as solids contain it.
  *
- * label: of each shape, or of each solid at its number, from 0 to labels - 1; pieces
- * with other labels are not counted; NULL: all have label 0.  in_units: 0 for lengths
- * in units of |d|; 1: each sum is multiplied by cylint_line_length(), which rounds once
- * more.
+ * label: of each shape, or of each solid at its number, from 0 to labels - 1;
+ * pieces with other labels are not counted; NULL: all have label 0.  in_units: 0
+ * for lengths in units of |d|; 1: each sum is multiplied by cylint_line_length(),
+ * which rounds once more.
  */
 CYLINT_API cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
                                                  const cylint_lines *lines,

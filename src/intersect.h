@@ -38,8 +38,8 @@ CYLINT_API void cylint_make_again(cylint_shape *shape, int kind, int ends,
 /*
  * For libcylint-scene: the chords of a line in shapes that constructors made of
  * records, all of one kind: cylinder, cone, capsule or rounded cone, with accurate
- * local coordinates.  Writes the chord of the record number[i] and count[i], 0 or 1;
- * or CYLINT_UNDECIDED: then cylint_chord() answers.  n <= CYLINT_MOST_RECORDS.
+ * local coordinates.  Writes the chord of the record number[i] and count[i], 0 or
+ * 1; or CYLINT_UNDECIDED: then cylint_chord() answers.  n <= CYLINT_MOST_RECORDS.
  */
 enum { CYLINT_MOST_RECORDS = 64 };
 CYLINT_API void cylint_chords_of_records(const cylint_record *records,

@@ -149,8 +149,8 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
-/* Whether member i, which the line does not meet, leaves its clause without a point of
- * the line: no other member is in the clause, and it is no complement. */
+/* Whether member i, which the line does not meet, leaves its clause without a point
+ * of the line: no other member is in the clause, and it is no complement. */
 static int is_empty_clause(const int *clause, const int32_t *number, size_t n,
                            size_t i)
 {

@@ -19,8 +19,8 @@ static void to_size_of_one(const double *x, int n, double *to)
         to[i] = cylint_scaled(x[i], -e);
 }
 
-/* The direction of the axis: of one along a coordinate, that of length 1, so that cross
- * products with it are exact. */
+/* The direction of the axis: of one along a coordinate, that of length 1, so that
+ * cross products with it are exact. */
 static void along_axis(const double x[3], double to[3])
 {
     int components = 0;
@@ -47,7 +47,8 @@ static pair dot_product(const double x[3], const double y[3])
     return sum;
 }
 
-/* The sign of axis . (x cross y), exact: that of the sine of the angle from x to y. */
+/* The sign of axis . (x cross y), exact: that of the sine of the angle from x to
+ * y. */
 static int turn_sign(const double axis[3], const double x[3], const double y[3])
 {
     cylint_arena arena;

@@ -47,13 +47,6 @@ $(BUILD)/tests/command/faulty: $(BUILD)/tests/command/faults.o $(tool_objects) $
 $(BUILD)/tests/command/faulty: wrapped := $(call wrap,read write poll open close fsync rename \
 	malloc calloc realloc posix_memalign free pipe pthread_create)
 
-# Pieces and sums by a loop over all shapes, to compare with the command's.
-$(BUILD)/tests/command/path_lengths: $(BUILD)/tests/command/path_lengths.o $(BUILD)/tools/cylint.a $(scene_library)
-$(BUILD)/tests/command/path_lengths.o: extra += -Itools/cylint
-$(BUILD)/tests/command/path_lengths: linker = $(with_numbers) -pthread
-$(BUILD)/tests/command/path_lengths:
-	$(link)
-
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.
 fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes scene_file)
@@ -90,7 +83,7 @@ run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	$(MAKE) --no-print-directory -f tests/support/run.mk
 
-check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/command/path_lengths) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys) ## run every test (PARANOID=1: each decision twice)
 	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one

@@ -308,7 +308,7 @@ typedef struct {
 
 /* Among parts of more than a leaf, the one with the largest box or, if `evenly`,
  * with the most boxes; -1 if there is none. */
-static int largest(const range *parts, int n, int evenly)
+static int largest_part(const range *parts, int n, int evenly)
 {
     int best = -1;
     for (int i = 0; i < n; i++)
@@ -324,7 +324,7 @@ static int largest(const range *parts, int n, int evenly)
 static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
 {
     int n = 1, i;
-    while (n < CYLINT_CHILDREN && (i = largest(parts, n, evenly)) >= 0) {
+    while (n < CYLINT_CHILDREN && (i = largest_part(parts, n, evenly)) >= 0) {
         const range all = parts[i];
         if (all.n >= CYLINT_WATCHED && !cylint_watch_add(b->watch, 0))
             return 0;

@@ -122,10 +122,10 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 }
 
 /*
- * Returns the lanes (bits) that the line may hit.  least[] of a lane, unless least is
- * NULL, is a lower bound of s times t_per_s.  *certain, unless certain is NULL: the lanes where the
- * line's point nearest to the axis certainly lies in the domain and, if the
- * piece belongs to a cylinder, in the piece.
+ * Returns the lanes (bits) that the line may hit.  least[] of a lane, unless least
+ * is NULL, is a lower bound of s times t_per_s.  *certain, unless certain is NULL:
+ * the lanes where the line's point nearest to the axis certainly lies in the domain
+ * and, if the piece belongs to a cylinder, in the piece.
  *
  * In the notation of leaf.c: r <= across + 1 + 2 e - 7/8, and the axes are less
  * than e < 15/8 apart, so a point within r - 5 of the rounded axis is in the
@@ -328,8 +328,8 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
     return hit;
 }
 
-/* least may be NULL.  Near the leaf floats are accurate enough without that: q, e and the domain are
- * rounded once, which the errors above contain. */
+/* least may be NULL.  Near the leaf floats are accurate enough without that: q, e
+ * and the domain are rounded once, which the errors above contain. */
 CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
                                  const double d[3], double tmin, double tmax,
                                  double *least)

@@ -131,8 +131,8 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
 enum { AHEAD = 16, LEAVES = 32, MOST_PUSHED = AHEAD * CYLINT_CHILDREN };
 
 /*
- * So that loads overlap, the last AHEAD nodes of the stack are visited together, and
- * leaves wait until there are LEAVES of them.
+ * So that loads overlap, the last AHEAD nodes of the stack are visited together,
+ * and leaves wait until there are LEAVES of them.
  *
  * The levels of nodes do not decrease from the bottom of the stack to its top: the
  * nodes of a batch are visited from its bottom, and their children are one level

@@ -47,13 +47,6 @@ ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
-/* Whether a surface of which no part is missing encloses a solid. */
-static int is_closed(const cylint_shape *shape)
-{
-    return cylint_caps_present(shape->ends) == 3 ||
-           !cylint_ends_are_planes(shape->ends);
-}
-
 /* Whether the processor flushes subnormal numbers, and a coordinate of the point or
  * of an end can be one. */
 static int flushes_a_coordinate(const cylint_shape *shape,
@@ -135,9 +128,10 @@ static unsigned left_by_doubles(const cylint_shape *shape,
     if (!(left & CYLINT_ON_SURFACE) || cylint_contains(shape, point) != 0)
         return left;
     /* The point is on the boundary of the solid. */
-    if (has_boundary(shape) && (!is_closed(shape) || left & CYLINT_WANT_PART))
+    if (has_boundary(shape) &&
+        (!cylint_surface_is_whole(shape->ends) || left & CYLINT_WANT_PART))
         return answer_on_boundary(shape, point, want, answer);
-    if (!is_closed(shape) || left & CYLINT_WANT_PART)
+    if (!cylint_surface_is_whole(shape->ends) || left & CYLINT_WANT_PART)
         return left;
     answer->distance = 0;
     if (want & CYLINT_WANT_POINT)
@@ -147,8 +141,8 @@ static unsigned left_by_doubles(const cylint_shape *shape,
 }
 
 /* All answers that doubles leave. */
-ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
-                         unsigned want, cylint_closest *answer)
+ASIDE double answer_in_pairs(const cylint_shape *shape, const double point[3],
+                             unsigned want, cylint_closest *answer)
 {
     if (shape->kind == CYLINT_KIND_NONE || !cylint_is_finite(point)) {
         answer->flags = CYLINT_FLAG_INVALID;
@@ -160,7 +154,8 @@ ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
         cylint_plane_distance(shape, point, &answer->distance))
         return answer->distance;
     if (!(want & (CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY)) &&
-        is_closed(shape) && cylint_contains(shape, point) == 0)
+        cylint_surface_is_whole(shape->ends) &&
+        cylint_contains(shape, point) == 0)
         return answer->distance = 0;
     if (cylint_is_elliptic(shape->kind))
         return cylint_elliptic_distance(shape, point, want, answer);
@@ -201,12 +196,12 @@ ASIDE double from_closed_solid(const cylint_shape *shape, const double point[3],
 double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
-    if (want & CYLINT_SIGNED && !is_closed(shape))
+    if (want & CYLINT_SIGNED && !cylint_surface_is_whole(shape->ends))
         return from_closed_solid(shape, point, want, answer);
     want &= CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY;
     if (!cylint_prepared(shape) ||
         left_by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)
-        return answer_rest(shape, point, want, answer);
+        return answer_in_pairs(shape, point, want, answer);
     answer->flags = 0;
 #if CYLINT_IS_PARANOID
     cylint_contradiction(contradicts(shape, point, want, answer));

@@ -339,7 +339,7 @@ static void describe_best(search *s)
 /* Normal and distance of the best candidate.  Where exponents differ by more than
  * 900, products underflow: then the end of a is the answer, and a normal that
  * vanished is replaced by a. */
-static void describe(search *s)
+static void measure_best(search *s)
 {
     /* untaken 1 of 2: a stationary point is found on every known ellipse */
     if (s->best.part >= 0)
@@ -474,7 +474,7 @@ static double point_of(const search *s, int i, triple zv, double G_terms,
     return cylint_scaled(fabs(p) < VECTOR_ERROR * terms ? 0 : p, unit);
 }
 
-static void write_point(const search *s, int is_on, double to[3])
+static void write_elliptic_point(const search *s, int is_on, double to[3])
 {
     const elliptic_terms *p = &s->p;
     const candidate *best = &s->best;
@@ -500,7 +500,7 @@ static void write_point(const search *s, int is_on, double to[3])
     }
 }
 
-static void write_normal(const search *s, double to[3])
+static void write_elliptic_normal(const search *s, double to[3])
 {
     double scale;
     const pair norm = triple_norm(s->N, &scale);
@@ -528,15 +528,15 @@ double cylint_elliptic_distance(const cylint_shape *shape,
         s.only = cylint_boundary_feature(shape, point);
     const int is_on = s.only != ANY_FEATURE;
     search_all(&s, side);
-    describe(&s);
+    measure_best(&s);
     if (want & CYLINT_WANT_PART) {
         answer->part = s.best.part;
         answer->feature = s.best.feature;
     }
     if (want & CYLINT_WANT_POINT)
-        write_point(&s, is_on, answer->point);
+        write_elliptic_point(&s, is_on, answer->point);
     if (want & CYLINT_WANT_NORMAL)
-        write_normal(&s, answer->normal);
+        write_elliptic_normal(&s, answer->normal);
     if (is_on)
         return answer->distance = 0;
     const double d = cylint_scaled(s.distance.hi, s.p.e + s.p.far);

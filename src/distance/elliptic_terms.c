@@ -76,7 +76,7 @@ static void choose_unit(elliptic_terms *p, int most)
     p->near = cylint_power_of_two(larger(-MOST_FAR, -p->far));
 }
 
-static double largest(const triple v[3])
+static double largest_component(const triple v[3])
 {
     const double x[3] = {v[0].a, v[1].a, v[2].a};
     return cylint_largest(x);
@@ -121,7 +121,7 @@ static void load_point(elliptic_terms *p)
         p->Q[i] = in_unit(&d[i], p->e + p->far);
     p->whole = p->far;
     p->moved = triple_of(0);
-    p->length = largest(p->Q);
+    p->length = largest_component(p->Q);
     if (!cylint_is_bounded(s) && !cylint_is_tapered(s->kind))
         move_along(p, d);
 }

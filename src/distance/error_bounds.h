@@ -143,14 +143,15 @@
  *                           relative to the sizes of its terms: a term passes fewer
  *                           than 16 operations, with CYLINT_PAIR_PRODUCT each
  *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature
- *                           (distance/elliptic_certainty.h), relative to the sizes of
- *                           their terms: fewer than 2^6 roundings
+ *                           (distance/elliptic_certainty.h), relative to the sizes
+ *                           of their terms: fewer than 2^6 roundings
  *   CYLINT_ELLIPTIC_SAFETY_ERROR
  *                           in any rounding mode: of a local coordinate from the
- *                           matrix in doubles, relative to the norm of the matrix and
- *                           the sum of |D_i|, with a difference, the entry, a product
- *                           and two sums: 5 roundings; (x, y).e - rho has three of
- *                           them, one times the slope, and 4 more; N and a root 8
+ *                           matrix in doubles, relative to the norm of the matrix
+ *                           and the sum of |D_i|, with a difference, the entry, a
+ *                           product and two sums: 5 roundings; (x, y).e - rho has
+ *                           three of them, one times the slope, and 4 more; N and a
+ *                           root 8
  *
  * No length is above CYLINT_ELLIPTIC_MOST, and where points and normals are wanted
  * components are 0 or at least CYLINT_ELLIPTIC_LEAST: no term over- or underflows.

@@ -68,9 +68,9 @@ INLINE vm is_certain(const vnearest *n)
 }
 
 /* With heads and tails: the distance, and the feature if `to` has it. */
-INLINE vm answer_lanes(const cylint_shape *const at[LANES],
-                       const shape_lanes *s, const vd x[3], int i, int n,
-                       const cylint_lane_columns *to)
+INLINE vm answer_distances(const cylint_shape *const at[LANES],
+                           const shape_lanes *s, const vd x[3], int i, int n,
+                           const cylint_lane_columns *to)
 {
     half_plane m;
     vnearest nearest;
@@ -82,8 +82,8 @@ INLINE vm answer_lanes(const cylint_shape *const at[LANES],
 }
 
 /* In pairs: also point and normal. */
-INLINE vm describe_lanes(const shape_lanes *s, const vd x[3], int i, int n,
-                         const cylint_lane_columns *to, int kind)
+INLINE vm write_closest_lanes(const shape_lanes *s, const vd x[3], int i, int n,
+                              const cylint_lane_columns *to, int kind)
 {
     half_plane m;
     vnearest nearest;
@@ -113,8 +113,8 @@ INLINE vm describe_any(int kind, const shape_lanes *s, const vd x[3], int i,
                        int n, const cylint_lane_columns *to)
 {
     return kind == CYLINT_KIND_SPHERE
-               ? describe_lanes(s, x, i, n, to, CYLINT_KIND_SPHERE)
-               : describe_lanes(s, x, i, n, to, kind);
+               ? write_closest_lanes(s, x, i, n, to, CYLINT_KIND_SPHERE)
+               : write_closest_lanes(s, x, i, n, to, kind);
 }
 
 INLINE void load_shapes(shape_lanes *s, const cylint_shape *const at[LANES],
@@ -146,7 +146,7 @@ int CYLINT_DISTANCE_LANES(const cylint_shape *shapes, int each,
             load_points(x, xyz, i, n);
             certain =
                 m_bits(described ? describe_any(at[0]->kind, &s, x, i, n, to)
-                                 : answer_lanes(at, &s, x, i, n, to));
+                                 : answer_distances(at, &s, x, i, n, to));
         }
         for (int lane = 0; lane < LANES && i + lane < n; lane++) {
             rest[left] = i + lane;

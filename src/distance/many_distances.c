@@ -50,15 +50,10 @@ static cylint_distance_lanes *kernel(void)
                            cylint_distance_lanes_avx512);
 }
 
-/* The part and feature that the kernels' feature stands for: a ball has one
- * part. */
-static void write_feature(const cylint_shape *s, int feature,
-                          const cylint_closest_columns *to, size_t row)
+static void write_feature_of_row(const cylint_shape *s, int feature,
+                                 const cylint_closest_columns *to, size_t row)
 {
-    if (cylint_feature_is_apex(s, feature))
-        feature = CYLINT_FEATURE_APEX;
-    if (s->kind == CYLINT_KIND_SPHERE)
-        feature = cylint_surface(s);
+    feature = cylint_stated_feature(s, feature);
     if (to->feature)
         to->feature[row] = (signed char)feature;
     if (to->part)
@@ -105,7 +100,7 @@ static void block(const cylint_shape *shapes, size_t each,
             answer_row(shape, points, first + (size_t)i, want, answers);
             next++;
         } else if (parted) {
-            write_feature(shape, feature[i], answers, first + (size_t)i);
+            write_feature_of_row(shape, feature[i], answers, first + (size_t)i);
         }
     }
 }

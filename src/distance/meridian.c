@@ -159,13 +159,6 @@ static int cap_is_present(const meridian *m, int end)
     return cylint_part_is_present(m->shape->ends, cap(end).part);
 }
 
-/* The solid has its whole boundary. */
-static int is_closed(const meridian *m)
-{
-    return !cylint_ends_are_planes(m->shape->ends) ||
-           m->shape->ends == CYLINT_ENDS_CAPPED;
-}
-
 static nearest on_unbounded(meridian *m)
 {
     const int nappe = cylint_is_nappe(m->shape);
@@ -203,7 +196,7 @@ static nearest between_planes(meridian *m)
         if (cap_is_present(m, i) && sign_disc(m, i) < 0 &&
             sign_beyond_cap(m, &n, i) > 0)
             n = cap(i);
-    if (is_closed(m))
+    if (cylint_surface_is_whole(m->shape->ends))
         n.sign = sign_of_solid(m);
     return n;
 }
@@ -227,9 +220,10 @@ static nearest on_hull(meridian *m)
     const int beyond = before < 0 || after > 0;
     if (beyond && cap_is_present(m, end) && n.feature != CYLINT_FEATURE_APEX) {
         n = cap(end);
-        if (is_closed(m))
+        if (cylint_surface_is_whole(m->shape->ends))
             n.sign = sign_of_ball(m, end);
-    } else if (is_closed(m) && n.feature != CYLINT_FEATURE_APEX) {
+    } else if (cylint_surface_is_whole(m->shape->ends) &&
+               n.feature != CYLINT_FEATURE_APEX) {
         n.sign = sign_lateral(m);
     }
     return n;
@@ -245,7 +239,7 @@ static nearest on_sphere(meridian *m)
     }
     if (!cylint_part_is_present(m->shape->ends, n.part))
         n.part = -1;
-    if (is_closed(m))
+    if (cylint_surface_is_whole(m->shape->ends))
         n.sign = sign_of_ball(m, 0);
     return n;
 }

@@ -51,16 +51,16 @@ typedef struct {
 
 /* form / divisor, where the terms of the form divided by the divisor are at most
  * `size` and the divisor has the relative error `loss`. */
-static close_distance quotient(triple form, pair divisor, double size,
-                               double loss)
+static close_distance quotient_of_form(triple form, pair divisor, double size,
+                                       double loss)
 {
     const pair d = pair_div(pair_of_triple(form), divisor);
     return (close_distance){d, CYLINT_CLOSE_ERROR * size +
                                    (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-/* What pairs computed: feature: -1 where it is not certain.  size: at least |D|, the
- * height and the radii.  error: of rho, z and d. */
+/* What pairs computed: feature: -1 where it is not certain.  size: at least |D|,
+ * the height and the radii.  error: of rho, z and d. */
 typedef struct {
     int feature;
     pair z, rho, d;
@@ -75,7 +75,7 @@ static close_distance close_to_plane(const cylint_shape *s,
     const pair length = cylint_number_pair(s, CYLINT_AT_HEIGHT);
     load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
-    close_distance to = quotient(triple_dot(D, w), length, size, 0);
+    close_distance to = quotient_of_form(triple_dot(D, w), length, size, 0);
     if (!top)
         to.d = pair_neg(to.d);
     return to;
@@ -90,7 +90,7 @@ static close_distance close_to_ball(const double point[3],
     const triple form = triple_sub(square, triple_of_pair(two_prod(r, r)));
     const pair length = pair_sqrt(pair_of_triple(square));
     const pair divisor = pair_add(length, (pair){r, 0});
-    return quotient(form, divisor, 2 * divisor.hi, 0);
+    return quotient_of_form(form, divisor, 2 * divisor.hi, 0);
 }
 
 /* error: of rho. */
@@ -108,8 +108,8 @@ static close_distance close_to_line(const cylint_shape *s,
         const triple rr = triple_of_pair(two_prod(cylint_r0(s), cylint_r0(s)));
         const triple form = triple_det(triple_sub(DD, rr), W, Dw, Dw);
         const pair sum = pair_add(rho, r);
-        return quotient(form, pair_mul(W2, sum), 4 * size / sum.hi * size,
-                        error / sum.hi);
+        return quotient_of_form(form, pair_mul(W2, sum),
+                                4 * size / sum.hi * size, error / sum.hi);
     }
     const triple dr = triple_of_pair(cylint_radius_growth(s));
     const triple T =
@@ -121,8 +121,9 @@ static close_distance close_to_line(const cylint_shape *s,
     const triple form = triple_det(across, factor, T, T);
     const pair radius = pair_div(pair_of_triple(T), W2);
     const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
-    close_distance to = quotient(form, pair_mul(pair_mul(W2, W2), sum),
-                                 16 * size / sum.hi * size, error / sum.hi);
+    close_distance to =
+        quotient_of_form(form, pair_mul(pair_mul(W2, W2), sum),
+                         16 * size / sum.hi * size, error / sum.hi);
     if (!round) {
         to.d = pair_mul(to.d, C);
         to.error *= cylint_cosine(s) * CYLINT_SLACK;

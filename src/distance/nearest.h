@@ -27,6 +27,14 @@ CYLINT_INLINE int cylint_feature_is_apex(const cylint_shape *s, int feature)
            cylint_sign(cylint_end_factor(s, cylint_feature_end(feature))) == 0;
 }
 
+/* The feature that a kernel's number stands for: a ball has one. */
+CYLINT_INLINE int cylint_stated_feature(const cylint_shape *s, int feature)
+{
+    if (s->kind == CYLINT_KIND_SPHERE)
+        return cylint_surface(s);
+    return cylint_feature_is_apex(s, feature) ? CYLINT_FEATURE_APEX : feature;
+}
+
 /* Rims and apex are lateral.  Caps have the numbers of their parts. */
 CYLINT_INLINE int cylint_feature_part(int feature)
 {

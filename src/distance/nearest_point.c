@@ -205,8 +205,8 @@ static surd_sum coordinate(meridian *m, const nearest *n, const radial *d,
     }
 }
 
-static void write_point(meridian *m, const nearest *n, const radial *d,
-                        double point[3])
+static void write_nearest_point(meridian *m, const nearest *n, const radial *d,
+                                double point[3])
 {
     for (int i = 0; i < 3; i++) {
         const int used = m->arena->used;
@@ -252,8 +252,8 @@ static void normalise(const floating x[3], int sign, double to[3])
     }
 }
 
-static void write_normal(meridian *m, const nearest *n, const radial *d,
-                         double normal[3])
+static void write_nearest_normal(meridian *m, const nearest *n, const radial *d,
+                                 double normal[3])
 {
     const int on_ball = is_on_ball(m, n);
     const int is_cap = !on_ball && n->part != CYLINT_PART_LATERAL;
@@ -277,8 +277,8 @@ void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,
     const radial d =
         is_on_ball(m, n) ? ball_direction(m, n->end) : radial_direction(m);
     if (want & CYLINT_WANT_POINT)
-        write_point(m, n, &d, answer->point);
+        write_nearest_point(m, n, &d, answer->point);
     if (want & CYLINT_WANT_NORMAL)
-        write_normal(m, n, &d, answer->normal);
+        write_nearest_normal(m, n, &d, answer->normal);
     m->arena->used = used;
 }

@@ -18,12 +18,8 @@
 static void write_feature(const cylint_shape *s, int feature,
                           cylint_closest *answer)
 {
-    if (s->kind == CYLINT_KIND_SPHERE)
-        feature = cylint_surface(s);
-    else if (cylint_feature_is_apex(s, feature))
-        feature = CYLINT_FEATURE_APEX;
-    answer->feature = feature;
-    answer->part = cylint_feature_part(feature);
+    answer->feature = cylint_stated_feature(s, feature);
+    answer->part = cylint_feature_part(answer->feature);
 }
 
 /* -------------------------------------------------------- heads and tails -- */

@@ -126,8 +126,9 @@ typedef struct {
 } cylint_run;
 
 /* The questions, set by the caller, who sets `lane`, `first` and `end` to 0.  Of
- * records, `list` has the numbers instead, `end` is how many, and n is 0: there is no
- * first pass.  The line is one for all, only t is wanted, and both caps are present. */
+ * records, `list` has the numbers instead, `end` is how many, and n is 0: there is
+ * no first pass.  The line is one for all, only t is wanted, and both caps are
+ * present. */
 typedef struct {
     const cylint_shape *shapes;   /* all, by number; or the one shape */
     const cylint_record *records; /* all, by number; or NULL: shapes */

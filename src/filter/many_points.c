@@ -72,9 +72,9 @@ static void answer_points(const cylint_shape *shape,
 }
 
 /* Points and shapes of one solid, by their numbers. */
-static void answer_group(const cylint_shape *shapes, int solid,
-                         const size_t number[LANES],
-                         const cylint_points *points, signed char *side)
+static void answer_solids(const cylint_shape *shapes, int solid,
+                          const size_t number[LANES],
+                          const cylint_points *points, signed char *side)
 {
     const cylint_shape *shape[LANES];
     double xyz[3][LANES], of_lane[LANES];
@@ -103,7 +103,7 @@ static void answer_pairs(const cylint_shape *shapes,
             continue;
         count[solid] = 0;
         if (solid != CYLINT_SOLID_NONE)
-            answer_group(shapes, solid, number[solid], points, side);
+            answer_solids(shapes, solid, number[solid], points, side);
     }
 }
 

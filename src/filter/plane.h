@@ -30,8 +30,8 @@ static inline plane_number cylint_along_normal(const pair x[3],
                           CYLINT_PLANE_ERROR * size + 0x1p-900};
 }
 
-/* Whether all numbers within the error of x round to x.v.hi, which is far from 0 and
- * from the largest double. */
+/* Whether all numbers within the error of x round to x.v.hi, which is far from 0
+ * and from the largest double. */
 static inline int cylint_is_rounded(plane_number x)
 {
     const double size = fabs(x.v.hi);
@@ -66,8 +66,8 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
                                                2 * CYLINT_PAIR_DIV)};
 }
 
-/* Writes the signed distance of a point.  Returns 0 if its rounding is uncertain.  The
- * thread rounds to nearest, and the shape is in range. */
+/* Writes the signed distance of a point.  Returns 0 if its rounding is uncertain.
+ * The thread rounds to nearest, and the shape is in range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
                                         const double point[3], double *distance)
 {
@@ -80,7 +80,8 @@ static inline int cylint_plane_distance(const cylint_shape *s,
     return cylint_is_rounded(d);
 }
 
-/* The root -above / slope.  Its error: those of both numbers, and the quotient's. */
+/* The root -above / slope.  Its error: those of both numbers, and the
+ * quotient's. */
 static inline plane_number cylint_plane_root(plane_number above,
                                              plane_number slope)
 {
@@ -124,8 +125,8 @@ static inline int cylint_pairs_serve(const cylint_shape *s,
            cylint_rounds_to_nearest();
 }
 
-/* Relation, n, and the wanted t, part and side of a line that meets the plane at one
- * point; or CYLINT_UNDECIDED. */
+/* Relation, n, and the wanted t, part and side of a line that meets the plane at
+ * one point; or CYLINT_UNDECIDED. */
 static inline int cylint_meets_plane(const cylint_shape *s,
                                      const cylint_line *line, unsigned want,
                                      cylint_answer *answer)
@@ -152,8 +153,8 @@ static inline int cylint_meets_plane(const cylint_shape *s,
 
 /* ------------------------------------------------------------ members -- */
 
-/* Coordinate i of the hit at t.  Where the plane is perpendicular to its direction, all
- * points of the plane have that of p. */
+/* Coordinate i of the hit at t.  Where the plane is perpendicular to its direction,
+ * all points of the plane have that of p. */
 static inline int cylint_plane_coordinate(const cylint_shape *s,
                                           const cylint_line *line,
                                           plane_number t, int i, double *x)
@@ -190,8 +191,8 @@ static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
     return certain;
 }
 
-/* Writes the wanted members beside t of the hit, as far as they are certain; returns
- * the others. */
+/* Writes the wanted members beside t of the hit, as far as they are certain;
+ * returns the others. */
 static inline unsigned cylint_plane_members(const cylint_shape *s,
                                             const cylint_line *line,
                                             unsigned want, cylint_hit *hit)

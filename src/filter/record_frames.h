@@ -1,8 +1,9 @@
 /*
- * record_frames.h - the local coordinates of shapes that are kept as records, in lanes
+ * record_frames.h - the local coordinates of shapes that are kept as records, in
+ * lanes
  *
- * The wide text of shapes/upright_template.h, with the errors that it states; so the bounds
- * of error_bounds.h hold.
+ * The wide text of shapes/upright_template.h, with the errors that it states; so
+ * the bounds of error_bounds.h hold.
  */
 #ifndef CYLINT_RECORD_FRAMES_H
 #define CYLINT_RECORD_FRAMES_H

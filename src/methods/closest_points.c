@@ -28,8 +28,8 @@
  */
 #include "methods.h"
 
-static cylint_method_chord when_parallel(const double D[3], const double d[3],
-                                         double r)
+static cylint_method_chord closest_points_parallel(const double D[3],
+                                                   const double d[3], double r)
 {
     double apart[3];
 
@@ -37,8 +37,8 @@ static cylint_method_chord when_parallel(const double D[3], const double d[3],
     return parallel_chord(dot(apart, apart) - r * r);
 }
 
-static cylint_method_chord chord_of(const cylint_shape *shape,
-                                    const cylint_line *line)
+static cylint_method_chord closest_points_chord(const cylint_shape *shape,
+                                                const cylint_line *line)
 {
     const double *d = line->d, *e = cylint_axis(shape);
     const double r2 = cylint_r0(shape) * cylint_r0(shape);
@@ -48,7 +48,7 @@ static cylint_method_chord chord_of(const cylint_shape *shape,
     cross(d, e, n);
     const double nn = dot(n, n);
     if (nn == 0)
-        return when_parallel(D, d, cylint_r0(shape));
+        return closest_points_parallel(D, d, cylint_r0(shape));
 
     cross(D, e, De);
     cross(D, d, Dd);
@@ -71,7 +71,7 @@ cylint_status cylint_closest_points(const cylint_shape *shape,
 {
     if (shape->kind != CYLINT_KIND_CYLINDER)
         return cylint_method_not_applicable(answer);
-    cylint_method_chord chord = chord_of(shape, line);
+    cylint_method_chord chord = closest_points_chord(shape, line);
     if (cylint_is_bounded(shape))
         cylint_chord_ends(&chord, shape, cylint_axial(shape, line));
     return cylint_method_report(shape, line, want, &chord, answer);

@@ -26,8 +26,9 @@
  */
 #include "methods.h"
 
-static cylint_method_chord when_parallel(const double RC[3],
-                                         const double axis[3], double radius)
+static cylint_method_chord cychosz_waggenspack_parallel(const double RC[3],
+                                                        const double axis[3],
+                                                        double radius)
 {
     double D[3];
 
@@ -42,7 +43,7 @@ static cylint_method_chord intcyl(const double RC[3], const double raycos[3],
 
     cross(raycos, axis, n);
     if (dot(n, n) == 0)
-        return when_parallel(RC, axis, radius);
+        return cychosz_waggenspack_parallel(RC, axis, radius);
     const double ln = unit(n, n);
     const double d = fabs(dot(RC, n));
     if (!(d <= radius))

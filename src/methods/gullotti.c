@@ -82,7 +82,7 @@ static inverse inverse_of(const cylint_shape *shape)
 }
 
 /* The chord of the line p + t v in the unit cylinder x^2 + y^2 <= 1. */
-static cylint_method_chord chord_of(const double p[3], const double v[3])
+static cylint_method_chord gullotti_chord(const double p[3], const double v[3])
 {
     const double a = v[0] * v[0] + v[1] * v[1];
     const double b = 2 * (v[0] * p[0] + v[1] * p[1]);
@@ -114,7 +114,7 @@ cylint_status cylint_gullotti(const cylint_shape *shape,
         v[i] = dot(m.row[i], line->d);
     }
     const cylint_affine z = {p[2], v[2]};
-    cylint_method_chord chord = chord_of(p, v);
+    cylint_method_chord chord = gullotti_chord(p, v);
     cylint_chord_ends(&chord, shape, z);
     return cylint_method_report(shape, line, want, &chord, answer);
 }

@@ -107,7 +107,7 @@ static cylint_method_chord linear_chord(const quadric *q, int is_cone)
                     : chord_between(CYLINT_RELATION_CROSS, t, INFINITY);
 }
 
-static cylint_method_chord chord_of(const quadric *q, int is_cone)
+static cylint_method_chord quadratic_chord(const quadric *q, int is_cone)
 {
     if (q->A == 0)
         return linear_chord(q, is_cone);
@@ -149,7 +149,7 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
         return cylint_method_not_applicable(answer);
     }
     const int is_cone = cylint_r0(shape) != cylint_r1(shape);
-    cylint_method_chord chord = chord_of(&q, is_cone);
+    cylint_method_chord chord = quadratic_chord(&q, is_cone);
     if (is_cone && shape->ends != CYLINT_ENDS_INFINITE)
         cylint_chord_nappe(&chord, q.rho);
     cylint_chord_ends(&chord, shape, q.z);

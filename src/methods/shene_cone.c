@@ -131,8 +131,8 @@ static cylint_method_chord across_rulings(const cone *c, const double to_V[3],
     return chord_between(CYLINT_RELATION_CROSS, low, high);
 }
 
-static cylint_method_chord chord_of(const cone *c, const double to_V[3],
-                                    const double d[3])
+static cylint_method_chord shene_cone_chord(const cone *c, const double to_V[3],
+                                            const double d[3])
 {
     double n[3], m[3], k[3], delta[2][3];
 
@@ -174,7 +174,7 @@ cylint_status cylint_shene_cone(const cylint_shape *shape,
     const cone c = cone_of(shape);
     const double speed = unit(line->d, d);
     minus(c.V, line->o, to_V);
-    cylint_method_chord chord = chord_of(&c, to_V, d);
+    cylint_method_chord chord = shene_cone_chord(&c, to_V, d);
     chord.t[0] /= speed; /* from distance along d to multiples of it */
     chord.t[1] /= speed;
     return cylint_method_report(shape, line, want, &chord, answer);

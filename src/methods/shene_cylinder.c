@@ -29,8 +29,8 @@
 #include "methods.h"
 
 /* u x v = 0: the distance of B from l decides. */
-static cylint_method_chord when_parallel(const double D[3], const double u[3],
-                                         double r)
+static cylint_method_chord shene_cylinder_parallel(const double D[3],
+                                                   const double u[3], double r)
 {
     double apart[3];
 
@@ -38,15 +38,16 @@ static cylint_method_chord when_parallel(const double D[3], const double u[3],
     return parallel_chord(length(apart) - r);
 }
 
-static cylint_method_chord chord_of(const double D[3], const double u[3],
-                                    const double v[3], double r)
+static cylint_method_chord shene_cylinder_chord(const double D[3],
+                                                const double u[3],
+                                                const double v[3], double r)
 {
     double uv[3], Dv[3];
 
     cross(u, v, uv);
     const double sine = length(uv);
     if (sine == 0)
-        return when_parallel(D, u, r);
+        return shene_cylinder_parallel(D, u, r);
 
     const double d = fabs(dot(D, uv) / sine);
     if (!(d <= r))
@@ -71,7 +72,7 @@ cylint_status cylint_shene_cylinder(const cylint_shape *shape,
     const double speed = unit(line->d, u);
     unit(cylint_axis(shape), v);
     minus(cylint_base(shape), line->o, D);
-    cylint_method_chord chord = chord_of(D, u, v, cylint_r0(shape));
+    cylint_method_chord chord = shene_cylinder_chord(D, u, v, cylint_r0(shape));
     chord.t[0] /= speed; /* from distance along u to multiples of d */
     chord.t[1] /= speed;
     return cylint_method_report(shape, line, want, &chord, answer);

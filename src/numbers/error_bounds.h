@@ -68,10 +68,10 @@
  *
  * CYLINT_INVERSE_ERROR: of 1 / sqrt(x) (surd.c).  Each of two Newton's steps
  * leaves 3/2 of the square of the error before, which is 2^-30 at first.  1 / x and
- * sqrt(x) have the same error.  CYLINT_VALUE_ERROR: of f0 + f1 t, from that of R, of
- * the quotient and, for z, of a second quotient; of a unit vector's component, to
- * which the length adds that of a value and its own.
- * Numbers cut to their leading digits add less than 2^-120 in all.
+ * sqrt(x) have the same error.  CYLINT_VALUE_ERROR: of f0 + f1 t, from that of R,
+ * of the quotient and, for z, of a second quotient; of a unit vector's component,
+ * to which the length adds that of a value and its own.  Numbers cut to their
+ * leading digits add less than 2^-120 in all.
  */
 #define CYLINT_EXACT_ROUNDING 0x1p-104
 #define CYLINT_INVERSE_ERROR 0x1p-117
@@ -359,8 +359,8 @@
 #define CYLINT_MEMBER_SLOPE 0x1p-48
 
 /*
- * Half-spaces (filter/plane.h): the error of a scalar product of a vector of pairs and
- * one of doubles, relative to the sum of the sizes of its terms.
+ * Half-spaces (filter/plane.h): the error of a scalar product of a vector of pairs
+ * and one of doubles, relative to the sum of the sizes of its terms.
  * CYLINT_PLANE_ROUNDING is proved and is smaller.
  */
 #define CYLINT_PLANE_ERROR 0x1p-101

@@ -1,8 +1,8 @@
 /*
  * exact_sum.h - the sum of doubles, exactly: an integer times 2^-1074
  *
- * Integers, so that neither the rounding mode nor flushed subnormals matter [Kulisch,
- * Computer Arithmetic and Validity, 2008].
+ * Integers, so that neither the rounding mode nor flushed subnormals matter
+ * [Kulisch, Computer Arithmetic and Validity, 2008].
  */
 #ifndef CYLINT_EXACT_SUM_H
 #define CYLINT_EXACT_SUM_H

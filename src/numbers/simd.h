@@ -7,12 +7,13 @@
  *
  * The compiler's flags choose the instruction set.  CYLINT_ONE_LANE chooses
  * plain doubles, which are also the choice where no instruction set is
- * available.  CYLINT_FOUR_LANES chooses at most four.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
- * line and one shape; compilers with GNU's vectors have two lanes on every
- * processor.  With two lanes there are also functions that join two numbers,
- * join the first or the second lanes of two vectors, swap the lanes, and return
- * the first lane; and, where CYLINT_NARROW is defined, vectors vq of four lanes.
- * Every operation rounds once, so every width gives the same bits.
+ * available.  CYLINT_FOUR_LANES chooses at most four.  CYLINT_NARROW chooses two
+ * lanes with branch-free masks, for one line and one shape; compilers with GNU's
+ * vectors have two lanes on every processor.  With two lanes there are also
+ * functions that join two numbers, join the first or the second lanes of two
+ * vectors, swap the lanes, and return the first lane; and, where CYLINT_NARROW is
+ * defined, vectors vq of four lanes.  Every operation rounds once, so every width
+ * gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H

@@ -47,7 +47,7 @@ static double relative_error(number x)
 
 /* x / y.  Relative errors are added to first order: CYLINT_ROOT_SLACK covers
  * their products, each of which is below 2^-10.  A larger error is unknown. */
-static number quotient(number x, number y)
+static number quotient_of_numbers(number x, number y)
 {
     const pair t = pair_div(x.v, y.v);
     const double error = relative_error(x) + relative_error(y);
@@ -104,17 +104,18 @@ static number root_by_quotient(cylint_query *q, cylint_root root)
     if (!q->pairs || root == ROOT_APEX)
         return unknown;
     if (root == ROOT_DOUBLE)
-        return quotient(negative(form_in_pairs(q, FORM_B, 0)),
-                        form_in_pairs(q, FORM_A, 0));
+        return quotient_of_numbers(negative(form_in_pairs(q, FORM_B, 0)),
+                                   form_in_pairs(q, FORM_A, 0));
     if (root != ROOT_ENTRY && !exits)
-        return quotient(
+        return quotient_of_numbers(
             negative(form_in_pairs(q, FORM_ALPHA, root == ROOT_CAP1)),
             form_in_pairs(q, FORM_BETA, 0));
     const number sum = divisor(q, exits, &near);
     if (!(sum.error < HUGE_VAL))
         return unknown;
     const number x = form_in_pairs(q, near ? FORM_C : FORM_A, 0);
-    const number t = near ? quotient(x, sum) : quotient(sum, x);
+    const number t =
+        near ? quotient_of_numbers(x, sum) : quotient_of_numbers(sum, x);
     return near == exits ? negative(t) : t;
 }
 

@@ -7,11 +7,6 @@
 #include "../numbers/bits.h"
 #include "frame.h"
 
-static double largest(const double x[3])
-{
-    return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2])));
-}
-
 int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3])
 {
@@ -24,9 +19,10 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
         frame->center[j] = lo[j] / 2 + hi[j] / 2;
         half[j] = fmax(hi[j] - frame->center[j], frame->center[j] - lo[j]);
     }
-    const double size = largest(half);
-    if (!is_box || !(largest(lo) <= CYLINT_FRAME_MOST) ||
-        !(largest(hi) <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST))
+    const double size = cylint_largest(half);
+    if (!is_box || !(cylint_largest(lo) <= CYLINT_FRAME_MOST) ||
+        !(cylint_largest(hi) <= CYLINT_FRAME_MOST) ||
+        !(size >= CYLINT_FRAME_LEAST))
         return 0;
     frexp(size, &e);
     frame->scale = ldexp(1, -e);
@@ -89,9 +85,9 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     double to;
     if (!line->valid)
         return CYLINT_FRAME_MISSED;
-    const double size = largest(line->d);
+    const double size = cylint_largest(line->d);
     if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
-        !(largest(line->o) <= CYLINT_FRAME_MOST) ||
+        !(cylint_largest(line->o) <= CYLINT_FRAME_MOST) ||
         is_too_oblique(line->d, size) || !cylint_rounds_to_nearest())
         return CYLINT_FRAME_UNUSABLE;
     clip(frame, line, size, &ray->entry, &to);

@@ -65,8 +65,8 @@ static double end_of_last_piece(const collector *c)
 /* More chords than this are not kept sorted as they come. */
 enum { SORTED_CHORDS = 64 };
 
-/* Later chords can join two pieces, and so move the end of the last piece: the search
- * is complete up to the least of these ends. */
+/* Later chords can join two pieces, and so move the end of the last piece: the
+ * search is complete up to the least of these ends. */
 static double keep_first_chord(void *context, size_t number,
                                cylint_interval chord)
 {
@@ -171,6 +171,7 @@ static uint32_t owner_at(sweep *s, double t)
     return s->chord[s->heap[0]].number;
 }
 
+/* lint: there are pieces where the capacity is not 0 */
 /* Adds the cell [t0, t1], or makes the last piece longer by it.  Returns 0 if no
  * more pieces are wanted. */
 static int add_cell(sweep *s, double t0, double t1, size_t depth)
@@ -299,8 +300,8 @@ static void collect(const cylint_scene *scene, const cylint_line *line,
 /* The most pieces for which the line is searched in order, and how often. */
 enum { FEW_PIECES = 4, SEARCHES = 2 };
 
-/* Returns whether the wanted pieces are written, or all.  Each search is complete up to
- * farther on than the one before. */
+/* Returns whether the wanted pieces are written, or all.  Each search is complete
+ * up to farther on than the one before. */
 static int has_first_pieces(const cylint_scene *scene, const cylint_line *line,
                             collector *c, cylint_workspace *work, sweep *s)
 {

@@ -20,8 +20,8 @@ static inline int cylint_chord_is_before(const cylint_numbered_chord *x,
     return a != b ? a < b : x->number < y->number;
 }
 
-/* Whether solid x owns a place that y contains too: it has the lesser rank, or the same
- * rank and the lower number. */
+/* Whether solid x owns a place that y contains too: it has the lesser rank, or the
+ * same rank and the lower number. */
 static inline int cylint_outranks(const int *rank, size_t x, size_t y)
 {
     return rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y;
@@ -69,8 +69,8 @@ typedef struct cylint_domain {
 } cylint_domain;
 
 /* Makes the chords in solids of the chords in shapes, which have no duplicates.
- * Returns how many there are, in the room and in no order, or CYLINT_NO_ROOM.  *spare:
- * as much memory as they take. */
+ * Returns how many there are, in the room and in no order, or CYLINT_NO_ROOM.
+ * *spare: as much memory as they take. */
 size_t cylint_chords_of_solids(const cylint_scene *scene,
                                const cylint_domain *domain,
                                const cylint_numbered_chord *of_shapes, size_t n,

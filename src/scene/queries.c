@@ -21,7 +21,8 @@ typedef struct {
     size_t n;
 } nearest;
 
-static double keep_nearest(void *context, size_t number, const cylint_hit *hit)
+static double keep_nearest_hit(void *context, size_t number,
+                               const cylint_hit *hit)
 {
     nearest *q = context;
     if (q->number == q->n || cylint_less(hit->t, q->hit.t) ||
@@ -44,7 +45,7 @@ static int keep_nearest_other(nearest *q, const cylint_scene *scene,
         return 1;
     if (scene->others[first] == except)
         return 0;
-    keep_nearest(q, scene->others[first], &hit);
+    keep_nearest_hit(q, scene->others[first], &hit);
     return 1;
 }
 
@@ -61,7 +62,8 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
         .first_other =
             keep_nearest_other(&q, scene, line, except) ? scene->n_others : 0};
     cylint_visit_line(scene, line, &options,
-                      q.number < q.n ? q.hit.t : HUGE_VAL, keep_nearest, &q);
+                      q.number < q.n ? q.hit.t : HUGE_VAL, keep_nearest_hit,
+                      &q);
     if (q.number == q.n)
         return q.n;
     cylint_copy_hit(hit, &q.hit, want & EARLY_MEMBERS);

@@ -99,6 +99,7 @@ static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
     return CYLINT_SCENE_OK;
 }
 
+/* lint: memory for the clauses of all members was allocated */
 /* Numbers the clauses of a solid and counts the complements in each.  `member` has
  * its n members, sorted by clause. */
 static void number_clauses_of(cylint_scene_solid *solid,
@@ -195,8 +196,8 @@ static void list_by_shape(cylint_solids *s, size_t shapes,
     }
 }
 
-/* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a member
- * of a solid that is not bounded. */
+/* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a
+ * member of a solid that is not bounded. */
 static int is_always_tested(const cylint_solids *s, uint32_t shape)
 {
     const uint32_t first = s->first_of_shape[shape],

@@ -1,8 +1,8 @@
 /*
  * solids.h - the solids of a scene that are made of shapes
  *
- * They are given as members: which shape belongs to which clause of which solid.  The
- * other arrays are made of these.
+ * They are given as members: which shape belongs to which clause of which solid.
+ * The other arrays are made of these.
  */
 #ifndef CYLINT_SCENE_SOLIDS_H
 #define CYLINT_SCENE_SOLIDS_H
@@ -50,7 +50,8 @@ struct cylint_scene;
 cylint_scene_status cylint_solids_make(cylint_solids *solids,
                                        const struct cylint_scene *scene);
 
-/* Whether a shape is a late member, see cylint_scene_solid.  The scene has solids. */
+/* Whether a shape is a late member, see cylint_scene_solid.  The scene has
+ * solids. */
 int cylint_is_late(const struct cylint_scene *scene, uint32_t shape);
 
 /* Frees all but `given`. */

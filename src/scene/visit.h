@@ -29,9 +29,9 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
 typedef double cylint_scene_chord(void *context, size_t number,
                                   cylint_interval chord);
 
-/* Calls back for the chords of the shapes in the hierarchy.  in_order: nearer shapes
- * tend to come first, and chords that begin beyond the t that the callback returned
- * last are not wanted. */
+/* Calls back for the chords of the shapes in the hierarchy.  in_order: nearer
+ * shapes tend to come first, and chords that begin beyond the t that the callback
+ * returned last are not wanted. */
 void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
                          int in_order, cylint_scene_chord *callback,
                          void *context);

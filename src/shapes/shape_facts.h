@@ -15,8 +15,8 @@
  *   rcone         -        yes        yes        -      round: two balls
  *   halfspace     -         -          -         -      none: a plane
  *
- * A half-space has the point p as base and the normal n as axis: its plane is that of
- * the cap at z = 0, and its ends are infinite.  It has no local coordinates.
+ * A half-space has the point p as base and the normal n as axis: its plane is that
+ * of the cap at z = 0, and its ends are infinite.  It has no local coordinates.
  *
  * A shape is bounded by the planes z = 0 and z = 1 or, where it is tapered, by
  * the plane through its apex (a nappe), or it is unbounded.  A round shape is
@@ -115,6 +115,12 @@ CYLINT_INLINE int cylint_ends_are_planes(int ends)
 CYLINT_INLINE int cylint_closed_ends(int ends)
 {
     return cylint_ends_are_planes(ends) ? CYLINT_ENDS_CAPPED : ends;
+}
+
+/* No part of the surface is missing. */
+CYLINT_INLINE int cylint_surface_is_whole(int ends)
+{
+    return cylint_closed_ends(ends) == ends;
 }
 
 /* The caps that can be hit: bit 0 and bit 1. */

@@ -317,16 +317,16 @@ INLINE vpair chosen(vd e, vpair x, vpair y)
     return (vpair){e * x.hi + other * y.hi, e * x.lo + other * y.lo};
 }
 
-/* 1 / |w|; lateral2 and 1 / sqrt(lateral2), which is |w|^2 + dr^2 for a cone, |w|^2 -
- * dr^2 for a rounded cone, 1 + dr^2 for an acone, whose dr is its tangent. */
+/* 1 / |w|; lateral2 and 1 / sqrt(lateral2), which is |w|^2 + dr^2 for a cone, |w|^2
+ * - dr^2 for a rounded cone, 1 + dr^2 for an acone, whose dr is its tangent. */
 typedef struct {
     one axis, lateral, lateral2;
 } inverse_lengths;
 
 /*
- * Unit vectors along the axis and across it, of an axis w beside which stands dr, the
- * growth of the radius: x is perpendicular to the coordinate direction e along which
- * the axis is least.
+ * Unit vectors along the axis and across it, of an axis w beside which stands dr,
+ * the growth of the radius: x is perpendicular to the coordinate direction e along
+ * which the axis is least.
  *
  *   h = 1 / |w|, l = 1 / |w x e|;  z = h w, x = l (w x e),
  *   y = z x x = h l (w (w.e) - e w.w)

@@ -121,33 +121,28 @@ __attribute__((constructor)) static void begin(void)
     const char *p = getenv("CYLINT_FAULTS");
     while (p && *p) {
         const size_t length = strcspn(p, " ");
-        if (length > 0) {
+        if (length > 0)
             set_word(p, length);
-        }
         p += length + (p[length] == ' ');
     }
-    if (storm) {
+    if (storm)
         begin_storm();
-    }
-    for (int fd = 0; nonblock && fd < 2; fd++) {
+    for (int fd = 0; nonblock && fd < 2; fd++)
         fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK);
-    }
 }
 
 __attribute__((destructor)) static void end(void)
 {
     struct rusage used;
-    if (count_allocations) {
+    if (count_allocations)
         fprintf(stderr, "faults: %lld allocations\n", allocations);
-    }
     getrusage(RUSAGE_SELF, &used);
     if (rss_most && used.ru_maxrss > rss_most) {
         fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);
         fail_and_exit("too much memory");
     }
-    if (leaks && alive) {
+    if (leaks && alive)
         fail_and_exit("memory was not freed");
-    }
 }
 
 /* ------------------------------------------------------ random failures -- */
@@ -164,18 +159,16 @@ static uint64_t draw(long long seed)
 
 static int fails(long long seed, int error)
 {
-    if (!seed || draw(seed) % 3 != 0) {
+    if (!seed || draw(seed) % 3 != 0)
         return 0;
-    }
     errno = error;
     return 1;
 }
 
 static int is_unlucky_transfer(void)
 {
-    if (calls_most && ADD(calls, 1) > calls_most) {
+    if (calls_most && ADD(calls, 1) > calls_most)
         abort();
-    }
     return fails(eintr, EINTR) || fails(again, EAGAIN);
 }
 
@@ -197,9 +190,8 @@ static size_t rest_of(size_t n, long long most, long long gone)
 ssize_t __real_read(int fd, void *to, size_t n);
 ssize_t __wrap_read(int fd, void *to, size_t n)
 {
-    if (is_unlucky_transfer()) {
+    if (is_unlucky_transfer())
         return -1;
-    }
     const size_t rest = rest_of(part_of(n), read_most, bytes_read);
     if (rest == 0 && n > 0) {
         errno = EIO;
@@ -213,9 +205,8 @@ ssize_t __wrap_read(int fd, void *to, size_t n)
 ssize_t __real_write(int fd, const void *from, size_t n);
 ssize_t __wrap_write(int fd, const void *from, size_t n)
 {
-    if (is_unlucky_transfer()) {
+    if (is_unlucky_transfer())
         return -1;
-    }
     const size_t rest = rest_of(part_of(n), write_most, bytes_written);
     if (rest == 0 && n > 0) {
         errno = ENOSPC;
@@ -229,12 +220,10 @@ ssize_t __wrap_write(int fd, const void *from, size_t n)
 int __real_poll(struct pollfd *p, nfds_t n, int timeout);
 int __wrap_poll(struct pollfd *p, nfds_t n, int timeout)
 {
-    if (calls_most && ADD(calls, 1) > calls_most) {
+    if (calls_most && ADD(calls, 1) > calls_most)
         abort();
-    }
-    if (fails(eintr, EINTR)) {
+    if (fails(eintr, EINTR))
         return -1;
-    }
     return timeout == 0 && fails(waits, errno) ? 0 : __real_poll(p, n, timeout);
 }
 
@@ -251,9 +240,8 @@ int __wrap_open(const char *name, int flags, ...)
 /* Whether this is the n-th call; n 0: never. */
 static int is_nth(long long n, long long *count, int error)
 {
-    if (!n || ADD(*count, 1) != n) {
+    if (!n || ADD(*count, 1) != n)
         return 0;
-    }
     errno = error;
     return 1;
 }
@@ -296,9 +284,8 @@ int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
                           void *(*start)(void *), void *argument)
 {
-    if (thread_from && ADD(threads, 1) >= thread_from) {
+    if (thread_from && ADD(threads, 1) >= thread_from)
         return EAGAIN;
-    }
     return __real_pthread_create(thread, attr, start, argument);
 }
 
@@ -333,18 +320,16 @@ void *__wrap_calloc(size_t n, size_t size)
 void *__real_realloc(void *old, size_t n);
 void *__wrap_realloc(void *old, size_t n)
 {
-    if (is_denied()) {
+    if (is_denied())
         return NULL;
-    }
     return old ? __real_realloc(old, n) : counted(__real_realloc(old, n));
 }
 
 int __real_posix_memalign(void **memory, size_t alignment, size_t n);
 int __wrap_posix_memalign(void **memory, size_t alignment, size_t n)
 {
-    if (is_denied()) {
+    if (is_denied())
         return ENOMEM;
-    }
     const int status = __real_posix_memalign(memory, alignment, n);
     ADD(alive, status == 0);
     return status;

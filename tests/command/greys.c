@@ -30,11 +30,9 @@ static int grey(const struct greys *g, int x, int y)
 static void print_all(const struct greys *g)
 {
     printf("%s\n", g->description);
-    for (int y = 0; y < g->height; y++) {
-        for (int x = 0; x < g->width; x++) {
+    for (int y = 0; y < g->height; y++)
+        for (int x = 0; x < g->width; x++)
             printf("%d %d %d\n", x, y, grey(g, x, y));
-        }
-    }
 }
 
 /* The length of the ray through the middle of a pixel inside the ball. */
@@ -94,15 +92,13 @@ int main(int argc, char **argv)
         png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     png_textp text = NULL;
-    if (!file || !info || setjmp(png_jmpbuf(png))) {
+    if (!file || !info || setjmp(png_jmpbuf(png)))
         return 2;
-    }
     png_init_io(png, file);
     png_read_png(png, info, PNG_TRANSFORM_IDENTITY, NULL);
     if (png_get_bit_depth(png, info) != 16 ||
-        png_get_color_type(png, info) != PNG_COLOR_TYPE_GRAY) {
+        png_get_color_type(png, info) != PNG_COLOR_TYPE_GRAY)
         return 2;
-    }
     const int texts = png_get_text(png, info, &text, NULL);
     const struct greys greys = {(int)png_get_image_width(png, info),
                                 (int)png_get_image_height(png, info),

@@ -44,15 +44,13 @@ static void check_written(double value)
         size_t m = cylint_write_number(one, value, forms[i]);
         size_t n = plain_write_number(two, value, forms[i]);
         one[m] = two[n] = '\0';
-        if (!CHECK(m == n && memcmp(one, two, n) == 0)) {
+        if (!CHECK(m == n && memcmp(one, two, n) == 0))
             REPORT("%a, form %d: '%s' and '%s'", value, forms[i], one, two);
-        }
         double back = 0;
         if (i < 3 && isfinite(value) &&
             !(CHECK(cylint_read_number(one, one + m, &back) == one + m) &&
-              CHECK(same(back, value)))) {
+              CHECK(same(back, value))))
             REPORT("'%s' is not read back as %a", one, value);
-        }
     }
 }
 
@@ -74,9 +72,8 @@ static void check_read(const char *text)
 
 static void every_bit_pattern_is_written_alike(void)
 {
-    for (int i = 0; i < 200000; i++) {
+    for (int i = 0; i < 200000; i++)
         check_written(from_bits(next_random()));
-    }
 }
 
 static void powers_of_two_and_their_neighbours_are_written_alike(void)
@@ -129,9 +126,8 @@ static void special_values_are_written_alike(void)
                                     1234567,
                                     0.30000000000000004,
                                     9007199254740993.0};
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
         check_written(values[i]);
-    }
 }
 
 /* The spellings are separated by |; one of them is empty. */
@@ -163,9 +159,8 @@ static void random_text_is_read_alike(void)
     for (int i = 0; i < 300000; i++) {
         char text[24];
         const size_t n = next_random() % (sizeof text - 1);
-        for (size_t j = 0; j < n; j++) {
+        for (size_t j = 0; j < n; j++)
             text[j] = letters[next_random() % (sizeof letters - 1)];
-        }
         text[n] = '\0';
         check_read(text);
     }

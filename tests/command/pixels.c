@@ -22,14 +22,12 @@ int main(int argc, char **argv)
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
     if ((argc != 2 && argc != 4) ||
-        !png_image_begin_read_from_file(&image, argv[1])) {
+        !png_image_begin_read_from_file(&image, argv[1]))
         return 2;
-    }
     image.format = PNG_FORMAT_RGBA;
     png_byte *pixels = malloc(PNG_IMAGE_SIZE(image));
-    if (!pixels || !png_image_finish_read(&image, NULL, pixels, 0, NULL)) {
+    if (!pixels || !png_image_finish_read(&image, NULL, pixels, 0, NULL))
         return 2;
-    }
     if (argc == 4) {
         print_pixel(&image, pixels, (unsigned)atoi(argv[2]),
                     (unsigned)atoi(argv[3]));

@@ -3,9 +3,10 @@
 # give their output, and every option, word and column has a transcript.
 #
 # A transcript is `$ command` and the expected output.  `! text` is a line of
-# standard error, `? N` the exit status (default 0), `(empty)` an empty line.  A
-# blank line ends the transcript; text between transcripts is comment.  All
-# commands run in one scratch folder.
+# standard error, `? N` the exit status (default 0), `!? text` the message and
+# status of a wrong command line, `(empty)` an empty line.  A blank line ends the
+# transcript; text between transcripts is comment.  All commands run in one
+# scratch folder.
 . "$(dirname "$0")/../support/verdict.sh"
 mkdir "$scratch/work"
 PATH=$build:$PATH
@@ -36,6 +37,10 @@ run_transcripts() { # name; transcripts on standard input
         case $line in
         '$ '*) finish; begin "${line#??}" ;;
         '') finish ;;
+        '!? '*)
+            printf 'cylint: %s\n%s\n' "${line#???}" "Try 'cylint --help'." \
+                >>"$scratch/expected.err"
+            status=2 ;;
         '! '*) printf '%s\n' "${line#??}" >>"$scratch/expected.err" ;;
         '? '*) status=${line#??} ;;
         '(empty)') echo >>"$scratch/expected.out" ;;

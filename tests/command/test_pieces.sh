@@ -1,47 +1,11 @@
 #!/bin/sh
-# Floor command: the pieces of lines and the sums of their lengths are those of a
-# loop over all shapes, and are the same bytes for any number of workers and a
-# saved scene.  cli.txt has the options and messages.
+# Floor command: first pieces, first boundaries and depths agree with the pieces of
+# lines, and all answers are the same bytes for any number of workers and a saved
+# scene.  tests/scene/test_pieces.c has pieces and sums beside a loop,
+# tests/python/test_pieces.py those of the command; cli.txt options and messages.
 . "$(dirname "$0")/../support/verdict.sh"
-[ -x "$build/tests/command/path_lengths" ] || skip_all 'no tests/command/path_lengths'
-data=$top/../shared/data
-PATH=$build:$build/tests/command:$PATH
+PATH=$build:$PATH
 cd "$scratch" || exit 1
-
-# agrees NAME SCENE LINES [RANKS]
-agrees()
-{
-    name=$1 scene=$2 lines=$3 ranks=$4
-    path_lengths sums "$scene" "$lines" $ranks >want &&
-        cylint -s "$scene" -q pieces --sum label --binary-out ${ranks:+--rank "$ranks"} "$lines" >out &&
-        [ -s want ] && cmp want out
-    verdict "$name: sums" $?
-    path_lengths pieces "$scene" "$lines" $ranks >want &&
-        cylint -s "$scene" -q pieces -f t0,t1,shape,depth --binary-out ${ranks:+--rank "$ranks"} "$lines" >out &&
-        [ -s want ] && cmp want out
-    verdict "$name: pieces" $?
-}
-
-# A neuron's frusta overlap at every node.  Its labels become five names.
-if [ -f "$data/medulla_7114.swc" ]; then
-    cylint -s "$data/medulla_7114.swc" --text >nodes 2>skipped
-else
-    echo "note: no $data/medulla_7114.swc; a random neuron is used"
-    awk 'BEGIN { srand(9); for (n = 1; n < 5000; n++) {
-        p = n > 1 ? n - 1 - int(rand() * n / 4) : -1
-        x[n] = x[p] + 9 * rand() - 4; y[n] = y[p] + 9 * rand() - 4; z[n] = z[p] + 7 * rand()
-        print n, 3, x[n], y[n], z[n], 1 + 3 * rand(), p } }' >random.swc
-    cylint -s random.swc --text >nodes 2>skipped
-fi
-awk '!/^#/ { $NF = ($NF * 7 + int($NF / 64)) % 5 ? "type" int($NF / 100) % 4 : ""; print }' nodes >neuron
-awk '/^c/ && NR % 97 == 0 { n++; kind = n % 4
-    print (kind == 0 ? "line" : kind == 1 ? "ray" : "segment"), $2 - (kind ? 400 * cos(n) : 0),
-        $3 - (kind ? 400 * sin(n) : 0), $4 - 10,
-        (kind < 2 ? cos(n) " " sin(n) " 0.025" : $2 + 300 * cos(n) " " $3 + 300 * sin(n) " " $4 + 10)
-}' neuron >lines
-printf 'type2 -1\ntype0 5\n' >ranks
-agrees 'a neuron' neuron lines
-agrees 'a neuron with ranks' neuron lines ranks
 
 # Solids of all kinds, some unbounded; names of solids do not follow each other.
 awk 'function at(most) { return sprintf("%.17g", (2 * rand() - 1) * most) }
@@ -71,14 +35,11 @@ BEGIN {
     print "span 1 2 3  0 1 0  -4 4"
 }' >through
 printf 'm3 -7\nm1 2\nspace 9\n' >more
-agrees 'solids' solids through
-agrees 'solids with ranks' solids through more
 
 # More pieces on a line than are found at once, in every mode.
 awk 'BEGIN { for (i = 0; i < 3000; i++)
     print "sphere", i * 0.75, 0, 0, i % 9 ? 0.25 : 0.875, i % 4 ? "a" : "b" }' >beads
 echo 'line -1 0.125 0  1 0 0' >row
-agrees 'a row of balls' beads row
 for mode in owner union cells chords; do
     cylint -s beads -q pieces --pieces $mode row >out
     [ "$(wc -l <out)" -gt 1500 ]

@@ -14,18 +14,14 @@ test_install()
 {
     make_in_root install
     verdict install_succeeds $?
-    for f in bin/cylint lib/libcylint.a lib/libcylint.so \
-        "lib/libcylint.so.$major" "lib/libcylint.so.$version" \
-        lib/libcylint-scene.a "lib/libcylint-scene.so.$major" \
-        lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
-        include/cylint.h include/cylint_methods.h include/cylint_scene.h \
-        include/cylint_distance.h include/cylint_pieces.h share/man/man3/cylint_distance.3 \
-        share/man/man3/cylint_pieces.3 \
-        share/man/man1/cylint.1 share/man/man3/cylint.3 \
-        share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
-        share/cylint/autumn.awk share/man/man7/cylint.7 \
-        share/doc/cylint/README.md share/doc/cylint/LICENSE share/doc/cylint/CHANGES.md \
-        share/bash-completion/completions/cylint share/zsh/site-functions/_cylint; do
+    for f in bin/cylint lib/libcylint.a lib/libcylint.so lib/libcylint.so.$major \
+        lib/libcylint.so.$version lib/libcylint-scene.a lib/libcylint-scene.so.$major \
+        lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc share/cylint/autumn.awk \
+        share/man/man1/cylint.1 share/man/man7/cylint.7 share/doc/cylint/README.md \
+        share/doc/cylint/LICENSE share/doc/cylint/CHANGES.md \
+        share/bash-completion/completions/cylint share/zsh/site-functions/_cylint \
+        $(printf 'include/cylint%s.h share/man/man3/cylint%s.3 ' '' '' _methods _methods \
+            _scene _scene _distance _distance _pieces _pieces); do
         [ -s "$root/usr/$f" ]
         verdict "install_puts_$f" $?
     done
@@ -184,7 +180,16 @@ test_hints()
     verdict no_lines_if_all_paths_are_set $?
 }
 
-# After a program comes its output.
+# show PAGE NUMBER: a program of a manual; after it comes its output.
+show()
+{
+    page=$1 number=$2
+    display $page $2 > "$scratch/example.c"
+    display $page $(($2 + 1)) > "$scratch/example.said"
+    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+    verdict "${page}_has_example_$2" $?
+}
+
 test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
@@ -194,56 +199,32 @@ test_manual_examples()
     [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
     verdict the_header_begins_with_an_example $?
     example the_headers_example static $cc -std=c99
-    for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint.3,7 cylint_methods.3,1 \
-        cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5 \
-        cylint_pieces.3,1 cylint_pieces.3,3 cylint_pieces.3,5; do
-        page=${shown%,*} number=${shown#*,}
-        display $page $number > "$scratch/example.c"
-        display $page $((number + 1)) > "$scratch/example.said"
-        [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
-        verdict "${page}_has_example_$number" $?
+    for shown in cylint,1 cylint,3 cylint,5 cylint,7 cylint_methods,1 cylint_distance,1 \
+        cylint_distance,3 cylint_distance,5 cylint_pieces,1 cylint_pieces,3 cylint_pieces,5; do
+        show ${shown%,*}.3 ${shown#*,}
         example "${page}_example_$number" static $cc -std=c99
     done
-    display cylint_scene.3 1 > "$scratch/example.c"
-    display cylint_scene.3 2 > "$scratch/example.said"
-    example_of cylint_scene.3 cylint-scene
-    display cylint_scene.3 3 > "$scratch/example.c"
-    display cylint_scene.3 4 > "$scratch/example.said"
-    with_threads=-pthread
-    example_of cylint_scene.3_threads cylint-scene
-    with_threads=
-    display cylint_scene.3 5 > "$scratch/example.c"
-    display cylint_scene.3 6 > "$scratch/example.said"
-    example_of cylint_scene.3_points cylint-scene
-    display cylint_scene.3 7 > "$scratch/example.c"
-    display cylint_scene.3 8 > "$scratch/example.said"
-    example_of cylint_scene.3_many cylint-scene
-    display cylint_scene.3 9 > "$scratch/example.c"
-    display cylint_scene.3 10 > "$scratch/example.said"
-    example_of cylint_scene.3_file cylint-scene
-    display cylint_scene.3 11 > "$scratch/example.c"
-    display cylint_scene.3 12 > "$scratch/example.said"
-    example_of cylint_scene.3_pieces cylint-scene
-    display cylint_scene.3 1 > "$scratch/example.c"
-    display cylint_scene.3 2 > "$scratch/example.said"
+    for shown in 1 3 5 7 9 11; do
+        show cylint_scene.3 $shown
+        case $shown in 3) with_threads=-pthread ;; *) with_threads= ;; esac
+        example_of cylint-scene
+    done
     command -v pkg-config > /dev/null &&
         grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc" 2>/dev/null || return
-    example_of cylint_scene.3 cylint-embree
-    example_of cylint_scene.3 cylint-embree cylint-scene
-    example_of cylint_scene.3 cylint-scene cylint-embree
-    display cylint_embree.3 1 > "$scratch/example.c"
-    display cylint_embree.3 2 > "$scratch/example.said"
-    example_of cylint_embree.3 cylint-embree
+    show cylint_scene.3 1
+    for packages in cylint-embree 'cylint-embree cylint-scene' 'cylint-scene cylint-embree'; do
+        example_of $packages
+    done
+    show cylint_embree.3 1
+    example_of cylint-embree
 }
 
-# example_of PAGE LIBRARY...: links with shared and with static libraries.
+# example_of LIBRARY...: links with shared and with static libraries.
 example_of()
 {
-    page=$1
-    shift
     packages=$*
     for linking in static shared; do
-        example "${page}_example_${linking}_$(echo $packages | tr ' ' _)" \
+        example "${page}_example_${number}_${linking}_$(echo $packages | tr ' ' _)" \
             $linking $cc -std=c99 $with_threads
     done
     packages=
@@ -253,29 +234,19 @@ example_of()
 # otherwise an array has a negative length.
 test_manual_structs()
 {
-    { echo '#include <stddef.h>'
-      echo '#include <cylint_methods.h>'
-      echo '#include <cylint_distance.h>'
-      echo '#include <cylint_pieces.h>'
-      echo '#include <cylint_scene.h>'
+    { printf '#include <%s.h>\n' stddef cylint_methods cylint_distance cylint_pieces cylint_scene
       awk '
         function equal(what, a, b) {
-            print "typedef char same_" ++n "[" what "(" a ") == " \
-                  what "(" b ") ? 1 : -1];"
+            print "typedef char same_" ++n "[" what "(" a ") == " what "(" b ") ? 1 : -1];"
         }
-        /^typedef struct cylint_/ {
-            name = $3; names = ""
-            print "typedef struct {"
-            next
-        }
+        /^typedef struct cylint_/ { name = $3; names = ""; print "typedef struct {"; next }
         !name { next }
         /^}/ {
             print "} page_" name ";"
             equal("sizeof", name, "page_" name)
             count = split(names, member, " ")
             for (i = 1; i <= count; i++)
-                equal("offsetof", name ", " member[i],
-                      "page_" name ", " member[i])
+                equal("offsetof", name ", " member[i], "page_" name ", " member[i])
             name = ""
             next
         }
@@ -286,8 +257,7 @@ test_manual_structs()
             for (i = 1; i <= count; i++) {
                 sub(/\[.*/, "", part[i])
                 sub(/.*[ *]/, "", part[i])
-                if (part[i] ~ /^[a-z]/)
-                    names = names " " part[i]
+                if (part[i] ~ /^[a-z]/) names = names " " part[i]
             }
         }' man/*.3
     } > "$scratch/structs.c"
@@ -307,7 +277,7 @@ none()
 # foreign_to LIBRARY NAMES: undefined symbols except NAMES and cylint_*.
 foreign_to()
 {
-    nm -u "$lib/$1.a" | awk -v known="$2" '
+    nm -u "$lib/$1.a" | awk -v known="$(echo $2)" '
         BEGIN { n = split(known, name, " ")
                 for (i = 1; i <= n; i++) fine[name[i]] = 1 }
         $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u
@@ -353,10 +323,9 @@ test_symbols()
         return
     fi
     # Functions of math.h, and those that compilers call for loops and copies.
-    math='acos asin atan atan2 ceil copysign cos fabs floor fma fmax fmin'
-    math="$math fmod frexp hypot ilogb ldexp log log2 logb lrint modf"
-    math="$math nearbyint nextafter pow rint round scalbln scalbn sin sincos"
-    math="$math sqrt tan trunc sinpi cospi"
+    math='acos asin atan atan2 ceil copysign cos cospi fabs floor fma fmax fmin fmod frexp
+        hypot ilogb ldexp log log2 logb lrint modf nearbyint nextafter pow rint round scalbln
+        scalbn sin sincos sinpi sqrt tan trunc'
     memory='memcpy memmove memset memcmp strlen strcmp __stack_chk_fail'
     # __cpu_model: the compiler's record of the processor
     others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model'
@@ -364,15 +333,12 @@ test_symbols()
     none "$(foreign_to libcylint "$math $memory $others")" \
         the_library_uses_only_mathematics_and_memory
     heap='malloc calloc realloc free madvise'
-    threads='sysconf pthread_create pthread_join pthread_mutex_lock'
-    threads="$threads pthread_mutex_unlock pthread_mutex_destroy"
-    threads="$threads pthread_cond_wait pthread_cond_broadcast"
-    threads="$threads pthread_cond_destroy pthread_self"
+    threads="sysconf $(printf 'pthread_%s ' create join mutex_lock mutex_unlock mutex_destroy \
+        cond_wait cond_broadcast cond_destroy self)"
     # of a saved scene
-    files='fileno fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek'
-    files="$files ftell rewind rename remove snprintf __errno_location"
-    none "$(foreign_to libcylint-scene \
-        "$math $memory $others $heap $threads $files sqrtf")" \
+    files='fileno fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
+        rename remove snprintf __errno_location'
+    none "$(foreign_to libcylint-scene "$math $memory $others $heap $threads $files sqrtf")" \
         scenes_use_memory_threads_and_files_and_nothing_else
 }
 

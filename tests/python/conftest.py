@@ -2,10 +2,14 @@
 
 import os
 import subprocess
+import tempfile
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 import libcylint as cylint
 
@@ -16,57 +20,111 @@ for name, examples in (("check", 400), ("full", 10000)):
         deadline=None,
         derandomize=name == "check",
         database=None,
-        suppress_health_check=[
-            HealthCheck.too_slow,
-            HealthCheck.data_too_large,
-        ],
+        suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
     )
 settings.load_profile(os.environ.get("PROFILE", "check"))
 
 
-def text_of(*columns):
-    """Rows of hexadecimal numbers, words and strings, as the command reads."""
-    rows = zip(*columns, strict=True)
-    return "\n".join(" ".join(item for item in row) for row in rows) + "\n"
+# Shapes by the command's text for them.
+TEXTS = {
+    "cylinder": "cylinder 0 0 0 0 0 1 .5",
+    "cone": "cone 0 0 -1 1 .25 0 1 .25",
+    "econe": "econe 0 0 -1 1 0 0 0 .5 0 .5 0 2 .5 ends=cap0",
+    "rcone": "rcone 0 0 -1 .75 .25 0 1 .25",
+    "capsule": "capsule 0 0 -1 0 0 1 .5 ends=open",
+    "sphere": "sphere 0 0 0 .5",
+    "double": "acone 0 0 0 0 0 1 40",
+    "open": "cylinder 0 0 0 0 0 1 .5 ends=open",
+    "infinite": "cylinder 0 0 0 1 2 3 .5 ends=infinite",
+    "pointed": "cone 0 0 -1 1 .25 0 1 0",
+    "nappe": "cone 0 0 -1 1 .25 0 1 .25 ends=nappe",
+}
 
 
-def hexadecimal(array):
-    """A string for each row of an array (n) or (n, k)."""
-    array = np.asarray(array, float)
-    rows = array.reshape(len(array), -1)
-    return [" ".join(float(x).hex() for x in row) for row in rows]
+def shapes_of(text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "scene")
+        path.write_text(text)
+        return cylint.read_scene(path)
+
+
+SHAPES = dict(zip(TEXTS, shapes_of("\n".join(TEXTS.values()))))
+ROD = SHAPES["cylinder"]
+
+number = st.floats(allow_nan=False, allow_infinity=False, width=64)
+small = st.integers(-3, 3).map(float)
+vectors = arrays(np.float64, (5, 3), elements=st.one_of(small, small, number))
+
+
+def refused(message, error=ValueError):
+    return pytest.raises(error, match=message or None)
+
+
+def records(*columns):
+    """Text of rows for the command.  Columns: arrays (n) or (n, k), or a text for all."""
+    rows = max(len(c) for c in columns if not isinstance(c, str))
+    texts = [
+        [c] * rows
+        if isinstance(c, str)
+        else [" ".join(float(x).hex() for x in np.ravel(row)) for row in c]
+        for c in columns
+    ]
+    return "\n".join(map(" ".join, zip(*texts, strict=True))) + "\n"
+
+
+WORDS = {"-": -1} | {
+    word.name.lower(): int(word)
+    for words in (cylint.Relation, cylint.Side, cylint.Feature)
+    for word in words
+}
+
+
+def value(field):
+    if field in WORDS:
+        return WORDS[field]
+    return int(field) if field.isdigit() else float.fromhex(field)
 
 
 @pytest.fixture(scope="session")
 def command():
-    """Runs the command of the build and returns its fields, a row a line."""
+    """Runs the command of the build; its answers are the bits of arrays, which are
+    named by their columns."""
     program = os.environ.get("CYLINT_COMMAND")
     if not program:
         pytest.skip("CYLINT_COMMAND does not name the command")
 
-    def run(text, *options):
+    def run(text, *options, **members):
+        columns = ["-f", ",".join(members).replace("_", ",")] if members else []
         done = subprocess.run(
-            [program, "-x", *options],
+            [program, "-x", *map(str, options), *columns],
             input=text,
             capture_output=True,
             text=True,
             check=True,
         )
-        return [line.split("\t") for line in done.stdout.splitlines()]
+        fields = [[value(x) for x in line.split("\t")] for line in done.stdout.splitlines()]
+        answers, at = np.array(fields, float), 0
+        for name, member in members.items():
+            width = name.count("_") + 1
+            want = np.asarray(member, float).reshape(len(answers), width)
+            assert same(answers[:, at : at + width], want), name
+            at += width
+        return answers
 
     return run
 
 
 def same(a, b):
-    """Equal bits, and nan where nan is."""
-    return np.array_equal(
-        np.ascontiguousarray(a).view(np.int64),
-        np.ascontiguousarray(b).view(np.int64),
-    ) or np.array_equal(a, b, equal_nan=True)
+    """Equal numbers, also in the sign of 0, and nan where nan is."""
+    a, b = np.asarray(a), np.asarray(b)
+    return np.array_equal(a, b, equal_nan=True) and np.array_equal(
+        np.signbit(a[a == 0]), np.signbit(b[b == 0])
+    )
 
 
-def numbers(fields):
-    return np.array([[float.fromhex(x) for x in row] for row in fields])
+def equal(a, b, *members):
+    """Whether two answers have the same members."""
+    return all(same(getattr(a, m), getattr(b, m)) for m in members)
 
 
 def drawn(n, seed):
@@ -85,17 +143,14 @@ def drawn(n, seed):
     return o, d
 
 
-def written_rods(n, random, path):
+def rods_in_a_file(n, random, path):
     """n thin cylinders in the unit cube, written to a scene as well."""
     p0 = random.random((n, 3))
-    p1 = p0 + random.normal(size=(n, 3)) * 0.05
-    r = random.uniform(0.002, 0.02, n)
-    path.write_text(
-        text_of(
-            ["cylinder"] * n, hexadecimal(p0), hexadecimal(p1), hexadecimal(r)
-        )
+    rods = cylint.cylinder(
+        p0, p0 + random.normal(size=(n, 3)) * 0.05, random.uniform(0.002, 0.02, n)
     )
-    return cylint.cylinder(p0, p1, r)
+    path.write_text(records("cylinder", rods.p0, rods.p1, rods.r))
+    return rods
 
 
 def forest(n, seed):
@@ -108,30 +163,21 @@ def forest(n, seed):
     a = np.cross(axis, [1, 0, 0]) * 0.3
     b = np.cross(axis, a)
     b *= 0.02 / np.linalg.norm(b, axis=1, keepdims=True)
+    top = base + axis
+    i, j, k, l, m = (slice(x * q, (x + 1) * q if x < 4 else None) for x in range(5))
     return cylint.concatenate(
         [
-            cylint.cylinder(base[:q], base[:q] + axis[:q], r[:q]),
-            cylint.cone(
-                base[q : 2 * q],
-                r[q : 2 * q],
-                base[q : 2 * q] + axis[q : 2 * q],
-                0.5 * r[q : 2 * q],
-                ends="open",
-            ),
-            cylint.elliptic_cylinder(
-                base[2 * q : 3 * q],
-                a[2 * q : 3 * q],
-                b[2 * q : 3 * q],
-                axis[2 * q : 3 * q],
-            ),
-            cylint.angle_cone(
-                base[3 * q : 4 * q], axis[3 * q : 4 * q], 10, ends="capped"
-            ),
-            cylint.round_cone(
-                base[4 * q :],
-                r[4 * q :],
-                (base + axis)[4 * q :],
-                r[: n - 4 * q],
-            ),
+            cylint.cylinder(base[i], top[i], r[i]),
+            cylint.cone(base[j], r[j], top[j], 0.5 * r[j], ends="open"),
+            cylint.elliptic_cylinder(base[k], a[k], b[k], axis[k]),
+            cylint.angle_cone(base[l], axis[l], 10, ends="capped"),
+            cylint.round_cone(base[m], r[m], top[m], r[: n - 4 * q]),
         ]
     )
+
+
+def rays(n, seed):
+    """n rays into the unit cube."""
+    random = np.random.default_rng(seed)
+    o = random.uniform(-1, 2, (n, 3))
+    return o, random.random((n, 3)) - o

@@ -11,54 +11,39 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from conftest import drawn, forest, same
+from conftest import ROD, drawn, equal, forest, refused, same
 
 import libcylint as cylint
 
-ROD = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
 BIG = 2_000_000
 
 
 def test_threads_make_no_difference():
     shapes, (o, d) = forest(500, 31), drawn(20_000, 32)
     o = o * 0.1 + 0.5
-    scene = cylint.Scene(shapes, threads=1)
-    one = scene.nearest(o, d, threads=1)
-    table = cylint.intersect(shapes[:40, None], o, d, threads=1)
-    for threads in (2, 3, 8):
-        many = scene.nearest(o, d, threads=threads)
-        assert np.array_equal(one.index, many.index) and same(one.t, many.t)
-        again = cylint.intersect(shapes[:40, None], o, d, threads=threads)
-        assert same(table.t, again.t) and np.array_equal(table.n, again.n)
-        every, again = (
-            scene.all(o, d, threads=1),
-            scene.all(o, d, threads=threads),
-        )
-        assert np.array_equal(every.line, again.line) and same(every.t, again.t)
-        assert np.array_equal(every.index, again.index)
-        points = o[:2000]
-        many = scene.closest(points, threads=threads)
-        assert same(scene.closest(points, threads=1).point, many.point)
-        near, again = (
-            scene.within(points, 0.05, threads=1),
-            scene.within(points, 0.05, threads=threads),
-        )
-        assert np.array_equal(near.point, again.point) and len(near.point) > 0
-        assert same(near.distance, again.distance)
-        size = shapes[:9, None].distance(o, threads=1)
-        assert same(size, shapes[:9, None].distance(o, threads=threads))
+    scene, points = cylint.Scene(shapes, threads=1), o[:2000]
+    for ask, *members in (
+        (lambda t: scene.nearest(o, d, threads=t), "index", "t"),
+        (lambda t: cylint.intersect(shapes[:40, None], o, d, threads=t), "t", "n"),
+        (lambda t: scene.all(o, d, threads=t), "line", "index", "t"),
+        (lambda t: scene.closest(points, threads=t), "index", "point"),
+        (lambda t: scene.within(points, 0.05, threads=t), "point", "index", "distance"),
+        (lambda t: shapes[:9, None].distance(o, threads=t), "T"),
+    ):
+        one = ask(1)
+        assert np.isfinite(getattr(one, members[-1])).any()
+        for threads in (2, 3, 8):
+            assert equal(one, ask(threads), *members)
 
 
 def test_threads_are_a_whole_number():
-    ask = cylint.Scene(ROD).any
-    with pytest.raises(
-        ValueError, match="threads: expected at least 1, found 0"
-    ):
-        ask([0, 0, 0], [0, 0, 1], threads=0)
+    ask, line = cylint.Scene(ROD).any, ([0, 0, 0], [0, 0, 1])
+    with refused("threads: expected at least 1, found 0"):
+        ask(*line, threads=0)
     for wrong in (1.5, "2", [1]):
-        with pytest.raises(TypeError, match="threads: expected an integer"):
-            ask([0, 0, 0], [0, 0, 1], threads=wrong)
-    assert ask([0, 0, 0], [0, 0, 1], threads=np.int16(2))
+        with refused("threads: expected an integer", TypeError):
+            ask(*line, threads=wrong)
+    assert ask(*line, threads=np.int16(2))
 
 
 def test_threads_of_python_share_a_scene():
@@ -129,9 +114,7 @@ def test_a_signal_ends_a_call():
 def sticks(n, seed):
     random = np.random.default_rng(seed)
     base = random.random((n, 3))
-    return cylint.cylinder(
-        base, base + random.normal(size=(n, 3)) * 0.02, 0.002
-    )
+    return cylint.cylinder(base, base + random.normal(size=(n, 3)) * 0.02, 0.002)
 
 
 def test_a_signal_ends_the_building_of_a_scene():
@@ -145,52 +128,36 @@ def test_a_signal_ends_the_building_of_a_scene():
     assert spent[0] < whole / 2
 
 
-def test_progress_of_a_scene_grows_to_the_number_of_shapes():
-    calls = []
-    shapes = sticks(300_000, 63)
-    scene = cylint.Scene(shapes, threads=1, progress=lambda *a: calls.append(a))
-    assert calls[-1] == (len(scene), len(scene)) and len(calls) > 2
-    assert calls == sorted(calls)
-    assert all(total == 300_000 for _, total in calls)
-
-    def fail(done, total):
-        raise LookupError("enough")
-
-    with pytest.raises(LookupError, match="enough"):
-        cylint.Scene(shapes, progress=fail)
-    cylint.Scene(ROD, progress=lambda *a: calls.append(a))
-    assert calls[-1] == (1, 1)
+def scene_and_lines():
+    o, d = drawn(50_000, 40)
+    return cylint.Scene(forest(2000, 39)), o * 0.1 + 0.5, d
 
 
 def test_progress_grows_to_the_total():
-    calls = []
-    scene = cylint.Scene(forest(2000, 39))
-    o, d = drawn(50_000, 40)
-    scene.count(
-        o * 0.1 + 0.5, d, threads=1, progress=lambda *a: calls.append(a)
-    )
-    assert calls[-1] == (50_000, 50_000)
-    assert len(calls) > 2
-    assert calls == sorted(calls) and all(total == 50_000 for _, total in calls)
+    shapes, (scene, o, d) = sticks(300_000, 63), scene_and_lines()
+    for total, call in (
+        (300_000, lambda tell: cylint.Scene(shapes, threads=1, progress=tell)),
+        (50_000, lambda tell: scene.count(o, d, threads=1, progress=tell)),
+        (1, lambda tell: cylint.Scene(ROD, progress=tell)),
+    ):
+        calls = []
+        call(lambda *a: calls.append(a))
+        assert calls[-1] == (total, total) and calls == sorted(calls)
+        assert all(most == total for _, most in calls) and (len(calls) > 2 or total == 1)
 
 
 def test_an_exception_of_progress_ends_the_call():
     def fail(done, total):
         raise LookupError("enough")
 
-    with pytest.raises(LookupError, match="enough"):
-        cylint.intersect(ROD, *drawn(100, 41), progress=fail)
-    scene = cylint.Scene(forest(2000, 42))
-    o, d = drawn(50_000, 43)
-    with pytest.raises(LookupError):
-        scene.count(o, d, progress=fail)
-    for call in (ROD.distance, ROD.closest, ROD.safety, ROD.on_surface):
-        with pytest.raises(LookupError):
-            call(o, progress=fail)
-    with pytest.raises(LookupError):
-        scene.closest(o, progress=fail)
-    with pytest.raises(LookupError):
-        scene.within(o, 0.01, progress=fail)
+    scene, o, d = scene_and_lines()
+    for call, *given in (
+        (cylint.intersect, ROD, *drawn(100, 41)), (scene.count, o, d), (scene.closest, o),
+        (scene.within, o, 0.01), (ROD.distance, o), (ROD.closest, o), (ROD.safety, o),
+        (ROD.on_surface, o), (cylint.Scene, sticks(300_000, 63)),
+    ):  # fmt: skip
+        with refused("enough", LookupError):
+            call(*given, progress=fail)
 
 
 def references(*objects):
@@ -212,13 +179,11 @@ def test_no_reference_is_kept_or_lost():
         shapes.safety(o), shapes.on_surface(o), scene.within(o, 0.1)
         found = (shapes.closest(o), scene.closest(o))
         assert all(f.point is not None and f.part is not None for f in found)
-        with pytest.raises(ValueError):
-            scene.nearest(o * np.nan, d)
-        with pytest.raises(ValueError):
-            cylint.cylinder(o, o, 1)
-    del scene, near, hit, found
-    after = references(*watched)
-    assert after == before
+        for call, *given in ((scene.nearest, o * np.nan, d), (cylint.cylinder, o, o, 1)):
+            with pytest.raises(ValueError):
+                call(*given)
+    del scene, near, hit, found, call, given
+    assert references(*watched) == before
 
 
 def test_a_scene_keeps_its_shapes_alive():
@@ -231,26 +196,18 @@ def test_a_scene_keeps_its_shapes_alive():
     assert len(junk) == 50
 
 
-MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
+HITS = ("point", "normal", "z", "phi", "side", "outside", "inside")
+DISTANCES = ("part", "feature", "point", "normal")
 
 
-def hits_of(lines, **named):
-    shapes, scene = forest(300, 50), cylint.Scene(forest(300, 50))
-    return (
-        (cylint.intersect(shapes, *lines, **named), MEMBERS),
-        (cylint.intersect(shapes[:5, None], *lines, **named), MEMBERS),
-        (scene.nearest(*lines, **named), MEMBERS),
-    )
-
-
-def distances_of(points):
-    shapes, scene = forest(300, 50), cylint.Scene(forest(300, 50))
-    members = ("part", "feature", "point", "normal")
-    return (
-        (shapes.closest(points), members),
-        (shapes[:5, None].closest(points), members),
-        (scene.closest(points), members),
-    )
+def answers(call, query, members, *arguments, **named):
+    """Of pairs, of a table and of a scene."""
+    shapes = forest(300, 50)
+    asked = (
+        call(shapes, *arguments, **named), call(shapes[:5, None], *arguments, **named),
+        getattr(cylint.Scene(shapes), query)(*arguments, **named),
+    )  # fmt: skip
+    return [(answer, members) for answer in asked]
 
 
 def values(results):
@@ -274,11 +231,11 @@ def test_results_own_what_they_need(kind):
     def ask():
         o, d, start, end = given = rays_and_domains()
         if kind == "rays":
-            return given, hits_of(given)
+            return given, answers(cylint.intersect, "nearest", HITS, *given)
         if kind == "points":
-            return [o], distances_of(o)
+            return [o], answers(cylint.Shapes.closest, "closest", DISTANCES, o)
         ends = np.roll(o, 1, axis=0)
-        return [o, ends], hits_of([o], to=ends)
+        return [o, ends], answers(cylint.intersect, "nearest", HITS, o, to=ends)
 
     want = values(ask()[1])
     given, results = ask()
@@ -302,11 +259,7 @@ def test_results_own_what_views_show():
     shape = (100_000, 300, 3)
     o, d, start, end = rays_and_domains()
     want = cylint.intersect(ROD, o, d, start, end)
-    for view in (
-        lambda a: read_only(a[:]),
-        lambda a: a[::-1][::-1],
-        memoryview,
-    ):
+    for view in (lambda a: read_only(a[:]), lambda a: a[::-1][::-1], memoryview):
         given = [np.array(a, order="F") for a in (o, d, start, end)]
         hit = cylint.intersect(ROD, *(view(a) for a in given))
         spoiled(given)

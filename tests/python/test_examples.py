@@ -14,9 +14,7 @@ import pytest
 
 import libcylint as cylint
 
-MODULES = ["libcylint"] + [
-    f"libcylint.{m.name}" for m in pkgutil.iter_modules(cylint.__path__)
-]
+MODULES = ["libcylint"] + [f"libcylint.{m.name}" for m in pkgutil.iter_modules(cylint.__path__)]
 TOP = Path(__file__).parents[2]
 
 
@@ -34,10 +32,7 @@ def docstrings(module):
                 name = f"{module.__name__}.{kind.__name__}.{member.attrname}"
                 if name not in names_found:
                     yield from finder.find(
-                        member.func,
-                        member.attrname,
-                        module=module,
-                        extraglobs=names,
+                        member.func, member.attrname, module=module, extraglobs=names
                     )
 
 
@@ -72,10 +67,7 @@ def test_every_public_name_has_an_example_or_a_docstring():
 def examples_of(page):
     """The examples of a page; its fences end their output."""
     text = (TOP / page).read_text()
-    text = "".join(
-        "\n" if line.startswith("```") else line
-        for line in text.splitlines(True)
-    )
+    text = "".join("\n" if line.startswith("```") else line for line in text.splitlines(True))
     names = {"cylint": cylint, "np": np}
     return doctest.DocTestParser().get_doctest(text, names, page, page, 0)
 

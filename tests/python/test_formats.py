@@ -48,14 +48,22 @@ def twin(pdb):
     return f"data_TWIN\nloop_\n{heads}\n" + "\n".join(rows) + "\n"
 
 
-@pytest.fixture
-def molecule(tmp_path):
-    def read(text, **options):
-        path = tmp_path / "molecule"
-        path.write_text(text)
-        return cylint.read_molecule(path, **options)
+def reader(function):
+    """A fixture that reads a text as a file."""
 
-    return read
+    @pytest.fixture
+    def fixture(tmp_path):
+        def read(text, **options):
+            path = tmp_path / "file"
+            path.write_text(text)
+            return function(path, **options)
+
+        return read
+
+    return fixture
+
+
+molecule, tree = reader(cylint.read_molecule), reader(cylint.read_qsm)
 
 
 CHAIN = (
@@ -70,10 +78,8 @@ CHAIN = (
 
 @pytest.mark.parametrize("form", [str, twin])
 def test_bonds_are_by_distance_but_not_of_two_hydrogens(molecule, form):
-    if form is twin:  # without the insertion code
-        sticks = molecule(twin(CHAIN.replace("45A", "45 ")))
-    else:
-        sticks = molecule(CHAIN)
+    text = CHAIN.replace("45A", "45 ") if form is twin else CHAIN  # no insertion code
+    sticks = molecule(form(text))
     want = ["CA--CB", "CA--HA", "CA--HB", "CB--O", "CB--HB"]
     assert [re.sub("A:1:GLY:", "", x) for x in sticks.labels] == want
     assert sticks.p0[3].tolist() == [1.54, 0, 0]
@@ -219,16 +225,6 @@ def test_gemmi_is_needed(monkeypatch, tmp_path):
 
 
 # --------------------------------------------------------------- trees --
-
-
-@pytest.fixture
-def tree(tmp_path):
-    def read(text, **options):
-        path = tmp_path / "tree.csv"
-        path.write_text(text)
-        return cylint.read_qsm(path, **options)
-
-    return read
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
-import libcylint as cylint
 import numpy as np
 import pytest
+from conftest import records, refused, same
+
+import libcylint as cylint
 
 SHAPES, LINES = 30, 60
 
@@ -21,12 +24,9 @@ def world():
     p0 = whole_numbers(rng, 4, SHAPES, 3)
     axis = whole_numbers(rng, 3, SHAPES, 3)
     axis[~axis.any(1)] = 1
-    shapes = cylint.concatenate(
-        [
-            cylint.cylinder(p0[:20], (p0 + axis)[:20], rng.integers(1, 3, 20)),
-            cylint.sphere(p0[20:], rng.integers(1, 4, SHAPES - 20)),
-        ]
-    )
+    rods = cylint.cylinder(p0[:20], (p0 + axis)[:20], rng.integers(1, 3, 20))
+    balls = cylint.sphere(p0[20:], rng.integers(1, 4, SHAPES - 20))
+    shapes = cylint.concatenate([rods, balls])
     o = whole_numbers(rng, 4, LINES, 3)
     d = whole_numbers(rng, 2, LINES, 3)
     d[~d.any(1)] = 1
@@ -36,37 +36,25 @@ def world():
 def chords(shapes, o, d):
     """Of all t >= 0: (t0, t1, shape)."""
     whole = cylint.intersect(shapes, o, d, tmin=-np.inf)
-    found = []
-    for i in range(len(shapes)):
-        if whole.relation[i] < cylint.Relation.ALONG:
-            continue
-        t0, t1 = max(0.0, whole.t[i, 0]), whole.t[i, 1]
-        if t0 < t1:
-            found.append((t0, t1, i))
-    return sorted(found, key=lambda part: (part[0], part[2]))
-
-
-def cells(parts):
-    """(t0, t1, numbers of the shapes) between neighbouring ends."""
-    ends = sorted({t for part in parts for t in part[:2]})
-    for t0, t1 in zip(ends, ends[1:], strict=False):
-        inside = [i for a, b, i in parts if a <= t0 and t1 <= b]
-        if inside:
-            yield t0, t1, inside
+    t0, t1 = np.fmax(0.0, whole.t[:, 0]), whole.t[:, 1]
+    i = np.flatnonzero((whole.relation >= cylint.Relation.ALONG) & (t0 < t1))
+    found = zip(t0[i].tolist(), t1[i].tolist(), i.tolist(), strict=True)
+    return sorted(found, key=lambda chord: (chord[0], chord[2]))
 
 
 def merged(parts, mode, rank):
+    """The pieces: cells between neighbouring ends, joined as the mode says."""
     if mode == "chords":
-        return [(t0, t1, i, 1) for t0, t1, i in parts]
+        return [(*part, 1) for part in parts]
     pieces = []
-    for t0, t1, inside in cells(parts):
+    ends = sorted({t for part in parts for t in part[:2]})
+    for t0, t1 in zip(ends, ends[1:], strict=False):
+        inside = [i for a, b, i in parts if a <= t0 and t1 <= b]
+        if not inside:
+            continue
         owner = min(inside, key=lambda i: (rank[i], i))
-        last = pieces[-1] if pieces else None
-        if (
-            last
-            and last[1] == t0
-            and (mode == "union" or (mode == "owner" and last[2] == owner))
-        ):
+        last = pieces[-1] if pieces else (0, None, None, 0)
+        if last[1] == t0 and (mode == "union" or (mode == "owner" and last[2] == owner)):
             pieces[-1] = (last[0], t1, last[2], max(last[3], len(inside)))
         else:
             pieces.append((t0, t1, owner, len(inside)))
@@ -74,16 +62,12 @@ def merged(parts, mode, rank):
 
 
 def rows(found, line):
-    own = found.line == line
-    return list(
-        zip(
-            found.t0[own].tolist(),
-            found.t1[own].tolist(),
-            found.shape[own].tolist(),
-            found.depth[own].tolist(),
-            strict=True,
-        )
-    )
+    columns = (found.t0, found.t1, found.shape, found.depth)
+    return [*zip(*(c[found.line == line].tolist() for c in columns), strict=True)]
+
+
+def ends_of(found):
+    return [*zip(found.t0.tolist(), found.t1.tolist(), strict=True)]
 
 
 @pytest.mark.parametrize("mode", ["union", "owner", "cells", "chords"])
@@ -96,8 +80,7 @@ def test_pieces_are_those_of_a_loop(world, mode, ranked):
     assert len(found.t0) > LINES // 2
     for i in range(LINES):
         expected = merged(chords(shapes, o[i], d[i]), mode, rank)
-        assert rows(found, i) == expected
-        assert rows(first, i) == expected[:2]
+        assert rows(found, i) == expected and rows(first, i) == expected[:2]
 
 
 def test_sums_are_exact_and_rounded_once(world):
@@ -106,18 +89,12 @@ def test_sums_are_exact_and_rounded_once(world):
     sums = scene.sums(o, d, labels=labels, units="t")
     assert sums.shape == (LINES, 3)
     for i in range(LINES):
-        pieces = merged(chords(shapes, o[i], d[i]), "owner", [0] * SHAPES)
-        for label in range(3):
-            ends = [
-                x
-                for t0, t1, owner, _ in pieces
-                if labels[owner] == label
-                for x in (t1, -t0)
-            ]
-            assert sums[i, label] == math.fsum(ends)
+        ends = [[], [], [], []]
+        for t0, t1, owner, _ in merged(chords(shapes, o[i], d[i]), "owner", [0] * SHAPES):
+            ends[labels[owner]] += [t1, -t0]
+        assert sums[i].tolist() == [math.fsum(e) for e in ends[:3]]
     lengths = scene.sums(o, d, labels=labels, columns=5)
-    assert lengths.shape == (LINES, 5)
-    assert not lengths[:, 3:].any()
+    assert lengths.shape == (LINES, 5) and not lengths[:, 3:].any()
     size = np.sqrt((d**2).sum(1))  # exact squares
     assert np.allclose(lengths[:, :3], sums * size[:, None], rtol=2e-16, atol=0)
     assert (scene.sums(o, d, threads=1) == scene.sums(o, d, threads=3)).all()
@@ -125,33 +102,109 @@ def test_sums_are_exact_and_rounded_once(world):
     assert (grid.reshape(-1) == scene.sums(o, d)).all()
 
 
+REAL = Path(__file__).parents[3] / "shared" / "data" / "medulla_7114.swc"
+
+
+@pytest.fixture(scope="module")
+def neuron():
+    """A neuron, five names for its shapes, and rays through it of whole lengths."""
+    if REAL.exists():
+        nodes = cylint.read_scene(REAL)
+    else:
+        rng, n = np.random.default_rng(9), np.arange(1, 5000)
+        up = n - 1 - (rng.random(len(n)) * n / 4).astype(int)
+        at = np.cumsum(rng.uniform(-3, 3, (5000, 3)), axis=0)
+        r = rng.uniform(1, 4, 5000)
+        nodes = cylint.cone(at[n], r[n], at[up], r[up])
+    i = np.arange(len(nodes))
+    names = np.where((7 * i + i // 64) % 5 > 0, [f"type{x}" for x in i // 100 % 4], "")
+    some = nodes[::97]
+    d = np.array([[1.0, 2, 2], [-2, 3, 6], [0, 3, -4], [1, 0, 0]])[i[: len(some)] % 4]
+    return nodes, names, some.p0 - 40 * d, d
+
+
+RANKS = {"type2": -1, "type0": 5}
+
+
+@pytest.mark.parametrize("ranked", [False, True])
+def test_a_neuron_has_the_path_lengths_of_a_loop(command, neuron, tmp_path, ranked):
+    """By the command and by a loop over all shapes, with exact sums."""
+    shapes, names, o, d = neuron
+    cylint.write_scene(tmp_path / "scene", shapes, names)
+    (tmp_path / "ranks").write_text("".join(f"{k} {v}\n" for k, v in RANKS.items()))
+    options = ["-s", tmp_path / "scene", "-q", "pieces"]
+    options += ["--rank", tmp_path / "ranks"] if ranked else []
+    rank = [RANKS.get(name, 0) * ranked for name in names]
+    columns = [*dict.fromkeys(names)]
+    pieces, sums = [], []
+    for line, (origin, direction) in enumerate(zip(o, d, strict=True)):
+        found = merged(chords(shapes, origin, direction), "owner", rank)
+        pieces += [(line + 1, t0, t1, owner + 1, depth) for t0, t1, owner, depth in found]
+        ends = {name: [] for name in columns}
+        for t0, t1, owner, _ in found:
+            ends[names[owner]] += [t1, -t0]
+        length = math.sqrt((direction**2).sum())
+        sums.append([math.fsum(ends[name]) * length for name in columns])
+    record, t0, t1, shape, depth = np.array(pieces).T
+    assert len(pieces) > 2 * len(o)
+    text = records("ray", o, d)
+    command(text, *options, record=record, t0_t1=np.c_[t0, t1], shape=shape, depth=depth)
+    assert same(command(text, *options, "--sum", "label"), sums)
+
+
+SOLIDS = """
+sphere 0 0 0  4  in=shell a
+sphere 0 0 0  3  out=shell
+halfspace 0 0 0  0 -1 0  in=shell/3
+halfspace 0 0 0  -1 0.5 0  in=shell/3 out=rest/7 b
+cylinder 0 0 -9  0 0 9  1  in=rest a
+cylinder 1 0 -9  1 0 9  1  ends=open in=rest
+capsule -5 0 0  5 0 0  0.5  c
+cone 0 0 1 2  0 0 5 0  out=rest
+cylinder 0 0 0  1 1 1  0.25 ends=infinite  in=far a
+halfspace 0 0 5  0 0 -1  c
+"""
+
+
+@pytest.mark.parametrize("mode", ["union", "owner", "cells", "chords"])
+def test_the_command_has_the_pieces_of_the_package(command, tmp_path, mode):
+    path = tmp_path / "scene"
+    path.write_text(SOLIDS)
+    scene, rng = cylint.Scene.read(path), np.random.default_rng(4)
+    names = [label.split()[0] if label else "" for label in scene.shapes.labels]
+    columns = [*dict.fromkeys(names)]
+    o, d = whole_numbers(rng, 3, 200, 3), whole_numbers(rng, 3, 200, 3)
+    d[~d.any(1)] = 1
+    text, options = records("line", o, d), ["-s", path, "-q", "pieces", "--pieces", mode]
+    found = scene.pieces(o, d, -np.inf, mode=mode)
+    assert len(found.t0) > 200 and np.isinf(found.t0).any()
+    command(
+        text, *options, record=found.line + 1, t0=found.t0, t1=found.t1, shape=found.shape + 1,
+        depth=found.depth,
+    )  # fmt: skip
+    labels = [columns.index(name) for name in names]
+    for units, what in (("length", "label"), ("t", "label:t")):
+        sums = scene.sums(o, d, -np.inf, mode=mode, labels=labels, units=units)
+        assert same(command(text, *options, "--sum", what), sums)
+
+
 def test_a_hollow_solid_with_a_sector():
-    shapes = cylint.concatenate(
-        [
-            cylint.cylinder([0, 0, -1], [0, 0, 1], [3, 2]),
-            cylint.halfspace([0, 0, 0], [[0, -1, 0], [1, 0, 0]]),
-        ]
-    )
-    scene = cylint.Scene(shapes)
-    # y >= 0 and x <= 0
+    tubes = cylint.cylinder([0, 0, -1], [0, 0, 1], [3, 2])
+    planes = cylint.halfspace([0, 0, 0], [[0, -1, 0], [1, 0, 0]])  # y >= 0 and x <= 0
+    scene = cylint.Scene([tubes, planes])
     scene.set_solids([0, 1, 2, 3], 0, [1, -2, 3, 4])
     assert scene.solids.tolist() == [[0, 0, 1], [1, 0, -2], [2, 0, 3], [3, 0, 4]]
-    found = scene.pieces([-9, 0, 0], [1, 0, 0])
-    assert (found.t0.tolist(), found.t1.tolist()) == ([6.0], [7.0])
+    assert ends_of(scene.pieces([-9, 0, 0], [1, 0, 0])) == [(6.0, 7.0)]
     assert scene.sums([0, -9, 0], [0, 2, 0]) == 1.0
     depth, owner = scene.depth([[-2.5, 0.1, 0], [2.5, 0.1, 0], [-1, 0.1, 0]])
-    assert depth.tolist() == [1, 0, 0]
-    assert owner.tolist() == [0, -1, -1]
+    assert (depth.tolist(), owner.tolist()) == ([1, 0, 0], [0, -1, -1])
     wall = scene.first_boundary([-1, 1, 0], [-1, 0, 0])
-    assert int(wall.index) == 1
-    assert wall.side == cylint.Side.ENTERING
-    assert wall.part == cylint.Part.LATERAL
-    assert wall.normal[0] > 0
+    assert int(wall.index) == 1 and wall.normal[0] > 0
+    assert wall.side == cylint.Side.ENTERING and wall.part == cylint.Part.LATERAL
     none = scene.first_boundary([9, 9, 9], [1, 0, 0])
-    assert int(none.index) == -1
-    assert math.isnan(none.t)
-    again = cylint.Scene.__new__(cylint.Scene)
-    again = scene.__reduce__()[0](*scene.__reduce__()[1])
+    assert int(none.index) == -1 and math.isnan(none.t)
+    restore, arguments = scene.__reduce__()
+    again = restore(*arguments)
     assert again.solids.tolist() == scene.solids.tolist()
     assert again.shapes[2].kind == cylint.Kind.HALFSPACE
 
@@ -169,44 +222,34 @@ def test_tubes(sector, clauses, ends):
     assert found.tolist() == clauses
     scene = cylint.Scene(shapes)
     scene.set_solids(range(len(shapes)), 0, found)
-    pieces = scene.pieces([-5, 0, 3], [1, 0, 0])
-    assert list(zip(pieces.t0.tolist(), pieces.t1.tolist(), strict=True)) == ends
+    assert ends_of(scene.pieces([-5, 0, 3], [1, 0, 0])) == ends
 
 
 def test_tubes_that_are_refused():
     cone, clauses = cylint.tube([0, 0, 0], [0, 0, 9], [2, 1])
-    assert cone.kind.tolist() == [cylint.Kind.CONE]
-    assert clauses.tolist() == [1]
-    for arguments in (
-        {"outer": -1},
-        {"p1": [0, 0, 0]},
-        {"p1": [[0, 0, 1]]},
-        {"sector": [1, 0, 0]},
-        {"sector": [[0, 0, 1], [1, 0, 0]]},
-    ):
-        with pytest.raises(ValueError, match=r"tube|p1|sector"):
-            cylint.tube(
-                **({"p0": [0, 0, 0], "p1": [0, 0, 9], "outer": 2} | arguments)
-            )
+    assert (cone.kind.tolist(), clauses.tolist()) == ([cylint.Kind.CONE], [1])
+    good = {"p0": [0, 0, 0], "p1": [0, 0, 9], "outer": 2}
+    for name, wrong in (
+        ("outer", -1), ("p1", [0, 0, 0]), ("p1", [[0, 0, 1]]), ("sector", [1, 0, 0]),
+        ("sector", [[0, 0, 1], [1, 0, 0]]),
+    ):  # fmt: skip
+        with refused(r"tube|p1|sector"):
+            cylint.tube(**(good | {name: wrong}))
 
 
 def test_solids_of_a_file(tmp_path):
     file = tmp_path / "pipe"
     file.write_text(
-        "cylinder 0 0 0  0 0 9  2  in=pipe  wall\n"
-        "cylinder 0 0 0  0 0 9  1  out=pipe\n"
+        "cylinder 0 0 0  0 0 9  2  in=pipe  wall\ncylinder 0 0 0  0 0 9  1  out=pipe\n"
         "halfspace 0 0 0  1 0 0  in=pipe/2\n"
     )
     scene = cylint.Scene.read(file)
-    found = scene.pieces([-5, 0, 3], [1, 0, 0])
-    assert (found.t0.tolist(), found.t1.tolist()) == ([3.0], [4.0])
+    assert ends_of(scene.pieces([-5, 0, 3], [1, 0, 0])) == [(3.0, 4.0)]
     assert scene.shapes.labels[0] == "wall"
     scene.save(tmp_path / "saved")
-    again = cylint.Scene.open(tmp_path / "saved")
-    assert again.solids.tolist() == scene.solids.tolist()
+    assert cylint.Scene.open(tmp_path / "saved").solids.tolist() == scene.solids.tolist()
     cylint.write_scene(tmp_path / "shapes", scene.shapes)
-    back = cylint.read_scene(tmp_path / "shapes")
-    assert (back == scene.shapes).all()
+    assert (cylint.read_scene(tmp_path / "shapes") == scene.shapes).all()
 
 
 def test_half_spaces_keep_their_arguments():
@@ -215,43 +258,34 @@ def test_half_spaces_keep_their_arguments():
     assert planes.n.tolist() == [[0, 0, 2], [0, 0, 2]]
     assert planes.contains([0, 0, 3]).tolist() == [0, 1]
     mixed = cylint.concatenate([planes, cylint.sphere([0, 0, 0], 1)])
-    assert np.isnan(mixed.n[2]).all()
-    assert np.isnan(mixed.r[:2]).all()
+    assert np.isnan(mixed.n[2]).all() and np.isnan(mixed.r[:2]).all()
     assert set(mixed.to_dict()) >= {"p", "n", "c", "r"}
 
 
-def test_unbounded_pieces_have_infinite_sums():
+def test_unbounded_pieces_and_no_pieces():
     scene = cylint.Scene(cylint.halfspace([1, 0, 0], [-1, 0, 0]))
     assert scene.pieces([0, 0, 0], [1, 0, 0]).t1.tolist() == [math.inf]
     assert scene.sums([0, 0, 0], [1, 0, 0]) == math.inf
     assert scene.sums([0, 0, 0], to=[3, 0, 0]) == 2.0
-
-
-def test_no_lines_and_no_shapes():
     scene = cylint.Scene([])
-    found = scene.pieces(np.empty((0, 3)), np.empty((0, 3)))
-    assert len(found.t0) == 0
+    assert len(scene.pieces(np.empty((0, 3)), np.empty((0, 3))).t0) == 0
     assert scene.sums([[0, 0, 0]], [1, 0, 0]).tolist() == [0.0]
 
 
 def test_bad_arguments(world):
     _, scene, o, d, _ = world
-    with pytest.raises(ValueError, match="mode: expected"):
-        scene.pieces(o, d, mode="all")
-    with pytest.raises(ValueError, match="rank: expected 30 integers"):
-        scene.pieces(o, d, rank=[1, 2])
-    with pytest.raises(ValueError, match="first: expected"):
-        scene.pieces(o, d, first=0)
-    with pytest.raises(ValueError, match="units: expected"):
-        scene.sums(o, d, units="m")
-    with pytest.raises(ValueError, match="line 1: the direction"):
-        scene.pieces(o[:2], [[1, 0, 0], [0, 0, 0]])
-    masked = scene.pieces(o[:2], [[1, 0, 0], [0, 0, 0]], errors="mask")
-    assert (masked.line == 0).all()
-    with pytest.raises(ValueError, match=r"shape\[1\]: 99"):
-        scene.set_solids([0, 99], 0, 1)
-    with pytest.raises(ValueError, match=r"clause\[0\]: 0"):
-        scene.set_solids([0, 1], 0, [0, 1])
-    with pytest.raises(ValueError, match="same number"):
-        scene.set_solids([0, 0], [0, 1], 1)
+    spoiled = (o[:2], [[1, 0, 0], [0, 0, 0]])
+    for message, call in (
+        ("mode: expected", lambda: scene.pieces(o, d, mode="all")),
+        ("rank: expected 30 integers", lambda: scene.pieces(o, d, rank=[1, 2])),
+        ("first: expected", lambda: scene.pieces(o, d, first=0)),
+        ("units: expected", lambda: scene.sums(o, d, units="m")),
+        ("line 1: the direction", lambda: scene.pieces(*spoiled)),
+        (r"shape\[1\]: 99", lambda: scene.set_solids([0, 99], 0, 1)),
+        (r"clause\[0\]: 0", lambda: scene.set_solids([0, 1], 0, [0, 1])),
+        ("same number", lambda: scene.set_solids([0, 0], [0, 1], 1)),
+    ):
+        with refused(message):
+            call()
+    assert (scene.pieces(*spoiled, errors="mask").line == 0).all()
     assert len(scene.solids) == 0

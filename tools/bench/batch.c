@@ -1,297 +1,240 @@
 /*
- * batch.c - time of the batch functions, and the limits of the processor
+ * batch.c - the batch functions beside the leanest formula, one by one
  *
- *     batch [SECONDS] [MOST] [PART]
- *
- * Writes CSV.  Each row has the ns of a test (one line against one shape) and
- * the ns of the plain quadratic, or for round kinds of the prepared formula of
- * lean.h, which answers the same tests one by one in the same race.  SECONDS is
- * the longest time of a large race, MOST the largest number of shapes, PART one
- * of these parts (default: all):
- *
- *   core      the processor: ns a result of independent divisions and roots
- *   cache     512 shapes or lines, by kind, arrangement and share of hits
- *   growth    one line against 1, 2, 4, ... shapes, and the time of reading
- *             the bytes that the first pass reads
- *   families  pairs, 16 x 256 cases of each family, both t
- *   drawing   pairs on an integer grid, and exact tangents only
- *   bytes     bytes of memory a shape
+ * 512 lines and 512 shapes: each line against all shapes, all lines against
+ * each shape, and pairs.  Shapes fill a ball, and lines run from outside
+ * through it; the size of the ball gives the share of hits.  A time is that of
+ * one test.
  */
-#include "batch_parts.h"
+#include "lean.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+enum { N = 512 };
 
-#include "batch_core.h"
+static struct {
+    struct solid solid[N];
+    cylint_shape shape[N];
+    struct lean lean[N];
+    cylint_line line[2 * N]; /* twice the same, so that pairs can be shifted */
+    double column[6][2 * N];
+    cylint_pack pack;
+    void *memory;
+    lean_line *formula;
+    signed char hits[N];
+    double t[2][N];
+} in;
 
-/* 512 questions, so that the processor cannot memorise the outcomes of the
- * branches from turn to turn. */
-enum { CACHED = 512, RUNNERS = 300, ROUNDS = 1000 };
+/* ----------------------------------------------------------------- input -- */
 
-static void print_header(void)
+static void draw_in_ball(uint64_t *random, double radius, double p[3])
 {
-    puts("part,kernels,shapes,arrangement,query,n,hits_percent,"
-         "reached_percent,undecided_percent,ns,plain_ns,single_ns");
+    const double at = radius * cbrt(random_unit(random));
+    draw_direction(random, p);
+    for (int i = 0; i < 3; i++)
+        p[i] *= at;
 }
 
-void print_row(const struct row *r)
+static void draw_input(enum kind kind, double radius)
 {
-    printf("%s,%s,%s,%s,%s,%zu,%.3g,%.3g,%.3g,%.4g,%.4g,%.4g\n", r->part,
-           r->kernels, r->shapes, r->arrangement, r->query, r->n, r->hits,
-           r->reached, r->undecided, r->ns, r->plain, r->single);
-}
-
-const struct row no_row = {"-", "-", "-", "-", "-", 1,
-                           NAN, NAN, NAN, NAN, NAN, NAN};
-
-/* ----------------------------------------------------------- the core -- */
-
-static void measure_core(double seconds)
-{
-    static const char *const names[CORE_WORKS] = {"divide", "root"};
-    struct core_turn turns[8];
-    struct runner runners[8];
-    int n = 0;
-    for (int k = 0; core_width(k) != 0; k++)
-        for (int work = 0; work < CORE_WORKS; work++, n++) {
-            turns[n] = (struct core_turn){core_width(k), (enum core_work)work};
-            runners[n] = (struct runner){core_turn, &turns[n], {0, 0}};
+    uint64_t random = 5;
+    for (int i = 0; i < N; i++) {
+        struct solid *s = &in.solid[i];
+        double at[3];
+        draw_solid(&random, kind, s);
+        draw_in_ball(&random, radius, at);
+        for (int c = 0; c < 3; c++) {
+            s->base[c] += at[c] - s->middle[c];
+            s->middle[c] = at[c];
         }
-    race(runners, n, 16, ROUNDS, seconds / 4);
-    for (int i = 0; i < n; i++) {
-        char width[16];
-        struct row r = no_row;
-        snprintf(width, sizeof width, "%d bits", turns[i].width);
-        r.part = "core";
-        r.kernels = width;
-        r.query = names[turns[i].work];
-        r.ns = runners[i].least.ns / CORE_RESULTS;
-        print_row(&r);
+        in.shape[i] = shape_of(s);
+        lean_prepare(&in.lean[i], s);
+    }
+    cylint_pack_shapes(&in.pack, in.memory, in.shape, N);
+    for (int i = 0; i < N; i++) {
+        double o[3], d[3], at[3];
+        draw_direction(&random, o);
+        draw_in_ball(&random, radius, at);
+        for (int c = 0; c < 3; c++) {
+            o[c] *= 2 * radius + 4;
+            d[c] = at[c] - o[c];
+        }
+        normalise(d);
+        must(cylint_ray(&in.line[i], o, d) == CYLINT_OK, "a ray was refused");
+        in.line[i + N] = in.line[i];
+        for (int c = 0; c < 3; c++) {
+            in.column[c][i] = in.column[c][i + N] = o[c];
+            in.column[c + 3][i] = in.column[c + 3][i + N] = d[c];
+        }
     }
 }
 
-/* ----------------------------------------------------------- in cache -- */
+static double share_of_hits(void)
+{
+    size_t hits = 0;
+    for (int i = 0; i < N; i++)
+        hits += cylint_count(&in.pack, &in.line[i], 0);
+    return (double)hits / N / N;
+}
+
+static void draw_share(enum kind kind, double share)
+{
+    double low = 0, high = 32;
+    for (int step = 0; step < 16; step++) {
+        const double radius = 0.5 * (low + high);
+        draw_input(kind, radius);
+        *(share_of_hits() > share ? &low : &high) = radius;
+    }
+}
+
+/* ----------------------------------------------------------------- turns -- */
+
+/* Which line and which shape test i of question k has. */
+enum arrangement { ALL_SHAPES, ALL_LINES, IN_PAIRS };
+
+static const enum arrangement all_shapes = ALL_SHAPES, all_lines = ALL_LINES,
+                              in_pairs = IN_PAIRS;
+
+static inline int formula(const cylint_line *l, int shape, double t[2])
+{
+    return in.formula(&in.lean[shape], l->o, l->d, l->tmin, l->tmax, t);
+}
+
+static double lean_nearest(const void *input, const int *order, int n)
+{
+    double sum = 0, t[2];
+    (void)input;
+    for (int k = 0; k < n; k++) {
+        double first = HUGE_VAL;
+        int best = N;
+        for (int i = 0; i < N; i++) {
+            const int hits = formula(&in.line[order[k]], i, t);
+            if (hits && t[2 - hits] < first) {
+                first = t[2 - hits];
+                best = i;
+            }
+        }
+        sum += best;
+    }
+    return sum;
+}
+
+static double lean_any(const void *input, const int *order, int n)
+{
+    double sum = 0, t[2];
+    (void)input;
+    for (int k = 0; k < n; k++) {
+        int i = 0;
+        while (i < N && !formula(&in.line[order[k]], i, t))
+            i++;
+        sum += i < N;
+    }
+    return sum;
+}
+
+static double lean_both(const void *arrangement, const int *order, int n)
+{
+    const enum arrangement a = *(const enum arrangement *)arrangement;
+    double sum = 0, t[2] = {0, 0};
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < N; i++) {
+            const int line = a == ALL_SHAPES  ? order[k]
+                             : a == ALL_LINES ? i
+                                              : order[k] + i;
+            const int shape = a == ALL_LINES ? order[k] : i;
+            in.hits[i] = (signed char)formula(&in.line[line], shape, t);
+            in.t[0][i] = in.hits[i] ? t[0] : (double)NAN;
+            in.t[1][i] = in.hits[i] ? t[1] : (double)NAN;
+        }
+        sum += in.hits[0] + in.hits[N - 1];
+    }
+    return sum;
+}
+
+static double nearest(const void *input, const int *order, int n)
+{
+    double sum = 0;
+    cylint_hit hit;
+    (void)input;
+    for (int k = 0; k < n; k++)
+        sum += (double)cylint_nearest(&in.pack, &in.line[order[k]],
+                                      CYLINT_WANT_T, &hit);
+    return sum;
+}
+
+static double any(const void *input, const int *order, int n)
+{
+    double sum = 0;
+    (void)input;
+    for (int k = 0; k < n; k++)
+        sum += (double)cylint_count(&in.pack, &in.line[order[k]], 1);
+    return sum;
+}
+
+/* N lines from number `first` on. */
+static cylint_lines lines_from(int first)
+{
+    cylint_lines lines = {.n = N};
+    for (int c = 0; c < 3; c++) {
+        lines.o[c] = in.column[c] + first;
+        lines.d[c] = in.column[c + 3] + first;
+    }
+    return lines;
+}
+
+static double both(const void *arrangement, const int *order, int n)
+{
+    const enum arrangement a = *(const enum arrangement *)arrangement;
+    const cylint_columns to = {.n = in.hits, .t0 = in.t[0], .t1 = in.t[1]};
+    double sum = 0;
+    for (int k = 0; k < n; k++) {
+        const cylint_lines lines = lines_from(a == IN_PAIRS ? order[k] : 0);
+        if (a == ALL_SHAPES)
+            cylint_intersect_shapes(&in.pack, &in.line[order[k]], &to);
+        else if (a == ALL_LINES)
+            cylint_intersect_lines(&in.shape[order[k]], &lines, &to);
+        else
+            cylint_intersect_pairs(&in.pack, &lines, &to);
+        sum += in.hits[0] + in.hits[N - 1];
+    }
+    return sum;
+}
+
+/* -------------------------------------------------------------- contests -- */
 
 static const struct {
-    int kind;
     const char *name;
-} kinds[] = {{CYLINT_KIND_CYLINDER, "cylinder"},
-             {CYLINT_KIND_CONE, "cone"},
-             {CYLINT_KIND_ECYLINDER, "elliptic cylinder"},
-             {CYLINT_KIND_SPHERE, "sphere"},
-             {CYLINT_KIND_CAPSULE, "capsule"},
-             {CYLINT_KIND_RCONE, "rounded cone"}};
-
-enum { KINDS = sizeof kinds / sizeof kinds[0] };
-
-struct cache_race {
-    struct scene scenes[KINDS];
-    struct turn turns[RUNNERS];
-    struct runner runners[RUNNERS];
-    int n;
+    bench_turn *theirs, *ours;
+    const enum arrangement *input;
+} asked[] = {
+    {"nearest of 512", lean_nearest, nearest, NULL},
+    {"any of 512", lean_any, any, NULL},
+    {"both t; a line, 512 shapes", lean_both, both, &all_shapes},
+    {"both t; a shape, 512 lines", lean_both, both, &all_lines},
+    {"both t; 512 pairs", lean_both, both, &in_pairs},
 };
 
-static void add_turn(struct cache_race *r, const struct turn *t)
+void bench_batch(void)
 {
-    r->turns[r->n] = *t;
-    r->runners[r->n] = (struct runner){batch_turn, &r->turns[r->n], {0, 0}};
-    r->n++;
-}
-
-/* The plain quadratic has no elliptic shapes. */
-static void add_all_turns(struct cache_race *r, int kind, int away)
-{
-    const struct scene *s = &r->scenes[kind];
-    for (int k = -1; k < kernels_count(); k++)
-        for (int a = 0; a < ARRANGEMENTS; a++)
-            for (int query = 0; query < QUERIES; query++) {
-                const struct turn t = {s, away ? s->away : s->lines,
-                                       k < 0 ? NULL : cylint_kernels_name(k),
-                                       (enum arrangement)a, (enum query)query};
-                if ((a != ONE_LINE && (query < QUERY_RELATIONS || away)) ||
-                    (k < 0 && !scene_has_rival(s)))
-                    continue;
-                add_turn(r, &t);
+    static const double shares[] = {0.01, 0.5};
+    in.memory = need(cylint_pack_bytes(N));
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int share = 0; share < 2; share++) {
+            if (!is_wanted(kind_names[kind]))
+                continue;
+            draw_share((enum kind)kind, shares[share]);
+            in.formula = lean_line_of(&in.solid[0]);
+            for (size_t q = 0; q < sizeof asked / sizeof *asked; q++) {
+                char question[64];
+                snprintf(question, sizeof question, "%s; %.0f %% hit",
+                         asked[q].name, 100 * shares[share]);
+                compete(&(struct contest){.subject = kind_names[kind],
+                                          .question = question,
+                                          .rival = "prepared quadratic",
+                                          .theirs = asked[q].theirs,
+                                          .ours = asked[q].ours,
+                                          .input = asked[q].input,
+                                          .questions = N,
+                                          .units = N});
             }
-}
-
-static int kind_of(const struct cache_race *r, const struct turn *t)
-{
-    return (int)(t->scene - r->scenes);
-}
-
-/* ns a test of the plain quadratic for the same query; NaN if not measured. */
-static double plain_of(const struct cache_race *r, const struct turn *t)
-{
-    for (int i = 0; i < r->n; i++) {
-        const struct turn *p = &r->turns[i];
-        if (!p->kernels && p->scene == t->scene && p->query == t->query &&
-            p->arrangement == t->arrangement)
-            return r->runners[i].least.ns / (double)turn_tests(p);
-    }
-    return NAN;
-}
-
-static void print_cached(const struct cache_race *race)
-{
-    double hits = NAN, reached = NAN;
-    for (int i = 0; i < race->n; i++) {
-        const struct turn *t = &race->turns[i];
-        struct row r = no_row;
-        if (i == 0 || t->scene != t[-1].scene ||
-            t->arrangement != t[-1].arrangement)
-            turn_shares(t, CACHED, &hits, &reached);
-        if (!t->kernels)
-            continue;
-        r.part = "cache";
-        r.kernels = t->kernels;
-        r.shapes = kinds[kind_of(race, t)].name;
-        r.arrangement = arrangement_name(t->arrangement);
-        r.query = query_name(t->query);
-        r.n = turn_tests(t);
-        r.hits = hits;
-        r.reached = reached;
-        r.ns = race->runners[i].least.ns / (double)r.n;
-        r.plain = plain_of(race, t);
-        print_row(&r);
-    }
-    fflush(stdout);
-}
-
-/* share: the share of hits.  For 0 the lines miss everything. */
-static void measure_share(struct cache_race *r, double share, double seconds)
-{
-    r->n = 0;
-    for (int k = 0; k < KINDS; k++) {
-        scene_allocate(&r->scenes[k], CACHED, CACHED);
-        scene_scatter(&r->scenes[k], kinds[k].kind,
-                      scene_radius(kinds[k].kind, share > 0 ? share : 0.1));
-        add_all_turns(r, k, share == 0);
-    }
-    race(r->runners, r->n, CACHED, ROUNDS, seconds);
-    print_cached(r);
-    for (int k = 0; k < KINDS; k++)
-        scene_free(&r->scenes[k]);
-}
-
-static void measure_cache(double seconds)
-{
-    static const double shares[] = {0, 0.01, 0.1, 0.5};
-    struct cache_race *r = malloc(sizeof *r);
-    if (!r) {
-        fputs("bench: out of memory\n", stderr);
-        exit(4);
-    }
-    for (size_t i = 0; i < sizeof shares / sizeof shares[0]; i++)
-        measure_share(r, shares[i], seconds);
-    free(r);
-}
-
-/* ------------------------------------------------------------- growth -- */
-
-/* The first pass reads the bounding ball of a shape: 4 doubles. */
-enum { FIRST_PASS = 4 * sizeof(double), GROWTH_LINES = 512, TESTS = 1 << 20 };
-
-static int lines_for(size_t n)
-{
-    return n > TESTS / 2              ? 2
-           : n < TESTS / GROWTH_LINES ? GROWTH_LINES
-                                      : (int)(TESTS / n);
-}
-
-static void print_growth(const struct runner *runner, const char *kernels,
-                         const char *query, size_t n, double plain)
-{
-    struct row r = no_row;
-    r.part = "growth";
-    r.kernels = kernels;
-    r.shapes = "cylinder";
-    r.arrangement = arrangement_name(ONE_LINE);
-    r.query = query;
-    r.n = n;
-    r.ns = runner->least.ns / (double)n;
-    r.plain = plain;
-    print_row(&r);
-}
-
-/* Races over n shapes: `nearest` at 1 % hits, `any` at 0 % hits, and reading
- * the bytes of the first pass. */
-static void measure_size(struct scene *s, size_t n, double seconds)
-{
-    struct turn turns[40];
-    struct runner runners[40];
-    struct read_turn bytes = {s->pack.memory, n * FIRST_PASS};
-    int k = 0;
-    scene_use_first(s, n);
-    for (int i = -1; i < kernels_count(); i++)
-        for (int any = 0; any < 2; any++, k++) {
-            turns[k] = (struct turn){s, any ? s->away : s->lines,
-                                     i < 0 ? NULL : cylint_kernels_name(i),
-                                     ONE_LINE, any ? QUERY_ANY : QUERY_NEAREST};
-            runners[k] = (struct runner){batch_turn, &turns[k], {0, 0}};
         }
-    runners[k] = (struct runner){read_turn, &bytes, {0, 0}};
-    race(runners, k + 1, lines_for(n), ROUNDS, seconds);
-    for (int i = 0; i < k; i++)
-        print_growth(&runners[i],
-                     turns[i].kernels ? turns[i].kernels : "plain quadratic",
-                     query_name(turns[i].query), n,
-                     runners[i % 2].least.ns / (double)n);
-    print_growth(&runners[k], "reading", "read", n, NAN);
-    fflush(stdout);
-}
-
-static void measure_growth(size_t most, double seconds)
-{
-    struct scene s;
-    scene_allocate(&s, most, GROWTH_LINES);
-    scene_scatter(&s, CYLINT_KIND_CYLINDER,
-                  scene_radius(CYLINT_KIND_CYLINDER, 0.01));
-    for (size_t n = 1; n < most; n *= n < 64 ? 2 : 4)
-        measure_size(&s, n, seconds);
-    measure_size(&s, most, seconds);
-    scene_free(&s);
-}
-
-static void print_bytes(void)
-{
-    struct row r = no_row;
-    r.part = "bytes";
-    r.shapes = "as made";
-    r.ns = sizeof(cylint_shape);
-    print_row(&r);
-    r.shapes = "packed";
-    r.ns = (double)(cylint_pack_bytes(1000001) - cylint_pack_bytes(1)) / 1e6;
-    print_row(&r);
-    r.shapes = "read by the first pass";
-    r.ns = FIRST_PASS;
-    print_row(&r);
-}
-
-static int wanted(const char *part, const char *name)
-{
-    return !part || !strcmp(part, name);
-}
-
-int main(int argc, char **argv)
-{
-    const double seconds = argc > 1 ? atof(argv[1]) : 4;
-    const size_t most = argc > 2 ? (size_t)atof(argv[2]) : 4000000;
-    const char *part = argc > 3 ? argv[3] : NULL;
-    timing_begin();
-    print_header();
-    if (wanted(part, "bytes"))
-        print_bytes();
-    if (wanted(part, "core"))
-        measure_core(seconds);
-    if (wanted(part, "cache"))
-        measure_cache(seconds);
-    if (wanted(part, "families"))
-        measure_families(seconds / 8);
-    if (wanted(part, "drawing"))
-        measure_drawings(seconds / 2);
-    if (wanted(part, "growth"))
-        measure_growth(most, seconds / 8);
-    return 0;
+    free(in.memory);
 }

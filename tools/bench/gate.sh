@@ -1,48 +1,45 @@
 #!/bin/sh
-# make gate COMMIT=...: the answers and the time of this tree beside a commit's.
-# The hashes of gate.c must be the same.  Then `single` and `batch` of both trees run
-# in turns, RUNS times (5) with all kernels, and gate.awk compares the least times.
-# CASES: of each family (512).  ONLY=hash: no times.
-: "${BUILD:=build}" "${RUNS:=5}" "${TURNS:=12}" "${SECONDS_A_RUN:=4}"
+# make gate COMMIT=...: the answers and times of this tree beside a commit's, which is
+# built with this tree's benchmarks.  All answers to COUNT (20000) records must have the
+# same bits.  Then CASES (single batch) of both run in turns, RUNS times (5), and the
+# least times are compared: below 1 this tree is faster.  CASES= leaves out the times.
+: "${BUILD:=build}" "${RUNS:=5}" "${COUNT:=20000}" "${CASES=single batch}"
 work=$BUILD/gate
-old=$work/tree
-base=$(git rev-parse --verify "$COMMIT^{commit}") || exit 2
-mkdir -p "$work"
-[ -d "$old" ] || git worktree add -q --detach "$old" "$base" || exit 2
-git -C "$old" checkout -q --detach "$base" || exit 2
-make -s -C "$old" BUILD=build bench_programs >"$work/make.log" 2>&1 ||
-    { tail "$work/make.log"; exit 2; }
-old=$old/build
+commit=$(git rev-parse --verify "$COMMIT^{commit}") && mkdir -p "$work" || exit 2
+[ -d "$work/tree" ] || git worktree add -q --detach "$work/tree" || exit 2
+git -C "$work/tree" checkout -q --force --detach "$commit" || exit 2
+for folder in tools/bench tests/support tests/package; do
+    rm -rf "${work:?}/tree/$folder"
+    cp -r $folder "$work/tree/$folder" || exit 2
+done
+make -C "$work/tree" BUILD=build build/tools/bench/bench build/tests/package/answers \
+    >"$work/make.log" 2>&1 || { tail "$work/make.log"; exit 2; }
 
-# The same program and families, linked with the other library.
-common="-std=c99 -O2 -ffp-contract=off -DCYLINT_STATIC -DHAVE_GSL -Itests/support"
-$CC $common -I"$work/tree/include" -o "$work/gate-old" tools/bench/gate.c \
-    tests/support/families.c tests/support/family_records.c "$old/libcylint.a" -lgsl \
-    -lgslcblas -lm || exit 2
+"$BUILD/tests/package/records" 1 "$COUNT" "$work/records" || exit 2
+"$BUILD/tests/package/answers" "$work/records" >"$work/new" || exit 2
+"$work/tree/build/tests/package/answers" "$work/records" >"$work/old" || exit 2
 status=0
-"$work/gate-old" $CASES >"$work/old.hashes"
-"$BUILD/tools/bench/gate" $CASES >"$work/new.hashes" || status=1
-if diff "$work/old.hashes" "$work/new.hashes" >"$work/hashes.diff"; then
-    echo "hashes: $(wc -l <"$work/new.hashes") the same"
+if cmp "$work/old" "$work/new"; then
+    echo "$(wc -l <"$work/new") answers are the same"
 else
     status=1
-    echo 'hashes differ:'
-    head -n 40 "$work/hashes.diff"
 fi
-[ "$ONLY" = hash ] && exit $status
+[ "$CASES" ] || exit $status
 
 rm -f "$work"/*.csv
 for run in $(seq "$RUNS"); do
-    for tree in old new; do
-        bench=$BUILD/tools/bench
-        [ $tree = new ] || bench=$old/tools/bench
-        for kernels in $("$BUILD/tools/bench/kernels"); do
-            KERNELS=$kernels "$bench/single" "$TURNS" "$kernels" $SHAPE \
-                >>"$work/$tree-single.csv"
-        done
-        "$bench/batch" "$SECONDS_A_RUN" 100000 cache >>"$work/$tree-batch.csv"
-    done
-    echo "run $run of $RUNS" >&2
+    "$work/tree/build/tools/bench/bench" $CASES >>"$work/old.csv"
+    "$BUILD/tools/bench/bench" $CASES >>"$work/new.csv"
 done
-awk -f tools/bench/gate.awk "$work"/old-*.csv "$work"/new-*.csv
+awk -F ', *' 'FNR == 1 { file++ }
+    { for (i = 8; i < NF; i++) {
+          key = $1 ", " $2 ", " $3 ", " $4 ", " kernels[i]
+          if (FNR == 1) kernels[i] = $i
+          else if ($i + 0 == 0) continue
+          else if (!((file, key) in least) && file == 2) order[++n] = key
+          if (!((file, key) in least) || $i + 0 < least[file, key]) least[file, key] = $i + 0 } }
+    END { for (i = 1; i <= n; i++) if ((1, order[i]) in least)
+              printf "%-80s %8s %8s %5.2f\n", order[i], least[1, order[i]],
+                  least[2, order[i]], least[2, order[i]] / least[1, order[i]] }' \
+    "$work/old.csv" "$work/new.csv"
 exit $status

@@ -1,144 +1,188 @@
 /*
- * methods.c - time against error: every method, every family
+ * methods.c - time against error: the published methods beside the library
  *
- *     methods [BUILD] [CASES] [SECONDS]
- *
- * Writes CSV: for each class of shapes, family, method and mode the time of a
- * question and the errors of the answers.  CASES questions are compared with
- * the reference; the first 2000 of them are timed, for SECONDS in all for each
- * class of each family.  BUILD is copied into the first column.
+ * Whole lines of the tests' families, both t.  The truth is the library's
+ * answer, which the tests compare with an oracle in exact numbers.  A verdict
+ * is wrong if the number of hits is.  An error is that of a t along the line,
+ * in radii of the shape, of lines with a right verdict.
  */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <string.h>
 
-#include "classes.h"
-#include "race.h"
-#include "statistics.h"
+#include "cylint_methods.h"
+#include "families.h"
+#include "lean.h"
 
-/* TIMED questions fit into the second-level cache. */
-enum { TIMED = 2000, CONTESTANTS = 40, ROUNDS = 1000 };
+enum { CASES = 2000, DRAWS = 100 * CASES };
 
-struct event {
-    const char *build;
-    int class_number, family, n_runners, cases;
-    double seconds;
-    struct entry entries[CONTESTANTS];
-    struct runner runners[CONTESTANTS];
-    struct record records[CONTESTANTS];
-    struct question questions[TIMED];
-    int n_questions;
-};
+static struct {
+    struct solid solid[CASES];
+    struct lean lean[CASES];
+    cylint_shape shape[CASES];
+    cylint_line line[CASES];
+    cylint_answer truth[CASES];
+    double error[2 * CASES]; /* of all t, in radii */
+    lean_line *formula;
+} in;
 
-static void choose_runners(struct event *e)
+static int by_size(const void *x, const void *y)
 {
-    e->n_runners = 0;
-    for (const struct contestant *c = contestants(); c->name; c++) {
-        const int i = e->n_runners;
-        if (i == CONTESTANTS ||
-            !contestant_takes(c, &e->questions[0].subject.shape))
+    const double a = *(const double *)x, b = *(const double *)y;
+    return (a > b) - (a < b);
+}
+
+/* ----------------------------------------------------------------- input -- */
+
+static struct solid solid_of(const struct family_case *c)
+{
+    const int is_cone = c->shape_word == FAMILY_CONE;
+    const double *p = c->shape_data, *q = p + 3 + is_cone;
+    struct solid s = {.kind = is_cone ? CONE : CYLINDER,
+                      .is_infinite = c->ends == CYLINT_ENDS_INFINITE};
+    s.r0 = is_cone ? p[3] : p[6];
+    s.r1 = is_cone ? p[7] : p[6];
+    for (int i = 0; i < 3; i++) {
+        s.base[i] = p[i];
+        s.axis[i] = q[i] - p[i];
+    }
+    return s;
+}
+
+/* The cases of a family that have this kind, with these ends and whole
+ * lines. */
+static void draw_cases(int family, family_shape word, cylint_ends ends)
+{
+    int n = 0;
+    for (uint64_t i = 0; i < DRAWS && n < CASES; i++) {
+        struct family_case c;
+        family_case(1, family, i, &c);
+        if (c.shape_word != word ||
+            (word == FAMILY_CONE && c.shape_data[3] == c.shape_data[7]))
             continue;
-        e->entries[i] = (struct entry){c, e->questions};
-        e->runners[i] =
-            (struct runner){contestant_turn, &e->entries[i], {0, 0}};
-        e->n_runners++;
+        c.ends = ends;
+        for (int j = 0; j < 3 && c.line_word == FAMILY_SEGMENT; j++)
+            c.line_data[j + 3] -= c.line_data[j];
+        c.line_word = FAMILY_LINE;
+        if (!family_make(&c))
+            continue;
+        in.solid[n] = solid_of(&c);
+        lean_prepare(&in.lean[n], &in.solid[n]);
+        in.shape[n] = c.shape;
+        in.line[n] = c.line;
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &in.truth[n++]);
     }
+    must(n == CASES, "methods: a family has too few cases");
+    in.formula = lean_line_of(&in.solid[0]);
 }
 
-static void draw_questions(struct event *e)
-{
-    uint64_t index = 0;
-    e->n_questions = 0;
-    while (e->n_questions < TIMED &&
-           class_question(e->class_number, e->family, &index,
-                          &e->questions[e->n_questions]))
-        e->n_questions++;
-}
+/* ----------------------------------------------------------------- turns -- */
 
-static void compare_with_truth(struct event *e)
+/* method: NULL stands for the prepared quadratic. */
+static void answer_one(cylint_method_fn *method, int i, cylint_answer *a)
 {
-    uint64_t index = 0;
-    for (int i = 0; i < e->n_runners; i++)
-        record_clear(&e->records[i]);
-    if (!truth_known())
+    double t[2];
+    if (method) {
+        method(&in.shape[i], &in.line[i], CYLINT_WANT_T, a);
         return;
-    for (int k = 0; k < e->cases; k++) {
-        struct question q;
-        struct truth truth;
-        if (!class_question(e->class_number, e->family, &index, &q))
-            return;
-        truth_of(&q.subject.shape, &q.line, &truth);
-        for (int i = 0; i < e->n_runners; i++) {
-            const struct contestant *c = e->entries[i].contestant;
-            cylint_answer answer;
-            contestant_answer(c, &q, &answer);
-            record_answer(&e->records[i], &truth, c->want, c->only_hit,
-                          &answer);
-        }
+    }
+    const cylint_line *l = &in.line[i];
+    a->n = in.formula(&in.lean[i], l->o, l->d, l->tmin, l->tmax, t);
+    a->hit[0].t = t[0];
+    a->hit[1].t = t[1];
+}
+
+static double by_method(const void *input, const int *order, int n)
+{
+    const cylint_method *method = input;
+    double sum = 0;
+    cylint_answer a;
+    for (int k = 0; k < n; k++) {
+        answer_one(method->answer, order[k], &a);
+        sum += a.n;
+    }
+    return sum;
+}
+
+static double by_library(const void *input, const int *order, int n)
+{
+    double sum = 0;
+    cylint_answer a;
+    (void)input;
+    for (int k = 0; k < n; k++)
+        sum += cylint_intersect(&in.shape[order[k]], &in.line[order[k]],
+                                CYLINT_WANT_T, &a);
+    return sum;
+}
+
+/* -------------------------------------------------------------- contests -- */
+
+static void print_errors(const char *subject, const char *family,
+                         const cylint_method *method)
+{
+    int wrong = 0;
+    size_t n = 0;
+    char question[64];
+    for (int i = 0; i < CASES; i++) {
+        cylint_answer a;
+        answer_one(method->answer, i, &a);
+        wrong += a.n != in.truth[i].n;
+        for (int k = 0; k < a.n && a.n == in.truth[i].n; k++)
+            in.error[n++] = fabs(a.hit[k].t - in.truth[i].hit[k].t) *
+                            sqrt(dot3(in.line[i].d, in.line[i].d)) /
+                            fmax(in.solid[i].r0, in.solid[i].r1);
+    }
+    snprintf(question, sizeof question, "%s; wrong", family);
+    print_figure(subject, question, method->name, "%", 100.0 * wrong / CASES,
+                 0);
+    if (n == 0)
+        return;
+    qsort(in.error, n, sizeof *in.error, by_size);
+    snprintf(question, sizeof question, "%s; median error", family);
+    print_figure(subject, question, method->name, "r", in.error[n / 2], 0);
+    snprintf(question, sizeof question, "%s; error of 99 %%", family);
+    print_figure(subject, question, method->name, "r", in.error[n * 99 / 100],
+                 0);
+}
+
+static void ask_methods(const char *subject, const char *family)
+{
+    static const cylint_method lean = {"prepared quadratic", "", "", NULL};
+    const cylint_method *method = cylint_methods();
+    for (int is_last = 0; !is_last; method++) {
+        cylint_answer a;
+        is_last = !method->name;
+        const cylint_method *m = is_last ? &lean : method;
+        if (m->answer && m->answer(&in.shape[0], &in.line[0], CYLINT_WANT_T,
+                                   &a) != CYLINT_OK)
+            continue;
+        compete(&(struct contest){.subject = subject,
+                                  .question = family,
+                                  .rival = m->name,
+                                  .theirs = by_method,
+                                  .ours = by_library,
+                                  .input = m,
+                                  .questions = CASES,
+                                  .best_kernels = 1});
+        print_errors(subject, family, m);
     }
 }
 
-static void print_header(void)
+void bench_methods(void)
 {
-    printf("build,shapes,family,method,mode,answered_percent,ns,%s,"
-           "radii_median,radii_99,radii_max,ulp_median,ulp_99,ulp_max,"
-           "wrong_percent,hit_as_miss,miss_as_hit,tangent,along,number,nan,"
-           "cases\n",
-           timing_cycle_kind());
-}
-
-static void print_runner(struct event *e, int i)
-{
-    const struct contestant *c = e->entries[i].contestant;
-    const struct timing least = e->runners[i].least;
-    struct record *k = &e->records[i];
-    const struct quantiles radii = sample_quantiles(&k->radii);
-    const struct quantiles ulps = sample_quantiles(&k->ulps);
-    printf("%s,%s,%s,%s,%s,%.1f,%.2f,%.1f,", e->build,
-           class_name(e->class_number), family_label(e->family), c->name,
-           c->mode, share_answered(c, e->family), least.ns, least.cycles);
-    printf("%.3g,%.3g,%.3g,%.3g,%.3g,%.3g,%.4g", radii.median, radii.most99,
-           radii.max, ulps.median, ulps.most99, ulps.max,
-           record_percent_wrong(k));
-    static const enum verdict columns[] = {
-        VERDICT_HIT_AS_MISS, VERDICT_MISS_AS_HIT, VERDICT_TANGENT,
-        VERDICT_ALONG,       VERDICT_NUMBER,      VERDICT_NAN};
-    for (size_t v = 0; v < sizeof columns / sizeof columns[0]; v++)
-        printf(",%.4g", record_percent(k, columns[v]));
-    printf(",%ld\n", k->answers);
-}
-
-static void run(struct event *e)
-{
-    draw_questions(e);
-    if (e->n_questions < TIMED)
-        return; /* the family has no such shapes */
-    choose_runners(e);
-    race(e->runners, e->n_runners, e->n_questions, ROUNDS, e->seconds);
-    compare_with_truth(e);
-    for (int i = 0; i < e->n_runners; i++)
-        print_runner(e, i);
-    fflush(stdout);
-}
-
-int main(int argc, char **argv)
-{
-    struct event *e = calloc(1, sizeof *e);
-    if (!e)
-        return 4;
-    e->build = argc > 1 ? argv[1] : "-";
-    e->cases = argc > 2 ? atoi(argv[2]) : 100000;
-    e->seconds = argc > 3 ? atof(argv[3]) : 1;
-    timing_begin();
-    print_header();
-    for (e->class_number = 0; e->class_number < class_count();
-         e->class_number++)
-        for (e->family = 0; e->family < family_count(); e->family++)
-            run(e);
-    for (int i = 0; i < CONTESTANTS; i++) {
-        sample_free(&e->records[i].radii);
-        sample_free(&e->records[i].ulps);
-    }
-    free(e);
-    return 0;
+    static const char *const families[] = {"ordinary", "far origin", "grazing",
+                                           "nearly parallel"};
+    static const struct {
+        const char *name;
+        family_shape word;
+        cylint_ends ends;
+    } subjects[] = {
+        {"infinite cylinder", FAMILY_CYLINDER, CYLINT_ENDS_INFINITE},
+        {"cylinder", FAMILY_CYLINDER, CYLINT_ENDS_CAPPED},
+        {"cone", FAMILY_CONE, CYLINT_ENDS_CAPPED}};
+    for (int s = 0; s < 3; s++)
+        for (int f = 0; f < 4 && is_wanted(subjects[s].name); f++)
+            for (int family = 0; family < family_count(); family++)
+                if (!strcmp(family_name(family), families[f])) {
+                    draw_cases(family, subjects[s].word, subjects[s].ends);
+                    ask_methods(subjects[s].name, families[f]);
+                }
 }

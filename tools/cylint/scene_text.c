@@ -79,17 +79,14 @@ static double angle_of(const cylint_shape *shape)
     for (int before = 0;;) {
         cylint_shape made;
         if (cylint_angle_cone(&made, cylint_base(shape), cylint_axis(shape),
-                              angle, CYLINT_ENDS_INFINITE) != CYLINT_OK) {
+                              angle, CYLINT_ENDS_INFINITE) != CYLINT_OK)
             return 0;
-        }
         const double reached = cylint_r1(&made);
         const int side = (reached < tangent) - (reached > tangent);
-        if (side == 0) {
+        if (side == 0)
             return angle;
-        }
-        if (side == -before) {
+        if (side == -before)
             return 0;
-        }
         before = side;
         angle = nextafter(angle, side * HUGE_VAL);
     }
@@ -106,16 +103,13 @@ static int begins_with(const struct string *label, const char *word)
 /* A label is the rest of a line without the blanks around it. */
 static const char *fault_of(const struct shape_record *r)
 {
-    for (size_t i = 0; i < r->members; i++) {
-        if (abs(r->member[i].clause) > CLAUSE_MOST) {
+    for (size_t i = 0; i < r->members; i++)
+        if (abs(r->member[i].clause) > CLAUSE_MOST)
             return "text has clauses up to 999999999";
-        }
-    }
     const struct string *label = &r->label;
     const char *const text = label->text;
-    if (label->length == 0) {
+    if (label->length == 0)
         return NULL;
-    }
     const char last = text[label->length - 1];
     return memchr(text, '\n', label->length) ||
                    memchr(text, '\0', label->length)
@@ -153,11 +147,10 @@ static void put_member(struct text *t, const struct solids *s,
                        const cylint_member *m)
 {
     put_word(t, m->clause < 0 ? " " OUT_WORD : " " IN_WORD);
-    if (m->solid < s->names.texts.count) {
+    if (m->solid < s->names.texts.count)
         put_string(t, names_get(&s->names, m->solid));
-    } else {
+    else
         put_whole(t, m->solid + 1);
-    }
     put_char(t, '/');
     put_whole(t, (unsigned long long)abs(m->clause));
 }
@@ -181,26 +174,22 @@ const char *put_record(struct text *t, const struct shape_record *r, int digits)
     const int kind = numbers_of_shape(r->shape, number);
     const size_t begin = t->length;
     const char *fault = fault_of(r);
-    if (fault) {
+    if (fault)
         return fault;
-    }
-    if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0) {
+    if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0)
         return "text has angles, and no angle in degrees has its tangent";
-    }
     put_shape(t, r, kind, number, digits);
     if (bytes_of_solids(r) + r->label.length <= LINE_MOST) {
-        for (size_t i = 0; i < r->members; i++) {
+        for (size_t i = 0; i < r->members; i++)
             put_member(t, r->solids, &r->member[i]);
-        }
         if (r->label.length > 0) {
             /* The first comma after a field separates. */
             put_word(t, r->label.text[0] == ',' ? " ," : " ");
             put_string(t, r->label);
         }
         put_char(t, '\n');
-        if (t->length - begin - 1 <= LINE_MOST) {
+        if (t->length - begin - 1 <= LINE_MOST)
             return NULL;
-        }
     }
     t->length = begin;
     return "the line would be longer than 1 MiB";
@@ -242,13 +231,11 @@ static int put_records(struct scene *scene, const struct labels *labels,
                                  s->count > 0 ? s->member + at : NULL, 0,
                                  labels_get(labels, i)};
         scene_shape(scene, i, &shape);
-        for (; at < s->count && s->member[at].shape == i; at++) {
+        for (; at < s->count && s->member[at].shape == i; at++)
             r.members++;
-        }
         const char *fault = put_record(t, &r, digits);
-        if (fault) {
+        if (fault)
             return refuse_shape(file, i, fault);
-        }
         if (t->length >= TEXT_FULL || i + 1 == scene->count) {
             status = output_write(out, t->data, t->length);
             t->length = 0;
@@ -262,13 +249,11 @@ int scene_write_text(struct scene *scene, const struct labels *labels,
 {
     struct solids *s = &scene->solids;
     struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
-    if (!t.data) {
+    if (!t.data)
         return out_of_memory();
-    }
     solids_complete(s);
-    if (s->count > 0) {
+    if (s->count > 0)
         qsort(s->member, s->count, sizeof *s->member, compare_members);
-    }
     const int status = put_records(scene, labels, file, digits, out, &t);
     free(t.data);
     return status;

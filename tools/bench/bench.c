@@ -1,0 +1,322 @@
+/*
+ * bench.c - the registry of cases and the timing loop
+ *
+ *     bench [-s SECONDS] [-n MOST] [-k KERNELS] [-o TEXT] CASE...
+ *
+ * Each contest takes SECONDS (0.3), but at least three turns of each
+ * contestant. Scenes have at most MOST shapes.  KERNELS: only these, in place
+ * of all that the processor runs.  TEXT: only subjects that contain it.
+ * Without a CASE the program prints their names.  Output is CSV; a ratio below
+ * 1 means that the library is faster.
+ */
+#define _GNU_SOURCE /* sched_setaffinity() */
+#include "bench.h"
+
+#include <string.h>
+#include <time.h>
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include "random.h"
+
+static const struct {
+    const char *name, *text;
+    void (*run)(void);
+} cases[] = {
+    {"single", "one line and one shape", bench_single},
+    {"batch", "many lines or many shapes", bench_batch},
+    {"distance", "points and one shape", bench_distance},
+    {"methods", "time against error of published methods", bench_methods},
+    {"scene", "queries of scenes; build, move, save, open", bench_scene},
+    {"pieces", "pieces of a line in scenes", bench_pieces},
+#ifdef CYLINT_EMBREE
+    {"embree", "shapes in scenes of Embree", bench_embree},
+#endif
+};
+enum { CASES = sizeof cases / sizeof *cases, CONTESTANTS = 8, ROUNDS = 3 };
+
+static struct {
+    double seconds, most;
+    const char *kernels, *only, *name;
+} user = {0.3, 0, NULL, "", NULL};
+
+static volatile double sink;
+
+/* ------------------------------------------------------------------ time -- */
+
+static double seconds_by(clockid_t clock)
+{
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double thread_seconds(void)
+{
+    return seconds_by(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double process_seconds(void)
+{
+    return seconds_by(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+double clock_seconds(void)
+{
+    return seconds_by(CLOCK_MONOTONIC);
+}
+
+/* Keeps this thread on the last core that it may use. */
+static void stay_on_one_core(void)
+{
+#ifdef __linux__
+    cpu_set_t allowed, one;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0)
+        return;
+    for (size_t i = CPU_SETSIZE; i-- > 0;)
+        if (CPU_ISSET(i, &allowed)) {
+            CPU_ZERO(&one);
+            CPU_SET(i, &one);
+            sched_setaffinity(0, sizeof one, &one);
+            return;
+        }
+#endif
+}
+
+/* -------------------------------------------------------------- the loop -- */
+
+struct contestant {
+    const char *kernels; /* of the library; NULL: the rival */
+    bench_turn *turn;
+    const void *input;
+    double least;
+};
+
+static void shuffle(int *order, int n)
+{
+    static uint64_t random = 1;
+    for (int i = n - 1; i > 0; i--) {
+        const int j = random_int(&random, i + 1), kept = order[i];
+        order[i] = order[j];
+        order[j] = kept;
+    }
+}
+
+/* Before a shuffled turn another one fills the caches: a branch predictor
+ * remembers thousands of outcomes of an order that repeats. */
+static void take_turn(struct contestant *a, int *order, int n, int shuffled)
+{
+    cylint_use_kernels(a->kernels);
+    if (shuffled) {
+        sink = a->turn(a->input, order, n);
+        shuffle(order, n);
+    }
+    const double start = thread_seconds();
+    sink = a->turn(a->input, order, n);
+    a->least = fmin(a->least, thread_seconds() - start);
+}
+
+static void print_row(const struct contest *c, int shuffled, const char *unit,
+                      double theirs, const double *ours);
+
+static int kernels_count(void)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    return n;
+}
+
+/* The kernels of the library, from the plainest to the best, into list[1
+ * ...]; the rival is list[0]. Returns how many there are in all. */
+static int list_contestants(const struct contest *c, struct contestant *list)
+{
+    int n = 1;
+    list[0] = (struct contestant){NULL, c->theirs,
+                                  c->others ? c->others : c->input, HUGE_VAL};
+    for (int k = kernels_count(); k-- > 0 && n < CONTESTANTS;)
+        list[n++] = (struct contestant){cylint_kernels_name(k), c->ours,
+                                        c->input, HUGE_VAL};
+    return n;
+}
+
+static int takes_part(const struct contest *c, const struct contestant *a,
+                      int is_best)
+{
+    if (!a->kernels)
+        return c->rival != NULL;
+    return user.kernels ? !strcmp(a->kernels, user.kernels)
+                        : is_best || !c->best_kernels;
+}
+
+static void race(struct contest *c, int *order, int shuffled)
+{
+    struct contestant list[CONTESTANTS];
+    double ours[CONTESTANTS];
+    const int n = list_contestants(c, list);
+    const double start = thread_seconds();
+    for (int round = 0;
+         round < ROUNDS || thread_seconds() - start < user.seconds; round++)
+        for (int i = 0; i < n; i++)
+            if (takes_part(c, &list[i], i == n - 1))
+                take_turn(&list[i], order, c->questions, shuffled);
+    const double per = 1e9 / c->questions / (c->units > 0 ? c->units : 1);
+    c->their_time = c->our_time = NAN;
+    for (int i = 0; i < n; i++) {
+        const double time =
+            list[i].least < HUGE_VAL ? per * list[i].least : (double)NAN;
+        if (i == 0)
+            c->their_time = time;
+        else
+            c->our_time = ours[i - 1] = time;
+    }
+    print_row(c, shuffled, "ns", c->their_time, ours);
+    cylint_use_kernels(NULL);
+}
+
+void compete(struct contest *c)
+{
+    int *order = need((size_t)c->questions * sizeof *order);
+    for (int i = 0; i < c->questions; i++)
+        order[i] = i;
+    for (int shuffled = 0; shuffled <= !!c->shuffled && is_wanted(c->subject);
+         shuffled++)
+        race(c, order, shuffled);
+    free(order);
+}
+
+/* ------------------------------------------------------------- the lines -- */
+
+/* A field of a line, padded behind its comma. */
+static void print_text(const char *text, int width)
+{
+    const int n = printf("%s,", text);
+    printf("%*s", n < width ? width - n : 1, "");
+}
+
+static void print_number(double x, const char *end)
+{
+    if (x == x)
+        printf("%.4g%s", x, end);
+    else
+        printf("-%s", end);
+}
+
+static void print_header(void)
+{
+    printf("case,subject,question,order,rival,unit,theirs");
+    for (int k = kernels_count(); k-- > 0;)
+        printf(",%s", cylint_kernels_name(k));
+    puts(",ratio");
+}
+
+/* ours: a number for each of the kernels. */
+static void print_row(const struct contest *c, int shuffled, const char *unit,
+                      double theirs, const double *ours)
+{
+    double least = NAN;
+    print_text(user.name, 10);
+    print_text(c->subject, 20);
+    print_text(c->question, 44);
+    print_text(c->shuffled ? shuffled ? "shuffled" : "in order" : "-", 10);
+    print_text(c->rival ? c->rival : "-", 22);
+    print_text(unit, 4);
+    print_number(theirs, ", ");
+    for (int k = 0; k < kernels_count(); k++) {
+        print_number(ours[k], ", ");
+        least = ours[k] == ours[k] ? ours[k] : least;
+    }
+    print_number(least / theirs, "\n");
+    fflush(stdout);
+}
+
+void print_figure(const char *subject, const char *question, const char *rival,
+                  const char *unit, double theirs, double ours)
+{
+    const struct contest c = {
+        .subject = subject, .question = question, .rival = rival};
+    double each[CONTESTANTS];
+    for (int k = 0; k < CONTESTANTS; k++)
+        each[k] = k == kernels_count() - 1 ? ours : (double)NAN;
+    if (is_wanted(subject))
+        print_row(&c, 0, unit, theirs, each);
+}
+
+/* ---------------------------------------------------------------- others -- */
+
+int is_wanted(const char *subject)
+{
+    return strstr(subject, user.only) != NULL;
+}
+
+double largest(double usual)
+{
+    return user.most > 0 ? user.most : usual;
+}
+
+double seconds_of_contest(void)
+{
+    return user.seconds;
+}
+
+void must(int is_true, const char *message)
+{
+    if (!is_true) {
+        fprintf(stderr, "bench: %s\n", message);
+        exit(1);
+    }
+}
+
+void *need(size_t bytes)
+{
+    void *memory = malloc(bytes ? bytes : 1);
+    must(memory != NULL, "out of memory");
+    return memory;
+}
+
+static int run(const char *name)
+{
+    for (int i = 0; i < CASES; i++)
+        if (!strcmp(cases[i].name, name)) {
+            user.name = cases[i].name;
+            cases[i].run();
+            return 0;
+        }
+    fprintf(stderr, "bench: no case %s\n", name);
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    int at = 1, status = 0;
+    for (; at + 1 < argc && argv[at][0] == '-'; at += 2) {
+        const char *value = argv[at + 1];
+        switch (argv[at][1]) {
+        case 's':
+            user.seconds = atof(value);
+            break;
+        case 'n':
+            user.most = atof(value);
+            break;
+        case 'k':
+            user.kernels = value;
+            break;
+        case 'o':
+            user.only = value;
+            break;
+        default:
+            must(0, "options are -s -n -k -o");
+        }
+    }
+    must(!user.kernels || cylint_use_kernels(user.kernels),
+         "this processor runs no such kernels");
+    stay_on_one_core();
+    for (int i = 0; i < CASES && at == argc; i++)
+        printf("%-10s %s\n", cases[i].name, cases[i].text);
+    if (at < argc)
+        print_header();
+    for (; at < argc && status == 0; at++)
+        status = run(argv[at]);
+    return status;
+}

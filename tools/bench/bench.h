@@ -1,0 +1,68 @@
+/*
+ * bench.h - the one timing loop, and the one form of a line of output
+ *
+ * A case draws its input and holds contests.  In a contest a rival and the
+ * library, once with each of its kernels (plain, AVX2, AVX-512), answer the
+ * same questions in turns within one run, on one core.  The least processor
+ * time of each counts.
+ */
+#ifndef BENCH_BENCH_H
+#define BENCH_BENCH_H
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "cylint.h"
+
+/* Answers the n questions whose numbers are in `order`, or all in an order
+ * of its own. Returns a sum that depends on every answer. */
+typedef double bench_turn(const void *input, const int *order, int n);
+
+struct contest {
+    const char *subject, *question;
+    const char *rival; /* its name; NULL: the library has no rival */
+    bench_turn *theirs, *ours;
+    const void *input;  /* of both, */
+    const void *others; /* or of the rival, if this is not NULL */
+    int questions;
+    double units;      /* in a question, so that a time is that of one; 0: 1 */
+    int shuffled;      /* also in a new random order each turn */
+    int best_kernels;  /* measured with the best kernels only */
+    double their_time; /* written: of the last order and the best kernels */
+    double our_time;
+};
+
+/* Holds a contest and prints a line for each order and each of the kernels. */
+void compete(struct contest *c);
+
+/* Prints another figure, of both or, if `theirs` is NaN, of the library
+ * alone. */
+void print_figure(const char *subject, const char *question, const char *rival,
+                  const char *unit, double theirs, double ours);
+
+/* Whether the user wants this subject; contests of others end at once. */
+int is_wanted(const char *subject);
+
+/* The options -n and -s, or these if there are none. */
+double largest(double usual);
+double seconds_of_contest(void);
+
+/* Seconds of processor time of this thread, of this process, of the clock. */
+double thread_seconds(void);
+double process_seconds(void);
+double clock_seconds(void);
+
+/* malloc(), or ends the program. */
+void *need(size_t bytes);
+
+/* Ends the program with this message if `is_true` is 0. */
+void must(int is_true, const char *message);
+
+/* The cases, one file each. */
+void bench_single(void), bench_batch(void), bench_distance(void),
+    bench_methods(void), bench_scene(void), bench_pieces(void),
+    bench_embree(void);
+
+#endif

@@ -1,0 +1,162 @@
+/*
+ * embree_chords.c - a user geometry of cylinders that collects chords
+ *
+ * The callback computes both roots by the quadratic formula in doubles and
+ * rejects the hit, so that Embree visits all cylinders.  The query is
+ * rtcOccluded1(), which needs no order.  The chords are then sorted by qsort()
+ * and merged.
+ */
+#include "embree_chords.h"
+
+#include <float.h>
+
+#include "embree.h"
+#include "inputs.h"
+
+enum { MOST = 1 << 16 };
+
+/* One line of a cache. */
+struct prepared {
+    double p[3], axis[3], length, r;
+};
+
+struct embree_chords {
+    struct prepared *cylinders;
+    RTCDevice device;
+    RTCScene scene;
+};
+
+struct query {
+    embree_context context;
+    const cylint_line *ray;
+    const struct prepared *cylinders;
+};
+
+static struct {
+    size_t n;
+    double chord[MOST][2];
+} found;
+
+static void bound(const struct RTCBoundsFunctionArguments *args)
+{
+    const struct prepared *cylinders = args->geometryUserPtr;
+    const struct prepared *c = &cylinders[args->primID];
+    float *lower = &args->bounds_o->lower_x, *upper = &args->bounds_o->upper_x;
+    for (int i = 0; i < 3; i++) {
+        const double x = c->p[i], y = x + c->length * c->axis[i];
+        const double e = c->r * sqrt(fmax(0, 1 - c->axis[i] * c->axis[i]));
+        lower[i] = (float)(fmin(x, y) - e) - FLT_EPSILON;
+        upper[i] = (float)(fmax(x, y) + e) + FLT_EPSILON;
+    }
+}
+
+static void collect(const struct RTCOccludedFunctionNArguments *args)
+{
+    const struct query *query = (const struct query *)args->context;
+    const struct prepared *c = &query->cylinders[args->primID];
+    const double *o = query->ray->o, *d = query->ray->d;
+    const double x[3] = {o[0] - c->p[0], o[1] - c->p[1], o[2] - c->p[2]};
+    const double xw = dot3(x, c->axis), dw = dot3(d, c->axis);
+    const double A = 1 - dw * dw, B = dot3(x, d) - xw * dw;
+    const double C = dot3(x, x) - xw * xw - c->r * c->r;
+    const double discriminant = B * B - A * C;
+    if (discriminant <= 0)
+        return;
+    const double root = sqrt(discriminant), per = 1 / A, cap = 1 / dw;
+    double t0 = (-B - root) * per, t1 = (-B + root) * per;
+    double z0 = -xw * cap, z1 = (c->length - xw) * cap;
+    if (z0 > z1) {
+        const double z = z0;
+        z0 = z1;
+        z1 = z;
+    }
+    t0 = t0 < z0 ? z0 : t0;
+    t0 = t0 < 0 ? 0 : t0;
+    t1 = z1 < t1 ? z1 : t1;
+    if (t0 < t1 && found.n < MOST) {
+        found.chord[found.n][0] = t0;
+        found.chord[found.n++][1] = t1;
+    }
+}
+
+static int compare_chords(const void *x, const void *y)
+{
+    const double a = *(const double *)x, b = *(const double *)y;
+    return (a > b) - (a < b);
+}
+
+void embree_chords_union(const struct embree_chords *scene,
+                         const cylint_line *ray, double *sum)
+{
+    struct query query = {.ray = ray, .cylinders = scene->cylinders};
+    struct RTCRay r = {.org_x = (float)ray->o[0],
+                       .org_y = (float)ray->o[1],
+                       .org_z = (float)ray->o[2],
+                       .dir_x = (float)ray->d[0],
+                       .dir_y = (float)ray->d[1],
+                       .dir_z = (float)ray->d[2],
+                       .tfar = HUGE_VALF,
+                       .mask = 0xFFFFFFFFu};
+    double end = -1;
+    found.n = 0;
+    embree_begin(&query.context);
+    embree_any(scene->scene, &query.context, &r);
+    qsort(found.chord, found.n, sizeof *found.chord, compare_chords);
+    for (size_t i = 0; i < found.n; i++) {
+        const double t0 = found.chord[i][0], t1 = found.chord[i][1];
+        if (t1 > end) {
+            *sum += t1 - (t0 > end ? t0 : end);
+            end = t1;
+        }
+    }
+}
+
+static void report_error(void *user, enum RTCError code, const char *text)
+{
+    (void)user, (void)code;
+    must(0, text);
+}
+
+RTCDevice embree_device(void)
+{
+    RTCDevice device = rtcNewDevice("threads=1");
+    rtcSetDeviceErrorFunction(device, report_error, NULL);
+    return device;
+}
+
+struct embree_chords *embree_chords_new(float (*end)[2][3], float (*radius)[2],
+                                        size_t n)
+{
+    struct embree_chords *made = need(sizeof *made);
+    made->cylinders = need(n * sizeof *made->cylinders);
+    for (size_t i = 0; i < n; i++) {
+        struct prepared *c = &made->cylinders[i];
+        for (int j = 0; j < 3; j++) {
+            c->p[j] = end[i][0][j];
+            c->axis[j] = (double)end[i][1][j] - c->p[j];
+        }
+        c->length = normalise(c->axis);
+        c->r = radius[i][0];
+    }
+    made->device = embree_device();
+    made->scene = rtcNewScene(made->device);
+    rtcSetSceneBuildQuality(made->scene, RTC_BUILD_QUALITY_HIGH);
+    RTCGeometry g = rtcNewGeometry(made->device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(g, (unsigned)n);
+    rtcSetGeometryUserData(g, made->cylinders);
+    rtcSetGeometryBoundsFunction(g, bound, NULL);
+    rtcSetGeometryOccludedFunction(g, collect);
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(made->scene, g);
+    rtcReleaseGeometry(g);
+    rtcCommitScene(made->scene);
+    return made;
+}
+
+void embree_chords_free(struct embree_chords *scene)
+{
+    rtcReleaseScene(scene->scene);
+    rtcReleaseDevice(scene->device);
+    free(scene->cylinders);
+    free(scene);
+}

@@ -1,0 +1,285 @@
+/*
+ * lean.c - prepared quadratics in doubles
+ *
+ * Each formula is written once and is compiled twice: for both t, and for the
+ * first t with its normal.
+ */
+#include "lean.h"
+
+/* What holds an end of the overlap: the side, the base or the top. */
+enum place { SIDE, BASE, TOP };
+
+static inline void from_base(const struct lean *s, const double o[3],
+                             double q[3])
+{
+    for (int i = 0; i < 3; i++)
+        q[i] = o[i] - s->base[i];
+}
+
+static inline int hits_of(const double t[2], double t0, double t1)
+{
+    return (t[0] >= t0 && t[0] <= t1) + (t[1] >= t0 && t[1] <= t1);
+}
+
+/* Clips the overlap t with the slab.  Returns whether anything is left. */
+static inline int clip(const struct lean *s, double z, double speed,
+                       double t[2], enum place *on)
+{
+    if (!(s->height < HUGE_VAL))
+        return 1;
+    const double inverse = 1 / speed;
+    const double base = -z * inverse, top = (s->height - z) * inverse;
+    const int up = base < top;
+    const double first = up ? base : top, last = up ? top : base;
+    if (on) {
+        on[0] = first > t[0] ? up ? BASE : TOP : SIDE;
+        on[1] = last < t[1] ? up ? TOP : BASE : SIDE;
+    }
+    t[0] = first > t[0] ? first : t[0];
+    t[1] = last < t[1] ? last : t[1];
+    return t[0] <= t[1];
+}
+
+static inline int cylinder(const struct lean *s, const double o[3],
+                           const double d[3], double t[2], enum place *on)
+{
+    double q[3];
+    from_base(s, o, q);
+    const double speed = dot3(d, s->axis), z = dot3(q, s->axis);
+    const double A = dot3(d, d) - speed * speed, B = dot3(q, d) - z * speed;
+    const double C = dot3(q, q) - z * z - s->r0_squared, G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    t[0] = (-B - root) * inverse;
+    t[1] = (-B + root) * inverse;
+    return clip(s, z, speed, t, on);
+}
+
+static inline int cone(const struct lean *s, const double o[3],
+                       const double d[3], double t[2], enum place *on)
+{
+    double q[3];
+    from_base(s, o, q);
+    const double speed = dot3(d, s->axis), z = dot3(q, s->axis);
+    const double rho = s->r0 + s->slope * z, growth = s->slope * speed;
+    const double A = dot3(d, d) - speed * speed - growth * growth;
+    const double B = dot3(q, d) - z * speed - rho * growth;
+    const double C = dot3(q, q) - z * z - rho * rho, G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    t[0] = (-B - root) * inverse;
+    t[1] = (-B + root) * inverse;
+    if (A < 0 && s->height < HUGE_VAL) {
+        const double low = fmin(t[0], t[1]), high = fmax(t[0], t[1]);
+        t[0] = growth > 0 ? high : -HUGE_VAL;
+        t[1] = growth > 0 ? HUGE_VAL : low;
+    }
+    return clip(s, z, speed, t, on);
+}
+
+static inline int elliptic(const struct lean *s, const double o[3],
+                           const double d[3], double t[2], enum place *on)
+{
+    double q[3];
+    from_base(s, o, q);
+    const double x = dot3(q, s->row[0]), y = dot3(q, s->row[1]);
+    const double u = dot3(d, s->row[0]), v = dot3(d, s->row[1]);
+    const double A = u * u + v * v, B = x * u + y * v;
+    const double C = x * x + y * y - 1, G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    t[0] = (-B - root) * inverse;
+    t[1] = (-B + root) * inverse;
+    return clip(s, dot3(q, s->axis), dot3(d, s->axis), t, on);
+}
+
+static inline int sphere(const struct lean *s, const double o[3],
+                         const double d[3], double t[2], enum place *on)
+{
+    double q[3];
+    from_base(s, o, q);
+    const double A = dot3(d, d), B = dot3(q, d);
+    const double G = B * B - A * (dot3(q, q) - s->r0_squared);
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    t[0] = (-B - root) * inverse;
+    t[1] = (-B + root) * inverse;
+    if (on)
+        on[0] = on[1] = BASE;
+    return 1;
+}
+
+/* Capsule and round cone [Quilez, iquilezles.org/articles/intersectors],
+ * with both ends of the overlap: a root beyond the circles is replaced by
+ * that of the ball. */
+static inline int hull(const struct lean *s, const double o[3],
+                       const double d[3], double t[2], enum place *on)
+{
+    double q[3];
+    from_base(s, o, q);
+    const double *w = s->axis;
+    const double ww = s->height, shrink = -s->slope, shift = shrink * s->r0;
+    const double wq = dot3(w, q), wd = dot3(w, d), dq = dot3(d, q);
+    const double qq = dot3(q, q), dd = dot3(d, d);
+    const double d2 = ww - shrink * shrink;
+    const double A = d2 * dd - wd * wd, B = d2 * dq - wq * wd + wd * shift;
+    const double C = d2 * qq - wq * wq + 2 * wq * shift - ww * s->r0_squared;
+    const double G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    for (int k = 0; k < 2; k++) {
+        t[k] = (-B + (k ? root : -root)) * inverse;
+        const double y = wq - shift + t[k] * wd;
+        if (on)
+            on[k] = SIDE;
+        if (y > 0 && y < d2)
+            continue;
+        const int first = A > 0 ? y <= 0 : (wd > 0) != k;
+        const double r1 = s->r0 - shrink, b = first ? dq : dq - wd;
+        const double c =
+            first ? qq - s->r0_squared : qq - 2 * wq + ww - r1 * r1;
+        const double g = b * b - dd * c;
+        if (!(g >= 0))
+            return 0;
+        t[k] = (-b + (k ? sqrt(g) : -sqrt(g))) / dd;
+        if (on)
+            on[k] = first ? BASE : TOP;
+    }
+    return 1;
+}
+
+/* ------------------------------------------------------------- normals -- */
+
+static inline void straight_normal(const struct lean *s, const double p[3],
+                                   enum place on, double normal[3])
+{
+    const double z = dot3(p, s->axis);
+    const double back = z + s->slope * (s->r0 + s->slope * z);
+    const double scale = s->scale / fabs(s->r0 + s->slope * z);
+    for (int i = 0; i < 3; i++)
+        normal[i] = on == SIDE   ? (p[i] - back * s->axis[i]) * scale
+                    : on == BASE ? -s->axis[i]
+                                 : s->axis[i];
+}
+
+static inline void elliptic_normal(const struct lean *s, const double p[3],
+                                   enum place on, double normal[3])
+{
+    const double x = dot3(p, s->row[0]), y = dot3(p, s->row[1]);
+    double n[3];
+    for (int i = 0; i < 3; i++)
+        n[i] = x * s->row[0][i] + y * s->row[1][i];
+    const double scale = on == SIDE   ? 1 / sqrt(dot3(n, n))
+                         : on == BASE ? -s->outside
+                                      : s->outside;
+    for (int i = 0; i < 3; i++)
+        normal[i] = (on == SIDE ? n[i] : s->axis[i]) * scale;
+}
+
+/* From the centre of the ball that touches the surface there. */
+static inline void round_normal(const struct lean *s, const double p[3],
+                                enum place on, double normal[3])
+{
+    const double wp = dot3(p, s->axis), rise = -s->slope;
+    const double d2 = s->height - rise * rise;
+    double at = on == TOP;
+    if (on == SIDE)
+        at = (wp - rise * s->r0) / d2;
+    const double scale = 1 / (s->r0 + s->slope * at);
+    for (int i = 0; i < 3; i++)
+        normal[i] = (p[i] - at * s->axis[i]) * scale;
+}
+
+static inline void ball_normal(const struct lean *s, const double p[3],
+                               enum place on, double normal[3])
+{
+    (void)on;
+    for (int i = 0; i < 3; i++)
+        normal[i] = p[i] * s->scale;
+}
+
+#define DEFINE(name, normal_of)                                        \
+    static int name##_line(const struct lean *s, const double o[3],    \
+                           const double d[3], double t0, double t1,    \
+                           double t[2])                                \
+    {                                                                  \
+        return name(s, o, d, t, NULL) ? hits_of(t, t0, t1) : 0;        \
+    }                                                                  \
+    static int name##_first(const struct lean *s, const double o[3],   \
+                            const double d[3], double *t, double n[3]) \
+    {                                                                  \
+        double both[2], p[3];                                          \
+        enum place on[2] = {SIDE, SIDE};                               \
+        if (!name(s, o, d, both, on) || !(both[1] >= 0))               \
+            return 0;                                                  \
+        *t = both[0] >= 0 ? both[0] : both[1];                         \
+        for (int i = 0; i < 3; i++)                                    \
+            p[i] = o[i] - s->base[i] + *t * d[i];                      \
+        normal_of(s, p, both[0] >= 0 ? on[0] : on[1], n);              \
+        return 1;                                                      \
+    }
+DEFINE(cylinder, straight_normal)
+DEFINE(cone, straight_normal)
+DEFINE(elliptic, elliptic_normal)
+DEFINE(sphere, ball_normal)
+DEFINE(hull, round_normal)
+
+static const struct {
+    lean_line *line;
+    lean_normal *normal;
+} formulas[KINDS] = {
+    {cylinder_line, cylinder_first}, {cone_line, cone_first},
+    {elliptic_line, elliptic_first}, {sphere_line, sphere_first},
+    {hull_line, hull_first},         {hull_line, hull_first}};
+
+lean_line *lean_line_of(const struct solid *s)
+{
+    return formulas[s->kind].line;
+}
+
+lean_normal *lean_normal_of(const struct solid *s)
+{
+    return formulas[s->kind].normal;
+}
+
+static void prepare_elliptic(struct lean *to, const struct solid *s)
+{
+    double bh[3], ha[3], ab[3];
+    cross3(bh, s->b, s->axis);
+    cross3(ha, s->axis, s->a);
+    cross3(ab, s->a, s->b);
+    const double det = dot3(s->a, bh);
+    for (int i = 0; i < 3; i++) {
+        to->row[0][i] = bh[i] / det;
+        to->row[1][i] = ha[i] / det;
+        to->axis[i] = ab[i] / det;
+    }
+    to->height = 1;
+    to->outside = 1 / sqrt(dot3(to->axis, to->axis));
+}
+
+void lean_prepare(struct lean *to, const struct solid *s)
+{
+    const double length = sqrt(dot3(s->axis, s->axis));
+    const int is_hull = s->kind == CAPSULE || s->kind == ROUND_CONE;
+    const double slope = (s->r1 - s->r0) / length;
+    *to = (struct lean){
+        .height = is_hull ? length * length : length,
+        .r0 = s->r0,
+        .r0_squared = s->r0 * s->r0,
+        .slope = is_hull ? s->r1 - s->r0 : slope,
+        .scale = s->kind == SPHERE ? 1 / s->r0 : 1 / sqrt(1 + slope * slope)};
+    for (int i = 0; i < 3; i++) {
+        to->base[i] = s->base[i];
+        to->axis[i] = is_hull ? s->axis[i] : s->axis[i] / length;
+    }
+    if (s->kind == ELLIPTIC)
+        prepare_elliptic(to, s);
+    if (s->is_infinite)
+        to->height = HUGE_VAL;
+}
