@@ -18,7 +18,7 @@ test_scripts  := $(filter-out $(left_out),$(wildcard tests/*/test_*.sh))
 
 # Long runs, which `make check` leaves out, are built as the tests are.
 core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
-              $(patsubst %,$(BUILD)/tests/%,library/stress library/search package/records package/answers)
+              $(patsubst %,$(BUILD)/tests/%,library/stress package/records package/answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
 $(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
@@ -55,6 +55,7 @@ $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
 	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
 $(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/scenes.o
+$(BUILD)/tests/fuzz/shapes: $(BUILD)/tests/support/family_records.o
 $(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
 $(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
 
@@ -76,7 +77,7 @@ deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
 # $(call run_tests,TEST...): each is a target of run.mk; the long ones start first.
 # MISSING: what `make deps` installs and was not found, unless the user said so
 long_tests = $(addprefix tests/,package/test_amalgamation.sh python/test_python.sh command/test_faults.sh package/test_build.sh package/test_packages.sh package/test_install.sh) \
-             $(addprefix $(BUILD)/tests/,scene/test_closest library/test_environment library/test_batch bounds/test_local_bounds)
+             $(addprefix $(BUILD)/tests/,scene/test_queries scene/test_paths library/test_batch bounds/test_local_bounds)
 missing    = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
 run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(1))' \
 	BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
@@ -157,8 +158,5 @@ mutants: ## change operators and constants, and list changes that pass; COUNT=20
 stress: $(BUILD)/tests/library/stress ## compare 1e8 cases with the oracle, up to an hour
 	$(BUILD)/tests/library/stress
 
-search: $(BUILD)/tests/library/search ## search for the worst errors and the slowest query
-	$(BUILD)/tests/library/search
-
 .PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
-	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress search
+	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress
