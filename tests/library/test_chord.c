@@ -136,14 +136,14 @@ static void chords_are_those_of_the_oracle(void)
 {
     rng = 1;
     compared = with_chords = 0;
-    compare_many(environment_of(0), check_setting("CYLINT_CASES", 300));
+    compare_many(environment_of(0), check_setting("CYLINT_CASES", 800));
     CHECK(with_chords > compared / 20);
     printf("note: %ld lines, %ld with chords\n", compared, with_chords);
 }
 
 static void compare_there(struct environment there)
 {
-    compare_many(there, check_setting("CYLINT_CASES", 300) / 50);
+    compare_many(there, check_setting("CYLINT_CASES", 800) / 50);
 }
 
 static void chords_are_the_same_in_every_environment(void)
@@ -192,7 +192,7 @@ static double error_of_length(const cylint_line *line)
 /* Of exponents that are near each other, of all, or about the least normal one. */
 static void a_length_is_within_0501_units(void)
 {
-    const long cases = 60 * (long)check_setting("CYLINT_CASES", 300);
+    const long cases = 60 * (long)check_setting("CYLINT_CASES", 800);
     double worst = 0;
     rng = 5;
     for (long i = 0; i < cases; i++) {
