@@ -23,6 +23,8 @@ const char *cylint_embree_strerror(int status)
                "or more";
     case CYLINT_EMBREE_EMOTION:
         return "the two states of a shape differ in kind or ends";
+    case CYLINT_EMBREE_EPART:
+        return "the geometry numbers of merged parts do not ascend";
     case CYLINT_EMBREE_EMEMORY:
         return "out of memory";
     case CYLINT_EMBREE_EDEVICE:
@@ -103,6 +105,38 @@ static void set_box(cylint_embree_data *data, const cylint_extent *all)
     data->pad = cylint_box_pad(all, data->traversal ? FAR_SIZES : NEAR_SIZES);
 }
 
+/* The part that holds a number. */
+static size_t part_of(const cylint_embree_data *data, size_t number)
+{
+    size_t low = 0, high = data->n_parts;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (data->parts[middle].first <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void write_part_shape(const void *owner, uint32_t number,
+                             cylint_shape *shape)
+{
+    const cylint_embree_data *data = owner;
+    const cylint_embree_merged *part = data->parts + part_of(data, number);
+    *shape = part->shapes[number - part->first];
+}
+
+static cylint_view view_of(const cylint_embree_data *data, int time)
+{
+    cylint_view view = cylint_plain_view(data->from[time]);
+    if (data->parts) {
+        view.write_shape = write_part_shape;
+        view.owner = data;
+    }
+    return view;
+}
+
 static void free_shapes(cylint_embree_shapes shapes[2], cylint_memory *order)
 {
     cylint_embree_shapes_free(&shapes[0]);
@@ -117,9 +151,11 @@ static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
     cylint_embree_shapes made[2] = {{.ends = NULL}, {.ends = NULL}};
     const uint32_t *number = order->data;
     int is = 1;
-    for (int i = 0; i <= cylint_embree_moves(data) && is && data->n > 0; i++)
-        is = cylint_embree_shapes_copy(&made[i], data->from[i], number, data->n,
+    for (int i = 0; i <= cylint_embree_moves(data) && is && data->n > 0; i++) {
+        const cylint_view from = view_of(data, i);
+        is = cylint_embree_shapes_copy(&made[i], &from, number, data->n,
                                        data->threads, &data->source);
+    }
     if (!is) {
         free_shapes(made, order);
         return 0;
@@ -130,6 +166,7 @@ static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
     data->order_memory = *order;
     data->number = number;
     data->rank = number ? number + data->n : NULL;
+    data->part = data->parts && number ? data->rank + data->n : NULL;
     return 1;
 }
 
@@ -169,26 +206,30 @@ static void rank_shapes(const cylint_bvh *bvh, uint32_t *rank, uint32_t *number)
 }
 
 /* Shapes that are together in leaves get neighbouring ranks, so that their records
- * are together in memory.  Writes numbers, then ranks.  Returns 0 if memory is
- * refused. */
+ * are together in memory.  Writes numbers, then ranks, then the parts of a merged
+ * geometry.  Returns 0 if memory is refused. */
 static int rank_by_leaves(cylint_memory *order, const cylint_bvh *bvh,
                           const cylint_embree_data *data)
 {
     const size_t bytes = data->n * sizeof(uint32_t);
     if (data->n == 0)
         return 1;
-    if (!cylint_memory_allocate(order, &data->source, 2 * bytes))
+    if (!cylint_memory_allocate(order, &data->source,
+                                (data->parts ? 3 : 2) * bytes))
         return 0;
     uint32_t *number = order->data, *rank = number + data->n;
     memset(rank, 0xff, bytes);
     rank_shapes(bvh, rank, number);
+    if (data->parts)
+        for (size_t i = 0; i < data->n; i++)
+            rank[data->n + i] = (uint32_t)part_of(data, number[i]);
     return 1;
 }
 
 /* Builds the hierarchy.  On failure the present one stays. */
 static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
 {
-    const cylint_view view = cylint_plain_view(data->from[0]);
+    const cylint_view view = view_of(data, 0);
     cylint_memory order = {0};
     cylint_bvh bvh;
     size_t shape;
@@ -250,32 +291,52 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
 }
 
-static cylint_embree_data *new_data(RTCDevice device,
-                                    const cylint_shape *shapes, size_t n,
-                                    const cylint_embree_options *options)
+static void set_options(cylint_embree_data *data,
+                        const cylint_embree_options *options)
+{
+    data->flags = options->flags;
+    data->user = options->user;
+    data->threads = options->threads > 1 ? options->threads : 1;
+    if (data->parts)
+        data->flags &= ~(unsigned)CYLINT_EMBREE_SINGLE;
+    else
+        data->from[1] = options->moved;
+}
+
+/* Copies the parts behind the data; *problem: see cylint_embree_merge(). */
+static int set_parts(cylint_embree_data *data, const cylint_embree_part *parts,
+                     size_t n, cylint_embree_problem *problem)
+{
+    cylint_embree_merged *to = (cylint_embree_merged *)(data + 1);
+    data->parts = to;
+    data->n_parts = n;
+    for (size_t i = 0; i < n; i++) {
+        if (i > 0 && parts[i].geomID <= parts[i - 1].geomID)
+            return refuse(problem, CYLINT_EMBREE_EPART, i);
+        to[i] = (cylint_embree_merged){parts[i].shapes, data->n, parts[i].n,
+                                       parts[i].geomID};
+        data->n += parts[i].n;
+    }
+    return 1;
+}
+
+static cylint_embree_data *new_data(RTCDevice device, size_t n_parts)
 {
     const cylint_memory_source source = cylint_device_memory(device);
+    const size_t size = sizeof(cylint_embree_merged);
     cylint_memory self;
-    if (!cylint_memory_allocate(&self, &source, sizeof(cylint_embree_data)))
+    if (n_parts > SIZE_MAX / 2 / size ||
+        !cylint_memory_allocate(&self, &source,
+                                sizeof(cylint_embree_data) + n_parts * size))
         return NULL;
     cylint_embree_data *data = self.data;
     *data =
         (cylint_embree_data){.self = self,
                              .source = source,
-                             .from = {shapes, NULL},
-                             .n = n,
                              .threads = 1,
                              .filter_one = cylint_float_filter_of_one(),
                              .filter_many = cylint_float_filter_of_many(),
                              .traverse_packet = cylint_traverse_packet_used()};
-    if (options) {
-        data->from[1] = options->moved;
-        data->flags = options->flags;
-        data->user = options->user;
-        data->threads = options->threads > 1 ? options->threads : 1;
-    }
-    if (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data))
-        data->traversal = cylint_traversal_used();
     return data;
 }
 
@@ -287,7 +348,35 @@ static void free_data(cylint_embree_data *data)
     cylint_memory_free(&self);
 }
 
-static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
+/* What a geometry is made of: an array of shapes, or parts. */
+typedef struct {
+    const cylint_shape *shapes;
+    const cylint_embree_part *parts; /* NULL: an array of shapes */
+    size_t n;
+} ingredients;
+
+/* Sets what the geometry is made of, and makes it. */
+static int fill(RTCGeometry geometry, cylint_embree_data *data,
+                const ingredients *of, const cylint_embree_options *options,
+                cylint_embree_problem *problem)
+{
+    if (of->parts && !set_parts(data, of->parts, of->n, problem)) {
+        raise_device_error(geometry);
+        return 0;
+    }
+    if (!of->parts) {
+        data->from[0] = of->shapes;
+        data->n = of->n;
+    }
+    if (options)
+        set_options(data, options);
+    if (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data))
+        data->traversal = cylint_traversal_used();
+    attach(geometry, data);
+    return load_shapes(geometry, data, problem);
+}
+
+static RTCGeometry make(RTCDevice device, const ingredients *of,
                         const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
@@ -301,10 +390,9 @@ static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
     if (!geometry)
         return NULL;
     problem->status = CYLINT_EMBREE_EMEMORY;
-    cylint_embree_data *data = new_data(device, shapes, n, options);
+    cylint_embree_data *data = new_data(device, of->parts ? of->n : 0);
     if (data) {
-        attach(geometry, data);
-        if (load_shapes(geometry, data, problem))
+        if (fill(geometry, data, of, options, problem))
             return geometry;
         free_data(data);
     }
@@ -312,16 +400,34 @@ static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
     return NULL;
 }
 
+static RTCGeometry make_of(RTCDevice device, const ingredients *of,
+                           const cylint_embree_options *options,
+                           cylint_embree_problem *problem)
+{
+    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
+    RTCGeometry geometry = make(device, of, options, &here);
+    if (problem)
+        *problem = here;
+    return geometry;
+}
+
 RTCGeometry cylint_embree_geometry(RTCDevice device, const cylint_shape *shapes,
                                    size_t n,
                                    const cylint_embree_options *options,
                                    cylint_embree_problem *problem)
 {
-    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
-    RTCGeometry geometry = make(device, shapes, n, options, &here);
-    if (problem)
-        *problem = here;
-    return geometry;
+    const ingredients of = {.shapes = shapes, .n = n};
+    return make_of(device, &of, options, problem);
+}
+
+RTCGeometry cylint_embree_merge(RTCDevice device,
+                                const cylint_embree_part *parts, size_t n,
+                                const cylint_embree_options *options,
+                                cylint_embree_problem *problem)
+{
+    static const cylint_embree_part none;
+    const ingredients of = {.parts = n > 0 ? parts : &none, .n = n};
+    return make_of(device, &of, options, problem);
 }
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)

@@ -13,6 +13,13 @@
 #include "cylint_embree.h"
 #include "device_memory.h"
 
+/* The shapes that hits name by this geomID; `first`: the number of the first. */
+typedef struct cylint_embree_merged {
+    const cylint_shape *shapes;
+    size_t first, n;
+    unsigned geomID;
+} cylint_embree_merged;
+
 /* The user data of the geometry. */
 typedef struct cylint_embree_data {
     cylint_memory self;          /* holds this struct */
@@ -34,6 +41,11 @@ typedef struct cylint_embree_data {
     cylint_embree_shapes shapes[2]; /* at times 0 and 1 */
     cylint_memory order_memory;
     const uint32_t *number, *rank; /* of each rank, of each number, or NULL */
+    /* The parts of a merged geometry, in the order of their geomIDs, and that of
+     * each rank; the members of `from` are NULL. */
+    const cylint_embree_merged *parts;
+    size_t n_parts;
+    const uint32_t *part;
 } cylint_embree_data;
 
 static inline int cylint_embree_moves(const cylint_embree_data *data)

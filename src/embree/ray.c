@@ -41,7 +41,7 @@ static void make_shape(const cylint_embree_data *data, size_t rank, float time,
     cylint_embree_between(&at[0], &at[1], time, shape);
 }
 
-static size_t rank_of(const cylint_embree_data *data, unsigned number)
+static size_t rank_of(const cylint_embree_data *data, size_t number)
 {
     return data->rank ? data->rank[number] : number;
 }
@@ -68,17 +68,48 @@ static int same_instance(const struct RTCHit *hit,
     return same;
 }
 
+/* The number of the shape of a hit on this geometry, or data->n.  geomID: the
+ * geometry's own. */
+static size_t number_of_hit(const cylint_embree_data *data,
+                            const struct RTCHit *hit, unsigned geomID)
+{
+    size_t low = 0, high = data->n_parts;
+    if (!data->parts)
+        return hit->geomID == geomID && hit->primID < data->n ? hit->primID
+                                                              : data->n;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (data->parts[middle].geomID < hit->geomID)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < data->n_parts && data->parts[low].geomID == hit->geomID &&
+                   hit->primID < data->parts[low].n
+               ? data->parts[low].first + hit->primID
+               : data->n;
+}
+
+/* The number of the shape of the ray's present hit, or data->n if that is not on
+ * this geometry. */
+static size_t present_number(const ray_test *r)
+{
+    return same_instance(r->hit, r->context)
+               ? number_of_hit(r->data, r->hit, r->geomID)
+               : r->data->n;
+}
+
 /* The t of the ray's present hit, of which tfar is the rounding.  If both hits
  * of the shape round to tfar, u distinguishes them.  Bare hits have no u: then
  * it is the first hit, the one that is or will be the ray's without filters.
  * Returns HUGE_VAL if the caller or a filter changed tfar. */
-static double present_t(const ray_test *r)
+static double present_t(const ray_test *r, size_t number)
 {
     double t = HUGE_VAL;
     cylint_shape shape;
     cylint_line line;
     cylint_answer answer;
-    make_shape(r->data, rank_of(r->data, r->hit->primID), r->ray->time, &shape);
+    make_shape(r->data, rank_of(r->data, number), r->ray->time, &shape);
     const int n = intersect(&shape, &r->line, CYLINT_WANT_T | CYLINT_WANT_Z,
                             &line, &answer);
     for (int i = n - 1; i >= 0; i--)
@@ -87,13 +118,6 @@ static double present_t(const ray_test *r)
              (float)answer.hit[i].z == r->hit->u))
             t = answer.hit[i].t;
     return t;
-}
-
-/* Whether the ray's present hit is on this geometry. */
-static int has_own_hit(const ray_test *r)
-{
-    return r->hit->geomID == r->geomID && r->hit->primID < r->data->n &&
-           same_instance(r->hit, r->context);
 }
 
 /* Whether hit i of a shape is nearer than the present one or, at equal t, has
@@ -106,12 +130,15 @@ static int is_nearer(const ray_test *r, unsigned number,
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
-    if (rounded_up(t, r->ray->tfar) < r->ray->tfar || !has_own_hit(r))
+    if (rounded_up(t, r->ray->tfar) < r->ray->tfar)
         return 1;
-    if (number == r->hit->primID)
+    const size_t other = present_number(r);
+    if (other == r->data->n)
+        return 1;
+    if (number == other)
         return i == 0;
-    const double present = present_t(r);
-    return t < present || (t == present && number < r->hit->primID);
+    const double present = present_t(r, other);
+    return t < present || (t == present && number < other);
 }
 
 /* -------------------------------------------------------- recording hits -- */
@@ -137,6 +164,12 @@ static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
 {
     hit->primID = number;
     hit->geomID = r->geomID;
+    if (r->data->parts) {
+        const cylint_embree_merged *part =
+            &r->data->parts[r->data->part[r->rank]];
+        hit->primID -= (unsigned)part->first;
+        hit->geomID = part->geomID;
+    }
     for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
         hit->instID[i] = r->context->instID[i];
 #if CYLINT_INSTANCE_ARRAYS
@@ -255,7 +288,7 @@ static int test_exactly(ray_test *r, int first)
     make_shape(r->data, r->rank, r->ray->time, &shape);
     const int whole =
         !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
-    if (r->nearest && has_own_hit(r))
+    if (r->nearest && present_number(r) != r->data->n)
         r->line.tmax = tmax_including(r->ray->tfar);
     const int n = intersect(
         &shape, &r->line, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
@@ -405,10 +438,11 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     cylint_shape shape;
     cylint_line line;
     cylint_answer answer;
-    if (!(rayhit->hit.primID < data->n))
+    const size_t number = number_of_hit(data, &rayhit->hit, rayhit->hit.geomID);
+    if (number == data->n)
         return;
     l.tmax = tmax_including(ray->tfar);
-    make_shape(data, rank_of(data, rayhit->hit.primID), ray->time, &shape);
+    make_shape(data, rank_of(data, number), ray->time, &shape);
     const int n =
         intersect(&shape, &l, CYLINT_WANT_T | CYLINT_WANT_PART, &line, &answer);
     for (int i = 0; i < n; i++)

@@ -56,7 +56,7 @@ int cylint_float_filter_small_of(cylint_float_filter_small *to,
 /* --------------------------------------------------------------- copying -- */
 
 typedef struct {
-    const cylint_shape *from;
+    const cylint_view *from;
     const uint32_t *number;
     cylint_embree_shapes *to;
     uint8_t *ends;
@@ -66,9 +66,11 @@ typedef struct {
     size_t whole;       /* the number of shapes that are kept whole */
 } copying;
 
-static const cylint_shape *source_of(const copying *c, size_t i)
+static const cylint_shape *source_of(const copying *c, size_t i,
+                                     cylint_shape *spare)
 {
-    return c->from + (c->number ? c->number[i] : i);
+    return cylint_view_shape(c->from, c->number ? c->number[i] : (uint32_t)i,
+                             spare);
 }
 
 static void copy_some(void *self, size_t from, size_t to)
@@ -79,7 +81,8 @@ static void copy_some(void *self, size_t from, size_t to)
     cylint_float_filter_shape *doubles = c->to->memory.data;
     size_t i = from, whole = 0;
     for (int fits = 1; i < to && fits; i += (size_t)fits) {
-        const cylint_shape *shape = source_of(c, i);
+        cylint_shape spare;
+        const cylint_shape *shape = source_of(c, i, &spare);
         c->ends[i] = (uint8_t)shape->ends;
         if (small) {
             fits = cylint_float_filter_small_of(&floats[i], shape);
@@ -131,14 +134,16 @@ static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
     for (size_t i = 0; i < n; i++)
         if (records[i].r0 != records[i].r0) {
             records[i].base[0] = (double)next;
-            whole[next++] = *source_of(c, i);
+            const cylint_shape *shape = source_of(c, i, &whole[next]);
+            if (shape != &whole[next])
+                whole[next] = *shape;
+            next++;
         }
     return 1;
 }
 
-int cylint_embree_shapes_copy(cylint_embree_shapes *to,
-                              const cylint_shape *from, const uint32_t *number,
-                              size_t n, int threads,
+int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
+                              const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source)
 {
     copying c = {.from = from,

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "../bvh/memory.h"
+#include "../bvh/swept_disc.h"
 #include "float_filter.h"
 
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
@@ -26,11 +27,10 @@ typedef struct cylint_embree_shapes {
     const cylint_shape *whole; /* base[0] of the record is the index */
 } cylint_embree_shapes;
 
-/* Copies n > 0 shapes: from[number[0]], from[number[1]], ... or, if number is
- * NULL, from[0], from[1], ...  Returns 0 if memory is refused. */
-int cylint_embree_shapes_copy(cylint_embree_shapes *to,
-                              const cylint_shape *from, const uint32_t *number,
-                              size_t n, int threads,
+/* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
+ * 0, 1, ...  Returns 0 if memory is refused. */
+int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
+                              const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source);
 void cylint_embree_shapes_free(cylint_embree_shapes *s);
 
