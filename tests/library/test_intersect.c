@@ -36,8 +36,8 @@ static uint64_t cases(void)
     return check_setting("CYLINT_CASES", CASES);
 }
 
-/* Counts and returns the first difference, or returns NULL.  oracle_other() is right
- * too. */
+/* Counts and returns the first difference, or returns NULL.  oracle_other() is
+ * right too. */
 static const char *compare(struct tally *sum, const cylint_answer *got,
                            const cylint_answer *want)
 {
@@ -61,8 +61,8 @@ static const char *compare(struct tally *sum, const cylint_answer *got,
     return NULL;
 }
 
-/* Case i of a family, of coincidences and their neighbours, of wild exponents, or of
- * plain numbers. */
+/* Case i of a family, of coincidences and their neighbours, of wild exponents,
+ * or of plain numbers. */
 static void draw(int family, uint64_t i, struct family_case *c)
 {
     const int extra = family - family_count();
