@@ -18,7 +18,7 @@ test_scripts  := $(filter-out $(left_out),$(wildcard tests/*/test_*.sh))
 
 # Long runs, which `make check` leaves out, are built as the tests are.
 core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
-              $(patsubst %,$(BUILD)/tests/%,library/stress package/records package/answers)
+              $(patsubst %,$(BUILD)/tests/%,package/records package/answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
 $(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
@@ -155,8 +155,10 @@ coverage: ## branches of src/ that no test takes, without a reason beside them
 mutants: ## change operators and constants, and list changes that pass; COUNT=20 a file
 	python3 tests/support/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
 
-stress: $(BUILD)/tests/library/stress ## compare 1e8 cases with the oracle, up to an hour
-	$(BUILD)/tests/library/stress
+stress: $(BUILD)/tests/library/test_intersect ## compare 1e8 cases with the oracle, two seeds side by side, up to an hour
+	@for seed in 20240 20241; do \
+	  CYLINT_CASES=1000000 CYLINT_SEED=$$seed $< & jobs="$$jobs $$!"; done; \
+	  for job in $$jobs; do wait $$job || exit; done
 
 .PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
 	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress
