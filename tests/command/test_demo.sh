@@ -20,12 +20,10 @@ demo first
 verdict the_demo_succeeds_without_messages $?
 [ "$(grep -c '^time: .*[0-9]' "$scratch/output")" -eq 1 ]
 verdict the_demo_prints_its_time $?
-demo second && cmp "$scratch/first" "$scratch/second"
-verdict the_demo_gives_the_same_bytes_again $?
-for awk in mawk gawk; do
-    command -v $awk > /dev/null || continue
+# awk itself is mostly one of them, and so runs again.
+for awk in $(command -v mawk gawk || echo awk); do
     demo other $awk && cmp "$scratch/first" "$scratch/other"
-    verdict "the_demo_gives_the_same_bytes_under_$awk" $?
+    verdict "the_demo_gives_the_same_bytes_again_under_${awk##*/}" $?
 done
 
 scan=$scratch/bin/demo

@@ -46,7 +46,8 @@ awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
 awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "rye"),
     20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5,
     i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
-sed 's/not=[^ ]* //' rays | head -n 1200 >walk
+# Some of their answers take memory for every line.
+sed 's/not=[^ ]* //' rays | sed -n '900,1100p' >walk
 awk '{ n = int(NR / 3); word = NR % 3 ? (NR % 3 == 1 ? "in=w" : "out=w") n : ""
     $8 += NR % 3 / 9; $9 = word " " $9; print }' shapes >walls
 for i in 1 2 3 4 5 6; do echo s$i $((i % 4 - 2)); done >ranks
