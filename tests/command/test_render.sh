@@ -458,7 +458,7 @@ test_faults()
     refuses 2 "unknown option '--eyes'; did you mean --eye?" --eyes 1,2,3
     refuses 3 "no.scene: No such file or directory" no.scene -o x.png
     refuses 3 "no/x.png: No such file or directory" some.scene -o no/x.png
-    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full
+    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --size 9x9
     refuses 2 "--swc needs a neuron, NAME.swc" some.scene -o x.png --swc=round
     refuses 2 "--swc: expected cones or round, found 'oval'" --swc oval
     refuses 2 "--xray: expected MU, auto or linear, found '0'" --xray 0
@@ -467,7 +467,7 @@ test_faults()
         --xray auto --ground none
     refuses 2 "--xray and --shade exclude each other" some.scene -o x.png \
         --shade plain --xray linear
-    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --xray 1
+    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --size 9x9 --xray 1
     echo 'cylinder 0 0 0  0 0 zero 1' > bad.scene
     refuses 1 "bad.scene:1:21: expected a number, found 'zero'" \
         bad.scene -o x.png
@@ -511,13 +511,13 @@ test_faults()
     verdict progress_appears_with_its_option $?
 }
 
-# Each command of the manual succeeds and makes its picture.
+# Each command of the manual succeeds and makes its picture, here a small one.
 test_manual()
 {
     mkdir manual && cd manual || return 1
     awk '/^\.Bd -literal/ { show = 1; next }
          /^\.Ed/ { show = 0 }
-         show && /^\$ / { sub(/^\$ /, ""); gsub(/\\e/, "\\"); print }' \
+         show && /^\$ / { sub(/^\$ /, ""); gsub(/\\e/, "\\"); sub(/480x270/, "96x54"); print }' \
         "$page" > commands
     while read -r command; do
         sh -c "$command" < /dev/null > out 2>&1 || {
