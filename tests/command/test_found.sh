@@ -19,8 +19,7 @@ BEGIN {
     for (i = 0; i < 700; i++)
         print "cylinder", 30, 0, i / 8, 30, 0, i / 8 + 0.0625, 0.5
     for (i = 0; i < 5; i++)
-        print "cylinder", at(), at(), at(), at(), at(), at(), 0.1, \
-              "ends=infinite"
+        print "cylinder", at(), at(), at(), at(), at(), at(), 0.1, "ends=infinite"
 }' >"$scratch/scene"
 awk 'function at() { return 60 * rand() - 30 }
 BEGIN {

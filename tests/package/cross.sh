@@ -131,8 +131,7 @@ compare() {
         return
     fi
     result "$1: $trouble" 1
-    printf '%d answers differ\n' \
-        "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
+    printf '%d answers differ\n' "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
     paste "$4" "$build/$2" "$folder/answers" |
         awk -F '\t' -v columns="$(printf '%s' "$3" | tr -cd , | wc -c)" '{
             want = got = ""
@@ -240,8 +239,7 @@ runner=/usr/lib/wine/wine64
 folder=$(folder_of 'Windows (mingw-w64, wine)')
 if missing=$(usable $compiler "$flags" "$link" $runner); then
     # those that need no package and no memory that may not be touched
-    tests=$(grep -L -e 'check_skip(' -e 'return 77' -e 'guarded\.h' \
-        -e 'batch_layout\.h' \
+    tests=$(grep -L -e 'check_skip(' -e 'return 77' -e 'guarded\.h' -e 'batch_layout\.h' \
         tests/*/test_*.c | sed -e 's|\.c$||' -e '/embree/d')
     built $name $tests && tests_pass $name $runner $tests
 else
