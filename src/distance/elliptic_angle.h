@@ -65,6 +65,7 @@ CYLINT_INLINE double dot_of(const double u[3], const double v[3])
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
+/* lint: the analyzer takes three rounds of EACH for one */
 CYLINT_INLINE double sum_of_sizes(const double v[3])
 {
     return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
@@ -202,6 +203,7 @@ CYLINT_INLINE int is_second(angle at)
     return at.sin < 0 || (at.sin == 0 && at.cos < 0);
 }
 
+/* lint: the analyzer takes three rounds of EACH for one */
 /* Writes the angle, and its tangent plane.  rough: an angle with an error of
  * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
  * to an end. */

@@ -85,6 +85,7 @@ static inline foot_place place_of_foot(const elliptic_question *q)
     return (foot_place){z<-error, z> error && z<1 - error, z> 1 + error};
 }
 
+/* lint: the analyzer takes three rounds of EACH for one */
 /* The nearest point of the lateral surface without its ends. */
 static inline int find_on_lateral(elliptic_question *q)
 {

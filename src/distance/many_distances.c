@@ -72,6 +72,7 @@ static void find_columns(double *to[3], double *const wanted_columns[3],
                                   : NULL;
 }
 
+/* lint: the lanes write all n features but those of the points left */
 /* Points first to first + n - 1: one shape if `each` is 0, else a shape for each
  * point. */
 static void block(const cylint_shape *shapes, size_t each,

@@ -4,7 +4,6 @@
  */
 #include "../bvh/kernels_used.h"
 #include "float_filter.h"
-#include "packet_filter.h"
 #include "packet_traverse.h"
 
 cylint_traverse_packet *cylint_traverse_packet_used(void)
@@ -14,16 +13,15 @@ cylint_traverse_packet *cylint_traverse_packet_used(void)
                              cylint_traverse_packet_avx2);
 }
 
-const cylint_float_filter *cylint_float_filter_used(void)
+cylint_float_filter *cylint_float_filter_of_one(void)
 {
-    return CYLINT_OF_KERNELS(&cylint_float_filter_plain,
-                             &cylint_float_filter_fma,
-                             &cylint_float_filter_fma);
+    return CYLINT_OF_KERNELS(cylint_float_filter_plain, cylint_float_filter_fma,
+                             cylint_float_filter_fma);
 }
 
-cylint_packet_filter *cylint_packet_filter_used(void)
+cylint_float_filter *cylint_float_filter_of_many(void)
 {
-    return CYLINT_OF_KERNELS(cylint_packet_filter_plain,
-                             cylint_packet_filter_avx2,
-                             cylint_packet_filter_avx512);
+    return CYLINT_OF_KERNELS(cylint_float_filter_plain,
+                             cylint_float_filter_avx2,
+                             cylint_float_filter_avx512);
 }

@@ -1,292 +1,338 @@
 /*
- * float_filter.c - hits of float rays in doubles, one question at a time
+ * float_filter.c - hits of float rays in doubles, a question in each lane
  *
- * Compiled once as it is and again for processors with fused multiply-add.
+ * Compiled with one lane as it is and again for processors with fused
+ * multiply-add, and with the lanes of AVX2 and AVX-512.
  */
+#ifndef CYLINT_FLOAT_FILTER
+#define CYLINT_FLOAT_FILTER cylint_float_filter_plain
+#define CYLINT_ONE_LANE
+#define CYLINT_FLOAT_FILTER_RECORDS
+#endif
+
+#include "../bvh/float_bounds.h"
+#include "../bvh/swept_disc.h"
 #include "../shapes/measure.h"
 
-#define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
-#include "float_filter_dots.h"
 #include "float_filter_round.h"
 
-static cylint_float_filter_result result_of(hit_result v)
+typedef cylint_float_filter_question asked;
+typedef cylint_float_filter_answer answered;
+
+/* The questions of the lanes; those that are not used repeat the first. */
+typedef struct {
+    const asked *of[LANES];
+    unsigned used, exit_only, describes; /* bits of lanes */
+} batch;
+
+/* For each lane i of `lanes`: at most once where there is one lane. */
+#define EACH_LANE(i, lanes)                                                   \
+    for (unsigned i##_of = (lanes), i;                                        \
+         i##_of && (i = LANES == 1 ? 0 : (unsigned)cylint_lowest(i##_of), 1); \
+         i##_of = LANES == 1 ? 0 : i##_of & (i##_of - 1))
+
+/* The surfaces of a shape; is_round chooses the member. */
+typedef struct {
+    quadratic discs;
+    round_surfaces round;
+} surfaces;
+
+INLINE verdict cross_shape(surfaces *x, question *q, int is_round)
 {
-    return v.hit         ? CYLINT_FLOAT_FILTER_HIT
-           : v.uncertain ? CYLINT_FLOAT_FILTER_UNCERTAIN
-                         : CYLINT_FLOAT_FILTER_MISS;
+    return is_round ? cross_round(&x->round, q) : cross_discs(&x->discs, q);
 }
 
-CYLINT_INLINE void find_least(const question *q, const cylint_shape *whole,
-                              int least[3])
+INLINE verdict end_on_shape(surfaces *x, const question *q, int end,
+                            int is_round, hit *at)
 {
-    if (!least_components(q, least)) {
-        const double *top = cylint_top(whole), *base = cylint_base(whole);
-        double hi[3], lo[3];
-        for (int j = 0; j < 3; j++) {
-            const pair w = cylint_has_end_points(whole->kind)
-                               ? two_diff(top[j], base[j])
-                               : (pair){cylint_axis(whole)[j], 0};
-            hi[j] = w.hi;
-            lo[j] = w.lo;
-        }
-        const int first = cylint_least_component(hi, lo);
-        for (int j = 0; j < 3; j++)
-            least[j] = j == first;
-    }
+    return is_round ? end_on_round(&x->round, q, end, at)
+                    : end_on_discs(&x->discs, q, end, at);
 }
 
-CYLINT_INLINE int describe_round_lanes(const question *q, const hit *at,
-                                       const int least[3], floats *to)
+INLINE void step_on_shape(const surfaces *x, const question *q, int end,
+                          int is_round, hit *at)
 {
-    double across[3], e[3];
-    int certain = to_float(at->z, at->z_error, &to->z);
-    if (at->round == 2) {
-        to->phi = 0;
-    } else {
-        const int j = least[1] ? 1 : least[2] ? 2 : 0;
-        lateral_direction(q, at, across, e);
-        certain &= describe_phi(q, at, across[j], at->c[j], &to->phi);
-    }
-    return certain & unit_floats(&at->normal, to->normal);
+    if (is_round)
+        step_on_round(&x->round, q, end, at);
+    else
+        step_on_cone(&x->discs, q, v_set(1), end, at);
 }
 
-CYLINT_INLINE int write_description(const question *q,
-                                    const cylint_shape *whole, const hit *at,
-                                    cylint_hit_floats *to)
-{
-    int least[3];
-    floats f;
-    find_least(q, whole, least);
-    if (!(at->round ? describe_round_lanes(q, at, least, &f)
-                    : describe_lanes(q, at, least, &f)))
-        return 0;
-    *to = (cylint_hit_floats){
-        (float)f.z,
-        (float)f.phi,
-        {(float)f.normal[0], (float)f.normal[1], (float)f.normal[2]}};
-    return 1;
-}
+/* ------------------------------------------------------------- accepting -- */
 
 /* Whether the piece contains the hit; *certain: whether that is certain. */
-CYLINT_INLINE int is_on_piece(const axial_hit *at,
-                              const cylint_float_filter_limits *limits,
-                              int *certain)
+INLINE int is_on_piece(double z, double z_error, const asked *of, int *certain)
 {
-    if (limits->count == 1)
+    if (of->count == 1)
         return *certain = 1;
-    const int low = cylint_piece_at(at->z - at->z_error, limits->count);
-    const int high = cylint_piece_at(at->z + at->z_error, limits->count);
+    const int low = cylint_piece_at(z - z_error, of->count);
+    const int high = cylint_piece_at(z + z_error, of->count);
     *certain = low == high;
-    return low == limits->index;
+    return low == of->index;
 }
 
 /* HIT: the hit counts; MISS: it does not, but the next may. */
-CYLINT_INLINE cylint_float_filter_result
-accept(const axial_hit *at, const hit *h, const question *q, int ends,
-       double tmin, const cylint_float_filter_limits *limits, float *to)
+INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
+                                             double z_error, int is_present,
+                                             const asked *of, float *to)
 {
-    const double t = q->from + at->s, e = at->s_error + 0x1p-50 * fabs(t);
+    const double tmin = of->line->tmin;
     int certain;
-    if (t + e < tmin ||
-        (h->capped && !(cylint_caps_present(ends) >> h->top & 1)))
+    if (t + e < tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
     *to = cylint_float_above(t);
     if (!(t - e > tmin && cylint_is_float_above(*to, t, e)))
         return CYLINT_FLOAT_FILTER_UNCERTAIN;
-    if (*to > limits->tfar)
+    if (*to > of->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
-    const int on_piece = is_on_piece(at, limits, &certain);
-    return !certain || (on_piece && *to >= limits->tfar)
+    const int on_piece = is_on_piece(z, z_error, of, &certain);
+    return !certain || (on_piece && *to >= of->tfar)
                ? CYLINT_FLOAT_FILTER_UNCERTAIN
            : on_piece ? CYLINT_FLOAT_FILTER_HIT
                       : CYLINT_FLOAT_FILTER_MISS;
 }
 
-/* A question about a sphere, capsule or rounded cone. */
-static cylint_float_filter_result nearest_round(
-    const cylint_float_filter_target *target, const cylint_float_filter_ray *l,
-    const shape_columns *shape, const line_columns *line,
-    const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
+/* The same for `lanes`.  Returns the lanes with a hit. */
+INLINE unsigned accept_hits(const question *q, const hit *at, unsigned lanes,
+                            const batch *b, answered *to, unsigned *uncertain)
 {
-    round_dots x;
-    question q;
-    hit h;
-    axial_hit at;
-    cylint_float_filter_result is = CYLINT_FLOAT_FILTER_MISS;
-    if (!load_round(&x, &q, shape, line))
-        return CYLINT_FLOAT_FILTER_UNCERTAIN;
-    if (!x.is_ball)
-        cross_cone(&x, &q);
-    for (int i = 0; i < 2 && is == CYLINT_FLOAT_FILTER_MISS; i++) {
-        is = round_end(&x, &q, i ? 1 : -1, &h, &at);
-        if (is != CYLINT_FLOAT_FILTER_HIT)
-            return is;
-        is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
-        if (is == CYLINT_FLOAT_FILTER_UNCERTAIN) {
-            step_on_round(&x, &q, i ? 1 : -1, &h, &at);
-            is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+    double t[LANES], e[LANES], z[LANES], z_error[LANES];
+    const vd all = q->from + at->s;
+    const unsigned capped = m_bits(at->capped), top = m_bits(at->top);
+    unsigned hits = 0;
+    v_store(t, all);
+    v_store(e, at->s_error + eps(1) * v_abs(all));
+    v_store(z, at->z);
+    v_store(z_error, at->z_error);
+    *uncertain = 0;
+    EACH_LANE(i, lanes)
+    {
+        const int is_present =
+            !(capped >> i & 1) ||
+            cylint_caps_present(b->of[i]->ends) >> (top >> i & 1) & 1;
+        const cylint_float_filter_result is = accept_hit(
+            t[i], e[i], z[i], z_error[i], is_present, b->of[i], &to[i].t);
+        hits |= (unsigned)(is == CYLINT_FLOAT_FILTER_HIT) << i;
+        *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNCERTAIN) << i;
+    }
+    return hits;
+}
+
+/* ------------------------------------------------------------ describing -- */
+
+/* The component along which the axis of a shape is least, exactly. */
+static int least_exactly(const asked *of)
+{
+    double hi[3], lo[3];
+    EACH(j, 3) {
+        const cylint_float_filter_small *small = of->shape;
+        const cylint_float_filter_shape *large = of->shape;
+        const pair w =
+            of->small ? two_diff((double)small->top[j], (double)small->base[j])
+                      : two_diff(large->top[j], large->base[j]);
+        hi[j] = w.hi;
+        lo[j] = w.lo;
+    }
+    return cylint_least_component(hi, lo);
+}
+
+INLINE void find_least(const question *q, const batch *b, vm least[3])
+{
+    const vm tied = least_components(q, least);
+    unsigned found[3] = {0, 0, 0};
+    if (!m_any(tied))
+        return;
+    EACH_LANE(i, m_bits(tied))
+    found[least_exactly(b->of[i])] |= 1u << i;
+    EACH(j, 3)
+        least[j] = m_if(tied, m_from(found[j]), least[j]);
+}
+
+/* Writes the floats of hits; returns the lanes in which they are certain. */
+INLINE unsigned describe_hits(const surfaces *x, const question *q,
+                              const hit *at, unsigned lanes, const batch *b,
+                              int is_round, answered *to)
+{
+    vm least[3];
+    vd c[3], N[3], e[3];
+    floats f;
+    double stored[5][LANES];
+    find_least(q, b, least);
+    const vd e_c = across(q, at, c);
+    lateral_direction(q, c, e_c, N, e);
+    vm certain = to_float(at->z, at->z_error, &f.z);
+    const vm phi = describe_phi(q, e_c, along_least(N, least),
+                                along_least(c, least), &f.phi);
+    if (is_round) {
+        const vm is_ball = x->round.is_ball;
+        f.phi = v_select(is_ball, v_set(0), f.phi);
+        certain = m_and(certain, m_or(is_ball, phi));
+        certain =
+            m_and(certain, normal_on_round(&x->round, q, at, N, e, f.normal));
+    } else {
+        certain =
+            m_and(m_and(certain, phi), normal_on_discs(q, at, N, e, f.normal));
+    }
+    v_store(stored[0], f.z);
+    v_store(stored[1], f.phi);
+    EACH(j, 3)
+        v_store(stored[2 + j], f.normal[j]);
+    lanes &= m_bits(certain);
+    EACH_LANE(i, lanes)
+    to[i].floats = (cylint_hit_floats){
+        (float)stored[0][i],
+        (float)stored[1][i],
+        {(float)stored[2][i], (float)stored[3][i], (float)stored[4][i]}};
+    return lanes;
+}
+
+/* Hits for which a step pays: of these the floats would be uncertain, on discs
+ * about one of 2^6, on round shapes one of 2^11. */
+INLINE unsigned need_step(const surfaces *x, const question *q, const hit *at,
+                          int is_round)
+{
+    const vd e = at->s_error * q->U;
+    if (is_round)
+        return m_bits(v_lt(v_set(0x1p-38) * x->round.R, e));
+    return m_bits(m_and_not(v_lt(v_set(0x1p-33) * (q->r0 + v_abs(q->dr)), e),
+                            at->capped));
+}
+
+/* ------------------------------------------------------------- answering -- */
+
+/* Steps on the surface in the lanes. */
+INLINE void step_hits(const surfaces *x, const question *q, int end,
+                      int is_round, unsigned lanes, hit *at)
+{
+    hit better = *at;
+    step_on_shape(x, q, end, is_round, &better);
+    select_hit(at, m_from(lanes), &better);
+}
+
+/* The first hits.  *uncertain: the undecided lanes; *leaves: those in which the
+ * line leaves the shape.  Returns the lanes with a hit. */
+INLINE unsigned find_hits(surfaces *x, question *q, const batch *b,
+                          int is_round, hit *first, answered *to,
+                          unsigned *uncertain, unsigned *leaves)
+{
+    unsigned hits = 0;
+    const verdict crosses = cross_shape(x, q, is_round);
+    unsigned left = m_bits(crosses.hit) & b->used;
+    *uncertain = m_bits(crosses.uncertain);
+    *leaves = 0;
+    for (int end = 0; end < 2; end++) {
+        unsigned here = end ? left : left & ~b->exit_only, unsure;
+        hit at;
+        if (!here)
+            continue;
+        const verdict v = end_on_shape(x, q, end, is_round, &at);
+        *uncertain |= m_bits(v.uncertain) & here;
+        left &= ~here | m_bits(v.hit);
+        here &= m_bits(v.hit);
+        unsigned accepted = accept_hits(q, &at, here, b, to, &unsure);
+        unsigned again = is_round ? unsure : unsure & ~m_bits(at.capped);
+        if (again) {
+            unsigned still;
+            step_hits(x, q, end, is_round, again, &at);
+            accepted |= accept_hits(q, &at, again, b, to, &still);
+            unsure = (unsure & ~again) | still;
         }
-        to->leaves = i;
+        again = accepted & b->describes & need_step(x, q, &at, is_round);
+        if (again)
+            step_hits(x, q, end, is_round, again, &at);
+        if (LANES == 1 || !hits)
+            *first = at;
+        else
+            select_hit(first, m_from(accepted), &at);
+        *uncertain |= unsure;
+        *leaves |= end ? accepted : 0;
+        hits |= accepted;
+        left &= ~(accepted | unsure);
     }
-    if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
-        return is;
-    describe_round(&x, &q, to->leaves ? 1 : -1, &at, &h);
-    return write_description(&q, target->whole, &h, &to->floats)
-               ? CYLINT_FLOAT_FILTER_HIT
-               : CYLINT_FLOAT_FILTER_UNCERTAIN;
+    return hits;
 }
 
-static cylint_float_filter_result nearest(
-    const cylint_float_filter_target *target, const cylint_float_filter_ray *l,
-    const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
+INLINE void answer_as(question *q, const batch *b, int is_round, answered *to)
 {
-    const char *const shape_row = target->shape;
-    const char *const line_row = (const char *)l;
-    const shape_columns shape = shape_of(&shape_row, target->small);
-    const line_columns line = line_of(&line_row);
-    dots x;
+    surfaces x;
+    hit at = no_hit();
+    unsigned uncertain, leaves;
+    const unsigned hits =
+        find_hits(&x, q, b, is_round, &at, to, &uncertain, &leaves);
+    const unsigned wanted = hits & b->describes;
+    if (wanted)
+        uncertain |=
+            wanted & ~describe_hits(&x, q, &at, wanted, b, is_round, to);
+    EACH_LANE(i, b->used)
+    {
+        to[i].is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
+                   : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
+                                      : CYLINT_FLOAT_FILTER_MISS;
+        to[i].leaves = (int)(leaves >> i & 1);
+    }
+}
+
+INLINE void answer_batch(const asked *of, int n, answered *to)
+{
+    const char *shape[LANES], *line[LANES];
+    batch b = {.used = 0};
     question q;
-    hit h;
-    axial_hit at;
-    if (is_round(&shape))
-        return nearest_round(target, l, &shape, &line, limits, to);
-    h.round = 0;
-    load_dots(&x, &q, &shape, &line);
-    cylint_float_filter_result is = cross_by_dots(&x, &q);
-    if (is != CYLINT_FLOAT_FILTER_HIT)
-        return is;
-    for (int i = 0; i < 2; i++) {
-        is = end_by_dots(&x, &q, i ? 1 : -1, &h, &at);
-        if (is != CYLINT_FLOAT_FILTER_HIT)
-            return is;
-        is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
-        if (is == CYLINT_FLOAT_FILTER_UNCERTAIN && !h.capped) {
-            step_on_cone(&x, &q, 1, i ? 1 : -1, &at);
-            is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
-        }
-        to->leaves = i;
-        if (is != CYLINT_FLOAT_FILTER_MISS)
-            break;
+    vd r[2];
+    for (int i = 0; i < LANES; i++) {
+        b.of[i] = of + (i < n ? i : 0);
+        b.used |= (unsigned)(i < n) << i;
+        b.exit_only |= (unsigned)b.of[i]->exit_only << i;
+        b.describes |= (unsigned)b.of[i]->describes << i;
+        shape[i] = b.of[i]->shape;
+        line[i] = (const char *)b.of[i]->line;
     }
-    if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
-        return is;
-    if (!h.capped && needs_step(&q, q.r0 + fabs(q.dr), &at, 0x1p-33))
-        step_on_cone(&x, &q, 1, to->leaves ? 1 : -1, &at);
-    describe_by_dots(&x, &q, &at, &h);
-    return write_description(&q, target->whole, &h, &to->floats)
-               ? CYLINT_FLOAT_FILTER_HIT
-               : CYLINT_FLOAT_FILTER_UNCERTAIN;
-}
-
-/* HIT: the chord begins or ends (sign = 1) at t >= tmin on a part that is
- * present. */
-static cylint_float_filter_result test_round(round_dots *x, const question *q,
-                                             int ends, double sign, hit *h)
-{
-    axial_hit at;
-    const cylint_float_filter_result is = round_end(x, q, sign, h, &at);
-    if (is != CYLINT_FLOAT_FILTER_HIT)
-        return is;
-    h->s = at.s;
-    h->t = q->from + at.s;
-    h->t_error = at.s_error + 0x1p-50 * fabs(h->t);
-    if (h->t + h->t_error < q->tmin ||
-        (h->capped && !(cylint_caps_present(ends) >> h->top & 1)))
-        return CYLINT_FLOAT_FILTER_MISS;
-    describe_round(x, q, sign, &at, h);
-    return h->t - h->t_error > q->tmin ? CYLINT_FLOAT_FILTER_HIT
-                                       : CYLINT_FLOAT_FILTER_UNCERTAIN;
-}
-
-static cylint_float_filter_result test_round_entry(question *q, int ends,
-                                                   const shape_columns *shape,
-                                                   const line_columns *line,
-                                                   hit *at)
-{
-    round_dots x;
-    q->tmin = line->tmin;
-    if (!load_round(&x, q, shape, line))
-        return CYLINT_FLOAT_FILTER_UNCERTAIN;
-    if (!x.is_ball)
-        cross_cone(&x, q);
-    const cylint_float_filter_result is = test_round(&x, q, ends, -1, at);
-    q->exit = is == CYLINT_FLOAT_FILTER_UNCERTAIN
-                  ? is
-                  : test_round(&x, q, ends, 1, &q->exit_hit);
-    return is;
-}
-
-static cylint_float_filter_result test_entry(
-    cylint_float_filter_state *q, const cylint_float_filter_target *target,
-    const cylint_float_filter_ray *l, cylint_float_filter_hit *at)
-{
-    const char *const shape_row = target->shape;
-    const char *const line_row = (const char *)l;
-    const shape_columns shape = shape_of(&shape_row, target->small);
-    const line_columns line = line_of(&line_row);
-    q->whole = target->whole;
-    q->round = is_round(&shape);
-    if (q->round)
-        return test_round_entry(q, target->ends, &shape, &line, at);
-    at->round = q->exit_hit.round = 0;
-    const unsigned caps = cylint_caps_present(target->ends);
-    q->cap[0] = (int)(caps & 1);
-    q->cap[1] = (int)(caps >> 1);
-    const hit_result is = load_and_cross(q, &shape, &line);
-    return result_of(is.hit ? hit_at_end(q, 0, at) : is);
-}
-
-static cylint_float_filter_result test_exit(const cylint_float_filter_state *q,
-                                            cylint_float_filter_hit *at)
-{
-    if (q->round) {
-        *at = q->exit_hit;
-        return (cylint_float_filter_result)q->exit;
+    load_shapes(&q, shape, of->small, r);
+    load_lines(&q, line);
+    q.r0 = r[0];
+    q.dr = r[1] - r[0];
+    if (m_bits(v_lt(r[0] + r[1], v_set(0))) & 1) {
+        q.r0 = -q.r0;
+        q.dr = -q.dr;
+        answer_as(&q, &b, 1, to);
+    } else {
+        answer_as(&q, &b, 0, to);
     }
-    at->round = 0;
-    return q->crosses ? result_of(hit_at_end(q, 1, at))
-                      : CYLINT_FLOAT_FILTER_MISS;
 }
 
-static int describe(const cylint_float_filter_state *q,
-                    const cylint_float_filter_hit *at, cylint_hit_floats *to)
+void CYLINT_FLOAT_FILTER(const asked of[], int n, answered to[])
 {
-    return write_description(q, q->whole, at, to);
+    for (int from = 0; from < n; from += LANES)
+        answer_batch(of + from, n - from, to + from);
 }
 
-/* --------------------------------------------------------------- builds -- */
+/* --------------------------------------------------------------- records -- */
 
-#ifndef CYLINT_FLOAT_FILTER
-#define CYLINT_FLOAT_FILTER cylint_float_filter_plain
+#ifdef CYLINT_FLOAT_FILTER_RECORDS
 
-/* The sign of the radii in a record; 0: the filter does not decide. */
-static int radii_sign(const cylint_shape *s)
+/* The sign of the radii in a record; NaN: the filter does not decide. */
+static double radii_sign(const cylint_shape *s)
 {
-    if (!cylint_is_bounded(s) || cylint_is_elliptic(s->kind))
-        return 0;
+    if (!cylint_is_bounded(s) || !cylint_has_end_points(s->kind))
+        return NAN;
     if (!cylint_is_round(s->kind))
         return 1;
     return cylint_is_hull(s->kind) ||
                    (cylint_has_no_axis(s) && s->ends == CYLINT_ENDS_CAPPED)
                ? -1
-               : 0;
+               : NAN;
 }
 
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *s)
 {
-    const int sign = radii_sign(s);
-    const double length = sqrt(dot(cylint_axis(s), cylint_axis(s)));
+    const double sign = radii_sign(s);
     EACH(j, 3) {
         to->base[j] = cylint_base(s)[j];
-        to->axis[j] = cylint_axis(s)[j] + 0; /* no -0 */
+        to->top[j] = cylint_top(s)[j];
     }
-    to->r0 = sign ? sign * cylint_r0(s) : 1;
-    to->dr = sign ? sign * (cylint_r1(s) - cylint_r0(s)) *
-                            cylint_radius_unit(s, length) +
-                        0
-                  : -2;
+    to->r0 = sign * cylint_r0(s);
+    to->r1 = sign * cylint_r1(s);
 }
 
 /* Whether x is a float and not subnormal. */
@@ -300,21 +346,13 @@ static int is_float(double x, float *to)
 int cylint_float_filter_small_of(cylint_float_filter_small *to,
                                  const cylint_shape *s)
 {
-    const int sign = radii_sign(s);
-    int is = sign != 0 && cylint_has_end_points(s->kind);
+    cylint_float_filter_shape large;
+    cylint_float_filter_shape_of(&large, s);
+    int is = is_float(large.r0, &to->r0) & is_float(large.r1, &to->r1);
     EACH(j, 3)
-        is &= is_float(cylint_base(s)[j], &to->base[j]) &
-              is_float(cylint_top(s)[j], &to->top[j]) &
-              ((double)to->top[j] - (double)to->base[j] == cylint_axis(s)[j]);
-    is = is & is_float(cylint_r0(s), &to->r0) &
-         is_float(cylint_r1(s), &to->r1) &
-         ((double)to->r1 - (double)to->r0 == cylint_r1(s) - cylint_r0(s));
-    to->r0 *= (float)sign;
-    to->r1 *= (float)sign;
+        is &= is_float(large.base[j], &to->base[j]) &
+              is_float(large.top[j], &to->top[j]);
     return is;
 }
 
 #endif
-
-const cylint_float_filter CYLINT_FLOAT_FILTER = {nearest, test_entry, test_exit,
-                                                 describe};

@@ -1,17 +1,35 @@
 /*
- * float_filter_lanes.h - the mathematics of the float filter
+ * float_filter_lanes.h - where a line enters and leaves a cylinder or cone, and
+ * the floats of a hit
  *
- * For float_filter.c, one question in plain doubles, and for packet_filter.c,
- * one question in each vector lane.
+ * For float_filter.c, one question in each lane.
  *
  * The error of a quantity `f` is at most `e_f`.  A rounding is u = 2^-53; eps =
- * 2^-50 is eight of them.  The double of the axis is rounded once, an acone's
- * radius has an error of 6 u.  The errors of vectors are lengths: a cross
- * product has at most 2 / sqrt(3) of the errors of its products.  W is the
- * length of the axis.  U and Dn are sizes of vectors, at least their lengths.
+ * 2^-50 is eight of them.  The errors of vectors are lengths: a cross product
+ * has at most 2 / sqrt(3) of the errors of its products.
+ *
+ * The line is D + s u, the axis w, W = |w|, U = |u|, Dn = |D|.  Along the line
+ *
+ *   z = z0 + s dz,  z0 = D.w / ww,  dz = u.w / ww,
+ *   k = k0 + s k1,  k0 = r0 + dr z0,  k1 = dr dz,  the radius at z,
+ *   Q = a s^2 + 2 b s + c, negative inside of the lateral surface,
+ *   a = uu - (u.w) dz - k1^2,  b = D.u - (D.w) dz - k0 k1,
+ *   c = DD - (D.w) z0 - k0^2,  G = b^2 - a c.
+ *
+ * Errors, where K = r0 + |dr| Dn / W and L = |dr| U / W:
+ *
+ *   D: 2 u Dn.  w: u W.  u.w: 4 u U W.  D.w: 6 u Dn W.  1 / ww: 6.1 u of it.
+ *   z0: 13.2 u Dn / W.  dz: 11.2 u U / W.
+ *   k0: 21.3 u K.  k1: 18.3 u L.  dr: u of it.
+ *   a: (20.3 U^2 + 38.7 L^2) u.  b: (24.3 Dn U + 41.7 K L) u.
+ *   c: (29.3 Dn^2 + 44.7 K^2) u.
+ *
+ * With S = U^2 + L^2 and T = Dn^2 + K^2, |a| <= S, |b| <= sqrt(S T) and |c| <= T,
+ * so these are at most 6 eps of S, sqrt(S T) and T, and the error of G is less
+ * than 27 eps S T with the roundings of b^2 - a c.
  *
  * Compiled as it is and again with fused multiply-add, which rounds less often:
- * the bounds hold either way.  Unused lanes divide by 1.
+ * the bounds hold either way.  Lanes that do not count divide by 1.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_LANES_H
 #define CYLINT_EMBREE_FLOAT_FILTER_LANES_H
@@ -23,58 +41,32 @@
 #include "float_filter.h"
 #include "angle.h"
 
-#if LANES == 1
-typedef cylint_float_filter_state question;
-typedef cylint_float_filter_hit hit;
-#else
+/* ------------------------------------------------------------ questions -- */
+
+/* The line from the shape's base on: t = from + s. */
 typedef struct {
-    CYLINT_FLOAT_FILTER_MEMBERS(vd, vm)
+    vd u[3], D[3], w[3], r0, dr, from;
+    vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */
+    vd alpha, beta, z0, dz;                     /* D.w, u.w */
 } question;
+
+/* Q, where the line crosses its surface: reciprocals of a and sqrt(G), errors.
+ * apart: a < 0, and Q < 0 before the first root and behind the second. */
 typedef struct {
-    CYLINT_FLOAT_FILTER_HIT_MEMBERS(vd, vm)
+    vd a, b, root, per_a, per_root, e_a, e_G;
+    vm apart;
+} quadratic;
+
+/* A hit at s and z with their errors.  capped: on a cap, top: on the top one. */
+typedef struct {
+    vd s, s_error, z, z_error;
+    vm capped, top;
 } hit;
-#endif
-
-/* Shapes and lines, one in each lane.  near as in cylint_float_filter_ray. */
-typedef struct {
-    vd base[3], axis[3], r0, dr;
-} shape_columns;
-
-typedef struct {
-    vd o[3], d[3], tmin, near;
-} line_columns;
-
-/* Loads the structs of float_filter.h at row[0], row[1], ... */
-INLINE shape_columns shape_of(const char *const row[LANES], int small)
-{
-    vd x[8];
-    if (!small) {
-        v_columns(row, offsetof(cylint_float_filter_shape, base), x);
-        v_columns(row, offsetof(cylint_float_filter_shape, axis[1]), x + 4);
-        return (shape_columns){
-            {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
-    }
-    v_columns_of_floats(row, offsetof(cylint_float_filter_small, base), x);
-    v_columns_of_floats(row, offsetof(cylint_float_filter_small, top), x + 4);
-    /* cylint_float_filter_small_of() checked that these are exact */
-    return (shape_columns){{x[0], x[1], x[2]},
-                           {x[4] - x[0], x[5] - x[1], x[6] - x[2]},
-                           x[3],
-                           x[7] - x[3]};
-}
-
-INLINE line_columns line_of(const char *const row[LANES])
-{
-    vd x[8];
-    v_columns(row, offsetof(cylint_float_filter_ray, o), x);
-    v_columns(row, offsetof(cylint_float_filter_ray, d[1]), x + 4);
-    return (line_columns){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
-}
 
 /* hit: certainly a hit.  uncertain: undecided.  Neither: certainly no hit. */
 typedef struct {
     vm hit, uncertain;
-} hit_result;
+} verdict;
 
 /* n eps. */
 INLINE vd eps(double n)
@@ -104,232 +96,15 @@ INLINE vm m_none(void)
     return m_from(0);
 }
 
-/* Products below have at most ten lengths as factors.  If none of these is less
- * than 2^-90, a product flushed to zero is negligible.  An overflow gives an
- * infinite bound or NaN, and then nothing is certain.  The sum of the radii is not
- * positive if the record is not that of a cylinder or cone. */
-INLINE vm in_window(const question *q)
+INLINE vd where_or_one(vm where, vd x)
 {
-    const vd least = v_set(0x1p-90), radii = q->r0 + (q->r0 + q->dr);
-    return m_and(v_lt(v_set(0x1p-89), radii),
-                 m_and(v_lt(least, q->W), v_lt(least, q->U)));
+    return v_select(where, x, v_set(1));
 }
 
-/*
- * Moves the origin by from * u to a point near the shape, so that the errors
- * below are relative to the shape's size, wherever the ray begins: to `near` if
- * it is known, else to the point nearest to the base.  u and `from` have 24 bits
- * each, so their product is exact.  The rounding error of o - base is added
- * again [Moller 1965, Knuth].  So D has no error but its own roundings.
- */
-INLINE vd difference_error(vd x, vd y, vd difference)
+INLINE hit no_hit(void)
 {
-    const vd minus_y = difference - x;
-    return (x - (difference - minus_y)) - (y + minus_y);
-}
-
-INLINE vd origin_shift(const line_columns *l, const vd D0[3])
-{
-    const vm known = v_le(v_abs(l->near), v_set((double)FLT_MAX));
-    if (!m_any(m_not(known)))
-        return l->near;
-    return v_select(known, l->near, v_float(-dot(D0, l->d) / dot(l->d, l->d)));
-}
-
-/*
- * Errors: D's 2 u Dn, beta's 4 u U W, alpha's 6 u W Dn, ww's 5 u ww; with n's
- * 4 u U W and m's 6 u Dn W.
- */
-INLINE void load_question(question *q, const shape_columns *s,
-                          const line_columns *l, vd D[3])
-{
-    vd D0[3];
-    EACH(j, 3)
-        D0[j] = l->o[j] - s->base[j];
-    q->from = origin_shift(l, D0);
-    EACH(j, 3)
-        D[j] = (D0[j] + q->from * l->d[j]) +
-               difference_error(l->o[j], s->base[j], D0[j]);
-    EACH(j, 3)
-        q->w[j] = s->axis[j];
-    q->r0 = s->r0;
-    q->ww = dot(q->w, q->w);
-    q->per_ww = v_set(1) / q->ww;
-    q->W = v_sqrt(q->ww);
-    q->dr = s->dr;
-    q->U = size(l->d);
-    q->Dn = size(D);
-    q->alpha = dot(D, q->w);
-    q->beta = dot(l->d, q->w);
-    cross(q->n, l->d, q->w);
-    cross(q->m, D, q->w);
-    q->tmin = l->tmin;
-}
-
-/* The lanes with a cone. */
-INLINE vm is_cone(const question *q)
-{
-    return m_not(v_eq(q->dr, v_set(0)));
-}
-
-/*
- * With n = u x w and P = D + s u, Q(s) = |P x w|^2 - (r0 + dr P.w / ww)^2 ww =
- * a s^2 + 2 b s + c, a quarter of its discriminant being G, in the form that
- * does not cancel for origins far away:
- *
- *   a = nn - dr^2 beta^2 / ww,   b = m.n - k dr beta,   m = D x w,
- *   k = r0 + dr alpha / ww,      f = D.n,   g = r0 n + dr u x D,
- *   G = ww gg - (ww + dr^2) ff.
- *
- * If a > 0, Q < 0 between the roots, on one nappe.  If a < 0, Q < 0 before the
- * first root and behind the second, on one nappe each.  The nappe with positive
- * radii is the second's if the radii grow along the line; its chord has one end
- * only.  In both cases the chord begins at (-b - sqrt(G)) / a and ends at
- * (-b + sqrt(G)) / a.  Errors, where S = U (r0 W + |dr| Dn) bounds |g|:
- *
- *   f: 9 u Dn U W.   g: 14 u S.   ww gg: 37 u ww S^2.   ww + dr^2: 13 u of it.
- *   a: 10 u U^2 W^2 + 30 u dr^2 U^2; a cylinder's a is positive if G is.
- */
-INLINE hit_result cross_lateral(question *q, const vd u[3], const vd D[3])
-{
-    const vd r0 = q->r0, dr = q->dr, kb = dr * q->beta;
-    const vd ww = q->ww, N = q->U * q->W, f = dot(D, q->n);
-    const vm cone = is_cone(q);
-    vm known = in_window(q);
-    vd S = r0 * N, slant = ww, b = dot(q->m, q->n), gg;
-    q->a = dot(q->n, q->n);
-    gg = r0 * r0 * q->a;
-    if (m_any(cone)) {
-        vd g[3];
-        cross(g, u, D);
-        EACH(j, 3)
-            g[j] = r0 * q->n[j] + dr * g[j];
-        gg = v_select(cone, dot(g, g), gg);
-        S = S + v_abs(dr) * q->U * q->Dn;
-        slant = slant + dr * dr;
-        b = b - (r0 + dr * q->alpha * q->per_ww) * kb;
-        q->a = q->a - kb * kb * q->per_ww;
-        const vd e_a = eps(4) * (N * N) + eps(8) * (dr * dr * (q->U * q->U));
-        known = m_and(known, m_or(m_not(cone), v_lt(e_a, v_abs(q->a))));
-    }
-    const vd G = ww * gg - slant * (f * f), e_f = eps(2) * q->Dn * N;
-    const vd e_G =
-        eps(6) * ww * (S * S) +
-        slant * (e_f * (v_set(2) * v_abs(f) + e_f) + eps(2) * (f * f));
-    const vm is = m_and(known, v_lt(v_set(16) * e_G, G));
-    const vm is_not = m_and(known, v_lt(G, -e_G));
-    q->crosses = is;
-    if (m_any(is)) {
-        const vd per_a = v_set(1) / v_select(is, q->a, v_set(1));
-        q->root = v_sqrt(v_select(is, G, v_set(1)));
-        q->per_root = v_set(1) / q->root;
-        q->s[0] = (-b - q->root) * per_a;
-        q->s[1] = (-b + q->root) * per_a;
-        const vm apart = v_lt(q->a, v_set(0)), grows = v_lt(v_set(0), kb);
-        q->endless[0] = m_and(apart, m_not(grows));
-        q->endless[1] = m_and(apart, grows);
-    }
-    return (hit_result){is, m_not(m_or(is, is_not))};
-}
-
-/*
- * Evaluates the line at s: c = P x w = m + s n, z and the radius k.  The residual
- * of Q there bounds the distance of s from the root.
- *
- * With X = Dn + |s| U and K = r0 + |dr| X / W the errors are
- *
- *   c: 7 u Dn W + 6 u |s| U W < eps W X, alpha + s beta no more than that;
- *   k: 23 u K < 3 eps K, for a cylinder 0;
- *   Q: e_c (2 |c| + e_c) + e_k (2 |k| + e_k) ww + eps (cc + kk ww).
- *
- * s is on the root's side of the middle if the sign of a s + b, which is
- * -+sqrt(G), is certain.  Its errors: b: 13 u Dn U W^2 + 28 u |dr| K U W;
- * s a: 10 u |s| U^2 W^2 + 31 u |dr| K U W;  s: 4 u (|b| + sqrt(G)).
- * Then |Q| = |s - root| |2 sqrt(G) +- a |s - root|| >= |s - root| sqrt(G).  The
- * error of G is at most G / 16 and that of a at most a / 2.  So this first
- * bounds a |s - root| by sqrt(G) / 5, and then |s - root| by
- * 0.57 |Q| / sqrt(G).
- *
- * The bound of z includes the error of the library's z: its dividend and divisor
- * are right to 2^-54 of themselves (hit.c), so with its roundings it is right to
- * eps |z| / 2.  The eps / 16 besides is to spare.
- */
-INLINE vm evaluate_at(const question *q, vd s, hit *at)
-{
-    const vd X = q->Dn + v_abs(s) * q->U, N = q->U * q->W;
-    const vd e_c = eps(1) * q->W * X, dr = v_abs(q->dr);
-    const int cones = m_any(is_cone(q));
-    vd e_k = v_set(0), e_H = v_set(4) * e_c;
-    EACH(j, 3)
-        at->c[j] = q->m[j] + s * q->n[j];
-    at->s = s;
-    at->z = (q->alpha + s * q->beta) * q->per_ww;
-    at->k = q->r0;
-    if (cones) {
-        const vd K = q->r0 + dr * X * (q->W * q->per_ww);
-        at->k = at->k + q->dr * at->z;
-        e_k = v_select(is_cone(q), eps(3) * K, e_k);
-        e_H = e_H + eps(8) * dr * K;
-    }
-    const vd c = size(at->c), cc = dot(at->c, at->c);
-    const vd kkww = at->k * at->k * q->ww;
-    vd e_Q = e_c * (v_set(2) * c + e_c) + eps(1) * (cc + kkww);
-    if (cones)
-        e_Q = e_Q + e_k * (v_set(2) * v_abs(at->k) + e_k) * q->ww;
-    const vd root_error = (v_abs(cc - kkww) + e_Q) * q->per_root;
-    at->s_error = v_set(0.6) * root_error;
-    at->e_c = e_c + N * at->s_error + eps(1) * c;
-    at->e_k = e_k + dr * N * q->per_ww * at->s_error;
-    at->z_error = at->e_c * q->per_ww + eps(1) * (v_abs(at->z) + v_set(0.0625));
-    return m_and(v_lt(v_set(9) * v_abs(q->a) * root_error, q->root),
-                 v_lt(N * e_H, q->root));
-}
-
-/* Where the chord begins (i = 0) or ends (i = 1): below the base, between base
- * and top, above the top.  None of these where that is uncertain. */
-typedef struct {
-    vm below, between, above;
-} axial_range;
-
-INLINE axial_range axial_range_at(const question *q, int i, hit *at)
-{
-    const vm certain = evaluate_at(q, q->s[i], at), endless = q->endless[i];
-    const vm rises = v_lt(v_set(0), q->beta);
-    const vm beyond = i == 1 ? rises : m_not(rises); /* the top */
-    const vm ends = m_and(certain, m_not(endless));
-    const vd e = at->z_error + eps(1);
-    return (axial_range){
-        m_or(m_and(ends, v_lt(at->z, -e)), m_and(endless, m_not(beyond))),
-        m_and(ends, m_and(v_lt(e, at->z), v_lt(at->z, v_set(1) - e))),
-        m_or(m_and(ends, v_lt(v_set(1) + e, at->z)), m_and(endless, beyond))};
-}
-
-INLINE vm uncertain(const axial_range *l)
-{
-    return m_not(m_or(l->below, m_or(l->between, l->above)));
-}
-
-/* Computes where the line crosses the plane of the base or the top. */
-INLINE vm hit_plane(const question *q, vm top, hit *at)
-{
-    const vd rise = v_select(top, q->ww, v_set(0)) - q->alpha;
-    const vd N = q->U * q->W, b = v_abs(q->beta), e_b = eps(1) * N;
-    const vm certain = v_lt(v_set(2) * e_b, b);
-    const vd per_b = v_set(1) / v_select(certain, b, v_set(1));
-    at->s = v_select(v_lt(q->beta, v_set(0)), -rise, rise) * per_b;
-    at->s_error =
-        v_set(2) *
-            (eps(1) * q->W * q->Dn + eps(1) * (q->ww + v_abs(q->alpha)) +
-             v_abs(at->s) * e_b) *
-            per_b +
-        eps(1) * v_abs(at->s);
-    EACH(j, 3)
-        at->c[j] = q->m[j] + at->s * q->n[j];
-    at->e_c = eps(1) * (q->W * (q->Dn + v_abs(at->s) * q->U) + size(at->c)) +
-              N * at->s_error;
-    at->z = v_select(top, v_set(1), v_set(0));
-    at->z_error = v_set(0);
-    return certain;
+    const vd zero = v_set(0);
+    return (hit){zero, zero, zero, zero, m_none(), m_none()};
 }
 
 /* Copies *other in the lanes `where`. */
@@ -339,66 +114,297 @@ INLINE void select_hit(hit *at, vm where, const hit *other)
     at->s_error = v_select(where, other->s_error, at->s_error);
     at->z = v_select(where, other->z, at->z);
     at->z_error = v_select(where, other->z_error, at->z_error);
-    at->e_c = v_select(where, other->e_c, at->e_c);
-    EACH(j, 3)
-        at->c[j] = v_select(where, other->c[j], at->c[j]);
+    at->capped = m_if(where, other->capped, at->capped);
+    at->top = m_if(where, other->top, at->top);
 }
 
-/* For chords that begin or end at s[i] below the base or above the top: the hit
- * on the cap that the chord crosses. */
-INLINE hit_result hit_cap(const question *q, int i, const axial_range *here,
-                          hit *at)
+INLINE void select_quadratic(quadratic *c, vm where, const quadratic *other)
 {
-    hit other, cap;
-    const vm outside = m_or(here->below, here->above);
-    const vm present =
-        m_or(m_and(here->below, q->cap[0]), m_and(here->above, q->cap[1]));
-    const axial_range there = axial_range_at(q, 1 - i, &other);
-    const vm lost = m_and(outside, uncertain(&there));
-    const vm stays =
-        m_or(m_and(here->below, there.below), m_and(here->above, there.above));
-    const vm comes = m_and(m_and(outside, present), m_not(m_or(lost, stays)));
-    if (!m_any(comes))
-        return (hit_result){comes, lost};
-    const vm certain = hit_plane(q, here->above, &cap);
-    select_hit(at, comes, &cap);
-    at->capped = comes;
-    at->top = here->above;
-    return (hit_result){m_and(comes, certain),
-                        m_or(lost, m_and(comes, m_not(certain)))};
+    c->a = v_select(where, other->a, c->a);
+    c->root = v_select(where, other->root, c->root);
+    c->per_root = v_select(where, other->per_root, c->per_root);
+    c->e_G = v_select(where, other->e_G, c->e_G);
 }
 
-INLINE hit_result hit_at_end(const question *q, int i, hit *at)
+/* Loads the record at row[0], row[1], ...; r[i] is the radius at end i. */
+INLINE void load_shapes(question *q, const char *const row[LANES], int small,
+                        vd r[2])
 {
-    const axial_range here = axial_range_at(q, i, at);
-    const vm outside = m_or(here.below, here.above);
-    hit_result is = {here.between, uncertain(&here)};
-    at->capped = at->top = m_none();
-    if (m_any(outside)) {
-        const hit_result cap = hit_cap(q, i, &here, at);
-        is.hit = m_or(is.hit, cap.hit);
-        is.uncertain = m_or(is.uncertain, cap.uncertain);
+    vd x[8];
+    if (small) {
+        v_columns_of_floats(row, 0, x);
+        v_columns_of_floats(row, offsetof(cylint_float_filter_small, top),
+                            x + 4);
+    } else {
+        v_columns(row, 0, x);
+        v_columns(row, offsetof(cylint_float_filter_shape, top), x + 4);
     }
-    at->t = q->from + at->s;
-    at->t_error = at->s_error + eps(1) * v_abs(at->t);
-    const vm later = v_lt(q->tmin + at->t_error, at->t);
-    const vm before = v_lt(at->t, q->tmin - at->t_error);
-    is.uncertain =
-        m_or(is.uncertain, m_and(is.hit, m_not(m_or(later, before))));
-    is.hit = m_and(is.hit, later);
-    is.hit = m_and(is.hit, q->crosses);
-    is.uncertain = m_and(is.uncertain, q->crosses);
-    return is;
+    EACH(j, 3) {
+        q->D[j] = x[j]; /* the base, for load_lines() */
+        q->w[j] = x[4 + j] - x[j];
+    }
+    r[0] = x[3];
+    r[1] = x[7];
 }
 
-/* Loads the question.  hit: the line crosses the lateral surface, and
- * hit_at_end() decides about hits. */
-INLINE hit_result load_and_cross(question *q, const shape_columns *s,
-                                 const line_columns *l)
+INLINE vd difference_error(vd x, vd y, vd difference)
 {
-    vd D[3];
-    load_question(q, s, l, D);
-    return cross_lateral(q, l->d, D);
+    const vd minus_y = difference - x;
+    return (x - (difference - minus_y)) - (y + minus_y);
+}
+
+INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
+{
+    const vm known = v_le(v_abs(near), v_set((double)FLT_MAX));
+    if (!m_any(m_not(known)))
+        return near;
+    return v_select(known, near, v_float(-dot(D0, d) / dot(d, d)));
+}
+
+/*
+ * Moves the origin by from * u to a point near the shape, so that the errors are
+ * relative to the shape's size, wherever the ray begins: to `near` if it is
+ * known, else to the point nearest to the base.  u and `from` have 24 bits each,
+ * so their product is exact.  The rounding error of o - base is added again
+ * [Moller 1965, Knuth].  So D has no error but its own roundings.
+ */
+INLINE void load_lines(question *q, const char *const row[LANES])
+{
+    vd x[8], D0[3], base[3];
+    v_columns(row, offsetof(cylint_float_filter_ray, o), x);
+    v_columns(row, offsetof(cylint_float_filter_ray, d[1]), x + 4);
+    EACH(j, 3) {
+        base[j] = q->D[j];
+        D0[j] = x[j] - base[j];
+        q->u[j] = x[3 + j];
+    }
+    q->from = origin_shift(x[7], D0, q->u);
+    EACH(j, 3)
+        q->D[j] = (D0[j] + q->from * q->u[j]) +
+                  difference_error(x[j], base[j], D0[j]);
+    q->uu = dot(q->u, q->u);
+    q->Du = dot(q->D, q->u);
+    q->DD = dot(q->D, q->D);
+    q->ww = dot(q->w, q->w);
+    q->U = v_sqrt(q->uu);
+    q->Dn = v_sqrt(q->DD);
+    q->W = v_sqrt(q->ww);
+}
+
+/* Sets what follows from the axis.  ww: its square, or 1 where it has no length;
+ * this does not wait for roots. */
+INLINE void load_axis(question *q, vd ww)
+{
+    q->per_ww = v_set(1) / ww;
+    q->per_W = q->W * q->per_ww;
+    q->alpha = dot(q->D, q->w);
+    q->beta = dot(q->u, q->w);
+    q->z0 = q->alpha * q->per_ww;
+    q->dz = q->beta * q->per_ww;
+}
+
+/* Products have at most ten lengths as factors.  If none of these is less than
+ * 2^-90, a product flushed to zero is negligible.  An overflow gives an infinite
+ * bound or NaN, and then nothing is certain. */
+INLINE vm in_window(const question *q, vd radii)
+{
+    const vd least = v_set(0x1p-90);
+    return m_and(v_lt(v_set(0x1p-89), radii), v_lt(least, q->U));
+}
+
+/* ------------------------------------------------------------- surfaces -- */
+
+/*
+ * Where the line certainly crosses the surface, and where it does not, from G,
+ * in the lanes `known`.  Writes roots and reciprocals.
+ *
+ * Where a < 0 a line crosses a cone that it is steeper than, on both nappes: G
+ * is not negative.
+ */
+INLINE verdict cross_surface(quadratic *c, vd G, vm known)
+{
+    const vm clear = m_and(v_lt(v_set(16) * c->e_G, G),
+                           v_lt(v_set(8) * c->e_a, v_abs(c->a)));
+    const vm is = m_and(known, clear);
+    const vm is_not = m_and(known, v_lt(G, -c->e_G));
+    c->root = c->per_a = c->per_root = v_set(1);
+    c->apart = m_none();
+    if (m_any(is)) {
+        c->root = v_sqrt(where_or_one(is, G));
+        c->per_a = v_set(1) / where_or_one(is, c->a);
+        c->per_root = v_set(1) / c->root;
+        c->apart = m_and(is, v_lt(c->a, v_set(0)));
+    }
+    return (verdict){is, m_not(m_or(is, is_not))};
+}
+
+INLINE verdict cross_discs(quadratic *c, question *q)
+{
+    const vm window = m_and(in_window(q, q->r0 + (q->r0 + q->dr)),
+                            v_lt(v_set(0x1p-90), q->W));
+    vd k0 = q->r0, S = q->uu, K = q->r0;
+    load_axis(q, q->ww);
+    c->a = q->uu - q->beta * q->dz;
+    c->b = q->Du - q->alpha * q->dz;
+    if (m_any(m_not(v_eq(q->dr, v_set(0))))) {
+        const vd slope = v_abs(q->dr) * q->per_W, k1 = q->dr * q->dz;
+        k0 = q->r0 + q->dr * q->z0;
+        c->a = c->a - k1 * k1;
+        c->b = c->b - k0 * k1;
+        S = S + slope * slope * q->uu;
+        K = K + slope * q->Dn;
+    }
+    const vd from_axis = q->DD - q->alpha * q->z0 - k0 * k0;
+    const vd G = c->b * c->b - c->a * from_axis;
+    c->e_a = eps(8) * S;
+    c->e_G = eps(28) * S * (q->DD + K * K);
+    return cross_surface(c, G, window);
+}
+
+/* z at s, and its error.  The bound includes the error of the library's z: its
+ * dividend and divisor are right to 2^-54 of themselves (hit.c), so with its
+ * roundings it is right to eps |z| / 2.  eps / 16 of it is to spare. */
+INLINE void set_z(const question *q, hit *at)
+{
+    const vd X = q->Dn + v_abs(at->s) * q->U;
+    at->z = q->z0 + at->s * q->dz;
+    at->z_error =
+        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(0.0625));
+}
+
+/*
+ * The root of Q before (end 0) or behind the middle: there the chord begins or
+ * ends.  The error of sqrt(G) is at most 0.53 e_G / sqrt(G), with its rounding.
+ * As G <= 2 S T, that of b is at most 0.33 e_G / sqrt(G), and that of their sum's
+ * rounding 0.02 of it.  The error of a is 6/8 e_a, at most a / 10.
+ */
+INLINE hit chord_end(const quadratic *c, const question *q, int end)
+{
+    hit at;
+    at.s = ((end ? c->root : -c->root) - c->b) * c->per_a;
+    at.s_error =
+        (c->e_G * c->per_root + v_abs(at.s) * c->e_a) * v_abs(c->per_a);
+    at.capped = at.top = m_none();
+    set_z(q, &at);
+    return at;
+}
+
+/* The same on a shape between discs.  Where a < 0 the nappe with positive radii
+ * is the second's if the radii grow along the line, and its chord has one end
+ * only.  Its other end is beyond a cap. */
+INLINE hit lateral_end(const quadratic *c, const question *q, int end)
+{
+    hit at = chord_end(c, q, end);
+    if (m_any(c->apart)) {
+        const vd zero = v_set(0), along = end ? q->dz : -q->dz;
+        const vm endless = m_and(c->apart, v_lt(zero, q->dr * along));
+        const vd beyond = v_select(v_lt(zero, along), v_set(2), v_set(-1));
+        at.z = v_select(endless, beyond, at.z);
+        at.z_error = v_select(endless, zero, at.z_error);
+    }
+    return at;
+}
+
+/* For chords that begin or end below the base or above the top: whether they
+ * cross that cap's plane.  Then moves the hit there. */
+INLINE verdict move_to_cap(const quadratic *c, const question *q, int end,
+                           vm between, hit *at)
+{
+    const hit other = lateral_end(c, q, 1 - end);
+    const vm top = v_lt(v_set(0.5), at->z);
+    const vd one = v_set(1), dz = v_abs(q->dz);
+    const vd out = v_select(top, at->z - one, -at->z);
+    const vd other_out = v_select(top, other.z - one, -other.z);
+    const vd margin = other.z_error + eps(1);
+    const vm outside = m_and_not(v_lt(at->z_error + eps(1), out), between);
+    const vm stays = m_and(outside, v_lt(margin, other_out));
+    const vm comes = m_and(m_and(outside, v_lt(other_out, -margin)),
+                           v_lt(eps(16) * q->U * q->per_W, dz));
+    const vm decided = m_or(m_or(between, stays), comes);
+    if (m_any(comes)) {
+        const vd per_dz = one / where_or_one(comes, dz);
+        const vd rise = v_select(top, one, v_set(0)) - q->z0;
+        hit cap;
+        cap.s = v_select(v_lt(q->dz, v_set(0)), -rise, rise) * per_dz;
+        cap.s_error =
+            eps(4) * (one + (q->Dn + v_abs(cap.s) * q->U) * q->per_W) * per_dz;
+        cap.z = v_select(top, one, v_set(0));
+        cap.z_error = v_set(0);
+        cap.capped = comes;
+        cap.top = top;
+        select_hit(at, comes, &cap);
+    }
+    return (verdict){m_or(between, comes), m_not(decided)};
+}
+
+/* Where the line enters (end 0) or leaves the closed shape. */
+INLINE verdict end_on_discs(const quadratic *c, const question *q, int end,
+                            hit *at)
+{
+    *at = lateral_end(c, q, end);
+    const vd margin = at->z_error + eps(1);
+    const vm between =
+        m_and(v_lt(margin, at->z), v_lt(at->z, v_set(1) - margin));
+    if (!m_any(m_not(between)))
+        return (verdict){between, m_none()};
+    return move_to_cap(c, q, end, between, at);
+}
+
+/* ---------------------------------------------------------------- steps -- */
+
+/* P = D + s u. */
+INLINE void point_at(const question *q, const hit *at, vd P[3])
+{
+    EACH(j, 3)
+        P[j] = q->D[j] + at->s * q->u[j];
+}
+
+/* The radius at a hit and its error. */
+INLINE vd radius_at(const question *q, const hit *at, vd *error)
+{
+    const vd X = q->Dn + v_abs(at->s) * q->U;
+    *error = eps(3) * (q->r0 + v_abs(q->dr) * X * q->per_W);
+    return q->r0 + q->dr * at->z;
+}
+
+/*
+ * A step of Newton's from a root at which Q' / 2 is -+sqrt(G) (end 0, 1), for hits
+ * of which the floats would be uncertain.  Where s - root = d, Q is
+ * d (2 Q'/2 + a d), so that the step leaves
+ *
+ *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
+ *
+ * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
+ */
+INLINE void step_to_root(const quadratic *c, const question *q, int end, vd Q,
+                         vd Q_error, hit *at)
+{
+    const vd d = at->s_error, step = Q * (v_set(0.5) * c->per_root);
+    at->s = end ? at->s - step : at->s + step;
+    at->s_error = d * (c->e_G * (c->per_root * c->per_root) + eps(1)) +
+                  v_set(0.6) * c->per_root * (v_abs(c->a) * (d * d) + Q_error) +
+                  eps(0.25) * v_abs(at->s);
+    set_z(q, at);
+}
+
+/*
+ * The same on a cone, where Q = S |c|^2 / ww - k^2, c = P x w, S = 1, and on the
+ * cone of a round kind (float_filter_round.h).  Errors: c: 3 eps W X; S and 1 / ww
+ * and their products: 22 u.
+ */
+INLINE void step_on_cone(const quadratic *on, const question *q, vd S, int end,
+                         hit *at)
+{
+    const vd X = q->Dn + v_abs(at->s) * q->U, e_c = eps(3) * (q->W * X);
+    const vd two = v_set(2);
+    vd P[3], c[3], e_k;
+    point_at(q, at, P);
+    cross(c, P, q->w);
+    const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
+    const vd Q = S * cc * q->per_ww - k * k;
+    const vd e_Q = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
+                   e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
+    step_to_root(on, q, end, Q, e_Q, at);
 }
 
 /* ---------------------------------------------------------- description -- */
@@ -408,6 +414,12 @@ typedef struct {
     vd z, phi, normal[3];
 } floats;
 
+/* A vector N with errors e[].  Its length is 1 / per_length, with a relative
+ * error of e_length. */
+typedef struct {
+    vd N[3], e[3], per_length, e_length;
+} bounded_vector;
+
 /* Rounds x to a float.  x has an error of at most e, which includes the error of
  * the library's x.  Returns whether the float is certain. */
 INLINE vm to_float(vd x, vd e, vd *f)
@@ -416,26 +428,27 @@ INLINE vm to_float(vd x, vd e, vd *f)
     return v_eq(v_float(x - e), *f);
 }
 
+/* c = P x w at the hit, and its error. */
+INLINE vd across(const question *q, const hit *at, vd c[3])
+{
+    vd P[3];
+    point_at(q, at, P);
+    cross(c, P, q->w);
+    return q->W * (q->U * at->s_error + eps(3) * (q->Dn + v_abs(at->s) * q->U));
+}
+
 /* w x c and its error, which follows from e_c, rounding included.  The error is
  * computed by component: a component that is zero because components of the
  * axis are zero stays exact. */
-INLINE void lateral_direction(const question *q, const hit *at, vd N[3],
+INLINE void lateral_direction(const question *q, const vd c[3], vd e_c, vd N[3],
                               vd e[3])
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    cross(N, q->w, at->c);
-    e[0] = (y + z) * at->e_c;
-    e[1] = (z + x) * at->e_c;
-    e[2] = (x + y) * at->e_c;
+    cross(N, q->w, c);
+    e[0] = (y + z) * e_c;
+    e[1] = (z + x) * e_c;
+    e[2] = (x + y) * e_c;
 }
-
-#if LANES == 1
-typedef cylint_bounded_vector bounded_vector;
-#else
-typedef struct {
-    CYLINT_BOUNDED_VECTOR_MEMBERS(vd)
-} bounded_vector;
-#endif
 
 INLINE void select_vector(bounded_vector *a, vm where,
                           const bounded_vector *other)
@@ -464,19 +477,21 @@ INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
  * The lateral normal is N = w x c - k dr w.  On the surface |c| = k |w|, so its
  * length is k |w| sqrt(ww + dr^2), with a relative error of 15 u plus that of k.
  */
-INLINE vm cone_normal(const question *q, const hit *at,
-                      const bounded_vector *across_w, bounded_vector *to)
+INLINE vm lean_on_cone(const question *q, const hit *at, bounded_vector *a)
 {
-    const vd dr = q->dr, k = at->k, lean = k * dr;
-    const vd e_lean = v_abs(dr) * (at->e_k + eps(1) * v_abs(k));
-    const vm certain = v_lt(v_set(32) * at->e_k, k);
+    const vd dr = q->dr;
+    vd e_k;
+    const vd k = radius_at(q, at, &e_k), lean = k * dr;
+    e_k = e_k + v_abs(dr * q->dz) * at->s_error;
+    const vd e_lean = v_abs(dr) * (e_k + eps(1) * v_abs(k));
+    const vm certain = v_lt(v_set(32) * e_k, k);
     const vd length = k * (q->W * v_sqrt(q->ww + dr * dr));
     EACH(j, 3) {
-        to->N[j] = across_w->N[j] - lean * q->w[j];
-        to->e[j] = across_w->e[j] + e_lean * v_abs(q->w[j]);
+        a->N[j] = a->N[j] - lean * q->w[j];
+        a->e[j] = a->e[j] + e_lean * v_abs(q->w[j]);
     }
-    to->per_length = v_set(1) / v_select(certain, length, v_set(1));
-    to->e_length = at->e_k / v_select(certain, k, v_set(1)) + eps(3);
+    a->per_length = v_set(1) / where_or_one(certain, length);
+    a->e_length = e_k / where_or_one(certain, k) + eps(3);
     return certain;
 }
 
@@ -492,38 +507,42 @@ INLINE bounded_vector cap_normal(const question *q, vm top)
     return a;
 }
 
-INLINE vm describe_normal(const question *q, const hit *at,
-                          bounded_vector *across_w, vd normal[3])
+/* N, e: those of lateral_direction(). */
+INLINE vm normal_on_discs(const question *q, const hit *at, const vd N[3],
+                          const vd e[3], vd normal[3])
 {
-    const vm cone = is_cone(q), capped = at->capped;
-    bounded_vector a = *across_w;
+    const vm cone = m_not(v_eq(q->dr, v_set(0)));
+    bounded_vector a;
     vm certain = m_not(m_none());
+    EACH(j, 3) {
+        a.N[j] = N[j];
+        a.e[j] = e[j];
+    }
     a.per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
     a.e_length = eps(3);
     if (m_any(cone)) {
-        bounded_vector leaning;
-        certain = m_or(cone_normal(q, at, across_w, &leaning), m_not(cone));
+        bounded_vector leaning = a;
+        certain = m_or(lean_on_cone(q, at, &leaning), m_not(cone));
         select_vector(&a, cone, &leaning);
     }
-    if (m_any(capped)) {
+    if (m_any(at->capped)) {
         const bounded_vector up = cap_normal(q, at->top);
-        select_vector(&a, capped, &up);
+        select_vector(&a, at->capped, &up);
     }
-    return m_and(m_or(certain, capped), unit_floats(&a, normal));
+    return m_and(m_or(certain, at->capped), unit_floats(&a, normal));
 }
 
 /*
  * phi = atan2(P.(w x v), P.v |w|) over 2 pi, where v = e x w, e being the unit
  * vector along which the axis is least.  That is atan2((w x c).e, -c.e |w|).
  */
-INLINE vm describe_phi(const question *q, const hit *at, vd across_w, vd c,
-                       vd *phi)
+INLINE vm describe_phi(const question *q, vd e_c, vd across_w, vd c, vd *phi)
 {
     vd per_far;
     const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
     /* both have an error of at most W e_c, so the angle one of less than
      * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
-    const vd part = q->W * at->e_c * per_far;
+    const vd part = q->W * e_c * per_far;
     const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
     const vm inside =
         m_and(v_lt(e, turn), v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
@@ -532,7 +551,8 @@ INLINE vm describe_phi(const question *q, const hit *at, vd across_w, vd c,
 }
 
 /* least[j]: the axis is least along coordinate j, the first such.  Returns
- * whether that is certain: of equal doubles other than 0 the low parts decide. */
+ * whether that is uncertain: of equal doubles other than 0 the low parts
+ * decide. */
 INLINE vm least_components(const question *q, vm least[3])
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
@@ -540,23 +560,15 @@ INLINE vm least_components(const question *q, vm least[3])
     const vd xy = v_select(y_less, y, x);
     const vm tied = m_or(m_and(v_eq(x, y), v_le(x, z)), v_eq(xy, z));
     least[2] = v_lt(z, xy);
-    least[1] = m_and(y_less, m_not(least[2]));
+    least[1] = m_and_not(y_less, least[2]);
     least[0] = m_not(m_or(least[1], least[2]));
-    return m_not(m_and(tied, v_lt(v_set(0), v_select(least[2], z, xy))));
+    return m_and(tied, v_lt(v_set(0), v_select(least[2], z, xy)));
 }
 
-INLINE vm describe_lanes(const question *q, const hit *at, const vm least[3],
-                         floats *to)
+/* The component of x along which the axis is least. */
+INLINE vd along_least(const vd x[3], const vm least[3])
 {
-    bounded_vector a;
-    lateral_direction(q, at, a.N, a.e);
-    const vd across_w =
-        v_select(least[1], a.N[1], v_select(least[2], a.N[2], a.N[0]));
-    const vd c =
-        v_select(least[1], at->c[1], v_select(least[2], at->c[2], at->c[0]));
-    vm certain = to_float(at->z, at->z_error, &to->z);
-    certain = m_and(certain, describe_phi(q, at, across_w, c, &to->phi));
-    return m_and(certain, describe_normal(q, at, &a, to->normal));
+    return v_select(least[1], x[1], v_select(least[2], x[2], x[0]));
 }
 
 #endif

@@ -1,7 +1,7 @@
 /*
  * float_filter_round.h - where a line enters a sphere, capsule or rounded cone
  *
- * For float_filter.c, in the notation of float_filter_dots.h.  The cone that
+ * For float_filter.c, in the notation of float_filter_lanes.h.  The cone that
  * touches both balls contains the solid, and touches ball 0 on the circle y = 0
  * and ball 1 on the circle y = S (signs/round_forms_template.h).  Along the line
  *
@@ -26,12 +26,12 @@
  *
  * As |a| <= U^2, |b| <= 2 K U and |c| <= 2 K^2, the error of G is less than
  * 35 eps K^2 U^2 with the roundings of b^2 - a c, and e_a = 8 eps U^2 and
- * e_G = 38 eps K^2 U^2 fit lateral_at(): |b^2 - a c| <= 6 K^2 U^2, so the error of
+ * e_G = 38 eps K^2 U^2 fit chord_end(): |b^2 - a c| <= 6 K^2 U^2, so the error of
  * b is less than 0.33 e_G / sqrt(G).
  *
  * Of a ball, with N = Dn or Dn + W, R = r0 + |dr| and K = N + R: x: 3 u N,
  * x.u: 6 u N U, |x|^2 - r^2: 15 u K^2, b^2 - uu c: 34 u K^2 U^2.  There
- * e_G = 6 eps K^2 U^2 and e_a = eps U^2 fit lateral_at(): G <= R^2 U^2 but for its
+ * e_G = 6 eps K^2 U^2 and e_a = eps U^2 fit chord_end(): G <= R^2 U^2 but for its
  * error, so that of b is less than 0.14 e_G / sqrt(G).
  *
  * tests/bounds/test_embree_float_bounds.c computes these bounds from the forms.
@@ -39,9 +39,9 @@
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_ROUND_H
 #define CYLINT_EMBREE_FLOAT_FILTER_ROUND_H
 
-#include "float_filter_dots.h"
+#include "float_filter_lanes.h"
 
-#define NUM double
+#define NUM vd
 #define FORM(name) name
 #define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) - (y))
@@ -49,220 +49,197 @@
 #define SMALL(x) (x)
 #include "round_forms_template.h"
 
-/* cone, ball: the coefficients of the cone and of the ball in ball_at().
- * slanted: the sign of a, or 0.  crosses: whether the line crosses the cone,
- * uncertain if `slanted` is 0.  is_ball: it is a sphere, which has no cone. */
+/* is_ball: it is a sphere, which has no cone.  crosses: the line crosses the cone.
+ * leans: a of the cone is certainly positive.  ball: the quadratic of the ball
+ * that was hit. */
 typedef struct {
-    dots cone, ball;
-    double uu, Du, DD, R;
-    int is_ball;
-    double S, y0, K;
-    int slanted;
-    cylint_float_filter_result crosses;
-} round_dots;
+    quadratic cone, ball;
+    vd S, y0, K, R;
+    vm is_ball, crosses, leans;
+} round_surfaces;
 
-/* Records of round kinds have negative radii. */
-INLINE int is_round(const shape_columns *s)
+/* Where y is: below 0, between 0 and S, above S, or none of these. */
+typedef struct {
+    vm below, between, above;
+} range;
+
+INLINE range range_of_y(const round_surfaces *x, const question *q,
+                        const hit *at)
 {
-    return s->r0 + (s->r0 + s->dr) < 0;
+    const vd X = x->K + v_abs(at->s) * q->U, y = x->y0 + at->s * q->dz;
+    const vd e =
+        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(1));
+    return (range){v_lt(y, -e), m_and(v_lt(e, y), v_lt(y, x->S - e)),
+                   v_lt(x->S + e, y)};
 }
 
-/* Returns 0 if products may underflow: see in_window(). */
-INLINE int load_round(round_dots *x, question *q, const shape_columns *s,
-                      const line_columns *l)
+/* uncertain: products may underflow (see in_window()), or one ball may lie in the
+ * other.  Neither: the line misses the cone. */
+INLINE verdict cross_round(round_surfaces *x, question *q)
 {
-    load_dots(&x->cone, q, s, l);
-    q->r0 = -s->r0;
-    q->dr = -s->dr;
-    x->uu = dot(x->cone.u, x->cone.u);
-    x->Du = dot(x->cone.D, x->cone.u);
-    x->DD = dot(x->cone.D, x->cone.D);
-    x->cone.Dn = sqrt(x->DD);
-    x->R = q->r0 + fabs(q->dr);
-    q->U = sqrt(x->uu);
-    q->ww = dot(q->w, q->w);
-    q->W = sqrt(q->ww);
-    q->per_ww = 0;
-    x->cone.z0 = x->cone.dz = x->y0 = 0;
-    x->cone.a = x->cone.b = x->cone.root = x->cone.per_a = 0;
-    x->cone.per_root = x->cone.e_a = x->cone.e_G = 0;
-    x->ball = x->cone;
-    x->S = 1;
-    x->K = x->cone.Dn + q->r0;
-    x->slanted = 0;
-    x->crosses = CYLINT_FLOAT_FILTER_UNCERTAIN;
-    x->is_ball = !(size(q->w) > 0);
-    return (x->R > 0x1p-90) & (q->U > 0x1p-90) &
-           ((q->W > 0x1p-90) | x->is_ball);
-}
-
-/* Whether a hull's cone is crossed, and where. */
-INLINE void cross_cone(round_dots *x, question *q)
-{
-    dots *c = &x->cone;
+    const vd zero = v_set(0), least = v_set(0x1p-90);
     round_cone f;
-    q->per_ww = 1 / q->ww;
-    const round_terms terms = {x->uu,           x->Du,           x->DD,
-                               dot(c->D, q->w), dot(c->u, q->w), q->per_ww,
-                               q->r0,           q->dr,           1};
+    quadratic *c = &x->cone;
+    x->is_ball = m_not(v_lt(zero, size(q->w)));
+    x->R = q->r0 + v_abs(q->dr);
+    x->K = q->Dn + q->r0;
+    load_axis(q, v_select(x->is_ball, v_set(1), q->ww));
+    const round_terms terms = {q->uu,     q->Du, q->DD, q->alpha, q->beta,
+                               q->per_ww, q->r0, q->dr, v_set(1)};
     set_round_cone(&f, &terms);
-    const double G = f.G;
     x->S = f.S;
     x->y0 = f.y0;
-    c->z0 = f.z0;
-    c->dz = f.dz;
     c->a = f.a;
     c->b = f.b;
-    c->e_a = 8 * 0x1p-50 * x->uu;
-    c->e_G = 38 * 0x1p-50 * x->uu * (x->K * x->K);
-    x->slanted = c->a > 8 * c->e_a ? 1 : c->a < -8 * c->e_a ? -1 : 0;
-    if (!x->slanted || !(x->S > 8 * 0x1p-50))
-        return;
-    if (G < -c->e_G) /* then a > 0: a steep line crosses the double cone */
-        x->crosses = CYLINT_FLOAT_FILTER_MISS;
-    if (!(G > 16 * c->e_G))
-        return;
-    x->crosses = CYLINT_FLOAT_FILTER_HIT;
-    c->root = sqrt(G);
-    c->per_a = 1 / c->a;
-    c->per_root = 1 / c->root;
+    c->e_a = eps(8) * q->uu;
+    c->e_G = eps(38) * q->uu * (x->K * x->K);
+    const vm window =
+        m_and(in_window(q, x->R),
+              m_or(x->is_ball, m_and(v_lt(least, q->W), v_lt(eps(8), x->S))));
+    const vm hull = m_and_not(window, x->is_ball);
+    const verdict v = cross_surface(c, f.G, hull);
+    x->crosses = v.hit;
+    x->leans = v_lt(v_set(8) * c->e_a, c->a);
+    x->ball = *c;
+    const vm misses = m_and_not(hull, m_or(v.hit, v.uncertain));
+    return (verdict){m_and_not(window, misses), m_not(window)};
 }
 
-/* Where y at a hit is: 0 below 0, 1 between 0 and S, 2 above S, or -1. */
-INLINE int range_of_y(const round_dots *x, const question *q,
-                      const axial_hit *at)
+/* Where the line enters or leaves the ball about an end. */
+INLINE verdict end_on_ball(const round_surfaces *x, const question *q, int top,
+                           int end, quadratic *c, hit *at)
 {
-    const double X = x->K + fabs(at->s) * q->U;
-    const double y = x->y0 + at->s * x->cone.dz;
-    const double e = at->s_error * fabs(x->cone.dz) +
-                     3 * 0x1p-50 * (X * (q->W * q->per_ww) + 1);
-    return y < -e ? 0 : ((y > e) & (y < x->S - e)) ? 1 : y > x->S + e ? 2 : -1;
-}
-
-/* Where the line enters or leaves (sign = 1) the ball about an end. */
-INLINE cylint_float_filter_result ball_at(round_dots *x, const question *q,
-                                          int top, double sign, axial_hit *at)
-{
-    dots *d = &x->ball;
-    double DD = x->DD, r = q->r0, N = x->cone.Dn;
-    d->z0 = x->cone.z0;
-    d->dz = x->cone.dz;
-    d->b = x->Du;
+    vd DD = q->DD, r = q->r0, N = q->Dn;
+    c->b = q->Du;
     if (top) {
-        double D1[3];
+        vd D1[3];
         EACH(j, 3)
-            D1[j] = d->D[j] - q->w[j];
+            D1[j] = q->D[j] - q->w[j];
         DD = dot(D1, D1);
-        d->b = dot(D1, d->u);
+        c->b = dot(D1, q->u);
         r = q->r0 + q->dr;
         N = N + q->W;
     }
-    const double K = N + x->R, G = round_ball_G(x->uu, d->b, DD, r);
-    d->a = x->uu;
-    d->e_G = 6 * 0x1p-50 * x->uu * (K * K);
-    d->e_a = 0x1p-50 * x->uu;
-    if (G < -d->e_G)
-        return CYLINT_FLOAT_FILTER_MISS;
-    if (!(G > 16 * d->e_G))
-        return CYLINT_FLOAT_FILTER_UNCERTAIN;
-    d->root = sqrt(G);
-    d->per_root = 1 / d->root;
-    d->per_a = 1 / x->uu;
-    *at = lateral_at(d, q, sign);
-    if (x->is_ball)
-        at->z_error = 0;
-    return CYLINT_FLOAT_FILTER_HIT;
-}
-
-/* The same for a line that may hit either ball.  misses_cone: it certainly does
- * not enter or leave by the lateral surface. */
-INLINE cylint_float_filter_result either_ball(round_dots *x, const question *q,
-                                              double sign, int misses_cone,
-                                              hit *h, axial_hit *at)
-{
-    int misses = misses_cone;
-    EACH(top, 2) {
-        const cylint_float_filter_result is = ball_at(x, q, top, sign, at);
-        const int range =
-            is == CYLINT_FLOAT_FILTER_HIT ? range_of_y(x, q, at) : -1;
-        if (range == 2 * top) {
-            h->capped = 1;
-            h->top = top;
-            return CYLINT_FLOAT_FILTER_HIT;
-        }
-        misses &= is == CYLINT_FLOAT_FILTER_MISS || range >= 0;
+    const vd K = N + x->R;
+    c->a = q->uu;
+    c->e_G = eps(6) * q->uu * (K * K);
+    c->e_a = eps(1) * q->uu;
+    const verdict v =
+        cross_surface(c, round_ball_G(q->uu, c->b, DD, r), m_not(m_none()));
+    if (m_any(v.hit)) {
+        *at = chord_end(c, q, end);
+        at->z_error = v_select(x->is_ball, v_set(0), at->z_error);
+        at->capped = m_not(x->is_ball);
+        at->top = top ? at->capped : m_none();
     }
-    return misses ? CYLINT_FLOAT_FILTER_MISS : CYLINT_FLOAT_FILTER_UNCERTAIN;
+    return v;
 }
 
-/* Where the line enters or leaves (sign = 1) the solid. */
-INLINE cylint_float_filter_result round_end(round_dots *x, const question *q,
-                                            double sign, hit *h, axial_hit *at)
+/*
+ * Where the line enters or leaves the solid.  A sphere's only surface is ball 0.
+ * `sure` lanes know the ball.  The others take the cone and both balls in turn;
+ * they miss the solid if each of these is missed, or is hit elsewhere.
+ */
+INLINE verdict end_on_round(round_surfaces *x, const question *q, int end,
+                            hit *at)
 {
-    int range = -1;
-    h->capped = h->top = 0;
-    if (x->is_ball)
-        return ball_at(x, q, 0, sign, at);
-    if (x->crosses == CYLINT_FLOAT_FILTER_MISS)
-        return CYLINT_FLOAT_FILTER_MISS;
-    if (x->crosses == CYLINT_FLOAT_FILTER_HIT) {
-        *at = lateral_at(&x->cone, q, sign);
-        range = range_of_y(x, q, at);
-        if (range == 1)
-            return CYLINT_FLOAT_FILTER_HIT;
-        if (range >= 0 && x->slanted > 0) {
-            h->capped = 1;
-            h->top = range == 2;
-            return ball_at(x, q, h->top, sign, at);
-        }
+    range at_cone = {x->is_ball, m_none(), m_none()};
+    *at = no_hit();
+    if (m_any(x->crosses)) {
+        *at = chord_end(&x->cone, q, end);
+        const range r = range_of_y(x, q, at);
+        at_cone.below = m_or(m_and(x->crosses, r.below), x->is_ball);
+        at_cone.between = m_and(x->crosses, r.between);
+        at_cone.above = m_and(x->crosses, r.above);
     }
-    return either_ball(x, q, sign, range >= 0, h, at);
+    vm hits = at_cone.between, uncertain = m_none();
+    const vm beyond = m_or(at_cone.below, at_cone.above);
+    const vm sure = m_and(beyond, m_or(x->leans, x->is_ball));
+    const vm either = m_not(m_or(hits, sure));
+    vm misses = m_and(either, beyond);
+    for (int top = 0; top < 2; top++) {
+        quadratic c;
+        hit ball = no_hit();
+        const vm known = m_and(sure, top ? at_cone.above : at_cone.below);
+        const vm mine = m_or(known, m_and_not(either, hits));
+        if (!m_any(mine))
+            continue;
+        const verdict v = end_on_ball(x, q, top, end, &c, &ball);
+        vm elsewhere = m_none();
+        if (m_any(m_and(mine, v.hit))) {
+            const range r = range_of_y(x, q, &ball);
+            const vm comes =
+                m_and(m_and(mine, v.hit), m_or(known, top ? r.above : r.below));
+            elsewhere = m_and(v.hit, m_or(r.between, m_or(r.below, r.above)));
+            select_hit(at, comes, &ball);
+            select_quadratic(&x->ball, comes, &c);
+            hits = m_or(hits, comes);
+        }
+        uncertain = m_or(uncertain, m_and(known, v.uncertain));
+        misses = m_and(misses,
+                       m_or(m_not(mine),
+                            m_or(m_not(m_or(v.hit, v.uncertain)), elsewhere)));
+    }
+    uncertain = m_or(uncertain, m_and_not(either, m_or(hits, misses)));
+    return (verdict){hits, uncertain};
 }
 
-/* A step of Newton's on a ball, where Q = |P|^2 - r^2.  The error of P is at most
- * 6 u X, that of r 2 u R. */
-INLINE void step_on_ball(const round_dots *x, const question *q, int top,
-                         double sign, axial_hit *at)
+INLINE vm is_on_ball(const round_surfaces *x, const hit *at)
 {
-    const double r = top ? q->r0 + q->dr : q->r0;
-    const double X = x->cone.Dn + fabs(at->s) * q->U + (top ? q->W : 0);
-    double P[3];
+    return m_or(at->capped, x->is_ball);
+}
+
+/* P from the centre of the ball of the hit, and the size of its terms. */
+INLINE vd point_on_ball(const question *q, const hit *at, vd P[3])
+{
+    const vd zero = v_set(0);
+    point_at(q, at, P);
     EACH(j, 3)
-        P[j] = (x->cone.D[j] + at->s * x->cone.u[j]) - (top ? q->w[j] : 0);
-    const double PP = dot(P, P), e_P = 0x1p-50 * X;
-    const double e_Q = e_P * (2 * size(P) + e_P) + 0x1p-50 * (PP + x->R * x->R);
-    step_to_root(&x->ball, q, sign, PP - r * r, e_Q, at);
-    if (x->is_ball)
-        at->z_error = 0;
+        P[j] = P[j] - v_select(at->top, q->w[j], zero);
+    return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* A step of Newton's on the surface of a hit. */
-INLINE void step_on_round(const round_dots *x, const question *q, double sign,
-                          const hit *h, axial_hit *at)
+/* A step of Newton's on the surface of a hit.  On a ball Q = |P|^2 - r^2; the
+ * error of P is at most 6 u X, that of r 2 u R. */
+INLINE void step_on_round(const round_surfaces *x, const question *q, int end,
+                          hit *at)
 {
-    if (h->capped || x->is_ball)
-        step_on_ball(x, q, h->top, sign, at);
-    else
-        step_on_cone(&x->cone, q, x->S, sign, at);
+    const vm on_ball = is_on_ball(x, at);
+    const hit begin = *at;
+    if (m_any(m_not(on_ball)))
+        step_on_cone(&x->cone, q, x->S, end, at);
+    if (m_any(on_ball)) {
+        hit ball = begin;
+        vd P[3];
+        const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+        const vd e_P = eps(1) * point_on_ball(q, &ball, P), PP = dot(P, P);
+        const vd e_Q =
+            e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + x->R * x->R);
+        step_to_root(&x->ball, q, end, PP - r * r, e_Q, &ball);
+        ball.z_error = v_select(x->is_ball, v_set(0), ball.z_error);
+        select_hit(at, on_ball, &ball);
+    }
 }
 
 /* ---------------------------------------------------------- description -- */
 
 /* The unit normal on the ball about an end: N = (x + s u) / r. */
-INLINE void ball_normal(const round_dots *x, const question *q,
-                        const axial_hit *at, int top, bounded_vector *to)
+INLINE bounded_vector ball_normal(const round_surfaces *x, const question *q,
+                                  const hit *at)
 {
-    const double r = top ? q->r0 + q->dr : q->r0, W = top ? q->W : 0;
-    const double X = x->cone.Dn + fabs(at->s) * q->U + W;
-    const double e = q->U * at->s_error + 0x1p-50 * X;
+    const vd zero = v_set(0);
+    const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+    bounded_vector to;
+    const vd X = point_on_ball(q, at, to.N);
+    const vd e = q->U * at->s_error + eps(1) * X;
     EACH(j, 3) {
-        const double w = top ? q->w[j] : 0, step = at->s * x->cone.u[j];
-        const double sizes = fabs(x->cone.D[j]) + fabs(step) + fabs(w);
-        to->N[j] = (x->cone.D[j] + step) - w;
-        to->e[j] = sizes > 0 ? e : 0;
+        const vd w = v_select(at->top, q->w[j], zero);
+        const vd sizes = v_abs(q->D[j]) + v_abs(at->s * q->u[j]) + v_abs(w);
+        to.e[j] = v_select(v_lt(zero, sizes), e, zero);
     }
-    to->per_length = 1 / r;
-    to->e_length = 0x1p-50 * (x->R * fabs(to->per_length) + 1);
+    to.per_length = v_set(1) / where_or_one(v_lt(zero, r), r);
+    to.e_length = eps(1) * (x->R * v_abs(to.per_length) + v_set(1));
+    return to;
 }
 
 /*
@@ -272,55 +249,49 @@ INLINE void ball_normal(const round_dots *x, const question *q,
  * 11.2 u.  The factor 1.1 covers their products if e_h and e_k are below 1/16;
  * else e_length is so large that nothing is certain.
  */
-INLINE void cone_hull_normal(const round_dots *x, const question *q,
-                             const axial_hit *at, const double across[3],
-                             const double e_across[3], bounded_vector *to)
+INLINE bounded_vector hull_normal(const round_surfaces *x, const question *q,
+                                  const hit *at, vm lateral, const vd N[3],
+                                  const vd e_N[3])
 {
-    const double X = x->K + fabs(at->s) * q->U, per_S = 1 / x->S;
-    const double h = (x->y0 + at->s * x->cone.dz) * per_S;
-    const double e_h = 1.1 * per_S *
-                       (at->s_error * fabs(x->cone.dz) +
-                        3 * 0x1p-50 * (X * (q->W * q->per_ww) + 1));
-    const double k = q->r0 + h * q->dr, per_k = 1 / k;
-    const double e_k = (e_h * fabs(q->dr) + 0x1p-50 * x->R) * fabs(per_k);
-    const double scale = q->per_ww * per_k, lean = q->dr * q->per_ww;
+    const vd one = v_set(1), two = v_set(2);
+    bounded_vector to;
+    const vd X = x->K + v_abs(at->s) * q->U;
+    const vd per_S = one / where_or_one(lateral, x->S);
+    const vd h = (x->y0 + at->s * q->dz) * per_S;
+    const vd e_h = v_set(1.1) * per_S *
+                   (at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + one));
+    const vd k = q->r0 + h * q->dr, per_k = one / where_or_one(lateral, k);
+    const vd e_k = (e_h * v_abs(q->dr) + eps(1) * x->R) * v_abs(per_k);
+    const vd scale = q->per_ww * per_k, lean = q->dr * q->per_ww;
     EACH(j, 3) {
-        const double out = across[j] * scale, along = lean * q->w[j];
-        to->N[j] = out - along;
-        to->e[j] =
-            1.1 * (e_across[j] * fabs(scale) + fabs(out) * (e_k + 2 * 0x1p-50) +
-                   fabs(along) * (2 * 0x1p-50));
+        const vd out = N[j] * scale, along = lean * q->w[j];
+        to.N[j] = out - along;
+        to.e[j] =
+            v_set(1.1) * (e_N[j] * v_abs(scale) + v_abs(out) * (e_k + eps(2)) +
+                          v_abs(along) * (two * eps(1)));
     }
-    to->per_length = 1;
-    to->e_length = 0x1p-50 + 16 * (e_h * e_h + e_k * e_k);
+    to.per_length = one;
+    to.e_length = eps(1) + v_set(16) * (e_h * e_h + e_k * e_k);
+    return to;
 }
 
-/* The members of a hit that its description reads. */
-INLINE void describe_round(const round_dots *x, const question *q, double sign,
-                           axial_hit *at, hit *h)
+/* N, e: those of lateral_direction(). */
+INLINE vm normal_on_round(const round_surfaces *x, const question *q,
+                          const hit *at, const vd N[3], const vd e[3],
+                          vd normal[3])
 {
-    double across[3], e_across[3];
-    if (needs_step(q, x->R, at, 0x1p-38))
-        step_on_round(x, q, sign, h, at);
-    h->round = 1 + x->is_ball;
-    h->z = at->z;
-    h->z_error = at->z_error;
-    h->e_c = 0;
-    EACH(j, 3)
-        h->c[j] = across[j] = e_across[j] = 0;
-    if (!x->is_ball) {
-        const double X = x->cone.Dn + fabs(at->s) * q->U;
-        double P[3];
-        EACH(j, 3)
-            P[j] = x->cone.D[j] + at->s * x->cone.u[j];
-        cross(h->c, P, q->w);
-        h->e_c = q->W * (q->U * at->s_error + 3 * 0x1p-50 * X);
-        lateral_direction(q, h, across, e_across);
+    const vm on_ball = is_on_ball(x, at), lateral = m_not(on_ball);
+    bounded_vector a;
+    if (m_any(lateral))
+        a = hull_normal(x, q, at, lateral, N, e);
+    if (m_any(on_ball)) {
+        const bounded_vector ball = ball_normal(x, q, at);
+        if (m_any(lateral))
+            select_vector(&a, on_ball, &ball);
+        else
+            a = ball;
     }
-    if (h->capped || x->is_ball)
-        ball_normal(x, q, at, h->top, &h->normal);
-    else
-        cone_hull_normal(x, q, at, across, e_across, &h->normal);
+    return unit_floats(&a, normal);
 }
 
 #endif

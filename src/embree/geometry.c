@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../bvh/threads.h"
-#include "callbacks.h"
 #include "geometry.h"
 #include "motion.h"
 #include "box_pad.h"
@@ -298,8 +297,8 @@ static cylint_embree_data *new_data(RTCDevice device,
                              .shapes = shapes,
                              .n = n,
                              .threads = 1,
-                             .filter = cylint_float_filter_used(),
-                             .packet_filter = cylint_packet_filter_used(),
+                             .filter_one = cylint_float_filter_of_one(),
+                             .filter_many = cylint_float_filter_of_many(),
                              .traverse_packet = cylint_traverse_packet_used()};
     if (options) {
         data->moved = options->moved;

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "../bvh/bvh.h"
-#include "packet_filter.h"
+#include "float_filter.h"
 #include "packet_traverse.h"
 #include "api.h"
 #include "cylint_embree.h"
@@ -26,8 +26,7 @@ typedef struct cylint_embree_data {
     void *user;        /* for filter functions */
     int threads;       /* to build the hierarchy */
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
-    const cylint_float_filter *filter;
-    cylint_packet_filter *packet_filter;
+    cylint_float_filter *filter_one, *filter_many;
     cylint_traverse_packet *traverse_packet;
     cylint_bvh bvh;
     /* Leaves name shapes by rank, in the order in which leaves first name
@@ -36,5 +35,10 @@ typedef struct cylint_embree_data {
     cylint_float_filter_shapes filter_shapes;
     const uint32_t *number; /* of the shape with that rank */
 } cylint_embree_data;
+
+void cylint_embree_intersect_callback(
+    const struct RTCIntersectFunctionNArguments *args);
+void cylint_embree_occluded_callback(
+    const struct RTCOccludedFunctionNArguments *args);
 
 #endif

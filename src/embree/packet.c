@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "packet_traverse.h"
-#include "single_ray.h"
 
 /* The members of a ray and of a hit, 4 bytes each.  A packet of N rays stores
  * each member N times, those of hits behind those of rays. */
@@ -79,40 +78,31 @@ typedef struct {
     int n;
 } packet_state;
 
-/* Questions for the packet filter, at most one for each ray. */
+/* Questions for the filter, at most one for each ray; all of round shapes or none
+ * of them. */
 typedef struct {
-    cylint_float_filter_target target[CYLINT_PACKET_MOST];
-    const cylint_float_filter_ray *line[CYLINT_PACKET_MOST];
+    cylint_float_filter_question asked[CYLINT_PACKET_MOST];
     ray_test *test[CYLINT_PACKET_MOST];
     int n;
-} filter_batch;
+} batch;
 
-/* The packet filter does not decide round shapes, which are tested at once. */
-static void add_question(filter_batch *b, ray_test *r)
+static void add_question(batch b[2], ray_test *r)
 {
-    const cylint_float_filter_target target =
-        cylint_ray_test_target(r, r->leaf->number[r->lane], NULL, NULL);
-    if (cylint_float_filter_is_round(&target)) {
-        r->found |= cylint_ray_test_lane(r);
-        return;
-    }
-    b->target[b->n] = target;
-    b->line[b->n] = &r->line;
-    b->test[b->n++] = r;
+    const cylint_float_filter_question q = question_of(r);
+    batch *to = &b[cylint_float_filter_is_round(&q)];
+    to->asked[to->n] = q;
+    to->test[to->n++] = r;
 }
 
-static void test_batch(const filter_batch *b)
+static void test_batch(batch *b, const cylint_embree_data *data)
 {
-    cylint_packet_filter_results results;
-    const ray_test *first = b->test[0];
-    if (b->n == 1) {
-        b->test[0]->found |= cylint_ray_test_lane(b->test[0]);
+    cylint_float_filter_answer answer[CYLINT_PACKET_MOST];
+    if (b->n == 0)
         return;
-    }
-    first->data->packet_filter(b->target, b->line, b->n,
-                               needs_description(first), &results);
+    (b->n > 1 ? data->filter_many : data->filter_one)(b->asked, b->n, answer);
     for (int i = 0; i < b->n; i++)
-        b->test[i]->found |= cylint_ray_test_accept(b->test[i], &results, i);
+        b->test[i]->found |=
+            cylint_ray_end(b->test[i], &b->asked[i], &answer[i]);
 }
 
 /* Tests the lanes of all rays in turns, the nearest lane of each ray first.
@@ -127,18 +117,18 @@ static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
         prefetch_shapes(p->test[0].data, hit->leaf, left[k]);
     }
     while (rays) {
-        filter_batch b;
-        b.n = 0;
+        batch b[2];
+        b[0].n = b[1].n = 0;
         for (unsigned of = rays; of; of &= of - 1) {
             const int k = cylint_lowest(of);
             if (left[k] && select_nearest_lane(&p->test[k], hit->leaf, &left[k],
                                                hit->least[k]))
-                add_question(&b, &p->test[k]);
+                add_question(b, &p->test[k]);
             else
                 rays &= ~(1u << k);
         }
-        if (b.n > 0)
-            test_batch(&b);
+        test_batch(&b[0], p->test[0].data);
+        test_batch(&b[1], p->test[0].data);
         if (p->test[0].any)
             for (unsigned of = rays; of; of &= of - 1) {
                 const int k = cylint_lowest(of);

@@ -146,6 +146,7 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
     return x;
 }
 
+/* lint: i - 32 * position is below 32 */
 /* Bit number i of |x|.  Bit 0 has the weight 1. */
 static unsigned bit_at(exact x, int i)
 {

@@ -44,8 +44,8 @@ exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
  * every rounding mode. */
 static exact first_inverse_root(cylint_arena *arena, exact x)
 {
-    const uint64_t leading = (uint64_t)x.limb[x.n - 1] << 32 |
-                             (x.n > 1 ? x.limb[x.n - 2] : 0);
+    const uint64_t leading =
+        (uint64_t)x.limb[x.n - 1] << 32 | (x.n > 1 ? x.limb[x.n - 2] : 0);
     int shift = 0;
     while (leading >> shift > UINT32_MAX)
         shift += 2;

@@ -25,6 +25,7 @@ typedef struct {
     size_t n, capacity;
 } line_pieces;
 
+/* lint: n is never 0, so the array stays where realloc() returns NULL */
 static void *grown_array(void *array, size_t n, size_t size)
 {
     return n > SIZE_MAX / size ? NULL : realloc(array, n * size);

@@ -171,6 +171,7 @@ static uint32_t owner_at(sweep *s, double t)
     return s->chord[s->heap[0]].number;
 }
 
+/* lint: there are pieces where the capacity is not 0 */
 /* Adds the cell [t0, t1], or makes the last piece longer by it.  Returns 0 if no
  * more pieces are wanted. */
 static int add_cell(sweep *s, double t0, double t1, size_t depth)

@@ -99,6 +99,7 @@ static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
     return CYLINT_SCENE_OK;
 }
 
+/* lint: memory for the clauses of all members was allocated */
 /* Numbers the clauses of a solid and counts the complements in each.  `member` has
  * its n members, sorted by clause. */
 static void number_clauses_of(cylint_scene_solid *solid,

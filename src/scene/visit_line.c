@@ -92,6 +92,7 @@ static void shorten_line(line_visit *v, double t)
     v->line.tmax = cylint_next_above(t);
 }
 
+/* lint: cylint_chord() wrote n chords */
 /* Returns whether the shape has chords. */
 static int visit_chords_at(line_visit *v, size_t number)
 {
@@ -201,6 +202,7 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
     return v->stopped;
 }
 
+/* lint: all n counts are written, and a chord where its count is 1 */
 /* The chords of the shapes that wait and of which constructors made records of this
  * kind. */
 static void visit_chords_of_kind(line_visit *v, int kind,

@@ -42,8 +42,9 @@ enum {
     CYLINT_AT_TOP = 37,   /* p1; kinds made of two points only */
     CYLINT_AT_A = 40,     /* elliptic kinds: conjugate semi-axes */
     CYLINT_AT_B = 43,
-    CYLINT_AT_UNIT = 46, /* the error of an operation on doubles, and of the local
-                            coordinates in doubles (error_bounds.h) */
+    /* the error of an operation on doubles, and of the local coordinates in
+     * doubles (error_bounds.h) */
+    CYLINT_AT_UNIT = 46,
     CYLINT_NUMBERS = 47
 };
 

@@ -5,6 +5,7 @@
  */
 #include "forms.h"
 
+/* lint: the analyzer misses assignments of the template */
 #define INLINE
 #define MEMORY
 

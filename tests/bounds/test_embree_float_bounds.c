@@ -5,7 +5,7 @@
  * The forms of round kinds run over an arithmetic that carries bounds on a number
  * and on its error, in units u = 2^-53 of one rounding.  |w| = |u| = 1, and what
  * is compared is K = |D| + r0 = 1.  The errors of dot products are those of
- * float_filter_dots.h.
+ * float_filter_lanes.h.
  */
 #include <float.h>
 #include <math.h>

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree/callbacks.h"
+#include "embree/geometry.h"
 #include "embree/geometry.h"
 #include "embree_compare.h"
 

@@ -21,6 +21,7 @@
 #include "intersect.h"
 #include "numbers/error_bounds.h"
 #include "random.h"
+#include "same.h"
 #include "shapes/local.h"
 #include "shapes/measure.h"
 
@@ -332,6 +333,23 @@ static void the_matrix_of_extreme_shapes_is_accurate(void)
 
 /* ----------------------------------------------------- one question ----- */
 
+static void all_paths_have_the_bits_of_the_exact_stage(void)
+{
+    for (int family = 0; family < family_count(); family++)
+        for (uint64_t i = 0; i < CASES; i++) {
+            struct family_case c;
+            cylint_answer got, want;
+            family_case(24, family, i, &c);
+            memset(&got, 0, sizeof got);
+            memset(&want, 0, sizeof want);
+            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
+            cylint_intersect_by_signs(&c.shape, &c.line, CYLINT_WANT_ALL,
+                                      &want);
+            if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
+                report_answers(&c, "all stages, exact stage", &got, &want);
+        }
+}
+
 static int differs(const cylint_answer *got, const cylint_answer *want,
                    unsigned wanted)
 {
@@ -521,6 +539,7 @@ int main(void)
         return check_skip("no GSL: no families to draw from (make deps)");
     RUN(the_matrix_is_as_accurate_as_it_states);
     RUN(the_matrix_of_extreme_shapes_is_accurate);
+    RUN(all_paths_have_the_bits_of_the_exact_stage);
     RUN(a_question_is_undecided_or_exact);
     RUN(questions_along_thin_cones_are_exact);
     RUN(questions_of_extreme_shapes_are_exact);

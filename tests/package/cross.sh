@@ -239,7 +239,7 @@ runner=/usr/lib/wine/wine64
 folder=$(folder_of 'Windows (mingw-w64, wine)')
 if missing=$(usable $compiler "$flags" "$link" $runner); then
     # those that need no package and no memory that may not be touched
-    tests=$(grep -L -e 'check_skip(' -e 'return 77' -e 'guarded\.h' -e 'batch_layout\.h' \
+    tests=$(grep -L -e 'check_skip(' -e 'return 77' -e 'guarded\.h' \
         tests/*/test_*.c | sed -e 's|\.c$||' -e '/embree/d')
     built $name $tests && tests_pass $name $runner $tests
 else
@@ -255,7 +255,7 @@ for compiler in gcc clang clang-19; do
         skip "$compiler, subnormals flushed" "$missing"
         continue
     }
-    tests='tests/library/test_environment tests/scene/test_environment'
+    tests='tests/library/test_environment tests/scene/test_paths'
     built "$compiler" $tests && tests_pass "$compiler" '' $tests
 done
 

@@ -15,7 +15,7 @@
 #include "check.h"
 #include "cylint_scene.h"
 #include "environment.h"
-#include "same_scenes.h"
+#include "answers.h"
 #include "scene_file.h"
 
 #if defined(__unix__) || defined(__APPLE__)

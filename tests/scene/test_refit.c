@@ -11,7 +11,7 @@
 #include "check.h"
 #include "cylint_scene.h"
 #include "random.h"
-#include "same_scenes.h"
+#include "answers.h"
 #include "scenes.h"
 
 enum { SHAPES = 300, MOVES = 4 };

@@ -1,5 +1,5 @@
 /*
- * test_constructors.c - floor shape: constructors, their errors, and boxes
+ * test_constructors.c - floor shape: constructors and their errors
  */
 #include <float.h>
 #include <math.h>
@@ -8,7 +8,6 @@
 #include "check.h"
 #include "cylint.h"
 #include "families.h"
-#include "vectors.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
 #include "shapes/shape_facts.h"
@@ -323,214 +322,7 @@ static void extreme_shapes_are_accepted(void)
     CHECK(cylint_cone(&s, low, DBL_MAX, high, 0, 0) == CYLINT_OK);
 }
 
-/* -------------------------------------------------------------- bounds -- */
-
-/* lo and hi are within `ulps` of the exact box and not inside it. */
-static int outward(const double lo[3], const double hi[3],
-                   const double want_lo[3], const double want_hi[3], int ulps)
-{
-    for (int i = 0; i < 3; i++) {
-        double l = want_lo[i], h = want_hi[i];
-        for (int k = 0; k < ulps; k++) {
-            l = nextafter(l, -HUGE_VAL);
-            h = nextafter(h, HUGE_VAL);
-        }
-        if (!(l <= lo[i] && lo[i] <= want_lo[i] && want_hi[i] <= hi[i] &&
-              hi[i] <= h)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-enum { BOX_ULPS = 4 };
-
-static void boxes_of_simple_shapes_are_tight(void)
-{
-    cylint_shape s;
-    double lo[3], hi[3];
-    const double all_lo[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    const double all_hi[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-
-    const double lo1[3] = {-2, -2, 0}, hi1[3] = {2, 2, 1};
-    cylint_cylinder(&s, origin, axis_z, 2, CYLINT_ENDS_OPEN);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, lo1, hi1, BOX_ULPS));
-
-    const double p[3] = {3, 4, 0}, lo2[3] = {-4, -3, -5};
-    const double hi2[3] = {4 + 3, 3 + 4, 5};
-    cylint_cylinder(&s, origin, p, 5, CYLINT_ENDS_CAPPED);
-    cylint_bounds(&s, lo, hi); /* radius 5 sqrt(1 - u_i^2): 4, 3, 5 */
-    CHECK(outward(lo, hi, lo2, hi2, BOX_ULPS));
-
-    const double lo3[3] = {-1, -2, 0}, hi3[3] = {2, 2, 1};
-    const double a[3] = {1, 0, 0}, b[3] = {0, 2, 0}, h[3] = {1, 0, 1};
-    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_ENDS_CAPPED);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, lo3, hi3, BOX_ULPS));
-
-    const double lo4[3] = {-1, -1, 0}, hi4[3] = {1, 1, 1};
-    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_CAPPED);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, lo4, hi4, BOX_ULPS));
-
-    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, all_lo, all_hi, 0));
-}
-
-static void boxes_are_exact_where_nothing_is_rounded(void)
-{
-    const double p0[3] = {4, 5, 6}, p1[3] = {4, 5, 9};
-    cylint_shape s;
-    double lo[3], hi[3];
-
-    const double lo1[3] = {-1, -1, 0}, hi1[3] = {1, 1, 1};
-    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_CAPPED);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, lo1, hi1, 0));
-
-    const double lo2[3] = {2, 3, 6}, hi2[3] = {6, 7, 9};
-    cylint_cone(&s, p0, 2, p1, 1, CYLINT_ENDS_CAPPED);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, lo2, hi2, 0));
-
-    const double lo3[3] = {-HUGE_VAL, -HUGE_VAL, 6};
-    const double hi3[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    cylint_cone(&s, p0, 0, p1, 1, CYLINT_ENDS_NAPPE);
-    cylint_bounds(&s, lo, hi);
-    CHECK(outward(lo, hi, lo3, hi3, 0));
-}
-
-/* A point of a rim by its angle; returns 0 if the shape is not bounded. */
-static void rim_point(const struct family_case *c, int top, double turn,
-                      double p[3])
-{
-    const cylint_shape *s = &c->shape;
-    const double x = cos(turn), y = sin(turn),
-                 r = top ? cylint_r1(s) : cylint_r0(s);
-    if (c->shape_word >= FAMILY_SPHERE) { /* of the ball about that end */
-        const int last = s->kind == CYLINT_KIND_SPHERE ? 0 : top;
-        const double up = sin(5 * turn), across = cos(5 * turn);
-        const double n[3] = {x * across, y * across, up};
-        for (int i = 0; i < 3; i++) {
-            p[i] = (last ? cylint_top(s)[i] : cylint_base(s)[i]) +
-                   (last ? cylint_r1(s) : cylint_r0(s)) * n[i];
-        }
-        return;
-    }
-    if (c->shape_word >= FAMILY_ECYLINDER) {
-        for (int i = 0; i < 3; i++) {
-            p[i] = cylint_base(s)[i] + (top ? cylint_axis(s)[i] : 0) +
-                   r * (x * cylint_a(s)[i] + y * cylint_b(s)[i]);
-        }
-        return;
-    }
-    const double size = sqrt(dot3(cylint_axis(s), cylint_axis(s)));
-    double e[3] = {0, 0, 0}, f[3];
-    const double *w = cylint_axis(s);
-    e[fabs(w[0]) < fabs(w[1]) ? 0 : 1] = 1;
-    const double along = dot3(e, w) / (size * size);
-    for (int i = 0; i < 3; i++) {
-        e[i] -= along * w[i];
-    }
-    const double scale = 1 / sqrt(dot3(e, e));
-    for (int i = 0; i < 3; i++) {
-        e[i] *= scale;
-    }
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        f[i] = (w[j] * e[k] - w[k] * e[j]) / size;
-    }
-    const double radius = c->shape_word == FAMILY_ACONE ? r * size : r;
-    for (int i = 0; i < 3; i++) {
-        p[i] = cylint_base(s)[i] + (top ? w[i] : 0) +
-               radius * (x * e[i] + y * f[i]);
-    }
-}
-
-/* The box contains the rims and is no larger, within the rounding of the points
- * and the steps between them. */
-static void boxes_fit_the_rims(void)
-{
-    enum { POINTS = 720 };
-    for (uint64_t n = 0; n < 400 && family_count() > 0; n++) {
-        struct family_case c;
-        double lo[3], hi[3], low[3], high[3];
-        family_case(7, 0, n, &c);
-        if (c.shape.ends >= CYLINT_ENDS_INFINITE) {
-            continue;
-        }
-        cylint_bounds(&c.shape, lo, hi);
-        rim_point(&c, 0, 0, low);
-        rim_point(&c, 0, 0, high);
-        for (int i = 0; i < 2 * POINTS; i++) {
-            double p[3];
-            rim_point(&c, i % 2, 6.283185307179586 * i / POINTS, p);
-            for (int k = 0; k < 3; k++) {
-                low[k] = fmin(low[k], p[k]);
-                high[k] = fmax(high[k], p[k]);
-            }
-        }
-        for (int k = 0; k < 3; k++) {
-            const double size = high[k] - low[k] + fabs(high[k]);
-            if (!CHECK(lo[k] <= low[k] + 1e-14 * size &&
-                       hi[k] >= high[k] - 1e-14 * size) ||
-                !CHECK(lo[k] >= low[k] - 1e-4 * size &&
-                       hi[k] <= high[k] + 1e-4 * size)) {
-                family_report(&c);
-            }
-        }
-    }
-}
-
 #ifdef HAVE_MPFR
-
-/* The double next to x, on the inner or outer side of side i of the box. */
-static void at_side(const double lo[3], const double hi[3], int i, int up,
-                    double p[3])
-{
-    for (int k = 0; k < 3; k++) {
-        p[k] = lo[k] / 2 + hi[k] / 2;
-    }
-    p[i] = up ? nextafter(hi[i], HUGE_VAL) : nextafter(lo[i], -HUGE_VAL);
-}
-
-/* No line in the plane just outside a side of the box meets the solid, and hits
- * on the solid are inside the box, both exactly. */
-static void a_box_contains_its_solid(void)
-{
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t n = 0; n < 100; n++) {
-            struct family_case c;
-            double lo[3], hi[3];
-            family_case(8, family, n, &c);
-            cylint_bounds(&c.shape, lo, hi);
-            for (int side = 0; side < 12; side++) {
-                const int i = side / 4, up = side % 2;
-                cylint_line line;
-                cylint_answer answer;
-                double p[3];
-                if (!isfinite(lo[i]) || !isfinite(hi[i])) {
-                    continue;
-                }
-                at_side(lo, hi, i, up, p);
-                if (cylint_whole_line(&line, p,
-                                      (i + 1 + side / 2 % 2) % 3 == 0 ? axis_x
-                                      : (i + 1 + side / 2 % 2) % 3 == 1
-                                          ? axis_y
-                                          : axis_z) != CYLINT_OK) {
-                    continue;
-                }
-                oracle_intersect(&c.shape, &line, 0, &answer);
-                if (!CHECK(answer.relation == CYLINT_RELATION_MISS)) {
-                    REPORT("side %d of the box", side);
-                    family_report(&c);
-                }
-            }
-        }
-    }
-}
 
 /* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
 static void differences_have_their_low_parts(void)
@@ -576,14 +368,10 @@ int main(void)
     RUN(points_that_are_not_finite_are_outside);
     RUN(a_coordinate_that_is_nan_is_outside_of_any_shape);
     RUN(extreme_shapes_are_accepted);
-    RUN(boxes_of_simple_shapes_are_tight);
-    RUN(boxes_are_exact_where_nothing_is_rounded);
-    RUN(boxes_fit_the_rims);
 #ifdef HAVE_MPFR
-    RUN(a_box_contains_its_solid);
     RUN(differences_have_their_low_parts);
 #else
-    puts("note: no MPFR: no oracle to compare boxes with (make deps)");
+    puts("note: no MPFR: no oracle (make deps)");
 #endif
     return check_end();
 }

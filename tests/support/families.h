@@ -70,9 +70,19 @@ struct family_case family_of(family_line line, const double *line_data,
 int family_shape_size(family_shape word);
 int family_line_size(family_line word);
 
+/* How many of these, the first, are lengths: not an angle and not a factor. */
+int family_lengths(family_shape word);
+
+/* Whether number i is a radius, an angle or a factor. */
+int family_is_size(family_shape word, int i);
+
 /* Prints the case as a record of the command, in hexadecimal, without a
  * newline. */
 void family_print(FILE *to, const struct family_case *c);
+
+/* Reads what family_print() prints, numbers in decimal too, and makes it; `ends` may be
+ * missing.  Returns a pointer behind it, or NULL. */
+const char *family_parse(const char *text, struct family_case *c);
 
 /* Prints a failed case on standard error, with a newline. */
 void family_report(const struct family_case *c);

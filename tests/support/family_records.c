@@ -2,6 +2,7 @@
  * family_records.c - cases of the families as text, as doubles, and as the
  * library's lines and shapes
  */
+#include <stdlib.h>
 #include <string.h>
 
 #include "families.h"
@@ -22,6 +23,19 @@ int family_shape_size(family_shape word)
 int family_line_size(family_line word)
 {
     return word == FAMILY_SPAN ? 8 : 6;
+}
+
+int family_lengths(family_shape word)
+{
+    return family_shape_size(word) -
+           (word == FAMILY_ACONE || word == FAMILY_ECONE);
+}
+
+int family_is_size(family_shape word, int i)
+{
+    const int two = word == FAMILY_CONE || word == FAMILY_RCONE;
+    return word != FAMILY_ECYLINDER &&
+           (i == family_shape_size(word) - 1 || (two && i == 3));
 }
 
 static void make_line(struct family_case *c)
@@ -91,6 +105,54 @@ int family_make(struct family_case *c)
         break;
     }
     return c->line_status == CYLINT_OK && c->shape_status == CYLINT_OK;
+}
+
+static const char *parse_word(const char *text, const char *const *words, int n,
+                              int *found)
+{
+    text += strspn(text, " ");
+    const size_t length = strcspn(text, " =\n");
+    for (*found = n - 1; *found >= 0; --*found)
+        if (strlen(words[*found]) == length &&
+            strncmp(text, words[*found], length) == 0)
+            return text + length;
+    return NULL;
+}
+
+static const char *parse_numbers(const char *text, int n, double *to)
+{
+    for (int i = 0; i < n; i++) {
+        char *end;
+        to[i] = strtod(text, &end);
+        if (end == text)
+            return NULL;
+        text = end;
+    }
+    return text;
+}
+
+const char *family_parse(const char *text, struct family_case *c)
+{
+    int word;
+    memset(c, 0, sizeof *c);
+    if (!(text = parse_word(text, line_words, 4, &word)))
+        return NULL;
+    c->line_word = (family_line)word;
+    if (!(text = parse_numbers(text, family_line_size(c->line_word),
+                               c->line_data)) ||
+        !(text = parse_word(text, shape_words, 8, &word)))
+        return NULL;
+    c->shape_word = (family_shape)word;
+    text = parse_numbers(text, family_shape_size(c->shape_word), c->shape_data);
+    if (!text)
+        return NULL;
+    const char *ends = text + strspn(text, " ");
+    if (strncmp(ends, "ends=", 5) == 0) {
+        if (!(text = parse_word(ends + 5, ends_words, 6, &word)))
+            return NULL;
+        c->ends = (cylint_ends)word;
+    }
+    return family_make(c) ? text : NULL;
 }
 
 void family_print(FILE *to, const struct family_case *c)

@@ -36,42 +36,22 @@ scripts=$(of_kind '\.sh$')
 pages=$(of_kind '^man/.*\.[0-9]$')
 options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L -DCYLINT_EMBREE=3'
 
-# Removes findings that were checked and are no faults.
+# Removes findings that were checked and are no faults: those below a comment
+# "lint: REASON", as far as the end of the function or type.
 remove_checked() {
-    grep -v \
-        -e 'gullotti\.c:.*Uninitialized variable: m\.row' \
-        -e 'grammar\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\|value .*v\[\)' \
-        -e '\(arguments\|message\|report\)\.c:.*valist\.Uninitialized' \
-        -e 'boxes\.c:.*CallAndMessage' \
-        -e 'exact\.c:.*right shift is undefined' \
-        -e 'build\.c:.*bugprone-integer-division' \
-        -e '\(packet\.c\|ray_test\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
-        -e 'geometry\.c:.*NonNullParamChecker' \
-        -e '\(hit\|ray_test\)\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\)' \
-        -e 'double_double\.h:.*UndefinedBinaryOperatorResult' \
-        -e 'ray\.h:.*uninitialized\.ArraySubscript' \
-        -e 'leaf_test\.h:.*use of uninitialized value' \
-        -e '\(float_bounds\.h\|swept_disc\.c\):.*use of uninitialized value' \
-        -e 'float_filter.*uninitialized value .at\.' \
-        -e 'triple_vector\.h:.*use of uninitialized value .\*[uv]_' \
-        -e 'surd\.c:.*uninitialized value .sum' \
-        -e 'forms_template\.h:.*core\.UndefinedBinaryOperatorResult' \
-        -e '\(lanes\.h\|cc1\):.*uninitialized value .*\[[12]\]' \
-        -e 'uninitialized value .q\.alpha\[1\]' \
-        -e 'uninitialized value .\*\?f\.den' \
-        -e 'Nd where does a line meet a cylinder or a cone?' \
-        -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
-        -e 'outdated mandoc\.db'
-    # The reasons, in the order of the patterns: cross() writes all of a row;
-    # a record has the count of numbers of
-    # its kinds; va_start was called; terms of circular and elliptic kinds are
-    # never mixed, but an analyzer can forget the kind; a box has three sides; a
-    # number with limbs has a highest bit; blocks are counted whole; a query lives as long as its packet, and a mask
-    # that is not 0 has a first lane; allocated memory is not NULL; of the facts
-    # of a hit only the computed ones are read; both analyzers take three rounds
-    # of EACH for one, and gcc's misses the assignments f.num = f.den and
-    # sum = size_of(); a hit of the float filter has its place; the name line is
-    # a question; manuals that are not installed are referenced.
+    awk -F: '
+        function is_checked(file, line,    text, n, reason) {
+            while (n < line && (getline text < file) > 0) {
+                n++
+                if (text ~ /lint: /)
+                    reason = 1
+                else if (text ~ /^}/ && n < line)
+                    reason = 0
+            }
+            close(file)
+            return reason
+        }
+        !is_checked($1, $2 + 0)'
 }
 
 # ------------------------------------------------------------- analysis --
@@ -131,7 +111,12 @@ if installed actionlint 'the workflows'; then # go install github.com/rhysd/acti
 fi
 
 if installed mandoc mandoc; then
-    mandoc -T lint -W style $pages 2>&1 | remove_checked >"$work/found"
+    # The name of cylint(1) is a question.  Manuals that are not installed are
+    # referenced.
+    mandoc -T lint -W style $pages 2>&1 | grep -v \
+        -e 'Nd where does a line meet a cylinder or a cone?' \
+        -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
+        -e 'outdated mandoc\.db' >"$work/found"
     result mandoc
 fi
 

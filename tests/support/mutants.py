@@ -59,17 +59,17 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
 # and with all cases only for --full, on mutants that pass the others.
 FEW = {"CYLINT_CASES": "50"}
 HARD = "library/test_hard"  # of the command
-SHORT = [("signs/test_rare_branches", {}), ("shapes/test_constructors", {}),
+SHORT = [("library/test_hits", {}), ("shapes/test_constructors", {}),
          (HARD, {}), ("bounds/test_form_depth", {}),
          ("bounds/test_local_bounds", {}), ("bounds/test_local_residuals", {}),
          ("filter/test_local_coordinates", FEW),
          ("library/test_intersect", FEW), ("roots/test_midpoints", {}),
-         ("roots/test_budget", FEW), ("library/test_environment", FEW),
+         ("shapes/test_errors", FEW), ("library/test_environment", {"CYLINT_CASES": "5"}),
          ("library/test_properties", FEW),
          ("library/test_batch", {"CYLINT_CASES": "3"})]
 FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
-        ("library/test_environment", {}), ("numbers/test_exact", {}),
-        ("numbers/test_double_double", {}), ("roots/test_budget", {}),
+        ("numbers/test_exact", {}), ("scene/test_paths", {}),
+        ("numbers/test_double_double", {}), ("shapes/test_errors", {}),
         ("library/test_properties", {}), ("library/test_batch", {})]
 DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
             ("bounds/test_distance_bounds", {"CYLINT_CASES": "10"}),
@@ -77,9 +77,13 @@ DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
             ("distance/test_oracle", {"CYLINT_CASES": "2"}),
             ("distance/test_elliptic", {}), ("distance/test_elliptic_certain", {}),
             ("bounds/test_elliptic_bounds", {})]
-POINTS = [("bounds/test_scene_point_bounds", {}), ("scene/test_closest", {})]
+POINTS = [("bounds/test_scene_point_bounds", {}), ("scene/test_queries", {})]
+SCENE = [("scene/test_many", {}), ("scene/test_pieces", {"CYLINT_CASES": "10"}),
+         ("scene/test_boundary", {"CYLINT_CASES": "20"}), ("scene/test_solids", {}),
+         ("scene/test_refit", {}), ("scene/test_records", {"CYLINT_CASES": "50"}),
+         ("scene/test_file", {}), ("scene/test_queries", {})]
 # The tests of files in a folder; of other files they are SHORT and FULL.
-OF_FOLDER = {"distance": DISTANCE, "bvh": POINTS}
+OF_FOLDER = {"distance": DISTANCE, "bvh": POINTS, "scene": SCENE}
 
 # (pattern, replacements)
 SWAPS = [

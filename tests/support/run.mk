@@ -1,7 +1,7 @@
 # run.mk: runs each of $TESTS as a target, so side by side under make's jobs, and
 # prints a report of all.  They start in the order of $TESTS; a failure stops none.
 #
-#     TESTS='build/tests/roots/test_hit tests/command/test_cli.sh' BUILD=build \
+#     TESTS='build/tests/library/test_hits tests/command/test_cli.sh' BUILD=build \
 #         make -j2 -f tests/support/run.mk
 runs := $(TESTS:=.run)
 

@@ -28,6 +28,11 @@ static const struct {
     {"batch", "many lines or many shapes", bench_batch},
     {"distance", "points and one shape", bench_distance},
     {"methods", "time against error of published methods", bench_methods},
+    {"scene", "queries of scenes; build, move, save, open", bench_scene},
+    {"pieces", "pieces of a line in scenes", bench_pieces},
+#ifdef CYLINT_EMBREE
+    {"embree", "shapes in scenes of Embree", bench_embree},
+#endif
 };
 enum { CASES = sizeof cases / sizeof *cases, CONTESTANTS = 8, ROUNDS = 3 };
 
@@ -102,8 +107,7 @@ static void shuffle(int *order, int n)
  * remembers thousands of outcomes of an order that repeats. */
 static void take_turn(struct contestant *a, int *order, int n, int shuffled)
 {
-    if (a->kernels)
-        cylint_use_kernels(a->kernels);
+    cylint_use_kernels(a->kernels);
     if (shuffled) {
         sink = a->turn(a->input, order, n);
         shuffle(order, n);

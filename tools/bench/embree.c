@@ -1,100 +1,315 @@
 /*
- * embree.c - shapes in an Embree scene beside Embree's own curves
+ * embree.c - shapes in scenes of Embree, beside its own linear curves
  *
- * usage: embree SECONDS MOST
- *
- * Scenes have up to MOST cylinders.  Each race of all rivals over one kind of
- * rays takes about SECONDS on one core; the least time of several turns
- * counts.  ratio: rays a second over those of Embree's cone curves (higher is
- * better).
+ * Cylinders beside cone curves, round cones beside round curves.  The rays are
+ * the same; "wrong" are rays for which the curves have another nearest shape.
  */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include "embree.h"
+
+#include <cylint_embree.h>
 #include <string.h>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
-#include "embree_race.h"
+#include "sticks.h"
 
-enum { RAYS = 100000, MOST_RIVALS = 8 };
+enum { RAYS = 160 * 160, MOST = 8, LANES = 16 };
 
-static int make_rivals(struct contestant *c, const struct cylinder_kind *kind,
-                       const struct cylinders *cylinders, int all)
+/* A scene and its rays. */
+struct world {
+    RTCDevice device;
+    RTCScene scene;
+    RTCGeometry *part; /* of the adapter */
+    size_t parts;
+    double bytes;
+};
+
+static struct {
+    float ray[RAYS][2][3];
+    struct world ours[MOST], bare[MOST], curves;
+} in;
+
+/* The adapter's scene that was made with the kernels in use. */
+static const struct world *in_use(const struct world *worlds)
 {
-    const char *one = "threads=1";
-    const int segments = segments_for(cylinders, kind);
-    int n = 0;
-    c[n++] = (struct contestant){.name = "curves",
-                                 .rival = build_curves(cylinders, 1, one)};
-    if (all && segments > 1)
-        c[n++] = (struct contestant){
-            .name = "curves, split by hand",
-            .rival = build_curves(cylinders, segments, one)};
-    c[n++] = (struct contestant){.name = "adapter",
-                                 .rival = build_shapes(cylinders, 0, one)};
-    if (all) {
-        c[n++] = (struct contestant){
-            .name = "adapter, bare",
-            .rival = build_shapes(cylinders, CYLINT_EMBREE_BARE, one)};
-        c[n++] = (struct contestant){
-            .name = "adapter, no filters",
-            .rival = build_shapes(cylinders, CYLINT_EMBREE_NO_FILTERS, one)};
+    int k = 0;
+    while (worlds != &in.curves &&
+           strcmp(cylint_kernels_name(k), cylint_kernels_in_use()))
+        k++;
+    return &worlds[k];
+}
+
+/* ---------------------------------------------------------------- scenes -- */
+
+static bool count_bytes(void *user, ssize_t bytes, bool post)
+{
+    (void)post;
+    *(double *)user += (double)bytes;
+    return true;
+}
+
+/* Cone or round curves of the shapes first to last. */
+static RTCGeometry curves_of(RTCDevice device, const struct sticks *s,
+                             size_t first, size_t last)
+{
+    const size_t n = last - first;
+    RTCGeometry g = rtcNewGeometry(
+        device, s->is_round ? RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE
+                            : RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    float *vertex = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0,
+                                            RTC_FORMAT_FLOAT4, 16, 2 * n);
+    unsigned *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
+                                              RTC_FORMAT_UINT, 4, n);
+    unsigned char *flags = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_FLAGS, 0,
+                                                   RTC_FORMAT_UCHAR, 1, n);
+    for (size_t i = first; i < last; i++)
+        for (int k = 0; k < 2; k++) {
+            memcpy(vertex, s->end[i][k], 3 * sizeof *vertex);
+            vertex[3] = s->radius[i][k];
+            vertex += 4;
+        }
+    for (size_t i = 0; i < n; i++) {
+        index[i] = (unsigned)(2 * i);
+        flags[i] = 0;
     }
-    if (all && kind != &fibre) { /* boxes of fibres are mostly empty */
-        c[n++] = (struct contestant){
-            .name = "adapter, one shape per primitive",
-            .rival = build_shapes(cylinders, CYLINT_EMBREE_SINGLE, one)};
+    rtcSetGeometryMask(g, 0xFFFFFFFFu);
+    rtcCommitGeometry(g);
+    return g;
+}
+
+/* parts: how many geometries; flags: of the adapter, -1 for curves. */
+static void build(struct world *w, const struct sticks *s, size_t parts,
+                  int flags)
+{
+    *w = (struct world){.device = embree_device(), .parts = parts};
+    rtcSetDeviceMemoryMonitorFunction(w->device, count_bytes, &w->bytes);
+    w->scene = rtcNewScene(w->device);
+    w->part = need(parts * sizeof *w->part);
+    for (size_t k = 0; k < parts; k++) {
+        const size_t first = k * s->n / parts, last = (k + 1) * s->n / parts;
+        const cylint_embree_options options = {.flags = (unsigned)flags};
+        w->part[k] = flags < 0
+                         ? curves_of(w->device, s, first, last)
+                         : cylint_embree_geometry(w->device, s->shapes + first,
+                                                  last - first, &options, NULL);
+        must(w->part[k] != NULL, "no geometry was made");
+        rtcAttachGeometry(w->scene, w->part[k]);
+        if (flags < 0)
+            rtcReleaseGeometry(w->part[k]);
     }
-    return n;
+    rtcCommitScene(w->scene);
+    rtcSetDeviceMemoryMonitorFunction(w->device, NULL, NULL);
 }
 
-static void show(const char *scene, size_t n, const char *rays,
-                 const struct contestant *c, int rivals, int n_rays)
+static void release(struct world *w, int is_ours)
 {
-    for (int i = 0; i < rivals; i++)
-        printf("%s\t%zu\t%s\t%s\t%.3f\t%.2f\t%.4f\t%.3f\t%.1f\n", scene, n,
-               rays, c[i].name, n_rays / c[i].least.ns * 1e3,
-               c[0].least.ns / c[i].least.ns, (double)c[i].hits / n_rays,
-               c[i].rival.build_seconds, c[i].rival.bytes / (double)n);
-    fflush(stdout);
+    if (!w->device)
+        return;
+    for (size_t k = 0; k < w->parts && is_ours; k++)
+        cylint_embree_release(w->part[k]);
+    free(w->part);
+    rtcReleaseScene(w->scene);
+    rtcReleaseDevice(w->device);
+    w->device = NULL;
 }
 
-static void run(const struct scene_size *scene, double seconds)
+/* One for each of the kernels. */
+static void build_all(struct world *worlds, const struct sticks *s,
+                      size_t parts, int flags)
 {
-    const struct cylinder_kind *kind = scene->kind;
-    const size_t n = scene->n;
-    struct contestant c[MOST_RIVALS];
-    struct cylinders cylinders = draw_cylinders(kind, n);
-    struct rays incoherent = draw_incoherent_rays(RAYS);
-    struct rays camera = draw_camera_rays(RAYS);
-    const int rivals = make_rivals(c, kind, &cylinders, scene->all);
-    compete(c, rivals, query_nearest, &incoherent, seconds);
-    show(kind->name, n, "incoherent", c, rivals, incoherent.n);
-    compete(c, rivals, query_nearest, &camera, seconds);
-    show(kind->name, n, "coherent", c, rivals, camera.n);
-    compete(c, rivals, query_any, &incoherent, seconds);
-    show(kind->name, n, "occluded", c, rivals, incoherent.n);
-    for (int i = 0; i < rivals; i++)
-        free_rival(&c[i].rival);
-    free_rays(&incoherent);
-    free_rays(&camera);
-    free_cylinders(&cylinders);
+    for (int k = 0; k < MOST && cylint_kernels_name(k); k++) {
+        cylint_use_kernels(cylint_kernels_name(k));
+        build(&worlds[k], s, parts, flags);
+    }
+    cylint_use_kernels(NULL);
 }
 
-int main(int argc, char **argv)
+/* ----------------------------------------------------------------- turns -- */
+
+static void set_ray(struct RTCRay *to, int i)
 {
-    static const struct scene_size scenes[] = {
-        {&thin, 1000, 1},        {&fat, 1000, 1},
-        {&thin, 10000, 0},       {&thin, 100000, 1},
-        {&fat, 100000, 1},       {&fibre, 100000, 1},
-        {&thin, 1000000, 1},     {&fat, 1000000, 1},
-        {&thin, 10000000, 0},    {&thin_stick, 100000, 0},
-        {&fat_stick, 100000, 0}, {&thin_stick, 1000000, 0},
-        {&fat_stick, 1000000, 0}};
-    timing_begin();
-    puts("# higher is better: Mray/s, ratio (to Embree's cone curves); "
-         "lower is better: build s, bytes/shape");
-    printf("scene\tn\trays\trival\tMray/s\tratio\thits/ray\tbuild s\t"
-           "bytes/shape\n");
-    run_scenes(argc, argv, scenes, sizeof scenes / sizeof scenes[0], run);
-    return 0;
+    *to = (struct RTCRay){.org_x = in.ray[i][0][0],
+                          .org_y = in.ray[i][0][1],
+                          .org_z = in.ray[i][0][2],
+                          .dir_x = in.ray[i][1][0],
+                          .dir_y = in.ray[i][1][1],
+                          .dir_z = in.ray[i][1][2],
+                          .tfar = HUGE_VALF,
+                          .mask = 0xFFFFFFFFu};
+}
+
+static unsigned nearest_of(const struct world *w, embree_context *context,
+                           int i, float *t)
+{
+    struct RTCRayHit at;
+    set_ray(&at.ray, i);
+    at.hit.geomID = at.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    embree_nearest(w->scene, context, &at);
+    *t = at.ray.tfar;
+    return at.hit.primID;
+}
+
+static double nearest(const void *worlds, const int *order, int n)
+{
+    const struct world *w = in_use(worlds);
+    embree_context context;
+    double sum = 0;
+    embree_begin(&context);
+    for (int k = 0; k < n; k++) {
+        float t;
+        if (nearest_of(w, &context, order[k], &t) != RTC_INVALID_GEOMETRY_ID)
+            sum += (double)t;
+    }
+    return sum;
+}
+
+static double any(const void *worlds, const int *order, int n)
+{
+    const struct world *w = in_use(worlds);
+    embree_context context;
+    double sum = 0;
+    embree_begin(&context);
+    for (int k = 0; k < n; k++) {
+        struct RTCRay ray;
+        set_ray(&ray, order[k]);
+        embree_any(w->scene, &context, &ray);
+        sum += ray.tfar < 0;
+    }
+    return sum;
+}
+
+/* Sixteen neighbours at once, in Embree's layout: word m of ray i is m 16 +
+ * i. */
+static double nearest_in_packets(const void *worlds, const int *order, int n)
+{
+    static const int valid[LANES] __attribute__((aligned(64))) = {
+        -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+    const struct world *w = in_use(worlds);
+    struct RTCRayHit16 all __attribute__((aligned(64)));
+    embree_context context;
+    double sum = 0;
+    embree_begin(&context);
+    for (int k = 0; k + LANES <= n; k += LANES) {
+        for (int i = 0; i < LANES; i++) {
+            struct RTCRay one;
+            set_ray(&one, order[k + i]);
+            for (size_t m = 0; m < sizeof one / 4; m++)
+                memcpy((char *)&all.ray + 4 * (LANES * m + (size_t)i),
+                       (const char *)&one + 4 * m, 4);
+            all.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        embree_nearest16(valid, w->scene, &context, &all);
+        for (int i = 0; i < LANES; i++)
+            if (all.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+                sum += (double)all.ray.tfar[i];
+    }
+    return sum;
+}
+
+/* -------------------------------------------------------------- contests -- */
+
+static void ask(const struct sticks *s, const char *question, bench_turn *turn,
+                bench_turn *of_curves, const struct world *ours)
+{
+    compete(&(struct contest){.subject = s->name,
+                              .question = question,
+                              .rival = s->is_round ? "Embree's round curves"
+                                                   : "Embree's cone curves",
+                              .theirs = of_curves,
+                              .ours = turn,
+                              .input = ours,
+                              .others = &in.curves,
+                              .questions = RAYS});
+}
+
+static double percent_wrong(void)
+{
+    embree_context context;
+    int wrong = 0;
+    embree_begin(&context);
+    for (int i = 0; i < RAYS; i++) {
+        float t;
+        wrong += nearest_of(&in.curves, &context, i, &t) !=
+                 nearest_of(&in.ours[0], &context, i, &t);
+    }
+    return 100.0 * wrong / RAYS;
+}
+
+static void ask_scene(const struct stick_kind *kind, double n, int is_round)
+{
+    struct sticks s;
+    draw_sticks(kind, (size_t)n, is_round, 1, &s);
+    if (is_wanted(s.name)) {
+        build(&in.curves, &s, 1, -1);
+        build_all(in.ours, &s, 1, 0);
+        build_all(in.bare, &s, 1, CYLINT_EMBREE_NO_FILTERS);
+        draw_incoherent(RAYS, in.ray);
+        ask(&s, "nearest; incoherent", nearest, nearest, in.ours);
+        print_figure(s.name, "wrong; incoherent", "curves", "%",
+                     percent_wrong(), 0);
+        ask(&s, "any; incoherent", any, any, in.ours);
+        ask(&s, "any; incoherent; no filters", any, any, in.bare);
+        draw_coherent(RAYS, in.ray);
+        ask(&s, "nearest; camera", nearest, nearest, in.ours);
+        ask(&s, "nearest; camera; packets; curves alone", nearest_in_packets,
+            nearest, in.ours);
+        ask(&s, "nearest; camera; packets", nearest_in_packets,
+            nearest_in_packets, in.ours);
+        print_figure(s.name, "a shape", "curves", "bytes", in.curves.bytes / n,
+                     in.ours[0].bytes / n);
+        release(&in.curves, 0);
+        for (int k = 0; k < MOST; k++) {
+            release(&in.ours[k], 1);
+            release(&in.bare[k], 1);
+        }
+    }
+    free_sticks(&s);
+}
+
+/* The same number in each of side^3 cells, a geometry each. */
+static void ask_many(const struct stick_kind *kind, size_t side)
+{
+    const size_t parts = side * side * side;
+    struct sticks s;
+    char question[64];
+    draw_sticks(kind, 100000, 0, side, &s);
+    if (is_wanted(s.name)) {
+        build(&in.curves, &s, parts, -1);
+        build_all(in.ours, &s, parts, 0);
+        draw_incoherent(RAYS, in.ray);
+        snprintf(question, sizeof question, "nearest; incoherent; %zu parts",
+                 parts);
+        ask(&s, question, nearest, nearest, in.ours);
+        draw_coherent(RAYS, in.ray);
+        snprintf(question, sizeof question, "nearest; camera; %zu parts",
+                 parts);
+        ask(&s, question, nearest, nearest, in.ours);
+        release(&in.curves, 0);
+        for (int k = 0; k < MOST; k++)
+            release(&in.ours[k], 1);
+    }
+    free_sticks(&s);
+}
+
+void bench_embree(void)
+{
+    static const struct {
+        const struct stick_kind *kind;
+        double n;
+        int is_round;
+    } scenes[] = {{&thin, 1e3, 0},        {&fat, 1e3, 0},
+                  {&thin_sticks, 1e5, 0}, {&fat_sticks, 1e5, 0},
+                  {&fibres, 1e5, 0},      {&thin, 1e6, 0},
+                  {&thin_sticks, 1e6, 0}, {&fat_sticks, 1e6, 0},
+                  {&thin_sticks, 1e6, 1}, {&fat_sticks, 1e6, 1}};
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | 0x8040); /* subnormals are 0: Embree's advice */
+#endif
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
+        if (scenes[i].n <= largest(1e6))
+            ask_scene(scenes[i].kind, scenes[i].n, scenes[i].is_round);
+    ask_many(&thin_sticks, 8);
+    ask_many(&fat_sticks, 8);
+    ask_many(&fat_sticks, 18);
 }

@@ -17,6 +17,7 @@ const char no_help[] = "";
 
 /* ------------------------------------------------------------- messages -- */
 
+/* lint: va_start() was called */
 int usage(const char *format, ...)
 {
     va_list list;

@@ -44,6 +44,7 @@ int numbers_of_record(const struct grammar *g)
 
 /* ---------------------------------------------------- doubles to shapes -- */
 
+/* lint: a record has the count of numbers of its kinds */
 static cylint_status make_point(const double *v, double point[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -54,6 +55,7 @@ static cylint_status make_point(const double *v, double point[3])
     return CYLINT_OK;
 }
 
+/* lint: a record has the count of numbers of its kinds */
 static cylint_status make_line(const struct grammar *g, int kind,
                                const double *v, struct record *record)
 {
@@ -81,6 +83,7 @@ static cylint_status make_halfspace(const double *v, cylint_ends ends,
     return CYLINT_EENDS;
 }
 
+/* lint: a record has the count of numbers of its kinds */
 cylint_status shape_of_numbers(int kind, int ends, const double *v,
                                cylint_shape *shape)
 {

@@ -10,6 +10,7 @@
 #include "main.h"
 #include "message.h"
 
+/* lint: va_start() was called */
 void message(const char *format, ...)
 {
     va_list list;

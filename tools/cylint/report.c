@@ -22,6 +22,7 @@ static int is_silent(const struct notes *notes)
     return notes->kept_bad == NOTES_MOST && !notes->may_remark;
 }
 
+/* lint: va_start() was called */
 int refuse(struct notes *notes, const char *at, const char *format, ...)
 {
     va_list list;

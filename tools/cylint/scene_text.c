@@ -100,6 +100,7 @@ static int begins_with(const struct string *label, const char *word)
            memcmp(label->text, word, strlen(word)) == 0;
 }
 
+/* lint: member[] has r->members elements */
 /* A label is the rest of a line without the blanks around it. */
 static const char *fault_of(const struct shape_record *r)
 {
@@ -123,6 +124,7 @@ static const char *fault_of(const struct shape_record *r)
                : NULL;
 }
 
+/* lint: a record has the count of numbers of its kinds */
 static void put_shape(struct text *t, const struct shape_record *r, int kind,
                       const double *number, int digits)
 {

@@ -284,6 +284,7 @@ static uint32_t colour_of_shape(const struct colours *c,
     }
 }
 
+/* lint: each solid's number is below `solids` */
 /* Writes for each shape the first one of its solid that is not a complement; shapes
  * that are in no solid stand for themselves.  Returns NULL if there is no memory. */
 static size_t *first_of_solids(const struct scene *scene)
@@ -316,6 +317,7 @@ static size_t *first_of_solids(const struct scene *scene)
     return stand;
 }
 
+/* lint: stand[] has a number for each shape */
 /* Members of a solid without a colour of their own have that of its first one. */
 static int colour_others(struct colours *c, const struct scene *scene,
                          enum colouring how, uint32_t one)

@@ -15,16 +15,16 @@
 struct options {
     unsigned long long given; /* a bit for each option in the table */
     const char *scene, *output;
-    int ends;         /* of records without ends, or NOT_GIVEN */
-    int swc;          /* enum swc_form */
-    int size[2];      /* width and height */
+    int ends;    /* of records without ends, or NOT_GIVEN */
+    int swc;     /* enum swc_form */
+    int size[2]; /* width and height */
     int samples;
     int workers; /* 0: one for each processor */
     int progress;
     struct viewing viewing;
     int has_sun;
     struct vector sun; /* towards it */
-    int shading; /* enum shading */
+    int shading;       /* enum shading */
     enum colouring colouring;
     uint32_t colour;    /* of shapes without a colour of their own */
     const char *ground; /* #rrggbb, or NULL */

@@ -1,12 +1,13 @@
 /*
- * ray_test.c - tests one ray of Embree's against one shape, records the hit
+ * ray.c - one ray of Embree's: tests shapes against it, and records hits
  */
-#include "ray_test.h"
+#include "ray.h"
 
 #include <string.h>
 
 #include "../bvh/float_bounds.h"
 #include "angle.h"
+#include "packet.h"
 
 /* The library's answer and its line; 0 hits for a line that it refuses. */
 static int intersect(const cylint_shape *shape,
@@ -238,11 +239,14 @@ static cylint_hit_floats describe(const cylint_shape *shape,
 /* Tests the hits from number `first` on with cylint_intersect().  Hits of a
  * whole shape are described when they are accepted, those of a piece at once,
  * because z decides which piece owns them. */
-static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
-                        int first)
+static int test_exactly(ray_test *r, int first)
 {
     cylint_line line;
     cylint_answer answer;
+    cylint_shape between;
+    const unsigned number = number_of(r);
+    const cylint_shape *shape =
+        shape_at(r->data, number, r->ray->time, &between);
     const int whole =
         !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
     if (r->nearest && has_own_hit(r))
@@ -266,129 +270,43 @@ static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
     return 0;
 }
 
-/* ----------------------------------------------------------- float filter -- */
+/* ---------------------------------------------------------------- tracing -- */
 
-/* A hit as the filter computes it. */
-typedef struct {
-    double t, t_error, z, z_error;
-} bounded_hit;
-
-typedef enum { NOT_OWNED, OWNED, OWNER_UNKNOWN } ownership;
-
-/* Whether the lane's piece contains the hit. */
-static ownership owner_of(const ray_test *r, const bounded_hit *hit)
+int cylint_ray_end(ray_test *r, cylint_float_filter_question *asked,
+                   cylint_float_filter_answer *answer)
 {
-    if (!r->leaf)
-        return OWNED;
-    const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
-    if (piece.count == 1)
-        return OWNED;
-    const int lowest = cylint_piece_at(hit->z - hit->z_error, piece.count);
-    const int highest = cylint_piece_at(hit->z + hit->z_error, piece.count);
-    return lowest < highest        ? OWNER_UNKNOWN
-           : lowest == piece.index ? OWNED
-                                   : NOT_OWNED;
-}
-
-typedef enum {
-    UNCERTAIN = -1,
-    REJECTED, /* the hit belongs to another lane, or a filter rejects it */
-    ACCEPTED, /* it is the ray's hit, or will be once described */
-    TOO_FAR   /* it is behind tfar, and so are later hits of the shape */
-} outcome;
-
-/* Classifies a hit; *t becomes the new tfar. */
-static outcome classify(const ray_test *r, const bounded_hit *hit, float *t)
-{
-    const ownership owner = owner_of(r, hit);
-    *t = cylint_float_above(hit->t);
-    const int certain = cylint_is_float_above(*t, hit->t, hit->t_error);
-    if (certain && *t > r->ray->tfar)
-        return TOO_FAR;
-    if (owner == NOT_OWNED)
-        return REJECTED;
-    return owner == OWNER_UNKNOWN || !certain || *t == r->ray->tfar ? UNCERTAIN
-                                                                    : ACCEPTED;
-}
-
-static outcome test_hit(ray_test *r, unsigned number,
-                        const cylint_float_filter_state *state,
-                        const cylint_float_filter_hit *hit)
-{
-    cylint_hit_floats floats;
-    const bounded_hit at = {hit->t, hit->t_error, hit->z, hit->z_error};
-    float t;
-    const outcome result = classify(r, &at, &t);
-    if (result != ACCEPTED)
-        return result;
-    if (needs_description(r) && !r->data->filter->describe(state, hit, &floats))
-        return UNCERTAIN;
-    return record(r, number, t, &floats) ? ACCEPTED : REJECTED;
-}
-
-cylint_float_filter_target cylint_ray_test_target(
-    const ray_test *r, unsigned rank, cylint_shape *between,
-    cylint_float_filter_shape *made)
-{
-    const unsigned number = number_of(r, rank);
-    if (r->leaf)
-        return (cylint_float_filter_target){
-            cylint_float_filter_at(&r->data->filter_shapes, rank),
-            r->data->filter_shapes.small, r->data->shapes + number,
-            cylint_leaf_ends(r->leaf, r->lane)};
-    const cylint_shape *whole =
-        shape_at(r->data, number, r->ray->time, between);
-    cylint_float_filter_shape_of(made, whole);
-    return (cylint_float_filter_target){made, 0, whole, whole->ends};
-}
-
-/* Returns 0 if cylint_ray_test_shape() must decide; else writes whether a hit
- * was recorded. */
-static int test_nearest(ray_test *r, unsigned rank, int *hit)
-{
-    cylint_float_filter_nearest at;
-    const unsigned number = r->data->number[rank];
-    const cylint_float_filter_target target = {
-        cylint_float_filter_at(&r->data->filter_shapes, rank),
-        r->data->filter_shapes.small, r->data->shapes + number,
-        cylint_leaf_ends(r->leaf, r->lane)};
-    const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
-    const cylint_float_filter_limits limits = {
-        r->ray->tfar, piece.index, piece.count, needs_description(r)};
-    const cylint_float_filter_result is =
-        r->data->filter->nearest(&target, &r->line, &limits, &at);
-    if (is == CYLINT_FLOAT_FILTER_UNCERTAIN)
-        return 0;
-    *hit = 0;
-    if (is == CYLINT_FLOAT_FILTER_HIT) {
-        *hit = record(r, number, at.t, &at.floats);
-        if (!*hit && !at.leaves)
-            *hit = cylint_ray_test_shape(r, rank, 1);
+    for (;;) {
+        if (answer->is == CYLINT_FLOAT_FILTER_UNCERTAIN)
+            return test_exactly(r, asked->exit_only);
+        if (answer->is == CYLINT_FLOAT_FILTER_MISS)
+            return 0;
+        if (record(r, number_of(r), answer->t, &answer->floats))
+            return 1;
+        if (answer->leaves)
+            return 0;
+        asked->exit_only = 1;
+        r->data->filter_one(asked, 1, answer);
     }
-    return 1;
 }
 
-static inline int test_lane(ray_test *r)
+CYLINT_INLINE int test_shape(ray_test *r, cylint_float_filter_question *asked)
 {
-    const unsigned rank = r->leaf->number[r->lane];
-    int hit;
-    if (!test_nearest(r, rank, &hit))
-        hit = cylint_ray_test_shape(r, rank, 0);
-    return hit;
+    cylint_float_filter_answer answer;
+    r->data->filter_one(asked, 1, &answer);
+    return cylint_ray_end(r, asked, &answer);
 }
 
-int cylint_ray_test_lane(ray_test *r)
+/* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
+ * the nearest hit. */
+static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
+                      const float least[CYLINT_LEAF_SIZE])
 {
-    return test_lane(r);
-}
-
-int cylint_ray_test_lanes(ray_test *r, const cylint_leaf *leaf, unsigned lanes,
-                          const float least[CYLINT_LEAF_SIZE])
-{
+    ray_test *r = self;
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
     while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        const int hit = test_lane(r);
+        cylint_float_filter_question asked = question_of(r);
+        const int hit = test_shape(r, &asked);
         r->found |= hit;
         if (hit && r->any)
             return 1;
@@ -396,59 +314,73 @@ int cylint_ray_test_lanes(ray_test *r, const cylint_leaf *leaf, unsigned lanes,
     return 0;
 }
 
-int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry)
+static int test_primitive(ray_test *r, unsigned primID)
 {
-    const unsigned number = number_of(r, rank);
-    const cylint_float_filter *filter = r->data->filter;
     cylint_shape between;
-    cylint_float_filter_state state;
-    cylint_float_filter_hit hit;
-    cylint_float_filter_shape made;
-    const cylint_float_filter_target target =
-        cylint_ray_test_target(r, rank, &between, &made);
-    cylint_float_filter_result is =
-        filter->test_entry(&state, &target, &r->line, &hit);
-    for (int i = 0, hits = 0; i < 2; i++) {
-        if (i == 1)
-            is = filter->test_exit(&state, &hit);
-        if (is == CYLINT_FLOAT_FILTER_MISS)
-            continue;
-        const outcome result = is != CYLINT_FLOAT_FILTER_HIT ? UNCERTAIN
-                               : i < skip_entry
-                                   ? REJECTED
-                                   : test_hit(r, number, &state, &hit);
-        if (result == UNCERTAIN)
-            return test_exactly(r, target.whole, number, hits);
-        if (result != REJECTED)
-            return result == ACCEPTED;
-        hits++;
-    }
-    return 0;
+    cylint_float_filter_shape record;
+    const cylint_shape *shape =
+        shape_at(r->data, primID, r->ray->time, &between);
+    cylint_float_filter_shape_of(&record, shape);
+    cylint_float_filter_question asked = {.shape = &record,
+                                          .line = &r->line,
+                                          .tfar = r->ray->tfar,
+                                          .ends = shape->ends,
+                                          .count = 1,
+                                          .describes = needs_description(r)};
+    r->primitive = primID;
+    return test_shape(r, &asked);
 }
 
-int cylint_ray_test_accept(ray_test *r, const cylint_packet_filter_results *a,
-                           int i)
+int cylint_trace_single(ray_test *r, unsigned primID)
 {
-    const unsigned rank = r->leaf->number[r->lane], bit = 1u << i;
-    if (a->uncertain & bit)
-        return cylint_ray_test_shape(r, rank, 0);
-    if (!(a->hit & bit))
-        return a->crosses & bit ? cylint_ray_test_shape(r, rank, 1) : 0;
-    const bounded_hit at = {a->t[i], a->t_error[i], a->z[i], a->z_error[i]};
-    float t;
-    const outcome result = classify(r, &at, &t);
-    if (result == TOO_FAR)
+    const cylint_traversal *traversal = r->data->traversal;
+    if (!set_line(r))
         return 0;
-    if (result == UNCERTAIN ||
-        (result == ACCEPTED && needs_description(r) && !(a->described & bit)))
-        return cylint_ray_test_shape(r, rank, 0);
-    const cylint_hit_floats floats = {(float)a->float_z[i],
-                                      (float)a->phi[i],
-                                      {(float)a->normal[0][i],
-                                       (float)a->normal[1][i],
-                                       (float)a->normal[2][i]}};
-    return (result == ACCEPTED && record(r, number_of(r, rank), t, &floats)) ||
-           cylint_ray_test_shape(r, rank, 1);
+    if (!traversal)
+        return test_primitive(r, primID);
+    const cylint_float_ray *ray = float_ray(r->ray);
+    if (r->any && !has_filters(r)) {
+        if (traversal->occluded(&r->data->bvh, ray, test_lanes, r)) {
+            r->ray->tfar = -HUGE_VALF;
+            return 1;
+        }
+    } else {
+        traversal->ray(&r->data->bvh, ray, test_lanes, r);
+    }
+    return r->found;
+}
+
+/* -------------------------------------------------------------- callbacks -- */
+
+static void trace(ray_test *r, unsigned primID, int *valid, void *packet,
+                  unsigned N)
+{
+    if (N == 1)
+        set_valid(valid, 0, cylint_trace_single(r, primID));
+    else
+        cylint_trace_packet(r, primID, valid, packet, N);
+}
+
+void cylint_embree_intersect_callback(
+    const struct RTCIntersectFunctionNArguments *args)
+{
+    struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
+    ray_test r;
+    initialise(&r, args->geometryUserPtr, args->context, args->geomID);
+    r.nearest = args;
+    r.ray = &one->ray;
+    r.hit = &one->hit;
+    trace(&r, args->primID, args->valid, args->rayhit, args->N);
+}
+
+void cylint_embree_occluded_callback(
+    const struct RTCOccludedFunctionNArguments *args)
+{
+    ray_test r;
+    initialise(&r, args->geometryUserPtr, args->context, args->geomID);
+    r.any = args;
+    r.ray = (struct RTCRay *)args->ray;
+    trace(&r, args->primID, args->valid, args->ray, args->N);
 }
 
 void cylint_embree_complete(struct RTCGeometryTy *geometry,

@@ -1,11 +1,11 @@
 /*
- * ray_test.h - tests one ray of Embree's against one shape, records the hit
+ * ray.h - one ray of Embree's: tests shapes against it, and records hits
  *
  * cylint_intersect() decides whether and where a shape is hit; the float filter
  * decides the same for most questions, with certainty and faster.
  */
-#ifndef CYLINT_EMBREE_RAY_TEST_H
-#define CYLINT_EMBREE_RAY_TEST_H
+#ifndef CYLINT_EMBREE_RAY_H
+#define CYLINT_EMBREE_RAY_H
 
 #include <math.h>
 #include <stddef.h>
@@ -25,7 +25,8 @@ typedef struct cylint_ray_test {
     cylint_float_filter_ray line; /* the ray in doubles; set by set_line() */
     const cylint_leaf *leaf;      /* NULL: each shape is a primitive */
     int lane;
-    int found; /* a hit was recorded */
+    unsigned primitive; /* the shape's number, if it is one */
+    int found;          /* a hit was recorded */
 } cylint_ray_test;
 
 typedef cylint_ray_test ray_test;
@@ -99,35 +100,37 @@ static inline int needs_description(const ray_test *r)
     return !is_bare(r) && (r->nearest || has_filters(r));
 }
 
-/* The shape's number.  rank: its rank in leaves, or the primitive's number. */
-static inline unsigned number_of(const ray_test *r, unsigned rank)
+/* The number of the shape that is tested. */
+static inline unsigned number_of(const ray_test *r)
 {
-    return r->leaf ? r->data->number[rank] : rank;
+    return r->leaf ? r->data->number[r->leaf->number[r->lane]] : r->primitive;
 }
 
-/* The shape of the lane for the filter, or that of the primitive, which is
- * written to *made.  A moving shape at the ray's time is written to *between. */
-cylint_float_filter_target cylint_ray_test_target(
-    const ray_test *r, unsigned rank, cylint_shape *between,
-    cylint_float_filter_shape *made);
+/* The question whether the ray hits the piece of the lane. */
+CYLINT_INLINE cylint_float_filter_question question_of(const ray_test *r)
+{
+    const cylint_float_filter_shapes *shapes = &r->data->filter_shapes;
+    const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
+    return (cylint_float_filter_question){
+        .shape = cylint_float_filter_at(shapes, r->leaf->number[r->lane]),
+        .line = &r->line,
+        .tfar = r->ray->tfar,
+        .small = shapes->small,
+        .ends = cylint_leaf_ends(r->leaf, r->lane),
+        .index = piece.index,
+        .count = piece.count,
+        .describes = needs_description(r)};
+}
 
-/* Tests the shape, and records the hit if it is nearer than the present one
- * and the filters accept it: then returns 1.  skip_entry: the entry hit was
- * tested before. */
-int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry);
+/* Records the hit of an answer, if it is nearer than the present one and the
+ * filters accept it, or else a later hit of the shape; cylint_intersect() decides
+ * what is uncertain.  Writes the question and the answer again.  Returns 1 if a
+ * hit was recorded. */
+int cylint_ray_end(ray_test *r, cylint_float_filter_question *asked,
+                   cylint_float_filter_answer *answer);
 
-/* The same for the shape of r->lane of r->leaf, by the quickest path. */
-int cylint_ray_test_lane(ray_test *r);
-
-/* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
- * the nearest hit.  least as for a cylint_ray_leaf_callback.  Returns 1 if an
- * occlusion query hits something. */
-int cylint_ray_test_lanes(ray_test *r, const cylint_leaf *leaf, unsigned lanes,
-                          const float least[CYLINT_LEAF_SIZE]);
-
-/* The same for the lane's shape, with result i of the packet filter. */
-int cylint_ray_test_accept(ray_test *r,
-                           const cylint_packet_filter_results *results, int i);
+/* Traces the ray alone.  Returns 1 if a hit was recorded. */
+int cylint_trace_single(ray_test *r, unsigned primID);
 
 /* ---------------------------------------------------------------- lanes -- */
 

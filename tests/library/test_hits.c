@@ -1,0 +1,218 @@
+/*
+ * test_hits.c - floors intersect, roots and filter: members of hits that are known
+ * exactly, and domains
+ *
+ * The records of hits.txt must have their hits bit for bit, with each member wanted
+ * alone, in every floating-point environment, from the exact stage alone, and from the
+ * oracle.
+ */
+#include <float.h>
+#include <math.h>
+
+#include "check.h"
+#include "constructed.h"
+#include "environment.h"
+#include "intersect.h"
+#include "same.h"
+#ifdef HAVE_MPFR
+#include "oracle.h"
+#include "ulps.h"
+#endif
+
+enum { MOST = 200 };
+
+static struct record {
+    struct family_case c;
+    cylint_answer want;
+} records[MOST];
+static int count;
+
+static const char *parse_answer(const char *text, cylint_answer *a)
+{
+    static const char *const words[] = {"miss", "touch", "along", "cross"};
+    char word[8];
+    int used = 0;
+    memset(a, 0, sizeof *a);
+    if (sscanf(text, " => %7s %d%n", word, &a->n, &used) != 2 || a->n > 2)
+        return NULL;
+    while (a->relation < 4 && strcmp(words[a->relation], word) != 0)
+        a->relation++;
+    text += used;
+    for (int i = 0; i < a->n; i++) {
+        cylint_hit *h = &a->hit[i];
+        double x[11];
+        for (int k = 0; k < 11; k++) {
+            char *end;
+            x[k] = strtod(text, &end);
+            if (end == text)
+                return NULL;
+            text = end;
+        }
+        *h = (cylint_hit){.part = (int)x[0],
+                          .side = (int)x[1],
+                          .t = x[2],
+                          .point = {x[3], x[4], x[5]},
+                          .normal = {x[6], x[7], x[8]},
+                          .z = x[9],
+                          .phi = x[10]};
+    }
+    return text;
+}
+
+static void every_record_is_read(void)
+{
+    char text[1500];
+    FILE *f = fopen("tests/library/hits.txt", "r");
+    if (!CHECK(f))
+        return;
+    while (fgets(text, sizeof text, f) && CHECK(count < MOST)) {
+        struct record *r = &records[count];
+        const char *rest = text;
+        if (text[0] == '#' || text[0] == '\n')
+            continue;
+        rest = family_parse(text, &r->c);
+        if (rest)
+            rest = parse_answer(rest, &r->want);
+        if (CHECK(rest && rest[strspn(rest, " \n")] == '\0'))
+            count++;
+        else
+            REPORT("%s", text);
+    }
+    fclose(f);
+    CHECK(count > 90);
+}
+
+/* Made and answered there. */
+static void answered(struct environment there)
+{
+    static const unsigned wants[] = {
+        CYLINT_WANT_ALL,    CYLINT_WANT_T, CYLINT_WANT_PART, CYLINT_WANT_POINT,
+        CYLINT_WANT_NORMAL, CYLINT_WANT_Z, CYLINT_WANT_PHI,  EVERY_WANT};
+    for (int i = 0; i < count; i++)
+        for (size_t k = 0; k <= sizeof wants / sizeof *wants; k++) {
+            struct family_case c = records[i].c;
+            const int exactly = k == sizeof wants / sizeof *wants;
+            const unsigned want = exactly ? CYLINT_WANT_ALL : wants[k];
+            cylint_answer got;
+            memset(&got, 0, sizeof got);
+            environment_set(there);
+            family_make(&c);
+            (exactly ? cylint_intersect_by_signs
+                     : cylint_intersect)(&c.shape, &c.line, want, &got);
+            environment_reset();
+            if (!CHECK(same_answer(&got, &records[i].want, want)))
+                report_answers(&c, exactly ? "exact stage" : "got", &got,
+                               &records[i].want);
+        }
+}
+
+static void hits_are_the_nearest_doubles_in_every_environment(void)
+{
+    everywhere(answered);
+}
+
+/* t is rounded to the largest double, which is the end of the domain. */
+static void a_root_beyond_the_largest_double_is_outside(void)
+{
+    const double line[] = {0, 0, 0x1.2p-102, 0, 0, 0x1.8p-1073, 0, DBL_MAX};
+    const double rod[] = {0, 0, 0x1.8p-49, 0, 0, 1, 1};
+    struct family_case c = family_of(FAMILY_RAY, line, FAMILY_CYLINDER, rod);
+    cylint_answer a;
+    CHECK(family_make(&c) &&
+          cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a) == 2 &&
+          a.hit[0].t == DBL_MAX);
+    c = family_of(FAMILY_SPAN, line, FAMILY_CYLINDER, rod);
+    CHECK(family_make(&c) &&
+          cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a) == 0);
+}
+
+static void a_domain_beyond_all_numbers_holds_nothing(void)
+{
+    const double rod[] = {0, 0, 0, 0, 0, 1, 1};
+    for (int i = 0; i < 4; i++) { /* no filter decides the touches */
+        const double end = i % 2 ? HUGE_VAL : -HUGE_VAL;
+        const double cross[] = {0, 0, -5, 0, 0, 1, end, end};
+        const double touch[] = {1, -3, 0.5, 0, 1, 0, end, end};
+        struct family_case c =
+            family_of(FAMILY_SPAN, i < 2 ? cross : touch, FAMILY_CYLINDER, rod);
+        cylint_answer a;
+        CHECK(family_make(&c) &&
+              cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a) == 0 &&
+              a.relation ==
+                  (i < 2 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH));
+    }
+}
+
+#ifdef HAVE_MPFR
+
+static void the_oracle_has_the_same_hits(void)
+{
+    for (int i = 0; i < count; i++) {
+        cylint_answer a;
+        oracle_intersect(&records[i].c.shape, &records[i].c.line,
+                         CYLINT_WANT_ALL, &a);
+        if (!CHECK(same_answer(&a, &records[i].want, CYLINT_WANT_ALL)))
+            report_answers(&records[i].c, "oracle", &a, &records[i].want);
+    }
+}
+
+/* The normal is the point minus c: 2^-54 before 3/4 and 5/8.  If c[1] exceeds 2^-54 by
+ * 2^-94, the second component is nearer to the middle of two doubles than 2^-90 of
+ * itself; if by 2^-90, it is not. */
+static void the_oracle_has_both_doubles_beside_a_middle(void)
+{
+    static const double line[] = {0.75, 0.625, -2, 0, 0, 1};
+    static const double beyond[] = {0x1p-94, 0x1p-90};
+    for (int i = 0; i < 2; i++) {
+        const double ball[] = {0x1p-54, 0x1p-54 + beyond[i], 0, 1};
+        struct family_case c =
+            family_of(FAMILY_LINE, line, FAMILY_SPHERE, ball);
+        cylint_answer want;
+        CHECK(family_make(&c));
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
+        const double *n = want.hit[0].normal;
+        const double *other = oracle_other(0)->normal;
+        CHECK(n[0] == 0.75 && other[0] == 0x1.7ffffffffffffp-1);
+        CHECK(n[1] == 0x1.3ffffffffffffp-1);
+        CHECK(other[1] == (i == 0 ? 0.625 : n[1]) && other[2] == n[2]);
+    }
+}
+
+/* From far away the root in pairs is accurate enough for t but may be too inaccurate for
+ * the point. */
+static void a_grazing_line_from_afar_finds_its_point(void)
+{
+    const double rod[] = {0, -1, 0, 0, 1, 0, 1};
+    for (int far = 8; far <= 60; far += 4)
+        for (int depth = 2; depth <= 48; depth += 2) {
+            const double x = -ldexp(1.1, far);
+            const double line[] = {x, x * 0x1p-40, 1 - ldexp(1.3, -depth),
+                                   1, 0x1p-40,     0};
+            struct family_case c =
+                family_of(FAMILY_LINE, line, FAMILY_CYLINDER, rod);
+            cylint_answer got, want;
+            c.ends = CYLINT_ENDS_INFINITE;
+            CHECK(family_make(&c));
+            memset(&got, 0, sizeof got);
+            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
+            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
+            if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
+                report_answers(&c, "grazing from afar", &got, &want);
+        }
+}
+
+#endif
+
+int main(void)
+{
+    RUN(every_record_is_read);
+    RUN(hits_are_the_nearest_doubles_in_every_environment);
+    RUN(a_root_beyond_the_largest_double_is_outside);
+    RUN(a_domain_beyond_all_numbers_holds_nothing);
+#ifdef HAVE_MPFR
+    RUN(the_oracle_has_the_same_hits);
+    RUN(the_oracle_has_both_doubles_beside_a_middle);
+    RUN(a_grazing_line_from_afar_finds_its_point);
+#endif
+    return check_end();
+}

@@ -1,0 +1,693 @@
+/*
+ * test_paths.c - floors intersect, batch and scene: every call has the same answers,
+ * with every build of the kernels, in every floating-point environment
+ *
+ * A group of lines and shapes is answered one by one in the default environment, with
+ * all members.  The calls of `paths`, with other members wanted, must return the same
+ * bits, in an environment and with kernels that change from group to group; every
+ * second group is also made there.  The groups are those of the families; runs of one
+ * kind with the same ends; exact coincidences and their neighbours; plain numbers; and
+ * numbers of extreme exponents, which are answered in each environment.  Many domains
+ * begin or end at a hit, or one double beside it.
+ *
+ * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.  The
+ * program prints a digest of all answers, which must be the same from all compilers.
+ */
+#include <float.h>
+#include <math.h>
+
+#include "check.h"
+#include "columns.h"
+#include "constructed.h"
+#include "cylint_scene.h"
+#include "environment.h"
+#include "random.h"
+
+enum { GROUP = 8, GROUPS = 8, EXTREME_GROUPS = 8 };
+
+static uint64_t stream;
+
+static int whole(int low, int high)
+{
+    return low + random_int(&stream, high - low + 1);
+}
+
+/* ------------------------------------------------------------- a group -- */
+
+static struct {
+    struct family_case c[GROUP]; /* line i and shape i */
+    cylint_shape shape[GROUP];
+    cylint_answer all[GROUP][GROUP];    /* of line i and shape j */
+    cylint_answer column[GROUP][GROUP]; /* of line i as a batch reads it */
+    cylint_answer whole[GROUP]; /* of shape i and line i without domain */
+    int side[GROUP][GROUP];     /* of line i's origin in shape j */
+    size_t nearest[GROUP], other[GROUP], hits[GROUP];
+    cylint_scene *scene;
+    struct environment there;
+    char name[80];
+} g;
+
+static cylint_answer intersect(const cylint_shape *shape,
+                               const cylint_line *line, unsigned want)
+{
+    cylint_answer a;
+    memset(&a, 0, sizeof a);
+    cylint_intersect(shape, line, want, &a);
+    return a;
+}
+
+static double first_t(int i, size_t j)
+{
+    return g.all[i][j].hit[0].t;
+}
+
+static void answer_one_by_one(void)
+{
+    for (int i = 0; i < GROUP; i++) {
+        const cylint_line *line = &g.c[i].line;
+        const cylint_line as_column = column_line(line, 3);
+        cylint_line whole = *line;
+        whole.tmin = -HUGE_VAL;
+        whole.tmax = HUGE_VAL;
+        g.whole[i] = intersect(&g.shape[i], &whole, CYLINT_WANT_ALL);
+        g.nearest[i] = g.other[i] = GROUP;
+        g.hits[i] = 0;
+        for (size_t j = 0; j < GROUP; j++) {
+            g.all[i][j] = intersect(&g.shape[j], line, CYLINT_WANT_ALL);
+            g.column[i][j] =
+                intersect(&g.shape[j], &as_column, CYLINT_WANT_ALL);
+            g.side[i][j] = cylint_contains(&g.shape[j], line->o);
+            if (g.all[i][j].n == 0)
+                continue;
+            g.hits[i]++;
+            if (g.nearest[i] == GROUP ||
+                first_t(i, j) < first_t(i, g.nearest[i])) {
+                g.other[i] = g.nearest[i];
+                g.nearest[i] = j;
+            } else if (g.other[i] == GROUP ||
+                       first_t(i, j) < first_t(i, g.other[i])) {
+                g.other[i] = j;
+            }
+        }
+    }
+}
+
+/* Line i beside shape j, for a report. */
+static struct family_case pair_of(int i, size_t j)
+{
+    struct family_case c = g.c[j];
+    c.line_word = g.c[i].line_word;
+    memcpy(c.line_data, g.c[i].line_data, sizeof c.line_data);
+    return c;
+}
+
+static void failed(int i, size_t j, const char *path, unsigned want)
+{
+    const struct family_case c = pair_of(i, j);
+    REPORT(
+        "%s, %s, members %#x, kernels %s, rounding %d, subnormals %d:", g.name,
+        path, want, cylint_kernels_in_use(), g.there.rounding, g.there.tiny);
+    REPORT_CASE(&c);
+}
+
+static void expect(int holds, int i, size_t j, const char *path, unsigned want)
+{
+    if (!CHECK(holds))
+        failed(i, j, path, want);
+}
+
+static void expect_hit(const cylint_hit *got, int i, size_t j, const char *path,
+                       unsigned want)
+{
+    expect(same_hit(got, &g.all[i][j].hit[0], want), i, j, path, want);
+}
+
+/* ------------------------------------------------------------ the paths -- */
+
+static unsigned any_want(void)
+{
+    return (unsigned)whole(0, EVERY_WANT);
+}
+
+/* The statuses and the hits of each line with each shape; of its own shape with
+ * several sets of members. */
+static void single_questions(int i)
+{
+    for (size_t j = 0; j < GROUP; j++) {
+        for (int k = (size_t)i == j ? 16 : 1; k > 0; k--) {
+            const unsigned want = any_want();
+            const cylint_answer got =
+                intersect(&g.shape[j], &g.c[i].line, want);
+            expect(same_answer(&got, &g.all[i][j], want), i, j, "one question",
+                   want);
+        }
+        expect(cylint_occluded(&g.shape[j], &g.c[i].line) ==
+                   (g.all[i][j].n > 0),
+               i, j, "occluded", 0);
+        expect(cylint_contains(&g.shape[j], g.c[i].line.o) == g.side[i][j], i,
+               j, "contains", 0);
+    }
+}
+
+/* Members of a hit of which t, part and side are known. */
+static void described_hits(int i)
+{
+    for (size_t j = 0; j < GROUP; j++)
+        for (int k = 0; k < g.all[i][j].n; k++) {
+            const unsigned want = any_want();
+            const cylint_hit *due = &g.all[i][j].hit[k];
+            cylint_hit got = {
+                .t = due->t, .part = due->part, .side = due->side};
+            cylint_describe(&g.shape[j], &g.c[i].line, want, &got);
+            expect(same_hit(&got, due, want | CYLINT_WANT_T | CYLINT_WANT_PART),
+                   i, j, "describe", want);
+        }
+}
+
+/* Domains that end at a hit or a double beside it keep the members of hits: only exact
+ * signs decide whether the hit is in it. */
+static void ended_domains(int i)
+{
+    const cylint_answer *all = &g.whole[i];
+    for (int k = 0; k < 6 * all->n; k++) {
+        cylint_line line = g.c[i].line;
+        const double t = all->hit[k / 6].t;
+        if (!(fabs(t) < DBL_MAX))
+            continue;
+        *(k & 1 ? &line.tmin : &line.tmax) =
+            constructed_stepped(t, k % 6 / 2 - 1);
+        if (line.tmin > line.tmax)
+            continue;
+        const cylint_answer got =
+            intersect(&g.shape[i], &line, CYLINT_WANT_ALL);
+        expect(got.relation == all->relation, i, (size_t)i, "ended domain", 0);
+        for (int m = 0; m < got.n; m++) {
+            int is_known = 0;
+            for (int n = 0; n < all->n; n++)
+                is_known |=
+                    same_hit(&got.hit[m], &all->hit[n], CYLINT_WANT_ALL);
+            expect(is_known, i, (size_t)i, "ended domain", CYLINT_WANT_ALL);
+        }
+    }
+}
+
+static double numbers[COLUMNS][GROUP], input[8][GROUP];
+static signed char words[COLUMNS][GROUP];
+static char memory[1 << 14];
+
+/* The columns of some of the members. */
+static void some_columns(void *p[COLUMNS], cylint_columns *to)
+{
+    const int wanted = whole(0, 3) ? whole(0, ALL_COLUMNS) : ALL_COLUMNS;
+    for (int c = 0; c < COLUMNS; c++)
+        p[c] = !(wanted >> c & 1)    ? NULL
+               : column_size(c) == 1 ? (void *)words[c]
+                                     : (void *)numbers[c];
+    *to = columns_of(p);
+}
+
+static cylint_lines all_lines(void)
+{
+    double *array[8];
+    for (int k = 0; k < 8; k++)
+        array[k] = input[k];
+    for (int i = 0; i < GROUP; i++)
+        set_columns(&g.c[i].line, array, (size_t)i);
+    return lines_of(array, GROUP, 3);
+}
+
+static cylint_pack pack_all(void)
+{
+    cylint_pack pack = {0};
+    if (CHECK(cylint_pack_bytes(GROUP) <= sizeof memory))
+        cylint_pack_shapes(&pack, memory, g.shape, GROUP);
+    return pack;
+}
+
+/* This line and all shapes, all lines and this shape, and once all pairs. */
+static void batches(int i)
+{
+    const cylint_pack pack = pack_all();
+    const cylint_lines lines = all_lines();
+    void *p[COLUMNS];
+    cylint_columns to;
+    some_columns(p, &to);
+    cylint_intersect_shapes(&pack, &g.c[i].line, &to);
+    for (size_t j = 0; j < GROUP; j++)
+        expect(is_column_answer(p, j, &g.all[i][j]), i, j, "shapes", 0);
+    some_columns(p, &to);
+    cylint_intersect_lines(&g.shape[i], &lines, &to);
+    for (int j = 0; j < GROUP; j++)
+        expect(is_column_answer(p, (size_t)j, &g.column[j][i]), j, (size_t)i,
+               "lines", 0);
+    if (i > 0)
+        return;
+    some_columns(p, &to);
+    cylint_intersect_pairs(&pack, &lines, &to);
+    for (int j = 0; j < GROUP; j++)
+        expect(is_column_answer(p, (size_t)j, &g.column[j][j]), j, (size_t)j,
+               "pairs", 0);
+}
+
+static void nearest_of_a_pack(int i)
+{
+    const cylint_pack pack = pack_all();
+    const unsigned want = any_want();
+    const size_t near = g.nearest[i];
+    cylint_hit hit;
+    const size_t got = cylint_nearest(&pack, &g.c[i].line, want, &hit);
+    expect(got == near, i, near % GROUP, "nearest of a pack", want);
+    if (got == near && near < GROUP)
+        expect_hit(&hit, i, near, "nearest of a pack", want);
+    for (size_t enough = 0; enough < 4; enough++)
+        expect(cylint_count(&pack, &g.c[i].line, enough) ==
+                   (enough && enough < g.hits[i] ? enough : g.hits[i]),
+               i, near % GROUP, "count of a pack", 0);
+}
+
+static void queries_of_a_scene(int i)
+{
+    const cylint_line *line = &g.c[i].line;
+    const unsigned want = any_want();
+    const size_t near = g.nearest[i], other = g.other[i];
+    size_t number[GROUP + 1];
+    cylint_hit hit;
+    size_t got = cylint_scene_nearest(g.scene, line, want, &hit);
+    expect(got == near, i, near % GROUP, "nearest of a scene", want);
+    if (got == near && near < GROUP)
+        expect_hit(&hit, i, near, "nearest of a scene", want);
+    got = cylint_scene_nearest_other(g.scene, line, near, want, &hit);
+    expect(got == other, i, other % GROUP, "other of a scene", want);
+    if (got == other && other < GROUP)
+        expect_hit(&hit, i, other, "other of a scene", want);
+    expect(cylint_scene_occluded(g.scene, line, GROUP) == (g.hits[i] > 0) &&
+               cylint_scene_occluded(g.scene, line, near) == (g.hits[i] > 1) &&
+               cylint_scene_count(g.scene, line, 0) == g.hits[i],
+           i, near % GROUP, "count of a scene", 0);
+    const size_t n = cylint_scene_all(g.scene, line, 0, number, GROUP + 1);
+    size_t k = 0;
+    for (size_t j = 0; j < GROUP; j++)
+        if (g.all[i][j].n > 0)
+            expect(k < n && number[k++] == j, i, j, "all of a scene", 0);
+    expect(k == n, i, near % GROUP, "all of a scene", 0);
+}
+
+static void (*const paths[])(int) = {single_questions,  described_hits,
+                                     ended_domains,     batches,
+                                     nearest_of_a_pack, queries_of_a_scene};
+
+/* ------------------------------------------------------------- groups --- */
+
+static uint64_t digest = UINT64_C(0xcbf29ce484222325);
+static long met, hit, pairs;
+
+/* FNV-1a of numbers that are the same on every machine. */
+static void digest_number(uint64_t x)
+{
+    for (int i = 0; i < 8; i++)
+        digest = (digest ^ (x >> 8 * i & 0xff)) * UINT64_C(0x100000001b3);
+}
+
+static void digest_answers(void)
+{
+    for (int i = 0; i < GROUP; i++)
+        for (int j = 0; j < GROUP; j++) {
+            const cylint_answer *a = &g.all[i][j];
+            pairs++;
+            met += a->relation != CYLINT_RELATION_MISS;
+            hit += a->n > 0;
+            digest_number((uint64_t)(a->relation * 4 + a->n));
+            for (int k = 0; k < a->n; k++) {
+                uint64_t t;
+                memcpy(&t, &a->hit[k].t, sizeof t);
+                digest_number((uint64_t)(a->hit[k].part * 4 + a->hit[k].side));
+                digest_number(t);
+            }
+        }
+}
+
+static void use_kernels(uint64_t number)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    CHECK(cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)n))));
+}
+
+/* Makes the lines and shapes again in the present environment. */
+static void make_again(void)
+{
+    for (int i = 0; i < GROUP; i++) {
+        struct family_case made = g.c[i];
+        const cylint_line limited = g.c[i].line;
+        family_make(&made);
+        made.line.tmin = limited.tmin;
+        made.line.tmax = limited.tmax;
+        CHECK(made.line_status == g.c[i].line_status &&
+              made.shape_status == g.c[i].shape_status);
+        g.c[i] = made;
+        g.shape[i] = made.shape;
+    }
+}
+
+/* Domains that begin or end at or beside a hit of the line and one of the shapes. */
+static void limit_domains(void)
+{
+    for (int i = 0; i < GROUP; i++) {
+        const cylint_answer *a = &g.all[i][i];
+        cylint_line *line = &g.c[i].line;
+        if (a->n == 0 || line->segment || whole(0, 1))
+            continue;
+        for (int end = 0; end < 2; end++) {
+            const double t = a->hit[end * (a->n - 1)].t;
+            if (fabs(t) < DBL_MAX && whole(0, 2))
+                *(end ? &line->tmax : &line->tmin) =
+                    constructed_stepped(t, whole(-1, 1));
+        }
+        if (!(line->tmin <= line->tmax)) {
+            const double tmin = line->tmax;
+            line->tmax = line->tmin;
+            line->tmin = tmin;
+        }
+    }
+    answer_one_by_one();
+}
+
+static void answer_there(struct environment there, int is_made_there)
+{
+    const cylint_shape *shapes = g.shape;
+    g.there = there;
+    environment_set(there);
+    if (is_made_there)
+        make_again();
+    cylint_scene *scene = g.scene;
+    if (is_made_there)
+        g.scene = cylint_scene_new(shapes, GROUP, 1, NULL);
+    for (size_t k = 0; k < sizeof paths / sizeof *paths; k++)
+        for (int i = 0; i < GROUP; i++)
+            paths[k](i);
+    environment_reset();
+    if (is_made_there)
+        cylint_scene_free(g.scene);
+    g.scene = scene;
+}
+
+/* g.c is drawn.  each: in each environment, else in one of them. */
+static void test_group(uint64_t number, int each)
+{
+    for (int i = 0; i < GROUP; i++)
+        g.shape[i] = g.c[i].shape;
+    use_kernels(number / 2);
+    answer_one_by_one();
+    limit_domains();
+    digest_answers();
+    g.scene = cylint_scene_new(g.shape, GROUP, 1, NULL);
+    if (!CHECK(g.scene))
+        return;
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        const struct environment there = environment_of(e);
+        if ((each || e == (int)(number % ENVIRONMENTS)) &&
+            can_treat_subnormals(there.tiny))
+            answer_there(there, (int)(number / ENVIRONMENTS + number) % 2);
+    }
+    cylint_scene_free(g.scene);
+}
+
+static uint64_t seed(void)
+{
+    return check_setting("CYLINT_SEED", 1);
+}
+
+static uint64_t groups(uint64_t usual)
+{
+    return check_setting("CYLINT_CASES", usual);
+}
+
+static void begin_group(uint64_t kind, uint64_t number)
+{
+    stream = seed() + kind * UINT64_C(0x9e3779b97f4a7c15);
+    stream = random_bits(&stream) + number;
+}
+
+static void families_have_the_same_answers(void)
+{
+    for (int family = 0; family < family_count(); family++)
+        for (uint64_t k = 0;
+             k < groups(family_is_wild(family) ? GROUPS / 4 : GROUPS); k++) {
+            begin_group((uint64_t)family, k);
+            for (uint64_t i = 0; i < GROUP; i++)
+                family_case(seed(), family, k * GROUP + i, &g.c[i]);
+            snprintf(g.name, sizeof g.name, "family %s, group %d",
+                     family_name(family), (int)k);
+            test_group((uint64_t)family + 5 * k, 0);
+        }
+}
+
+/* All lanes of a batch are of one kind with the same ends; the families in turn. */
+static void runs_of_one_kind_have_the_same_answers(void)
+{
+    uint64_t index = 5000;
+    for (int kind = FAMILY_CYLINDER; kind <= FAMILY_RCONE; kind++)
+        for (int ends = 0; ends <= CYLINT_ENDS_NAPPE; ends++)
+            for (uint64_t k = 0; k < (groups(GROUPS) + 3) / 4; k++) {
+                int n = 0;
+                if (kind >= FAMILY_SPHERE && ends > CYLINT_ENDS_CAP1)
+                    continue;
+                begin_group(100 + (uint64_t)kind, k);
+                for (int i = 0; n < GROUP && i < 20000; i++, index++) {
+                    family_case(seed(), (int)(index % (uint64_t)family_count()),
+                                index, &g.c[n]);
+                    if ((int)g.c[n].shape_word != kind)
+                        continue;
+                    g.c[n].ends = kind == FAMILY_SPHERE ? CYLINT_ENDS_CAPPED
+                                                        : (cylint_ends)ends;
+                    n += family_make(&g.c[n]);
+                }
+                CHECK(n == GROUP);
+                snprintf(g.name, sizeof g.name, "kind %d, ends %d", kind, ends);
+                test_group(k + (uint64_t)ends, 0);
+            }
+}
+
+static void coincidences_have_the_same_answers(void)
+{
+    for (uint64_t k = 0; k < 4 * groups(GROUPS); k++) {
+        begin_group(200, k);
+        for (uint64_t i = 0; i < GROUP; i++) {
+            struct family_case base;
+            const uint64_t index = k * GROUP + i;
+            constructed_base(seed(), index, &base);
+            const int all = constructed_neighbours(&base);
+            if (i % 4 == 3)
+                constructed_plain(seed(), index, &g.c[i]);
+            else if (i % 4 == 0 ||
+                     !constructed_neighbour(&base, whole(0, all - 1), &g.c[i]))
+                g.c[i] = base;
+        }
+        snprintf(g.name, sizeof g.name, "coincidences %d", (int)k);
+        test_group(k, 0);
+    }
+}
+
+/* ----------------------------------------------------- extreme exponents -- */
+
+/* The exponents of the numbers of a group. */
+typedef enum { ANY_DIGITS, FEW_DIGITS, SCALED, SORTS } sort;
+
+struct sizes {
+    sort sort;
+    int about[2]; /* exponents of lengths, or of lengths and directions */
+};
+
+static double power(int e)
+{
+    return ldexp(1, e < -1074 ? -1074 : e > 1023 ? 1023 : e);
+}
+
+static double few_digits(const struct sizes *s)
+{
+    static const double extreme[] = {1, DBL_MAX, DBL_MIN, 0x1p-1074,
+                                     DBL_MIN / 2};
+    const int where = whole(0, 19);
+    const double sign = whole(0, 1) ? 1 : -1;
+    if (where < 8)
+        return where < 5 ? sign * extreme[where] : 0;
+    const int e = where == 8 ? whole(-1074, 1020) : s->about[where % 2];
+    return fmax(-DBL_MAX, fmin(DBL_MAX, sign * whole(1, 7) * 0.5 * power(e)));
+}
+
+static double any_digits(const struct sizes *s)
+{
+    const int where = whole(0, 9);
+    const int e = where == 0 ? whole(-1074, 1023)
+                             : s->about[where < 6 ? 0 : 1] + whole(-8, 8);
+    const double x = random_mantissa(&stream) * power(e);
+    return whole(0, 7) == 0 ? 0
+           : x > DBL_MAX    ? -DBL_MAX
+                            : (whole(0, 1) ? x : -x);
+}
+
+static void scale(double *x, int n, int e)
+{
+    for (int i = 0; i < n; i++) {
+        const double y = ldexp(x[i], e);
+        x[i] = fabs(y) <= DBL_MAX ? y : copysign(DBL_MAX, y);
+    }
+}
+
+/* An exact coincidence, or a neighbour of one, scaled to another size. */
+static void scaled_case(const struct sizes *s, struct family_case *c)
+{
+    struct family_case base;
+    const int e = s->about[0], f = s->about[1];
+    constructed_base(random_bits(&stream), 0, &base);
+    if (whole(0, 1) ||
+        !constructed_neighbour(&base,
+                               whole(0, constructed_neighbours(&base) - 1), c))
+        *c = base;
+    const int segment = c->line_word == FAMILY_SEGMENT;
+    scale(c->line_data, 3, e);
+    scale(c->line_data + 3, 3, segment ? e : f);
+    scale(c->line_data + 6, 2, e - f);
+    scale(c->shape_data, family_lengths(c->shape_word), e);
+}
+
+static void extreme_case(const struct sizes *s, struct family_case *c)
+{
+    double *x = c->shape_data;
+    memset(c, 0, sizeof *c);
+    if (s->sort == SCALED) {
+        scaled_case(s, c);
+        return;
+    }
+    c->line_word = (family_line)whole(0, 3);
+    c->shape_word = (family_shape)whole(0, FAMILY_RCONE);
+    c->ends = (cylint_ends)(whole(0, 1) ? 0 : whole(0, 5));
+    for (int i = 0; i < 19; i++)
+        *(i < 6 ? &c->line_data[i] : &x[i - 6]) =
+            s->sort == FEW_DIGITS ? few_digits(s) : any_digits(s);
+    for (int i = 3; i < 13; i++)
+        if (family_is_size(c->shape_word, i))
+            x[i] = c->shape_word == FAMILY_ACONE ? fmod(fabs(x[i]), 90)
+                                                 : fabs(x[i]);
+    c->line_data[6] = -HUGE_VAL;
+    c->line_data[7] = HUGE_VAL;
+}
+
+static void extreme_exponents_have_the_same_answers(void)
+{
+    for (uint64_t k = 0; k < groups(EXTREME_GROUPS); k++) {
+        struct sizes s;
+        begin_group(300, k);
+        s.sort = (sort)whole(0, SORTS - 1);
+        for (int i = 0; i < 2; i++) {
+            const int where = whole(0, 3); /* subnormal, huge, any, ordinary */
+            s.about[i] = where == 0   ? whole(-1074, -1015)
+                         : where == 1 ? whole(940, 1020)
+                         : where == 2 ? whole(-1074, 1020)
+                                      : whole(-3, 3);
+        }
+        for (int i = 0; i < GROUP; i++)
+            do
+                extreme_case(&s, &g.c[i]);
+            while (!family_make(&g.c[i]) && whole(0, 9));
+        snprintf(g.name, sizeof g.name, "extreme exponents %d", (int)k);
+        test_group(k, 1);
+    }
+}
+
+/* --------------------------------------------------- subnormal numbers -- */
+
+static double units(int most)
+{
+    return whole(-most, most) * 0x1p-1074;
+}
+
+/* Lines along z and discs that they hit at a few units; lines of a few units, whose
+ * domain is often empty by one, and discs with subnormal axes or large factors. */
+static void subnormal_case(int discs, struct family_case *c)
+{
+    static const double rods[][7] = {
+        {0, 0, -0x1p-1074, 0, 0, 0x1p-1073, 0x1p-1030},
+        {0, 0, -1, 0, 0, 1, 1},
+        {0, 0, 0, 0, 0x1p-1057, 0, 7},
+        {0, 0, 0, 0, 0x1p-600, 0, 7}};
+    static const double cones[][13] = {
+        {3, 0, 0, 0x1p-1057, 0, 0, 0, 0x1p-1057, 0, 0, 0, 1, DBL_MAX},
+        {3, 0, 0, 0x1p-600, 0, 0, 0, 0x1p-600, 0, 0, 0, 1, 0x1p600},
+        {3, 0, 0, 0x1p-500, 0, 0, 0, 0x1p-500, 0, 0, 0, 1, 0x1p500}};
+    const double unit = whole(0, 2) ? 0x1p-1074 : 0x1p-1030;
+    const double disc[7] = {0, 0, units(9), 0, 0, 1, 1 + 0.01 * whole(0, 9)};
+    const double across[8] = {3, -5, 0.5, 0, 1, 0, 0, HUGE_VAL};
+    double line[8] = {0, 0, 0, 0, 0, 1, -1, 1};
+    const int kind = whole(0, 6);
+    for (int i = 0; i < 6 && !discs; i++)
+        line[i] = whole(-5, 5) * unit;
+    if (whole(0, 1)) {
+        line[6] = units(4);
+        line[7] = line[6] + units(3);
+    }
+    *c = discs ? family_of(FAMILY_SPAN, line, FAMILY_CYLINDER, disc)
+         : kind < 4
+             ? family_of(FAMILY_SPAN, line, FAMILY_CYLINDER, rods[kind])
+             : family_of(FAMILY_SPAN, across, FAMILY_ECONE, cones[kind - 4]);
+    if (kind == 1)
+        c->ends = CYLINT_ENDS_INFINITE;
+}
+
+static void subnormal_numbers_have_the_same_answers(void)
+{
+    for (uint64_t k = 0; k < 2 * groups(GROUPS); k++) {
+        begin_group(400, k);
+        for (int i = 0; i < GROUP; i++) {
+            subnormal_case((int)k % 2, &g.c[i]);
+            family_make(&g.c[i]);
+        }
+        snprintf(g.name, sizeof g.name, "subnormal numbers %d", (int)k);
+        test_group(k, 1);
+    }
+}
+
+/* Differences of coordinates are rounded, and overflow where they are scaled. */
+static void the_largest_exponents_have_the_same_answers(void)
+{
+    static const double a[] = {-0x1.8p+1002, 0x1.8p+1002, 0, 0,
+                               -0x1p+1002,   -0x1p+1001};
+    static const double cone[] = {0, -1, 0, 0x1.8p702, 0, DBL_MAX, 0, DBL_MAX};
+    static const double far[] = {0x0.008p-1022, -3.5, 0, 0, -DBL_MAX, -0.5};
+    static const double ecylinder[] = {
+        0x0.03p-1022,   -3,          DBL_MIN / 2,
+        -DBL_MIN / 2,   DBL_MIN / 2, 0,
+        -0x0.028p-1022, DBL_MIN / 2, -0x1p-1074,
+        0x1p-1074,      0,           0x0.01p-1022};
+    begin_group(500, 0);
+    for (int i = 0; i < GROUP; i++) {
+        g.c[i] =
+            i % 2 ? family_of(FAMILY_SEGMENT, a, FAMILY_CONE, cone)
+                  : family_of(FAMILY_SEGMENT, far, FAMILY_ECYLINDER, ecylinder);
+        g.c[i].ends = i % 2 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_INFINITE;
+        CHECK(family_make(&g.c[i]));
+    }
+    snprintf(g.name, sizeof g.name, "largest exponents");
+    test_group(0, 1);
+    CHECK(g.all[0][0].n == 0 && g.all[0][0].relation == CYLINT_RELATION_CROSS);
+    CHECK(g.all[1][1].n == 1 && g.all[1][1].hit[0].t == 0x1.7ffff7p-300 &&
+          g.all[1][1].hit[0].side == CYLINT_SIDE_LEAVING);
+}
+
+int main(void)
+{
+    RUN(families_have_the_same_answers);
+    if (family_count() > 0)
+        RUN(runs_of_one_kind_have_the_same_answers);
+    RUN(coincidences_have_the_same_answers);
+    RUN(extreme_exponents_have_the_same_answers);
+    RUN(subnormal_numbers_have_the_same_answers);
+    RUN(the_largest_exponents_have_the_same_answers);
+    cylint_use_kernels(NULL);
+    printf("note: of %ld lines and shapes %.0f %% meet, %.0f %% hit; digest "
+           "%016llx\n",
+           pairs, 100. * (double)met / (double)pairs,
+           100. * (double)hit / (double)pairs, (unsigned long long)digest);
+    return check_end();
+}

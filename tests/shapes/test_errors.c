@@ -1,0 +1,373 @@
+/*
+ * test_errors.c - floor shape: boxes and tangents are within the errors of cylint(3)
+ *
+ * The sides of boxes are compared with MPFR: none cuts its solid, and none is farther
+ * from it than the manual's table says.  That each member of a hit is the nearest double
+ * is tested in library/test_intersect.c.  CYLINT_CASES and CYLINT_SEED change the cases.
+ */
+#include "check.h"
+
+#ifdef HAVE_MPFR
+
+#include <mpfr.h>
+#include <string.h>
+
+#include "constructed.h"
+#include "shapes/shape_facts.h"
+#include "ulps.h"
+
+enum { CASES = 1000, BOX_ULPS = 5, ROUND_ULPS = 1, ROUND_WILD_ULPS = 3 };
+
+/* Of cylint(3). */
+static const char *const table =
+    ".Bl -column \"relation, n, part, side\" \"error\" \"nearest double\"\n"
+    ".It Sy answer Ta Sy error Ta Sy kind\n"
+    ".It relation, n, part, side Ta 0 Ta exact\n"
+    ".It t Ta 0.5 Ta nearest double\n"
+    ".It point Ta 0.5 Ta nearest double\n"
+    ".It normal Ta 0.5 Ta nearest double\n"
+    ".It z Ta 0.5 Ta nearest double\n"
+    ".It \\(*f Ta 0.5 Ta nearest double\n"
+    ".It a box's sides, outward Ta 5 Ta observed\n"
+    ".It tangent of a half angle Ta 0.5 Ta observed\n"
+    ".El\n";
+
+static void the_manual_shows_these_errors(void)
+{
+    static char got[4000];
+    char text[300];
+    int within = 0;
+    FILE *f = fopen("man/cylint.3", "r");
+    if (!CHECK(f != NULL))
+        return;
+    while (fgets(text, sizeof text, f)) {
+        if (strcmp(text, ".\\\" budgets end\n") == 0)
+            within = 0;
+        if (within && strlen(got) + strlen(text) < sizeof got)
+            strcat(got, text);
+        if (strcmp(text, ".\\\" budgets begin\n") == 0)
+            within = 1;
+    }
+    fclose(f);
+    if (!CHECK(strcmp(table, got) == 0))
+        REPORT("man/cylint.3 should have\n%s", table);
+}
+
+/* --------------------------------------------------------------- boxes -- */
+
+enum { BITS = 4400 }; /* holds the sum and product of any two doubles */
+
+static mpfr_t m_[6];
+
+static void set_difference(mpfr_t x, double a, double b)
+{
+    mpfr_set_d(x, a, MPFR_RNDN);
+    mpfr_sub_d(x, x, b, MPFR_RNDN);
+}
+
+/* m_[0] += x^2, exactly */
+static void add_square(double a, double b)
+{
+    set_difference(m_[2], a, b);
+    mpfr_sqr(m_[2], m_[2], MPFR_RNDN);
+    mpfr_add(m_[0], m_[0], m_[2], MPFR_RNDN);
+}
+
+static void axis_ends(const cylint_shape *s, int i, double *a, double *b)
+{
+    const int points = cylint_has_end_points(s->kind);
+    *a = points ? cylint_top(s)[i] : cylint_axis(s)[i];
+    *b = points ? cylint_base(s)[i] : 0;
+}
+
+/* m_[0] = half the width of the disc of cap i, or of the ball about end i,
+ * along coordinate j. */
+static void true_reach(const cylint_shape *s, int i, int j)
+{
+    double a, b;
+    mpfr_set_zero(m_[0], 1);
+    if (cylint_is_round(s->kind)) {
+        mpfr_set_ui(m_[0], 1, MPFR_RNDN);
+    } else if (cylint_is_elliptic(s->kind)) {
+        add_square(cylint_a(s)[j], 0);
+        add_square(cylint_b(s)[j], 0);
+    } else {
+        for (int k = 1; k < 3; k++) {
+            axis_ends(s, (j + k) % 3, &a, &b);
+            add_square(a, b);
+        }
+        if (s->kind != CYLINT_KIND_ACONE && !mpfr_zero_p(m_[0])) {
+            mpfr_set(m_[3], m_[0], MPFR_RNDN);
+            axis_ends(s, j, &a, &b);
+            add_square(a, b);
+            mpfr_div(m_[0], m_[3], m_[0], MPFR_RNDN);
+        }
+    }
+    if (!cylint_is_round(s->kind))
+        mpfr_sqrt(m_[0], m_[0], MPFR_RNDN);
+    mpfr_mul_d(m_[0], m_[0], i ? cylint_r1(s) : cylint_r0(s), MPFR_RNDN);
+}
+
+/* m_[1] = the bound of cap i's disc */
+static void true_bound(const cylint_shape *s, int i, int j, int up)
+{
+    true_reach(s, i, j);
+    mpfr_set_d(m_[1], cylint_base(s)[j], MPFR_RNDN);
+    if (i && cylint_has_end_points(s->kind))
+        mpfr_set_d(m_[1], cylint_top(s)[j], MPFR_RNDN);
+    else if (i)
+        mpfr_add_d(m_[1], m_[1], cylint_axis(s)[j], MPFR_RNDN);
+    if (up)
+        mpfr_add(m_[1], m_[1], m_[0], MPFR_RNDN);
+    else
+        mpfr_sub(m_[1], m_[1], m_[0], MPFR_RNDN);
+}
+
+/* Where coordinate and half width cancel, the error is that of pairs of
+ * doubles: 2^-96 of the terms. */
+static double cancelled(const cylint_shape *s, int j)
+{
+    const int factors = cylint_has_factors(s->kind);
+    double size = factors ? 0 : fmax(cylint_r0(s), cylint_r1(s));
+    for (int i = 0; i < 3; i++)
+        size = fmax(fmax(size, fabs(cylint_axis(s)[i])),
+                    fmax(fabs(cylint_a(s)[i]), fabs(cylint_b(s)[i])));
+    const double reach = ldexp(size, -94) * fmax(1, factors ? cylint_r1(s) : 1);
+    const double most = ldexp(fabs(cylint_base(s)[j]), -96) + reach;
+    return isinf(size) ? ldexp(1, 930) : most;
+}
+
+/* The distance of a side of the box from the solid; infinite if the side cuts
+ * the solid. */
+static double looseness(const cylint_shape *s, int j, int up, double side)
+{
+    true_bound(s, 0, j, up);
+    mpfr_set(m_[4], m_[1], MPFR_RNDN);
+    if (s->ends < CYLINT_ENDS_INFINITE) {
+        true_bound(s, 1, j, up);
+        if (up ? mpfr_greater_p(m_[1], m_[4]) : mpfr_less_p(m_[1], m_[4]))
+            mpfr_set(m_[4], m_[1], MPFR_RNDN);
+    }
+    const double nearest = mpfr_get_d(m_[4], MPFR_RNDN);
+    if (isinf(side)) {
+        if ((side > 0) != up || isinf(nearest))
+            return (side > 0) != up ? HUGE_VAL : 0;
+        mpfr_set_d(m_[5], up ? 1 : -1, MPFR_RNDN);
+        mpfr_mul_2si(m_[5], m_[5], 1024, MPFR_RNDN);
+    } else {
+        mpfr_set_d(m_[5], side, MPFR_RNDN);
+    }
+    mpfr_sub(m_[5], m_[5], m_[4], MPFR_RNDN);
+    if (!up)
+        mpfr_neg(m_[5], m_[5], MPFR_RNDN);
+    if (mpfr_sgn(m_[5]) < 0)
+        return HUGE_VAL;
+    mpfr_div_d(m_[5], m_[5], fmax(ulp(nearest), cancelled(s, j)), MPFR_RNDN);
+    return mpfr_get_d(m_[5], MPFR_RNDU);
+}
+
+/* Bounded solids, and whole cylinders across their axes. */
+static void measure_box(const struct family_case *c, double most)
+{
+    const cylint_shape *s = &c->shape;
+    const int constant =
+        s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_ECYLINDER;
+    double box[2][3], a, b;
+    if (s->ends >= CYLINT_ENDS_INFINITE && !constant)
+        return;
+    cylint_bounds(s, box[0], box[1]);
+    for (int j = 0; j < 3; j++) {
+        axis_ends(s, j, &a, &b);
+        if (s->ends >= CYLINT_ENDS_INFINITE && a != b)
+            continue;
+        for (int up = 0; up < 2; up++) {
+            const double off = looseness(s, j, up, box[up][j]);
+            if (!CHECK(off <= most)) {
+                REPORT("coordinate %d, up %d: %g", j, up, off);
+                REPORT_CASE(c);
+            }
+        }
+    }
+}
+
+static void measure_tangent(const struct family_case *c)
+{
+    if (c->shape.kind != CYLINT_KIND_ACONE)
+        return;
+    mpfr_t x, pi;
+    mpfr_inits2(1200, x, pi, (mpfr_ptr)NULL);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_mul_d(x, pi, c->shape_data[6], MPFR_RNDN);
+    mpfr_div_ui(x, x, 180, MPFR_RNDN);
+    mpfr_tan(x, x, MPFR_RNDN);
+    if (!CHECK(cylint_r1(&c->shape) == mpfr_get_d(x, MPFR_RNDN)))
+        REPORT_CASE(c);
+    mpfr_clears(x, pi, (mpfr_ptr)NULL);
+}
+
+/* Case i of a family, of the neighbours of coincidences, or of wild exponents. */
+static void make_case(int family, uint64_t i, struct family_case *c)
+{
+    const uint64_t seed = check_setting("CYLINT_SEED", 3);
+    if (family < family_count()) {
+        family_case(seed, family, i, c);
+    } else if (family == family_count()) {
+        struct family_case base;
+        constructed_base(seed, i / 8, &base);
+        const int all = constructed_neighbours(&base);
+        if (!constructed_neighbour(&base, (int)(i * 37 % (uint64_t)all), c))
+            *c = base;
+    } else {
+        constructed_wild(seed, i, c);
+    }
+}
+
+static void boxes_and_tangents_have_their_errors(void)
+{
+    for (int i = 0; i < 6; i++)
+        mpfr_init2(m_[i], BITS);
+    for (int f = 0; f < family_count() + 2; f++)
+        for (uint64_t i = 0; i < check_setting("CYLINT_CASES", CASES); i++) {
+            struct family_case c;
+            make_case(f, i, &c);
+            const int round = c.shape_word >= FAMILY_SPHERE;
+            const int extreme = f >= family_count() || family_is_wild(f) ||
+                                strstr(family_name(f), "huge") != NULL;
+            measure_box(&c, !round    ? BOX_ULPS
+                            : extreme ? ROUND_WILD_ULPS
+                                      : ROUND_ULPS);
+            measure_tangent(&c);
+        }
+    for (int i = 0; i < 6; i++)
+        mpfr_clear(m_[i]);
+    mpfr_free_cache();
+}
+
+/* ---------------------------------------------------------- named boxes -- */
+
+#define ALL INFINITY
+#define WHOLE "line 0 0 0 1 0 0 "
+
+/* Unbounded solids; sizes at both ends of the range, of which boxes were too small,
+ * infinite or NaN; boxes where nothing is rounded.  Sides are outward by at most `ulps`
+ * units. */
+static const struct {
+    const char *shape;
+    double lo[3], hi[3];
+    int ulps;
+} named[] = {
+    {WHOLE "cylinder 0 0 0 0 0 1 2 ends=open", {-2, -2, 0}, {2, 2, 1}, 4},
+    {WHOLE "cylinder 0 0 0 3 4 0 5", {-4, -3, -5}, {7, 7, 5}, 4},
+    {WHOLE "ecylinder 0 0 0 1 0 0 0 2 0 1 0 1", {-1, -2, 0}, {2, 2, 1}, 4},
+    {WHOLE "acone 0 0 0 0 0 1 45", {-1, -1, 0}, {1, 1, 1}, 4},
+    {WHOLE "acone 0 0 0 0 0 1 45 ends=infinite",
+     {-ALL, -ALL, -ALL},
+     {ALL, ALL, ALL},
+     0},
+    {WHOLE "cylinder 0 0 0 0 0 1 1", {-1, -1, 0}, {1, 1, 1}, 0},
+    {WHOLE "cone 4 5 6 2 4 5 9 1", {2, 3, 6}, {6, 7, 9}, 0},
+    {WHOLE "cone 4 5 6 0 4 5 9 1 ends=nappe",
+     {-ALL, -ALL, 6},
+     {ALL, ALL, ALL},
+     0},
+    {WHOLE "cylinder 4 5 6 4 5 9 2 ends=infinite",
+     {2, 3, -ALL},
+     {6, 7, ALL},
+     0},
+    {WHOLE "cylinder 4 5 6 4 5 9 2 ends=nappe", {2, 3, -ALL}, {6, 7, ALL}, 0},
+    {WHOLE "ecylinder 4 5 6 2 0 0 0 3 0 0 0 1 ends=infinite",
+     {2, 2, -ALL},
+     {6, 8, ALL},
+     0},
+    {WHOLE "ecylinder 4 5 6 2 0 0 0 3 0 0 0 1 ends=nappe",
+     {2, 2, -ALL},
+     {6, 8, ALL},
+     0},
+    /* nappes end at the apex, and are open on the base's side */
+    {WHOLE "cone 0 0 0 1 0 0 1 0.5 ends=nappe",
+     {-ALL, -ALL, -ALL},
+     {ALL, ALL, 2},
+     4},
+    {WHOLE "cone 0 0 0 1 0 0 -1 0.5 ends=nappe",
+     {-ALL, -ALL, -2},
+     {ALL, ALL, ALL},
+     4},
+    {WHOLE "cone 0 0 0 0.5 0 0 1 1 ends=nappe",
+     {-ALL, -ALL, -1},
+     {ALL, ALL, ALL},
+     4},
+    {WHOLE "cone 0 0 0 0.5 0 0 -1 1 ends=nappe",
+     {-ALL, -ALL, -ALL},
+     {ALL, ALL, 1},
+     4},
+    /* the axis and its length exceed the largest double; the box does not */
+    {WHOLE "cone -0x1.fffffffffffffp1023 0 0 1 0x1.fffffffffffffp1023 0 0 3",
+     {-0x1.fffffffffffffp1023, -3, -3},
+     {0x1.fffffffffffffp1023, 3, 3},
+     0},
+    {WHOLE "cylinder -0x1.fffffffffffffp1022 -0x1.fffffffffffffp1022 1 "
+           "0x1.fffffffffffffp1022 0x1.fffffffffffffp1022 1 0x1p1000",
+     {-0x1.0000016a09e66p1023, -0x1.0000016a09e66p1023, -0x1p1000},
+     {0x1.0000016a09e66p1023, 0x1.0000016a09e66p1023, 0x1p1000},
+     4},
+    {WHOLE "econe 0 0 0 0 1 0 0x3p-1074 0 0 0 0 1 0x1.8p133",
+     {-0x4.8p-941, -0x1.8p133, 0},
+     {0x4.8p-941, 0x1.8p133, 1},
+     4},
+    {WHOLE "ecylinder 0 0 0 1 0 0 0 0 -0x1.9p1018 0 1 0",
+     {-1, 0, -0x1.9p1018},
+     {1, 1, 0x1.9p1018},
+     0},
+};
+
+static void named_boxes_are_tight(void)
+{
+    for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
+        struct family_case c;
+        double lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
+        if (!CHECK(family_parse(named[i].shape, &c)))
+            continue;
+        cylint_bounds(&c.shape, lo, hi);
+        for (int k = 0; k < 3; k++)
+            if (!CHECK(lo[k] <= named[i].lo[k] && hi[k] >= named[i].hi[k] &&
+                       lo[k] >= constructed_stepped(named[i].lo[k],
+                                                    -named[i].ulps) &&
+                       hi[k] <=
+                           constructed_stepped(named[i].hi[k], named[i].ulps)))
+                REPORT("%s: coordinate %d from %a to %a", named[i].shape, k,
+                       lo[k], hi[k]);
+        CHECK(lo[3] == 7 && hi[3] == 7);
+    }
+}
+
+/* Beyond the largest double on one side only. */
+static void a_box_may_be_infinite_on_one_side(void)
+{
+    const double p0[3] = {-0x1.8p1023, 0, 0};
+    const double p1[3] = {-0x1.8p1023 + 0x1p1000, 0x1p1000, 0};
+    const double right = p1[0] + 0x1.8p1023 * sqrt(0.5);
+    double lo[3], hi[3];
+    cylint_shape s;
+    CHECK(cylint_cylinder(&s, p0, p1, 0x1.8p1023, CYLINT_ENDS_CAPPED) ==
+          CYLINT_OK);
+    cylint_bounds(&s, lo, hi);
+    CHECK(isinf(lo[0]) && hi[0] >= right && hi[0] - right <= 4 * ulp(right));
+}
+
+int main(void)
+{
+    RUN(a_box_may_be_infinite_on_one_side);
+    RUN(the_manual_shows_these_errors);
+    RUN(named_boxes_are_tight);
+    RUN(boxes_and_tangents_have_their_errors);
+    return check_end();
+}
+
+#else
+
+int main(void)
+{
+    return check_skip("no MPFR: nothing to measure against (make deps)");
+}
+
+#endif

@@ -1,0 +1,104 @@
+/*
+ * same.h - whether answers are equal, bit for bit
+ *
+ * A struct has padding, and members that are not wanted have any values, so the
+ * wanted members are compared one by one.
+ */
+#ifndef CYLINT_TEST_SAME_H
+#define CYLINT_TEST_SAME_H
+
+#include <stddef.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_distance.h"
+#include "families.h"
+
+enum { EVERY_WANT = CYLINT_WANT_ALL | CYLINT_WANT_NEAREST };
+
+/* The place of each member of a hit, and the want that names it. */
+static const struct {
+    unsigned want;
+    size_t at, size;
+} hit_members[] = {
+    {CYLINT_WANT_T, offsetof(cylint_hit, t), sizeof(double)},
+    {CYLINT_WANT_PART, offsetof(cylint_hit, part), sizeof(int)},
+    {CYLINT_WANT_PART, offsetof(cylint_hit, side), sizeof(int)},
+    {CYLINT_WANT_POINT, offsetof(cylint_hit, point), 3 * sizeof(double)},
+    {CYLINT_WANT_NORMAL, offsetof(cylint_hit, normal), 3 * sizeof(double)},
+    {CYLINT_WANT_Z, offsetof(cylint_hit, z), sizeof(double)},
+    {CYLINT_WANT_PHI, offsetof(cylint_hit, phi), sizeof(double)},
+};
+
+enum { HIT_MEMBERS = sizeof hit_members / sizeof *hit_members };
+
+static inline int same_bytes(const void *x, const void *y, size_t n)
+{
+    return memcmp(x, y, n) == 0;
+}
+
+static inline int same_double(double x, double y)
+{
+    return same_bytes(&x, &y, sizeof x);
+}
+
+static inline int same_hit(const cylint_hit *x, const cylint_hit *y,
+                           unsigned want)
+{
+    for (int k = 0; k < HIT_MEMBERS; k++)
+        if (want & hit_members[k].want &&
+            !same_bytes((const char *)x + hit_members[k].at,
+                        (const char *)y + hit_members[k].at,
+                        hit_members[k].size))
+            return 0;
+    return 1;
+}
+
+/* Whether `got`, of which the members `want` are wanted, is the part of `all` that it
+ * should be. */
+static inline int same_answer(const cylint_answer *got,
+                              const cylint_answer *all, unsigned want)
+{
+    const int most = want & CYLINT_WANT_NEAREST ? 1 : 2;
+    int same = got->relation == all->relation && got->flags == all->flags &&
+               got->n == (all->n < most ? all->n : most);
+    for (int i = 0; i < got->n && same; i++)
+        same = same_hit(&got->hit[i], &all->hit[i], want);
+    return same;
+}
+
+static inline int same_closest(const cylint_closest *x, const cylint_closest *y)
+{
+    return same_double(x->distance, y->distance) && x->flags == y->flags &&
+           x->part == y->part && x->feature == y->feature &&
+           same_bytes(x->point, y->point, sizeof x->point) &&
+           same_bytes(x->normal, y->normal, sizeof x->normal);
+}
+
+/* Prints what was got and what should be, below a failed check. */
+static inline void report_answers(const struct family_case *c, const char *what,
+                                  const cylint_answer *got,
+                                  const cylint_answer *all)
+{
+    const cylint_answer *const both[2] = {got, all};
+    if (check_bad > CHECK_SHOWN)
+        return;
+    fprintf(stderr, "# %s\n", what);
+    family_report(c);
+    for (int k = 0; k < 2; k++) {
+        fprintf(stderr, "#   %s relation %d n %d flags %d\n",
+                k ? "want" : "got ", both[k]->relation, both[k]->n,
+                both[k]->flags);
+        for (int i = 0; i < both[k]->n && i < 2; i++) {
+            const cylint_hit *h = &both[k]->hit[i];
+            fprintf(stderr,
+                    "#     t %a part %d side %d point %a %a %a normal %a %a %a "
+                    "z %a phi %a\n",
+                    h->t, h->part, h->side, h->point[0], h->point[1],
+                    h->point[2], h->normal[0], h->normal[1], h->normal[2], h->z,
+                    h->phi);
+        }
+    }
+}
+
+#endif
