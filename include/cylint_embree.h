@@ -73,9 +73,13 @@
  * updating and releasing a geometry are like committing: no thread may trace it
  * meanwhile.
  *
- * Memory.  The arrays of shapes are the caller's.  Queries read them, so they
- * stay in place until cylint_embree_release().  All other memory is allocated
- * from the device as buffers: its memory monitor counts it and may refuse it.
+ * Memory.  The arrays of shapes are the caller's.  Only cylint_embree_geometry()
+ * and cylint_embree_update() read them, so that a program which calls no update
+ * may free them.  A geometry keeps what the constructors got: 33 bytes a shape if
+ * all numbers of all shapes are floats, else 65, and 8 for its order; an elliptic
+ * shape or an angle cone takes as much as in the array besides.  All memory is
+ * allocated from the device as buffers: its memory monitor counts it and may
+ * refuse it.
  */
 #ifndef CYLINT_EMBREE_H
 #define CYLINT_EMBREE_H
@@ -94,22 +98,25 @@ struct RTCRayHit;
 
 typedef enum cylint_embree_status {
     CYLINT_EMBREE_OK = 0,
-    CYLINT_EMBREE_ESHAPE,  /* a shape that Embree's boxes cannot contain: it
+    CYLINT_EMBREE_ESHAPE,   /* a shape that Embree's boxes cannot contain: it
                               was refused by its constructor, is unbounded
                               (infinite, nappe), or has a box with a coordinate
                               at or beyond 1.844e18, where Embree silently drops
                               primitives; or a number of more than 32 bits */
-    CYLINT_EMBREE_EMOTION, /* the two states of a moving shape differ in
+    CYLINT_EMBREE_EMOTION,  /* the two states of a moving shape differ in
                               ends or in kind: cylinders and cones are one
                               kind, elliptic cylinders and cones, capsules and
                               round cones, angle cones, spheres */
-    CYLINT_EMBREE_EMEMORY, /* an allocation was refused */
-    CYLINT_EMBREE_EDEVICE, /* the device made no geometry */
-    CYLINT_EMBREE_EVERSION /* the device belongs to another major version of
-                              Embree than this library was built for */
+    CYLINT_EMBREE_EMEMORY,  /* an allocation was refused */
+    CYLINT_EMBREE_EDEVICE,  /* the device made no geometry */
+    CYLINT_EMBREE_EVERSION, /* the device belongs to another major version of
+                               Embree than this library was built for */
+    CYLINT_EMBREE_EPART     /* the geomID of a part is not greater than that of
+                               the part before it */
 } cylint_embree_status;
 
-/* A status and, for ESHAPE and EMOTION, the lowest number of such a shape. */
+/* A status and, for ESHAPE and EMOTION, the lowest number of such a shape; for
+ * EPART, the part's. */
 typedef struct cylint_embree_problem {
     int status;
     size_t shape;
@@ -172,6 +179,33 @@ typedef struct cylint_embree_options {
  */
 CYLINT_API struct RTCGeometryTy *cylint_embree_geometry(
     struct RTCDeviceTy *device, const cylint_shape *shapes, size_t n,
+    const cylint_embree_options *options, cylint_embree_problem *problem);
+
+/* Shapes of which hits have this geomID and, as primID, the number in the array. */
+typedef struct cylint_embree_part {
+    const cylint_shape *shapes;
+    size_t n;
+    unsigned geomID;
+} cylint_embree_part;
+
+/*
+ * cylint_embree_merge - makes one committed geometry of n parts
+ *
+ * For programs with thousands of small geometries.  To Embree each of these is a
+ * box and a call of the adapter; merged they are one, and a coherent ray takes
+ * half the time.  Hits and filters get the geomID of the part and the number of
+ * the shape in the part, whatever number Embree gives to the merged geometry.
+ * The geomIDs ascend from part to part, and no other geometry of the scene has
+ * one of them.  At equal t the shape of the part before is hit.
+ *
+ * The parts share a mask and a filter function.  options->moved and
+ * CYLINT_EMBREE_SINGLE have no effect.  problem->shape counts the shapes of all
+ * parts.  All else is as for cylint_embree_geometry(); the array of parts is not
+ * read again, those of shapes are by cylint_embree_update().  A part takes 32
+ * bytes, and each shape 4 more.
+ */
+CYLINT_API struct RTCGeometryTy *cylint_embree_merge(
+    struct RTCDeviceTy *device, const cylint_embree_part *parts, size_t n,
     const cylint_embree_options *options, cylint_embree_problem *problem);
 
 /*

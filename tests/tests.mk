@@ -18,7 +18,7 @@ test_scripts  := $(filter-out $(left_out),$(wildcard tests/*/test_*.sh))
 
 # Long runs, which `make check` leaves out, are built as the tests are.
 core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
-              $(patsubst %,$(BUILD)/tests/%,library/stress library/search package/records package/answers)
+              $(patsubst %,$(BUILD)/tests/%,package/records package/answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
 $(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
@@ -55,6 +55,7 @@ $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
 	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
 $(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/scenes.o
+$(BUILD)/tests/fuzz/shapes: $(BUILD)/tests/support/family_records.o
 $(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
 $(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
 
@@ -154,11 +155,10 @@ coverage: ## branches of src/ that no test takes, without a reason beside them
 mutants: ## change operators and constants, and list changes that pass; COUNT=20 a file
 	python3 tests/support/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
 
-stress: $(BUILD)/tests/library/stress ## compare 1e8 cases with the oracle, up to an hour
-	$(BUILD)/tests/library/stress
-
-search: $(BUILD)/tests/library/search ## search for the worst errors and the slowest query
-	$(BUILD)/tests/library/search
+stress: $(BUILD)/tests/library/test_intersect ## compare 1e8 cases with the oracle, two seeds side by side, up to an hour
+	@for seed in 20240 20241; do \
+	  CYLINT_CASES=1000000 CYLINT_SEED=$$seed $< & jobs="$$jobs $$!"; done; \
+	  for job in $$jobs; do wait $$job || exit; done
 
 .PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
-	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress search
+	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress

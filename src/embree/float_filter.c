@@ -7,7 +7,6 @@
 #ifndef CYLINT_FLOAT_FILTER
 #define CYLINT_FLOAT_FILTER cylint_float_filter_plain
 #define CYLINT_ONE_LANE
-#define CYLINT_FLOAT_FILTER_RECORDS
 #endif
 
 #include "../bvh/float_bounds.h"
@@ -305,54 +304,3 @@ void CYLINT_FLOAT_FILTER(const asked of[], int n, answered to[])
     for (int from = 0; from < n; from += LANES)
         answer_batch(of + from, n - from, to + from);
 }
-
-/* --------------------------------------------------------------- records -- */
-
-#ifdef CYLINT_FLOAT_FILTER_RECORDS
-
-/* The sign of the radii in a record; NaN: the filter does not decide. */
-static double radii_sign(const cylint_shape *s)
-{
-    if (!cylint_is_bounded(s) || !cylint_has_end_points(s->kind))
-        return NAN;
-    if (!cylint_is_round(s->kind))
-        return 1;
-    return cylint_is_hull(s->kind) ||
-                   (cylint_has_no_axis(s) && s->ends == CYLINT_ENDS_CAPPED)
-               ? -1
-               : NAN;
-}
-
-void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
-                                  const cylint_shape *s)
-{
-    const double sign = radii_sign(s);
-    EACH(j, 3) {
-        to->base[j] = cylint_base(s)[j];
-        to->top[j] = cylint_top(s)[j];
-    }
-    to->r0 = sign * cylint_r0(s);
-    to->r1 = sign * cylint_r1(s);
-}
-
-/* Whether x is a float and not subnormal. */
-static int is_float(double x, float *to)
-{
-    *to = (float)x;
-    return (double)*to == x &&
-           (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
-}
-
-int cylint_float_filter_small_of(cylint_float_filter_small *to,
-                                 const cylint_shape *s)
-{
-    cylint_float_filter_shape large;
-    cylint_float_filter_shape_of(&large, s);
-    int is = is_float(large.r0, &to->r0) & is_float(large.r1, &to->r1);
-    EACH(j, 3)
-        is &= is_float(large.base[j], &to->base[j]) &
-              is_float(large.top[j], &to->top[j]);
-    return is;
-}
-
-#endif

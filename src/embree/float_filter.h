@@ -21,18 +21,11 @@ typedef struct cylint_float_filter_shape {
     double base[3], r0, top[3], r1;
 } cylint_float_filter_shape;
 
-void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
-                                  const cylint_shape *shape);
-
 /* The same in half the memory, if all numbers are floats and none of them is
  * subnormal. */
 typedef struct cylint_float_filter_small {
     float base[3], r0, top[3], r1;
 } cylint_float_filter_small;
-
-/* Returns 0 if the shape does not fit. */
-int cylint_float_filter_small_of(cylint_float_filter_small *to,
-                                 const cylint_shape *shape);
 
 /* An array of shapes, either small or not. */
 typedef struct cylint_float_filter_shapes {

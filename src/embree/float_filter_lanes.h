@@ -8,7 +8,8 @@
  * 2^-50 is eight of them.  The errors of vectors are lengths: a cross product
  * has at most 2 / sqrt(3) of the errors of its products.
  *
- * The line is D + s u, the axis w, W = |w|, U = |u|, Dn = |D|.  Along the line
+ * The line is D + s u, the axis w, W = |w|; U and Dn are sizes of u and D, at
+ * least their lengths, which take no roots.  Along the line
  *
  *   z = z0 + s dz,  z0 = D.w / ww,  dz = u.w / ww,
  *   k = k0 + s k1,  k0 = r0 + dr z0,  k1 = dr dz,  the radius at z,
@@ -51,7 +52,8 @@ typedef struct {
 } question;
 
 /* Q, where the line crosses its surface: reciprocals of a and sqrt(G), errors.
- * apart: a < 0, and Q < 0 before the first root and behind the second. */
+ * apart, of a cone: a < 0, and Q < 0 before the first root and behind the
+ * second. */
 typedef struct {
     vd a, b, root, per_a, per_root, e_a, e_G;
     vm apart;
@@ -186,8 +188,8 @@ INLINE void load_lines(question *q, const char *const row[LANES])
     q->Du = dot(q->D, q->u);
     q->DD = dot(q->D, q->D);
     q->ww = dot(q->w, q->w);
-    q->U = v_sqrt(q->uu);
-    q->Dn = v_sqrt(q->DD);
+    q->U = size(q->u);
+    q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
 }
 
@@ -228,12 +230,10 @@ INLINE verdict cross_surface(quadratic *c, vd G, vm known)
     const vm is = m_and(known, clear);
     const vm is_not = m_and(known, v_lt(G, -c->e_G));
     c->root = c->per_a = c->per_root = v_set(1);
-    c->apart = m_none();
     if (m_any(is)) {
         c->root = v_sqrt(where_or_one(is, G));
         c->per_a = v_set(1) / where_or_one(is, c->a);
         c->per_root = v_set(1) / c->root;
-        c->apart = m_and(is, v_lt(c->a, v_set(0)));
     }
     return (verdict){is, m_not(m_or(is, is_not))};
 }
@@ -243,6 +243,7 @@ INLINE verdict cross_discs(quadratic *c, question *q)
     const vm window = m_and(in_window(q, q->r0 + (q->r0 + q->dr)),
                             v_lt(v_set(0x1p-90), q->W));
     vd k0 = q->r0, S = q->uu, K = q->r0;
+    c->apart = m_none();
     load_axis(q, q->ww);
     c->a = q->uu - q->beta * q->dz;
     c->b = q->Du - q->alpha * q->dz;
@@ -250,6 +251,7 @@ INLINE verdict cross_discs(quadratic *c, question *q)
         const vd slope = v_abs(q->dr) * q->per_W, k1 = q->dr * q->dz;
         k0 = q->r0 + q->dr * q->z0;
         c->a = c->a - k1 * k1;
+        c->apart = v_lt(c->a, v_set(0));
         c->b = c->b - k0 * k1;
         S = S + slope * slope * q->uu;
         K = K + slope * q->Dn;

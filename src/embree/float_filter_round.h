@@ -82,6 +82,7 @@ INLINE verdict cross_round(round_surfaces *x, question *q)
     quadratic *c = &x->cone;
     x->is_ball = m_not(v_lt(zero, size(q->w)));
     x->R = q->r0 + v_abs(q->dr);
+    q->Dn = v_sqrt(q->DD);
     x->K = q->Dn + q->r0;
     load_axis(q, v_select(x->is_ball, v_set(1), q->ww));
     const round_terms terms = {q->uu,     q->Du, q->DD, q->alpha, q->beta,

@@ -23,6 +23,8 @@ const char *cylint_embree_strerror(int status)
                "or more";
     case CYLINT_EMBREE_EMOTION:
         return "the two states of a shape differ in kind or ends";
+    case CYLINT_EMBREE_EPART:
+        return "the geometry numbers of merged parts do not ascend";
     case CYLINT_EMBREE_EMEMORY:
         return "out of memory";
     case CYLINT_EMBREE_EDEVICE:
@@ -36,16 +38,16 @@ const char *cylint_embree_strerror(int status)
 
 /* ---------------------------------------------------------------- boxes -- */
 
-static void box_of(const cylint_embree_data *data, size_t number, int step,
-                   cylint_extent *box)
+/* The box of a shape; moved: its state at time 1, or NULL. */
+static cylint_extent box_of(const cylint_shape *shape,
+                            const cylint_shape *moved, int step)
 {
-    const cylint_shape *shape = data->shapes + number;
-    if (data->moved) {
-        cylint_motion_bounds(shape, data->moved + number, step, box);
-        return;
-    }
-    const cylint_view view = cylint_plain_view(data->shapes);
-    *box = cylint_swept_disc_box(&view, (uint32_t)number);
+    const cylint_view view = cylint_plain_view(shape);
+    cylint_extent box;
+    if (!moved)
+        return cylint_swept_disc_box(&view, 0);
+    cylint_motion_bounds(shape, moved, step, &box);
+    return box;
 }
 
 static void whole_bounds(const struct RTCBoundsFunctionArguments *args)
@@ -57,23 +59,28 @@ static void whole_bounds(const struct RTCBoundsFunctionArguments *args)
 static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    cylint_extent box;
-    box_of(data, args->primID, (int)args->timeStep, &box);
+    const int moves = cylint_embree_moves(data);
+    cylint_shape shape[2];
+    for (int i = 0; i <= moves; i++)
+        cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
+    const cylint_extent box =
+        box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
     *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
 static int check_shape(const cylint_embree_data *data, size_t i,
                        cylint_extent *all)
 {
-    const cylint_shape *shape = data->shapes + i;
+    const cylint_shape *shape = data->from[0] + i;
+    const cylint_shape *moved =
+        cylint_embree_moves(data) ? data->from[1] + i : NULL;
     if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
-        (data->moved && !cylint_is_bounded(data->moved + i)))
+        (moved && !cylint_is_bounded(moved)))
         return CYLINT_EMBREE_ESHAPE;
-    if (data->moved && !cylint_can_move_into(shape, data->moved + i))
+    if (moved && !cylint_can_move_into(shape, moved))
         return CYLINT_EMBREE_EMOTION;
-    for (int step = 0; step < (data->moved ? 2 : 1); step++) {
-        cylint_extent box;
-        box_of(data, i, step, &box);
+    for (int step = 0; step < (moved ? 2 : 1); step++) {
+        const cylint_extent box = box_of(shape, moved, step);
         if (!cylint_extent_is_valid(&box))
             return CYLINT_EMBREE_ESHAPE;
         cylint_extent_include(all, &box);
@@ -98,53 +105,85 @@ static void set_box(cylint_embree_data *data, const cylint_extent *all)
     data->pad = cylint_box_pad(all, data->traversal ? FAR_SIZES : NEAR_SIZES);
 }
 
+/* The part that holds a number. */
+static size_t part_of(const cylint_embree_data *data, size_t number)
+{
+    size_t low = 0, high = data->n_parts;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (data->parts[middle].first <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void write_part_shape(const void *owner, uint32_t number,
+                             cylint_shape *shape)
+{
+    const cylint_embree_data *data = owner;
+    const cylint_embree_merged *part = data->parts + part_of(data, number);
+    *shape = part->shapes[number - part->first];
+}
+
+static cylint_view view_of(const cylint_embree_data *data, int time)
+{
+    cylint_view view = cylint_plain_view(data->from[time]);
+    if (data->parts) {
+        view.write_shape = write_part_shape;
+        view.owner = data;
+    }
+    return view;
+}
+
+static void free_shapes(cylint_embree_shapes shapes[2], cylint_memory *order)
+{
+    cylint_embree_shapes_free(&shapes[0]);
+    cylint_embree_shapes_free(&shapes[1]);
+    cylint_memory_free(order);
+}
+
+/* Copies the shapes in this order, with which the memory of the order goes.
+ * Returns 0 if memory is refused: then the present shapes stay. */
+static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
+{
+    cylint_embree_shapes made[2] = {{.ends = NULL}, {.ends = NULL}};
+    const uint32_t *number = order->data;
+    int is = 1;
+    for (int i = 0; i <= cylint_embree_moves(data) && is && data->n > 0; i++) {
+        const cylint_view from = view_of(data, i);
+        is = cylint_embree_shapes_copy(&made[i], &from, number, data->n,
+                                       data->threads, &data->source);
+    }
+    if (!is) {
+        free_shapes(made, order);
+        return 0;
+    }
+    free_shapes(data->shapes, &data->order_memory);
+    data->shapes[0] = made[0];
+    data->shapes[1] = made[1];
+    data->order_memory = *order;
+    data->number = number;
+    data->rank = number ? number + data->n : NULL;
+    data->part = data->parts && number ? data->rank + data->n : NULL;
+    return 1;
+}
+
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
     cylint_extent all = cylint_extent_empty();
+    cylint_memory order = {0};
     for (size_t i = 0; i < data->n; i++) {
         const int status = check_shape(data, i, &all);
         if (status != CYLINT_EMBREE_OK)
             return refuse(problem, status, i);
     }
+    if (!copy_shapes(data, &order))
+        return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
     set_box(data, &all);
     return 1;
-}
-
-static int allocate(cylint_memory *memory, cylint_embree_data *data,
-                    size_t bytes)
-{
-    *memory = (cylint_memory){0};
-    return bytes == 0 || cylint_memory_allocate(memory, &data->source, bytes);
-}
-
-/* Copies shapes for the float filter, in the order of `number`. */
-typedef struct {
-    const cylint_shape *shapes;
-    const uint32_t *number;
-    cylint_memory memory;
-    cylint_float_filter_shapes made;
-    cylint_mutex mutex; /* protects the member below */
-    int fits;           /* all shapes fit into small records, if these are
-                           wanted */
-} filter_job;
-
-static void copy_shapes(void *self, size_t from, size_t to)
-{
-    filter_job *a = self;
-    cylint_float_filter_small *small = a->memory.data;
-    cylint_float_filter_shape *large = a->memory.data;
-    size_t i = from;
-    if (a->made.small)
-        while (i < to && cylint_float_filter_small_of(&small[i],
-                                                      &a->shapes[a->number[i]]))
-            i++;
-    else
-        for (; i < to; i++)
-            cylint_float_filter_shape_of(&large[i], &a->shapes[a->number[i]]);
-    cylint_mutex_lock(&a->mutex);
-    a->fits &= i == to;
-    cylint_mutex_unlock(&a->mutex);
 }
 
 /* Ranks the shapes in the order in which leaves first name them, writes their
@@ -166,50 +205,32 @@ static void rank_shapes(const cylint_bvh *bvh, uint32_t *rank, uint32_t *number)
     }
 }
 
-/* Shapes that are together in leaves get neighbouring ranks, so that the
- * filter's shapes are together in memory.  Returns 0 if memory is refused. */
-static int rank_by_leaves(cylint_memory *number, const cylint_bvh *bvh,
-                          cylint_embree_data *data)
+/* Shapes that are together in leaves get neighbouring ranks, so that their records
+ * are together in memory.  Writes numbers, then ranks, then the parts of a merged
+ * geometry.  Returns 0 if memory is refused. */
+static int rank_by_leaves(cylint_memory *order, const cylint_bvh *bvh,
+                          const cylint_embree_data *data)
 {
     const size_t bytes = data->n * sizeof(uint32_t);
-    cylint_memory rank;
-    if (!allocate(&rank, data, bytes))
+    if (data->n == 0)
+        return 1;
+    if (!cylint_memory_allocate(order, &data->source,
+                                (data->parts ? 3 : 2) * bytes))
         return 0;
-    const int made = allocate(number, data, bytes);
-    if (made && data->n > 0) {
-        memset(rank.data, 0xff, bytes);
-        rank_shapes(bvh, rank.data, number->data);
-    }
-    cylint_memory_free(&rank);
-    return made;
-}
-
-/* Makes small records or, if a shape does not fit, large ones; usually the first
- * shape decides.  Returns 0 if memory is refused. */
-static int make_filter_shapes(filter_job *a, cylint_embree_data *data)
-{
-    for (int small = 1; small >= 0; small--) {
-        const size_t size = small ? sizeof(cylint_float_filter_small)
-                                  : sizeof(cylint_float_filter_shape);
-        if (!allocate(&a->memory, data, data->n * size))
-            return 0;
-        a->made = (cylint_float_filter_shapes){a->memory.data, small};
-        a->fits = 1;
-        cylint_threads_run(cylint_threads_for(data->n, data->threads), data->n,
-                           copy_shapes, a);
-        if (a->fits)
-            break;
-        cylint_memory_free(&a->memory);
-    }
+    uint32_t *number = order->data, *rank = number + data->n;
+    memset(rank, 0xff, bytes);
+    rank_shapes(bvh, rank, number);
+    if (data->parts)
+        for (size_t i = 0; i < data->n; i++)
+            rank[data->n + i] = (uint32_t)part_of(data, number[i]);
     return 1;
 }
 
 /* Builds the hierarchy.  On failure the present one stays. */
 static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
 {
-    const cylint_view view = cylint_plain_view(data->shapes);
-    filter_job job = {.shapes = data->shapes,
-                      .mutex = CYLINT_MUTEX_INITIALIZER};
+    const cylint_view view = view_of(data, 0);
+    cylint_memory order = {0};
     cylint_bvh bvh;
     size_t shape;
     const cylint_bvh_input input = {.view = &view,
@@ -224,24 +245,12 @@ static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
     default:
         return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    cylint_memory number = {0};
-    int made = rank_by_leaves(&number, &bvh, data);
-    job.number = number.data;
-    made = made && make_filter_shapes(&job, data);
-    cylint_mutex_destroy(&job.mutex);
-    if (!made) {
-        cylint_memory_free(&number);
+    if (!rank_by_leaves(&order, &bvh, data) || !copy_shapes(data, &order)) {
         cylint_bvh_free(&bvh);
         return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
     cylint_bvh_free(&data->bvh);
-    cylint_memory_free(&data->filter_memory);
-    cylint_memory_free(&data->number_memory);
     data->bvh = bvh;
-    data->filter_memory = job.memory;
-    data->number_memory = number;
-    data->number = number.data;
-    data->filter_shapes = job.made;
     set_box(data, &bvh.box);
     return 1;
 }
@@ -274,7 +283,7 @@ static int load_shapes(RTCGeometry geometry, cylint_embree_data *data,
 static void attach(RTCGeometry geometry, cylint_embree_data *data)
 {
     rtcSetGeometryUserData(geometry, data);
-    rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
+    rtcSetGeometryTimeStepCount(geometry, cylint_embree_moves(data) ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(
         geometry, data->traversal ? whole_bounds : shape_bounds, NULL);
@@ -282,32 +291,52 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
 }
 
-static cylint_embree_data *new_data(RTCDevice device,
-                                    const cylint_shape *shapes, size_t n,
-                                    const cylint_embree_options *options)
+static void set_options(cylint_embree_data *data,
+                        const cylint_embree_options *options)
+{
+    data->flags = options->flags;
+    data->user = options->user;
+    data->threads = options->threads > 1 ? options->threads : 1;
+    if (data->parts)
+        data->flags &= ~(unsigned)CYLINT_EMBREE_SINGLE;
+    else
+        data->from[1] = options->moved;
+}
+
+/* Copies the parts behind the data; *problem: see cylint_embree_merge(). */
+static int set_parts(cylint_embree_data *data, const cylint_embree_part *parts,
+                     size_t n, cylint_embree_problem *problem)
+{
+    cylint_embree_merged *to = (cylint_embree_merged *)(data + 1);
+    data->parts = to;
+    data->n_parts = n;
+    for (size_t i = 0; i < n; i++) {
+        if (i > 0 && parts[i].geomID <= parts[i - 1].geomID)
+            return refuse(problem, CYLINT_EMBREE_EPART, i);
+        to[i] = (cylint_embree_merged){parts[i].shapes, data->n, parts[i].n,
+                                       parts[i].geomID};
+        data->n += parts[i].n;
+    }
+    return 1;
+}
+
+static cylint_embree_data *new_data(RTCDevice device, size_t n_parts)
 {
     const cylint_memory_source source = cylint_device_memory(device);
+    const size_t size = sizeof(cylint_embree_merged);
     cylint_memory self;
-    if (!cylint_memory_allocate(&self, &source, sizeof(cylint_embree_data)))
+    if (n_parts > SIZE_MAX / 2 / size ||
+        !cylint_memory_allocate(&self, &source,
+                                sizeof(cylint_embree_data) + n_parts * size))
         return NULL;
     cylint_embree_data *data = self.data;
     *data =
         (cylint_embree_data){.self = self,
                              .source = source,
-                             .shapes = shapes,
-                             .n = n,
                              .threads = 1,
                              .filter_one = cylint_float_filter_of_one(),
                              .filter_many = cylint_float_filter_of_many(),
                              .traverse_packet = cylint_traverse_packet_used()};
-    if (options) {
-        data->moved = options->moved;
-        data->flags = options->flags;
-        data->user = options->user;
-        data->threads = options->threads > 1 ? options->threads : 1;
-    }
-    if (!(data->flags & CYLINT_EMBREE_SINGLE) && !data->moved)
-        data->traversal = cylint_traversal_used();
     return data;
 }
 
@@ -315,12 +344,39 @@ static void free_data(cylint_embree_data *data)
 {
     cylint_memory self = data->self;
     cylint_bvh_free(&data->bvh);
-    cylint_memory_free(&data->filter_memory);
-    cylint_memory_free(&data->number_memory);
+    free_shapes(data->shapes, &data->order_memory);
     cylint_memory_free(&self);
 }
 
-static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
+/* What a geometry is made of: an array of shapes, or parts. */
+typedef struct {
+    const cylint_shape *shapes;
+    const cylint_embree_part *parts; /* NULL: an array of shapes */
+    size_t n;
+} ingredients;
+
+/* Sets what the geometry is made of, and makes it. */
+static int fill(RTCGeometry geometry, cylint_embree_data *data,
+                const ingredients *of, const cylint_embree_options *options,
+                cylint_embree_problem *problem)
+{
+    if (of->parts && !set_parts(data, of->parts, of->n, problem)) {
+        raise_device_error(geometry);
+        return 0;
+    }
+    if (!of->parts) {
+        data->from[0] = of->shapes;
+        data->n = of->n;
+    }
+    if (options)
+        set_options(data, options);
+    if (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data))
+        data->traversal = cylint_traversal_used();
+    attach(geometry, data);
+    return load_shapes(geometry, data, problem);
+}
+
+static RTCGeometry make(RTCDevice device, const ingredients *of,
                         const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
@@ -334,10 +390,9 @@ static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
     if (!geometry)
         return NULL;
     problem->status = CYLINT_EMBREE_EMEMORY;
-    cylint_embree_data *data = new_data(device, shapes, n, options);
+    cylint_embree_data *data = new_data(device, of->parts ? of->n : 0);
     if (data) {
-        attach(geometry, data);
-        if (load_shapes(geometry, data, problem))
+        if (fill(geometry, data, of, options, problem))
             return geometry;
         free_data(data);
     }
@@ -345,16 +400,34 @@ static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
     return NULL;
 }
 
+static RTCGeometry make_of(RTCDevice device, const ingredients *of,
+                           const cylint_embree_options *options,
+                           cylint_embree_problem *problem)
+{
+    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
+    RTCGeometry geometry = make(device, of, options, &here);
+    if (problem)
+        *problem = here;
+    return geometry;
+}
+
 RTCGeometry cylint_embree_geometry(RTCDevice device, const cylint_shape *shapes,
                                    size_t n,
                                    const cylint_embree_options *options,
                                    cylint_embree_problem *problem)
 {
-    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
-    RTCGeometry geometry = make(device, shapes, n, options, &here);
-    if (problem)
-        *problem = here;
-    return geometry;
+    const ingredients of = {.shapes = shapes, .n = n};
+    return make_of(device, &of, options, problem);
+}
+
+RTCGeometry cylint_embree_merge(RTCDevice device,
+                                const cylint_embree_part *parts, size_t n,
+                                const cylint_embree_options *options,
+                                cylint_embree_problem *problem)
+{
+    static const cylint_embree_part none;
+    const ingredients of = {.parts = n > 0 ? parts : &none, .n = n};
+    return make_of(device, &of, options, problem);
 }
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)
@@ -378,6 +451,7 @@ size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
     return data->self.bytes + data->bvh.node_memory.bytes +
-           data->bvh.leaf_memory.bytes + data->filter_memory.bytes +
-           data->number_memory.bytes;
+           data->bvh.leaf_memory.bytes + data->order_memory.bytes +
+           cylint_embree_shapes_bytes(&data->shapes[0]) +
+           cylint_embree_shapes_bytes(&data->shapes[1]);
 }

@@ -7,18 +7,25 @@
 #include <stdint.h>
 
 #include "../bvh/bvh.h"
-#include "float_filter.h"
+#include "shapes.h"
 #include "packet_traverse.h"
 #include "api.h"
 #include "cylint_embree.h"
 #include "device_memory.h"
 
+/* The shapes that hits name by this geomID; `first`: the number of the first. */
+typedef struct cylint_embree_merged {
+    const cylint_shape *shapes;
+    size_t first, n;
+    unsigned geomID;
+} cylint_embree_merged;
+
 /* The user data of the geometry. */
 typedef struct cylint_embree_data {
     cylint_memory self;          /* holds this struct */
     cylint_memory_source source; /* of all memory */
-    const cylint_shape *shapes;  /* at time 0 */
-    const cylint_shape *moved;   /* at time 1, or NULL */
+    const cylint_shape *from[2]; /* the caller's arrays, at times 0 and 1; the
+                                    second is NULL if the shapes do not move */
     size_t n;
     cylint_extent box; /* of all shapes */
     double pad;        /* added to each side of Embree's boxes: box_pad.h */
@@ -30,11 +37,21 @@ typedef struct cylint_embree_data {
     cylint_traverse_packet *traverse_packet;
     cylint_bvh bvh;
     /* Leaves name shapes by rank, in the order in which leaves first name
-     * them; the filter's shapes have the same order. */
-    cylint_memory filter_memory, number_memory;
-    cylint_float_filter_shapes filter_shapes;
-    const uint32_t *number; /* of the shape with that rank */
+     * them; `shapes` have the same order.  Without leaves, ranks are numbers. */
+    cylint_embree_shapes shapes[2]; /* at times 0 and 1 */
+    cylint_memory order_memory;
+    const uint32_t *number, *rank; /* of each rank, of each number, or NULL */
+    /* The parts of a merged geometry, in the order of their geomIDs, and that of
+     * each rank; the members of `from` are NULL. */
+    const cylint_embree_merged *parts;
+    size_t n_parts;
+    const uint32_t *part;
 } cylint_embree_data;
+
+static inline int cylint_embree_moves(const cylint_embree_data *data)
+{
+    return data->from[1] != NULL;
+}
 
 void cylint_embree_intersect_callback(
     const struct RTCIntersectFunctionNArguments *args);

@@ -4,6 +4,7 @@
 #include "motion.h"
 
 #include <float.h>
+#include <string.h>
 
 #include "../shapes/shape_facts.h"
 
@@ -69,6 +70,20 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
     interpolate3(a, cylint_a(at_0), cylint_a(at_1), time);
     interpolate3(b, cylint_b(at_0), cylint_b(at_1), time);
     return cylint_elliptic_cone(shape, base, a, b, top, r1, ends);
+}
+
+/* A rounded cone may become a ball on the way; the filter serves spheres alone. */
+void cylint_embree_record_between(const cylint_float_filter_shape *at_0,
+                                  const cylint_float_filter_shape *at_1,
+                                  double time, cylint_float_filter_shape *to)
+{
+    const int is_sphere = memcmp(at_0->base, at_0->top, sizeof to->base) == 0;
+    interpolate3(to->base, at_0->base, at_1->base, time);
+    interpolate3(to->top, at_0->top, at_1->top, time);
+    to->r0 = interpolate(at_0->r0, at_1->r0, time);
+    to->r1 = interpolate(at_0->r1, at_1->r1, time);
+    if (!is_sphere && memcmp(to->base, to->top, sizeof to->base) == 0)
+        to->r0 = NAN;
 }
 
 /*

@@ -7,6 +7,7 @@
 
 #include "../bvh/float_bounds.h"
 #include "angle.h"
+#include "motion.h"
 #include "packet.h"
 
 /* The library's answer and its line; 0 hits for a line that it refuses. */
@@ -26,16 +27,23 @@ static double tmax_including(float tfar)
     return nextafter((double)tfar, HUGE_VAL);
 }
 
-/* The shape, or, if it moves, the shape at this time, written to *between. */
-static const cylint_shape *shape_at(const cylint_embree_data *data,
-                                    unsigned number, float time,
-                                    cylint_shape *between)
+/* Makes the shape of that rank; if it moves, at the ray's time. */
+static void make_shape(const cylint_embree_data *data, size_t rank, float time,
+                       cylint_shape *shape)
 {
-    if (!data->moved)
-        return data->shapes + number;
-    cylint_embree_between(data->shapes + number, data->moved + number, time,
-                          between);
-    return between;
+    cylint_shape at[2];
+    if (!cylint_embree_moves(data)) {
+        cylint_embree_shape(&data->shapes[0], rank, shape);
+        return;
+    }
+    cylint_embree_shape(&data->shapes[0], rank, &at[0]);
+    cylint_embree_shape(&data->shapes[1], rank, &at[1]);
+    cylint_embree_between(&at[0], &at[1], time, shape);
+}
+
+static size_t rank_of(const cylint_embree_data *data, size_t number)
+{
+    return data->rank ? data->rank[number] : number;
 }
 
 /* The new tfar of a ray hit at t <= tfar. */
@@ -60,19 +68,49 @@ static int same_instance(const struct RTCHit *hit,
     return same;
 }
 
+/* The number of the shape of a hit on this geometry, or data->n.  geomID: the
+ * geometry's own. */
+static size_t number_of_hit(const cylint_embree_data *data,
+                            const struct RTCHit *hit, unsigned geomID)
+{
+    size_t low = 0, high = data->n_parts;
+    if (!data->parts)
+        return hit->geomID == geomID && hit->primID < data->n ? hit->primID
+                                                              : data->n;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (data->parts[middle].geomID < hit->geomID)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < data->n_parts && data->parts[low].geomID == hit->geomID &&
+                   hit->primID < data->parts[low].n
+               ? data->parts[low].first + hit->primID
+               : data->n;
+}
+
+/* The number of the shape of the ray's present hit, or data->n if that is not on
+ * this geometry. */
+static size_t present_number(const ray_test *r)
+{
+    return same_instance(r->hit, r->context)
+               ? number_of_hit(r->data, r->hit, r->geomID)
+               : r->data->n;
+}
+
 /* The t of the ray's present hit, of which tfar is the rounding.  If both hits
  * of the shape round to tfar, u distinguishes them.  Bare hits have no u: then
  * it is the first hit, the one that is or will be the ray's without filters.
  * Returns HUGE_VAL if the caller or a filter changed tfar. */
-static double present_t(const ray_test *r)
+static double present_t(const ray_test *r, size_t number)
 {
     double t = HUGE_VAL;
-    cylint_shape between;
+    cylint_shape shape;
     cylint_line line;
     cylint_answer answer;
-    const cylint_shape *shape =
-        shape_at(r->data, r->hit->primID, r->ray->time, &between);
-    const int n = intersect(shape, &r->line, CYLINT_WANT_T | CYLINT_WANT_Z,
+    make_shape(r->data, rank_of(r->data, number), r->ray->time, &shape);
+    const int n = intersect(&shape, &r->line, CYLINT_WANT_T | CYLINT_WANT_Z,
                             &line, &answer);
     for (int i = n - 1; i >= 0; i--)
         if (rounded_up(answer.hit[i].t, r->ray->tfar) == r->ray->tfar &&
@@ -80,13 +118,6 @@ static double present_t(const ray_test *r)
              (float)answer.hit[i].z == r->hit->u))
             t = answer.hit[i].t;
     return t;
-}
-
-/* Whether the ray's present hit is on this geometry. */
-static int has_own_hit(const ray_test *r)
-{
-    return r->hit->geomID == r->geomID && r->hit->primID < r->data->n &&
-           same_instance(r->hit, r->context);
 }
 
 /* Whether hit i of a shape is nearer than the present one or, at equal t, has
@@ -99,12 +130,15 @@ static int is_nearer(const ray_test *r, unsigned number,
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
-    if (rounded_up(t, r->ray->tfar) < r->ray->tfar || !has_own_hit(r))
+    if (rounded_up(t, r->ray->tfar) < r->ray->tfar)
         return 1;
-    if (number == r->hit->primID)
+    const size_t other = present_number(r);
+    if (other == r->data->n)
+        return 1;
+    if (number == other)
         return i == 0;
-    const double present = present_t(r);
-    return t < present || (t == present && number < r->hit->primID);
+    const double present = present_t(r, other);
+    return t < present || (t == present && number < other);
 }
 
 /* -------------------------------------------------------- recording hits -- */
@@ -130,6 +164,12 @@ static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
 {
     hit->primID = number;
     hit->geomID = r->geomID;
+    if (r->data->parts) {
+        const cylint_embree_merged *part =
+            &r->data->parts[r->data->part[r->rank]];
+        hit->primID -= (unsigned)part->first;
+        hit->geomID = part->geomID;
+    }
     for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
         hit->instID[i] = r->context->instID[i];
 #if CYLINT_INSTANCE_ARRAYS
@@ -243,16 +283,15 @@ static int test_exactly(ray_test *r, int first)
 {
     cylint_line line;
     cylint_answer answer;
-    cylint_shape between;
+    cylint_shape shape;
     const unsigned number = number_of(r);
-    const cylint_shape *shape =
-        shape_at(r->data, number, r->ray->time, &between);
+    make_shape(r->data, r->rank, r->ray->time, &shape);
     const int whole =
         !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
-    if (r->nearest && has_own_hit(r))
+    if (r->nearest && present_number(r) != r->data->n)
         r->line.tmax = tmax_including(r->ray->tfar);
     const int n = intersect(
-        shape, &r->line, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
+        &shape, &r->line, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
         &line, &answer);
     for (int i = first; i < n; i++) {
         const cylint_hit *at = &answer.hit[i];
@@ -263,7 +302,7 @@ static int test_exactly(ray_test *r, int first)
             return 0;
         if (needs_description(r))
             floats =
-                whole ? describe(shape, &line, wanted(r), at) : floats_of(at);
+                whole ? describe(&shape, &line, wanted(r), at) : floats_of(at);
         if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
             return 1;
     }
@@ -316,18 +355,25 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 
 static int test_primitive(ray_test *r, unsigned primID)
 {
-    cylint_shape between;
-    cylint_float_filter_shape record;
-    const cylint_shape *shape =
-        shape_at(r->data, primID, r->ray->time, &between);
-    cylint_float_filter_shape_of(&record, shape);
-    cylint_float_filter_question asked = {.shape = &record,
-                                          .line = &r->line,
-                                          .tfar = r->ray->tfar,
-                                          .ends = shape->ends,
-                                          .count = 1,
-                                          .describes = needs_description(r)};
-    r->primitive = primID;
+    const cylint_embree_shapes *s = r->data->shapes;
+    cylint_float_filter_shape between;
+    r->rank = primID;
+    cylint_float_filter_question asked = {
+        .shape = cylint_float_filter_at(&s->records, primID),
+        .line = &r->line,
+        .tfar = r->ray->tfar,
+        .small = s->records.small,
+        .ends = s->ends[primID],
+        .count = 1,
+        .describes = needs_description(r)};
+    if (cylint_embree_moves(r->data)) {
+        const cylint_float_filter_shape at_0 = cylint_embree_record(s, primID),
+                                        at_1 =
+                                            cylint_embree_record(s + 1, primID);
+        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
+        asked.shape = &between;
+        asked.small = 0;
+    }
     return test_shape(r, &asked);
 }
 
@@ -389,20 +435,20 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
     const struct RTCRay *ray = &rayhit->ray;
     cylint_float_filter_ray l = line_of(ray);
-    cylint_shape between;
+    cylint_shape shape;
     cylint_line line;
     cylint_answer answer;
-    if (!(rayhit->hit.primID < data->n))
+    const size_t number = number_of_hit(data, &rayhit->hit, rayhit->hit.geomID);
+    if (number == data->n)
         return;
     l.tmax = tmax_including(ray->tfar);
-    const cylint_shape *shape =
-        shape_at(data, rayhit->hit.primID, ray->time, &between);
+    make_shape(data, rank_of(data, number), ray->time, &shape);
     const int n =
-        intersect(shape, &l, CYLINT_WANT_T | CYLINT_WANT_PART, &line, &answer);
+        intersect(&shape, &l, CYLINT_WANT_T | CYLINT_WANT_PART, &line, &answer);
     for (int i = 0; i < n; i++)
         if (rounded_up(answer.hit[i].t, ray->tfar) == ray->tfar) {
             const cylint_hit_floats floats =
-                describe(shape, &line, CYLINT_WANT_ALL, &answer.hit[i]);
+                describe(&shape, &line, CYLINT_WANT_ALL, &answer.hit[i]);
             write_floats(&floats, &rayhit->hit);
             return;
         }

@@ -25,8 +25,8 @@ typedef struct cylint_ray_test {
     cylint_float_filter_ray line; /* the ray in doubles; set by set_line() */
     const cylint_leaf *leaf;      /* NULL: each shape is a primitive */
     int lane;
-    unsigned primitive; /* the shape's number, if it is one */
-    int found;          /* a hit was recorded */
+    unsigned rank; /* of the shape */
+    int found;     /* a hit was recorded */
 } cylint_ray_test;
 
 typedef cylint_ray_test ray_test;
@@ -103,19 +103,19 @@ static inline int needs_description(const ray_test *r)
 /* The number of the shape that is tested. */
 static inline unsigned number_of(const ray_test *r)
 {
-    return r->leaf ? r->data->number[r->leaf->number[r->lane]] : r->primitive;
+    return r->leaf ? r->data->number[r->rank] : r->rank;
 }
 
 /* The question whether the ray hits the piece of the lane. */
 CYLINT_INLINE cylint_float_filter_question question_of(const ray_test *r)
 {
-    const cylint_float_filter_shapes *shapes = &r->data->filter_shapes;
+    const cylint_float_filter_shapes *records = &r->data->shapes[0].records;
     const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
     return (cylint_float_filter_question){
-        .shape = cylint_float_filter_at(shapes, r->leaf->number[r->lane]),
+        .shape = cylint_float_filter_at(records, r->rank),
         .line = &r->line,
         .tfar = r->ray->tfar,
-        .small = shapes->small,
+        .small = records->small,
         .ends = cylint_leaf_ends(r->leaf, r->lane),
         .index = piece.index,
         .count = piece.count,
@@ -142,7 +142,7 @@ CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
 #ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
         __builtin_prefetch(cylint_float_filter_at(
-            &data->filter_shapes, leaf->number[cylint_lowest(lanes)]));
+            &data->shapes[0].records, leaf->number[cylint_lowest(lanes)]));
 #else
     (void)data;
     (void)leaf;
@@ -171,6 +171,7 @@ CYLINT_INLINE int select_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     *lanes &= ~(1u << lane);
     r->leaf = leaf;
     r->lane = lane;
+    r->rank = leaf->number[lane];
     r->line.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
     return 1;
 }

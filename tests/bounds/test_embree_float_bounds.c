@@ -12,7 +12,7 @@
 
 #define CYLINT_ONE_LANE
 #include "check.h"
-#include "embree/float_filter.h"
+#include "embree/shapes.h"
 #include "embree/angle.h"
 
 typedef struct {

@@ -1,301 +1,368 @@
 /*
- * test_batch.c - floor distance: batches return the bits of single
- * questions, in the lanes of all builds
+ * test_batch.c - floor distance: batches of points return the bits of single questions,
+ * in the lanes of all builds
+ *
+ * The batches are those of distances, contains, safety and on_surface.  Their arrays
+ * begin or end at guard pages, at all addresses; inputs are read-only during the call.
+ * Shapes are of all families, kinds and ends, and refused ones; points are near their
+ * features, far away, and not finite.
  */
 #include <math.h>
 #include <string.h>
 
-#include "distance/lanes.h"
+#include "cylint_distance.h"
 #include "distance_points.h"
+#include "environment.h"
+#include "guarded.h"
 #include "known_distances.h"
-#include "shapes/layout.h"
+
+enum { MOST = 600, FEW = 21, COLUMNS = 12 };
+enum { DISTANCE, PART, FEATURE, POINT, SIDE = 9, ON, SAFETY };
+enum { ALL = (1 << COLUMNS) - 1, MEMBERS = 0x3f << POINT };
 
 static const double origin[3] = {0, 0, 0};
 
-static void report(const struct family_case *c, const double p[3])
+/* -------------------------------------------------------------- layout -- */
+
+static struct guarded coordinates[3], shape_pages, pages[COLUMNS];
+static void *column[COLUMNS];
+
+static size_t size_of(int k)
 {
-    REPORT_CASE(c);
-    REPORT("point %a %a %a", p[0], p[1], p[2]);
+    return k == PART || k == FEATURE || k == SIDE || k == ON ? 1
+                                                             : sizeof(double);
 }
 
-enum { MANY = 100 };
-
-struct columns {
-    double distance[MANY], point[3][MANY], normal[3][MANY];
-    signed char part[MANY], feature[MANY];
-};
-
-static cylint_closest_columns columns_of(struct columns *c)
+static void allocate_pages(void)
 {
-    cylint_closest_columns to = {c->distance,
-                                 c->part,
-                                 c->feature,
-                                 {c->point[0], c->point[1], c->point[2]},
-                                 {c->normal[0], c->normal[1], c->normal[2]}};
+    for (int k = 0; k < 3; k++)
+        coordinates[k] = guarded_allocate(MOST * sizeof(double));
+    shape_pages = guarded_allocate(MOST * sizeof(cylint_shape));
+    for (int k = 0; k < COLUMNS; k++)
+        pages[k] = guarded_allocate(MOST * size_of(k));
+}
+
+static struct family_case drawn[MOST];
+static double place_of_case[MOST][3];
+
+static void *place(const struct guarded *p, size_t n, size_t size, size_t gap,
+                   int at_end)
+{
+    return guarded_place(p, n * size, gap * size % 64, at_end);
+}
+
+static const cylint_shape *lay_shapes(size_t n, size_t gap, int at_end)
+{
+    cylint_shape *to = guarded_place(&shape_pages, n * sizeof *to,
+                                     gap * sizeof(double) % 64, at_end);
+    for (size_t i = 0; i < n; i++)
+        to[i] = drawn[i].shape;
+    guarded_permit(&shape_pages, 0);
     return to;
 }
 
-static void check_row(const struct columns *c, int i, const cylint_shape *s,
-                      const double p[3])
+static cylint_points lay_points(size_t n, size_t gap, int at_end)
 {
-    const cylint_closest a = answer_to(s, p, WANT);
-    CHECK(c->distance[i] == a.distance && c->part[i] == a.part);
-    CHECK(c->feature[i] == a.feature);
-    for (int k = 0; k < 3; k++)
-        CHECK(a.part == -1 ? isnan(c->point[k][i]) && isnan(c->normal[k][i])
-                           : c->point[k][i] == a.point[k] &&
-                                 c->normal[k][i] == a.normal[k]);
-}
-
-static void batches_return_the_answers_of_single_questions(void)
-{
-    static cylint_shape shapes[MANY];
-    static double x[3][MANY];
-    struct columns c;
-    uint64_t stream = 3;
-    size_t best = MANY;
-    for (int i = 0; i < MANY; i++) {
-        struct family_case f;
-        double p[3];
-        do
-            family_case(7, random_int(&stream, family_count()), (uint64_t)i,
-                        &f);
-        while (cylint_is_elliptic(f.shape.kind) || !cylint_in_range(&f.shape));
-        shapes[i] = f.shape;
-        draw_point(&f, &stream, p);
-        for (int k = 0; k < 3; k++)
-            x[k][i] = p[k];
-    }
-    x[1][5] = NAN;
-    const cylint_points points = {MANY, {x[0], x[1], x[2]}};
-    const cylint_closest_columns to = columns_of(&c);
-    cylint_distance_pairs(shapes, &points, &to);
-    for (int i = 0; i < MANY; i++) {
-        const double p[3] = {x[0][i], x[1][i], x[2][i]};
-        check_row(&c, i, &shapes[i], p);
-    }
-    cylint_distance_points(&shapes[1], &points, &to);
-    double least = HUGE_VAL;
-    const double p0[3] = {x[0][0], x[1][0], x[2][0]};
-    for (int i = 0; i < MANY; i++) {
-        const double p[3] = {x[0][i], x[1][i], x[2][i]};
-        check_row(&c, i, &shapes[1], p);
-        const cylint_closest a = answer_to(&shapes[i], p0, 0);
-        if (fabs(a.distance) < least) {
-            least = fabs(a.distance);
-            best = (size_t)i;
-        }
-    }
-    cylint_closest a;
-    CHECK(cylint_closest_shape(shapes, MANY, p0, HUGE_VAL, WANT, &a) == best);
-    CHECK(fabs(a.distance) == least);
-    CHECK(cylint_closest_shape(shapes, MANY, p0, least, 0, &a) == best);
-    CHECK(cylint_closest_shape(shapes, MANY, p0, nextafter(least, 0), 0, &a) ==
-          MANY);
-    CHECK(cylint_closest_shape(shapes, MANY, p0, NAN, 0, &a) == MANY);
-    CHECK(cylint_closest_shape(shapes, 0, p0, HUGE_VAL, 0, &a) == 0);
-}
-
-/* Points about a cylinder. */
-static void draw_points(uint64_t *stream, double *const x[3], size_t n)
-{
-    for (int k = 0; k < 3; k++)
+    double *x[3];
+    for (int k = 0; k < 3; k++) {
+        x[k] =
+            place(&coordinates[k], n, sizeof(double), gap + (size_t)k, at_end);
         for (size_t i = 0; i < n; i++)
-            x[k][i] = draw(stream, -3, 3);
-}
-
-static cylint_shape a_cylinder(cylint_ends ends)
-{
-    static const double top[3] = {1, 1, 2};
-    cylint_shape s;
-    cylint_cylinder(&s, origin, top, 1, ends);
-    return s;
-}
-
-static void check_single_columns(cylint_ends ends)
-{
-    static double x[3][MANY];
-    double *const at[3] = {x[0], x[1], x[2]};
-    const cylint_points points = {MANY, {x[0], x[1], x[2]}};
-    const cylint_shape s = a_cylinder(ends);
-    uint64_t stream = 4;
-    struct columns all, one;
-    draw_points(&stream, at, MANY);
-    const cylint_closest_columns full = columns_of(&all);
-    cylint_distance_points(&s, &points, &full);
-    for (int column = 0; column < 9; column++) {
-        const cylint_closest_columns to = columns_of(&one);
-        cylint_closest_columns only = {NULL, NULL, NULL, {NULL}, {NULL}};
-        memset(&one, 77, sizeof one);
-        struct columns want = one;
-        if (column == 0) {
-            only.distance = to.distance;
-            memcpy(want.distance, all.distance, sizeof all.distance);
-        } else if (column == 1) {
-            only.part = to.part;
-            memcpy(want.part, all.part, sizeof all.part);
-        } else if (column == 2) {
-            only.feature = to.feature;
-            memcpy(want.feature, all.feature, sizeof all.feature);
-        } else if (column < 6) {
-            only.point[column - 3] = to.point[column - 3];
-            memcpy(want.point[column - 3], all.point[column - 3],
-                   sizeof all.point[0]);
-        } else {
-            only.normal[column - 6] = to.normal[column - 6];
-            memcpy(want.normal[column - 6], all.normal[column - 6],
-                   sizeof all.normal[0]);
-        }
-        cylint_distance_points(&s, &points, &only);
-        if (!CHECK(memcmp(&one, &want, sizeof one) == 0))
-            REPORT("column %d", column);
+            x[k][i] = place_of_case[i][k];
+        guarded_permit(&coordinates[k], 0);
     }
+    return (cylint_points){n, {x[0], x[1], x[2]}};
+}
+
+/* The columns of `mask`. */
+static cylint_closest_columns lay_answers(size_t n, unsigned mask, size_t gap,
+                                          int at_end)
+{
+    for (int k = 0; k < COLUMNS; k++) {
+        column[k] = place(&pages[k], n, size_of(k), gap + (size_t)k, at_end);
+        if (!(mask >> k & 1))
+            column[k] = NULL;
+    }
+    return (cylint_closest_columns){column[DISTANCE],
+                                    column[PART],
+                                    column[FEATURE],
+                                    {column[3], column[4], column[5]},
+                                    {column[6], column[7], column[8]}};
+}
+
+/* ------------------------------------------------------------- batches -- */
+
+/* of: point i and shape i, or point i and the one shape. */
+static void ask(const cylint_shape *shapes, int each,
+                const cylint_points *points, double ulps,
+                const cylint_closest_columns *to)
+{
+    (each ? cylint_distance_pairs : cylint_distance_points)(shapes, points, to);
+    if (column[SIDE])
+        (each ? cylint_contains_pairs : cylint_contains_points)(shapes, points,
+                                                                column[SIDE]);
+    if (column[SAFETY])
+        (each ? cylint_safety_pairs : cylint_safety_points)(shapes, points,
+                                                            column[SAFETY]);
+    if (column[ON])
+        (each ? cylint_on_surface_pairs
+              : cylint_on_surface_points)(shapes, points, ulps, column[ON]);
+}
+
+/* Whether element i of the columns is what single questions return. */
+static int is_answer(size_t i, const cylint_shape *s, const double p[3],
+                     double ulps)
+{
+    int described = 0;
+    for (int k = POINT; k < SIDE; k++)
+        described |= column[k] != NULL;
+    const cylint_closest a =
+        answer_to(s, p, described ? WANT : CYLINT_WANT_PART);
+    const double value[COLUMNS] = {
+        a.distance,  0,           0,
+        a.point[0],  a.point[1],  a.point[2],
+        a.normal[0], a.normal[1], a.normal[2],
+        0,           0,           column[SAFETY] ? cylint_safety(s, p) : 0};
+    for (int k = 0; k < COLUMNS; k++) {
+        const int missing = k >= FEATURE && k < SIDE && a.part == -1;
+        int same = 1;
+        if (!column[k])
+            continue;
+        if (size_of(k) == 1)
+            same = (missing && k == FEATURE) ||
+                   ((const signed char *)column[k])[i] ==
+                       (k == PART      ? a.part
+                        : k == FEATURE ? a.feature
+                        : k == SIDE    ? cylint_contains(s, p)
+                                       : cylint_on_surface(s, p, ulps));
+        else
+            same = missing ? isnan(((const double *)column[k])[i])
+                           : memcmp((const double *)column[k] + i, &value[k],
+                                    sizeof *value) == 0;
+        if (!same)
+            return 0;
+    }
+    return 1;
+}
+
+struct layout {
+    size_t gap;
+    int at_end;
+    unsigned mask;
+    double ulps;
+};
+
+/* The first n points and shape number `one`, or the first n shapes if it is MOST. */
+static void check_batch(size_t one, size_t n, const struct layout *at)
+{
+    const int each = one == MOST;
+    const cylint_shape *shapes =
+        lay_shapes(each ? n : one + 1, at->gap, at->at_end);
+    const cylint_points points = lay_points(n, at->gap, at->at_end);
+    const cylint_closest_columns to =
+        lay_answers(n, at->mask, at->gap, at->at_end);
+    ask(each ? shapes : shapes + one, each, &points, at->ulps, &to);
+    for (int k = 0; k < COLUMNS; k++)
+        CHECK(
+            guarded_kept(&pages[k], column[k], column[k] ? n * size_of(k) : 0));
+    for (size_t i = 0; i < n; i++) {
+        const struct family_case *c = &drawn[each ? i : one];
+        if (!CHECK(is_answer(i, &c->shape, place_of_case[i], at->ulps))) {
+            REPORT_CASE(c);
+            REPORT("kernels %s, point %zu: %a %a %a", cylint_kernels_in_use(),
+                   i, place_of_case[i][0], place_of_case[i][1],
+                   place_of_case[i][2]);
+        }
+    }
+}
+
+/* ----------------------------------------------------------- questions -- */
+
+static const struct layout usual = {0, 1, ALL, 0};
+static const struct layout without_members = {0, 1, ALL & ~MEMBERS, 3};
+
+/* Points of the cases; some coordinates are not finite, or extreme. */
+static void draw_points(size_t n, uint64_t stream)
+{
+    static const double odd[] = {NAN,     HUGE_VAL,  -HUGE_VAL, DBL_MAX,
+                                 0x1p101, 0x1p-1074, -0.0};
+    for (size_t i = 0; i < n; i++) {
+        double *p = place_of_case[i];
+        draw_point(&drawn[i], &stream, p);
+        if (random_int(&stream, 12) == 0)
+            p[random_int(&stream, 3)] = odd[random_int(&stream, 7)];
+    }
+}
+
+/* Points about the first case, with its shape in front. */
+static void draw_points_about(const struct family_case *c, size_t n,
+                              uint64_t stream)
+{
+    for (size_t i = 0; i < n; i++)
+        drawn[i] = *c;
+    draw_points(n, stream);
+}
+
+/* All families in turn, with all ends, any exponents, and refused shapes. */
+static void draw_mixed(size_t n)
+{
+    uint64_t stream = 43;
+    for (size_t i = 0; i < n; i++) {
+        struct family_case *c = &drawn[i];
+        family_case(42, (int)(i % (size_t)family_count()), i, c);
+        if (!cylint_is_round(c->shape.kind))
+            c->ends = (cylint_ends)random_int(&stream, 6);
+        family_make(c);
+    }
+    draw_points(n, 44);
+    for (size_t i = 0; i < n; i += 7) {
+        drawn[i].shape_data[0] = NAN;
+        if (i % 2)
+            draw_far_case(&drawn[i], &stream, place_of_case[i]);
+        else
+            family_make(&drawn[i]);
+    }
+}
+
+/* Capped ones in lanes, two of three of each family, and their points together. */
+static void draw_family(int family, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        family_case(41, family, i, &drawn[i]);
+        if (i % 3)
+            drawn[i].ends = CYLINT_ENDS_CAPPED;
+        family_make(&drawn[i]);
+    }
+    draw_points(n, (uint64_t)family);
+}
+
+static void with_all_kernels(void test(void))
+{
+    for (int k = 0; cylint_kernels_name(k); k++) {
+        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
+        test();
+    }
+    cylint_use_kernels(NULL);
+}
+
+/* ---------------------------------------------------------------- tests -- */
+
+static void check_families(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        draw_family(family, 97);
+        check_batch(MOST, 97, &usual);
+        check_batch(MOST, 97, &without_members);
+        for (size_t one = 0; one < 9; one++) {
+            struct family_case c;
+            family_case(21, family, one, &c);
+            if (one % 2)
+                c.ends = CYLINT_ENDS_CAPPED;
+            family_make(&c);
+            draw_points_about(&c, 40 + one, one * 99 + (uint64_t)family);
+            check_batch(0, 40 + one, one % 4 < 2 ? &usual : &without_members);
+        }
+    }
+}
+
+static void batches_of_all_families_answer_as_single_questions(void)
+{
+    with_all_kernels(check_families);
+}
+
+/* Longer than two blocks; shapes of all kinds and refused ones side by side. */
+static void check_mixed(void)
+{
+    draw_mixed(MOST);
+    check_batch(MOST, MOST, &usual);
+    check_batch(MOST, MOST, &without_members);
+    for (size_t one = 0; one < 60; one++)
+        check_batch(one, one % 30 ? 20 : MOST,
+                    one % 2 ? &without_members : &usual);
+}
+
+static void mixed_batches_answer_as_single_questions(void)
+{
+    with_all_kernels(check_mixed);
+}
+
+static void check_addresses(void)
+{
+    draw_mixed(FEW);
+    for (size_t n = 0; n <= FEW; n++)
+        for (size_t i = 0; i < 16; i++) {
+            const struct layout at = {i / 2, (int)i % 2,
+                                      n % 4 ? ALL & ~MEMBERS : ALL, 0};
+            check_batch(MOST, n, &at);
+            check_batch(i % 4 < 2 ? 3 : 10, n, &at);
+        }
+}
+
+static void batches_of_all_lengths_serve_all_addresses(void)
+{
+    with_all_kernels(check_addresses);
 }
 
 /* Without the others; in lanes, and of a shape with one cap one by one. */
 static void every_column_can_be_wanted_alone(void)
 {
-    check_single_columns(CYLINT_ENDS_CAPPED);
-    check_single_columns(CYLINT_ENDS_CAP0);
-}
-
-/* Points and pairs beyond the first block. */
-static void batches_of_several_blocks_return_the_same_bits(void)
-{
-    enum { N = 2 * CYLINT_POINT_BLOCK + 9 };
-    static double x[3][N], distance[N + 1];
-    static signed char part[N + 1];
-    static cylint_shape shapes[N];
-    double *const at[3] = {x[0], x[1], x[2]};
-    const cylint_points points = {N, {x[0], x[1], x[2]}};
-    const cylint_closest_columns to = {
-        distance, part, NULL, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
-    const cylint_shape s = a_cylinder(CYLINT_ENDS_CAPPED);
-    uint64_t stream = 5;
-    draw_points(&stream, at, N);
-    for (int i = 0; i < N; i++) {
-        const double top[3] = {draw(&stream, 1, 2), 1, draw(&stream, 1, 2)};
-        cylint_cylinder(&shapes[i], origin, top, 1, CYLINT_ENDS_CAPPED);
-    }
-    for (int pairs = 0; pairs < 2; pairs++) {
-        distance[N] = part[N] = 77;
-        if (pairs)
-            cylint_distance_pairs(shapes, &points, &to);
-        else
-            cylint_distance_points(&s, &points, &to);
-        for (int i = 0; i < N; i++) {
-            const double p[3] = {x[0][i], x[1][i], x[2][i]};
-            const cylint_closest a =
-                answer_to(pairs ? &shapes[i] : &s, p, CYLINT_WANT_PART);
-            CHECK(distance[i] == a.distance && part[i] == a.part);
+    for (int k = 0; k <= COLUMNS; k++)
+        for (size_t one = 0; one < 2; one++) {
+            const struct layout at = {0, k % 2, k < COLUMNS ? 1u << k : 0, 0};
+            struct family_case c;
+            family_case(41, 0, one, &c);
+            c.ends = one ? CYLINT_ENDS_CAP0 : CYLINT_ENDS_CAPPED;
+            family_make(&c);
+            draw_points_about(&c, 60, 5);
+            check_batch(0, 60, &at);
+            check_batch(MOST, 60, &at);
         }
-        CHECK(distance[N] == 77 && part[N] == 77);
+}
+
+/* The single questions are asked in the same environment.  Sides are those of the
+ * default one, and so are, but for elliptic kinds, the points on the surface. */
+static void check_environment(struct environment there)
+{
+    enum { N = 100 };
+    const unsigned mask = 1 << SIDE | 1 << ON | 1 << SAFETY;
+    signed char side[N], on[N];
+    int same = 1;
+    for (size_t i = 0; i < N; i++) {
+        side[i] =
+            (signed char)cylint_contains(&drawn[i].shape, place_of_case[i]);
+        on[i] = (signed char)cylint_on_surface(&drawn[i].shape,
+                                               place_of_case[i], 2);
+    }
+    const cylint_shape *shapes = lay_shapes(N, 0, 1);
+    const cylint_points points = lay_points(N, 0, 1);
+    const cylint_closest_columns to = lay_answers(N, mask, 0, 1);
+    environment_set(there);
+    ask(&shapes[1], 0, &points, 2, &to);
+    for (size_t i = 0; i < N; i++)
+        same &= is_answer(i, &shapes[1], place_of_case[i], 2);
+    ask(shapes, 1, &points, 2, &to);
+    for (size_t i = 0; i < N; i++)
+        same &= is_answer(i, &shapes[i], place_of_case[i], 2);
+    environment_reset();
+    CHECK(same && memcmp(side, column[SIDE], N) == 0);
+    for (size_t i = 0; i < N; i++)
+        CHECK(((signed char *)column[ON])[i] == on[i] ||
+              cylint_is_elliptic(drawn[i].shape.kind));
+}
+
+static void check_environments(void)
+{
+    draw_mixed(MOST);
+    everywhere(check_environment);
+    for (int family = 0; family < family_count(); family += 5) {
+        draw_family(family, 100);
+        everywhere(check_environment);
     }
 }
 
-/* Columns of all members, or without point and normal, which other lanes serve. */
-static cylint_closest_columns columns_with(struct columns *c, int described)
+static void batches_answer_as_single_questions_in_any_environment(void)
 {
-    cylint_closest_columns to = columns_of(c);
-    for (int k = 0; !described && k < 3; k++)
-        to.point[k] = to.normal[k] = NULL;
-    return to;
-}
-
-static void check_answer(const struct family_case *f, const struct columns *c,
-                         int i, const double p[3], int described)
-{
-    const cylint_closest a =
-        answer_to(&f->shape, p, described ? WANT : CYLINT_WANT_PART);
-    int same = c->distance[i] == a.distance && c->part[i] == a.part &&
-               (a.part == -1 || c->feature[i] == a.feature);
-    for (int k = 0; described && a.part != -1 && k < 3; k++)
-        same &= c->point[k][i] == a.point[k] &&
-                c->normal[k][i] == a.normal[k] &&
-                !signbit(c->point[k][i]) == !signbit(a.point[k]) &&
-                !signbit(c->normal[k][i]) == !signbit(a.normal[k]);
-    if (!CHECK(same))
-        report(f, p);
-}
-
-/* Points about the shape of a case, answered in lanes and one by one. */
-static void check_lanes(const struct family_case *f, int n, uint64_t *stream)
-{
-    static double x[3][MANY];
-    for (int i = 0; i < n; i++) {
-        double p[3];
-        draw_point(f, stream, p);
-        for (int k = 0; k < 3; k++)
-            x[k][i] = random_int(stream, 50) ? p[k] : NAN;
-    }
-    const cylint_points points = {(size_t)n, {x[0], x[1], x[2]}};
-    for (int described = 0; described < 2; described++) {
-        struct columns c;
-        const cylint_closest_columns to = columns_with(&c, described);
-        memset(&c, 77, sizeof c);
-        cylint_distance_points(&f->shape, &points, &to);
-        for (int i = 0; i < n; i++) {
-            const double p[3] = {x[0][i], x[1][i], x[2][i]};
-            check_answer(f, &c, i, p, described);
-        }
-        CHECK(n == MANY || c.part[n] == 77);
-    }
-}
-
-static void make_capped(struct family_case *c)
-{
-    c->ends = CYLINT_ENDS_CAPPED;
-    family_make(c);
-}
-
-/* Shapes of a family, each with its point. */
-static void check_lanes_of_pairs(int family)
-{
-    static cylint_shape shapes[MANY];
-    static double x[3][MANY];
-    static struct family_case f[MANY];
-    uint64_t stream = (uint64_t)family;
-    for (int i = 0; i < MANY; i++) {
-        double p[3];
-        family_case(31, family, (uint64_t)i, &f[i]);
-        if (i % 16)
-            make_capped(&f[i]);
-        if (cylint_is_elliptic(f[i].shape.kind))
-            cylint_sphere(&f[i].shape, origin, 1 + i, CYLINT_ENDS_CAPPED);
-        shapes[i] = f[i].shape;
-        draw_point(&f[i], &stream, p);
-        for (int k = 0; k < 3; k++)
-            x[k][i] = p[k];
-    }
-    const cylint_points points = {MANY - 3, {x[0], x[1], x[2]}};
-    for (int described = 0; described < 2; described++) {
-        struct columns c;
-        const cylint_closest_columns to = columns_with(&c, described);
-        cylint_distance_pairs(shapes, &points, &to);
-        for (int i = 0; i < MANY - 3; i++) {
-            const double p[3] = {x[0][i], x[1][i], x[2][i]};
-            check_answer(&f[i], &c, i, p, described);
-        }
-    }
-}
-
-static void lanes_of_all_builds_return_the_same_bits(void)
-{
-    for (int k = 0; cylint_kernels_name(k); k++) {
-        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
-        for (int f = 0; f < family_count(); f++)
-            for (uint64_t i = 0; i < 8; i++) {
-                struct family_case c;
-                uint64_t stream = i * 99 + (uint64_t)f;
-                family_case(21, f, i, &c);
-                make_capped(&c);
-                if (!cylint_is_elliptic(c.shape.kind))
-                    check_lanes(&c, 1 + random_int(&stream, MANY), &stream);
-            }
-        for (int f = 0; f < family_count(); f++)
-            check_lanes_of_pairs(f);
-    }
-    cylint_use_kernels(NULL);
+    with_all_kernels(check_environments);
 }
 
 static void of_equal_shapes_the_first_is_closest(void)
@@ -310,16 +377,48 @@ static void of_equal_shapes_the_first_is_closest(void)
           a.part >= 0);
     CHECK(cylint_closest_shape(s + 1, 2, p, 4, CYLINT_WANT_PART, &a) == 0);
     CHECK(a.distance == 4 && a.feature == CYLINT_FEATURE_LATERAL);
+    CHECK(cylint_closest_shape(s, 3, p, NAN, 0, &a) == 3);
+    CHECK(cylint_closest_shape(s, 0, p, HUGE_VAL, 0, &a) == 0);
+}
+
+/* Known by hand, without families. */
+static void refused_shapes_and_points_answer_as_documented(void)
+{
+    static const double top[3] = {0, 0, 2};
+    static const double x[4] = {0, 1, NAN, 9}, y[4] = {0, 0, 0, HUGE_VAL},
+                        z[4] = {1, 1, 1, 1};
+    static const signed char want[4] = {1, 0, -1, -1};
+    const cylint_points points = {4, {x, y, z}};
+    cylint_shape s[4];
+    for (int refused = 0; refused < 2; refused++)
+        for (int each = 0; each < 2; each++) {
+            const cylint_closest_columns to = lay_answers(4, ALL, 0, 1);
+            for (int i = 0; i < 4; i++)
+                cylint_cylinder(&s[i], origin, refused ? origin : top, 1,
+                                CYLINT_ENDS_CAPPED);
+            ask(s, each, &points, refused ? HUGE_VAL : 0, &to);
+            for (int i = 0; i < 4; i++) {
+                const int none = refused || i > 1;
+                CHECK(((signed char *)column[SIDE])[i] ==
+                      (refused ? -1 : want[i]));
+                CHECK(((signed char *)column[ON])[i] == (!none && i == 1));
+                CHECK(none ? ((double *)column[SAFETY])[i] == HUGE_VAL
+                           : ((double *)column[SAFETY])[i] <= 1 - i);
+            }
+        }
 }
 
 int main(void)
 {
-    if (family_count() == 0)
-        return check_skip("no GSL: no families to draw from (make deps)");
-    RUN(batches_return_the_answers_of_single_questions);
-    RUN(every_column_can_be_wanted_alone);
-    RUN(batches_of_several_blocks_return_the_same_bits);
-    RUN(lanes_of_all_builds_return_the_same_bits);
+    allocate_pages();
+    RUN(refused_shapes_and_points_answer_as_documented);
     RUN(of_equal_shapes_the_first_is_closest);
+    if (family_count() > 0) {
+        RUN(batches_of_all_families_answer_as_single_questions);
+        RUN(mixed_batches_answer_as_single_questions);
+        RUN(batches_of_all_lengths_serve_all_addresses);
+        RUN(every_column_can_be_wanted_alone);
+        RUN(batches_answer_as_single_questions_in_any_environment);
+    }
     return check_end();
 }

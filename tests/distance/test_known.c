@@ -392,6 +392,26 @@ static void the_sign_is_that_of_contains(void)
     over_exponents(check_sign, 1);
 }
 
+/* CYLINT_SIGNED: the shape of the same arguments with both caps. */
+static void check_signed(const struct family_case *c, const double p[3])
+{
+    struct family_case closed = *c;
+    if (cylint_ends_are_planes(c->ends))
+        closed.ends = CYLINT_ENDS_CAPPED;
+    family_make(&closed);
+    const cylint_closest a = answer_to(&c->shape, p, WANT | CYLINT_SIGNED);
+    const cylint_closest b = answer_to(&closed.shape, p, WANT);
+    if (!CHECK(same(&a, &b)))
+        report(c, p);
+}
+
+static void signed_distances_are_those_of_the_closed_solid(void)
+{
+    over_families(check_signed);
+    over_exponents(check_signed, 0);
+    over_exponents(check_signed, 1);
+}
+
 /* The members of `want` that pairs leave, and the distance; all are certain where
  * this is 0. */
 static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
@@ -686,6 +706,7 @@ int main(void)
     RUN(circles_of_tangency_are_lateral);
     RUN(a_distance_is_rounded_to_infinity_from_its_middle_on);
     RUN(the_sign_is_that_of_contains);
+    RUN(signed_distances_are_those_of_the_closed_solid);
     RUN(pairs_decide_the_distance_from_points_on_the_axis);
     RUN(all_paths_return_the_same_bits);
     RUN(a_foot_at_an_end_is_decided_by_all_digits);

@@ -11,7 +11,7 @@
 
 #define CYLINT_ONE_LANE
 #include "check.h"
-#include "embree/float_filter.h"
+#include "embree/shapes.h"
 #include "bvh/float_bounds.h"
 #include "bvh/swept_disc.h"
 #include "embree/angle.h"

@@ -172,8 +172,35 @@ static void a_thousand_geometries_leave_nothing(void)
     CHECK(world_errors() == 0);
 }
 
+/* Neither a commit nor a query reads the arrays that a geometry was made of. */
+static void queries_do_not_read_the_callers_shapes(void)
+{
+    cylint_shape shapes[SHAPES], copy[SHAPES];
+    uint64_t state = 7;
+    shapes_of_all_kinds(shapes, 5);
+    for (int how = 0; how < 3; how++) {
+        cylint_embree_options options = {0};
+        struct world w;
+        options.flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0;
+        options.moved = how == 2 ? copy : NULL;
+        if (!CHECK(world_make(&w, shapes, SHAPES, NULL)))
+            return;
+        memcpy(copy, shapes, sizeof copy);
+        cylint_embree_release(w.geometry);
+        rtcDetachGeometry(w.scene, 0);
+        w.geometry = cylint_embree_geometry(world_device(), copy, SHAPES,
+                                            &options, NULL);
+        memset(copy, 0xa5, sizeof copy);
+        rtcAttachGeometry(w.scene, w.geometry);
+        rtcCommitScene(w.scene);
+        query_all(&w, &state);
+        world_free(&w);
+    }
+}
+
 int main(void)
 {
+    RUN(queries_do_not_read_the_callers_shapes);
     RUN(a_failed_making_frees_all_memory);
     RUN(a_failed_update_frees_all_memory);
     RUN(a_refused_commit_can_be_repeated);

@@ -12,7 +12,7 @@
 #include "shapes/layout.h"
 
 /* Whether the method is published for the kind and ends. */
-static int answers_for(const char *name, int kind, int ends)
+static inline int answers_for(const char *name, int kind, int ends)
 {
     const int unbounded =
         ends == CYLINT_ENDS_INFINITE || ends == CYLINT_ENDS_NAPPE;
@@ -29,7 +29,7 @@ static int answers_for(const char *name, int kind, int ends)
     return kind == CYLINT_KIND_CYLINDER;
 }
 
-static int put(char *text, const char *word, const double *x, int n)
+static inline int put(char *text, const char *word, const double *x, int n)
 {
     int used = sprintf(text, "%s", word);
     for (int i = 0; i < n; i++)
@@ -37,7 +37,7 @@ static int put(char *text, const char *word, const double *x, int n)
     return used;
 }
 
-static int put_line(char *text, const cylint_line *l)
+static inline int put_line(char *text, const cylint_line *l)
 {
     const int unbounded = l->tmax > 1e300;
     const char *word = !unbounded ? "span" : l->tmin == 0 ? "ray" : "line";
@@ -49,7 +49,7 @@ static int put_line(char *text, const cylint_line *l)
     return used + sprintf(text + used, " %a %a", l->tmin, l->tmax);
 }
 
-static void put_shape(char *text, const cylint_shape *s)
+static inline void put_shape(char *text, const cylint_shape *s)
 {
     const double degrees = 57.29577951308232; /* 180 / pi */
     static const char *const kinds[] = {"none",  "cylinder",  "cone",
@@ -76,8 +76,8 @@ static void put_shape(char *text, const cylint_shape *s)
 
 /* Prints a case as a record of the command; a segment with its rounded
  * difference, as the methods read it. */
-static void report_case(const char *method, const cylint_shape *s,
-                        const cylint_line *l)
+static inline void report_case(const char *method, const cylint_shape *s,
+                               const cylint_line *l)
 {
     char line[400], shape[700];
 

@@ -63,7 +63,7 @@ static inline void check_texts(const char *(*text_of)(int status),
     }
 }
 
-static int check_end(void)
+static inline int check_end(void)
 {
     printf("%d passed, %d failed\n", check_passed, check_failed);
     return check_failed != 0;

@@ -12,10 +12,7 @@ $(bench): $(call bench_objects,bench inputs sticks single batch distance methods
 $(bench): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tools/bench/stages: $(BUILD)/tools/bench/stages.o $(test_common) $(BUILD)/libcylint.a
 $(BUILD)/tools/bench/stages: libs := $(test_libs)
-$(BUILD)/tools/bench/python_scene: $(BUILD)/tools/bench/python_scene.o $(scene_library)
-$(BUILD)/tools/bench/python_scene: libs := $(threads_link)
-$(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
-$(bench) $(patsubst %,$(BUILD)/tools/bench/%,stages python_scene measure):
+$(bench) $(BUILD)/tools/bench/stages:
 	$(link)
 
 # $(call run_bench,CASE...): the lines of output are also in $(BUILD)/bench-CASE.csv
@@ -38,31 +35,30 @@ bench-embree: $(bench) ## scenes of Embree, beside its own curves; QUICK=1
 gate: $(bench) $(BUILD)/tests/package/records $(BUILD)/tests/package/answers ## answers and times beside those of COMMIT=...
 	@BUILD='$(BUILD)' sh tools/bench/gate.sh
 
-bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1
-	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh
-
-# $(call rivals_of,PACKAGE...): they have an environment of their own; the wheel is that
-# of the tests.
+# $(call rivals_of,PACKAGE...): an environment with them and the package of this tree
 rivals := $(BUILD)/rivals
-define rivals_of
-@BUILD=$(BUILD) sh tests/python/test_python.sh
-@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
-@$(rivals)/bin/pip install -q numpy $(1)
-@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
-endef
-bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the Python package and of its rivals, fetched by pip
-	$(call rivals_of,scikit-spatial trimesh embreex rtree vtk open3d itk-rtk)
-	$(rivals)/bin/python tools/bench/python_rays.py $(BUILD)/tools/bench/python_scene $(rivals)/input
-	$(rivals)/bin/python tools/bench/python_distance.py $(BUILD)/tools/bench/python_scene $(rivals)/input
-	$(rivals)/bin/python tools/bench/python_sums.py
+rivals_of = @$(rivals)/bin/pip install -q $(1)
+$(rivals)/package: $(scene_library) $(wildcard tools/python/src/* tools/python/libcylint/*.py)
+	$(call say,PIP $(rivals))python3 -m venv $(rivals)
+	@$(rivals)/bin/pip install -q numpy
+	@$(rivals)/bin/pip install -q --no-deps --force-reinstall -C cmake.define.CYLINT_BUILD=$(abspath $(BUILD)) ./tools/python
+	@touch $@
+quick := $(if $(QUICK),--quick)
+bench-text: $(BUILD)/cylint $(rivals)/package ## the command beside programs that read numbers, fetched by pip; QUICK=1
+	$(call rivals_of,pandas polars)
+	@$(rivals)/bin/python tools/bench/text.py $< $(quick) | tee $(BUILD)/bench-text.csv
 
-# The version of a wheel whose objects python_geant4.py can read.
-$(call bench_objects,geant4 timing): extra += -fPIC
-$(BUILD)/tools/bench/geant4.so: $(call bench_objects,geant4 timing) $(BUILD)/libcylint.a
+bench-python: $(rivals)/package ## the Python package beside Open3D and others, fetched by pip; QUICK=1
+	$(call rivals_of,trimesh embreex open3d itk-rtk)
+	@$(rivals)/bin/python tools/bench/python.py $(quick) | tee $(BUILD)/bench-python.csv
+
+# The version of a wheel whose objects geant4.py can read.
+$(BUILD)/tools/bench/rivals/geant4.o: extra += -fPIC
+$(BUILD)/tools/bench/geant4.so: $(BUILD)/tools/bench/rivals/geant4.o $(BUILD)/libcylint.a
 	$(call say,LD $@)$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ -lm
-bench-geant4: $(BUILD)/tools/bench/geant4.so $(BUILD)/cylint ## hollow solids and sectors beside Geant4, fetched by pip; RAYS=4000
+bench-geant4: $(BUILD)/tools/bench/geant4.so $(rivals)/package ## hollow solids and sectors beside Geant4, fetched by pip; RAYS=4000
 	$(call rivals_of,geant4-pybind==0.1.3)
-	$(rivals)/bin/python tools/bench/python_geant4.py $< $(RAYS)
+	@$(rivals)/bin/python tools/bench/geant4.py $< $(or $(RAYS),$(if $(QUICK),400)) | tee $(BUILD)/bench-geant4.csv
 
 # A library that counts the stages of queries.
 count_stages: $(BUILD)/tools/bench/stages
@@ -70,4 +66,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench gate bench-scene bench-pieces bench-text bench-embree bench-python bench-geant4 stages count_stages
+.PHONY: bench gate bench-scene bench-pieces bench-embree bench-text bench-python bench-geant4 stages count_stages

@@ -1,21 +1,17 @@
 """Pieces of rays in hollow cylinders and cones, beside the steps of Geant4.
 
-usage: python_geant4.py LIBRARY [RAYS]
+usage: geant4.py LIBRARY [RAYS]
 
 A G4Tubs and a G4Cons with a bore, full and in sectors of 120, 180 and 240 degrees; RAYS
-(4000) in each of six families.  Geant4 steps with DistanceToIn() and DistanceToOut().
-Pieces are equal if their ends differ by at most 1e-9 mm, its tolerance.  All rays that
-are not equal, and every tenth of the others, are judged by rational numbers, each
-program for the solid that it has:
+(4000) in each of six families.  LIBRARY is rivals/geant4.c, which calls both programs
+from C: ns a ray for all steps with DistanceToIn() and DistanceToOut(), and for all
+pieces, the least of five turns.  The lines of output are those of bench.c.
 
-  Geant4 is wrong if the middle of what it misses, or has in excess, is more than 1e-8 mm
-  on the other side of the surface: whole pieces, or parts of pieces.  "inside" counts
-  such middles where Geant4's own Inside() agrees with the rationals;
-  libcylint is wrong if an end is not the double nearest to the true one.
-
-LIBRARY is geant4.c, which calls both programs, so that times are those of C on one core,
-the least of five turns: ns a call of DistanceToIn() at the rays' origins, and of
-DistanceToOut() within pieces; ns a ray for all steps and for all pieces.
+Pieces are equal if their ends differ by at most 1e-9 mm, Geant4's tolerance.  All rays
+that are not equal, and every tenth of the others, are judged by rational numbers, each
+program for the solid that it has.  Geant4 is wrong if the middle of what it misses, or
+has in excess, is more than 1e-8 mm on the other side of the surface; libcylint is wrong
+if an end is not the double nearest to the true one, and then the exit status is 1.
 """
 
 import ctypes
@@ -108,24 +104,17 @@ class Truth:
             pieces.append((begin, end))
         return pieces
 
-    def faults(self, o, d, got):
-        """What is wrong in Geant4's pieces: kind, length, the middle, and whether it is
-        in excess."""
+    def has_fault(self, o, d, got):
+        """Whether Geant4's pieces are wrong."""
         true = self.pieces(o, d)
         ends = sorted({t for piece in (*got, *true) for t in piece})
         for a, b in zip(ends, ends[1:], strict=False):
-            here = [
-                [p for p in x if p[0] <= a and b <= p[1]] for x in (got, true)
-            ]
-            has, middle = bool(here[0]), (Fraction(a) + Fraction(b)) / 2
-            if has == bool(here[1]) or has == self.contains(
-                o, d, middle, FAIR if has else -FAIR
-            ):
-                continue
-            piece, others = (*here[0], *here[1])[0], true if has else got
-            is_part = any(p[0] < piece[1] and piece[0] < p[1] for p in others)
-            kind = "part" if is_part else "extra" if has else "missed"
-            yield kind, b - a, float(middle), has
+            has, should = (any(p[0] <= a and b <= p[1] for p in x) for x in (got, true))
+            middle = (Fraction(a) + Fraction(b)) / 2
+            grown = FAIR if has else -FAIR
+            if has != should and has != self.contains(o, d, middle, grown):
+                return True
+        return False
 
 
 # ------------------------------------------------------------ contestants --
@@ -175,8 +164,6 @@ class Solid:
             for x in (*tube, self.sides)
         ]
         shapes, clauses = cylint.tube(*tube, sector=self.sides)
-        self.scene = cylint.Scene(shapes)
-        self.scene.set_solids(range(len(shapes)), 0, clauses)
         is_either = list(clauses).count(3) == 2
         planes = [[Fraction(float(x)) for x in s.n[:2]] for s in shapes[2:]]
         self.truth = Truth(self.radii, planes, is_either)
@@ -199,19 +186,6 @@ class Solid:
     def of_libcylint(self, rays):
         tube = [address(x) for x in self.tube]
         return self.pieces(self.library.cylint_pieces_of, tube, rays)
-
-    def distances(self, rays, is_out):
-        """The ns of a call of DistanceToIn() or DistanceToOut(); they are the functions
-        that Python calls."""
-        t, n = np.zeros(len(rays)), ctypes.c_size_t(len(rays))
-        ns = self.library.geant4_distances(
-            self.geant4, is_out, address(rays), n, address(t)
-        )
-        method = "DistanceToOut" if is_out else "DistanceToIn"
-        for ray, expected in zip(rays[:20].tolist(), t, strict=False):
-            o, d = g4.G4ThreeVector(*ray[:3]), g4.G4ThreeVector(*ray[3:])
-            assert getattr(self.object, method)(o, d) == expected
-        return ns / max(len(rays), 1)
 
 
 # --------------------------------------------------------------- families --
@@ -301,82 +275,44 @@ FAMILIES = (far, near, grazing, in_planes, parallel, on_surfaces)
 # ---------------------------------------------------------------- one row --
 
 
-def are_of_scene(scene, rays, counts, t):
-    """Whether Scene.pieces() returns these pieces."""
-    pieces = scene.pieces(rays[:, :3], rays[:, 3:])
-    expected = t[np.arange(MOST) < counts[:, None]]
-    lines = np.repeat(np.arange(len(rays)), counts)
-    ends = np.stack([pieces.t0, pieces.t1], 1)
-    return np.array_equal(pieces.line, lines) and np.array_equal(ends, expected)
-
-
 def judge(solid, rays, theirs, ours):
-    """How many rays are equal and judged; of which Geant4 misses a piece, has one in
-    excess, a wrong part of one, and its Inside() agrees; its longest fault; of which
-    libcylint is wrong."""
+    """For how many rays Geant4 and libcylint are wrong."""
     near = (np.abs(theirs[1] - ours[1]) <= TOLERANCE).all((1, 2))
     is_equal = near & (theirs[0] == ours[0])
-    judged = np.flatnonzero(~is_equal | (np.arange(len(rays)) % 10 == 0))
-    kinds = {"missed": 0, "extra": 0, "part": 0, "inside": 0}
-    wrong, longest = 0, 0.0
-    for i in judged:
+    wrong = np.zeros(2, int)
+    for i in np.flatnonzero(~is_equal | (np.arange(len(rays)) % 10 == 0)):
         o, d = np.split(np.array([Fraction(x) for x in rays[i].tolist()]), 2)
-        step, piece = (
-            [tuple(p) for p in t[i, : counts[i]].tolist()]
-            for counts, t, _ in (theirs, ours)
-        )
-        wrong += solid.truth.pieces(o, d) != piece
-        faults = solid.truth_of_geant4.faults(o, d, step)
-        for kind, *fault in {fault[0]: fault for fault in faults}.values():
-            length, middle, is_excess = fault
-            point = g4.G4ThreeVector(*(rays[i, :3] + middle * rays[i, 3:]))
-            is_in = solid.object.Inside(point) == g4.EInside.kInside
-            kinds[kind] += 1
-            kinds["inside"] += is_in != is_excess
-            longest = max(longest, length)
-    return is_equal.sum(), len(judged), *kinds.values(), longest, wrong
+        step, piece = ([tuple(p) for p in t[i, : counts[i]].tolist()]
+                       for counts, t, _ in (theirs, ours))
+        wrong += (solid.truth_of_geant4.has_fault(o, d, step),
+                  solid.truth.pieces(o, d) != piece)
+    return wrong
 
 
 def row(solid, family, n):
-    """Prints a row of the table; returns for how many rays libcylint is wrong."""
+    """Prints two lines; returns for how many rays libcylint is wrong."""
     rays = np.hstack(family(np.random.default_rng(1), n, solid))
-    ns = np.full(4, np.inf)
-    for _ in range(5):
-        theirs, ours = solid.of_geant4(rays), solid.of_libcylint(rays)
-        inner = rays.copy()
-        inner[:, :3] += rays[:, 3:] * ours[1][:, 0].mean(1, keepdims=True)
-        inner = np.ascontiguousarray(inner[ours[0] > 0])
-        calls = solid.distances(rays, 0), solid.distances(inner, 1)
-        ns = np.minimum(ns, [*calls, theirs[2], ours[2]])
-    assert are_of_scene(solid.scene, rays, *ours[:2])
-    *counts, longest, wrong = judge(solid, rays, theirs, ours)
-    print(
-        f"{solid.name:10} {family.__name__:11} {n:6}",
-        *(f"{x:6}" for x in counts),
-        f"{longest:8.1e} {wrong:9}",
-        *(f"{x:6.0f}" for x in ns),
-        flush=True,
-    )
-    return wrong
+    turns = [(solid.of_geant4(rays), solid.of_libcylint(rays)) for _ in range(5)]
+    steps, pieces = (min(turn[i][2] for turn in turns) for i in range(2))
+    wrong = judge(solid, rays, *turns[0])
+    name = family.__name__.replace("_", " ")
+    for question, unit, theirs, ours in (
+            (f"all pieces; {name}", "ns", steps, pieces),
+            (f"wrong of {n}; {name}", "1", *wrong)):
+        ratio = f"{ours / theirs:.4g}" if theirs else "-"
+        print(f"geant4,   {solid.name + ',':19} {question + ',':43} -,        Geant4,"
+              f"{unit + ',':>19} {theirs:.4g}, {ours:.4g}, {ratio}", flush=True)
+    return wrong[1]
 
 
 def main():
     library = ctypes.CDLL(sys.argv[1])
     n = int(sys.argv[2]) if len(sys.argv) > 2 else 4000
-    for name in ("geant4_steps", "geant4_distances", "cylint_pieces_of"):
+    for name in ("geant4_steps", "cylint_pieces_of"):
         getattr(library, name).restype = ctypes.c_double
-    library.timing_begin()
-    print(
-        "solid      family        rays  equal judged missed  extra   part",
-        end="",
-    )
-    print(" inside  longest libcylint     in    out  steps pieces")
-    wrong = sum(
-        row(Solid(library, kind, *sector), family, n)
-        for kind in RADII
-        for sector in SECTORS
-        for family in FAMILIES
-    )
+    print("case,subject,question,order,rival,unit,theirs,ours,ratio")
+    wrong = sum(row(Solid(library, kind, *sector), family, n)
+                for kind in RADII for sector in SECTORS for family in FAMILIES)
     sys.exit(wrong > 0)
 
 

@@ -1,7 +1,7 @@
 /*
  * geant4.c - many rays in one solid: the pieces of libcylint and the steps of Geant4
  *
- * python_geant4.py loads this as a shared library.  Geant4 comes compiled, without
+ * geant4.py loads this as a shared library.  Geant4 comes compiled, without
  * headers: the script passes the addresses of an object and of its member functions,
  * which get the object first and references as addresses [Itanium C++ ABI].
  *
@@ -9,9 +9,9 @@
  * Functions return nanoseconds of processor time.
  */
 #include <stdbool.h>
+#include <time.h>
 
 #include "cylint_pieces.h"
-#include "timing.h"
 
 enum { MOST = 8, STEPS = 100, INSIDE = 2 };
 
@@ -22,6 +22,13 @@ typedef struct {
     double (*to_out)(const void *, const double p[3], const double v[3], bool,
                      bool *, double *);
 } geant4;
+
+static double nanoseconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
+}
 
 /* From boundary to boundary.  After ten steps of length 0 a ray is pushed by 100
  * tolerances of 1e-9, as G4Navigator does.  Some rays never end. */
@@ -53,22 +60,10 @@ static int take_steps(const geant4 *g, const double ray[6], double t[MOST][2])
 double geant4_steps(const geant4 *g, const double (*rays)[6], size_t n,
                     int *counts, double (*t)[MOST][2])
 {
-    const struct timing start = timing_now();
+    const double start = nanoseconds();
     for (size_t i = 0; i < n; i++)
         counts[i] = take_steps(g, rays[i], t[i]);
-    return timing_since(start).ns;
-}
-
-/* DistanceToIn() or DistanceToOut() of the origins. */
-double geant4_distances(const geant4 *g, int is_out, const double (*rays)[6],
-                        size_t n, double *distances)
-{
-    const struct timing start = timing_now();
-    for (size_t i = 0; i < n; i++)
-        distances[i] = is_out ? g->to_out(g->solid, rays[i], rays[i] + 3, false,
-                                          NULL, NULL)
-                              : g->to_in(g->solid, rays[i], rays[i] + 3);
-    return timing_since(start).ns;
+    return nanoseconds() - start;
 }
 
 double cylint_pieces_of(const double p0[3], const double p1[3],
@@ -82,12 +77,12 @@ double cylint_pieces_of(const double p0[3], const double p1[3],
     if (cylint_tube(p0, p1, outer, inner, sector, shapes, clauses, &members) !=
         CYLINT_OK)
         return -1;
-    const struct timing start = timing_now();
+    const double start = nanoseconds();
     for (size_t i = 0; i < n; i++) {
         cylint_line line;
         cylint_ray(&line, rays[i], rays[i] + 3);
         counts[i] =
             cylint_solid_pieces(shapes, clauses, members, &line, t[i], MOST);
     }
-    return timing_since(start).ns;
+    return nanoseconds() - start;
 }

@@ -1,0 +1,200 @@
+/*
+ * shapes.c - the shapes of a geometry: what their constructors got
+ */
+#include "shapes.h"
+
+#include <float.h>
+
+#include "../bvh/threads.h"
+#include "../shapes/measure.h"
+
+/* The sign of the radii in a record; NaN: the filter does not decide. */
+static double radii_sign(const cylint_shape *s)
+{
+    if (!cylint_is_bounded(s) || !cylint_has_end_points(s->kind))
+        return NAN;
+    if (!cylint_is_round(s->kind))
+        return 1;
+    return cylint_is_hull(s->kind) ||
+                   (cylint_has_no_axis(s) && s->ends == CYLINT_ENDS_CAPPED)
+               ? -1
+               : NAN;
+}
+
+void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
+                                  const cylint_shape *s)
+{
+    const double sign = radii_sign(s);
+    EACH(j, 3) {
+        to->base[j] = cylint_base(s)[j];
+        to->top[j] = cylint_top(s)[j];
+    }
+    to->r0 = sign * cylint_r0(s);
+    to->r1 = sign * cylint_r1(s);
+}
+
+/* Whether x is a float and not subnormal. */
+static int is_float(double x, float *to)
+{
+    *to = (float)x;
+    return (double)*to == x &&
+           (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
+}
+
+int cylint_float_filter_small_of(cylint_float_filter_small *to,
+                                 const cylint_shape *s)
+{
+    cylint_float_filter_shape large;
+    cylint_float_filter_shape_of(&large, s);
+    int is = is_float(large.r0, &to->r0) & is_float(large.r1, &to->r1);
+    EACH(j, 3)
+        is &= is_float(large.base[j], &to->base[j]) &
+              is_float(large.top[j], &to->top[j]);
+    return is;
+}
+
+/* --------------------------------------------------------------- copying -- */
+
+typedef struct {
+    const cylint_view *from;
+    const uint32_t *number;
+    cylint_embree_shapes *to;
+    uint8_t *ends;
+    cylint_mutex mutex; /* protects the members below */
+    int fits;           /* all shapes fit into small records, if these are
+                           wanted */
+    size_t whole;       /* the number of shapes that are kept whole */
+} copying;
+
+static const cylint_shape *source_of(const copying *c, size_t i,
+                                     cylint_shape *spare)
+{
+    return cylint_view_shape(c->from, c->number ? c->number[i] : (uint32_t)i,
+                             spare);
+}
+
+static void copy_some(void *self, size_t from, size_t to)
+{
+    copying *c = self;
+    const int small = c->to->records.small;
+    cylint_float_filter_small *floats = c->to->memory.data;
+    cylint_float_filter_shape *doubles = c->to->memory.data;
+    size_t i = from, whole = 0;
+    for (int fits = 1; i < to && fits; i += (size_t)fits) {
+        cylint_shape spare;
+        const cylint_shape *shape = source_of(c, i, &spare);
+        c->ends[i] = (uint8_t)shape->ends;
+        if (small) {
+            fits = cylint_float_filter_small_of(&floats[i], shape);
+        } else {
+            cylint_float_filter_shape_of(&doubles[i], shape);
+            whole += doubles[i].r0 != doubles[i].r0;
+        }
+    }
+    cylint_mutex_lock(&c->mutex);
+    c->fits &= i == to;
+    c->whole += whole;
+    cylint_mutex_unlock(&c->mutex);
+}
+
+/* Makes small records or, if a shape does not fit, large ones; usually the first
+ * shape decides. */
+static int copy_records(copying *c, size_t n, int threads,
+                        const cylint_memory_source *source)
+{
+    cylint_embree_shapes *to = c->to;
+    for (int small = 1; small >= 0; small--) {
+        const size_t size = small ? sizeof(cylint_float_filter_small)
+                                  : sizeof(cylint_float_filter_shape);
+        if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
+            return 0;
+        to->records = (cylint_float_filter_shapes){to->memory.data, small};
+        to->ends = c->ends = (uint8_t *)to->memory.data + n * size;
+        c->fits = 1;
+        cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
+        if (c->fits)
+            break;
+        cylint_memory_free(&to->memory);
+    }
+    return 1;
+}
+
+static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
+{
+    cylint_embree_shapes *to = c->to;
+    cylint_float_filter_shape *records = to->memory.data;
+    cylint_shape *whole;
+    size_t next = 0;
+    if (c->whole == 0)
+        return 1;
+    if (!cylint_memory_allocate(&to->whole_memory, source,
+                                c->whole * sizeof *whole))
+        return 0;
+    to->whole = whole = to->whole_memory.data;
+    for (size_t i = 0; i < n; i++)
+        if (records[i].r0 != records[i].r0) {
+            records[i].base[0] = (double)next;
+            const cylint_shape *shape = source_of(c, i, &whole[next]);
+            if (shape != &whole[next])
+                whole[next] = *shape;
+            next++;
+        }
+    return 1;
+}
+
+int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
+                              const uint32_t *number, size_t n, int threads,
+                              const cylint_memory_source *source)
+{
+    copying c = {.from = from,
+                 .number = number,
+                 .to = to,
+                 .mutex = CYLINT_MUTEX_INITIALIZER};
+    *to = (cylint_embree_shapes){.ends = NULL};
+    const int is =
+        copy_records(&c, n, threads, source) && keep_whole(&c, n, source);
+    cylint_mutex_destroy(&c.mutex);
+    if (!is)
+        cylint_embree_shapes_free(to);
+    return is;
+}
+
+void cylint_embree_shapes_free(cylint_embree_shapes *s)
+{
+    cylint_memory_free(&s->memory);
+    cylint_memory_free(&s->whole_memory);
+}
+
+/* --------------------------------------------------------------- reading -- */
+
+cylint_float_filter_shape cylint_embree_record(const cylint_embree_shapes *s,
+                                               size_t at)
+{
+    const cylint_float_filter_small *small = s->records.data;
+    const cylint_float_filter_shape *large = s->records.data;
+    if (!s->records.small)
+        return large[at];
+    small += at;
+    return (cylint_float_filter_shape){
+        {(double)small->base[0], (double)small->base[1],
+         (double)small->base[2]},
+        (double)small->r0,
+        {(double)small->top[0], (double)small->top[1], (double)small->top[2]},
+        (double)small->r1};
+}
+
+void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
+                         cylint_shape *shape)
+{
+    const cylint_float_filter_shape x = cylint_embree_record(s, at);
+    const cylint_ends ends = (cylint_ends)s->ends[at];
+    if (x.r0 != x.r0)
+        *shape = s->whole[(size_t)x.base[0]];
+    else if (x.r0 + x.r1 > 0)
+        cylint_cone(shape, x.base, x.r0, x.top, x.r1, ends);
+    else if (x.base[0] == x.top[0] && x.base[1] == x.top[1] &&
+             x.base[2] == x.top[2] && x.r0 == x.r1)
+        cylint_sphere(shape, x.base, -x.r0, ends);
+    else
+        cylint_round_cone(shape, x.base, -x.r0, x.top, -x.r1, ends);
+}

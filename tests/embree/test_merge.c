@@ -1,0 +1,188 @@
+/*
+ * test_merge.c - a merged geometry answers as its shapes in one geometry do, with
+ * the numbers of the parts
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "embree_world.h"
+#include "scenes.h"
+
+enum { SHAPES = 300, MOST_PARTS = 120 };
+
+static cylint_embree_part parts[MOST_PARTS];
+static size_t n_parts;
+
+/* Cuts the shapes into parts of 0 to 6. */
+static void cut(const cylint_shape *shapes)
+{
+    size_t first = 0;
+    for (n_parts = 0; first < SHAPES; n_parts++) {
+        const size_t most = SHAPES - first, n = n_parts % 7;
+        parts[n_parts] = (cylint_embree_part){
+            shapes + first, n < most ? n : most, (unsigned)(3 * n_parts + 5)};
+        first += parts[n_parts].n;
+    }
+}
+
+/* The number over all parts, or SHAPES. */
+static unsigned number_of(unsigned geomID, unsigned primID)
+{
+    unsigned first = 0;
+    for (size_t i = 0; i < n_parts; first += (unsigned)parts[i++].n)
+        if (parts[i].geomID == geomID)
+            return primID < parts[i].n ? first + primID : SHAPES;
+    return SHAPES;
+}
+
+/* A scene with the merged shapes alone, as the geometry of this number. */
+static void merge(struct world *w, const cylint_embree_options *options)
+{
+    rtcReleaseScene(w->scene);
+    cylint_embree_release(w->geometry);
+    w->geometry = cylint_embree_merge(world_device(), parts, n_parts, options,
+                                      &w->problem);
+    CHECK(w->geometry && w->problem.status == CYLINT_EMBREE_OK);
+    w->scene = rtcNewScene(world_device());
+    rtcAttachGeometryByID(w->scene, w->geometry, 1);
+    rtcCommitScene(w->scene);
+}
+
+/* Replaces the numbers of hits of a merged geometry by those that one geometry,
+ * number 0, would have written. */
+static void as_of_one(struct rays *r)
+{
+    for (int i = 0; i < r->n; i++)
+        if (r->valid[i] && rays_hit(r, i)) {
+            rays_at(r, HIT_PRIM, i)->u = number_of(rays_at(r, HIT_GEOM, i)->u,
+                                                   rays_at(r, HIT_PRIM, i)->u);
+            rays_at(r, HIT_GEOM, i)->u = 0;
+        }
+}
+
+static void draw_rays(struct rays *r, uint64_t *state)
+{
+    rays_begin(r, (int[]){1, 4, 8, 16}[*state % 4]);
+    for (int i = 0; i < r->n; i++) {
+        float o[3], d[3];
+        world_direction(state, o);
+        world_direction(state, d);
+        for (int k = 0; k < 3; k++) /* on a lattice: hits at equal t */
+            o[k] = floorf(8 * o[k]) / 4;
+        if (*state % 3 == 0)
+            memcpy(d, (float[]){0, 0, 1}, sizeof d);
+        rays_add(r, i, o, d, 0, 1e9f);
+    }
+}
+
+/* Rejects the hits of every third shape. */
+static void reject_some(const struct RTCFilterFunctionNArguments *args)
+{
+    const unsigned geomID = ((const unsigned *)args->hit)[HIT_GEOM - HIT_NG];
+    const unsigned primID = rays_filter_prim(args, 0);
+    const unsigned number = geomID == 0 ? primID : number_of(geomID, primID);
+    if (number % 3 == 0)
+        args->valid[0] = 0;
+    CHECK(number < SHAPES);
+}
+
+static void compare(struct world *one, struct world *merged, uint64_t *state,
+                    int bare)
+{
+    int hits = 0;
+    for (int n = 0; n < 2000; n++) {
+        struct rays r, s;
+        const uint64_t seed = *state;
+        draw_rays(&r, state);
+        *state = seed;
+        draw_rays(&s, state);
+        rays_intersect(&r, one->scene, NULL);
+        rays_intersect(&s, merged->scene, NULL);
+        if (bare && r.n == 1) {
+            cylint_embree_complete(one->geometry, (void *)r.word);
+            cylint_embree_complete(merged->geometry, (void *)s.word);
+        }
+        hits += rays_hit(&r, 0);
+        as_of_one(&s);
+        CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);
+        draw_rays(&r, state);
+        memcpy(&s, &r, sizeof s);
+        rays_occluded(&r, one->scene, NULL);
+        rays_occluded(&s, merged->scene, NULL);
+        CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);
+    }
+    CHECK(hits > 100);
+}
+
+static void hits_have_the_numbers_of_the_parts(void)
+{
+    static const unsigned flags[] = {0, CYLINT_EMBREE_BARE,
+                                     CYLINT_EMBREE_NO_FILTERS, 0};
+    for (int i = 0; i < 4; i++) {
+        cylint_embree_options options = {.flags = flags[i], .threads = 2};
+        cylint_shape shapes[SHAPES];
+        uint64_t state = 11 + (uint64_t)i;
+        struct world one, merged;
+        world_shapes(&state, i % 2 ? SCENE_LATTICE : SCENE_MIXED, shapes,
+                     SHAPES);
+        cut(shapes);
+        CHECK(world_make(&one, shapes, SHAPES, &options));
+        CHECK(world_make(&merged, shapes, SHAPES, &options));
+        merge(&merged, &options);
+        if (i == 3) {
+            rtcSetGeometryIntersectFilterFunction(one.geometry, reject_some);
+            rtcSetGeometryOccludedFilterFunction(one.geometry, reject_some);
+            rtcSetGeometryIntersectFilterFunction(merged.geometry, reject_some);
+            rtcSetGeometryOccludedFilterFunction(merged.geometry, reject_some);
+            rtcCommitGeometry(one.geometry);
+            rtcCommitGeometry(merged.geometry);
+            rtcCommitScene(one.scene);
+            rtcCommitScene(merged.scene);
+        }
+        compare(&one, &merged, &state, i == 1);
+        world_shapes(&state, SCENE_MIXED, shapes, SHAPES);
+        CHECK(cylint_embree_update(one.geometry, NULL) == CYLINT_EMBREE_OK &&
+              cylint_embree_update(merged.geometry, NULL) == CYLINT_EMBREE_OK);
+        rtcCommitScene(one.scene);
+        rtcCommitScene(merged.scene);
+        compare(&one, &merged, &state, i == 1);
+        CHECK(cylint_embree_bytes(merged.geometry) >
+              cylint_embree_bytes(one.geometry));
+        world_free(&one);
+        world_free(&merged);
+    }
+}
+
+static void parts_whose_numbers_do_not_ascend_are_refused(void)
+{
+    const long long bytes = world_memory.bytes;
+    cylint_shape shapes[SHAPES];
+    uint64_t state = 4;
+    cylint_embree_problem problem;
+    world_shapes(&state, SCENE_MIXED, shapes, SHAPES);
+    cut(shapes);
+    parts[9].geomID = parts[8].geomID;
+    world_errors();
+    CHECK(!cylint_embree_merge(world_device(), parts, n_parts, NULL, &problem));
+    CHECK(problem.status == CYLINT_EMBREE_EPART && problem.shape == 9);
+    CHECK(world_errors() > 0 &&
+          world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+    cut(shapes);
+    memset(&shapes[77], 0, sizeof shapes[77]);
+    CHECK(!cylint_embree_merge(world_device(), parts, n_parts, NULL, &problem));
+    CHECK(problem.status == CYLINT_EMBREE_ESHAPE && problem.shape == 77);
+    RTCGeometry none =
+        cylint_embree_merge(world_device(), NULL, 0, NULL, &problem);
+    CHECK(none && problem.status == CYLINT_EMBREE_OK);
+    cylint_embree_release(none);
+    CHECK(world_memory.bytes == bytes);
+    world_errors();
+}
+
+int main(void)
+{
+    RUN(hits_have_the_numbers_of_the_parts);
+    RUN(parts_whose_numbers_do_not_ascend_are_refused);
+    return check_end();
+}

@@ -1,0 +1,409 @@
+/*
+ * properties.h - properties of the answer to one line and one shape
+ *
+ * The library is compared with itself on changed input whose answer changes in a known
+ * manner.  Each function returns whether its property holds for the case; one that says
+ * nothing about the case returns 1.
+ */
+#ifndef CYLINT_TEST_PROPERTIES_H
+#define CYLINT_TEST_PROPERTIES_H
+
+#include <float.h>
+#include <math.h>
+
+#include "same.h"
+#include "shapes/layout.h"
+
+static const unsigned verdicts = CYLINT_WANT_T | CYLINT_WANT_PART;
+
+static inline cylint_answer answer_to(const struct family_case *c)
+{
+    cylint_answer a;
+    memset(&a, 0, sizeof a);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &a);
+    return a;
+}
+
+/* t, part, side and relation; t is never -0. */
+static inline int same_verdict(const cylint_answer *x, const cylint_answer *y)
+{
+    return same_answer(x, y, verdicts);
+}
+
+static inline int has_same_verdict(const struct family_case *x,
+                                   const struct family_case *y)
+{
+    const cylint_answer a = answer_to(x), b = answer_to(y);
+    return same_verdict(&a, &b);
+}
+
+static inline int is_good_hit(const cylint_hit *h, const cylint_line *line)
+{
+    const double x[] = {h->t,         h->z,         h->phi,
+                        h->point[0],  h->point[1],  h->point[2],
+                        h->normal[0], h->normal[1], h->normal[2]};
+    int good = line->tmin <= h->t && h->t <= line->tmax && h->phi >= 0 &&
+               h->phi < 1 && h->part >= CYLINT_PART_LATERAL &&
+               h->part <= CYLINT_PART_CAP1 && h->side >= CYLINT_SIDE_ENTERING &&
+               h->side <= CYLINT_SIDE_BOTH &&
+               fmax(fabs(x[6]), fmax(fabs(x[7]), fabs(x[8]))) > 0.5;
+    for (int i = 0; i < 9; i++)
+        good = good && x[i] == x[i] && !(x[i] == 0 && signbit(x[i])) &&
+               (i < 6 || fabs(x[i]) <= 1);
+    return good;
+}
+
+/* Hits ascend within the domain; numbers are in their ranges, and none is -0. */
+static inline int has_good_members(const struct family_case *c)
+{
+    const cylint_answer a = answer_to(c);
+    const int refused = c->shape.kind == CYLINT_KIND_NONE || !c->line.valid;
+    int good = a.n >= 0 && a.n <= 2 && a.relation >= CYLINT_RELATION_MISS &&
+               a.relation <= CYLINT_RELATION_CROSS &&
+               a.flags == (refused ? CYLINT_FLAG_INVALID : 0) &&
+               (!refused || a.relation == CYLINT_RELATION_MISS) &&
+               (a.relation != CYLINT_RELATION_MISS || a.n == 0) &&
+               (a.relation != CYLINT_RELATION_TOUCH || a.n <= 1) &&
+               (a.n < 2 || a.hit[0].t <= a.hit[1].t);
+    for (int i = 0; i < a.n && good; i++)
+        good = is_good_hit(&a.hit[i], &c->line);
+    return good;
+}
+
+/* Wanted members have the bits of the full answer; the others keep their bytes. */
+static inline int has_wanted_members(const struct family_case *c, unsigned want)
+{
+    const cylint_answer full = answer_to(c);
+    cylint_answer some, before;
+    memset(&before, 0x5a, sizeof before);
+    some = before;
+    const int n = cylint_intersect(&c->shape, &c->line, want, &some);
+    int good = n == some.n && same_answer(&some, &full, want);
+    for (int i = 0; i < 2; i++)
+        good =
+            good && same_hit(&some.hit[i], &before.hit[i],
+                             i < n ? CYLINT_WANT_ALL & ~want : CYLINT_WANT_ALL);
+    return good;
+}
+
+static inline int has_all_wanted_members(const struct family_case *c)
+{
+    for (unsigned want = 0; want < 2 * CYLINT_WANT_NEAREST; want++)
+        if (!has_wanted_members(c, want))
+            return 0;
+    return cylint_occluded(&c->shape, &c->line) == (answer_to(c).n > 0);
+}
+
+/* The place of the origin bounds the relation, and the box has it. */
+static inline int has_its_origin(const struct family_case *c)
+{
+    double lo[3], hi[3];
+    const int where = cylint_contains(&c->shape, c->line.o);
+    if (where < 0 || !c->line.valid)
+        return 1;
+    const int relation = answer_to(c).relation;
+    cylint_bounds(&c->shape, lo, hi);
+    int good = relation != CYLINT_RELATION_MISS &&
+               (where == 0 || relation == CYLINT_RELATION_CROSS);
+    for (int i = 0; i < 3; i++)
+        good = good && lo[i] <= c->line.o[i] && c->line.o[i] <= hi[i];
+    return good;
+}
+
+/* A whole line and a capped shape. */
+static inline int has_even_hits(const struct family_case *given)
+{
+    struct family_case c = *given;
+    c.ends = CYLINT_ENDS_CAPPED;
+    if (!family_make(&c))
+        return 1;
+    c.line.tmin = -HUGE_VAL;
+    c.line.tmax = HUGE_VAL;
+    const cylint_answer a = answer_to(&c);
+    return a.relation == CYLINT_RELATION_MISS ? a.n == 0
+           : a.relation == CYLINT_RELATION_TOUCH
+               ? a.n == 1 && a.hit[0].side == CYLINT_SIDE_BOTH
+               : a.n == 2 && a.hit[0].side == CYLINT_SIDE_ENTERING &&
+                     a.hit[1].side == CYLINT_SIDE_LEAVING;
+}
+
+/* -------------------------------------------------- changes of the line -- */
+
+/* The hits of y, in reverse order, are those of x, at t or with a segment at 1 - t. */
+static inline int is_reverse(const cylint_answer *x, const cylint_answer *y,
+                             int segment)
+{
+    int good = x->relation == y->relation && x->n == y->n;
+    for (int i = 0; i < x->n && good; i++) {
+        const cylint_hit *a = &x->hit[i], *b = &y->hit[x->n - 1 - i];
+        good = (segment ? fabs(a->t - (1 - b->t)) <= DBL_EPSILON
+                        : a->t == -b->t) &&
+               a->part == b->part &&
+               a->side == (b->side == CYLINT_SIDE_BOTH ? CYLINT_SIDE_BOTH
+                                                       : 1 - b->side);
+    }
+    return good;
+}
+
+static inline int is_reversed_with_its_line(const struct family_case *given)
+{
+    struct family_case c = *given;
+    const int segment = c.line_word == FAMILY_SEGMENT;
+    for (int i = 0; i < 3; i++) {
+        c.line_data[i] = given->line_data[segment ? i + 3 : i];
+        c.line_data[i + 3] =
+            segment ? given->line_data[i] : -given->line_data[i + 3];
+    }
+    if (!family_make(&c) && c.line_word != FAMILY_SPAN)
+        return 1;
+    if (!segment) {
+        cylint_span(&c.line, c.line_data, c.line_data + 3, -given->line.tmax,
+                    -given->line.tmin);
+        if (!given->line.valid)
+            return 1;
+    }
+    const cylint_answer a = answer_to(given), b = answer_to(&c);
+    return is_reverse(&a, &b, segment);
+}
+
+/* The hits are those of the whole line that lie in the domain.  Where t rounds to an end
+ * of the domain the exact root decides; only the oracle tests that. */
+static inline int is_cut_by_its_domain(const struct family_case *given)
+{
+    struct family_case c = *given;
+    const double tmin = c.line.tmin, tmax = c.line.tmax;
+    if (!c.line.valid)
+        return 1;
+    c.line.tmin = -HUGE_VAL;
+    c.line.tmax = HUGE_VAL;
+    const cylint_answer all = answer_to(&c), some = answer_to(given);
+    int n = 0, good = all.relation == some.relation;
+    for (int i = 0; i < all.n; i++) {
+        const double t = all.hit[i].t;
+        if (t == tmin || t == tmax)
+            return 1;
+        if (tmin <= t && t <= tmax) {
+            good = good && n < some.n &&
+                   same_hit(&some.hit[n], &all.hit[i], CYLINT_WANT_ALL);
+            n++;
+        }
+    }
+    return good && n == some.n;
+}
+
+/* ------------------------------------------------- changes of the whole -- */
+
+static inline int is_elliptic_word(family_shape word)
+{
+    return word == FAMILY_ECYLINDER || word == FAMILY_ECONE;
+}
+
+/* The index of each vector in a shape's record, up to four; -1: no more. */
+static inline const int *vectors_of(family_shape word)
+{
+    static const int where[][5] = {
+        {0, 3, -1},       {0, 4, -1}, {0, 3, -1}, {0, 3, 6, 9, -1},
+        {0, 3, 6, 9, -1}, {0, -1},    {0, 3, -1}, {0, 4, -1}};
+    return where[word];
+}
+
+/* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes the signs
+ * by the bits of `flip`. */
+static inline void turn3(double v[3], int round, int flip)
+{
+    const double x[3] = {v[0], v[1], v[2]};
+    for (int i = 0; i < 3; i++)
+        v[(i + round) % 3] = flip >> i & 1 ? -x[i] : x[i];
+}
+
+static inline int is_moved(const struct family_case *given, int round, int flip)
+{
+    struct family_case c = *given;
+    for (const int *at = vectors_of(c.shape_word); *at >= 0; at++)
+        turn3(c.shape_data + *at, round, flip);
+    turn3(c.line_data, round, flip);
+    turn3(c.line_data + 3, round, flip);
+    family_make(&c);
+    return has_same_verdict(given, &c);
+}
+
+static inline int is_permuted(const struct family_case *c)
+{
+    return is_moved(c, 1, 0) && is_moved(c, 2, 0);
+}
+
+static inline int is_mirrored(const struct family_case *c)
+{
+    return is_moved(c, 0, 1) && is_moved(c, 0, 6) && is_moved(c, 1, 4);
+}
+
+/* Multiplies by 2^e; returns whether that is exact. */
+static inline int scale_exactly(double *x, int n, int e)
+{
+    int exact = 1;
+    for (int i = 0; i < n; i++) {
+        const double y = ldexp(x[i], e);
+        exact = exact && fabs(y) <= DBL_MAX && ldexp(y, -e) == x[i];
+        x[i] = y;
+    }
+    return exact;
+}
+
+/* All lengths times 2^e and d times 2^f give t times 2^(e - f). */
+static inline int is_scaled_by(const struct family_case *given, int e, int f)
+{
+    struct family_case c = *given, whole = *given;
+    const int segment = c.line_word == FAMILY_SEGMENT;
+    if (!scale_exactly(c.shape_data, family_lengths(c.shape_word), e) ||
+        !scale_exactly(c.line_data, 3, e) ||
+        !scale_exactly(c.line_data + 3, 3, segment ? e : f))
+        return 1;
+    family_make(&c);
+    if (!segment) {
+        whole.line.tmin = c.line.tmin = -HUGE_VAL;
+        whole.line.tmax = c.line.tmax = HUGE_VAL;
+    }
+    const cylint_answer a = answer_to(&whole), b = answer_to(&c);
+    int good = a.relation == b.relation && a.n == b.n;
+    for (int i = 0; i < a.n && good; i++) {
+        const double t = a.hit[i].t, s = ldexp(t, segment ? 0 : e - f);
+        const int rounds = !(fabs(s) <= DBL_MAX && fabs(t) <= DBL_MAX) ||
+                           fabs(s) < DBL_MIN || fabs(t) < DBL_MIN;
+        good = (rounds || s == b.hit[i].t) && a.hit[i].part == b.hit[i].part &&
+               a.hit[i].side == b.hit[i].side;
+    }
+    return good;
+}
+
+static inline int is_scaled_by_powers_of_two(const struct family_case *c)
+{
+    static const int by[][2] = {
+        {1, 1}, {-7, 3}, {300, -200}, {-500, 500}, {900, 0}};
+    int good = 1;
+    for (int i = 0; i < 5; i++)
+        good = good && is_scaled_by(c, by[i][0], by[i][1]);
+    return good;
+}
+
+/* ------------------------------------------------- changes of the shape -- */
+
+/* Exchanging p0, r0 with p1, r1 exchanges cap 0 with cap 1. */
+static inline int is_turned_round(const struct family_case *given)
+{
+    static const int other[] = {CYLINT_PART_LATERAL, CYLINT_PART_CAP1,
+                                CYLINT_PART_CAP0};
+    struct family_case c = *given;
+    const family_shape word = c.shape_word;
+    const int n = word == FAMILY_CONE || word == FAMILY_RCONE ? 4 : 3;
+    const int equal = /* equal balls: always cap 0 */
+        same_bytes(c.shape_data, c.shape_data + n, 3 * sizeof(double));
+    if (word == FAMILY_ACONE || is_elliptic_word(word) ||
+        word == FAMILY_SPHERE || equal)
+        return 1;
+    memcpy(c.shape_data, given->shape_data + n, (size_t)n * sizeof(double));
+    memcpy(c.shape_data + n, given->shape_data, (size_t)n * sizeof(double));
+    c.ends = c.ends == CYLINT_ENDS_CAP0   ? CYLINT_ENDS_CAP1
+             : c.ends == CYLINT_ENDS_CAP1 ? CYLINT_ENDS_CAP0
+                                          : c.ends;
+    family_make(&c);
+    const cylint_answer a = answer_to(given);
+    cylint_answer b = answer_to(&c);
+    for (int i = 0; i < b.n; i++)
+        b.hit[i].part = other[b.hit[i].part];
+    return same_verdict(&a, &b);
+}
+
+/* The semi-axes of an ellipse may be exchanged, and one may be reversed. */
+static inline int has_any_axes(const struct family_case *given)
+{
+    struct family_case c = *given;
+    if (!is_elliptic_word(c.shape_word))
+        return 1;
+    memcpy(c.shape_data + 3, given->shape_data + 6, 3 * sizeof(double));
+    memcpy(c.shape_data + 6, given->shape_data + 3, 3 * sizeof(double));
+    family_make(&c);
+    const int good = has_same_verdict(given, &c);
+    turn3(c.shape_data + 6, 0, 7);
+    family_make(&c);
+    return good && has_same_verdict(given, &c);
+}
+
+/* A cylinder is a cone with equal radii, an elliptic one with the factor 1. */
+static inline int is_constant_cone(const struct family_case *given)
+{
+    struct family_case c = *given;
+    const double *x = given->shape_data;
+    if (c.shape_word == FAMILY_CYLINDER) {
+        const double data[8] = {x[0], x[1], x[2], x[6], x[3], x[4], x[5], x[6]};
+        memcpy(c.shape_data, data, sizeof data);
+        c.shape_word = FAMILY_CONE;
+    } else if (c.shape_word == FAMILY_ECYLINDER) {
+        c.shape_word = FAMILY_ECONE;
+        c.shape_data[12] = 1;
+    } else {
+        return 1;
+    }
+    family_make(&c);
+    return has_same_verdict(given, &c);
+}
+
+/* The same solid of radius 1.25 and height 2 along a coordinate, circular, and elliptic
+ * with equal axes.  The base has whole numbers. */
+static inline int is_elliptic_with_equal_axes(const struct family_case *given)
+{
+    static const double factors[] = {0, 0.5, 1, 2};
+    for (int k = 0; k < 4; k++) {
+        struct family_case c = *given, e;
+        const int up = k % 3;
+        double *x = c.shape_data, *y = e.shape_data, p[3];
+        for (int i = 0; i < 3; i++) /* p1 - p0 is h exactly */
+            p[i] = floor(fmod(given->shape_data[i], 64));
+        memset(x, 0, sizeof c.shape_data);
+        memcpy(x, p, sizeof p);
+        e = c;
+        c.shape_word = FAMILY_CONE;
+        x[3] = 1.25;
+        memcpy(x + 4, p, sizeof p);
+        x[4 + up] += 2;
+        x[7] = 1.25 * factors[k];
+        e.shape_word = FAMILY_ECONE;
+        y[3 + (up + 1) % 3] = y[6 + (up + 2) % 3] = 1.25;
+        y[9 + up] = 2;
+        y[12] = factors[k];
+        family_make(&c);
+        family_make(&e);
+        if (!has_same_verdict(&c, &e))
+            return 0;
+    }
+    return 1;
+}
+
+/* Open ends and single caps remove hits and change nothing else. */
+static inline int loses_hits_with_caps(const struct family_case *given)
+{
+    struct family_case c = *given, capped = *given;
+    if (c.shape_word == FAMILY_SPHERE)
+        return 1; /* it has no other ends */
+    capped.ends = CYLINT_ENDS_CAPPED;
+    family_make(&capped);
+    const cylint_answer all = answer_to(&capped);
+    for (int ends = CYLINT_ENDS_OPEN; ends <= CYLINT_ENDS_CAP1; ends++) {
+        cylint_answer left = all;
+        left.n = 0;
+        for (int i = 0; i < all.n; i++) {
+            const int part = all.hit[i].part;
+            if (part == CYLINT_PART_LATERAL ||
+                ends == (part == CYLINT_PART_CAP0 ? CYLINT_ENDS_CAP0
+                                                  : CYLINT_ENDS_CAP1))
+                left.hit[left.n++] = all.hit[i];
+        }
+        c.ends = (cylint_ends)ends;
+        family_make(&c);
+        const cylint_answer some = answer_to(&c);
+        if (!same_answer(&some, &left, CYLINT_WANT_ALL))
+            return 0;
+    }
+    return 1;
+}
+
+#endif
