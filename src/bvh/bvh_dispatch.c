@@ -5,10 +5,6 @@
 #include "traverse.h"
 #include "traverse_point.h"
 
-#ifdef CYLINT_COUNT_VISITS
-struct cylint_visits cylint_visits;
-#endif
-
 const cylint_traversal *cylint_traversal_used(void)
 {
     return CYLINT_OF_KERNELS(&cylint_traversal_plain, &cylint_traversal_avx2,

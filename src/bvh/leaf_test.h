@@ -192,16 +192,6 @@ static inline unsigned lanes_in_use(const cylint_leaf *b)
     return (1u << cylint_leaf_used(b)) - 1;
 }
 
-#ifdef CYLINT_COUNT_VISITS
-static inline int count_lanes(unsigned lanes)
-{
-    int n = 0;
-    for (; lanes; lanes &= lanes - 1)
-        n++;
-    return n;
-}
-#endif
-
 /* all: the unpacked cylinders of all lanes, or NULL to unpack them here. */
 CYLINT_INLINE unsigned test_bounds(const cylint_leaf *b, const cylinders *all,
                                    const leaf_line *l, float *least,
@@ -221,7 +211,6 @@ CYLINT_INLINE unsigned test_bounds(const cylint_leaf *b, const cylinders *all,
     hit = (hit | b->always) & lanes_in_use(b);
     if (certain)
         *certain = all_certain & hit & ~(unsigned)b->always;
-    cylint_visited(lanes, (unsigned)count_lanes(hit));
     return hit;
 }
 

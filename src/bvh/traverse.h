@@ -78,16 +78,6 @@ typedef struct cylint_traversal {
                                   does not read *tmax again */
 } cylint_traversal;
 
-/* `make bench-embree` counts visits, in one thread. */
-#ifdef CYLINT_COUNT_VISITS
-extern struct cylint_visits {
-    unsigned long long nodes, leaves, lanes;
-} cylint_visits;
-#define cylint_visited(what, n) ((void)(cylint_visits.what += (n)))
-#else
-#define cylint_visited(what, n) ((void)0)
-#endif
-
 /* The build in use. */
 const cylint_traversal *cylint_traversal_used(void);
 

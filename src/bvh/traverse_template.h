@@ -56,7 +56,6 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
         for (;;) {
             const uint32_t child = (uint32_t)next.key;
             if (child & CYLINT_LEAF_FLAG) {
-                cylint_visited(leaves, 1);
                 *at = next;
                 return &t->bvh->leaves[child & ~CYLINT_LEAF_FLAG];
             }
@@ -65,7 +64,6 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
             const cylint_node *node = &t->bvh->nodes[child];
             child_hits hits;
             const unsigned hit = hit_children(t, &next, node, &hits);
-            cylint_visited(nodes, 1);
             if (!hit)
                 break;
             next = push_children(t, node, hit, &hits);

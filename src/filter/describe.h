@@ -61,10 +61,10 @@ INLINE vd rounded(vpair x)
     return x.hi + x.lo;
 }
 
-/* The slope of the residual at a hit, a bound on its error, and one on half the
- * curvature. */
+/* The slope of the residual at a hit and half its curvature, each with a bound on
+ * its error.  most: at least |curvature|. */
 typedef struct {
-    vd slope, error, curvature;
+    vd slope, error, curvature, curvature_error, most;
 } slope_at_hit;
 
 /* D: no coordinate of the direction exceeds it.  Where one cancels, its low
@@ -97,7 +97,13 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
                                    v_sum_of(v_set(1 + slope), v_abs(z), across),
                                    v_abs(w) * (h->z.e + h->rho.e)))),
         v_set(CYLINT_MEMBER_SLOPE) * sizes);
-    s.curvature = v_set(1.01) * v_sum_of(w, w, v_sum_of(vx, vx, vy * vy));
+    const vd xy = v_sum_of(vx, vx, vy * vy), ww = w * w;
+    const vd lost = v_set(CYLINT_MEMBER_UNIT) * error;
+    s.curvature = xy + v_select(ball, ww, -ww);
+    s.most = v_set(1.01) * v_sum_of(lost, lost, xy + ww);
+    s.curvature_error =
+        v_sum_of(v_set(4 * CYLINT_MEMBER_SLOPE), s.most,
+                 v_set(4) * lost * (v_abs(vx) + v_abs(vy) + v_abs(w) + lost));
     if (cylint_solid_is_bounded(solid) && !round) {
         s.slope = v_select(r->on_end, axial, s.slope);
         s.error = v_select(r->on_end,
@@ -105,6 +111,8 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
                                     v_set(CYLINT_MEMBER_UNIT) * error),
                            s.error);
         s.curvature = v_select(r->on_end, v_set(0), s.curvature);
+        s.curvature_error = v_select(r->on_end, v_set(0), s.curvature_error);
+        s.most = v_select(r->on_end, v_set(0), s.most);
     }
     return s;
 }
@@ -130,10 +138,19 @@ INLINE bounded_value residual_beside(const source *from, const pair_line *in,
                           from->shape);
 }
 
-/* The root of which t is the nearest double: a step of Newton's on the residual
- * in pairs or in levels.  Its error is infinite or NaN where t is no such double,
- * or where the slope is not known to one quarter, which the bound of the step
- * requires. */
+/*
+ * The root of which t is the nearest double, by the residual in pairs or in levels.
+ * With the step delta of Newton's, the slope s and half the curvature c at t the
+ * root is
+ *
+ *   t - delta (1 + q + 2 q^2 + 5 q^3 ...),   q = c delta / s.
+ *
+ * The first two terms are taken: from far away delta^2 is not small beside the last
+ * digits of a normal.  Where the slope is known to one quarter, and its quotient by
+ * c is at least 8 times the distance to the root, the root is this one, the terms
+ * left out are at most 9 q^2 delta, and the errors of q do not double those of
+ * delta.  Elsewhere, and where t is no such double, the error is infinite or NaN.
+ */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int levels, int solid)
 {
@@ -148,11 +165,18 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
         residual_beside(from, in, &r, &first, levels, solid);
     const vd distance = v_set(CYLINT_ROUNDING * fabs(t));
     const newton_lanes step = newton_step_lanes(residual.v, residual.e, s.slope,
-                                                s.error, s.curvature, distance);
-    r.tail = -step.delta;
-    const vm known = v_le(v_set(4) * s.error, v_abs(s.slope));
-    r.error = v_select(m_and(known, v_le(v_abs(step.delta), distance)),
-                       step.error, v_set(HUGE_VAL));
+                                                s.error, v_set(0), distance);
+    const vd share = step.delta / s.slope, q = share * s.curvature;
+    const vd most = v_abs(share) * s.most;
+    const vd second =
+        v_sum_of(v_set(9) * most, most, v_abs(share) * s.curvature_error);
+    const vm known = m_and(v_le(v_set(4) * s.error, v_abs(s.slope)),
+                           v_le(v_set(8) * s.most * distance, v_abs(s.slope)));
+    r.tail = -v_sum_of(step.delta, q, step.delta);
+    r.error =
+        v_select(m_and(known, v_le(v_abs(step.delta), distance)),
+                 v_sum_of(v_abs(step.delta), second, v_set(2) * step.error),
+                 v_set(HUGE_VAL));
     return r;
 }
 

@@ -1,11 +1,7 @@
 /*
  * test_chord.c - the chords of a line in one shape, against the oracle
  *
- * The oracle gives the roots of the whole line.  Between two roots the line is inside if
- * one point of it is: this point is exact, and the oracle decides it.  So the sides of
- * hits and the relation, which the library uses, are not used here.
- *
- * CYLINT_CASES: lines in each test.
+ * CYLINT_CASES: lines of each family.  test_halfspace.c has those of half-spaces.
  */
 #include <float.h>
 #include <math.h>
@@ -13,6 +9,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "constructed.h"
 #include "cylint_pieces.h"
 #include "environment.h"
 #include "random.h"
@@ -29,360 +26,129 @@ static int choice(int n)
     return random_int(&rng, n);
 }
 
-/* ------------------------------------------------ shapes of integers -- */
-
-enum { CYLINDER, CONE, TANGENT, ELLIPTIC, BALL, ROUND, HALFSPACE, FAMILIES };
-
-/* Numbers that a constructor takes, before they are multiplied by a power of two. */
-typedef struct {
-    int family;
-    cylint_ends ends;
-    double p[3], q[3], a[3], b[3], r, s;
-} recipe;
-
-static void draw_vector(double v[3], int most)
-{
-    for (int i = 0; i < 3; i++)
-        v[i] = choice(2 * most + 1) - most;
-}
-
-static recipe draw_shape(int most)
-{
-    recipe x = {.family = choice(FAMILIES), .ends = (cylint_ends)choice(6)};
-    draw_vector(x.p, most);
-    draw_vector(x.q, most);
-    draw_vector(x.a, most);
-    draw_vector(x.b, most);
-    x.r = choice(most + 1);
-    x.s = choice(most + 1);
-    return x;
-}
-
-static void scale(double to[3], const double from[3], int e)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = ldexp(from[i], e);
-}
-
-/* The shape times 2^e. */
-static cylint_status make_shape(cylint_shape *shape, const recipe *x, int e)
-{
-    const double r = ldexp(x->r, e), s = ldexp(x->s, e);
-    const cylint_ends ends = x->ends;
-    double p[3], q[3], a[3], b[3];
-    scale(p, x->p, e);
-    scale(q, x->q, e);
-    scale(a, x->a, e);
-    scale(b, x->b, e);
-    switch (x->family) {
-    case CYLINDER:
-        return cylint_cylinder(shape, p, q, r, ends);
-    case CONE:
-        return cylint_cone(shape, p, r, q, s, ends);
-    case TANGENT:
-        return cylint_tangent_cone(shape, p, a, x->r / 2, ends);
-    case ELLIPTIC:
-        return cylint_elliptic_cone(shape, p, a, b, q, x->r / 2, ends);
-    case BALL:
-        return cylint_sphere(shape, p, r, CYLINT_ENDS_CAPPED);
-    case ROUND:
-        return cylint_round_cone(shape, p, r, q, s, ends);
-    default:
-        return cylint_halfspace(shape, p, a);
-    }
-}
-
-/* A line, a ray, a span or a segment; the domain's ends have few bits. */
-typedef struct {
-    int constructor;
-    double o[3], d[3], tmin, tmax;
-} line_recipe;
-
-static line_recipe draw_line(int most)
-{
-    line_recipe x = {.constructor = choice(4)};
-    draw_vector(x.o, most);
-    draw_vector(x.d, choice(2) ? 2 : most);
-    x.tmin = choice(17) / 4.0 - 2;
-    x.tmax = x.tmin + choice(17) / 4.0;
-    if (choice(4) == 0)
-        x.tmin = -HUGE_VAL;
-    if (choice(4) == 0)
-        x.tmax = HUGE_VAL;
-    return x;
-}
-
-/* o times 2^e, d times 2^f. */
-static cylint_status make_line(cylint_line *line, const line_recipe *x, int e,
-                               int f)
-{
-    double o[3], d[3];
-    scale(o, x->o, e);
-    scale(d, x->d, f);
-    switch (x->constructor) {
-    case 0:
-        return cylint_whole_line(line, o, d);
-    case 1:
-        return cylint_ray(line, o, d);
-    case 2:
-        return cylint_span(line, o, d, ldexp(x->tmin, e - f),
-                           ldexp(x->tmax, e - f));
-    default:
-        scale(d, x->d, e);
-        return cylint_segment(line, o, d);
-    }
-}
-
 static int same_chords(int n, const cylint_interval *x, int m,
                        const cylint_interval *y)
 {
-    for (int i = 0; i < n && n == m; i++)
-        if (!(x[i].t0 == y[i].t0) || !(x[i].t1 == y[i].t1))
-            return 0;
-    return n == m;
-}
-
-static void report(const recipe *x, const line_recipe *l, int n,
-                   const cylint_interval *c, int m, const cylint_interval *e)
-{
-    REPORT("family %d ends %d p %g %g %g q %g %g %g a %g %g %g b %g %g %g "
-           "r %g %g, line %d: %g %g %g, %g %g %g in %g %g",
-           x->family, (int)x->ends, x->p[0], x->p[1], x->p[2], x->q[0], x->q[1],
-           x->q[2], x->a[0], x->a[1], x->a[2], x->b[0], x->b[1], x->b[2], x->r,
-           x->s, l->constructor, l->o[0], l->o[1], l->o[2], l->d[0], l->d[1],
-           l->d[2], l->tmin, l->tmax);
-    for (int i = 0; i < n; i++)
-        REPORT("got [%a, %a]", c[i].t0, c[i].t1);
-    for (int i = 0; i < m; i++)
-        REPORT("not [%a, %a]", e[i].t0, e[i].t1);
+    int same = n == m;
+    for (int i = 0; i < n && same; i++)
+        same = x[i].t0 == y[i].t0 && x[i].t1 == y[i].t1;
+    return same;
 }
 
 /* --------------------------------------------------------- the oracle -- */
 
 #ifdef HAVE_MPFR
 
-/* The lines that the tests compared and those with chords. */
-static long compared, with_chords, skipped;
+static long compared, with_chords;
 
-static cylint_ends closed_ends(const cylint_shape *shape)
+/* The chords of the closed solid and the domain, from the oracle's hits of the whole
+ * line: their sides and the relation say between which of them the line is inside. */
+static int expected_chords(const struct family_case *c, cylint_interval *chord)
 {
-    const int is_unbounded =
-        shape->ends == CYLINT_ENDS_INFINITE || shape->ends == CYLINT_ENDS_NAPPE;
-    return is_unbounded ? (cylint_ends)shape->ends : CYLINT_ENDS_CAPPED;
-}
-
-static double dot(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
-/* The roots of the whole line as nearest doubles, ascending. */
-static int roots_of(const recipe *x, const cylint_shape *shape,
-                    const cylint_line *line, double root[2])
-{
-    cylint_answer answer;
-    cylint_shape closed = *shape;
-    cylint_line whole = *line;
-    if (x->family == HALFSPACE) {
-        const double slope = dot(line->d, x->a);
-        root[0] = (dot(x->p, x->a) - dot(line->o, x->a)) / slope + 0.0;
-        return slope != 0;
-    }
-    closed.ends = closed_ends(shape);
+    cylint_shape closed = c->shape;
+    cylint_line whole = c->line;
+    cylint_answer a;
+    double end[4] = {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    int kept = 0;
+    if (closed.ends < CYLINT_ENDS_INFINITE)
+        closed.ends = CYLINT_ENDS_CAPPED;
     whole.tmin = -HUGE_VAL;
     whole.tmax = HUGE_VAL;
-    oracle_intersect(&closed, &whole, CYLINT_WANT_T, &answer);
-    for (int i = 0; i < answer.n; i++)
-        root[i] = answer.hit[i].t;
-    return answer.n;
-}
-
-/* A t between two doubles with few bits; or NAN. */
-static double between(double t0, double t1)
-{
-    if (t0 < -DBL_MAX)
-        return t1 > DBL_MAX ? 0 : floor(t1) - 1;
-    if (t1 > DBL_MAX)
-        return ceil(t0) + 1;
-    for (int bits = 0; bits < 36; bits++) {
-        const double t = ldexp(floor(ldexp(t0, bits)) + 1, -bits);
-        if (t < t1)
-            return t;
-    }
-    return (double)NAN;
-}
-
-static int is_inside(const recipe *x, const cylint_shape *shape,
-                     const cylint_line *line, double t)
-{
-    double point[3];
-    for (int i = 0; i < 3; i++)
-        point[i] = line->o[i] + t * line->d[i];
-    if (x->family == HALFSPACE)
-        return dot(point, x->a) <= dot(x->p, x->a);
-    return oracle_contains(shape, point) >= 0;
-}
-
-/* The pairs of ends of the overlap of the whole line and the closed solid, as indices
- * of roots: 0 stands for -infinity, roots + 1 for infinity.  -1: two roots are too near
- * each other. */
-static int overlaps_of(const recipe *x, const cylint_shape *shape,
-                       const cylint_line *line, int pair[3][2])
-{
-    double end[4] = {-HUGE_VAL};
-    int n = 0, was_inside = 0;
-    const int roots = roots_of(x, shape, line, end + 1);
-    end[roots + 1] = HUGE_VAL;
-    for (int i = 0; i <= roots; i++) {
-        const double t = between(end[i], end[i + 1]);
-        if (t != t)
-            return -1;
-        const int inside = is_inside(x, shape, line, t);
-        if (inside && was_inside)
-            pair[n - 1][1] = i + 1;
-        if (inside && !was_inside) {
-            pair[n][0] = i;
-            pair[n++][1] = i + 1;
+    oracle_intersect(&closed, &whole, CYLINT_WANT_T, &a);
+    if (a.relation == CYLINT_RELATION_MISS ||
+        a.relation == CYLINT_RELATION_TOUCH)
+        return 0;
+    int inside = a.n == 0 || a.hit[0].side != CYLINT_SIDE_ENTERING;
+    for (int i = 0; i < a.n; i++)
+        end[i + 1] = a.hit[i].t;
+    for (int i = 0; i <= a.n; i++) {
+        if (inside) {
+            const double t0 = fmax(end[i], c->line.tmin);
+            const double t1 = fmin(end[i + 1], c->line.tmax);
+            if (t0 < t1 && kept > 0 && a.hit[i - 1].side == CYLINT_SIDE_BOTH)
+                chord[kept - 1].t1 = t1; /* through the apex */
+            else if (t0 < t1)
+                chord[kept++] = (cylint_interval){t0, t1};
         }
-        was_inside = inside;
+        if (i < a.n && a.hit[i].side != CYLINT_SIDE_BOTH)
+            inside = a.hit[i].side == CYLINT_SIDE_ENTERING;
     }
-    return n;
+    return kept;
 }
 
-/* The chords of these overlaps with the ends `end`. */
-static int chords_of(int n, int (*pair)[2], const double *end,
-                     const cylint_line *line, cylint_interval *chord)
+/* Sometimes a domain that begins or ends at a hit of the whole line or beside it. */
+static void limit(struct family_case *c)
 {
-    int kept = 0;
-    for (int i = 0; i < n; i++) {
-        chord[kept].t0 = fmax(end[pair[i][0]], line->tmin);
-        chord[kept].t1 = fmin(end[pair[i][1]], line->tmax);
-        kept += chord[kept].t0 < chord[kept].t1;
-    }
-    return n < 0 ? n : kept;
+    cylint_line whole = c->line;
+    cylint_answer a;
+    whole.tmin = -HUGE_VAL;
+    whole.tmax = HUGE_VAL;
+    cylint_intersect(&c->shape, &whole, CYLINT_WANT_T, &a);
+    if (a.n == 0 || choice(2))
+        return;
+    const double t = a.hit[choice(a.n)].t;
+    if (fabs(t) < DBL_MAX)
+        *(choice(2) ? &c->line.tmin : &c->line.tmax) =
+            constructed_stepped(t, choice(3) - 1);
+    if (!(c->line.tmin <= c->line.tmax))
+        c->line.tmin = c->line.tmax;
 }
 
-/* A shape and a line times 2^e, its direction times 2^f, and the chords. */
-typedef struct {
-    recipe shape_of;
-    line_recipe line_of;
-    cylint_shape shape;
-    cylint_line line;
-    int n; /* -1: not known */
-    cylint_interval chord[3];
-} chord_case;
-
-/* Whether the ends of halfspaces are known: roots times a power of two that are not
- * subnormal. */
-static int scale_root_of_plane(double *root, int by)
+/* The expected chords are those of the default environment. */
+static void compare_chords(struct family_case *c, struct environment there)
 {
-    const double scaled = ldexp(*root, by);
-    const int is_exact = *root == 0 || fabs(scaled) >= DBL_MIN;
-    *root = scaled;
-    return is_exact;
-}
-
-static int make_case(chord_case *c, int most, int e, int f)
-{
-    cylint_shape shape;
-    cylint_line line;
-    double end[4] = {-HUGE_VAL};
-    int pair[3][2], roots;
-    c->shape_of = draw_shape(most);
-    c->line_of = draw_line(most);
-    if (make_shape(&shape, &c->shape_of, 0) != CYLINT_OK ||
-        make_line(&line, &c->line_of, 0, 0) != CYLINT_OK)
-        return 0;
-    if (!CHECK(make_shape(&c->shape, &c->shape_of, e) == CYLINT_OK) ||
-        !CHECK(make_line(&c->line, &c->line_of, e, f) == CYLINT_OK))
-        return 0;
-    const int n = overlaps_of(&c->shape_of, &shape, &line, pair);
-    int is_known = n >= 0;
-    if (c->shape_of.family == HALFSPACE) {
-        const int by = c->line_of.constructor == 3 ? 0 : e - f;
-        roots = roots_of(&c->shape_of, &shape, &line, end + 1);
-        is_known = is_known && (roots == 0 || scale_root_of_plane(end + 1, by));
-    } else {
-        roots = roots_of(&c->shape_of, &c->shape, &c->line, end + 1);
-    }
-    end[roots + 1] = HUGE_VAL;
-    c->n = is_known ? chords_of(n, pair, end, &c->line, c->chord) : -1;
-    skipped += c->n < 0;
-    compared += c->n >= 0;
-    with_chords += c->n > 0;
-    return c->n >= 0;
-}
-
-static void compare_chords(const chord_case *c)
-{
-    cylint_interval got[2];
+    cylint_interval got[2], want[3];
+    limit(c);
+    const int m = expected_chords(c, want);
+    environment_set(there);
     const int n = cylint_chord(&c->shape, &c->line, got);
-    if (!CHECK(same_chords(n, got, c->n, c->chord)))
-        report(&c->shape_of, &c->line_of, n, got, c->n, c->chord);
+    environment_reset();
+    compared++;
+    with_chords += m > 0;
+    if (CHECK(same_chords(n, got, m, want)))
+        return;
+    REPORT_CASE(c);
+    REPORT("domain %a %a", c->line.tmin, c->line.tmax);
+    for (int i = 0; i < n; i++)
+        REPORT("got [%a, %a]", got[i].t0, got[i].t1);
+    for (int i = 0; i < m; i++)
+        REPORT("not [%a, %a]", want[i].t0, want[i].t1);
 }
 
-/* An unsuitable draw counts as no case. */
-static void compare_many(long cases, int is_scaled)
+static void compare_many(struct environment there, uint64_t cases)
 {
-    compared = with_chords = skipped = 0;
-    for (long i = 0; i < cases; i++) {
-        const int most = i % 4 == 0 ? 2 : i % 4 == 1 ? 9 : 4;
-        const int e = is_scaled ? choice(2094) - 1074 : 0;
-        const int f = is_scaled == 1 ? choice(2094) - 1074
-                      : is_scaled    ? e + choice(61) - 30
-                                     : 0;
-        chord_case c;
-        if (make_case(&c, most, e, f < -1074 ? -1074 : f > 1019 ? 1019 : f))
-            compare_chords(&c);
+    struct family_case c;
+    for (int family = 0; family < family_count(); family++)
+        for (uint64_t i = 0; i < cases; i++) {
+            family_case(6, family, i, &c);
+            compare_chords(&c, there);
+        }
+    for (uint64_t i = 0; i < 20 * cases; i++) {
+        if (i % 4 == 3)
+            constructed_plain(6, i, &c);
+        else
+            constructed_base(6, i, &c);
+        compare_chords(&c, there);
     }
-    CHECK(compared > cases / 2 && with_chords > cases / 20);
-    CHECK(skipped < cases / 10);
-    fprintf(stderr, "%ld lines, %ld with chords, %ld left out\n", compared,
-            with_chords, skipped);
 }
 
-static void chords_of_integers_are_those_of_the_oracle(void)
+static void chords_are_those_of_the_oracle(void)
 {
     rng = 1;
-    compare_many((long)check_setting("CYLINT_CASES", 24000), 0);
+    compared = with_chords = 0;
+    compare_many(environment_of(0), check_setting("CYLINT_CASES", 800));
+    CHECK(with_chords > compared / 20);
+    printf("note: %ld lines, %ld with chords\n", compared, with_chords);
 }
 
-/* Of the shape and the direction, independently: many roots over- or underflow. */
-static void chords_scale_by_all_powers_of_two(void)
-{
-    rng = 2;
-    compare_many((long)check_setting("CYLINT_CASES", 12000), 1);
-}
-
-/* By nearly the same power, so that roots are not. */
-static void chords_at_all_exponents_are_those_of_the_oracle(void)
-{
-    rng = 3;
-    compare_many((long)check_setting("CYLINT_CASES", 12000), 2);
-}
-
-/* The expected chords are made with the default settings. */
 static void compare_there(struct environment there)
 {
-    const long cases = (long)check_setting("CYLINT_CASES", 16000) / 16;
-    rng = 4;
-    for (long i = 0; i < cases; i++) {
-        const int e = i % 2 ? choice(2094) - 1074 : 0;
-        const int f = i % 4 == 1 ? choice(2094) - 1074 : e;
-        cylint_interval got[2];
-        chord_case c;
-        if (!make_case(&c, 4, e, f))
-            continue;
-        environment_set(there);
-        const int n = cylint_chord(&c.shape, &c.line, got);
-        environment_reset();
-        if (!CHECK(same_chords(n, got, c.n, c.chord)))
-            report(&c.shape_of, &c.line_of, n, got, c.n, c.chord);
-    }
+    compare_many(there, check_setting("CYLINT_CASES", 800) / 50);
 }
 
 static void chords_are_the_same_in_every_environment(void)
 {
+    rng = 4;
     everywhere(compare_there);
 }
 
@@ -426,7 +192,7 @@ static double error_of_length(const cylint_line *line)
 /* Of exponents that are near each other, of all, or about the least normal one. */
 static void a_length_is_within_0501_units(void)
 {
-    const long cases = (long)check_setting("CYLINT_CASES", 20000);
+    const long cases = 60 * (long)check_setting("CYLINT_CASES", 800);
     double worst = 0;
     rng = 5;
     for (long i = 0; i < cases; i++) {
@@ -605,9 +371,7 @@ static void roots_beyond_the_largest_double_are_infinite(void)
 int main(void)
 {
 #ifdef HAVE_MPFR
-    RUN(chords_of_integers_are_those_of_the_oracle);
-    RUN(chords_scale_by_all_powers_of_two);
-    RUN(chords_at_all_exponents_are_those_of_the_oracle);
+    RUN(chords_are_those_of_the_oracle);
     RUN(chords_are_the_same_in_every_environment);
     RUN(a_length_is_within_0501_units);
 #endif

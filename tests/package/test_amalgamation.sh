@@ -81,7 +81,7 @@ done
 for t in library/test_batch library/test_environment numbers/test_exact \
     library/test_intersect library/test_interface methods/test_ordinary \
     methods/test_degenerate methods/test_misprints library/test_outside \
-    library/test_properties shapes/test_round_constructors \
+    library/test_properties \
     shapes/test_constructors library/test_hits roots/test_midpoints \
     bvh/test_nodes scene/test_paths scene/test_many \
     bounds/test_scene_point_bounds; do

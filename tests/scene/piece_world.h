@@ -8,7 +8,9 @@
 #include <stdlib.h>
 
 #include "cylint_scene.h"
+#include "check.h"
 #include "integer_shapes.h"
+#include "same.h"
 
 enum { SHAPES = 24, MEMBERS = 48, SOLIDS = 8, MOST = 4096, LINES = 40 };
 
@@ -195,6 +197,46 @@ static inline size_t expected_chords(cylint_piece *to)
         }
     }
     qsort(to, n, sizeof *to, compare_pieces);
+    return n;
+}
+
+static inline int same_piece(const cylint_piece *x, const cylint_piece *y)
+{
+    return same_double(x->t0, y->t0) && same_double(x->t1, y->t1) &&
+           x->shape == y->shape && x->depth == y->depth;
+}
+
+/* ----------------------------------------------------------- workspaces -- */
+
+static double workspace[1 << 16];
+
+/* At first too small, or large. */
+static inline cylint_workspace any_workspace(void)
+{
+    return (cylint_workspace){workspace, (size_t)choice(2) * sizeof workspace,
+                              0};
+}
+
+/* Whether a query is to be repeated with more memory. */
+static inline int needs_more(size_t n, cylint_workspace *work)
+{
+    if (n != CYLINT_NO_ROOM)
+        return 0;
+    if (!CHECK(work->wanted > work->bytes && work->wanted <= sizeof workspace))
+        exit(1);
+    work->bytes = work->wanted;
+    return 1;
+}
+
+static inline size_t pieces_in_world(const cylint_line *line,
+                                     const cylint_piece_rule *rule,
+                                     cylint_piece *to, size_t capacity)
+{
+    cylint_workspace work = any_workspace();
+    size_t n;
+    do
+        n = cylint_scene_pieces(world.scene, line, rule, to, capacity, &work);
+    while (needs_more(n, &work));
     return n;
 }
 

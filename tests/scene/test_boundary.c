@@ -18,30 +18,6 @@
 #include "cylint_scene.h"
 #include "piece_world.h"
 
-static int same_double(double x, double y)
-{
-    return memcmp(&x, &y, sizeof x) == 0;
-}
-
-/* Memory that is at first too small, or large. */
-static double memory[1 << 16];
-
-static cylint_workspace any_workspace(void)
-{
-    return (cylint_workspace){memory, (size_t)choice(2) * sizeof memory, 0};
-}
-
-/* Whether a query is to be repeated with more memory. */
-static int needs_more(size_t n, cylint_workspace *work)
-{
-    if (n != CYLINT_NO_ROOM)
-        return 0;
-    if (!CHECK(work->wanted > work->bytes && work->wanted <= sizeof memory))
-        exit(1);
-    work->bytes = work->wanted;
-    return 1;
-}
-
 /* ------------------------------------------------------ first boundary -- */
 
 typedef struct {
@@ -120,17 +96,6 @@ static int expected_hit(const boundary *b, cylint_hit *hit)
     return 0;
 }
 
-static int same_hit(const cylint_hit *x, const cylint_hit *y)
-{
-    int same = x->part == y->part && x->side == y->side &&
-               same_double(x->t, y->t) && same_double(x->z, y->z) &&
-               same_double(x->phi, y->phi);
-    for (int i = 0; i < 3; i++)
-        same = same && same_double(x->point[i], y->point[i]) &&
-               same_double(x->normal[i], y->normal[i]);
-    return same;
-}
-
 static size_t first_boundary(unsigned want, cylint_hit *hit)
 {
     cylint_workspace work = any_workspace();
@@ -158,7 +123,8 @@ static void check_boundary(void)
         return;
     boundaries++;
     in_bores += b.is_complement;
-    if (!CHECK(expected_hit(&b, &expected) && same_hit(&got, &expected)))
+    if (!CHECK(expected_hit(&b, &expected) &&
+               same_hit(&got, &expected, CYLINT_WANT_ALL)))
         REPORT("shape %zu, t %a, part %d, side %d", n, got.t, got.part,
                got.side);
     const double along =
@@ -320,19 +286,7 @@ static cylint_lines many_lines(void)
 static size_t pieces_of(size_t i, const cylint_piece_rule *rule, size_t most,
                         cylint_piece *to)
 {
-    cylint_workspace work = any_workspace();
-    size_t n;
-    do
-        n = cylint_scene_pieces(world.scene, &each[i], rule, to,
-                                most > 0 ? most : MOST, &work);
-    while (needs_more(n, &work));
-    return n;
-}
-
-static int same_piece(const cylint_piece *x, const cylint_piece *y)
-{
-    return same_double(x->t0, y->t0) && same_double(x->t1, y->t1) &&
-           x->shape == y->shape && x->depth == y->depth;
+    return pieces_in_world(&each[i], rule, to, most > 0 ? most : MOST);
 }
 
 static void check_rows(const cylint_lines *lines, const cylint_piece_rule *rule,

@@ -25,8 +25,7 @@ static void draw_lines(void)
 /* All bits of the pieces of the lines in all modes. */
 static size_t all_pieces(const cylint_scene *scene, cylint_piece *to)
 {
-    static double memory[1 << 16];
-    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_workspace work = {workspace, sizeof workspace, 0};
     size_t n = 0;
     memset(to, 0, MOST * sizeof *to);
     for (int i = 0; i < FEW; i++)
@@ -331,8 +330,7 @@ static void query_with(size_t bytes, int query, int of, query_answer *a,
 
 static void check_sizes(int query, int of)
 {
-    static double memory[1 << 16];
-    cylint_workspace large = {memory, sizeof memory, 0};
+    cylint_workspace large = {workspace, sizeof workspace, 0};
     query_answer expected, a;
     size_t wanted, bytes = 0, enough;
     make_query(query, of, &large, &expected);

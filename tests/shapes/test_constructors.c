@@ -8,6 +8,7 @@
 #include "check.h"
 #include "cylint.h"
 #include "families.h"
+#include "random.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
 #include "shapes/shape_facts.h"
@@ -17,15 +18,28 @@ static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
 static const double axis_z[3] = {0, 0, 1}, origin[3] = {0, 0, 0};
 static const double axis_x[3] = {1, 0, 0}, axis_y[3] = {0, 1, 0};
 
+enum { WORDS = FAMILY_RCONE + 1 };
+
+/* The greatest value of `ends` that a shape may have. */
+static int most_ends(int word)
+{
+    return word == FAMILY_SPHERE  ? CYLINT_ENDS_CAPPED
+           : word > FAMILY_SPHERE ? CYLINT_ENDS_CAP1
+                                  : CYLINT_ENDS_NAPPE;
+}
+
 /* A valid case of each shape word; tests change its data. */
 static struct family_case good_case(family_shape word)
 {
-    static const double data[5][13] = {
+    static const double data[WORDS][13] = {
         {0, 0, 0, 0, 0, 1, 1},
         {0, 0, 0, 1, 0, 0, 1, 0.5},
         {0, 0, 0, 0, 0, 1, 30},
         {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
-        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5}};
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5},
+        {0, 0, 0, 1},
+        {0, 0, 0, 0, 0, 1, 1},
+        {0, 0, 0, 1, 0, 0, 1, 0.5}};
     static const double line[8] = {0, 0, -1, 0, 0, 1, 0, 5};
     struct family_case c;
     memset(&c, 0, sizeof c);
@@ -56,20 +70,25 @@ static int answers_miss(const cylint_shape *shape, const cylint_line *line)
 
 static void good_shapes_are_accepted_with_all_ends(void)
 {
-    for (int word = 0; word < 5; word++) {
+    static const int kinds[WORDS] = {
+        CYLINT_KIND_CYLINDER,  CYLINT_KIND_CONE,  CYLINT_KIND_ACONE,
+        CYLINT_KIND_ECYLINDER, CYLINT_KIND_ECONE, CYLINT_KIND_SPHERE,
+        CYLINT_KIND_CAPSULE,   CYLINT_KIND_RCONE};
+    for (int word = 0; word < WORDS; word++)
         for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             struct family_case c = good_case((family_shape)word);
+            const int good = ends <= most_ends(word);
             c.ends = (cylint_ends)ends;
-            CHECK(family_make(&c));
-            CHECK((int)c.shape.ends == ends);
-            CHECK(c.shape.kind != CYLINT_KIND_NONE);
+            CHECK(family_make(&c) == good);
+            CHECK(c.shape_status == (good ? CYLINT_OK : CYLINT_EENDS));
+            CHECK(c.shape.kind == (good ? kinds[word] : CYLINT_KIND_NONE));
+            CHECK(!good || (int)c.shape.ends == ends);
         }
-    }
 }
 
 static void a_number_that_is_not_finite_is_refused_in_every_place(void)
 {
-    for (int word = 0; word < 5; word++) {
+    for (int word = 0; word < WORDS; word++) {
         const int n = family_shape_size((family_shape)word);
         for (int i = 0; i < n; i++) {
             for (int k = 0; k < 3; k++) {
@@ -83,7 +102,7 @@ static void a_number_that_is_not_finite_is_refused_in_every_place(void)
 static void ends_outside_the_list_are_refused(void)
 {
     static const int values[] = {-1, CYLINT_ENDS_NAPPE + 1, 1000};
-    for (int word = 0; word < 5; word++) {
+    for (int word = 0; word < WORDS; word++) {
         for (int i = 0; i < 3; i++) {
             struct family_case c = good_case((family_shape)word);
             c.ends = (cylint_ends)values[i];
@@ -113,20 +132,37 @@ static void an_axis_without_length_is_refused(void)
 
 static void radii_must_not_be_negative_nor_all_zero(void)
 {
-    CHECK(spoiled(FAMILY_CYLINDER, 6, -1) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_CYLINDER, 6, -5e-324) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_CYLINDER, 6, 0) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_CYLINDER, 6, -0.0) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_CYLINDER, 6, 5e-324) == CYLINT_OK);
-    CHECK(spoiled(FAMILY_CONE, 3, -1) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_CONE, 7, -5e-324) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_CONE, 3, 0) == CYLINT_OK);
-    CHECK(spoiled(FAMILY_CONE, 7, -0.0) == CYLINT_OK);
-    CHECK(spoiled(FAMILY_ECONE, 12, -1) == CYLINT_ERADIUS);
-    CHECK(spoiled(FAMILY_ECONE, 12, 0) == CYLINT_OK);
-    CHECK(spoiled(FAMILY_ECONE, 12, -0.0) == CYLINT_OK);
+    static const struct {
+        family_shape word;
+        int at;
+        double x;
+        cylint_status status;
+    } row[] = {{FAMILY_CYLINDER, 6, -1, CYLINT_ERADIUS},
+               {FAMILY_CYLINDER, 6, -5e-324, CYLINT_ERADIUS},
+               {FAMILY_CYLINDER, 6, 0, CYLINT_ERADIUS},
+               {FAMILY_CYLINDER, 6, -0.0, CYLINT_ERADIUS},
+               {FAMILY_CYLINDER, 6, 5e-324, CYLINT_OK},
+               {FAMILY_CONE, 3, -1, CYLINT_ERADIUS},
+               {FAMILY_CONE, 7, -5e-324, CYLINT_ERADIUS},
+               {FAMILY_CONE, 3, 0, CYLINT_OK},
+               {FAMILY_CONE, 7, -0.0, CYLINT_OK},
+               {FAMILY_ECONE, 12, -1, CYLINT_ERADIUS},
+               {FAMILY_ECONE, 12, 0, CYLINT_OK},
+               {FAMILY_ECONE, 12, -0.0, CYLINT_OK},
+               {FAMILY_SPHERE, 3, 0, CYLINT_ERADIUS},
+               {FAMILY_SPHERE, 3, -1, CYLINT_ERADIUS},
+               {FAMILY_CAPSULE, 6, 0, CYLINT_ERADIUS},
+               {FAMILY_RCONE, 7, -5e-324, CYLINT_ERADIUS},
+               {FAMILY_RCONE, 3, 0, CYLINT_OK},
+               {FAMILY_RCONE, 7, -0.0, CYLINT_OK}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        if (!CHECK(spoiled(row[i].word, row[i].at, row[i].x) == row[i].status))
+            REPORT("word %d, number %d: %g", (int)row[i].word, row[i].at,
+                   row[i].x);
     cylint_shape s;
     CHECK(cylint_cone(&s, origin, 0, axis_z, -0.0, CYLINT_ENDS_OPEN) ==
+          CYLINT_ERADIUS);
+    CHECK(cylint_round_cone(&s, origin, 0, axis_z, 0, CYLINT_ENDS_OPEN) ==
           CYLINT_ERADIUS);
 }
 
@@ -230,7 +266,7 @@ static void an_invalid_shape_or_line_misses_with_the_flag(void)
     cylint_line line, no_line;
     cylint_whole_line(&line, origin, axis_x);
     cylint_ray(&no_line, origin, origin);
-    for (int word = 0; word < 5; word++) {
+    for (int word = 0; word < WORDS; word++) {
         struct family_case c = good_case((family_shape)word);
         family_make(&c);
         CHECK(answers_miss(&c.shape, &no_line));
@@ -247,26 +283,11 @@ static void an_invalid_shape_or_line_misses_with_the_flag(void)
     }
 }
 
-static void bounds_writes_three_numbers_to_each_array(void)
-{
-    for (int word = 0; word < 5; word++)
-        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
-            struct family_case c = good_case((family_shape)word);
-            double lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
-            c.ends = (cylint_ends)ends;
-            CHECK(family_make(&c));
-            cylint_bounds(&c.shape, lo, hi);
-            CHECK(lo[3] == 7 && hi[3] == 7);
-            for (int i = 0; i < 3; i++)
-                CHECK(lo[i] < hi[i]);
-        }
-}
-
 static void points_that_are_not_finite_are_outside(void)
 {
-    for (int word = 0; word < 5; word++) {
+    for (int word = 0; word < WORDS; word++) {
         struct family_case c = good_case((family_shape)word);
-        c.ends = CYLINT_ENDS_INFINITE;
+        c.ends = (cylint_ends)(word < FAMILY_SPHERE ? CYLINT_ENDS_INFINITE : 0);
         family_make(&c);
         for (int i = 0; i < 9; i++) {
             double p[3] = {0, 0, 0.5};
@@ -322,7 +343,111 @@ static void extreme_shapes_are_accepted(void)
     CHECK(cylint_cone(&s, low, DBL_MAX, high, 0, 0) == CYLINT_OK);
 }
 
+/* ------------------------------------------------ rounded cones as balls -- */
+
+static const double up[3] = {0, 0, 2};
+
+static int is_ball(const cylint_shape *s, const double c[3], double r, int part)
+{
+    return s->kind == CYLINT_KIND_SPHERE && cylint_r0(s) == r &&
+           cylint_surface(s) == part &&
+           memcmp(cylint_base(s), c, 3 * sizeof(double)) == 0;
+}
+
+static void the_ball_that_holds_the_other_is_the_shape(void)
+{
+    cylint_shape s;
+    CHECK(cylint_round_cone(&s, origin, 3, up, 1, CYLINT_ENDS_OPEN) ==
+          CYLINT_OK);
+    CHECK(is_ball(&s, origin, 3, CYLINT_PART_CAP0));
+    CHECK(cylint_round_cone(&s, origin, 1, up, 3, CYLINT_ENDS_CAP0) ==
+          CYLINT_OK);
+    CHECK(is_ball(&s, up, 3, CYLINT_PART_CAP1));
+    CHECK(cylint_round_cone(&s, origin, nextafter(3, 0), up, 1,
+                            CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    CHECK(s.kind == CYLINT_KIND_RCONE);
+    CHECK(cylint_capsule(&s, up, up, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    CHECK(is_ball(&s, up, 1, CYLINT_PART_CAP0));
+    CHECK(cylint_round_cone(&s, origin, 0, origin, 1, CYLINT_ENDS_CAPPED) ==
+          CYLINT_OK);
+    CHECK(is_ball(&s, origin, 1, CYLINT_PART_CAP1));
+    CHECK(cylint_sphere(&s, up, 2, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    CHECK(is_ball(&s, up, 2, CYLINT_PART_LATERAL));
+}
+
+/* z and phi of a hit are those of the axis from p0 to p1, also where only the
+ * ball about p1 is left.  Without axis they are 0. */
+static void z_and_phi_of_a_ball_are_those_of_the_axis(void)
+{
+    const double o[3] = {0, 0, -9}, y[3] = {0, 1, -9}, d[3] = {0, 0, 1};
+    cylint_shape s;
+    cylint_line line;
+    cylint_answer a;
+    cylint_whole_line(&line, o, d);
+    cylint_round_cone(&s, origin, 1, up, 3, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
+    CHECK(a.hit[0].t == 8 && a.hit[0].z == -0.5 && a.hit[0].phi == 0);
+    CHECK(a.hit[1].t == 14 && a.hit[1].z == 2.5);
+    CHECK(a.hit[0].part == CYLINT_PART_CAP1 && a.hit[1].normal[2] == 1);
+    cylint_capsule(&s, up, up, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
+    CHECK(a.hit[0].t == 10 && a.hit[0].z == 0 && a.hit[1].phi == 0);
+    cylint_whole_line(&line, y, d);
+    for (int turned = 0; turned < 2; turned++) {
+        cylint_round_cone(&s, turned ? up : origin, 1, turned ? origin : up, 3,
+                          CYLINT_ENDS_CAPPED);
+        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
+        CHECK(a.hit[0].phi == (turned ? 0 : 0.5));
+        CHECK(fabs(a.hit[1].z - (turned ? 1 - sqrt(2) : 1 + sqrt(2))) < 1e-15);
+    }
+    cylint_round_cone(&s, up, 1.5, up, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
+    CHECK(a.hit[0].z == 0 && a.hit[0].phi == 0 && a.hit[1].phi == 0);
+}
+
 #ifdef HAVE_MPFR
+
+/* sum[0] + sum[1] = x^2 or, with a negative sign, -x^2, exactly. */
+static void add_square(double sum[2], double x, int sign)
+{
+    sum[0] = sign * (x * x);
+    sum[1] = sign * fma(x, x, -(x * x));
+}
+
+/* |w|^2 <= dr^2 decides which kind it is; here w = p1 and dr are exact. */
+static void the_kind_is_decided_exactly(void)
+{
+    uint64_t stream = 15;
+    long balls = 0, cones = 0;
+    for (int i = 0; i < 100000; i++) {
+        double w[3], sum[8];
+        const double scale = ldexp(1, random_int(&stream, 200) - 100);
+        for (int j = 0; j < 3; j++)
+            w[j] =
+                scale * (random_int(&stream, 2) ? random_int(&stream, 40) - 20
+                                                : random_unit(&stream));
+        double r = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        for (int k = random_int(&stream, 3); k > 0; k--)
+            r = nextafter(r, random_int(&stream, 2) ? HUGE_VAL : 0);
+        for (int j = 0; j < 3; j++)
+            add_square(sum + 2 * j, w[j], 1);
+        add_square(sum + 6, r, -1);
+        const int is_cone = oracle_sum_sign(sum, 8) > 0;
+        cylint_shape s;
+        if (r == 0)
+            continue;
+        const int end = random_int(&stream, 2);
+        CHECK(cylint_round_cone(&s, origin, end ? r : 0, w, end ? 0 : r,
+                                CYLINT_ENDS_CAPPED) == CYLINT_OK);
+        if (!CHECK(s.kind ==
+                   (is_cone ? CYLINT_KIND_RCONE : CYLINT_KIND_SPHERE)))
+            REPORT("rcone 0 0 0 %a  %a %a %a %a", end ? r : 0, w[0], w[1], w[2],
+                   end ? 0 : r);
+        balls += !is_cone;
+        cones += is_cone;
+    }
+    CHECK(balls > 20000 && cones > 20000);
+}
 
 /* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
 static void differences_have_their_low_parts(void)
@@ -364,11 +489,13 @@ int main(void)
     RUN(lines_are_checked);
     RUN(every_status_has_its_text);
     RUN(an_invalid_shape_or_line_misses_with_the_flag);
-    RUN(bounds_writes_three_numbers_to_each_array);
     RUN(points_that_are_not_finite_are_outside);
     RUN(a_coordinate_that_is_nan_is_outside_of_any_shape);
     RUN(extreme_shapes_are_accepted);
+    RUN(the_ball_that_holds_the_other_is_the_shape);
+    RUN(z_and_phi_of_a_ball_are_those_of_the_axis);
 #ifdef HAVE_MPFR
+    RUN(the_kind_is_decided_exactly);
     RUN(differences_have_their_low_parts);
 #else
     puts("note: no MPFR: no oracle (make deps)");

@@ -98,75 +98,40 @@ static inline int formula(const cylint_line *l, int shape, double t[2])
     return in.formula(&in.lean[shape], l->o, l->d, l->tmin, l->tmax, t);
 }
 
-static double lean_nearest(const void *input, const int *order, int n)
+static inline int lean_nearest_of(int line)
 {
-    double sum = 0, t[2];
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        double first = HUGE_VAL;
-        int best = N;
-        for (int i = 0; i < N; i++) {
-            const int hits = formula(&in.line[order[k]], i, t);
-            if (hits && t[2 - hits] < first) {
-                first = t[2 - hits];
-                best = i;
-            }
+    double first = HUGE_VAL, t[2];
+    int best = N;
+    for (int shape = 0; shape < N; shape++) {
+        const int hits = formula(&in.line[line], shape, t);
+        if (hits && t[2 - hits] < first) {
+            first = t[2 - hits];
+            best = shape;
         }
-        sum += best;
     }
-    return sum;
+    return best;
 }
 
-static double lean_any(const void *input, const int *order, int n)
+static inline int lean_any_of(int line)
 {
-    double sum = 0, t[2];
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        int i = 0;
-        while (i < N && !formula(&in.line[order[k]], i, t))
-            i++;
-        sum += i < N;
+    double t[2];
+    int shape = 0;
+    while (shape < N && !formula(&in.line[line], shape, t))
+        shape++;
+    return shape < N;
+}
+
+static inline int lean_both_of(enum arrangement a, int k)
+{
+    double t[2] = {0, 0};
+    for (int i = 0; i < N; i++) {
+        const int line = a == ALL_SHAPES ? k : a == ALL_LINES ? i : k + i;
+        const int shape = a == ALL_LINES ? k : i;
+        in.hits[i] = (signed char)formula(&in.line[line], shape, t);
+        in.t[0][i] = in.hits[i] ? t[0] : (double)NAN;
+        in.t[1][i] = in.hits[i] ? t[1] : (double)NAN;
     }
-    return sum;
-}
-
-static double lean_both(const void *arrangement, const int *order, int n)
-{
-    const enum arrangement a = *(const enum arrangement *)arrangement;
-    double sum = 0, t[2] = {0, 0};
-    for (int k = 0; k < n; k++) {
-        for (int i = 0; i < N; i++) {
-            const int line = a == ALL_SHAPES  ? order[k]
-                             : a == ALL_LINES ? i
-                                              : order[k] + i;
-            const int shape = a == ALL_LINES ? order[k] : i;
-            in.hits[i] = (signed char)formula(&in.line[line], shape, t);
-            in.t[0][i] = in.hits[i] ? t[0] : (double)NAN;
-            in.t[1][i] = in.hits[i] ? t[1] : (double)NAN;
-        }
-        sum += in.hits[0] + in.hits[N - 1];
-    }
-    return sum;
-}
-
-static double nearest(const void *input, const int *order, int n)
-{
-    double sum = 0;
-    cylint_hit hit;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += (double)cylint_nearest(&in.pack, &in.line[order[k]],
-                                      CYLINT_WANT_T, &hit);
-    return sum;
-}
-
-static double any(const void *input, const int *order, int n)
-{
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += (double)cylint_count(&in.pack, &in.line[order[k]], 1);
-    return sum;
+    return in.hits[0] + in.hits[N - 1];
 }
 
 /* N lines from number `first` on. */
@@ -180,23 +145,27 @@ static cylint_lines lines_from(int first)
     return lines;
 }
 
-static double both(const void *arrangement, const int *order, int n)
+static inline int both_of(enum arrangement a, int k)
 {
-    const enum arrangement a = *(const enum arrangement *)arrangement;
     const cylint_columns to = {.n = in.hits, .t0 = in.t[0], .t1 = in.t[1]};
-    double sum = 0;
-    for (int k = 0; k < n; k++) {
-        const cylint_lines lines = lines_from(a == IN_PAIRS ? order[k] : 0);
-        if (a == ALL_SHAPES)
-            cylint_intersect_shapes(&in.pack, &in.line[order[k]], &to);
-        else if (a == ALL_LINES)
-            cylint_intersect_lines(&in.shape[order[k]], &lines, &to);
-        else
-            cylint_intersect_pairs(&in.pack, &lines, &to);
-        sum += in.hits[0] + in.hits[N - 1];
-    }
-    return sum;
+    const cylint_lines lines = lines_from(a == IN_PAIRS ? k : 0);
+    if (a == ALL_SHAPES)
+        cylint_intersect_shapes(&in.pack, &in.line[k], &to);
+    else if (a == ALL_LINES)
+        cylint_intersect_lines(&in.shape[k], &lines, &to);
+    else
+        cylint_intersect_pairs(&in.pack, &lines, &to);
+    return in.hits[0] + in.hits[N - 1];
 }
+
+#define ARRANGED const enum arrangement a = *(const enum arrangement *)input
+BENCH_TURN(lean_nearest, , lean_nearest_of(i))
+BENCH_TURN(lean_any, , lean_any_of(i))
+BENCH_TURN(lean_both, ARRANGED, lean_both_of(a, i))
+BENCH_TURN(nearest, cylint_hit hit,
+           cylint_nearest(&in.pack, &in.line[i], CYLINT_WANT_T, &hit))
+BENCH_TURN(any, , cylint_count(&in.pack, &in.line[i], 1))
+BENCH_TURN(both, ARRANGED, both_of(a, i))
 
 /* -------------------------------------------------------------- contests -- */
 

@@ -20,6 +20,21 @@
  * of its own. Returns a sum that depends on every answer. */
 typedef double bench_turn(const void *input, const int *order, int n);
 
+/* A turn that adds `answer`, an expression in the number i of a question.  Its
+ * declarations come first. */
+#define BENCH_TURN(name, declarations, answer)                     \
+    static double name(const void *input, const int *order, int n) \
+    {                                                              \
+        double sum = 0;                                            \
+        declarations;                                              \
+        (void)input;                                               \
+        for (int k = 0; k < n; k++) {                              \
+            const int i = order[k];                                \
+            sum += (double)(answer);                               \
+        }                                                          \
+        return sum;                                                \
+    }
+
 struct contest {
     const char *subject, *question;
     const char *rival; /* its name; NULL: the library has no rival */

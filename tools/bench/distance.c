@@ -54,35 +54,16 @@ static void draw_point(int shape, enum family family, double point[3])
 
 /* ----------------------------------------------------------------- turns -- */
 
-static double formula(const void *input, const int *order, int n)
+static inline double distance_of(int i, unsigned want)
 {
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += in.formula(&in.lean[order[k]], in.point[order[k]]);
-    return sum;
-}
-
-static double distance(const void *want, const int *order, int n)
-{
-    const unsigned wanted = *(const unsigned *)want;
-    double sum = 0;
     cylint_closest a = {.point = {0, 0, 0}};
-    for (int k = 0; k < n; k++)
-        sum += cylint_distance(&in.shape[order[k]], in.point[order[k]], wanted,
-                               &a) +
-               a.point[0];
-    return sum;
+    return cylint_distance(&in.shape[i], in.point[i], want, &a) + a.point[0];
 }
 
-static double safety(const void *input, const int *order, int n)
-{
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += cylint_safety(&in.shape[order[k]], in.point[order[k]]);
-    return sum;
-}
+BENCH_TURN(formula, , in.formula(&in.lean[i], in.point[i]))
+BENCH_TURN(distance, const unsigned want = *(const unsigned *)input,
+           distance_of(i, want))
+BENCH_TURN(safety, , cylint_safety(&in.shape[i], in.point[i]))
 
 static double formula_batch(const void *input, const int *order, int n)
 {

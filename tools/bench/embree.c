@@ -150,34 +150,27 @@ static unsigned nearest_of(const struct world *w, embree_context *context,
     return at.hit.primID;
 }
 
-static double nearest(const void *worlds, const int *order, int n)
+static inline double t_of(const struct world *w, embree_context *context, int i)
 {
-    const struct world *w = in_use(worlds);
-    embree_context context;
-    double sum = 0;
-    embree_begin(&context);
-    for (int k = 0; k < n; k++) {
-        float t;
-        if (nearest_of(w, &context, order[k], &t) != RTC_INVALID_GEOMETRY_ID)
-            sum += (double)t;
-    }
-    return sum;
+    float t;
+    return nearest_of(w, context, i, &t) != RTC_INVALID_GEOMETRY_ID ? (double)t
+                                                                    : 0;
 }
 
-static double any(const void *worlds, const int *order, int n)
+static inline int any_of(const struct world *w, embree_context *context, int i)
 {
-    const struct world *w = in_use(worlds);
-    embree_context context;
-    double sum = 0;
-    embree_begin(&context);
-    for (int k = 0; k < n; k++) {
-        struct RTCRay ray;
-        set_ray(&ray, order[k]);
-        embree_any(w->scene, &context, &ray);
-        sum += ray.tfar < 0;
-    }
-    return sum;
+    struct RTCRay ray;
+    set_ray(&ray, i);
+    embree_any(w->scene, context, &ray);
+    return ray.tfar < 0;
 }
+
+#define WORLD                              \
+    const struct world *w = in_use(input); \
+    embree_context context;                \
+    embree_begin(&context)
+BENCH_TURN(nearest, WORLD, t_of(w, &context, i))
+BENCH_TURN(any, WORLD, any_of(w, &context, i))
 
 /* Sixteen neighbours at once, in Embree's layout: word m of ray i is m 16 +
  * i. */

@@ -90,28 +90,16 @@ static void answer_one(cylint_method_fn *method, int i, cylint_answer *a)
     a->hit[1].t = t[1];
 }
 
-static double by_method(const void *input, const int *order, int n)
+static inline int hits_by(const cylint_method *method, int i)
 {
-    const cylint_method *method = input;
-    double sum = 0;
     cylint_answer a;
-    for (int k = 0; k < n; k++) {
-        answer_one(method->answer, order[k], &a);
-        sum += a.n;
-    }
-    return sum;
+    answer_one(method->answer, i, &a);
+    return a.n;
 }
 
-static double by_library(const void *input, const int *order, int n)
-{
-    double sum = 0;
-    cylint_answer a;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += cylint_intersect(&in.shape[order[k]], &in.line[order[k]],
-                                CYLINT_WANT_T, &a);
-    return sum;
-}
+BENCH_TURN(by_method, const cylint_method *method = input, hits_by(method, i))
+BENCH_TURN(by_library, cylint_answer a,
+           cylint_intersect(&in.shape[i], &in.line[i], CYLINT_WANT_T, &a))
 
 /* -------------------------------------------------------------- contests -- */
 

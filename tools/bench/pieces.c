@@ -55,72 +55,33 @@ static double one_by_recipe(const cylint_scene *scene, const cylint_line *line)
     return sum;
 }
 
-static double by_recipe(const void *input, const int *order, int n)
+static double pieces_of(const cylint_scene *scene, const cylint_line *line,
+                        cylint_piece_mode mode, size_t most)
 {
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += one_by_recipe(scene, &in.line[order[k]]);
-    return sum;
-}
-
-#ifdef CYLINT_EMBREE
-static double by_embree(const void *chords, const int *order, int n)
-{
-    double sum = 0;
-    for (int k = 0; k < n; k++)
-        embree_chords_union(chords, &in.line[order[k]], &sum);
-    return sum;
-}
-#endif
-
-static double nearest(const void *input, const int *order, int n)
-{
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        cylint_hit hit;
-        sum += (double)cylint_scene_nearest(scene, &in.line[order[k]],
-                                            CYLINT_WANT_T, &hit);
-    }
-    return sum;
-}
-
-static double pieces(const int *order, int n, cylint_piece_mode mode,
-                     size_t most)
-{
-    const cylint_scene *scene = scene_in_use();
     const cylint_piece_rule rule = {.mode = mode};
+    cylint_workspace work = {in.work, sizeof in.work, 0};
     double sum = 0;
-    for (int k = 0; k < n; k++) {
-        cylint_workspace work = {in.work, sizeof in.work, 0};
-        const size_t found = cylint_scene_pieces(scene, &in.line[order[k]],
-                                                 &rule, in.pieces, most, &work);
-        for (size_t i = 0; i < found; i++)
-            sum += in.pieces[i].t1 - in.pieces[i].t0;
-    }
+    const size_t n =
+        cylint_scene_pieces(scene, line, &rule, in.pieces, most, &work);
+    for (size_t i = 0; i < n; i++)
+        sum += in.pieces[i].t1 - in.pieces[i].t0;
     return sum;
 }
 
-static double all_of_union(const void *input, const int *order, int n)
-{
-    (void)input;
-    return pieces(order, n, CYLINT_PIECES_UNION, ROOM);
-}
-
-static double all_of_owners(const void *input, const int *order, int n)
-{
-    (void)input;
-    return pieces(order, n, CYLINT_PIECES_OWNER, ROOM);
-}
-
-static double first_of_union(const void *input, const int *order, int n)
-{
-    (void)input;
-    return pieces(order, n, CYLINT_PIECES_UNION, 1);
-}
+#define SCENE const cylint_scene *scene = scene_in_use()
+BENCH_TURN(by_recipe, SCENE, one_by_recipe(scene, &in.line[i]))
+BENCH_TURN(nearest, SCENE;
+           cylint_hit hit,
+           cylint_scene_nearest(scene, &in.line[i], CYLINT_WANT_T, &hit))
+BENCH_TURN(all_of_union, SCENE,
+           pieces_of(scene, &in.line[i], CYLINT_PIECES_UNION, ROOM))
+BENCH_TURN(all_of_owners, SCENE,
+           pieces_of(scene, &in.line[i], CYLINT_PIECES_OWNER, ROOM))
+BENCH_TURN(first_of_union, SCENE,
+           pieces_of(scene, &in.line[i], CYLINT_PIECES_UNION, 1))
+#ifdef CYLINT_EMBREE
+BENCH_TURN(by_embree, , embree_chords_union(input, &in.line[i]))
+#endif
 
 static void ask_scene(const struct sticks *s)
 {

@@ -20,74 +20,26 @@ static struct {
 
 /* --------------------------------------------------------------- queries -- */
 
-static double nearest(const void *input, const int *order, int n)
+static inline double closest_of(const cylint_scene *scene, int i)
 {
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
-    cylint_hit hit;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += (double)cylint_scene_nearest(scene, &in.line[order[k]],
-                                            CYLINT_WANT_T, &hit);
-    return sum;
-}
-
-static double any(const void *input, const int *order, int n)
-{
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += cylint_scene_occluded(scene, &in.line[order[k]],
-                                     cylint_scene_size(scene));
-    return sum;
-}
-
-static double count(const void *input, const int *order, int n)
-{
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += (double)cylint_scene_count(scene, &in.line[order[k]], 0);
-    return sum;
-}
-
-static double all(const void *input, const int *order, int n)
-{
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
-    size_t numbers[ROOM];
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += (double)cylint_scene_all(scene, &in.line[order[k]], 0, numbers,
-                                        ROOM);
-    return sum;
-}
-
-static double closest(const void *input, const int *order, int n)
-{
-    const cylint_scene *scene = scene_in_use();
-    double sum = 0;
     cylint_closest a = {.distance = 0};
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        cylint_scene_closest(scene, in.point[order[k]], HUGE_VAL, 0, &a);
-        sum += a.distance;
-    }
-    return sum;
+    cylint_scene_closest(scene, in.point[i], HUGE_VAL, 0, &a);
+    return a.distance;
 }
 
-static double within(const void *distance, const int *order, int n)
-{
-    const cylint_scene *scene = scene_in_use();
-    const double most = *(const double *)distance;
-    double sum = 0;
-    for (int k = 0; k < n; k++)
-        sum += (double)cylint_scene_within_count(scene, in.point[order[k]],
-                                                 most, 0, 0);
-    return sum;
-}
+#define SCENE const cylint_scene *scene = scene_in_use()
+BENCH_TURN(nearest, SCENE;
+           cylint_hit hit,
+           cylint_scene_nearest(scene, &in.line[i], CYLINT_WANT_T, &hit))
+BENCH_TURN(any, SCENE,
+           cylint_scene_occluded(scene, &in.line[i], cylint_scene_size(scene)))
+BENCH_TURN(count, SCENE, cylint_scene_count(scene, &in.line[i], 0))
+BENCH_TURN(all, SCENE; size_t numbers[ROOM],
+                       cylint_scene_all(scene, &in.line[i], 0, numbers, ROOM))
+BENCH_TURN(closest, SCENE, closest_of(scene, i))
+BENCH_TURN(within, SCENE;
+           const double most = *(const double *)input,
+           cylint_scene_within_count(scene, in.point[i], most, 0, 0))
 
 /* ----------------------------------------------------- building and files
  * -- */

@@ -140,70 +140,46 @@ static void surface_ray(int i)
 
 /* ----------------------------------------------------------------- turns -- */
 
-static double lean_both(const void *input, const int *order, int n)
+static inline double lean_sum(int i)
 {
-    double sum = 0, t[2];
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        const int i = order[k];
-        const cylint_line *l = &in.line[i];
-        if (in.both(&in.lean[i], l->o, l->d, l->tmin, l->tmax, t))
-            sum += t[0] + t[1];
-    }
-    return sum;
+    const cylint_line *l = &in.line[i];
+    double t[2];
+    return in.both(&in.lean[i], l->o, l->d, l->tmin, l->tmax, t) ? t[0] + t[1]
+                                                                 : 0;
 }
 
-static double lean_first(const void *input, const int *order, int n)
+static inline double lean_first(int i)
 {
-    double sum = 0, t, normal[3];
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        const int i = order[k];
-        if (in.first(&in.lean[i], in.line[i].o, in.line[i].d, &t, normal))
-            sum += t + normal[0] + normal[1] + normal[2];
-    }
-    return sum;
+    double t, n[3];
+    return in.first(&in.lean[i], in.line[i].o, in.line[i].d, &t, n)
+               ? t + n[0] + n[1] + n[2]
+               : 0;
 }
 
-static double verdicts(const void *input, const int *order, int n)
+static inline double sum_of_both(int i)
 {
-    double sum = 0;
-    (void)input;
-    for (int k = 0; k < n; k++)
-        sum += cylint_occluded(&in.shape[order[k]], &in.line[order[k]]);
-    return sum;
-}
-
-static double both_t(const void *input, const int *order, int n)
-{
-    double sum = 0;
     cylint_answer a;
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        const int i = order[k],
-                  hits = cylint_intersect(&in.shape[i], &in.line[i],
-                                          CYLINT_WANT_T, &a);
-        if (hits)
-            sum += a.hit[0].t + a.hit[hits - 1].t;
-    }
-    return sum;
+    const int hits =
+        cylint_intersect(&in.shape[i], &in.line[i], CYLINT_WANT_T, &a);
+    return hits ? a.hit[0].t + a.hit[hits - 1].t : 0;
 }
 
-static double nearest_and_normal(const void *input, const int *order, int n)
+static inline double sum_of_nearest(int i)
 {
-    double sum = 0;
     cylint_answer a;
-    (void)input;
-    for (int k = 0; k < n; k++) {
-        const int i = order[k];
-        if (cylint_intersect(
-                &in.shape[i], &in.line[i],
-                CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_NEAREST, &a))
-            sum += a.hit[0].t + a.hit[0].normal[0] + a.hit[0].normal[1] +
-                   a.hit[0].normal[2];
-    }
-    return sum;
+    const cylint_hit *hit = &a.hit[0];
+    return cylint_intersect(
+               &in.shape[i], &in.line[i],
+               CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_NEAREST, &a)
+               ? hit->t + hit->normal[0] + hit->normal[1] + hit->normal[2]
+               : 0;
 }
+
+BENCH_TURN(lean_both, , lean_sum(i))
+BENCH_TURN(lean_nearest, , lean_first(i))
+BENCH_TURN(verdicts, , cylint_occluded(&in.shape[i], &in.line[i]))
+BENCH_TURN(both_t, , sum_of_both(i))
+BENCH_TURN(nearest_and_normal, , sum_of_nearest(i))
 
 /* -------------------------------------------------------------- contests -- */
 
@@ -214,7 +190,7 @@ static void ask(const char *subject, const char *setup)
         bench_turn *theirs, *ours;
     } asked[] = {{"verdict", lean_both, verdicts},
                  {"both t", lean_both, both_t},
-                 {"nearest t and normal", lean_first, nearest_and_normal}};
+                 {"nearest t and normal", lean_nearest, nearest_and_normal}};
     for (int k = 0; k < 3; k++) {
         char question[64];
         snprintf(question, sizeof question, "%s; %s", asked[k].name, setup);

@@ -85,8 +85,8 @@ static int compare_chords(const void *x, const void *y)
     return (a > b) - (a < b);
 }
 
-void embree_chords_union(const struct embree_chords *scene,
-                         const cylint_line *ray, double *sum)
+double embree_chords_union(const struct embree_chords *scene,
+                           const cylint_line *ray)
 {
     struct query query = {.ray = ray, .cylinders = scene->cylinders};
     struct RTCRay r = {.org_x = (float)ray->o[0],
@@ -97,7 +97,7 @@ void embree_chords_union(const struct embree_chords *scene,
                        .dir_z = (float)ray->d[2],
                        .tfar = HUGE_VALF,
                        .mask = 0xFFFFFFFFu};
-    double end = -1;
+    double end = -1, sum = 0;
     found.n = 0;
     embree_begin(&query.context);
     embree_any(scene->scene, &query.context, &r);
@@ -105,10 +105,11 @@ void embree_chords_union(const struct embree_chords *scene,
     for (size_t i = 0; i < found.n; i++) {
         const double t0 = found.chord[i][0], t1 = found.chord[i][1];
         if (t1 > end) {
-            *sum += t1 - (t0 > end ? t0 : end);
+            sum += t1 - (t0 > end ? t0 : end);
             end = t1;
         }
     }
+    return sum;
 }
 
 static void report_error(void *user, enum RTCError code, const char *text)

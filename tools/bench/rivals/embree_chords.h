@@ -13,8 +13,8 @@ struct embree_chords *embree_chords_new(float (*end)[2][3], float (*radius)[2],
                                         size_t n);
 void embree_chords_free(struct embree_chords *scene);
 
-/* Adds the length of the union of a ray's chords to *sum; d has length 1. */
-void embree_chords_union(const struct embree_chords *scene,
-                         const cylint_line *ray, double *sum);
+/* The length of the union of a ray's chords; d has length 1. */
+double embree_chords_union(const struct embree_chords *scene,
+                           const cylint_line *ray);
 
 #endif
