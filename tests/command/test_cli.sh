@@ -14,8 +14,7 @@ PATH=$build:$PATH
 # Runs $command and compares its output with expected.out and expected.err.
 finish() {
     [ -n "$command" ] || return
-    (cd "$scratch/work" && sh -c "$command") </dev/null \
-        >"$scratch/out" 2>"$scratch/err"
+    (cd "$scratch/work" && sh -c "$command") </dev/null >"$scratch/out" 2>"$scratch/err"
     echo "? $?" >>"$scratch/err"
     echo "? $status" >>"$scratch/expected.err"
     diff "$scratch/expected.out" "$scratch/out"

@@ -20,12 +20,10 @@ demo first
 verdict the_demo_succeeds_without_messages $?
 [ "$(grep -c '^time: .*[0-9]' "$scratch/output")" -eq 1 ]
 verdict the_demo_prints_its_time $?
-demo second && cmp "$scratch/first" "$scratch/second"
-verdict the_demo_gives_the_same_bytes_again $?
-for awk in mawk gawk; do
-    command -v $awk > /dev/null || continue
+# awk itself is mostly one of them, and so runs again.
+for awk in $(command -v mawk gawk || echo awk); do
     demo other $awk && cmp "$scratch/first" "$scratch/other"
-    verdict "the_demo_gives_the_same_bytes_under_$awk" $?
+    verdict "the_demo_gives_the_same_bytes_again_under_${awk##*/}" $?
 done
 
 scan=$scratch/bin/demo
@@ -52,8 +50,7 @@ paste "$scan/rays.txt" "$scan/answers.txt" | awk '
 verdict hits_on_the_ground_are_on_its_upper_cap_at_height_0 $?
 
 # The tallest hit is in a crown, not above the tallest tree.
-awk -v tallest="$(sed -n 's/^tallest hit: \([0-9.]*\) m.*/\1/p' \
-    "$scratch/first")" '
+awk -v tallest="$(sed -n 's/^tallest hit: \([0-9.]*\) m.*/\1/p' "$scratch/first")" '
     /^cone/ && $8 > top { top = $8 }
     END { exit !(tallest > 5 && tallest <= top) }' "$scan/forest.scene"
 verdict the_tallest_hit_is_within_the_tallest_tree $?
@@ -86,8 +83,7 @@ fails()
 rm "$scratch/bin/cylint"
 fails awk
 verdict the_demo_fails_without_the_command $?
-printf '#!/bin/sh\n"%s/cylint" "$@"; exit 1\n' "$build" \
-    > "$scratch/bin/cylint"
+printf '#!/bin/sh\n"%s/cylint" "$@"; exit 1\n' "$build" > "$scratch/bin/cylint"
 chmod +x "$scratch/bin/cylint"
 fails awk
 verdict the_demo_fails_when_the_command_does $?

@@ -129,8 +129,7 @@ else
     cat in | (ulimit -v 20000; cylint >out 2>err; echo $? >code)
     status=$(cat code)
     expect 'memory does not grow with a line' 1
-    yes "$good" | head -n 300000 |
-        (ulimit -v 20000; cylint -f n >out 2>err; echo $? >code)
+    yes "$good" | head -n 300000 | (ulimit -v 20000; cylint -f n >out 2>err; echo $? >code)
     status=$(cat code)
     [ "$(grep -c '^2$' out)" -eq 300000 ] || status="$status, lost"
     expect 'memory does not grow with the input' 0

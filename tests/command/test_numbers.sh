@@ -9,14 +9,11 @@ for name in read_number write_number read_decimal write_digits; do
     rename="$rename -Dcylint_$name=plain_$name"
 done
 
-if ! $CXX -std=c++17 -O2 -c -o "$scratch/cxx.o" tools/cylint/numbers.cc; then
-    skip_all 'no C++17 compiler to compare with (make deps)'
-fi
-# shellcheck disable=SC2086
+made=$build/tools/cylint
+[ -e "$made/numbers_cxx.o" ] || skip_all 'no C++17 compiler to compare with (make deps)'
 for file in tools/cylint/numbers tools/cylint/numbers_c; do
     $CC $strict $rename -c -o "$scratch/plain_${file##*/}.o" $file.c || exit 1
 done
-for file in tools/cylint/numbers tools/cylint/text tests/command/numbers_agree; do
-    $CC $strict -c -o "$scratch/${file##*/}.o" $file.c || exit 1
-done
-$CXX -o "$scratch/agree" "$scratch"/*.o -lm && "$scratch/agree"
+$CC $strict ${CFLAGS:-} -c -o "$scratch/agree.o" tests/command/numbers_agree.c || exit 1
+$CXX ${CXXFLAGS:-} -o "$scratch/agree" "$scratch"/*.o \
+    "$made/numbers_cxx.o" "$made/numbers.o" "$made/text.o" -lm && "$scratch/agree"

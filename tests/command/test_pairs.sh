@@ -5,10 +5,9 @@
 cd "$scratch" || exit 1
 PATH=$build:$PATH
 
-# records KINDS BARE: prints records with ends, tails, comments and invalid
-# shapes; with the words of the kinds unless BARE is 1.
+# records KINDS: prints records with ends, tails, comments and invalid shapes.
 records() {
-    awk -v kinds="$1" -v bare="$2" '
+    awk -v kinds="$1" '
     function any() { return int(2001 * rand() - 1000) / 250 }
     function numbers(count,    text) {
         while (count-- > 0) text = text " " any()
@@ -30,8 +29,8 @@ records() {
             if (kind[2] == "cylinder" || kind[2] == "econe" || kind[2] == "cone")
                 shape = shape " " 2 * rand()
             if (kind[2] == "acone") shape = shape " " 89 * rand()
-            print (bare ? "" : kind[1]) line (bare ? "" : " " kind[2]) shape \
-                (i % 3 ? "" : " ends=" ends[1 + i % 6]) (i % 2 ? "" : " r" i)
+            print kind[1] line " " kind[2] shape (i % 3 ? "" : " ends=" ends[1 + i % 6]) \
+                (i % 2 ? "" : " r" i)
         }
     }'
 }
@@ -49,8 +48,8 @@ same() { # NAME KINDS, then options
 
 for line in line ray span; do
     for shape in cylinder cone ecylinder econe acone; do
-        records $line,$shape '' >worded
-        records $line,$shape 1 >bare
+        records $line,$shape >worded
+        sed "s/^$line//; s/ $shape / /" worded >bare
         same 'both hits' $line,$shape -f id,relation,n,t0,t1,part0,part1,chord -C
         same 'the nearest hit' $line,$shape -f t0,side0,nx0 --hits-only
     done

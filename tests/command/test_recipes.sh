@@ -44,12 +44,10 @@ prints()
 # lengths.
 test_lengths()
 {
-    printf 'sphere 0 0 0  10  soma\ncapsule 0 0 0  30 0 0  1  branch\n' \
-        > "$scratch/cell"
+    printf 'sphere 0 0 0  10  soma\ncapsule 0 0 0  30 0 0  1  branch\n' > "$scratch/cell"
     prints random_lines_measure_the_volume_in_cylint_7 volume \
         "$(sh tests/support/recipe.sh volume-said)"
-    awk '{ off = $2 - 4253.8; exit !(off * off < 9 * $5 * $5) }' \
-        "$scratch/output"
+    awk '{ off = $2 - 4253.8; exit !(off * off < 9 * $5 * $5) }' "$scratch/output"
     verdict the_volume_is_within_three_standard_errors $?
     prints the_detector_has_the_radiation_lengths_in_cylint_7 detector \
         "$(sh tests/support/recipe.sh detector-said)"

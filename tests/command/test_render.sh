@@ -7,11 +7,8 @@
 page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] ||
     skip_all 'no libpng, so no cylint-render (make deps)'
-PATH=$build:$PATH
+PATH=$build:$build/tests/command:$PATH
 cd "$scratch" || exit 1
-
-# pixel FILE X Y: red green blue opacity, 0 to 255
-pixel() { "$build/tests/command/pixels" "$1" "$2" "$3"; }
 
 # refuses STATUS MESSAGE ARGUMENT...
 refuses()
@@ -48,8 +45,7 @@ test_bytes()
     [ "$(od -An -tx1 -N 24 1.png | tr -d ' \n')" = \
         89504e470d0a1a0a0000000d494844520000005a0000003d ]
     verdict it_is_a_png_of_the_given_size $?
-    cylint-render - -o - --size 90x61 --samples 3 --ground '#808080' \
-        < some.scene | cmp - 1.png
+    cylint-render - -o - --size 90x61 --samples 3 --ground '#808080' < some.scene | cmp - 1.png
     verdict scene_and_picture_may_be_standard_streams $?
     cylint-render some.scene -o /dev/stdout --size 90x61 --samples 3 \
         --ground '#808080' | cmp - 1.png
@@ -66,7 +62,7 @@ END
 # brightest FILE X Y CHANNEL: at this pixel only this channel is bright
 brightest()
 {
-    pixel "$1" "$2" "$3" | awk -v c="$4" '{
+    pixels "$1" "$2" "$3" | awk -v c="$4" '{
         for (i = 1; i <= 3; i++)
             bad += i == c ? $i < 60 : $i > 20
         exit bad > 0
@@ -86,7 +82,7 @@ test_cut_solids()
     cylint-render pipe.scene -o pipe.png --ortho --from 0,0,1 --up 0,1,0 \
         --size 212x212 --shade light --background none --samples 1 || return 1
     # 50 pixels for a unit, the axis at 106, 106, x to the right and y up
-    "$build/tests/command/pixels" pipe.png | awk '
+    pixels pipe.png | awk '
         { x = ($1 + 0.5 - 106) / 50; y = (106 - $2 - 0.5) / 50
           r = sqrt(x * x + y * y) }
         r < 0.97 || r > 2.03 || (x > 0.03 && y > 0.03) { out++; shown += $6 > 0 }
@@ -111,7 +107,7 @@ test_framing()
     verdict the_left_shape_is_red $?
     brightest level.png 259 53 3
     verdict a_colour_stands_anywhere_in_the_tail $?
-    "$build/tests/command/pixels" level.png | awk '
+    pixels level.png | awk '
         $6 > 0 { if (low == "" || $1 < low) low = $1; if ($1 > high) high = $1
                  if (top == "" || $2 < top) top = $2
                  if ($2 > bottom) bottom = $2 }
@@ -119,7 +115,7 @@ test_framing()
         END { exit !(low == 9 && high == 308 && top >= 2 && bottom <= 103 &&
                      bottom - top == 99) }'
     verdict the_scene_fills_the_picture_except_its_margin $?
-    "$build/tests/command/pixels" level.png | awk '
+    pixels level.png | awk '
         # the cone at its foot, at half height and near its apex
         $2 == 102 && $1 > 159 && $6 { foot++ }
         $2 == 53 && $1 > 159 && $6 { half++ }
@@ -129,20 +125,18 @@ test_framing()
     verdict a_cone_has_the_outline_of_a_cone $?
     awk '{ $2 += 7000; $3 -= 4000; $4 += 500
            i = $1 == "cone" ? 6 : 5
-           $i += 7000; $(i + 1) -= 4000; $(i + 2) += 500; print }' \
-        level.scene > away.scene
+           $i += 7000; $(i + 1) -= 4000; $(i + 2) += 500; print }' level.scene > away.scene
     cylint-render away.scene -o near.png --from 1,0.2,0.3 --size 200x150 \
         --samples 1 --background none || return 1
-    "$build/tests/command/pixels" near.png | awk '
+    pixels near.png | awk '
         $6 { n++; if ($1 < 3 || $1 > 196 || $2 < 3 || $2 > 146) out++ }
         END { exit !(n > 2000 && !out) }'
     verdict nothing_is_cut_off_in_perspective $?
     cylint-render level.scene -o eye.png --eye 10,-2,0 --look-at 0,-2,0 \
-        --size 100x100 --fov 20 --samples 1 --shade plain \
-        --background none || return 1
+        --size 100x100 --fov 20 --samples 1 --shade plain --background none || return 1
     # The upper rim's near point is at the angle atan(1/9), which is
     # 1/9 / tan(10 degrees) = 63.0 % of the half picture.
-    "$build/tests/command/pixels" eye.png | awk '
+    pixels eye.png | awk '
         $1 == 50 && $6 { if (top == "") top = $2; bottom = $2 }
         END { exit !(top == 18 && bottom == 81) }'
     verdict fov_is_the_angle_of_the_picture $?
@@ -157,16 +151,15 @@ test_shadow()
     cylint-render pillar.scene -o shadow.png --ortho --from 0.0001,0,1 \
         --up 0,0,1 --light 0,1,1 --size 424x424 --samples 4 || return 1
     # from above: y to the right, 20 pixels a unit, the middle at 212
-    "$build/tests/command/pixels" shadow.png | awk '
+    pixels shadow.png | awk '
         $2 == 212 { light[$1] = $3 + $4 + $5 }
         END { lit = light[300]
-              exit !(light[212 - 60] < 0.8 * lit &&
-                     light[212 - 78] < 0.8 * lit &&
+              exit !(light[212 - 60] < 0.8 * lit && light[212 - 78] < 0.8 * lit &&
                      light[212 - 102] > 0.97 * lit) }'
     verdict a_shadow_has_the_length_of_the_suns_angle $?
     # Rounding makes no surface shade itself: the plate, far from the pillar,
     # and a cylinder drawn three times, far from the origin, have no dark pixel.
-    "$build/tests/command/pixels" shadow.png | awk '
+    pixels shadow.png | awk '
         $1 > 240 && $1 < 370 && $2 > 150 && $2 < 270 {
             s = $3 + $4 + $5
             if (least == "" || s < least) least = s
@@ -194,8 +187,8 @@ test_inside()
         cylint-render $s.scene -o $s.png --eye 0.9,0,3 --look-at -1,0,3 \
             --light 1,0,4 --size 40x40 --fov 20 --samples 16 || return 1
     done
-    bright=$(pixel tube.png 20 20 | awk '{ print $1 + $2 + $3 }')
-    dark=$(pixel lid.png 20 20 | awk '{ print $1 + $2 + $3 }')
+    bright=$(pixels tube.png 20 20 | awk '{ print $1 + $2 + $3 }')
+    dark=$(pixels lid.png 20 20 | awk '{ print $1 + $2 + $3 }')
     [ "$bright" -gt 500 ] && [ "$dark" -lt 420 ] || {
         echo "open $bright, with a lid $dark"
         false
@@ -208,8 +201,8 @@ test_inside()
         cylint-render $s.scene -o $s.png --eye 0,9,2 --look-at 0,2.05,2 \
             --light 0,1,-1.3 --size 9x9 --fov 1 --samples 16 || return 1
     done
-    bright=$(pixel single.png 4 4 | awk '{ print $1 + $2 + $3 }')
-    dark=$(pixel double.png 4 4 | awk '{ print $1 + $2 + $3 }')
+    bright=$(pixels single.png 4 4 | awk '{ print $1 + $2 + $3 }')
+    dark=$(pixels double.png 4 4 | awk '{ print $1 + $2 + $3 }')
     [ "$bright" -gt $((dark + 100)) ] || {
         echo "one nappe $bright, both $dark"
         false
@@ -231,17 +224,17 @@ xray()
 test_xray()
 {
     echo 'sphere 0 0 0  1' > ball.scene
-    xray mu.png ball.scene --xray 0.75 && "$build/tests/command/greys" mu.png ball 14 0.75
+    xray mu.png ball.scene --xray 0.75 && greys mu.png ball 14 0.75
     verdict an_x_ray_of_a_ball_has_the_lengths_of_its_chords $?
-    [ "$("$build/tests/command/greys" mu.png | head -n 1)" = '65535 exp(-0.75 length)' ]
+    [ "$(greys mu.png | head -n 1)" = '65535 exp(-0.75 length)' ]
     verdict an_x_ray_describes_itself $?
     xray linear.png ball.scene --xray linear &&
-        largest=$("$build/tests/command/greys" linear.png | sed -n '1s/65535 length . //p') &&
-        "$build/tests/command/greys" linear.png ball 14 linear "$largest" &&
-        [ "$("$build/tests/command/greys" linear.png | awk '$3 > m { m = $3 } END { print m }')" = 65535 ]
+        largest=$(greys linear.png | sed -n '1s/65535 length . //p') &&
+        greys linear.png ball 14 linear "$largest" &&
+        [ "$(greys linear.png | awk '$3 > m { m = $3 } END { print m }')" = 65535 ]
     verdict the_longest_ray_is_white_on_a_linear_scale $?
     xray auto.png ball.scene --xray auto &&
-        "$build/tests/command/greys" auto.png | awk '
+        greys auto.png | awk '
             NR == 1 { sub(/.*-/, ""); mu = $1; next }
             $3 < 65535 { n++; sum += -log($3 / 65535) / mu }
             END { f = mu * sum / n; exit !(f > 0.69310 && f < 0.69319) }'
@@ -261,7 +254,7 @@ test_xray()
     echo 'econe 0 0 -1  1 0 0  0 1 0  0 0 2  1' > disc.scene
     cylint-render disc.scene -o edge.png --ortho --eye 1,0,5 --look-at 1,0,0 \
         --up 0,1,0 --zoom 1e6 --size 1x1 --samples 64 --xray 0.5 &&
-        "$build/tests/command/greys" edge.png | awk '
+        greys edge.png | awk '
             NR > 1 { length_of = -log($3 / 65535) / 0.5
                      exit !(length_of > 0.99 && length_of < 1.01) }'
     verdict the_length_of_a_pixel_is_the_mean_of_its_rays $?
@@ -270,11 +263,10 @@ test_xray()
 # A shell: the ball without a smaller one.
 test_solids()
 {
-    printf '%s\n' 'sphere 0 0 0  1  in=shell' 'sphere 0 0 0  0.5  out=shell' \
-        > shell.scene
+    printf '%s\n' 'sphere 0 0 0  1  in=shell' 'sphere 0 0 0  0.5  out=shell' > shell.scene
     printf '%s\n' 'sphere 0 0 0  0.5' > core.scene
     for s in ball core shell; do
-        xray $s.png $s.scene --xray 0.75 && "$build/tests/command/greys" $s.png |
+        xray $s.png $s.scene --xray 0.75 && greys $s.png |
             awk 'NR > 1 { print -log($3 / 65535) / 0.75 }' > $s.lengths
     done
     paste ball.lengths core.lengths shell.lengths | awk '
@@ -298,16 +290,15 @@ test_bore()
         'cylinder 0 0 0  0 0 4  0.5  out=p  #0000ff' 'halfspace 0 0 0  1 0 0  in=p/3' \
         'halfspace 0 0 0  0 1 0  in=p/3' > quarter.scene
     for j in 1 2; do
-        cylint-render quarter.scene -o quarter$j.png -j $j --size 60x50 \
-            --samples 2 || return 1
+        cylint-render quarter.scene -o quarter$j.png -j $j --size 60x50 --samples 2 || return 1
     done
     cmp quarter1.png quarter2.png
     verdict a_picture_of_solids_is_the_same_for_any_number_of_workers $?
     cylint-render quarter.scene -o bore.png --eye 5,5,2 --look-at 0,0,2 --size 41x41 \
         --samples 16 --light 1,1,1.5 --fov 4 || return 1
-    pixel bore.png 20 20 | awk '{ exit !($3 > 100 && $1 < 40) }'
+    pixels bore.png 20 20 | awk '{ exit !($3 > 100 && $1 < 40) }'
     verdict a_bore_is_lit_in_its_own_colour $?
-    "$build/tests/command/pixels" bore.png | awk '
+    pixels bore.png | awk '
         $1 > 15 && $1 < 25 && $2 > 10 && $2 < 20 {
             if (least == "" || $5 < least) least = $5
             if ($5 > most) most = $5 }
@@ -321,14 +312,14 @@ test_xray_extremes()
     : > empty.scene
     for how in auto 2 linear; do
         xray empty.png empty.scene --xray $how &&
-            "$build/tests/command/greys" empty.png | awk -v how=$how '
+            greys empty.png | awk -v how=$how '
                 NR > 1 && $3 != (how == "linear" ? 0 : 65535) { bad++ }
                 END { exit NR < 9 || bad }'
         verdict "an_x_ray_of_nothing_is_empty_$how" $?
         printf '%s\n' 'cylinder 0 0 0  0 0 1  1 ends=infinite' \
             'cylinder 0 0 0  0 0 1  1' > endless.scene
         xray endless.png endless.scene --xray $how --ortho &&
-            "$build/tests/command/greys" endless.png | awk -v how=$how '
+            greys endless.png | awk -v how=$how '
                 $1 == 30 && $2 == 20 { middle = $3 }
                 END { exit middle != (how == "linear" ? 65535 : 0) }'
         verdict "an_endless_solid_is_opaque_$how" $?
@@ -344,7 +335,7 @@ shows()
     shift 2
     cylint-render five.scene -o five.png --ortho --from 0,0,1 --up 0,1,0 \
         --size 200x40 --samples 1 --background none "$@" || return 1
-    found=$("$build/tests/command/pixels" five.png | awk '$6 { print $3, $4, $5 }' |
+    found=$(pixels five.png | awk '$6 { print $3, $4, $5 }' |
         sort -u | wc -l)
     [ "$found" -eq "$wanted" ] || { echo "found $found colours"; false; }
     verdict "$name" $?
@@ -361,7 +352,7 @@ discs()
     cylint-render atoms.scene -o atoms.png --ortho --from 0,0,1 --up 0,1,0 \
         --size $((10 * x))x20 --samples 1 --background none --shade plain \
         --colour "$how" || return 1
-    "$build/tests/command/pixels" atoms.png |
+    pixels atoms.png |
         awk '$2 == 10 && $6 && $3 " " $4 " " $5 != last { last = $3 " " $4 " " $5; print last }'
 }
 
@@ -408,8 +399,7 @@ test_colours()
     # the first and the third are linked by a thread too thin to be seen
     printf '%s\n' 'cylinder 0 0 0  0 0 2  0.5' 'cone 0 0 0 1e-9 4 -0 0 1e-9' \
         'cylinder 4 0 2  4 0 0  0.5' 'cylinder 2 0 0 2 0 2 0.5' \
-        'ecylinder 6 0 0  0.5 0 0  0 0.5 0  0 0 2' \
-        'cylinder 8 0 0 8 0 2 0.5' > five.scene
+        'ecylinder 6 0 0  0.5 0 0  0 0.5 0  0 0 2' 'cylinder 8 0 0 8 0 2 0.5' > five.scene
     shows linked_shapes_agree 4 --shade plain --colour connected
     test_atoms
 }
@@ -426,12 +416,12 @@ test_joints()
             --shade plain --background none || return 1
     done
     # 19.3 pixels a unit at z = 0; (4.6, -0.6) is within 1 of the bend
-    [ "$(pixel cones.png 62 62 | cut -d ' ' -f 4)" = 0 ] &&
-        [ "$(pixel round.png 62 62 | cut -d ' ' -f 4)" = 255 ]
+    [ "$(pixels cones.png 62 62 | cut -d ' ' -f 4)" = 0 ] &&
+        [ "$(pixels round.png 62 62 | cut -d ' ' -f 4)" = 255 ]
     verdict a_round_joint_has_no_notch $?
     cylint-render soma.swc --swc=round -o soma.png --size 106x106 --ortho \
         --from 1,0,0 --samples 1 --shade plain --background none || return 1
-    "$build/tests/command/pixels" soma.png | awk '
+    pixels soma.png | awk '
         $6 { n++ } END { exit !(n > 7800 && n < 7900) }' # pi 50^2 = 7854
     verdict a_soma_of_one_point_is_a_disc $?
 }
@@ -446,19 +436,17 @@ test_faults()
     refuses 2 "-o: expected a PNG file, NAME.png, found 'a.b/X.TIFF'" -o a.b/X.TIFF
     refuses 2 "--size: expected WIDTHxHEIGHT, found '3x'" --size 3x
     refuses 2 "--size: expected WIDTHxHEIGHT, found '0x7'" --size 0x7
-    refuses 2 "--fov: expected degrees above 0 and below 180, found '180'" \
-        --fov 180
+    refuses 2 "--fov: expected degrees above 0 and below 180, found '180'" --fov 180
     refuses 2 "--up: expected a direction X,Y,Z, found '0,0,0'" --up 0,0,0
     refuses 2 "--eye: expected X,Y,Z, found '1,2'" --eye 1,2
     refuses 2 "--colour: expected number, label, kind, connected, radius,\
  height, element, chain or #rrggbb, found '#12345'" --colour '#12345'
     refuses 2 "--look-at needs --eye" some.scene -o x.png --look-at 0,0,0
-    refuses 2 "--from and --eye exclude each other" some.scene -o x.png \
-        --from 1,0,0 --eye 1,0,0
+    refuses 2 "--from and --eye exclude each other" some.scene -o x.png --from 1,0,0 --eye 1,0,0
     refuses 2 "unknown option '--eyes'; did you mean --eye?" --eyes 1,2,3
     refuses 3 "no.scene: No such file or directory" no.scene -o x.png
     refuses 3 "no/x.png: No such file or directory" some.scene -o no/x.png
-    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full
+    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --size 9x9
     refuses 2 "--swc needs a neuron, NAME.swc" some.scene -o x.png --swc=round
     refuses 2 "--swc: expected cones or round, found 'oval'" --swc oval
     refuses 2 "--xray: expected MU, auto or linear, found '0'" --xray 0
@@ -467,10 +455,9 @@ test_faults()
         --xray auto --ground none
     refuses 2 "--xray and --shade exclude each other" some.scene -o x.png \
         --shade plain --xray linear
-    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --xray 1
+    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --size 9x9 --xray 1
     echo 'cylinder 0 0 0  0 0 zero 1' > bad.scene
-    refuses 1 "bad.scene:1:21: expected a number, found 'zero'" \
-        bad.scene -o x.png
+    refuses 1 "bad.scene:1:21: expected a number, found 'zero'" bad.scene -o x.png
     : > empty.scene
     refuses 1 "empty.scene: no shape is bounded, or the view is along\
  --up; use --eye and --look-at" empty.scene -o x.png
@@ -490,20 +477,18 @@ test_faults()
     # The old picture stays until the new one is whole.
     echo old > kept.png
     (ulimit -f 1; trap '' XFSZ
-     exec cylint-render some.scene -o kept.png --size 200x200 --samples 1) \
-        > out 2> messages
+     exec cylint-render some.scene -o kept.png --size 200x200 --samples 1) > out 2> messages
     [ $? -eq 3 ] && [ "$(cat kept.png)" = old ] && [ -z "$(ls | grep part)" ] &&
         [ "$(cat messages)" = 'cylint-render: kept.png: File too large' ]
     verdict a_full_disk_leaves_the_old_picture $?
     cylint-render some.scene -o kept.png --size 20x20 --samples 1 &&
-        pixel kept.png 3 3 > /dev/null
+        pixels kept.png 3 3 > /dev/null
     verdict a_picture_replaces_the_old_one $?
     cylint-render empty.scene -o sky.png --eye 0,0,0 --look-at 1,0,0 \
         --size 8x8 --background '#123456' &&
-        [ "$(pixel sky.png 4 4)" = '18 52 86 255' ]
+        [ "$(pixels sky.png 4 4)" = '18 52 86 255' ]
     verdict an_empty_scene_shows_the_background $?
-    cylint-render some.scene -o - --size 20x20 --samples 1 2> messages | cat \
-        > /dev/null
+    cylint-render some.scene -o - --size 20x20 --samples 1 2> messages | cat > /dev/null
     [ ! -s messages ]
     verdict progress_appears_on_a_terminal_only $?
     cylint-render some.scene -o x.png --size 20x20 --progress 2> messages &&
@@ -511,13 +496,13 @@ test_faults()
     verdict progress_appears_with_its_option $?
 }
 
-# Each command of the manual succeeds and makes its picture.
+# Each command of the manual succeeds and makes its picture, here a small one.
 test_manual()
 {
     mkdir manual && cd manual || return 1
     awk '/^\.Bd -literal/ { show = 1; next }
          /^\.Ed/ { show = 0 }
-         show && /^\$ / { sub(/^\$ /, ""); gsub(/\\e/, "\\"); print }' \
+         show && /^\$ / { sub(/^\$ /, ""); gsub(/\\e/, "\\"); sub(/480x270/, "96x54"); print }' \
         "$page" > commands
     while read -r command; do
         sh -c "$command" < /dev/null > out 2>&1 || {
@@ -530,8 +515,7 @@ test_manual()
     verdict the_manual_makes_pictures $?
     for word in $(cylint-render --help |
         grep -Eo -e '^  -(-[a-z-]+|[a-zA-Z])' | tr -d - | sort -u); do
-        grep -Eq "(Fl|Fl -|Cm) *-?$(echo "$word" | sed 's/lookat/look-at/')" \
-            "$page"
+        grep -Eq "(Fl|Fl -|Cm) *-?$(echo "$word" | sed 's/lookat/look-at/')" "$page"
         verdict "the manual describes $word" $?
     done
     cd ..
@@ -557,7 +541,7 @@ test_pictures()
         verdict "the manual's command draws $p" $?
     done
     for p in forest:518400:100 neurons:518400:100 xray:291600:20; do
-        "$build/tests/command/pixels" "$top/tools/render/${p%%:*}.png" | awk -v p=$p '
+        pixels "$top/tools/render/${p%%:*}.png" | awk -v p=$p '
             BEGIN { split(p, of, ":") }
             !(($3, $4, $5) in seen) { seen[$3, $4, $5] = 1; n++ }
             END { exit !(NR == of[2] && n > of[3]) }'

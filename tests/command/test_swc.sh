@@ -70,8 +70,7 @@ text()
 {
     printf "$3" > "$native"
     printf "$2" > "$scratch/expected"
-    "$build/cylint" -s "$native" --text $4 2> "$scratch/messages" |
-        diff "$scratch/expected" -
+    "$build/cylint" -s "$native" --text $4 2> "$scratch/messages" | diff "$scratch/expected" -
     verdict "$1" $?
 }
 
@@ -160,12 +159,10 @@ test_same_shapes()
     same swc_numbers_may_be_decimal_fields_have_commas_and_lines_end_in_cr
     random_neuron 1 3000 | grep -v '0 ' | head -2000 > "$native"
     same swc_parents_may_be_missing
-    grep -q 'with a parent that is not in the file taken as roots' \
-        "$scratch/messages"
+    grep -q 'with a parent that is not in the file taken as roots' "$scratch/messages"
     verdict swc_missing_parents_are_counted $?
     awk 'BEGIN { for (n = 0; n < 4000; n++)
-        print n * 4096, 0, n % 20, n / 7, n, 2, n ? (n - 1) * 4096 : -1 }' \
-        > "$native"
+        print n * 4096, 0, n % 20, n / 7, n, 2, n ? (n - 1) * 4096 : -1 }' > "$native"
     lines_through_nodes "$native" 9
     same swc_numbers_may_be_multiples_of_a_power_of_two
     cp "$native" "$scratch/NEURON.SWC"
@@ -211,8 +208,7 @@ test_refused()
     refuses "1:9: expected a number, found '1e'" '1 1 0 0 1e 2 -1'
     refuses "1:5: expected a number, found ','" '1 1,,0,0,0 2 -1'
     refuses "1:9: expected a number, found the end of the line" '1 1 0 0 '
-    refuses "1:12: expected a node's number or -1, found the end of the line" \
-        '1 1 0 0 0 2'
+    refuses "1:12: expected a node's number or -1, found the end of the line" '1 1 0 0 0 2'
     refuses "3:11: negative radius: '-2'" '# a\n' '1 1 0 0 0 -2 -1'
     refuses "1:1: expected a node's number, found '1.5'" '1.5 1 0 0 0 2 -1'
     refuses "1:1: expected a node's number, found '9007199254740992.0'" \
@@ -221,21 +217,18 @@ test_refused()
     refuses "1:2: expected a node's number, found '-1'" ' -1 1 0 0 0 2 -1'
     refuses "1:1: expected a node's number, found '1234567890123456789'" \
         '1234567890123456789 1 0 0 0 2 -1'
-    refuses "1:13: expected a node's number or -1, found '-2'" \
-        '1 1 0 0 0 2 -2'
+    refuses "1:13: expected a node's number or -1, found '-2'" '1 1 0 0 0 2 -2'
     refuses "2:2: this node was given before: '01'" "$root" '\t01 1 0 0 9 2 -1'
     refuses "2:13: node 2 is its own parent" "$root" '2 1 0 0 9 2 2.0'
     refuses "2:13: the parents of node 7 lead back to it" "$root" \
         '7 1 0 0 9 2 5' '4 1 0 0 9 2 1' '5 1 0 0 9 2 6' '6 1 0 0 9 2 7'
     refuses "3:13: the parents of node 7 lead back to it" \
         '3 1 0 0 1 2 5' "$root" '7 1 0 0 9 2 5' '5 1 0 0 9 2 7'
-    refuses "3:3: expected a number, found the end of the line" \
-        '5 0 0 0 0 1 7' "$root" '2 '
+    refuses "3:3: expected a number, found the end of the line" '5 0 0 0 0 1 7' "$root" '2 '
     refuses ' no node was found' '# a comment' ''
     : > "$native"
     answers "$native"
-    [ $? -eq 1 ] && [ "$(cat "$scratch/messages")" = \
-        "cylint: $native: no node was found" ]
+    [ $? -eq 1 ] && [ "$(cat "$scratch/messages")" = "cylint: $native: no node was found" ]
     verdict swc_refuses_an_empty_file $?
     awk 'BEGIN { while (n++ <= 1024 * 1024) printf "1" }' > "$native"
     answers "$native"

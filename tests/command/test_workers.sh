@@ -89,10 +89,8 @@ ended() { # NAME STATUS, then the command's arguments
     is "$name" "$status" -eq "$wanted"
 }
 for workers in 1 2 8; do
-    ended "-e stop ends the work while input is open, -j $workers" 1 \
-        -j $workers -e stop
-    [ -w /dev/full ] &&
-        ended "a full disk ends the work while input is open, -j $workers" 3 \
+    ended "-e stop ends the work while input is open, -j $workers" 1 -j $workers -e stop
+    [ -w /dev/full ] && ended "a full disk ends the work while input is open, -j $workers" 3 \
             -j $workers -o /dev/full
 done
 

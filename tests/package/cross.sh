@@ -131,8 +131,7 @@ compare() {
         return
     fi
     result "$1: $trouble" 1
-    printf '%d answers differ\n' \
-        "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
+    printf '%d answers differ\n' "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
     paste "$4" "$build/$2" "$folder/answers" |
         awk -F '\t' -v columns="$(printf '%s' "$3" | tr -cd , | wc -c)" '{
             want = got = ""

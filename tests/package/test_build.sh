@@ -55,8 +55,7 @@ make_bare deps "$scratch/b/$object" &&
     grep -q "^CC tests/roots/test_midpoints.c" "$scratch/output"
 verdict packages_from_deps_are_used_by_the_same_run $?
 rm -rf "$scratch/b" "$scratch/installed"
-make_bare -j4 deps "$scratch/b/$object" &&
-    grep -q HAVE_MPFR "$scratch/b/tests/roots/flags"
+make_bare -j4 deps "$scratch/b/$object" && grep -q HAVE_MPFR "$scratch/b/tests/roots/flags"
 verdict packages_from_deps_are_used_by_parallel_jobs $?
 make_bare "$scratch/b/$object" && ! grep -q '^CC ' "$scratch/output"
 verdict the_next_run_compiles_nothing $?
@@ -125,8 +124,7 @@ if command -v objdump > /dev/null && [ -n "$(ls "$build"/src/*/*-avx2.o 2> /dev/
 fi
 
 # a test without its package is named, and fails with CI=true
-printf '#!/bin/sh\necho "no MPFR: no oracle (make deps)"\nexit 77\n' \
-    > "$scratch/lacks.sh"
+printf '#!/bin/sh\necho "no MPFR: no oracle (make deps)"\nexit 77\n' > "$scratch/lacks.sh"
 printf '#!/bin/sh\necho "no disk can be filled"\nexit 77\n' > "$scratch/other.sh"
 # run_tests TEST...: in parallel; $scratch/output is what `make check` prints
 run_tests()

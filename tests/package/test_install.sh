@@ -162,8 +162,7 @@ test_readme_install()
       echo "$home/.local/bin/cylint"; } > "$scratch/expected"
     grep -v "^install\|^ln\|MANPATH\|^$home/.local/share/man" "$scratch/said" |
         diff "$scratch/expected" - && grep -q "$home/.local/share/man" "$scratch/said"
-    verdict the_readmes_lines_install_and_run_a_linked_example $? ||
-        cat "$scratch/log"
+    verdict the_readmes_lines_install_and_run_a_linked_example $? || cat "$scratch/log"
 }
 
 # The printed lines work for a folder that the system does not search.
@@ -262,8 +261,7 @@ test_manual_structs()
         }' man/*.3
     } > "$scratch/structs.c"
     [ "$(grep -c '^typedef struct {' "$scratch/structs.c")" -ge 6 ] &&
-        quiet $cc -std=c99 $(flags --cflags) -c -o "$scratch/structs.o" \
-            "$scratch/structs.c"
+        quiet $cc -std=c99 $(flags --cflags) -c -o "$scratch/structs.o" "$scratch/structs.c"
     verdict the_manuals_show_the_structs_of_the_headers $?
 }
 
@@ -311,8 +309,7 @@ test_symbols()
             "static_${library}_defines_only_its_own_names"
     done
     none "$(declared cylint.h cylint_distance.h cylint_pieces.h cylint_methods.h |
-        missing_from "$lib/libcylint.so")" \
-        libcylint_exports_every_function_of_its_headers
+        missing_from "$lib/libcylint.so")" libcylint_exports_every_function_of_its_headers
     none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
         libcylint_scene_exports_every_function_of_its_header
     none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
@@ -377,8 +374,7 @@ test_readme_commands()
         { print > (step ".said") }
     ' README.md
     for step in "$scratch"/steps/*.sh; do
-        (cd "$scratch/work" && PATH=$root/usr/bin:$PATH sh "$step") \
-            > "$scratch/said" 2>&1
+        (cd "$scratch/work" && PATH=$root/usr/bin:$PATH sh "$step") > "$scratch/said" 2>&1
         diff "${step%.sh}.said" "$scratch/said" || { cat "$step"; false; }
         verdict "readme_command_$(basename "$step" .sh)" $?
     done
@@ -389,8 +385,7 @@ test_readme_commands()
 # In $prefix some folders are there before make install, which is run twice.
 test_uninstall()
 {
-    make_in_root uninstall &&
-        [ "$(find "$root")" = "$root" ] || { find "$root"; false; }
+    make_in_root uninstall && [ "$(find "$root")" = "$root" ] || { find "$root"; false; }
     verdict uninstall_leaves_nothing_behind $?
     prefix=$scratch/prefix
     mkdir -p "$prefix/share/man/man3" "$prefix/bin" "$prefix/lib/other"

@@ -1,6 +1,7 @@
 """Molecules, trees, `python -m libcylint convert`, and the recipes that use them."""
 
 import gzip
+import io
 import os
 import re
 import subprocess
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 import libcylint as cylint
+from libcylint import __main__
 
 TOP = Path(__file__).parents[2]
 DATA = TOP.parent / "shared" / "data"
@@ -299,15 +301,27 @@ def test_what_is_no_table_is_refused(tree, text, message):
 # -------------------------------------------------------------- convert --
 
 
-def convert(*arguments, given=b""):
-    done = subprocess.run(
-        [sys.executable, "-m", "libcylint", "convert", *map(str, arguments)],
-        input=given, capture_output=True,
-    )
-    return done.returncode, done.stdout.decode(), done.stderr.decode()
+@pytest.fixture
+def convert(monkeypatch, capfdbinary):
+    """Calls `python -m libcylint convert` in this process."""
+    monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)
+    monkeypatch.setattr(__main__.signal, "signal", lambda *_: None)
+
+    def run(*arguments, given=b""):
+        monkeypatch.setattr(sys, "argv", ["", "convert", *map(str, arguments)])
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(given)))
+        try:
+            with warnings.catch_warnings():
+                status = __main__.main()
+        except SystemExit as end:
+            status = end.code
+        out, err = capfdbinary.readouterr()
+        return status, out.decode(), err.decode()
+
+    return run
 
 
-def test_convert_writes_the_scene_that_is_read(tmp_path):
+def test_convert_writes_the_scene_that_is_read(convert, tmp_path):
     path, scene = tmp_path / "m", tmp_path / "scene"
     path.write_text(CHAIN)
     for kind in ("molecule", "pdb", "mmcif"):
@@ -326,7 +340,7 @@ def test_convert_writes_the_scene_that_is_read(tmp_path):
     assert text.count("\n") == 6
 
 
-def test_convert_reads_trees_and_neurons(tmp_path):
+def test_convert_reads_trees_and_neurons(convert, tmp_path):
     assert convert("qsm", "-t", given=TREEQSM.encode())[1] == (
         "cylinder 1 2 3 1 2 5 0.5 1\ncylinder 1 2 3 1.1 2 3 0.4 2\n"
     )
@@ -344,7 +358,7 @@ def test_convert_reads_trees_and_neurons(tmp_path):
     )
 
 
-def test_convert_has_the_status_of_the_command(tmp_path):
+def test_convert_has_the_status_of_the_command(convert, tmp_path):
     bad = tmp_path / "bad"
     bad.write_text("1 1 0 0 0 2 x\n")
     status, text, said = convert("swc", bad)

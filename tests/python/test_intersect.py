@@ -156,8 +156,8 @@ def test_batches_equal_single_questions(o, d, tmin, tmax):
     o, d = o[good], d[good]
     for shape in KINDS:
         whole = cylint.intersect(shape, o, d, *domain)
-        many = cylint.intersect(shape[None].reshape(1, 1), o, d[None], *domain)
-        assert same(whole.t, many.t[0])
+        table = cylint.intersect(shape[None].reshape(1, 1), o, d[None], *domain)
+        assert same(whole.t, table.t[0])
         pairs = cylint.intersect(cylint.concatenate([shape] * len(o)), o, d, *domain)
         assert equal(whole, pairs, *ANSWER)
         for i in range(len(o)):

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Floor tools: the Python package.  Its source distribution stands alone: a wheel
-# is made of it elsewhere and installed into the environment that `make deps`
-# makes; then pytest runs tests/python and the examples of the docstrings and of
-# tools/python/README.md.
+# Floor tools: the Python package.  Its source distribution stands alone: it has the
+# library's sources, and make finds all of them there.  A wheel is made of it
+# elsewhere, with the libraries that make has built of the same sources, and
+# installed into the environment that `make deps` makes; then pytest runs
+# tests/python and the examples of the docstrings and of tools/python/README.md.
 . "$(dirname "$0")/../support/verdict.sh"
 home=$build/python # the environment, and what is built
 python=$home/bin/python
@@ -17,19 +18,31 @@ make_sdist()
     rm -rf "$home/dist"
     (cd tools/python && quiet "$python" -c "
 import sys, scikit_build_core.build as backend
-backend.build_sdist(sys.argv[1])" "$home/dist")
+backend.build_sdist(sys.argv[1])" "$home/dist") &&
+        tar -xzf "$home"/dist/*.tar.gz -C "$scratch"
+}
+
+stands_alone()
+{
+    sources=$(echo "$scratch"/libcylint-*/sources)
+    (cd "$sources" && find . -type f -exec cmp {} "$top/{}" \;) > "$scratch/log" 2>&1
+    [ ! -s "$scratch/log" ] || { cat "$scratch/log"; return 1; }
+    quiet env -u MAKEFLAGS -u MAKELEVEL "${MAKE:-make}" -n -C "$sources" BUILD="$scratch/none" \
+        "$scratch/none/libcylint.a" "$scratch/none/libcylint-scene.a" &&
+        [ "$(grep -c "^echo 'CC src/" "$scratch/log")" -gt 50 ]
 }
 
 # Builds again only if the sources changed; a clone's Makefile is out of reach.
 make_wheel()
 {
-    sum=$(cat "$home"/dist/*.tar.gz | gzip -dc | cksum)
+    sum=$({ gzip -dc "$home"/dist/*.tar.gz; cat "$build"/libcylint*.a; } | cksum)
     [ "$sum" = "$(cat "$home/wheel/sum" 2>/dev/null)" ] && return
     rm -rf "$home/wheel"
     mkdir "$home/wheel" && (
         cd "$scratch" &&
             quiet env -u CFLAGS -u CXXFLAGS -u MAKEFLAGS -u MAKELEVEL -u BUILD \
                 "$python" -m pip wheel --no-build-isolation --no-deps --no-index \
+                -C cmake.define.MAKE=true -C cmake.define.CYLINT_BUILD="$build" \
                 -w "$home/wheel" "$home"/dist/*.tar.gz
     ) && echo "$sum" > "$home/wheel/sum"
 }
@@ -50,6 +63,8 @@ run_pytest()
 
 make_sdist
 verdict the_source_distribution_is_made $? || { check_end; exit; }
+stands_alone
+verdict the_source_distribution_stands_alone $?
 make_wheel
 verdict a_wheel_is_made_of_it_elsewhere $? || { check_end; exit; }
 quiet "$python" -m pip install --no-deps --no-index --force-reinstall "$home"/wheel/*.whl

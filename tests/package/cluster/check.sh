@@ -30,19 +30,16 @@ timed()
 # Writes a forest and numbered rays, in one file and in pieces.
 make_input()
 {
-    mkdir "$scratch/rays" &&
-        awk -v trees=18 -f tools/demo/forest.awk > "$scratch/scene" &&
+    mkdir "$scratch/rays" && awk -v trees=18 -f tools/demo/forest.awk > "$scratch/scene" &&
         awk -v height=1.6 -v azimuth=120 -v lowest=-13 -v highest=47 \
-            -v columns=$((records / 80)) -v rows=80 \
-            -f tools/demo/scanner.awk |
+            -v columns=$((records / 80)) -v rows=80 -f tools/demo/scanner.awk |
         awk '{ print $0, "ray" NR }' > "$scratch/rays.txt" &&
         [ "$(wc -l < "$scratch/rays.txt")" -eq "$records" ] &&
         sh tests/support/recipe.sh save-scene > "$scratch/save" &&
         (cd "$scratch" && sh save) &&
         { [ -z "$python" ] || "$python" tests/package/cluster/table.py make \
             "$scratch/rays.txt" "$scratch/rays.parquet"; } &&
-        split -n l/$pieces -d --additional-suffix=.txt "$scratch/rays.txt" \
-            "$scratch/rays/"
+        split -n l/$pieces -d --additional-suffix=.txt "$scratch/rays.txt" "$scratch/rays/"
 }
 
 # Makes one record in the middle bad.

@@ -73,7 +73,8 @@ nb::tuple read_scene(const char *file, int ends, bool round)
         begun = scene_object(scene.shapes);
         scene.shapes = nullptr; /* the object's now */
         if (names.texts.length > 0)
-            labels = label_texts(names.texts.end, names.texts.bytes, scene.count);
+            labels =
+                label_texts(names.texts.end, names.texts.bytes, scene.count);
         for (size_t i = 0; i < scene.solids.count; i++) {
             const cylint_member &m = scene.solids.member[i];
             members.append(nb::make_tuple(m.shape, m.solid, m.clause));
