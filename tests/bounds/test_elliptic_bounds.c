@@ -3,7 +3,9 @@
  *
  * Computes x, y, z, the volume and the height over a tangent plane in pairs and in
  * triples, and compares the differences with CYLINT_SIZED_ERROR times the sizes of
- * the terms; and the same numbers in doubles with the bounds that features depend on.
+ * triples, and compares the differences with CYLINT_SIZED_ERROR times the sizes
+ * of the terms; and the same numbers in doubles with the bounds that features
+ * depend on.
  */
 #define CYLINT_ONE_LANE
 #include "check.h"

@@ -1,11 +1,11 @@
 /*
- * test_batch.c - floor distance: batches of points return the bits of single questions,
- * in the lanes of all builds
+ * test_batch.c - floor distance: batches of points return the bits of single
+ * questions, in the lanes of all builds
  *
- * The batches are those of distances, contains, safety and on_surface.  Their arrays
- * begin or end at guard pages, at all addresses; inputs are read-only during the call.
- * Shapes are of all families, kinds and ends, and refused ones; points are near their
- * features, far away, and not finite.
+ * The batches are those of distances, contains, safety and on_surface.  Their
+ * arrays begin or end at guard pages, at all addresses; inputs are read-only
+ * during the call. Shapes are of all families, kinds and ends, and refused
+ * ones; points are near their features, far away, and not finite.
  */
 #include <math.h>
 #include <string.h>
@@ -152,7 +152,8 @@ struct layout {
     double ulps;
 };
 
-/* The first n points and shape number `one`, or the first n shapes if it is MOST. */
+/* The first n points and shape number `one`, or the first n shapes if it is
+ * MOST. */
 static void check_batch(size_t one, size_t n, const struct layout *at)
 {
     const int each = one == MOST;

@@ -175,7 +175,9 @@ static cylint_shape shape_of(const struct solid *e, cylint_ends ends)
 }
 
 /* The other nappe of a double cone is computed as this one, turned about the
- * apex: so are its triples, and of two nearest points the one with the least phi. */
+ * The other nappe of a double cone is computed as this one, turned about the
+ * apex: so are its triples, and of two nearest points the one with the least
+ * phi. */
 static void the_other_nappe_is_turned(void)
 {
     const struct solid cone = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}, 2};

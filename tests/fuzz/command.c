@@ -65,9 +65,8 @@ static void become(int number, int fd)
 
 int __wrap_open(const char *name, int flags, ...)
 {
-    if ((flags & O_ACCMODE) != O_RDONLY) {
+    if ((flags & O_ACCMODE) != O_RDONLY)
         return __real_open("/dev/null", flags & O_ACCMODE);
-    }
     if (name[0] == '/') {
         errno = ENOENT;
         return -1;
@@ -114,9 +113,8 @@ static int run(const char *line, const char *jobs)
         char *blank = strchr(p, ' ');
         argv[argc++] = p;
         p = blank ? blank + 1 : p + strlen(p);
-        if (blank) {
+        if (blank)
             *blank = '\0';
-        }
     }
     argv[argc] = NULL;
     now.piped = jobs[0] != '1';
@@ -133,11 +131,9 @@ static int run(const char *line, const char *jobs)
 /* The first line `%%`; NULL if there is none. */
 static const char *find_mark(const char *text, const char *end)
 {
-    for (const char *p = text; end - p >= 3; p++) {
-        if (memcmp(p, "%%\n", 3) == 0 && (p == text || p[-1] == '\n')) {
+    for (const char *p = text; end - p >= 3; p++)
+        if (memcmp(p, "%%\n", 3) == 0 && (p == text || p[-1] == '\n'))
             return p;
-        }
-    }
     return NULL;
 }
 
@@ -145,9 +141,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const char *text = (const char *)data, *end = text + size;
     const char *feed = memchr(data, '\n', size);
-    if (!feed || size > PIPE_MOST) {
+    if (!feed || size > PIPE_MOST)
         return 0;
-    }
     char *line = malloc((size_t)(feed - text) + 1);
     MUST(line);
     memcpy(line, text, (size_t)(feed - text));

@@ -35,9 +35,8 @@ static void check_number(const char *text, const char *end)
 {
     double value, expected;
     const char *after = cylint_read_number(text, end, &value);
-    if (!after) {
+    if (!after)
         return;
-    }
     MUST(after > text && after <= end);
     const size_t length = (size_t)(after - text);
     char *copy = malloc(length + 1);
@@ -103,9 +102,8 @@ static void check_line(const struct grammar *g, const char *text,
 {
     struct record record;
     struct notes notes = {.line = 1, .text = text, .end = end, .wanted = ~0u};
-    if (!is_record(text, end)) {
+    if (!is_record(text, end))
         return;
-    }
     memset(&record, 0, sizeof record);
     if (read_record(g, text, end, &record, &notes) == 0) {
         MUST(text <= record.tail.text && end_of(record.tail) <= end);
@@ -122,24 +120,21 @@ static void check_doubles(const struct grammar *g, const char *bytes,
     struct record record;
     struct notes notes = {0};
     if ((g->has_line && g->line == NOT_GIVEN) ||
-        (g->has_shape && g->shape == NOT_GIVEN)) {
+        (g->has_shape && g->shape == NOT_GIVEN))
         return;
-    }
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
     memset(&record, 0, sizeof record);
     record.tail = string_of("");
-    if (take_record(g, numbers, &record, &notes) == 0) {
+    if (take_record(g, numbers, &record, &notes) == 0)
         check_record(g, &record);
-    } else {
+    else
         MUST(notes.note[0].text[0]);
-    }
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    if (size < 2) {
+    if (size < 2)
         return 0;
-    }
     const struct grammar g = make_grammar(data[0], data[1]);
     char *text = malloc(size - 1);
     MUST(text);

@@ -20,8 +20,7 @@ static void replay(const char *name)
 
 int main(int argc, char **argv)
 {
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; i++)
         replay(argv[i]);
-    }
     return 0;
 }

@@ -2,8 +2,10 @@
  * shapes.c - floors intersect and batch: fuzzes the library
  *
  * The bytes of an input become a line and some shapes.  The properties of
- * library/properties.h hold, and batches with all kernels give the answers of single
- * questions.  A build with CYLINT_PARANOID also makes each decision twice.
+ * The bytes of an input become a line and some shapes.  The properties of
+ * library/properties.h hold, and batches with all kernels give the answers of
+ * single questions.  A build with CYLINT_PARANOID also makes each decision
+ * twice.
  */
 #include <math.h>
 #include <string.h>
@@ -44,8 +46,9 @@ static double raw(struct bytes *b)
     return value;
 }
 
-/* Usually a small integer, so that lines touch, graze and lie along; otherwise a recent
- * number, perhaps moved by a few ulp, a power of two, or any double. */
+/* Usually a small integer, so that lines touch, graze and lie along; otherwise
+ * a recent number, perhaps moved by a few ulp, a power of two, or any double.
+ * */
 static double draw(struct bytes *b)
 {
     const unsigned kind = next(b);

@@ -1,9 +1,9 @@
 /*
  * properties.h - properties of the answer to one line and one shape
  *
- * The library is compared with itself on changed input whose answer changes in a known
- * manner.  Each function returns whether its property holds for the case; one that says
- * nothing about the case returns 1.
+ * The library is compared with itself on changed input whose answer changes in
+ * a known manner.  Each function returns whether its property holds for the
+ * case; one that says nothing about the case returns 1.
  */
 #ifndef CYLINT_TEST_PROPERTIES_H
 #define CYLINT_TEST_PROPERTIES_H
@@ -129,7 +129,8 @@ static inline int has_even_hits(const struct family_case *given)
 
 /* -------------------------------------------------- changes of the line -- */
 
-/* The hits of y, in reverse order, are those of x, at t or with a segment at 1 - t. */
+/* The hits of y, in reverse order, are those of x, at t or with a segment at 1
+ * - t. */
 static inline int is_reverse(const cylint_answer *x, const cylint_answer *y,
                              int segment)
 {
@@ -166,8 +167,9 @@ static inline int is_reversed_with_its_line(const struct family_case *given)
     return is_reverse(&a, &b, segment);
 }
 
-/* The hits are those of the whole line that lie in the domain.  Where t rounds to an end
- * of the domain the exact root decides; only the oracle tests that. */
+/* The hits are those of the whole line that lie in the domain.  Where t rounds
+ * to an end of the domain the exact root decides; only the oracle tests that.
+ * */
 static inline int is_cut_by_its_domain(const struct family_case *given)
 {
     struct family_case c = *given;
@@ -207,8 +209,8 @@ static inline const int *vectors_of(family_shape word)
     return where[word];
 }
 
-/* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes the signs
- * by the bits of `flip`. */
+/* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes
+ * the signs by the bits of `flip`. */
 static inline void turn3(double v[3], int round, int flip)
 {
     const double x[3] = {v[0], v[1], v[2]};
@@ -347,8 +349,8 @@ static inline int is_constant_cone(const struct family_case *given)
     return has_same_verdict(given, &c);
 }
 
-/* The same solid of radius 1.25 and height 2 along a coordinate, circular, and elliptic
- * with equal axes.  The base has whole numbers. */
+/* The same solid of radius 1.25 and height 2 along a coordinate, circular, and
+ * elliptic with equal axes.  The base has whole numbers. */
 static inline int is_elliptic_with_equal_axes(const struct family_case *given)
 {
     static const double factors[] = {0, 0.5, 1, 2};

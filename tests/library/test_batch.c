@@ -171,7 +171,8 @@ static void check_shapes(const struct family_case *line,
     check_answers(line, 0, cases, 1, n, at);
 }
 
-/* Nearest, with several sets of members, and count, beside a loop over all shapes. */
+/* Nearest, with several sets of members, and count, beside a loop over all
+ * shapes. */
 static void check_scene(const struct family_case *line,
                         const struct family_case *cases, size_t n,
                         const struct layout *at)

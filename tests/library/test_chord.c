@@ -41,8 +41,9 @@ static int same_chords(int n, const cylint_interval *x, int m,
 
 static long compared, with_chords;
 
-/* The chords of the closed solid and the domain, from the oracle's hits of the whole
- * line: their sides and the relation say between which of them the line is inside. */
+/* The chords of the closed solid and the domain, from the oracle's hits of the
+ * whole line: their sides and the relation say between which of them the line
+ * is inside. */
 static int expected_chords(const struct family_case *c, cylint_interval *chord)
 {
     cylint_shape closed = c->shape;
@@ -76,7 +77,8 @@ static int expected_chords(const struct family_case *c, cylint_interval *chord)
     return kept;
 }
 
-/* Sometimes a domain that begins or ends at a hit of the whole line or beside it. */
+/* Sometimes a domain that begins or ends at a hit of the whole line or beside
+ * it. */
 static void limit(struct family_case *c)
 {
     cylint_line whole = c->line;
@@ -161,8 +163,8 @@ static double any_double(int least, int most)
     return choice(8) == 0 ? 0 : choice(2) ? x : -x;
 }
 
-/* |d| minus the length that the library returns, in its units in the last place; 0 if
- * both are beyond the largest double. */
+/* |d| minus the length that the library returns, in its units in the last
+ * place; 0 if both are beyond the largest double. */
 static double error_of_length(const cylint_line *line)
 {
     const double got = cylint_line_length(line);

@@ -2,10 +2,10 @@
  * test_environment.c - floors shape and intersect: no floating-point environment
  * changes constructors and named cases
  *
- * Shapes are made and questions answered in the default environment and in each other
- * one.  The statuses, every bit of the differences that constructors compute and of
- * all members of hits must agree.  scene/test_paths.c does this for random cases and
- * all calls.
+ * Shapes are made and questions answered in the default environment and in each
+ * other one.  The statuses, every bit of the differences that constructors
+ * compute and of all members of hits must agree.  scene/test_paths.c does this
+ * for random cases and all calls.
  */
 #include <math.h>
 
@@ -95,9 +95,10 @@ static void shapes_and_lines_are_made_the_same(void)
     everywhere(made_of_families);
 }
 
-/* Frusta whose radii differ by a subnormal number and whose axes are subnormal; radii
- * and axes of one subnormal unit; tiny radii far from the origin, and subnormal
- * offsets among other tiny numbers, which must not be lost before scaling. */
+/* Frusta whose radii differ by a subnormal number and whose axes are subnormal;
+ * radii and axes of one subnormal unit; tiny radii far from the origin, and
+ * subnormal offsets among other tiny numbers, which must not be lost before
+ * scaling. */
 static void subnormal_shapes(struct environment there)
 {
     static const double size[] = {0x1p-1022, 0x1.8p-1021, 0x1p-1000, 0x1p-1060,
@@ -212,8 +213,8 @@ static void tangents_of_angles_are_the_same(void)
     everywhere(rounded_tangents);
 }
 
-/* Signs that doubles cannot decide: of B for lines parallel to a ruling, and of u.w at
- * an apex, which decides the normal. */
+/* Signs that doubles cannot decide: of B for lines parallel to a ruling, and of
+ * u.w at an apex, which decides the normal. */
 static void long_signs(struct environment there)
 {
     const double beside[] = {0x1.0000000000001p0, 0, 1, 1, 0, 1};

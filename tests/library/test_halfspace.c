@@ -1,8 +1,8 @@
 /*
  * test_halfspace.c - a half-space: exact answers on integers, times powers of two
  *
- * With small integers t, the point and the squared distance are quotients of integers,
- * so one division rounds them.
+ * With small integers t, the point and the squared distance are quotients of
+ * integers, so one division rounds them.
  */
 #include <float.h>
 #include <math.h>

@@ -3,8 +3,9 @@
  * exactly, and domains
  *
  * The records of hits.txt must have their hits bit for bit, with each member wanted
- * alone, in every floating-point environment, from the exact stage alone, and from the
- * oracle.
+ * The records of hits.txt must have their hits bit for bit, with each member
+ * wanted alone, in every floating-point environment, from the exact stage
+ * alone, and from the oracle.
  */
 #include <float.h>
 #include <math.h>
@@ -156,9 +157,9 @@ static void the_oracle_has_the_same_hits(void)
     }
 }
 
-/* The normal is the point minus c: 2^-54 before 3/4 and 5/8.  If c[1] exceeds 2^-54 by
- * 2^-94, the second component is nearer to the middle of two doubles than 2^-90 of
- * itself; if by 2^-90, it is not. */
+/* The normal is the point minus c: 2^-54 before 3/4 and 5/8.  If c[1] exceeds
+ * 2^-54 by 2^-94, the second component is nearer to the middle of two doubles
+ * than 2^-90 of itself; if by 2^-90, it is not. */
 static void the_oracle_has_both_doubles_beside_a_middle(void)
 {
     static const double line[] = {0.75, 0.625, -2, 0, 0, 1};
@@ -178,8 +179,8 @@ static void the_oracle_has_both_doubles_beside_a_middle(void)
     }
 }
 
-/* From far away the root in pairs is accurate enough for t but may be too inaccurate for
- * the point. */
+/* From far away the root in pairs is accurate enough for t but may be too
+ * inaccurate for the point. */
 static void a_grazing_line_from_afar_finds_its_point(void)
 {
     const double rod[] = {0, -1, 0, 0, 1, 0, 1};

@@ -133,9 +133,8 @@ static void a_pack_keeps_the_callers_pointer(void)
         const double p0[3] = {0, 0, 30 - i}, p1[3] = {0, 0, 31 - i};
         cylint_cylinder(&shapes[i], p0, p1, 1, CYLINT_ENDS_CAPPED);
     }
-    if (!CHECK(cylint_pack_bytes(SHAPES) <= MOST)) {
+    if (!CHECK(cylint_pack_bytes(SHAPES) <= MOST))
         return;
-    }
     for (int at = 0; at < 64; at++) {
         cylint_pack pack;
         cylint_hit hit;
@@ -146,9 +145,8 @@ static void a_pack_keeps_the_callers_pointer(void)
         CHECK(cylint_nearest(&copy, &line, CYLINT_WANT_T, &hit) == SHAPES - 1 &&
               hit.t == 31 - SHAPES);
         CHECK(cylint_count(&copy, &line, 0) == SHAPES);
-        for (int i = 0; i < 64; i++) {
+        for (int i = 0; i < 64; i++)
             CHECK(i < at ? memory[i] == 0x5a : memory[MOST + i] == 0x5a);
-        }
     }
 }
 

@@ -36,8 +36,8 @@ static uint64_t cases(void)
     return check_setting("CYLINT_CASES", CASES);
 }
 
-/* Counts and returns the first difference, or returns NULL.  oracle_other() is right
- * too. */
+/* Counts and returns the first difference, or returns NULL.  oracle_other() is
+ * right too. */
 static const char *compare(struct tally *sum, const cylint_answer *got,
                            const cylint_answer *want)
 {
@@ -61,8 +61,8 @@ static const char *compare(struct tally *sum, const cylint_answer *got,
     return NULL;
 }
 
-/* Case i of a family, of coincidences and their neighbours, of wild exponents, or of
- * plain numbers. */
+/* Case i of a family, of coincidences and their neighbours, of wild exponents,
+ * or of plain numbers. */
 static void draw(int family, uint64_t i, struct family_case *c)
 {
     const int extra = family - family_count();
@@ -123,9 +123,8 @@ static void library_and_oracle_agree(void)
 static int inside_at(const struct family_case *c, double t)
 {
     double p[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         p[i] = c->line.o[i] + t * c->line.d[i];
-    }
     return oracle_contains(&c->shape, p);
 }
 
@@ -137,9 +136,8 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
         struct family_case c;
         cylint_answer answer;
         family_case(seed(), 0, i, &c);
-        if (c.line_word == FAMILY_SEGMENT) {
+        if (c.line_word == FAMILY_SEGMENT)
             continue; /* its d is rounded */
-        }
         c.line.tmin = -HUGE_VAL;
         c.line.tmax = HUGE_VAL;
         c.shape.ends = c.shape.ends < CYLINT_ENDS_INFINITE ? CYLINT_ENDS_CAPPED
@@ -149,13 +147,11 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
         for (int k = 0; k < answer.n; k++) {
             const double t = answer.hit[k].t, step = 1e-6;
             const int in = answer.hit[k].side == CYLINT_SIDE_ENTERING ? 1 : -1;
-            if (answer.n == 2 && answer.hit[1].t - answer.hit[0].t < 4 * step) {
+            if (answer.n == 2 && answer.hit[1].t - answer.hit[0].t < 4 * step)
                 continue;
-            }
             if (!CHECK(inside_at(&c, t + step) == in &&
-                       inside_at(&c, t - step) == -in)) {
+                       inside_at(&c, t - step) == -in))
                 family_report(&c);
-            }
         }
     }
 }
@@ -168,9 +164,8 @@ static void occluded_agrees_with_the_oracle(void)
             cylint_answer want;
             family_case(seed() + 1, family, i, &c);
             oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
-            if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n)) {
+            if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
                 family_report(&c);
-            }
         }
     }
 }
@@ -179,9 +174,8 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
 {
     struct family_case c = *given;
     cylint_answer got, want;
-    if (cylint_span(&c.line, given->line.o, given->line.d, tmin, tmax) != 0) {
+    if (cylint_span(&c.line, given->line.o, given->line.d, tmin, tmax) != 0)
         return;
-    }
     cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &got);
     oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &want);
     if (!CHECK(got.n == want.n) ||
@@ -227,9 +221,8 @@ static void contains_is_exact(void)
 
 int main(void)
 {
-    if (family_count() == 0) {
+    if (family_count() == 0)
         return check_skip("no GSL: no families to draw from (make deps)");
-    }
     RUN(oracle_agrees_with_points_sampled_along_the_line);
     RUN(library_and_oracle_agree);
     RUN(occluded_agrees_with_the_oracle);

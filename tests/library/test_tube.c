@@ -1,8 +1,8 @@
 /*
  * test_tube.c - hollow cylinders and cones and their sectors, at sampled points
  *
- * A point of a line is inside a piece if its radius, height and angle say so.  Points
- * next to a surface are left out.
+ * A point of a line is inside a piece if its radius, height and angle say so.
+ * Points next to a surface are left out.
  */
 #include <math.h>
 

@@ -1,10 +1,11 @@
 /*
  * test_ordinary.c - floor methods: ordinary input, against the library
  *
- * Each published method agrees with cylint_intersect() on well-conditioned input of its
- * shapes, and returns CYLINT_EMETHOD for all others.  Degenerate input is in
- * test_degenerate.c, misprints are in test_misprints.c.  A case is well-conditioned if
- * the exact answer changes little where the line moves a little.
+ * Each published method agrees with cylint_intersect() on well-conditioned
+ * input of its shapes, and returns CYLINT_EMETHOD for all others.  Degenerate
+ * input is in test_degenerate.c, misprints are in test_misprints.c.  A case is
+ * well-conditioned if the exact answer changes little where the line moves a
+ * little.
  */
 #include "method_cases.h"
 #include "random.h"
@@ -33,8 +34,8 @@ static int is_nearly_constant(const struct family_case *c)
            (c->shape_word == FAMILY_ECONE && fabs(x[12] - 1) < 0.1);
 }
 
-/* Whether the answers for lines moved by 1e-4 have the same hits, moved by less than
- * 1e-2. */
+/* Whether the answers for lines moved by 1e-4 have the same hits, moved by less
+ * than 1e-2. */
 static int is_well_conditioned(const struct family_case *c,
                                const cylint_answer *want)
 {

@@ -1,6 +1,6 @@
 /*
- * answers.h - all answers about a line or a point: of a loop over all shapes, and of a
- * scene
+ * answers.h - all answers about a line or a point: of a loop over all shapes,
+ * and of a scene
  */
 #ifndef CYLINT_SCENE_ANSWERS_H
 #define CYLINT_SCENE_ANSWERS_H
@@ -159,7 +159,8 @@ static inline void sort_found(struct found *f)
         }
 }
 
-/* The shapes are those of a visit; lists of a third and of all must have the same. */
+/* The shapes are those of a visit; lists of a third and of all must have the
+ * same. */
 static inline void line_in_scene(const cylint_scene *scene,
                                  const cylint_line *line,
                                  struct line_answers *a)
@@ -206,8 +207,8 @@ static inline double compared(double distance, unsigned want)
     return want & CYLINT_SIGNED ? distance : fabs(distance);
 }
 
-/* The distances that are compared, of all shapes; NaN if there is no surface.  want: 0
- * or CYLINT_SIGNED. */
+/* The distances that are compared, of all shapes; NaN if there is no surface.
+ * want: 0 or CYLINT_SIGNED. */
 static inline void all_distances(const cylint_shape *shapes, size_t n,
                                  const double point[3], unsigned want,
                                  double distance[LISTED])

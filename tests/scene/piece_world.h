@@ -1,6 +1,6 @@
 /*
- * piece_world.h - a scene of integer shapes and random solids, and its pieces by a loop
- * over all cells
+ * piece_world.h - a scene of integer shapes and random solids, and its pieces
+ * by a loop over all cells
  */
 #ifndef CYLINT_PIECE_WORLD_H
 #define CYLINT_PIECE_WORLD_H
@@ -125,8 +125,9 @@ static inline size_t cell(double t0, double t1, const int *rank, size_t *owner)
     return depth;
 }
 
-/* Divides [t0, t1] where the set of solids changes.  Chords of members that change no
- * solid divide nothing, so neighbours with the same set are joined. */
+/* Divides [t0, t1] where the set of solids changes.  Chords of members that
+ * change no solid divide nothing, so neighbours with the same set are joined.
+ * */
 static inline int same_set(double a0, double a1, double b0, double b1)
 {
     for (size_t i = 0; i < world.n; i++)

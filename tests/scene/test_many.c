@@ -1,6 +1,7 @@
 /*
- * test_many.c - floor scene: arrays of answers for many lines or points hold what the
- * queries of one line or point return, bit for bit, with any number of threads
+ * test_many.c - floor scene: arrays of answers for many lines or points hold
+ * what the queries of one line or point return, bit for bit, with any number of
+ * threads
  */
 #include <math.h>
 #include <stdint.h>
@@ -25,8 +26,8 @@ enum {
 static double input[8][MOST], radii[MOST];
 static size_t except[MOST];
 
-/* Arrays of answers, with one element more that is not written: the numbers of shapes,
- * two small arrays, and numbers. */
+/* Arrays of answers, with one element more that is not written: the numbers of
+ * shapes, two small arrays, and numbers. */
 enum { ARRAYS = 3 + NUMBERS };
 static struct answers {
     size_t number[MOST + 1];
@@ -42,8 +43,8 @@ static void *array_of(struct answers *a, int k, size_t *size)
                    : (void *)a->value[k - 3];
 }
 
-/* Whether the first n elements of the arrays of `mask` are those that are expected, and
- * no others were written. */
+/* Whether the first n elements of the arrays of `mask` are those that are
+ * expected, and no others were written. */
 static int are_as_expected(size_t n, unsigned mask)
 {
     int same = 1;

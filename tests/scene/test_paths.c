@@ -1,17 +1,20 @@
 /*
- * test_paths.c - floors intersect, batch and scene: every call has the same answers,
- * with every build of the kernels, in every floating-point environment
+ * test_paths.c - floors intersect, batch and scene: every call has the same
+ * answers, with every build of the kernels, in every floating-point environment
  *
- * A group of lines and shapes is answered one by one in the default environment, with
- * all members.  The calls of `paths`, with other members wanted, must return the same
- * bits, in an environment and with kernels that change from group to group; every
- * second group is also made there.  The groups are those of the families; runs of one
- * kind with the same ends; exact coincidences and their neighbours; plain numbers; and
- * numbers of extreme exponents, which are answered in each environment.  Many domains
- * begin or end at a hit, or one double beside it.
+ * A group of lines and shapes is answered one by one in the default
+ * environment, with all members.  The calls of `paths`, with other members
+ * wanted, must return the same bits, in an environment and with kernels that
+ * change from group to group; every second group is also made there.  The
+ * groups are those of the families; runs of one kind with the same ends; exact
+ * coincidences and their neighbours; plain numbers; and numbers of extreme
+ * exponents, which are answered in each environment.  Many domains begin or end
+ * at a hit, or one double beside it.
  *
  * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.  The
- * program prints a digest of all answers, which must be the same from all compilers.
+ * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.
+ * The program prints a digest of all answers, which must be the same from all
+ * compilers.
  */
 #include <float.h>
 #include <math.h>
@@ -164,8 +167,8 @@ static void described_hits(int i)
         }
 }
 
-/* Domains that end at a hit or a double beside it keep the members of hits: only exact
- * signs decide whether the hit is in it. */
+/* Domains that end at a hit or a double beside it keep the members of hits:
+ * only exact signs decide whether the hit is in it. */
 static void ended_domains(int i)
 {
     const cylint_answer *all = &g.whole[i];
@@ -350,7 +353,8 @@ static void make_again(void)
     }
 }
 
-/* Domains that begin or end at or beside a hit of the line and one of the shapes. */
+/* Domains that begin or end at or beside a hit of the line and one of the
+ * shapes. */
 static void limit_domains(void)
 {
     for (int i = 0; i < GROUP; i++) {

@@ -154,8 +154,8 @@ typedef struct {
     cylint_hit hit;
 } scene_answers;
 
-/* All pieces in each mode and what else is computed from chords, of lines and of their
- * origins. */
+/* All pieces in each mode and what else is computed from chords, of lines and
+ * of their origins. */
 static void answer_all(const cylint_line *line, scene_answers *to)
 {
     cylint_workspace work = {workspace, sizeof workspace, 0};

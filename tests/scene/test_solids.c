@@ -143,7 +143,8 @@ static void solids_replace_those_before(void)
 
 /* -------------------------------------------------------- saved scenes -- */
 
-/* Section 9 is that of the solids; a header has the bytes of each from byte 56 on. */
+/* Section 9 is that of the solids; a header has the bytes of each from byte 56
+ * on. */
 enum { SECTION_OF_SOLIDS = 9, SECTIONS = 11, BYTES_OF_SECTIONS = 56 };
 
 static uint64_t bytes_of_section(const struct bytes *b, int section)
@@ -227,7 +228,8 @@ static void damaged_members_are_refused(void)
     cylint_scene_free(world.scene);
 }
 
-/* The sizes of the sections of solids and of ranks, which this version does not have. */
+/* The sizes of the sections of solids and of ranks, which this version does not
+ * have. */
 static void damaged_sizes_are_refused(void)
 {
     struct bytes b = {NULL, NULL, 0, 0};
@@ -500,8 +502,8 @@ static void solids_with_a_common_face_have_whole_chords(void)
     }
 }
 
-/* ROOT, issue 23192: the sum over materials is that of all lengths.  A full rod lies
- * between two hollow ones, in a larger one; the radii and ends touch. */
+/* ROOT, issue 23192: the sum over materials is that of all lengths.  A full rod
+ * lies between two hollow ones, in a larger one; the radii and ends touch. */
 static void the_sum_over_materials_is_the_whole_length(void)
 {
     const double p0[3] = {0, 0, -4}, p1[3] = {0, 0, 4};
@@ -529,7 +531,8 @@ static void the_sum_over_materials_is_the_whole_length(void)
     cylint_scene_free(scene);
 }
 
-/* McCode, issues 2502 and 997: a hollow cylinder, a ray from 64 m along a diameter. */
+/* McCode, issues 2502 and 997: a hollow cylinder, a ray from 64 m along a
+ * diameter. */
 static void a_hollow_sample_far_away_has_two_pieces(void)
 {
     const double p0[3] = {0, 0, -0.25}, p1[3] = {0, 0, 0.25};

@@ -169,9 +169,8 @@ static void radii_must_not_be_negative_nor_all_zero(void)
 static void half_angles_lie_between_0_and_90(void)
 {
     static const double bad[] = {0, -0.0, 90, 90.5, -1, -45, 180, 1e300};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         CHECK(spoiled(FAMILY_ACONE, 6, bad[i]) == CYLINT_EANGLE);
-    }
     CHECK(spoiled(FAMILY_ACONE, 6, nextafter(90, 0)) == CYLINT_OK);
     CHECK(spoiled(FAMILY_ACONE, 6, 1e-300) == CYLINT_OK);
     cylint_shape s;
@@ -277,9 +276,8 @@ static void an_invalid_shape_or_line_misses_with_the_flag(void)
         CHECK(cylint_contains(&c.shape, origin) == -1);
         double lo[3], hi[3];
         cylint_bounds(&c.shape, lo, hi);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             CHECK(lo[i] == HUGE_VAL && hi[i] == -HUGE_VAL);
-        }
     }
 }
 
@@ -332,9 +330,8 @@ static void extreme_shapes_are_accepted(void)
     CHECK(a.hit[0].t == 0 && a.hit[1].t == 1);
     CHECK(a.hit[0].part == CYLINT_PART_CAP0 &&
           a.hit[1].part == CYLINT_PART_CAP1);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         CHECK(a.hit[0].point[i] == low[i] && a.hit[1].point[i] == high[i]);
-    }
     CHECK(cylint_cylinder(&s, origin, tiny, DBL_MAX, 0) == CYLINT_OK);
     CHECK(cylint_cylinder(&s, low, high, 5e-324, 0) == CYLINT_OK);
     CHECK(cylint_contains(&s, origin) == 1);

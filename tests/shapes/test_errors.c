@@ -1,9 +1,11 @@
 /*
- * test_errors.c - floor shape: boxes and tangents are within the errors of cylint(3)
+ * test_errors.c - floor shape: boxes and tangents are within the errors of
+ * cylint(3)
  *
- * The sides of boxes are compared with MPFR: none cuts its solid, and none is farther
- * from it than the manual's table says.  That each member of a hit is the nearest double
- * is tested in library/test_intersect.c.  CYLINT_CASES and CYLINT_SEED change the cases.
+ * The sides of boxes are compared with MPFR: none cuts its solid, and none is
+ * farther from it than the manual's table says.  That each member of a hit is
+ * the nearest double is tested in library/test_intersect.c.  CYLINT_CASES and
+ * CYLINT_SEED change the cases.
  */
 #include "check.h"
 
@@ -249,8 +251,9 @@ static void boxes_and_tangents_have_their_errors(void)
 #define WHOLE "line 0 0 0 1 0 0 "
 
 /* Unbounded solids; sizes at both ends of the range, of which boxes were too small,
- * infinite or NaN; boxes where nothing is rounded.  Sides are outward by at most `ulps`
- * units. */
+ * Unbounded solids; sizes at both ends of the range, of which boxes were too
+ * small, infinite or NaN; boxes where nothing is rounded.  Sides are outward by
+ * at most `ulps` units. */
 static const struct {
     const char *shape;
     double lo[3], hi[3];

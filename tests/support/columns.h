@@ -12,8 +12,8 @@ enum {
     ALL_COLUMNS = (1 << COLUMNS) - 1
 };
 
-/* The line as a batch reads it, with the stored direction.  domain: bits, 1: tmin is
- * present, 2: tmax is. */
+/* The line as a batch reads it, with the stored direction.  domain: bits, 1:
+ * tmin is present, 2: tmax is. */
 static inline cylint_line column_line(const cylint_line *from, int domain)
 {
     cylint_line line;

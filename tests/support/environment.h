@@ -25,12 +25,10 @@ enum { MXCSR_ZERO = 1 << 6, MXCSR_FLUSH = 1 << 15 };
 static inline void treat_subnormals(int how)
 {
     unsigned control = _mm_getcsr() & ~(unsigned)(MXCSR_ZERO | MXCSR_FLUSH);
-    if (how & FLUSH) {
+    if (how & FLUSH)
         control |= MXCSR_FLUSH;
-    }
-    if (how & ZERO) {
+    if (how & ZERO)
         control |= MXCSR_ZERO;
-    }
     _mm_setcsr(control);
 }
 

@@ -57,9 +57,8 @@ static void aim(struct family_case *out, const frame *f, double size)
     place(f, between(-size, size), between(-size, size),
           between(-size, 1 + size), p);
     place(f, between(-1, 1), between(-1, 1), between(0, 1), q);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         q[i] -= p[i];
-    }
     scale3(q, power(-0.5, 0.5));
     write_line(out, p, q);
 }
@@ -110,9 +109,8 @@ static void translate(struct family_case *c, const double v[3])
             c->shape_data[i] += v[(after_radius ? i - 1 : i) % 3];
         }
     }
-    for (int i = 0; i < (c->line_word == FAMILY_SEGMENT ? 6 : 3); i++) {
+    for (int i = 0; i < (c->line_word == FAMILY_SEGMENT ? 6 : 3); i++)
         c->line_data[i] += v[i % 3];
-    }
 }
 
 static void translated(struct family_case *out)
@@ -171,14 +169,12 @@ static void exactly_parallel(struct family_case *out)
     whole_shape(out);
     axis_of(out, d);
     scale3(d, ldexp(chance(0.5) ? 1 : -1, whole_between(-3, 3)));
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         p[i] = out->shape_data[i] + whole_between(-5, 5);
-    }
     if (out->shape_word >= FAMILY_ECYLINDER && chance(0.5)) { /* on it */
         const int axis = chance(0.5) ? 3 : 6;
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             p[i] = out->shape_data[i] + out->shape_data[axis + i];
-        }
     }
     write_line(out, p, d);
     if (chance(0.2)) {
@@ -220,9 +216,8 @@ static void pythagorean(struct family_case *out)
     if (chance(0.6)) {
         const int n = one_of(6 + family_shape_size(out->shape_word));
         double *moved = n < 6 ? &out->line_data[n] : &x[n - 6];
-        if (*moved != 0) {
+        if (*moved != 0)
             *moved = stepped(*moved, whole_between(-4, 4));
-        }
     }
     out->ends = any_ends();
 }
@@ -231,9 +226,8 @@ static void pythagorean(struct family_case *out)
 
 static void multiply(double *x, int n, double by)
 {
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++)
         x[i] *= by;
-    }
 }
 
 /* Multiplies lengths by `by`, but no directions of lines and no factors. */
@@ -313,9 +307,8 @@ static void mixed_exponents(struct family_case *out)
 {
     const int deep = chance(0.3) ? 1074 : 60;
     integer_grid(out);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 6; i++)
         out->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
-    }
     const int n = family_shape_size(out->shape_word);
     for (int i = 0; i < n; i++) {
         const int angle = out->shape_word == FAMILY_ACONE && i == 6;
@@ -333,9 +326,8 @@ static double any_power(int least, int most)
 /* A limit of a domain of any size and sign, or near t. */
 static double any_limit(double t)
 {
-    if (chance(0.3)) {
+    if (chance(0.3))
         return t * (1 + small(-16, 0));
-    }
     return (chance(0.5) ? 1 : -1) *
            (chance(0.2) ? HUGE_VAL : any_power(-1074, 1023));
 }
@@ -347,9 +339,8 @@ static void begin_anywhere(struct family_case *out)
     double *x = out->line_data;
     const double back = any_power(0, 1010);
     for (int i = 0; i < 3; i++) {
-        if (out->line_word == FAMILY_SEGMENT) {
+        if (out->line_word == FAMILY_SEGMENT)
             x[i + 3] -= x[i];
-        }
         x[i] -= back * x[i + 3];
     }
     out->line_word =
@@ -371,11 +362,9 @@ static void scale_anyhow(struct family_case *out)
 {
     double *x = out->line_data;
     enlarge(out, ldexp(1, whole_between(-1074, 1010)));
-    for (int i = 0; i < 6; i += 3) {
-        if (chance(0.7)) {
+    for (int i = 0; i < 6; i += 3)
+        if (chance(0.7))
             multiply(x + i, 3, any_power(-1074, 1000));
-        }
-    }
     if (out->line_word == FAMILY_SPAN) {
         const double from = any_limit(x[6]), to = any_limit(x[7]);
         x[6] = from < to ? from : to;
@@ -456,9 +445,8 @@ static void through_the_apex(struct family_case *out)
         out->shape_data[12] = chance(0.5) ? 0 : 0.5;
         z = out->shape_data[12] == 0 ? 1 : 2;
     }
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         apex[i] = out->shape_data[i] + z * h[i];
-    }
     whole_vector(d, 5);
     write_line_from(out, apex, d, whole_between(-4, 4));
     if (chance(0.4)) {
@@ -517,9 +505,8 @@ static void skewed(struct family_case *out)
     const family_shape word = elliptic_word();
     simple_frame(&f, word);
     const double flat = power(-6, 0);
-    for (int i = 0; i < 3; i++) { /* nearly in one plane */
+    for (int i = 0; i < 3; i++) /* nearly in one plane */
         f.h[i] = flat * f.h[i] + f.a[i] + f.b[i];
-    }
     write_shape(out, word, &f);
     aim(out, &f, 3);
 }
@@ -544,28 +531,24 @@ static void exact_differences(struct family_case *out)
     if (chance(0.5)) {
         out->shape_word = FAMILY_CYLINDER;
         out->shape_data[6] = between(0.2, 2);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             out->shape_data[i + 3] = out->shape_data[i] + between(-2, 2);
-        }
     }
     out->line_word = FAMILY_SEGMENT;
     double *x = out->line_data, away[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         x[i + 3] = x[i] + between(-6, 6);
-    }
     random_direction(away);
     const double far = power(0, 16);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         x[i + 3] += far * away[i]; /* one end far, the other near */
-    }
     if (out->shape_word == FAMILY_CYLINDER && chance(0.5)) {
         for (int i = 0; i < 3; i++) { /* the line is nearly along the axis */
             x[i] = out->shape_data[i] + between(-1, 1);
             x[i + 3] = out->shape_data[i + 3] + between(-1, 1) * 1e-9;
         }
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             x[i + 3] = x[i] + (out->shape_data[i + 3] - out->shape_data[i]);
-        }
     }
 }
 
@@ -647,9 +630,8 @@ int family_is_round(int family)
 void family_case(uint64_t seed, int family, uint64_t index,
                  struct family_case *out)
 {
-    if (!rng) {
+    if (!rng)
         rng = gsl_rng_alloc(gsl_rng_taus2);
-    }
     uint64_t stream = mixed(mixed(mixed(seed) + (uint64_t)family) + index);
     do { /* until the numbers make a shape */
         gsl_rng_set(rng, (unsigned long)(stream & 0xffffffff));

@@ -58,12 +58,10 @@ static double small(double low, double high)
 
 static double stepped(double x, int ulps)
 {
-    for (; ulps > 0; ulps--) {
+    for (; ulps > 0; ulps--)
         x = nextafter(x, HUGE_VAL);
-    }
-    for (; ulps < 0; ulps++) {
+    for (; ulps < 0; ulps++)
         x = nextafter(x, -HUGE_VAL);
-    }
     return x;
 }
 
@@ -89,9 +87,8 @@ static double length3(const double v[3])
 /* to += by v */
 static void add3(double to[3], double by, const double v[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         to[i] += by * v[i];
-    }
 }
 
 static void scale3(double v[3], double by)
@@ -121,16 +118,14 @@ static double rho(const frame *f, double z)
 
 static void place(const frame *f, double x, double y, double z, double p[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         p[i] = f->c[i] + x * f->a[i] + y * f->b[i] + z * f->h[i];
-    }
 }
 
 static void vary(const frame *f, double x, double y, double z, double d[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         d[i] = x * f->a[i] + y * f->b[i] + z * f->h[i];
-    }
 }
 
 static family_shape any_word(void)
@@ -193,9 +188,8 @@ static void write_shape(struct family_case *out, family_shape word,
             memcpy(p, x, sizeof p);
             memcpy(x, x + 4, sizeof p);
             memcpy(x + 4, p, sizeof p);
-            if (x[3] == 0 && x[7] == 0) {
+            if (x[3] == 0 && x[7] == 0)
                 x[3] = r;
-            }
         }
         break;
     case FAMILY_ACONE:
@@ -228,9 +222,8 @@ static void write_line(struct family_case *out, const double p[3],
     copy3(x, p);
     copy3(x + 3, d);
     if (out->line_word == FAMILY_SEGMENT) {
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             x[i + 3] += p[i];
-        }
     } else if (out->line_word == FAMILY_SPAN) {
         x[6] = between(-2, 1);
         x[7] = chance(0.2) ? HUGE_VAL : x[6] + between(0, 4);
@@ -242,9 +235,8 @@ static void write_line_from(struct family_case *out, const double p[3],
                             const double d[3], double back)
 {
     double o[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         o[i] = p[i] - back * d[i];
-    }
     write_line(out, o, d);
 }
 

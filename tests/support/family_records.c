@@ -158,13 +158,11 @@ const char *family_parse(const char *text, struct family_case *c)
 void family_print(FILE *to, const struct family_case *c)
 {
     fputs(line_words[c->line_word], to);
-    for (int i = 0; i < family_line_size(c->line_word); i++) {
+    for (int i = 0; i < family_line_size(c->line_word); i++)
         fprintf(to, " %a", c->line_data[i]);
-    }
     fprintf(to, "  %s", shape_words[c->shape_word]);
-    for (int i = 0; i < family_shape_size(c->shape_word); i++) {
+    for (int i = 0; i < family_shape_size(c->shape_word); i++)
         fprintf(to, " %a", c->shape_data[i]);
-    }
     fprintf(to, "  ends=%s", ends_words[c->ends]);
 }
 

@@ -43,9 +43,8 @@ static void load_lengths(const cylint_shape *shape, const double o[3])
     }
     whole3(o_.base, cylint_base(shape), o_.unit);
     whole3(o_.o, o, o_.unit);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         mpz_sub(o_.q[i], o_.o[i], o_.base[i]);
-    }
 }
 
 /*
@@ -125,11 +124,10 @@ static void add_product(mpz_t sum, mpz_t s, mpz_t u, mpz_t v, int sign)
 {
     mpz_mul(o_.s[0], u, v);
     mpz_mul(o_.s[0], o_.s[0], s);
-    if (sign > 0) {
+    if (sign > 0)
         mpz_add(sum, sum, o_.s[0]);
-    } else {
+    else
         mpz_sub(sum, sum, o_.s[0]);
-    }
 }
 
 /* A, B, C += sign s g^2 */
@@ -206,9 +204,8 @@ static void add_critical(mpz_t p, int q, mpz_t r, int lateral)
     critical *at = &o_.at[o_.count++];
     mpz_set(at->p, p);
     mpz_abs(at->r, r);
-    if (mpz_sgn(r) < 0) {
+    if (mpz_sgn(r) < 0)
         mpz_neg(at->p, at->p);
-    }
     at->q = q;
     at->lateral = lateral;
 }
@@ -242,9 +239,8 @@ static void add_roots(void)
 /* F at a parameter that is not one of its roots, hence rational. */
 static int lateral_sign(const critical *at)
 {
-    if (at->lateral) {
+    if (at->lateral)
         return 0;
-    }
     mpz_mul(o_.s[1], o_.A, at->p);
     mpz_mul(o_.s[2], o_.B, at->r);
     mpz_addmul_ui(o_.s[1], o_.s[2], 2);
@@ -291,9 +287,8 @@ static void find_critical(void)
     }
     mpz_clear(nothing);
     sort_critical();
-    for (int i = 0; i < o_.count; i++) {
+    for (int i = 0; i < o_.count; i++)
         o_.at[i].lateral = lateral_sign(&o_.at[i]) == 0;
-    }
 }
 
 /* --------------------------------------------------------- membership -- */
@@ -302,9 +297,8 @@ static void find_critical(void)
  * the values that must not be negative. */
 static int combine(int f, int low, int high)
 {
-    if (f > 0 || low < 0 || high < 0) {
+    if (f > 0 || low < 0 || high < 0)
         return -1;
-    }
     return f < 0 && low > 0 && high > 0;
 }
 
@@ -320,12 +314,10 @@ static void below_top(linear *g)
 static int inside_at(const critical *at)
 {
     const int f = lateral_sign(at);
-    if (o_.nappe) {
+    if (o_.nappe)
         return combine(f, linear_sign(&o_.rho, at), 1);
-    }
-    if (!o_.bounded) {
+    if (!o_.bounded)
         return combine(f, 1, 1);
-    }
     linear rest;
     below_top(&rest);
     const int in = combine(f, linear_sign(&o_.Z, at), linear_sign(&rest, at));
@@ -338,12 +330,10 @@ static int inside_at(const critical *at)
 static int linear_sign_in_gap(linear *g, int gap)
 {
     const int slope = mpz_sgn(g->g1);
-    if (slope == 0) {
+    if (slope == 0)
         return mpz_sgn(g->g0);
-    }
-    if (gap == 0) {
+    if (gap == 0)
         return -slope;
-    }
     const int before = linear_sign(g, &o_.at[gap - 1]);
     return before != 0 ? before : slope;
 }
@@ -356,24 +346,20 @@ static int lateral_sign_in_gap(int gap)
         roots += o_.at[i].lateral;
         roots_before += o_.at[i].lateral && i < gap;
     }
-    if (mpz_sgn(o_.A) != 0) {
+    if (mpz_sgn(o_.A) != 0)
         return roots == 2 && roots_before == 1 ? -mpz_sgn(o_.A) : mpz_sgn(o_.A);
-    }
-    if (mpz_sgn(o_.B) != 0) {
+    if (mpz_sgn(o_.B) != 0)
         return roots_before == 1 ? mpz_sgn(o_.B) : -mpz_sgn(o_.B);
-    }
     return mpz_sgn(o_.C);
 }
 
 static int inside_gap(int gap)
 {
     const int f = lateral_sign_in_gap(gap);
-    if (o_.nappe) {
+    if (o_.nappe)
         return combine(f, linear_sign_in_gap(&o_.rho, gap), 1);
-    }
-    if (!o_.bounded) {
+    if (!o_.bounded)
         return combine(f, 1, 1);
-    }
     linear rest;
     below_top(&rest);
     const int in = combine(f, linear_sign_in_gap(&o_.Z, gap),
@@ -414,9 +400,8 @@ static double nearest_real(mpfr_t x, double *other)
 static void point_at(const critical *at, double point[3])
 {
     mpz_set_ui(o_.s[4], 1);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         point[i] = nearest_linear(o_.o[i], o_.d[i], o_.s[4], o_.unit, at);
-    }
 }
 
 static double z_at(const critical *at)
@@ -460,13 +445,11 @@ static void unit_vector(mpz_t v[3], int sign, cylint_hit *hit)
 static int apex_normal_sign(void)
 {
     const int opening = mpz_sgn(o_.delta);
-    if (o_.bounded || o_.nappe) {
+    if (o_.bounded || o_.nappe)
         return -opening;
-    }
     dot(o_.s[1], o_.w, o_.d);
-    if (mpz_sgn(o_.s[1]) != 0) {
+    if (mpz_sgn(o_.s[1]) != 0)
         return -mpz_sgn(o_.s[1]);
-    }
     return mpz_sgn(o_.gamma) == 0 ? -1 : opening;
 }
 
@@ -522,11 +505,9 @@ static void normal_at(const critical *at, cylint_hit *hit)
 static void circular_plane(void)
 {
     int least = 0;
-    for (int i = 1; i < 3; i++) {
-        if (mpz_cmpabs(o_.w[i], o_.w[least]) < 0) {
+    for (int i = 1; i < 3; i++)
+        if (mpz_cmpabs(o_.w[i], o_.w[least]) < 0)
             least = i;
-        }
-    }
     const int j = (least + 1) % 3, k = (least + 2) % 3;
     mpz_set_ui(o_.gx[least], 0);
     mpz_neg(o_.gx[j], o_.w[k]);
@@ -559,17 +540,15 @@ static double phi_at(const critical *at, double *other)
     mpfr_mul(y, y, turn, MPFR_RNDN);
     mpfr_prec_round(x, 128, MPFR_RNDN);
     mpfr_prec_round(y, 128, MPFR_RNDN);
-    if (mpfr_zero_p(x) && mpfr_zero_p(y)) {
+    if (mpfr_zero_p(x) && mpfr_zero_p(y))
         mpfr_set_zero(x, 1);
-    } else {
+    else
         mpfr_atan2(x, y, x, MPFR_RNDN);
-    }
     mpfr_const_pi(turn, MPFR_RNDN);
     mpfr_div(x, x, turn, MPFR_RNDN);
     mpfr_div_ui(x, x, 2, MPFR_RNDN);
-    if (mpfr_sgn(x) < 0) {
+    if (mpfr_sgn(x) < 0)
         mpfr_add_ui(x, x, 1, MPFR_RNDN);
-    }
     const double phi = below_one(nearest_real(x, other));
     *other = below_one(*other);
     mpfr_clears(x, y, turn, (mpfr_ptr)NULL);
@@ -599,12 +578,10 @@ static int side_at(int i)
 {
     const int before = inside_gap(i), after = inside_gap(i + 1);
     const int here = inside_at(&o_.at[i]);
-    if (here < 0) {
+    if (here < 0)
         return -1;
-    }
-    if (before >= 0 && after >= 0) {
+    if (before >= 0 && after >= 0)
         return here == 0 && before > 0 && after > 0 ? CYLINT_SIDE_BOTH : -1;
-    }
     return before >= 0  ? CYLINT_SIDE_LEAVING
            : after >= 0 ? CYLINT_SIDE_ENTERING
                         : CYLINT_SIDE_BOTH;
@@ -612,9 +589,8 @@ static int side_at(int i)
 
 static int part_at(const critical *at)
 {
-    if (at->lateral) {
+    if (at->lateral)
         return CYLINT_PART_LATERAL;
-    }
     return linear_sign(&o_.Z, at) == 0 ? CYLINT_PART_CAP0 : CYLINT_PART_CAP1;
 }
 
@@ -633,18 +609,14 @@ static int part_is_present(int part, int ends)
 static void describe(const critical *at, unsigned want, cylint_hit *hit)
 {
     hit->t = nearest_t(at);
-    if (want & CYLINT_WANT_POINT) {
+    if (want & CYLINT_WANT_POINT)
         point_at(at, hit->point);
-    }
-    if (want & CYLINT_WANT_NORMAL) {
+    if (want & CYLINT_WANT_NORMAL)
         normal_at(at, hit);
-    }
-    if (want & CYLINT_WANT_Z) {
+    if (want & CYLINT_WANT_Z)
         hit->z = z_at(at);
-    }
-    if (want & CYLINT_WANT_PHI) {
+    if (want & CYLINT_WANT_PHI)
         hit->phi = phi_at(at, &other_of(hit)->phi);
-    }
 }
 
 #include "oracle_round.h"
@@ -652,16 +624,13 @@ static void describe(const critical *at, unsigned want, cylint_hit *hit)
 int oracle_contains(const cylint_shape *shape, const double point[3])
 {
     if (shape->kind == CYLINT_KIND_NONE || !isfinite(point[0]) ||
-        !isfinite(point[1]) || !isfinite(point[2])) {
+        !isfinite(point[1]) || !isfinite(point[2]))
         return -1;
-    }
-    if (is_round(shape)) {
+    if (is_round(shape))
         return round_contains(shape, point);
-    }
     start();
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         mpz_set_ui(o_.d[i], 0);
-    }
     o_.d_unit = 0;
     load(shape, point);
     o_.count = 0;
@@ -705,9 +674,8 @@ void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
         const int side = side_at(i), part = part_at(&o_.at[i]);
         if (side < 0 || !part_is_present(part, shape->ends) ||
             compare_to_double(&o_.at[i], line->tmin) < 0 ||
-            compare_to_double(&o_.at[i], line->tmax) > 0) {
+            compare_to_double(&o_.at[i], line->tmax) > 0)
             continue;
-        }
         cylint_hit *hit = &expected->hit[expected->n++];
         hit->side = side;
         hit->part = part;

@@ -54,9 +54,8 @@ static struct {
 static void start(void)
 {
     mpz_t *const first = o_.base;
-    if (o_.ready) {
+    if (o_.ready)
         return;
-    }
     for (int i = 0; i < 3; i++) {
         mpz_inits(first[i], o_.w[i], o_.a[i], o_.b[i], o_.o[i], o_.d[i],
                   o_.q[i], o_.gx[i], o_.gy[i], o_.gz[i], (mpz_ptr)NULL);
@@ -65,12 +64,10 @@ static void start(void)
               o_.X.g0, o_.X.g1, o_.Y.g0, o_.Y.g1, o_.Z.g0, o_.Z.g1, o_.rho.g0,
               o_.rho.g1, o_.A, o_.B, o_.C, o_.D, o_.x, o_.y, o_.x2, o_.y2,
               (mpz_ptr)NULL);
-    for (int i = 0; i < MOST_CRITICAL; i++) {
+    for (int i = 0; i < MOST_CRITICAL; i++)
         mpz_inits(o_.at[i].p, o_.at[i].r, (mpz_ptr)NULL);
-    }
-    for (int i = 0; i < SCRATCH; i++) {
+    for (int i = 0; i < SCRATCH; i++)
         mpz_init(o_.s[i]);
-    }
     mpfr_init2(o_.root_D, BITS);
     o_.ready = 1;
 }
@@ -94,9 +91,8 @@ static void lower_unit(long *unit, const double *x, int n)
 {
     for (int i = 0; i < n; i++) {
         long e;
-        if (split(x[i], &e) != 0 && e < *unit) {
+        if (split(x[i], &e) != 0 && e < *unit)
             *unit = e;
-        }
     }
 }
 
@@ -113,9 +109,8 @@ static void whole(mpz_t out, double x, long unit)
 
 static void whole3(mpz_t out[3], const double x[3], long unit)
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         whole(out[i], x[i], unit);
-    }
 }
 
 /* out = (to - from) / 2^unit */
@@ -167,9 +162,8 @@ int oracle_sum_sign(const double *x, int n)
 static int surd_sign(mpz_t x, mpz_t y)
 {
     const int sx = mpz_sgn(x), sy = mpz_sgn(o_.D) > 0 ? mpz_sgn(y) : 0;
-    if (sx * sy >= 0) {
+    if (sx * sy >= 0)
         return sx != 0 ? sx : sy;
-    }
     mpz_mul(o_.x2, x, x);
     mpz_mul(o_.y2, y, y);
     mpz_mul(o_.y2, o_.y2, o_.D);
@@ -254,9 +248,8 @@ static int compare_to(mpz_srcptr x, mpz_srcptr y, mpz_srcptr r, long shift,
 
 static int compare_to_double(const critical *at, double t)
 {
-    if (!isfinite(t)) {
+    if (!isfinite(t))
         return t > 0 ? -1 : 1;
-    }
     long e;
     mpz_set_si(o_.s[2], split(t, &e));
     mpz_set_si(o_.y, at->q);
@@ -277,9 +270,8 @@ static long load_midpoint(double s, int sign)
     mpz_set_d(o_.s[2], m);
     mpz_mul_2exp(o_.s[2], o_.s[2], 1);
     mpz_add_ui(o_.s[2], o_.s[2], 1);
-    if (sign < 0) {
+    if (sign < 0)
         mpz_neg(o_.s[2], o_.s[2]);
-    }
     return e - 1;
 }
 
@@ -303,9 +295,8 @@ static double nearest(mpz_srcptr x, mpz_srcptr y, mpz_srcptr r, long shift)
     const int sign = mpfr_sgn(value);
     const double low = mpfr_get_d(value, MPFR_RNDZ);
     mpfr_clear(value);
-    if (sign == 0) {
+    if (sign == 0)
         return 0;
-    }
     const long e = load_midpoint(low, sign);
     const int beyond = sign * compare_to(x, y, r, shift, o_.s[2], e);
     const double high = nextafter(low, sign * (double)INFINITY);

@@ -30,19 +30,16 @@ static struct {
 static void start_round(void)
 {
     start();
-    if (round_.ready) {
+    if (round_.ready)
         return;
-    }
     for (int k = 0; k < QUADRICS; k++) {
         mpz_inits(round_.A[k], round_.B[k], round_.C[k], round_.D[k],
                   (mpz_ptr)NULL);
     }
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         mpz_inits(round_.center[0][i], round_.center[1][i], (mpz_ptr)NULL);
-    }
-    for (int i = 0; i < MOST_ROOTS; i++) {
+    for (int i = 0; i < MOST_ROOTS; i++)
         mpz_inits(round_.at[i].at.p, round_.at[i].at.r, (mpz_ptr)NULL);
-    }
     mpz_inits(round_.above0.g0, round_.above0.g1, round_.above1.g0,
               round_.above1.g1, round_.a, round_.b, round_.c, round_.u,
               round_.v, (mpz_ptr)NULL);
@@ -108,9 +105,8 @@ static void load_round(const cylint_shape *shape, const double o[3])
             CYLINT_PART_CAP1) { /* the base is at z = 1 */
             mpz_sub(o_.Z.g0, o_.whole, o_.Z.g0);
             mpz_neg(o_.Z.g1, o_.Z.g1);
-            for (int i = 0; i < 3; i++) {
+            for (int i = 0; i < 3; i++)
                 mpz_neg(o_.w[i], o_.w[i]);
-            }
         }
         return;
     }
@@ -156,9 +152,8 @@ static int compare_roots(const root *x, const root *y)
     mpz_mul_si(*c, x->at.r, -y->at.q);
     const int first = sign_in(x->quadric, *a, *b);
     const int second = mpz_sgn(round_.D[y->quadric]) > 0 ? mpz_sgn(*c) : 0;
-    if (first * second >= 0) {
+    if (first * second >= 0)
         return first != 0 ? first : second;
-    }
     /* (a + b sqrt(D))^2 - c^2 E */
     mpz_mul(round_.u, *a, *a);
     mpz_mul(round_.v, *b, *b);
@@ -174,9 +169,8 @@ static int compare_roots(const root *x, const root *y)
 /* o_ has the quadric of the root. */
 static int part_of_root(const cylint_shape *shape, const root *x)
 {
-    if (shape->kind == CYLINT_KIND_SPHERE) {
+    if (shape->kind == CYLINT_KIND_SPHERE)
         return cylint_surface(shape);
-    }
     return linear_sign(&round_.above0, &x->at) < 0   ? CYLINT_PART_CAP0
            : linear_sign(&round_.above1, &x->at) > 0 ? CYLINT_PART_CAP1
                                                      : CYLINT_PART_LATERAL;
@@ -224,26 +218,22 @@ static void describe_round(const cylint_shape *shape, const root *x,
 {
     const int has_axis = mpz_sgn(o_.whole) != 0;
     hit->t = nearest_t(&x->at);
-    if (want & CYLINT_WANT_POINT) {
+    if (want & CYLINT_WANT_POINT)
         point_at(&x->at, hit->point);
-    }
     if (want & CYLINT_WANT_NORMAL) {
-        if (shape->kind == CYLINT_KIND_SPHERE) {
+        if (shape->kind == CYLINT_KIND_SPHERE)
             round_normal(x, 0, hit);
-        } else if (hit->part != CYLINT_PART_LATERAL) {
+        else if (hit->part != CYLINT_PART_LATERAL)
             round_normal(x, hit->part == CYLINT_PART_CAP1, hit);
-        } else if (linear_sign(&o_.rho, &x->at) == 0) {
+        else if (linear_sign(&o_.rho, &x->at) == 0)
             unit_vector(o_.w, -mpz_sgn(o_.delta), hit);
-        } else {
+        else
             lateral_normal(&x->at, hit);
-        }
     }
-    if (want & CYLINT_WANT_Z) {
+    if (want & CYLINT_WANT_Z)
         hit->z = has_axis ? z_at(&x->at) : 0;
-    }
-    if (want & CYLINT_WANT_PHI) {
+    if (want & CYLINT_WANT_PHI)
         hit->phi = has_axis ? phi_at(&x->at, &other_of(hit)->phi) : 0;
-    }
 }
 
 static void round_intersect(const cylint_shape *shape, const cylint_line *line,
@@ -253,17 +243,14 @@ static void round_intersect(const cylint_shape *shape, const cylint_line *line,
     load_line(line);
     load_round(shape, line->o);
     find_roots(shape);
-    if (round_.count == 0) {
+    if (round_.count == 0)
         return;
-    }
     const root *end[2] = {&round_.at[0], &round_.at[0]};
     for (int i = 1; i < round_.count; i++) {
-        if (compare_roots(&round_.at[i], end[0]) < 0) {
+        if (compare_roots(&round_.at[i], end[0]) < 0)
             end[0] = &round_.at[i];
-        }
-        if (compare_roots(&round_.at[i], end[1]) > 0) {
+        if (compare_roots(&round_.at[i], end[1]) > 0)
             end[1] = &round_.at[i];
-        }
     }
     const int one = compare_roots(end[0], end[1]) == 0;
     expected->relation = one           ? CYLINT_RELATION_TOUCH
@@ -274,18 +261,16 @@ static void round_intersect(const cylint_shape *shape, const cylint_line *line,
         const int part = part_of_root(shape, end[i]);
         if (!part_is_present(part, shape->ends) ||
             compare_to_double(&end[i]->at, line->tmin) < 0 ||
-            compare_to_double(&end[i]->at, line->tmax) > 0) {
+            compare_to_double(&end[i]->at, line->tmax) > 0)
             continue;
-        }
         cylint_hit *hit = &expected->hit[expected->n++];
         hit->part = part;
         hit->side = one      ? CYLINT_SIDE_BOTH
                     : i == 0 ? CYLINT_SIDE_ENTERING
                              : CYLINT_SIDE_LEAVING;
         describe_round(shape, end[i], want, hit);
-        if (want & CYLINT_WANT_NEAREST) {
+        if (want & CYLINT_WANT_NEAREST)
             return;
-        }
     }
 }
 
@@ -293,22 +278,18 @@ static void round_intersect(const cylint_shape *shape, const cylint_line *line,
 static int round_contains(const cylint_shape *shape, const double point[3])
 {
     start_round();
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         mpz_set_ui(o_.d[i], 0);
-    }
     o_.d_unit = 0;
     load_round(shape, point);
     int in = -mpz_sgn(round_.C[BALL0]);
-    if (round_.balls == 1) {
+    if (round_.balls == 1)
         return in;
-    }
-    if (-mpz_sgn(round_.C[BALL1]) > in) {
+    if (-mpz_sgn(round_.C[BALL1]) > in)
         in = -mpz_sgn(round_.C[BALL1]);
-    }
     if (mpz_sgn(round_.above0.g0) >= 0 && mpz_sgn(round_.above1.g0) <= 0 &&
-        -mpz_sgn(round_.C[BETWEEN]) > in) {
+        -mpz_sgn(round_.C[BETWEEN]) > in)
         in = -mpz_sgn(round_.C[BETWEEN]);
-    }
     return in;
 }
 

@@ -54,8 +54,8 @@ static inline int same_hit(const cylint_hit *x, const cylint_hit *y,
     return 1;
 }
 
-/* Whether `got`, of which the members `want` are wanted, is the part of `all` that it
- * should be. */
+/* Whether `got`, of which the members `want` are wanted, is the part of `all`
+ * that it should be. */
 static inline int same_answer(const cylint_answer *got,
                               const cylint_answer *all, unsigned want)
 {
