@@ -165,17 +165,19 @@ endif
 version = $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
 major   = $(firstword $(subst ., ,$(version)))
 
-# libcylint-embree holds all of libcylint-scene: a program links one of them.
+# libcylint-embree (for Embree 4: libcylint-embree4) holds all of
+# libcylint-scene: a program links one of them.
 threads_link := $(if $(PTHREAD),-pthread)
-libraries    := libcylint libcylint-scene $(if $(EMBREE),libcylint-embree)
+adapter      := libcylint-embree$(filter-out 3,$(EMBREE))
+libraries    := libcylint libcylint-scene $(if $(EMBREE),$(adapter))
 archive       = $(BUILD)/$(1).a
 dynamic       = $(BUILD)/$(call shared,$(1))
 $(call archive,libcylint)        $(call dynamic,libcylint):        $(library_objects)
 $(call archive,libcylint-scene)  $(call dynamic,libcylint-scene):  $(scene_objects)
-$(call archive,libcylint-embree) $(call dynamic,libcylint-embree): $(embree_objects)
-$(call dynamic,libcylint-scene)  $(call dynamic,libcylint-embree): $(call dynamic,libcylint)
-$(call dynamic,libcylint-scene):  libs := $(threads_link)
-$(call dynamic,libcylint-embree): libs := $(EMBREE_LIBS) $(threads_link)
+$(call archive,$(adapter)) $(call dynamic,$(adapter)): $(embree_objects)
+$(call dynamic,libcylint-scene) $(call dynamic,$(adapter)): $(call dynamic,libcylint)
+$(call dynamic,libcylint-scene): libs := $(threads_link)
+$(call dynamic,$(adapter)): libs := $(EMBREE_LIBS) $(threads_link)
 
 $(BUILD)/%.a:
 	$(call say,AR $@)rm -f $@; $(AR) rcs $@ $^
@@ -209,7 +211,7 @@ include tools/package/package.mk
 
 # -------------------------------------------------------------- install --
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
-	  -e 's|@THREADS@|$(threads_link)|; s|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
+	  -e 's|@THREADS@|$(threads_link)|; s|@EMBREE@|$(EMBREE)|; s|@ADAPTER@|$(adapter:lib%=%)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
 headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_pieces cylint_scene $(if $(EMBREE),cylint_embree))
 
 # $(call install_library,NAME)
@@ -226,7 +228,7 @@ define install_library
 install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
 	$(STRIP) -S $(DESTDIR)$(LIBDIR)/$(1).a
 	$(install_shared)
-	$(fill_in) $(wildcard src/$(1:lib%=%).pc.in src/*/$(1:lib%=%).pc.in) > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
+	$(fill_in) $(wildcard $(patsubst %,%/$(patsubst %4,%,$(1:lib%=%)).pc.in,src src/*)) > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
 
 endef
 
@@ -255,7 +257,7 @@ install: all install-folders ## install into $(DESTDIR)$(PREFIX)
 uninstall: ## remove what install wrote
 	rm -f $(programs:%=$(DESTDIR)$(BINDIR)/%) $(completions) \
 	  $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) $(DESTDIR)$(MANDIR)/man[137]/cylint* \
-	  $(foreach l,cylint cylint-scene cylint-embree,$(DESTDIR)$(LIBDIR)/lib$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$l.pc) \
+	  $(foreach l,cylint cylint-scene cylint-embree cylint-embree4,$(DESTDIR)$(LIBDIR)/lib$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$l.pc) \
 	  $(DESTDIR)$(PREFIX)/share/cylint/*.awk $(addprefix $(DESTDIR)$(DOCDIR)/,README.md LICENSE CHANGES.md)
 	$(call folders_of,remove)
 

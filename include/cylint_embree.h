@@ -192,8 +192,8 @@ typedef struct cylint_embree_part {
  * cylint_embree_merge - makes one committed geometry of n parts
  *
  * For programs with thousands of small geometries.  To Embree each of these is a
- * box and a call of the adapter; merged they are one, and a coherent ray takes
- * half the time.  Hits and filters get the geomID of the part and the number of
+ * box and a call of the adapter; merged they are one box, and an incoherent ray
+ * takes less than half the time.  Hits and filters get the geomID of the part and the number of
  * the shape in the part, whatever number Embree gives to the merged geometry.
  * The geomIDs ascend from part to part, and no other geometry of the scene has
  * one of them.  At equal t the shape of the part before is hit.

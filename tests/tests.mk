@@ -23,7 +23,7 @@ $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
 $(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
 $(embree_tests) $(BUILD)/tests/embree/scene_curves: %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
-	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+	$(call archive,$(adapter)) $(BUILD)/libcylint.a
 $(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o
 $(BUILD)/tests/command/greys: $(BUILD)/tests/command/greys.o $(BUILD)/libcylint.a
 

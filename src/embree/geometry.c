@@ -291,6 +291,24 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
 }
 
+/* Memory in buffers of the device. */
+static void *allocate_buffer(void *device, size_t bytes, void **handle)
+{
+    RTCBuffer buffer = rtcNewBuffer(device, bytes);
+    *handle = buffer;
+    return buffer ? rtcGetBufferData(buffer) : NULL;
+}
+
+static void release_buffer(void *buffer)
+{
+    rtcReleaseBuffer(buffer);
+}
+
+static cylint_memory_source device_memory(RTCDevice device)
+{
+    return (cylint_memory_source){device, allocate_buffer, release_buffer};
+}
+
 static void set_options(cylint_embree_data *data,
                         const cylint_embree_options *options)
 {
@@ -322,7 +340,7 @@ static int set_parts(cylint_embree_data *data, const cylint_embree_part *parts,
 
 static cylint_embree_data *new_data(RTCDevice device, size_t n_parts)
 {
-    const cylint_memory_source source = cylint_device_memory(device);
+    const cylint_memory_source source = device_memory(device);
     const size_t size = sizeof(cylint_embree_merged);
     cylint_memory self;
     if (n_parts > SIZE_MAX / 2 / size ||

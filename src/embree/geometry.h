@@ -11,7 +11,6 @@
 #include "packet_traverse.h"
 #include "api.h"
 #include "cylint_embree.h"
-#include "device_memory.h"
 
 /* The shapes that hits name by this geomID; `first`: the number of the first. */
 typedef struct cylint_embree_merged {

@@ -5,7 +5,7 @@
  * other and go into the same octant, else one by one, and copied back if they
  * are hit.
  */
-#include "packet.h"
+#include "ray.h"
 
 #include <string.h>
 

@@ -8,7 +8,6 @@
 #include "../bvh/float_bounds.h"
 #include "angle.h"
 #include "motion.h"
-#include "packet.h"
 
 /* The library's answer and its line; 0 hits for a line that it refuses. */
 static int intersect(const cylint_shape *shape,

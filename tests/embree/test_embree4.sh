@@ -26,9 +26,9 @@ display cylint_embree.3 1 | sed 's/embree3/embree4/
     /^ *struct RTCIntersectContext/d; /^ *rtcInitIntersectContext/d
     s/rtcIntersect1(.*/rtcIntersect1(scene, \&at, NULL);/' > "$scratch/example.c"
 display cylint_embree.3 2 > "$scratch/said"
-make_with_4 "$folder/libcylint-embree.a" "$folder/libcylint.a" &&
+make_with_4 "$folder/libcylint-embree4.a" "$folder/libcylint.a" &&
     $cc -std=c99 -Werror -Iinclude -Itests/embree -o "$scratch/example" \
-        "$scratch/example.c" "$folder/libcylint-embree.a" \
+        "$scratch/example.c" "$folder/libcylint-embree4.a" \
         "$folder/libcylint.a" "$library" -Wl,-rpath,"$(dirname "$library")" \
         -pthread -lm &&
     "$scratch/example" | diff "$scratch/said" - || {

@@ -52,9 +52,9 @@ $cxx -c "$folder/cylint.c" -o "$scratch/cxx.o" > "$scratch/log" 2>&1
     [ "$(grep -c 'error:' "$scratch/log")" -eq 1 ] || { head "$scratch/log"; false; }
 verdict a_compiler_of_cxx_gives_one_error $?
 
-# The examples of README.md and cylint_scene(3), compiled with it as a user does.
+# The examples of README.md and cylint_scene(3), linked with it as a user does.
 awk '/^```c$/ { inside = 1; next } /^```/ { inside = 0 } inside' README.md > "$scratch/example.c"
-$cc -I "$folder" -o "$scratch/example" "$scratch/example.c" "$folder/cylint.c" -lm &&
+$cc -I "$folder" -o "$scratch/example" "$scratch/example.c" "$scratch/plain.o" -lm &&
     [ "$("$scratch/example")" = "t = 5
 t = 6" ]
 verdict the_example_runs_with_it $?

@@ -176,9 +176,9 @@ static const struct {
 } asked[] = {
     {"nearest of 512", lean_nearest, nearest, NULL},
     {"any of 512", lean_any, any, NULL},
-    {"both t; a line, 512 shapes", lean_both, both, &all_shapes},
-    {"both t; a shape, 512 lines", lean_both, both, &all_lines},
-    {"both t; 512 pairs", lean_both, both, &in_pairs},
+    {"both t of 512 shapes", lean_both, both, &all_shapes},
+    {"both t of 512 lines", lean_both, both, &all_lines},
+    {"both t of 512 pairs", lean_both, both, &in_pairs},
 };
 
 void bench_batch(void)

@@ -8,7 +8,7 @@ bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 bench := $(BUILD)/tools/bench/bench
 $(bench): $(call bench_objects,bench inputs sticks single batch distance methods scene pieces rivals/lean rivals/lean_distance \
 	$(if $(EMBREE),embree rivals/embree_chords)) $(test_common) \
-	$(if $(EMBREE),$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a,$(scene_library))
+	$(if $(EMBREE),$(call archive,$(adapter)) $(BUILD)/libcylint.a,$(scene_library))
 $(bench): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tools/bench/stages: $(BUILD)/tools/bench/stages.o $(test_common) $(BUILD)/libcylint.a
 $(BUILD)/tools/bench/stages: libs := $(test_libs)

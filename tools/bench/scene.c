@@ -44,14 +44,19 @@ BENCH_TURN(within, SCENE;
 /* ----------------------------------------------------- building and files
  * -- */
 
+/* The least of three: the first one of a scene also prepares it. */
 static double seconds_of_refit(cylint_scene *scene, const struct sticks *s,
                                size_t n)
 {
-    const double start = process_seconds();
-    must(cylint_scene_refit(scene, s->n / 3, n, s->shapes + s->n / 3) ==
-             CYLINT_SCENE_OK,
-         "refit failed");
-    return process_seconds() - start;
+    double least = HUGE_VAL;
+    for (int turn = 0; turn < 3; turn++) {
+        const double start = process_seconds();
+        must(cylint_scene_refit(scene, s->n / 3, n, s->shapes + s->n / 3) ==
+                 CYLINT_SCENE_OK,
+             "refit failed");
+        least = fmin(least, process_seconds() - start);
+    }
+    return least;
 }
 
 static double seconds_to_open(const char *path, unsigned flags)

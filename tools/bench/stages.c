@@ -22,81 +22,57 @@
 
 enum { KERNELS, FURTHEST = CYLINT_STAGES + 1 };
 
-struct tally {
-    unsigned long long at[FURTHEST];
-};
-
 static const char *const names[FURTHEST] = {"kernels", "doubles", "pairs",
                                             "exact", "middle"};
 
 static int furthest(const struct family_case *c, unsigned want)
 {
     cylint_answer answer;
+    int stage = CYLINT_STAGES;
     memset(cylint_stages, 0, sizeof cylint_stages);
     cylint_intersect(&c->shape, &c->line, want, &answer);
-    for (int stage = CYLINT_STAGES - 1; stage >= 0; stage--) {
-        if (cylint_stages[stage] > 0) {
-            return 1 + stage;
-        }
-    }
-    return KERNELS;
+    while (stage > KERNELS && !cylint_stages[stage - 1])
+        stage--;
+    return stage;
 }
 
-static unsigned long long count_family(int family, unsigned long long cases,
-                                       struct tally *verdicts,
-                                       struct tally *roots)
+/* Counts both questions about each case of a family; returns how many. */
+static double count_family(int family, uint64_t cases, double at[2][FURTHEST])
 {
-    unsigned long long counted = 0;
-    for (unsigned long long i = 0; i < cases; i++) {
+    double counted = 0;
+    for (uint64_t i = 0; i < cases; i++) {
         struct family_case c;
         family_case(1, family, i, &c);
-        if (c.line_status == CYLINT_OK && c.shape_status == CYLINT_OK) {
-            verdicts->at[furthest(&c, CYLINT_WANT_PART)]++;
-            roots->at[furthest(&c, CYLINT_WANT_PART | CYLINT_WANT_T)]++;
-            counted++;
-        }
+        if (c.line_status != CYLINT_OK || c.shape_status != CYLINT_OK)
+            continue;
+        at[0][furthest(&c, CYLINT_WANT_PART)]++;
+        at[1][furthest(&c, CYLINT_WANT_PART | CYLINT_WANT_T)]++;
+        counted++;
     }
     return counted;
 }
 
-static void print_tally(const struct tally *tally, unsigned long long counted)
-{
-    for (int i = 0; i < FURTHEST; i++) {
-        const double share = 100 * (double)tally->at[i] / (double)counted;
-        if (tally->at[i] == 0) {
-            printf(" %7s", "-");
-        } else {
-            printf(share < 0.01 ? " %7.4f" : " %7.2f", share);
-        }
-    }
-}
-
-static void print_heads(void)
-{
-    printf("%-28s %39s %39s\n", "% of questions by last stage", "verdict",
-           "roots");
-    printf("%-28s", "");
-    for (int i = 0; i < 2 * FURTHEST; i++) {
-        printf(" %7s", names[i % FURTHEST]);
-    }
-    putchar('\n');
-}
-
 int main(int argc, char **argv)
 {
-    const unsigned long long cases =
-        argc > 1 ? strtoull(argv[1], NULL, 10) : 100000;
-    print_heads();
+    const uint64_t cases = argc > 1 ? strtoull(argv[1], NULL, 10) : 100000;
+    printf("%-28s %39s %39s\n%-28s", "% of questions by last stage", "verdict",
+           "roots", "");
+    for (int i = 0; i < 2 * FURTHEST; i++)
+        printf(" %7s%s", names[i % FURTHEST], i + 1 < 2 * FURTHEST ? "" : "\n");
     for (int family = 0; family < family_count(); family++) {
-        struct tally verdicts = {{0}}, roots = {{0}};
-        const unsigned long long counted =
-            count_family(family, cases, &verdicts, &roots);
-        if (counted > 0) {
-            printf("%-28s", family_name(family));
-            print_tally(&verdicts, counted);
-            print_tally(&roots, counted);
-            putchar('\n');
+        double at[2][FURTHEST] = {{0}};
+        const double counted = count_family(family, cases, at);
+        if (counted == 0)
+            continue;
+        printf("%-28s", family_name(family));
+        for (int i = 0; i < 2 * FURTHEST; i++) {
+            const double share = 100 * at[i / FURTHEST][i % FURTHEST] / counted;
+            printf(share == 0     ? " %7.0f"
+                   : share < 0.01 ? " %7.4f"
+                                  : " %7.2f",
+                   share);
         }
+        putchar('\n');
     }
     return 0;
 }

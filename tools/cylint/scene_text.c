@@ -10,8 +10,6 @@
 #include "report.h"
 #include "scene_text.h"
 
-enum { CLAUSE_MOST = 999999999 };
-
 /* ------------------------------------------------------------- numbers -- */
 
 /* The kind whose constructor made the shape. */

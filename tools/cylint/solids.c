@@ -10,7 +10,7 @@
 #include "scene.h"
 #include "solids.h"
 
-enum { CLAUSE_MOST = 999999999, NAME_SHOWN = 32 };
+enum { NAME_SHOWN = 32 };
 
 int solids_add(struct solids *s, const cylint_member *member)
 {

@@ -13,6 +13,8 @@
 #include "grammar.h"
 #include "names.h"
 
+enum { CLAUSE_MOST = 999999999 }; /* the largest number of a clause */
+
 /* Zero it before use. */
 struct solids {
     const char *file;      /* for messages */

@@ -1,12 +1,14 @@
 /*
- * geant4.c - many rays in one solid: the pieces of libcylint and the steps of Geant4
+ * geant4.c - many rays in one solid: the pieces of libcylint and the steps of
+ * Geant4
  *
  * geant4.py loads this as a shared library.  Geant4 comes compiled, without
- * headers: the script passes the addresses of an object and of its member functions,
- * which get the object first and references as addresses [Itanium C++ ABI].
+ * headers: the script passes the addresses of an object and of its member
+ * functions, which get the object first and references as addresses [Itanium
+ * C++ ABI].
  *
- * A ray is o, d: six doubles.  Pieces are written as t0, t1 to MOST places for each ray.
- * Functions return nanoseconds of processor time.
+ * A ray is o, d: six doubles.  Pieces are written as t0, t1 to MOST places for
+ * each ray. Functions return nanoseconds of processor time.
  */
 #include <stdbool.h>
 #include <time.h>
@@ -30,8 +32,8 @@ static double nanoseconds(void)
     return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
 }
 
-/* From boundary to boundary.  After ten steps of length 0 a ray is pushed by 100
- * tolerances of 1e-9, as G4Navigator does.  Some rays never end. */
+/* From boundary to boundary. After ten steps of length 0 a ray is pushed by
+ * 100 tolerances of 1e-9, as G4Navigator does. Some rays never end. */
 static int take_steps(const geant4 *g, const double ray[6], double t[MOST][2])
 {
     const double infinity = 9e98;

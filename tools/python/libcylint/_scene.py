@@ -18,7 +18,7 @@ from ._arguments import (
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
 from ._hits import DescribedHits
-from ._shapes import Shapes, kinds_of, shapes_of
+from ._shapes import Shapes, checked, joined_labels, kinds_of, shapes_of
 
 
 class NearestHits(DescribedHits):
@@ -173,13 +173,11 @@ class Scene:
         parts = [shapes] if isinstance(shapes, Shapes) else shapes
         begun = _core.Scene(shapes.size if isinstance(shapes, Shapes) else 0)
         labels: list[Any] = []
-        for part in parts:
-            if not isinstance(part, Shapes):
-                raise TypeError(f"expected Shapes, found {type(part).__name__}")
+        for part in checked(parts):
             row = part._in_a_row()
-            labels.append(len(row) if row._labels is None else row._labels)
+            labels.append((len(row), row._labels))
             begun.add(row.kind)
-        self._start(begun, _joined(labels), threads, progress)
+        self._start(begun, joined_labels(labels), threads, progress)
 
     def _start(
         self, begun: _core.Scene, labels: NDArray[np.object_] | None,
@@ -625,15 +623,6 @@ def _columns(shape: tuple[int, ...], kinds: str) -> list[NDArray[Any]]:
         np.empty((*shape, 3)) if kind == "v" else np.empty(shape, _TYPES[kind])
         for kind in kinds
     ]
-
-
-def _joined(labels: list[Any]) -> NDArray[np.object_] | None:
-    """The labels of arrays of shapes; for one without labels its length."""
-    if all(isinstance(x, int) for x in labels):
-        return None
-    return np.concatenate(
-        [np.full(x, "", np.object_) if isinstance(x, int) else x for x in labels]
-    )
 
 
 def _file_name(path: str | os.PathLike[str]) -> bytes:

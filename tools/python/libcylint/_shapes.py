@@ -680,16 +680,26 @@ def concatenate(shapes: Iterable[Shapes]) -> Shapes:
     >>> cylint.concatenate([a, b])
     <libcylint.Shapes (3,): 2 cylinders, 1 cone>
     """
-    parts = [*shapes]
+    parts = [*checked(shapes)]
+    records = [np.atleast_1d(part._records) for part in parts]
+    labels = [(r.shape, part._labels) for r, part in zip(records, parts, strict=True)]
+    joined = np.concatenate(records) if parts else np.empty(0, _record)
+    return Shapes(joined, joined_labels(labels))
+
+
+def checked(parts: Iterable[Shapes]) -> Iterator[Shapes]:
+    """Arrays of shapes; raises TypeError for what is none."""
     for part in parts:
         if not isinstance(part, Shapes):
             raise TypeError(f"expected Shapes, found {type(part).__name__}")
-    if not parts:
-        return Shapes(np.empty(0, _record))
-    records = np.concatenate([np.atleast_1d(s._records) for s in parts])
-    if all(s._labels is None for s in parts):
-        return Shapes(records)
-    labels = np.concatenate(
-        [np.atleast_1d(s.labels.astype(np.object_)) for s in parts]
+        yield part
+
+
+def joined_labels(parts: list[Any]) -> NDArray[np.object_] | None:
+    """The labels of arrays of shapes, each given by its shape and labels or None."""
+    if all(labels is None for _, labels in parts):
+        return None
+    none = np.array("", np.object_)
+    return np.concatenate(
+        [np.broadcast_to(none if x is None else x, shape) for shape, x in parts]
     )
-    return Shapes(records, labels)
