@@ -1,5 +1,5 @@
 /*
- * packet.c - traces the rays of a packet through the shapes of a geometry
+ * packet.c - the callbacks: one ray, or the rays of a packet
  *
  * Rays are copied out of the packet, traced together if they begin near each
  * other and go into the same octant, else one by one, and copied back if they
@@ -254,7 +254,8 @@ static void trace_octant(ray_test *r, unsigned primID, unsigned rays,
     trace_one_by_one(r, primID, rays & ~together, valid, packet, N);
 }
 
-void cylint_trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
+/* r: a ray test with the data, context and arguments that all rays share. */
+static void trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
                          unsigned N)
 {
     unsigned rays = 0, octant[8];
@@ -267,4 +268,37 @@ void cylint_trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
     sort_by_octant(octant, rays, packet, N);
     for (int i = 0; i < 8; i++)
         trace_octant(r, primID, octant[i], valid, packet, N);
+}
+
+/* -------------------------------------------------------------- callbacks -- */
+
+static void trace(ray_test *r, unsigned primID, int *valid, void *packet,
+                  unsigned N)
+{
+    if (N == 1)
+        set_valid(valid, 0, cylint_trace_single(r, primID));
+    else
+        trace_packet(r, primID, valid, packet, N);
+}
+
+void cylint_embree_intersect_callback(
+    const struct RTCIntersectFunctionNArguments *args)
+{
+    struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
+    ray_test r;
+    initialise(&r, args->geometryUserPtr, args->context, args->geomID);
+    r.nearest = args;
+    r.ray = &one->ray;
+    r.hit = &one->hit;
+    trace(&r, args->primID, args->valid, args->rayhit, args->N);
+}
+
+void cylint_embree_occluded_callback(
+    const struct RTCOccludedFunctionNArguments *args)
+{
+    ray_test r;
+    initialise(&r, args->geometryUserPtr, args->context, args->geomID);
+    r.any = args;
+    r.ray = (struct RTCRay *)args->ray;
+    trace(&r, args->primID, args->valid, args->ray, args->N);
 }

@@ -132,11 +132,6 @@ int cylint_ray_end(ray_test *r, cylint_float_filter_question *asked,
 /* Traces the ray alone.  Returns 1 if a hit was recorded. */
 int cylint_trace_single(ray_test *r, unsigned primID);
 
-/* Traces the rays of a packet.  r: a ray test with the data, context and arguments
- * that all rays share. */
-void cylint_trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
-                         unsigned N);
-
 /* ---------------------------------------------------------------- lanes -- */
 
 /* Always inlined: GCC believes that a function which only prefetches has no

@@ -15,6 +15,7 @@
 #include "sticks.h"
 
 enum { RAYS = 160 * 160, MOST = 8, LANES = 16 };
+enum { CURVES = -1, MERGED = -2 }; /* in place of the adapter's flags */
 
 /* A scene and its rays. */
 struct world {
@@ -27,7 +28,7 @@ struct world {
 
 static struct {
     float ray[RAYS][2][3];
-    struct world ours[MOST], bare[MOST], curves;
+    struct world ours[MOST], bare[MOST], curves; /* bare: or merged */
 } in;
 
 /* The adapter's scene that was made with the kernels in use. */
@@ -78,24 +79,48 @@ static RTCGeometry curves_of(RTCDevice device, const struct sticks *s,
     return g;
 }
 
-/* parts: how many geometries; flags: of the adapter, -1 for curves. */
+static size_t first_of_part(const struct sticks *s, size_t parts, size_t k)
+{
+    return k * s->n / parts;
+}
+
+/* Geometry k of `parts`; merged it is the only one. */
+static RTCGeometry part_of(RTCDevice device, const struct sticks *s,
+                           size_t parts, size_t k, int flags)
+{
+    const size_t first = first_of_part(s, parts, k),
+                 last = first_of_part(s, parts, k + 1);
+    const cylint_embree_options options = {.flags = (unsigned)flags};
+    if (flags == CURVES)
+        return curves_of(device, s, first, last);
+    if (flags != MERGED)
+        return cylint_embree_geometry(device, s->shapes + first, last - first,
+                                      &options, NULL);
+    cylint_embree_part *part = need(parts * sizeof *part);
+    for (k = 0; k < parts; k++) {
+        part[k].shapes = s->shapes + first_of_part(s, parts, k);
+        part[k].n = first_of_part(s, parts, k + 1) - first_of_part(s, parts, k);
+        part[k].geomID = (unsigned)k;
+    }
+    RTCGeometry g = cylint_embree_merge(device, part, parts, NULL, NULL);
+    free(part);
+    return g;
+}
+
+/* parts: how many geometries; flags: of the adapter, CURVES or MERGED. */
 static void build(struct world *w, const struct sticks *s, size_t parts,
                   int flags)
 {
-    *w = (struct world){.device = embree_device(), .parts = parts};
+    *w = (struct world){.device = embree_device(),
+                        .parts = flags == MERGED ? 1 : parts};
     rtcSetDeviceMemoryMonitorFunction(w->device, count_bytes, &w->bytes);
     w->scene = rtcNewScene(w->device);
-    w->part = need(parts * sizeof *w->part);
-    for (size_t k = 0; k < parts; k++) {
-        const size_t first = k * s->n / parts, last = (k + 1) * s->n / parts;
-        const cylint_embree_options options = {.flags = (unsigned)flags};
-        w->part[k] = flags < 0
-                         ? curves_of(w->device, s, first, last)
-                         : cylint_embree_geometry(w->device, s->shapes + first,
-                                                  last - first, &options, NULL);
+    w->part = need(w->parts * sizeof *w->part);
+    for (size_t k = 0; k < w->parts; k++) {
+        w->part[k] = part_of(w->device, s, parts, k, flags);
         must(w->part[k] != NULL, "no geometry was made");
         rtcAttachGeometry(w->scene, w->part[k]);
-        if (flags < 0)
+        if (flags == CURVES)
             rtcReleaseGeometry(w->part[k]);
     }
     rtcCommitScene(w->scene);
@@ -234,7 +259,7 @@ static void ask_scene(const struct stick_kind *kind, double n, int is_round)
     struct sticks s;
     draw_sticks(kind, (size_t)n, is_round, 1, &s);
     if (is_wanted(s.name)) {
-        build(&in.curves, &s, 1, -1);
+        build(&in.curves, &s, 1, CURVES);
         build_all(in.ours, &s, 1, 0);
         build_all(in.bare, &s, 1, CYLINT_EMBREE_NO_FILTERS);
         draw_incoherent(RAYS, in.ray);
@@ -260,27 +285,35 @@ static void ask_scene(const struct stick_kind *kind, double n, int is_round)
     free_sticks(&s);
 }
 
-/* The same number in each of side^3 cells, a geometry each. */
+static void ask_parts(const struct sticks *s, const char *rays, size_t parts)
+{
+    char question[64];
+    snprintf(question, sizeof question, "nearest; %s; %zu parts", rays, parts);
+    ask(s, question, nearest, nearest, in.ours);
+    snprintf(question, sizeof question, "nearest; %s; %zu parts merged", rays,
+             parts);
+    ask(s, question, nearest, nearest, in.bare);
+}
+
+/* The same number in each of side^3 cells, a geometry each, or all merged. */
 static void ask_many(const struct stick_kind *kind, size_t side)
 {
     const size_t parts = side * side * side;
     struct sticks s;
-    char question[64];
     draw_sticks(kind, 100000, 0, side, &s);
     if (is_wanted(s.name)) {
-        build(&in.curves, &s, parts, -1);
+        build(&in.curves, &s, parts, CURVES);
         build_all(in.ours, &s, parts, 0);
+        build_all(in.bare, &s, parts, MERGED);
         draw_incoherent(RAYS, in.ray);
-        snprintf(question, sizeof question, "nearest; incoherent; %zu parts",
-                 parts);
-        ask(&s, question, nearest, nearest, in.ours);
+        ask_parts(&s, "incoherent", parts);
         draw_coherent(RAYS, in.ray);
-        snprintf(question, sizeof question, "nearest; camera; %zu parts",
-                 parts);
-        ask(&s, question, nearest, nearest, in.ours);
+        ask_parts(&s, "camera", parts);
         release(&in.curves, 0);
-        for (int k = 0; k < MOST; k++)
+        for (int k = 0; k < MOST; k++) {
             release(&in.ours[k], 1);
+            release(&in.bare[k], 1);
+        }
     }
     free_sticks(&s);
 }
