@@ -61,8 +61,9 @@ enum {
 
 /*
  * Writes the pieces of a line that are inside a solid made of shapes, ascending, at
- * most `capacity`.  Returns how many.  If it returns `capacity`, more may follow:
- * call again with line->tmin = the last t1.
+ * most `capacity`.  Returns how many.  An array of CYLINT_SOLID_PIECES always
+ * suffices.  With a smaller one, if it returns `capacity`, more may follow: call
+ * again with line->tmin = the last t1.
  *
  * A solid is a conjunction of clauses; a clause is a union of shapes and of
  * complements of shapes.  clause[i] = c > 0: shape i is a member of clause c.
@@ -93,7 +94,8 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
  * those of the bore, whose boundary does not belong to the solid; NULL, or two
  * zeros: none.
  *
- * sector: two directions from the axis, NULL: a full turn.  The solid is the part
+ * sector: two directions from the axis, NULL: a full turn.  For the angles s and e
+ * about z: {cos s, sin s, 0} and {cos e, sin e, 0}.  The solid is the part
  * from the half plane through the axis and sector[0] to that through sector[1],
  * right-handed about the axis.  Up to half a turn it is within two half-spaces,
  * beyond that within one or the other.  Their planes contain p0; their normals are
@@ -104,7 +106,7 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
  * p0 then.
  *
  * Fails as the constructors do.  EDIRECTION: a direction is parallel to the axis,
- * or both are on the same side of it and parallel to each other.
+ * or both are in one half plane that begins at the axis.
  */
 enum { CYLINT_TUBE_MEMBERS = 4 };
 CYLINT_API cylint_status cylint_tube(const double p0[3], const double p1[3],

@@ -62,7 +62,7 @@ for shell in in_bash in_zsh; do
     is_offered 'bad records' 'mark skip stop' cylint -e ''
     is_offered 'searches' 'auto none tree' cylint --accel ''
     is_offered 'modes of pieces' 'owner union cells chords' cylint --pieces ''
-    is_offered 'sums' 'label label:t' cylint --sum ''
+    is_offered 'sums' 'label label:t total total:t' cylint --sum ''
     is_offered 'what is left out' 'number label' cylint --not ''
     is_offered 'forms of neurons' 'cones round' cylint --swc ''
     is_offered 'lists' 'methods shapes columns' cylint --list ''

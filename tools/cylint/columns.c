@@ -362,9 +362,10 @@ void put_sums_header(struct text *out, const struct groups *groups,
                      const struct style *style)
 {
     for (size_t i = 0; i < groups->columns; i++) {
-        const struct string name = i < groups->names.texts.count
-                                       ? names_get(&groups->names, i)
-                                       : (struct string){"", 0};
+        const struct string name =
+            groups->is_total                ? (struct string){"total", 5}
+            : i < groups->names.texts.count ? names_get(&groups->names, i)
+                                            : (struct string){"", 0};
         put_separator(out, style, i);
         if (name.length > 0)
             put_string(out, name);

@@ -85,6 +85,12 @@ int groups_make(struct groups *g, const struct labels *labels)
     return 0;
 }
 
+void groups_unite(struct groups *g)
+{
+    g->is_total = 1;
+    g->columns = 1;
+}
+
 void groups_free(struct groups *g)
 {
     names_free(&g->names);

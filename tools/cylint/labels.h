@@ -39,11 +39,14 @@ struct groups {
     struct names names; /* by label: those of the groups */
     int *of;            /* by label: the group of each shape; NULL: by number */
     size_t columns;     /* by label: the number of groups, but at least 1 */
+    int is_total;       /* one column for all */
     int *rank;          /* of each shape; NULL: all have the same */
 };
 
 /* Groups the shapes by label.  Returns 0, or an exit status after a message. */
 int groups_make(struct groups *groups, const struct labels *labels);
+/* Sums have one column then. */
+void groups_unite(struct groups *groups);
 /* Reads the ranks of groups from a file. */
 int groups_read_ranks(struct groups *groups, const char *file);
 void groups_free(struct groups *groups);

@@ -46,6 +46,8 @@ static int read_scene(struct job *job)
     job->groups.shapes = job->scene.count;
     if (status == 0 && (o->not_label || o->rank || o->sum))
         status = groups_make(&job->groups, &job->labels);
+    if (o->sum >= SUM_TOTAL)
+        groups_unite(&job->groups);
     if (status == 0 && o->rank)
         status = groups_read_ranks(&job->groups, o->rank);
     if (status == 0 && (!o->method || o->save))

@@ -75,7 +75,8 @@ enum { COUNT_MOST = INT_MAX / 10 - 1 };
 enum needs { NOTHING, A_SCENE, A_NEURON, PIECES, SOLIDS };
 
 static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
-static const char *const sums[] = {"label", "label:t", NULL};
+static const char *const sums[] = {"label", "label:t", "total", "total:t",
+                                   NULL};
 static const char *const names_of_shapes[] = {"number", "label", NULL};
 static const char *const accels[] = {"auto", "none", "tree", NULL};
 static const char *const bad_policies[] = {"mark", "skip", "stop", NULL};
@@ -111,8 +112,9 @@ static const struct option options_known[] = {
     {"first", "K", read_count, AT(most_pieces), "a number of pieces",
      COUNT_MOST, PIECES, "of -q pieces: the first K pieces of each line"},
     {"sum", "WHAT", read_word, AT(sum), sums, 0, PIECES,
-     "of -q pieces: sums of lengths, one for each label: label;\n"
-     "in multiples of the direction: label:t"},
+     "of -q pieces: sums of lengths, one for each label or of\n"
+     "all: label, total; in multiples of the direction: label:t,\n"
+     "total:t"},
     {"not", "WHAT", read_word, AT(not_label), names_of_shapes, 0, A_SCENE,
      "with -s: a record's not=NAME leaves out the shape with\n"
      "this number (default) or those with this label"},

@@ -13,8 +13,9 @@ enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_TREE };
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
-/* --sum: no sums; of lengths; of lengths in units of the line's direction. */
-enum sum { SUM_NONE, SUM_LENGTH, SUM_T };
+/* --sum: no sums; by label, of lengths or of lengths in units of the line's
+ * direction; the same of all pieces. */
+enum sum { SUM_NONE, SUM_LENGTH, SUM_T, SUM_TOTAL, SUM_TOTAL_T };
 
 /* --tail and --no-tail */
 enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };

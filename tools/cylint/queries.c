@@ -321,10 +321,11 @@ static int answer_sums(struct task *task)
     const struct groups *groups = &job->groups;
     const cylint_piece_rule rule = rule_of(job);
     int is_hit = 0;
-    if (cylint_scene_line_sums(job->scene.shapes, &task->record.line, &rule,
-                               groups->of, groups->columns,
-                               job->options->sum == SUM_LENGTH,
-                               task->sums) != CYLINT_SCENE_OK)
+    if (cylint_scene_line_sums(
+            job->scene.shapes, &task->record.line, &rule,
+            groups->is_total ? NULL : groups->of, groups->columns,
+            job->options->sum == SUM_LENGTH || job->options->sum == SUM_TOTAL,
+            task->sums) != CYLINT_SCENE_OK)
         return end_without_memory(task);
     for (size_t i = 0; i < groups->columns; i++)
         is_hit |= task->sums[i] > 0;
