@@ -42,7 +42,8 @@ make_wheel()
         cd "$scratch" &&
             quiet env -u CFLAGS -u CXXFLAGS -u MAKEFLAGS -u MAKELEVEL -u BUILD \
                 "$python" -m pip wheel --no-build-isolation --no-deps --no-index \
-                -C cmake.define.MAKE=true -C cmake.define.CYLINT_BUILD="$build" \
+                --config-settings cmake.define.MAKE=true \
+                --config-settings cmake.define.CYLINT_BUILD="$build" \
                 -w "$home/wheel" "$home"/dist/*.tar.gz
     ) && echo "$sum" > "$home/wheel/sum"
 }
