@@ -208,10 +208,7 @@ static double nearest_to(pair x, int e)
     if (cylint_exponent(x.hi) + e >= DBL_MIN_EXP - 1)
         return cylint_scaled(x.hi, e);
     cylint_arena_open(&arena);
-    return cylint_exact_nearest(
-        cylint_exact_add(&arena, cylint_exact_from(&arena, x.hi),
-                         cylint_exact_from(&arena, x.lo)),
-        e);
+    return cylint_nearest_of_pair(&arena, x, e);
 }
 
 double cylint_line_length(const cylint_line *line)

@@ -79,17 +79,12 @@ static inline uint64_t keyed_child(uint32_t enter, uint32_t child)
 
 static inline void prefetch_child(const cylint_bvh *bvh, uint32_t child)
 {
-#ifdef __GNUC__
     const char *data =
         child & CYLINT_LEAF_FLAG
             ? (const char *)&bvh->leaves[child & ~CYLINT_LEAF_FLAG]
             : (const char *)&bvh->nodes[child];
-    __builtin_prefetch(data);
-    __builtin_prefetch(data + 64);
-#else
-    (void)bvh;
-    (void)child;
-#endif
+    CYLINT_PREFETCH(data);
+    CYLINT_PREFETCH(data + 64);
 }
 
 /* ---------------------------------------------------------------- start -- */

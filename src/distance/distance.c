@@ -141,8 +141,9 @@ static unsigned left_by_doubles(const cylint_shape *shape,
 }
 
 /* All answers that doubles leave. */
-ASIDE double answer_in_pairs(const cylint_shape *shape, const double point[3],
-                             unsigned want, cylint_closest *answer)
+ASIDE double answer_beyond_doubles(const cylint_shape *shape,
+                                   const double point[3], unsigned want,
+                                   cylint_closest *answer)
 {
     if (shape->kind == CYLINT_KIND_NONE || !cylint_is_finite(point)) {
         answer->flags = CYLINT_FLAG_INVALID;
@@ -201,7 +202,7 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
     want &= CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY;
     if (!cylint_prepared(shape) ||
         left_by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)
-        return answer_in_pairs(shape, point, want, answer);
+        return answer_beyond_doubles(shape, point, want, answer);
     answer->flags = 0;
 #if CYLINT_IS_PARANOID
     cylint_contradiction(contradicts(shape, point, want, answer));

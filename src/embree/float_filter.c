@@ -286,7 +286,7 @@ INLINE void answer_batch(const asked *of, int n, answered *to)
         shape[i] = b.of[i]->shape;
         line[i] = (const char *)b.of[i]->line;
     }
-    load_shapes(&q, shape, of->small, r);
+    load_records(&q, shape, of->small, r);
     load_lines(&q, line);
     q.r0 = r[0];
     q.dr = r[1] - r[0];

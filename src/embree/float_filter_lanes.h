@@ -129,8 +129,8 @@ INLINE void select_quadratic(quadratic *c, vm where, const quadratic *other)
 }
 
 /* Loads the record at row[0], row[1], ...; r[i] is the radius at end i. */
-INLINE void load_shapes(question *q, const char *const row[LANES], int small,
-                        vd r[2])
+INLINE void load_records(question *q, const char *const row[LANES], int small,
+                         vd r[2])
 {
     vd x[8];
     if (small) {

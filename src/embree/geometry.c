@@ -108,15 +108,7 @@ static void set_box(cylint_embree_data *data, const cylint_extent *all)
 /* The part that holds a number. */
 static size_t part_of(const cylint_embree_data *data, size_t number)
 {
-    size_t low = 0, high = data->n_parts;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (data->parts[middle].first <= number)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
+    return cylint_embree_part_at(data, 0, number);
 }
 
 static void write_part_shape(const void *owner, uint32_t number,
@@ -265,8 +257,8 @@ static void raise_device_error(RTCGeometry geometry)
 /* --------------------------------------------------------------- making -- */
 
 /* Loads the present state of the shapes and commits the geometry. */
-static int load_shapes(RTCGeometry geometry, cylint_embree_data *data,
-                       cylint_embree_problem *problem)
+static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
+                         cylint_embree_problem *problem)
 {
     if (!(data->traversal ? build_bvh : check_shapes)(data, problem)) {
         if (problem->status != CYLINT_EMBREE_EMEMORY)
@@ -374,9 +366,10 @@ typedef struct {
 } ingredients;
 
 /* Sets what the geometry is made of, and makes it. */
-static int fill(RTCGeometry geometry, cylint_embree_data *data,
-                const ingredients *of, const cylint_embree_options *options,
-                cylint_embree_problem *problem)
+static int fill_geometry(RTCGeometry geometry, cylint_embree_data *data,
+                         const ingredients *of,
+                         const cylint_embree_options *options,
+                         cylint_embree_problem *problem)
 {
     if (of->parts && !set_parts(data, of->parts, of->n, problem)) {
         raise_device_error(geometry);
@@ -391,7 +384,7 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
     if (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data))
         data->traversal = cylint_traversal_used();
     attach(geometry, data);
-    return load_shapes(geometry, data, problem);
+    return load_geometry(geometry, data, problem);
 }
 
 static RTCGeometry make(RTCDevice device, const ingredients *of,
@@ -410,7 +403,7 @@ static RTCGeometry make(RTCDevice device, const ingredients *of,
     problem->status = CYLINT_EMBREE_EMEMORY;
     cylint_embree_data *data = new_data(device, of->parts ? of->n : 0);
     if (data) {
-        if (fill(geometry, data, of, options, problem))
+        if (fill_geometry(geometry, data, of, options, problem))
             return geometry;
         free_data(data);
     }
@@ -451,7 +444,7 @@ RTCGeometry cylint_embree_merge(RTCDevice device,
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)
 {
     cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
-    load_shapes(geometry, rtcGetGeometryUserData(geometry), &here);
+    load_geometry(geometry, rtcGetGeometryUserData(geometry), &here);
     if (problem)
         *problem = here;
     return here.status;

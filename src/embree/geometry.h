@@ -47,6 +47,22 @@ typedef struct cylint_embree_data {
     const uint32_t *part;
 } cylint_embree_data;
 
+/* The last part whose first number, or geomID, is at most x; 0 if there is none. */
+static inline size_t cylint_embree_part_at(const cylint_embree_data *data,
+                                           int by_geomID, size_t x)
+{
+    size_t low = 0, high = data->n_parts;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        const cylint_embree_merged *part = &data->parts[middle];
+        if ((by_geomID ? part->geomID : part->first) <= x)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 static inline int cylint_embree_moves(const cylint_embree_data *data)
 {
     return data->from[1] != NULL;

@@ -72,20 +72,15 @@ static int same_instance(const struct RTCHit *hit,
 static size_t number_of_hit(const cylint_embree_data *data,
                             const struct RTCHit *hit, unsigned geomID)
 {
-    size_t low = 0, high = data->n_parts;
     if (!data->parts)
         return hit->geomID == geomID && hit->primID < data->n ? hit->primID
                                                               : data->n;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (data->parts[middle].geomID < hit->geomID)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < data->n_parts && data->parts[low].geomID == hit->geomID &&
-                   hit->primID < data->parts[low].n
-               ? data->parts[low].first + hit->primID
+    if (data->n_parts == 0)
+        return data->n;
+    const cylint_embree_merged *part =
+        &data->parts[cylint_embree_part_at(data, 1, hit->geomID)];
+    return part->geomID == hit->geomID && hit->primID < part->n
+               ? part->first + hit->primID
                : data->n;
 }
 

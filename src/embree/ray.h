@@ -134,23 +134,12 @@ int cylint_trace_single(ray_test *r, unsigned primID);
 
 /* ---------------------------------------------------------------- lanes -- */
 
-/* Always inlined: GCC believes that a function which only prefetches has no
- * effect, and removes calls of it. */
-CYLINT_INLINE void prefetch(const void *address)
-{
-#ifdef __GNUC__
-    __builtin_prefetch(address);
-#else
-    (void)address;
-#endif
-}
-
 CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
                                    const cylint_leaf *leaf, unsigned lanes)
 {
     for (; lanes; lanes &= lanes - 1)
-        prefetch(cylint_float_filter_at(&data->shapes[0].records,
-                                        leaf->number[cylint_lowest(lanes)]));
+        CYLINT_PREFETCH(cylint_float_filter_at(
+            &data->shapes[0].records, leaf->number[cylint_lowest(lanes)]));
 }
 
 static inline int nearest_lane(unsigned lanes, const float *least)
@@ -175,7 +164,7 @@ CYLINT_INLINE int select_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     r->leaf = leaf;
     r->lane = lane;
     r->rank = leaf->number[lane];
-    prefetch(r->data->number + r->rank);
+    CYLINT_PREFETCH(r->data->number + r->rank);
     r->line.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
     return 1;
 }

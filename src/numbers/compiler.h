@@ -1,6 +1,6 @@
 /*
- * compiler.h - unrolled loops, inlining, the larger of two doubles, the lowest
- * bit of a mask
+ * compiler.h - unrolled loops, inlining, prefetching, the larger of two doubles,
+ * the lowest bit of a mask
  */
 #ifndef CYLINT_COMPILER_H
 #define CYLINT_COMPILER_H
@@ -29,6 +29,14 @@
 #define CYLINT_HIDDEN __attribute__((visibility("hidden")))
 #else
 #define CYLINT_HIDDEN
+#endif
+
+/* Loads the cache line of an address before it is needed.  A macro: GCC believes
+ * that a function which only prefetches has no effect, and removes calls of it. */
+#ifdef __GNUC__
+#define CYLINT_PREFETCH(address) __builtin_prefetch(address)
+#else
+#define CYLINT_PREFETCH(address) ((void)(address))
 #endif
 
 /* The larger of two, neither of them NaN.  fmax() would be a function call. */

@@ -74,6 +74,15 @@ static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
  * every floating-point environment. */
 double cylint_exact_nearest(exact x, int e);
 
+/* The same of (hi + lo) 2^e. */
+static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
+{
+    return cylint_exact_nearest(
+        cylint_exact_add(arena, cylint_exact_from(arena, x.hi),
+                         cylint_exact_from(arena, x.lo)),
+        e);
+}
+
 /* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative
  * error is below CYLINT_EXACT_ROUNDING (error_bounds.h).  x is not zero. */
 pair cylint_exact_round(exact x, int *e);

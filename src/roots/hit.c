@@ -44,15 +44,6 @@ static double below_one(double turns)
     return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
 }
 
-/* The double nearest to hi + lo, in every rounding mode. */
-static double rounded_pair(cylint_arena *arena, pair x)
-{
-    return cylint_exact_nearest(
-        cylint_exact_add(arena, cylint_exact_from(arena, x.hi),
-                         cylint_exact_from(arena, x.lo)),
-        0);
-}
-
 /* The angle of (x, y) in turns.  Where one of x and y is 2^CYLINT_STEEP_EXPONENT
  * times the other or more, the angle is a quarter turn's multiple, rounded, but
  * next to 0, where it is y / (2 pi x). */
@@ -80,8 +71,10 @@ static double angle_of(cylint_arena *arena, exact x, exact y)
     }
     const int e = ex > ey ? ex : ey;
     return below_one(
-        rounded_pair(arena, cylint_turn_pair(cylint_scaled_pair(X, ex - e),
-                                             cylint_scaled_pair(Y, ey - e))));
+        cylint_nearest_of_pair(arena,
+                               cylint_turn_pair(cylint_scaled_pair(X, ex - e),
+                                                cylint_scaled_pair(Y, ey - e)),
+                               0));
 }
 
 /* ------------------------------------------------------------- facts --- */

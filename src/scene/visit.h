@@ -61,19 +61,13 @@ CYLINT_INLINE void cylint_prefetch_shapes(const cylint_scene *scene,
                                           const cylint_leaf *leaf,
                                           unsigned lanes)
 {
-#ifdef __GNUC__
     const cylint_records *r = &scene->records;
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t number = leaf->number[cylint_lowest(lanes)];
-        __builtin_prefetch(&r->record[number]);
-        __builtin_prefetch(&r->record[number].r1); /* in another line */
-        __builtin_prefetch(&r->tag[number]);
+        CYLINT_PREFETCH(&r->record[number]);
+        CYLINT_PREFETCH(&r->record[number].r1); /* in another line */
+        CYLINT_PREFETCH(&r->tag[number]);
     }
-#else
-    (void)scene;
-    (void)leaf;
-    (void)lanes;
-#endif
 }
 
 #endif
