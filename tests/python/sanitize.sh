@@ -12,8 +12,9 @@ at=$build/python/sanitized
 rm -rf "$at"
 CFLAGS="$flags" CXXFLAGS="$flags" CC=$cc "$python" -m pip install -q \
     --no-build-isolation --no-deps --no-index --target "$at" \
-    -C cmake.define.CYLINT_STUB=OFF -C build-dir="$build/python/sanitized-build" \
-    -C "cmake.define.CYLINT_MAKE_FLAGS=CFLAGS=$flags" ./tools/python
+    --config-settings cmake.define.CYLINT_STUB=OFF \
+    --config-settings build-dir="$build/python/sanitized-build" \
+    --config-settings "cmake.define.CYLINT_MAKE_FLAGS=CFLAGS=$flags" ./tools/python
 cd "$build/python"
 # Python itself keeps memory to its end, so leaks are found by test_calls.py; its
 # allocator hides errors from the sanitizer.

@@ -41,7 +41,7 @@ rivals_of = @$(rivals)/bin/pip install -q $(1)
 $(rivals)/package: $(scene_library) $(wildcard tools/python/src/* tools/python/libcylint/*.py)
 	$(call say,PIP $(rivals))python3 -m venv $(rivals)
 	@$(rivals)/bin/pip install -q numpy
-	@$(rivals)/bin/pip install -q --no-deps --force-reinstall -C cmake.define.CYLINT_BUILD=$(abspath $(BUILD)) ./tools/python
+	@$(rivals)/bin/pip install -q --no-deps --force-reinstall --config-settings cmake.define.CYLINT_BUILD=$(abspath $(BUILD)) ./tools/python
 	@touch $@
 quick := $(if $(QUICK),--quick)
 bench-text: $(BUILD)/cylint $(rivals)/package ## the command beside programs that read numbers, fetched by pip; QUICK=1

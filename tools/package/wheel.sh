@@ -45,7 +45,8 @@ backend.build_sdist(sys.argv[1])' "$folder")
 
 machine=$(uname -m)
 compile "$machine-linux-gnu.2.17" "$scratch/gnu"
-compile "$machine-linux-musl" "$scratch/musl" -C cmake.define.CYLINT_STUB=OFF
+compile "$machine-linux-musl" "$scratch/musl" \
+    --config-settings cmake.define.CYLINT_STUB=OFF
 
 # This Python (of glibc) cannot load the module for musl: its stub comes from the
 # other wheel, and the file's name says musl instead of gnu.
