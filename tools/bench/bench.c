@@ -215,7 +215,7 @@ static void print_header(void)
 static void print_row(const struct contest *c, int shuffled, const char *unit,
                       double theirs, const double *ours)
 {
-    double least = NAN;
+    double best = NAN; /* the time of the last kernels, the best */
     print_text(user.name, 10);
     print_text(c->subject, 20);
     print_text(c->question, 44);
@@ -225,9 +225,9 @@ static void print_row(const struct contest *c, int shuffled, const char *unit,
     print_number(theirs, ", ");
     for (int k = 0; k < kernels_count(); k++) {
         print_number(ours[k], ", ");
-        least = ours[k] == ours[k] ? ours[k] : least;
+        best = ours[k] == ours[k] ? ours[k] : best;
     }
-    print_number(least / theirs, "\n");
+    print_number(best / theirs, "\n");
     fflush(stdout);
 }
 
