@@ -6,8 +6,8 @@
 # These variables are the user's; the project's own flags stand around them.
 CC         ?= cc
 CXX        ?= c++
-CFLAGS     ?= -O2 -g
-CXXFLAGS   ?= -O2 -g
+CFLAGS     ?= -O2 -g1
+CXXFLAGS   ?= -O2 -g1
 BUILD      ?= build$(if $(PARANOID),/paranoid)
 PREFIX     ?= /usr/local
 BINDIR     ?= $(PREFIX)/bin
