@@ -123,8 +123,9 @@ static int refuse_each(allocating_call *call, void *self)
         const cylint_scene_status status = call(self);
         heap.watched = 0;
         const int is_refused = heap.requested > refused;
-        CHECK(status == (is_refused && !heap.kept ? CYLINT_SCENE_EMEMORY
-                                                  : CYLINT_SCENE_OK));
+        CHECK(status == CYLINT_SCENE_EMEMORY
+                  ? is_refused
+                  : status == CYLINT_SCENE_OK && (!is_refused || heap.kept));
         CHECK(heap.held == 0);
         if (!is_refused || !CHECK(refused < ENOUGH))
             return refused;
@@ -136,6 +137,7 @@ static cylint_scene_status make_scene(void *self)
     const struct scene_shapes *of = self;
     cylint_scene_status status = CYLINT_SCENE_OK;
     cylint_scene_free(cylint_scene_new(of->shapes, of->n, 1, &status));
+    CHECK(status == CYLINT_SCENE_OK || !heap.kept);
     return status;
 }
 
@@ -312,7 +314,6 @@ static cylint_scene_status find_pieces(void *self)
         status = cylint_scene_line_sums(c->scene, &c->line, &rule, NULL, 1, 0,
                                         &c->found);
     }
-    heap.kept = 0; /* memory that cannot grow is a failure */
     return status;
 }
 
