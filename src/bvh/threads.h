@@ -89,41 +89,16 @@ static inline void cylint_mutex_destroy(cylint_mutex *m)
 
 #else
 
-typedef char cylint_thread;
+typedef char cylint_thread, cylint_mutex;
 
-static inline cylint_thread cylint_thread_self(void)
-{
-    return 0;
-}
-static inline int cylint_thread_is(const cylint_thread *thread)
-{
-    (void)thread;
-    return 1;
-}
-
-typedef char cylint_mutex;
 #define CYLINT_MUTEX_INITIALIZER 0
-
-static inline void cylint_mutex_lock(cylint_mutex *m)
-{
-    (void)m;
-}
-static inline void cylint_mutex_unlock(cylint_mutex *m)
-{
-    (void)m;
-}
-static inline void cylint_mutex_wait(cylint_mutex *m)
-{
-    (void)m;
-}
-static inline void cylint_mutex_wake_all(cylint_mutex *m)
-{
-    (void)m;
-}
-static inline void cylint_mutex_destroy(cylint_mutex *m)
-{
-    (void)m;
-}
+#define cylint_thread_self() 0
+#define cylint_thread_is(thread) 1
+#define cylint_mutex_lock(m) ((void)(m))
+#define cylint_mutex_unlock(m) ((void)(m))
+#define cylint_mutex_wait(m) ((void)(m))
+#define cylint_mutex_wake_all(m) ((void)(m))
+#define cylint_mutex_destroy(m) ((void)(m))
 
 #endif
 

@@ -56,7 +56,7 @@ static double consider_chord(void *context, size_t number,
     return HUGE_VAL;
 }
 
-static void consider_shape(boundary_search *q, uint32_t number)
+static void consider_late_member(boundary_search *q, uint32_t number)
 {
     cylint_shape shape;
     cylint_interval chord[2];
@@ -66,22 +66,17 @@ static void consider_shape(boundary_search *q, uint32_t number)
         consider_chord(q, number, chord[i]);
 }
 
-/* The shapes beside the hierarchy that are members of the solid. */
-static void consider_others(boundary_search *q)
+static void consider_late_members(boundary_search *q)
 {
     const cylint_solids *s = &q->scene->solids;
     const size_t number = q->solid_number;
-    const uint32_t *always = s->n > 0 ? s->always : q->scene->others;
-    const size_t n_always = s->n > 0 ? s->n_always : q->scene->n_others;
-    for (size_t i = 0; i < n_always; i++)
-        consider_shape(q, always[i]);
     if (!cylint_is_member(s, number))
         return;
     for (uint32_t i = s->first_of_shape[number];
          i < s->first_of_shape[number + 1]; i++) {
         const cylint_scene_solid *solid = &s->solid[s->of_shapes[i].solid];
         for (uint32_t j = 0; solid->number == number && j < solid->n_late; j++)
-            consider_shape(q, s->late[solid->first_late + j].shape);
+            consider_late_member(q, s->late[solid->first_late + j].shape);
     }
 }
 
@@ -145,7 +140,7 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
             return n;
     }
     q.solid_number = piece.shape;
-    consider_others(&q);
+    consider_late_members(&q);
     cylint_visit_chords(scene, line, 0, consider_chord, &q);
     describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
     return q.number;

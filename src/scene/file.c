@@ -63,6 +63,25 @@ typedef struct {
 
 typedef char header_has_512_bytes[sizeof(file_header) == HEADER_BYTES ? 1 : -1];
 
+/* Bytes of an element. */
+static const uint64_t element_bytes[SECTIONS] = {
+    [RECORDS] = sizeof(cylint_record),
+    [TAGS] = 1,
+    [SEMI_AXES] = sizeof(cylint_semi_axes),
+    [NODES] = sizeof(cylint_node),
+    [LEAVES] = sizeof(cylint_leaf),
+    [BOUNDED] = sizeof(uint32_t),
+    [OTHERS] = sizeof(uint32_t),
+    [LABEL_ENDS] = sizeof(uint64_t),
+    [LABEL_TEXT] = 1,
+    [SOLIDS] = sizeof(cylint_membership),
+    [RANKS] = 1};
+
+static size_t elements_of(const file_header *h, section i)
+{
+    return (size_t)(h->bytes[i] / element_bytes[i]);
+}
+
 /* ------------------------------------------------------------ checksum -- */
 
 /* Two sums for each of the 8 numbers in a block.  A changed byte changes both. */
@@ -118,38 +137,28 @@ uint64_t cylint_file_checksum(const void *data, size_t bytes)
 
 /* ------------------------------------------------------------- writing -- */
 
-/* The array of a section. */
-static const void *section_data(const cylint_scene *s, section i)
-{
-    const void *const data[SECTIONS] = {[RECORDS] = s->records.record,
-                                        [TAGS] = s->records.tag,
-                                        [SEMI_AXES] = s->records.semi_axes,
-                                        [NODES] = s->bvh.nodes,
-                                        [LEAVES] = s->bvh.leaves,
-                                        [BOUNDED] = s->bounded,
-                                        [OTHERS] = s->others,
-                                        [LABEL_ENDS] = s->labels.end,
-                                        [LABEL_TEXT] = s->labels.text,
-                                        [SOLIDS] = s->solids.given};
-    return data[i];
-}
+/* The array of a section, and how many elements it has. */
+typedef struct {
+    const void *data;
+    uint64_t n;
+} section_array;
 
-/* Writes the bytes of each section. */
-static void set_sizes(file_header *h, const cylint_scene *s)
+static section_array array_of(const cylint_scene *s, section i)
 {
-    h->bytes[RECORDS] = (uint64_t)s->n * sizeof *s->records.record;
-    h->bytes[TAGS] = (uint64_t)s->n * sizeof *s->records.tag;
-    h->bytes[SEMI_AXES] =
-        (uint64_t)s->records.n_elliptic * sizeof *s->records.semi_axes;
-    h->bytes[NODES] = (uint64_t)s->bvh.n_nodes * sizeof *s->bvh.nodes;
-    h->bytes[LEAVES] = (uint64_t)s->bvh.n_leaves * sizeof *s->bvh.leaves;
-    h->bytes[BOUNDED] = s->bounded ? (uint64_t)s->n_bounded * 4 : 0;
-    h->bytes[OTHERS] = (uint64_t)s->n_others * 4;
-    h->bytes[SOLIDS] = (uint64_t)s->solids.n_members * sizeof *s->solids.given;
-    if (s->labels.end && s->n > 0) {
-        h->bytes[LABEL_ENDS] = (uint64_t)s->n * sizeof *s->labels.end;
-        h->bytes[LABEL_TEXT] = s->labels.end[s->n - 1];
-    }
+    const size_t labelled = s->labels.end ? s->n : 0;
+    const section_array arrays[SECTIONS] = {
+        [RECORDS] = {s->records.record, s->n},
+        [TAGS] = {s->records.tag, s->n},
+        [SEMI_AXES] = {s->records.semi_axes, s->records.n_elliptic},
+        [NODES] = {s->bvh.nodes, s->bvh.n_nodes},
+        [LEAVES] = {s->bvh.leaves, s->bvh.n_leaves},
+        [BOUNDED] = {s->bounded, s->bounded ? s->n_bounded : 0},
+        [OTHERS] = {s->others, s->n_others},
+        [LABEL_ENDS] = {s->labels.end, labelled},
+        [LABEL_TEXT] = {s->labels.text,
+                        labelled > 0 ? s->labels.end[labelled - 1] : 0},
+        [SOLIDS] = {s->solids.given, s->solids.n_members}};
+    return arrays[i];
 }
 
 static uint64_t whole_blocks(uint64_t bytes)
@@ -172,10 +181,11 @@ static file_header header_of(const cylint_scene *s)
         memcpy(h.lo, s->frame.lo, sizeof h.lo);
         memcpy(h.hi, s->frame.hi, sizeof h.hi);
     }
-    set_sizes(&h, s);
     h.file_bytes = sizeof h;
-    for (int i = 0; i < SECTIONS; i++)
+    for (section i = 0; i < SECTIONS; i++) {
+        h.bytes[i] = array_of(s, i).n * element_bytes[i];
         h.file_bytes += whole_blocks(h.bytes[i]);
+    }
     return h;
 }
 
@@ -199,7 +209,7 @@ static int write_all(const cylint_scene *s, const file_header *h,
     if (!writer(context, h, sizeof *h))
         return 0;
     for (section i = 0; i < SECTIONS; i++)
-        if (!write_section(section_data(s, i), (size_t)h->bytes[i], writer,
+        if (!write_section(array_of(s, i).data, (size_t)h->bytes[i], writer,
                            context))
             return 0;
     return 1;
@@ -284,30 +294,23 @@ cylint_scene_status cylint_scene_save(const cylint_scene *scene,
 /* Whether the sizes are those of the arrays that the header implies. */
 static int sizes_fit(const file_header *h, size_t bytes)
 {
+    const size_t bounded = elements_of(h, BOUNDED),
+                 ends = elements_of(h, LABEL_ENDS);
     uint64_t sum = sizeof *h;
     for (int i = 0; i < SECTIONS; i++) {
-        if (h->bytes[i] > bytes)
+        if (h->bytes[i] > bytes || h->bytes[i] % element_bytes[i] != 0)
             return 0;
         sum += whole_blocks(h->bytes[i]);
     }
-    const int is_mixed = h->n_bounded < h->n;
     return sum == h->file_bytes && sum == bytes &&
            h->n <= CYLINT_SCENE_MOST_SHAPES && h->n_bounded <= h->n &&
-           h->bytes[RECORDS] == h->n * sizeof(cylint_record) &&
-           h->bytes[TAGS] == h->n &&
-           h->bytes[SEMI_AXES] % sizeof(cylint_semi_axes) == 0 &&
-           h->bytes[NODES] % sizeof(cylint_node) == 0 &&
-           h->bytes[LEAVES] % sizeof(cylint_leaf) == 0 &&
-           h->bytes[BOUNDED] == (is_mixed ? 4 * h->n_bounded : 0) &&
-           h->bytes[OTHERS] % 4 == 0 &&
-           h->bytes[OTHERS] / 4 <= h->n - h->n_bounded &&
-           h->bytes[SOLIDS] % sizeof(cylint_membership) == 0 &&
-           h->bytes[SOLIDS] / sizeof(cylint_membership) <=
-               CYLINT_SCENE_MOST_SHAPES &&
+           elements_of(h, RECORDS) == h->n && elements_of(h, TAGS) == h->n &&
+           bounded == (h->n_bounded < h->n ? h->n_bounded : 0) &&
+           elements_of(h, OTHERS) <= h->n - h->n_bounded &&
+           elements_of(h, SOLIDS) <= CYLINT_SCENE_MOST_SHAPES &&
            (h->n_bounded > 0) == (h->bytes[NODES] > 0) &&
            (h->n_bounded > 0) == (h->bytes[LEAVES] > 0) &&
-           (h->bytes[LABEL_ENDS] == h->n * sizeof(uint64_t) ||
-            h->bytes[LABEL_ENDS] + h->bytes[LABEL_TEXT] == 0);
+           (ends == h->n || (ends == 0 && h->bytes[LABEL_TEXT] == 0));
 }
 
 static cylint_scene_status check_header(const file_header *h, size_t bytes)
@@ -333,24 +336,23 @@ static void point_into_file(cylint_scene *s, const file_header *h)
     }
     s->n = (size_t)h->n;
     s->n_bounded = (size_t)h->n_bounded;
-    s->n_others = (size_t)h->bytes[OTHERS] / 4;
+    s->n_others = elements_of(h, OTHERS);
     s->is_finished = 1;
     s->records = (cylint_records){.record = (void *)data[RECORDS],
                                   .tag = (void *)data[TAGS],
                                   .semi_axes = (void *)data[SEMI_AXES],
                                   .n = s->n,
-                                  .n_elliptic = (size_t)h->bytes[SEMI_AXES] /
-                                                sizeof(cylint_semi_axes)};
+                                  .n_elliptic = elements_of(h, SEMI_AXES)};
     s->bvh.nodes = (void *)data[NODES];
     s->bvh.leaves = (void *)data[LEAVES];
-    s->bvh.n_nodes = (size_t)h->bytes[NODES] / sizeof(cylint_node);
-    s->bvh.n_leaves = (size_t)h->bytes[LEAVES] / sizeof(cylint_leaf);
+    s->bvh.n_nodes = elements_of(h, NODES);
+    s->bvh.n_leaves = elements_of(h, LEAVES);
     s->bounded = (void *)data[BOUNDED];
     s->others = (void *)data[OTHERS];
     s->labels.end = (void *)data[LABEL_ENDS];
     s->labels.text = data[LABEL_TEXT];
     s->solids.given = (void *)data[SOLIDS];
-    s->solids.n_members = (size_t)h->bytes[SOLIDS] / sizeof(cylint_membership);
+    s->solids.n_members = elements_of(h, SOLIDS);
     s->own_bytes = sizeof *s;
     cylint_bvh_set_box(&s->bvh, &h->box, CYLINT_FRAME_ERROR);
 }
@@ -407,44 +409,32 @@ static cylint_scene_status open_file(cylint_scene *s, unsigned flags)
     }
 }
 
-static cylint_scene *open_mapping(const cylint_mapping *file,
-                                  cylint_mapping_status mapped, unsigned flags,
-                                  cylint_scene_status *status)
+/* The scene of a file that has been mapped, or not. */
+static cylint_scene *opened(cylint_scene *s, cylint_scene_status mapped,
+                            unsigned flags, cylint_scene_status *status)
 {
-    cylint_scene_status result = mapped == CYLINT_MAPPING_EFILE
-                                     ? CYLINT_SCENE_EFILE
-                                     : CYLINT_SCENE_EMEMORY;
-    cylint_mapping mapping = *file;
-    cylint_scene *s = mapped == CYLINT_MAPPING_OK ? calloc(1, sizeof *s) : NULL;
-    if (s) {
-        s->file = mapping;
-        result = open_file(s, flags);
-    } else if (mapped == CYLINT_MAPPING_OK) {
-        cylint_mapping_close(&mapping);
-    }
-    if (status)
-        *status = result;
-    if (result == CYLINT_SCENE_OK)
-        return s;
-    cylint_scene_free(s);
-    return NULL;
+    return cylint_scene_or_null(
+        s, mapped == CYLINT_SCENE_OK ? open_file(s, flags) : mapped, status);
 }
 
 cylint_scene *cylint_scene_open(const char *path, unsigned flags,
                                 cylint_scene_status *status)
 {
-    cylint_mapping file = {.data = NULL};
-    const cylint_mapping_status mapped = cylint_mapping_open(
-        &file, path, HEADER_BYTES, (flags & CYLINT_SCENE_READ) != 0);
-    return open_mapping(&file, mapped, flags, status);
+    cylint_scene *s = calloc(1, sizeof *s);
+    return opened(s,
+                  s ? cylint_mapping_open(&s->file, path, HEADER_BYTES,
+                                          (flags & CYLINT_SCENE_READ) != 0)
+                    : CYLINT_SCENE_EMEMORY,
+                  flags, status);
 }
 
 cylint_scene *cylint_scene_open_memory(const void *data, size_t bytes,
                                        unsigned flags,
                                        cylint_scene_status *status)
 {
-    cylint_mapping file = {.data = NULL};
-    const cylint_mapping_status mapped =
-        cylint_mapping_of_memory(&file, data, bytes);
-    return open_mapping(&file, mapped, flags, status);
+    cylint_scene *s = calloc(1, sizeof *s);
+    return opened(s,
+                  s ? cylint_mapping_of_memory(&s->file, data, bytes)
+                    : CYLINT_SCENE_EMEMORY,
+                  flags, status);
 }

@@ -13,10 +13,44 @@
  * costs nothing.  LEAST: what pays for starting a thread. */
 enum { BLOCK = 256, LEAST = 1024 };
 
-static void run_blocks(int threads, size_t n, cylint_thread_work *work,
-                       void *self)
+/* -------------------------------------------------------------- lines --- */
+
+/* A query, and how it answers for line i. */
+typedef struct lines_query lines_query;
+typedef void answer_line(const lines_query *q, size_t i,
+                         const cylint_line *line);
+
+struct lines_query {
+    const cylint_scene *scene;
+    const cylint_lines *lines;
+    answer_line *answer;
+    const size_t *except;
+    size_t enough;
+    size_t *numbers; /* of shapes, or how many */
+    signed char *any;
+    cylint_hit_columns hits;
+    unsigned want; /* the members that the columns need */
+};
+
+static void answer_lines(void *self, size_t from, size_t to)
 {
-    cylint_threads_share(threads, n, BLOCK, LEAST, work, self);
+    const lines_query *q = self;
+    for (size_t i = from; i < to; i++) {
+        cylint_line line;
+        cylint_read_line(q->lines, i, &line);
+        q->answer(q, i, &line);
+    }
+}
+
+static void run_lines(lines_query *q, int threads)
+{
+    cylint_threads_share(threads, q->lines->n, BLOCK, LEAST, answer_lines, q);
+}
+
+/* The shape that is left out for line i; n: none. */
+static size_t left_out(const lines_query *q, size_t i)
+{
+    return q->except ? q->except[i] : q->scene->n;
 }
 
 static int has_vector(double *const column[3])
@@ -30,17 +64,6 @@ static void write_vector(double *const column[3], size_t i, const double x[3])
         if (column[j])
             column[j][i] = x[j];
 }
-
-/* -------------------------------------------------------- the nearest --- */
-
-typedef struct {
-    const cylint_scene *scene;
-    const cylint_lines *lines;
-    const size_t *except;
-    size_t *numbers;
-    cylint_hit_columns hits;
-    unsigned want; /* the members that the columns need */
-} nearest_query;
 
 static unsigned wanted_of_hits(const cylint_hit_columns *to)
 {
@@ -68,27 +91,21 @@ static void write_hit_row(const cylint_hit_columns *to, size_t i,
         to->phi[i] = hit->phi;
 }
 
-static void find_nearest(void *self, size_t from, size_t to)
+static void find_nearest(const lines_query *q, size_t i,
+                         const cylint_line *line)
 {
-    static const cylint_hit none = {.t = NAN,
-                                    .point = {NAN, NAN, NAN},
-                                    .normal = {NAN, NAN, NAN},
-                                    .z = NAN,
-                                    .phi = NAN,
-                                    .part = -1,
-                                    .side = -1};
-    const nearest_query *q = self;
-    for (size_t i = from; i < to; i++) {
-        cylint_line line;
-        cylint_hit hit = none;
-        cylint_read_line(q->lines, i, &line);
-        const size_t number = cylint_scene_nearest_other(
-            q->scene, &line, q->except ? q->except[i] : q->scene->n, q->want,
-            &hit);
-        if (q->numbers)
-            q->numbers[i] = number;
-        write_hit_row(&q->hits, i, &hit);
-    }
+    cylint_hit hit = {.t = NAN,
+                      .point = {NAN, NAN, NAN},
+                      .normal = {NAN, NAN, NAN},
+                      .z = NAN,
+                      .phi = NAN,
+                      .part = -1,
+                      .side = -1};
+    const size_t number = cylint_scene_nearest_other(
+        q->scene, line, left_out(q, i), q->want, &hit);
+    if (q->numbers)
+        q->numbers[i] = number;
+    write_hit_row(&q->hits, i, &hit);
 }
 
 void cylint_scene_nearest_lines(const cylint_scene *scene,
@@ -96,70 +113,45 @@ void cylint_scene_nearest_lines(const cylint_scene *scene,
                                 int threads, size_t *numbers,
                                 const cylint_hit_columns *hits)
 {
-    nearest_query q = {
-        .scene = scene, .lines = lines, .except = except, .numbers = numbers};
+    lines_query q = {
+        scene, lines, find_nearest, .except = except, .numbers = numbers};
     if (hits)
         q.hits = *hits;
     q.want = wanted_of_hits(&q.hits);
-    run_blocks(threads, lines->n, find_nearest, &q);
+    run_lines(&q, threads);
 }
 
-/* -------------------------------------------------------- any, count ---- */
-
-typedef struct {
-    const cylint_scene *scene;
-    const cylint_lines *lines;
-    const size_t *except;
-    size_t enough;
-    signed char *any;
-    size_t *counts;
-} counted_query;
-
-static void find_any(void *self, size_t from, size_t to)
+static void find_any(const lines_query *q, size_t i, const cylint_line *line)
 {
-    const counted_query *q = self;
-    for (size_t i = from; i < to; i++) {
-        cylint_line line;
-        cylint_read_line(q->lines, i, &line);
-        q->any[i] =
-            (signed char)(q->except && q->except[i] < q->scene->n
-                              ? cylint_scene_occluded(q->scene, &line,
-                                                      q->except[i])
-                              : cylint_scene_count(q->scene, &line, 1) == 1);
-    }
+    q->any[i] =
+        (signed char)cylint_scene_occluded(q->scene, line, left_out(q, i));
 }
 
 void cylint_scene_any_lines(const cylint_scene *scene,
                             const cylint_lines *lines, const size_t *except,
                             int threads, signed char *any)
 {
-    counted_query q = {
-        .scene = scene, .lines = lines, .except = except, .any = any};
+    lines_query q = {scene, lines, find_any, .except = except, .any = any};
     if (any)
-        run_blocks(threads, lines->n, find_any, &q);
+        run_lines(&q, threads);
 }
 
-static void count_hits(void *self, size_t from, size_t to)
+static void count_hits(const lines_query *q, size_t i, const cylint_line *line)
 {
-    const counted_query *q = self;
-    for (size_t i = from; i < to; i++) {
-        cylint_line line;
-        cylint_read_line(q->lines, i, &line);
-        q->counts[i] = cylint_scene_count(q->scene, &line, q->enough);
-    }
+    q->numbers[i] = cylint_scene_count(q->scene, line, q->enough);
 }
 
 void cylint_scene_count_lines(const cylint_scene *scene,
                               const cylint_lines *lines, size_t enough,
                               int threads, size_t *counts)
 {
-    counted_query q = {
-        .scene = scene, .lines = lines, .enough = enough, .counts = counts};
+    lines_query q = {
+        scene, lines, count_hits, .enough = enough, .numbers = counts};
     if (counts)
-        run_blocks(threads, lines->n, count_hits, &q);
+        run_lines(&q, threads);
 }
 
-/* -------------------------------------------------------- the closest --- */
+/* -------------------------------------------------------------- points -- */
 
 typedef struct {
     const cylint_scene *scene;
@@ -202,5 +194,5 @@ void cylint_scene_closest_points(const cylint_scene *scene,
     if (answers)
         q.answers = *answers;
     q.want = cylint_wanted_of_closest(&q.answers);
-    run_blocks(threads, points->n, find_closest, &q);
+    cylint_threads_share(threads, points->n, BLOCK, LEAST, find_closest, &q);
 }

@@ -19,12 +19,12 @@
 
 enum { FIRST_BYTES = 1 << 16, MAPPING_ALIGNMENT = 64 };
 
-static cylint_mapping_status keep_copy(cylint_mapping *m, cylint_memory *memory,
-                                       size_t bytes)
+static cylint_scene_status keep_copy(cylint_mapping *m, cylint_memory *memory,
+                                     size_t bytes)
 {
     *m = (cylint_mapping){
         .data = memory->data, .bytes = bytes, .memory = *memory};
-    return CYLINT_MAPPING_OK;
+    return CYLINT_SCENE_OK;
 }
 
 /* Moves the bytes to memory of twice the size. */
@@ -49,12 +49,12 @@ static size_t bytes_for(FILE *file)
 }
 
 /* Reads to the end, of a pipe too. */
-static cylint_mapping_status read_file(cylint_mapping *m, FILE *file)
+static cylint_scene_status read_file(cylint_mapping *m, FILE *file)
 {
     cylint_memory memory;
     size_t bytes = 0;
     if (!cylint_memory_allocate(&memory, NULL, bytes_for(file)))
-        return CYLINT_MAPPING_EMEMORY;
+        return CYLINT_SCENE_EMEMORY;
     for (;;) {
         bytes +=
             fread((char *)memory.data + bytes, 1, memory.bytes - bytes, file);
@@ -62,13 +62,13 @@ static cylint_mapping_status read_file(cylint_mapping *m, FILE *file)
             break;
         if (!double_memory(&memory)) {
             cylint_memory_free(&memory);
-            return CYLINT_MAPPING_EMEMORY;
+            return CYLINT_SCENE_EMEMORY;
         }
     }
     if (!ferror(file))
         return keep_copy(m, &memory, bytes);
     cylint_memory_free(&memory);
-    return CYLINT_MAPPING_EFILE;
+    return CYLINT_SCENE_EFILE;
 }
 
 #ifdef CYLINT_HAS_MMAP
@@ -112,29 +112,29 @@ static void unmap_file(cylint_mapping *m)
 #endif
 
 /* The file is opened once: a pipe's writer must not see it closed. */
-cylint_mapping_status cylint_mapping_open(cylint_mapping *m, const char *path,
+cylint_scene_status cylint_mapping_open(cylint_mapping *m, const char *path,
                                           size_t least, int is_read)
 {
     FILE *file = fopen(path, "rb");
     if (!file)
-        return CYLINT_MAPPING_EFILE;
-    const cylint_mapping_status status = !is_read && map_file(m, file, least)
-                                             ? CYLINT_MAPPING_OK
-                                             : read_file(m, file);
+        return CYLINT_SCENE_EFILE;
+    const cylint_scene_status status = !is_read && map_file(m, file, least)
+                                           ? CYLINT_SCENE_OK
+                                           : read_file(m, file);
     fclose(file);
     return status;
 }
 
-cylint_mapping_status cylint_mapping_of_memory(cylint_mapping *m,
-                                               const void *data, size_t bytes)
+cylint_scene_status cylint_mapping_of_memory(cylint_mapping *m,
+                                             const void *data, size_t bytes)
 {
     cylint_memory memory;
     if ((uintptr_t)data % MAPPING_ALIGNMENT == 0) {
         *m = (cylint_mapping){.data = data, .bytes = bytes};
-        return CYLINT_MAPPING_OK;
+        return CYLINT_SCENE_OK;
     }
     if (!cylint_memory_allocate(&memory, NULL, bytes > 0 ? bytes : 1))
-        return CYLINT_MAPPING_EMEMORY;
+        return CYLINT_SCENE_EMEMORY;
     memcpy(memory.data, data, bytes);
     return keep_copy(m, &memory, bytes);
 }

@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "../bvh/memory.h"
+#include "cylint_scene.h"
 
 typedef struct cylint_mapping {
     const void *data; /* NULL: none; else at the begin of a cache line */
@@ -15,22 +16,16 @@ typedef struct cylint_mapping {
     cylint_memory memory; /* of a copy */
 } cylint_mapping;
 
-typedef enum cylint_mapping_status {
-    CYLINT_MAPPING_OK,
-    CYLINT_MAPPING_EFILE,  /* errno is set */
-    CYLINT_MAPPING_EMEMORY /* out of memory */
-} cylint_mapping_status;
-
 /* Maps a file of at least `least` bytes, or reads it: if is_read is not 0, if the
- * system cannot map it, or if it is shorter. */
-cylint_mapping_status cylint_mapping_open(cylint_mapping *mapping,
-                                          const char *path, size_t least,
-                                          int is_read);
+ * system cannot map it, or if it is shorter.  EFILE: errno is set. */
+cylint_scene_status cylint_mapping_open(cylint_mapping *mapping,
+                                        const char *path, size_t least,
+                                        int is_read);
 
 /* The same for bytes in memory, which are copied unless they lie at the begin of
  * a cache line. */
-cylint_mapping_status cylint_mapping_of_memory(cylint_mapping *mapping,
-                                               const void *data, size_t bytes);
+cylint_scene_status cylint_mapping_of_memory(cylint_mapping *mapping,
+                                             const void *data, size_t bytes);
 
 void cylint_mapping_close(cylint_mapping *mapping);
 

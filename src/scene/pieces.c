@@ -90,23 +90,6 @@ static double keep_first_chord(void *context, size_t number,
     return c->complete;
 }
 
-/* Adds the chords of shapes beside the hierarchy. */
-static void collect_others(const cylint_scene *scene, const cylint_line *line,
-                           cylint_scene_chord *keep, collector *c)
-{
-    const int has_solids = scene->solids.n > 0;
-    const uint32_t *number = has_solids ? scene->solids.always : scene->others;
-    const size_t n = has_solids ? scene->solids.n_always : scene->n_others;
-    for (size_t i = 0; i < n; i++) {
-        cylint_shape shape;
-        cylint_interval chord[2];
-        cylint_record_shape(&scene->records, number[i], &shape);
-        const int chords = cylint_chord(&shape, line, chord);
-        for (int j = 0; j < chords; j++)
-            keep(c, number[i], chord[j]);
-    }
-}
-
 /* Sorts the chords and removes those that were found several times. */
 static size_t sort_and_unite(cylint_numbered_chord *chord, size_t n,
                              cylint_numbered_chord *spare)
@@ -293,7 +276,6 @@ static void collect(const cylint_scene *scene, const cylint_line *line,
     c->complete = HUGE_VAL;
     c->pieces = pieces;
     c->floor = floor;
-    collect_others(scene, line, keep, c);
     cylint_visit_chords(scene, line, pieces > 0, keep, c);
 }
 

@@ -101,7 +101,9 @@ size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
                                           .often = enough == 1,
                                           .in_no_order = enough == 0,
                                           .first_other = scene->n_others};
-    hit_counter q = {cylint_count(&scene->pack, line, enough), enough};
+    const size_t others =
+        scene->n_others > 0 ? cylint_count(&scene->pack, line, enough) : 0;
+    hit_counter q = {others, enough};
     if (enough == 0 || q.count < enough)
         cylint_visit_line(scene, line, &options, HUGE_VAL, count_hit, &q);
     return q.count;
@@ -112,6 +114,8 @@ int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
 {
     const cylint_visit_options options = {.except = except, .often = 1};
     hit_counter q = {0, 1};
+    if (except >= scene->n)
+        return cylint_scene_count(scene, line, 1) > 0;
     cylint_visit_line(scene, line, &options, HUGE_VAL, count_hit, &q);
     return q.count > 0;
 }

@@ -12,39 +12,28 @@
 
 /* ------------------------------------------------------------- memory -- */
 
-static int resize_array(void *array, size_t count, size_t size)
+/* Returns NULL, and the array stays, if there is no memory. */
+static void *resized(void *array, size_t n, size_t size)
 {
-    void **data = array;
-    if (count > SIZE_MAX / size)
-        return 0;
-    void *more = realloc(*data, count > 0 ? count * size : 1);
-    if (!more)
-        return 0;
-    *data = more;
-    return 1;
+    return n > SIZE_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
 }
 
 static int resize_shapes(cylint_records *r, size_t capacity)
 {
-    void *record = r->record, *tag = r->tag;
-    const int has_records = resize_array(&record, capacity, sizeof *r->record);
-    r->record = record;
-    const int has_tags =
-        has_records && resize_array(&tag, capacity, sizeof *r->tag);
-    r->tag = tag;
-    if (has_tags)
-        r->capacity = capacity;
-    return has_tags;
+    void *record = resized(r->record, capacity, sizeof *r->record);
+    r->record = record ? record : r->record;
+    void *tag = record ? resized(r->tag, capacity, sizeof *r->tag) : NULL;
+    r->tag = tag ? tag : r->tag;
+    r->capacity = tag ? capacity : r->capacity;
+    return tag != NULL;
 }
 
 static int resize_elliptic(cylint_records *r, size_t capacity)
 {
-    void *semi_axes = r->semi_axes;
-    const int has = resize_array(&semi_axes, capacity, sizeof *r->semi_axes);
-    r->semi_axes = semi_axes;
-    if (has)
-        r->elliptic_capacity = capacity;
-    return has;
+    void *semi_axes = resized(r->semi_axes, capacity, sizeof *r->semi_axes);
+    r->semi_axes = semi_axes ? semi_axes : r->semi_axes;
+    r->elliptic_capacity = semi_axes ? capacity : r->elliptic_capacity;
+    return semi_axes != NULL;
 }
 
 /* The capacity grows by a half at least, so that adding many blocks takes time

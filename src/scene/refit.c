@@ -16,20 +16,6 @@ typedef struct {
     size_t bounded;      /* their number */
 } replacement;
 
-/* The first of ascending numbers that is not below x. */
-static size_t first_not_below(const uint32_t *numbers, size_t n, size_t x)
-{
-    size_t from = 0;
-    while (from < n) {
-        const size_t middle = from + (n - from) / 2;
-        if (numbers[middle] < x)
-            from = middle + 1;
-        else
-            n = middle;
-    }
-    return from;
-}
-
 /* Measures one shape that is in the hierarchy. */
 static int measure_one(replacement *r, size_t number)
 {
@@ -58,7 +44,7 @@ static int measure_all(replacement *r)
                 return 0;
         return 1;
     }
-    for (size_t i = first_not_below(s->bounded, s->n_bounded, r->first);
+    for (size_t i = cylint_first_not_below(s->bounded, s->n_bounded, r->first);
          i < s->n_bounded && s->bounded[i] - r->first < r->n; i++)
         if (!measure_one(r, s->bounded[i]))
             return 0;

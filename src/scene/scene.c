@@ -14,38 +14,25 @@
 
 const char *cylint_scene_strerror(int status)
 {
-    switch (status) {
-    case CYLINT_SCENE_OK:
-        return "no error";
-    case CYLINT_SCENE_EMEMORY:
-        return "out of memory";
-    case CYLINT_SCENE_ESIZE:
-        return "more shapes than the scene can have";
-    case CYLINT_SCENE_ESTOPPED:
-        return "stopped by the progress function";
-    case CYLINT_SCENE_EFINISHED:
-        return "the scene is finished already";
-    case CYLINT_SCENE_EUNFINISHED:
-        return "the scene is not finished";
-    case CYLINT_SCENE_EFILE:
-        return "the file cannot be read or written";
-    case CYLINT_SCENE_EFORMAT:
-        return "not a file of a scene";
-    case CYLINT_SCENE_EVERSION:
-        return "the file is of another version or machine: make it again";
-    case CYLINT_SCENE_EDAMAGED:
-        return "the file is damaged";
-    case CYLINT_SCENE_EOPENED:
-        return "a scene that was opened does not change";
-    case CYLINT_SCENE_EREPLACE:
-        return "a shape cannot take the place of the one before: make a new "
-               "scene";
-    case CYLINT_SCENE_ESOLID:
-        return "a member of a solid has no clause, or two solids have the same "
-               "number";
-    default:
-        return "unknown status";
-    }
+    static const char *const texts[] = {
+        [CYLINT_SCENE_OK] = "no error",
+        [CYLINT_SCENE_EMEMORY] = "out of memory",
+        [CYLINT_SCENE_ESIZE] = "more shapes than the scene can have",
+        [CYLINT_SCENE_ESTOPPED] = "stopped by the progress function",
+        [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
+        [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
+        [CYLINT_SCENE_EFILE] = "the file cannot be read or written",
+        [CYLINT_SCENE_EFORMAT] = "not a file of a scene",
+        [CYLINT_SCENE_EVERSION] =
+            "the file is of another version or machine: make it again",
+        [CYLINT_SCENE_EDAMAGED] = "the file is damaged",
+        [CYLINT_SCENE_EOPENED] = "a scene that was opened does not change",
+        [CYLINT_SCENE_EREPLACE] =
+            "a shape cannot take the place of the one before: make a new scene",
+        [CYLINT_SCENE_ESOLID] = "a member of a solid has no clause, or two "
+                                "solids have the same number"};
+    return status >= 0 && status <= CYLINT_SCENE_ESOLID ? texts[status]
+                                                        : "unknown status";
 }
 
 /* ------------------------------------------------------------ building -- */
@@ -293,12 +280,7 @@ cylint_scene *cylint_scene_new_with_progress(const cylint_shape *shapes,
         result = cylint_scene_add(s, shapes, n);
     if (result == CYLINT_SCENE_OK)
         result = cylint_scene_finish(s, threads, progress, context);
-    if (status)
-        *status = result;
-    if (result == CYLINT_SCENE_OK)
-        return s;
-    cylint_scene_free(s);
-    return NULL;
+    return cylint_scene_or_null(s, result, status);
 }
 
 cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
@@ -306,6 +288,17 @@ cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
 {
     return cylint_scene_new_with_progress(shapes, n, threads, NULL, NULL,
                                           status);
+}
+
+cylint_scene *cylint_scene_or_null(cylint_scene *s, cylint_scene_status result,
+                                   cylint_scene_status *status)
+{
+    if (status)
+        *status = result;
+    if (result == CYLINT_SCENE_OK)
+        return s;
+    cylint_scene_free(s);
+    return NULL;
 }
 
 void cylint_scene_free(cylint_scene *scene)

@@ -54,4 +54,25 @@ void cylint_scene_pack_others(cylint_scene *scene);
  * pack.  All other members are set.  Returns 0 if there is no memory. */
 int cylint_scene_complete(cylint_scene *scene);
 
+/* The first of n ascending numbers that is not below x; n: there is none. */
+static inline size_t cylint_first_not_below(const uint32_t *numbers, size_t n,
+                                            size_t x)
+{
+    size_t from = 0;
+    while (from < n) {
+        const size_t middle = from + (n - from) / 2;
+        if (numbers[middle] < x)
+            from = middle + 1;
+        else
+            n = middle;
+    }
+    return from;
+}
+
+/* Writes the result to *status, unless it is NULL.  Returns the scene, or frees
+ * it and returns NULL if the result is a failure. */
+cylint_scene *cylint_scene_or_null(cylint_scene *scene,
+                                   cylint_scene_status result,
+                                   cylint_scene_status *status);
+
 #endif

@@ -56,15 +56,9 @@ size_t cylint_solids_bytes(const cylint_solids *s, size_t shapes)
 /* Whether a shape is beside the hierarchy. */
 static int is_other(const cylint_scene *scene, uint32_t shape)
 {
-    size_t from = 0, to = scene->n_others;
-    while (from < to) {
-        const size_t middle = from + (to - from) / 2;
-        if (scene->others[middle] < shape)
-            from = middle + 1;
-        else
-            to = middle;
-    }
-    return from < scene->n_others && scene->others[from] == shape;
+    const size_t i =
+        cylint_first_not_below(scene->others, scene->n_others, shape);
+    return i < scene->n_others && scene->others[i] == shape;
 }
 
 static cylint_scene_status allocate_solids(cylint_solids *s, size_t shapes,

@@ -6,7 +6,6 @@
 #ifndef CYLINT_SCENE_VISIT_H
 #define CYLINT_SCENE_VISIT_H
 
-#include "../numbers/compiler.h"
 #include "cylint_pieces.h"
 #include "scene.h"
 
@@ -29,9 +28,9 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
 typedef double cylint_scene_chord(void *context, size_t number,
                                   cylint_interval chord);
 
-/* Calls back for the chords of the shapes in the hierarchy.  in_order: nearer
- * shapes tend to come first, and chords that begin beyond the t that the callback
- * returned last are not wanted. */
+/* Calls back for the chords of all shapes but late members (solids.h).  in_order:
+ * nearer shapes tend to come first, and chords that begin beyond the t that the
+ * callback returned last are not wanted. */
 void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
                          int in_order, cylint_scene_chord *callback,
                          void *context);
@@ -54,20 +53,5 @@ static inline cylint_nearness cylint_nearness_of(unsigned want)
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, cylint_nearness nearness, int often,
                         cylint_scene_near *callback, void *context);
-
-/* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a
- * function which only prefetches. */
-CYLINT_INLINE void cylint_prefetch_shapes(const cylint_scene *scene,
-                                          const cylint_leaf *leaf,
-                                          unsigned lanes)
-{
-    const cylint_records *r = &scene->records;
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t number = leaf->number[cylint_lowest(lanes)];
-        CYLINT_PREFETCH(&r->record[number]);
-        CYLINT_PREFETCH(&r->record[number].r1); /* in another line */
-        CYLINT_PREFETCH(&r->tag[number]);
-    }
-}
 
 #endif

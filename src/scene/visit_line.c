@@ -8,19 +8,12 @@
  */
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 
 #include "../numbers/bits.h"
 #include "../intersect.h"
 #include "../shapes/shape_facts.h"
-#include "number_set.h"
 #include "visit.h"
-
-/* The hierarchy finds a shape of several pieces several times.  A direct-mapped
- * cache of shapes that were tested last saves repeated tests.  A set has those
- * that were visited; if it is full, the piece that contains the first hit
- * decides. */
-enum { RECENT = 16 };
+#include "visit_leaf.h"
 
 /* The most lanes that wait while their shapes are loaded; fewer chords than these
  * take less time one by one. */
@@ -34,12 +27,11 @@ typedef struct {
     double last;               /* the last t that is wanted */
     size_t except;
     unsigned want;
-    int often, stopped;
+    int stopped;
     cylint_scene_hit *callback; /* NULL: a visit of chords */
     cylint_scene_chord *chord;
     void *context;
-    uint32_t recent[RECENT];
-    cylint_number_set visited; /* not used if `often` */
+    cylint_tested_shapes tested;
     struct {
         const cylint_leaf *leaf;
         int lane;
@@ -106,8 +98,9 @@ static int visit_chords_at(line_visit *v, size_t number)
 }
 
 /* Returns whether the line hits the shape. */
-static int test_line_at(line_visit *v, size_t number)
+static int test_line_at(void *self, size_t number)
 {
+    line_visit *v = self;
     cylint_hit hit;
     if (!v->callback)
         return visit_chords_at(v, number);
@@ -119,66 +112,18 @@ static int test_line_at(line_visit *v, size_t number)
 
 /* ------------------------------------------------------------- leaves --- */
 
-static int is_split_lane(const cylint_leaf *leaf, int lane)
-{
-    return cylint_leaf_piece(leaf, lane).count > 1;
-}
-
-static int line_tested(line_visit *v, uint32_t number)
-{
-    uint32_t *recent = &v->recent[number % RECENT];
-    const int was = *recent == number;
-    *recent = number;
-    return was;
-}
-
 /* Whether the lane's piece contains the shape's first hit.  The traversal finds
  * that piece, and no other piece contains the hit. */
-static int owns_first_hit(const line_visit *v, const cylint_leaf *leaf,
-                          int lane)
+static int owns_first_hit(const void *self, const cylint_leaf *leaf, int lane)
 {
     cylint_hit hit;
-    return line_hits(v, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
+    return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
            cylint_leaf_owns(leaf, lane, hit.z);
 }
 
-/* Tests a shape of several pieces at one of them. */
-static void test_line_piece(line_visit *v, const cylint_leaf *leaf, int lane)
+static void test_line_lane(line_visit *v, const cylint_leaf *leaf, int lane)
 {
-    const uint32_t number = leaf->number[lane];
-    if (v->often) {
-        if (!line_tested(v, number))
-            test_line_at(v, number);
-        return;
-    }
-    uint32_t *slot = cylint_set_slot(&v->visited, number);
-    if (*slot == number)
-        return;
-    if (cylint_set_is_full(&v->visited)) {
-        if (owns_first_hit(v, leaf, lane))
-            test_line_at(v, number);
-    } else if (!line_tested(v, number) && test_line_at(v, number)) {
-        cylint_set_add(&v->visited, slot, number);
-    }
-}
-
-static inline void test_line_lane(line_visit *v, const cylint_leaf *leaf,
-                                  int lane)
-{
-    if (is_split_lane(leaf, lane))
-        test_line_piece(v, leaf, lane);
-    else
-        test_line_at(v, leaf->number[lane]);
-}
-
-/* The lane with the least t. */
-static int first_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
-{
-    int first = cylint_lowest(lanes);
-    while (lanes &= lanes - 1)
-        if (least[cylint_lowest(lanes)] < least[first])
-            first = cylint_lowest(lanes);
-    return first;
+    cylint_test_lane(&v->tested, leaf, lane, test_line_at, owns_first_hit, v);
 }
 
 static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
@@ -189,7 +134,7 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
         cylint_prefetch_shapes(v->scene, leaf, lanes);
     while (lanes && !v->stopped) {
         const int lane =
-            v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
+            v->want ? cylint_first_lane(lanes, least) : cylint_lowest(lanes);
         const double last = v->last;
         if (least[lane] > v->ray.length)
             break;
@@ -234,7 +179,8 @@ static void visit_later_chords(line_visit *v)
         const cylint_leaf *leaf = v->later[i].leaf;
         const int lane = v->later[i].lane;
         const uint32_t at = leaf->number[lane];
-        if (is_split_lane(leaf, lane) && line_tested(v, at))
+        if (cylint_leaf_piece(leaf, lane).count > 1 &&
+            cylint_was_tested(&v->tested, at))
             continue;
         const int kind = cylint_record_kind(r, at);
         if (r->tag[at] & CYLINT_TAG_PLAIN)
@@ -298,24 +244,27 @@ static void traverse_lines(line_visit *v, int in_no_order)
     }
 }
 
+static void begin_visit(line_visit *v, const cylint_scene *scene,
+                        const cylint_line *line, int often, void *context)
+{
+    v->scene = scene;
+    v->line = *line;
+    v->domain = line;
+    v->last = line->tmax;
+    v->stopped = v->n_later = 0;
+    v->context = context;
+    cylint_begin_tests(&v->tested, often);
+}
+
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
                        cylint_scene_hit *callback, void *context)
 {
     line_visit v;
-    v.scene = scene;
-    v.line = *line;
-    v.last = line->tmax;
+    begin_visit(&v, scene, line, options->often, context);
     v.except = options->except;
     v.want = options->want;
-    v.often = options->often;
-    v.stopped = 0;
-    v.n_later = 0;
     v.callback = callback;
-    v.context = context;
-    memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
-    if (!v.often)
-        cylint_set_clear(&v.visited);
     shorten_line(&v, last);
     for (size_t i = options->first_other; i < scene->n_others && !v.stopped;
          i++)
@@ -327,18 +276,16 @@ void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
                          int in_order, cylint_scene_chord *callback,
                          void *context)
 {
+    const int has_solids = scene->solids.n > 0;
+    const uint32_t *others = has_solids ? scene->solids.always : scene->others;
+    const size_t n = has_solids ? scene->solids.n_always : scene->n_others;
     line_visit v;
-    v.scene = scene;
-    v.line = *line;
-    v.domain = line;
-    v.last = line->tmax;
+    begin_visit(&v, scene, line, 1, context);
     v.want = CYLINT_WANT_T;
-    v.often = 1;
-    v.stopped = v.n_later = 0;
     v.callback = NULL;
     v.chord = callback;
-    v.context = context;
-    memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
+    for (size_t i = 0; i < n; i++)
+        visit_chords_at(&v, others[i]);
     traverse_lines(&v, !in_order);
 }
 

@@ -14,17 +14,10 @@
  * lower by more than their roundings, so they are 0 for such a piece.  Solids
  * deeper than a negative radius hold the point, so that they are found too.
  */
-#include <string.h>
-
 #include "../numbers/bits.h"
 #include "../shapes/shape_facts.h"
-#include "number_set.h"
 #include "visit.h"
-
-/* As in visit_line.c: the cache serves visits that may repeat a shape; the set has
- * the shapes that were visited; if it is full, the piece that contains the nearest
- * point decides. */
-enum { RECENT = 16 };
+#include "visit_leaf.h"
 
 typedef struct {
     const cylint_scene *scene;
@@ -35,11 +28,10 @@ typedef struct {
     double x[3];   /* the point in the frame */
     int to_nearest; /* doubles are rounded to nearest */
     cylint_nearness nearness;
-    int often, stopped;
+    int stopped;
     cylint_scene_near *callback;
     void *context;
-    uint32_t recent[RECENT];
-    cylint_number_set visited; /* not used if `often` */
+    cylint_tested_shapes tested;
 } point_visit;
 
 /* More than the error of cylint_distance(). */
@@ -104,8 +96,9 @@ static int point_is_near(const point_visit *v, size_t number,
 }
 
 /* Returns whether the shape is near. */
-static int test_point_at(point_visit *v, size_t number)
+static int test_point_at(void *self, size_t number)
 {
+    point_visit *v = self;
     cylint_closest answer;
     if (!point_is_near(v, number, &answer))
         return 0;
@@ -117,14 +110,6 @@ static int test_point_at(point_visit *v, size_t number)
 }
 
 /* ------------------------------------------------------------- leaves --- */
-
-static int point_tested(point_visit *v, uint32_t number)
-{
-    uint32_t *recent = &v->recent[number % RECENT];
-    const int was = *recent == number;
-    *recent = number;
-    return was;
-}
 
 /* The axial coordinate of a point in the frame; 0 for a shape whose axis is lost to
  * underflow, all lanes of which are tested always. */
@@ -149,9 +134,10 @@ static double axial_of(const cylint_swept_disc *disc, const double x[3])
  * traverse_point.h allow for, so its lane is never rejected; and it is the same
  * piece whenever the shape is tested.
  */
-static int owns_nearest_point(const point_visit *v, const cylint_leaf *leaf,
+static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
                               int lane)
 {
+    const point_visit *v = self;
     const cylint_frame *frame = &v->scene->frame;
     cylint_shape shape;
     cylint_swept_disc disc;
@@ -168,55 +154,23 @@ static int owns_nearest_point(const point_visit *v, const cylint_leaf *leaf,
     return cylint_leaf_owns(leaf, lane, axial_of(&disc, x));
 }
 
-/* Tests a shape of several pieces at one of them. */
-static void test_point_piece(point_visit *v, const cylint_leaf *leaf, int lane)
-{
-    const uint32_t number = leaf->number[lane];
-    if (v->often) {
-        if (!point_tested(v, number))
-            test_point_at(v, number);
-        return;
-    }
-    uint32_t *slot = cylint_set_slot(&v->visited, number);
-    if (*slot == number)
-        return;
-    if (cylint_set_is_full(&v->visited)) {
-        if (owns_nearest_point(v, leaf, lane))
-            test_point_at(v, number);
-    } else if (test_point_at(v, number)) {
-        cylint_set_add(&v->visited, slot, number);
-    }
-}
-
-/* The nearest of the lanes. */
-static int nearest_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
-{
-    int first = cylint_lowest(lanes);
-    while (lanes &= lanes - 1)
-        if (least[cylint_lowest(lanes)] < least[first])
-            first = cylint_lowest(lanes);
-    return first;
-}
-
 static int test_point_leaf(void *self, const cylint_leaf *leaf,
                            const double least[CYLINT_LEAF_SIZE])
 {
     point_visit *v = self;
     unsigned lanes = (1u << cylint_leaf_used(leaf)) - 1;
-    if (!v->often) { /* then most shapes within reach are tested */
+    if (!v->tested.often) { /* then most shapes within reach are tested */
         for (int lane = 0; lane < cylint_leaf_used(leaf); lane++)
             lanes &= ~((unsigned)(least[lane] > v->reach) << lane);
         cylint_prefetch_shapes(v->scene, leaf, lanes);
     }
     while (lanes && !v->stopped) {
-        const int lane = nearest_lane(lanes, least);
+        const int lane = cylint_first_lane(lanes, least);
         if (least[lane] > v->reach)
             break;
         lanes &= ~(1u << lane);
-        if (cylint_leaf_piece(leaf, lane).count > 1)
-            test_point_piece(v, leaf, lane);
-        else
-            test_point_at(v, leaf->number[lane]);
+        cylint_test_lane(&v->tested, leaf, lane, test_point_at,
+                         owns_nearest_point, v);
     }
     return v->stopped;
 }
@@ -261,12 +215,9 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     v.point = point;
     v.to_nearest = cylint_rounds_to_nearest();
     v.nearness = nearness;
-    v.often = often;
     v.callback = callback;
     v.context = context;
-    memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
-    if (!often)
-        cylint_set_clear(&v.visited);
+    cylint_begin_tests(&v.tested, often);
     set_point_radius(&v, radius);
     for (size_t i = 0; i < scene->n_others && !v.stopped; i++)
         test_point_at(&v, scene->others[i]);
