@@ -50,6 +50,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m,
 {
     const vpair d = pairs_trimmed(n->d.value);
     const int certain =
+        /* untaken 1 of 4: no known distance of numbers in range is so small */
         n->d.high <= n->d.low && fabs(d.hi) >= CYLINT_DISTANCE_LEAST;
     if (certain || !n->known)
         return certain;
@@ -155,6 +156,7 @@ static int normal_of_feature(const cylint_shape *shape, const double point[3],
     half_plane m;
     described_point to;
     vnearest n = {{{0, 0}, 0, 0, 0}, feature, 1};
+    /* untaken 1 of 2: callers have tested the rounding mode */
     if (!cylint_rounds_to_nearest())
         return 0;
     pairs_load_shapes(&s, at);
