@@ -8,308 +8,189 @@
  *     round ends        arcs of circles about points of the axis
  * The nearest point of each piece follows by projection.  The first piece with
  * the least distance is the answer.
- *
- * Two numbers are equal if they differ by less than 2^-(bits - GUARD) of the
- * largest length.  The numbers are algebraic of degree at most 16 with integers
- * of 2 or 4 times the range of the input's exponents; `bits` is 12 times that
- * range and BITS more.
  */
 #include "distance_oracle.h"
 
-#include <float.h>
-#include <math.h>
-#include <mpfr.h>
-#include <string.h>
-
 #include "cylint_distance.h"
 #include "oracle.h"
+#include "real.h"
 #include "shapes/layout.h"
-
-#define RND MPFR_RNDN
 
 /* distance_oracle_elliptic.c; size: the distance, not rounded */
 void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
                               struct oracle_closest *expected, mpfr_t size);
 
-enum { BITS = 400, GUARD = 150, PIECES = 4, SCRATCH = 10 };
+enum { PIECES = 4 };
 
 enum form { SEGMENT, RAY, LINE, ARC };
 
+/* A point of the half plane; a normal there. */
+typedef struct {
+    real s, rho;
+} planar;
+
 typedef struct piece {
     enum form form;
-    mpfr_t s, rho;                  /* start; arc: centre */
-    mpfr_t ds, drho;                /* direction; arc: ds is the radius */
-    mpfr_t n[2];                    /* normal along s and rho; arcs: none */
+    planar at, by, n;               /* start, direction, normal; arc: centre */
+    real r;                         /* arc: the radius */
     int part, feature, first, last; /* inside, at the start, at the end */
 } piece;
 
+/* The nearest point of a piece. */
+typedef struct {
+    planar at, n;
+    real distance;
+    int part, feature;
+} foot;
+
 static struct {
-    int ready;
-    long bits;
     piece pieces[PIECES];
     int count;
-    mpfr_t w[3], q[3], W, length, Z, across[3], s, rho;
-    mpfr_t r0, r1, dr, sine, cosine, scale;
-    mpfr_t best, foot[2], normal[2];
-    mpfr_t t[SCRATCH];
+    vector w, q, across;
+    real length, r0, r1, dr, zero, sine;
+    planar point;
 } g;
 
-/* ------------------------------------------------------------ numbers -- */
+/* The last distance, not rounded. */
+static mpfr_t last_;
 
-static mpfr_ptr all_numbers[128];
-static int numbers;
-
-static void add_number(mpfr_t x)
+static planar planar_of(real s, real rho)
 {
-    mpfr_init2(x, 64);
-    all_numbers[numbers++] = x;
+    const planar p = {s, rho};
+    return p;
 }
 
-static void start(void)
+/* sqrt(x^2 + y^2) */
+static real hypotenuse(planar p)
 {
-    mpfr_ptr single[] = {g.W,       g.length,  g.Z,         g.s,
-                         g.rho,     g.r0,      g.r1,        g.dr,
-                         g.sine,    g.cosine,  g.best,      g.scale,
-                         g.foot[0], g.foot[1], g.normal[0], g.normal[1]};
-    if (g.ready)
-        return;
-    g.ready = 1;
-    for (size_t i = 0; i < sizeof single / sizeof single[0]; i++)
-        add_number(single[i]);
-    for (int i = 0; i < 3; i++) {
-        add_number(g.w[i]);
-        add_number(g.q[i]);
-        add_number(g.across[i]);
-    }
-    for (int i = 0; i < SCRATCH; i++)
-        add_number(g.t[i]);
-    for (int i = 0; i < PIECES; i++) {
-        piece *p = &g.pieces[i];
-        mpfr_ptr of_piece[] = {p->s, p->rho, p->ds, p->drho, p->n[0], p->n[1]};
-        for (int k = 0; k < 6; k++)
-            add_number(of_piece[k]);
-    }
+    return root_of(plus(square_of(p.s), square_of(p.rho)));
 }
 
-static void widen(const double *x, int n, int *low, int *high)
+static planar difference(planar p, planar q)
 {
-    for (int i = 0; i < n; i++) {
-        int e;
-        if (x[i] == 0)
-            continue;
-        frexp(x[i], &e);
-        *high = e > *high ? e : *high;
-        *low = e - 53 < *low ? e - 53 : *low;
-    }
+    return planar_of(minus(p.s, q.s), minus(p.rho, q.rho));
 }
 
-/* Gives all numbers the bits that these data need. */
-static void set_bits(const cylint_shape *shape, const double point[3])
+/* at + t by */
+static planar moved(planar at, real t, planar by)
 {
-    int low = 4096, high = -4096;
-    const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
-    widen(point, 3, &low, &high);
-    widen(cylint_base(shape), 3, &low, &high);
-    widen(radii, 2, &low, &high);
-    if (shape->kind == CYLINT_KIND_ACONE)
-        widen(cylint_axis(shape), 3, &low, &high);
-    else if (shape->kind != CYLINT_KIND_SPHERE)
-        widen(cylint_top(shape), 3, &low, &high);
-    const long bits = BITS + 12 * (high > low ? high - low : 1);
-    if (bits == g.bits)
-        return;
-    g.bits = bits;
-    for (int i = 0; i < numbers; i++)
-        mpfr_set_prec(all_numbers[i], bits);
+    return planar_of(plus(at.s, times(t, by.s)), plus(at.rho, times(t, by.rho)));
 }
 
-/* The sign of x, a length that was computed from lengths of at most `scale`. */
-static int sign_of(mpfr_t x)
+static planar divided(planar p, real by)
 {
-    if (mpfr_zero_p(x))
-        return 0;
-    const long least = mpfr_get_exp(g.scale) - (g.bits - GUARD);
-    return mpfr_get_exp(x) < least ? 0 : mpfr_sgn(x);
-}
-
-/* The same for numbers of size 1. */
-static int sign_of_ratio(mpfr_t x)
-{
-    if (mpfr_zero_p(x))
-        return 0;
-    return mpfr_get_exp(x) < -(g.bits - GUARD) ? 0 : mpfr_sgn(x);
-}
-
-static void dot(mpfr_t to, mpfr_t u[3], mpfr_t v[3])
-{
-    mpfr_mul(to, u[0], v[0], RND);
-    mpfr_fma(to, u[1], v[1], to, RND);
-    mpfr_fma(to, u[2], v[2], to, RND);
-}
-
-/* `to` is neither u nor v. */
-static void cross(mpfr_t to[3], mpfr_t u[3], mpfr_t v[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        mpfr_mul(to[i], u[j], v[k], RND);
-        mpfr_mul(g.t[9], u[k], v[j], RND);
-        mpfr_sub(to[i], to[i], g.t[9], RND);
-    }
-}
-
-static void norm(mpfr_t to, mpfr_t v[3])
-{
-    dot(to, v, v);
-    mpfr_sqrt(to, to, RND);
-}
-
-/* to = sqrt(x^2 + y^2); `to` may be x. */
-static void hypotenuse(mpfr_t to, mpfr_t x, mpfr_t y)
-{
-    mpfr_sqr(g.t[9], x, RND);
-    mpfr_fma(g.t[9], y, y, g.t[9], RND);
-    mpfr_sqrt(to, g.t[9], RND);
+    return planar_of(over(p.s, by), over(p.rho, by));
 }
 
 /* ------------------------------------------------- shape and point ----- */
 
+static long range_of_data(const cylint_shape *shape, const double point[3])
+{
+    const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
+    exponents e = no_exponents;
+    widen(&e, point, 3);
+    widen(&e, cylint_base(shape), 3);
+    widen(&e, radii, 2);
+    if (shape->kind == CYLINT_KIND_ACONE)
+        widen(&e, cylint_axis(shape), 3);
+    else if (shape->kind != CYLINT_KIND_SPHERE)
+        widen(&e, cylint_top(shape), 3);
+    return range_of(e);
+}
+
 /* The unit vector away from the axis through the point; on the axis e x w. */
 static void load_across(void)
 {
-    mpfr_t c[3];
-    for (int i = 0; i < 3; i++)
-        mpfr_init2(c[i], g.bits);
+    vector c;
     cross(c, g.q, g.w);
-    if (mpfr_zero_p(c[0]) && mpfr_zero_p(c[1]) && mpfr_zero_p(c[2])) {
-        int least = 0;
-        for (int i = 1; i < 3; i++)
-            if (mpfr_cmpabs(g.w[i], g.w[least]) < 0)
-                least = i;
-        for (int i = 0; i < 3; i++)
-            mpfr_set_si(c[i], i == least, RND);
-        cross(g.across, c, g.w);
-        mpfr_set_ui(g.rho, 0, RND);
+    if (sign_of(c[0]) == 0 && sign_of(c[1]) == 0 && sign_of(c[2]) == 0) {
+        const int least = least_component(g.w);
+        vector e = {exact(least == 0), exact(least == 1), exact(least == 2)};
+        cross(g.across, e, g.w);
+        g.point.rho = g.zero;
     } else {
         cross(g.across, g.w, c); /* |w|^2 q - (w.q) w */
-        norm(g.rho, c);
-        mpfr_div(g.rho, g.rho, g.length, RND);
+        g.point.rho = over(norm(c), g.length);
     }
-    norm(g.t[0], g.across);
-    for (int i = 0; i < 3; i++) {
-        mpfr_div(g.across[i], g.across[i], g.t[0], RND);
-        mpfr_clear(c[i]);
-    }
+    scale(g.across, over(exact(1), norm(g.across)), g.across);
 }
 
 static void load(const cylint_shape *shape, const double point[3])
 {
-    const int sphere = shape->kind == CYLINT_KIND_SPHERE;
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(g.q[i], point[i], RND);
-        mpfr_sub_d(g.q[i], g.q[i], cylint_base(shape)[i], RND);
-        if (shape->kind == CYLINT_KIND_ACONE) {
-            mpfr_set_d(g.w[i], cylint_axis(shape)[i], RND);
-        } else {
-            mpfr_set_d(g.w[i], cylint_top(shape)[i], RND);
-            mpfr_sub_d(g.w[i], g.w[i], cylint_base(shape)[i], RND);
-        }
-        if (sphere) /* any axis will do */
-            mpfr_set_si(g.w[i], i == 2, RND);
-    }
-    dot(g.W, g.w, g.w);
-    mpfr_sqrt(g.length, g.W, RND);
-    dot(g.Z, g.q, g.w);
-    mpfr_div(g.s, g.Z, g.length, RND);
+    static const double any_axis[3] = {0, 0, 1};
+    g.zero = exact(0);
+    set_difference(g.q, point, cylint_base(shape));
+    if (shape->kind == CYLINT_KIND_SPHERE)
+        set(g.w, any_axis);
+    else if (shape->kind == CYLINT_KIND_ACONE)
+        set(g.w, cylint_axis(shape));
+    else
+        set_difference(g.w, cylint_top(shape), cylint_base(shape));
+    g.length = norm(g.w);
+    g.point.s = over(dot(g.q, g.w), g.length);
     load_across();
-    mpfr_set_d(g.r0, cylint_r0(shape), RND);
-    mpfr_set_d(g.r1, sphere ? cylint_r0(shape) : cylint_r1(shape), RND);
+    g.r0 = exact(cylint_r0(shape));
+    g.r1 = exact(cylint_r1(shape));
     if (shape->kind == CYLINT_KIND_ACONE)
-        mpfr_mul(g.r1, g.r1, g.length, RND);
-    mpfr_sub(g.dr, g.r1, g.r0, RND);
-    norm(g.scale, g.q);
-    mpfr_max(g.scale, g.scale, g.r0, RND);
-    mpfr_max(g.scale, g.scale, g.r1, RND);
-    if (!sphere)
-        mpfr_max(g.scale, g.scale, g.length, RND);
+        g.r1 = times(g.r1, g.length);
+    g.dr = minus(g.r1, g.r0);
 }
 
 /* -------------------------------------------------------------- pieces -- */
 
-static piece *new_piece(enum form form, int part, int feature)
+static piece *new_piece(enum form form, int part, int feature, real s, real rho)
 {
     piece *p = &g.pieces[g.count++];
     p->form = form;
     p->part = part;
     p->feature = p->first = p->last = feature;
-    mpfr_set_ui(p->n[0], 0, RND);
-    mpfr_set_ui(p->n[1], 0, RND);
+    p->at = planar_of(s, rho);
     return p;
 }
 
-/* The normal (-drho, ds), turned outward: away from the axis. */
-static void straight_normal(piece *p)
+/* The direction, and the normal (-drho, ds) turned outward: away from the
+ * axis. */
+static void set_direction(piece *p, real ds, real drho)
 {
-    hypotenuse(g.t[0], p->ds, p->drho);
-    mpfr_div(p->n[0], p->drho, g.t[0], RND);
-    mpfr_div(p->n[1], p->ds, g.t[0], RND);
-    if (mpfr_sgn(p->ds) > 0)
-        mpfr_neg(p->n[0], p->n[0], RND);
-    else
-        mpfr_neg(p->n[1], p->n[1], RND);
+    p->by = planar_of(ds, drho);
+    p->n = divided(planar_of(negated(drho), ds), hypotenuse(p->by));
+    if (sign_of(ds) < 0)
+        p->n = planar_of(negated(p->n.s), negated(p->n.rho));
 }
 
-static void add_lateral_segment(mpfr_t s0, mpfr_t rho0, mpfr_t s1, mpfr_t rho1)
+static piece *add_lateral(enum form form, real s0, real rho0, real s1, real rho1)
 {
-    piece *p = new_piece(SEGMENT, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
-    mpfr_set(p->s, s0, RND);
-    mpfr_set(p->rho, rho0, RND);
-    mpfr_sub(p->ds, s1, s0, RND);
-    mpfr_sub(p->drho, rho1, rho0, RND);
-    p->first = mpfr_sgn(rho0) ? CYLINT_FEATURE_RIM0 : CYLINT_FEATURE_APEX;
-    p->last = mpfr_sgn(rho1) ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_APEX;
-    straight_normal(p);
+    piece *p = new_piece(form, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL, s0,
+                         rho0);
+    set_direction(p, minus(s1, s0), minus(rho1, rho0));
+    p->first = sign_of(rho0) ? CYLINT_FEATURE_RIM0 : CYLINT_FEATURE_APEX;
+    p->last = sign_of(rho1) ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_APEX;
+    return p;
 }
 
 /* From the apex to the side `sign` of the axis. */
 static void add_nappe(int sign)
 {
-    piece *p = new_piece(RAY, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
-    mpfr_mul(p->s, g.r0, g.length, RND);
-    mpfr_div(p->s, p->s, g.dr, RND);
-    mpfr_neg(p->s, p->s, RND);
-    mpfr_set_ui(p->rho, 0, RND);
-    mpfr_mul_si(p->ds, g.length, sign, RND);
-    mpfr_abs(p->drho, g.dr, RND);
-    p->first = CYLINT_FEATURE_APEX;
-    straight_normal(p);
+    const real apex = negated(over(times(g.r0, g.length), g.dr));
+    piece *p = add_lateral(RAY, apex, g.zero, apex, g.zero);
+    set_direction(p, times(exact(sign), g.length),
+                  times(exact(sign_of(g.dr)), g.dr));
 }
 
-static void add_cap(int end)
+static real radius_at(int end)
 {
-    piece *p = new_piece(SEGMENT, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
-                         end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0);
-    mpfr_set_ui(p->s, 0, RND);
-    if (end)
-        mpfr_set(p->s, g.length, RND);
-    mpfr_set_ui(p->rho, 0, RND);
-    mpfr_set_ui(p->ds, 0, RND);
-    mpfr_set(p->drho, end ? g.r1 : g.r0, RND);
-    mpfr_set_si(p->n[0], end ? 1 : -1, RND);
-    if (mpfr_zero_p(p->drho))
-        g.count--; /* an apex */
+    return end ? g.r1 : g.r0;
 }
 
-static void add_arc(int end, int part, int feature)
+/* A cap: a segment from the axis, or an arc.  An apex has none. */
+static void add_end(enum form form, int end, int part, int feature)
 {
-    piece *p = new_piece(ARC, part, feature);
-    mpfr_set_ui(p->s, 0, RND);
-    if (end)
-        mpfr_set(p->s, g.length, RND);
-    mpfr_set_ui(p->rho, 0, RND);
-    mpfr_set(p->ds, end ? g.r1 : g.r0, RND);
-    if (mpfr_zero_p(p->ds))
-        g.count--; /* an apex */
+    if (sign_of(radius_at(end)) == 0)
+        return;
+    piece *p = new_piece(form, part, feature, end ? g.length : g.zero, g.zero);
+    p->r = radius_at(end);
+    p->by = planar_of(g.zero, p->r);
+    p->n = planar_of(exact(end ? 1 : -1), g.zero);
 }
 
 static int has_cap(const cylint_shape *shape, int end)
@@ -318,19 +199,22 @@ static int has_cap(const cylint_shape *shape, int end)
            shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
 }
 
+static void add_caps(const cylint_shape *shape, enum form form)
+{
+    for (int end = 0; end < 2; end++)
+        if (has_cap(shape, end))
+            add_end(form, end, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
+                    end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0);
+}
+
 static void straight_pieces(const cylint_shape *shape)
 {
-    const int growth = mpfr_sgn(g.dr);
+    const int growth = sign_of(g.dr);
     if (shape->ends < CYLINT_ENDS_INFINITE) {
-        mpfr_set_ui(g.t[1], 0, RND);
-        add_lateral_segment(g.t[1], g.r0, g.length, g.r1);
-        for (int end = 0; end < 2; end++)
-            if (has_cap(shape, end))
-                add_cap(end);
+        add_lateral(SEGMENT, g.zero, g.r0, g.length, g.r1);
+        add_caps(shape, SEGMENT);
     } else if (growth == 0) {
-        mpfr_set_ui(g.t[1], 0, RND);
-        add_lateral_segment(g.t[1], g.r0, g.length, g.r1);
-        g.pieces[0].form = LINE;
+        add_lateral(LINE, g.zero, g.r0, g.length, g.r1);
     } else {
         add_nappe(growth);
         if (shape->ends == CYLINT_ENDS_INFINITE)
@@ -341,219 +225,188 @@ static void straight_pieces(const cylint_shape *shape)
 /* The segment that touches both arcs. */
 static void round_pieces(const cylint_shape *shape)
 {
+    static const int feature[] = {CYLINT_FEATURE_LATERAL, CYLINT_FEATURE_CAP0,
+                                  CYLINT_FEATURE_CAP1};
+    const int of_ball = cylint_surface(shape);
     if (shape->kind == CYLINT_KIND_SPHERE) {
-        static const int feature[] = {CYLINT_FEATURE_LATERAL,
-                                      CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1};
-        if (cylint_surface(shape) == CYLINT_PART_LATERAL ||
-            has_cap(shape, cylint_surface(shape) == CYLINT_PART_CAP1))
-            add_arc(0, cylint_surface(shape), feature[cylint_surface(shape)]);
+        if (of_ball == CYLINT_PART_LATERAL ||
+            has_cap(shape, of_ball == CYLINT_PART_CAP1))
+            add_end(ARC, 0, of_ball, feature[of_ball]);
         return;
     }
-    mpfr_div(g.sine, g.dr, g.length, RND);
-    mpfr_neg(g.sine, g.sine, RND); /* of the normal's angle: its s */
-    mpfr_sqr(g.t[0], g.sine, RND);
-    mpfr_ui_sub(g.t[0], 1, g.t[0], RND);
-    mpfr_sqrt(g.cosine, g.t[0], RND);
-    mpfr_mul(g.t[1], g.r0, g.sine, RND);
-    mpfr_mul(g.t[2], g.r0, g.cosine, RND);
-    mpfr_fma(g.t[3], g.r1, g.sine, g.length, RND);
-    mpfr_mul(g.t[4], g.r1, g.cosine, RND);
-    add_lateral_segment(g.t[1], g.t[2], g.t[3], g.t[4]);
-    if (has_cap(shape, 0))
-        add_arc(0, CYLINT_PART_CAP0, CYLINT_FEATURE_CAP0);
-    if (has_cap(shape, 1))
-        add_arc(1, CYLINT_PART_CAP1, CYLINT_FEATURE_CAP1);
+    g.sine = negated(over(g.dr, g.length)); /* of the normal's angle: its s */
+    const real cosine = root_of(minus(exact(1), square_of(g.sine)));
+    add_lateral(SEGMENT, times(g.r0, g.sine), times(g.r0, cosine),
+                plus(g.length, times(g.r1, g.sine)), times(g.r1, cosine));
+    add_caps(shape, ARC);
 }
 
 /* ------------------------------------------------------- nearest points -- */
 
-/* t[0], t[1]: the point of a straight piece that is nearest.  Returns its
- * feature. */
-static int foot_of_straight(const piece *p)
+static foot foot_of_straight(const piece *p)
 {
-    mpfr_ptr s = g.t[0], rho = g.t[1], t = g.t[2], u = g.t[3];
-    piece *q = (piece *)p;
-    int feature = p->feature;
-    mpfr_sub(s, g.s, q->s, RND);
-    mpfr_sub(rho, g.rho, q->rho, RND);
-    mpfr_mul(t, s, q->ds, RND);
-    mpfr_fma(t, rho, q->drho, t, RND);
-    hypotenuse(u, q->ds, q->drho);
-    mpfr_div(t, t, u, RND); /* the length along the piece, which is u long */
-    mpfr_sub(g.t[4], t, u, RND);
+    const planar q = difference(g.point, p->at);
+    const real length = hypotenuse(p->by);
+    real t = over(plus(times(q.s, p->by.s), times(q.rho, p->by.rho)), length);
+    foot f = {p->at, p->n, NULL, p->part, p->feature};
     if (p->form != LINE && sign_of(t) <= 0) {
-        mpfr_set_ui(t, 0, RND);
-        feature = p->first;
-    } else if (p->form == SEGMENT && sign_of(g.t[4]) >= 0) {
-        mpfr_set(t, u, RND);
-        feature = p->last;
+        t = g.zero;
+        f.feature = p->first;
+    } else if (p->form == SEGMENT && order_of(t, length) >= 0) {
+        t = length;
+        f.feature = p->last;
     }
-    mpfr_div(t, t, u, RND);
-    mpfr_fma(s, t, q->ds, q->s, RND);
-    mpfr_fma(rho, t, q->drho, q->rho, RND);
-    return feature;
+    f.at = moved(p->at, over(t, length), p->by);
+    return f;
 }
 
-/* The same for an arc; -1: its nearest point belongs to the lateral
- * surface.  t[5], t[6]: the normal. */
-static int foot_of_arc(const piece *p, const cylint_shape *shape)
+/* Feature -1: the nearest point belongs to the lateral surface, or the point is
+ * the centre. */
+static foot foot_of_arc(const piece *p, const cylint_shape *shape)
 {
-    mpfr_ptr s = g.t[0], rho = g.t[1];
-    piece *q = (piece *)p;
-    mpfr_sub(s, g.s, q->s, RND);
-    hypotenuse(g.t[2], s, g.rho);
-    if (mpfr_zero_p(g.t[2]))
-        return -1;
-    mpfr_div(s, s, g.t[2], RND);
-    mpfr_div(rho, g.rho, g.t[2], RND);
-    if (shape->kind != CYLINT_KIND_SPHERE) {
-        mpfr_sub(g.t[3], s, g.sine, RND);
-        if (sign_of_ratio(g.t[3]) != (p->part == CYLINT_PART_CAP1 ? 1 : -1))
-            return -1;
-    }
-    mpfr_set(g.t[5], s, RND);
-    mpfr_set(g.t[6], rho, RND);
-    mpfr_fma(s, s, q->ds, q->s, RND);
-    mpfr_mul(rho, rho, q->ds, RND);
-    return p->feature;
+    const planar q = difference(g.point, p->at);
+    const real length = hypotenuse(q);
+    foot f = {p->at, p->n, NULL, p->part, -1};
+    if (sign_of(length) == 0)
+        return f;
+    f.n = divided(q, length);
+    f.at = moved(p->at, p->r, f.n);
+    if (shape->kind == CYLINT_KIND_SPHERE ||
+        order_of(f.n.s, g.sine) == (p->part == CYLINT_PART_CAP1 ? 1 : -1))
+        f.feature = p->feature;
+    return f;
 }
 
-static void take(const piece *p, int feature, int is_double,
-                 struct oracle_closest *expected)
+/* Along the axis; of a double cone towards the base. */
+static planar apex_normal(const piece *p, int is_double)
 {
-    piece *q = (piece *)p;
-    const int is_arc = p->form == ARC;
-    expected->part = p->part;
-    expected->feature = feature;
-    mpfr_set(g.best, g.t[7], RND);
-    for (int i = 0; i < 2; i++) {
-        mpfr_set(g.foot[i], g.t[i], RND);
-        mpfr_set(g.normal[i], is_arc ? g.t[5 + i] : q->n[i], RND);
-    }
-    if (feature == CYLINT_FEATURE_APEX) {
-        mpfr_set_si(g.normal[0], p->first == feature ? -1 : 1, RND);
-        if (p->form == RAY && mpfr_sgn(q->ds) < 0)
-            mpfr_neg(g.normal[0], g.normal[0], RND);
-        if (is_double && mpfr_sgn(g.r0) != 0) /* towards the base */
-            mpfr_set_si(g.normal[0], mpfr_sgn(g.dr), RND);
-        mpfr_set_ui(g.normal[1], 0, RND);
-    }
+    int sign = p->first == CYLINT_FEATURE_APEX ? -1 : 1;
+    if (p->form == RAY)
+        sign *= sign_of(p->by.s);
+    if (is_double && sign_of(g.r0) != 0)
+        sign = sign_of(g.dr);
+    return planar_of(exact(sign), g.zero);
 }
 
-static void nearest_piece(const cylint_shape *shape,
-                          struct oracle_closest *expected)
+/* The first piece with the least distance; feature -1: none. */
+static foot nearest_foot(const cylint_shape *shape)
 {
-    expected->part = -1;
+    foot best = {{NULL, NULL}, {NULL, NULL}, NULL, -1, -1};
     for (int i = 0; i < g.count; i++) {
         const piece *p = &g.pieces[i];
-        const int feature =
-            p->form == ARC ? foot_of_arc(p, shape) : foot_of_straight(p);
-        if (feature < 0)
+        foot f = p->form == ARC ? foot_of_arc(p, shape) : foot_of_straight(p);
+        if (f.feature < 0)
             continue;
-        mpfr_sub(g.t[7], g.t[0], g.s, RND);
-        mpfr_sub(g.t[8], g.t[1], g.rho, RND);
-        hypotenuse(g.t[7], g.t[7], g.t[8]);
-        mpfr_sub(g.t[8], g.t[7], g.best, RND);
-        if (expected->part < 0 || sign_of(g.t[8]) < 0)
-            take(p, feature, shape->ends == CYLINT_ENDS_INFINITE, expected);
+        f.distance = hypotenuse(difference(f.at, g.point));
+        if (f.feature == CYLINT_FEATURE_APEX)
+            f.n = apex_normal(p, shape->ends == CYLINT_ENDS_INFINITE);
+        if (best.feature < 0 || order_of(f.distance, best.distance) < 0)
+            best = f;
     }
+    return best;
+}
+
+/* At the centre of a sphere: along the first coordinate. */
+static foot foot_from_centre(void)
+{
+    const piece *p = &g.pieces[0];
+    const foot f = {{g.r0, g.zero}, {exact(1), g.zero}, g.r0, p->part,
+                    p->feature};
+    g.w[0] = exact(1);
+    g.w[1] = g.w[2] = g.zero;
+    return f;
 }
 
 /* ---------------------------------------------------------- the answer -- */
 
 /* to = s (the axis's direction) + rho across + base */
-static void in_space(double to[3], mpfr_t s, mpfr_t rho, const double *base)
+static void in_space(double to[3], planar at, const double *base)
 {
     for (int i = 0; i < 3; i++) {
-        mpfr_div(g.t[0], g.w[i], g.length, RND);
-        mpfr_mul(g.t[0], g.t[0], s, RND);
-        mpfr_fma(g.t[0], rho, g.across[i], g.t[0], RND);
+        real x = plus(times(at.s, over(g.w[i], g.length)),
+                      times(at.rho, g.across[i]));
         if (base)
-            mpfr_add_d(g.t[0], g.t[0], base[i], RND);
-        if (!base && sign_of_ratio(g.t[0]) == 0)
-            mpfr_set_ui(g.t[0], 0, RND);
-        if (base && sign_of(g.t[0]) == 0 &&
-            !(mpfr_zero_p(s) && mpfr_zero_p(rho)))
-            mpfr_set_ui(g.t[0], 0, RND);
-        to[i] = mpfr_get_d(g.t[0], RND);
-        if (to[i] == 0 && !mpfr_zero_p(g.t[0]))
-            to[i] = mpfr_sgn(g.t[0]) * 0x1p-1074;
+            x = plus(x, exact(base[i]));
+        to[i] = near_double(x) + 0;
+        if (to[i] == 0)
+            to[i] = sign_of(x) * 0x1p-1074;
     }
 }
 
-static int is_signed(const cylint_shape *shape)
+/* The distance with its sign.  side: of contains(). */
+static real signed_distance(const cylint_shape *shape, real distance, int side)
 {
-    return shape->ends == CYLINT_ENDS_CAPPED ||
-           shape->ends >= CYLINT_ENDS_INFINITE;
+    const int is_signed = shape->ends == CYLINT_ENDS_CAPPED ||
+                          shape->ends >= CYLINT_ENDS_INFINITE;
+    if (sign_of(distance) == 0 || (is_signed && side == 0))
+        return g.zero;
+    return is_signed && side > 0 ? negated(distance) : distance;
 }
 
-static void apply_sign(const cylint_shape *shape, const double point[3])
+static void circular_distance(const cylint_shape *shape, const double point[3],
+                              int side, struct oracle_closest *expected)
 {
-    const int side = oracle_contains(shape, point);
-    if (sign_of(g.best) == 0 || (is_signed(shape) && side == 0))
-        mpfr_set_ui(g.best, 0, RND);
-    else if (is_signed(shape) && side > 0)
-        mpfr_neg(g.best, g.best, RND);
-}
-
-void oracle_distance(const cylint_shape *shape, const double point[3],
-                     struct oracle_closest *expected)
-{
-    memset(expected, 0, sizeof *expected);
-    start();
-    if (shape->kind == CYLINT_KIND_ECYLINDER ||
-        shape->kind == CYLINT_KIND_ECONE) {
-        oracle_elliptic_distance(shape, point, expected, g.best);
-        g.bits = 0;
-        return;
-    }
-    set_bits(shape, point);
     load(shape, point);
     g.count = 0;
     if (shape->kind >= CYLINT_KIND_SPHERE)
         round_pieces(shape);
     else
         straight_pieces(shape);
-    nearest_piece(shape, expected);
+    foot f = nearest_foot(shape);
+    if (shape->kind == CYLINT_KIND_SPHERE && g.count > 0 && f.feature < 0)
+        f = foot_from_centre();
+    expected->part = f.part;
     expected->distance = HUGE_VAL;
-    if (shape->kind == CYLINT_KIND_SPHERE && g.count > 0 &&
-        expected->part < 0) { /* at the centre: along the first coordinate */
-        expected->part = g.pieces[0].part;
-        expected->feature = g.pieces[0].feature;
-        mpfr_set(g.best, g.r0, RND);
-        mpfr_set(g.foot[0], g.r0, RND);
-        mpfr_set_ui(g.foot[1], 0, RND);
-        mpfr_set_ui(g.normal[0], 1, RND);
-        mpfr_set_ui(g.normal[1], 0, RND);
-        for (int i = 0; i < 3; i++)
-            mpfr_set_si(g.w[i], i == 0, RND);
-    }
-    if (expected->part < 0)
+    if (f.part < 0)
         return;
-    apply_sign(shape, point);
-    expected->distance = mpfr_get_d(g.best, RND);
-    in_space(expected->point, g.foot[0], g.foot[1], cylint_base(shape));
-    in_space(expected->normal, g.normal[0], g.normal[1], NULL);
+    const real distance = signed_distance(shape, f.distance, side);
+    expected->feature = f.feature;
+    expected->distance = near_double(distance);
+    mpfr_set_prec(last_, reals.bits);
+    mpfr_set(last_, distance->x, RND);
+    in_space(expected->point, f.at, cylint_base(shape));
+    in_space(expected->normal, f.n, NULL);
+}
+
+void oracle_distance(const cylint_shape *shape, const double point[3],
+                     struct oracle_closest *expected)
+{
+    static int is_ready;
+    memset(expected, 0, sizeof *expected);
+    if (!is_ready)
+        mpfr_init(last_);
+    is_ready = 1;
+    if (shape->kind == CYLINT_KIND_ECYLINDER ||
+        shape->kind == CYLINT_KIND_ECONE) {
+        oracle_elliptic_distance(shape, point, expected, last_);
+        return;
+    }
+    const int side = oracle_contains(shape, point);
+    for (real_start(range_of_data(shape, point)); real_again();)
+        circular_distance(shape, point, side, expected);
 }
 
 int oracle_distance_is_zero(void)
 {
-    return mpfr_zero_p(g.best) != 0;
+    return mpfr_zero_p(last_) != 0;
 }
 
 double oracle_distance_error(double got)
 {
     int e;
-    if (mpfr_zero_p(g.best))
+    mpfr_t off;
+    if (mpfr_zero_p(last_))
         return got == 0 ? 0 : HUGE_VAL;
     if (!isfinite(got))
-        return isinf(got) && isinf(mpfr_get_d(g.best, RND)) ? 0 : HUGE_VAL;
-    mpfr_set_prec(g.t[0], mpfr_get_prec(g.best));
-    frexp(mpfr_get_d(g.best, MPFR_RNDZ), &e);
-    if (mpfr_cmpabs_ui(g.best, 0) && mpfr_get_exp(g.best) - 53 < -1074)
+        return isinf(got) && isinf(mpfr_get_d(last_, RND)) ? 0 : HUGE_VAL;
+    frexp(mpfr_get_d(last_, MPFR_RNDZ), &e);
+    if (mpfr_get_exp(last_) - 53 < -1074)
         e = -1074 + 53;
-    mpfr_abs(g.t[0], g.best, RND);
-    mpfr_d_sub(g.t[0], fabs(got), g.t[0], RND);
-    mpfr_mul_2si(g.t[0], g.t[0], 53 - e, RND);
-    return mpfr_get_d(g.t[0], RND);
+    mpfr_init2(off, mpfr_get_prec(last_));
+    mpfr_abs(off, last_, RND);
+    mpfr_d_sub(off, fabs(got), off, RND);
+    mpfr_mul_2si(off, off, 53 - e, RND);
+    const double error = mpfr_get_d(off, RND);
+    mpfr_clear(off);
+    return error;
 }

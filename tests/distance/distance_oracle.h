@@ -3,9 +3,8 @@
  *
  * It shares no formula with the library.  A circular or round kind is a plane
  * figure that turns about its axis.  The oracle computes the coordinates of the
- * point along the axis and away from it with MPFR, with so many bits that every
- * product of the input's numbers is exact, then the point of each segment, ray
- * and arc of the figure that is nearest.
+ * point along the axis and away from it, then the point of each segment, ray and
+ * arc of the figure that is nearest.  Comparisons are exact (real.h).
  */
 #ifndef CYLINT_DISTANCE_ORACLE_H
 #define CYLINT_DISTANCE_ORACLE_H

@@ -1,371 +1,389 @@
 /*
- * oracle.c - the oracle: exact answers by integer arithmetic
+ * oracle.c - the oracle: exact answers by real numbers with bounds (real.h)
  *
- * There are two units.  Lengths (o, base, axis, radii, a, b) are integers times
- * 2^unit, the direction d is integers times 2^d_unit.  So the parameter of this
- * file is tau with t = tau 2^(unit - d_unit).
- *
- * In these units every lateral surface on the line is
- *     F(tau) = A tau^2 + 2 B tau + C,        F < 0 inside,
- * and z and the radius are linear in tau.  The critical parameters (roots of F,
- * of z, of z - 1 and of the radius) all have the form
- *     tau = (p + q sqrt(D)) / r,   q in {-1, 0, 1},  r > 0,  D = B^2 - A C,
- * and comparing them needs only the sign of x + y sqrt(D).
+ * A solid is a union of pieces.  A piece is where F < 0 and up to two linear
+ * functions are positive.  F is a sum of squares of linear functions, with signs.
+ * On the line all these functions are polynomials in t.  Their zeros are the
+ * critical parameters.  A point of each gap between two of them, and the critical
+ * parameters themselves, are inside a piece, outside or on its boundary.  The
+ * answer follows from that.
  */
 #include "oracle.h"
+#include "real.h"
 #include "shapes/layout.h"
-#include "oracle_field.h"
 
-/* ------------------------------------------------------ shape and line -- */
+enum { BOUNDS = 2, FUNCTIONS = 1 + BOUNDS, PIECES = 3, TERMS = 5 };
+enum { MOST_CRITICAL = 2 * PIECES + PIECES * BOUNDS };
 
-static int elliptic(const cylint_shape *shape)
+/* A function along the line: c[0] + c[1] t + c[2] t^2. */
+typedef struct {
+    real c[3];
+} polynomial;
+
+/* F is the sum of s L^2, L = v.(p - base) + a constant. */
+typedef struct {
+    int count;
+    struct {
+        real s;
+        vector v;
+        polynomial L;
+    } term[TERMS];
+    polynomial F;
+} quadric;
+
+typedef struct {
+    quadric surface;
+    int bounds;
+    polynomial bound[BOUNDS];
+} piece;
+
+typedef struct {
+    real t;
+    unsigned zeros; /* the functions of which t is a zero: bits */
+} critical;
+
+/* What the answer to one question is computed from. */
+static struct {
+    int circular, round, bounded, nappe;
+    vector q, w, d;      /* q: the line's origin from the base; w: axis */
+    vector o;            /* the line's origin */
+    vector gx, gy, gz;   /* gradients of x, y, z; circular: not normalised */
+    real whole;          /* z = Z / whole, whole > 0 */
+    real gamma, delta;   /* the radius is proportional to gamma + delta Z */
+    polynomial X, Y, Z, rho;
+    int count_of_pieces; /* round: in the order of their parts */
+    piece pieces[PIECES];
+    int count;
+    critical at[MOST_CRITICAL];
+    int in[MOST_CRITICAL], in_gap[MOST_CRITICAL + 1]; /* as inside() */
+} o_;
+
+int oracle_sum_sign(const double *x, int n)
 {
-    return shape->kind == CYLINT_KIND_ECYLINDER ||
-           shape->kind == CYLINT_KIND_ECONE;
+    exponents e = no_exponents;
+    int sign = 0;
+    widen(&e, x, n);
+    for (real_start(range_of(e)); real_again();) {
+        real sum = exact(0);
+        for (int i = 0; i < n; i++)
+            sum = plus(sum, exact(x[i]));
+        sign = sign_of(sum);
+    }
+    return sign;
 }
 
-static void load_lengths(const cylint_shape *shape, const double o[3])
+/* ------------------------------------------------------- polynomials ---- */
+
+static real value_of(const polynomial *p, real t)
 {
-    const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
-    o_.unit = LONG_MAX;
-    lower_unit(&o_.unit, o, 3);
-    lower_unit(&o_.unit, cylint_base(shape), 3);
-    o_.circular = !elliptic(shape);
-    if (!o_.circular || shape->kind == CYLINT_KIND_ACONE) {
-        lower_unit(&o_.unit, cylint_axis(shape), 3);
-        lower_unit(&o_.unit, cylint_a(shape), o_.circular ? 0 : 3);
-        lower_unit(&o_.unit, cylint_b(shape), o_.circular ? 0 : 3);
-        whole3(o_.w, cylint_axis(shape), o_.unit);
-    } else {
-        lower_unit(&o_.unit, cylint_top(shape), 3);
-        lower_unit(&o_.unit, radii, 2);
-        difference(o_.w, cylint_top(shape), cylint_base(shape), o_.unit);
+    return plus(times(plus(times(p->c[2], t), p->c[1]), t), p->c[0]);
+}
+
+/* v.(p - base) + constant, of points p of the line */
+static polynomial along_line(vector v, real constant)
+{
+    const polynomial p = {
+        {plus(dot(v, o_.q), constant), dot(v, o_.d), exact(0)}};
+    return p;
+}
+
+/* by + sign p */
+static polynomial beyond(real by, const polynomial *p, int sign)
+{
+    const real s = exact(sign);
+    const polynomial moved = {{plus(by, times(s, p->c[0])), times(s, p->c[1]),
+                               times(s, p->c[2])}};
+    return moved;
+}
+
+static void add_term(quadric *q, real s, vector v, polynomial L)
+{
+    polynomial *F = &q->F;
+    if (q->count == 0)
+        F->c[0] = F->c[1] = F->c[2] = exact(0);
+    memcpy(q->term[q->count].v, v, sizeof(vector));
+    q->term[q->count].s = s;
+    q->term[q->count++].L = L;
+    const real by[2] = {times(s, L.c[0]), times(s, L.c[1])};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            F->c[i + j] = plus(F->c[i + j], times(by[i], L.c[j]));
+}
+
+/* s |p - base - center|^2; no center: the base */
+static void add_distance(quadric *q, real s, const real *center)
+{
+    for (int i = 0; i < 3; i++) {
+        vector e = {exact(i == 0), exact(i == 1), exact(i == 2)};
+        const real from = center ? minus(o_.q[i], center[i]) : o_.q[i];
+        add_term(q, s, e, (polynomial){{from, o_.d[i], exact(0)}});
     }
-    whole3(o_.base, cylint_base(shape), o_.unit);
-    whole3(o_.o, o, o_.unit);
-    for (int i = 0; i < 3; i++)
-        mpz_sub(o_.q[i], o_.o[i], o_.base[i]);
+}
+
+/* -(gamma + delta Z)^2, Z = v.(p - base) */
+static void subtract_radius(quadric *q, vector v)
+{
+    vector by;
+    scale(by, o_.delta, v);
+    o_.rho = along_line(by, o_.gamma);
+    add_term(q, exact(-1), by, o_.rho);
+}
+
+/* -------------------------------------------------------------- shapes -- */
+
+/* Whether the axis is the difference of two points.  o_.circular is set. */
+static int has_end_points(const cylint_shape *s)
+{
+    return o_.circular && s->kind != CYLINT_KIND_ACONE;
+}
+
+/* Reads the kind.  Returns the range of the exponents of the lengths, or of the
+ * factor and 1 if that is larger. */
+static long load_kind(const cylint_shape *s, const double o[3])
+{
+    const double r[3] = {cylint_r0(s), cylint_r1(s), 1};
+    exponents lengths = no_exponents, factor = no_exponents;
+    o_.circular =
+        s->kind != CYLINT_KIND_ECYLINDER && s->kind != CYLINT_KIND_ECONE;
+    o_.round = s->kind == CYLINT_KIND_SPHERE || s->kind == CYLINT_KIND_CAPSULE ||
+               s->kind == CYLINT_KIND_RCONE;
+    o_.nappe = s->ends == CYLINT_ENDS_NAPPE;
+    o_.bounded = !o_.nappe && s->ends != CYLINT_ENDS_INFINITE;
+    widen(&lengths, o, 3);
+    widen(&lengths, cylint_base(s), 3);
+    if (has_end_points(s)) {
+        widen(&lengths, cylint_top(s), 3);
+        widen(&lengths, r, 2);
+        return range_of(lengths);
+    }
+    widen(&lengths, cylint_axis(s), 3);
+    widen(&factor, r, 3);
+    if (!o_.circular) {
+        widen(&lengths, cylint_a(s), 3);
+        widen(&lengths, cylint_b(s), 3);
+    }
+    const long of_lengths = range_of(lengths), of_factor = range_of(factor);
+    return of_lengths > of_factor ? of_lengths : of_factor;
+}
+
+static void load_origin(const cylint_shape *s, const double o[3])
+{
+    set(o_.o, o);
+    set_difference(o_.q, o, cylint_base(s));
+    if (has_end_points(s))
+        set_difference(o_.w, cylint_top(s), cylint_base(s));
+    else
+        set(o_.w, cylint_axis(s));
 }
 
 /*
- * Circular kinds, with Z = q.w, W = |w|^2, z = Z / W:
+ * With Z = q.w, W = |w|^2, z = Z / W:
  *     distance^2 = |q|^2 - Z^2 / W,   radius = r0 + dr Z / W;
  * times W^2,
  *     F = W^2 |q|^2 - W Z^2 - (r0 W + dr Z)^2.
- * The cone by its tangent k = K 2^-s has radius^2 = k^2 Z^2 / W; times
- * W 4^s,
- *     F = 4^s W |q|^2 - 4^s Z^2 - (K Z)^2.
- * Both are  alpha |q|^2 - beta Z^2 - (gamma + delta Z)^2.
+ * The cone by its tangent k has radius^2 = k^2 Z^2 / W; times W,
+ *     F = W |q|^2 - Z^2 - (k Z)^2.
  */
-static void load_circular(const cylint_shape *shape)
+static void load_circular(const cylint_shape *s, quadric *q)
 {
-    dot(o_.whole, o_.w, o_.w);
-    if (shape->kind == CYLINT_KIND_ACONE) {
-        long unit = 0;
-        lower_unit(&unit, cylint_radii(shape) + 1, 1);
-        whole(o_.delta, cylint_r1(shape), unit);
-        mpz_set_ui(o_.gamma, 0);
-        mpz_set_ui(o_.beta, 1);
-        mpz_mul_2exp(o_.beta, o_.beta, (mp_bitcnt_t)(-2 * unit));
-        mpz_mul(o_.alpha, o_.beta, o_.whole);
-    } else {
-        whole(o_.r0, cylint_r0(shape), o_.unit);
-        whole(o_.dr, cylint_r1(shape), o_.unit);
-        mpz_sub(o_.delta, o_.dr, o_.r0);
-        mpz_mul(o_.gamma, o_.r0, o_.whole);
-        mpz_set(o_.beta, o_.whole);
-        mpz_mul(o_.alpha, o_.whole, o_.whole);
-    }
+    const int by_tangent = s->kind == CYLINT_KIND_ACONE;
+    const real W = o_.whole = dot(o_.w, o_.w), r0 = exact(cylint_r0(s));
+    o_.Z = along_line(o_.w, exact(0));
+    o_.gamma = by_tangent ? exact(0) : times(r0, W);
+    o_.delta = exact(cylint_r1(s));
+    if (!by_tangent)
+        o_.delta = minus(o_.delta, r0);
+    add_distance(q, by_tangent ? W : times(W, W), NULL);
+    add_term(q, negated(by_tangent ? exact(1) : W), o_.w, o_.Z);
+    subtract_radius(q, o_.w);
 }
 
 /*
- * Elliptic kinds: q = x a + y b + z h by Cramer's rule, x = X / det with
- * X = q.(b x h) and so on, det = a.(b x h) made positive; k - 1 = K 2^-s;
- * times det^2 4^s,
- *     F = 4^s (X^2 + Y^2) - (2^s det + K Z)^2.
+ * q = x a + y b + z h by Cramer's rule, x = X / det with X = q.(b x h) and so on,
+ * det = a.(b x h) made positive; times det^2,
+ *     F = X^2 + Y^2 - (det + (k - 1) Z)^2.
  */
-static void load_elliptic(const cylint_shape *shape)
+static void load_elliptic(const cylint_shape *s, quadric *q)
 {
-    whole3(o_.a, cylint_a(shape), o_.unit);
-    whole3(o_.b, cylint_b(shape), o_.unit);
-    cross(o_.gx, o_.b, o_.w);
-    cross(o_.gy, o_.w, o_.a);
-    cross(o_.gz, o_.a, o_.b);
-    dot(o_.whole, o_.a, o_.gx);
-    if (mpz_sgn(o_.whole) < 0) {
-        mpz_neg(o_.whole, o_.whole);
-        for (int i = 0; i < 3; i++) {
-            mpz_neg(o_.gx[i], o_.gx[i]);
-            mpz_neg(o_.gy[i], o_.gy[i]);
-            mpz_neg(o_.gz[i], o_.gz[i]);
+    vector a, b;
+    set(a, cylint_a(s));
+    set(b, cylint_b(s));
+    cross(o_.gx, b, o_.w);
+    cross(o_.gy, o_.w, a);
+    cross(o_.gz, a, b);
+    o_.whole = dot(a, o_.gx);
+    const real sign = exact(sign_of(o_.whole));
+    o_.whole = times(o_.whole, sign);
+    scale(o_.gx, sign, o_.gx);
+    scale(o_.gy, sign, o_.gy);
+    scale(o_.gz, sign, o_.gz);
+    o_.X = along_line(o_.gx, exact(0));
+    o_.Y = along_line(o_.gy, exact(0));
+    o_.Z = along_line(o_.gz, exact(0));
+    o_.gamma = o_.whole;
+    o_.delta = minus(exact(s->kind == CYLINT_KIND_ECONE ? cylint_r1(s) : 1),
+                     exact(1));
+    add_term(q, exact(1), o_.gx, o_.X);
+    add_term(q, exact(1), o_.gy, o_.Y);
+    subtract_radius(q, o_.gz);
+}
+
+static void load_straight(const cylint_shape *s)
+{
+    piece *p = &o_.pieces[0];
+    o_.count_of_pieces = 1;
+    (o_.circular ? load_circular : load_elliptic)(s, &p->surface);
+    if (o_.bounded) {
+        p->bound[0] = o_.Z;
+        p->bound[1] = beyond(o_.whole, &o_.Z, -1);
+        p->bounds = 2;
+    } else if (o_.nappe) {
+        p->bound[0] = o_.rho;
+        p->bounds = 1;
+    }
+}
+
+static void load_ball(quadric *q, const real *center, double r)
+{
+    const real zero = exact(0);
+    vector nothing = {zero, zero, zero};
+    add_distance(q, exact(1), center);
+    add_term(q, exact(-1), nothing, (polynomial){{exact(r), zero, zero}});
+}
+
+/*
+ * The convex hull of two balls is their union with the cone about the axis that
+ * touches both, between the circles of contact.  That has the half angle with
+ * sine (r0 - r1) / |w|:
+ *     distance cos = r0 - Z sin / |w|,
+ * squared and times W^2, W = |w|^2, distance^2 = |q|^2 - Z^2 / W,
+ *     F = (W - dr^2) (W |q|^2 - Z^2) - (r0 W + dr Z)^2.
+ * The circles are at Z = -r0 dr and W - r1 dr.
+ */
+static void load_round(const cylint_shape *s)
+{
+    const real r0 = exact(cylint_r0(s)), r1 = exact(cylint_r1(s));
+    const real W = o_.whole = dot(o_.w, o_.w), dr = o_.delta = minus(r1, r0);
+    piece *p = o_.pieces;
+    o_.count_of_pieces = 1;
+    o_.Z = along_line(o_.w, exact(0));
+    if (s->kind == CYLINT_KIND_SPHERE) {
+        load_ball(&p->surface, NULL, cylint_r0(s));
+        if (cylint_surface(s) == CYLINT_PART_CAP1) { /* the base is at z = 1 */
+            scale(o_.w, exact(-1), o_.w);
+            o_.Z = along_line(o_.w, W);
         }
+        return;
     }
-    long unit = 0;
-    const double k = shape->kind == CYLINT_KIND_ECONE ? cylint_r1(shape) : 1;
-    lower_unit(&unit, &k, 1);
-    whole(o_.delta, k, unit);
-    mpz_set_ui(o_.beta, 1);
-    mpz_mul_2exp(o_.beta, o_.beta, (mp_bitcnt_t)-unit);
-    mpz_sub(o_.delta, o_.delta, o_.beta);
-    mpz_mul(o_.gamma, o_.whole, o_.beta);
-    mpz_mul(o_.alpha, o_.beta, o_.beta);
-    mpz_set_ui(o_.beta, 0);
+    o_.count_of_pieces = 3;
+    o_.gamma = times(r0, W);
+    const real steep = minus(W, square_of(dr));
+    add_distance(&p->surface, times(steep, W), NULL);
+    add_term(&p->surface, negated(steep), o_.w, o_.Z);
+    subtract_radius(&p->surface, o_.w);
+    p->bound[0] = beyond(times(r0, dr), &o_.Z, 1);
+    p->bound[1] = beyond(minus(W, times(r1, dr)), &o_.Z, -1);
+    p->bounds = 2;
+    load_ball(&p[CYLINT_PART_CAP0].surface, NULL, cylint_r0(s));
+    load_ball(&p[CYLINT_PART_CAP1].surface, o_.w, cylint_r1(s));
 }
 
-/* g(tau) = v.q + v.d tau */
-static void along_line(linear *g, mpz_t v[3])
+/* Loads the shape; the line's direction is o_.d. */
+static void load(const cylint_shape *s, const double o[3])
 {
-    dot(g->g0, v, o_.q);
-    dot(g->g1, v, o_.d);
-}
-
-/* sum += s u v */
-static void add_product(mpz_t sum, mpz_t s, mpz_t u, mpz_t v, int sign)
-{
-    mpz_mul(o_.s[0], u, v);
-    mpz_mul(o_.s[0], o_.s[0], s);
-    if (sign > 0)
-        mpz_add(sum, sum, o_.s[0]);
-    else
-        mpz_sub(sum, sum, o_.s[0]);
-}
-
-/* A, B, C += sign s g^2 */
-static void add_square(mpz_t s, const linear *g, int sign)
-{
-    linear *h = (linear *)g;
-    add_product(o_.A, s, h->g1, h->g1, sign);
-    add_product(o_.B, s, h->g0, h->g1, sign);
-    add_product(o_.C, s, h->g0, h->g0, sign);
-}
-
-static void load_quadratic(void)
-{
-    mpz_set_ui(o_.s[3], 1);
-    mpz_mul(o_.rho.g0, o_.delta, o_.Z.g0);
-    mpz_add(o_.rho.g0, o_.rho.g0, o_.gamma);
-    mpz_mul(o_.rho.g1, o_.delta, o_.Z.g1);
-    if (o_.circular) {
-        dot(o_.A, o_.d, o_.d);
-        dot(o_.B, o_.q, o_.d);
-        dot(o_.C, o_.q, o_.q);
-        mpz_mul(o_.A, o_.A, o_.alpha);
-        mpz_mul(o_.B, o_.B, o_.alpha);
-        mpz_mul(o_.C, o_.C, o_.alpha);
-        add_square(o_.beta, &o_.Z, -1);
-    } else {
-        mpz_set_ui(o_.A, 0);
-        mpz_set_ui(o_.B, 0);
-        mpz_set_ui(o_.C, 0);
-        add_square(o_.alpha, &o_.X, 1);
-        add_square(o_.alpha, &o_.Y, 1);
-    }
-    add_square(o_.s[3], &o_.rho, -1);
-    mpz_mul(o_.D, o_.B, o_.B);
-    mpz_submul(o_.D, o_.A, o_.C);
-}
-
-/* Loads the shape and the line o + tau d; o_.d is set. */
-static void load(const cylint_shape *shape, const double o[3])
-{
-    load_lengths(shape, o);
-    if (o_.circular) {
-        load_circular(shape);
-        along_line(&o_.Z, o_.w);
-    } else {
-        load_elliptic(shape);
-        along_line(&o_.X, o_.gx);
-        along_line(&o_.Y, o_.gy);
-        along_line(&o_.Z, o_.gz);
-    }
-    load_quadratic();
-    o_.nappe = shape->ends == CYLINT_ENDS_NAPPE;
-    o_.bounded = !o_.nappe && shape->ends != CYLINT_ENDS_INFINITE;
-}
-
-static void load_line(const cylint_line *line)
-{
-    o_.d_unit = LONG_MAX;
-    if (line->segment) {
-        lower_unit(&o_.d_unit, line->o, 3);
-        lower_unit(&o_.d_unit, line->end, 3);
-        difference(o_.d, line->end, line->o, o_.d_unit);
-    } else {
-        lower_unit(&o_.d_unit, line->d, 3);
-        whole3(o_.d, line->d, o_.d_unit);
-    }
+    load_origin(s, o);
+    for (int i = 0; i < PIECES; i++)
+        o_.pieces[i].bounds = o_.pieces[i].surface.count = 0;
+    (o_.round ? load_round : load_straight)(s);
 }
 
 /* ------------------------------------------------ critical parameters -- */
 
-/* tau = (p + q sqrt(D)) / r for any r but 0 */
-static void add_critical(mpz_t p, int q, mpz_t r, int lateral)
+static unsigned bit_of(int piece, int function)
 {
-    critical *at = &o_.at[o_.count++];
-    mpz_set(at->p, p);
-    mpz_abs(at->r, r);
-    if (mpz_sgn(r) < 0)
-        mpz_neg(at->p, at->p);
-    at->q = q;
-    at->lateral = lateral;
+    return 1u << (FUNCTIONS * piece + function);
 }
 
-/* g(tau) = c, if it has one solution */
-static void add_plane(linear *g, mpz_t c)
+/* Equal ones become one. */
+static void add_critical(real t, unsigned zeros)
 {
-    if (mpz_sgn(g->g1) != 0) {
-        mpz_sub(o_.s[1], c, g->g0);
-        add_critical(o_.s[1], 0, g->g1, 0);
+    int i = o_.count, order = -1;
+    while (i > 0 && (order = order_of(o_.at[i - 1].t, t)) > 0)
+        i--;
+    if (i > 0 && order == 0) {
+        o_.at[i - 1].zeros |= zeros;
+        return;
     }
+    memmove(&o_.at[i + 1], &o_.at[i],
+            (size_t)(o_.count++ - i) * sizeof o_.at[0]);
+    o_.at[i] = (critical){t, zeros};
 }
 
-static void add_roots(void)
+/* The zeros of a polynomial that are isolated. */
+static void add_zeros(const polynomial *p, unsigned bit)
 {
-    mpz_neg(o_.s[1], o_.B);
-    if (mpz_sgn(o_.A) == 0) {
-        if (mpz_sgn(o_.B) != 0) {
-            mpz_neg(o_.s[1], o_.C);
-            mpz_mul_2exp(o_.s[2], o_.B, 1);
-            add_critical(o_.s[1], 0, o_.s[2], 1);
+    const real a = times(exact(2), p->c[2]), b = negated(p->c[1]);
+    if (sign_of(a) == 0) {
+        if (sign_of(b) != 0)
+            add_critical(over(p->c[0], b), bit);
+        return;
+    }
+    const real D = minus(square_of(b), times(times(exact(2), a), p->c[0]));
+    const int sign = sign_of(D);
+    if (sign >= 0)
+        add_critical(over(minus(b, root_of(D)), a), bit);
+    if (sign > 0)
+        add_critical(over(plus(b, root_of(D)), a), bit);
+}
+
+/* The sign of a function of a piece at t, of which `zeros` are known. */
+static int sign_at(int piece, int function, real t, unsigned zeros)
+{
+    const polynomial *p = function ? &o_.pieces[piece].bound[function - 1]
+                                   : &o_.pieces[piece].surface.F;
+    return zeros & bit_of(piece, function) ? 0 : sign_of(value_of(p, t));
+}
+
+/* 1 in the interior, 0 on the boundary, -1 outside. */
+static int inside(real t, unsigned zeros)
+{
+    int in = -1;
+    for (int i = 0; i < o_.count_of_pieces; i++) {
+        int in_piece = -sign_at(i, 0, t, zeros);
+        for (int k = 1; k <= o_.pieces[i].bounds; k++) {
+            const int sign = sign_at(i, k, t, zeros);
+            in_piece = sign < in_piece ? sign : in_piece;
         }
-    } else if (mpz_sgn(o_.D) == 0) {
-        add_critical(o_.s[1], 0, o_.A, 1);
-    } else if (mpz_sgn(o_.D) > 0) {
-        add_critical(o_.s[1], -1, o_.A, 1);
-        add_critical(o_.s[1], 1, o_.A, 1);
+        in = in_piece > in ? in_piece : in;
     }
+    return in;
 }
 
-/* F at a parameter that is not one of its roots, hence rational. */
-static int lateral_sign(const critical *at)
+/* Some t between critical parameter i - 1 and i. */
+static real within_gap(int i)
 {
-    if (at->lateral)
-        return 0;
-    mpz_mul(o_.s[1], o_.A, at->p);
-    mpz_mul(o_.s[2], o_.B, at->r);
-    mpz_addmul_ui(o_.s[1], o_.s[2], 2);
-    mpz_mul(o_.s[1], o_.s[1], at->p);
-    mpz_mul(o_.s[2], o_.C, at->r);
-    mpz_addmul(o_.s[1], o_.s[2], at->r);
-    return mpz_sgn(o_.s[1]);
-}
-
-/* Sorts and merges equal ones; the result is lateral if one of them is. */
-static void sort_critical(void)
-{
-    int kept = 0;
-    for (int i = 1; i < o_.count; i++) {
-        for (int j = i; j > 0 && compare(&o_.at[j - 1], &o_.at[j]) > 0; j--) {
-            const critical swapped = o_.at[j];
-            o_.at[j] = o_.at[j - 1];
-            o_.at[j - 1] = swapped;
-        }
-    }
-    for (int i = 1; i < o_.count; i++) {
-        if (compare(&o_.at[kept], &o_.at[i]) == 0) {
-            o_.at[kept].lateral |= o_.at[i].lateral;
-        } else if (++kept != i) {
-            const critical swapped = o_.at[i];
-            o_.at[i] = o_.at[kept];
-            o_.at[kept] = swapped;
-        }
-    }
-    o_.count = o_.count > 0 ? kept + 1 : 0;
+    if (o_.count == 0)
+        return exact(0);
+    if (i > 0 && i < o_.count)
+        return times(exact(0.5), plus(o_.at[i - 1].t, o_.at[i].t));
+    const real end = o_.at[i ? i - 1 : 0].t;
+    real step = plus(exact(1), times(exact(sign_of(end)), end));
+    return i ? plus(end, step) : minus(end, step);
 }
 
 static void find_critical(void)
 {
-    mpz_t nothing;
-    mpz_init(nothing);
     o_.count = 0;
-    add_roots();
-    if (o_.bounded) {
-        add_plane(&o_.Z, nothing);
-        add_plane(&o_.Z, o_.whole);
-    } else if (o_.nappe) {
-        add_plane(&o_.rho, nothing);
+    for (int i = 0; i < o_.count_of_pieces; i++) {
+        add_zeros(&o_.pieces[i].surface.F, bit_of(i, 0));
+        for (int k = 0; k < o_.pieces[i].bounds; k++)
+            add_zeros(&o_.pieces[i].bound[k], bit_of(i, 1 + k));
     }
-    mpz_clear(nothing);
-    sort_critical();
-    for (int i = 0; i < o_.count; i++)
-        o_.at[i].lateral = lateral_sign(&o_.at[i]) == 0;
-}
-
-/* --------------------------------------------------------- membership -- */
-
-/* 1 interior, 0 boundary, -1 outside, from the sign of F and from the signs of
- * the values that must not be negative. */
-static int combine(int f, int low, int high)
-{
-    if (f > 0 || low < 0 || high < 0)
-        return -1;
-    return f < 0 && low > 0 && high > 0;
-}
-
-/* g = whole - Z */
-static void below_top(linear *g)
-{
-    mpz_init(g->g0);
-    mpz_init(g->g1);
-    mpz_sub(g->g0, o_.whole, o_.Z.g0);
-    mpz_neg(g->g1, o_.Z.g1);
-}
-
-static int inside_at(const critical *at)
-{
-    const int f = lateral_sign(at);
-    if (o_.nappe)
-        return combine(f, linear_sign(&o_.rho, at), 1);
-    if (!o_.bounded)
-        return combine(f, 1, 1);
-    linear rest;
-    below_top(&rest);
-    const int in = combine(f, linear_sign(&o_.Z, at), linear_sign(&rest, at));
-    mpz_clears(rest.g0, rest.g1, (mpz_ptr)NULL);
-    return in;
-}
-
-/* The sign of g on the open interval before critical parameter `gap`.  A zero
- * of g that matters is a critical parameter. */
-static int linear_sign_in_gap(linear *g, int gap)
-{
-    const int slope = mpz_sgn(g->g1);
-    if (slope == 0)
-        return mpz_sgn(g->g0);
-    if (gap == 0)
-        return -slope;
-    const int before = linear_sign(g, &o_.at[gap - 1]);
-    return before != 0 ? before : slope;
-}
-
-/* The sign of F on the open interval; outside the roots it is that of A. */
-static int lateral_sign_in_gap(int gap)
-{
-    int roots_before = 0, roots = 0;
-    for (int i = 0; i < o_.count; i++) {
-        roots += o_.at[i].lateral;
-        roots_before += o_.at[i].lateral && i < gap;
+    for (int i = 0; i <= o_.count; i++) {
+        o_.in_gap[i] = inside(within_gap(i), 0);
+        if (i < o_.count)
+            o_.in[i] = inside(o_.at[i].t, o_.at[i].zeros);
     }
-    if (mpz_sgn(o_.A) != 0)
-        return roots == 2 && roots_before == 1 ? -mpz_sgn(o_.A) : mpz_sgn(o_.A);
-    if (mpz_sgn(o_.B) != 0)
-        return roots_before == 1 ? mpz_sgn(o_.B) : -mpz_sgn(o_.B);
-    return mpz_sgn(o_.C);
-}
-
-static int inside_gap(int gap)
-{
-    const int f = lateral_sign_in_gap(gap);
-    if (o_.nappe)
-        return combine(f, linear_sign_in_gap(&o_.rho, gap), 1);
-    if (!o_.bounded)
-        return combine(f, 1, 1);
-    linear rest;
-    below_top(&rest);
-    const int in = combine(f, linear_sign_in_gap(&o_.Z, gap),
-                           linear_sign_in_gap(&rest, gap));
-    mpz_clears(rest.g0, rest.g1, (mpz_ptr)NULL);
-    return in;
 }
 
 /* -------------------------------------- points, normals, z and the angle -- */
@@ -380,141 +398,75 @@ static cylint_hit *other_of(const cylint_hit *hit)
 
 /* The double nearest to x.  *other is it too, or, if x is nearer than 2^-90 of
  * itself to the middle of two doubles, the other one of the two. */
-static double nearest_real(mpfr_t x, double *other)
+static double nearest_real(real x, double *other)
 {
-    const double nearest = mpfr_get_d(x, MPFR_RNDN) + 0;
-    mpfr_t moved;
-    mpfr_init2(moved, BITS);
-    *other = nearest;
+    const double nearest = *other = near_double(x) + 0;
     for (int sign = -1; sign <= 1; sign += 2) {
-        mpfr_set_si_2exp(moved, sign, -90, MPFR_RNDN);
-        mpfr_add_ui(moved, moved, 1, MPFR_RNDN);
-        mpfr_mul(moved, moved, x, MPFR_RNDN);
-        const double beside = mpfr_get_d(moved, MPFR_RNDN) + 0;
+        real moved = times(x, plus(exact(1), exact(sign * 0x1p-90)));
+        const double beside = mpfr_get_d(moved->x, RND) + 0;
         *other = beside != nearest ? beside : *other;
     }
-    mpfr_clear(moved);
     return nearest;
 }
 
-static void point_at(const critical *at, double point[3])
+/* The hit's normal: sign v / |v| */
+static void unit_vector(vector v, int sign, cylint_hit *hit)
 {
-    mpz_set_ui(o_.s[4], 1);
+    const real length = times(exact(sign), norm(v));
     for (int i = 0; i < 3; i++)
-        point[i] = nearest_linear(o_.o[i], o_.d[i], o_.s[4], o_.unit, at);
-}
-
-static double z_at(const critical *at)
-{
-    return nearest_linear(o_.Z.g0, o_.Z.g1, o_.whole, 0, at);
-}
-
-/* The hit's normal: v / |v|; clears v */
-static void normalise(mpfr_t v[3], cylint_hit *hit)
-{
-    cylint_hit *other = other_of(hit);
-    mpfr_t sum, square;
-    mpfr_inits2(BITS, sum, square, (mpfr_ptr)NULL);
-    mpfr_set_zero(sum, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_sqr(square, v[i], MPFR_RNDN);
-        mpfr_add(sum, sum, square, MPFR_RNDN);
-    }
-    mpfr_sqrt(sum, sum, MPFR_RNDN);
-    for (int i = 0; i < 3; i++) {
-        mpfr_div(v[i], v[i], sum, MPFR_RNDN);
-        hit->normal[i] = nearest_real(v[i], &other->normal[i]);
-        mpfr_clear(v[i]);
-    }
-    mpfr_clears(sum, square, (mpfr_ptr)NULL);
-}
-
-static void unit_vector(mpz_t v[3], int sign, cylint_hit *hit)
-{
-    mpfr_t real[3];
-    for (int i = 0; i < 3; i++) {
-        mpfr_init2(real[i], BITS);
-        mpfr_set_z(real[i], v[i], MPFR_RNDN);
-        mpfr_mul_si(real[i], real[i], sign, MPFR_RNDN);
-    }
-    normalise(real, hit);
+        hit->normal[i] =
+            nearest_real(over(v[i], length), &other_of(hit)->normal[i]);
 }
 
 /* The normal at the apex: away from the solid; of a double cone against d, or
  * towards the base. */
 static int apex_normal_sign(void)
 {
-    const int opening = mpz_sgn(o_.delta);
+    const int opening = sign_of(o_.delta), along = sign_of(dot(o_.w, o_.d));
     if (o_.bounded || o_.nappe)
         return -opening;
-    dot(o_.s[1], o_.w, o_.d);
-    if (mpz_sgn(o_.s[1]) != 0)
-        return -mpz_sgn(o_.s[1]);
-    return mpz_sgn(o_.gamma) == 0 ? -1 : opening;
+    if (along != 0)
+        return -along;
+    return sign_of(o_.gamma) == 0 ? -1 : opening;
 }
 
-/* n_i += (s g)(tau) v_i; constant and linear terms are kept apart */
-static void add_scaled(mpz_t n0, mpz_t n1, mpz_t s, linear *g, mpz_t v,
-                       int sign)
+/* Half the gradient of F. */
+static void gradient(const quadric *q, real t, vector n)
 {
-    add_product(n0, s, g->g0, v, sign);
-    add_product(n1, s, g->g1, v, sign);
-}
-
-/*
- * Half the gradient of F, linear in tau:
- *   circular   alpha q - (beta Z + delta rho) w
- *   elliptic   alpha (X gx + Y gy) - delta rho gz
- */
-static void lateral_normal(const critical *at, cylint_hit *hit)
-{
-    mpfr_t n[3];
-    mpz_set_ui(o_.s[3], 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_init2(n[i], BITS);
-        mpz_set_ui(o_.s[4], 0);
-        mpz_set_ui(o_.s[5], 0);
-        if (o_.circular) {
-            add_product(o_.s[4], o_.alpha, o_.q[i], o_.s[3], 1);
-            add_product(o_.s[5], o_.alpha, o_.d[i], o_.s[3], 1);
-            add_scaled(o_.s[4], o_.s[5], o_.beta, &o_.Z, o_.w[i], -1);
-            add_scaled(o_.s[4], o_.s[5], o_.delta, &o_.rho, o_.w[i], -1);
-        } else {
-            add_scaled(o_.s[4], o_.s[5], o_.alpha, &o_.X, o_.gx[i], 1);
-            add_scaled(o_.s[4], o_.s[5], o_.alpha, &o_.Y, o_.gy[i], 1);
-            add_scaled(o_.s[4], o_.s[5], o_.delta, &o_.rho, o_.gz[i], -1);
-        }
-        linear_value(n[i], o_.s[4], o_.s[5], at);
+    for (int i = 0; i < 3; i++)
+        n[i] = exact(0);
+    for (int k = 0; k < q->count; k++) {
+        const real sL = times(q->term[k].s, value_of(&q->term[k].L, t));
+        for (int i = 0; i < 3; i++)
+            n[i] = plus(n[i], times(sL, q->term[k].v[i]));
     }
-    normalise(n, hit);
 }
 
-static void normal_at(const critical *at, cylint_hit *hit)
+static void normal_at(real t, cylint_hit *hit)
 {
-    if (hit->part != CYLINT_PART_LATERAL) {
+    const int sphere = o_.round && o_.count_of_pieces == 1;
+    vector n;
+    if (!o_.round && hit->part != CYLINT_PART_LATERAL) {
         unit_vector(o_.circular ? o_.w : o_.gz,
                     hit->part == CYLINT_PART_CAP1 ? 1 : -1, hit);
-    } else if (linear_sign(&o_.rho, at) == 0) {
+    } else if (hit->part == CYLINT_PART_LATERAL && !sphere &&
+               sign_of(value_of(&o_.rho, t)) == 0) {
         unit_vector(o_.w, apex_normal_sign(), hit);
     } else {
-        lateral_normal(at, hit);
+        gradient(&o_.pieces[sphere ? 0 : hit->part].surface, t, n);
+        unit_vector(n, 1, hit);
     }
 }
 
 /* Circular kinds: X and Y along e x w and w x (e x w); Y needs / |w|. */
 static void circular_plane(void)
 {
-    int least = 0;
-    for (int i = 1; i < 3; i++)
-        if (mpz_cmpabs(o_.w[i], o_.w[least]) < 0)
-            least = i;
-    const int j = (least + 1) % 3, k = (least + 2) % 3;
-    mpz_set_ui(o_.gx[least], 0);
-    mpz_neg(o_.gx[j], o_.w[k]);
-    mpz_set(o_.gx[k], o_.w[j]);
+    const int least = least_component(o_.w);
+    vector e = {exact(least == 0), exact(least == 1), exact(least == 2)};
+    cross(o_.gx, e, o_.w);
     cross(o_.gy, o_.w, o_.gx);
-    along_line(&o_.X, o_.gx);
-    along_line(&o_.Y, o_.gy);
+    o_.X = along_line(o_.gx, exact(0));
+    o_.Y = along_line(o_.gy, exact(0));
 }
 
 /* An angle in [0, 1): a double below 1. */
@@ -523,35 +475,36 @@ static double below_one(double phi)
     return phi < 1 ? phi : 0x1.fffffffffffffp-1;
 }
 
-/* The angle has 126 bits, enough for nearest_real(). */
-static double phi_at(const critical *at, double *other)
+/* The angle y / x in turns, with 126 bits, enough for nearest_real(). */
+static real turns_of(real x, real y)
 {
-    mpfr_t x, y, turn;
-    mpfr_inits2(BITS, x, y, turn, (mpfr_ptr)NULL);
-    if (o_.circular) {
+    real turn = exact(0);
+    mpfr_t pi;
+    if (sign_of(x) == 0 && sign_of(y) == 0)
+        return turn;
+    mpfr_init2(pi, 128);
+    mpfr_set_prec(turn->x, 128);
+    mpfr_atan2(turn->x, y->x, x->x, RND);
+    mpfr_const_pi(pi, RND);
+    mpfr_div(turn->x, turn->x, pi, RND);
+    mpfr_div_ui(turn->x, turn->x, 2, RND);
+    if (mpfr_sgn(turn->x) < 0)
+        mpfr_add_ui(turn->x, turn->x, 1, RND);
+    mpfr_clear(pi);
+    return turn;
+}
+
+static double phi_at(real t, double *other)
+{
+    if (o_.circular)
         circular_plane();
-        mpfr_set_z(turn, o_.whole, MPFR_RNDN);
-        mpfr_rec_sqrt(turn, turn, MPFR_RNDN);
-    } else {
-        mpfr_set_ui(turn, 1, MPFR_RNDN);
-    }
-    linear_value(x, o_.X.g0, o_.X.g1, at);
-    linear_value(y, o_.Y.g0, o_.Y.g1, at);
-    mpfr_mul(y, y, turn, MPFR_RNDN);
-    mpfr_prec_round(x, 128, MPFR_RNDN);
-    mpfr_prec_round(y, 128, MPFR_RNDN);
-    if (mpfr_zero_p(x) && mpfr_zero_p(y))
-        mpfr_set_zero(x, 1);
-    else
-        mpfr_atan2(x, y, x, MPFR_RNDN);
-    mpfr_const_pi(turn, MPFR_RNDN);
-    mpfr_div(x, x, turn, MPFR_RNDN);
-    mpfr_div_ui(x, x, 2, MPFR_RNDN);
-    if (mpfr_sgn(x) < 0)
-        mpfr_add_ui(x, x, 1, MPFR_RNDN);
-    const double phi = below_one(nearest_real(x, other));
+    real x = value_of(&o_.X, t), y = value_of(&o_.Y, t);
+    if (o_.circular)
+        y = over(y, root_of(o_.whole));
+    const real turn = turns_of(sign_of(x) ? x : exact(0),
+                               sign_of(y) ? y : exact(0));
+    const double phi = below_one(nearest_real(turn, other));
     *other = below_one(*other);
-    mpfr_clears(x, y, turn, (mpfr_ptr)NULL);
     return phi;
 }
 
@@ -561,10 +514,9 @@ static int relation(void)
 {
     int crosses = 0, points = 0, pieces = 0;
     for (int i = 0; i <= o_.count; i++) {
-        const int gap = inside_gap(i);
-        const int at = i < o_.count ? inside_at(&o_.at[i]) : -1;
-        crosses |= gap > 0 || at > 0;
-        pieces += gap >= 0;
+        const int at = i < o_.count ? o_.in[i] : -1;
+        crosses |= o_.in_gap[i] > 0 || at > 0;
+        pieces += o_.in_gap[i] >= 0;
         points += at >= 0;
     }
     return crosses  ? CYLINT_RELATION_CROSS
@@ -576,22 +528,27 @@ static int relation(void)
 /* The side of a hit at critical parameter i, or -1 for none. */
 static int side_at(int i)
 {
-    const int before = inside_gap(i), after = inside_gap(i + 1);
-    const int here = inside_at(&o_.at[i]);
-    if (here < 0)
+    const int before = o_.in_gap[i], after = o_.in_gap[i + 1];
+    if (o_.in[i] < 0)
         return -1;
     if (before >= 0 && after >= 0)
-        return here == 0 && before > 0 && after > 0 ? CYLINT_SIDE_BOTH : -1;
+        return o_.in[i] == 0 && before > 0 && after > 0 ? CYLINT_SIDE_BOTH : -1;
     return before >= 0  ? CYLINT_SIDE_LEAVING
            : after >= 0 ? CYLINT_SIDE_ENTERING
                         : CYLINT_SIDE_BOTH;
 }
 
-static int part_at(const critical *at)
+static int part_at(const cylint_shape *s, const critical *at)
 {
-    if (at->lateral)
-        return CYLINT_PART_LATERAL;
-    return linear_sign(&o_.Z, at) == 0 ? CYLINT_PART_CAP0 : CYLINT_PART_CAP1;
+    if (s->kind == CYLINT_KIND_SPHERE)
+        return cylint_surface(s);
+    if (o_.round)
+        return sign_at(0, 1, at->t, at->zeros) < 0   ? CYLINT_PART_CAP0
+               : sign_at(0, 2, at->t, at->zeros) < 0 ? CYLINT_PART_CAP1
+                                                     : CYLINT_PART_LATERAL;
+    return sign_at(0, 0, at->t, at->zeros) == 0 ? CYLINT_PART_LATERAL
+           : at->zeros & bit_of(0, 1)           ? CYLINT_PART_CAP0
+                                                : CYLINT_PART_CAP1;
 }
 
 static int part_is_present(int part, int ends)
@@ -606,42 +563,72 @@ static int part_is_present(int part, int ends)
     }
 }
 
-static void describe(const critical *at, unsigned want, cylint_hit *hit)
+static void describe(real t, unsigned want, cylint_hit *hit)
 {
-    hit->t = nearest_t(at);
+    const int has_axis = sign_of(o_.whole) != 0;
+    hit->t = nearest_double(t);
     if (want & CYLINT_WANT_POINT)
-        point_at(at, hit->point);
+        for (int i = 0; i < 3; i++)
+            hit->point[i] = nearest_double(plus(o_.o[i], times(o_.d[i], t)));
     if (want & CYLINT_WANT_NORMAL)
-        normal_at(at, hit);
-    if (want & CYLINT_WANT_Z)
-        hit->z = z_at(at);
-    if (want & CYLINT_WANT_PHI)
-        hit->phi = phi_at(at, &other_of(hit)->phi);
+        normal_at(t, hit);
+    if (want & CYLINT_WANT_Z && has_axis)
+        hit->z = nearest_double(over(value_of(&o_.Z, t), o_.whole));
+    if (want & CYLINT_WANT_PHI && has_axis)
+        hit->phi = phi_at(t, &other_of(hit)->phi);
 }
 
-#include "oracle_round.h"
-
-int oracle_contains(const cylint_shape *shape, const double point[3])
+/* Whether t < bound (sign -1) or t > bound (sign 1). */
+static int is_beyond(real t, double bound, int sign)
 {
-    if (shape->kind == CYLINT_KIND_NONE || !isfinite(point[0]) ||
+    return isfinite(bound) ? sign * order_of(t, exact(bound)) > 0
+                           : sign * bound < 0;
+}
+
+static void find_hits(const cylint_shape *s, const cylint_line *line,
+                      unsigned want, cylint_answer *expected)
+{
+    const int most = want & CYLINT_WANT_NEAREST ? 1 : 2;
+    memset(expected, 0, sizeof *expected);
+    memset(others_, 0, sizeof others_);
+    find_critical();
+    expected->relation = relation();
+    for (int i = 0; i < o_.count && expected->n < most; i++) {
+        const int side = side_at(i);
+        if (side < 0 || is_beyond(o_.at[i].t, line->tmin, -1) ||
+            is_beyond(o_.at[i].t, line->tmax, 1))
+            continue;
+        const int part = part_at(s, &o_.at[i]);
+        if (!part_is_present(part, s->ends))
+            continue;
+        cylint_hit *hit = &expected->hit[expected->n++];
+        hit->side = side;
+        hit->part = part;
+        describe(o_.at[i].t, want, hit);
+    }
+}
+
+int oracle_contains(const cylint_shape *s, const double point[3])
+{
+    static const double nowhere[3] = {0, 0, 0};
+    int in = 0;
+    if (s->kind == CYLINT_KIND_NONE || !isfinite(point[0]) ||
         !isfinite(point[1]) || !isfinite(point[2]))
         return -1;
-    if (is_round(shape))
-        return round_contains(shape, point);
-    start();
-    for (int i = 0; i < 3; i++)
-        mpz_set_ui(o_.d[i], 0);
-    o_.d_unit = 0;
-    load(shape, point);
-    o_.count = 0;
-    return inside_gap(0);
+    for (real_start(load_kind(s, point)); real_again();) {
+        set(o_.d, nowhere);
+        load(s, point);
+        in = inside(exact(0), 0);
+    }
+    return in;
 }
 
 struct oracle_place oracle_place(void)
 {
     const struct oracle_place place = {
-        mpz_sgn(o_.C) == 0, mpz_sgn(o_.rho.g0) == 0, mpz_sgn(o_.Z.g0) == 0,
-        mpz_cmp(o_.Z.g0, o_.whole) == 0};
+        sign_of(o_.pieces[0].surface.F.c[0]) == 0,
+        sign_of(o_.rho.c[0]) == 0, sign_of(o_.Z.c[0]) == 0,
+        order_of(o_.Z.c[0], o_.whole) == 0};
     return place;
 }
 
@@ -650,41 +637,25 @@ const cylint_hit *oracle_other(int i)
     return &others_[i];
 }
 
-void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
+void oracle_intersect(const cylint_shape *s, const cylint_line *line,
                       unsigned want, cylint_answer *expected)
 {
+    exponents of_d = no_exponents;
     memset(expected, 0, sizeof *expected);
-    memset(others_, 0, sizeof others_);
     hits_ = expected->hit;
-    if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
+    if (s->kind == CYLINT_KIND_NONE || !line->valid) {
         expected->flags = CYLINT_FLAG_INVALID;
         return;
     }
-    if (is_round(shape)) {
-        round_intersect(shape, line, want, expected);
-        return;
-    }
-    start();
-    load_line(line);
-    load(shape, line->o);
-    find_critical();
-    expected->relation = relation();
-    const int most = want & CYLINT_WANT_NEAREST ? 1 : 2;
-    for (int i = 0; i < o_.count && expected->n < most; i++) {
-        const int side = side_at(i), part = part_at(&o_.at[i]);
-        if (side < 0 || !part_is_present(part, shape->ends) ||
-            compare_to_double(&o_.at[i], line->tmin) < 0 ||
-            compare_to_double(&o_.at[i], line->tmax) > 0)
-            continue;
-        cylint_hit *hit = &expected->hit[expected->n++];
-        hit->side = side;
-        hit->part = part;
-        if (mpz_sgn(o_.D) > 0) {
-            mpfr_set_z(o_.root_D, o_.D, MPFR_RNDN);
-            mpfr_sqrt(o_.root_D, o_.root_D, MPFR_RNDN);
-        } else {
-            mpfr_set_zero(o_.root_D, 1);
-        }
-        describe(&o_.at[i], want, hit);
+    widen(&of_d, line->segment ? line->o : line->d, 3);
+    widen(&of_d, line->end, line->segment ? 3 : 0);
+    const long range = load_kind(s, line->o), range_of_d = range_of(of_d);
+    for (real_start(range > range_of_d ? range : range_of_d); real_again();) {
+        if (line->segment)
+            set_difference(o_.d, line->end, line->o);
+        else
+            set(o_.d, line->d);
+        load(s, line->o);
+        find_hits(s, line, want, expected);
     }
 }

@@ -1,11 +1,9 @@
 /*
- * oracle.h - the oracle: exact answers by integer arithmetic
+ * oracle.h - the oracle: exact answers by real numbers with bounds (real.h)
  *
- * It shares no formula with the library.  Every input is an integer times a
- * power of two.  The line's quadratic, the planes of the ends and all
- * comparisons are computed with integers (GMP) and in the field of the
- * discriminant's square root.  MPFR at 400 bits rounds normals and phi; that each
- * t, coordinate and z is the nearest double is decided by an exact comparison.
+ * It shares no formula with the library.  Signs and comparisons are exact, and so
+ * is the choice of the nearest double of each t, coordinate and z.  Normals and
+ * phi are rounded from at least 120 bits.
  */
 #ifndef CYLINT_ORACLE_H
 #define CYLINT_ORACLE_H
