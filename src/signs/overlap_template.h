@@ -42,9 +42,9 @@ OVERLAP_INLINE TRUTH FORM(crosses)(CAPS *c)
               AND(BOTH_ENDS(POSITIVE, INWARD, c), POSITIVE(G(c))));
 }
 
-/* untaken: no E is 0 here in any known case */
 OVERLAP_INLINE TRUTH FORM(misses)(CAPS *c)
 {
+    /* untaken 2 of 10: no E is 0 here in any known case */
     return OR(
         AND(BOTH_ENDS(NEGATIVE, E, c), EITHER_END(NOT_POSITIVE, INWARD, c)),
         NEGATIVE(G(c)));
