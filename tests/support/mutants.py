@@ -314,8 +314,9 @@ def check(top):
         code = without_comments(text).split("\n")
         stale += ["%s:%d: no branch" % (path, lines[0])
                   for what, lines in beside_lines(text, "untaken")
-                  if what != "never called" and not any(re.search(r"\b(if|for|while|case|AND|OR)\b|\?|&&|\|\|", l)
-                             for l in code[lines[0] - 1:lines[-1]])]
+                  if what != "never called" and not any(
+                      re.search(r"\b(if|for|while|case|AND|OR)\b|\?|&&|\|\|", l)
+                      for l in code[lines[0] - 1:lines[-1]])]
     print("".join(line + "\n" for line in stale), end="")
     return len(stale)
 
