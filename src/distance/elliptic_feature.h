@@ -222,10 +222,9 @@ static inline int feature_of_end(elliptic_question *q, int end)
             return feature_of_open_end(q, end);
         return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
     }
-    return cylint_sign(cylint_end_factor(q->shape, end)) == 0
-               ? CYLINT_NO_FEATURE
-               : find_on_rim(q,
-                             end); /* untaken 1 of 2: an apex is found before */
+    const int is_apex = cylint_sign(cylint_end_factor(q->shape, end)) == 0;
+    /* untaken 1 of 2: an apex is found before */
+    return is_apex ? CYLINT_NO_FEATURE : find_on_rim(q, end);
 }
 
 /* Inside: the lateral surface or the nearer of the caps that are present.  A cap

@@ -121,11 +121,11 @@ static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
     q->shape = s;
     q->rough = 0;
     load_numbers(m, s, point);
-    if (!(CYLINT_SIZED_ERROR * m->volume.size <=
-          /* untaken 1 of 2: no known ordinary shape is so flat */
-          CYLINT_ROUNDING * fabs(m->volume.v.hi)) ||
-        /* untaken 1 of 2: the same */
-        !(fabs(m->volume.v.hi) >= CYLINT_DISTANCE_LEAST))
+    const double volume = fabs(m->volume.v.hi),
+                 error = CYLINT_SIZED_ERROR * m->volume.size;
+    const int flat = !(error <= CYLINT_ROUNDING * volume);
+    /* untaken 2 of 4: no known ordinary shape is so flat */
+    if (flat || !(volume >= CYLINT_DISTANCE_LEAST))
         return CYLINT_NO_FEATURE;
     locate_by_pairs(&q->at, m, s);
     if (turn_about_apex(q))

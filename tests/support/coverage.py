@@ -91,7 +91,7 @@ def main():
             printed += 1
             print("%s:%d: %s: %s" % (name, line, what, text))
     for name, line, what in sorted(expected - found):
-        if what:
+        if what and what != "never called":
             printed += 1
             print("%s:%d: `untaken %s` is not so" % (name, line, what))
     branches = [n for counts in taken.values() for n in counts]
