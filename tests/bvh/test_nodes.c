@@ -294,12 +294,7 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
         const cylint_shape_piece piece = {cylint_piece_at(hit->z, count),
                                           count};
         const cylint_extent box = cylint_piece_box(&swept, reach, piece);
-        const cylint_boxed_piece boxed = {
-            {box.lower[0], box.lower[1], box.lower[2]},
-            0,
-            {box.upper[0], box.upper[1], box.upper[2]},
-            (uint16_t)piece.index,
-            (uint16_t)piece.count};
+        const cylint_boxed_piece boxed = cylint_boxed(&box, 0, piece);
         cylint_leaf leaf;
         double least[CYLINT_LEAF_SIZE];
         cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);

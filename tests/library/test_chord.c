@@ -341,8 +341,9 @@ static void a_double_cone_has_two_chords(void)
 static void refused_shapes_and_lines_have_no_chord(void)
 {
     const double nan = (double)NAN;
+    const double low[3] = {-DBL_MAX, 0, 0}, high[3] = {DBL_MAX, 0, 0};
     cylint_interval c[2];
-    cylint_line line, refused;
+    cylint_line line, refused, far;
     cylint_shape s, none;
     CHECK(cylint_sphere(&none, origin, -1, CYLINT_ENDS_CAPPED) != CYLINT_OK);
     CHECK(cylint_halfspace(&s, origin, origin) != CYLINT_OK);
@@ -356,6 +357,8 @@ static void refused_shapes_and_lines_have_no_chord(void)
     CHECK(cylint_span(&refused, origin, ex, 1, nan) == CYLINT_EDOMAIN);
     CHECK(cylint_chord(&s, &refused, c) == 0);
     CHECK(cylint_line_length(&refused) == 0);
+    CHECK(cylint_segment(&far, low, high) == CYLINT_OK);
+    CHECK(cylint_line_length(&far) == HUGE_VAL);
 }
 
 static void roots_beyond_the_largest_double_are_infinite(void)

@@ -11,7 +11,6 @@
  * exponents, which are answered in each environment.  Many domains begin or end
  * at a hit, or one double beside it.
  *
- * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.  The
  * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.
  * The program prints a digest of all answers, which must be the same from all
  * compilers.

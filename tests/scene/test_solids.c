@@ -171,7 +171,7 @@ static void saved_solids_are_the_same(void)
         make_shapes();
         make_solids();
         draw_lines();
-        scene_file_write(world.scene, &b, (size_t)1 << 20);
+        scene_file_write(world.scene, &b);
         for (unsigned flags = 0; flags < 2; flags++) {
             cylint_scene *opened = cylint_scene_open_memory(
                 b.data, b.n, flags ? CYLINT_SCENE_TRUSTED : 0, NULL);
@@ -210,7 +210,7 @@ static void damaged_members_are_refused(void)
     rng = 4;
     make_shapes();
     make_solids();
-    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    scene_file_write(world.scene, &b);
     CHECK(bytes_of_section(&b, SECTION_OF_SOLIDS) == 12 * world.members);
     for (size_t i = 0; i < world.members; i++) {
         const uint32_t shape = (uint32_t)world.member[i].shape,
@@ -236,7 +236,7 @@ static void damaged_sizes_are_refused(void)
     rng = 5;
     make_shapes();
     make_solids();
-    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    scene_file_write(world.scene, &b);
     for (int i = SECTION_OF_SOLIDS; i < SECTIONS; i++) {
         char *const size = b.data + BYTES_OF_SECTIONS + 8 * i;
         for (int change = 1; change < 256; change++) {
@@ -262,7 +262,7 @@ static void no_changed_byte_makes_pieces_fail(void)
     make_shapes();
     make_solids();
     draw_lines();
-    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    scene_file_write(world.scene, &b);
     const int changes = (int)check_setting("CYLINT_CASES", 2500);
     for (int i = 0; i < changes; i++) {
         const size_t from = begin_of_solids(&b);
