@@ -25,8 +25,9 @@
 
 /* FEW_BITS: of the first try.  The last one has DEGREE times the range of the
  * exponents, and FEW_BITS more.  The worst number is F of a rounded cone, midway
- * between roots of the cone and of a ball.  By the norms of D (degree 12) and of the
- * difference of the roots (degree 24) it is at least 2^-(38 range) of its terms. */
+ * between roots of the cone and of a ball.  By the norms of D (degree 12) and of
+ * the difference of the roots (degree 24) it is at least 2^-(38 range) of its
+ * terms. */
 enum { FEW_BITS = 256, DEGREE = 40, MOST_REALS = 8192 };
 
 typedef struct {
@@ -118,6 +119,24 @@ static inline real new_real(void)
     } else if (mpfr_get_prec(z->x) != reals.bits) {
         mpfr_set_prec(z->x, reals.bits);
     }
+    return z;
+}
+
+/* x, while all other numbers since reals.used was `mark` go. */
+static inline real real_keep(int mark, real x)
+{
+    real to = &reals.at[mark];
+    mpfr_swap(to->x, x->x);
+    to->off = x->off;
+    reals.used = mark + 1;
+    return to;
+}
+
+static inline real power_of_two(long e)
+{
+    real z = new_real();
+    mpfr_set_si_2exp(z->x, 1, e, RND);
+    z->off = EXACT;
     return z;
 }
 
@@ -282,6 +301,20 @@ static inline void set(vector to, const double from[3])
 {
     for (int i = 0; i < 3; i++)
         to[i] = real_of(from[i]);
+}
+
+/* to = u - v; `to` may be one of them. */
+static inline void subtract(vector to, vector u, vector v)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = minus(u[i], v[i]);
+}
+
+/* to += s v */
+static inline void add_scaled(vector to, real s, vector v)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = plus(to[i], times(s, v[i]));
 }
 
 /* to = end - from */
