@@ -367,8 +367,8 @@ static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
                                               cylint_traversal_used()};
     for (int k = 0; k < 2; k++) {
         long line = 0, all = 0;
-        builds[k]->line(&bvh, o, d, 0, &tmax, count_leaf, &line);
-        builds[k]->all(&bvh, o, d, 0, &tmax, count_leaf, &all);
+        builds[k]->line(&bvh, o, d, &tmax, count_leaf, &line);
+        builds[k]->all(&bvh, o, d, &tmax, count_leaf, &all);
         CHECK(line == leaves && all == leaves);
     }
 }
