@@ -31,6 +31,12 @@ $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests) $(BUILD)/tests/embree/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys: libs := -lpng
 
+# Without MPFR these programs only say so.
+needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds filter/test_local_coordinates \
+              library/test_intersect numbers/test_double_double numbers/test_exact numbers/test_turns)
+$(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c $$(@D)/flags
+	$(call say,CC $<)$(compile) -c -o $@ $<
+
 # turns_of() in every width.
 $(BUILD)/tests/numbers/test_turns: $(patsubst %,$(BUILD)/%.o,tests/numbers/turn_points $(filter tests/numbers/turn_points-%,$(isa_builds)))
 $(BUILD)/tests/numbers/test_turns.o: extra += $(x86)

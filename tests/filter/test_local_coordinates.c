@@ -7,7 +7,6 @@
  * wanted, also where the domain ends at a root or an ulp beside it.
  * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all.
  */
-#ifdef HAVE_MPFR
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -406,14 +405,3 @@ int main(void)
     RUN(a_root_after_a_wrong_step_is_exact);
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR: nothing to compare with (make deps)");
-}
-
-#endif

@@ -11,7 +11,6 @@
 
 #include "cylint.h"
 #include "families.h"
-#ifdef HAVE_MPFR
 #include "check.h"
 #include "constructed.h"
 #include "oracle.h"
@@ -230,14 +229,3 @@ int main(void)
     RUN(contains_is_exact);
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR: no oracle to compare with (make deps)");
-}
-
-#endif

@@ -7,6 +7,8 @@
  * well-conditioned if the exact answer changes little where the line moves a
  * little.
  */
+#include <math.h>
+
 #include "method_cases.h"
 #include "random.h"
 #include "same.h"
