@@ -40,17 +40,14 @@ static int read_atom(const char *text, size_t length, struct atom *atom)
     memset(atom, 0, sizeof *atom);
     for (const char *p = text; p <= end; p++) {
         atom->is_bond = end - p >= 2 && p[0] == '-' && p[1] == '-';
-        if (p < end && *p != ':' && !atom->is_bond) {
+        if (p < end && *p != ':' && !atom->is_bond)
             continue;
-        }
-        if (atom->fields == FIELDS) {
+        if (atom->fields == FIELDS)
             return 0;
-        }
         atom->field[atom->fields++] = (struct field){text, (size_t)(p - text)};
         text = p + 1;
-        if (atom->is_bond) {
+        if (atom->is_bond)
             break;
-        }
     }
     return atom->fields >= 4 && atom->field[3].length > 0;
 }
@@ -59,9 +56,8 @@ static int read_atom(const char *text, size_t length, struct atom *atom)
 static struct field element_of(const struct atom *atom)
 {
     struct field name = atom->field[3];
-    if (atom->fields == FIELDS) {
+    if (atom->fields == FIELDS)
         return atom->field[4];
-    }
     while (name.length > 1 && strchr("0123456789'\"*", *name.text)) {
         name.text++;
         name.length--;
@@ -72,18 +68,15 @@ static struct field element_of(const struct atom *atom)
 int colour_of_element(const char *text, size_t length, uint32_t *colour)
 {
     struct atom atom;
-    if (!read_atom(text, length, &atom)) {
+    if (!read_atom(text, length, &atom))
         return 0;
-    }
     const struct field element = element_of(&atom);
     *colour = atom.is_bond ? BOND : OTHER_ELEMENT;
     for (size_t i = 0; i < sizeof elements / sizeof *elements && !atom.is_bond;
-         i++) {
+         i++)
         if (strlen(elements[i].symbol) == element.length &&
-            memcmp(elements[i].symbol, element.text, element.length) == 0) {
+            memcmp(elements[i].symbol, element.text, element.length) == 0)
             *colour = elements[i].colour;
-        }
-    }
     return 1;
 }
 
@@ -93,9 +86,8 @@ int number_of_chain(const char *text, size_t length, size_t *number)
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
     struct atom atom;
     size_t n = 0;
-    if (!read_atom(text, length, &atom)) {
+    if (!read_atom(text, length, &atom))
         return 0;
-    }
     for (size_t i = 0; i < atom.field[0].length; i++) {
         const char *digit = strchr(digits, atom.field[0].text[i]);
         n = 63 * n + (digit ? (size_t)(digit - digits) + 1 : 0);

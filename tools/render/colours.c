@@ -96,14 +96,12 @@ static int hex_digit(char c)
 int read_colour(const char *text, size_t length, uint32_t *colour)
 {
     uint32_t value = 0;
-    if (length != 7 || text[0] != '#') {
+    if (length != 7 || text[0] != '#')
         return 0;
-    }
     for (int i = 1; i < 7; i++) {
         const int digit = hex_digit(text[i]);
-        if (digit < 0) {
+        if (digit < 0)
             return 0;
-        }
         value = 16 * value + (uint32_t)digit;
     }
     *colour = value;
@@ -120,13 +118,11 @@ static uint32_t colour_in_tail(const char *p, const char *end)
 {
     while (p < end) {
         const char *field = p;
-        while (p < end && !is_separator(*p)) {
+        while (p < end && !is_separator(*p))
             p++;
-        }
         uint32_t colour;
-        if (read_colour(field, (size_t)(p - field), &colour)) {
+        if (read_colour(field, (size_t)(p - field), &colour))
             return colour;
-        }
         p++;
     }
     return NO_COLOUR;
@@ -139,13 +135,11 @@ static uint32_t colour_of_atom(enum colouring how, const char *tail,
     const char *p = tail;
     uint32_t colour;
     size_t chain;
-    while (p < end && !is_separator(*p)) {
+    while (p < end && !is_separator(*p))
         p++;
-    }
     const size_t length = (size_t)(p - tail);
-    if (how == COLOUR_ELEMENT && colour_of_element(tail, length, &colour)) {
+    if (how == COLOUR_ELEMENT && colour_of_element(tail, length, &colour))
         return colour;
-    }
     return how == COLOUR_CHAIN && number_of_chain(tail, length, &chain)
                ? colour_of_number(chain)
                : NO_COLOUR;
@@ -154,9 +148,8 @@ static uint32_t colour_of_atom(enum colouring how, const char *tail,
 static uint32_t hash_of_text(const char *text, size_t length)
 {
     uint32_t hash = 0;
-    for (size_t i = 0; i < length; i++) {
+    for (size_t i = 0; i < length; i++)
         hash = hash_words(hash, (unsigned char)text[i]);
-    }
     return hash;
 }
 
@@ -165,9 +158,8 @@ static int resize(uint32_t **words, size_t count)
     uint32_t *more = count <= SIZE_MAX / sizeof *more
                          ? realloc(*words, count * sizeof *more)
                          : NULL;
-    if (!more) {
+    if (!more)
         return out_of_memory();
-    }
     *words = more;
     return 0;
 }
@@ -178,9 +170,8 @@ static int grow(struct colours *c, size_t count)
     if (count > c->capacity) {
         const size_t capacity =
             count > 2 * c->capacity ? count : 2 * c->capacity;
-        if (resize(&c->of, capacity) != 0 || resize(&c->label, capacity) != 0) {
+        if (resize(&c->of, capacity) != 0 || resize(&c->label, capacity) != 0)
             return EXIT_MEMORY;
-        }
         c->capacity = capacity;
     }
     for (; c->count < count; c->count++) {
@@ -198,9 +189,8 @@ int colours_take_tail(struct scene *scene, const struct record *record)
     if (status == 0) {
         const char *tail = record->tail.text, *end = end_of(record->tail);
         c->of[number] = colour_in_tail(tail, end);
-        if (c->of[number] == NO_COLOUR) {
+        if (c->of[number] == NO_COLOUR)
             c->of[number] = colour_of_atom(c->how, tail, end);
-        }
         c->label[number] = hash_of_text(tail, record->tail.length);
     }
     return status;
@@ -292,28 +282,20 @@ static size_t *first_of_solids(const struct scene *scene)
     const cylint_member *m = scene->solids.member;
     const size_t n = scene->solids.count;
     size_t solids = 0, *stand, *first;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n; i++)
         solids = m[i].solid < solids ? solids : m[i].solid + 1;
-    }
     stand = malloc((scene->count + solids + 1) * sizeof *stand);
-    if (!stand) {
+    if (!stand)
         return NULL;
-    }
     first = stand + scene->count;
-    for (size_t i = 0; i < scene->count + solids; i++) {
+    for (size_t i = 0; i < scene->count + solids; i++)
         stand[i] = i < scene->count ? i : scene->count;
-    }
-    for (size_t i = 0; i < n; i++) {
-        if (m[i].clause > 0 && m[i].shape < first[m[i].solid]) {
+    for (size_t i = 0; i < n; i++)
+        if (m[i].clause > 0 && m[i].shape < first[m[i].solid])
             first[m[i].solid] = m[i].shape;
-        }
-    }
-    for (size_t i = 0; i < n; i++) {
-        if (stand[m[i].shape] == m[i].shape &&
-            first[m[i].solid] < scene->count) {
+    for (size_t i = 0; i < n; i++)
+        if (stand[m[i].shape] == m[i].shape && first[m[i].solid] < scene->count)
             stand[m[i].shape] = first[m[i].solid];
-        }
-    }
     return stand;
 }
 
@@ -323,9 +305,8 @@ static int colour_others(struct colours *c, const struct scene *scene,
                          enum colouring how, uint32_t one)
 {
     size_t *stand = first_of_solids(scene);
-    if (!stand) {
+    if (!stand)
         return out_of_memory();
-    }
     for (int members = 0; members < 2; members++) {
         for (size_t i = 0; i < scene->count; i++) {
             if (c->of[i] == NO_COLOUR && members) {
@@ -346,15 +327,12 @@ int colours_complete(struct colours *c, const struct scene *scene, uint32_t one,
 {
     const enum colouring how = c->how;
     int status = grow(c, scene->count);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
-    if (how == COLOUR_CONNECTED) {
+    if (how == COLOUR_CONNECTED)
         status = connected_groups(scene, c->label);
-    }
-    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT) {
+    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT)
         by_measure(c, scene, how, up);
-    }
     return status != 0 ? status : colour_others(c, scene, how, one);
 }
 

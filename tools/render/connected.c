@@ -53,9 +53,8 @@ static uint32_t first_end(const struct ends *ends, uint32_t end)
     size_t at = hash_point(p.v) & (ends->slots - 1);
     while (ends->slot[at] != 0) {
         const struct vector other = end_point(ends, ends->slot[at] - 1);
-        if (same_point(p.v, other.v)) {
+        if (same_point(p.v, other.v))
             return ends->slot[at] - 1;
-        }
         at = (at + 1) & (ends->slots - 1);
     }
     ends->slot[at] = end + 1;
@@ -114,19 +113,15 @@ int connected_groups(const struct scene *scene, uint32_t *group)
 {
     const size_t n = scene->count;
     struct ends ends = {scene, NULL, 2};
-    if (n > UINT32_MAX / 8) {
+    if (n > UINT32_MAX / 8)
         return out_of_memory();
-    }
-    while (ends.slots < 4 * n) {
+    while (ends.slots < 4 * n)
         ends.slots *= 2;
-    }
     ends.slot = calloc(ends.slots, sizeof *ends.slot);
-    if (!ends.slot) {
+    if (!ends.slot)
         return out_of_memory();
-    }
-    for (uint32_t i = 0; i < n; i++) {
+    for (uint32_t i = 0; i < n; i++)
         group[i] = i;
-    }
     join_shapes(&ends, n, group);
     free(ends.slot);
     number_groups(group, n);
