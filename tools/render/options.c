@@ -101,7 +101,7 @@ static int read_background(const struct option *o, const char *value,
     if (strcmp(value, "sky") == 0) {
         set_sky(b);
     } else if (!b->transparent) {
-        is_right = read_colour(value, strlen(value), &colour);
+        is_right = read_colour(string_of(value), &colour);
         b->top = b->bottom = light_of_colour(colour);
     }
     return check_value(o, value, is_right);
@@ -111,14 +111,13 @@ static int read_colouring(const struct option *o, const char *value,
                           void *place)
 {
     struct options *options = place;
-    const size_t length = strlen(value);
     const int index = find_word(WORDS(colouring_words), string_of(value));
     options->colouring = index == NOT_GIVEN
                              ? COLOUR_ONE
                              : (enum colouring)(index + COLOUR_NUMBER);
     return check_value(o, value,
                        index != NOT_GIVEN ||
-                           read_colour(value, length, &options->colour));
+                           read_colour(string_of(value), &options->colour));
 }
 
 static int read_ground(const struct option *o, const char *value, void *place)
@@ -127,7 +126,7 @@ static int read_ground(const struct option *o, const char *value, void *place)
     const int is_none = strcmp(value, "none") == 0;
     *(const char **)place = is_none ? NULL : value;
     return check_value(o, value,
-                       is_none || read_colour(value, strlen(value), &colour));
+                       is_none || read_colour(string_of(value), &colour));
 }
 
 static int read_xray(const struct option *o, const char *value, void *place)
