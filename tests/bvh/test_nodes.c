@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../scene/answers.h"
 #include "check.h"
 #include "cylint_scene.h"
 #include "bvh/bvh.h"
@@ -163,17 +164,7 @@ static void scenes_of_several_threads_answer_as_those_of_one(void)
     cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
     if (CHECK(one && four)) {
         CHECK(cylint_scene_bytes(one) == cylint_scene_bytes(four));
-        for (uint64_t i = 0; i < 100; i++) {
-            cylint_line line;
-            cylint_hit hit[2];
-            memset(hit, 0, sizeof hit);
-            scene_line(&of, (enum scene_lines)(i % LINES_KINDS), 6, i, &line);
-            CHECK(cylint_scene_nearest(one, &line, CYLINT_WANT_T, &hit[0]) ==
-                  cylint_scene_nearest(four, &line, CYLINT_WANT_T, &hit[1]));
-            CHECK(memcmp(&hit[0], &hit[1], sizeof hit[0]) == 0);
-            CHECK(cylint_scene_count(one, &line, 0) ==
-                  cylint_scene_count(four, &line, 0));
-        }
+        CHECK(differences(one, four, &of, 6) == 0);
     }
     cylint_scene_free(one);
     cylint_scene_free(four);

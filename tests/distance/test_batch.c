@@ -422,12 +422,10 @@ int main(void)
     allocate_pages();
     RUN(refused_shapes_and_points_answer_as_documented);
     RUN(of_equal_shapes_the_first_is_closest);
-    if (family_count() > 0) {
-        RUN(batches_of_all_families_answer_as_single_questions);
-        RUN(mixed_batches_answer_as_single_questions);
-        RUN(batches_of_all_lengths_serve_all_addresses);
-        RUN(every_column_can_be_wanted_alone);
-        RUN(batches_answer_as_single_questions_in_any_environment);
-    }
+    RUN(batches_of_all_families_answer_as_single_questions);
+    RUN(mixed_batches_answer_as_single_questions);
+    RUN(batches_of_all_lengths_serve_all_addresses);
+    RUN(every_column_can_be_wanted_alone);
+    RUN(batches_answer_as_single_questions_in_any_environment);
     return check_end();
 }

@@ -7,7 +7,6 @@
  * wanted, also where the domain ends at a root or an ulp beside it.
  * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all.
  */
-#ifdef HAVE_MPFR
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -394,8 +393,6 @@ static void a_root_after_a_wrong_step_is_exact(void)
 
 int main(void)
 {
-    if (family_count() == 0)
-        return check_skip("no GSL: no families to draw from (make deps)");
     RUN(the_matrix_is_as_accurate_as_it_states);
     RUN(the_matrix_of_extreme_shapes_is_accurate);
     RUN(all_paths_have_the_bits_of_the_exact_stage);
@@ -406,14 +403,3 @@ int main(void)
     RUN(a_root_after_a_wrong_step_is_exact);
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR: nothing to compare with (make deps)");
-}
-
-#endif

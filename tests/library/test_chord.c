@@ -13,6 +13,7 @@
 #include "cylint_pieces.h"
 #include "environment.h"
 #include "random.h"
+#include "ulps.h"
 #ifdef HAVE_MPFR
 #include <mpfr.h>
 
@@ -91,7 +92,7 @@ static void limit(struct family_case *c)
     const double t = a.hit[choice(a.n)].t;
     if (fabs(t) < DBL_MAX)
         *(choice(2) ? &c->line.tmin : &c->line.tmax) =
-            constructed_stepped(t, choice(3) - 1);
+            stepped(t, choice(3) - 1);
     if (!(c->line.tmin <= c->line.tmax))
         c->line.tmin = c->line.tmax;
 }

@@ -5,7 +5,6 @@
  * searches for inputs that use as much of the arena as possible, by small
  * changes from random starts; memory behind the arena catches what overflows.
  */
-#ifdef HAVE_MPFR
 #include <float.h>
 #include <gmp.h>
 #include <math.h>
@@ -571,14 +570,3 @@ int main(void)
     RUN(wild_exponents_fit_the_arena);
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR and GMP: nothing to compare with (make deps)");
-}
-
-#endif
