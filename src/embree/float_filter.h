@@ -9,12 +9,6 @@
 
 #include "cylint.h"
 
-/* A ray whose o, d and near are floats; not checked yet.  near: a t near the
- * shape, or not finite if none is known. */
-typedef struct cylint_float_filter_ray {
-    double o[3], d[3], tmin, near, tmax;
-} cylint_float_filter_ray;
-
 /* The ends and radii of a shape.  Round kinds have negative radii.  A record of
  * a shape that the filter does not decide has NaN radii. */
 typedef struct cylint_float_filter_shape {
@@ -42,25 +36,6 @@ static inline const void *cylint_float_filter_at(
                : (const cylint_float_filter_shape *)s->data + number;
 }
 
-/* Which is the first hit of the line on a piece of a shape?  ends: the shape's.
- * exit_only: only where the line leaves the shape.  describes: the hit's floats
- * are wanted. */
-typedef struct cylint_float_filter_question {
-    const void *shape; /* cylint_float_filter_small, if `small`, else _shape */
-    const cylint_float_filter_ray *line;
-    float tfar;
-    int small, ends, index, count, exit_only, describes;
-} cylint_float_filter_question;
-
-/* Whether the shape is a sphere, capsule or rounded cone. */
-static inline int cylint_float_filter_is_round(
-    const cylint_float_filter_question *q)
-{
-    const cylint_float_filter_shape *large = q->shape;
-    const cylint_float_filter_small *small = q->shape;
-    return q->small ? small->r0 + small->r1 < 0 : large->r0 + large->r1 < 0;
-}
-
 typedef enum {
     CYLINT_FLOAT_FILTER_UNCERTAIN = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,           /* no hit in the domain */
@@ -72,21 +47,42 @@ typedef struct cylint_hit_floats {
     float z, phi, normal[3];
 } cylint_hit_floats;
 
-/* Of a HIT: t rounded up to a float, whether the line leaves the shape there, and
- * the floats if wanted. */
-typedef struct cylint_float_filter_answer {
+/*
+ * A ray, the question which is its first hit on a piece of a shape, and the
+ * answer.  o, d and near are floats, not checked yet.  near: a t near the shape, or
+ * not finite if none is known.
+ */
+typedef struct cylint_float_filter_question {
+    double o[3], d[3], tmin, near;
+    double tmax;       /* not read by the filter */
+    const void *shape; /* cylint_float_filter_small, if `small`, else _shape */
+    float tfar;
+    int small, ends, index, count; /* ends: the shape's */
+    int exit_only;                 /* only where the line leaves the shape */
+    int describes;                 /* `floats` are wanted */
+    /* the answer; of a HIT: t rounded up to a float, whether the line leaves the
+     * shape there, and the floats if they are wanted */
     cylint_float_filter_result is;
     float t;
     int leaves;
     cylint_hit_floats floats;
-} cylint_float_filter_answer;
+} cylint_float_filter_question;
+
+/* Whether the shape is a sphere, capsule or rounded cone. */
+static inline int cylint_float_filter_is_round(
+    const cylint_float_filter_question *q)
+{
+    const cylint_float_filter_shape *large = q->shape;
+    const cylint_float_filter_small *small = q->shape;
+    return q->small ? small->r0 + small->r1 < 0 : large->r0 + large->r1 < 0;
+}
 
 enum { CYLINT_FLOAT_FILTER_MOST = 16 };
 
 /* Answers n questions, 1 to CYLINT_FLOAT_FILTER_MOST.  All shapes are small or
  * none is; all are round or none is. */
-typedef void cylint_float_filter(const cylint_float_filter_question of[], int n,
-                                 cylint_float_filter_answer to[]);
+typedef void cylint_float_filter(cylint_float_filter_question *const of[],
+                                 int n);
 
 /* The builds for this processor: for one question, and for several. */
 cylint_float_filter *cylint_float_filter_of_one(void);

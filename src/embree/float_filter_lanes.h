@@ -173,8 +173,8 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 INLINE void load_lines(question *q, const char *const row[LANES])
 {
     vd x[8], D0[3], base[3];
-    v_columns(row, offsetof(cylint_float_filter_ray, o), x);
-    v_columns(row, offsetof(cylint_float_filter_ray, d[1]), x + 4);
+    v_columns(row, offsetof(cylint_float_filter_question, o), x);
+    v_columns(row, offsetof(cylint_float_filter_question, d[1]), x + 4);
     EACH(j, 3) {
         base[j] = q->D[j];
         D0[j] = x[j] - base[j];
