@@ -123,11 +123,11 @@ static int least_exactly(const asked *of)
 {
     double hi[3], lo[3];
     EACH(j, 3) {
-        const cylint_float_filter_small *small = of->shape;
-        const cylint_float_filter_shape *large = of->shape;
+        const cylint_small_record *small = of->shape;
+        const cylint_record *large = of->shape;
         const pair w =
-            of->small ? two_diff((double)small->top[j], (double)small->base[j])
-                      : two_diff(large->top[j], large->base[j]);
+            of->small ? two_diff((double)small->p1[j], (double)small->p0[j])
+                      : two_diff(large->p1[j], large->p0[j]);
         hi[j] = w.hi;
         lo[j] = w.lo;
     }

@@ -7,19 +7,14 @@
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
 #define CYLINT_EMBREE_FLOAT_FILTER_H
 
-#include "cylint.h"
+#include "../shapes/record.h"
 
-/* The ends and radii of a shape.  Round kinds have negative radii.  A record of
- * a shape that the filter does not decide has NaN radii. */
-typedef struct cylint_float_filter_shape {
-    double base[3], r0, top[3], r1;
-} cylint_float_filter_shape;
-
-/* The same in half the memory, if all numbers are floats and none of them is
- * subnormal. */
-typedef struct cylint_float_filter_small {
-    float base[3], r0, top[3], r1;
-} cylint_float_filter_small;
+/* A record in half the memory, if all numbers are floats and none of them is
+ * subnormal.  In the filter's records round kinds have negative radii, and a shape
+ * that the filter does not decide has NaN radii. */
+typedef struct cylint_small_record {
+    float p0[3], r0, p1[3], r1;
+} cylint_small_record;
 
 /* An array of shapes, either small or not. */
 typedef struct cylint_float_filter_shapes {
@@ -31,9 +26,8 @@ static inline const void *cylint_float_filter_at(
     const cylint_float_filter_shapes *s, unsigned number)
 {
     return s->small
-               ? (const void *)((const cylint_float_filter_small *)s->data +
-                                number)
-               : (const cylint_float_filter_shape *)s->data + number;
+               ? (const void *)((const cylint_small_record *)s->data + number)
+               : (const cylint_record *)s->data + number;
 }
 
 typedef enum {
@@ -55,7 +49,7 @@ typedef struct cylint_hit_floats {
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;
     double tmax;       /* not read by the filter */
-    const void *shape; /* cylint_float_filter_small, if `small`, else _shape */
+    const void *shape; /* cylint_small_record, if `small`, else _shape */
     float tfar;
     int small, ends, index, count; /* ends: the shape's */
     int exit_only;                 /* only where the line leaves the shape */
@@ -72,8 +66,8 @@ typedef struct cylint_float_filter_question {
 static inline int cylint_float_filter_is_round(
     const cylint_float_filter_question *q)
 {
-    const cylint_float_filter_shape *large = q->shape;
-    const cylint_float_filter_small *small = q->shape;
+    const cylint_record *large = q->shape;
+    const cylint_small_record *small = q->shape;
     return q->small ? small->r0 + small->r1 < 0 : large->r0 + large->r1 < 0;
 }
 

@@ -135,11 +135,10 @@ INLINE void load_records(question *q, const char *const row[LANES], int small,
     vd x[8];
     if (small) {
         v_columns_of_floats(row, 0, x);
-        v_columns_of_floats(row, offsetof(cylint_float_filter_small, top),
-                            x + 4);
+        v_columns_of_floats(row, offsetof(cylint_small_record, p1), x + 4);
     } else {
         v_columns(row, 0, x);
-        v_columns(row, offsetof(cylint_float_filter_shape, top), x + 4);
+        v_columns(row, offsetof(cylint_record, p1), x + 4);
     }
     EACH(j, 3) {
         q->D[j] = x[j]; /* the base, for load_lines() */

@@ -331,7 +331,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 static int test_primitive(ray_test *r, unsigned primID)
 {
     const cylint_embree_shapes *s = r->data->shapes;
-    cylint_float_filter_shape between;
+    cylint_record between;
     r->rank = primID;
     r->q.shape = cylint_float_filter_at(&s->records, primID);
     r->q.tfar = r->ray->tfar;
@@ -339,9 +339,8 @@ static int test_primitive(ray_test *r, unsigned primID)
     r->q.index = r->q.exit_only = 0;
     r->q.count = 1;
     if (cylint_embree_moves(r->data)) {
-        const cylint_float_filter_shape at_0 = cylint_embree_record(s, primID),
-                                        at_1 =
-                                            cylint_embree_record(s + 1, primID);
+        const cylint_record at_0 = cylint_embree_record(s, primID),
+                            at_1 = cylint_embree_record(s + 1, primID);
         cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
         r->q.shape = &between;
         r->q.small = 0;

@@ -59,7 +59,7 @@ static void list_builds(void)
  * bounded, with the library's answer. */
 struct scene_query {
     cylint_float_filter_question q;
-    cylint_float_filter_shape record;
+    cylint_record record;
     const cylint_shape *shape;
     cylint_answer answer;
     int n;
@@ -97,7 +97,7 @@ static void set_piece(struct scene_query *x, uint64_t i)
         x->q.tfar = cylint_float_after(
             cylint_float_above(x->answer.hit[i / 4 % 2 ? x->n - 1 : 0].t),
             (int)(i / 8 % 5) - 2);
-    cylint_float_filter_shape_of(&x->record, x->shape);
+    cylint_filter_record_of(&x->record, x->shape);
 }
 
 static int make_query(struct scene_query *x, const cylint_shape *shape,
@@ -302,18 +302,18 @@ static void compare_records(const struct build *build, int family, long *same)
 {
     for (uint64_t i = 0; i < CASES / 5;) {
         struct crowd c;
-        cylint_float_filter_small small[CYLINT_FLOAT_FILTER_MOST];
+        cylint_small_record small[CYLINT_FLOAT_FILTER_MOST];
         cylint_float_filter_question x[CYLINT_FLOAT_FILTER_MOST],
             *asked[CYLINT_FLOAT_FILTER_MOST];
         gather(&c, family, FAMILY_RCONE, &i, build->most);
         for (int k = 0; k < c.n; k++) {
             cylint_shape *shape = &c.from[k].shape;
             if (!in_floats(&c.from[k], shape) ||
-                !cylint_float_filter_small_of(&small[k], shape)) {
+                !cylint_small_record_of(&small[k], shape)) {
                 c.n = k;
                 break;
             }
-            cylint_float_filter_shape_of(&c.query[k].record, shape);
+            cylint_filter_record_of(&c.query[k].record, shape);
             x[k] = *c.asked[k];
             x[k].shape = &small[k];
             x[k].small = 1;
