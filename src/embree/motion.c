@@ -4,7 +4,6 @@
 #include "motion.h"
 
 #include <float.h>
-#include <string.h>
 
 #include "../intersect.h"
 
