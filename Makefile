@@ -47,7 +47,7 @@ options := $(firstword -$(MAKEFLAGS))
 say      = $(if $(V)$(findstring s,$(options)),,@echo '$(1)';)
 quote    = '$(subst ','\'',$(1))'
 
-# $(BUILD)/config.mk lists what this machine has: MPFR, GSL, PNG, EMBREE (3, 4
+# $(BUILD)/config.mk lists what this machine has: MPFR, PNG, EMBREE (3, 4
 # or nothing), PTHREAD and so on.  `make MPFR= check` does without MPFR.  If the
 # list changes, make writes the file and starts again; `deps` runs before that.
 ifneq ($(filter-out help clean uninstall deps deps-%,$(or $(MAKECMDGOALS),all)),)

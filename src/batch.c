@@ -196,22 +196,18 @@ static int answer_alone(batch_job *job, const cylint_shape *shape,
     return a.relation == CYLINT_RELATION_MISS ? 0 : use_answer(job, number, &a);
 }
 
-/* Of a lane that the filter decided. */
-CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane,
-                               unsigned want, cylint_answer *a)
+/* The nearest hit in a lane that the filter decided. */
+CYLINT_INLINE void nearest_of_lane(const cylint_filter_group *g, int lane,
+                                   cylint_answer *a)
 {
+    const int first = g->hit[0] >> lane & 1 ? 0 : 1;
+    const int swapped = (int)(g->leaving_first >> lane & 1);
     a->relation = CYLINT_RELATION_CROSS;
-    a->n = 0;
-    EACH(i, 2) {
-        if (!(g->hit[i] >> lane & 1))
-            continue;
-        const int swapped = (int)(g->leaving_first >> lane & 1);
-        cylint_hit *hit = &a->hit[a->n++];
-        hit->t = g->t[i][lane];
-        hit->part = (int)g->part[i][lane];
-        hit->side = swapped ? !i : i;
-        if (want & CYLINT_WANT_NEAREST)
-            return;
+    a->n = (int)(g->hit[first] >> lane & 1);
+    if (a->n > 0) {
+        a->hit[0].t = g->t[first][lane];
+        a->hit[0].part = (int)g->part[first][lane];
+        a->hit[0].side = swapped ? !first : first;
     }
 }
 
@@ -269,7 +265,7 @@ static int use_group(void *self, cylint_filter_batch *from,
             enough = answer_alone(job, &from->shapes[from->run ? number : 0],
                                   number);
         } else {
-            lane_answer(g, lane, job->want, &answer);
+            nearest_of_lane(g, lane, &answer);
             enough = use_answer(job, number, &answer);
         }
         if (enough)

@@ -57,6 +57,7 @@ static int choose_and_contain(const cylint_shape *shape, const double point[3])
     return cylint_one_used()->contains[cylint_prepared(shape)](shape, point);
 }
 
+/* untaken never called: an answer comes before its members */
 static unsigned choose_and_describe(const cylint_shape *shape,
                                     const cylint_line *line, unsigned want,
                                     const cylint_hit *known, cylint_hit *hit)

@@ -40,6 +40,7 @@ static int is_beyond_part(const search *s, const double p[3])
     const cylint_shape *shape = s->shape;
     cylint_line line;
     cylint_query q;
+    /* untaken 1 of 6: every known step is finite */
     if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape) ||
         cylint_open_at(&q, shape, &line, p) != CYLINT_OK)
         return 1;
@@ -49,7 +50,9 @@ static int is_beyond_part(const search *s, const double p[3])
     case CYLINT_PART_CAP1:
         return cylint_form_sign(&q, FORM_ALPHA, 1) > 0;
     default:
+        /* untaken 1 of 4: where Q <= 0 a point outside is beyond an apex */
         return cylint_form_sign(&q, FORM_C, 0) > 0 ||
+               /* untaken 1 of 2: the same */
                (cylint_is_tapered(shape->kind) &&
                 cylint_form_sign(&q, FORM_RHO0, 0) < 0);
     }

@@ -103,11 +103,14 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
                               const cylint_line *line, cylint_interval *chord,
                               signed char *count)
 {
+    /* untaken 2 of 4: scenes find the shapes of other lines one by one */
     const int is_served = line->in_range && cylint_rounds_to_nearest();
     const cylint_line whole = whole_of(line);
     record_chords to = {line, chord, count};
     cylint_filter_batch from;
+    /* untaken 1 of 2: the same */
     memset(count, is_served ? 0 : CYLINT_UNDECIDED, n);
+    /* untaken 1 of 2: the same */
     if (!is_served)
         return;
     from.shapes = NULL;

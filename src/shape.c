@@ -301,6 +301,7 @@ cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
 {
     static const double along[3] = {1, 0, 0};
     const cylint_status status = cylint_whole_line(line, point, along);
+    /* untaken 1 of 2: callers pass finite points */
     if (status == CYLINT_OK)
         cylint_query_open(q, shape, line);
     return status;

@@ -93,9 +93,9 @@ static cylint_status make_sector(const double p0[3], const double p1[3],
     if (turn == 0 && dot_product(normal[0], normal[1]).hi < 0)
         return CYLINT_EDIRECTION;
     for (int i = 0; i < 2; i++) {
-        const cylint_status status = cylint_halfspace(&shape[i], p0, normal[i]);
-        if (status != CYLINT_OK)
-            return status == CYLINT_EAXIS ? CYLINT_EDIRECTION : status;
+        /* p0 is finite: a cone has been made of it */
+        if (cylint_halfspace(&shape[i], p0, normal[i]) != CYLINT_OK)
+            return CYLINT_EDIRECTION;
         clause[i] = turn >= 0 ? 3 + i : 3;
     }
     return CYLINT_OK;

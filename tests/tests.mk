@@ -1,13 +1,13 @@
 # tests/tests.mk: how the tests are built and run; the Makefile includes it.
 
 $(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
-	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL) $(if $(WRAP),-DWRAPPED)
+	$(if $(MPFR),-DHAVE_MPFR) $(if $(WRAP),-DWRAPPED)
 
 # A test stands in the folder of its subject: tests/README.md.
 $(foreach f,$(wildcard tests/test_*),$(error $f belongs into a folder of tests/))
 test_common   := $(patsubst %,$(BUILD)/tests/%.o,$(addprefix support/,families family_records constructed) \
                  $(if $(MPFR),support/oracle distance/distance_oracle distance/distance_oracle_elliptic))
-test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
+test_libs     := $(if $(MPFR),-lmpfr -lgmp)
 test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/*/test_*.c)))
 scene_tests   := $(filter $(addprefix $(BUILD)/tests/,scene/% bvh/% bounds/test_scene%),$(test_programs))
 embree_tests  := $(filter $(addprefix $(BUILD)/tests/,embree/% bounds/test_embree%),$(test_programs))
@@ -30,6 +30,12 @@ $(BUILD)/tests/command/greys: $(BUILD)/tests/command/greys.o $(BUILD)/libcylint.
 $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests) $(BUILD)/tests/embree/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys: libs := -lpng
+
+# Without MPFR these programs only say so.
+needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds filter/test_local_coordinates \
+              library/test_intersect numbers/test_double_double numbers/test_exact numbers/test_turns)
+$(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c $$(@D)/flags
+	$(call say,CC $<)$(compile) -c -o $@ $<
 
 # turns_of() in every width.
 $(BUILD)/tests/numbers/test_turns: $(patsubst %,$(BUILD)/%.o,tests/numbers/turn_points $(filter tests/numbers/turn_points-%,$(isa_builds)))
@@ -81,7 +87,7 @@ long_tests = $(addprefix tests/,package/test_amalgamation.sh python/test_python.
 missing    = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
 run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(1))' \
 	BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
-	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
+	MISSING='$(call missing,MPFR,MPFR) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	$(MAKE) --no-print-directory -f tests/support/run.mk
 
 check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys) ## run every test (PARANOID=1: each decision twice)

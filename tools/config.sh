@@ -22,7 +22,7 @@ facts() {
     {
         echo '__VERSION__'
         echo '#ifdef __has_include'
-        for header in mpfr.h gmp.h gsl/gsl_rng.h png.h pthread.h poll.h \
+        for header in mpfr.h gmp.h png.h pthread.h poll.h \
             embree3/rtcore.h embree4/rtcore.h; do
             printf '#if __has_include(<%s>)\n"%s"\n#endif\n' $header $header
         done
@@ -59,7 +59,6 @@ c() {
 }
 
 c MPFR mpfr.h -lmpfr -lgmp
-c GSL gsl/gsl_rng.h -lgsl -lgslcblas -lm
 c PNG png.h -lpng
 c PTHREAD pthread.h -pthread
 c POSIX poll.h -pthread -include pthread.h

@@ -3,7 +3,7 @@
 # argument `cross` also those for `make check-cross` and `make lint`, with
 # `cluster` those for `make check-cluster` (Spark goes to $BUILD/spark).  It
 # installs only missing packages, so a second run needs neither network nor root.
-wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
+wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev mandoc libembree-dev
     libpng-dev zsh python3-pip python3-venv python3-dev'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
 [ "$1" = cross ] && wanted="$wanted clang clang-19 clang-tidy clang-format-14

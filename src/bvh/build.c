@@ -140,7 +140,7 @@ static size_t fill(bins *b, const scale *s, const range *r, size_t every)
 
 static float leaf_count(size_t n)
 {
-    return (float)(ptrdiff_t)((n + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE);
+    return (float)(ptrdiff_t)cylint_leaves_for(n);
 }
 
 /* A place to split: before bin `bin` along `axis`, with n boxes to the left. */
@@ -446,11 +446,6 @@ size_t cylint_build_most_nodes(size_t leaves)
     return leaves < 2 ? 1 : (4 * leaves - 1) / 7;
 }
 
-static size_t leaves_in(const range *r)
-{
-    return (r->n + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
-}
-
 static void post(builder *b, const task *t)
 {
     cylint_mutex_lock(&b->lock);
@@ -485,7 +480,7 @@ static size_t make_nodes(builder *b, const task *t)
         }
         const task child = {*part, number, t->depth + 1};
         node->child[i] = (uint32_t)number;
-        number += cylint_build_most_nodes(leaves_in(part));
+        number += cylint_build_most_nodes(cylint_leaves_for(part->n));
         if (part->n > b->task_size)
             post(b, &child);
         else

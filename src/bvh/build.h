@@ -40,6 +40,12 @@ enum { CYLINT_BVH_DEPTH = 24 + 16 };
 /* The most children that wait to be visited at any time. */
 enum { CYLINT_STACK_SIZE = CYLINT_BVH_DEPTH * (CYLINT_CHILDREN - 1) + 1 };
 
+/* The leaves of these pieces. */
+static inline size_t cylint_leaves_for(size_t pieces)
+{
+    return (pieces + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
+}
+
 /* The most nodes that a hierarchy over this number of leaves has, at least one. */
 size_t cylint_build_most_nodes(size_t leaves);
 

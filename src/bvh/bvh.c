@@ -83,11 +83,6 @@ typedef struct {
     size_t n_nodes;
 } draft;
 
-static size_t leaves_for(size_t boxes)
-{
-    return (boxes + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
-}
-
 /* ray.h uses them: its S is the longest side of the box. */
 void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
                         double line_error)
@@ -117,7 +112,7 @@ static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
         cylint_split_shapes(&d->split, input, refused);
     if (status != CYLINT_BVH_OK)
         return status;
-    const size_t leaves = leaves_for(d->split.n);
+    const size_t leaves = cylint_leaves_for(d->split.n);
     if (leaves >= CYLINT_LEAF_FLAG ||
         !cylint_memory_allocate(&d->memory, input->source,
                                 cylint_build_most_nodes(leaves) *
@@ -140,7 +135,7 @@ static cylint_bvh_status finish(cylint_bvh *bvh, draft *d,
                     .leaves = d->split.memory.data,
                     .view = input->view,
                     .watch = input->watch};
-    bvh->n_leaves = leaves_for(d->split.n);
+    bvh->n_leaves = cylint_leaves_for(d->split.n);
     bvh->n_nodes = d->n_nodes;
     cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, d->split.n);
     cylint_build_compact(d->memory.data);

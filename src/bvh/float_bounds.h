@@ -55,15 +55,6 @@ static inline uint16_t cylint_half_below(double x)
     return (uint16_t)(bits >> 16);
 }
 
-/* One that is not below x >= 0. */
-static inline uint16_t cylint_half_above(double x)
-{
-    const float f = cylint_float_above(x);
-    uint32_t bits;
-    memcpy(&bits, &f, sizeof bits);
-    return (uint16_t)((bits + 0xffff) >> 16);
-}
-
 static inline float cylint_float_of_half(uint16_t half)
 {
     const uint32_t bits = (uint32_t)half << 16;

@@ -29,94 +29,45 @@
 #if defined(__AVX2__) && defined(__FMA__)
 
 #include <immintrin.h>
+#define MM(name) _mm256_##name
+#define MM_BITS(name) _mm256_##name##_si256
 enum { WIDTH = 8 };
 typedef __m256 vf;
 typedef __m256i vi;
 typedef __m256 vm;
-static inline vf f_set(float x) { return _mm256_set1_ps(x); }
-static inline vf f_load(const float *x) { return _mm256_loadu_ps(x); }
-static inline float f_first(vf x) { return _mm256_cvtss_f32(x); }
-static inline vi i_load(const uint32_t *x)
-{
-    return _mm256_loadu_si256((const __m256i *)(const void *)x);
-}
 static inline vi i_load_shorts(const uint16_t *x)
 {
     return _mm256_cvtepu16_epi32(
         _mm_loadu_si128((const __m128i *)(const void *)x));
-}
-static inline vi i_right(vi x, int bits) { return _mm256_srli_epi32(x, bits); }
-static inline vf f_from_bits(vi x, int mask)
-{
-    return _mm256_cvtepi32_ps(_mm256_and_si256(x, _mm256_set1_epi32(mask)));
 }
 static inline vf f_from_bytes(const uint8_t *x)
 {
     const __m128i bytes = _mm_loadl_epi64((const __m128i *)(const void *)x);
     return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes));
 }
-static inline void f_store(float *x, vf v) { _mm256_storeu_ps(x, v); }
-static inline void f_store_keys(uint32_t *x, vf v)
-{
-    const vi bits = _mm256_castps_si256(v);
-    const vi flip = _mm256_or_si256(_mm256_srai_epi32(bits, 31),
-                                    _mm256_set1_epi32(INT32_MIN));
-    _mm256_storeu_si256((__m256i *)(void *)x, _mm256_xor_si256(bits, flip));
-}
-static inline vf f_lower(vf x, vf y) { return _mm256_min_ps(x, y); }
-static inline vf f_higher(vf x, vf y) { return _mm256_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
-static inline vf f_abs(vf x)
-{
-    return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), x);
-}
-static inline vf f_turned(vf x, vf y)
-{
-    return _mm256_xor_ps(x, _mm256_and_ps(_mm256_set1_ps(-0.0f), y));
-}
-static inline vf f_sqrt(vf x) { return _mm256_sqrt_ps(x); }
 static inline vm m_not_greater(vf x, vf y)
 {
     return _mm256_cmp_ps(x, y, _CMP_NGT_UQ);
 }
-static inline unsigned m_bits(vm m) { return (unsigned)_mm256_movemask_ps(m); }
 static inline vf m_select(vm m, vf x, vf y)
 {
     return _mm256_blendv_ps(y, x, m);
-}
-static inline vi i_set(uint32_t x) { return _mm256_set1_epi32((int)x); }
-static inline vi i_or_where(vi x, vm m, vi y)
-{
-    return _mm256_or_si256(x, _mm256_and_si256(_mm256_castps_si256(m), y));
-}
-static inline void i_store(uint32_t *x, vi v)
-{
-    _mm256_storeu_si256((__m256i *)(void *)x, v);
 }
 
 #elif defined(__SSE2__)
 
 #include <emmintrin.h>
+#define MM(name) _mm_##name
+#define MM_BITS(name) _mm_##name##_si128
 enum { WIDTH = 4 };
 typedef __m128 vf;
 typedef __m128i vi;
 typedef __m128 vm;
-static inline vf f_set(float x) { return _mm_set1_ps(x); }
-static inline vf f_load(const float *x) { return _mm_loadu_ps(x); }
-static inline float f_first(vf x) { return _mm_cvtss_f32(x); }
-static inline vi i_load(const uint32_t *x)
-{
-    return _mm_loadu_si128((const __m128i *)(const void *)x);
-}
 static inline vi i_load_shorts(const uint16_t *x)
 {
     return _mm_unpacklo_epi16(
         _mm_loadl_epi64((const __m128i *)(const void *)x), _mm_setzero_si128());
-}
-static inline vi i_right(vi x, int bits) { return _mm_srli_epi32(x, bits); }
-static inline vf f_from_bits(vi x, int mask)
-{
-    return _mm_cvtepi32_ps(_mm_and_si128(x, _mm_set1_epi32(mask)));
 }
 static inline vf f_from_bytes(const uint8_t *x)
 {
@@ -126,37 +77,54 @@ static inline vf f_from_bytes(const uint8_t *x)
     const __m128i s = _mm_unpacklo_epi8(_mm_cvtsi32_si128(four), zero);
     return _mm_cvtepi32_ps(_mm_unpacklo_epi16(s, zero));
 }
-static inline void f_store(float *x, vf v) { _mm_storeu_ps(x, v); }
-static inline void f_store_keys(uint32_t *x, vf v)
-{
-    const vi bits = _mm_castps_si128(v);
-    const vi flip = _mm_or_si128(_mm_srai_epi32(bits, 31),
-                                 _mm_set1_epi32(INT32_MIN));
-    _mm_storeu_si128((__m128i *)(void *)x, _mm_xor_si128(bits, flip));
-}
-static inline vf f_lower(vf x, vf y) { return _mm_min_ps(x, y); }
-static inline vf f_higher(vf x, vf y) { return _mm_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
-static inline vf f_abs(vf x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
-static inline vf f_turned(vf x, vf y)
-{
-    return _mm_xor_ps(x, _mm_and_ps(_mm_set1_ps(-0.0f), y));
-}
-static inline vf f_sqrt(vf x) { return _mm_sqrt_ps(x); }
 static inline vm m_not_greater(vf x, vf y) { return _mm_cmpngt_ps(x, y); }
-static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_ps(m); }
 static inline vf m_select(vm m, vf x, vf y)
 {
     return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
 }
-static inline vi i_set(uint32_t x) { return _mm_set1_epi32((int)x); }
-static inline vi i_or_where(vi x, vm m, vi y)
+
+#endif
+
+#ifdef MM /* intrinsics that have the same names at both widths */
+
+static inline vf f_set(float x) { return MM(set1_ps)(x); }
+static inline vf f_load(const float *x) { return MM(loadu_ps)(x); }
+static inline float f_first(vf x) { return MM(cvtss_f32)(x); }
+static inline void f_store(float *x, vf v) { MM(storeu_ps)(x, v); }
+static inline vi i_set(uint32_t x) { return MM(set1_epi32)((int)x); }
+static inline vi i_load(const uint32_t *x)
 {
-    return _mm_or_si128(x, _mm_and_si128(_mm_castps_si128(m), y));
+    return MM_BITS(loadu)((const vi *)(const void *)x);
 }
 static inline void i_store(uint32_t *x, vi v)
 {
-    _mm_storeu_si128((__m128i *)(void *)x, v);
+    MM_BITS(storeu)((vi *)(void *)x, v);
+}
+static inline vi i_right(vi x, int bits) { return MM(srli_epi32)(x, bits); }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return MM(cvtepi32_ps)(MM_BITS(and)(x, MM(set1_epi32)(mask)));
+}
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    const vi bits = MM_BITS(castps)(v);
+    const vi flip =
+        MM_BITS(or)(MM(srai_epi32)(bits, 31), MM(set1_epi32)(INT32_MIN));
+    i_store(x, MM_BITS(xor)(bits, flip));
+}
+static inline vf f_lower(vf x, vf y) { return MM(min_ps)(x, y); }
+static inline vf f_higher(vf x, vf y) { return MM(max_ps)(x, y); }
+static inline vf f_abs(vf x) { return MM(andnot_ps)(MM(set1_ps)(-0.0f), x); }
+static inline vf f_turned(vf x, vf y)
+{
+    return MM(xor_ps)(x, MM(and_ps)(MM(set1_ps)(-0.0f), y));
+}
+static inline vf f_sqrt(vf x) { return MM(sqrt_ps)(x); }
+static inline unsigned m_bits(vm m) { return (unsigned)MM(movemask_ps)(m); }
+static inline vi i_or_where(vi x, vm m, vi y)
+{
+    return MM_BITS(or)(x, MM_BITS(and)(MM_BITS(castps)(m), y));
 }
 
 #else

@@ -85,6 +85,11 @@ int cylint_memory_reduce(cylint_memory *memory,
     return 1;
 }
 
+void *cylint_resized(void *array, size_t n, size_t size)
+{
+    return n > SIZE_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
+}
+
 void cylint_memory_free(cylint_memory *memory)
 {
     if (memory->data)

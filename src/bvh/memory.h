@@ -32,6 +32,10 @@ int cylint_memory_allocate(cylint_memory *memory,
 int cylint_memory_reduce(cylint_memory *memory,
                          const cylint_memory_source *source, size_t bytes);
 
+/* realloc() of n elements, which may be none.  Returns NULL, and the array stays,
+ * if there is no memory. */
+void *cylint_resized(void *array, size_t n, size_t size);
+
 /* Releases the memory, if there is any. */
 void cylint_memory_free(cylint_memory *memory);
 

@@ -36,12 +36,7 @@ static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
         cylint_swept_disc_reach(&to->disc[i], reach);
         const cylint_extent b = cylint_piece_box(&to->disc[i], reach, piece);
         cylint_extent_include(&to->box, &b);
-        to->piece[i] =
-            (cylint_boxed_piece){{b.lower[0], b.lower[1], b.lower[2]},
-                                 leaf->number[i],
-                                 {b.upper[0], b.upper[1], b.upper[2]},
-                                 (uint16_t)piece.index,
-                                 (uint16_t)piece.count};
+        to->piece[i] = cylint_boxed(&b, leaf->number[i], piece);
     }
 }
 

@@ -74,11 +74,7 @@ static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
         const cylint_shape_piece piece = {i, from->count};
         const cylint_extent b =
             cylint_piece_box(&from->disc, from->reach, piece);
-        to[i] = (cylint_boxed_piece){{b.lower[0], b.lower[1], b.lower[2]},
-                                     number,
-                                     {b.upper[0], b.upper[1], b.upper[2]},
-                                     (uint16_t)piece.index,
-                                     (uint16_t)piece.count};
+        to[i] = cylint_boxed(&b, number, piece);
         cylint_extent_include(all, &b);
     }
 }

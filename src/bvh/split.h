@@ -32,6 +32,17 @@ typedef struct cylint_split {
     cylint_extent all; /* the box of all pieces */
 } cylint_split;
 
+static inline cylint_boxed_piece cylint_boxed(const cylint_extent *box,
+                                              uint32_t number,
+                                              cylint_shape_piece piece)
+{
+    return (cylint_boxed_piece){{box->lower[0], box->lower[1], box->lower[2]},
+                                number,
+                                {box->upper[0], box->upper[1], box->upper[2]},
+                                (uint16_t)piece.index,
+                                (uint16_t)piece.count};
+}
+
 typedef enum cylint_bvh_status {
     CYLINT_BVH_OK,
     CYLINT_BVH_ESHAPE,  /* a shape is unbounded, its box is invalid, or its

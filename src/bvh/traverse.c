@@ -77,21 +77,14 @@ CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
     return 0;
 }
 
-static void traverse_ray(const cylint_bvh *bvh, const cylint_float_ray *ray,
-                         cylint_ray_leaf_callback *callback, void *self)
+static int traverse_ray(const cylint_bvh *bvh, const cylint_float_ray *ray,
+                        cylint_ray_leaf_callback *callback, void *self, int any)
 {
     ray_state state;
     start_ray(&state, bvh, ray);
-    traverse_from(bvh, 0, &state, ray, callback, self, 0);
-}
-
-static int traverse_occluded(const cylint_bvh *bvh, const cylint_float_ray *ray,
-                             cylint_ray_leaf_callback *callback, void *self)
-{
-    ray_state state;
-    start_ray(&state, bvh, ray);
-    return traverse_from(bvh, 0, &state, ray, callback, self,
-                         ends_outside(bvh, ray));
+    return any && ends_outside(bvh, ray)
+               ? traverse_from(bvh, 0, &state, ray, callback, self, 1)
+               : traverse_from(bvh, 0, &state, ray, callback, self, 0);
 }
 
 static int traverse_subtree(const cylint_bvh *bvh, uint32_t child,
@@ -103,7 +96,7 @@ static int traverse_subtree(const cylint_bvh *bvh, uint32_t child,
 }
 
 static void traverse_line(const cylint_bvh *bvh, const double o[3],
-                          const double d[3], double tmin, const double *tmax,
+                          const double d[3], const double *tmax,
                           cylint_line_leaf_callback *callback, void *self)
 {
     const cylint_leaf *leaf, *next;
@@ -111,11 +104,11 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     ray_state state;
     traversal t;
     entry at;
-    start_line(&state, bvh, o, d, tmin, *tmax);
+    start_line(&state, bvh, o, d, 0, *tmax);
     push_start(&t, bvh, &state, 0);
     for (next = next_leaf(&t, &at); (leaf = next);) {
         next = next_leaf(&t, &at);
-        const unsigned lanes = test_line(leaf, o, d, tmin, *tmax, least);
+        const unsigned lanes = test_line(leaf, o, d, 0, *tmax, least);
         if (!lanes)
             continue;
         if (callback(self, leaf, lanes, least))
@@ -185,12 +178,12 @@ static inline void visit_nodes(waiting *w, const ray_state *state)
 }
 
 static void traverse_all(const cylint_bvh *bvh, const double o[3],
-                         const double d[3], double tmin, const double *tmax,
+                         const double d[3], const double *tmax,
                          cylint_line_leaf_callback *callback, void *self)
 {
     ray_state state;
     waiting w;
-    start_line(&state, bvh, o, d, tmin, *tmax);
+    start_line(&state, bvh, o, d, 0, *tmax);
     w.bvh = bvh;
     w.stack[0] = 0;
     w.n = 1;
@@ -202,7 +195,7 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
         for (int i = 0; i < w.n_leaves; i++) {
             const cylint_leaf *leaf =
                 &bvh->leaves[w.leaves[i] & ~CYLINT_LEAF_FLAG];
-            const unsigned lanes = test_line(leaf, o, d, tmin, *tmax, NULL);
+            const unsigned lanes = test_line(leaf, o, d, 0, *tmax, NULL);
             if (lanes && callback(self, leaf, lanes, NULL))
                 return;
         }
@@ -210,6 +203,5 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
     }
 }
 
-const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_occluded,
-                                           traverse_subtree, traverse_line,
-                                           traverse_all};
+const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_subtree,
+                                           traverse_line, traverse_all};

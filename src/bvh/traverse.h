@@ -28,26 +28,20 @@ typedef int cylint_line_leaf_callback(void *self, const cylint_leaf *leaf,
                                       unsigned lanes,
                                       const double least[CYLINT_LEAF_SIZE]);
 
-/* Traverses a hierarchy that is not empty with a ray. */
-typedef void cylint_traverse_ray(const cylint_bvh *bvh,
-                                 const cylint_float_ray *ray,
-                                 cylint_ray_leaf_callback *callback,
-                                 void *self);
+/* Traverses a hierarchy that is not empty with a ray.  any: may return 1 if the ray
+ * certainly hits some shape.  If it returns 0, the callback got all pieces that the
+ * ray may hit. */
+typedef int cylint_traverse_ray(const cylint_bvh *bvh,
+                                const cylint_float_ray *ray,
+                                cylint_ray_leaf_callback *callback, void *self,
+                                int any);
 
-/* The same with the line o + t d in doubles, tmin <= t <= *tmax, where d has an
- * error of up to 2^-52 of its length (the high parts of a segment's). */
+/* The same with the line o + t d in doubles, 0 <= t <= *tmax, where d has an error
+ * of up to 2^-52 of its length (the high parts of a segment's). */
 typedef void cylint_traverse_line(const cylint_bvh *bvh, const double o[3],
-                                  const double d[3], double tmin,
-                                  const double *tmax,
+                                  const double d[3], const double *tmax,
                                   cylint_line_leaf_callback *callback,
                                   void *self);
-
-/* Returns 1 if the ray certainly hits some shape.  If it returns 0, the
- * callback got all pieces that the ray may hit. */
-typedef int cylint_traverse_occluded(const cylint_bvh *bvh,
-                                     const cylint_float_ray *ray,
-                                     cylint_ray_leaf_callback *callback,
-                                     void *self);
 
 /*
  * The line x + t d, where x is relative to the centre of the hierarchy, and
@@ -61,8 +55,8 @@ typedef struct cylint_ray_state {
     double t0, t0_error;         /* ... minus t0, with this error */
 } cylint_ray_state;
 
-/* Starts at `child` with the ray's state initialised.  certain: return 1 at a
- * certain hit, as cylint_traverse_occluded() does; else return 0. */
+/* Starts at `child` with the ray's state initialised.  certain: returns 1 at a
+ * certain hit; else returns 0. */
 typedef int cylint_traverse_subtree(const cylint_bvh *bvh, uint32_t child,
                                     cylint_ray_state *state,
                                     const cylint_float_ray *ray,
@@ -71,7 +65,6 @@ typedef int cylint_traverse_subtree(const cylint_bvh *bvh, uint32_t child,
 
 typedef struct cylint_traversal {
     cylint_traverse_ray *ray;
-    cylint_traverse_occluded *occluded;
     cylint_traverse_subtree *subtree;
     cylint_traverse_line *line;
     cylint_traverse_line *all; /* in no order, and the callback gets no least[];

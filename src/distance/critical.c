@@ -127,8 +127,6 @@ direction cylint_correct_direction(const stationary *f, direction at)
      * before */
     for (int step = 0; step < MOST_CORRECTIONS && form != 0; step++) {
         const double by = -form / slope_at(f, &at);
-        /* untaken 1 of 2: no zero is known at which the slope vanishes and the
-         * form does not */
         if (!(fabs(by) < 0.5))
             break;
         direction next = {triple_sub(at.cos, triple_times(at.sin, by)),

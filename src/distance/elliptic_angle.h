@@ -103,6 +103,7 @@ static inline angle secular_angle(double along, double across, double more,
         const double c = u < more ? u / more : 1;
         return (angle){copysign(c, along), sqrt((1 - c) * (1 + c))};
     }
+    /* untaken 1 of 2: no known case takes all steps */
     for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
         const double to_u = 1 / (s + more), to_v = 1 / s;
         const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
@@ -200,6 +201,7 @@ static inline angle highest_of(const principal_axes *axes, angle e,
 /* From half a turn on. */
 CYLINT_INLINE int is_second(angle at)
 {
+    /* untaken 1 of 6: half a turn itself is never the higher one in a known case */
     return at.sin < 0 || (at.sin == 0 && at.cos < 0);
 }
 
@@ -276,14 +278,17 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
                                   (axes.c * Fb - axes.s * Fa) / least,
                                   axes.gap / axes.least, rough);
     *at = turned_back(&axes, e.cos, e.sin);
+    /* untaken 1 of 2: no known case takes all steps */
     for (int i = 0; i < CYLINT_ANGLE_STEPS; i++) {
         load_rim_place(r, s, *at);
         const double slope = r->f * dot_of(r->v, r->v) + dot_of(r->R, r->u);
         if (!(slope > 0))
             return 0;
         const double by = dot_of(r->R, r->v) / slope;
+        /* untaken 1 of 2: the secular angle is closer in every known case */
         if (!(fabs(by) < 0.5))
             return 0;
+        /* untaken 1 of 4: the same */
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);

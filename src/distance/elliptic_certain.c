@@ -65,6 +65,8 @@ unsigned CYLINT_ELLIPTIC_IN_PAIRS(const cylint_shape *shape,
         answer_in_pairs(&a, &q, &m, point, exactly);
         known = m_any(rounds(a.distance, &d));
     }
+    /* untaken 2 of 6: a known distance has the sign of the side in every known case,
+     * and no ordinary question has a smaller one */
     if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
         const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
                            !cylint_ends_are_planes(shape->ends);
@@ -127,6 +129,8 @@ int CYLINT_ELLIPTIC_NORMAL(const cylint_shape *shape, const double point[3],
     elliptic_numbers m;
     elliptic_question q;
     elliptic_answer a;
+    /* untaken 3 of 6: callers have tested the rounding mode; points of the surface
+     * whose part is certain are ordinary in every known case */
     if (!cylint_rounds_to_nearest() || has_tiny(shape, point) ||
         !is_ordinary_question(shape, point))
         return 0;

@@ -193,6 +193,7 @@ static inline int feature_of_open_end(elliptic_question *q, int end)
 {
     const elliptic_place *p = &q->at;
     const int is_open = cylint_caps_present(q->shape->ends) == 0;
+    /* untaken 1 of 4: no known point is over the apex */
     if (cylint_sign(cylint_end_factor(q->shape, end)) == 0 ||
         !are_feet_beyond(q, end))
         return CYLINT_NO_FEATURE;
@@ -212,16 +213,18 @@ static inline int feature_of_end(elliptic_question *q, int end)
     const unsigned caps = cylint_caps_present(q->shape->ends);
     const int over = is_over_end(q, end);
     q->inside = 0;
+    /* untaken 1 of 4: no known point is over an end and certainly below it */
     if (over && !(above < -q->at.z_error)) {
+        /* untaken 1 of 4: nor next to its plane */
         if (over < 0 || !(above > q->at.z_error))
             return CYLINT_NO_FEATURE;
         if (!(caps >> end & 1))
             return feature_of_open_end(q, end);
         return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
     }
-    return cylint_sign(cylint_end_factor(q->shape, end)) == 0
-               ? CYLINT_NO_FEATURE
-               : find_on_rim(q, end);
+    const int is_apex = cylint_sign(cylint_end_factor(q->shape, end)) == 0;
+    /* untaken 1 of 2: an apex is found before */
+    return is_apex ? CYLINT_NO_FEATURE : find_on_rim(q, end);
 }
 
 /* Inside: the lateral surface or the nearer of the caps that are present.  A cap

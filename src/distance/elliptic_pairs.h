@@ -121,9 +121,11 @@ static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
     q->shape = s;
     q->rough = 0;
     load_numbers(m, s, point);
-    if (!(CYLINT_SIZED_ERROR * m->volume.size <=
-          CYLINT_ROUNDING * fabs(m->volume.v.hi)) ||
-        !(fabs(m->volume.v.hi) >= CYLINT_DISTANCE_LEAST))
+    const double volume = fabs(m->volume.v.hi),
+                 error = CYLINT_SIZED_ERROR * m->volume.size;
+    const int flat = !(error <= CYLINT_ROUNDING * volume);
+    /* untaken 2 of 4: no known ordinary shape is so flat */
+    if (flat || !(volume >= CYLINT_DISTANCE_LEAST))
         return CYLINT_NO_FEATURE;
     locate_by_pairs(&q->at, m, s);
     if (turn_about_apex(q))
@@ -162,6 +164,7 @@ static inline direction_pair direction_of(vpair c, vpair s)
 static inline int turn_direction(direction_pair *e, double by)
 {
     const vpair step = {by, 0};
+    /* untaken 1 of 2: no known step is larger */
     if (!(fabs(by) <= CYLINT_ANGLE_STEP))
         return 0;
     *e = direction_of(vpair_sub(e->cos.v, pairs_product(e->sin.v, step)),
@@ -210,6 +213,7 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const sized before = load_slope(t, m, e);
     const double sign = m->volume.v.hi < 0 ? -1 : 1;
     *by = uncertain_angle;
+    /* untaken 1 of 2: the same */
     if (!turn_direction(e, -sign * whole(before.v) * cube / slope))
         return;
     load_plane(t, m, e, tapered);
@@ -481,6 +485,7 @@ static inline void answer_on_rim(elliptic_answer *to,
             doubles->f * (doubles->f * dot_of(doubles->v, doubles->v) +
                           dot_of(doubles->R, doubles->u));
         by = uncertain_angle;
+        /* untaken 1 of 2: the same */
         if (turn_direction(&e, whole(sized_dot(r.R, r.v).v) / slope)) {
             load_rim_in_pairs(&r, s, F, doubles->f, &e);
             by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);

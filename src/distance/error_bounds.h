@@ -60,12 +60,10 @@
  * an error of CYLINT_TRIPLE_ROUNDING of terms whose sizes are counted there.
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
  * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
- * the relative error of a few operations on pairs; CYLINT_CLOSE_MARGIN: more than
- * that of a comparison of doubles.
+ * the relative error of a few operations on pairs.
  */
 #define CYLINT_CLOSE_ERROR 0x1p-144
 #define CYLINT_CLOSE_LOSS 0x1p-90
-#define CYLINT_CLOSE_MARGIN 0x1p-40
 #define CYLINT_CLOSE 0x1p-20
 #define CYLINT_CLOSE_MOST 0x1p64
 

@@ -59,11 +59,11 @@ static close_distance quotient_of_form(triple form, pair divisor, double size,
                                    (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-/* What pairs computed: feature: -1 where it is not certain.  size: at least |D|,
- * the height and the radii.  error: of rho, z and d. */
+/* What pairs computed.  size: at least |D|, the height and the radii.  error: of
+ * rho, z and d. */
 typedef struct {
     int feature;
-    pair z, rho, d;
+    pair rho, d;
     double size, error;
 } distance_in_pairs;
 
@@ -133,99 +133,56 @@ static close_distance close_to_line(const cylint_shape *s,
     return to;
 }
 
-/*
- * Near a corner, A from the lateral line and B from the plane of the end, both
- * positive outside.  With the slope S of the line, whose sign is that at the
- * top, x = (A + S B) / cosine is the distance from the rim across the axis, and
- * B + S A is positive if the foot on the line is beyond the rim.
- */
-typedef struct {
-    close_distance lateral, plane;
-    pair x, foot;
-    double error;  /* of all four */
-    double margin; /* the same, and that of a comparison of doubles */
-} end_corner;
-
-static int load_corner(end_corner *k, const cylint_shape *s,
-                       const double point[3], const distance_in_pairs *at,
-                       int top)
+/* A from the lateral line and B from the plane of the end, both positive outside:
+ * with the slope S of the line, whose sign is that at the top, the distance from
+ * the rim across the axis is (A + S B) / cosine. */
+static close_distance close_to_rim(const cylint_shape *s, const double point[3],
+                                   const distance_in_pairs *at, int top)
 {
-    const double size = at->size, r = top ? cylint_r1(s) : cylint_r0(s);
+    const close_distance lateral =
+        close_to_line(s, point, at->rho, at->error, at->size);
+    const close_distance plane = close_to_plane(s, point, top, at->size);
     const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
-    pair S = cylint_number_pair(s, CYLINT_AT_SINE);
-    if (!top)
-        S = pair_neg(S);
-    k->lateral = close_to_line(s, point, at->rho, at->error, size);
-    k->plane = close_to_plane(s, point, top, size);
-    const pair A = k->lateral.d, B = k->plane.d;
-    k->x = pair_div(pair_add(A, pair_mul(S, B)), C);
-    k->foot = pair_add(B, pair_mul(S, A));
-    const double far = fabs(k->x.hi) + fabs(B.hi);
-    k->error = 2 * (k->lateral.error + k->plane.error) / cylint_cosine(s);
-    k->margin = k->error + CYLINT_CLOSE_MARGIN * far;
-    /* no other end, and no other side */
-    return 4 * far <= cylint_smaller(r, cylint_height(s));
+    const pair sine = cylint_number_pair(s, CYLINT_AT_SINE);
+    const pair S = top ? sine : pair_neg(sine);
+    const pair across = pair_div(pair_add(lateral.d, pair_mul(S, plane.d)), C);
+    const pair d = pair_sqrt(
+        pair_add(pair_mul(across, across), pair_mul(plane.d, plane.d)));
+    return (close_distance){d, 4 * (lateral.error + plane.error) /
+                                       cylint_cosine(s) +
+                                   CYLINT_CLOSE_LOSS * d.hi};
 }
 
-/* The feature of a corner and the distance, or -1. */
-static int corner_feature(const end_corner *k, int top, close_distance *to)
-{
-    const double M = k->margin, a = k->lateral.d.hi, b = k->plane.d.hi;
-    const int inside = (a < 0) & (b < 0);
-    if (!((fabs(a) > M) & (fabs(b) > M) & (fabs(k->x.hi) > M) &
-          (fabs(k->foot.hi) > M)) ||
-        (inside && !(fabs(a - b) > M)))
-        return -1;
-    if (inside ? a > b : (a > 0) & (k->foot.hi < 0)) {
-        *to = k->lateral;
-        return CYLINT_FEATURE_LATERAL;
-    }
-    if (inside || k->x.hi < 0) {
-        *to = k->plane;
-        return CYLINT_FEATURE_CAP0 + top;
-    }
-    const pair square =
-        pair_add(pair_mul(k->x, k->x), pair_mul(k->plane.d, k->plane.d));
-    to->d = pair_sqrt(square);
-    to->error = 2 * k->error + CYLINT_CLOSE_LOSS * to->d.hi;
-    return CYLINT_FEATURE_RIM0 + top;
-}
-
-/* Computes the distance of a point near the surface; whether it is certain.  Finds
- * the feature, if it was not, of a point near a rim of a capped cylinder or
- * cone. */
+/* Computes the distance of a point near the surface from the feature that is
+ * nearest; whether it is certain. */
 ASIDE int is_certain_in_triples(distance_in_pairs *at, const cylint_shape *s,
                                 const double point[3])
 {
     const double size = at->size;
     const int feature = at->feature, round = cylint_is_round(s->kind);
-    const int top = feature < 0 ? at->z.hi > cylint_height(s) - at->z.hi
-                                : cylint_feature_end(feature);
+    const int top = cylint_feature_end(feature);
     const int ball = s->kind == CYLINT_KIND_SPHERE ||
                      (round && feature != CYLINT_FEATURE_LATERAL);
-    close_distance to = {{0, 0}, HUGE_VAL};
-    if (!(fabs(at->d.hi) <= CYLINT_CLOSE * size) ||
-        !(size <= CYLINT_CLOSE_MOST) || cylint_has_tangent(s->kind) ||
+    const int rim = feature >= CYLINT_FEATURE_RIM0;
+    if ((rim && (round || s->ends != CYLINT_ENDS_CAPPED)) ||
+        cylint_has_tangent(s->kind) ||
+        !(fabs(at->d.hi) <= CYLINT_CLOSE * size) ||
+        !(size <= CYLINT_CLOSE_MOST) ||
         (!ball && !(size < 2 * CYLINT_THINNEST * at->rho.hi)))
         return 0;
-    if (feature >= 0 && feature < CYLINT_FEATURE_RIM0) {
-        to = ball ? close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
-                                  cylint_end_factor(s, top))
-             : feature == CYLINT_FEATURE_LATERAL
-                 ? close_to_line(s, point, at->rho, at->error, size)
-                 : close_to_plane(s, point, top, size);
-    } else if (!round && s->ends == CYLINT_ENDS_CAPPED) {
-        end_corner k;
-        if (!load_corner(&k, s, point, at, top))
-            return 0;
-        at->feature = corner_feature(&k, top, &to);
-    }
+    const close_distance to =
+        ball  ? close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
+                              cylint_end_factor(s, top))
+        : rim ? close_to_rim(s, point, at, top)
+        : feature == CYLINT_FEATURE_LATERAL
+            ? close_to_line(s, point, at->rho, at->error, size)
+            : close_to_plane(s, point, top, size);
     at->d = fast_two_sum(to.d.hi, to.d.lo);
     at->error = to.error;
     const double most = to.error + CYLINT_NEAREST_MARGIN * fabs(at->d.hi);
-    return at->feature >= 0 && (at->d.hi + (at->d.lo + most) == at->d.hi) &
-                                   (at->d.hi + (at->d.lo - most) == at->d.hi) &
-                                   (fabs(at->d.hi) >= CYLINT_DISTANCE_LEAST);
+    return (at->d.hi + (at->d.lo + most) == at->d.hi) &
+           (at->d.hi + (at->d.lo - most) == at->d.hi) &
+           (fabs(at->d.hi) >= CYLINT_DISTANCE_LEAST);
 }
 
 #endif

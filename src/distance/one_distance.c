@@ -44,27 +44,23 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
 
 /* ------------------------------------------------------ pairs and triples -- */
 
-/* Whether the distance is certain, in pairs or in triples; these also find a
- * feature. */
+/* Whether the distance is certain, in pairs or in triples. */
 ASIDE int find_distance(vnearest *n, const half_plane *m,
-                        const cylint_shape *shape, const double point[3],
-                        int parted)
+                        const cylint_shape *shape, const double point[3])
 {
     const vpair d = pairs_trimmed(n->d.value);
     const int certain =
+        /* untaken 1 of 4: no known distance of numbers in range is so small */
         n->d.high <= n->d.low && fabs(d.hi) >= CYLINT_DISTANCE_LEAST;
-    if (certain && (n->known || !parted))
-        return 1;
-    distance_in_pairs at = {n->known ? (int)n->feature : -1,
-                            {m->z.hi, m->z.lo},
+    if (certain || !n->known)
+        return certain;
+    distance_in_pairs at = {(int)n->feature,
                             {m->rho.hi, m->rho.lo},
                             {d.hi, d.lo},
                             m->size,
                             m->error};
     if (!is_certain_in_triples(&at, shape, point))
-        return certain;
-    n->feature = at.feature;
-    n->known = 1;
+        return 0;
     n->d = (vdistance){{at.d.hi, at.d.lo}, at.d.hi, at.d.hi, at.error};
     return 1;
 }
@@ -79,8 +75,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
                        !cylint_ends_are_planes(shape->ends);
     if (!(fabs(whole(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
-    } else if (find_distance(n, m, shape, point,
-                             (want & ~(unsigned)CYLINT_WANT_DISTANCE) != 0)) {
+    } else if (find_distance(n, m, shape, point)) {
         answer->distance = closed ? n->d.low : fabs(n->d.low);
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
@@ -161,6 +156,7 @@ static int normal_of_feature(const cylint_shape *shape, const double point[3],
     half_plane m;
     described_point to;
     vnearest n = {{{0, 0}, 0, 0, 0}, feature, 1};
+    /* untaken 1 of 2: callers have tested the rounding mode */
     if (!cylint_rounds_to_nearest())
         return 0;
     pairs_load_shapes(&s, at);

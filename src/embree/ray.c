@@ -356,14 +356,10 @@ int cylint_trace_single(ray_test *r, unsigned primID)
         return 0;
     if (!traversal)
         return test_primitive(r, primID);
-    const cylint_float_ray *ray = float_ray(r->ray);
-    if (r->any && !has_filters(r)) {
-        if (traversal->occluded(&r->data->bvh, ray, test_lanes, r)) {
-            r->ray->tfar = -HUGE_VALF;
-            return 1;
-        }
-    } else {
-        traversal->ray(&r->data->bvh, ray, test_lanes, r);
+    if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
+                       r->any && !has_filters(r))) {
+        r->ray->tfar = -HUGE_VALF;
+        return 1;
     }
     return r->found;
 }

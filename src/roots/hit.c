@@ -137,7 +137,7 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
     const cylint_line *l = q->line;
     unsigned left = 0;
     for (int i = 0; i < 3; i++) {
-        if (!cylint_sign(l->d[i]) && !cylint_sign(l->d_lo[i]))
+        if (!cylint_sign(l->d[i])) /* then d_lo is 0 too */
             point[i] = l->o[i];
         else if (!is_on_cap(q, root) ||
                  !cap_coordinate(q->shape, root == ROOT_CAP1, i, &point[i]))

@@ -21,6 +21,7 @@
  * rounding modes neither these additions nor the error bounds are valid. */
 static int rounds_to_hi(pair t, double error)
 {
+    /* untaken 1 of 6: callers have tested the rounding mode */
     return t.hi + (t.lo + error) == t.hi && t.hi + (t.lo - error) == t.hi &&
            cylint_rounds_to_nearest();
 }
@@ -244,7 +245,6 @@ static int settles(const cylint_query *q, number t)
 {
     const double size = fabs(t.v.hi);
     const int e = cylint_exponent(t.v.hi) + q->t_exponent;
-    /* untaken 1 of 4: no root of that size is known that pairs decide */
     return rounds_to_hi(t.v, t.error) && size > CYLINT_ROOT_LEAST &&
            size < 1 / CYLINT_ROOT_LEAST && e > -CYLINT_SUM_EXPONENT &&
            e < CYLINT_LARGE_EXPONENT;

@@ -16,20 +16,28 @@ enum {
     FIRST_PIECES = 256
 };
 
-/* ------------------------------------------------- memory of a thread -- */
+/* -------------------------------------------------------------- blocks -- */
 
-/* The pieces of a line, and memory to find them. */
+/* The pieces of the lines that a thread takes, and memory to find them. */
 typedef struct {
+    int has_failed;
     cylint_workspace work;
     cylint_piece *pieces;
     size_t n, capacity;
-} line_pieces;
+} piece_block;
 
-/* lint: n is never 0, so the array stays where realloc() returns NULL */
-static void *grown_array(void *array, size_t n, size_t size)
-{
-    return n > SIZE_MAX / size ? NULL : realloc(array, n * size);
-}
+typedef struct {
+    const cylint_scene *scene;
+    const cylint_lines *lines;
+    const cylint_piece_rule *rule;
+    size_t most;
+    piece_block *block;
+    size_t *first; /* rows: [i + 1] is the number of pieces of line i; or NULL */
+    const int *label;
+    size_t labels;
+    int in_units;
+    double *sums;
+} pieces_query;
 
 static int grow_workspace(cylint_workspace *work, size_t bytes)
 {
@@ -39,98 +47,74 @@ static int grow_workspace(cylint_workspace *work, size_t bytes)
     return work->memory != NULL;
 }
 
-static int grow_pieces(line_pieces *p)
+static int grow_pieces(piece_block *b)
 {
-    const size_t capacity = 2 * p->capacity + FIRST_PIECES;
-    cylint_piece *more = grown_array(p->pieces, capacity, sizeof *more);
+    const size_t capacity = 2 * b->capacity + FIRST_PIECES;
+    cylint_piece *more = cylint_resized(b->pieces, capacity, sizeof *more);
     if (!more)
         return 0;
-    p->pieces = more;
-    p->capacity = capacity;
+    b->pieces = more;
+    b->capacity = capacity;
     return 1;
 }
 
-/* Finds all pieces, or the first `most`.  Returns 0 if there is no memory. */
-static int find_pieces(const cylint_scene *scene, const cylint_line *line,
-                       const cylint_piece_rule *rule, size_t most,
-                       line_pieces *p)
+/* Adds all pieces of a line, or the first `most`.  Returns 0 if there is no
+ * memory. */
+static int add_pieces(const cylint_scene *scene, const cylint_line *line,
+                      const cylint_piece_rule *rule, size_t most,
+                      piece_block *b)
 {
+    if (b->capacity - b->n < FIRST_PIECES && !grow_pieces(b))
+        return 0;
     for (;;) {
-        const size_t wanted =
-            most > 0 && most < p->capacity ? most : p->capacity;
-        p->n =
-            cylint_scene_pieces(scene, line, rule, p->pieces, wanted, &p->work);
-        if (p->n == CYLINT_NO_ROOM) {
-            if (!grow_workspace(&p->work, p->work.wanted + p->work.wanted / 2))
+        const size_t room = b->capacity - b->n,
+                     wanted = most > 0 && most < room ? most : room;
+        const size_t n = cylint_scene_pieces(
+            scene, line, rule, b->pieces + b->n, wanted, &b->work);
+        if (n == CYLINT_NO_ROOM) {
+            if (!grow_workspace(&b->work, b->work.wanted + b->work.wanted / 2))
                 return 0;
-        } else if (p->n < p->capacity || p->n == most) {
+        } else if (n < room || n == most) {
+            b->n += n;
             return 1;
-        } else if (!grow_pieces(p)) {
+        } else if (!grow_pieces(b)) {
             return 0;
         }
     }
 }
 
-static int begin_pieces(line_pieces *p)
-{
-    *p = (line_pieces){.n = 0};
-    return grow_workspace(&p->work, FIRST_BYTES) && grow_pieces(p);
-}
+static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
+                    const piece_block *b);
 
-static void end_pieces(line_pieces *p)
-{
-    free(p->work.memory);
-    free(p->pieces);
-}
-
-/* --------------------------------------------------------------- lines -- */
-
-/* Uses the pieces of line i.  Returns 0 if there is no memory. */
-typedef struct pieces_query pieces_query;
-typedef int use_of_pieces(const pieces_query *q, size_t i,
-                          const cylint_line *line, const line_pieces *pieces);
-
-/* The pieces of the lines of one block. */
-typedef struct {
-    int has_failed;
-    cylint_piece *pieces;
-    size_t n, capacity;
-} piece_block;
-
-struct pieces_query {
-    const cylint_scene *scene;
-    const cylint_lines *lines;
-    const cylint_piece_rule *rule;
-    size_t most;
-    use_of_pieces *use;
-    piece_block *block;
-    size_t *first; /* rows: [i + 1] is the number of pieces of line i */
-    const int *label;
-    size_t labels;
-    int in_units;
-    double *sums;
-};
-
+/* Of sums, the pieces of one line are kept at a time. */
 static int find_each(const pieces_query *q, size_t from, size_t to,
-                     line_pieces *p)
+                     piece_block *b)
 {
     for (size_t i = from; i < to; i++) {
         cylint_line line;
         cylint_read_line(q->lines, i, &line);
-        if (!find_pieces(q->scene, &line, q->rule, q->most, p) ||
-            !q->use(q, i, &line, p))
+        const size_t before = q->first ? b->n : 0;
+        b->n = before;
+        if (!add_pieces(q->scene, &line, q->rule, q->most, b))
+            return 0;
+        if (q->first)
+            q->first[i + 1] = b->n - before;
+        else if (!add_sums(q, i, &line, b))
             return 0;
     }
     return 1;
 }
 
+/* Keeps no more memory than the pieces take. */
 static void find_block(void *self, size_t from, size_t to)
 {
     const pieces_query *q = self;
-    line_pieces p;
-    q->block[from / LINES_AT_ONCE].has_failed =
-        !begin_pieces(&p) || !find_each(q, from, to, &p);
-    end_pieces(&p);
+    piece_block *b = &q->block[from / LINES_AT_ONCE];
+    b->has_failed =
+        !grow_workspace(&b->work, FIRST_BYTES) || !find_each(q, from, to, b);
+    free(b->work.memory);
+    cylint_piece *kept = cylint_resized(b->pieces, b->n, sizeof *kept);
+    b->pieces = kept ? kept : b->pieces;
 }
 
 static size_t blocks_of(size_t lines)
@@ -161,26 +145,6 @@ static int find_all(pieces_query *q, int threads)
 
 /* ---------------------------------------------------------------- rows -- */
 
-static int add_row(const pieces_query *q, size_t i, const cylint_line *line,
-                   const line_pieces *from)
-{
-    piece_block *to = &q->block[i / LINES_AT_ONCE];
-    (void)line;
-    if (from->n > to->capacity - to->n) {
-        const size_t capacity = 2 * (to->n + from->n);
-        cylint_piece *more = grown_array(to->pieces, capacity, sizeof *more);
-        if (!more)
-            return 0;
-        to->pieces = more;
-        to->capacity = capacity;
-    }
-    if (from->n > 0)
-        memcpy(to->pieces + to->n, from->pieces, from->n * sizeof *to->pieces);
-    to->n += from->n;
-    q->first[i + 1] = from->n;
-    return 1;
-}
-
 /* Makes one array of those of all blocks. */
 static int unite_rows(const pieces_query *q, cylint_piece_rows *rows)
 {
@@ -189,7 +153,7 @@ static int unite_rows(const pieces_query *q, cylint_piece_rows *rows)
     for (size_t i = 0; i < q->lines->n; i++)
         rows->first[i + 1] += rows->first[i];
     rows->pieces =
-        grown_array(NULL, rows->first[q->lines->n] + 1, sizeof *rows->pieces);
+        cylint_resized(NULL, rows->first[q->lines->n], sizeof *rows->pieces);
     if (!rows->pieces)
         return 0;
     for (size_t i = 0; i < blocks_of(q->lines->n); i++) {
@@ -211,11 +175,10 @@ cylint_scene_status cylint_scene_pieces_lines(const cylint_scene *scene,
     pieces_query q = {.scene = scene,
                       .lines = lines,
                       .rule = &from_first,
-                      .most = most,
-                      .use = add_row};
+                      .most = most};
     from_first.after = NULL;
     rows->pieces = NULL;
-    rows->first = grown_array(NULL, lines->n + 1, sizeof *rows->first);
+    rows->first = cylint_resized(NULL, lines->n + 1, sizeof *rows->first);
     q.first = rows->first;
     const int has_rows =
         rows->first && find_all(&q, threads) && unite_rows(&q, rows);
@@ -248,7 +211,7 @@ typedef struct {
 #include "../merge_sort_template.h"
 
 /* The pieces that have a label, sorted by it. */
-static size_t label_pieces(const pieces_query *q, const line_pieces *from,
+static size_t label_pieces(const pieces_query *q, const piece_block *from,
                            labelled_piece *to)
 {
     size_t n = 0;
@@ -275,13 +238,13 @@ static double sum_of_lengths(const labelled_piece *p, size_t n)
 }
 
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
-                    const line_pieces *pieces)
+                    const piece_block *b)
 {
     double *to = q->sums + i * q->labels;
-    labelled_piece *p = grown_array(NULL, 2 * pieces->n + 1, sizeof *p);
+    labelled_piece *p = cylint_resized(NULL, 2 * b->n, sizeof *p);
     if (!p)
         return 0;
-    const size_t n = label_pieces(q, pieces, p);
+    const size_t n = label_pieces(q, b, p);
     for (size_t j = 0; j < q->labels; j++)
         to[j] = 0;
     for (size_t j = 0, m; j < n; j += m) {
@@ -304,7 +267,6 @@ cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
     pieces_query q = {.scene = scene,
                       .lines = lines,
                       .rule = &all,
-                      .use = add_sums,
                       .label = label,
                       .labels = labels,
                       .in_units = in_units,
@@ -322,13 +284,14 @@ cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
                                            int in_units, double *sums)
 {
     cylint_piece_rule all = *rule;
-    line_pieces pieces;
+    piece_block b = {.n = 0};
     const pieces_query q = {
         .label = label, .labels = labels, .in_units = in_units, .sums = sums};
     all.after = NULL;
-    const int has_sums = begin_pieces(&pieces) &&
-                         find_pieces(scene, line, &all, 0, &pieces) &&
-                         add_sums(&q, 0, line, &pieces);
-    end_pieces(&pieces);
+    const int has_sums = grow_workspace(&b.work, FIRST_BYTES) &&
+                         add_pieces(scene, line, &all, 0, &b) &&
+                         add_sums(&q, 0, line, &b);
+    free(b.work.memory);
+    free(b.pieces);
     return has_sums ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
 }

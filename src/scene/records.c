@@ -6,23 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../bvh/memory.h"
 #include "../intersect.h"
 #include "../shapes/local.h"
 #include "../shapes/shape_facts.h"
 
 /* ------------------------------------------------------------- memory -- */
 
-/* Returns NULL, and the array stays, if there is no memory. */
-static void *resized(void *array, size_t n, size_t size)
-{
-    return n > SIZE_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
-}
-
 static int resize_shapes(cylint_records *r, size_t capacity)
 {
-    void *record = resized(r->record, capacity, sizeof *r->record);
+    void *record = cylint_resized(r->record, capacity, sizeof *r->record);
     r->record = record ? record : r->record;
-    void *tag = record ? resized(r->tag, capacity, sizeof *r->tag) : NULL;
+    void *tag = record ? cylint_resized(r->tag, capacity, sizeof *r->tag) : NULL;
     r->tag = tag ? tag : r->tag;
     r->capacity = tag ? capacity : r->capacity;
     return tag != NULL;
@@ -30,7 +25,7 @@ static int resize_shapes(cylint_records *r, size_t capacity)
 
 static int resize_elliptic(cylint_records *r, size_t capacity)
 {
-    void *semi_axes = resized(r->semi_axes, capacity, sizeof *r->semi_axes);
+    void *semi_axes = cylint_resized(r->semi_axes, capacity, sizeof *r->semi_axes);
     r->semi_axes = semi_axes ? semi_axes : r->semi_axes;
     r->elliptic_capacity = semi_axes ? capacity : r->elliptic_capacity;
     return semi_axes != NULL;

@@ -230,12 +230,12 @@ static void traverse_lines(line_visit *v, int in_no_order)
         return;
     case CYLINT_FRAME_ENTERED:
         if (in_no_order) {
-            s->traversal->all(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length,
+            s->traversal->all(&s->bvh, v->ray.o, v->ray.d, &v->ray.length,
                               keep_line_leaf, v);
             test_later(v);
             return;
         }
-        s->traversal->line(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length,
+        s->traversal->line(&s->bvh, v->ray.o, v->ray.d, &v->ray.length,
                            test_line_leaf, v);
         return;
     default:

@@ -245,6 +245,7 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
     const int accurate =
         cylint_in_range(s) && vectors_are_long_enough(s) && is_in_bounds(s) &&
         cylint_rounds_to_nearest() &&
+        /* untaken 1 of 4: vectors that are long enough have a height */
         (height.hi > 0 || s->kind == CYLINT_KIND_SPHERE) &&
         error <= CYLINT_LOCAL_WORST &&
         (!round || fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST);

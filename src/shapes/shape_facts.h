@@ -60,6 +60,7 @@ CYLINT_INLINE int cylint_is_plane(int kind)
 CYLINT_INLINE int cylint_is_tapered(int kind)
 {
     return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER &&
+           /* untaken 1 of 6: callers have no half-space */
            kind != CYLINT_KIND_SPHERE && kind != CYLINT_KIND_CAPSULE &&
            kind != CYLINT_KIND_HALFSPACE;
 }
@@ -141,6 +142,7 @@ CYLINT_INLINE int cylint_part_is_present(int ends, int part)
 /* A shape of this kind can have these ends, a number from anywhere. */
 CYLINT_INLINE int cylint_ends_fit(int kind, int ends)
 {
+    /* untaken 4 of 18: the constructor of a half-space has no ends */
     return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
            (kind == CYLINT_KIND_SPHERE ? ends == CYLINT_ENDS_CAPPED
             : cylint_is_round(kind)    ? cylint_ends_are_planes(ends)
@@ -190,6 +192,7 @@ enum {
 
 CYLINT_INLINE int cylint_solid(const cylint_shape *s)
 {
+    /* untaken 2 of 4: callers have neither */
     if (s->kind == CYLINT_KIND_NONE || cylint_is_plane(s->kind))
         return CYLINT_SOLID_NONE;
     if (cylint_is_round(s->kind))

@@ -44,6 +44,7 @@ OVERLAP_INLINE TRUTH FORM(crosses)(CAPS *c)
 
 OVERLAP_INLINE TRUTH FORM(misses)(CAPS *c)
 {
+    /* untaken 2 of 10: no E is 0 here in any known case */
     return OR(
         AND(BOTH_ENDS(NEGATIVE, E, c), EITHER_END(NOT_POSITIVE, INWARD, c)),
         NEGATIVE(G(c)));

@@ -2,7 +2,6 @@
  * test_elliptic_bounds.c - floor distance: the errors of elliptic kinds in pairs
  *
  * Computes x, y, z, the volume and the height over a tangent plane in pairs and in
- * triples, and compares the differences with CYLINT_SIZED_ERROR times the sizes of
  * triples, and compares the differences with CYLINT_SIZED_ERROR times the sizes
  * of the terms; and the same numbers in doubles with the bounds that features
  * depend on.

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../scene/answers.h"
 #include "check.h"
 #include "cylint_scene.h"
 #include "bvh/bvh.h"
@@ -163,17 +164,7 @@ static void scenes_of_several_threads_answer_as_those_of_one(void)
     cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
     if (CHECK(one && four)) {
         CHECK(cylint_scene_bytes(one) == cylint_scene_bytes(four));
-        for (uint64_t i = 0; i < 100; i++) {
-            cylint_line line;
-            cylint_hit hit[2];
-            memset(hit, 0, sizeof hit);
-            scene_line(&of, (enum scene_lines)(i % LINES_KINDS), 6, i, &line);
-            CHECK(cylint_scene_nearest(one, &line, CYLINT_WANT_T, &hit[0]) ==
-                  cylint_scene_nearest(four, &line, CYLINT_WANT_T, &hit[1]));
-            CHECK(memcmp(&hit[0], &hit[1], sizeof hit[0]) == 0);
-            CHECK(cylint_scene_count(one, &line, 0) ==
-                  cylint_scene_count(four, &line, 0));
-        }
+        CHECK(differences(one, four, &of, 6) == 0);
     }
     cylint_scene_free(one);
     cylint_scene_free(four);
@@ -294,12 +285,7 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
         const cylint_shape_piece piece = {cylint_piece_at(hit->z, count),
                                           count};
         const cylint_extent box = cylint_piece_box(&swept, reach, piece);
-        const cylint_boxed_piece boxed = {
-            {box.lower[0], box.lower[1], box.lower[2]},
-            0,
-            {box.upper[0], box.upper[1], box.upper[2]},
-            (uint16_t)piece.index,
-            (uint16_t)piece.count};
+        const cylint_boxed_piece boxed = cylint_boxed(&box, 0, piece);
         cylint_leaf leaf;
         double least[CYLINT_LEAF_SIZE];
         cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);
@@ -372,8 +358,8 @@ static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
                                               cylint_traversal_used()};
     for (int k = 0; k < 2; k++) {
         long line = 0, all = 0;
-        builds[k]->line(&bvh, o, d, 0, &tmax, count_leaf, &line);
-        builds[k]->all(&bvh, o, d, 0, &tmax, count_leaf, &all);
+        builds[k]->line(&bvh, o, d, &tmax, count_leaf, &line);
+        builds[k]->all(&bvh, o, d, &tmax, count_leaf, &all);
         CHECK(line == leaves && all == leaves);
     }
 }

@@ -105,20 +105,20 @@ static void load_across(void)
     cross(c, g.q, g.w);
     if (sign_of(c[0]) == 0 && sign_of(c[1]) == 0 && sign_of(c[2]) == 0) {
         const int least = least_component(g.w);
-        vector e = {exact(least == 0), exact(least == 1), exact(least == 2)};
+        vector e = {real_of(least == 0), real_of(least == 1), real_of(least == 2)};
         cross(g.across, e, g.w);
         g.point.rho = g.zero;
     } else {
         cross(g.across, g.w, c); /* |w|^2 q - (w.q) w */
         g.point.rho = over(norm(c), g.length);
     }
-    scale(g.across, over(exact(1), norm(g.across)), g.across);
+    divide(g.across, g.across, norm(g.across));
 }
 
 static void load(const cylint_shape *shape, const double point[3])
 {
     static const double any_axis[3] = {0, 0, 1};
-    g.zero = exact(0);
+    g.zero = real_of(0);
     set_difference(g.q, point, cylint_base(shape));
     if (shape->kind == CYLINT_KIND_SPHERE)
         set(g.w, any_axis);
@@ -129,8 +129,8 @@ static void load(const cylint_shape *shape, const double point[3])
     g.length = norm(g.w);
     g.point.s = over(dot(g.q, g.w), g.length);
     load_across();
-    g.r0 = exact(cylint_r0(shape));
-    g.r1 = exact(cylint_r1(shape));
+    g.r0 = real_of(cylint_r0(shape));
+    g.r1 = real_of(cylint_r1(shape));
     if (shape->kind == CYLINT_KIND_ACONE)
         g.r1 = times(g.r1, g.length);
     g.dr = minus(g.r1, g.r0);
@@ -173,8 +173,8 @@ static void add_nappe(int sign)
 {
     const real apex = negated(over(times(g.r0, g.length), g.dr));
     piece *p = add_lateral(RAY, apex, g.zero, apex, g.zero);
-    set_direction(p, times(exact(sign), g.length),
-                  times(exact(sign_of(g.dr)), g.dr));
+    set_direction(p, times(real_of(sign), g.length),
+                  times(real_of(sign_of(g.dr)), g.dr));
 }
 
 static real radius_at(int end)
@@ -190,7 +190,7 @@ static void add_end(enum form form, int end, int part, int feature)
     piece *p = new_piece(form, part, feature, end ? g.length : g.zero, g.zero);
     p->r = radius_at(end);
     p->by = planar_of(g.zero, p->r);
-    p->n = planar_of(exact(end ? 1 : -1), g.zero);
+    p->n = planar_of(real_of(end ? 1 : -1), g.zero);
 }
 
 static int has_cap(const cylint_shape *shape, int end)
@@ -235,7 +235,7 @@ static void round_pieces(const cylint_shape *shape)
         return;
     }
     g.sine = negated(over(g.dr, g.length)); /* of the normal's angle: its s */
-    const real cosine = root_of(minus(exact(1), square_of(g.sine)));
+    const real cosine = root_of(minus(real_of(1), square_of(g.sine)));
     add_lateral(SEGMENT, times(g.r0, g.sine), times(g.r0, cosine),
                 plus(g.length, times(g.r1, g.sine)), times(g.r1, cosine));
     add_caps(shape, ARC);
@@ -285,7 +285,7 @@ static planar apex_normal(const piece *p, int is_double)
         sign *= sign_of(p->by.s);
     if (is_double && sign_of(g.r0) != 0)
         sign = sign_of(g.dr);
-    return planar_of(exact(sign), g.zero);
+    return planar_of(real_of(sign), g.zero);
 }
 
 /* The first piece with the least distance; feature -1: none. */
@@ -310,9 +310,9 @@ static foot nearest_foot(const cylint_shape *shape)
 static foot foot_from_centre(void)
 {
     const piece *p = &g.pieces[0];
-    const foot f = {{g.r0, g.zero}, {exact(1), g.zero}, g.r0, p->part,
+    const foot f = {{g.r0, g.zero}, {real_of(1), g.zero}, g.r0, p->part,
                     p->feature};
-    g.w[0] = exact(1);
+    g.w[0] = real_of(1);
     g.w[1] = g.w[2] = g.zero;
     return f;
 }
@@ -326,7 +326,7 @@ static void in_space(double to[3], planar at, const double *base)
         real x = plus(times(at.s, over(g.w[i], g.length)),
                       times(at.rho, g.across[i]));
         if (base)
-            x = plus(x, exact(base[i]));
+            x = plus(x, real_of(base[i]));
         to[i] = near_double(x) + 0;
         if (to[i] == 0)
             to[i] = sign_of(x) * 0x1p-1074;

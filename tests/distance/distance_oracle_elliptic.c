@@ -15,7 +15,6 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "cylint_distance.h"
 #include "distance_oracle.h"
@@ -24,28 +23,53 @@
 #include "distance_oracle_zeros.h"
 #include "shapes/layout.h"
 
+enum { BITS = 1600, MOVED = 240 };
+
+static struct {
+    int cone;
+    int has_twin; /* of the candidate: another point of the rim is as far */
+    long moved;
+    long exponent; /* lengths are divided by 2^exponent */
+    vector Q, a, b, h, w, gx, gy, gz, base, E, foot, normal;
+    vector y[3]; /* y = y[0] + y[1] m + y[2] m^2 */
+    real k1, det[4], scale, longest, best;
+    real flat[2], S2[3]; /* of a rim: the point and S in its plane */
+    vector plane[3], normals[6];
+} e;
+
 /* -------------------------------------------------------- the surface --- */
+
+static void set_scaled(vector to, const double from[3])
+{
+    set(to, from);
+    scale(to, power_of_two(-e.exponent), to);
+}
+
+/* x in the caller's unit of length, rounded. */
+static double length(real x)
+{
+    return mpfr_get_d(times(x, power_of_two(e.exponent))->x, RND);
+}
+
+static real larger(real x, real y)
+{
+    return compare(x, y) > 0 ? x : y;
+}
 
 /* to = S v */
 static void apply_S(vector to, vector v)
 {
-    for (int i = 0; i < 3; i++)
-        mpfr_set_ui(to[i], 0, RND);
-    dot(e.t[0], e.gx, v);
-    add(to, e.gx, e.t[0]);
-    dot(e.t[0], e.gy, v);
-    add(to, e.gy, e.t[0]);
-    if (!e.cone)
-        return;
-    dot(e.t[0], e.gz, v);
-    mpfr_neg(e.t[0], e.t[0], RND);
-    add(to, e.gz, e.t[0]);
+    vector sum = {real_of(0), real_of(0), real_of(0)};
+    add_scaled(sum, dot(e.gx, v), e.gx);
+    add_scaled(sum, dot(e.gy, v), e.gy);
+    if (e.cone)
+        add_scaled(sum, negated(dot(e.gz, v)), e.gz);
+    memcpy(to, sum, sizeof sum);
 }
 
-/* Q from the apex or the base; the dual vectors of a, b and the axis w. */
-static void load(const cylint_shape *shape, const double point[3])
+/* Starts with the bits that the data need.  Sets exponent and moved. */
+static void start(const cylint_shape *shape, const double point[3])
 {
-    static const double aside[3] = {1, -0.7, 0.3};
     const double *data[] = {point, cylint_base(shape), cylint_a(shape),
                             cylint_b(shape), cylint_axis(shape)};
     int least = 4000, most = -4000, factor = 0;
@@ -58,159 +82,139 @@ static void load(const cylint_shape *shape, const double point[3])
         least = exponent < least ? exponent : least;
     }
     frexp(cylint_r1(shape), &factor);
-    start(most - least + abs(factor));
+    const long range = most - least + abs(factor);
     e.exponent = most;
-    set(e.Q, point);
-    set(e.base, cylint_base(shape));
-    set(e.a, cylint_a(shape));
-    set(e.b, cylint_b(shape));
-    set(e.h, cylint_axis(shape));
-    for (int i = 0; i < 3; i++)
-        mpfr_sub(e.Q[i], e.Q[i], e.base[i], RND);
-    vector *const lengths[] = {&e.a, &e.b, &e.h};
-    norm(e.longest, e.a);
-    for (int i = 1; i < 3; i++) {
-        norm(e.t[0], *lengths[i]);
-        mpfr_max(e.longest, e.longest, e.t[0], RND);
-    }
-    norm(e.scale, e.Q);
-    mpfr_max(e.scale, e.scale, e.longest, RND);
-    for (int i = 0; i < 3; i++) {
-        mpfr_mul_d(e.t[0], e.scale, aside[i], RND);
-        mpfr_div_2si(e.t[0], e.t[0], e.moved, RND);
-        mpfr_add(e.Q[i], e.Q[i], e.t[0], RND);
-    }
-    mpfr_set_d(e.k1, cylint_r1(shape), RND);
-    mpfr_sub_ui(e.k1, e.k1, 1, RND);
-    e.cone = !mpfr_zero_p(e.k1);
-    copy(e.w, e.h);
+    e.moved = MOVED + 4 * range;
+    real_fixed(BITS + 16 * range);
+}
+
+/* Q from the apex or the base; the dual vectors of a, b and the axis w. */
+static void load(const cylint_shape *shape, const double point[3])
+{
+    static const double aside[3] = {1, -0.7, 0.3};
+    start(shape, point);
+    set_scaled(e.Q, point);
+    set_scaled(e.base, cylint_base(shape));
+    set_scaled(e.a, cylint_a(shape));
+    set_scaled(e.b, cylint_b(shape));
+    set_scaled(e.h, cylint_axis(shape));
+    subtract(e.Q, e.Q, e.base);
+    e.longest = larger(larger(norm(e.a), norm(e.b)), norm(e.h));
+    e.scale = larger(norm(e.Q), e.longest);
+    vector direction;
+    set(direction, aside);
+    add_scaled(e.Q, times(e.scale, power_of_two(-e.moved)), direction);
+    e.k1 = minus(real_of(cylint_r1(shape)), real_of(1));
+    e.cone = sgn(e.k1) != 0;
+    memcpy(e.w, e.h, sizeof e.w);
     if (e.cone) {
-        divide(e.w, e.k1);
-        for (int i = 0; i < 3; i++) {
-            mpfr_add(e.Q[i], e.Q[i], e.w[i], RND);
-            mpfr_sub(e.base[i], e.base[i], e.w[i], RND);
-        }
+        divide(e.w, e.w, e.k1);
+        add_scaled(e.Q, real_of(1), e.w);
+        subtract(e.base, e.base, e.w);
     }
     cross(e.gx, e.b, e.w);
     cross(e.gy, e.w, e.a);
     cross(e.gz, e.a, e.b);
-    dot(e.t[0], e.a, e.gx);
-    divide(e.gx, e.t[0]);
-    divide(e.gy, e.t[0]);
-    divide(e.gz, e.t[0]);
+    const real det = dot(e.a, e.gx);
+    divide(e.gx, e.gx, det);
+    divide(e.gy, e.gy, det);
+    divide(e.gz, e.gz, det);
 }
 
-/* Sums of products of dual vectors: trace of S, of S^2 and its determinant. */
+/* det: 1, the trace of S, that of S^2, and the determinant, by products of dual
+ * vectors. */
 static void load_determinant(void)
 {
-    mpfr_t g[3][3];
-    vector *const dual[] = {&e.gx, &e.gy, &e.gz};
+    vector *const dual[] = {&e.gx, &e.gy, &e.gz}, c;
+    real *const trace = &e.det[1], *const minor = &e.det[2];
     const int n = e.cone ? 3 : 2, sign[3] = {1, 1, -1};
-    mpfr_set_ui(e.trace, 0, RND);
-    mpfr_set_ui(e.minor, 0, RND);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            mpfr_init2(g[i][j], e.bits);
-            dot(g[i][j], *dual[i], *dual[j]);
-        }
+    e.det[0] = real_of(1);
+    *trace = *minor = real_of(0);
     for (int i = 0; i < n; i++) {
-        mpfr_mul_si(e.t[0], g[i][i], sign[i], RND);
-        mpfr_add(e.trace, e.trace, e.t[0], RND);
+        const real ii = dot(*dual[i], *dual[i]);
+        *trace = plus(*trace, times(real_of(sign[i]), ii));
         for (int j = 0; j < i; j++) {
-            mpfr_mul(e.t[0], g[i][i], g[j][j], RND);
-            mpfr_mul(e.t[1], g[i][j], g[i][j], RND);
-            mpfr_sub(e.t[0], e.t[0], e.t[1], RND);
-            mpfr_mul_si(e.t[0], e.t[0], sign[i] * sign[j], RND);
-            mpfr_add(e.minor, e.minor, e.t[0], RND);
+            const real square = minus(times(ii, dot(*dual[j], *dual[j])),
+                                      square_of(dot(*dual[i], *dual[j])));
+            *minor = plus(*minor, times(real_of(sign[i] * sign[j]), square));
         }
     }
-    vector c;
-    for (int i = 0; i < 3; i++)
-        mpfr_init2(c[i], e.bits);
     cross(c, e.gy, e.gz);
-    dot(e.det[3], c, e.gx);
-    mpfr_sqr(e.det[3], e.det[3], RND);
-    mpfr_mul_si(e.det[3], e.det[3], e.cone ? -1 : 0, RND);
-    for (int i = 0; i < 3; i++) {
-        mpfr_clear(c[i]);
-        for (int j = 0; j < 3; j++)
-            mpfr_clear(g[i][j]);
-    }
-    mpfr_set_ui(e.det[0], 1, RND);
-    mpfr_set(e.det[1], e.trace, RND);
-    mpfr_set(e.det[2], e.minor, RND);
+    e.det[3] =
+        times(real_of(e.cone ? -1 : 0), square_of(dot(c, e.gx)));
 }
 
 /* y = Q + m (T - S) Q + m^2 (C - T S + S^2) Q */
 static void load_y(void)
 {
-    copy(e.y[0], e.Q);
-    apply_S(e.y[1], e.Q);
-    apply_S(e.y[2], e.y[1]);
-    mpfr_neg(e.t[1], e.trace, RND);
-    add(e.y[2], e.y[1], e.t[1]);
-    add(e.y[2], e.Q, e.minor);
-    for (int i = 0; i < 3; i++)
-        mpfr_neg(e.y[1][i], e.y[1][i], RND);
-    add(e.y[1], e.Q, e.trace);
-    for (int k = 0; k < 3; k++)
-        apply_S(e.Sy[k], e.y[k]);
+    vector SQ;
+    apply_S(SQ, e.Q);
+    apply_S(e.y[2], SQ);
+    memcpy(e.y[0], e.Q, sizeof e.Q);
+    scale(e.y[1], e.det[1], e.Q);
+    subtract(e.y[1], e.y[1], SQ);
+    add_scaled(e.y[2], negated(e.det[1]), SQ);
+    add_scaled(e.y[2], e.det[2], e.Q);
 }
 
-/* p -= det^2 */
-static void subtract_det_squared(int degree)
+static void clear(polynomial p)
 {
-    for (int i = 0; i <= degree; i++)
-        for (int j = 0; j <= degree && i + j <= DEGREE; j++) {
-            mpfr_mul(e.t[0], e.det[i], e.det[j], RND);
-            mpfr_sub(e.p[i + j], e.p[i + j], e.t[0], RND);
-        }
+    for (int i = 0; i <= MOST_DEGREE; i++)
+        p[i] = real_of(0);
 }
 
-static void lateral_polynomial(void)
+/* p -= (det of degree 2)^2 */
+static void subtract_det_squared(polynomial p)
 {
+    for (int i = 0; i <= 2; i++)
+        for (int j = 0; j <= 2; j++)
+            p[i + j] = minus(p[i + j], times(e.det[i], e.det[j]));
+}
+
+static void lateral_polynomial(polynomial p)
+{
+    const int terms = e.cone ? 3 : 2; /* of a cylinder: S y[2] = 0 */
+    clear(p);
     load_determinant();
     load_y();
-    for (int i = 0; i <= DEGREE; i++)
-        mpfr_set_ui(e.p[i], 0, RND);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            dot(e.t[0], e.y[i], e.Sy[j]);
-            mpfr_add(e.p[i + j], e.p[i + j], e.t[0], RND);
-        }
-    if (!e.cone) { /* degree 2: S y[2] = 0 */
-        mpfr_set_ui(e.p[3], 0, RND);
-        mpfr_set_ui(e.p[4], 0, RND);
-        subtract_det_squared(2);
+    for (int j = 0; j < terms; j++) {
+        vector Sy;
+        apply_S(Sy, e.y[j]);
+        for (int i = 0; i < 3 && i + j < 2 * terms - 1; i++)
+            p[i + j] = plus(p[i + j], dot(e.y[i], Sy));
     }
+    if (!e.cone)
+        subtract_det_squared(p);
 }
 
 /* ---------------------------------------------------------- candidates -- */
 
-/* e.R is the residual, e.N the normal but for its length. */
-static void offer_by_feature(struct oracle_closest *expected, int feature)
+/* R is the residual, N the normal but for its length. */
+static void offer_by_feature(struct oracle_closest *expected, int feature,
+                             vector R, vector N)
 {
-    norm(e.size, e.R);
-    const double size = length(e.size);
+    const double size = length(norm(R));
     if (size < expected->by_feature[feature]) {
         expected->by_feature[feature] = size;
-        copy(e.normals[feature], e.N);
+        memcpy(e.normals[feature], N, sizeof(vector));
     }
 }
 
-static void offer(struct oracle_closest *expected, int part, int feature)
+static void offer(struct oracle_closest *expected, int part, int feature,
+                  vector R, vector N)
 {
-    offer_by_feature(expected, feature);
+    const real size = norm(R);
+    offer_by_feature(expected, feature, R, N);
     if (expected->part >= 0) {
         const int same = feature == expected->feature && !e.cone;
-        const long equal = mpfr_get_exp(e.scale) - e.moved + 20;
-        const long tie = mpfr_get_exp(same ? e.longest : e.scale) - 113;
-        mpfr_sub(e.t[0], e.best, e.size, RND);
-        const int sign = mpfr_sgn(e.t[0]);
-        const long off = sign == 0 ? equal : mpfr_get_exp(e.t[0]);
+        const long equal = mpfr_get_exp(e.scale->x) - e.moved + 20;
+        const long tie = mpfr_get_exp((same ? e.longest : e.scale)->x) - 113;
+        const real nearer = minus(e.best, size);
+        const long off =
+            sgn(nearer) == 0 ? equal : mpfr_get_exp(nearer->x);
         if (off < tie)
             expected->is_tie = 1;
-        if (sign <= 0 || off < equal)
+        if (sgn(nearer) <= 0 || off < equal)
             return;
         if (off >= tie)
             expected->is_tie = 0;
@@ -218,227 +222,173 @@ static void offer(struct oracle_closest *expected, int part, int feature)
     expected->is_tie |= e.has_twin;
     expected->part = part;
     expected->feature = feature;
-    mpfr_set(e.best, e.size, RND);
-    for (int i = 0; i < 3; i++)
-        mpfr_sub(e.foot[i], e.Q[i], e.R[i], RND);
-    copy(e.normal, e.N);
-    norm(e.t[0], e.normal);
-    divide(e.normal, e.t[0]);
-}
-
-/* rho and z of Y. */
-static void place(void)
-{
-    dot(e.z, e.gz, e.Y);
-    mpfr_set_ui(e.rho, 1, RND);
-    if (e.cone) {
-        mpfr_set(e.rho, e.z, RND);
-        mpfr_sub_ui(e.z, e.z, 1, RND);
-        mpfr_div(e.z, e.z, e.k1, RND);
-    }
+    e.best = size;
+    subtract(e.foot, e.Q, R);
+    divide(e.normal, N, norm(N));
 }
 
 /* Whether z is beyond an end by less than 2^-100: on a rim, but for roundings. */
-static int is_next_to_end(void)
+static int is_next_to_end(real z)
 {
-    mpfr_set(e.t[0], e.z, RND);
-    if (mpfr_sgn(e.z) > 0)
-        mpfr_sub_ui(e.t[0], e.z, 1, RND);
-    return mpfr_zero_p(e.t[0]) || mpfr_get_exp(e.t[0]) < -100;
+    const real off = sgn(z) > 0 ? minus(z, real_of(1)) : z;
+    return sgn(off) == 0 || mpfr_get_exp(off->x) < -100;
 }
 
 static void try_lateral(const cylint_shape *shape,
-                        struct oracle_closest *expected, mpfr_t m, int nappe)
+                        struct oracle_closest *expected, real m, int nappe)
 {
-    for (int i = 0; i < 3; i++) {
-        mpfr_fma(e.Y[i], e.y[2][i], m, e.y[1][i], RND);
-        mpfr_fma(e.Y[i], e.Y[i], m, e.y[0][i], RND);
+    const real one = real_of(1);
+    vector Y, R, N;
+    real slope, det = value_of(e.det, 3, m, &slope);
+    if (sgn(det) == 0)
+        return;
+    memcpy(Y, e.y[1], sizeof Y);
+    add_scaled(Y, m, e.y[2]);
+    scale(Y, m, Y);
+    add_scaled(Y, one, e.y[0]);
+    divide(Y, Y, det);
+    real rho = one, z = dot(e.gz, Y);
+    if (e.cone) {
+        rho = z;
+        z = over(minus(z, one), e.k1);
     }
-    mpfr_set(e.t[0], e.det[3], RND);
-    for (int i = 2; i >= 0; i--)
-        mpfr_fma(e.t[0], e.t[0], m, e.det[i], RND);
-    if (mpfr_zero_p(e.t[0]))
+    if (sgn(rho) != nappe)
         return;
-    divide(e.Y, e.t[0]);
-    place();
-    if (mpfr_sgn(e.rho) != nappe)
-        return;
-    for (int i = 0; i < 3; i++)
-        mpfr_sub(e.R[i], e.Q[i], e.Y[i], RND);
-    apply_S(e.N, e.Y);
+    subtract(R, e.Q, Y);
+    apply_S(N, Y);
     if (shape->ends < CYLINT_ENDS_INFINITE &&
-        !(mpfr_sgn(e.z) > 0 && mpfr_cmp_ui(e.z, 1) < 0)) {
-        if (is_next_to_end())
-            offer_by_feature(expected, CYLINT_FEATURE_LATERAL);
+        !(sgn(z) > 0 && compare(z, one) < 0)) {
+        if (is_next_to_end(z))
+            offer_by_feature(expected, CYLINT_FEATURE_LATERAL, R, N);
         return;
     }
-    offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
+    offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL, R, N);
 }
 
 static void lateral(const cylint_shape *shape, struct oracle_closest *expected)
 {
-    lateral_polynomial();
-    const int n = real_zeros();
+    polynomial p;
+    real zero[MOST_ZEROS];
+    lateral_polynomial(p);
+    const int n = real_zeros(p, zero);
     for (int i = 0; i < n; i++)
-        try_lateral(shape, expected, e.root[i], 1);
+        try_lateral(shape, expected, zero[i], 1);
     for (int i = 0; i < n && shape->ends == CYLINT_ENDS_INFINITE; i++)
-        try_lateral(shape, expected, e.root[i], -1);
+        try_lateral(shape, expected, zero[i], -1);
 }
 
 static void apex(const cylint_shape *shape, struct oracle_closest *expected)
 {
-    const int grows = mpfr_sgn(e.k1) > 0;
+    const int grows = sgn(e.k1) > 0;
     const int is_double = shape->ends == CYLINT_ENDS_INFINITE;
-    copy(e.R, e.Q);
-    copy(e.N, e.h);
-    for (int i = 0; i < 3; i++) /* away from the solid; towards the base */
-        mpfr_mul_si(e.N[i], e.N[i], grows == is_double ? 1 : -1, RND);
-    offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX);
+    vector N; /* away from the solid; towards the base */
+    scale(N, real_of(grows == is_double ? 1 : -1), e.h);
+    offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX, e.Q, N);
 }
 
-/* An orthonormal system with the third vector perpendicular to the rim's
- * plane; the coordinates of a and b and of E, the point from the centre. */
-static void load_plane(int end)
+/* An orthonormal system with the third vector perpendicular to the rim's plane; E,
+ * the point from the centre; S2 = s00, s01, s11 with v.S2 v = 1 on the rim of the
+ * factor. */
+static void load_plane(int end, real factor)
 {
-    copy(e.E, e.Q);
-    if (e.cone) {
-        mpfr_set_si(e.t[0], -1, RND);
-        add(e.E, e.w, e.t[0]);
-    }
-    if (end) {
-        mpfr_set_si(e.t[0], -1, RND);
-        add(e.E, e.h, e.t[0]);
-    }
-    copy(e.plane[0], e.a);
+    real in[2][2];
+    memcpy(e.E, e.Q, sizeof e.E);
+    if (e.cone)
+        subtract(e.E, e.E, e.w);
+    if (end)
+        subtract(e.E, e.E, e.h);
+    memcpy(e.plane[0], e.a, sizeof e.a);
     cross(e.plane[2], e.a, e.b);
     cross(e.plane[1], e.plane[2], e.a);
-    for (int k = 0; k < 3; k++) {
-        norm(e.t[0], e.plane[k]);
-        divide(e.plane[k], e.t[0]);
-    }
+    for (int k = 0; k < 3; k++)
+        divide(e.plane[k], e.plane[k], norm(e.plane[k]));
     for (int k = 0; k < 2; k++) {
-        dot(e.in[k][0], e.plane[k], e.a);
-        dot(e.in[k][1], e.plane[k], e.b);
-        dot(e.flat[k], e.plane[k], e.E);
+        in[k][0] = dot(e.plane[k], e.a);
+        in[k][1] = dot(e.plane[k], e.b);
+        e.flat[k] = dot(e.plane[k], e.E);
     }
-}
-
-/* S2 = s00, s01, s11 with v.S2 v = 1 on the rim of the factor. */
-static void load_S2(mpfr_t factor)
-{
     /* the matrix in = [p r; 0 q], its inverse [1/p -r/(pq); 0 1/q] */
-    mpfr_ptr p = e.t[0], q = e.t[1], r = e.t[2];
-    mpfr_ui_div(p, 1, e.in[0][0], RND);
-    mpfr_ui_div(q, 1, e.in[1][1], RND);
-    mpfr_mul(r, e.in[0][1], p, RND);
-    mpfr_mul(r, r, q, RND);
-    mpfr_neg(r, r, RND);
-    mpfr_mul(e.S2[0], p, p, RND);
-    mpfr_mul(e.S2[1], p, r, RND);
-    mpfr_mul(e.S2[2], r, r, RND);
-    mpfr_fma(e.S2[2], q, q, e.S2[2], RND);
-    for (int i = 0; i < 3; i++) {
-        mpfr_div(e.S2[i], e.S2[i], factor, RND);
-        mpfr_div(e.S2[i], e.S2[i], factor, RND);
-    }
+    const real p = over(real_of(1), in[0][0]), q = over(real_of(1), in[1][1]);
+    const real r = negated(times(times(in[0][1], p), q));
+    e.S2[0] = square_of(p);
+    e.S2[1] = times(p, r);
+    e.S2[2] = plus(square_of(r), square_of(q));
+    for (int i = 0; i < 3; i++)
+        e.S2[i] = over(e.S2[i], square_of(factor));
 }
 
-/* v.S2 v */
-static void form2(mpfr_t to, mpfr_t x, mpfr_t y, mpfr_t u, mpfr_t v)
+/* v.S2 u */
+static real form2(const real *u, const real *v)
 {
-    mpfr_mul(e.t[10], x, u, RND);
-    mpfr_mul(to, e.t[10], e.S2[0], RND);
-    mpfr_mul(e.t[10], y, v, RND);
-    mpfr_fma(to, e.t[10], e.S2[2], to, RND);
-    mpfr_mul(e.t[10], x, v, RND);
-    mpfr_fma(e.t[10], y, u, e.t[10], RND);
-    mpfr_fma(to, e.t[10], e.S2[1], to, RND);
+    const real straight = plus(times(e.S2[0], times(u[0], v[0])),
+                               times(e.S2[2], times(u[1], v[1])));
+    return plus(straight, times(e.S2[1], plus(times(u[0], v[1]),
+                                              times(u[1], v[0]))));
 }
 
-/* y = flat + m (T - S2) flat, in y[0][0..1] and y[1][0..1] */
-static void rim_polynomial(void)
+/* y = flat + m (T - S2) flat */
+static void rim_polynomial(polynomial p, real y[2][2])
 {
-    mpfr_add(e.det[1], e.S2[0], e.S2[2], RND);
-    mpfr_mul(e.det[2], e.S2[0], e.S2[2], RND);
-    mpfr_mul(e.t[0], e.S2[1], e.S2[1], RND);
-    mpfr_sub(e.det[2], e.det[2], e.t[0], RND);
-    mpfr_set_ui(e.det[0], 1, RND);
+    clear(p);
+    e.det[0] = real_of(1);
+    e.det[1] = plus(e.S2[0], e.S2[2]);
+    e.det[2] = minus(times(e.S2[0], e.S2[2]), square_of(e.S2[1]));
     for (int k = 0; k < 2; k++) {
-        mpfr_set(e.y[0][k], e.flat[k], RND);
-        mpfr_mul(e.t[0], e.S2[2 - 2 * k], e.flat[k], RND);
-        mpfr_mul(e.t[1], e.S2[1], e.flat[1 - k], RND);
-        mpfr_sub(e.y[1][k], e.t[0], e.t[1], RND);
+        y[0][k] = e.flat[k];
+        y[1][k] = minus(times(e.S2[2 - 2 * k], e.flat[k]),
+                        times(e.S2[1], e.flat[1 - k]));
     }
-    for (int i = 0; i <= DEGREE; i++)
-        mpfr_set_ui(e.p[i], 0, RND);
     for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++) {
-            form2(e.t[0], e.y[i][0], e.y[i][1], e.y[j][0], e.y[j][1]);
-            mpfr_add(e.p[i + j], e.p[i + j], e.t[0], RND);
-        }
-    subtract_det_squared(2);
+        for (int j = 0; j < 2; j++)
+            p[i + j] = plus(p[i + j], form2(y[i], y[j]));
+    subtract_det_squared(p);
 }
 
 /* At the nearest point of the rim 1 + m S2 is positive semidefinite: m is at least
  * -1 / s, s the larger eigenvalue of S2, 2 s = T + sqrt(T^2 - 4 det).  There
  * p / det^2 falls from +infinity to -1.  m is larger by at least 2^-moved / s,
  * because the point is moved. */
-static int nearest_of_rim(void)
+static int nearest_of_rim(const real *p, real *zero)
 {
-    mpfr_ptr low = e.t[6];
-    mpfr_sqr(e.t[0], e.det[1], RND);
-    mpfr_mul_2ui(e.t[1], e.det[2], 2, RND);
-    mpfr_sub(e.t[0], e.t[0], e.t[1], RND);
-    mpfr_set_ui(e.t[1], 0, RND);
-    mpfr_max(e.t[0], e.t[0], e.t[1], RND);
-    mpfr_sqrt(e.t[0], e.t[0], RND);
-    mpfr_add(e.t[0], e.t[0], e.det[1], RND);
-    mpfr_si_div(low, -2, e.t[0], RND);
-    mpfr_div_2si(e.t[0], low, e.moved + 50, RND);
-    mpfr_sub(low, low, e.t[0], RND);
-    if (!zero_above(low))
-        return real_zeros();
-    mpfr_sub(e.t[0], e.root[0], low, RND);
-    e.has_twin = is_tiny(e.t[0], low, 110);
+    const real D =
+        minus(square_of(e.det[1]), times(real_of(4), e.det[2]));
+    real low = over(real_of(-2), plus(root_of(D), e.det[1]));
+    low = minus(low, times(low, power_of_two(-e.moved - 50)));
+    if (!zero_above(p, low, zero))
+        return real_zeros(p, zero);
+    e.has_twin = is_tiny(minus(*zero, low), low, 110);
     return 1;
 }
 
-static void try_rim(struct oracle_closest *expected, mpfr_t m, int end)
+static void try_rim(struct oracle_closest *expected, real y[2][2], real m,
+                    int end)
 {
-    mpfr_fma(e.t[0], e.det[2], m, e.det[1], RND);
-    mpfr_fma(e.t[0], e.t[0], m, e.det[0], RND);
-    if (mpfr_zero_p(e.t[0]))
+    vector R, Y, N;
+    real slope, det = value_of(e.det, 2, m, &slope);
+    if (sgn(det) == 0)
         return;
-    copy(e.R, e.E);
+    memcpy(R, e.E, sizeof R);
     for (int k = 0; k < 2; k++) {
-        mpfr_fma(e.t[1], e.y[1][k], m, e.y[0][k], RND);
-        mpfr_div(e.t[1], e.t[1], e.t[0], RND);
-        mpfr_neg(e.t[1], e.t[1], RND);
-        add(e.R, e.plane[k], e.t[1]);
+        const real share = over(plus(times(y[1][k], m), y[0][k]), det);
+        add_scaled(R, negated(share), e.plane[k]);
     }
-    for (int i = 0; i < 3; i++)
-        mpfr_sub(e.Y[i], e.Q[i], e.R[i], RND);
-    apply_S(e.N, e.Y);
+    subtract(Y, e.Q, R);
+    apply_S(N, Y);
     offer(expected, CYLINT_PART_LATERAL,
-          end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0);
+          end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, R, N);
 }
 
 static void cap(struct oracle_closest *expected, int end)
 {
     const int feature = end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
-    dot(e.t[0], e.plane[2], e.h);
-    copy(e.N, e.plane[2]);
-    for (int i = 0; i < 3; i++)
-        mpfr_mul_si(e.N[i], e.N[i], (mpfr_sgn(e.t[0]) > 0) == end ? 1 : -1,
-                    RND);
-    copy(e.normals[feature], e.N);
-    form2(e.t[0], e.flat[0], e.flat[1], e.flat[0], e.flat[1]);
-    if (mpfr_cmp_ui(e.t[0], 1) >= 0)
+    const int upward = sgn(dot(e.plane[2], e.h)) > 0;
+    vector R, N;
+    scale(N, real_of(upward == end ? 1 : -1), e.plane[2]);
+    memcpy(e.normals[feature], N, sizeof N);
+    if (compare(form2(e.flat, e.flat), real_of(1)) >= 0)
         return;
-    dot(e.t[0], e.plane[2], e.E);
-    for (int i = 0; i < 3; i++)
-        mpfr_mul(e.R[i], e.plane[2][i], e.t[0], RND);
-    offer(expected, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0, feature);
+    scale(R, dot(e.plane[2], e.E), e.plane[2]);
+    offer(expected, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0, feature, R, N);
 }
 
 static void ends(const cylint_shape *shape, struct oracle_closest *expected)
@@ -447,16 +397,17 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
         const int is_cap =
             shape->ends == CYLINT_ENDS_CAPPED ||
             shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
-        mpfr_set_d(e.z, end ? cylint_r1(shape) : 1, RND);
-        if (mpfr_zero_p(e.z)) {
+        const real factor = real_of(end ? cylint_r1(shape) : 1);
+        polynomial p;
+        real y[2][2], zero[MOST_ZEROS];
+        if (sgn(factor) == 0) {
             apex(shape, expected);
             continue;
         }
-        load_plane(end);
-        load_S2(e.z);
-        rim_polynomial();
-        for (int i = 0, n = nearest_of_rim(); i < n; i++)
-            try_rim(expected, e.root[i], end);
+        load_plane(end, factor);
+        rim_polynomial(p, y);
+        for (int i = 0, n = nearest_of_rim(p, zero); i < n; i++)
+            try_rim(expected, y, zero[i], end);
         e.has_twin = 0;
         if (is_cap)
             cap(expected, end);
@@ -496,23 +447,20 @@ static void choose_on_surface(struct oracle_closest *expected, int feature)
     if (feature == CYLINT_FEATURE_LATERAL)
         for (int rim = CYLINT_FEATURE_RIM0; rim <= CYLINT_FEATURE_RIM1; rim++)
             feature = by[rim] < by[feature] ? rim : feature;
-    copy(e.normal, e.normals[feature]);
-    norm(e.t[0], e.normal);
-    divide(e.normal, e.t[0]);
+    divide(e.normal, e.normals[feature], norm(e.normals[feature]));
 }
 
 static void write(struct oracle_closest *expected, const double point[3],
                   int is_on)
 {
+    const long least = mpfr_get_exp(e.scale->x) - e.moved / 2;
     for (int i = 0; i < 3; i++) {
-        mpfr_add(e.t[0], e.foot[i], e.base[i], RND);
-        const int is_zero =
-            mpfr_zero_p(e.t[0]) ||
-            mpfr_get_exp(e.t[0]) < mpfr_get_exp(e.scale) - e.moved / 2;
+        const real x = plus(e.foot[i], e.base[i]);
+        const int is_zero = sgn(x) == 0 || mpfr_get_exp(x->x) < least;
         expected->point[i] = is_on     ? point[i] + 0.0
                              : is_zero ? 0
-                                       : length(e.t[0]) + 0.0;
-        const double n = mpfr_get_d(e.normal[i], RND);
+                                       : length(x) + 0.0;
+        const double n = mpfr_get_d(e.normal[i]->x, RND);
         expected->normal[i] = fabs(n) < 0x1p-120 ? 0 : n;
     }
 }
@@ -535,17 +483,18 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
     if (is_on)
         choose_on_surface(expected, on);
     write(expected, point, is_on);
-    mpfr_set_prec(size, e.bits);
-    mpfr_set(size, e.best, RND);
+    real signed_size = e.best;
     if (is_on)
-        mpfr_set_ui(size, 0, RND);
+        signed_size = real_of(0);
     else if (side > 0 && (shape->ends == CYLINT_ENDS_CAPPED ||
                           shape->ends >= CYLINT_ENDS_INFINITE))
-        mpfr_neg(size, size, RND);
+        signed_size = negated(e.best);
     expected->too_near =
-        !is_on && (mpfr_zero_p(size) ||
-                   mpfr_get_exp(size) < mpfr_get_exp(e.scale) - (e.moved - 64));
-    mpfr_mul_2si(size, size, e.exponent, RND);
+        !is_on && (sgn(signed_size) == 0 ||
+                   mpfr_get_exp(signed_size->x) <
+                       mpfr_get_exp(e.scale->x) - (e.moved - 64));
+    mpfr_set_prec(size, reals.bits);
+    mpfr_mul_2si(size, signed_size->x, e.exponent, RND);
     expected->length = length(e.scale);
     expected->distance = mpfr_get_d(size, RND);
 }

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "elliptic_solids.h"
 #include "known_distances.h"
-#include "random.h"
 
 enum { CASES = 6000, POINTS = 4, ANGLES = 180 };
 
@@ -322,19 +322,8 @@ static void a_foot_next_to_an_end_is_placed_exactly(void)
 
 /* ------------------------------------- the nearest of many points ------- */
 
-static uint64_t stream = 16;
-
-static double between(double low, double high)
-{
-    return low + (high - low) * random_unit(&stream);
-}
-
-struct ellipse {
-    double c[3], a[3], b[3], h[3], k;
-};
-
 /* Oblique, sometimes thin or nearly flat; its sizes differ by 10^3 at most. */
-static void draw_shape(struct ellipse *e)
+static void draw_shape(struct solid *e)
 {
     const double thin = pow(10, between(-1.5, 0)),
                  flat = pow(10, between(-1.5, 1));
@@ -345,12 +334,12 @@ static void draw_shape(struct ellipse *e)
         e->b[i] = thin * between(-1, 1);
         e->h[i] = flat * between(-1, 1) + lean[0] * e->a[i] + lean[1] * e->b[i];
     }
-    e->k = random_int(&stream, 3) ? between(0, 2) : 1;
+    e->k = random_int(&solid_stream, 3) ? between(0, 2) : 1;
 }
 
 /* The square of the distance of X from the segment on the ruling of an
  * angle. */
-static double from_segment(const struct ellipse *e, const double X[3],
+static double from_segment(const struct solid *e, const double X[3],
                            double angle, int bounded)
 {
     double E[3], v[3], Ev = 0, vv = 0, sum = 0;
@@ -372,23 +361,19 @@ static void no_point_of_the_surface_is_nearer(void)
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     long second = 0;
     for (uint64_t n = 0; n < cases; n++) {
-        struct ellipse e;
+        struct solid e;
         cylint_shape s;
         draw_shape(&e);
-        const int bounded = random_int(&stream, 3) != 0;
-        if (cylint_elliptic_cone(&s, e.c, e.a, e.b, e.h, e.k,
-                                 bounded ? CYLINT_ENDS_OPEN
-                                         : CYLINT_ENDS_INFINITE) != CYLINT_OK)
+        const int bounded = random_int(&solid_stream, 3) != 0;
+        if (!make_solid(&s, &e,
+                        bounded ? CYLINT_ENDS_OPEN : CYLINT_ENDS_INFINITE))
             continue;
         for (int k = 0; k < POINTS; k++) {
-            double X[3], least = HUGE_VAL;
+            double X[3], d[ANGLES], least = HUGE_VAL;
             int minima = 0;
             cylint_closest got;
-            const double x = between(-1.2, 1.2), y = between(-1.2, 1.2);
-            const double z = between(-0.2, 1.2);
-            for (int i = 0; i < 3; i++)
-                X[i] = e.c[i] + x * e.a[i] + y * e.b[i] + z * e.h[i];
-            double d[ANGLES];
+            place_in_solid(&e, between(-1.2, 1.2), between(-1.2, 1.2),
+                           between(-0.2, 1.2), X);
             for (int i = 0; i < ANGLES; i++) {
                 d[i] = from_segment(&e, X, 6.283185307179586 * i / ANGLES,
                                     bounded);
@@ -399,13 +384,10 @@ static void no_point_of_the_surface_is_nearer(void)
                           d[i] < d[(i + ANGLES - 1) % ANGLES];
             second += minima > 1;
             const double size = fabs(cylint_distance(&s, X, WANT, &got));
-            if (!CHECK(size <= sqrt(least) * (1 + 0x1p-30) + 0x1p-40))
-                REPORT(
-                    "econe %a %a %a  %a %a %a  %a %a %a  %a %a %a  %a, point "
-                    "%a %a %a: %g, nearer: %g",
-                    e.c[0], e.c[1], e.c[2], e.a[0], e.a[1], e.a[2], e.b[0],
-                    e.b[1], e.b[2], e.h[0], e.h[1], e.h[2], e.k, X[0], X[1],
-                    X[2], size, sqrt(least));
+            if (!CHECK(size <= sqrt(least) * (1 + 0x1p-30) + 0x1p-40)) {
+                report_solid(&e, s.ends, X);
+                REPORT("%g, nearer: %g", size, sqrt(least));
+            }
         }
     }
     printf("note: of %ld points, %ld have several local minima\n",

@@ -4,8 +4,8 @@
  *
  * Answers that are certain are those of the build that runs, of the one without a
  * fused multiply-add and of the last stage, in triples; nearly all are certain.
- * Named cases hold what an attack found.  CYLINT_CASES is the number of shapes of a
- * family.
+ * The safety is never above the distance, and not far below it.  Named cases hold
+ * what an attack found.  CYLINT_CASES is the number of shapes of a family.
  */
 #include <string.h>
 
@@ -14,15 +14,17 @@
 #include "elliptic_solids.h"
 #include "known_distances.h"
 
-enum { CASES = 200, MIXED = 20000, ALL = WANT | CYLINT_WANT_DISTANCE };
+enum { CASES = 800, MIXED = 20000, ALL = WANT | CYLINT_WANT_DISTANCE };
 
 static const cylint_ends every_ends[] = {
     CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,     CYLINT_ENDS_CAP0,
     CYLINT_ENDS_CAP1,   CYLINT_ENDS_INFINITE, CYLINT_ENDS_NAPPE};
 enum { ENDS = sizeof every_ends / sizeof every_ends[0] };
 
+/* safe: the number and the sum of the ratios of safety and distance. */
 struct tally {
-    long n, left;
+    long n, left, safe;
+    double ratios, least;
 };
 
 /* Of *a and *b the members that `left` does not name. */
@@ -38,13 +40,16 @@ static int are_equal(const cylint_closest *a, const cylint_closest *b,
             memcmp(a->normal, b->normal, sizeof a->normal) == 0);
 }
 
-static void report(const struct solid *e, cylint_ends ends, const double p[3])
+static int check_safety(const cylint_shape *s, const double p[3], double size,
+                        struct tally *sum)
 {
-    REPORT("econe %a %a %a  %a %a %a  %a %a %a  %a %a %a  %a ends %d, point "
-           "%a %a %a",
-           e->c[0], e->c[1], e->c[2], e->a[0], e->a[1], e->a[2], e->b[0],
-           e->b[1], e->b[2], e->h[0], e->h[1], e->h[2], e->k, (int)ends, p[0],
-           p[1], p[2]);
+    const double safe = cylint_safety(s, p);
+    if (size > 0) {
+        sum->safe++;
+        sum->ratios += safe / size;
+        sum->least = fmin(sum->least, safe / size);
+    }
+    return CHECK(safe >= 0 && safe <= size);
 }
 
 /* triples: their answers are right, too. */
@@ -53,47 +58,82 @@ static void check_point(const struct solid *e, cylint_ends ends,
 {
     cylint_shape s;
     cylint_closest certain, all, last;
-    if (!make_solid(&s, e, ends) || !cylint_prepared(&s))
+    if (!make_solid(&s, e, ends))
+        return;
+    all = answer_to(&s, p, WANT);
+    if (!check_safety(&s, p, fabs(all.distance), sum))
+        report_solid(e, ends, p);
+    if (!cylint_prepared(&s))
         return;
     memset(&certain, 0, sizeof certain);
     memset(&last, 0, sizeof last);
     const unsigned left = cylint_elliptic_in_pairs_plain(&s, p, ALL, &certain);
-    all = answer_to(&s, p, WANT);
     sum->n++;
     sum->left += left != 0;
     int right = are_equal(&certain, &all, left) &&
-                cylint_distance(&s, p, 0, &last) == all.distance &&
-                cylint_safety(&s, p) <= fabs(all.distance);
+                cylint_distance(&s, p, 0, &last) == all.distance;
     if (triples) {
         cylint_elliptic_distance(&s, p, WANT, &last);
         right &= are_equal(&certain, &last, left);
     }
     if (!CHECK(right))
-        report(e, ends, p);
+        report_solid(e, ends, p);
+}
+
+static struct tally tallies[ENDS][FORMS][PLACES];
+
+static void check_solids(cylint_ends ends, enum form form, enum where where,
+                         struct tally *sum)
+{
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
+    sum->least = 1;
+    for (uint64_t i = 0; i < cases; i++) {
+        struct solid e;
+        double p[3];
+        draw_solid(&e, form, i % 2 == 1);
+        draw_place(&e, where, p);
+        check_point(&e, ends, p, 1, sum);
+    }
 }
 
 static void nearly_all_answers_are_certain(void)
 {
-    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     for (int end = 0; end < ENDS; end++) {
-        const cylint_ends ends = every_ends[end];
-        struct tally sum = {0, 0};
-        for (int form = 0; form < NEEDLE; form++)
-            for (int where = 0; where < PLACES; where++)
-                for (uint64_t i = 0; i < cases; i++) {
-                    struct solid e;
-                    double p[3];
-                    draw_solid(&e, (enum form)form, i % 2 == 1);
-                    draw_place(&e, (enum where)where, p);
-                    check_point(&e, ends, p, 1, &sum);
-                }
-        const double share = (double)sum.left / (double)sum.n;
+        long n = 0, left = 0;
+        for (int form = 0; form < FORMS; form++)
+            for (int where = 0; where < PLACES; where++) {
+                struct tally *of = &tallies[end][form][where];
+                check_solids(every_ends[end], (enum form)form,
+                             (enum where)where, of);
+                n += form < NEEDLE ? of->n : 0;
+                left += form < NEEDLE ? of->left : 0;
+            }
+        const double share = (double)left / (double)n;
         printf("note: ends %d: %.2g of %ld answers are left to triples\n", end,
-               share, sum.n);
+               share, n);
         /* Inside a shape without a cap the nearest point can be on either rim. */
-        CHECK(sum.n > (long)cases);
-        CHECK(share < (ends == CYLINT_ENDS_CAPPED ? 0.01 : 0.1));
+        CHECK(n > (long)check_setting("CYLINT_CASES", CASES));
+        CHECK(share < (every_ends[end] == CYLINT_ENDS_CAPPED ? 0.01 : 0.1));
     }
+}
+
+/* Of the points of the last test. */
+static void the_safety_is_close_to_the_distance(void)
+{
+    for (int form = 0; form < FORMS; form++)
+        for (int where = 0; where < PLACES; where++) {
+            double mean = 1, least = 1;
+            for (int end = 0; end < ENDS; end++) {
+                const struct tally *of = &tallies[end][form][where];
+                mean = fmin(mean, of->ratios / (double)of->safe);
+                least = fmin(least, of->least);
+            }
+            printf("note: %s, %s: safety / distance %.4f in the mean, at least "
+                   "%.3g\n",
+                   form_names[form], place_names[where], mean, least);
+            if (!CHECK(mean > 0.85))
+                REPORT("%s %s: %g", form_names[form], place_names[where], mean);
+        }
 }
 
 static uint64_t stream = 25;
@@ -145,15 +185,15 @@ static void draw_mixed_place(const struct solid *e, int mode, double p[3])
         x = (1 + (e->k - 1) * z) * (1 + off) * cos(turn);
         y = (1 + (e->k - 1) * z) * (1 + off) * sin(turn);
     }
-    for (int i = 0; i < 3; i++)
-        p[i] = where == 4 ? draw_number(mode)
-                          : e->c[i] + x * e->a[i] + y * e->b[i] + z * e->h[i];
+    place_in_solid(e, x, y, z, p);
+    for (int i = 0; i < 3 && where == 4; i++)
+        p[i] = draw_number(mode);
 }
 
 static void coincidences_have_one_answer(void)
 {
     const uint64_t cases = check_setting("CYLINT_MIXED", MIXED);
-    struct tally sum = {0, 0};
+    struct tally sum = {0, 0, 0, 0, 1};
     for (uint64_t i = 0; i < cases; i++) {
         const int mode = random_int(&stream, 5);
         struct solid e;
@@ -175,7 +215,6 @@ static cylint_shape shape_of(const struct solid *e, cylint_ends ends)
 }
 
 /* The other nappe of a double cone is computed as this one, turned about the
- * The other nappe of a double cone is computed as this one, turned about the
  * apex: so are its triples, and of two nearest points the one with the least
  * phi. */
 static void the_other_nappe_is_turned(void)
@@ -276,9 +315,30 @@ static void on_the_axis_the_answer_is_certain(void)
           a.point[1] == 3 && a.point[2] == 6.7 && a.normal[1] == 1);
 }
 
+/* Far along a thin cylinder the error of its local coordinates is larger than
+ * their circle. */
+static void a_large_error_of_local_coordinates_leaves_no_safety(void)
+{
+    const double c[3] = {0x1.e40a3c08p-2, -0x1.2722ddap-1, 0x1.84b3e10cp-1};
+    const double a[3] = {-0x1.ca41ab0894793p-41, 0x1.c149043420eebp-44,
+                         0x1.d8ec540984505p-39};
+    const double b[3] = {0x1.335dfb04d84f2p-28, 0x1.1719724d5cb91p-26,
+                         0x1.c7844210af6ffp-27};
+    const double h[3] = {-0x1.46b0fb057931fp+15, 0x1.8b4a11488c19ep+12,
+                         0x1.4ed31dd3908bfp+10};
+    const double p[3] = {-0x1.947d7ae62ec6dp+16, 0x1.e9688df088fc4p+13,
+                         0x1.9ea83cdfed63p+11};
+    cylint_shape s;
+    cylint_closest q;
+    cylint_elliptic_cylinder(&s, c, a, b, h, CYLINT_ENDS_INFINITE);
+    const double size = fabs(cylint_distance(&s, p, 0, &q));
+    CHECK(size < 0x1p-38 && cylint_safety(&s, p) <= size);
+}
+
 int main(void)
 {
     RUN(nearly_all_answers_are_certain);
+    RUN(the_safety_is_close_to_the_distance);
     RUN(coincidences_have_one_answer);
     RUN(the_other_nappe_is_turned);
     RUN(what_cancels_in_a_normal_is_uncertain);
@@ -286,5 +346,6 @@ int main(void)
     RUN(a_flat_shape_has_the_nearer_cap);
     RUN(beside_an_apex_the_normal_is_that_of_the_ruling);
     RUN(on_the_axis_the_answer_is_certain);
+    RUN(a_large_error_of_local_coordinates_leaves_no_safety);
     return check_end();
 }

@@ -29,7 +29,7 @@ static size_t next_place(struct input *in)
 
 /* ------------------------------------------------------------- the file -- */
 
-enum { SIZES = 8, FILE_MOST = 1 << 16 };
+enum { SIZES = 8 };
 
 /* Solids of three shapes; the second of each is a complement. */
 static void set_solids(cylint_scene *scene, size_t n)
@@ -58,7 +58,7 @@ static struct bytes make_file(int kind, size_t n)
         cylint_scene_set_labels(scene, &labels);
     if (n % 3 == 2)
         set_solids(scene, n);
-    scene_file_write(scene, &file, FILE_MOST);
+    scene_file_write(scene, &file);
     cylint_scene_free(scene);
     scene_release(&of);
     return file;
@@ -209,7 +209,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const struct bytes *file = file_of(kind, sizes);
     const int is_changed = in.p<in.end, is_repaired = sizes / SIZES % 8> 0;
     if (!work.memory)
-        bytes_reserve(&work, FILE_MOST);
+        bytes_reserve(&work, SCENE_FILE_MOST);
     memcpy(work.data, file->data, file->n);
     work.n = file->n;
     while (in.p < in.end)

@@ -13,6 +13,7 @@
 #include "cylint_pieces.h"
 #include "environment.h"
 #include "random.h"
+#include "ulps.h"
 #ifdef HAVE_MPFR
 #include <mpfr.h>
 
@@ -91,7 +92,7 @@ static void limit(struct family_case *c)
     const double t = a.hit[choice(a.n)].t;
     if (fabs(t) < DBL_MAX)
         *(choice(2) ? &c->line.tmin : &c->line.tmax) =
-            constructed_stepped(t, choice(3) - 1);
+            stepped(t, choice(3) - 1);
     if (!(c->line.tmin <= c->line.tmax))
         c->line.tmin = c->line.tmax;
 }
@@ -341,8 +342,9 @@ static void a_double_cone_has_two_chords(void)
 static void refused_shapes_and_lines_have_no_chord(void)
 {
     const double nan = (double)NAN;
+    const double low[3] = {-DBL_MAX, 0, 0}, high[3] = {DBL_MAX, 0, 0};
     cylint_interval c[2];
-    cylint_line line, refused;
+    cylint_line line, refused, far;
     cylint_shape s, none;
     CHECK(cylint_sphere(&none, origin, -1, CYLINT_ENDS_CAPPED) != CYLINT_OK);
     CHECK(cylint_halfspace(&s, origin, origin) != CYLINT_OK);
@@ -356,6 +358,8 @@ static void refused_shapes_and_lines_have_no_chord(void)
     CHECK(cylint_span(&refused, origin, ex, 1, nan) == CYLINT_EDOMAIN);
     CHECK(cylint_chord(&s, &refused, c) == 0);
     CHECK(cylint_line_length(&refused) == 0);
+    CHECK(cylint_segment(&far, low, high) == CYLINT_OK);
+    CHECK(cylint_line_length(&far) == HUGE_VAL);
 }
 
 static void roots_beyond_the_largest_double_are_infinite(void)

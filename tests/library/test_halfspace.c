@@ -14,6 +14,7 @@
 #include "cylint_pieces.h"
 #include "intersect.h"
 #include "random.h"
+#include "same.h"
 
 enum { CASES = 20000, MOST = 9 };
 
@@ -100,6 +101,57 @@ static void a_line_has_the_hit_of_the_plane(void)
         CHECK(
             cylint_occluded(&c.shape, &c.line) ==
             (c.slope != 0 && (c.above == 0 || (c.above < 0) == (c.slope > 0))));
+    }
+}
+
+/* 1/3 is rounded down, 1/5 up, 1/2 is a double. */
+static void a_root_beside_a_limit_is_compared_exactly(void)
+{
+    static const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    static const struct {
+        double slope;
+        int from_t_on, up_to_t; /* in [t, 2], in [0, t] */
+    } known[] = {{3, 1, 0}, {5, 0, 1}, {2, 1, 1}};
+    cylint_shape s;
+    cylint_line line;
+    cylint_halfspace(&s, up, up);
+    for (int i = 0; i < 3; i++) {
+        const double d[3] = {1, 0, known[i].slope};
+        const double t = 1 / known[i].slope;
+        cylint_span(&line, o, d, t, 2);
+        CHECK(cylint_occluded(&s, &line) == known[i].from_t_on);
+        cylint_span(&line, o, d, 0, t);
+        CHECK(cylint_occluded(&s, &line) == known[i].up_to_t);
+    }
+}
+
+/* The distance 1 + n 2^-53 lies in the middle of two doubles. */
+static void a_distance_between_two_doubles_is_rounded_to_even(void)
+{
+    static const double up[3] = {0, 0, 1}, z[3] = {0, 0, 1};
+    for (int n = 1; n < 8; n += 2) {
+        const double below[3] = {0, 0, -n * 0x1p-53};
+        cylint_shape s;
+        cylint_closest a;
+        cylint_halfspace(&s, below, up);
+        CHECK(cylint_distance(&s, z, 0, &a) == 1 + (n + 1) / 4 * 0x1p-51);
+    }
+}
+
+static void members_can_be_wanted_alone(void)
+{
+    static const unsigned wants[] = {CYLINT_WANT_T, CYLINT_WANT_POINT,
+                                     CYLINT_WANT_NORMAL, CYLINT_WANT_Z};
+    rng = 8;
+    for (int i = 0; i < CASES / 20; i++) {
+        cylint_answer all, a;
+        if (!make_case(0) ||
+            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &all) < 1)
+            continue;
+        for (size_t k = 0; k < sizeof wants / sizeof *wants; k++) {
+            CHECK(cylint_intersect(&c.shape, &c.line, wants[k], &a) == 1);
+            CHECK(same_hit(&a.hit[0], &all.hit[0], wants[k]));
+        }
     }
 }
 
@@ -323,6 +375,9 @@ int main(void)
 {
     RUN(pairs_and_signs_agree);
     RUN(a_line_has_the_hit_of_the_plane);
+    RUN(a_root_beside_a_limit_is_compared_exactly);
+    RUN(a_distance_between_two_doubles_is_rounded_to_even);
+    RUN(members_can_be_wanted_alone);
     RUN(a_segment_has_its_exact_difference);
     RUN(distances_and_sides_are_those_of_the_plane);
     RUN(batches_answer_as_one_question_does);

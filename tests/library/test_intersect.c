@@ -11,7 +11,6 @@
 
 #include "cylint.h"
 #include "families.h"
-#ifdef HAVE_MPFR
 #include "check.h"
 #include "constructed.h"
 #include "oracle.h"
@@ -221,8 +220,6 @@ static void contains_is_exact(void)
 
 int main(void)
 {
-    if (family_count() == 0)
-        return check_skip("no GSL: no families to draw from (make deps)");
     RUN(oracle_agrees_with_points_sampled_along_the_line);
     RUN(library_and_oracle_agree);
     RUN(occluded_agrees_with_the_oracle);
@@ -230,14 +227,3 @@ int main(void)
     RUN(contains_is_exact);
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR: no oracle to compare with (make deps)");
-}
-
-#endif

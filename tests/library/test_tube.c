@@ -205,7 +205,7 @@ static void bad_sectors_are_refused(void)
     const double along[2][3] = {{0, 0, 1}, {0, 1, 0}},
                  same[2][3] = {{1, 0, 0}, {2, 0, 3}},
                  bad[2][3] = {{1, 0, 0}, {NAN, 0, 3}};
-    const double zeros[2] = {0, 0};
+    const double zeros[2] = {0, 0}, none[2][3] = {{1, 0, 0}, {0, 0, 0}};
     cylint_shape s[CYLINT_TUBE_MEMBERS];
     int clauses[CYLINT_TUBE_MEMBERS];
     size_t n;
@@ -221,6 +221,28 @@ static void bad_sectors_are_refused(void)
     CHECK(cylint_tube(p0, p1, outer, zeros, NULL, s, clauses, &n) ==
               CYLINT_OK &&
           n == 1);
+    CHECK(cylint_tube(p0, p1, outer, NULL, none, s, clauses, &n) ==
+          CYLINT_EDIRECTION);
+}
+
+/* The hole is a cone with its apex at p0. */
+static void a_hole_can_begin_with_the_radius_0(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
+                 inner[2] = {0, 1}, o[3] = {-3, 0, 1}, d[3] = {1, 0, 0};
+    cylint_shape s[CYLINT_TUBE_MEMBERS];
+    cylint_interval piece[CYLINT_SOLID_PIECES];
+    cylint_line line;
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+    CHECK(cylint_tube(p0, p1, outer, inner, NULL, s, clauses, &n) ==
+              CYLINT_OK &&
+          n == 2);
+    cylint_whole_line(&line, o, d);
+    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece,
+                              CYLINT_SOLID_PIECES) == 2);
+    CHECK(piece[0].t0 == 1 && piece[0].t1 == 2.5 && piece[1].t0 == 3.5 &&
+          piece[1].t1 == 5);
 }
 
 /* Integers of which no double has a cross product: y is x 2^22, moved by one in a
@@ -262,6 +284,7 @@ int main(void)
     RUN(sectors_of_simple_directions_are_exact);
     RUN(sectors_about_a_coordinate_are_exact);
     RUN(bad_sectors_are_refused);
+    RUN(a_hole_can_begin_with_the_radius_0);
     RUN(directions_that_nearly_agree_make_the_sector_that_they_say);
     return check_end();
 }

@@ -8,6 +8,8 @@
  */
 #include <math.h>
 
+#include "check.h"
+#include "families.h"
 #include "method_cases.h"
 
 #define NO CYLINT_RELATION_MISS
@@ -49,25 +51,35 @@ static int same_hit(const cylint_hit *a, const cylint_hit *b)
     return good;
 }
 
-static void check_expected(const cylint_method *m, const cylint_shape *shape,
+/* The line of the case and a shape with its ends. */
+static struct family_case case_of(const expected *c, family_shape word,
+                                  const double *shape)
+{
+    const double line[6] = {c->o[0], c->o[1], c->o[2],
+                            c->d[0], c->d[1], c->d[2]};
+    struct family_case made = family_of(FAMILY_LINE, line, word, shape);
+    made.ends = (cylint_ends)c->ends;
+    family_make(&made);
+    return made;
+}
+
+static void check_expected(const cylint_method *m, const struct family_case *in,
                            const expected *c)
 {
-    cylint_line line;
     cylint_answer a, library;
 
-    cylint_whole_line(&line, c->o, c->d);
-    cylint_intersect(shape, &line, CYLINT_WANT_ALL, &library);
-    CHECK(m->answer(shape, &line, CYLINT_WANT_ALL, &a) == CYLINT_OK);
+    cylint_intersect(&in->shape, &in->line, CYLINT_WANT_ALL, &library);
+    CHECK(m->answer(&in->shape, &in->line, CYLINT_WANT_ALL, &a) == CYLINT_OK);
     int good = a.relation == c->relation && a.n == c->n && a.flags == 0;
     for (int i = 0; good && i < c->n; i++)
         good = a.hit[i].part == c->part[i] &&
                fabs(a.hit[i].t - c->t[i]) <= 1e-12 &&
                same_hit(&a.hit[i], &library.hit[i]);
     if (!CHECK(good)) {
-        report_case(m->name, shape, &line);
-        REPORT("relation %d n %d t %a %a, expected %d %d %a %a", a.relation,
-               a.n, a.hit[0].t, a.hit[1].t, c->relation, c->n, c->t[0],
-               c->t[1]);
+        REPORT_CASE(in);
+        REPORT("--method=%s: relation %d n %d t %a %a, expected %d %d %a %a",
+               m->name, a.relation, a.n, a.hit[0].t, a.hit[1].t, c->relation,
+               c->n, c->t[0], c->t[1]);
     }
 }
 
@@ -113,22 +125,39 @@ static expected times_four(const expected *c)
 
 static void cylinder_methods_keep_the_contract(void)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, p2[3] = {0, 0, 8};
+    const double small[7] = {0, 0, 0, 0, 0, 2, 1}, wide[7] = {0, 0, 0, 0, 0, 8, 4};
     const int n = sizeof of_a_cylinder / sizeof *of_a_cylinder;
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)
         for (int i = 0; i < n; i++) {
-            const expected *c = &of_a_cylinder[i];
-            const expected wide = times_four(c);
-            cylint_shape shape, wide_shape;
-            cylint_cylinder(&shape, p0, p1, 1, (cylint_ends)c->ends);
-            cylint_cylinder(&wide_shape, p0, p2, 4, (cylint_ends)c->ends);
-            check_expected(&the_library, &shape, c);
+            const expected *c = &of_a_cylinder[i], far = times_four(c);
+            const struct family_case in = case_of(c, FAMILY_CYLINDER, small),
+                                     out = case_of(&far, FAMILY_CYLINDER, wide);
+            check_expected(&the_library, &in, c);
             if (!answers_for(m->name, CYLINT_KIND_CYLINDER, c->ends))
                 continue;
-            check_expected(m, &shape, c);
-            check_expected(m, &wide_shape, &wide);
+            check_expected(m, &in, c);
+            check_expected(m, &out, &far);
         }
+}
+
+/* By a method and by the library: the cone with the apex at the origin, z = 1 at
+ * (0, 0, height) and radius there, by its tangent and by its radii. */
+static void check_cone(const cylint_method *m, double height, double radius,
+                       const expected *c)
+{
+    const double tangent = radius / height, v[3] = {0, 0, 0},
+                 u[3] = {0, 0, height}, turn = 57.29577951308232; /* 180 / pi */
+    const double angle[7] = {0, 0, 0, 0, 0, height, atan(tangent) * turn},
+                 radii[8] = {0, 0, 0, 0, 0, 0, height, radius};
+    struct family_case in[2] = {case_of(c, FAMILY_ACONE, angle),
+                                case_of(c, FAMILY_CONE, radii)};
+    cylint_tangent_cone(&in[0].shape, v, u, tangent, (cylint_ends)c->ends);
+    for (int i = 0; i < 2; i++) {
+        check_expected(&the_library, &in[i], c);
+        if (answers_for(m->name, CYLINT_KIND_CONE, c->ends))
+            check_expected(m, &in[i], c);
+    }
 }
 
 /* Apex at the origin, about the z axis, tangent 3/4; z = 1 at (0, 0, 4). */
@@ -154,22 +183,19 @@ static const expected of_a_cone[] = {
 
 static void cone_methods_keep_the_contract(void)
 {
-    const double v[3] = {0, 0, 0}, u[3] = {0, 0, 4};
     const int n = sizeof of_a_cone / sizeof *of_a_cone;
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)
-        for (int i = 0; i < n; i++) {
-            const expected *c = &of_a_cone[i];
-            cylint_shape by_angle, by_radii;
-            cylint_tangent_cone(&by_angle, v, u, 0.75, (cylint_ends)c->ends);
-            cylint_cone(&by_radii, v, 0, u, 3, (cylint_ends)c->ends);
-            check_expected(&the_library, &by_angle, c);
-            check_expected(&the_library, &by_radii, c);
-            if (!answers_for(m->name, CYLINT_KIND_CONE, c->ends))
-                continue;
-            check_expected(m, &by_angle, c);
-            check_expected(m, &by_radii, c);
-        }
+        for (int i = 0; i < n; i++)
+            check_cone(m, 4, 3, &of_a_cone[i]);
+}
+
+static const cylint_method *method_named(const char *name)
+{
+    const cylint_method *m = cylint_methods();
+    while (strcmp(m->name, name))
+        m++;
+    return m;
 }
 
 /* Lines parallel to a ruling, along one, and in the tangent plane of one.  The
@@ -189,23 +215,11 @@ static const expected of_a_right_angled_cone[] = {
 
 static void lines_parallel_to_a_ruling_have_their_relations(void)
 {
-    const double v[3] = {0, 0, 0}, u[3] = {0, 0, 1};
-    const cylint_method *m = cylint_methods();
     const int n =
         sizeof of_a_right_angled_cone / sizeof *of_a_right_angled_cone;
 
-    while (strcmp(m->name, "quadratic"))
-        m++;
-    for (int i = 0; i < n; i++) {
-        const expected *c = &of_a_right_angled_cone[i];
-        cylint_shape by_angle, by_radii;
-        cylint_tangent_cone(&by_angle, v, u, 1, (cylint_ends)c->ends);
-        cylint_cone(&by_radii, v, 0, u, 1, (cylint_ends)c->ends);
-        check_expected(m, &by_angle, c);
-        check_expected(m, &by_radii, c);
-        check_expected(&the_library, &by_angle, c);
-        check_expected(&the_library, &by_radii, c);
-    }
+    for (int i = 0; i < n; i++)
+        check_cone(method_named("quadratic"), 1, 1, &of_a_right_angled_cone[i]);
 }
 
 /* A diagonal through two rims.  No double represents its unit vector, so only
@@ -226,19 +240,15 @@ static void a_point_of_a_rim_counts_once_and_as_lateral(void)
 {
     static const char *const names[] = {"quadratic", "gullotti",
                                         "closest-points"};
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2};
+    const double shape[7] = {0, 0, 0, 0, 0, 2, 1};
     const int n = sizeof through_rims / sizeof *through_rims;
 
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < n; i++) {
-            const cylint_method *m = cylint_methods();
-            cylint_shape shape;
-            while (strcmp(m->name, names[k]))
-                m++;
-            cylint_cylinder(&shape, p0, p1, 1,
-                            (cylint_ends)through_rims[i].ends);
-            check_expected(&the_library, &shape, &through_rims[i]);
-            check_expected(m, &shape, &through_rims[i]);
+            const expected *c = &through_rims[i];
+            const struct family_case in = case_of(c, FAMILY_CYLINDER, shape);
+            check_expected(&the_library, &in, c);
+            check_expected(method_named(names[k]), &in, c);
         }
 }
 
@@ -326,39 +336,24 @@ static void each_member_is_written_by_itself(void)
     }
 }
 
-static void same_normal(const cylint_shape *shape, const double o[3],
-                        const double d[3])
-{
-    cylint_line line;
-    cylint_answer got, want;
-
-    cylint_whole_line(&line, o, d);
-    cylint_quadratic(shape, &line, CYLINT_WANT_ALL, &got);
-    cylint_intersect(shape, &line, CYLINT_WANT_ALL, &want);
-    int same = CHECK(got.n == 1 && want.n == 1);
-    for (int i = 0; same && i < 3; i++)
-        same = CHECK(got.hit[0].normal[i] == want.hit[0].normal[i]);
-    if (!same)
-        report_case("quadratic", shape, &line);
-}
-
 /* At the apex of a pointed cone the normal points away from the solid, at that
  * of a double cone against d. */
 static void normals_at_an_apex_are_the_librarys(void)
 {
-    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
-    const double x[3] = {1, 0, 0}, level[3] = {-3, 0, 0};
-    const double climb[3] = {2, 0, 1}, below[3] = {-2, 0, -1};
-    const double fall[3] = {2, 0, -1}, above[3] = {-2, 0, 1};
-    cylint_shape shape;
+    static const expected through_apex[] = {
+        {CYLINT_ENDS_CAPPED, {-3, 0, 0}, {1, 0, 0}, TO, 1, {3}, {0}},
+        {CYLINT_ENDS_INFINITE, {-2, 0, -1}, {2, 0, 1}, TO, 1, {1}, {0}},
+        {CYLINT_ENDS_INFINITE, {-2, 0, 1}, {2, 0, -1}, TO, 1, {1}, {0}},
+    };
+    const double upward[8] = {0, 0, -1, 1, 0, 0, 0, 0};
+    const cylint_method *m = method_named("quadratic");
 
-    cylint_cone(&shape, o, 0, up, 1, CYLINT_ENDS_CAPPED);
-    same_normal(&shape, level, x);
-    cylint_cone(&shape, down, 1, o, 0, CYLINT_ENDS_CAPPED);
-    same_normal(&shape, level, x);
-    cylint_angle_cone(&shape, o, up, 45, CYLINT_ENDS_INFINITE);
-    same_normal(&shape, below, climb);
-    same_normal(&shape, above, fall);
+    for (int i = 0; i < 3; i++) {
+        const struct family_case in =
+            case_of(&through_apex[i], FAMILY_CONE, upward);
+        check_expected(m, &in, &through_apex[i]);
+        check_cone(m, 1, 1, &through_apex[i]);
+    }
 }
 
 /* An angle slightly below 0 is 0, not one turn. */

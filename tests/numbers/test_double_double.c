@@ -6,7 +6,6 @@
  * splitting and by fused multiply-add; both must give the same bits.  MPFR has
  * more bits than any of the results.
  */
-#ifdef HAVE_MPFR
 #include <fenv.h>
 #include <math.h>
 #include <mpfr.h>
@@ -257,14 +256,3 @@ int main(void)
     mpfr_free_cache();
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR: nothing to compare with (make deps)");
-}
-
-#endif

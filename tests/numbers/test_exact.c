@@ -5,7 +5,7 @@
  * searches for inputs that use as much of the arena as possible, by small
  * changes from random starts; memory behind the arena catches what overflows.
  */
-#ifdef HAVE_MPFR
+#include <float.h>
 #include <gmp.h>
 #include <math.h>
 #include <mpfr.h>
@@ -13,6 +13,7 @@
 
 #include "check.h"
 #include "environment.h"
+#include "numbers/exact_sum.h"
 #include "random.h"
 #include "roots/roots.h"
 
@@ -520,6 +521,42 @@ static void wild_exponents_fit_the_arena(void)
     }
 }
 
+/* Of positive and negative doubles whose sum is not negative. */
+static void totals_are_rounded_once(void)
+{
+    static const double known[][4] = {{0, -0.0, 0, 0},
+                                      {0x1p-1074, 0, 0, 0x1p-1074},
+                                      {0x1p-1073, -0x1p-1074, 0, 0x1p-1074},
+                                      {DBL_MAX, -DBL_MAX, 1, 1},
+                                      {DBL_MAX, DBL_MAX, 0, HUGE_VAL},
+                                      {DBL_MAX, 0x1p970, 0, HUGE_VAL},
+                                      {DBL_MAX, 0x1p970, -0x1p-1074, DBL_MAX}};
+    uint64_t stream = 5;
+    mpfr_t all;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        cylint_exact_sum sum = {{0}};
+        for (int k = 0; k < 3; k++)
+            cylint_sum_add(&sum, known[i][k]);
+        CHECK(cylint_sum_rounded(&sum) == known[i][3]);
+    }
+    mpfr_init2(all, 2200);
+    for (int i = 0; i < CASES / 10; i++) {
+        const int spread = 1 + random_int(&stream, 1000);
+        const int middle = random_int(&stream, 1500) - 1000;
+        cylint_exact_sum sum = {{0}};
+        mpfr_set_zero(all, 1);
+        for (int n = random_int(&stream, 40); n > 0; n--) {
+            const int e = middle + random_int(&stream, spread) - spread / 2;
+            const double size = ldexp(random_mantissa(&stream), e);
+            const double x = mpfr_cmp_d(all, size) < 0 ? size : -size;
+            mpfr_add_d(all, all, x, MPFR_RNDN);
+            cylint_sum_add(&sum, x);
+        }
+        CHECK(cylint_sum_rounded(&sum) == mpfr_get_d(all, MPFR_RNDN));
+    }
+    mpfr_clear(all);
+}
+
 int main(void)
 {
     RUN(doubles_are_placed_exactly);
@@ -529,17 +566,7 @@ int main(void)
     RUN(roundings_are_within_their_bound);
     RUN(inverses_and_roots_are_within_their_bound);
     RUN(sums_are_rounded_once);
+    RUN(totals_are_rounded_once);
     RUN(wild_exponents_fit_the_arena);
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR and GMP: nothing to compare with (make deps)");
-}
-
-#endif

@@ -5,7 +5,6 @@
  * their bounds: in lanes of every width, with and without fused multiply-add,
  * of exact and of inexact points, and in pairs in each rounding mode.
  */
-#ifdef HAVE_MPFR
 #include <fenv.h>
 #include <math.h>
 #include <mpfr.h>
@@ -350,14 +349,3 @@ int main(void)
     mpfr_free_cache();
     return check_end();
 }
-
-#else
-
-#include "program.h"
-
-int main(void)
-{
-    return check_skip("no MPFR: nothing to compare with (make deps)");
-}
-
-#endif

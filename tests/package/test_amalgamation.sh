@@ -68,7 +68,7 @@ done
 
 # Tests that `make check` has built, with this object for libcylint.a.
 libraries=
-for library in mpfr gmp gsl gslcblas; do
+for library in mpfr gmp; do
     echo 'int main(void) { return 0; }' > "$scratch/empty.c"
     $cc -o "$scratch/empty" "$scratch/empty.c" -l$library 2> /dev/null &&
         libraries="$libraries -l$library"

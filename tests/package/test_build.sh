@@ -5,7 +5,7 @@
 . "$(dirname "$0")/../support/verdict.sh"
 make=${MAKE:-make}
 real=${CC:-cc}
-unset MPFR GSL MAKEFLAGS # -s and the like hide what is done
+unset MPFR MAKEFLAGS # -s and the like hide what is done
 
 # A machine without MPFR until apt-get installs it: a compiler that finds no
 # mpfr.h, and package tools that only record their calls.

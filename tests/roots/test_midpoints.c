@@ -18,6 +18,7 @@
 #include "constructed.h"
 #include "numbers/double_double.h"
 #include "random.h"
+#include "ulps.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
 #endif
@@ -278,9 +279,9 @@ static int move_shape(const struct plan *p, int ulps, struct family_case *c)
     const int two_points = p->word <= FAMILY_CONE;
     double *x = c->shape_data;
     if (p->where != CAP || !two_points || !(p->other & 1))
-        x[i] = constructed_stepped(x[i], ulps);
+        x[i] = stepped(x[i], ulps);
     if (two_points && (p->where != CAP || p->other & 1))
-        x[top + i] = constructed_stepped(x[top + i], ulps);
+        x[top + i] = stepped(x[top + i], ulps);
     return family_make(c);
 }
 

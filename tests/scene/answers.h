@@ -53,20 +53,30 @@ static inline int same_found(const struct found *x, const struct found *y)
            same_bytes(x->at, y->at, x->n * sizeof *x->at);
 }
 
+static inline int same_piece(const cylint_piece *x, const cylint_piece *y)
+{
+    return same_double(x->t0, y->t0) && same_double(x->t1, y->t1) &&
+           x->shape == y->shape && x->depth == y->depth;
+}
+
+static inline int same_pieces(const cylint_piece *x, size_t n,
+                              const cylint_piece *y, size_t m)
+{
+    int same = n == m;
+    for (size_t i = 0; i < n && same; i++)
+        same = same_piece(&x[i], &y[i]);
+    return same;
+}
+
 static inline int same_line_answers(const struct line_answers *x,
                                     const struct line_answers *y)
 {
-    int same = same_found(&x->hit, &y->hit) && x->chords == y->chords &&
-               same_bytes(x->nearest, y->nearest, sizeof x->nearest) &&
-               same_bytes(x->first, y->first, sizeof x->first) &&
-               same_bytes(x->occluded, y->occluded, sizeof x->occluded) &&
-               x->up_to_three == y->up_to_three;
-    for (size_t i = 0; i < x->chords && same; i++)
-        same = same_double(x->chord[i].t0, y->chord[i].t0) &&
-               same_double(x->chord[i].t1, y->chord[i].t1) &&
-               x->chord[i].shape == y->chord[i].shape &&
-               x->chord[i].depth == y->chord[i].depth;
-    return same;
+    return same_found(&x->hit, &y->hit) &&
+           same_pieces(x->chord, x->chords, y->chord, y->chords) &&
+           same_bytes(x->nearest, y->nearest, sizeof x->nearest) &&
+           same_bytes(x->first, y->first, sizeof x->first) &&
+           same_bytes(x->occluded, y->occluded, sizeof x->occluded) &&
+           x->up_to_three == y->up_to_three;
 }
 
 static inline int same_point_answers(const struct point_answers *x,

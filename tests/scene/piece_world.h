@@ -8,9 +8,9 @@
 #include <stdlib.h>
 
 #include "cylint_scene.h"
+#include "answers.h"
 #include "check.h"
 #include "integer_shapes.h"
-#include "same.h"
 
 enum { SHAPES = 24, MEMBERS = 48, SOLIDS = 8, MOST = 4096, LINES = 40 };
 
@@ -43,15 +43,19 @@ static inline size_t number_of(size_t solid)
     return least[0] < SIZE_MAX ? least[0] : least[1];
 }
 
-static inline int shape_contains(size_t shape, double t0, double t1)
+/* Which shapes contain a cell of world.line. */
+static inline void shapes_at(double t0, double t1, int in[SHAPES])
 {
-    for (int i = 0; i < world.chords[shape]; i++)
-        if (world.chord[shape][i].t0 <= t0 && t1 <= world.chord[shape][i].t1)
-            return 1;
-    return 0;
+    for (size_t i = 0; i < world.n; i++) {
+        in[i] = 0;
+        for (int j = 0; j < world.chords[i]; j++)
+            in[i] |=
+                world.chord[i][j].t0 <= t0 && t1 <= world.chord[i][j].t1;
+    }
 }
 
-static inline int solid_contains(size_t solid, double t0, double t1)
+/* Whether a solid contains a place in these shapes. */
+static inline int solid_contains(size_t solid, const int in[SHAPES])
 {
     int has_members = 0;
     for (size_t i = 0; i < world.members; i++) {
@@ -63,7 +67,7 @@ static inline int solid_contains(size_t solid, double t0, double t1)
         for (size_t j = 0; j < world.members; j++) {
             const cylint_member *k = &world.member[j];
             if (k->solid == solid && abs(k->clause) == abs(m->clause))
-                holds |= shape_contains(k->shape, t0, t1) == (k->clause > 0);
+                holds |= in[k->shape] == (k->clause > 0);
         }
         if (!holds)
             return 0;
@@ -111,31 +115,30 @@ static inline void add_owner(size_t number, const int *rank, size_t *owner,
         *owner = number;
 }
 
-/* The owner of a cell and how many solids contain it. */
-static inline size_t cell(double t0, double t1, const int *rank, size_t *owner)
+/* The owner of a place in these shapes and how many solids contain it. */
+static inline size_t depth_in(const int in[SHAPES], const int *rank,
+                              size_t *owner)
 {
     size_t depth = 0;
     *owner = SIZE_MAX;
     for (size_t i = 0; i < world.n; i++)
-        if (!is_member(i) && shape_contains(i, t0, t1))
+        if (!is_member(i) && in[i])
             add_owner(i, rank, owner, &depth);
     for (size_t i = 0; i < world.solids; i++)
-        if (solid_contains(i, t0, t1))
+        if (solid_contains(i, in))
             add_owner(number_of(i), rank, owner, &depth);
     return depth;
 }
 
-/* Divides [t0, t1] where the set of solids changes.  Chords of members that
- * change no solid divide nothing, so neighbours with the same set are joined.
- * */
-static inline int same_set(double a0, double a1, double b0, double b1)
+/* Whether the same solids contain two places.  Chords of members that change no
+ * solid divide nothing. */
+static inline int same_set(const int x[SHAPES], const int y[SHAPES])
 {
     for (size_t i = 0; i < world.n; i++)
-        if (!is_member(i) &&
-            (shape_contains(i, a0, a1) != shape_contains(i, b0, b1)))
+        if (!is_member(i) && x[i] != y[i])
             return 0;
     for (size_t i = 0; i < world.solids; i++)
-        if (solid_contains(i, a0, a1) != solid_contains(i, b0, b1))
+        if (solid_contains(i, x) != solid_contains(i, y))
             return 0;
     return 1;
 }
@@ -144,36 +147,29 @@ static inline size_t expected_pieces(const cylint_piece_rule *rule,
                                      cylint_piece *to)
 {
     size_t n = 0;
-    double before0 = 0, before1 = 0;
+    int in[SHAPES], before[SHAPES] = {0};
     for (size_t i = 0; i + 1 < world.ends; i++) {
         const double t0 = world.end[i], t1 = world.end[i + 1];
         size_t owner;
         if (!(t0 < t1))
             continue;
-        const size_t depth = cell(t0, t1, rule->rank, &owner);
+        shapes_at(t0, t1, in);
+        const size_t depth = depth_in(in, rule->rank, &owner);
         const int follows = n > 0 && to[n - 1].t1 == t0;
         if (depth > 0 && follows &&
             (rule->mode == CYLINT_PIECES_UNION ||
              (rule->mode == CYLINT_PIECES_OWNER && owner == to[n - 1].shape) ||
              (rule->mode == CYLINT_PIECES_CELLS &&
-              same_set(before0, before1, t0, t1)))) {
+              same_set(before, in)))) {
             to[n - 1].t1 = t1;
             if (to[n - 1].depth < depth)
                 to[n - 1].depth = depth;
         } else if (depth > 0) {
             to[n++] = (cylint_piece){t0, t1, owner, depth};
         }
-        before0 = t0;
-        before1 = t1;
+        memcpy(before, in, sizeof before);
     }
     return n;
-}
-
-static inline int compare_pieces(const void *x, const void *y)
-{
-    const cylint_piece *a = x, *b = y;
-    return a->t0 != b->t0 ? (a->t0 > b->t0) - (a->t0 < b->t0)
-                          : (a->shape > b->shape) - (a->shape < b->shape);
 }
 
 static inline size_t expected_chords(cylint_piece *to)
@@ -184,12 +180,13 @@ static inline size_t expected_chords(cylint_piece *to)
             to[n++] = (cylint_piece){world.chord[i][j].t0, world.chord[i][j].t1,
                                      i, 1};
     for (size_t i = 0; i < world.solids; i++) {
-        int was = 0;
+        int was = 0, in[SHAPES];
         for (size_t j = 0; j + 1 < world.ends; j++) {
             const double t0 = world.end[j], t1 = world.end[j + 1];
             if (!(t0 < t1))
                 continue;
-            const int is = solid_contains(i, t0, t1);
+            shapes_at(t0, t1, in);
+            const int is = solid_contains(i, in);
             if (is && was)
                 to[n - 1].t1 = t1;
             else if (is)
@@ -197,14 +194,8 @@ static inline size_t expected_chords(cylint_piece *to)
             was = is;
         }
     }
-    qsort(to, n, sizeof *to, compare_pieces);
+    qsort(to, n, sizeof *to, by_begin);
     return n;
-}
-
-static inline int same_piece(const cylint_piece *x, const cylint_piece *y)
-{
-    return same_double(x->t0, y->t0) && same_double(x->t1, y->t1) &&
-           x->shape == y->shape && x->depth == y->depth;
 }
 
 /* ----------------------------------------------------------- workspaces -- */

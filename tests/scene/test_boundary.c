@@ -178,38 +178,13 @@ static void an_invalid_line_has_no_boundary(void)
 
 /* --------------------------------------------------------------- depth -- */
 
-static int point_is_in(size_t solid, const int *contains)
-{
-    int has_members = 0;
-    for (size_t i = 0; i < world.members; i++) {
-        const cylint_member *m = &world.member[i];
-        int holds = 0;
-        for (size_t j = 0; j < world.members && m->solid == solid; j++) {
-            const cylint_member *k = &world.member[j];
-            if (k->solid == solid && abs(k->clause) == abs(m->clause))
-                holds |= (contains[k->shape] >= 0) == (k->clause > 0);
-        }
-        has_members |= m->solid == solid;
-        if (m->solid == solid && !holds)
-            return 0;
-    }
-    return has_members;
-}
-
 static size_t expected_depth(const double point[3], const int *rank,
                              size_t *owner)
 {
-    size_t depth = 0;
-    int contains[SHAPES];
-    *owner = SIZE_MAX;
-    for (size_t i = 0; i < world.n; i++) {
-        contains[i] = cylint_contains(&world.shape[i], point);
-        if (!is_member(i) && contains[i] >= 0)
-            add_owner(i, rank, owner, &depth);
-    }
-    for (size_t i = 0; i < world.solids; i++)
-        if (point_is_in(i, contains))
-            add_owner(number_of(i), rank, owner, &depth);
+    int in[SHAPES];
+    for (size_t i = 0; i < world.n; i++)
+        in[i] = cylint_contains(&world.shape[i], point) >= 0;
+    const size_t depth = depth_in(in, rank, owner);
     *owner = *owner == SIZE_MAX ? world.n : *owner;
     return depth;
 }
@@ -300,10 +275,8 @@ static void check_rows(const cylint_lines *lines, const cylint_piece_rule *rule,
         return;
     for (size_t i = 0; i < lines->n; i++) {
         const size_t n = pieces_of(i, rule, most, piece);
-        int same = rows.first[i + 1] - rows.first[i] == n;
-        for (size_t j = 0; j < n && same; j++)
-            same = same_piece(&rows.pieces[rows.first[i] + j], &piece[j]);
-        if (!CHECK(same))
+        if (!CHECK(same_pieces(rows.pieces + rows.first[i],
+                               rows.first[i + 1] - rows.first[i], piece, n)))
             REPORT("line %zu, %d threads, most %zu", i, threads, most);
     }
     cylint_piece_rows_free(&rows);

@@ -59,12 +59,6 @@ static void an_opened_scene_answers_as_the_saved_one(void)
     remove(path);
 }
 
-/* The bytes of a scene's file; bytes->data is freed by the caller. */
-static void write_bytes(const cylint_scene *scene, struct bytes *b)
-{
-    scene_file_write(scene, b, (size_t)1 << 20);
-}
-
 static void an_opened_scene_saves_the_same_bytes(void)
 {
     struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
@@ -73,10 +67,10 @@ static void an_opened_scene_saves_the_same_bytes(void)
             struct scene_shapes of;
             scene_generate(kind, n, 5, &of);
             cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
-            write_bytes(built, &first);
+            scene_file_write(built, &first);
             cylint_scene *opened =
                 cylint_scene_open_memory(first.data, first.n, 0, NULL);
-            write_bytes(opened, &again);
+            scene_file_write(opened, &again);
             CHECK(first.n == again.n &&
                   memcmp(first.data, again.data, first.n) == 0);
             cylint_scene_free(opened);
@@ -104,7 +98,7 @@ static void write_small(struct bytes *b)
     cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
     cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
-    write_bytes(scene, b);
+    scene_file_write(scene, b);
     cylint_scene_free(scene);
 }
 
@@ -114,7 +108,7 @@ static void bytes_in_memory_open_at_every_address(void)
     struct bytes b = {NULL, NULL, 0, 0};
     scene_generate(SCENE_MIXED, SHAPES, 3, &of);
     cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
-    write_bytes(built, &b);
+    scene_file_write(built, &b);
     for (size_t shift = 0; shift < 80; shift += 8) {
         char *copy = malloc(b.n + shift);
         memcpy(copy + shift, b.data, b.n);
@@ -133,7 +127,7 @@ static void an_empty_scene_can_be_saved(void)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
-    write_bytes(empty, &b);
+    scene_file_write(empty, &b);
     CHECK(b.n == 512);
     cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
     CHECK(opened && cylint_scene_size(opened) == 0 &&
@@ -157,7 +151,7 @@ static void labels_are_saved(void)
         cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
         CHECK(!cylint_scene_get_labels(scene));
         cylint_scene_set_labels(scene, &labels);
-        write_bytes(scene, &b);
+        scene_file_write(scene, &b);
         cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
         const cylint_scene_labels *got = cylint_scene_get_labels(opened);
         CHECK(got && memcmp(got->end, ends[k], sizeof ends[k]) == 0 &&
@@ -298,7 +292,7 @@ static void saved_anywhere(struct environment there)
     }
     environment_set(there);
     cylint_scene *built = cylint_scene_new(shape, 20, 1, NULL);
-    write_bytes(built, &b);
+    scene_file_write(built, &b);
     environment_reset();
     for (int i = 0; i < ENVIRONMENTS; i++) {
         cylint_scene_status status;
@@ -398,7 +392,7 @@ static cylint_scene_status status_with(size_t at, double x)
     cylint_capsule(&shape[2], p, q, 1, CYLINT_ENDS_OPEN);
     cylint_cone(&shape[3], p, 1, q, 2, CYLINT_ENDS_CAPPED);
     cylint_scene *scene = cylint_scene_new(shape, 4, 1, NULL);
-    write_bytes(scene, &b);
+    scene_file_write(scene, &b);
     cylint_scene_free(scene);
     memcpy(b.data + at * sizeof x, &x, sizeof x);
     scene_file_repair(b.data, b.n);
@@ -438,14 +432,14 @@ static void no_changed_numbers_make_a_query_fail(void)
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
     uint64_t random = 17;
     struct bytes b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
-    bytes_reserve(&c, (size_t)1 << 20);
+    bytes_reserve(&c, SCENE_FILE_MOST);
     int opened = 0;
     for (int i = 0; i < cases; i++) {
         if (i % 1000 == 0) {
             struct scene_shapes of;
             scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i, &of);
             cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
-            write_bytes(scene, &b);
+            scene_file_write(scene, &b);
             cylint_scene_free(scene);
             scene_release(&of);
         }

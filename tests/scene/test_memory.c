@@ -13,6 +13,7 @@
 
 #include "check.h"
 #include "cylint_scene.h"
+#include "scene_file.h"
 #include "scenes.h"
 
 #ifndef WRAPPED
@@ -101,21 +102,43 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
     return __real_pthread_create(thread, attributes, function, argument);
 }
 
-/* Whether the scene was made: it has fewer allocations than that number. */
-static int is_made(const struct scene_shapes *of, int refuse)
+static void watch_heap(int refuse)
 {
-    cylint_scene_status status = CYLINT_SCENE_OK;
     heap.requested = heap.held = heap.kept = 0;
+    heap.bytes = 0;
     heap.refuse = refuse;
     heap.watched = 1;
-    cylint_scene *scene = cylint_scene_new(of->shapes, of->n, 1, &status);
-    const int made = heap.requested < refuse;
-    CHECK(made || heap.kept ? scene && status == CYLINT_SCENE_OK
-                            : !scene && status == CYLINT_SCENE_EMEMORY);
-    cylint_scene_free(scene);
-    heap.watched = 0;
-    CHECK(heap.held == 0);
-    return made;
+}
+
+/* A call that allocates, and then frees what it returned. */
+typedef cylint_scene_status allocating_call(void *self);
+
+/* Refuses each allocation of a call in turn, until it has no more of them; it then
+ * succeeds.  Returns how many it has. */
+static int refuse_each(allocating_call *call, void *self)
+{
+    int refused = 0;
+    for (;; refused++) {
+        watch_heap(refused + 1);
+        const cylint_scene_status status = call(self);
+        heap.watched = 0;
+        const int is_refused = heap.requested > refused;
+        CHECK(status == CYLINT_SCENE_EMEMORY
+                  ? is_refused
+                  : status == CYLINT_SCENE_OK && (!is_refused || heap.kept));
+        CHECK(heap.held == 0);
+        if (!is_refused || !CHECK(refused < ENOUGH))
+            return refused;
+    }
+}
+
+static cylint_scene_status make_scene(void *self)
+{
+    const struct scene_shapes *of = self;
+    cylint_scene_status status = CYLINT_SCENE_OK;
+    cylint_scene_free(cylint_scene_new(of->shapes, of->n, 1, &status));
+    CHECK(status == CYLINT_SCENE_OK || !heap.kept);
+    return status;
 }
 
 /* Unbounded shapes are beside the hierarchy, long ones are split. */
@@ -124,11 +147,8 @@ static void a_scene_frees_all_memory(void)
     static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED};
     for (int i = 0; i < 2; i++) {
         struct scene_shapes of;
-        int refusals = 0;
         scene_generate(kinds[i], SHAPES, 5, &of);
-        while (refusals < ENOUGH && !is_made(&of, refusals + 1))
-            refusals++;
-        CHECK(refusals > 5 && refusals < ENOUGH);
+        CHECK(refuse_each(make_scene, &of) > 5);
         scene_release(&of);
     }
 }
@@ -144,12 +164,10 @@ static void a_scene_that_is_stopped_frees_all_memory(void)
 {
     struct scene_shapes of;
     scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5, &of);
-    heap.refuse = 0;
     for (int call = 1; call < ENOUGH; call++) {
         int calls = call;
         cylint_scene_status status;
-        heap.held = 0;
-        heap.watched = 1;
+        watch_heap(0);
         cylint_scene *scene = cylint_scene_new_with_progress(
             of.shapes, of.n, 1, stop_at_last, &calls, &status);
         CHECK(scene || status == CYLINT_SCENE_ESTOPPED);
@@ -164,47 +182,27 @@ static void a_scene_that_is_stopped_frees_all_memory(void)
     scene_release(&of);
 }
 
-/* Bytes in memory that grows. */
-struct bytes {
-    char *data;
-    size_t n;
-};
-
-static int append_bytes(void *context, const void *data, size_t n)
+static cylint_scene_status open_unaligned(void *self)
 {
-    struct bytes *b = context;
-    b->data = realloc(b->data, b->n + n);
-    memcpy(b->data + b->n, data, n);
-    b->n += n;
-    return 1;
+    const struct bytes *file = self;
+    cylint_scene_status status = CYLINT_SCENE_OK;
+    cylint_scene_free(
+        cylint_scene_open_memory(file->data + 1, file->n, 0, &status));
+    return status;
 }
 
 /* Unaligned bytes are copied. */
 static void an_opened_scene_frees_all_memory(void)
 {
     struct scene_shapes of;
-    struct bytes file = {NULL, 0};
-    int refusals = 0, opened = 0;
+    struct bytes file = {NULL, NULL, 0, 0};
     scene_generate(SCENE_UNBOUNDED, SHAPES, 5, &of);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
-    CHECK(append_bytes(&file, "x", 1));
-    CHECK(cylint_scene_write(scene, append_bytes, &file) == CYLINT_SCENE_OK);
+    scene_file_write(scene, &file);
+    memmove(file.data + 1, file.data, file.n);
+    CHECK(refuse_each(open_unaligned, &file) >= 4);
     cylint_scene_free(scene);
-    while (!opened && refusals < ENOUGH) {
-        cylint_scene_status status;
-        heap.requested = heap.held = 0;
-        heap.refuse = refusals + 1;
-        heap.watched = 1;
-        scene = cylint_scene_open_memory(file.data + 1, file.n - 1, 0, &status);
-        opened = scene != NULL;
-        CHECK(opened || status == CYLINT_SCENE_EMEMORY);
-        cylint_scene_free(scene);
-        heap.watched = 0;
-        CHECK(heap.held == 0);
-        refusals += !opened;
-    }
-    CHECK(refusals >= 4 && refusals < ENOUGH);
-    free(file.data);
+    free(file.memory);
     scene_release(&of);
 }
 
@@ -223,9 +221,7 @@ static void a_refused_refit_changes_nothing(void)
                       CYLINT_ENDS_CAPPED);
     cylint_whole_line(&line, (double[]){3, 3, 0}, (double[]){0, 1, 0});
     for (int k = 0; k < 4; k++) {
-        heap.requested = heap.held = 0;
-        heap.refuse = k < 3;
-        heap.watched = 1;
+        watch_heap(k < 3);
         CHECK(cylint_scene_refit(scene, 0, SHAPES, shapes) ==
               (k < 3 ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK));
         heap.watched = 0;
@@ -253,58 +249,70 @@ static cylint_scene *scene_of_pipes(cylint_member members[SHAPES])
     return cylint_scene_new(shapes, SHAPES, 1, NULL);
 }
 
-static void watch_heap(int refuse)
+struct solids_call {
+    cylint_scene *scene;
+    cylint_member members[SHAPES];
+    size_t before; /* the bytes of the scene */
+};
+
+/* What a success leaves in the scene counts in heap.bytes, not in heap.held. */
+static cylint_scene_status set_solids(void *self)
 {
-    heap.requested = heap.held = 0;
-    heap.bytes = 0;
-    heap.refuse = refuse;
-    heap.watched = 1;
+    struct solids_call *c = self;
+    const cylint_scene_status status =
+        cylint_scene_set_solids(c->scene, c->members, SHAPES);
+    if (status == CYLINT_SCENE_OK)
+        heap.held = 0;
+    else
+        CHECK(cylint_scene_members(c->scene) == 0 &&
+              cylint_scene_bytes(c->scene) == c->before);
+    return status;
 }
 
 /* cylint_scene_bytes() counts what stays: `spare` bytes are freed before the call
  * returns, and an array has a place that is not used. */
 static void refused_solids_change_nothing(void)
 {
-    cylint_member members[SHAPES];
-    cylint_scene *scene = scene_of_pipes(members);
-    const size_t before = cylint_scene_bytes(scene), spare = SHAPES * 12;
-    cylint_scene_status status;
-    int refusals = 0;
-    do {
-        watch_heap(refusals + 1);
-        status = cylint_scene_set_solids(scene, members, SHAPES);
-        heap.watched = 0;
-        CHECK(status == CYLINT_SCENE_OK ||
-              (status == CYLINT_SCENE_EMEMORY && heap.held == 0 &&
-               cylint_scene_members(scene) == 0 &&
-               cylint_scene_bytes(scene) == before));
-    } while (status != CYLINT_SCENE_OK && ++refusals < ENOUGH);
-    CHECK(refusals > 5 && refusals < ENOUGH);
-    const size_t held = cylint_scene_bytes(scene) - before;
+    struct solids_call c;
+    const size_t spare = SHAPES * 12;
+    c.scene = scene_of_pipes(c.members);
+    c.before = cylint_scene_bytes(c.scene);
+    CHECK(refuse_each(set_solids, &c) > 5);
+    const size_t held = cylint_scene_bytes(c.scene) - c.before;
     CHECK(held <= heap.bytes && held + spare + 64 > heap.bytes);
-    cylint_scene_free(scene);
+    cylint_scene_free(c.scene);
 }
 
+struct pieces_call {
+    const cylint_scene *scene;
+    cylint_lines lines;
+    cylint_line line;
+    int query;
+    double found;
+};
+
 /* Rows, or sums; the last sum is that of a line through all pipes. */
-static cylint_scene_status ask_pieces(const cylint_scene *scene, int query,
-                                      const cylint_lines *lines,
-                                      const cylint_line *line, double *found)
+static cylint_scene_status find_pieces(void *self)
 {
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_OWNER};
+    struct pieces_call *c = self;
     cylint_piece_rows rows;
     double sums[LINES];
     cylint_scene_status status;
-    if (query == 0) {
-        status = cylint_scene_pieces_lines(scene, lines, &rule, 0, 1, &rows);
+    if (c->query == 0) {
+        status = cylint_scene_pieces_lines(c->scene, &c->lines, &rule, 0, 1,
+                                           &rows);
         if (status == CYLINT_SCENE_OK) {
-            *found = (double)rows.first[lines->n] / 8;
+            c->found = (double)rows.first[c->lines.n] / 8;
             cylint_piece_rows_free(&rows);
         }
-    } else if (query == 1) {
-        status = cylint_scene_sums(scene, lines, &rule, NULL, 1, 0, 1, sums);
-        *found = sums[lines->n - 1];
+    } else if (c->query == 1) {
+        status = cylint_scene_sums(c->scene, &c->lines, &rule, NULL, 1, 0, 1,
+                                   sums);
+        c->found = sums[c->lines.n - 1];
     } else {
-        status = cylint_scene_line_sums(scene, line, &rule, NULL, 1, 0, found);
+        status = cylint_scene_line_sums(c->scene, &c->line, &rule, NULL, 1, 0,
+                                        &c->found);
     }
     return status;
 }
@@ -315,28 +323,19 @@ static void refused_pieces_free_all_memory(void)
     static const double expected[] = {PIPES * FEW / 4.0, PIPES / 4.0,
                                       PIPES / 4.0};
     double x[6][FEW];
-    const cylint_lines lines = {
-        .n = FEW, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}};
     cylint_member members[SHAPES];
     cylint_scene *scene = scene_of_pipes(members);
-    cylint_line line;
+    struct pieces_call c = {
+        .scene = scene,
+        .lines = {.n = FEW, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}}};
     CHECK(cylint_scene_set_solids(scene, members, SHAPES) == CYLINT_SCENE_OK);
     for (int i = 0; i < FEW; i++)
         for (int j = 0; j < 6; j++)
             x[j][i] = j == 0 ? -1 : j == 2 ? 4 : j == 3;
-    cylint_ray(&line, (double[]){-1, 0, 4}, (double[]){1, 0, 0});
-    for (int query = 0; query < 3; query++) {
-        cylint_scene_status status;
-        double found = 0;
-        int refusals = 0;
-        do {
-            watch_heap(refusals + 1);
-            status = ask_pieces(scene, query, &lines, &line, &found);
-            heap.watched = 0;
-            CHECK(heap.held == 0);
-        } while (status == CYLINT_SCENE_EMEMORY && ++refusals < ENOUGH);
-        CHECK(status == CYLINT_SCENE_OK && refusals > 3);
-        CHECK(found == expected[query]);
+    cylint_ray(&c.line, (double[]){-1, 0, 4}, (double[]){1, 0, 0});
+    for (c.query = 0; c.query < 3; c.query++) {
+        CHECK(refuse_each(find_pieces, &c) > 3);
+        CHECK(c.found == expected[c.query]);
     }
     cylint_scene_free(scene);
 }
@@ -354,8 +353,8 @@ static void check_refused_threads(const cylint_scene *scene,
     const cylint_points points = {lines->n,
                                   {lines->o[0], lines->o[1], lines->o[2]}};
     most_threads = most;
-    threads_started = heap.requested = heap.held = heap.refuse = 0;
-    heap.watched = 1;
+    threads_started = 0;
+    watch_heap(0);
     cylint_scene_nearest_lines(scene, lines, NULL, 5, numbers, NULL);
     CHECK(threads_started == most || !has_threads);
     cylint_scene_any_lines(scene, lines, NULL, 5, any);

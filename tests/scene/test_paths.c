@@ -11,7 +11,6 @@
  * exponents, which are answered in each environment.  Many domains begin or end
  * at a hit, or one double beside it.
  *
- * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.  The
  * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.
  * The program prints a digest of all answers, which must be the same from all
  * compilers.
@@ -25,6 +24,7 @@
 #include "cylint_scene.h"
 #include "environment.h"
 #include "random.h"
+#include "ulps.h"
 
 enum { GROUP = 8, GROUPS = 8, EXTREME_GROUPS = 8 };
 
@@ -178,7 +178,7 @@ static void ended_domains(int i)
         if (!(fabs(t) < DBL_MAX))
             continue;
         *(k & 1 ? &line.tmin : &line.tmax) =
-            constructed_stepped(t, k % 6 / 2 - 1);
+            stepped(t, k % 6 / 2 - 1);
         if (line.tmin > line.tmax)
             continue;
         const cylint_answer got =
@@ -366,7 +366,7 @@ static void limit_domains(void)
             const double t = a->hit[end * (a->n - 1)].t;
             if (fabs(t) < DBL_MAX && whole(0, 2))
                 *(end ? &line->tmax : &line->tmin) =
-                    constructed_stepped(t, whole(-1, 1));
+                    stepped(t, whole(-1, 1));
         }
         if (!(line->tmin <= line->tmax)) {
             const double tmin = line->tmax;
@@ -682,8 +682,7 @@ static void the_largest_exponents_have_the_same_answers(void)
 int main(void)
 {
     RUN(families_have_the_same_answers);
-    if (family_count() > 0)
-        RUN(runs_of_one_kind_have_the_same_answers);
+    RUN(runs_of_one_kind_have_the_same_answers);
     RUN(coincidences_have_the_same_answers);
     RUN(extreme_exponents_have_the_same_answers);
     RUN(subnormal_numbers_have_the_same_answers);

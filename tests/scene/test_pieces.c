@@ -13,6 +13,7 @@
 #include "cylint_scene.h"
 #include "environment.h"
 #include "piece_world.h"
+#include "scene_file.h"
 
 /* ---------------------------------------------------------- the library -- */
 
@@ -32,15 +33,6 @@ static size_t resumed(const cylint_piece_rule *rule, cylint_piece *to,
             line.tmin = to[n - 1].t1;
     } while (more == capacity);
     return n;
-}
-
-static int same_pieces(const cylint_piece *x, size_t n, const cylint_piece *y,
-                       size_t m)
-{
-    int same = n == m;
-    for (size_t i = 0; i < n && same; i++)
-        same = same_piece(&x[i], &y[i]);
-    return same;
 }
 
 static long pieces_compared;
@@ -77,27 +69,11 @@ static void check_line(void)
         }
 }
 
-static struct {
-    char data[1 << 16];
-    size_t n;
-} file;
-
-static int append_to_file(void *context, const void *data, size_t bytes)
-{
-    (void)context;
-    if (bytes > sizeof file.data - file.n)
-        return 0;
-    memcpy(file.data + file.n, data, bytes);
-    file.n += bytes;
-    return 1;
-}
-
 /* In place of the scene, with its solids. */
 static void open_saved_scene(void)
 {
-    file.n = 0;
-    CHECK(cylint_scene_write(world.scene, append_to_file, NULL) ==
-          CYLINT_SCENE_OK);
+    static struct bytes file; /* as long as the scene */
+    scene_file_write(world.scene, &file);
     cylint_scene_free(world.scene);
     world.scene = cylint_scene_open_memory(file.data, file.n, 0, NULL);
     if (!CHECK(world.scene != NULL))

@@ -517,43 +517,42 @@ static void a_callback_may_end_a_visit_or_query_the_scene(void)
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */
-static void points_have_the_same_answers_in_every_environment(void)
+static void answer_points_there(struct environment there)
 {
     static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
     static struct point_answers want, got;
     uint64_t random = seed() + 200;
-    size_t holding = 0;
     for (int k = 0; k < 3 * FAMILIES; k++) {
         struct scene_shapes of;
         double point[3];
         scene_generate(kinds[k % 3], 40, seed(), &of);
         cylint_scene *scene = open_scene(&of, 1);
         point_of(&of, (enum family)(k / 3), &random, point);
-        for (int e = 0; e < 2 * ENVIRONMENTS; e++) {
-            const unsigned members = e < ENVIRONMENTS ? CYLINT_SIGNED : 0;
-            const struct environment there = environment_of(e % ENVIRONMENTS);
-            if (!can_treat_subnormals(there.tiny))
-                continue;
+        for (int i = 0; i < 2; i++) {
+            const unsigned members = i ? 0 : CYLINT_SIGNED;
+            point_in_scene(scene, point, 2, members, &want);
+            const size_t holding = cylint_scene_contains(scene, point, 0);
             environment_set(there);
             point_in_scene(scene, point, 2, members, &got);
             const size_t in = cylint_scene_contains(scene, point, 0);
             environment_reset();
-            if (e % ENVIRONMENTS == 0) { /* the default one */
-                want = got;
-                holding = in;
-            }
             /* point and normal may differ by some units */
             if (!CHECK(
                     in == holding && want.nearest == got.nearest &&
                     same_found(&want.near, &got.near) &&
                     same_double(want.closest.distance, got.closest.distance) &&
                     want.closest.part == got.closest.part))
-                REPORT("point %a %a %a  # scene %s, environment %d", point[0],
-                       point[1], point[2], of.name, e % ENVIRONMENTS);
+                REPORT("point %a %a %a  # scene %s", point[0], point[1],
+                       point[2], of.name);
         }
         cylint_scene_free(scene);
         scene_release(&of);
     }
+}
+
+static void points_have_the_same_answers_in_every_environment(void)
+{
+    everywhere(answer_points_there);
 }
 
 /* -------------------------------------------------------------- threads -- */

@@ -17,15 +17,6 @@
 #include "scene/records.h"
 #include "shapes/shape_facts.h"
 
-#ifndef HAVE_GSL
-
-int main(void)
-{
-    return check_skip("built without GSL, so there are no families");
-}
-
-#else
-
 enum { CASES = 2000, BLOCK = 64 };
 
 static long cases_of_family(void)
@@ -161,5 +152,3 @@ int main(void)
     RUN(local_coordinates_in_doubles_decide_right_or_not_at_all);
     return check_end();
 }
-
-#endif

@@ -12,7 +12,7 @@
 #include "cylint_scene.h"
 #include "random.h"
 #include "answers.h"
-#include "scenes.h"
+#include "scene_file.h"
 
 enum { SHAPES = 300, MOVES = 4 };
 
@@ -160,38 +160,23 @@ static void what_is_refused_changes_nothing(void)
     cylint_scene_free(scene);
 }
 
-static int append_bytes(void *context, const void *data, size_t n)
-{
-    struct {
-        char *data;
-        size_t n;
-    } *b = context;
-    b->data = realloc(b->data, b->n + n);
-    memcpy(b->data + b->n, data, n);
-    b->n += n;
-    return 1;
-}
-
 static void a_scene_that_moved_is_saved(void)
 {
     struct scene_shapes of, by;
-    struct {
-        char *data;
-        size_t n;
-    } file = {NULL, 0};
+    struct bytes file = {NULL, NULL, 0, 0};
     scene_generate(SCENE_MIXED, SHAPES, 7, &of);
     scene_generate(SCENE_MIXED, SHAPES, 8, &by);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     replace(&of, &by, 50, 100);
     CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
           CYLINT_SCENE_OK);
-    CHECK(cylint_scene_write(scene, append_bytes, &file) == CYLINT_SCENE_OK);
+    scene_file_write(scene, &file);
     cylint_scene *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
     CHECK(opened && differences(scene, opened, &of, 9) == 0);
     CHECK(cylint_scene_refit(opened, 0, 1, of.shapes) == CYLINT_SCENE_EOPENED);
     cylint_scene_free(opened);
     cylint_scene_free(scene);
-    free(file.data);
+    free(file.memory);
     scene_release(&of);
     scene_release(&by);
 }

@@ -162,16 +162,30 @@ static size_t begin_of_solids(const struct bytes *b)
     return (size_t)at;
 }
 
+/* Draws a world and lines, and writes its file. */
+static void begin_saved_world(uint64_t seed, struct bytes *b)
+{
+    rng = seed;
+    *b = (struct bytes){NULL, NULL, 0, 0};
+    make_shapes();
+    make_solids();
+    draw_lines();
+    scene_file_write(world.scene, b);
+}
+
+static void end_saved_world(struct bytes *b)
+{
+    free(b->memory);
+    cylint_scene_free(world.scene);
+}
+
 static void saved_solids_are_the_same(void)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 100);
     rng = 3;
     for (long i = 0; i < worlds; i++) {
-        struct bytes b = {NULL, NULL, 0, 0};
-        make_shapes();
-        make_solids();
-        draw_lines();
-        scene_file_write(world.scene, &b, (size_t)1 << 20);
+        struct bytes b;
+        begin_saved_world(rng, &b);
         for (unsigned flags = 0; flags < 2; flags++) {
             cylint_scene *opened = cylint_scene_open_memory(
                 b.data, b.n, flags ? CYLINT_SCENE_TRUSTED : 0, NULL);
@@ -186,8 +200,7 @@ static void saved_solids_are_the_same(void)
             cylint_scene_free(opened);
         }
         CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
-        cylint_scene_free(world.scene);
-        free(b.memory);
+        end_saved_world(&b);
     }
 }
 
@@ -206,11 +219,8 @@ static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
 
 static void damaged_members_are_refused(void)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
-    rng = 4;
-    make_shapes();
-    make_solids();
-    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    struct bytes b;
+    begin_saved_world(4, &b);
     CHECK(bytes_of_section(&b, SECTION_OF_SOLIDS) == 12 * world.members);
     for (size_t i = 0; i < world.members; i++) {
         const uint32_t shape = (uint32_t)world.member[i].shape,
@@ -224,19 +234,15 @@ static void damaged_members_are_refused(void)
         CHECK(status_with(&b, 3 * i + 2, UINT32_C(1) << 31) ==
               CYLINT_SCENE_EDAMAGED);
     }
-    free(b.memory);
-    cylint_scene_free(world.scene);
+    end_saved_world(&b);
 }
 
 /* The sizes of the sections of solids and of ranks, which this version does not
  * have. */
 static void damaged_sizes_are_refused(void)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
-    rng = 5;
-    make_shapes();
-    make_solids();
-    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    struct bytes b;
+    begin_saved_world(5, &b);
     for (int i = SECTION_OF_SOLIDS; i < SECTIONS; i++) {
         char *const size = b.data + BYTES_OF_SECTIONS + 8 * i;
         for (int change = 1; change < 256; change++) {
@@ -248,21 +254,16 @@ static void damaged_sizes_are_refused(void)
             *size = (char)(*size ^ change);
         }
     }
-    free(b.memory);
-    cylint_scene_free(world.scene);
+    end_saved_world(&b);
 }
 
 /* What a damaged file returns is not promised, but each query ends. */
 static void no_changed_byte_makes_pieces_fail(void)
 {
     static cylint_piece piece[MOST];
-    struct bytes b = {NULL, NULL, 0, 0};
+    struct bytes b;
     int opened = 0;
-    rng = 6;
-    make_shapes();
-    make_solids();
-    draw_lines();
-    scene_file_write(world.scene, &b, (size_t)1 << 20);
+    begin_saved_world(6, &b);
     const int changes = (int)check_setting("CYLINT_CASES", 2500);
     for (int i = 0; i < changes; i++) {
         const size_t from = begin_of_solids(&b);
@@ -280,8 +281,7 @@ static void no_changed_byte_makes_pieces_fail(void)
         b.data[at] = old;
     }
     CHECK(opened > changes / 20 && opened < changes);
-    free(b.memory);
-    cylint_scene_free(world.scene);
+    end_saved_world(&b);
 }
 
 /* ----------------------------------------------------------- workspaces -- */

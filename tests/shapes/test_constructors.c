@@ -173,10 +173,12 @@ static void half_angles_lie_between_0_and_90(void)
         CHECK(spoiled(FAMILY_ACONE, 6, bad[i]) == CYLINT_EANGLE);
     CHECK(spoiled(FAMILY_ACONE, 6, nextafter(90, 0)) == CYLINT_OK);
     CHECK(spoiled(FAMILY_ACONE, 6, 1e-300) == CYLINT_OK);
+    static const double infinite[3] = {0, HUGE_VAL, 0};
     cylint_shape s;
     CHECK(cylint_tangent_cone(&s, origin, axis_z, 0, 0) == CYLINT_EANGLE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, -1, 0) == CYLINT_EANGLE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, NAN, 0) == CYLINT_ENONFINITE);
+    CHECK(cylint_tangent_cone(&s, origin, infinite, 1, 0) == CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, HUGE_VAL, 0) ==
           CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);

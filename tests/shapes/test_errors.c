@@ -333,10 +333,10 @@ static void named_boxes_are_tight(void)
         cylint_bounds(&c.shape, lo, hi);
         for (int k = 0; k < 3; k++)
             if (!CHECK(lo[k] <= named[i].lo[k] && hi[k] >= named[i].hi[k] &&
-                       lo[k] >= constructed_stepped(named[i].lo[k],
+                       lo[k] >= stepped(named[i].lo[k],
                                                     -named[i].ulps) &&
                        hi[k] <=
-                           constructed_stepped(named[i].hi[k], named[i].ulps)))
+                           stepped(named[i].hi[k], named[i].ulps)))
                 REPORT("%s: coordinate %d from %a to %a", named[i].shape, k,
                        lo[k], hi[k]);
         CHECK(lo[3] == 7 && hi[3] == 7);

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "random.h"
+#include "ulps.h"
 
 /* ------------------------------------------------------ random numbers -- */
 
@@ -173,15 +174,6 @@ void constructed_base(uint64_t seed, uint64_t base, struct family_case *out)
 
 /* ---------------------------------------------------------- neighbours -- */
 
-double constructed_stepped(double x, int ulps)
-{
-    for (; ulps > 0; ulps--)
-        x = nextafter(x, HUGE_VAL);
-    for (; ulps < 0; ulps++)
-        x = nextafter(x, -HUGE_VAL);
-    return x;
-}
-
 int constructed_neighbours(const struct family_case *base)
 {
     return CONSTRUCTED_SHIFTS * (family_line_size(base->line_word) +
@@ -196,8 +188,8 @@ int constructed_neighbour(const struct family_case *base, int which,
     *out = *base;
     double *moved =
         n < of_line ? &out->line_data[n] : &out->shape_data[n - of_line];
-    *moved = constructed_stepped(*moved, which % CONSTRUCTED_SHIFTS -
-                                             CONSTRUCTED_SHIFTS / 2);
+    *moved =
+        stepped(*moved, which % CONSTRUCTED_SHIFTS - CONSTRUCTED_SHIFTS / 2);
     return family_make(out);
 }
 

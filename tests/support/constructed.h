@@ -4,7 +4,7 @@
  * A base is a shape and a line that is exactly tangent, through a rim or the
  * apex, or along a ruling, for all five kinds.  A neighbour has one of the
  * base's numbers moved by -4 to +4 ulp; there is one for every number and every
- * amount.  These cases need no GSL.
+ * amount.
  */
 #ifndef CYLINT_CONSTRUCTED_H
 #define CYLINT_CONSTRUCTED_H
@@ -29,8 +29,5 @@ void constructed_wild(uint64_t seed, uint64_t index, struct family_case *out);
 /* Small whole numbers or tenths, often along the coordinates, rarely with one
  * number far from the others. */
 void constructed_plain(uint64_t seed, uint64_t index, struct family_case *out);
-
-/* x moved by the given number of ulp, at most to the largest double. */
-double constructed_stepped(double x, int ulps);
 
 #endif

@@ -1,13 +1,14 @@
 /*
  * elliptic_solids.h - elliptic shapes and points near them, by families
  *
- * Tests and benchmarks of distances from elliptic kinds draw from them.
+ * Tests of distances from elliptic kinds draw from them.
  */
 #ifndef CYLINT_ELLIPTIC_SOLIDS_H
 #define CYLINT_ELLIPTIC_SOLIDS_H
 
 #include <math.h>
 
+#include "check.h"
 #include "cylint.h"
 #include "random.h"
 #include "vectors.h"
@@ -22,7 +23,7 @@ static const char *const place_names[] = {"near", "inside", "up to 1e6 away",
 
 static uint64_t solid_stream = 1622;
 
-static double between(double low, double high)
+static inline double between(double low, double high)
 {
     return low + (high - low) * random_unit(&solid_stream);
 }
@@ -31,13 +32,32 @@ struct solid {
     double c[3], a[3], b[3], h[3], k;
 };
 
-static int make_solid(cylint_shape *s, const struct solid *e, cylint_ends ends)
+static inline int make_solid(cylint_shape *s, const struct solid *e,
+                             cylint_ends ends)
 {
     return cylint_elliptic_cone(s, e->c, e->a, e->b, e->h, e->k, ends) ==
            CYLINT_OK;
 }
 
-static void normalise(double v[3])
+static inline void report_solid(const struct solid *e, cylint_ends ends,
+                                const double p[3])
+{
+    REPORT("econe %a %a %a  %a %a %a  %a %a %a  %a %a %a  %a ends %d, point "
+           "%a %a %a",
+           e->c[0], e->c[1], e->c[2], e->a[0], e->a[1], e->a[2], e->b[0],
+           e->b[1], e->b[2], e->h[0], e->h[1], e->h[2], e->k, (int)ends, p[0],
+           p[1], p[2]);
+}
+
+/* Point x a + y b + z h from the base. */
+static inline void place_in_solid(const struct solid *e, double x, double y,
+                                  double z, double p[3])
+{
+    for (int i = 0; i < 3; i++)
+        p[i] = e->c[i] + x * e->a[i] + y * e->b[i] + z * e->h[i];
+}
+
+static inline void normalise(double v[3])
 {
     const double size = sqrt(dot3(v, v));
     for (int i = 0; i < 3; i++)
@@ -46,7 +66,7 @@ static void normalise(double v[3])
 
 /* Any vectors; or perpendicular ones, of which b is up to 3 times, 1000 times
  * (thin) or 1e6 times (needle) shorter than a. */
-static void draw_solid(struct solid *e, enum form form, int is_cone)
+static inline void draw_solid(struct solid *e, enum form form, int is_cone)
 {
     for (int i = 0; i < 3; i++) {
         e->c[i] = between(-1, 1);
@@ -70,7 +90,8 @@ static void draw_solid(struct solid *e, enum form form, int is_cone)
     }
 }
 
-static void draw_place(const struct solid *e, enum where where, double p[3])
+static inline void draw_place(const struct solid *e, enum where where,
+                              double p[3])
 {
     double z = between(0, 1), x, y;
     if (where == NEAR || where == FAR) {
@@ -86,8 +107,7 @@ static void draw_place(const struct solid *e, enum where where, double p[3])
         x = rho * share * cos(turn);
         y = rho * share * sin(turn);
     }
-    for (int i = 0; i < 3; i++)
-        p[i] = e->c[i] + x * e->a[i] + y * e->b[i] + z * e->h[i];
+    place_in_solid(e, x, y, z, p);
 }
 
 #endif

@@ -12,40 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-#ifndef HAVE_GSL
-
-int family_count(void)
-{
-    return 0;
-}
-
-const char *family_name(int family)
-{
-    (void)family;
-    return "";
-}
-
-int family_is_wild(int family)
-{
-    (void)family;
-    return 0;
-}
-
-int family_is_round(int family)
-{
-    (void)family;
-    return 0;
-}
-
-void family_case(uint64_t seed, int family, uint64_t index,
-                 struct family_case *out)
-{
-    (void)seed, (void)family, (void)index;
-    memset(out, 0, sizeof *out);
-}
-
-#else
-
 #include "families_draw.h"
 
 /* ------------------------------------------------------------ families -- */
@@ -111,15 +77,6 @@ static void translate(struct family_case *c, const double v[3])
     }
     for (int i = 0; i < (c->line_word == FAMILY_SEGMENT ? 6 : 3); i++)
         c->line_data[i] += v[i % 3];
-}
-
-static void translated(struct family_case *out)
-{
-    double v[3];
-    ordinary(out);
-    random_direction(v);
-    scale3(v, power(4, 8));
-    translate(out, v);
 }
 
 static void grazing(struct family_case *out)
@@ -233,18 +190,14 @@ static void multiply(double *x, int n, double by)
 /* Multiplies lengths by `by`, but no directions of lines and no factors. */
 static void enlarge(struct family_case *c, double by)
 {
-    const int factor =
-        c->shape_word == FAMILY_ACONE || c->shape_word == FAMILY_ECONE;
-    multiply(c->shape_data, family_shape_size(c->shape_word) - factor, by);
+    multiply(c->shape_data, family_lengths(c->shape_word), by);
     multiply(c->line_data, c->line_word == FAMILY_SEGMENT ? 6 : 3, by);
 }
 
-static void scaled(struct family_case *out)
+/* Multiplies the direction of a line that has one. */
+static void lengthen(struct family_case *c, double by)
 {
-    const double by = power(-100, 100);
-    ordinary(out);
-    enlarge(out, by);
-    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3, by);
+    multiply(c->line_data + 3, c->line_word == FAMILY_SEGMENT ? 0 : 3, by);
 }
 
 static void scaled_apart(struct family_case *out)
@@ -255,8 +208,7 @@ static void scaled_apart(struct family_case *out)
     scale3(f.c, power(-100, 100));
     write_shape(out, word, &f);
     aim(out, &f, 3);
-    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
-             power(-100, 100));
+    lengthen(out, power(-100, 100));
 }
 
 static void wild_radius(struct family_case *out)
@@ -266,13 +218,6 @@ static void wild_radius(struct family_case *out)
     make_frame(&f, word, chance(0.5) ? 1e12 : 1e-12, between(0.2, 3));
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
-}
-
-static void not_unit(struct family_case *out)
-{
-    ordinary(out);
-    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
-             power(-8, 8));
 }
 
 static void needle_or_disc(struct family_case *out)
@@ -285,36 +230,54 @@ static void needle_or_disc(struct family_case *out)
     aim(out, &f, 1.5);
 }
 
-/* Exponents near one end of the range. */
-static void subnormal(struct family_case *out)
+/* ----- changes of a case ------------------------------------------------ */
+
+static void translate_far(struct family_case *c)
 {
-    ordinary(out);
-    enlarge(out, ldexp(1, whole_between(-1074, -1000)));
-    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
-             ldexp(1, whole_between(-1074, 0)));
+    double v[3];
+    random_direction(v);
+    scale3(v, power(4, 8));
+    translate(c, v);
 }
 
-static void huge(struct family_case *out)
+static void scale(struct family_case *c)
 {
-    ordinary(out);
-    enlarge(out, ldexp(1, whole_between(980, 1019)));
-    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
-             ldexp(1, whole_between(0, 1020)));
+    enlarge(c, power(-100, 100));
+    lengthen(c, power(-100, 100));
+}
+
+static void lengthen_direction(struct family_case *c)
+{
+    lengthen(c, power(-8, 8));
+}
+
+static void make_subnormal(struct family_case *c)
+{
+    enlarge(c, ldexp(1, whole_between(-1074, -1000)));
+    lengthen(c, ldexp(1, whole_between(-1074, 0)));
+}
+
+static void make_huge(struct family_case *c)
+{
+    enlarge(c, ldexp(1, whole_between(980, 1019)));
+    lengthen(c, ldexp(1, whole_between(0, 1020)));
+}
+
+static void make_extreme(struct family_case *c)
+{
+    (chance(0.5) ? make_subnormal : make_huge)(c);
 }
 
 /* Every number has its own exponent. */
-static void mixed_exponents(struct family_case *out)
+static void mix_exponents(struct family_case *c)
 {
     const int deep = chance(0.3) ? 1074 : 60;
-    integer_grid(out);
+    const int n = family_shape_size(c->shape_word) -
+                  (c->shape_word == FAMILY_ACONE); /* its angle */
     for (int i = 0; i < 6; i++)
-        out->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
-    const int n = family_shape_size(out->shape_word);
-    for (int i = 0; i < n; i++) {
-        const int angle = out->shape_word == FAMILY_ACONE && i == 6;
-        out->shape_data[i] *=
-            angle ? 1 : ldexp(between(1, 2), whole_between(-deep, 60));
-    }
+        c->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
+    for (int i = 0; i < n; i++)
+        c->shape_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
 }
 
 /* A number with any of these exponents. */
@@ -350,12 +313,6 @@ static void begin_anywhere(struct family_case *out)
     x[7] = from < to ? to : from;
 }
 
-static void from_any_distance(struct family_case *out)
-{
-    (chance(0.5) ? integer_grid : ordinary)(out);
-    begin_anywhere(out);
-}
-
 /* Multiplies the lengths of a case's shape by any power of two, its origin and
  * its direction, or both ends of a segment, by others. */
 static void scale_anyhow(struct family_case *out)
@@ -370,12 +327,6 @@ static void scale_anyhow(struct family_case *out)
         x[6] = from < to ? from : to;
         x[7] = from < to ? to : from;
     }
-}
-
-static void any_exponents(struct family_case *out)
-{
-    (chance(0.5) ? integer_grid : ordinary)(out);
-    scale_anyhow(out);
 }
 
 /* ----- cones ------------------------------------------------------------ */
@@ -554,57 +505,61 @@ static void exact_differences(struct family_case *out)
 
 #include "families_round.h"
 
+typedef void maker(struct family_case *out);
+
+/* Each case is made by one of up to two functions, then changed. */
 static const struct {
     const char *name;
-    void (*make)(struct family_case *out);
+    maker *make, *other, *change;
     int wild, round;
 } families[] = {
-    {"ordinary", ordinary, 0, 0},
-    {"origin on the surface", on_the_surface, 0, 0},
-    {"far origin", far_origin, 0, 0},
-    {"translated", translated, 0, 0},
-    {"grazing", grazing, 0, 0},
-    {"nearly parallel", nearly_parallel, 0, 0},
-    {"exactly parallel", exactly_parallel, 0, 0},
-    {"integer grid", integer_grid, 0, 0},
-    {"pythagorean tangents", pythagorean, 0, 0},
-    {"scaled", scaled, 0, 0},
-    {"scaled apart", scaled_apart, 1, 0},
-    {"radius 1e+-12", wild_radius, 0, 0},
-    {"direction not unit", not_unit, 0, 0},
-    {"needle or disc", needle_or_disc, 0, 0},
-    {"near the apex", near_the_apex, 0, 0},
-    {"near a ruling", near_a_ruling, 0, 0},
-    {"narrow or wide cone", narrow_or_wide, 0, 0},
-    {"through the apex", through_the_apex, 0, 0},
-    {"both nappes", both_nappes, 0, 0},
-    {"near a rim", near_a_rim, 0, 0},
-    {"near a cap's plane", near_a_cap_plane, 0, 0},
-    {"elliptic, skewed", skewed, 0, 0},
-    {"elliptic, thin", thin, 0, 0},
-    {"exact differences", exact_differences, 0, 0},
-    {"subnormal", subnormal, 0, 0},
-    {"huge", huge, 0, 0},
-    {"mixed exponents", mixed_exponents, 1, 0},
-    {"round", round_ordinary, 0, 1},
-    {"round, on the surface", round_on_the_surface, 0, 1},
-    {"round, far origin", round_far_origin, 0, 1},
-    {"round, translated", round_translated, 0, 1},
-    {"round, grazing", round_grazing, 0, 1},
-    {"round, near a circle", round_near_a_circle, 0, 1},
-    {"round, across the axis", round_across, 0, 1},
-    {"round, ball in a ball", round_inside, 0, 1},
-    {"round, whole numbers", round_whole, 0, 1},
-    {"round, along a ruling", round_ruling, 0, 1},
-    {"round, sizes 1e+-12", round_needle, 0, 1},
-    {"round, ball and point", round_apex, 0, 1},
-    {"round, scaled", round_scaled, 0, 1},
-    {"round, subnormal or huge", round_extreme, 0, 1},
-    {"round, mixed exponents", round_mixed, 1, 1},
-    {"from any distance", from_any_distance, 1, 0},
-    {"any exponents", any_exponents, 1, 0},
-    {"round, from any distance", round_from_any_distance, 1, 1},
-    {"round, any exponents", round_any_exponents, 1, 1},
+    {"ordinary", ordinary, NULL, NULL, 0, 0},
+    {"origin on the surface", on_the_surface, NULL, NULL, 0, 0},
+    {"far origin", far_origin, NULL, NULL, 0, 0},
+    {"translated", ordinary, NULL, translate_far, 0, 0},
+    {"grazing", grazing, NULL, NULL, 0, 0},
+    {"nearly parallel", nearly_parallel, NULL, NULL, 0, 0},
+    {"exactly parallel", exactly_parallel, NULL, NULL, 0, 0},
+    {"integer grid", integer_grid, NULL, NULL, 0, 0},
+    {"pythagorean tangents", pythagorean, NULL, NULL, 0, 0},
+    {"scaled", ordinary, NULL, scale, 0, 0},
+    {"scaled apart", scaled_apart, NULL, NULL, 1, 0},
+    {"radius 1e+-12", wild_radius, NULL, NULL, 0, 0},
+    {"direction not unit", ordinary, NULL, lengthen_direction, 0, 0},
+    {"needle or disc", needle_or_disc, NULL, NULL, 0, 0},
+    {"near the apex", near_the_apex, NULL, NULL, 0, 0},
+    {"near a ruling", near_a_ruling, NULL, NULL, 0, 0},
+    {"narrow or wide cone", narrow_or_wide, NULL, NULL, 0, 0},
+    {"through the apex", through_the_apex, NULL, NULL, 0, 0},
+    {"both nappes", both_nappes, NULL, NULL, 0, 0},
+    {"near a rim", near_a_rim, NULL, NULL, 0, 0},
+    {"near a cap's plane", near_a_cap_plane, NULL, NULL, 0, 0},
+    {"elliptic, skewed", skewed, NULL, NULL, 0, 0},
+    {"elliptic, thin", thin, NULL, NULL, 0, 0},
+    {"exact differences", exact_differences, NULL, NULL, 0, 0},
+    {"subnormal", ordinary, NULL, make_subnormal, 0, 0},
+    {"huge", ordinary, NULL, make_huge, 0, 0},
+    {"mixed exponents", integer_grid, NULL, mix_exponents, 1, 0},
+    {"round", round_ordinary, NULL, NULL, 0, 1},
+    {"round, on the surface", round_on_the_surface, NULL, NULL, 0, 1},
+    {"round, far origin", round_far_origin, NULL, NULL, 0, 1},
+    {"round, translated", round_ordinary, NULL, translate_far, 0, 1},
+    {"round, grazing", round_grazing, NULL, NULL, 0, 1},
+    {"round, near a circle", round_near_a_circle, NULL, NULL, 0, 1},
+    {"round, across the axis", round_across, NULL, NULL, 0, 1},
+    {"round, ball in a ball", round_inside, NULL, NULL, 0, 1},
+    {"round, whole numbers", round_whole, NULL, NULL, 0, 1},
+    {"round, along a ruling", round_ruling, NULL, NULL, 0, 1},
+    {"round, sizes 1e+-12", round_needle, NULL, NULL, 0, 1},
+    {"round, ball and point", round_apex, NULL, NULL, 0, 1},
+    {"round, scaled", round_ordinary, NULL, scale, 0, 1},
+    {"round, subnormal or huge", round_ordinary, NULL, make_extreme, 0, 1},
+    {"round, mixed exponents", round_whole, NULL, mix_exponents, 1, 1},
+    {"from any distance", integer_grid, ordinary, begin_anywhere, 1, 0},
+    {"any exponents", integer_grid, ordinary, scale_anyhow, 1, 0},
+    {"round, from any distance", round_whole, round_ordinary, begin_anywhere, 1,
+     1},
+    {"round, any exponents", round_whole, round_ordinary, scale_anyhow, 1, 1},
 };
 
 int family_count(void)
@@ -630,16 +585,15 @@ int family_is_round(int family)
 void family_case(uint64_t seed, int family, uint64_t index,
                  struct family_case *out)
 {
-    if (!rng)
-        rng = gsl_rng_alloc(gsl_rng_taus2);
-    uint64_t stream = mixed(mixed(mixed(seed) + (uint64_t)family) + index);
+    stream = seed;
+    stream = random_bits(&stream) + (uint64_t)family;
+    stream = random_bits(&stream) + index;
     do { /* until the numbers make a shape */
-        gsl_rng_set(rng, (unsigned long)(stream & 0xffffffff));
+        maker *other = families[family].other;
         memset(out, 0, sizeof *out);
         out->ends = any_ends();
-        families[family].make(out);
-        stream = mixed(stream + 1);
+        (other && chance(0.5) ? other : families[family].make)(out);
+        if (families[family].change)
+            families[family].change(out);
     } while (!family_make(out));
 }
-
-#endif

@@ -2,7 +2,7 @@
  * families.h - the random lines and shapes of all tests and benchmarks
  *
  * A family is a kind of difficulty.  A case is a line and a shape; it depends
- * only on seed, family and index.  Without GSL there are no families.
+ * only on seed, family and index.
  */
 #ifndef CYLINT_FAMILIES_H
 #define CYLINT_FAMILIES_H

@@ -4,39 +4,31 @@
 #ifndef CYLINT_FAMILIES_DRAW_H
 #define CYLINT_FAMILIES_DRAW_H
 
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <string.h>
 
 #include "families.h"
+#include "random.h"
+#include "ulps.h"
 #include "vectors.h"
 
 /* ------------------------------------------------------ random numbers -- */
 
-static gsl_rng *rng;
-
-/* The finaliser of MurmurHash3: adjacent numbers give unrelated streams. */
-static uint64_t mixed(uint64_t x)
-{
-    x = (x ^ x >> 33) * UINT64_C(0xff51afd7ed558ccd);
-    x = (x ^ x >> 33) * UINT64_C(0xc4ceb9fe1a85ec53);
-    return x ^ x >> 33;
-}
+static uint64_t stream; /* of the present case */
 
 static double between(double low, double high)
 {
-    return low + (high - low) * gsl_rng_uniform(rng);
+    return low + (high - low) * random_unit(&stream);
 }
 
 static int one_of(int n)
 {
-    return (int)gsl_rng_uniform_int(rng, (unsigned long)n);
+    return random_int(&stream, n);
 }
 
 static int chance(double p)
 {
-    return gsl_rng_uniform(rng) < p;
+    return random_unit(&stream) < p;
 }
 
 static int whole_between(int low, int high)
@@ -54,15 +46,6 @@ static double power(double low, double high)
 static double small(double low, double high)
 {
     return chance(0.1) ? 0 : (chance(0.5) ? 1 : -1) * power(low, high);
-}
-
-static double stepped(double x, int ulps)
-{
-    for (; ulps > 0; ulps--)
-        x = nextafter(x, HUGE_VAL);
-    for (; ulps < 0; ulps++)
-        x = nextafter(x, -HUGE_VAL);
-    return x;
 }
 
 /* -------------------------------------------------------- little vectors -- */
@@ -98,7 +81,10 @@ static void scale3(double v[3], double by)
 
 static void random_direction(double d[3])
 {
-    gsl_ran_dir_3d(rng, &d[0], &d[1], &d[2]);
+    do {
+        set3(d, between(-1, 1), between(-1, 1), between(-1, 1));
+    } while (!(length3(d) < 1 && length3(d) > 0.1));
+    scale3(d, 1 / length3(d));
 }
 
 /* ------------------------------------------------ shapes by their frame -- */

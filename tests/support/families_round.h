@@ -184,15 +184,6 @@ static void round_far_origin(struct family_case *out)
     write_line_from(out, p, d, power(3, 8));
 }
 
-static void round_translated(struct family_case *out)
-{
-    double v[3];
-    round_ordinary(out);
-    random_direction(v);
-    scale3(v, power(4, 8));
-    translate(out, v);
-}
-
 /* Tangent to any part, moved by a little. */
 static void round_grazing(struct family_case *out)
 {
@@ -390,51 +381,6 @@ static void round_apex(struct family_case *out)
         write_line(out, p, d);
     else
         write_line_from(out, p, d, between(-3, 3));
-}
-
-static void turn_line(struct family_case *c, double by)
-{
-    for (int i = 3; i < (c->line_word == FAMILY_SEGMENT ? 3 : 6); i++)
-        c->line_data[i] *= by;
-}
-
-static void round_scaled(struct family_case *out)
-{
-    round_ordinary(out);
-    enlarge(out, power(-100, 100));
-    turn_line(out, power(-100, 100));
-}
-
-static void round_extreme(struct family_case *out)
-{
-    const int tiny = chance(0.5);
-    round_ordinary(out);
-    enlarge(out, ldexp(1, tiny ? whole_between(-1074, -1000)
-                               : whole_between(980, 1019)));
-    turn_line(out, ldexp(1, whole_between(tiny ? -1074 : 0, tiny ? 0 : 1020)));
-}
-
-/* Every number has its own exponent. */
-static void round_mixed(struct family_case *out)
-{
-    const int deep = chance(0.3) ? 1074 : 60;
-    round_whole(out);
-    for (int i = 0; i < 6; i++)
-        out->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
-    for (int i = 0; i < family_shape_size(out->shape_word); i++)
-        out->shape_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
-}
-
-static void round_from_any_distance(struct family_case *out)
-{
-    (chance(0.5) ? round_whole : round_ordinary)(out);
-    begin_anywhere(out);
-}
-
-static void round_any_exponents(struct family_case *out)
-{
-    (chance(0.5) ? round_whole : round_ordinary)(out);
-    scale_anyhow(out);
 }
 
 #endif

@@ -13,7 +13,7 @@ are counted but not printed.
                      [--jobs N] [--full] [--again FILE | --understood]
     tests/support/mutants.py --check
 
-Needs what `make check` needs, including MPFR and GSL.  --count is the number of
+Needs what `make check` needs, including MPFR.  --count is the number of
 random mutants of each file.  --skip leaves out the first N of the seed's
 sequence, so that a run can be continued.  --again tries only the mutants that
 an earlier run printed to FILE.  --understood tries those that have a reason, and
@@ -34,9 +34,6 @@ from concurrent.futures import ThreadPoolExecutor
 
 from reasons import beside_lines, sources, without_comments
 
-FLOORS = ["src"] + ["src/" + floor for floor in (
-    "numbers", "shapes", "signs", "roots", "filter", "methods", "distance")]
-SCENE_FLOORS = ["src/bvh", "src/scene"]
 CORE = ["signs/forms_template.h", "signs/overlap_template.h",
         "roots/newton_template.h",
         "numbers/double_double.h", "numbers/error_free_template.h",
@@ -133,91 +130,33 @@ def run(command, **more):
 
 
 class Bench:
-    """A copy of the sources: built once, then only what uses the changed file."""
+    """A copy of the sources, of which make builds what a changed file needs."""
 
     def __init__(self, top, work, cc, tests):
-        self.work, self.cc, self.tests = work, cc, tests
-        for folder in ("src", "include", "tests", "man", "tools/cylint"):
-            shutil.copytree(os.path.join(top, folder),
-                            os.path.join(work, folder))
-        self.flags = ["-std=c99", "-ffp-contract=off", "-fPIC", "-Iinclude",
-                      "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error",
-                      "-Isrc", "-Itests/support", "-D_POSIX_C_SOURCE=200809L",
-                      "-DHAVE_MPFR", "-DHAVE_GSL", "-DCHECK_STOPS"]
-        self.library = sum((self.c_files(f) for f in FLOORS), [])
-        self.common = ["tests/%s.c" % t for t in (
-            "support/families", "support/family_records",
-            "support/constructed", "support/oracle", "support/scenes",
-            "distance/distance_oracle", "distance/distance_oracle_elliptic")]
-        self.scene = sum((self.c_files(f) for f in SCENE_FLOORS), [])
-        self.tool = self.c_files("tools/cylint") + self.scene
-        self.programs = sorted({t for t, _ in tests} - {HARD})
-        self.sources = (self.library + self.scene +
-                        ["tests/%s.c" % t for t in self.programs])
-        if not self.compile(self.sources + self.common +
-                            self.c_files("tools/cylint")):
+        self.work, self.tests = work, tests
+        shutil.copytree(top, work, dirs_exist_ok=True, symlinks=True,
+                        ignore=shutil.ignore_patterns("build", ".git"))
+        self.make = ["make", "-s", "BUILD=build", "CC=" + cc, "X86=",
+                     "CPPFLAGS=-DCHECK_STOPS", "CFLAGS=-O1 -fsanitize=bounds "
+                     "-fsanitize-undefined-trap-on-error"]
+        if not all(self.build(t, jobs="-j2") for t, _ in tests):
             sys.exit("mutants: the sources do not compile as they are")
-        if not all([self.link(t) for t, _ in tests]):
-            sys.exit("mutants: the programs do not link as they are")
         self.seconds = [self.time_of(*t) for t in tests]
 
-    def c_files(self, folder):
-        return ["%s/%s" % (folder, f)
-                for f in sorted(os.listdir(os.path.join(self.work, folder)))
-                if f.endswith(".c")]
-
-    def compile(self, sources):
-        def job(source):
-            # tests are compiled once, so they may be optimised
-            fast = ("-O2" if source.startswith("tests") else
-                    "-O0" if source == "src/filter/many.c" else "-O1")
-            return run([self.cc] + self.flags +
-                       [fast, "-c", source, "-o", source[:-2] + ".o"],
-                       cwd=self.work).returncode == 0
-        with ThreadPoolExecutor(1 if len(sources) < 20 else 2) as pool:
-            return all(pool.map(job, sources))
-
-    def link(self, test):
-        """Links the program of a test, unless it exists.  The library is static,
-        because tests use functions that are hidden in the shared one."""
-        name = "cylint" if test == HARD else "tests/" + test
-        if os.path.exists(os.path.join(self.work, name)):
-            return True
-        objects = lambda files: [f[:-2] + ".o" for f in files]
-        if not os.path.exists(os.path.join(self.work, "libcylint.a")):
-            run(["ar", "rcs", "libcylint.a"] + objects(self.library),
-                cwd=self.work)
-        parts = (self.tool if test == HARD else
-                 ["tests/%s.c" % test] + self.common +
-                 (self.scene if "scene" in test else []))
-        return run([self.cc, "-o", name] + objects(parts) +
-                   ["libcylint.a", "-lmpfr", "-lgmp", "-lgsl", "-lgslcblas", "-pthread", "-lm"],
+    def build(self, test, jobs="-j1"):
+        """The program of a test.  Tests link the static library, because they use
+        functions that are hidden in the shared one."""
+        program = "cylint" if test == HARD else "tests/" + test
+        return run(self.make + [jobs, "build/" + program],
                    cwd=self.work).returncode == 0
-
-    def unlink(self):
-        for name in ["libcylint.a", "cylint"] + ["tests/" + t for t in self.programs]:
-            path = os.path.join(self.work, name)
-            if os.path.exists(path):
-                os.remove(path)
-
-    def users(self, name):
-        """The sources that are or include this file."""
-        name, seen = "/" + os.path.basename(name), []
-        for s in self.sources:
-            rule = subprocess.run([self.cc] + self.flags + ["-MM", s],
-                                  cwd=self.work, capture_output=True,
-                                  text=True).stdout
-            if any(r.endswith(name) for r in rule.split()):
-                seen.append(s)
-        return seen
 
     def passes(self, test, environment, seconds=600):
         command = (["sh", "tests/%s.sh" % HARD] if test == HARD else
-                   ["tests/" + test])
+                   ["build/tests/" + test])
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU,
                                            (int(seconds), int(seconds)))
         return run(command, cwd=self.work, preexec_fn=limit,
-                   env=dict(os.environ, BUILD=self.work,
+                   env=dict(os.environ, BUILD="build",
                             **environment)).returncode == 0
 
     def time_of(self, test, environment):
@@ -227,32 +166,25 @@ class Bench:
         return max(os.times().children_user - before, 0.01)
 
     def killer(self, order):
-        """The number of the first test to fail, or None.  A test that takes
-        far longer than usual counts as a failure."""
+        """The number of the first test to fail, "compiler", or None.  A test that
+        takes far longer than usual counts as a failure."""
         for i in order:
             test, environment = self.tests[i]
-            if not self.link(test) or not self.passes(
-                    test, environment, 3 * self.seconds[i] + 2):
+            if not self.build(test):
+                return "compiler"
+            if not self.passes(test, environment, 3 * self.seconds[i] + 2):
                 return i
         return None
 
-    def detect(self, texts, mutant, users, order):
-        """The number of the test that fails, "compiler", or None."""
+    def detect(self, texts, mutant, order):
+        """What kills a mutant: see killer()."""
         name, start, end, other = mutant
         text, path = texts[name], os.path.join(self.work, "src", name)
         with open(path, "w") as f:
             f.write(text[:start] + other + text[end:])
-        objects = [os.path.join(self.work, u[:-2] + ".o") for u in users]
-        for o in objects:
-            os.rename(o, o + ".kept")
-        self.unlink()
-        killer = "compiler"
-        if self.compile(users):
-            killer = self.killer(order)
+        killer = self.killer(order)
         with open(path, "w") as f:
             f.write(text)
-        for o in objects:
-            os.replace(o + ".kept", o)
         return killer
 
 
@@ -313,9 +245,10 @@ def check(top):
                   for what, line in sorted(reasons_of(text) - possible)]
         code = without_comments(text).split("\n")
         stale += ["%s:%d: no branch" % (path, lines[0])
-                  for _, lines in beside_lines(text, "untaken")
-                  if not any(re.search(r"\b(if|for|while|case)\b|\?|&&|\|\|", l)
-                             for l in code[lines[0] - 1:lines[-1]])]
+                  for what, lines in beside_lines(text, "untaken")
+                  if what != "never called" and not any(
+                      re.search(r"\b(if|for|while|case|AND|OR)\b|\?|&&|\|\|", l)
+                      for l in code[lines[0] - 1:lines[-1]])]
     print("".join(line + "\n" for line in stale), end="")
     return len(stale)
 
@@ -328,7 +261,6 @@ def try_file(name, args, benches, texts):
     idle = queue.Queue()
     for bench in benches:
         idle.put(bench)
-    users = benches[0].users(name)
     tests = benches[0].tests
     wanted = OF_FOLDER.get(name.split("/")[0])
     used = [i for i, test in enumerate(tests)
@@ -342,7 +274,7 @@ def try_file(name, args, benches, texts):
         bench = idle.get()
         worth = [-k / s for k, s in zip(kills, bench.seconds)]
         order = sorted(used, key=lambda i: worth[i])
-        killer = bench.detect(texts, mutant, users, order)
+        killer = bench.detect(texts, mutant, order)
         idle.put(bench)
         if killer is None:
             fate = "survived"

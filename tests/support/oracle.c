@@ -64,9 +64,9 @@ int oracle_sum_sign(const double *x, int n)
     int sign = 0;
     widen(&e, x, n);
     for (real_start(range_of(e)); real_again();) {
-        real sum = exact(0);
+        real sum = real_of(0);
         for (int i = 0; i < n; i++)
-            sum = plus(sum, exact(x[i]));
+            sum = plus(sum, real_of(x[i]));
         sign = sign_of(sum);
     }
     return sign;
@@ -83,14 +83,14 @@ static real value_of(const polynomial *p, real t)
 static polynomial along_line(vector v, real constant)
 {
     const polynomial p = {
-        {plus(dot(v, o_.q), constant), dot(v, o_.d), exact(0)}};
+        {plus(dot(v, o_.q), constant), dot(v, o_.d), real_of(0)}};
     return p;
 }
 
 /* by + sign p */
 static polynomial beyond(real by, const polynomial *p, int sign)
 {
-    const real s = exact(sign);
+    const real s = real_of(sign);
     const polynomial moved = {{plus(by, times(s, p->c[0])), times(s, p->c[1]),
                                times(s, p->c[2])}};
     return moved;
@@ -100,7 +100,7 @@ static void add_term(quadric *q, real s, vector v, polynomial L)
 {
     polynomial *F = &q->F;
     if (q->count == 0)
-        F->c[0] = F->c[1] = F->c[2] = exact(0);
+        F->c[0] = F->c[1] = F->c[2] = real_of(0);
     memcpy(q->term[q->count].v, v, sizeof(vector));
     q->term[q->count].s = s;
     q->term[q->count++].L = L;
@@ -114,9 +114,9 @@ static void add_term(quadric *q, real s, vector v, polynomial L)
 static void add_distance(quadric *q, real s, const real *center)
 {
     for (int i = 0; i < 3; i++) {
-        vector e = {exact(i == 0), exact(i == 1), exact(i == 2)};
+        vector e = {real_of(i == 0), real_of(i == 1), real_of(i == 2)};
         const real from = center ? minus(o_.q[i], center[i]) : o_.q[i];
-        add_term(q, s, e, (polynomial){{from, o_.d[i], exact(0)}});
+        add_term(q, s, e, (polynomial){{from, o_.d[i], real_of(0)}});
     }
 }
 
@@ -126,7 +126,7 @@ static void subtract_radius(quadric *q, vector v)
     vector by;
     scale(by, o_.delta, v);
     o_.rho = along_line(by, o_.gamma);
-    add_term(q, exact(-1), by, o_.rho);
+    add_term(q, real_of(-1), by, o_.rho);
 }
 
 /* -------------------------------------------------------------- shapes -- */
@@ -187,14 +187,14 @@ static void load_origin(const cylint_shape *s, const double o[3])
 static void load_circular(const cylint_shape *s, quadric *q)
 {
     const int by_tangent = s->kind == CYLINT_KIND_ACONE;
-    const real W = o_.whole = dot(o_.w, o_.w), r0 = exact(cylint_r0(s));
-    o_.Z = along_line(o_.w, exact(0));
-    o_.gamma = by_tangent ? exact(0) : times(r0, W);
-    o_.delta = exact(cylint_r1(s));
+    const real W = o_.whole = dot(o_.w, o_.w), r0 = real_of(cylint_r0(s));
+    o_.Z = along_line(o_.w, real_of(0));
+    o_.gamma = by_tangent ? real_of(0) : times(r0, W);
+    o_.delta = real_of(cylint_r1(s));
     if (!by_tangent)
         o_.delta = minus(o_.delta, r0);
     add_distance(q, by_tangent ? W : times(W, W), NULL);
-    add_term(q, negated(by_tangent ? exact(1) : W), o_.w, o_.Z);
+    add_term(q, negated(by_tangent ? real_of(1) : W), o_.w, o_.Z);
     subtract_radius(q, o_.w);
 }
 
@@ -212,19 +212,19 @@ static void load_elliptic(const cylint_shape *s, quadric *q)
     cross(o_.gy, o_.w, a);
     cross(o_.gz, a, b);
     o_.whole = dot(a, o_.gx);
-    const real sign = exact(sign_of(o_.whole));
+    const real sign = real_of(sign_of(o_.whole));
     o_.whole = times(o_.whole, sign);
     scale(o_.gx, sign, o_.gx);
     scale(o_.gy, sign, o_.gy);
     scale(o_.gz, sign, o_.gz);
-    o_.X = along_line(o_.gx, exact(0));
-    o_.Y = along_line(o_.gy, exact(0));
-    o_.Z = along_line(o_.gz, exact(0));
+    o_.X = along_line(o_.gx, real_of(0));
+    o_.Y = along_line(o_.gy, real_of(0));
+    o_.Z = along_line(o_.gz, real_of(0));
     o_.gamma = o_.whole;
-    o_.delta = minus(exact(s->kind == CYLINT_KIND_ECONE ? cylint_r1(s) : 1),
-                     exact(1));
-    add_term(q, exact(1), o_.gx, o_.X);
-    add_term(q, exact(1), o_.gy, o_.Y);
+    o_.delta = minus(real_of(s->kind == CYLINT_KIND_ECONE ? cylint_r1(s) : 1),
+                     real_of(1));
+    add_term(q, real_of(1), o_.gx, o_.X);
+    add_term(q, real_of(1), o_.gy, o_.Y);
     subtract_radius(q, o_.gz);
 }
 
@@ -245,10 +245,10 @@ static void load_straight(const cylint_shape *s)
 
 static void load_ball(quadric *q, const real *center, double r)
 {
-    const real zero = exact(0);
+    const real zero = real_of(0);
     vector nothing = {zero, zero, zero};
-    add_distance(q, exact(1), center);
-    add_term(q, exact(-1), nothing, (polynomial){{exact(r), zero, zero}});
+    add_distance(q, real_of(1), center);
+    add_term(q, real_of(-1), nothing, (polynomial){{real_of(r), zero, zero}});
 }
 
 /*
@@ -262,15 +262,15 @@ static void load_ball(quadric *q, const real *center, double r)
  */
 static void load_round(const cylint_shape *s)
 {
-    const real r0 = exact(cylint_r0(s)), r1 = exact(cylint_r1(s));
+    const real r0 = real_of(cylint_r0(s)), r1 = real_of(cylint_r1(s));
     const real W = o_.whole = dot(o_.w, o_.w), dr = o_.delta = minus(r1, r0);
     piece *p = o_.pieces;
     o_.count_of_pieces = 1;
-    o_.Z = along_line(o_.w, exact(0));
+    o_.Z = along_line(o_.w, real_of(0));
     if (s->kind == CYLINT_KIND_SPHERE) {
         load_ball(&p->surface, NULL, cylint_r0(s));
         if (cylint_surface(s) == CYLINT_PART_CAP1) { /* the base is at z = 1 */
-            scale(o_.w, exact(-1), o_.w);
+            scale(o_.w, real_of(-1), o_.w);
             o_.Z = along_line(o_.w, W);
         }
         return;
@@ -322,13 +322,13 @@ static void add_critical(real t, unsigned zeros)
 /* The zeros of a polynomial that are isolated. */
 static void add_zeros(const polynomial *p, unsigned bit)
 {
-    const real a = times(exact(2), p->c[2]), b = negated(p->c[1]);
+    const real a = times(real_of(2), p->c[2]), b = negated(p->c[1]);
     if (sign_of(a) == 0) {
         if (sign_of(b) != 0)
             add_critical(over(p->c[0], b), bit);
         return;
     }
-    const real D = minus(square_of(b), times(times(exact(2), a), p->c[0]));
+    const real D = minus(square_of(b), times(times(real_of(2), a), p->c[0]));
     const int sign = sign_of(D);
     if (sign >= 0)
         add_critical(over(minus(b, root_of(D)), a), bit);
@@ -363,11 +363,11 @@ static int inside(real t, unsigned zeros)
 static real within_gap(int i)
 {
     if (o_.count == 0)
-        return exact(0);
+        return real_of(0);
     if (i > 0 && i < o_.count)
-        return times(exact(0.5), plus(o_.at[i - 1].t, o_.at[i].t));
+        return times(real_of(0.5), plus(o_.at[i - 1].t, o_.at[i].t));
     const real end = o_.at[i ? i - 1 : 0].t;
-    real step = plus(exact(1), times(exact(sign_of(end)), end));
+    real step = plus(real_of(1), times(real_of(sign_of(end)), end));
     return i ? plus(end, step) : minus(end, step);
 }
 
@@ -402,7 +402,7 @@ static double nearest_real(real x, double *other)
 {
     const double nearest = *other = near_double(x) + 0;
     for (int sign = -1; sign <= 1; sign += 2) {
-        real moved = times(x, plus(exact(1), exact(sign * 0x1p-90)));
+        real moved = times(x, plus(real_of(1), real_of(sign * 0x1p-90)));
         const double beside = mpfr_get_d(moved->x, RND) + 0;
         *other = beside != nearest ? beside : *other;
     }
@@ -412,7 +412,7 @@ static double nearest_real(real x, double *other)
 /* The hit's normal: sign v / |v| */
 static void unit_vector(vector v, int sign, cylint_hit *hit)
 {
-    const real length = times(exact(sign), norm(v));
+    const real length = times(real_of(sign), norm(v));
     for (int i = 0; i < 3; i++)
         hit->normal[i] =
             nearest_real(over(v[i], length), &other_of(hit)->normal[i]);
@@ -434,7 +434,7 @@ static int apex_normal_sign(void)
 static void gradient(const quadric *q, real t, vector n)
 {
     for (int i = 0; i < 3; i++)
-        n[i] = exact(0);
+        n[i] = real_of(0);
     for (int k = 0; k < q->count; k++) {
         const real sL = times(q->term[k].s, value_of(&q->term[k].L, t));
         for (int i = 0; i < 3; i++)
@@ -462,36 +462,17 @@ static void normal_at(real t, cylint_hit *hit)
 static void circular_plane(void)
 {
     const int least = least_component(o_.w);
-    vector e = {exact(least == 0), exact(least == 1), exact(least == 2)};
+    vector e = {real_of(least == 0), real_of(least == 1), real_of(least == 2)};
     cross(o_.gx, e, o_.w);
     cross(o_.gy, o_.w, o_.gx);
-    o_.X = along_line(o_.gx, exact(0));
-    o_.Y = along_line(o_.gy, exact(0));
+    o_.X = along_line(o_.gx, real_of(0));
+    o_.Y = along_line(o_.gy, real_of(0));
 }
 
 /* An angle in [0, 1): a double below 1. */
 static double below_one(double phi)
 {
     return phi < 1 ? phi : 0x1.fffffffffffffp-1;
-}
-
-/* The angle y / x in turns, with 126 bits, enough for nearest_real(). */
-static real turns_of(real x, real y)
-{
-    real turn = exact(0);
-    mpfr_t pi;
-    if (sign_of(x) == 0 && sign_of(y) == 0)
-        return turn;
-    mpfr_init2(pi, 128);
-    mpfr_set_prec(turn->x, 128);
-    mpfr_atan2(turn->x, y->x, x->x, RND);
-    mpfr_const_pi(pi, RND);
-    mpfr_div(turn->x, turn->x, pi, RND);
-    mpfr_div_ui(turn->x, turn->x, 2, RND);
-    if (mpfr_sgn(turn->x) < 0)
-        mpfr_add_ui(turn->x, turn->x, 1, RND);
-    mpfr_clear(pi);
-    return turn;
 }
 
 static double phi_at(real t, double *other)
@@ -501,9 +482,7 @@ static double phi_at(real t, double *other)
     real x = value_of(&o_.X, t), y = value_of(&o_.Y, t);
     if (o_.circular)
         y = over(y, root_of(o_.whole));
-    const real turn = turns_of(sign_of(x) ? x : exact(0),
-                               sign_of(y) ? y : exact(0));
-    const double phi = below_one(nearest_real(turn, other));
+    const double phi = below_one(nearest_real(real_turns(x, y), other));
     *other = below_one(*other);
     return phi;
 }
@@ -581,7 +560,7 @@ static void describe(real t, unsigned want, cylint_hit *hit)
 /* Whether t < bound (sign -1) or t > bound (sign 1). */
 static int is_beyond(real t, double bound, int sign)
 {
-    return isfinite(bound) ? sign * order_of(t, exact(bound)) > 0
+    return isfinite(bound) ? sign * order_of(t, real_of(bound)) > 0
                            : sign * bound < 0;
 }
 
@@ -618,7 +597,7 @@ int oracle_contains(const cylint_shape *s, const double point[3])
     for (real_start(load_kind(s, point)); real_again();) {
         set(o_.d, nowhere);
         load(s, point);
-        in = inside(exact(0), 0);
+        in = inside(real_of(0), 0);
     }
     return in;
 }

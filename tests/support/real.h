@@ -25,20 +25,21 @@
 
 /* FEW_BITS: of the first try.  The last one has DEGREE times the range of the
  * exponents, and FEW_BITS more.  The worst number is F of a rounded cone, midway
- * between roots of the cone and of a ball.  By the norms of D (degree 12) and of the
- * difference of the roots (degree 24) it is at least 2^-(38 range) of its terms. */
+ * between roots of the cone and of a ball.  By the norms of D (degree 12) and of
+ * the difference of the roots (degree 24) it is at least 2^-(38 range) of its
+ * terms. */
 enum { FEW_BITS = 256, DEGREE = 40, MOST_REALS = 8192 };
 
 typedef struct {
     mpfr_t x;
     long off; /* |error| <= 2^off */
-} number;
+} real_number;
 
-typedef number *real;
+typedef real_number *real;
 typedef real vector[3];
 
 static struct {
-    number at[MOST_REALS];
+    real_number at[MOST_REALS];
     int made, used;
     long bits, last_bits;
     int is_lost; /* a sign needs more bits */
@@ -51,6 +52,14 @@ static inline void real_start(long range)
     reals.bits = 0;
     reals.last_bits = FEW_BITS + DEGREE * range;
     reals.is_lost = 1;
+}
+
+/* All numbers so far are gone; new ones have this many bits, whatever their signs
+ * need. */
+static inline void real_fixed(long bits)
+{
+    reals.bits = reals.last_bits = bits;
+    reals.used = 0;
 }
 
 /* Whether to compute with more bits.  All numbers so far are gone then. */
@@ -113,6 +122,24 @@ static inline real new_real(void)
     return z;
 }
 
+/* x, while all other numbers since reals.used was `mark` go. */
+static inline real real_keep(int mark, real x)
+{
+    real to = &reals.at[mark];
+    mpfr_swap(to->x, x->x);
+    to->off = x->off;
+    reals.used = mark + 1;
+    return to;
+}
+
+static inline real power_of_two(long e)
+{
+    real z = new_real();
+    mpfr_set_si_2exp(z->x, 1, e, RND);
+    z->off = EXACT;
+    return z;
+}
+
 /* The exponent of a sum of two errors, of which 2^EXACT is 0. */
 static inline long both(long a, long b)
 {
@@ -129,16 +156,16 @@ static inline long scaled(long off, real x)
 
 /* z, whose last rounding returned `inexact`, and whose operands' errors add up to
  * 2^off. */
-static inline real rounded(real z, int inexact, long off)
+static inline real with_error(real z, int inexact, long off)
 {
     z->off = inexact ? both(off, mpfr_get_exp(z->x) - reals.bits) : off;
     return z;
 }
 
-static inline real exact(double x)
+static inline real real_of(double x)
 {
     real z = new_real();
-    return rounded(z, mpfr_set_d(z->x, x, RND), EXACT);
+    return with_error(z, mpfr_set_d(z->x, x, RND), EXACT);
 }
 
 static inline int is_zero(real x)
@@ -151,13 +178,13 @@ static inline real plus(real x, real y)
     if (is_zero(x) || is_zero(y))
         return is_zero(x) ? y : x;
     real z = new_real();
-    return rounded(z, mpfr_add(z->x, x->x, y->x, RND), both(x->off, y->off));
+    return with_error(z, mpfr_add(z->x, x->x, y->x, RND), both(x->off, y->off));
 }
 
 static inline real minus(real x, real y)
 {
     real z = new_real();
-    return rounded(z, mpfr_sub(z->x, x->x, y->x, RND), both(x->off, y->off));
+    return with_error(z, mpfr_sub(z->x, x->x, y->x, RND), both(x->off, y->off));
 }
 
 static inline real times(real x, real y)
@@ -165,13 +192,13 @@ static inline real times(real x, real y)
     if (is_zero(x) || is_zero(y))
         return is_zero(x) ? x : y;
     real z = new_real();
-    return rounded(z, mpfr_mul(z->x, x->x, y->x, RND),
+    return with_error(z, mpfr_mul(z->x, x->x, y->x, RND),
                    both(scaled(x->off, y), scaled(y->off, x)));
 }
 
 static inline real negated(real x)
 {
-    return minus(exact(0), x);
+    return minus(real_of(0), x);
 }
 
 /* -1, 0 or 1 */
@@ -195,11 +222,11 @@ static inline real over(real x, real y)
 {
     real z = new_real();
     if (sign_of(y) == 0)
-        return exact(0);
+        return real_of(0);
     const int inexact = mpfr_div(z->x, x->x, y->x, RND);
     z->off = EXACT;
     const long off = both(x->off, scaled(y->off, z));
-    return rounded(z, inexact,
+    return with_error(z, inexact,
                    off == EXACT ? EXACT : off - mpfr_get_exp(y->x) + 2);
 }
 
@@ -208,9 +235,9 @@ static inline real root_of(real x)
 {
     real z = new_real();
     if (sign_of(x) <= 0)
-        return exact(0);
+        return real_of(0);
     const int inexact = mpfr_sqrt(z->x, x->x, RND);
-    return rounded(z, inexact,
+    return with_error(z, inexact,
                    x->off == EXACT ? EXACT
                                    : x->off - mpfr_get_exp(x->x) / 2 + 2);
 }
@@ -218,6 +245,27 @@ static inline real root_of(real x)
 static inline real square_of(real x)
 {
     return times(x, x);
+}
+
+/* The angle y / x in turns, in [0, 1), with 126 bits. */
+static inline real real_turns(real x, real y)
+{
+    real turn = real_of(0);
+    mpfr_t pi, sine, cosine;
+    if (sign_of(x) == 0 && sign_of(y) == 0)
+        return turn;
+    mpfr_inits2(128, pi, sine, cosine, (mpfr_ptr)NULL);
+    mpfr_set(sine, sign_of(y) ? y->x : turn->x, RND);
+    mpfr_set(cosine, sign_of(x) ? x->x : turn->x, RND);
+    mpfr_const_pi(pi, RND);
+    mpfr_atan2(sine, sine, cosine, RND);
+    mpfr_div(sine, sine, pi, RND);
+    mpfr_div_ui(sine, sine, 2, RND);
+    if (mpfr_sgn(sine) < 0)
+        mpfr_add_ui(sine, sine, 1, RND);
+    mpfr_set(turn->x, sine, RND);
+    mpfr_clears(pi, sine, cosine, (mpfr_ptr)NULL);
+    return turn;
 }
 
 /* ------------------------------------------------------------- vectors -- */
@@ -252,7 +300,21 @@ static inline void scale(vector to, real s, vector v)
 static inline void set(vector to, const double from[3])
 {
     for (int i = 0; i < 3; i++)
-        to[i] = exact(from[i]);
+        to[i] = real_of(from[i]);
+}
+
+/* to = u - v; `to` may be one of them. */
+static inline void subtract(vector to, vector u, vector v)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = minus(u[i], v[i]);
+}
+
+/* to += s v */
+static inline void add_scaled(vector to, real s, vector v)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = plus(to[i], times(s, v[i]));
 }
 
 /* to = end - from */
@@ -260,7 +322,14 @@ static inline void set_difference(vector to, const double end[3],
                                   const double from[3])
 {
     for (int i = 0; i < 3; i++)
-        to[i] = minus(exact(end[i]), exact(from[i]));
+        to[i] = minus(real_of(end[i]), real_of(from[i]));
+}
+
+/* to = v / by; `to` may be v. */
+static inline void divide(vector to, vector v, real by)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = over(v[i], by);
 }
 
 /* The first of the components that are nearest to 0. */
@@ -295,11 +364,11 @@ static inline double nearest_double(real x)
         return 0;
     const double low = mpfr_get_d(x->x, MPFR_RNDZ);
     const double high = nextafter(low, sign * HUGE_VAL);
-    real beyond = isinf(high) ? exact(sign * 0x1p1023) : exact(high);
+    real beyond = isinf(high) ? real_of(sign * 0x1p1023) : real_of(high);
     if (isinf(high))
         beyond = plus(beyond, beyond);
     const int order =
-        sign * order_of(x, times(exact(0.5), plus(exact(low), beyond)));
+        sign * order_of(x, times(real_of(0.5), plus(real_of(low), beyond)));
     unsigned long long bits;
     memcpy(&bits, &low, sizeof bits);
     return order > 0 || (order == 0 && bits % 2) ? high : low + 0;

@@ -4,6 +4,7 @@ A comment of one of these forms, beside a line of code or above it:
 
     /* untaken N of M: REASON */     no test takes N of the M branches of the line
     /* untaken: REASON */            some of its branches are not taken everywhere
+    /* untaken never called: REASON */   no test calls the function
     /* mutant 'a' -> 'b': REASON */  no test detects this change of the line;
                                      several changes are separated by commas
 

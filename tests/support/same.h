@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "cylint_distance.h"
+#include "cylint.h"
 #include "families.h"
 
 enum { EVERY_WANT = CYLINT_WANT_ALL | CYLINT_WANT_NEAREST };
@@ -65,14 +65,6 @@ static inline int same_answer(const cylint_answer *got,
     for (int i = 0; i < got->n && same; i++)
         same = same_hit(&got->hit[i], &all->hit[i], want);
     return same;
-}
-
-static inline int same_closest(const cylint_closest *x, const cylint_closest *y)
-{
-    return same_double(x->distance, y->distance) && x->flags == y->flags &&
-           x->part == y->part && x->feature == y->feature &&
-           same_bytes(x->point, y->point, sizeof x->point) &&
-           same_bytes(x->normal, y->normal, sizeof x->normal);
 }
 
 /* Prints what was got and what should be, below a failed check. */

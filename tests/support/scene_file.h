@@ -16,6 +16,8 @@
 
 /* ---------------------------------------------------------------- bytes -- */
 
+enum { SCENE_FILE_MOST = 1 << 20 };
+
 /* Bytes at the begin of a cache line. */
 struct bytes {
     char *memory, *data;
@@ -41,11 +43,10 @@ static inline int bytes_append(void *context, const void *data, size_t n)
     return 1;
 }
 
-/* Writes the file of the scene; b->memory is freed by the caller. */
-static inline void scene_file_write(const cylint_scene *scene, struct bytes *b,
-                                    size_t capacity)
+/* Writes the file of a small scene; b->memory is freed by the caller. */
+static inline void scene_file_write(const cylint_scene *scene, struct bytes *b)
 {
-    bytes_reserve(b, capacity);
+    bytes_reserve(b, SCENE_FILE_MOST);
     MUST(cylint_scene_write(scene, bytes_append, b) == CYLINT_SCENE_OK);
 }
 
@@ -223,11 +224,11 @@ static inline void scene_file_save_again(const cylint_scene *scene,
                                          size_t bytes)
 {
     struct bytes first = {NULL, NULL, 0, 0}, second = first;
-    scene_file_write(scene, &first, bytes);
+    scene_file_write(scene, &first);
     cylint_scene *again =
         cylint_scene_open_memory(first.data, first.n, 0, NULL);
     MUST(again && first.n == bytes);
-    scene_file_write(again, &second, bytes);
+    scene_file_write(again, &second);
     MUST(second.n == bytes && memcmp(first.data, second.data, bytes) == 0);
     cylint_scene_free(again);
     free(first.memory);

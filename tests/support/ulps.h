@@ -30,6 +30,16 @@ static inline double ulp(double x)
     return x == 0 || e - 53 < -1074 ? 0x1p-1074 : ldexp(1, e - 53);
 }
 
+/* x moved by the given number of ulp, at most to the largest double. */
+static inline double stepped(double x, int ulps)
+{
+    for (; ulps > 0; ulps--)
+        x = nextafter(x, HUGE_VAL);
+    for (; ulps < 0; ulps++)
+        x = nextafter(x, -HUGE_VAL);
+    return x;
+}
+
 /* |x - y| in ulp of `size`; infinite for NaN. */
 static inline double ulps_apart(double x, double y, double size)
 {

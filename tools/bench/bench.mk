@@ -1,7 +1,7 @@
 # tools/bench/bench.mk: the benchmarks; the Makefile includes it.
 
 $(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support -Itools/bench -Itools/bench/rivals $(embree) \
-	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
+	$(if $(MPFR),-DHAVE_MPFR)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
 # The program of all cases in C: `bench CASE...`.
