@@ -143,11 +143,10 @@ static float leaf_count(size_t n)
     return (float)(ptrdiff_t)cylint_leaves_for(n);
 }
 
-/* A place to split: before bin `bin` along `axis`, with n boxes to the left. */
+/* A place to split: before bin `bin` along `axis`. */
 typedef struct {
     float cost;
     int axis, bin;
-    size_t n;
 } cut_plan;
 
 static void try_axis(const bins *b, int axis, size_t n, cut_plan *best)
@@ -168,7 +167,7 @@ static void try_axis(const bins *b, int axis, size_t n, cut_plan *best)
         const float cost =
             area(h) * leaf_count(left) + right[i] * leaf_count(n - left);
         if (cost < best->cost)
-            *best = (cut_plan){cost, axis, i, left};
+            *best = (cut_plan){cost, axis, i};
     }
 }
 
@@ -249,7 +248,7 @@ ASIDE size_t divide(const range *r)
 {
     const size_t n = r->n;
     const scale s = scale_of(r);
-    cut_plan best = {FLT_MAX, -1, 0, 0};
+    cut_plan best = {FLT_MAX, -1, 0};
     bins b;
     const size_t filled = fill(&b, &s, r, n / SAMPLES + 1);
     for (int axis = 0; axis < 3; axis++)

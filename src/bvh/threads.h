@@ -32,60 +32,32 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
 /* cylint_thread_self() is the calling thread; cylint_thread_is() returns whether
  * it is the given one.
  *
- * A mutex and a condition: waiting unlocks the mutex until another thread
- * wakes all that wait. */
+ * A mutex and a condition, which do not allocate: waiting unlocks the mutex until
+ * another thread wakes all that wait. */
 #ifdef CYLINT_THREADS
 
 #include <pthread.h>
 
 typedef pthread_t cylint_thread;
 
-static inline cylint_thread cylint_thread_self(void)
-{
-    return pthread_self();
-}
-
-static inline int cylint_thread_is(const cylint_thread *thread)
-{
-    return pthread_equal(*thread, pthread_self()) != 0;
-}
-
 typedef struct cylint_mutex {
     pthread_mutex_t mutex;
     pthread_cond_t condition;
 } cylint_mutex;
 
-/* Initialised so, neither allocates. */
 #define CYLINT_MUTEX_INITIALIZER                            \
     {                                                       \
         PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER \
     }
-
-static inline void cylint_mutex_lock(cylint_mutex *m)
-{
-    pthread_mutex_lock(&m->mutex);
-}
-
-static inline void cylint_mutex_unlock(cylint_mutex *m)
-{
-    pthread_mutex_unlock(&m->mutex);
-}
-
-static inline void cylint_mutex_wait(cylint_mutex *m)
-{
-    pthread_cond_wait(&m->condition, &m->mutex);
-}
-
-static inline void cylint_mutex_wake_all(cylint_mutex *m)
-{
-    pthread_cond_broadcast(&m->condition);
-}
-
-static inline void cylint_mutex_destroy(cylint_mutex *m)
-{
-    pthread_cond_destroy(&m->condition);
-    pthread_mutex_destroy(&m->mutex);
-}
+#define cylint_thread_self() pthread_self()
+#define cylint_thread_is(thread) pthread_equal(*(thread), pthread_self())
+#define cylint_mutex_lock(m) pthread_mutex_lock(&(m)->mutex)
+#define cylint_mutex_unlock(m) pthread_mutex_unlock(&(m)->mutex)
+#define cylint_mutex_wait(m) pthread_cond_wait(&(m)->condition, &(m)->mutex)
+#define cylint_mutex_wake_all(m) pthread_cond_broadcast(&(m)->condition)
+#define cylint_mutex_destroy(m)             \
+    (pthread_cond_destroy(&(m)->condition), \
+     pthread_mutex_destroy(&(m)->mutex))
 
 #else
 

@@ -96,18 +96,8 @@ static void unmap_file(cylint_mapping *m)
 
 #else
 
-static int map_file(cylint_mapping *m, FILE *file, size_t least)
-{
-    (void)m;
-    (void)file;
-    (void)least;
-    return 0;
-}
-
-static void unmap_file(cylint_mapping *m)
-{
-    (void)m;
-}
+#define map_file(m, file, least) ((void)(least), 0)
+#define unmap_file(m) ((void)(m))
 
 #endif
 

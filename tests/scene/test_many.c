@@ -18,9 +18,7 @@ enum { SHAPES = 300, MOST = 4 * 1024 + 7, NUMBERS = 9 };
 
 static const size_t sizes[] = {0, 1, 255, 256, 257, MOST};
 static const int threads[] = {1, 2, 5};
-enum {
-    CALLS = sizeof sizes / sizeof *sizes * (sizeof threads / sizeof *threads)
-};
+enum { CALLS = 18 }; /* with each size and number of threads */
 
 /* The input: lines of all kinds, some of them invalid, and points. */
 static double input[8][MOST], radii[MOST];
@@ -174,30 +172,24 @@ static cylint_hit_columns wanted_hits(unsigned mask)
 
 static const unsigned all = (1u << ARRAYS) - 1;
 
-static void check_nearest(const cylint_scene *scene, const size_t *without)
+static void check_nearest(const cylint_scene *scene, const size_t *without,
+                          size_t n, int workers, unsigned mask, int domain)
 {
-    const cylint_hit_columns hits = wanted_hits(all);
-    expect_hits(scene, without, 1);
-    for (size_t k = 0; k < CALLS; k++) {
-        const cylint_lines lines = lines_now(sizes[k / 3], 3);
-        poison();
-        cylint_scene_nearest_lines(scene, &lines, without, threads[k % 3],
-                                   found.number, &hits);
-        if (!CHECK(are_as_expected(lines.n, all)))
-            REPORT("%zu lines, %d threads", lines.n, threads[k % 3]);
-    }
+    const cylint_lines lines = lines_now(n, domain ? 3 : 0);
+    const cylint_hit_columns hits = wanted_hits(mask);
+    poison();
+    cylint_scene_nearest_lines(scene, &lines, without, workers,
+                               mask & 1 ? found.number : NULL,
+                               mask == 1 ? NULL : &hits);
+    if (!CHECK(are_as_expected(n, mask)))
+        REPORT("%zu lines, %d threads, columns %x", n, workers, mask);
 }
 
-static void check_wanted_hits(const cylint_scene *scene, unsigned mask,
-                              int domain)
+static void check_all_nearest(const cylint_scene *scene, const size_t *without)
 {
-    const cylint_lines lines = lines_now(300, domain ? 3 : 0);
-    const cylint_hit_columns some = wanted_hits(mask);
-    poison();
-    cylint_scene_nearest_lines(scene, &lines, NULL, 1,
-                               mask & 1 ? found.number : NULL, &some);
-    if (!CHECK(are_as_expected(lines.n, mask)))
-        REPORT("columns %x", mask);
+    expect_hits(scene, without, 1);
+    for (size_t k = 0; k < CALLS; k++)
+        check_nearest(scene, without, sizes[k / 3], threads[k % 3], all, 1);
 }
 
 /* The shapes that the lines hit first, as of rays that leave them. */
@@ -222,9 +214,9 @@ static void nearest_hits_are_those_of_single_lines(void)
         struct scene_shapes of;
         cylint_scene *scene = new_scene(kinds[k], 3, &of);
         fill_lines(&of);
-        check_nearest(scene, NULL);
+        check_all_nearest(scene, NULL);
         leave_out_nearest();
-        check_nearest(scene, except);
+        check_all_nearest(scene, except);
         cylint_scene_free(scene);
         scene_release(&of);
     }
@@ -238,17 +230,14 @@ static void only_wanted_columns_are_written(void)
     fill_lines(&of);
     expect_hits(scene, NULL, 1);
     for (int k = 0; k < ARRAYS; k++) {
-        check_wanted_hits(scene, 1u << k, 1);
-        check_wanted_hits(scene, all & ~(1u << k), 1);
+        check_nearest(scene, NULL, 300, 1, 1u << k, 1);
+        check_nearest(scene, NULL, 300, 1, all & ~(1u << k), 1);
     }
-    check_wanted_hits(scene, 0, 1);
-    poison();
-    cylint_scene_nearest_lines(scene, &lines, NULL, 1, found.number, NULL);
-    CHECK(are_as_expected(lines.n, 1));
+    check_nearest(scene, NULL, 300, 1, 0, 1);
     cylint_scene_any_lines(scene, &lines, NULL, 2, NULL);
     cylint_scene_count_lines(scene, &lines, 0, 2, NULL);
     expect_hits(scene, NULL, 0);
-    check_wanted_hits(scene, all, 0);
+    check_nearest(scene, NULL, 300, 1, all, 0);
     cylint_scene_free(scene);
     scene_release(&of);
 }
@@ -290,16 +279,8 @@ static void any_and_count_are_those_of_single_lines(void)
 
 /* ------------------------------------------------------------ closest --- */
 
-static void check_closest(const cylint_scene *scene, const double *within)
+static void expect_closest(const cylint_scene *scene, const double *within)
 {
-    const unsigned closest = all & ~(3u << 10); /* no z and no phi */
-    const cylint_closest_columns columns = {
-        .distance = found.value[0],
-        .part = found.small[0],
-        .feature = found.small[1],
-        .point = {found.value[1], found.value[2], found.value[3]},
-        .normal = {found.value[4], found.value[5], found.value[6]}};
-    const cylint_closest_columns distance = {.distance = found.value[0]};
     for (size_t i = 0; i < MOST; i++) {
         const double point[3] = {input[0][i], input[1][i], input[2][i]};
         cylint_closest c;
@@ -310,24 +291,35 @@ static void check_closest(const cylint_scene *scene, const double *within)
                                        c.normal[2]};
         expect(i, number, c.part, c.feature, value);
     }
-    for (size_t k = 0; k <= CALLS + 2; k++) {
-        const size_t n = k < CALLS ? sizes[k / 3] : MOST;
-        const cylint_points points = {n, {input[0], input[1], input[2]}};
-        poison();
-        if (k < CALLS)
-            cylint_scene_closest_points(scene, &points, within, threads[k % 3],
-                                        found.number, &columns);
-        else
-            cylint_scene_closest_points(scene, &points, within, 2,
-                                        k == CALLS       ? NULL
-                                        : k == CALLS + 1 ? found.number
-                                                         : NULL,
-                                        k == CALLS ? &distance : NULL);
-        CHECK(are_as_expected(n, k < CALLS        ? closest
-                                 : k == CALLS     ? 1u << 3
-                                 : k == CALLS + 1 ? 1
-                                                  : 0));
-    }
+}
+
+static void check_closest(const cylint_scene *scene, const double *within,
+                          size_t n, int workers, unsigned mask)
+{
+    const cylint_points points = {n, {input[0], input[1], input[2]}};
+    const cylint_hit_columns as_hits = wanted_hits(mask);
+    const cylint_closest_columns columns = {
+        .distance = as_hits.t,
+        .part = as_hits.part,
+        .feature = as_hits.side,
+        .point = {as_hits.point[0], as_hits.point[1], as_hits.point[2]},
+        .normal = {as_hits.normal[0], as_hits.normal[1], as_hits.normal[2]}};
+    poison();
+    cylint_scene_closest_points(scene, &points, within, workers,
+                                mask & 1 ? found.number : NULL,
+                                mask == 1 ? NULL : &columns);
+    if (!CHECK(are_as_expected(n, mask)))
+        REPORT("%zu points, %d threads, columns %x", n, workers, mask);
+}
+
+static void check_all_closest(const cylint_scene *scene, const double *within)
+{
+    const unsigned closest = all & ~(3u << 10); /* no z and no phi */
+    expect_closest(scene, within);
+    for (size_t k = 0; k < CALLS; k++)
+        check_closest(scene, within, sizes[k / 3], threads[k % 3], closest);
+    for (int k = -1; k < ARRAYS - 2; k++)
+        check_closest(scene, within, 300, 2, k < 0 ? 0 : 1u << k);
 }
 
 static void closest_shapes_are_those_of_single_points(void)
@@ -337,8 +329,8 @@ static void closest_shapes_are_those_of_single_points(void)
         struct scene_shapes of;
         cylint_scene *scene = new_scene(kinds[k], 6, &of);
         fill_points(&of);
-        check_closest(scene, radii);
-        check_closest(scene, NULL);
+        check_all_closest(scene, radii);
+        check_all_closest(scene, NULL);
         cylint_scene_free(scene);
         scene_release(&of);
     }
