@@ -146,31 +146,53 @@ INLINE void find_least(const question *q, const batch *b, vm least[3])
         least[j] = m_if(tied, m_from(found[j]), least[j]);
 }
 
+/* The unit normal, from *a, that of lateral_direction(). */
+INLINE vm normal_on_shape(const surfaces *x, const question *q, const hit *at,
+                          int is_round, bounded_vector *a, vd normal[3])
+{
+    const vm at_end = is_round ? is_on_ball(&x->round, at) : at->capped;
+    const vm lateral = m_not(at_end);
+    vm certain = at_end;
+    if (m_any(lateral))
+        certain =
+            m_or(at_end, is_round ? lean_on_round(&x->round, q, at, lateral, a)
+                                  : lean_on_discs(q, at, a));
+    if (m_any(at_end)) {
+        const bounded_vector end =
+            is_round ? ball_normal(&x->round, q, at) : cap_normal(q, at->top);
+        if (m_any(lateral))
+            select_vector(a, at_end, &end);
+        else
+            *a = end;
+    }
+    return m_and(certain, unit_floats(a, normal));
+}
+
 /* Writes the floats of hits; returns the lanes in which they are certain. */
 INLINE unsigned describe_hits(const surfaces *x, const question *q,
                               const hit *at, unsigned lanes, const batch *b,
                               int is_round)
 {
     vm least[3];
-    vd c[3], N[3], e[3];
+    vd c[3];
+    bounded_vector normal;
     floats f;
     double stored[5][LANES];
     find_least(q, b, least);
     const vd e_c = across(q, at, c);
-    lateral_direction(q, c, e_c, N, e);
+    lateral_direction(q, c, e_c, &normal);
     vm certain = to_float(at->z, at->z_error, &f.z);
-    const vm phi = describe_phi(q, e_c, along_least(N, least),
+    const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
                                 along_least(c, least), &f.phi);
     if (is_round) {
         const vm is_ball = x->round.is_ball;
         f.phi = v_select(is_ball, v_set(0), f.phi);
         certain = m_and(certain, m_or(is_ball, phi));
-        certain =
-            m_and(certain, normal_on_round(&x->round, q, at, N, e, f.normal));
     } else {
-        certain =
-            m_and(m_and(certain, phi), normal_on_discs(q, at, N, e, f.normal));
+        certain = m_and(certain, phi);
     }
+    certain =
+        m_and(certain, normal_on_shape(x, q, at, is_round, &normal, f.normal));
     v_store(stored[0], f.z);
     v_store(stored[1], f.phi);
     EACH(j, 3)

@@ -438,17 +438,17 @@ INLINE vd across(const question *q, const hit *at, vd c[3])
     return q->W * (q->U * at->s_error + eps(3) * (q->Dn + v_abs(at->s) * q->U));
 }
 
-/* w x c and its error, which follows from e_c, rounding included.  The error is
+/* a: w x c and its error, which follows from e_c, rounding included.  The error is
  * computed by component: a component that is zero because components of the
  * axis are zero stays exact. */
-INLINE void lateral_direction(const question *q, const vd c[3], vd e_c, vd N[3],
-                              vd e[3])
+INLINE void lateral_direction(const question *q, const vd c[3], vd e_c,
+                              bounded_vector *a)
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    cross(N, q->w, c);
-    e[0] = (y + z) * e_c;
-    e[1] = (z + x) * e_c;
-    e[2] = (x + y) * e_c;
+    cross(a->N, q->w, c);
+    a->e[0] = (y + z) * e_c;
+    a->e[1] = (z + x) * e_c;
+    a->e[2] = (x + y) * e_c;
 }
 
 INLINE void select_vector(bounded_vector *a, vm where,
@@ -475,18 +475,18 @@ INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
 }
 
 /*
- * The lateral normal is N = w x c - k dr w.  On the surface |c| = k |w|, so its
- * length is k |w| sqrt(ww + dr^2), with a relative error of 15 u plus that of k.
+ * The lateral normal is N = w x c - k dr w, of which `a` is w x c.  Between discs k
+ * is the radius at the hit.  There |c| = k |w|, so the length of N is k |w| sqrt(ww
+ * + dr^2).  Of a round kind k is the radius of the ball that the cone touches there,
+ * |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error of 15 u
+ * plus that of k.
  */
-INLINE vm lean_on_cone(const question *q, const hit *at, bounded_vector *a)
+INLINE vm lean_on_cone(const question *q, vd k, vd e_k, vd length,
+                       bounded_vector *a)
 {
-    const vd dr = q->dr;
-    vd e_k;
-    const vd k = radius_at(q, at, &e_k), lean = k * dr;
-    e_k = e_k + v_abs(dr * q->dz) * at->s_error;
+    const vd dr = q->dr, lean = k * dr;
     const vd e_lean = v_abs(dr) * (e_k + eps(1) * v_abs(k));
     const vm certain = v_lt(v_set(32) * e_k, k);
-    const vd length = k * (q->W * v_sqrt(q->ww + dr * dr));
     EACH(j, 3) {
         a->N[j] = a->N[j] - lean * q->w[j];
         a->e[j] = a->e[j] + e_lean * v_abs(q->w[j]);
@@ -494,6 +494,24 @@ INLINE vm lean_on_cone(const question *q, const hit *at, bounded_vector *a)
     a->per_length = v_set(1) / where_or_one(certain, length);
     a->e_length = e_k / where_or_one(certain, k) + eps(3);
     return certain;
+}
+
+/* The same between discs. */
+INLINE vm lean_on_discs(const question *q, const hit *at, bounded_vector *a)
+{
+    const vm cone = m_not(v_eq(q->dr, v_set(0)));
+    bounded_vector leaning = *a;
+    vd e_k;
+    a->per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
+    a->e_length = eps(3);
+    if (!m_any(cone))
+        return m_not(cone);
+    const vd k = radius_at(q, at, &e_k);
+    e_k = e_k + v_abs(q->dr * q->dz) * at->s_error;
+    const vd length = k * (q->W * v_sqrt(q->ww + q->dr * q->dr));
+    const vm certain = lean_on_cone(q, k, e_k, length, &leaning);
+    select_vector(a, cone, &leaning);
+    return m_or(certain, m_not(cone));
 }
 
 INLINE bounded_vector cap_normal(const question *q, vm top)
@@ -506,31 +524,6 @@ INLINE bounded_vector cap_normal(const question *q, vm top)
     a.per_length = v_set(1) / q->W;
     a.e_length = eps(2);
     return a;
-}
-
-/* N, e: those of lateral_direction(). */
-INLINE vm normal_on_discs(const question *q, const hit *at, const vd N[3],
-                          const vd e[3], vd normal[3])
-{
-    const vm cone = m_not(v_eq(q->dr, v_set(0)));
-    bounded_vector a;
-    vm certain = m_not(m_none());
-    EACH(j, 3) {
-        a.N[j] = N[j];
-        a.e[j] = e[j];
-    }
-    a.per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
-    a.e_length = eps(3);
-    if (m_any(cone)) {
-        bounded_vector leaning = a;
-        certain = m_or(lean_on_cone(q, at, &leaning), m_not(cone));
-        select_vector(&a, cone, &leaning);
-    }
-    if (m_any(at->capped)) {
-        const bounded_vector up = cap_normal(q, at->top);
-        select_vector(&a, at->capped, &up);
-    }
-    return m_and(m_or(certain, at->capped), unit_floats(&a, normal));
 }
 
 /*
