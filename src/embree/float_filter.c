@@ -30,31 +30,25 @@ typedef struct {
          i##_of && (i = LANES == 1 ? 0 : (unsigned)cylint_lowest(i##_of), 1); \
          i##_of = LANES == 1 ? 0 : i##_of & (i##_of - 1))
 
-/* The surfaces of a shape; is_round chooses the member. */
-typedef struct {
-    quadratic discs;
-    round_surfaces round;
-} surfaces;
-
 INLINE verdict cross_shape(surfaces *x, question *q, int is_round)
 {
-    return is_round ? cross_round(&x->round, q) : cross_discs(&x->discs, q);
+    return is_round ? cross_round(x, q) : cross_discs(&x->cone, q);
 }
 
 INLINE verdict end_on_shape(surfaces *x, const question *q, int end,
                             int is_round, hit *at)
 {
-    return is_round ? end_on_round(&x->round, q, end, at)
-                    : end_on_discs(&x->discs, q, end, at);
+    return is_round ? end_on_round(x, q, end, at)
+                    : end_on_discs(&x->cone, q, end, at);
 }
 
 INLINE void step_on_shape(const surfaces *x, const question *q, int end,
                           int is_round, hit *at)
 {
     if (is_round)
-        step_on_round(&x->round, q, end, at);
+        step_on_round(x, q, end, at);
     else
-        step_on_cone(&x->discs, q, v_set(1), end, at);
+        step_on_cone(&x->cone, q, v_set(1), end, at);
 }
 
 /* ------------------------------------------------------------- accepting -- */
@@ -150,16 +144,15 @@ INLINE void find_least(const question *q, const batch *b, vm least[3])
 INLINE vm normal_on_shape(const surfaces *x, const question *q, const hit *at,
                           int is_round, bounded_vector *a, vd normal[3])
 {
-    const vm at_end = is_round ? is_on_ball(&x->round, at) : at->capped;
+    const vm at_end = is_round ? is_on_ball(x, at) : at->capped;
     const vm lateral = m_not(at_end);
     vm certain = at_end;
     if (m_any(lateral))
-        certain =
-            m_or(at_end, is_round ? lean_on_round(&x->round, q, at, lateral, a)
-                                  : lean_on_discs(q, at, a));
+        certain = m_or(at_end, is_round ? lean_on_round(x, q, at, lateral, a)
+                                        : lean_on_discs(q, at, a));
     if (m_any(at_end)) {
         const bounded_vector end =
-            is_round ? ball_normal(&x->round, q, at) : cap_normal(q, at->top);
+            is_round ? ball_normal(x, q, at) : cap_normal(q, at->top);
         if (m_any(lateral))
             select_vector(a, at_end, &end);
         else
@@ -176,27 +169,25 @@ INLINE unsigned describe_hits(const surfaces *x, const question *q,
     vm least[3];
     vd c[3];
     bounded_vector normal;
-    floats f;
+    vd f[5]; /* z, phi, the normal */
     double stored[5][LANES];
     find_least(q, b, least);
     const vd e_c = across(q, at, c);
     lateral_direction(q, c, e_c, &normal);
-    vm certain = to_float(at->z, at->z_error, &f.z);
+    vm certain = to_float(at->z, at->z_error, &f[0]);
     const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
-                                along_least(c, least), &f.phi);
+                                along_least(c, least), &f[1]);
     if (is_round) {
-        const vm is_ball = x->round.is_ball;
-        f.phi = v_select(is_ball, v_set(0), f.phi);
+        const vm is_ball = x->is_ball;
+        f[1] = v_select(is_ball, v_set(0), f[1]);
         certain = m_and(certain, m_or(is_ball, phi));
     } else {
         certain = m_and(certain, phi);
     }
     certain =
-        m_and(certain, normal_on_shape(x, q, at, is_round, &normal, f.normal));
-    v_store(stored[0], f.z);
-    v_store(stored[1], f.phi);
-    EACH(j, 3)
-        v_store(stored[2 + j], f.normal[j]);
+        m_and(certain, normal_on_shape(x, q, at, is_round, &normal, f + 2));
+    EACH(j, 5)
+        v_store(stored[j], f[j]);
     lanes &= m_bits(certain);
     EACH_LANE(i, lanes)
     b->of[i]->floats = (cylint_hit_floats){
@@ -213,7 +204,7 @@ INLINE unsigned need_step(const surfaces *x, const question *q, const hit *at,
 {
     const vd e = at->s_error * q->U;
     if (is_round)
-        return m_bits(v_lt(v_set(0x1p-38) * x->round.R, e));
+        return m_bits(v_lt(v_set(0x1p-38) * x->R, e));
     return m_bits(m_and_not(v_lt(v_set(0x1p-33) * (q->r0 + v_abs(q->dr)), e),
                             at->capped));
 }

@@ -410,18 +410,13 @@ INLINE void step_on_cone(const quadratic *on, const question *q, vd S, int end,
 
 /* ---------------------------------------------------------- description -- */
 
-/* Floats, stored as doubles. */
-typedef struct {
-    vd z, phi, normal[3];
-} floats;
-
 /* A vector N with errors e[].  Its length is 1 / per_length, with a relative
  * error of e_length. */
 typedef struct {
     vd N[3], e[3], per_length, e_length;
 } bounded_vector;
 
-/* Rounds x to a float.  x has an error of at most e, which includes the error of
+/* Rounds x to a float, stored as a double.  x has an error of at most e, which includes the error of
  * the library's x.  Returns whether the float is certain. */
 INLINE vm to_float(vd x, vd e, vd *f)
 {

@@ -275,7 +275,9 @@ static void trace(packet *p, struct RTCRay *ray, struct RTCHit *hit)
         trace_packet(p);
         return;
     }
-    start_test(&p->all, &p->all, ray, hit);
+    p->all.ray = ray;
+    p->all.hit = hit;
+    p->all.leaf = NULL;
     set_valid(p->valid, 0, cylint_trace_single(&p->all, p->primID));
 }
 
