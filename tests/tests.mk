@@ -25,15 +25,14 @@ $(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world
 $(embree_tests) $(BUILD)/tests/embree/scene_curves: %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
 	$(call archive,$(adapter)) $(BUILD)/libcylint.a
 $(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o
-$(BUILD)/tests/command/greys: $(BUILD)/tests/command/greys.o $(BUILD)/libcylint.a
 
 $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests) $(BUILD)/tests/embree/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
-$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys: libs := -lpng
+$(BUILD)/tests/command/pixels: libs := -lpng
 
 # Without MPFR these programs only say so.
 needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds filter/test_local_coordinates \
-              library/test_intersect numbers/test_double_double numbers/test_exact numbers/test_turns)
+              library/test_intersect numbers/test_double_double numbers/test_exact numbers/test_turns shapes/test_errors)
 $(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c $$(@D)/flags
 	$(call say,CC $<)$(compile) -c -o $@ $<
 
@@ -45,7 +44,7 @@ $(BUILD)/tests/numbers/test_turns.o: extra += $(x86)
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
 
-$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/embree/scene_curves $(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys:
+$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/embree/scene_curves $(BUILD)/tests/command/pixels:
 	$(link)
 
 # The command, with system calls that fail as tests/command/faults.c says.
@@ -90,7 +89,7 @@ run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	$(MAKE) --no-print-directory -f tests/support/run.mk
 
-check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) ## run every test (PARANOID=1: each decision twice)
 	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one

@@ -2,7 +2,7 @@
 # Floor tools: cylint-render writes PNG files whose bytes do not depend on the
 # number of workers; shapes, shadows and colours are at the right pixels; errors
 # give a message and leave no incomplete file; the manual's examples run.
-# The programs pixels and greys print the pixels of a file.
+# The program pixels prints the pixels of a file.
 . "$(dirname "$0")/../support/verdict.sh"
 page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] ||
@@ -212,7 +212,7 @@ test_inside()
 
 # ------------------------------------------------------------------ X-rays --
 
-# xray FILE SCENE ARGUMENT...: a ball of radius 1 as greys expects it
+# xray FILE SCENE ARGUMENT...: a ball of radius 1 as shows_ball expects it
 xray()
 {
     file=$1 scene=$2
@@ -221,21 +221,51 @@ xray()
         --fov 14 --size 61x40 --samples 1 "$@"
 }
 
+# The lengths of the rays of xray() inside the ball, by the command and by the
+# textbook: 2 sqrt(1 - b^2), b the distance of the ray from the centre.
+ball_lengths()
+{
+    awk 'BEGIN {
+        angle = 7 * 0.017453292519943295
+        half = sin(angle) / cos(angle)
+        for (y = 0; y < 40; y++)
+            for (x = 0; x < 61; x++) {
+                right = (2 * (x + 0.5) / 61 - 1) * half * 61 / 40
+                up = (1 - 2 * (y + 0.5) / 40) * half
+                aside = right * right + up * up
+                b = 100 * aside / (aside + 1)
+                printf "ray 0 0 10  %.17g %.17g -1  %.17g\n", right, up,
+                    b < 1 ? 2 * sqrt(1 - b) : 0
+            } }' | cylint -s ball.scene -q pieces --pieces chords --sum total
+}
+
+# shows_ball FILE GREY: the pixels have the greys that are computed from the length l
+shows_ball()
+{
+    ball_lengths > lengths
+    pixels "$1" | paste - lengths | awk '
+        { l = $4; off = l - $5; inside += l > 0
+          wrong += $3 != int(65535 * ('"$2"') + 0.5) || off * off > 1e-18 }
+        END { print inside " pixels show the ball, " wrong " are wrong"
+              exit !inside || wrong > 0 || NR != 61 * 40 }'
+}
+
+# note FILE: what the file says about its greys
+note() { grep -aoE '65535 (exp\(-[0-9.e+-]+ length\)|length / [0-9.e+-]+)' "$1"; }
+
 test_xray()
 {
     echo 'sphere 0 0 0  1' > ball.scene
-    xray mu.png ball.scene --xray 0.75 && greys mu.png ball 14 0.75
+    xray mu.png ball.scene --xray 0.75 && shows_ball mu.png 'exp(-0.75 * l)'
     verdict an_x_ray_of_a_ball_has_the_lengths_of_its_chords $?
-    [ "$(greys mu.png | head -n 1)" = '65535 exp(-0.75 length)' ]
+    [ "$(note mu.png)" = '65535 exp(-0.75 length)' ]
     verdict an_x_ray_describes_itself $?
     xray linear.png ball.scene --xray linear &&
-        largest=$(greys linear.png | sed -n '1s/65535 length . //p') &&
-        greys linear.png ball 14 linear "$largest" &&
-        [ "$(greys linear.png | awk '$3 > m { m = $3 } END { print m }')" = 65535 ]
+        shows_ball linear.png "l / $(note linear.png | sed 's/.* //')" &&
+        [ "$(pixels linear.png | awk '$3 > m { m = $3 } END { print m }')" = 65535 ]
     verdict the_longest_ray_is_white_on_a_linear_scale $?
     xray auto.png ball.scene --xray auto &&
-        greys auto.png | awk '
-            NR == 1 { sub(/.*-/, ""); mu = $1; next }
+        pixels auto.png | awk -v mu="$(note auto.png | sed 's/.*-//; s/ .*//')" '
             $3 < 65535 { n++; sum += -log($3 / 65535) / mu }
             END { f = mu * sum / n; exit !(f > 0.69310 && f < 0.69319) }'
     verdict a_ray_of_the_mean_length_is_half_as_bright $?
@@ -254,8 +284,8 @@ test_xray()
     echo 'econe 0 0 -1  1 0 0  0 1 0  0 0 2  1' > disc.scene
     cylint-render disc.scene -o edge.png --ortho --eye 1,0,5 --look-at 1,0,0 \
         --up 0,1,0 --zoom 1e6 --size 1x1 --samples 64 --xray 0.5 &&
-        greys edge.png | awk '
-            NR > 1 { length_of = -log($3 / 65535) / 0.5
+        pixels edge.png | awk '
+            { length_of = -log($3 / 65535) / 0.5
                      exit !(length_of > 0.99 && length_of < 1.01) }'
     verdict the_length_of_a_pixel_is_the_mean_of_its_rays $?
 }
@@ -266,8 +296,8 @@ test_solids()
     printf '%s\n' 'sphere 0 0 0  1  in=shell' 'sphere 0 0 0  0.5  out=shell' > shell.scene
     printf '%s\n' 'sphere 0 0 0  0.5' > core.scene
     for s in ball core shell; do
-        xray $s.png $s.scene --xray 0.75 && greys $s.png |
-            awk 'NR > 1 { print -log($3 / 65535) / 0.75 }' > $s.lengths
+        xray $s.png $s.scene --xray 0.75 && pixels $s.png |
+            awk '{ print -log($3 / 65535) / 0.75 }' > $s.lengths
     done
     paste ball.lengths core.lengths shell.lengths | awk '
         { off = $1 - $2 - $3; bad += off * off > 1e-8; hollow += $2 > 0 }
@@ -312,14 +342,14 @@ test_xray_extremes()
     : > empty.scene
     for how in auto 2 linear; do
         xray empty.png empty.scene --xray $how &&
-            greys empty.png | awk -v how=$how '
-                NR > 1 && $3 != (how == "linear" ? 0 : 65535) { bad++ }
+            pixels empty.png | awk -v how=$how '
+                $3 != (how == "linear" ? 0 : 65535) { bad++ }
                 END { exit NR < 9 || bad }'
         verdict "an_x_ray_of_nothing_is_empty_$how" $?
         printf '%s\n' 'cylinder 0 0 0  0 0 1  1 ends=infinite' \
             'cylinder 0 0 0  0 0 1  1' > endless.scene
         xray endless.png endless.scene --xray $how --ortho &&
-            greys endless.png | awk -v how=$how '
+            pixels endless.png | awk -v how=$how '
                 $1 == 30 && $2 == 20 { middle = $3 }
                 END { exit middle != (how == "linear" ? 65535 : 0) }'
         verdict "an_endless_solid_is_opaque_$how" $?

@@ -3,14 +3,12 @@
  */
 #include "atoms.h"
 
-#include <string.h>
-
 enum { FIELDS = 5, BOND = 0xb4b4b4, OTHER_ELEMENT = 0xff1493 };
 
 /* H, C, N, O and S have softer colours here than elsewhere; the others are those of
  * Jmol. */
 static const struct {
-    char symbol[3];
+    const char *symbol;
     uint32_t colour;
 } elements[] = {
     {"H", 0xe8e8e8},  {"D", 0xe8e8e8},  {"C", 0x6b6b6b},  {"N", 0x3050f8},
@@ -19,83 +17,65 @@ static const struct {
     {"Si", 0xf0c8a0}, {"Se", 0xffa100}, {"Li", 0xcc80ff}, {"Na", 0xab5cf2},
     {"K", 0x8f40d4},  {"Mg", 0x8aff00}, {"Ca", 0x3dff00}, {"Mn", 0x9c7ac7},
     {"Fe", 0xe06633}, {"Co", 0xf090a0}, {"Ni", 0x50d050}, {"Cu", 0xc88033},
-    {"Zn", 0x7d80b0}, {"Cd", 0xffd98f}, {"Hg", 0xb8b8d0}};
-
-struct field {
-    const char *text;
-    size_t length;
-};
+    {"Zn", 0x7d80b0}, {"Cd", 0xffd98f}, {"Hg", 0xb8b8d0}, {NULL, 0}};
 
 /* The fields of a label, of a bond those of its first atom. */
 struct atom {
-    struct field field[FIELDS];
+    struct string field[FIELDS];
     size_t fields;
     int is_bond;
 };
 
 /* Returns 0 if the text is no label of an atom or bond. */
-static int read_atom(const char *text, size_t length, struct atom *atom)
+static int read_atom(struct string label, struct atom *atom)
 {
-    const char *const end = text + length;
+    const char *const end = end_of(label), *begin = label.text;
     memset(atom, 0, sizeof *atom);
-    for (const char *p = text; p <= end; p++) {
+    for (const char *p = begin; p <= end && !atom->is_bond; p++) {
         atom->is_bond = end - p >= 2 && p[0] == '-' && p[1] == '-';
-        if (p < end && *p != ':' && !atom->is_bond) {
+        if (p < end && *p != ':' && !atom->is_bond)
             continue;
-        }
-        if (atom->fields == FIELDS) {
+        if (atom->fields == FIELDS)
             return 0;
-        }
-        atom->field[atom->fields++] = (struct field){text, (size_t)(p - text)};
-        text = p + 1;
-        if (atom->is_bond) {
-            break;
-        }
+        atom->field[atom->fields++] = between(begin, p);
+        begin = p + 1;
     }
     return atom->fields >= 4 && atom->field[3].length > 0;
 }
 
 /* The element, or the first letter of the atom's name. */
-static struct field element_of(const struct atom *atom)
+static struct string element_of(const struct atom *atom)
 {
-    struct field name = atom->field[3];
-    if (atom->fields == FIELDS) {
+    struct string name = atom->field[3];
+    if (atom->fields == FIELDS)
         return atom->field[4];
-    }
     while (name.length > 1 && strchr("0123456789'\"*", *name.text)) {
         name.text++;
         name.length--;
     }
-    return (struct field){name.text, 1};
+    return (struct string){name.text, 1};
 }
 
-int colour_of_element(const char *text, size_t length, uint32_t *colour)
+int colour_of_element(struct string label, uint32_t *colour)
 {
     struct atom atom;
-    if (!read_atom(text, length, &atom)) {
+    if (!read_atom(label, &atom))
         return 0;
-    }
-    const struct field element = element_of(&atom);
-    *colour = atom.is_bond ? BOND : OTHER_ELEMENT;
-    for (size_t i = 0; i < sizeof elements / sizeof *elements && !atom.is_bond;
-         i++) {
-        if (strlen(elements[i].symbol) == element.length &&
-            memcmp(elements[i].symbol, element.text, element.length) == 0) {
-            *colour = elements[i].colour;
-        }
-    }
+    const int i = find_word(WORDS(elements), element_of(&atom));
+    *colour = atom.is_bond     ? BOND
+              : i == NOT_GIVEN ? OTHER_ELEMENT
+                               : elements[i].colour;
     return 1;
 }
 
-int number_of_chain(const char *text, size_t length, size_t *number)
+int number_of_chain(struct string label, size_t *number)
 {
     static const char digits[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
     struct atom atom;
     size_t n = 0;
-    if (!read_atom(text, length, &atom)) {
+    if (!read_atom(label, &atom))
         return 0;
-    }
     for (size_t i = 0; i < atom.field[0].length; i++) {
         const char *digit = strchr(digits, atom.field[0].text[i]);
         n = 63 * n + (digit ? (size_t)(digit - digits) + 1 : 0);

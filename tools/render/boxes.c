@@ -15,12 +15,10 @@ static const struct box EVERYWHERE = {{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}},
 
 static int is_bounded(const struct box *box)
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         if (!(box->low.v[i] <= box->high.v[i] &&
-              box->high.v[i] - box->low.v[i] < HUGE_VAL)) {
+              box->high.v[i] - box->low.v[i] < HUGE_VAL))
             return 0;
-        }
-    }
     return 1;
 }
 
@@ -48,9 +46,8 @@ static void cut(struct box *box, const struct box *other)
 static void measure_all(struct boxes *boxes)
 {
     struct box all = NOWHERE;
-    for (size_t i = 0; i < boxes->count; i++) {
+    for (size_t i = 0; i < boxes->count; i++)
         enclose(&all, &boxes->box[i]);
-    }
     boxes->middle = box_middle(&all);
     boxes->size = length(minus(all.high, all.low));
 }
@@ -66,9 +63,8 @@ static struct box box_of_shape(const struct scene *scene, size_t number)
 
 static void add_box(struct boxes *boxes, const struct box *box)
 {
-    if (is_bounded(box)) {
+    if (is_bounded(box))
         boxes->box[boxes->count++] = *box;
-    }
 }
 
 /* ------------------------------------------------------------- solids -- */
@@ -130,9 +126,8 @@ static void add_all(struct boxes *boxes, const struct scene *scene,
         qsort(m, count, sizeof *m, compare_members);
         add_solids(boxes, scene, m, count);
     }
-    if (boxes->count > 0) {
+    if (boxes->count > 0)
         measure_all(boxes);
-    }
 }
 
 int boxes_make(struct boxes *boxes, const struct scene *scene)
@@ -142,13 +137,11 @@ int boxes_make(struct boxes *boxes, const struct scene *scene)
     cylint_member *m = malloc((members + 1) * sizeof *m);
     char *is_member = calloc(scene->count + 1, 1);
     *boxes = (struct boxes){NULL, 0, {{0, 0, 0}}, 0};
-    if (most <= SIZE_MAX / sizeof *boxes->box) {
+    if (most <= SIZE_MAX / sizeof *boxes->box)
         boxes->box = malloc(most * sizeof *boxes->box);
-    }
     const int has_memory = m && is_member && boxes->box;
-    if (has_memory) {
+    if (has_memory)
         add_all(boxes, scene, m, is_member);
-    }
     free(m);
     free(is_member);
     return has_memory ? 0 : out_of_memory();
@@ -173,8 +166,7 @@ static double reach_of_box(struct vector direction, const struct box *box)
 double reach(const struct boxes *boxes, struct vector direction)
 {
     double most = -HUGE_VAL;
-    for (size_t i = 0; i < boxes->count; i++) {
+    for (size_t i = 0; i < boxes->count; i++)
         most = fmax(most, reach_of_box(direction, &boxes->box[i]));
-    }
     return most;
 }

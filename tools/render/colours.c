@@ -85,125 +85,66 @@ static uint32_t colour_of_height(double x)
 
 /* -------------------------------------------------------------- tails -- */
 
-static int hex_digit(char c)
+int read_colour(struct string s, uint32_t *colour)
 {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
-int read_colour(const char *text, size_t length, uint32_t *colour)
-{
-    uint32_t value = 0;
-    if (length != 7 || text[0] != '#') {
+    char digits[7] = "";
+    if (s.length != 7 || *s.text != '#')
         return 0;
-    }
-    for (int i = 1; i < 7; i++) {
-        const int digit = hex_digit(text[i]);
-        if (digit < 0) {
-            return 0;
-        }
-        value = 16 * value + (uint32_t)digit;
-    }
-    *colour = value;
-    return 1;
-}
-
-static int is_separator(char c)
-{
-    return c == ' ' || c == '\t' || c == ',';
+    memcpy(digits, s.text + 1, 6);
+    *colour = (uint32_t)strtoul(digits, NULL, 16);
+    return strspn(digits, "0123456789abcdefABCDEF") == 6;
 }
 
 /* The first field of the tail that is a colour. */
-static uint32_t colour_in_tail(const char *p, const char *end)
+static uint32_t colour_in_tail(struct string tail)
 {
-    while (p < end) {
-        const char *field = p;
-        while (p < end && !is_separator(*p)) {
-            p++;
-        }
-        uint32_t colour;
-        if (read_colour(field, (size_t)(p - field), &colour)) {
+    const char *after;
+    uint32_t colour;
+    for (const char *p = tail.text; p < end_of(tail); p = after + 1) {
+        after = field_end(p, end_of(tail));
+        if (read_colour(between(p, after), &colour))
             return colour;
-        }
-        p++;
     }
     return NO_COLOUR;
 }
 
 /* By the first field of the tail, the label of an atom or bond. */
-static uint32_t colour_of_atom(enum colouring how, const char *tail,
-                               const char *end)
+static uint32_t colour_of_atom(enum colouring how, struct string tail)
 {
-    const char *p = tail;
+    const struct string label =
+        between(tail.text, field_end(tail.text, end_of(tail)));
     uint32_t colour;
     size_t chain;
-    while (p < end && !is_separator(*p)) {
-        p++;
-    }
-    const size_t length = (size_t)(p - tail);
-    if (how == COLOUR_ELEMENT && colour_of_element(tail, length, &colour)) {
+    if (how == COLOUR_ELEMENT && colour_of_element(label, &colour))
         return colour;
-    }
-    return how == COLOUR_CHAIN && number_of_chain(tail, length, &chain)
+    return how == COLOUR_CHAIN && number_of_chain(label, &chain)
                ? colour_of_number(chain)
                : NO_COLOUR;
 }
 
-static uint32_t hash_of_text(const char *text, size_t length)
+static uint32_t hash_of_text(struct string s)
 {
     uint32_t hash = 0;
-    for (size_t i = 0; i < length; i++) {
-        hash = hash_words(hash, (unsigned char)text[i]);
-    }
+    for (size_t i = 0; i < s.length; i++)
+        hash = hash_words(hash, (unsigned char)s.text[i]);
     return hash;
-}
-
-static int resize(uint32_t **words, size_t count)
-{
-    uint32_t *more = count <= SIZE_MAX / sizeof *more
-                         ? realloc(*words, count * sizeof *more)
-                         : NULL;
-    if (!more) {
-        return out_of_memory();
-    }
-    *words = more;
-    return 0;
-}
-
-/* Grows the arrays; new shapes have no colour. */
-static int grow(struct colours *c, size_t count)
-{
-    if (count > c->capacity) {
-        const size_t capacity =
-            count > 2 * c->capacity ? count : 2 * c->capacity;
-        if (resize(&c->of, capacity) != 0 || resize(&c->label, capacity) != 0) {
-            return EXIT_MEMORY;
-        }
-        c->capacity = capacity;
-    }
-    for (; c->count < count; c->count++) {
-        c->of[c->count] = NO_COLOUR;
-        c->label[c->count] = 0;
-    }
-    return 0;
 }
 
 int colours_take_tail(struct scene *scene, const struct record *record)
 {
     struct colours *c = scene->context;
     const size_t number = scene->count;
-    const int status = grow(c, number + 1);
-    if (status == 0) {
-        const char *tail = record->tail.text, *end = end_of(record->tail);
-        c->of[number] = colour_in_tail(tail, end);
-        if (c->of[number] == NO_COLOUR) {
-            c->of[number] = colour_of_atom(c->how, tail, end);
-        }
-        c->label[number] = hash_of_text(tail, record->tail.length);
-    }
-    return status;
+    uint32_t *of = grown(c->of, number, &c->of_most, sizeof *of);
+    uint32_t *label = grown(c->label, number, &c->label_most, sizeof *label);
+    c->of = of ? of : c->of;
+    c->label = label ? label : c->label;
+    if (!of || !label)
+        return out_of_memory();
+    of[number] = colour_in_tail(record->tail);
+    if (of[number] == NO_COLOUR)
+        of[number] = colour_of_atom(c->how, record->tail);
+    label[number] = hash_of_text(record->tail);
+    return 0;
 }
 
 /* ---------------------------------------------- shapes without a colour -- */
@@ -292,28 +233,20 @@ static size_t *first_of_solids(const struct scene *scene)
     const cylint_member *m = scene->solids.member;
     const size_t n = scene->solids.count;
     size_t solids = 0, *stand, *first;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n; i++)
         solids = m[i].solid < solids ? solids : m[i].solid + 1;
-    }
     stand = malloc((scene->count + solids + 1) * sizeof *stand);
-    if (!stand) {
+    if (!stand)
         return NULL;
-    }
     first = stand + scene->count;
-    for (size_t i = 0; i < scene->count + solids; i++) {
+    for (size_t i = 0; i < scene->count + solids; i++)
         stand[i] = i < scene->count ? i : scene->count;
-    }
-    for (size_t i = 0; i < n; i++) {
-        if (m[i].clause > 0 && m[i].shape < first[m[i].solid]) {
+    for (size_t i = 0; i < n; i++)
+        if (m[i].clause > 0 && m[i].shape < first[m[i].solid])
             first[m[i].solid] = m[i].shape;
-        }
-    }
-    for (size_t i = 0; i < n; i++) {
-        if (stand[m[i].shape] == m[i].shape &&
-            first[m[i].solid] < scene->count) {
+    for (size_t i = 0; i < n; i++)
+        if (stand[m[i].shape] == m[i].shape && first[m[i].solid] < scene->count)
             stand[m[i].shape] = first[m[i].solid];
-        }
-    }
     return stand;
 }
 
@@ -323,9 +256,8 @@ static int colour_others(struct colours *c, const struct scene *scene,
                          enum colouring how, uint32_t one)
 {
     size_t *stand = first_of_solids(scene);
-    if (!stand) {
+    if (!stand)
         return out_of_memory();
-    }
     for (int members = 0; members < 2; members++) {
         for (size_t i = 0; i < scene->count; i++) {
             if (c->of[i] == NO_COLOUR && members) {
@@ -345,16 +277,11 @@ int colours_complete(struct colours *c, const struct scene *scene, uint32_t one,
                      struct vector up)
 {
     const enum colouring how = c->how;
-    int status = grow(c, scene->count);
-    if (status != 0) {
-        return status;
-    }
-    if (how == COLOUR_CONNECTED) {
+    int status = 0;
+    if (how == COLOUR_CONNECTED)
         status = connected_groups(scene, c->label);
-    }
-    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT) {
+    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT)
         by_measure(c, scene, how, up);
-    }
     return status != 0 ? status : colour_others(c, scene, how, one);
 }
 

@@ -31,7 +31,7 @@ struct colours {
     enum colouring how; /* of the shapes that have no colour in their tails */
     uint32_t *of;       /* 0xrrggbb for each shape, sRGB */
     uint32_t *label;    /* a hash of each tail, 0 if it has none */
-    size_t capacity, count; /* capacity; the number of shapes read */
+    size_t of_most, label_most; /* capacities */
 };
 
 /* The callback `also` of struct scene; its context is a struct colours. */
@@ -45,7 +45,7 @@ int colours_complete(struct colours *colours, const struct scene *scene,
 void colours_free(struct colours *colours);
 
 /* Reads #rrggbb.  Returns 0 if the text is anything else. */
-int read_colour(const char *text, size_t length, uint32_t *colour);
+int read_colour(struct string s, uint32_t *colour);
 
 /* Converts 0xrrggbb to shares of the brightest light, and back. */
 struct vector light_of_colour(uint32_t colour);

@@ -1,66 +1,17 @@
 /*
  * connected.c - groups of connected shapes
  *
- * A hash table maps the bits of an end point to the first shape with that end.
- * Groups are trees of shapes (union-find); the root has the lowest number.
+ * The bits of an end point are a name; its number leads to the first shape with
+ * that end.  Groups are trees of shapes (union-find); the root has the lowest number.
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "connected.h"
-#include "main.h"
+#include "names.h"
 #include "report.h"
-#include "sampling.h"
 #include "scene.h"
 #include "vector.h"
 #include "../../src/shapes/layout.h"
-
-struct ends {
-    const struct scene *scene;
-    uint32_t *slot; /* 2 i + e + 1 for end e of shape i; 0: free */
-    size_t slots;   /* a power of two above the number of ends */
-};
-
-static struct vector end_point(const struct ends *ends, uint32_t end)
-{
-    cylint_shape shape;
-    scene_shape(ends->scene, end >> 1, &shape);
-    const double *p = end & 1 ? cylint_top(&shape) : cylint_base(&shape);
-    return vector(p[0], p[1], p[2]);
-}
-
-static uint32_t hash_point(const double p[3])
-{
-    uint32_t hash = 0;
-    for (int i = 0; i < 3; i++) {
-        const double value = p[i] + 0.0; /* -0 becomes 0 */
-        uint32_t words[2];
-        memcpy(words, &value, sizeof words);
-        hash = hash_words(hash_words(hash, words[0]), words[1]);
-    }
-    return hash;
-}
-
-static int same_point(const double p[3], const double q[3])
-{
-    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-}
-
-/* The first end at the same point; it may be this one. */
-static uint32_t first_end(const struct ends *ends, uint32_t end)
-{
-    const struct vector p = end_point(ends, end);
-    size_t at = hash_point(p.v) & (ends->slots - 1);
-    while (ends->slot[at] != 0) {
-        const struct vector other = end_point(ends, ends->slot[at] - 1);
-        if (same_point(p.v, other.v)) {
-            return ends->slot[at] - 1;
-        }
-        at = (at + 1) & (ends->slots - 1);
-    }
-    ends->slot[at] = end + 1;
-    return end;
-}
 
 /* The root of i's tree; shortens the path to it. */
 static uint32_t root_of(uint32_t *parent, uint32_t i)
@@ -87,16 +38,42 @@ static int has_ends(const cylint_shape *s)
            s->kind == CYLINT_KIND_RCONE;
 }
 
-static void join_shapes(const struct ends *ends, size_t n, uint32_t *parent)
+/* The end points so far, and the first shape of each. */
+struct ends {
+    struct names points;
+    uint32_t *first;
+};
+
+/* Joins shape i with the first shape that has an end at p.  Returns 0 if there is no
+ * memory. */
+static int join_end(struct ends *ends, uint32_t *parent, uint32_t i,
+                    const double *p)
 {
-    for (uint32_t i = 0; i < n; i++) {
+    const struct vector point =
+        plus(vector(0, 0, 0), 1, vector(p[0], p[1], p[2]));
+    const struct string bits = {(const char *)point.v, sizeof point.v};
+    const size_t known = ends->points.texts.count;
+    size_t number;
+    if (!names_add(&ends->points, bits, &number))
+        return 0;
+    if (number == known)
+        ends->first[number] = i;
+    join(parent, i, ends->first[number]);
+    return 1;
+}
+
+static int join_shapes(struct ends *ends, const struct scene *scene,
+                       uint32_t *parent)
+{
+    int has_memory = 1;
+    for (uint32_t i = 0; i < scene->count && has_memory; i++) {
         cylint_shape shape;
-        scene_shape(ends->scene, i, &shape);
-        if (has_ends(&shape)) {
-            join(parent, i, first_end(ends, 2 * i) >> 1);
-            join(parent, i, first_end(ends, 2 * i + 1) >> 1);
-        }
+        scene_shape(scene, i, &shape);
+        if (has_ends(&shape))
+            has_memory = join_end(ends, parent, i, cylint_base(&shape)) &&
+                         join_end(ends, parent, i, cylint_top(&shape));
     }
+    return has_memory;
 }
 
 /* A root has a lower number than its descendants, so its group gets a number
@@ -113,22 +90,16 @@ static void number_groups(uint32_t *group, size_t n)
 int connected_groups(const struct scene *scene, uint32_t *group)
 {
     const size_t n = scene->count;
-    struct ends ends = {scene, NULL, 2};
-    if (n > UINT32_MAX / 8) {
-        return out_of_memory();
-    }
-    while (ends.slots < 4 * n) {
-        ends.slots *= 2;
-    }
-    ends.slot = calloc(ends.slots, sizeof *ends.slot);
-    if (!ends.slot) {
-        return out_of_memory();
-    }
-    for (uint32_t i = 0; i < n; i++) {
+    struct ends ends = {.first = NULL};
+    if (n < UINT32_MAX / 8)
+        ends.first = malloc((2 * n + 1) * sizeof *ends.first);
+    for (uint32_t i = 0; i < n && ends.first; i++)
         group[i] = i;
-    }
-    join_shapes(&ends, n, group);
-    free(ends.slot);
+    const int has_memory = ends.first && join_shapes(&ends, scene, group);
+    free(ends.first);
+    names_free(&ends.points);
+    if (!has_memory)
+        return out_of_memory();
     number_groups(group, n);
     return 0;
 }

@@ -40,9 +40,8 @@ static size_t first_of_solids(struct tracer *tracer, const cylint_line *ray,
     const struct stage *stage = tracer->stage;
     const size_t number =
         first_boundary(stage->scene, ray, want, hit, &tracer->memory);
-    if (number == CYLINT_NO_ROOM) {
+    if (number == CYLINT_NO_ROOM)
         tracer->has_failed = 1;
-    }
     return number < stage->count ? number : stage->count;
 }
 
@@ -54,16 +53,13 @@ static void make_hit_of_shape(cylint_shape *shape, const cylint_line *ray,
 {
     cylint_answer answer;
     if (shape->ends == CYLINT_ENDS_OPEN || shape->ends == CYLINT_ENDS_CAP0 ||
-        shape->ends == CYLINT_ENDS_CAP1) {
+        shape->ends == CYLINT_ENDS_CAP1)
         shape->ends = CYLINT_ENDS_CAPPED;
-    }
     const double t = hit->t;
     cylint_intersect(shape, ray, want, &answer);
-    for (int i = 0; i < answer.n; i++) {
-        if (answer.hit[i].t == t) {
+    for (int i = 0; i < answer.n; i++)
+        if (answer.hit[i].t == t)
             *hit = answer.hit[i];
-        }
-    }
 }
 
 /* Whether nothing is in the way of a ray along d.  The place is certainly on the
@@ -75,9 +71,8 @@ static int is_free(struct tracer *tracer, const struct place *at,
     const struct stage *stage = tracer->stage;
     cylint_line ray;
     cylint_hit hit;
-    if (cylint_ray(&ray, at->point.v, d.v) != CYLINT_OK) {
+    if (cylint_ray(&ray, at->point.v, d.v) != CYLINT_OK)
         return 0;
-    }
     return stage->has_solids
                ? first_of_solids(tracer, &ray, 0, &hit) == stage->count
                : !cylint_scene_occluded(stage->scene, &ray,
@@ -144,9 +139,8 @@ static struct vector shaded(struct tracer *tracer, const struct place *at,
 /* The ground is opaque under the scene and fades out around it. */
 static double opacity(const struct stage *stage, const struct place *at)
 {
-    if (!stage->has_ground || at->number + 1 < stage->count) {
+    if (!stage->has_ground || at->number + 1 < stage->count)
         return 1;
-    }
     const double far = length(minus(at->point, stage->middle)) / stage->size;
     return exp(-far * far);
 }
@@ -169,13 +163,11 @@ struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
     const size_t shape =
         stage->has_solids ? first_of_solids(tracer, ray, want, &hit)
                           : cylint_scene_nearest(stage->scene, ray, want, &hit);
-    if (shape == stage->count) {
+    if (shape == stage->count)
         return (struct sample){vector(0, 0, 0), 0};
-    }
     cylint_scene_shape(stage->scene, shape, &hit_shape);
-    if (stage->has_solids) {
+    if (stage->has_solids)
         make_hit_of_shape(&hit_shape, ray, want, &hit);
-    }
     const struct vector normal =
         vector(hit.normal[0], hit.normal[1], hit.normal[2]);
     const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);

@@ -50,9 +50,8 @@ static int draw_picture(const struct options *o, struct scene *scene,
     const int workers = o->workers > 0 ? o->workers : processors_here;
     const int builders = workers < processors_here ? workers : processors_here;
     int status = scene_build(scene, builders);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     stage->scene = scene->shapes;
     stages_end(stages, "built a scene of", cylint_scene_bytes(stage->scene),
                "bytes");
@@ -67,9 +66,8 @@ static int draw_picture(const struct options *o, struct scene *scene,
                                  o->samples, workers, o->progress);
     }
     stages_end(stages, "traced", pixels, "pixels");
-    if (status == 0) {
+    if (status == 0)
         status = picture_write(&picture, out);
-    }
     stages_end(stages, "wrote", pixels, "pixels");
     picture_free(&picture);
     return status;
@@ -88,9 +86,8 @@ static int set_stage(const struct options *o, struct scene *scene,
                            "use --eye and --look-at");
         status = EXIT_BAD;
     }
-    if (status == 0 && has_ground) {
+    if (status == 0 && has_ground)
         status = add_ground(scene, o->ground, up, boxes);
-    }
     if (status == 0) {
         *stage = (struct stage){NULL,
                                 scene->count,
@@ -114,9 +111,8 @@ static int prepare(const struct options *o, struct scene *scene,
     int status = scene_read(scene, o->scene, o->ends, (enum swc_form)o->swc);
     if (status == 0) {
         status = boxes_make(&boxes, scene);
-        if (status == 0) {
+        if (status == 0)
             status = set_stage(o, scene, colours, &boxes, stage, view);
-        }
         boxes_free(&boxes);
     }
     return status;
@@ -136,15 +132,13 @@ int main(int argc, char **argv)
     scene.also = colours_take_tail;
     scene.context = &colours;
     int status = read_options(&options, argc, argv);
-    if (status != 0 || options.print) {
+    if (status != 0 || options.print)
         return status != 0 ? status : print_about(options.print);
-    }
     colours.how = options.colouring;
     stages_start(&stages, options.progress);
     status = picture_open(&out, options.output);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     status = prepare(&options, &scene, &colours, &stage, &view);
     if (status == 0) {
         stages_end(&stages, "read", stage.count, "shapes");

@@ -31,9 +31,8 @@ static int read_point(const char *p, struct vector *point)
 {
     for (int i = 0; i < 3; i++) {
         p = read_finite(p, &point->v[i]);
-        if (!p || *p != (i < 2 ? ',' : '\0')) {
+        if (!p || *p != (i < 2 ? ',' : '\0'))
             return 0;
-        }
         p++;
     }
     return 1;
@@ -102,7 +101,7 @@ static int read_background(const struct option *o, const char *value,
     if (strcmp(value, "sky") == 0) {
         set_sky(b);
     } else if (!b->transparent) {
-        is_right = read_colour(value, strlen(value), &colour);
+        is_right = read_colour(string_of(value), &colour);
         b->top = b->bottom = light_of_colour(colour);
     }
     return check_value(o, value, is_right);
@@ -112,14 +111,13 @@ static int read_colouring(const struct option *o, const char *value,
                           void *place)
 {
     struct options *options = place;
-    const size_t length = strlen(value);
     const int index = find_word(WORDS(colouring_words), string_of(value));
     options->colouring = index == NOT_GIVEN
                              ? COLOUR_ONE
                              : (enum colouring)(index + COLOUR_NUMBER);
     return check_value(o, value,
                        index != NOT_GIVEN ||
-                           read_colour(value, length, &options->colour));
+                           read_colour(string_of(value), &options->colour));
 }
 
 static int read_ground(const struct option *o, const char *value, void *place)
@@ -128,7 +126,7 @@ static int read_ground(const struct option *o, const char *value, void *place)
     const int is_none = strcmp(value, "none") == 0;
     *(const char **)place = is_none ? NULL : value;
     return check_value(o, value,
-                       is_none || read_colour(value, strlen(value), &colour));
+                       is_none || read_colour(string_of(value), &colour));
 }
 
 static int read_xray(const struct option *o, const char *value, void *place)
@@ -149,9 +147,8 @@ static int read_output(const struct option *o, const char *value, void *place)
         ".jxl", ".ppm",  ".tga", ".svg", ".pdf", ".eps",  NULL};
     const char *dot = strrchr(value, '.');
     int is_other = 0;
-    for (int i = 0; dot && endings[i]; i++) {
+    for (int i = 0; dot && endings[i]; i++)
         is_other |= strcasecmp(dot, endings[i]) == 0;
-    }
     *(const char **)place = value;
     return check_value(o, value, !is_other);
 }
@@ -234,11 +231,9 @@ static int is_given(const struct options *o, const char *name)
 static const char *surface_option(const struct options *o)
 {
     const char *name = NULL;
-    for (int i = 0; options_known[i].name; i++) {
-        if (o->given >> i & 1 && options_known[i].needs == OF_SURFACES) {
+    for (int i = 0; options_known[i].name; i++)
+        if (o->given >> i & 1 && options_known[i].needs == OF_SURFACES)
             name = options_known[i].name;
-        }
-    }
     return name;
 }
 
@@ -249,26 +244,21 @@ static int settle(struct options *o, char **argv, int files)
     v->has_target = is_given(o, "look-at");
     v->has_from = is_given(o, "from");
     v->aspect = (double)o->size[0] / o->size[1];
-    if (files != 1) {
+    if (files != 1)
         return usage("expected one scene, found %d", files);
-    }
     o->scene = argv[0];
-    if (is_given(o, "swc") && !swc_is_name(o->scene)) {
+    if (is_given(o, "swc") && !swc_is_name(o->scene))
         return usage("--swc needs a neuron, NAME.swc");
-    }
     if (!o->output) {
         return usage(
             "no output file: use -o FILE, or -o - for standard output");
     }
-    if (v->has_target && !v->has_eye) {
+    if (v->has_target && !v->has_eye)
         return usage("--look-at needs --eye");
-    }
-    if (o->xray.scale != XRAY_NONE && surface_option(o)) {
+    if (o->xray.scale != XRAY_NONE && surface_option(o))
         return usage("--xray and --%s exclude each other", surface_option(o));
-    }
-    if (v->has_from && v->has_eye) {
+    if (v->has_from && v->has_eye)
         return usage("--from and --eye exclude each other");
-    }
     return 0;
 }
 

@@ -18,9 +18,8 @@ int picture_make(struct picture *picture, int width, int height, int channels)
 {
     *picture = (struct picture){width, height, channels, NULL, ""};
     const size_t row = row_bytes(picture);
-    if (row <= SIZE_MAX / (size_t)height) {
+    if (row <= SIZE_MAX / (size_t)height)
         picture->pixels = malloc(row * (size_t)height);
-    }
     return picture->pixels ? 0 : out_of_memory();
 }
 
@@ -40,9 +39,8 @@ static void write_bytes(png_structp png, png_bytep bytes, size_t n)
 {
     struct writer *w = png_get_io_ptr(png);
     w->status = output_write(w->out, (const char *)bytes, n);
-    if (w->status != 0) {
+    if (w->status != 0)
         png_error(png, "write");
-    }
 }
 
 static void flush_bytes(png_structp png)
@@ -72,9 +70,8 @@ static void describe(png_structp png, png_infop info, const struct picture *p)
     text.compression = PNG_TEXT_COMPRESSION_NONE;
     text.key = key;
     text.text = note;
-    if (*note) {
+    if (*note)
         png_set_text(png, info, &text, 1);
-    }
 }
 
 static int colour_type(const struct picture *p)
@@ -88,20 +85,17 @@ static int colour_type(const struct picture *p)
 static int encode(png_structp png, png_infop info, const struct picture *p)
 {
     const size_t row = row_bytes(p);
-    if (setjmp(png_jmpbuf(png))) {
+    if (setjmp(png_jmpbuf(png)))
         return 0;
-    }
     png_set_IHDR(png, info, (png_uint_32)p->width, (png_uint_32)p->height,
                  p->channels == 1 ? 16 : 8, colour_type(p), PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (p->channels > 1) {
+    if (p->channels > 1)
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    }
     describe(png, info, p);
     png_write_info(png, info);
-    for (int y = 0; y < p->height; y++) {
+    for (int y = 0; y < p->height; y++)
         png_write_row(png, p->pixels + (size_t)y * row);
-    }
     png_write_end(png, info);
     return 1;
 }
@@ -117,12 +111,10 @@ int picture_write(const struct picture *p, struct output *out)
                                               jump_back, keep_silent);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     struct writer writer = {out, 0};
-    if (info) {
+    if (info)
         png_set_write_fn(png, &writer, write_bytes, flush_bytes);
-    }
-    if (!info || (!encode(png, info, p) && writer.status == 0)) {
+    if (!info || (!encode(png, info, p) && writer.status == 0))
         writer.status = out_of_memory(); /* libpng's only other error */
-    }
     png_destroy_write_struct(&png, &info);
     return writer.status;
 }

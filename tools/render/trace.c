@@ -63,9 +63,8 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
                                      : mean.opacity * light +
                                            (1 - mean.opacity) * behind.v[i]);
     }
-    if (b->transparent) {
+    if (b->transparent)
         bytes[3] = (unsigned char)(255 * mean.opacity + 0.5);
-    }
 }
 
 static void trace_row(const struct work *w, struct tracer *tracer, int y)
@@ -73,9 +72,8 @@ static void trace_row(const struct work *w, struct tracer *tracer, int y)
     const struct picture *p = w->picture;
     unsigned char *bytes =
         p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
-    for (int x = 0; x < p->width; x++, bytes += p->channels) {
+    for (int x = 0; x < p->width; x++, bytes += p->channels)
         put_pixel(w, y, pixel_of_samples(w, tracer, x, y), bytes);
-    }
 }
 
 static void *take_rows(void *context)
@@ -90,9 +88,8 @@ static void *take_rows(void *context)
         pthread_mutex_unlock(&w->lock);
         trace_row(w, &tracer, y);
         pthread_mutex_lock(&w->lock);
-        if (tracer.has_failed && w->status == 0) {
+        if (tracer.has_failed && w->status == 0)
             w->status = out_of_memory();
-        }
         w->rows_done++;
         progress_add(&w->progress, 1, w->rows_done, w->picture->height);
     }
@@ -115,18 +112,15 @@ int trace(struct picture *picture, const struct stage *stage,
     const int most = workers < picture->height ? workers : picture->height;
     pthread_t *others = malloc((size_t)most * sizeof *others);
     int started = 0;
-    if (!others) {
+    if (!others)
         return out_of_memory();
-    }
     progress_start(&w.progress, progress, "rows", 0);
     while (started < most - 1 &&
-           pthread_create(&others[started], NULL, take_rows, &w) == 0) {
+           pthread_create(&others[started], NULL, take_rows, &w) == 0)
         started++;
-    }
     take_rows(&w);
-    while (started > 0) {
+    while (started > 0)
         pthread_join(others[--started], NULL);
-    }
     progress_end(&w.progress);
     free(others);
     return w.status;

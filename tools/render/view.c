@@ -62,9 +62,8 @@ static int look_along(struct view *view, struct vector forward,
 {
     view->forward = unit(forward);
     view->right = cross(view->forward, up);
-    if (!(length(view->right) > 0) || !(length(forward) > 0)) {
+    if (!(length(view->right) > 0) || !(length(forward) > 0))
         return 0;
-    }
     view->right = unit(view->right);
     view->up = cross(view->right, view->forward);
     return 1;
@@ -107,9 +106,8 @@ static void stand_back(struct view *view, const struct boxes *boxes)
                                      edge_plane(view->up, view->forward, h),
                                      edge_plane(down, view->forward, h)};
     double most[4];
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         most[k] = reach(boxes, planes[k]) - dot(planes[k], boxes->middle);
-    }
     view->eye = plus(
         plus(plus(boxes->middle, halfway(most[0], most[1], w), view->right),
              halfway(most[2], most[3], h), view->up),
@@ -138,9 +136,8 @@ int view_of_scene(struct view *view, const struct viewing *camera,
                   const struct boxes *boxes)
 {
     if (boxes->size == 0 &&
-        !(camera->has_eye && camera->has_target && !camera->parallel)) {
+        !(camera->has_eye && camera->has_target && !camera->parallel))
         return 0;
-    }
     const struct vector up = unit(camera->up);
     const struct vector target =
         camera->has_target ? camera->target : boxes->middle;
@@ -150,17 +147,14 @@ int view_of_scene(struct view *view, const struct viewing *camera,
     view->parallel = camera->parallel;
     view->half_height = tan(0.5 * DEGREE * camera->fov);
     view->half_width = camera->aspect * view->half_height;
-    if (!look_along(view, times(-1, backward), up)) {
+    if (!look_along(view, times(-1, backward), up))
         return 0;
-    }
-    if (camera->parallel) {
+    if (camera->parallel)
         stand_aside(view, camera->aspect, boxes);
-    } else if (!camera->has_eye) {
+    else if (!camera->has_eye)
         stand_back(view, boxes);
-    }
-    if (camera->has_eye) {
+    if (camera->has_eye)
         view->eye = camera->eye;
-    }
     view->half_width /= camera->zoom;
     view->half_height /= camera->zoom;
     return 1;
@@ -181,9 +175,8 @@ void view_sample(const struct view *view, int width, int height, int x, int y,
                  int i, int samples, cylint_line *ray)
 {
     double at[2] = {0.5, 0.5};
-    if (samples > 1) {
+    if (samples > 1)
         sample_square((uint32_t)i, 0, at);
-    }
     view_ray(view, 2 * (x + at[0]) / width - 1, 1 - 2 * (y + at[1]) / height,
              ray);
 }

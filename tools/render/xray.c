@@ -58,9 +58,8 @@ static void take_means(const struct rays *rays, size_t count, double *lengths)
     const double *sum = rays->block->sums;
     for (size_t p = 0; p < count; p++) {
         double all = 0;
-        for (int i = 0; i < rays->samples; i++) {
+        for (int i = 0; i < rays->samples; i++)
             all += *sum++;
-        }
         lengths[p] = all / rays->samples;
     }
 }
@@ -76,9 +75,8 @@ static int measure_block(const struct rays *rays, size_t first, size_t count,
                                 NULL,
                                 NULL};
     if (cylint_scene_sums(rays->scene, &lines, &all, NULL, 1, 1, rays->workers,
-                          rays->block->sums) != CYLINT_SCENE_OK) {
+                          rays->block->sums) != CYLINT_SCENE_OK)
         return out_of_memory();
-    }
     take_means(rays, count, lengths + first);
     return 0;
 }
@@ -110,11 +108,9 @@ static struct summary summary_of(const double *lengths, size_t pixels)
 {
     struct summary s = {0, 0};
     double sum = 0, n = 0;
-    for (size_t p = 0; p < pixels; p++) {
-        if (lengths[p] > s.largest && lengths[p] < HUGE_VAL) {
+    for (size_t p = 0; p < pixels; p++)
+        if (lengths[p] > s.largest && lengths[p] < HUGE_VAL)
             s.largest = lengths[p];
-        }
-    }
     for (size_t p = 0; p < pixels; p++) {
         if (lengths[p] > 0 && lengths[p] < HUGE_VAL) {
             sum += lengths[p] / s.largest;
@@ -128,9 +124,8 @@ static struct summary summary_of(const double *lengths, size_t pixels)
 /* 0 and infinity need no scale, so that may be 0. */
 static double brightness(const struct xray *how, double largest, double length)
 {
-    if (how->scale == XRAY_LINEAR) {
+    if (how->scale == XRAY_LINEAR)
         return length > 0 ? fmin(length / largest, 1) : 0;
-    }
     return length > 0 ? exp(-how->mu * length) : 1;
 }
 
@@ -155,9 +150,8 @@ static void scale(struct picture *picture, const struct xray *how,
         snprintf(picture->note, sizeof picture->note, "65535 length / %.17g",
                  s.largest);
     } else {
-        if (how->scale == XRAY_AUTO) {
+        if (how->scale == XRAY_AUTO)
             used.mu = s.mean > 0 ? LN_2 / s.mean : 1;
-        }
         snprintf(picture->note, sizeof picture->note,
                  "65535 exp(-%.17g length)", used.mu);
     }
@@ -173,9 +167,8 @@ static int draw(struct picture *picture, const struct xray *how,
     const int status = measure(rays, pixels, progress, lengths);
     if (status == 0) {
         scale(picture, how, lengths, pixels);
-        if (progress) {
+        if (progress)
             fprintf(stderr, "%s: a pixel is %s\n", program, picture->note);
-        }
     }
     return status;
 }
