@@ -5,7 +5,7 @@ $(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(
 
 # A test stands in the folder of its subject: tests/README.md.
 $(foreach f,$(wildcard tests/test_*),$(error $f belongs into a folder of tests/))
-test_common   := $(patsubst %,$(BUILD)/tests/%.o,$(addprefix support/,families family_records constructed) \
+test_common   := $(patsubst %,$(BUILD)/tests/%.o,$(addprefix support/,families family_records) \
                  $(if $(MPFR),support/oracle distance/distance_oracle distance/distance_oracle_elliptic))
 test_libs     := $(if $(MPFR),-lmpfr -lgmp)
 test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/*/test_*.c)))
