@@ -35,6 +35,14 @@ CYLINT_API void cylint_make_again(cylint_shape *shape, int kind, int ends,
                                   const double p0[3], double r0,
                                   const double p1[3], double r1);
 
+/* For libcylint-scene and -embree: makes a shape by the constructor of its kind.
+ * axes: of an elliptic shape.  Returns the constructor's status; a shape of no kind
+ * is refused. */
+CYLINT_API cylint_status cylint_make_of_record(cylint_shape *shape, int kind,
+                                               int ends,
+                                               const cylint_record *from,
+                                               const cylint_semi_axes *axes);
+
 /*
  * For libcylint-scene: the chords of a line in shapes that constructors made of
  * records, all of one kind: cylinder, cone, capsule or rounded cone, with accurate

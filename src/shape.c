@@ -334,3 +334,32 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
     cylint_measure_line(line);
     return CYLINT_OK;
 }
+
+cylint_status cylint_make_of_record(cylint_shape *shape, int kind, int ends,
+                                    const cylint_record *from,
+                                    const cylint_semi_axes *axes)
+{
+    switch (kind) {
+    case CYLINT_KIND_CYLINDER:
+    case CYLINT_KIND_CONE:
+        return cylint_cone(shape, from->p0, from->r0, from->p1, from->r1,
+                           (cylint_ends)ends);
+    case CYLINT_KIND_ACONE:
+        return cylint_tangent_cone(shape, from->p0, from->p1, from->r1,
+                                   (cylint_ends)ends);
+    case CYLINT_KIND_ECYLINDER:
+    case CYLINT_KIND_ECONE:
+        return cylint_elliptic_cone(shape, from->p0, axes->a, axes->b, from->p1,
+                                    from->r1, (cylint_ends)ends);
+    case CYLINT_KIND_SPHERE:
+        return cylint_sphere(shape, from->p0, from->r0, (cylint_ends)ends);
+    case CYLINT_KIND_CAPSULE:
+    case CYLINT_KIND_RCONE:
+        return cylint_round_cone(shape, from->p0, from->r0, from->p1, from->r1,
+                                 (cylint_ends)ends);
+    case CYLINT_KIND_HALFSPACE:
+        return cylint_halfspace(shape, from->p0, from->p1);
+    default:
+        return refuse_shape(shape, CYLINT_ENONFINITE);
+    }
+}

@@ -17,11 +17,10 @@
 #include "float_filter_round.h"
 
 typedef cylint_float_filter_question asked;
-typedef cylint_float_filter_answer answered;
 
 /* The questions of the lanes; those that are not used repeat the first. */
 typedef struct {
-    const asked *of[LANES];
+    asked *of[LANES];
     unsigned used, exit_only, describes; /* bits of lanes */
 } batch;
 
@@ -31,31 +30,25 @@ typedef struct {
          i##_of && (i = LANES == 1 ? 0 : (unsigned)cylint_lowest(i##_of), 1); \
          i##_of = LANES == 1 ? 0 : i##_of & (i##_of - 1))
 
-/* The surfaces of a shape; is_round chooses the member. */
-typedef struct {
-    quadratic discs;
-    round_surfaces round;
-} surfaces;
-
 INLINE verdict cross_shape(surfaces *x, question *q, int is_round)
 {
-    return is_round ? cross_round(&x->round, q) : cross_discs(&x->discs, q);
+    return is_round ? cross_round(x, q) : cross_discs(&x->cone, q);
 }
 
 INLINE verdict end_on_shape(surfaces *x, const question *q, int end,
                             int is_round, hit *at)
 {
-    return is_round ? end_on_round(&x->round, q, end, at)
-                    : end_on_discs(&x->discs, q, end, at);
+    return is_round ? end_on_round(x, q, end, at)
+                    : end_on_discs(&x->cone, q, end, at);
 }
 
 INLINE void step_on_shape(const surfaces *x, const question *q, int end,
                           int is_round, hit *at)
 {
     if (is_round)
-        step_on_round(&x->round, q, end, at);
+        step_on_round(x, q, end, at);
     else
-        step_on_cone(&x->discs, q, v_set(1), end, at);
+        step_on_cone(&x->cone, q, v_set(1), end, at);
 }
 
 /* ------------------------------------------------------------- accepting -- */
@@ -74,19 +67,18 @@ INLINE int is_on_piece(double z, double z_error, const asked *of, int *certain)
 /* HIT: the hit counts; MISS: it does not, but the next may. */
 INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
-                                             const asked *of, float *to)
+                                             asked *of)
 {
-    const double tmin = of->line->tmin;
     int certain;
-    if (t + e < tmin || !is_present)
+    if (t + e < of->tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
-    *to = cylint_float_above(t);
-    if (!(t - e > tmin && cylint_is_float_above(*to, t, e)))
+    const float above = of->t = cylint_float_above(t);
+    if (!(t - e > of->tmin && cylint_is_float_above(above, t, e)))
         return CYLINT_FLOAT_FILTER_UNCERTAIN;
-    if (*to > of->tfar)
+    if (above > of->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
     const int on_piece = is_on_piece(z, z_error, of, &certain);
-    return !certain || (on_piece && *to >= of->tfar)
+    return !certain || (on_piece && above >= of->tfar)
                ? CYLINT_FLOAT_FILTER_UNCERTAIN
            : on_piece ? CYLINT_FLOAT_FILTER_HIT
                       : CYLINT_FLOAT_FILTER_MISS;
@@ -94,7 +86,7 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
 
 /* The same for `lanes`.  Returns the lanes with a hit. */
 INLINE unsigned accept_hits(const question *q, const hit *at, unsigned lanes,
-                            const batch *b, answered *to, unsigned *uncertain)
+                            const batch *b, unsigned *uncertain)
 {
     double t[LANES], e[LANES], z[LANES], z_error[LANES];
     const vd all = q->from + at->s;
@@ -110,8 +102,8 @@ INLINE unsigned accept_hits(const question *q, const hit *at, unsigned lanes,
         const int is_present =
             !(capped >> i & 1) ||
             cylint_caps_present(b->of[i]->ends) >> (top >> i & 1) & 1;
-        const cylint_float_filter_result is = accept_hit(
-            t[i], e[i], z[i], z_error[i], is_present, b->of[i], &to[i].t);
+        const cylint_float_filter_result is =
+            accept_hit(t[i], e[i], z[i], z_error[i], is_present, b->of[i]);
         hits |= (unsigned)(is == CYLINT_FLOAT_FILTER_HIT) << i;
         *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNCERTAIN) << i;
     }
@@ -125,11 +117,11 @@ static int least_exactly(const asked *of)
 {
     double hi[3], lo[3];
     EACH(j, 3) {
-        const cylint_float_filter_small *small = of->shape;
-        const cylint_float_filter_shape *large = of->shape;
+        const cylint_small_record *small = of->shape;
+        const cylint_record *large = of->shape;
         const pair w =
-            of->small ? two_diff((double)small->top[j], (double)small->base[j])
-                      : two_diff(large->top[j], large->base[j]);
+            of->small ? two_diff((double)small->p1[j], (double)small->p0[j])
+                      : two_diff(large->p1[j], large->p0[j]);
         hi[j] = w.hi;
         lo[j] = w.lo;
     }
@@ -148,38 +140,57 @@ INLINE void find_least(const question *q, const batch *b, vm least[3])
         least[j] = m_if(tied, m_from(found[j]), least[j]);
 }
 
+/* The unit normal, from *a, that of lateral_direction(). */
+INLINE vm normal_on_shape(const surfaces *x, const question *q, const hit *at,
+                          int is_round, bounded_vector *a, vd normal[3])
+{
+    const vm at_end = is_round ? is_on_ball(x, at) : at->capped;
+    const vm lateral = m_not(at_end);
+    vm certain = at_end;
+    if (m_any(lateral))
+        certain = m_or(at_end, is_round ? lean_on_round(x, q, at, lateral, a)
+                                        : lean_on_discs(q, at, a));
+    if (m_any(at_end)) {
+        const bounded_vector end =
+            is_round ? ball_normal(x, q, at) : cap_normal(q, at->top);
+        if (m_any(lateral))
+            select_vector(a, at_end, &end);
+        else
+            *a = end;
+    }
+    return m_and(certain, unit_floats(a, normal));
+}
+
 /* Writes the floats of hits; returns the lanes in which they are certain. */
 INLINE unsigned describe_hits(const surfaces *x, const question *q,
                               const hit *at, unsigned lanes, const batch *b,
-                              int is_round, answered *to)
+                              int is_round)
 {
     vm least[3];
-    vd c[3], N[3], e[3];
-    floats f;
+    vd c[3];
+    bounded_vector normal;
+    vd f[5]; /* z, phi, the normal */
     double stored[5][LANES];
     find_least(q, b, least);
     const vd e_c = across(q, at, c);
-    lateral_direction(q, c, e_c, N, e);
-    vm certain = to_float(at->z, at->z_error, &f.z);
-    const vm phi = describe_phi(q, e_c, along_least(N, least),
-                                along_least(c, least), &f.phi);
+    lateral_direction(q, c, e_c, &normal);
+    vm certain = to_float(at->z, at->z_error, &f[0]);
+    const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
+                                along_least(c, least), &f[1]);
     if (is_round) {
-        const vm is_ball = x->round.is_ball;
-        f.phi = v_select(is_ball, v_set(0), f.phi);
+        const vm is_ball = x->is_ball;
+        f[1] = v_select(is_ball, v_set(0), f[1]);
         certain = m_and(certain, m_or(is_ball, phi));
-        certain =
-            m_and(certain, normal_on_round(&x->round, q, at, N, e, f.normal));
     } else {
-        certain =
-            m_and(m_and(certain, phi), normal_on_discs(q, at, N, e, f.normal));
+        certain = m_and(certain, phi);
     }
-    v_store(stored[0], f.z);
-    v_store(stored[1], f.phi);
-    EACH(j, 3)
-        v_store(stored[2 + j], f.normal[j]);
+    certain =
+        m_and(certain, normal_on_shape(x, q, at, is_round, &normal, f + 2));
+    EACH(j, 5)
+        v_store(stored[j], f[j]);
     lanes &= m_bits(certain);
     EACH_LANE(i, lanes)
-    to[i].floats = (cylint_hit_floats){
+    b->of[i]->floats = (cylint_hit_floats){
         (float)stored[0][i],
         (float)stored[1][i],
         {(float)stored[2][i], (float)stored[3][i], (float)stored[4][i]}};
@@ -193,7 +204,7 @@ INLINE unsigned need_step(const surfaces *x, const question *q, const hit *at,
 {
     const vd e = at->s_error * q->U;
     if (is_round)
-        return m_bits(v_lt(v_set(0x1p-38) * x->round.R, e));
+        return m_bits(v_lt(v_set(0x1p-38) * x->R, e));
     return m_bits(m_and_not(v_lt(v_set(0x1p-33) * (q->r0 + v_abs(q->dr)), e),
                             at->capped));
 }
@@ -212,8 +223,8 @@ INLINE void step_hits(const surfaces *x, const question *q, int end,
 /* The first hits.  *uncertain: the undecided lanes; *leaves: those in which the
  * line leaves the shape.  Returns the lanes with a hit. */
 INLINE unsigned find_hits(surfaces *x, question *q, const batch *b,
-                          int is_round, hit *first, answered *to,
-                          unsigned *uncertain, unsigned *leaves)
+                          int is_round, hit *first, unsigned *uncertain,
+                          unsigned *leaves)
 {
     unsigned hits = 0;
     const verdict crosses = cross_shape(x, q, is_round);
@@ -229,12 +240,12 @@ INLINE unsigned find_hits(surfaces *x, question *q, const batch *b,
         *uncertain |= m_bits(v.uncertain) & here;
         left &= ~here | m_bits(v.hit);
         here &= m_bits(v.hit);
-        unsigned accepted = accept_hits(q, &at, here, b, to, &unsure);
+        unsigned accepted = accept_hits(q, &at, here, b, &unsure);
         unsigned again = is_round ? unsure : unsure & ~m_bits(at.capped);
         if (again) {
             unsigned still;
             step_hits(x, q, end, is_round, again, &at);
-            accepted |= accept_hits(q, &at, again, b, to, &still);
+            accepted |= accept_hits(q, &at, again, b, &still);
             unsure = (unsure & ~again) | still;
         }
         again = accepted & b->describes & need_step(x, q, &at, is_round);
@@ -252,55 +263,54 @@ INLINE unsigned find_hits(surfaces *x, question *q, const batch *b,
     return hits;
 }
 
-INLINE void answer_as(question *q, const batch *b, int is_round, answered *to)
+INLINE void answer_as(question *q, const batch *b, int is_round)
 {
     surfaces x;
     hit at = no_hit();
     unsigned uncertain, leaves;
     const unsigned hits =
-        find_hits(&x, q, b, is_round, &at, to, &uncertain, &leaves);
+        find_hits(&x, q, b, is_round, &at, &uncertain, &leaves);
     const unsigned wanted = hits & b->describes;
     if (wanted)
-        uncertain |=
-            wanted & ~describe_hits(&x, q, &at, wanted, b, is_round, to);
+        uncertain |= wanted & ~describe_hits(&x, q, &at, wanted, b, is_round);
     EACH_LANE(i, b->used)
     {
-        to[i].is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
-                   : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
-                                      : CYLINT_FLOAT_FILTER_MISS;
-        to[i].leaves = (int)(leaves >> i & 1);
+        b->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
+                       : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
+                                          : CYLINT_FLOAT_FILTER_MISS;
+        b->of[i]->leaves = (int)(leaves >> i & 1);
     }
 }
 
-INLINE void answer_batch(const asked *of, int n, answered *to)
+INLINE void answer_batch(asked *const of[], int n)
 {
     const char *shape[LANES], *line[LANES];
     batch b = {.used = 0};
     question q;
     vd r[2];
     for (int i = 0; i < LANES; i++) {
-        b.of[i] = of + (i < n ? i : 0);
+        b.of[i] = of[i < n ? i : 0];
         b.used |= (unsigned)(i < n) << i;
         b.exit_only |= (unsigned)b.of[i]->exit_only << i;
         b.describes |= (unsigned)b.of[i]->describes << i;
         shape[i] = b.of[i]->shape;
-        line[i] = (const char *)b.of[i]->line;
+        line[i] = (const char *)b.of[i];
     }
-    load_records(&q, shape, of->small, r);
+    load_records(&q, shape, of[0]->small, r);
     load_lines(&q, line);
     q.r0 = r[0];
     q.dr = r[1] - r[0];
     if (m_bits(v_lt(r[0] + r[1], v_set(0))) & 1) {
         q.r0 = -q.r0;
         q.dr = -q.dr;
-        answer_as(&q, &b, 1, to);
+        answer_as(&q, &b, 1);
     } else {
-        answer_as(&q, &b, 0, to);
+        answer_as(&q, &b, 0);
     }
 }
 
-void CYLINT_FLOAT_FILTER(const asked of[], int n, answered to[])
+void CYLINT_FLOAT_FILTER(asked *const of[], int n)
 {
     for (int from = 0; from < n; from += LANES)
-        answer_batch(of + from, n - from, to + from);
+        answer_batch(of + from, n - from);
 }

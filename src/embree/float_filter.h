@@ -7,25 +7,14 @@
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
 #define CYLINT_EMBREE_FLOAT_FILTER_H
 
-#include "cylint.h"
+#include "../shapes/record.h"
 
-/* A ray whose o, d and near are floats; not checked yet.  near: a t near the
- * shape, or not finite if none is known. */
-typedef struct cylint_float_filter_ray {
-    double o[3], d[3], tmin, near, tmax;
-} cylint_float_filter_ray;
-
-/* The ends and radii of a shape.  Round kinds have negative radii.  A record of
- * a shape that the filter does not decide has NaN radii. */
-typedef struct cylint_float_filter_shape {
-    double base[3], r0, top[3], r1;
-} cylint_float_filter_shape;
-
-/* The same in half the memory, if all numbers are floats and none of them is
- * subnormal. */
-typedef struct cylint_float_filter_small {
-    float base[3], r0, top[3], r1;
-} cylint_float_filter_small;
+/* A record in half the memory, if all numbers are floats and none of them is
+ * subnormal.  In the filter's records round kinds have negative radii, and a shape
+ * that the filter does not decide has NaN radii. */
+typedef struct cylint_small_record {
+    float p0[3], r0, p1[3], r1;
+} cylint_small_record;
 
 /* An array of shapes, either small or not. */
 typedef struct cylint_float_filter_shapes {
@@ -37,28 +26,8 @@ static inline const void *cylint_float_filter_at(
     const cylint_float_filter_shapes *s, unsigned number)
 {
     return s->small
-               ? (const void *)((const cylint_float_filter_small *)s->data +
-                                number)
-               : (const cylint_float_filter_shape *)s->data + number;
-}
-
-/* Which is the first hit of the line on a piece of a shape?  ends: the shape's.
- * exit_only: only where the line leaves the shape.  describes: the hit's floats
- * are wanted. */
-typedef struct cylint_float_filter_question {
-    const void *shape; /* cylint_float_filter_small, if `small`, else _shape */
-    const cylint_float_filter_ray *line;
-    float tfar;
-    int small, ends, index, count, exit_only, describes;
-} cylint_float_filter_question;
-
-/* Whether the shape is a sphere, capsule or rounded cone. */
-static inline int cylint_float_filter_is_round(
-    const cylint_float_filter_question *q)
-{
-    const cylint_float_filter_shape *large = q->shape;
-    const cylint_float_filter_small *small = q->shape;
-    return q->small ? small->r0 + small->r1 < 0 : large->r0 + large->r1 < 0;
+               ? (const void *)((const cylint_small_record *)s->data + number)
+               : (const cylint_record *)s->data + number;
 }
 
 typedef enum {
@@ -72,21 +41,42 @@ typedef struct cylint_hit_floats {
     float z, phi, normal[3];
 } cylint_hit_floats;
 
-/* Of a HIT: t rounded up to a float, whether the line leaves the shape there, and
- * the floats if wanted. */
-typedef struct cylint_float_filter_answer {
+/*
+ * A ray, the question which is its first hit on a piece of a shape, and the
+ * answer.  o, d and near are floats, not checked yet.  near: a t near the shape, or
+ * not finite if none is known.
+ */
+typedef struct cylint_float_filter_question {
+    double o[3], d[3], tmin, near;
+    double tmax;       /* not read by the filter */
+    const void *shape; /* cylint_small_record, if `small`, else _shape */
+    float tfar;
+    int small, ends, index, count; /* ends: the shape's */
+    int exit_only;                 /* only where the line leaves the shape */
+    int describes;                 /* `floats` are wanted */
+    /* the answer; of a HIT: t rounded up to a float, whether the line leaves the
+     * shape there, and the floats if they are wanted */
     cylint_float_filter_result is;
     float t;
     int leaves;
     cylint_hit_floats floats;
-} cylint_float_filter_answer;
+} cylint_float_filter_question;
+
+/* Whether the shape is a sphere, capsule or rounded cone. */
+static inline int cylint_float_filter_is_round(
+    const cylint_float_filter_question *q)
+{
+    const cylint_record *large = q->shape;
+    const cylint_small_record *small = q->shape;
+    return q->small ? small->r0 + small->r1 < 0 : large->r0 + large->r1 < 0;
+}
 
 enum { CYLINT_FLOAT_FILTER_MOST = 16 };
 
 /* Answers n questions, 1 to CYLINT_FLOAT_FILTER_MOST.  All shapes are small or
  * none is; all are round or none is. */
-typedef void cylint_float_filter(const cylint_float_filter_question of[], int n,
-                                 cylint_float_filter_answer to[]);
+typedef void cylint_float_filter(cylint_float_filter_question *const of[],
+                                 int n);
 
 /* The builds for this processor: for one question, and for several. */
 cylint_float_filter *cylint_float_filter_of_one(void);

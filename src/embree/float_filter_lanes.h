@@ -135,11 +135,10 @@ INLINE void load_records(question *q, const char *const row[LANES], int small,
     vd x[8];
     if (small) {
         v_columns_of_floats(row, 0, x);
-        v_columns_of_floats(row, offsetof(cylint_float_filter_small, top),
-                            x + 4);
+        v_columns_of_floats(row, offsetof(cylint_small_record, p1), x + 4);
     } else {
         v_columns(row, 0, x);
-        v_columns(row, offsetof(cylint_float_filter_shape, top), x + 4);
+        v_columns(row, offsetof(cylint_record, p1), x + 4);
     }
     EACH(j, 3) {
         q->D[j] = x[j]; /* the base, for load_lines() */
@@ -173,8 +172,8 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 INLINE void load_lines(question *q, const char *const row[LANES])
 {
     vd x[8], D0[3], base[3];
-    v_columns(row, offsetof(cylint_float_filter_ray, o), x);
-    v_columns(row, offsetof(cylint_float_filter_ray, d[1]), x + 4);
+    v_columns(row, offsetof(cylint_float_filter_question, o), x);
+    v_columns(row, offsetof(cylint_float_filter_question, d[1]), x + 4);
     EACH(j, 3) {
         base[j] = q->D[j];
         D0[j] = x[j] - base[j];
@@ -411,18 +410,13 @@ INLINE void step_on_cone(const quadratic *on, const question *q, vd S, int end,
 
 /* ---------------------------------------------------------- description -- */
 
-/* Floats, stored as doubles. */
-typedef struct {
-    vd z, phi, normal[3];
-} floats;
-
 /* A vector N with errors e[].  Its length is 1 / per_length, with a relative
  * error of e_length. */
 typedef struct {
     vd N[3], e[3], per_length, e_length;
 } bounded_vector;
 
-/* Rounds x to a float.  x has an error of at most e, which includes the error of
+/* Rounds x to a float, stored as a double.  x has an error of at most e, which includes the error of
  * the library's x.  Returns whether the float is certain. */
 INLINE vm to_float(vd x, vd e, vd *f)
 {
@@ -439,17 +433,17 @@ INLINE vd across(const question *q, const hit *at, vd c[3])
     return q->W * (q->U * at->s_error + eps(3) * (q->Dn + v_abs(at->s) * q->U));
 }
 
-/* w x c and its error, which follows from e_c, rounding included.  The error is
+/* a: w x c and its error, which follows from e_c, rounding included.  The error is
  * computed by component: a component that is zero because components of the
  * axis are zero stays exact. */
-INLINE void lateral_direction(const question *q, const vd c[3], vd e_c, vd N[3],
-                              vd e[3])
+INLINE void lateral_direction(const question *q, const vd c[3], vd e_c,
+                              bounded_vector *a)
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    cross(N, q->w, c);
-    e[0] = (y + z) * e_c;
-    e[1] = (z + x) * e_c;
-    e[2] = (x + y) * e_c;
+    cross(a->N, q->w, c);
+    a->e[0] = (y + z) * e_c;
+    a->e[1] = (z + x) * e_c;
+    a->e[2] = (x + y) * e_c;
 }
 
 INLINE void select_vector(bounded_vector *a, vm where,
@@ -476,18 +470,18 @@ INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
 }
 
 /*
- * The lateral normal is N = w x c - k dr w.  On the surface |c| = k |w|, so its
- * length is k |w| sqrt(ww + dr^2), with a relative error of 15 u plus that of k.
+ * The lateral normal is N = w x c - k dr w, of which `a` is w x c.  Between discs k
+ * is the radius at the hit.  There |c| = k |w|, so the length of N is k |w| sqrt(ww
+ * + dr^2).  Of a round kind k is the radius of the ball that the cone touches there,
+ * |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error of 15 u
+ * plus that of k.
  */
-INLINE vm lean_on_cone(const question *q, const hit *at, bounded_vector *a)
+INLINE vm lean_on_cone(const question *q, vd k, vd e_k, vd length,
+                       bounded_vector *a)
 {
-    const vd dr = q->dr;
-    vd e_k;
-    const vd k = radius_at(q, at, &e_k), lean = k * dr;
-    e_k = e_k + v_abs(dr * q->dz) * at->s_error;
+    const vd dr = q->dr, lean = k * dr;
     const vd e_lean = v_abs(dr) * (e_k + eps(1) * v_abs(k));
     const vm certain = v_lt(v_set(32) * e_k, k);
-    const vd length = k * (q->W * v_sqrt(q->ww + dr * dr));
     EACH(j, 3) {
         a->N[j] = a->N[j] - lean * q->w[j];
         a->e[j] = a->e[j] + e_lean * v_abs(q->w[j]);
@@ -495,6 +489,24 @@ INLINE vm lean_on_cone(const question *q, const hit *at, bounded_vector *a)
     a->per_length = v_set(1) / where_or_one(certain, length);
     a->e_length = e_k / where_or_one(certain, k) + eps(3);
     return certain;
+}
+
+/* The same between discs. */
+INLINE vm lean_on_discs(const question *q, const hit *at, bounded_vector *a)
+{
+    const vm cone = m_not(v_eq(q->dr, v_set(0)));
+    bounded_vector leaning = *a;
+    vd e_k;
+    a->per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
+    a->e_length = eps(3);
+    if (!m_any(cone))
+        return m_not(cone);
+    const vd k = radius_at(q, at, &e_k);
+    e_k = e_k + v_abs(q->dr * q->dz) * at->s_error;
+    const vd length = k * (q->W * v_sqrt(q->ww + q->dr * q->dr));
+    const vm certain = lean_on_cone(q, k, e_k, length, &leaning);
+    select_vector(a, cone, &leaning);
+    return m_or(certain, m_not(cone));
 }
 
 INLINE bounded_vector cap_normal(const question *q, vm top)
@@ -507,31 +519,6 @@ INLINE bounded_vector cap_normal(const question *q, vm top)
     a.per_length = v_set(1) / q->W;
     a.e_length = eps(2);
     return a;
-}
-
-/* N, e: those of lateral_direction(). */
-INLINE vm normal_on_discs(const question *q, const hit *at, const vd N[3],
-                          const vd e[3], vd normal[3])
-{
-    const vm cone = m_not(v_eq(q->dr, v_set(0)));
-    bounded_vector a;
-    vm certain = m_not(m_none());
-    EACH(j, 3) {
-        a.N[j] = N[j];
-        a.e[j] = e[j];
-    }
-    a.per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
-    a.e_length = eps(3);
-    if (m_any(cone)) {
-        bounded_vector leaning = a;
-        certain = m_or(lean_on_cone(q, at, &leaning), m_not(cone));
-        select_vector(&a, cone, &leaning);
-    }
-    if (m_any(at->capped)) {
-        const bounded_vector up = cap_normal(q, at->top);
-        select_vector(&a, at->capped, &up);
-    }
-    return m_and(m_or(certain, at->capped), unit_floats(&a, normal));
 }
 
 /*

@@ -49,22 +49,22 @@
 #define SMALL(x) (x)
 #include "round_forms_template.h"
 
-/* is_ball: it is a sphere, which has no cone.  crosses: the line crosses the cone.
+/* The surfaces of a shape; of one between discs only the cone.  is_ball: it is a
+ * sphere, which has no cone.  crosses: the line crosses the cone.
  * leans: a of the cone is certainly positive.  ball: the quadratic of the ball
  * that was hit. */
 typedef struct {
     quadratic cone, ball;
     vd S, y0, K, R;
     vm is_ball, crosses, leans;
-} round_surfaces;
+} surfaces;
 
 /* Where y is: below 0, between 0 and S, above S, or none of these. */
 typedef struct {
     vm below, between, above;
 } range;
 
-INLINE range range_of_y(const round_surfaces *x, const question *q,
-                        const hit *at)
+INLINE range range_of_y(const surfaces *x, const question *q, const hit *at)
 {
     const vd X = x->K + v_abs(at->s) * q->U, y = x->y0 + at->s * q->dz;
     const vd e =
@@ -75,7 +75,7 @@ INLINE range range_of_y(const round_surfaces *x, const question *q,
 
 /* uncertain: products may underflow (see in_window()), or one ball may lie in the
  * other.  Neither: the line misses the cone. */
-INLINE verdict cross_round(round_surfaces *x, question *q)
+INLINE verdict cross_round(surfaces *x, question *q)
 {
     const vd zero = v_set(0), least = v_set(0x1p-90);
     round_cone f;
@@ -107,7 +107,7 @@ INLINE verdict cross_round(round_surfaces *x, question *q)
 }
 
 /* Where the line enters or leaves the ball about an end. */
-INLINE verdict end_on_ball(const round_surfaces *x, const question *q, int top,
+INLINE verdict end_on_ball(const surfaces *x, const question *q, int top,
                            int end, quadratic *c, hit *at)
 {
     vd DD = q->DD, r = q->r0, N = q->Dn;
@@ -141,8 +141,7 @@ INLINE verdict end_on_ball(const round_surfaces *x, const question *q, int top,
  * `sure` lanes know the ball.  The others take the cone and both balls in turn;
  * they miss the solid if each of these is missed, or is hit elsewhere.
  */
-INLINE verdict end_on_round(round_surfaces *x, const question *q, int end,
-                            hit *at)
+INLINE verdict end_on_round(surfaces *x, const question *q, int end, hit *at)
 {
     range at_cone = {x->is_ball, m_none(), m_none()};
     *at = no_hit();
@@ -185,7 +184,7 @@ INLINE verdict end_on_round(round_surfaces *x, const question *q, int end,
     return (verdict){hits, uncertain};
 }
 
-INLINE vm is_on_ball(const round_surfaces *x, const hit *at)
+INLINE vm is_on_ball(const surfaces *x, const hit *at)
 {
     return m_or(at->capped, x->is_ball);
 }
@@ -202,7 +201,7 @@ INLINE vd point_on_ball(const question *q, const hit *at, vd P[3])
 
 /* A step of Newton's on the surface of a hit.  On a ball Q = |P|^2 - r^2; the
  * error of P is at most 6 u X, that of r 2 u R. */
-INLINE void step_on_round(const round_surfaces *x, const question *q, int end,
+INLINE void step_on_round(const surfaces *x, const question *q, int end,
                           hit *at)
 {
     const vm on_ball = is_on_ball(x, at);
@@ -225,7 +224,7 @@ INLINE void step_on_round(const round_surfaces *x, const question *q, int end,
 /* ---------------------------------------------------------- description -- */
 
 /* The unit normal on the ball about an end: N = (x + s u) / r. */
-INLINE bounded_vector ball_normal(const round_surfaces *x, const question *q,
+INLINE bounded_vector ball_normal(const surfaces *x, const question *q,
                                   const hit *at)
 {
     const vd zero = v_set(0);
@@ -243,56 +242,19 @@ INLINE bounded_vector ball_normal(const round_surfaces *x, const question *q,
     return to;
 }
 
-/*
- * The cone touches the ball of radius k = r0 + h dr about h w, h = y / S, and has
- * the normal (P - h w) / k there, which is (w x c) / (ww k) - (dr / ww) w.  The
- * errors of the factors of w x c and w are at most 11 u of them, and S has one of
- * 11.2 u.  The factor 1.1 covers their products if e_h and e_k are below 1/16;
- * else e_length is so large that nothing is certain.
- */
-INLINE bounded_vector hull_normal(const round_surfaces *x, const question *q,
-                                  const hit *at, vm lateral, const vd N[3],
-                                  const vd e_N[3])
+/* The cone touches the ball of radius k = r0 + h dr about h w, h = y / S.  S has an
+ * error of 11.2 u; the factor 1.1 covers products of errors. */
+INLINE vm lean_on_round(const surfaces *x, const question *q, const hit *at,
+                        vm lateral, bounded_vector *a)
 {
-    const vd one = v_set(1), two = v_set(2);
-    bounded_vector to;
-    const vd X = x->K + v_abs(at->s) * q->U;
+    const vd one = v_set(1), X = x->K + v_abs(at->s) * q->U;
     const vd per_S = one / where_or_one(lateral, x->S);
     const vd h = (x->y0 + at->s * q->dz) * per_S;
     const vd e_h = v_set(1.1) * per_S *
                    (at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + one));
-    const vd k = q->r0 + h * q->dr, per_k = one / where_or_one(lateral, k);
-    const vd e_k = (e_h * v_abs(q->dr) + eps(1) * x->R) * v_abs(per_k);
-    const vd scale = q->per_ww * per_k, lean = q->dr * q->per_ww;
-    EACH(j, 3) {
-        const vd out = N[j] * scale, along = lean * q->w[j];
-        to.N[j] = out - along;
-        to.e[j] =
-            v_set(1.1) * (e_N[j] * v_abs(scale) + v_abs(out) * (e_k + eps(2)) +
-                          v_abs(along) * (two * eps(1)));
-    }
-    to.per_length = one;
-    to.e_length = eps(1) + v_set(16) * (e_h * e_h + e_k * e_k);
-    return to;
-}
-
-/* N, e: those of lateral_direction(). */
-INLINE vm normal_on_round(const round_surfaces *x, const question *q,
-                          const hit *at, const vd N[3], const vd e[3],
-                          vd normal[3])
-{
-    const vm on_ball = is_on_ball(x, at), lateral = m_not(on_ball);
-    bounded_vector a;
-    if (m_any(lateral))
-        a = hull_normal(x, q, at, lateral, N, e);
-    if (m_any(on_ball)) {
-        const bounded_vector ball = ball_normal(x, q, at);
-        if (m_any(lateral))
-            select_vector(&a, on_ball, &ball);
-        else
-            a = ball;
-    }
-    return unit_floats(&a, normal);
+    const vd k = q->r0 + h * q->dr;
+    const vd e_k = e_h * v_abs(q->dr) + eps(1) * x->R;
+    return lean_on_cone(q, k, e_k, k * q->ww, a);
 }
 
 #endif

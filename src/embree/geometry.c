@@ -15,25 +15,20 @@ int cylint_embree_version(void)
 
 const char *cylint_embree_strerror(int status)
 {
-    switch (status) {
-    case CYLINT_EMBREE_OK:
-        return "no error";
-    case CYLINT_EMBREE_ESHAPE:
-        return "a shape is invalid, unbounded, or has a coordinate of 1.844e18 "
-               "or more";
-    case CYLINT_EMBREE_EMOTION:
-        return "the two states of a shape differ in kind or ends";
-    case CYLINT_EMBREE_EPART:
-        return "the geometry numbers of merged parts do not ascend";
-    case CYLINT_EMBREE_EMEMORY:
-        return "out of memory";
-    case CYLINT_EMBREE_EDEVICE:
-        return "the Embree device made no geometry";
-    case CYLINT_EMBREE_EVERSION:
-        return "the device is of another version of Embree";
-    default:
-        return "unknown status";
-    }
+    static const char *const text[] = {
+        [CYLINT_EMBREE_OK] = "no error",
+        [CYLINT_EMBREE_ESHAPE] = "a shape is invalid, unbounded, or has a "
+                                 "coordinate of 1.844e18 or more",
+        [CYLINT_EMBREE_EMOTION] =
+            "the two states of a shape differ in kind or ends",
+        [CYLINT_EMBREE_EMEMORY] = "out of memory",
+        [CYLINT_EMBREE_EDEVICE] = "the Embree device made no geometry",
+        [CYLINT_EMBREE_EVERSION] = "the device is of another version of Embree",
+        [CYLINT_EMBREE_EPART] =
+            "the geometry numbers of merged parts do not ascend"};
+    return status >= 0 && status < (int)(sizeof text / sizeof *text)
+               ? text[status]
+               : "unknown status";
 }
 
 /* ---------------------------------------------------------------- boxes -- */
@@ -53,7 +48,7 @@ static cylint_extent box_of(const cylint_shape *shape,
 static void whole_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    *args->bounds_o = cylint_padded_box(&data->box, data->pad);
+    *args->bounds_o = cylint_padded_box(&data->bvh.box, data->pad);
 }
 
 static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
@@ -97,12 +92,6 @@ static int refuse(cylint_embree_problem *problem, int status, size_t shape)
 {
     *problem = (cylint_embree_problem){status, shape};
     return 0;
-}
-
-static void set_box(cylint_embree_data *data, const cylint_extent *all)
-{
-    data->box = *all;
-    data->pad = cylint_box_pad(all, data->traversal ? FAR_SIZES : NEAR_SIZES);
 }
 
 /* The part that holds a number. */
@@ -162,19 +151,16 @@ static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
     return 1;
 }
 
-static int check_shapes(cylint_embree_data *data,
+/* Writes the box of all shapes, if each of them can be a primitive. */
+static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
                         cylint_embree_problem *problem)
 {
-    cylint_extent all = cylint_extent_empty();
-    cylint_memory order = {0};
+    *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
-        const int status = check_shape(data, i, &all);
+        const int status = check_shape(data, i, all);
         if (status != CYLINT_EMBREE_OK)
             return refuse(problem, status, i);
     }
-    if (!copy_shapes(data, &order))
-        return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
-    set_box(data, &all);
     return 1;
 }
 
@@ -218,32 +204,42 @@ static int rank_by_leaves(cylint_memory *order, const cylint_bvh *bvh,
     return 1;
 }
 
-/* Builds the hierarchy.  On failure the present one stays. */
-static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
+static int build_bvh(const cylint_embree_data *data, cylint_bvh *bvh,
+                     cylint_embree_problem *problem)
 {
     const cylint_view view = view_of(data, 0);
-    cylint_memory order = {0};
-    cylint_bvh bvh;
     size_t shape;
     const cylint_bvh_input input = {.view = &view,
                                     .n = data->n,
                                     .threads = data->threads,
                                     .source = &data->source};
-    switch (cylint_bvh_build(&bvh, &input, &shape)) {
+    switch (cylint_bvh_build(bvh, &input, &shape)) {
     case CYLINT_BVH_OK:
-        break;
+        return 1;
     case CYLINT_BVH_ESHAPE:
         return refuse(problem, CYLINT_EMBREE_ESHAPE, shape);
     default:
         return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    if (!rank_by_leaves(&order, &bvh, data) || !copy_shapes(data, &order)) {
+}
+
+/* Loads the present state of the shapes.  On failure the old one stays. */
+static int load_shapes(cylint_embree_data *data, cylint_embree_problem *problem)
+{
+    cylint_memory order = {0};
+    cylint_bvh bvh = {0};
+    if (!(data->traversal ? build_bvh(data, &bvh, problem)
+                          : check_shapes(data, &bvh.box, problem)))
+        return 0;
+    if ((data->traversal && !rank_by_leaves(&order, &bvh, data)) ||
+        !copy_shapes(data, &order)) {
         cylint_bvh_free(&bvh);
         return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
     cylint_bvh_free(&data->bvh);
     data->bvh = bvh;
-    set_box(data, &bvh.box);
+    data->pad =
+        cylint_box_pad(&bvh.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
     return 1;
 }
 
@@ -256,11 +252,11 @@ static void raise_device_error(RTCGeometry geometry)
 
 /* --------------------------------------------------------------- making -- */
 
-/* Loads the present state of the shapes and commits the geometry. */
+/* Loads the shapes and commits the geometry. */
 static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
                          cylint_embree_problem *problem)
 {
-    if (!(data->traversal ? build_bvh : check_shapes)(data, problem)) {
+    if (!load_shapes(data, problem)) {
         if (problem->status != CYLINT_EMBREE_EMEMORY)
             raise_device_error(geometry);
         return 0;
@@ -391,11 +387,13 @@ static RTCGeometry make(RTCDevice device, const ingredients *of,
                         const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
+    cylint_embree_problem unread;
+    if (!problem)
+        problem = &unread;
+    *problem = (cylint_embree_problem){CYLINT_EMBREE_EVERSION, 0};
     if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION_MAJOR) !=
-        CYLINT_EMBREE) {
-        problem->status = CYLINT_EMBREE_EVERSION;
+        CYLINT_EMBREE)
         return NULL;
-    }
     problem->status = CYLINT_EMBREE_EDEVICE;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     if (!geometry)
@@ -411,24 +409,13 @@ static RTCGeometry make(RTCDevice device, const ingredients *of,
     return NULL;
 }
 
-static RTCGeometry make_of(RTCDevice device, const ingredients *of,
-                           const cylint_embree_options *options,
-                           cylint_embree_problem *problem)
-{
-    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
-    RTCGeometry geometry = make(device, of, options, &here);
-    if (problem)
-        *problem = here;
-    return geometry;
-}
-
 RTCGeometry cylint_embree_geometry(RTCDevice device, const cylint_shape *shapes,
                                    size_t n,
                                    const cylint_embree_options *options,
                                    cylint_embree_problem *problem)
 {
     const ingredients of = {.shapes = shapes, .n = n};
-    return make_of(device, &of, options, problem);
+    return make(device, &of, options, problem);
 }
 
 RTCGeometry cylint_embree_merge(RTCDevice device,
@@ -438,16 +425,17 @@ RTCGeometry cylint_embree_merge(RTCDevice device,
 {
     static const cylint_embree_part none;
     const ingredients of = {.parts = n > 0 ? parts : &none, .n = n};
-    return make_of(device, &of, options, problem);
+    return make(device, &of, options, problem);
 }
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)
 {
-    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
-    load_geometry(geometry, rtcGetGeometryUserData(geometry), &here);
-    if (problem)
-        *problem = here;
-    return here.status;
+    cylint_embree_problem unread;
+    if (!problem)
+        problem = &unread;
+    *problem = (cylint_embree_problem){CYLINT_EMBREE_OK, 0};
+    load_geometry(geometry, rtcGetGeometryUserData(geometry), problem);
+    return problem->status;
 }
 
 void cylint_embree_release(RTCGeometry geometry)

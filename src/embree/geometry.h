@@ -26,15 +26,14 @@ typedef struct cylint_embree_data {
     const cylint_shape *from[2]; /* the caller's arrays, at times 0 and 1; the
                                     second is NULL if the shapes do not move */
     size_t n;
-    cylint_extent box; /* of all shapes */
-    double pad;        /* added to each side of Embree's boxes: box_pad.h */
-    unsigned flags;    /* CYLINT_EMBREE_SINGLE, ... */
-    void *user;        /* for filter functions */
-    int threads;       /* to build the hierarchy */
+    double pad;     /* added to each side of Embree's boxes: box_pad.h */
+    unsigned flags; /* CYLINT_EMBREE_SINGLE, ... */
+    void *user;     /* for filter functions */
+    int threads;    /* to build the hierarchy */
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
     cylint_float_filter *filter_one, *filter_many;
     cylint_traverse_packet *traverse_packet;
-    cylint_bvh bvh;
+    cylint_bvh bvh; /* its box only, if each shape is a primitive */
     /* Leaves name shapes by rank, in the order in which leaves first name
      * them; `shapes` have the same order.  Without leaves, ranks are numbers. */
     cylint_embree_shapes shapes[2]; /* at times 0 and 1 */

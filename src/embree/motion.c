@@ -4,9 +4,8 @@
 #include "motion.h"
 
 #include <float.h>
-#include <string.h>
 
-#include "../shapes/shape_facts.h"
+#include "../intersect.h"
 
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
 {
@@ -14,75 +13,48 @@ int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
            at_0->ends == at_1->ends;
 }
 
-static double interpolate(double x, double y, double time)
+static void interpolate(double to[], const double x[], const double y[], int n,
+                        double time)
 {
-    return (1 - time) * x + time * y;
+    for (int i = 0; i < n; i++)
+        to[i] = (1 - time) * x[i] + time * y[i];
 }
 
-static double interpolate_radius(const cylint_shape *at_0,
-                                 const cylint_shape *at_1, double time, int end)
+static void interpolate_record(cylint_record *to, const cylint_record *x,
+                               const cylint_record *y, double time)
 {
-    return interpolate(cylint_end_factor(at_0, cylint_end_at(at_0, end)),
-                       cylint_end_factor(at_1, cylint_end_at(at_1, end)), time);
-}
-
-/* The centre of an end, for kinds made of two points. */
-static void interpolate_center(double to[3], const cylint_shape *at_0,
-                               const cylint_shape *at_1, double time, int end)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = interpolate(
-            cylint_end_center(at_0, cylint_end_at(at_0, end), i),
-            cylint_end_center(at_1, cylint_end_at(at_1, end), i), time);
-}
-
-static void interpolate3(double to[3], const double x[3], const double y[3],
-                         double time)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = interpolate(x[i], y[i], time);
+    interpolate(to->p0, x->p0, y->p0, 3, time);
+    interpolate(to->p1, x->p1, y->p1, 3, time);
+    interpolate(&to->r0, &x->r0, &y->r0, 1, time);
+    interpolate(&to->r1, &x->r1, &y->r1, 1, time);
 }
 
 cylint_status cylint_embree_between(const cylint_shape *at_0,
                                     const cylint_shape *at_1, double time,
                                     cylint_shape *shape)
 {
-    double base[3], top[3], a[3], b[3];
-    const cylint_ends ends = (cylint_ends)at_0->ends;
-    const double r0 = interpolate_radius(at_0, at_1, time, 0);
-    const double r1 = interpolate_radius(at_0, at_1, time, 1);
-    if (cylint_has_end_points(at_0->kind)) {
-        interpolate_center(base, at_0, at_1, time, 0);
-        interpolate_center(top, at_0, at_1, time, 1);
-        switch (cylint_constructor_kind(at_0)) {
-        case CYLINT_KIND_CONE:
-            return cylint_cone(shape, base, r0, top, r1, ends);
-        case CYLINT_KIND_SPHERE:
-            return cylint_sphere(shape, base, r0, ends);
-        default:
-            return cylint_round_cone(shape, base, r0, top, r1, ends);
-        }
-    }
-    interpolate3(base, cylint_base(at_0), cylint_base(at_1), time);
-    interpolate3(top, cylint_axis(at_0), cylint_axis(at_1), time);
-    if (!cylint_is_elliptic(at_0->kind))
-        return cylint_tangent_cone(shape, base, top, r1, ends);
-    interpolate3(a, cylint_a(at_0), cylint_a(at_1), time);
-    interpolate3(b, cylint_b(at_0), cylint_b(at_1), time);
-    return cylint_elliptic_cone(shape, base, a, b, top, r1, ends);
+    cylint_record x, y, between;
+    cylint_semi_axes x_axes, y_axes, axes;
+    cylint_set_record(&x, at_0);
+    cylint_set_record(&y, at_1);
+    cylint_set_semi_axes(&x_axes, at_0);
+    cylint_set_semi_axes(&y_axes, at_1);
+    interpolate_record(&between, &x, &y, time);
+    interpolate(axes.a, x_axes.a, y_axes.a, 3, time);
+    interpolate(axes.b, x_axes.b, y_axes.b, 3, time);
+    return cylint_make_of_record(shape, cylint_constructor_kind(at_0),
+                                 at_0->ends, &between, &axes);
 }
 
-/* A rounded cone may become a ball on the way; the filter serves spheres alone. */
-void cylint_embree_record_between(const cylint_float_filter_shape *at_0,
-                                  const cylint_float_filter_shape *at_1,
-                                  double time, cylint_float_filter_shape *to)
+/* A rounded cone may become a ball on the way; the filter serves only balls that
+ * stay balls. */
+void cylint_embree_record_between(const cylint_record *at_0,
+                                  const cylint_record *at_1, double time,
+                                  cylint_record *to)
 {
-    const int is_sphere = memcmp(at_0->base, at_0->top, sizeof to->base) == 0;
-    interpolate3(to->base, at_0->base, at_1->base, time);
-    interpolate3(to->top, at_0->top, at_1->top, time);
-    to->r0 = interpolate(at_0->r0, at_1->r0, time);
-    to->r1 = interpolate(at_0->r1, at_1->r1, time);
-    if (!is_sphere && memcmp(to->base, to->top, sizeof to->base) == 0)
+    interpolate_record(to, at_0, at_1, time);
+    if (cylint_record_is_point(to) &&
+        !(cylint_record_is_point(at_0) && cylint_record_is_point(at_1)))
         to->r0 = NAN;
 }
 

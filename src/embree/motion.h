@@ -12,9 +12,9 @@
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1);
 
 /* The record between two, or one that the filter does not decide. */
-void cylint_embree_record_between(const cylint_float_filter_shape *at_0,
-                                  const cylint_float_filter_shape *at_1,
-                                  double time, cylint_float_filter_shape *to);
+void cylint_embree_record_between(const cylint_record *at_0,
+                                  const cylint_record *at_1, double time,
+                                  cylint_record *to);
 
 /* The box at time 0 or 1 (step).  The boxes that Embree interpolates between the
  * two contain the shape at every time. */

@@ -37,32 +37,46 @@ static void *hits_of(const void *packet, unsigned N)
     return (char *)packet + 4 * RAY_WORDS * N;
 }
 
-/* Traces ray i of the packet. */
-static int trace_ray(ray_test *r, unsigned primID, void *packet, unsigned N,
-                     unsigned i)
+/* A packet of Embree's. */
+typedef struct {
+    ray_test all; /* what the tests of its rays share */
+    unsigned primID, N;
+    int *valid;
+    void *words;
+} packet;
+
+/* Copies ray i out of the packet and starts its test. */
+static void load_ray(const packet *p, unsigned i, ray_test *test,
+                     struct RTCRay *ray, struct RTCHit *hit)
 {
-    struct RTCRay ray;
-    struct RTCHit hit;
-    gather(&ray, packet, RAY_WORDS, N, i);
-    if (r->nearest)
-        gather(&hit, hits_of(packet, N), HIT_WORDS, N, i);
-    r->ray = &ray;
-    if (r->nearest)
-        r->hit = &hit;
-    if (!cylint_trace_single(r, primID))
-        return 0;
-    scatter(packet, &ray, RAY_WORDS, N, i);
-    if (r->nearest)
-        scatter(hits_of(packet, N), &hit, HIT_WORDS, N, i);
-    return 1;
+    gather(ray, p->words, RAY_WORDS, p->N, i);
+    if (p->all.any)
+        *hit = (struct RTCHit){0};
+    else
+        gather(hit, hits_of(p->words, p->N), HIT_WORDS, p->N, i);
+    start_test(test, &p->all, ray, hit);
 }
 
-static void trace_one_by_one(ray_test *r, unsigned primID, unsigned rays,
-                             int *valid, void *packet, unsigned N)
+/* Copies a ray that was hit back. */
+static void store_ray(const packet *p, unsigned i, const ray_test *test)
+{
+    scatter(p->words, test->ray, RAY_WORDS, p->N, i);
+    if (!test->any)
+        scatter(hits_of(p->words, p->N), test->hit, HIT_WORDS, p->N, i);
+}
+
+static void trace_one_by_one(const packet *p, unsigned rays)
 {
     for (; rays; rays &= rays - 1) {
         const unsigned i = (unsigned)cylint_lowest(rays);
-        set_valid(valid, i, trace_ray(r, primID, packet, N, i));
+        ray_test test;
+        struct RTCRay ray;
+        struct RTCHit hit;
+        load_ray(p, i, &test, &ray, &hit);
+        const int found = cylint_trace_single(&test, p->primID);
+        if (found)
+            store_ray(p, i, &test);
+        set_valid(p->valid, i, found);
     }
 }
 
@@ -81,28 +95,25 @@ typedef struct {
 /* Questions for the filter, at most one for each ray; all of round shapes or none
  * of them. */
 typedef struct {
-    cylint_float_filter_question asked[CYLINT_PACKET_MOST];
-    ray_test *test[CYLINT_PACKET_MOST];
+    cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
     int n;
 } batch;
 
 static void add_question(batch b[2], ray_test *r)
 {
-    const cylint_float_filter_question q = question_of(r);
-    batch *to = &b[cylint_float_filter_is_round(&q)];
-    to->asked[to->n] = q;
-    to->test[to->n++] = r;
+    set_question(r);
+    batch *to = &b[cylint_float_filter_is_round(&r->q)];
+    to->asked[to->n++] = &r->q;
 }
 
-static void test_batch(batch *b, const cylint_embree_data *data)
+static void test_batch(const batch *b, const cylint_embree_data *data)
 {
-    cylint_float_filter_answer answer[CYLINT_PACKET_MOST];
-    if (b->n == 0)
-        return;
-    (b->n > 1 ? data->filter_many : data->filter_one)(b->asked, b->n, answer);
-    for (int i = 0; i < b->n; i++)
-        b->test[i]->found |=
-            cylint_ray_end(b->test[i], &b->asked[i], &answer[i]);
+    if (b->n > 0)
+        (b->n > 1 ? data->filter_many : data->filter_one)(b->asked, b->n);
+    for (int i = 0; i < b->n; i++) {
+        ray_test *r = (ray_test *)b->asked[i];
+        r->found |= cylint_ray_end(r);
+    }
 }
 
 /* Tests the lanes of all rays in turns, the nearest lane of each ray first.
@@ -139,57 +150,32 @@ static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
     return stopped;
 }
 
-/* Copies ray i out of the packet, if it is a line. */
-static void load_ray(packet_state *p, const ray_test *all, const void *packet,
-                     unsigned N, unsigned i)
+static void trace_together(const packet *p, unsigned rays)
 {
-    struct RTCRay *ray = &p->ray[p->n];
-    ray_test *one = &p->test[p->n];
-    gather(ray, packet, RAY_WORDS, N, i);
-    initialise(one, all->data, all->context, all->geomID);
-    one->nearest = all->nearest;
-    one->any = all->any;
-    one->ray = ray;
-    if (!set_line(one))
-        return;
-    if (all->nearest) {
-        one->hit = &p->hit[p->n];
-        gather(one->hit, hits_of(packet, N), HIT_WORDS, N, i);
-    }
-    p->float_ray[p->n] = float_ray(ray);
-    p->place[p->n++] = i;
-}
-
-/* Copies the k-th loaded ray back. */
-static void store_ray(const packet_state *p, int k, void *packet, unsigned N)
-{
-    scatter(packet, &p->ray[k], RAY_WORDS, N, p->place[k]);
-    if (p->test[k].nearest)
-        scatter(hits_of(packet, N), &p->hit[k], HIT_WORDS, N, p->place[k]);
-}
-
-static void trace_together(const ray_test *r, unsigned rays, int *valid,
-                           void *packet, unsigned N)
-{
-    packet_state p;
+    packet_state s;
     unsigned certain = 0;
-    p.n = 0;
+    s.n = 0;
     for (; rays; rays &= rays - 1) {
         const unsigned i = (unsigned)cylint_lowest(rays);
-        load_ray(&p, r, packet, N, i);
-        set_valid(valid, i, 0);
-    }
-    if (p.n > 0)
-        certain = r->data->traverse_packet(&r->data->bvh, p.float_ray, p.n,
-                                           r->any && !has_filters(r),
-                                           test_lanes_in_order, &p);
-    for (int k = 0; k < p.n; k++) {
-        if (certain >> k & 1)
-            p.ray[k].tfar = -HUGE_VALF;
-        else if (!p.test[k].found)
+        ray_test *test = &s.test[s.n];
+        load_ray(p, i, test, &s.ray[s.n], &s.hit[s.n]);
+        set_valid(p->valid, i, 0);
+        if (!set_line(test))
             continue;
-        store_ray(&p, k, packet, N);
-        set_valid(valid, p.place[k], 1);
+        s.float_ray[s.n] = float_ray(test->ray);
+        s.place[s.n++] = i;
+    }
+    if (s.n > 0)
+        certain = p->all.data->traverse_packet(
+            &p->all.data->bvh, s.float_ray, s.n,
+            p->all.any && !has_filters(&p->all), test_lanes_in_order, &s);
+    for (int k = 0; k < s.n; k++) {
+        if (certain >> k & 1)
+            s.ray[k].tfar = -HUGE_VALF;
+        else if (!s.test[k].found)
+            continue;
+        store_ray(p, s.place[k], &s.test[k]);
+        set_valid(p->valid, s.place[k], 1);
     }
 }
 
@@ -197,9 +183,9 @@ static void trace_together(const ray_test *r, unsigned rays, int *valid,
 
 /* Writes the rays (bits) that go into each octant. */
 static void sort_by_octant(unsigned octant[8], unsigned rays,
-                           const float *packet, unsigned N)
+                           const float *words, unsigned N)
 {
-    const float *d = packet + offsetof(struct RTCRay, dir_x) / 4 * N;
+    const float *d = words + offsetof(struct RTCRay, dir_x) / 4 * N;
     memset(octant, 0, 8 * sizeof *octant);
     for (; rays; rays &= rays - 1) {
         const unsigned i = (unsigned)cylint_lowest(rays);
@@ -225,80 +211,90 @@ static int are_enough(unsigned rays, unsigned N)
 /* The rays that begin near the first one, within 1/8 of the longest side S of
  * the shapes' box. */
 static unsigned neighbours(unsigned rays, const cylint_bvh *bvh,
-                           const float *packet, unsigned N)
+                           const float *words, unsigned N)
 {
     const float S = bvh->near_distance / 256;
-    const float *o = packet + cylint_lowest(rays);
+    const float *o = words + cylint_lowest(rays);
     unsigned near = 0;
     for (; rays; rays &= rays - 1) {
         const int i = cylint_lowest(rays);
-        const float far = fabsf(packet[i] - o[0]) +
-                          fabsf(packet[N + (unsigned)i] - o[N]) +
-                          fabsf(packet[2 * N + (unsigned)i] - o[2 * N]);
+        const float far = fabsf(words[i] - o[0]) +
+                          fabsf(words[N + (unsigned)i] - o[N]) +
+                          fabsf(words[2 * N + (unsigned)i] - o[2 * N]);
         near |= (unsigned)(far < S / 8) << i;
     }
     return near;
 }
 
 /* Traces rays that go into one octant. */
-static void trace_octant(ray_test *r, unsigned primID, unsigned rays,
-                         int *valid, void *packet, unsigned N)
+static void trace_octant(const packet *p, unsigned rays)
 {
     unsigned together = 0;
-    if (are_enough(rays, N))
-        together = neighbours(rays, &r->data->bvh, packet, N);
-    if (!are_enough(together, N))
+    if (are_enough(rays, p->N))
+        together = neighbours(rays, &p->all.data->bvh, p->words, p->N);
+    if (!are_enough(together, p->N))
         together = 0;
     if (together)
-        trace_together(r, together, valid, packet, N);
-    trace_one_by_one(r, primID, rays & ~together, valid, packet, N);
+        trace_together(p, together);
+    trace_one_by_one(p, rays & ~together);
 }
 
-/* r: a ray test with the data, context and arguments that all rays share. */
-static void trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
-                         unsigned N)
+static void trace_packet(const packet *p)
 {
     unsigned rays = 0, octant[8];
-    for (unsigned i = 0; i < N; i++)
-        rays |= (unsigned)(valid[i] != 0) << i;
-    if (!r->data->traversal || !are_enough(rays, N)) {
-        trace_one_by_one(r, primID, rays, valid, packet, N);
+    for (unsigned i = 0; i < p->N; i++)
+        rays |= (unsigned)(p->valid[i] != 0) << i;
+    if (!p->all.data->traversal || !are_enough(rays, p->N)) {
+        trace_one_by_one(p, rays);
         return;
     }
-    sort_by_octant(octant, rays, packet, N);
+    sort_by_octant(octant, rays, p->words, p->N);
     for (int i = 0; i < 8; i++)
-        trace_octant(r, primID, octant[i], valid, packet, N);
+        trace_octant(p, octant[i]);
 }
 
 /* -------------------------------------------------------------- callbacks -- */
 
-static void trace(ray_test *r, unsigned primID, int *valid, void *packet,
-                  unsigned N)
+/* The arguments of both callbacks have the same members, but for the rays. */
+#define SET_PACKET(p, arguments, rays, is_any)        \
+    do {                                              \
+        (p)->all.data = (arguments)->geometryUserPtr; \
+        (p)->all.args = (arguments);                  \
+        (p)->all.any = (is_any);                      \
+        (p)->all.context = (arguments)->context;      \
+        (p)->all.geomID = (arguments)->geomID;        \
+        (p)->primID = (arguments)->primID;            \
+        (p)->N = (arguments)->N;                      \
+        (p)->valid = (arguments)->valid;              \
+        (p)->words = (rays);                          \
+    } while (0)
+
+static void trace(packet *p, struct RTCRay *ray, struct RTCHit *hit)
 {
-    if (N == 1)
-        set_valid(valid, 0, cylint_trace_single(r, primID));
-    else
-        trace_packet(r, primID, valid, packet, N);
+    if (p->N > 1) {
+        trace_packet(p);
+        return;
+    }
+    p->all.ray = ray;
+    p->all.hit = hit;
+    p->all.leaf = NULL;
+    set_valid(p->valid, 0, cylint_trace_single(&p->all, p->primID));
 }
 
 void cylint_embree_intersect_callback(
     const struct RTCIntersectFunctionNArguments *args)
 {
     struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
-    ray_test r;
-    initialise(&r, args->geometryUserPtr, args->context, args->geomID);
-    r.nearest = args;
-    r.ray = &one->ray;
-    r.hit = &one->hit;
-    trace(&r, args->primID, args->valid, args->rayhit, args->N);
+    packet p;
+    SET_PACKET(&p, args, args->rayhit, 0);
+    trace(&p, &one->ray, &one->hit);
 }
 
 void cylint_embree_occluded_callback(
     const struct RTCOccludedFunctionNArguments *args)
 {
-    ray_test r;
-    initialise(&r, args->geometryUserPtr, args->context, args->geomID);
-    r.any = args;
-    r.ray = (struct RTCRay *)args->ray;
-    trace(&r, args->primID, args->valid, args->ray, args->N);
+    struct RTCHit none = {0};
+    packet p;
+    SET_PACKET(&p, args, args->ray, 1);
+    trace(&p, (struct RTCRay *)args->ray, &none);
 }

@@ -9,16 +9,6 @@
 #include "angle.h"
 #include "motion.h"
 
-/* The library's answer and its line; 0 hits for a line that it refuses. */
-static int intersect(const cylint_shape *shape,
-                     const cylint_float_filter_ray *l, unsigned want,
-                     cylint_line *line, cylint_answer *answer)
-{
-    if (cylint_span(line, l->o, l->d, l->tmin, l->tmax) != CYLINT_OK)
-        return 0;
-    return cylint_intersect(shape, line, want, answer);
-}
-
 /* The domain's end that still includes every root whose t, rounded to a double,
  * is tfar. */
 static double tmax_including(float tfar)
@@ -38,6 +28,25 @@ static void make_shape(const cylint_embree_data *data, size_t rank, float time,
     cylint_embree_shape(&data->shapes[0], rank, &at[0]);
     cylint_embree_shape(&data->shapes[1], rank, &at[1]);
     cylint_embree_between(&at[0], &at[1], time, shape);
+}
+
+/* A shape, and the library's answer to the ray's line; 0 hits for a line that it
+ * refuses. */
+typedef struct {
+    cylint_shape shape;
+    cylint_line line;
+    cylint_answer answer;
+    int n; /* hits */
+} exact_hits;
+
+static void intersect(const ray_test *r, size_t rank, unsigned want,
+                      exact_hits *x)
+{
+    const cylint_float_filter_question *q = &r->q;
+    make_shape(r->data, rank, r->ray->time, &x->shape);
+    x->n = cylint_span(&x->line, q->o, q->d, q->tmin, q->tmax) == CYLINT_OK
+               ? cylint_intersect(&x->shape, &x->line, want, &x->answer)
+               : 0;
 }
 
 static size_t rank_of(const cylint_embree_data *data, size_t number)
@@ -93,25 +102,22 @@ static size_t present_number(const ray_test *r)
                : r->data->n;
 }
 
-/* The t of the ray's present hit, of which tfar is the rounding.  If both hits
- * of the shape round to tfar, u distinguishes them.  Bare hits have no u: then
- * it is the first hit, the one that is or will be the ray's without filters.
- * Returns HUGE_VAL if the caller or a filter changed tfar. */
-static double present_t(const ray_test *r, size_t number)
+/* The index of the ray's present hit, of which tfar is the rounding, among the
+ * library's.  If both hits of the shape round to tfar, u distinguishes them.  Bare
+ * hits have no u: then it is the first hit, the one that is or will be the ray's
+ * without filters.  -1 if the caller or a filter changed tfar. */
+static int find_present(const ray_test *r, size_t number, unsigned want,
+                        exact_hits *x)
 {
-    double t = HUGE_VAL;
-    cylint_shape shape;
-    cylint_line line;
-    cylint_answer answer;
-    make_shape(r->data, rank_of(r->data, number), r->ray->time, &shape);
-    const int n = intersect(&shape, &r->line, CYLINT_WANT_T | CYLINT_WANT_Z,
-                            &line, &answer);
-    for (int i = n - 1; i >= 0; i--)
-        if (rounded_up(answer.hit[i].t, r->ray->tfar) == r->ray->tfar &&
-            (t >= HUGE_VAL || is_bare(r) ||
-             (float)answer.hit[i].z == r->hit->u))
-            t = answer.hit[i].t;
-    return t;
+    int found = -1;
+    intersect(r, rank_of(r->data, number), want, x);
+    for (int i = x->n - 1; i >= 0; i--) {
+        const cylint_hit *at = &x->answer.hit[i];
+        if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
+            (found < 0 || is_bare(r) || (float)at->z == r->hit->u))
+            found = i;
+    }
+    return found;
 }
 
 /* Whether hit i of a shape is nearer than the present one or, at equal t, has
@@ -131,8 +137,13 @@ static int is_nearer(const ray_test *r, unsigned number,
         return 1;
     if (number == other)
         return i == 0;
-    const double present = present_t(r, other);
-    return t < present || (t == present && number < other);
+    exact_hits x;
+    const int present =
+        find_present(r, other, CYLINT_WANT_T | CYLINT_WANT_Z, &x);
+    if (present < 0)
+        return 1;
+    const double present_t = x.answer.hit[present].t;
+    return t < present_t || (t == present_t && number < other);
 }
 
 /* -------------------------------------------------------- recording hits -- */
@@ -189,10 +200,10 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
                                                  (struct RTCRayN *)r->ray,
                                                  (struct RTCHitN *)hit,
                                                  1};
-    if (r->nearest)
-        cylint_rtc_filter_hit(r->nearest, &filter);
+    if (r->any)
+        cylint_rtc_filter_occluded(r->args, &filter);
     else
-        cylint_rtc_filter_occluded(r->any, &filter);
+        cylint_rtc_filter_hit(r->args, &filter);
 #if CYLINT_EMBREE == 4
     if (valid && r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
@@ -204,11 +215,15 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
     return valid != 0;
 }
 
-/* Records a nearest hit at t if the filter functions accept it.  The hit is
- * written in its final place, which saves a copy. */
-static int record_nearest(ray_test *r, unsigned number, float t,
-                          const cylint_hit_floats *floats)
+/* Records a hit at t if the filter functions accept it.  The hit is written in its
+ * final place, which saves a copy. */
+static int record(ray_test *r, unsigned number, float t,
+                  const cylint_hit_floats *floats)
 {
+    if (r->any && !has_filters(r)) {
+        r->ray->tfar = -HUGE_VALF;
+        return 1;
+    }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
     if (!is_bare(r))
@@ -220,35 +235,10 @@ static int record_nearest(ray_test *r, unsigned number, float t,
         *r->hit = old;
         return 0;
     }
-    r->line.tmax = r->ray->tfar;
+    if (r->any)
+        r->ray->tfar = -HUGE_VALF;
+    r->q.tmax = r->ray->tfar;
     return 1;
-}
-
-/* The same for a hit of an occlusion query. */
-static int record_any(ray_test *r, unsigned number, float t,
-                      const cylint_hit_floats *floats)
-{
-    const float tfar = r->ray->tfar;
-    if (has_filters(r)) {
-        struct RTCHit hit = {0};
-        if (!is_bare(r))
-            write_floats(floats, &hit);
-        write_ids(r, number, &hit);
-        r->ray->tfar = t;
-        if (!filters_accept(r, &hit)) {
-            r->ray->tfar = tfar;
-            return 0;
-        }
-    }
-    r->ray->tfar = -HUGE_VALF;
-    return 1;
-}
-
-static int record(ray_test *r, unsigned number, float t,
-                  const cylint_hit_floats *floats)
-{
-    return r->nearest ? record_nearest(r, number, t, floats)
-                      : record_any(r, number, t, floats);
 }
 
 /* ----------------------------------------------------- exact intersections -- */
@@ -260,13 +250,11 @@ static unsigned wanted(const ray_test *r)
                                        CYLINT_WANT_Z | CYLINT_WANT_PHI;
 }
 
-/* Describes a hit that intersect() found. */
-static cylint_hit_floats describe(const cylint_shape *shape,
-                                  const cylint_line *line, unsigned want,
-                                  const cylint_hit *at)
+/* Describes hit i. */
+static cylint_hit_floats describe(const exact_hits *x, unsigned want, int i)
 {
-    cylint_hit hit = *at;
-    cylint_describe(shape, line, want, &hit);
+    cylint_hit hit = x->answer.hit[i];
+    cylint_describe(&x->shape, &x->line, want, &hit);
     return floats_of(&hit);
 }
 
@@ -275,28 +263,22 @@ static cylint_hit_floats describe(const cylint_shape *shape,
  * because z decides which piece owns them. */
 static int test_exactly(ray_test *r, int first)
 {
-    cylint_line line;
-    cylint_answer answer;
-    cylint_shape shape;
+    exact_hits x;
     const unsigned number = number_of(r);
-    make_shape(r->data, r->rank, r->ray->time, &shape);
-    const int whole =
-        !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
-    if (r->nearest && present_number(r) != r->data->n)
-        r->line.tmax = tmax_including(r->ray->tfar);
-    const int n = intersect(
-        &shape, &r->line, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
-        &line, &answer);
-    for (int i = first; i < n; i++) {
-        const cylint_hit *at = &answer.hit[i];
+    const int whole = r->q.count == 1;
+    if (!r->any && present_number(r) != r->data->n)
+        r->q.tmax = tmax_including(r->ray->tfar);
+    intersect(r, r->rank, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
+              &x);
+    for (int i = first; i < x.n; i++) {
+        const cylint_hit *at = &x.answer.hit[i];
         cylint_hit_floats floats = {0};
         if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
-        if (r->nearest && !is_nearer(r, number, &answer, i))
+        if (!r->any && !is_nearer(r, number, &x.answer, i))
             return 0;
-        if (needs_description(r))
-            floats =
-                whole ? describe(&shape, &line, wanted(r), at) : floats_of(at);
+        if (r->q.describes)
+            floats = whole ? describe(&x, wanted(r), i) : floats_of(at);
         if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
             return 1;
     }
@@ -305,28 +287,26 @@ static int test_exactly(ray_test *r, int first)
 
 /* ---------------------------------------------------------------- tracing -- */
 
-int cylint_ray_end(ray_test *r, cylint_float_filter_question *asked,
-                   cylint_float_filter_answer *answer)
+CYLINT_INLINE void filter_one(ray_test *r)
 {
-    for (;;) {
-        if (answer->is == CYLINT_FLOAT_FILTER_UNCERTAIN)
-            return test_exactly(r, asked->exit_only);
-        if (answer->is == CYLINT_FLOAT_FILTER_MISS)
-            return 0;
-        if (record(r, number_of(r), answer->t, &answer->floats))
-            return 1;
-        if (answer->leaves)
-            return 0;
-        asked->exit_only = 1;
-        r->data->filter_one(asked, 1, answer);
-    }
+    cylint_float_filter_question *const one = &r->q;
+    r->data->filter_one(&one, 1);
 }
 
-CYLINT_INLINE int test_shape(ray_test *r, cylint_float_filter_question *asked)
+int cylint_ray_end(ray_test *r)
 {
-    cylint_float_filter_answer answer;
-    r->data->filter_one(asked, 1, &answer);
-    return cylint_ray_end(r, asked, &answer);
+    for (;;) {
+        if (r->q.is == CYLINT_FLOAT_FILTER_UNCERTAIN)
+            return test_exactly(r, r->q.exit_only);
+        if (r->q.is == CYLINT_FLOAT_FILTER_MISS)
+            return 0;
+        if (record(r, number_of(r), r->q.t, &r->q.floats))
+            return 1;
+        if (r->q.leaves)
+            return 0;
+        r->q.exit_only = 1;
+        filter_one(r);
+    }
 }
 
 /* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
@@ -338,8 +318,9 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
     while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        cylint_float_filter_question asked = question_of(r);
-        const int hit = test_shape(r, &asked);
+        set_question(r);
+        filter_one(r);
+        const int hit = cylint_ray_end(r);
         r->found |= hit;
         if (hit && r->any)
             return 1;
@@ -350,25 +331,22 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 static int test_primitive(ray_test *r, unsigned primID)
 {
     const cylint_embree_shapes *s = r->data->shapes;
-    cylint_float_filter_shape between;
+    cylint_record between;
     r->rank = primID;
-    cylint_float_filter_question asked = {
-        .shape = cylint_float_filter_at(&s->records, primID),
-        .line = &r->line,
-        .tfar = r->ray->tfar,
-        .small = s->records.small,
-        .ends = s->ends[primID],
-        .count = 1,
-        .describes = needs_description(r)};
+    r->q.shape = cylint_float_filter_at(&s->records, primID);
+    r->q.tfar = r->ray->tfar;
+    r->q.ends = s->ends[primID];
+    r->q.index = r->q.exit_only = 0;
+    r->q.count = 1;
     if (cylint_embree_moves(r->data)) {
-        const cylint_float_filter_shape at_0 = cylint_embree_record(s, primID),
-                                        at_1 =
-                                            cylint_embree_record(s + 1, primID);
+        const cylint_record at_0 = cylint_embree_record(s, primID),
+                            at_1 = cylint_embree_record(s + 1, primID);
         cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
-        asked.shape = &between;
-        asked.small = 0;
+        r->q.shape = &between;
+        r->q.small = 0;
     }
-    return test_shape(r, &asked);
+    filter_one(r);
+    return cylint_ray_end(r);
 }
 
 int cylint_trace_single(ray_test *r, unsigned primID)
@@ -391,24 +369,20 @@ int cylint_trace_single(ray_test *r, unsigned primID)
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)
 {
-    const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
-    const struct RTCRay *ray = &rayhit->ray;
-    cylint_float_filter_ray l = line_of(ray);
-    cylint_shape shape;
-    cylint_line line;
-    cylint_answer answer;
-    const size_t number = number_of_hit(data, &rayhit->hit, rayhit->hit.geomID);
-    if (number == data->n)
+    const ray_test all = {.data = rtcGetGeometryUserData(geometry)};
+    const size_t number =
+        number_of_hit(all.data, &rayhit->hit, rayhit->hit.geomID);
+    ray_test r;
+    exact_hits x;
+    if (number == all.data->n)
         return;
-    l.tmax = tmax_including(ray->tfar);
-    make_shape(data, rank_of(data, number), ray->time, &shape);
-    const int n =
-        intersect(&shape, &l, CYLINT_WANT_T | CYLINT_WANT_PART, &line, &answer);
-    for (int i = 0; i < n; i++)
-        if (rounded_up(answer.hit[i].t, ray->tfar) == ray->tfar) {
-            const cylint_hit_floats floats =
-                describe(&shape, &line, CYLINT_WANT_ALL, &answer.hit[i]);
-            write_floats(&floats, &rayhit->hit);
-            return;
-        }
+    start_test(&r, &all, &rayhit->ray, &rayhit->hit);
+    set_line(&r);
+    r.q.tmax = tmax_including(rayhit->ray.tfar);
+    const int i = find_present(
+        &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
+    if (i >= 0) {
+        const cylint_hit_floats floats = describe(&x, CYLINT_WANT_ALL, i);
+        write_floats(&floats, &rayhit->hit);
+    }
 }

@@ -15,58 +15,23 @@
 
 /* A ray, and the lane or primitive to test it against. */
 typedef struct cylint_ray_test {
+    cylint_float_filter_question q; /* first: the filter's pointers are ours */
     const cylint_embree_data *data;
-    const struct RTCIntersectFunctionNArguments *nearest; /* one of these ... */
-    const struct RTCOccludedFunctionNArguments *any;      /* ... is NULL */
+    const void
+        *args; /* of Embree's callback: RTCIntersectFunctionNArguments, or
+                         RTCOccludedFunctionNArguments if `any` */
+    int any;
     cylint_rtc_context *context;
     unsigned geomID;
     struct RTCRay *ray;
-    struct RTCHit *hit;           /* of `nearest` */
-    cylint_float_filter_ray line; /* the ray in doubles; set by set_line() */
-    const cylint_leaf *leaf;      /* NULL: each shape is a primitive */
+    struct RTCHit *hit;      /* zeros if `any` */
+    const cylint_leaf *leaf; /* NULL: each shape is a primitive */
     int lane;
     unsigned rank; /* of the shape */
     int found;     /* a hit was recorded */
 } cylint_ray_test;
 
 typedef cylint_ray_test ray_test;
-
-/* Sets the pointers only: clearing the whole struct takes longer than testing a
- * leaf. */
-static inline void initialise(ray_test *r, const cylint_embree_data *data,
-                              cylint_rtc_context *context, unsigned geomID)
-{
-    r->data = data;
-    r->nearest = NULL;
-    r->any = NULL;
-    r->context = context;
-    r->geomID = geomID;
-    r->ray = NULL;
-    r->hit = NULL;
-    r->leaf = NULL;
-}
-
-static inline cylint_float_filter_ray line_of(const struct RTCRay *ray)
-{
-    return (cylint_float_filter_ray){{ray->org_x, ray->org_y, ray->org_z},
-                                     {ray->dir_x, ray->dir_y, ray->dir_z},
-                                     ray->tnear,
-                                     HUGE_VAL,
-                                     ray->tfar};
-}
-
-/* Sets the line from the ray.  Returns whether cylint_span() accepts it.  The
- * box tests do not reject all rays that it refuses.  Sums of six floats do not
- * overflow doubles. */
-static inline int set_line(ray_test *r)
-{
-    r->line = line_of(r->ray);
-    r->found = 0;
-    const double *o = r->line.o, *d = r->line.d;
-    const double any = fabs(d[0]) + fabs(d[1]) + fabs(d[2]);
-    const double all = any + fabs(o[0]) + fabs(o[1]) + fabs(o[2]);
-    return (any > 0) & (all < HUGE_VAL) & (r->ray->tnear <= r->ray->tfar);
-}
 
 /* cylint_float_ray has the layout of the first members of RTCRay. */
 #define SAME(ours, theirs) \
@@ -97,7 +62,44 @@ static inline int has_filters(const ray_test *r)
 /* Whether u, v and Ng of a hit are read by the caller or a filter. */
 static inline int needs_description(const ray_test *r)
 {
-    return !is_bare(r) && (r->nearest || has_filters(r));
+    return !is_bare(r) && (!r->any || has_filters(r));
+}
+
+/* Sets the pointers only: clearing the whole struct takes longer than testing a
+ * leaf. */
+static inline void start_test(ray_test *r, const ray_test *all,
+                              struct RTCRay *ray, struct RTCHit *hit)
+{
+    r->data = all->data;
+    r->args = all->args;
+    r->any = all->any;
+    r->context = all->context;
+    r->geomID = all->geomID;
+    r->ray = ray;
+    r->hit = hit;
+    r->leaf = NULL;
+}
+
+/* Sets what all questions about the ray share.  Returns whether cylint_span()
+ * accepts it.  The box tests do not reject all rays that it refuses.  Sums of six
+ * floats do not overflow doubles. */
+static inline int set_line(ray_test *r)
+{
+    const cylint_float_ray *ray = float_ray(r->ray);
+    double any = 0, all = 0;
+    EACH(j, 3) {
+        r->q.o[j] = ray->o[j];
+        r->q.d[j] = ray->d[j];
+        any += fabs(r->q.d[j]);
+        all += fabs(r->q.o[j]);
+    }
+    r->q.tmin = ray->tnear;
+    r->q.near = HUGE_VAL;
+    r->q.tmax = ray->tfar;
+    r->q.small = r->data->shapes[0].records.small;
+    r->q.describes = needs_description(r);
+    r->found = 0;
+    return (any > 0) & (all + any < HUGE_VAL) & (ray->tnear <= ray->tfar);
 }
 
 /* The number of the shape that is tested. */
@@ -106,28 +108,23 @@ static inline unsigned number_of(const ray_test *r)
     return r->leaf ? r->data->number[r->rank] : r->rank;
 }
 
-/* The question whether the ray hits the piece of the lane. */
-CYLINT_INLINE cylint_float_filter_question question_of(const ray_test *r)
+/* Sets the question whether the ray hits the piece of the lane. */
+CYLINT_INLINE void set_question(ray_test *r)
 {
-    const cylint_float_filter_shapes *records = &r->data->shapes[0].records;
     const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
-    return (cylint_float_filter_question){
-        .shape = cylint_float_filter_at(records, r->rank),
-        .line = &r->line,
-        .tfar = r->ray->tfar,
-        .small = records->small,
-        .ends = cylint_leaf_ends(r->leaf, r->lane),
-        .index = piece.index,
-        .count = piece.count,
-        .describes = needs_description(r)};
+    r->q.shape = cylint_float_filter_at(&r->data->shapes[0].records, r->rank);
+    r->q.tfar = r->ray->tfar;
+    r->q.ends = cylint_leaf_ends(r->leaf, r->lane);
+    r->q.index = piece.index;
+    r->q.count = piece.count;
+    r->q.exit_only = 0;
 }
 
-/* Records the hit of an answer, if it is nearer than the present one and the
- * filters accept it, or else a later hit of the shape; cylint_intersect() decides
- * what is uncertain.  Writes the question and the answer again.  Returns 1 if a
- * hit was recorded. */
-int cylint_ray_end(ray_test *r, cylint_float_filter_question *asked,
-                   cylint_float_filter_answer *answer);
+/* Records the hit that the filter answers, if it is nearer than the present one
+ * and the filter functions accept it, or else a later hit of the shape;
+ * cylint_intersect() decides what is uncertain.  Returns 1 if a hit was
+ * recorded. */
+int cylint_ray_end(ray_test *r);
 
 /* Traces the ray alone.  Returns 1 if a hit was recorded. */
 int cylint_trace_single(ray_test *r, unsigned primID);
@@ -165,11 +162,9 @@ CYLINT_INLINE int select_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     r->lane = lane;
     r->rank = leaf->number[lane];
     CYLINT_PREFETCH(r->data->number + r->rank);
-    r->line.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
+    r->q.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
     return 1;
 }
-
-/* ----------------------------------------------------------------- rays -- */
 
 /* Embree 4 expects in valid[] whether the ray was hit. */
 static inline void set_valid(int *valid, unsigned i, int hit)

@@ -6,9 +6,10 @@
 #include <float.h>
 
 #include "../bvh/threads.h"
-#include "../shapes/measure.h"
+#include "../intersect.h"
 
-/* The sign of the radii in a record; NaN: the filter does not decide. */
+/* The sign of the radii in a record; NaN: the filter does not decide.  Of balls
+ * about one centre the filter reads the first. */
 static double radii_sign(const cylint_shape *s)
 {
     if (!cylint_is_bounded(s) || !cylint_has_end_points(s->kind))
@@ -16,21 +17,18 @@ static double radii_sign(const cylint_shape *s)
     if (!cylint_is_round(s->kind))
         return 1;
     return cylint_is_hull(s->kind) ||
-                   (cylint_has_no_axis(s) && s->ends == CYLINT_ENDS_CAPPED)
+                   (cylint_has_no_axis(s) && s->ends == CYLINT_ENDS_CAPPED &&
+                    !cylint_is_reversed(s))
                ? -1
                : NAN;
 }
 
-void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
-                                  const cylint_shape *s)
+void cylint_filter_record_of(cylint_record *to, const cylint_shape *s)
 {
     const double sign = radii_sign(s);
-    EACH(j, 3) {
-        to->base[j] = cylint_base(s)[j];
-        to->top[j] = cylint_top(s)[j];
-    }
-    to->r0 = sign * cylint_r0(s);
-    to->r1 = sign * cylint_r1(s);
+    cylint_set_record(to, s);
+    to->r0 *= sign;
+    to->r1 *= sign;
 }
 
 /* Whether x is a float and not subnormal. */
@@ -41,15 +39,14 @@ static int is_float(double x, float *to)
            (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
 }
 
-int cylint_float_filter_small_of(cylint_float_filter_small *to,
-                                 const cylint_shape *s)
+int cylint_small_record_of(cylint_small_record *to, const cylint_shape *s)
 {
-    cylint_float_filter_shape large;
-    cylint_float_filter_shape_of(&large, s);
+    cylint_record large;
+    cylint_filter_record_of(&large, s);
     int is = is_float(large.r0, &to->r0) & is_float(large.r1, &to->r1);
     EACH(j, 3)
-        is &= is_float(large.base[j], &to->base[j]) &
-              is_float(large.top[j], &to->top[j]);
+        is &= is_float(large.p0[j], &to->p0[j]) &
+              is_float(large.p1[j], &to->p1[j]);
     return is;
 }
 
@@ -77,17 +74,17 @@ static void copy_some(void *self, size_t from, size_t to)
 {
     copying *c = self;
     const int small = c->to->records.small;
-    cylint_float_filter_small *floats = c->to->memory.data;
-    cylint_float_filter_shape *doubles = c->to->memory.data;
+    cylint_small_record *floats = c->to->memory.data;
+    cylint_record *doubles = c->to->memory.data;
     size_t i = from, whole = 0;
     for (int fits = 1; i < to && fits; i += (size_t)fits) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
         c->ends[i] = (uint8_t)shape->ends;
         if (small) {
-            fits = cylint_float_filter_small_of(&floats[i], shape);
+            fits = cylint_small_record_of(&floats[i], shape);
         } else {
-            cylint_float_filter_shape_of(&doubles[i], shape);
+            cylint_filter_record_of(&doubles[i], shape);
             whole += doubles[i].r0 != doubles[i].r0;
         }
     }
@@ -104,8 +101,8 @@ static int copy_records(copying *c, size_t n, int threads,
 {
     cylint_embree_shapes *to = c->to;
     for (int small = 1; small >= 0; small--) {
-        const size_t size = small ? sizeof(cylint_float_filter_small)
-                                  : sizeof(cylint_float_filter_shape);
+        const size_t size =
+            small ? sizeof(cylint_small_record) : sizeof(cylint_record);
         if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
             return 0;
         to->records = (cylint_float_filter_shapes){to->memory.data, small};
@@ -122,7 +119,7 @@ static int copy_records(copying *c, size_t n, int threads,
 static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
 {
     cylint_embree_shapes *to = c->to;
-    cylint_float_filter_shape *records = to->memory.data;
+    cylint_record *records = to->memory.data;
     cylint_shape *whole;
     size_t next = 0;
     if (c->whole == 0)
@@ -133,7 +130,7 @@ static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
     to->whole = whole = to->whole_memory.data;
     for (size_t i = 0; i < n; i++)
         if (records[i].r0 != records[i].r0) {
-            records[i].base[0] = (double)next;
+            records[i].p0[0] = (double)next;
             const cylint_shape *shape = source_of(c, i, &whole[next]);
             if (shape != &whole[next])
                 whole[next] = *shape;
@@ -167,34 +164,34 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s)
 
 /* --------------------------------------------------------------- reading -- */
 
-cylint_float_filter_shape cylint_embree_record(const cylint_embree_shapes *s,
-                                               size_t at)
+cylint_record cylint_embree_record(const cylint_embree_shapes *s, size_t at)
 {
-    const cylint_float_filter_small *small = s->records.data;
-    const cylint_float_filter_shape *large = s->records.data;
+    const cylint_small_record *small = s->records.data;
+    const cylint_record *large = s->records.data;
     if (!s->records.small)
         return large[at];
     small += at;
-    return (cylint_float_filter_shape){
-        {(double)small->base[0], (double)small->base[1],
-         (double)small->base[2]},
+    return (cylint_record){
+        {(double)small->p0[0], (double)small->p0[1], (double)small->p0[2]},
         (double)small->r0,
-        {(double)small->top[0], (double)small->top[1], (double)small->top[2]},
+        {(double)small->p1[0], (double)small->p1[1], (double)small->p1[2]},
         (double)small->r1};
 }
 
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
                          cylint_shape *shape)
 {
-    const cylint_float_filter_shape x = cylint_embree_record(s, at);
-    const cylint_ends ends = (cylint_ends)s->ends[at];
-    if (x.r0 != x.r0)
-        *shape = s->whole[(size_t)x.base[0]];
-    else if (x.r0 + x.r1 > 0)
-        cylint_cone(shape, x.base, x.r0, x.top, x.r1, ends);
-    else if (x.base[0] == x.top[0] && x.base[1] == x.top[1] &&
-             x.base[2] == x.top[2] && x.r0 == x.r1)
-        cylint_sphere(shape, x.base, -x.r0, ends);
-    else
-        cylint_round_cone(shape, x.base, -x.r0, x.top, -x.r1, ends);
+    cylint_record x = cylint_embree_record(s, at);
+    int kind = CYLINT_KIND_CONE;
+    if (x.r0 != x.r0) {
+        *shape = s->whole[(size_t)x.p0[0]];
+        return;
+    }
+    if (x.r0 + x.r1 < 0) {
+        const int is_sphere = x.r0 == x.r1 && cylint_record_is_point(&x);
+        kind = is_sphere ? CYLINT_KIND_SPHERE : CYLINT_KIND_RCONE;
+        x.r0 = -x.r0;
+        x.r1 = -x.r1;
+    }
+    cylint_make_of_record(shape, kind, s->ends[at], &x, NULL);
 }

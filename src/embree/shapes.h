@@ -13,18 +13,16 @@
 #include "../bvh/swept_disc.h"
 #include "float_filter.h"
 
-void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
-                                  const cylint_shape *shape);
+void cylint_filter_record_of(cylint_record *to, const cylint_shape *shape);
 
 /* Returns 0 if the shape does not fit. */
-int cylint_float_filter_small_of(cylint_float_filter_small *to,
-                                 const cylint_shape *shape);
+int cylint_small_record_of(cylint_small_record *to, const cylint_shape *shape);
 
 typedef struct cylint_embree_shapes {
     cylint_memory memory, whole_memory;
     cylint_float_filter_shapes records;
     const uint8_t *ends;
-    const cylint_shape *whole; /* base[0] of the record is the index */
+    const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
 
 /* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
@@ -40,8 +38,7 @@ static inline size_t cylint_embree_shapes_bytes(const cylint_embree_shapes *s)
 }
 
 /* The record of a shape in doubles. */
-cylint_float_filter_shape cylint_embree_record(const cylint_embree_shapes *s,
-                                               size_t at);
+cylint_record cylint_embree_record(const cylint_embree_shapes *s, size_t at);
 
 /* Makes a shape by its constructor. */
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,

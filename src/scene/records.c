@@ -97,19 +97,12 @@ static void write_record(cylint_records *r, size_t number,
                          const cylint_shape *s, size_t axes)
 {
     cylint_record *to = &r->record[number];
-    const int reversed = cylint_is_reversed(s);
-    const int two_points = cylint_has_end_points(s->kind);
-    const double *end = two_points ? cylint_top(s) : cylint_axis(s);
     r->tag[number] = tag_of(s);
-    copy_three(to->p0, reversed ? end : cylint_base(s));
-    copy_three(to->p1, reversed ? cylint_base(s) : end);
-    to->r0 = cylint_end_factor(s, reversed);
-    to->r1 = cylint_end_factor(s, !reversed);
+    cylint_set_record(to, s);
     if (!cylint_is_elliptic(s->kind))
         return;
     to->r0 = (double)axes;
-    copy_three(r->semi_axes[axes].a, cylint_a(s));
-    copy_three(r->semi_axes[axes].b, cylint_b(s));
+    cylint_set_semi_axes(&r->semi_axes[axes], s);
 }
 
 int cylint_records_add(cylint_records *r, const cylint_shape *shapes, size_t n)
@@ -145,50 +138,19 @@ void cylint_record_replace(cylint_records *r, size_t number,
     write_record(r, number, s, has_axes ? (size_t)r->record[number].r0 : 0);
 }
 
-static const cylint_semi_axes *axes_of(const cylint_records *r,
-                                       const cylint_record *from)
-{
-    return &r->semi_axes[(size_t)from->r0];
-}
-
 void cylint_record_shape(const cylint_records *r, size_t number,
                          cylint_shape *shape)
 {
     const cylint_record *from = &r->record[number];
-    const cylint_semi_axes *axes;
-    const cylint_ends ends = (cylint_ends)cylint_record_ends(r, number);
-    if (r->tag[number] & CYLINT_TAG_PLAIN) {
-        cylint_make_again(shape, cylint_record_kind(r, number), (int)ends,
-                          from->p0, from->r0, from->p1, from->r1);
-        return;
-    }
-    switch (cylint_record_kind(r, number)) {
-    case CYLINT_KIND_CYLINDER:
-    case CYLINT_KIND_CONE:
-        cylint_cone(shape, from->p0, from->r0, from->p1, from->r1, ends);
-        return;
-    case CYLINT_KIND_ACONE:
-        cylint_tangent_cone(shape, from->p0, from->p1, from->r1, ends);
-        return;
-    case CYLINT_KIND_ECYLINDER:
-    case CYLINT_KIND_ECONE:
-        axes = axes_of(r, from);
-        cylint_elliptic_cone(shape, from->p0, axes->a, axes->b, from->p1,
-                             from->r1, ends);
-        return;
-    case CYLINT_KIND_SPHERE:
-        cylint_sphere(shape, from->p0, from->r0, ends);
-        return;
-    case CYLINT_KIND_CAPSULE:
-    case CYLINT_KIND_RCONE:
-        cylint_round_cone(shape, from->p0, from->r0, from->p1, from->r1, ends);
-        return;
-    case CYLINT_KIND_HALFSPACE:
-        cylint_halfspace(shape, from->p0, from->p1);
-        return;
-    default:
-        memset(shape, 0, sizeof *shape);
-    }
+    const int kind = cylint_record_kind(r, number);
+    const int ends = cylint_record_ends(r, number);
+    if (r->tag[number] & CYLINT_TAG_PLAIN)
+        cylint_make_again(shape, kind, ends, from->p0, from->r0, from->p1,
+                          from->r1);
+    else
+        cylint_make_of_record(
+            shape, kind, ends, from,
+            cylint_is_elliptic(kind) ? &r->semi_axes[(size_t)from->r0] : NULL);
 }
 
 void cylint_record_data(const cylint_records *r, size_t number,

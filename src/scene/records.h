@@ -15,27 +15,11 @@
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
-/*
- * What the members of a cylint_record are, by the form of the tag:
- *
- *                 p0     r0       p1      r1
- *   two points    p0     r0       p1      r1
- *   sphere        c      r        c       r
- *   acone         v      0        u       the tangent
- *   halfspace     p      0        n       0
- *   elliptic      c      index    h       k
- *
- * The index is that of the elliptic shape's semi-axes.
- */
-
 /* A tag: a cylint_kind, a cylint_ends times CYLINT_TAG_ENDS, and CYLINT_TAG_PLAIN
  * if cylint_local_in_doubles() serves the shape. */
 enum { CYLINT_TAG_KIND = 15, CYLINT_TAG_ENDS = 16, CYLINT_TAG_PLAIN = 128 };
 
-typedef struct cylint_semi_axes {
-    double a[3], b[3];
-} cylint_semi_axes;
-
+/* r0 of an elliptic shape's record is the index of its semi-axes. */
 typedef struct cylint_records {
     cylint_record *record;
     uint8_t *tag;

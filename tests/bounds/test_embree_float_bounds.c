@@ -92,39 +92,39 @@ static void the_errors_of_round_forms_are_within_their_bounds(void)
 static void small_records_keep_round_kinds(void)
 {
     const double base[3] = {1, 2, 3}, top[3] = {4, 5, 6};
-    cylint_float_filter_small small;
+    cylint_small_record small;
     cylint_shape shape;
     CHECK(cylint_sphere(&shape, base, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK &&
-          cylint_float_filter_small_of(&small, &shape));
+          cylint_small_record_of(&small, &shape));
     CHECK(small.r0 < 0 && small.r1 < 0);
     CHECK(cylint_round_cone(&shape, base, 0, top, 1, CYLINT_ENDS_OPEN) ==
               CYLINT_OK &&
-          cylint_float_filter_small_of(&small, &shape));
+          cylint_small_record_of(&small, &shape));
     CHECK(small.r0 + small.r1 < 0);
     /* one ball in the other: z depends on the axis, the parts on the ends */
     CHECK(cylint_round_cone(&shape, base, 1, top, 9, CYLINT_ENDS_OPEN) ==
               CYLINT_OK &&
-          !cylint_float_filter_small_of(&small, &shape));
+          !cylint_small_record_of(&small, &shape));
 }
 
 /* A cylinder or cone from base to top, or neither. */
 static int is_small(double x, double r, int cone)
 {
     const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
-    cylint_float_filter_small small;
+    cylint_small_record small;
     cylint_shape shape;
     return CHECK((cone
                       ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
                       : cylint_cylinder(&shape, base, top, r,
                                         CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
-           cylint_float_filter_small_of(&small, &shape);
+           cylint_small_record_of(&small, &shape);
 }
 
 static void only_shapes_made_of_floats_have_small_records(void)
 {
     const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
     const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
-    cylint_float_filter_small small;
+    cylint_small_record small;
     cylint_shape shape;
     for (int cone = 0; cone < 2; cone++) {
         CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
@@ -136,10 +136,10 @@ static void only_shapes_made_of_floats_have_small_records(void)
     }
     CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) ==
               CYLINT_OK &&
-          !cylint_float_filter_small_of(&small, &shape));
+          !cylint_small_record_of(&small, &shape));
     CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up,
                                    CYLINT_ENDS_CAPPED) == CYLINT_OK &&
-          !cylint_float_filter_small_of(&small, &shape));
+          !cylint_small_record_of(&small, &shape));
 }
 
 /* Compared with long doubles; the bound is not far above the largest error. */

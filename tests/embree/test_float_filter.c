@@ -46,9 +46,11 @@ static void list_builds(void)
     cylint_use_kernels(NULL);
 }
 
-/* A case's line in floats, and its shape, made circular and bounded. */
+/* A question about a case's line in floats, and its shape, made circular and
+ * bounded, with the library's answer. */
 struct scene_query {
-    cylint_float_filter_ray line;
+    cylint_float_filter_question q;
+    cylint_record record;
     const cylint_shape *shape;
     cylint_answer answer;
     int n;
@@ -71,24 +73,40 @@ static float near_shape(const struct scene_query *q, uint64_t index)
     return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
 }
 
-static int make_query(struct scene_query *q, struct family_case *c,
-                      uint64_t index)
+/* Pieces and limits of case i: tfar infinite, or near the first hit. */
+static void set_piece(struct scene_query *x, uint64_t i)
+{
+    const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
+    x->q.shape = &x->record;
+    x->q.tfar = HUGE_VALF;
+    x->q.ends = x->shape->ends;
+    x->q.index = (int)(i / 48) % count;
+    x->q.count = count;
+    x->q.exit_only = i % 11 == 0;
+    x->q.describes = i % 7 != 0;
+    const double t = x->answer.hit[i / 4 % 2 && x->n ? x->n - 1 : 0].t;
+    if (i % 4 == 0 && x->n && t != 0) /* there is no float before 0 */
+        x->q.tfar =
+            cylint_float_after(cylint_float_above(t), (int)(i / 8 % 5) - 2);
+    cylint_filter_record_of(&x->record, x->shape);
+}
+
+static int make_query(struct scene_query *x, const cylint_shape *shape,
+                      const double o[3], const double d[3], uint64_t index)
 {
     cylint_line line;
-    if (!circular(c, index))
-        return 0;
+    memset(&x->q, 0, sizeof x->q);
     for (int j = 0; j < 3; j++) {
-        q->line.o[j] = (float)c->line.o[j];
-        q->line.d[j] = (float)c->line.d[j];
+        x->q.o[j] = (float)o[j];
+        x->q.d[j] = (float)d[j];
     }
-    q->line.tmin = index % 5 ? 0 : -HUGE_VAL;
-    q->line.tmax = HUGE_VAL;
-    if (cylint_span(&line, q->line.o, q->line.d, q->line.tmin, q->line.tmax) !=
-        CYLINT_OK)
+    x->q.tmin = index % 5 ? 0 : -HUGE_VAL;
+    if (cylint_span(&line, x->q.o, x->q.d, x->q.tmin, HUGE_VAL) != CYLINT_OK)
         return 0;
-    q->shape = &c->shape;
-    q->n = cylint_intersect(q->shape, &line, CYLINT_WANT_ALL, &q->answer);
-    q->line.near = near_shape(q, index);
+    x->shape = shape;
+    x->n = cylint_intersect(shape, &line, CYLINT_WANT_ALL, &x->answer);
+    x->q.near = near_shape(x, index);
+    set_piece(x, index);
     return 1;
 }
 
@@ -107,49 +125,22 @@ static int same_floats(const cylint_hit_floats *f, const cylint_hit *hit)
     return same;
 }
 
-static void show(const cylint_float_filter_ray *line,
-                 const struct family_case *c)
-{
-    REPORT("in floats, near %a, from %a:", line->near, line->tmin);
-    REPORT_CASE(c);
-}
-
-/* Questions side by side, with their records. */
+/* Queries side by side. */
 struct crowd {
     struct scene_query query[CYLINT_FLOAT_FILTER_MOST];
     struct family_case from[CYLINT_FLOAT_FILTER_MOST];
-    cylint_float_filter_shape shape[CYLINT_FLOAT_FILTER_MOST];
-    cylint_float_filter_question asked[CYLINT_FLOAT_FILTER_MOST];
+    cylint_float_filter_question *asked[CYLINT_FLOAT_FILTER_MOST];
     int n;
 };
 
-/* The library's first hit on the piece from number `first` on, or NULL. */
-static const cylint_hit *hit_on_piece(const struct scene_query *x,
-                                      const cylint_float_filter_question *q)
+/* The library's first hit on the piece, or NULL. */
+static const cylint_hit *hit_on_piece(const struct scene_query *x)
 {
     for (int i = 0; i < x->n; i++)
-        if (cylint_piece_at(x->answer.hit[i].z, q->count) == q->index &&
-            (!q->exit_only || x->answer.hit[i].side == CYLINT_SIDE_LEAVING))
+        if (cylint_piece_at(x->answer.hit[i].z, x->q.count) == x->q.index &&
+            (!x->q.exit_only || x->answer.hit[i].side == CYLINT_SIDE_LEAVING))
             return &x->answer.hit[i];
     return NULL;
-}
-
-/* Pieces and limits of case i: tfar infinite, or near the first hit. */
-static cylint_float_filter_question question_of(const struct scene_query *x,
-                                                uint64_t i)
-{
-    const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
-    cylint_float_filter_question q = {.line = &x->line,
-                                      .tfar = HUGE_VALF,
-                                      .ends = x->shape->ends,
-                                      .index = (int)(i / 48) % count,
-                                      .count = count,
-                                      .exit_only = i % 11 == 0,
-                                      .describes = i % 7 != 0};
-    const double t = x->answer.hit[i / 4 % 2 && x->n ? x->n - 1 : 0].t;
-    if (i % 4 == 0 && x->n && t != 0) /* there is no float before 0 */
-        q.tfar = cylint_float_after(cylint_float_above(t), (int)(i / 8 % 5) - 2);
-    return q;
 }
 
 /* Up to `most` cases of a family, from number *i on, with shapes of words up to
@@ -160,35 +151,34 @@ static void gather(struct crowd *c, int family, family_shape last, uint64_t *i,
     for (c->n = 0; c->n < most && *i < CASES; ++*i) {
         const int n = c->n;
         struct scene_query *x = &c->query[n];
-        family_case(1, family, *i, &c->from[n]);
-        if (c->from[n].shape_word > last || !make_query(x, &c->from[n], *i))
+        struct family_case *from = &c->from[n];
+        family_case(1, family, *i, from);
+        if (from->shape_word > last || !circular(from, *i) ||
+            !make_query(x, &from->shape, from->line.o, from->line.d, *i))
             continue;
-        cylint_float_filter_shape_of(&c->shape[n], x->shape);
-        c->asked[n] = question_of(x, *i);
-        c->asked[n].shape = &c->shape[n];
-        if (cylint_float_filter_is_round(&c->asked[n]) !=
-            cylint_float_filter_is_round(&c->asked[0]))
+        c->asked[n] = &x->q;
+        if (cylint_float_filter_is_round(c->asked[n]) !=
+            cylint_float_filter_is_round(c->asked[0]))
             return;
         c->n++;
     }
 }
 
 /* Whether a certain answer is that of the library. */
-static int is_right(const struct scene_query *x,
-                    const cylint_float_filter_question *q,
-                    const cylint_float_filter_answer *a, struct tally *tally)
+static int is_right(const struct scene_query *x, struct tally *tally)
 {
-    const cylint_hit *hit = hit_on_piece(x, q);
+    const cylint_float_filter_question *q = &x->q;
+    const cylint_hit *hit = hit_on_piece(x);
     const float t = hit ? cylint_float_above(hit->t) : HUGE_VALF;
     tally->hits += t < q->tfar;
-    tally->certain += a->is == CYLINT_FLOAT_FILTER_HIT;
-    if (a->is == CYLINT_FLOAT_FILTER_UNCERTAIN)
+    tally->certain += q->is == CYLINT_FLOAT_FILTER_HIT;
+    if (q->is == CYLINT_FLOAT_FILTER_UNCERTAIN)
         return 1;
-    if (a->is == CYLINT_FLOAT_FILTER_MISS)
+    if (q->is == CYLINT_FLOAT_FILTER_MISS)
         return !hit || t > q->tfar;
-    return hit && a->t == t && t < q->tfar &&
-           a->leaves == (hit->side == CYLINT_SIDE_LEAVING) &&
-           (!q->describes || same_floats(&a->floats, hit));
+    return hit && q->t == t && t < q->tfar &&
+           q->leaves == (hit->side == CYLINT_SIDE_LEAVING) &&
+           (!q->describes || same_floats(&q->floats, hit));
 }
 
 /* The number of questions in a call is 1 to build->most in turn. */
@@ -199,15 +189,16 @@ static struct tally ask_family(const struct build *build, int family,
     int most = 1;
     for (uint64_t i = 0; i < CASES; most = most % build->most + 1) {
         struct crowd c;
-        cylint_float_filter_answer a[CYLINT_FLOAT_FILTER_MOST];
         gather(&c, family, last, &i, most);
         if (c.n == 0)
             continue;
-        build->answer(c.asked, c.n, a);
+        build->answer(c.asked, c.n);
         for (int k = 0; k < c.n; k++)
-            if (!CHECK(is_right(&c.query[k], &c.asked[k], &a[k], &tally))) {
-                REPORT("%s, %d of %d, %d:", build->name, k, c.n, (int)a[k].is);
-                show(&c.query[k].line, &c.from[k]);
+            if (!CHECK(is_right(&c.query[k], &tally))) {
+                const cylint_float_filter_question *q = c.asked[k];
+                REPORT("%s, %d of %d, %d; in floats, near %a, from %a:",
+                       build->name, k, c.n, (int)q->is, q->near, q->tmin);
+                REPORT_CASE(&c.from[k]);
             }
     }
     return tally;
@@ -268,26 +259,15 @@ static void a_small_z_is_no_more_certain_than_the_librarys(void)
     struct tally tally = {0, 0};
     struct scene_query x;
     cylint_shape shape;
-    cylint_line line;
-    memset(&x, 0, sizeof x);
-    memcpy(x.line.o, o, sizeof o);
-    memcpy(x.line.d, d, sizeof d);
-    x.line.tmax = HUGE_VAL;
-    x.line.near = HUGE_VALF;
-    x.shape = &shape;
+    cylint_float_filter_question *const one = &x.q;
     CHECK(cylint_cylinder(&shape, p0, p1, 0x1.bef9b1a9p+18, CYLINT_ENDS_OPEN) ==
           CYLINT_OK);
-    CHECK(cylint_span(&line, o, d, 0, HUGE_VAL) == CYLINT_OK);
-    x.n = cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &x.answer);
+    CHECK(make_query(&x, &shape, o, d, 1));
+    x.q.near = HUGE_VALF;
     CHECK(x.n == 1 && x.answer.hit[0].z < 0x1p-30);
-    cylint_float_filter_shape record;
-    cylint_float_filter_shape_of(&record, &shape);
-    cylint_float_filter_question q = question_of(&x, 1);
-    q.shape = &record;
     for (int b = 0; b < n_builds; b++) {
-        cylint_float_filter_answer a;
-        builds[b].answer(&q, 1, &a);
-        CHECK(is_right(&x, &q, &a, &tally));
+        builds[b].answer(&one, 1);
+        CHECK(is_right(&x, &tally));
     }
 }
 
@@ -313,30 +293,34 @@ static void compare_records(const struct build *build, int family, long *same)
 {
     for (uint64_t i = 0; i < CASES / 5;) {
         struct crowd c;
-        cylint_float_filter_small small[CYLINT_FLOAT_FILTER_MOST];
-        cylint_float_filter_question asked[CYLINT_FLOAT_FILTER_MOST];
-        cylint_float_filter_answer a[2][CYLINT_FLOAT_FILTER_MOST];
+        cylint_small_record small[CYLINT_FLOAT_FILTER_MOST];
+        cylint_float_filter_question x[CYLINT_FLOAT_FILTER_MOST],
+            *asked[CYLINT_FLOAT_FILTER_MOST];
         gather(&c, family, FAMILY_RCONE, &i, build->most);
         for (int k = 0; k < c.n; k++) {
             cylint_shape *shape = &c.from[k].shape;
             if (!in_floats(&c.from[k], shape) ||
-                !cylint_float_filter_small_of(&small[k], shape)) {
+                !cylint_small_record_of(&small[k], shape)) {
                 c.n = k;
                 break;
             }
-            cylint_float_filter_shape_of(&c.shape[k], shape);
-            asked[k] = c.asked[k];
-            asked[k].shape = &small[k];
-            asked[k].small = 1;
+            cylint_filter_record_of(&c.query[k].record, shape);
+            x[k] = *c.asked[k];
+            x[k].shape = &small[k];
+            x[k].small = 1;
+            asked[k] = &x[k];
         }
         if (c.n == 0)
             continue;
-        memset(a, 0, sizeof a);
-        build->answer(c.asked, c.n, a[0]);
-        build->answer(asked, c.n, a[1]);
-        CHECK(memcmp(a[0], a[1], sizeof a[0]) == 0);
-        for (int k = 0; k < c.n; k++)
-            *same += a[0][k].is != CYLINT_FLOAT_FILTER_UNCERTAIN;
+        build->answer(c.asked, c.n);
+        build->answer(asked, c.n);
+        for (int k = 0; k < c.n; k++) {
+            const cylint_float_filter_question *y = c.asked[k];
+            CHECK(x[k].is == y->is && x[k].leaves == y->leaves &&
+                  memcmp(&x[k].t, &y->t, sizeof y->t) == 0 &&
+                  memcmp(&x[k].floats, &y->floats, sizeof y->floats) == 0);
+            *same += y->is != CYLINT_FLOAT_FILTER_UNCERTAIN;
+        }
     }
 }
 

@@ -10,25 +10,20 @@
 
 /* --------------------------------------------------------------- motion -- */
 
-static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
+/* Traces SOME shapes that move, with packets and rays of four times, beside the
+ * library's shapes of those times.  Returns the number of hits of single rays. */
+static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
+                        uint64_t *state)
 {
     static const float times[4] = {0, 0.25f, 0.5f, 1};
-    cylint_shape shapes[SOME], moved[SOME], now[SOME];
+    static const int sizes[4] = {1, 4, 8, 16};
+    cylint_shape now[SOME];
     cylint_embree_options options = {0};
     struct world w, at;
-    uint64_t state = 5;
     int hits = 0;
-    world_shapes(&state, SCENE_MIXED, shapes, SOME);
-    for (int i = 0; i < SOME; i++) {
-        double c[3];
-        for (int k = 0; k < 3; k++)
-            c[k] = world_uniform(&state);
-        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c, 0.3,
-                    0.05, &moved[i]);
-    }
     options.moved = moved;
     if (!CHECK(world_make(&w, shapes, SOME, &options)))
-        return;
+        return 0;
     at = w;
     at.pack_memory = malloc(cylint_pack_bytes(SOME));
     for (int turn = 0; turn < 4; turn++) {
@@ -38,11 +33,10 @@ static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
         cylint_pack_shapes(&at.pack, at.pack_memory, now, SOME);
         at.shapes = now;
         for (int i = 0; i < 500; i++) {
-            static const int sizes[4] = {1, 4, 8, 16};
             struct rays r;
             rays_begin(&r, sizes[i % 4]);
             for (int k = 0; k < r.n; k++) {
-                aim(&state, &r, k);
+                aim(state, &r, k);
                 rays_at(&r, RAY_TIME, k)->f = times[turn];
             }
             rays_intersect(&r, w.scene, NULL);
@@ -55,9 +49,47 @@ static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
                     world_show(&at, &r, k);
         }
     }
-    CHECK(hits > 100);
     free(at.pack_memory);
     world_free(&w);
+    return hits;
+}
+
+static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
+{
+    cylint_shape shapes[SOME], moved[SOME];
+    uint64_t state = 5;
+    world_shapes(&state, SCENE_MIXED, shapes, SOME);
+    for (int i = 0; i < SOME; i++) {
+        double c[3];
+        for (int k = 0; k < 3; k++)
+            c[k] = world_uniform(&state);
+        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c, 0.3,
+                    0.05, &moved[i]);
+    }
+    CHECK(trace_moving(shapes, moved, &state) > 100);
+}
+
+/* Round cones that are two balls about one centre at time 0: of these the larger
+ * one is hit. */
+static void a_ball_that_becomes_a_round_cone_is_hit_where_it_is(void)
+{
+    cylint_shape shapes[SOME], moved[SOME];
+    uint64_t state = 6;
+    for (int i = 0; i < SOME; i++) {
+        const double radius[3] = {0.25, 0.5, 0.25};
+        double c[3], top[3];
+        float d[3];
+        world_direction(&state, d);
+        for (int k = 0; k < 3; k++) {
+            c[k] = cbrt(SOME) * (world_uniform(&state) - 0.5);
+            top[k] = c[k] + 2 * (double)d[k];
+        }
+        CHECK(!cylint_round_cone(&shapes[i], c, radius[i % 2], c,
+                                 radius[i % 2 + 1], CYLINT_ENDS_CAPPED) &&
+              !cylint_round_cone(&moved[i], c, 0.5, top, radius[i % 2 + 1],
+                                 CYLINT_ENDS_CAPPED));
+    }
+    CHECK(trace_moving(shapes, moved, &state) > 100);
 }
 
 /* The numbers given to the constructors change linearly. */
@@ -442,6 +474,7 @@ static void every_status_has_its_text(void)
 int main(void)
 {
     RUN(moving_shapes_are_hit_where_they_are_at_the_rays_time);
+    RUN(a_ball_that_becomes_a_round_cone_is_hit_where_it_is);
     RUN(between_moves_the_constructors_numbers);
     RUN(an_update_reads_the_changed_shapes);
     RUN(the_scenes_box_is_the_padded_box_of_the_shapes);

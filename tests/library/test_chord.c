@@ -15,9 +15,8 @@
 #include "random.h"
 #include "ulps.h"
 #ifdef HAVE_MPFR
-#include <mpfr.h>
-
 #include "oracle.h"
+#include "real.h"
 #endif
 
 static uint64_t rng;
@@ -91,8 +90,7 @@ static void limit(struct family_case *c)
         return;
     const double t = a.hit[choice(a.n)].t;
     if (fabs(t) < DBL_MAX)
-        *(choice(2) ? &c->line.tmin : &c->line.tmax) =
-            stepped(t, choice(3) - 1);
+        *(choice(2) ? &c->line.tmin : &c->line.tmax) = stepped(t, choice(3) - 1);
     if (!(c->line.tmin <= c->line.tmax))
         c->line.tmin = c->line.tmax;
 }
@@ -170,26 +168,19 @@ static double error_of_length(const cylint_line *line)
 {
     const double got = cylint_line_length(line);
     const double above = nextafter(got, HUGE_VAL);
-    mpfr_t x, sum;
-    mpfr_inits2(4400, x, sum, (mpfr_ptr)0);
-    mpfr_set_zero(sum, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(x, line->segment ? line->end[i] : line->d[i], MPFR_RNDN);
-        if (line->segment)
-            mpfr_sub_d(x, x, line->o[i], MPFR_RNDN);
-        mpfr_sqr(x, x, MPFR_RNDN);
-        mpfr_add(sum, sum, x, MPFR_RNDN);
-    }
-    mpfr_sqrt(sum, sum, MPFR_RNDN);
-    double error = mpfr_get_d(sum, MPFR_RNDN) > DBL_MAX ? 0 : HUGE_VAL;
-    if (got <= DBL_MAX) {
-        mpfr_sub_d(sum, sum, got, MPFR_RNDN);
-        if (above <= DBL_MAX)
-            mpfr_div_d(sum, sum, above - got, MPFR_RNDN);
-        error = mpfr_get_d(sum, MPFR_RNDA);
-    }
-    mpfr_clears(x, sum, (mpfr_ptr)0);
-    return error;
+    vector d;
+    real_fixed(4400);
+    if (line->segment)
+        set_difference(d, line->end, line->o);
+    else
+        set(d, line->d);
+    const real length = norm(d), unit = minus(real_of(above), real_of(got));
+    if (!(got <= DBL_MAX))
+        return mpfr_get_d(length->x, RND) > DBL_MAX ? 0 : HUGE_VAL;
+    real error = minus(length, real_of(got));
+    if (above <= DBL_MAX)
+        error = over(error, unit);
+    return mpfr_get_d(error->x, MPFR_RNDA);
 }
 
 /* Of exponents that are near each other, of all, or about the least normal one. */

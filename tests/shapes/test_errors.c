@@ -7,14 +7,11 @@
  * the nearest double is tested in library/test_intersect.c.  CYLINT_CASES and
  * CYLINT_SEED change the cases.
  */
-#include "check.h"
-
-#ifdef HAVE_MPFR
-
-#include <mpfr.h>
 #include <string.h>
 
+#include "check.h"
 #include "constructed.h"
+#include "real.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
 
@@ -59,70 +56,42 @@ static void the_manual_shows_these_errors(void)
 
 enum { BITS = 4400 }; /* holds the sum and product of any two doubles */
 
-static mpfr_t m_[6];
-
-static void set_difference(mpfr_t x, double a, double b)
-{
-    mpfr_set_d(x, a, MPFR_RNDN);
-    mpfr_sub_d(x, x, b, MPFR_RNDN);
-}
-
-/* m_[0] += x^2, exactly */
-static void add_square(double a, double b)
-{
-    set_difference(m_[2], a, b);
-    mpfr_sqr(m_[2], m_[2], MPFR_RNDN);
-    mpfr_add(m_[0], m_[0], m_[2], MPFR_RNDN);
-}
-
-static void axis_ends(const cylint_shape *s, int i, double *a, double *b)
+/* The square of the axis's component. */
+static real axis_square(const cylint_shape *s, int i)
 {
     const int points = cylint_has_end_points(s->kind);
-    *a = points ? cylint_top(s)[i] : cylint_axis(s)[i];
-    *b = points ? cylint_base(s)[i] : 0;
+    return square_of(minus(real_of(points ? cylint_top(s)[i] : cylint_axis(s)[i]),
+                           real_of(points ? cylint_base(s)[i] : 0)));
 }
 
-/* m_[0] = half the width of the disc of cap i, or of the ball about end i,
- * along coordinate j. */
-static void true_reach(const cylint_shape *s, int i, int j)
+/* Half the width of the disc of cap i, or of the ball about end i, along
+ * coordinate j. */
+static real true_reach(const cylint_shape *s, int i, int j)
 {
-    double a, b;
-    mpfr_set_zero(m_[0], 1);
-    if (cylint_is_round(s->kind)) {
-        mpfr_set_ui(m_[0], 1, MPFR_RNDN);
-    } else if (cylint_is_elliptic(s->kind)) {
-        add_square(cylint_a(s)[j], 0);
-        add_square(cylint_b(s)[j], 0);
+    const real r = real_of(i ? cylint_r1(s) : cylint_r0(s));
+    real square;
+    if (cylint_is_round(s->kind))
+        return r;
+    if (cylint_is_elliptic(s->kind)) {
+        square = plus(square_of(real_of(cylint_a(s)[j])),
+                      square_of(real_of(cylint_b(s)[j])));
     } else {
-        for (int k = 1; k < 3; k++) {
-            axis_ends(s, (j + k) % 3, &a, &b);
-            add_square(a, b);
-        }
-        if (s->kind != CYLINT_KIND_ACONE && !mpfr_zero_p(m_[0])) {
-            mpfr_set(m_[3], m_[0], MPFR_RNDN);
-            axis_ends(s, j, &a, &b);
-            add_square(a, b);
-            mpfr_div(m_[0], m_[3], m_[0], MPFR_RNDN);
-        }
+        square = plus(axis_square(s, (j + 1) % 3), axis_square(s, (j + 2) % 3));
+        if (s->kind != CYLINT_KIND_ACONE)
+            square = over(square, plus(square, axis_square(s, j)));
     }
-    if (!cylint_is_round(s->kind))
-        mpfr_sqrt(m_[0], m_[0], MPFR_RNDN);
-    mpfr_mul_d(m_[0], m_[0], i ? cylint_r1(s) : cylint_r0(s), MPFR_RNDN);
+    return times(root_of(square), r);
 }
 
-/* m_[1] = the bound of cap i's disc */
-static void true_bound(const cylint_shape *s, int i, int j, int up)
+/* The bound of cap i's disc. */
+static real true_bound(const cylint_shape *s, int i, int j, int up)
 {
-    true_reach(s, i, j);
-    mpfr_set_d(m_[1], cylint_base(s)[j], MPFR_RNDN);
+    real center = real_of(cylint_base(s)[j]);
     if (i && cylint_has_end_points(s->kind))
-        mpfr_set_d(m_[1], cylint_top(s)[j], MPFR_RNDN);
+        center = real_of(cylint_top(s)[j]);
     else if (i)
-        mpfr_add_d(m_[1], m_[1], cylint_axis(s)[j], MPFR_RNDN);
-    if (up)
-        mpfr_add(m_[1], m_[1], m_[0], MPFR_RNDN);
-    else
-        mpfr_sub(m_[1], m_[1], m_[0], MPFR_RNDN);
+        center = plus(center, real_of(cylint_axis(s)[j]));
+    return (up ? plus : minus)(center, true_reach(s, i, j));
 }
 
 /* Where coordinate and half width cancel, the error is that of pairs of
@@ -143,29 +112,23 @@ static double cancelled(const cylint_shape *s, int j)
  * the solid. */
 static double looseness(const cylint_shape *s, int j, int up, double side)
 {
-    true_bound(s, 0, j, up);
-    mpfr_set(m_[4], m_[1], MPFR_RNDN);
+    const real away = real_of(up ? 1 : -1);
+    real bound = true_bound(s, 0, j, up);
     if (s->ends < CYLINT_ENDS_INFINITE) {
-        true_bound(s, 1, j, up);
-        if (up ? mpfr_greater_p(m_[1], m_[4]) : mpfr_less_p(m_[1], m_[4]))
-            mpfr_set(m_[4], m_[1], MPFR_RNDN);
+        const real other = true_bound(s, 1, j, up);
+        if (sign_of(times(away, minus(other, bound))) > 0)
+            bound = other;
     }
-    const double nearest = mpfr_get_d(m_[4], MPFR_RNDN);
-    if (isinf(side)) {
-        if ((side > 0) != up || isinf(nearest))
-            return (side > 0) != up ? HUGE_VAL : 0;
-        mpfr_set_d(m_[5], up ? 1 : -1, MPFR_RNDN);
-        mpfr_mul_2si(m_[5], m_[5], 1024, MPFR_RNDN);
-    } else {
-        mpfr_set_d(m_[5], side, MPFR_RNDN);
-    }
-    mpfr_sub(m_[5], m_[5], m_[4], MPFR_RNDN);
-    if (!up)
-        mpfr_neg(m_[5], m_[5], MPFR_RNDN);
-    if (mpfr_sgn(m_[5]) < 0)
+    const double nearest = mpfr_get_d(bound->x, RND);
+    if (isinf(side) && ((side > 0) != up || isinf(nearest)))
+        return (side > 0) != up ? HUGE_VAL : 0;
+    const real at =
+        isinf(side) ? times(away, power_of_two(1024)) : real_of(side);
+    const real gap = times(away, minus(at, bound));
+    if (mpfr_sgn(gap->x) < 0)
         return HUGE_VAL;
-    mpfr_div_d(m_[5], m_[5], fmax(ulp(nearest), cancelled(s, j)), MPFR_RNDN);
-    return mpfr_get_d(m_[5], MPFR_RNDU);
+    const double unit = fmax(ulp(nearest), cancelled(s, j));
+    return mpfr_get_d(over(gap, real_of(unit))->x, MPFR_RNDU);
 }
 
 /* Bounded solids, and whole cylinders across their axes. */
@@ -174,13 +137,13 @@ static void measure_box(const struct family_case *c, double most)
     const cylint_shape *s = &c->shape;
     const int constant =
         s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_ECYLINDER;
-    double box[2][3], a, b;
+    double box[2][3];
     if (s->ends >= CYLINT_ENDS_INFINITE && !constant)
         return;
+    real_fixed(BITS);
     cylint_bounds(s, box[0], box[1]);
     for (int j = 0; j < 3; j++) {
-        axis_ends(s, j, &a, &b);
-        if (s->ends >= CYLINT_ENDS_INFINITE && a != b)
+        if (s->ends >= CYLINT_ENDS_INFINITE && sign_of(axis_square(s, j)))
             continue;
         for (int up = 0; up < 2; up++) {
             const double off = looseness(s, j, up, box[up][j]);
@@ -226,8 +189,6 @@ static void make_case(int family, uint64_t i, struct family_case *c)
 
 static void boxes_and_tangents_have_their_errors(void)
 {
-    for (int i = 0; i < 6; i++)
-        mpfr_init2(m_[i], BITS);
     for (int f = 0; f < family_count() + 2; f++)
         for (uint64_t i = 0; i < check_setting("CYLINT_CASES", CASES); i++) {
             struct family_case c;
@@ -240,8 +201,6 @@ static void boxes_and_tangents_have_their_errors(void)
                                       : ROUND_ULPS);
             measure_tangent(&c);
         }
-    for (int i = 0; i < 6; i++)
-        mpfr_clear(m_[i]);
     mpfr_free_cache();
 }
 
@@ -250,8 +209,7 @@ static void boxes_and_tangents_have_their_errors(void)
 #define ALL INFINITY
 #define WHOLE "line 0 0 0 1 0 0 "
 
-/* Unbounded solids; sizes at both ends of the range, of which boxes were too small,
- * Unbounded solids; sizes at both ends of the range, of which boxes were too
+/* Unbounded solids; sizes at both ends of the range, of which boxes were too
  * small, infinite or NaN; boxes where nothing is rounded.  Sides are outward by
  * at most `ulps` units. */
 static const struct {
@@ -333,10 +291,8 @@ static void named_boxes_are_tight(void)
         cylint_bounds(&c.shape, lo, hi);
         for (int k = 0; k < 3; k++)
             if (!CHECK(lo[k] <= named[i].lo[k] && hi[k] >= named[i].hi[k] &&
-                       lo[k] >= stepped(named[i].lo[k],
-                                                    -named[i].ulps) &&
-                       hi[k] <=
-                           stepped(named[i].hi[k], named[i].ulps)))
+                       lo[k] >= stepped(named[i].lo[k], -named[i].ulps) &&
+                       hi[k] <= stepped(named[i].hi[k], named[i].ulps)))
                 REPORT("%s: coordinate %d from %a to %a", named[i].shape, k,
                        lo[k], hi[k]);
         CHECK(lo[3] == 7 && hi[3] == 7);
@@ -365,12 +321,3 @@ int main(void)
     RUN(boxes_and_tangents_have_their_errors);
     return check_end();
 }
-
-#else
-
-int main(void)
-{
-    return check_skip("no MPFR: nothing to measure against (make deps)");
-}
-
-#endif
