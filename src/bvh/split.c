@@ -79,10 +79,10 @@ static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
     }
 }
 
-/* The shapes [from, to) of one thread; their pieces, which begin at `first`; and
- * the box of these. */
+/* Of the shapes of one thread, the pieces, which begin at `first`, and the box of
+ * these. */
 typedef struct {
-    size_t from, to, first, pieces;
+    size_t first, pieces;
     cylint_extent all;
     cylint_bvh_status status;
     size_t refused;
@@ -94,12 +94,16 @@ typedef struct {
     portion portion[CYLINT_THREADS_MOST];
 } split_job;
 
-static cylint_bvh_status split_portion(portion *s, const split_job *job)
+static cylint_bvh_status split_portion(const split_job *job, size_t k,
+                                       portion *s)
 {
     const cylint_bvh_input *input = job->input;
+    const size_t threads = (size_t)input->threads, each = input->n / threads,
+                 to = k + 1 < threads ? each * (k + 1) : input->n;
     cut_shape shape;
     s->pieces = 0;
-    for (size_t i = s->from; i < s->to; i++) {
+    s->all = cylint_extent_empty();
+    for (size_t i = each * k; i < to; i++) {
         if (!cylint_watch_item(input->watch, i))
             return CYLINT_BVH_ESTOPPED;
         s->refused = number_of(input, i);
@@ -119,7 +123,8 @@ static void split_portions(void *self, size_t from, size_t to)
 {
     split_job *job = self;
     for (; from < to; from++)
-        job->portion[from].status = split_portion(&job->portion[from], job);
+        job->portion[from].status =
+            split_portion(job, from, &job->portion[from]);
 }
 
 /* Counts or writes the pieces of all portions. */
@@ -139,23 +144,12 @@ static cylint_bvh_status split_all(split_job *job, size_t *refused)
     return CYLINT_BVH_OK;
 }
 
-static void make_portions(split_job *job)
-{
-    const size_t n = job->input->n, threads = (size_t)job->input->threads;
-    for (size_t i = 0; i < threads; i++)
-        job->portion[i] =
-            (portion){.from = n / threads * i,
-                      .to = i + 1 < threads ? n / threads * (i + 1) : n,
-                      .all = cylint_extent_empty()};
-}
-
 cylint_bvh_status cylint_split_shapes(cylint_split *split,
                                       const cylint_bvh_input *input,
                                       size_t *refused)
 {
     split_job job = {.input = input};
     *split = (cylint_split){.all = cylint_extent_empty()};
-    make_portions(&job);
     cylint_bvh_status status = split_all(&job, refused);
     if (status != CYLINT_BVH_OK)
         return status;

@@ -54,15 +54,6 @@ CYLINT_INLINE int cylint_record_kind(const cylint_records *records,
     return records->tag[number] & CYLINT_TAG_KIND;
 }
 
-/* The solid of a closed shape made of a plain record. */
-CYLINT_INLINE int cylint_solid_of_record(int kind)
-{
-    return kind == CYLINT_KIND_CYLINDER  ? CYLINT_SOLID_CYLINDER
-           : kind == CYLINT_KIND_CONE    ? CYLINT_SOLID_CONE
-           : kind == CYLINT_KIND_CAPSULE ? CYLINT_SOLID_CAPSULE
-                                         : CYLINT_SOLID_ROUND_CONE;
-}
-
 CYLINT_INLINE int cylint_record_ends(const cylint_records *records,
                                      size_t number)
 {

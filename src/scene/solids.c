@@ -131,16 +131,16 @@ static uint32_t number_of_solid(const cylint_membership *member, size_t n)
 static int has_bounded_clause(const cylint_scene *scene,
                               const cylint_membership *member, size_t n)
 {
-    int is_bounded = 0;
-    for (size_t i = 0; i < n; i++) {
-        if (i > 0 && member[i].clause != member[i - 1].clause &&
-            member[i].clause != -member[i - 1].clause && is_bounded)
+    for (size_t i = 0; i < n;) {
+        const int32_t clause = abs(member[i].clause);
+        int is_bounded = 1;
+        for (; i < n && abs(member[i].clause) == clause; i++)
+            is_bounded &=
+                member[i].clause > 0 && !is_other(scene, member[i].shape);
+        if (is_bounded)
             return 1;
-        if (i == 0 || abs(member[i].clause) != abs(member[i - 1].clause))
-            is_bounded = 1;
-        is_bounded &= member[i].clause > 0 && !is_other(scene, member[i].shape);
     }
-    return is_bounded;
+    return 0;
 }
 
 static void make_each_solid(cylint_solids *s, const cylint_scene *scene)

@@ -161,8 +161,8 @@ static void visit_chords_of_kind(line_visit *v, int kind,
         return;
     }
     cylint_chords_of_records(v->scene->records.record,
-                             cylint_solid_of_record(kind), number, n, v->domain,
-                             chord, count);
+                             cylint_solid(kind, CYLINT_ENDS_CAPPED), number, n,
+                             v->domain, chord, count);
     for (size_t i = 0; i < n; i++)
         if (count[i] > 0)
             v->chord(v->context, number[i], chord[i]);

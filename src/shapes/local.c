@@ -250,7 +250,7 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
         error <= CYLINT_LOCAL_WORST &&
         (!round || fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST);
     s->library.flag[CYLINT_AT_PREPARED] =
-        accurate ? cylint_solid(s) : CYLINT_SOLID_NONE;
+        accurate ? cylint_solid(s->kind, s->ends) : CYLINT_SOLID_NONE;
     if (round && !accurate)
         x[CYLINT_AT_HEIGHT] = 0;
 #if LANES == 4

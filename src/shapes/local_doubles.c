@@ -106,7 +106,7 @@ void cylint_local_in_doubles(cylint_shape *s, int kind, int ends,
     s->ends = ends;
     s->library.flag[CYLINT_AT_IN_RANGE] = 1;
     s->library.flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
-    s->library.flag[CYLINT_AT_PREPARED] = cylint_solid(s);
+    s->library.flag[CYLINT_AT_PREPARED] = cylint_solid(kind, ends);
     store_two(x + CYLINT_AT_BASE, p0[0], p0[1]);
     x[CYLINT_AT_BASE + 2] = p0[2];
     store_two(x + CYLINT_AT_R0, r0, r1);

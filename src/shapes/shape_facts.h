@@ -190,18 +190,18 @@ enum {
     X(capsule, CYLINT_SOLID_CAPSULE)               \
     X(round_cone, CYLINT_SOLID_ROUND_CONE)
 
-CYLINT_INLINE int cylint_solid(const cylint_shape *s)
+CYLINT_INLINE int cylint_solid(int kind, int ends)
 {
     /* untaken 2 of 4: callers have neither */
-    if (s->kind == CYLINT_KIND_NONE || cylint_is_plane(s->kind))
+    if (kind == CYLINT_KIND_NONE || cylint_is_plane(kind))
         return CYLINT_SOLID_NONE;
-    if (cylint_is_round(s->kind))
-        return CYLINT_SOLID_SPHERE + (s->kind - CYLINT_KIND_SPHERE);
-    if (cylint_ends_are_planes(s->ends))
-        return cylint_is_tapered(s->kind) ? CYLINT_SOLID_CONE
-                                          : CYLINT_SOLID_CYLINDER;
-    return !cylint_is_tapered(s->kind) ? CYLINT_SOLID_WHOLE_CYLINDER
-           : cylint_is_nappe(s)        ? CYLINT_SOLID_NAPPE
+    if (cylint_is_round(kind))
+        return CYLINT_SOLID_SPHERE + (kind - CYLINT_KIND_SPHERE);
+    if (cylint_ends_are_planes(ends))
+        return cylint_is_tapered(kind) ? CYLINT_SOLID_CONE
+                                       : CYLINT_SOLID_CYLINDER;
+    return !cylint_is_tapered(kind)    ? CYLINT_SOLID_WHOLE_CYLINDER
+           : ends == CYLINT_ENDS_NAPPE ? CYLINT_SOLID_NAPPE
                                        : CYLINT_SOLID_DOUBLE_CONE;
 }
 

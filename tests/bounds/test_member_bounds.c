@@ -8,8 +8,7 @@
  * has the largest error of a number over its bound, which must be at most 1.  A
  * bound 0 is that of an exact number.
  *
- * Shapes: all kinds, oblique, needles, discs, upright; sizes from 2^-20 to 2^20.
- * Lines: origins up to 1e8 sizes away, grazing, parallel to axes, segments.
+ * Shapes and lines are those of the families.
  */
 #define CYLINT_NARROW
 #include "numbers/double_double.h" /* before simd.h */
@@ -21,12 +20,12 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "families.h"
 #include "filter/describe.h"
 #include "random.h"
 #include "true_shape.h"
-#include "vectors.h"
 
-enum { BITS = 448, LINES = 4, ROOTS = 3 };
+enum { BITS = 448, ROOTS = 12 };
 
 static uint64_t stream = 24;
 
@@ -38,178 +37,6 @@ static double unit(void) /* in [-1, 1) */
 static int below(int n)
 {
     return random_int(&stream, n);
-}
-
-/* Either sign of 2^e, e from -range to range. */
-static double power(int range)
-{
-    return ldexp(1 + random_unit(&stream), below(2 * range + 1) - range);
-}
-
-/* -------------------------------------------------------------- shapes -- */
-
-/* Along a coordinate, of whole numbers, or any. */
-static void any_vector(double v[3], double size)
-{
-    const int how = below(6), i = below(3);
-    for (int j = 0; j < 3; j++)
-        v[j] = how == 0   ? (i == j ? (below(2) ? 1 : -1) : 0)
-               : how == 1 ? below(7) - 3
-                          : unit();
-    v[i] = v[i] == 0 ? 1 : v[i];
-    for (int j = 0; j < 3; j++)
-        v[j] *= size;
-}
-
-static void add_to(double to[3], double by, const double v[3])
-{
-    for (int j = 0; j < 3; j++)
-        to[j] += by * v[j];
-}
-
-/* Makes the first two of the size, and all of them oblique or not. */
-static void any_semi_axes(double a[3], double b[3], double h[3], double size)
-{
-    double other[3];
-    any_vector(other, 1);
-    any_vector(h, 1);
-    cross3(a, h, other);
-    cross3(b, a, h);
-    if (below(4) == 0) { /* a component of b x h that cancels */
-        const int i = below(3);
-        const double by = unit();
-        h[i] = by * b[i];
-        h[(i + 1) % 3] = by * b[(i + 1) % 3] * (1 + ldexp(1, -below(50)));
-    } else if (below(2)) {
-        add_to(b, 3 * unit(), a);
-        add_to(h, ldexp(unit(), below(8)), a);
-        add_to(h, unit(), b);
-    }
-    const double scale[3] = {size, size * power(below(8)),
-                             size * power(below(16))};
-    for (int j = 0; j < 3; j++) {
-        a[j] *= scale[0];
-        b[j] *= scale[1];
-        h[j] *= scale[2];
-    }
-}
-
-/* Whether it is one that pairs serve. */
-static int any_shape(cylint_shape *s)
-{
-    static const cylint_ends all[] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_CAPPED,
-                                      CYLINT_ENDS_INFINITE, CYLINT_ENDS_NAPPE};
-    const int kind = CYLINT_KIND_CYLINDER + below(CYLINT_KINDS - 1);
-    const double size = below(3) ? 1 : power(20);
-    const double thin = below(2) ? power(1) : power(below(20));
-    const double r = size * (below(2) ? 1 : 0.5 + random_unit(&stream));
-    const double r1 = below(4) ? r * 2 * random_unit(&stream) : 0;
-    const cylint_ends ends = all[below(4)];
-    double p[3], q[3], w[3], a[3], b[3], h[3];
-    any_vector(p, below(3) ? size : size * power(below(20)));
-    any_vector(w, size * thin);
-    any_semi_axes(a, b, h, size);
-    for (int j = 0; j < 3; j++)
-        q[j] = p[j] + w[j];
-    switch (kind) {
-    case CYLINT_KIND_CYLINDER:
-        cylint_cylinder(s, p, q, r, ends);
-        break;
-    case CYLINT_KIND_CONE:
-        below(2) ? cylint_cone(s, p, r, q, r1, ends)
-                 : cylint_cone(s, p, r1, q, r, ends);
-        break;
-    case CYLINT_KIND_ACONE:
-        cylint_angle_cone(s, p, w,
-                          below(2) ? 90 * random_unit(&stream)
-                                   : 45 * ldexp(1, -below(20)),
-                          ends);
-        break;
-    case CYLINT_KIND_ECYLINDER:
-        cylint_elliptic_cylinder(s, p, a, b, h, ends);
-        break;
-    case CYLINT_KIND_ECONE:
-        cylint_elliptic_cone(s, p, a, b, h, r1 / size, ends);
-        break;
-    case CYLINT_KIND_SPHERE:
-        cylint_sphere(s, p, r, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_CAPSULE:
-        cylint_capsule(s, p, q, r, CYLINT_ENDS_CAPPED);
-        break;
-    default:
-        cylint_round_cone(s, p, r, q, r1, CYLINT_ENDS_CAPPED);
-    }
-    return cylint_prepared(s) != CYLINT_SOLID_NONE;
-}
-
-/* --------------------------------------------------------------- lines -- */
-
-/* A point near the surface, the direction from the axis to it, and its distance
- * from the axis. */
-static double any_place(const cylint_shape *s, double p[3], double out[3])
-{
-    const int solid = cylint_prepared(s);
-    const double turn = 6.283185307179586 * random_unit(&stream);
-    const double z = random_unit(&stream), x = cos(turn), y = sin(turn);
-    const double in = below(3) ? 1 : below(4) ? random_unit(&stream) : 0;
-    const double end = below(4) ? z : below(2);
-    double from[3] = {0, 0, 0}, to[3] = {0, 0, 0}, r = cylint_r0(s);
-    if (cylint_solid_is_ball(solid)) {
-        any_vector(out, 1);
-    } else {
-        for (int j = 0; j < 3; j++) {
-            from[j] = cylint_is_elliptic(s->kind) ? cylint_a(s)[j]
-                                                  : cylint_column(s, j)[0];
-            to[j] = cylint_is_elliptic(s->kind) ? cylint_b(s)[j]
-                                                : cylint_column(s, j)[1];
-            out[j] = x * from[j] + y * to[j];
-        }
-    }
-    if (cylint_solid_is_tapered(solid))
-        r = (1 - end) * r + end * cylint_r1(s);
-    if (cylint_has_tangent(s->kind))
-        r *= dot3(cylint_axis(s), cylint_axis(s));
-    for (int j = 0; j < 3; j++) {
-        p[j] = cylint_base(s)[j] + in * r * out[j];
-        if (!cylint_solid_is_ball(solid))
-            p[j] += end * cylint_axis(s)[j];
-        if (cylint_solid_is_round(solid) && below(2))
-            p[j] += r * unit();
-    }
-    return in * r * sqrt(dot3(out, out));
-}
-
-static void any_line(cylint_line *line, const cylint_shape *s)
-{
-    double p[3], out[3], d[3], o[3], other[3];
-    const double r = any_place(s, p, out);
-    const double size = r > 0 ? r : cylint_axis_size(s);
-    any_vector(d, 1);
-    if (below(3) == 0) { /* grazing */
-        any_vector(other, 1);
-        cross3(d, out, other);
-        add_to(d, ldexp(unit(), -below(50)), out);
-    }
-    if (below(8) == 0)
-        memcpy(d, cylint_axis(s), sizeof d);
-    if (dot3(d, d) == 0)
-        any_vector(d, 1);
-    const double length = sqrt(dot3(d, d));
-    const double back = below(6)   ? size * ldexp(unit(), 6 - below(12))
-                        : below(2) ? size * ldexp(unit(), below(27))
-                                   : 0;
-    for (int j = 0; j < 3; j++)
-        o[j] = p[j] - back / length * d[j];
-    if (below(4) == 0) {
-        for (int j = 0; j < 3; j++)
-            p[j] += size * unit();
-        cylint_segment(line, o, p);
-    } else {
-        for (int j = 0; j < 3; j++)
-            d[j] *= below(2) ? 1 : 1 / length;
-        cylint_whole_line(line, o, d);
-    }
 }
 
 /* --------------------------------------------------------------- truth -- */
@@ -521,22 +348,20 @@ static int judge_line(const cylint_shape *s, const cylint_line *line)
 static void every_number_has_its_bound(void)
 {
     const uint64_t hits = check_setting("CYLINT_CASES", 1 << 17);
-    for (uint64_t n = 0; n < hits;) {
-        cylint_shape s;
-        if (!any_shape(&s))
-            continue;
-        real_fixed(BITS);
-        set_true_shape(&the.shape, &s);
-        for (int i = 0; i < LINES; i++) {
-            cylint_line line;
-            any_line(&line, &s);
-            if (!line.valid || !line.in_range)
+    uint64_t n = 0;
+    for (uint64_t i = 0; n < hits; i++)
+        for (int family = 0; family < family_count(); family++) {
+            struct family_case c;
+            family_case(24, family, i, &c);
+            if (family_is_wild(family) || !cylint_prepared(&c.shape) ||
+                !c.line.in_range || has_tiny_numbers(&c.line))
                 continue;
-            set_true_line(&s, &line);
+            real_fixed(BITS);
+            set_true_shape(&the.shape, &c.shape);
+            set_true_line(&c.shape, &c.line);
             for (int k = 0; k < ROOTS; k++)
-                n += (uint64_t)judge_line(&s, &line);
+                n += (uint64_t)judge_line(&c.shape, &c.line);
         }
-    }
 }
 
 static void bounds_are_not_far_above_the_errors(void)

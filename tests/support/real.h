@@ -247,11 +247,21 @@ static inline real square_of(real x)
     return times(x, x);
 }
 
-/* The angle y / x in turns, in [0, 1), with 126 bits. */
+/* Needs more bits where x is not 0 and has fewer than 125. */
+static inline void need_digits(real x)
+{
+    if (sign_of(x) != 0 && x->off != EXACT &&
+        mpfr_get_exp(x->x) < x->off + 125)
+        need_more_bits();
+}
+
+/* The angle y / x in turns, in [0, 1), with 122 bits. */
 static inline real real_turns(real x, real y)
 {
     real turn = real_of(0);
     mpfr_t pi, sine, cosine;
+    need_digits(x);
+    need_digits(y);
     if (sign_of(x) == 0 && sign_of(y) == 0)
         return turn;
     mpfr_inits2(128, pi, sine, cosine, (mpfr_ptr)NULL);
@@ -348,11 +358,8 @@ static inline int least_component(vector v)
  * middle of two. */
 static inline double near_double(real x)
 {
-    if (sign_of(x) == 0)
-        return 0;
-    if (x->off != EXACT && mpfr_get_exp(x->x) < x->off + 121)
-        need_more_bits();
-    return mpfr_get_d(x->x, RND);
+    need_digits(x);
+    return sign_of(x) ? mpfr_get_d(x->x, RND) : 0;
 }
 
 /* The double nearest to x; ties to even, 0 is never -0.  MPFR rounds towards 0,
