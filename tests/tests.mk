@@ -31,7 +31,7 @@ $(embree_tests) $(BUILD)/tests/embree/scene_curves: libs := $(EMBREE_LIBS) $(tes
 $(BUILD)/tests/command/pixels: libs := -lpng
 
 # Without MPFR these programs only say so.
-needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds filter/test_local_coordinates \
+needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds distance/test_oracle filter/test_local_coordinates \
               library/test_intersect numbers/test_double_double numbers/test_exact numbers/test_turns shapes/test_errors)
 $(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c $$(@D)/flags
 	$(call say,CC $<)$(compile) -c -o $@ $<

@@ -14,14 +14,12 @@
 
 #include "check.h"
 #include "cylint_distance.h"
+#include "distance_oracle.h"
 #include "distance_points.h"
 #include "environment.h"
-#include "ulps.h"
-
-#ifdef HAVE_MPFR
-#include "distance_oracle.h"
 #include "oracle.h"
 #include "shapes/layout.h"
+#include "ulps.h"
 
 enum {
     CASES = 250,
@@ -427,17 +425,13 @@ static void elliptic_distances_of_any_exponents_are_too(void)
     check_any_exponents(1, check_setting("CYLINT_ELLIPTIC_FAR", FAR_ELLIPTIC));
 }
 
-#endif
-
 int main(void)
 {
-#ifdef HAVE_MPFR
     RUN(distances_are_those_of_the_oracle);
     RUN(a_subnormal_coordinate_is_not_lost);
     RUN(also_of_mixed_exponents);
     RUN(elliptic_distances_are_those_of_the_oracle);
     RUN(distances_of_any_exponents_are_those_of_the_oracle);
     RUN(elliptic_distances_of_any_exponents_are_too);
-#endif
     return check_end();
 }

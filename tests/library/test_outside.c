@@ -15,6 +15,7 @@
 #include "random.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
+#include "vectors.h"
 
 enum { CASES = 300, RAYS = 8, BINS = 8 };
 
@@ -39,14 +40,9 @@ static void random_direction(double d[3])
     } while (size > 1 || size < 0.01);
 }
 
-static double along(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 static double length(const double x[3])
 {
-    return sqrt(along(x, x));
+    return sqrt(dot3(x, x));
 }
 
 static int is_convex(const cylint_shape *s)
@@ -78,6 +74,19 @@ static int hits_from(const cylint_shape *s, const double p[3],
     return cylint_intersect(s, &ray, CYLINT_WANT_COUNT, &a);
 }
 
+/* A ray of which the number of hits is known: 0 or 1. */
+static void check_ray(const struct family_case *c, const cylint_shape *whole,
+                      const double p[3], const double d[3], int hits)
+{
+    const int n = hits_from(whole, p, d);
+    tally[hits].rays++;
+    tally[hits].wrong += n != hits;
+    if (!CHECK(n == hits)) {
+        REPORT_CASE(c);
+        REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1], d[2]);
+    }
+}
+
 /* Rays that leave a convex solid.  All parts of it are there. */
 static void leave(const struct family_case *c, const cylint_shape *whole,
                   const cylint_hit *hit, const double p[3], int rays)
@@ -85,18 +94,10 @@ static void leave(const struct family_case *c, const cylint_shape *whole,
     for (int k = 0; k < rays; k++) {
         double d[3];
         random_direction(d);
-        const double away = along(d, hit->normal);
-        if (away < 0)
-            for (int i = 0; i < 3; i++)
-                d[i] = -d[i];
-        tally[0].rays++;
-        const int n = hits_from(whole, p, d);
-        tally[0].wrong += n != 0;
-        if (!CHECK(n == 0)) {
-            REPORT_CASE(c);
-            REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1],
-                   d[2]);
-        }
+        const double sign = dot3(d, hit->normal) < 0 ? -1 : 1;
+        for (int i = 0; i < 3; i++)
+            d[i] *= sign;
+        check_ray(c, whole, p, d, 0);
     }
 }
 
@@ -106,14 +107,7 @@ static void stay(const struct family_case *c, const cylint_shape *whole,
     for (int k = 0; k < rays; k++) {
         double d[3];
         random_direction(d);
-        tally[1].rays++;
-        const int n = hits_from(whole, p, d);
-        tally[1].wrong += n != 1;
-        if (!CHECK(n == 1)) {
-            REPORT_CASE(c);
-            REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1],
-                   d[2]);
-        }
+        check_ray(c, whole, p, d, 1);
     }
 }
 

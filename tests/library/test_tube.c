@@ -9,6 +9,7 @@
 #include "check.h"
 #include "cylint_pieces.h"
 #include "random.h"
+#include "vectors.h"
 
 enum { TUBES = 2000, LINES = 20, POINTS = 20 };
 
@@ -23,18 +24,6 @@ static void random_vector(double x[3])
 {
     for (int i = 0; i < 3; i++)
         x[i] = within(-1, 1);
-}
-
-static double dot(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
-static void cross(const double x[3], const double y[3], double to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] =
-            x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3];
 }
 
 static struct {
@@ -65,10 +54,10 @@ static cylint_status make_tube(void)
 static double angle_of(const double axis[3], const double x[3])
 {
     double across[3];
-    const double ww = dot(axis, axis), *u = tube.sector[0];
-    cross(u, x, across);
-    const double sine = dot(axis, across) * sqrt(ww),
-                 cosine = ww * dot(u, x) - dot(axis, u) * dot(axis, x);
+    const double ww = dot3(axis, axis), *u = tube.sector[0];
+    cross3(across, u, x);
+    const double sine = dot3(axis, across) * sqrt(ww),
+                 cosine = ww * dot3(u, x) - dot3(axis, u) * dot3(axis, x);
     const double angle = atan2(sine, cosine);
     return angle < 0 ? angle + 2 * acos(-1) : angle;
 }
@@ -82,8 +71,8 @@ static int is_inside(const double point[3])
         axis[i] = tube.p1[i] - tube.p0[i];
         x[i] = point[i] - tube.p0[i];
     }
-    const double z = dot(axis, x) / dot(axis, axis);
-    const double r = sqrt(fmax(0, dot(x, x) - z * z * dot(axis, axis)));
+    const double z = dot3(axis, x) / dot3(axis, axis);
+    const double r = sqrt(fmax(0, dot3(x, x) - z * z * dot3(axis, axis)));
     limit[0] = z;
     limit[1] = 1 - z;
     limit[2] = tube.outer[0] + z * (tube.outer[1] - tube.outer[0]) - r;

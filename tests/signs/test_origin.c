@@ -12,9 +12,10 @@
 #include "check.h"
 #include "cylint.h"
 #include "random.h"
+#include "same.h"
 #include "signs/sign.h"
 
-enum { CASES = 4000, KERNELS = 8 };
+enum { CASES = 4000, KERNELS = 8, VERDICT = CYLINT_WANT_T | CYLINT_WANT_PART };
 
 #define ONE 0x1.0d6f3a19c5e27p0
 
@@ -130,11 +131,6 @@ static cylint_answer cut(const cylint_answer *all, double tmin, double tmax)
     return cut;
 }
 
-static int is_same(const cylint_hit *a, const cylint_hit *b)
-{
-    return a->t == b->t && a->part == b->part && a->side == b->side;
-}
-
 static void check_domain(const cylint_shape *shape, const double o[3],
                          const double d[3], double tmin, double tmax,
                          const cylint_answer *all)
@@ -143,17 +139,16 @@ static void check_domain(const cylint_shape *shape, const double o[3],
     cylint_answer got, count, first;
     cylint_line line;
     cylint_span(&line, o, d, tmin, tmax);
-    cylint_intersect(shape, &line, CYLINT_WANT_T | CYLINT_WANT_PART, &got);
+    cylint_intersect(shape, &line, VERDICT, &got);
     cylint_intersect(shape, &line, CYLINT_WANT_COUNT, &count);
-    cylint_intersect(shape, &line,
-                     CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_NEAREST,
-                     &first);
+    cylint_intersect(shape, &line, VERDICT | CYLINT_WANT_NEAREST, &first);
     int same = got.n == want.n && count.n == want.n &&
                first.n == (want.n > 0) && got.relation == all->relation &&
                cylint_occluded(shape, &line) == (want.n > 0);
     for (int i = 0; i < got.n && same; i++)
-        same = is_same(&got.hit[i], &want.hit[i]);
-    if (!CHECK(same && (want.n == 0 || is_same(&first.hit[0], &want.hit[0]))))
+        same = same_hit(&got.hit[i], &want.hit[i], VERDICT);
+    if (!CHECK(same && (want.n == 0 ||
+                        same_hit(&first.hit[0], &want.hit[0], VERDICT))))
         REPORT("%s: kind %d, ends %d, span %a %a %a  %a %a %a  %a %a: %d hits, "
                "%d counted, not %d",
                cylint_kernels_in_use(), shape->kind, shape->ends, o[0], o[1],
@@ -178,7 +173,7 @@ static void check_line(const cylint_shape *shape, const double o[3],
     cylint_answer all;
     cylint_line line;
     cylint_whole_line(&line, o, d);
-    cylint_intersect(shape, &line, CYLINT_WANT_T | CYLINT_WANT_PART, &all);
+    cylint_intersect(shape, &line, VERDICT, &all);
     for (size_t i = 0; i < sizeof domain / sizeof *domain; i++)
         check_domain(shape, o, d, domain[i][0], domain[i][1], &all);
     int zeros = 0;

@@ -251,15 +251,9 @@ static inline double draw_any(uint64_t *stream)
     return random_int(stream, 2) ? x : -x;
 }
 
-static inline int length_count(const struct family_case *c)
-{
-    return family_shape_size(c->shape_word) -
-           (c->shape_word == FAMILY_ACONE || c->shape_word == FAMILY_ECONE);
-}
-
 static inline void scale_case(struct family_case *c, double p[3], int e)
 {
-    for (int i = 0; i < length_count(c); i++)
+    for (int i = 0; i < family_lengths(c->shape_word); i++)
         c->shape_data[i] = ldexp(c->shape_data[i], e);
     for (int i = 0; i < 3; i++)
         p[i] = ldexp(p[i], e);
@@ -269,7 +263,7 @@ static inline void scale_case(struct family_case *c, double p[3], int e)
 static inline void draw_lengths(struct family_case *c, uint64_t *stream,
                                 int subnormal)
 {
-    for (int i = 0; i < length_count(c); i++) {
+    for (int i = 0; i < family_lengths(c->shape_word); i++) {
         const double x = subnormal ? 0x1p-1074 * (1 + random_int(stream, 4000))
                                    : draw_any(stream);
         if (c->shape_data[i] != 0 && random_int(stream, 2))
