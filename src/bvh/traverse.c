@@ -64,8 +64,8 @@ CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
     for (next = next_leaf(&t, &at); (leaf = next);) {
         unsigned certain_lanes = 0;
         next = next_leaf(&t, &at);
-        const unsigned lanes =
-            test_ray(leaf, ray, E, least, certain ? &certain_lanes : NULL);
+        const unsigned lanes = test_ray(leaf, NULL, ray, E, least,
+                                        certain ? &certain_lanes : NULL);
         if (!lanes)
             continue;
         if (certain_lanes && leaf->used & CYLINT_LEAF_SOLID)
