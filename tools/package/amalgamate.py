@@ -316,49 +316,35 @@ def feature(isa):
     return f"__{isa.upper()}__"
 
 
+def by_compiler(clang, gcc):
+    return ["#ifdef __clang__", *clang, "#else", *gcc, "#endif"]
+
+
 def target_begin(target):
     """gcc's pragma defines the macros of the instruction sets; clang's does
     not."""
     text = ",".join(target)
-    return [
-        "#ifdef __clang__",
+    clang = [
         f'#pragma clang attribute push(__attribute__((target("{text}"))), \\',
         "                             apply_to = function)",
-        *(
-            line
-            for isa in target
-            for line in (
-                f"#ifndef {feature(isa)}",
-                f"#define {feature(isa)} 1",
-                f"#define CYLINT_UNDEFINE_{isa.upper()}",
-                "#endif",
-            )
-        ),
-        "#else",
-        "#pragma GCC push_options",
-        f'#pragma GCC target("{text}")',
-        "#endif",
     ]
+    for isa in target:
+        clang += [
+            f"#ifndef {feature(isa)}",
+            f"#define {feature(isa)} 1",
+            f"#define CYLINT_UNDEFINE_{isa.upper()}",
+            "#endif",
+        ]
+    gcc = ["#pragma GCC push_options", f'#pragma GCC target("{text}")']
+    return by_compiler(clang, gcc)
 
 
 def target_end(target):
-    return [
-        "#ifdef __clang__",
-        "#pragma clang attribute pop",
-        *(
-            line
-            for isa in target
-            for line in (
-                f"#ifdef CYLINT_UNDEFINE_{isa.upper()}",
-                f"#undef {feature(isa)}",
-                f"#undef CYLINT_UNDEFINE_{isa.upper()}",
-                "#endif",
-            )
-        ),
-        "#else",
-        "#pragma GCC pop_options",
-        "#endif",
-    ]
+    clang = ["#pragma clang attribute pop"]
+    for isa in target:
+        undefine = f"CYLINT_UNDEFINE_{isa.upper()}"
+        clang += [f"#ifdef {undefine}", f"#undef {feature(isa)}", f"#undef {undefine}", "#endif"]
+    return by_compiler(clang, ["#pragma GCC pop_options"])
 
 
 PREAMBLE = """/*
