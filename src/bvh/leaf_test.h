@@ -368,61 +368,45 @@ static inline float size_of(const cylint_float_ray *ray)
     return fabsf(ray->d[0]) + fabsf(ray->d[1]) + fabsf(ray->d[2]);
 }
 
-/* A ray in each lane, or the same ray in all lanes; E is its size_of(). */
-typedef struct {
-    vf o[3], d[3], tnear, tfar, E;
-} ray_lanes;
-
 /* Sets e = d, q = (o - c) steps, so that s = t steps.  Returns the distance of q
  * from the centre.  The result is accurate enough if the ray is_fit() and that
- * distance is less than FAR_LIMIT. */
-CYLINT_INLINE vf to_leaf_line(const cylint_leaf *b, const ray_lanes *r,
-                              leaf_line *l)
+ * distance is less than FAR_LIMIT.  E: the ray's size_of(). */
+CYLINT_INLINE float to_leaf_line(const cylint_leaf *b,
+                                 const cylint_float_ray *ray, float E,
+                                 leaf_line *l)
 {
     const float per_unit = cylint_leaf_steps(b);
     const vf steps = f_set(per_unit);
     EACH(j, 3) {
-        l->q[j] = (r->o[j] - f_set(b->center[j])) * steps;
-        l->e[j] = r->d[j];
+        l->q[j] = (f_set(ray->o[j]) - f_set(b->center[j])) * steps;
+        l->e[j] = f_set(ray->d[j]);
     }
     const vf far = f_abs(l->q[0]) + f_abs(l->q[1]) + f_abs(l->q[2]);
-    l->E = r->E;
+    l->E = f_set(E);
     l->k = (far + f_set(CYLINDER_REACH)) * f_set(0x1p-20f);
-    l->first = r->tnear * steps;
-    l->last = r->tfar * steps;
+    l->first = f_set(ray->tnear) * steps;
+    l->last = f_set(ray->tfar) * steps;
     l->t_per_s = f_set(1 / per_unit);
-    return far;
+    return f_first(far);
 }
 
-CYLINT_INLINE unsigned test_near_ray(const cylint_leaf *b, const cylinders *all,
-                                     const leaf_line *l,
-                                     float least[CYLINT_LEAF_SIZE],
-                                     unsigned *certain)
-{
-    const unsigned hit = test_cylinders(b, all, l, least, certain);
-    for (unsigned lanes = hit & b->always; lanes; lanes &= lanes - 1)
-        least[cylint_lowest(lanes)] = -HUGE_VALF;
-    return hit;
-}
-
-/* certain: NULL, or as in test_lanes().  E: the ray's size_of(). */
-CYLINT_INLINE unsigned test_ray(const cylint_leaf *b,
+/* all: the leaf's cylinders, or NULL.  certain: NULL, or as in test_lanes(). */
+CYLINT_INLINE unsigned test_ray(const cylint_leaf *b, const cylinders *all,
                                 const cylint_float_ray *ray, float E,
                                 float least[CYLINT_LEAF_SIZE],
                                 unsigned *certain)
 {
-    const ray_lanes r = {{f_set(ray->o[0]), f_set(ray->o[1]), f_set(ray->o[2])},
-                         {f_set(ray->d[0]), f_set(ray->d[1]), f_set(ray->d[2])},
-                         f_set(ray->tnear),
-                         f_set(ray->tfar),
-                         f_set(E)};
     leaf_line l;
-    const float far = f_first(to_leaf_line(b, &r, &l));
-    if (is_fit(E) & (far < FAR_LIMIT))
-        return test_near_ray(b, NULL, &l, least, certain);
-    if (certain)
-        *certain = 0;
-    return test_far_ray(b, ray, least);
+    const float far = to_leaf_line(b, ray, E, &l);
+    if (!(is_fit(E) & (far < FAR_LIMIT))) {
+        if (certain)
+            *certain = 0;
+        return test_far_ray(b, ray, least);
+    }
+    const unsigned hit = test_cylinders(b, all, &l, least, certain);
+    for (unsigned lanes = hit & b->always; lanes; lanes &= lanes - 1)
+        least[cylint_lowest(lanes)] = -HUGE_VALF;
+    return hit;
 }
 
 #endif

@@ -3,7 +3,7 @@
  *
  * An entry of the stack also has the bits of the rays that may hit the child.
  * Boxes and cylinders are unpacked once for all rays, and all rays wait for the
- * same memory.  A ray that is the only one in a node goes on by itself.
+ * same memory.
  */
 #include "packet_traverse.h"
 
@@ -11,7 +11,6 @@
 
 #ifndef CYLINT_TRAVERSE_PACKET
 #define CYLINT_TRAVERSE_PACKET cylint_traverse_packet_plain
-#define CYLINT_TRAVERSAL cylint_traversal_plain
 #endif
 
 typedef struct {
@@ -31,12 +30,9 @@ typedef struct {
     /* bits of rays: */
     unsigned active;  /* not stopped yet */
     unsigned certain; /* certainly hit some shape */
-    unsigned fit;     /* see is_fit() */
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
     ray_state state[CYLINT_PACKET_MOST];
-    float o[3][CYLINT_PACKET_MOST], d[3][CYLINT_PACKET_MOST];
-    float tnear[CYLINT_PACKET_MOST], tfar[CYLINT_PACKET_MOST];
-    float E[CYLINT_PACKET_MOST];
+    float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
     const cylint_float_ray *const *ray;
     cylint_packet_leaf_callback *callback;
     void *self;
@@ -51,46 +47,13 @@ static void report(traversal *p, const cylint_packet_leaf *hit)
 {
     p->active &= ~p->callback(p->self, hit);
     EACH_RAY(k, hit->rays)
-    {
-        p->tfar[k] = p->ray[k]->tfar;
-        p->state[k].last = local_above(&p->state[k], p->tfar[k]);
-    }
+    shorten(&p->state[k], p->ray[k]->tfar);
 }
 
 static void set_certain(traversal *p, unsigned k)
 {
     p->certain |= 1u << k;
     p->active &= ~(1u << k);
-}
-
-/* ----------------------------------------------------------- single rays -- */
-
-typedef struct {
-    traversal *p;
-    cylint_packet_leaf hit;
-    unsigned ray;
-} single_ray;
-
-static int report_single(void *self, const cylint_leaf *leaf, unsigned lanes,
-                         const float least[CYLINT_LEAF_SIZE])
-{
-    single_ray *s = self;
-    s->hit.leaf = leaf;
-    s->hit.rays = 1u << s->ray;
-    s->hit.lanes[s->ray] = lanes;
-    memcpy(s->hit.least[s->ray], least, sizeof s->hit.least[s->ray]);
-    report(s->p, &s->hit);
-    return !(s->p->active >> s->ray & 1);
-}
-
-static void traverse_single(traversal *p, unsigned k, uint32_t child)
-{
-    single_ray s;
-    s.p = p;
-    s.ray = k;
-    if (CYLINT_TRAVERSAL.subtree(p->bvh, child, &p->state[k], p->ray[k],
-                                 report_single, &s, p->outside >> k & 1))
-        set_certain(p, k);
 }
 
 /* ----------------------------------------------------------------- nodes -- */
@@ -106,14 +69,6 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
     }
     e->rays = rays;
     return rays != 0;
-}
-
-CYLINT_INLINE int is_done_alone(traversal *p, const entry *e)
-{
-    if (e->rays & (e->rays - 1))
-        return 0;
-    traverse_single(p, (unsigned)cylint_lowest(e->rays), (uint32_t)e->key);
-    return 1;
 }
 
 CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
@@ -145,62 +100,9 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
     return (entry){keyed_child(hits->enter[i], node->child[i]), hits->rays[i]};
 }
 
-#define IS_DONE_ALONE(p, e) is_done_alone(p, e)
 #include "../bvh/traverse_template.h"
 
 /* ---------------------------------------------------------------- leaves -- */
-
-/* The members of leaf_line that differ between rays, for each ray. */
-typedef struct {
-    float q[3][CYLINT_PACKET_MOST], k[CYLINT_PACKET_MOST];
-    float first[CYLINT_PACKET_MOST], last[CYLINT_PACKET_MOST];
-    float t_per_s;
-} leaf_lines;
-
-/* Returns the rays (bits) for which the result is accurate enough. */
-CYLINT_INLINE unsigned to_leaf_lines(const traversal *p,
-                                     const cylint_leaf *leaf, unsigned rays,
-                                     leaf_lines *to)
-{
-    unsigned near = 0;
-    to->t_per_s = 1 / cylint_leaf_steps(leaf);
-    for (int i = 0; i < CYLINT_PACKET_MOST; i += WIDTH) {
-        ray_lanes r;
-        leaf_line l;
-        if (!(rays >> i & ((1u << WIDTH) - 1)))
-            continue;
-        EACH(j, 3) {
-            r.o[j] = f_load(p->o[j] + i);
-            r.d[j] = f_load(p->d[j] + i);
-        }
-        r.tnear = f_load(p->tnear + i);
-        r.tfar = f_load(p->tfar + i);
-        r.E = f_load(p->E + i);
-        near |= greater(f_set(FAR_LIMIT), to_leaf_line(leaf, &r, &l)) << i;
-        EACH(j, 3)
-            f_store(to->q[j] + i, l.q[j]);
-        f_store(to->k + i, l.k);
-        f_store(to->first + i, l.first);
-        f_store(to->last + i, l.last);
-    }
-    return near & p->fit;
-}
-
-CYLINT_INLINE leaf_line line_of_ray(const traversal *p, const leaf_lines *all,
-                                    unsigned k)
-{
-    leaf_line l;
-    EACH(j, 3) {
-        l.q[j] = f_set(all->q[j][k]);
-        l.e[j] = f_set(p->d[j][k]);
-    }
-    l.E = f_set(p->E[k]);
-    l.k = f_set(all->k[k]);
-    l.first = f_set(all->first[k]);
-    l.last = f_set(all->last[k]);
-    l.t_per_s = f_set(all->t_per_s);
-    return l;
-}
 
 /* Tests the rays against the leaf.  Rays with a certain hit stop. */
 CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
@@ -208,28 +110,21 @@ CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
 {
     const int solid = leaf->used & CYLINT_LEAF_SOLID;
     cylinders all[CYLINT_LEAF_SIZE / WIDTH];
-    leaf_lines lines;
-    const unsigned good = to_leaf_lines(p, leaf, rays, &lines);
     for (int i = 0; i < CYLINT_LEAF_SIZE; i += WIDTH)
         all[i / WIDTH] = cylinders_of(leaf, i);
     hit->leaf = leaf;
     hit->rays = 0;
-    EACH_RAY(k, rays & good)
+    EACH_RAY(k, rays)
     {
-        const leaf_line l = line_of_ray(p, &lines, k);
         unsigned certain = 0;
-        hit->lanes[k] = test_near_ray(leaf, all, &l, hit->least[k], NULL);
+        hit->lanes[k] =
+            test_ray(leaf, all, p->ray[k], p->E[k], hit->least[k], NULL);
         if (solid && hit->lanes[k] && p->outside >> k & 1)
-            test_near_ray(leaf, all, &l, hit->least[k], &certain);
+            test_ray(leaf, all, p->ray[k], p->E[k], hit->least[k], &certain);
         if (certain)
             set_certain(p, k);
         else
             hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;
-    }
-    EACH_RAY(k, rays & ~good)
-    {
-        hit->lanes[k] = test_far_ray(leaf, p->ray[k], hit->least[k]);
-        hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;
     }
 }
 
@@ -259,16 +154,9 @@ unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *bvh,
     p.callback = callback;
     p.self = self;
     p.active = (1u << n) - 1;
-    p.certain = p.outside = p.fit = 0;
+    p.certain = p.outside = 0;
     for (int k = 0; k < n; k++) {
-        EACH(j, 3) {
-            p.o[j][k] = ray[k]->o[j];
-            p.d[j][k] = ray[k]->d[j];
-        }
-        p.tnear[k] = ray[k]->tnear;
-        p.tfar[k] = ray[k]->tfar;
         p.E[k] = size_of(ray[k]);
-        p.fit |= (unsigned)is_fit(p.E[k]) << k;
         start_ray(&p.state[k], bvh, ray[k]);
         if (certain)
             p.outside |= (unsigned)ends_outside(bvh, ray[k]) << k;

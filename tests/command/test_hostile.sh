@@ -8,10 +8,10 @@ PATH=$build:$PATH
 good='line 0 0 -1  0 0 1  cylinder 0 0 0  0 0 1  1'
 
 # expect NAME STATUS: out equals want and err equals want.err, if those exist,
-# and $status is STATUS.  Removes want and want.err.
+# and code is STATUS.  Removes want and want.err.
 expect() {
     wrong=0
-    [ "$status" = "$2" ] || { echo "status $status, not $2"; wrong=1; }
+    [ "$(cat code)" = "$2" ] || { echo "status $(cat code), not $2"; wrong=1; }
     if [ -e want ]; then diff want out || wrong=1; fi
     if [ -e want.err ]; then diff want.err err || wrong=1; fi
     grep -Eiq 'sanitizer|runtime error' err && { cat err; wrong=1; }
@@ -19,10 +19,12 @@ expect() {
     rm -f want want.err
 }
 
-run() {
-    cylint "$@" >out 2>err
-    status=$?
+# answer ARGUMENT...: writes messages to err and the exit status to code.
+answer() {
+    cylint "$@" 2>err
+    echo $? >code
 }
+run() { answer "$@" >out; }
 
 # A sanitizer reserves more address space than any limit below allows.
 is_sanitized() {
@@ -69,19 +71,19 @@ run -f id in
 [ "$(grep -c '; this looks like a binary file$' err)" -eq 1 ] &&
     [ "$(grep -c '^cylint: ' err)" -eq 2 ] &&
     [ "$(wc -l <out)" -eq "$(grep -c '^error$' out)" ] &&
-    [ "$(wc -l <out)" -gt 100 ] || status="$status, output"
+    [ "$(wc -l <out)" -gt 100 ] || echo output >>code
 expect 'binary garbage gives one error a line, one message and the count' 1
 
 { cat in; printf '\nx\n'; } >in2
 printf 'y\nz\n' >text
 run -f id text in2 text
 [ "$(grep -c '^cylint: text:' err)" -eq 4 ] &&
-    [ "$(grep -c '^cylint: in2:' err)" -eq 1 ] || status="$status, messages"
+    [ "$(grep -c '^cylint: in2:' err)" -eq 1 ] || echo messages >>code
 expect 'the messages about files around a binary one are shown' 1
 
 { echo "$good"; head -c 4000 in; } | tr -d '\n' >in2
 run -s in2 text
-[ "$(grep -c '^cylint: ' err)" -eq 1 ] || status="$status, messages"
+[ "$(grep -c '^cylint: ' err)" -eq 1 ] || echo messages >>code
 expect 'a binary scene gives one message' 1
 
 # --- numbers
@@ -103,7 +105,7 @@ expect 'a number of a million digits is a number' 0
     tr '\0' x; printf '\n%s after\n' "$good"; } >in
 run in
 [ "$(wc -c <out)" -eq "$((1048576 - ${#good} - 1 + 13 + 18))" ] ||
-    status="$status, $(wc -c <out) bytes"
+    echo "$(wc -c <out) bytes" >>code
 expect 'a line of 1 MiB is answered, its tail whole' 0
 
 { printf '%s ' "$good"; head -c $((1048577 - ${#good} - 1)) /dev/zero |
@@ -126,16 +128,13 @@ done
 if is_sanitized; then
     echo "note: no memory limits under a sanitizer"
 else
-    cat in | (ulimit -v 20000; cylint >out 2>err; echo $? >code)
-    status=$(cat code)
+    cat in | (ulimit -v 20000; run)
     expect 'memory does not grow with a line' 1
-    yes "$good" | head -n 300000 | (ulimit -v 20000; cylint -f n >out 2>err; echo $? >code)
-    status=$(cat code)
-    [ "$(grep -c '^2$' out)" -eq 300000 ] || status="$status, lost"
+    yes "$good" | head -n 300000 | (ulimit -v 20000; run -f n)
+    [ "$(grep -c '^2$' out)" -eq 300000 ] || echo lost >>code
     expect 'memory does not grow with the input' 0
     yes 'cylinder 0 0 0  0 0 1  1' | head -n 100000 >scene
-    (ulimit -v 20000; cylint -s scene <in >out 2>err; echo $? >code)
-    status=$(cat code)
+    (ulimit -v 20000; run -s scene <in)
     echo 'cylint: out of memory' >want.err
     expect 'a scene too large for memory says so' 4
 fi
@@ -144,43 +143,36 @@ fi
 yes "$good" | head -n 100000 >in
 if [ -w /dev/full ]; then
     echo 'cylint: standard output: No space left on device' >want.err
-    cylint in >/dev/full 2>err
-    status=$?
+    answer in >/dev/full
     expect 'a full disk gives a message' 3
-    cylint --help >/dev/full 2>err
-    status=$?
+    answer --help >/dev/full
     expect 'a full disk gives a message with --help too' 3
     echo 'cylint: /dev/full: No space left on device' >want.err
     run -o /dev/full in
     expect 'a full disk gives a message with -o too' 3
 fi
 echo 'cylint: standard output: Bad file descriptor' >want.err
-cylint in >&- 2>err
-status=$?
+answer in >&-
 expect 'a closed standard output gives a message' 3
-cylint --version >&- 2>err
-status=$?
+answer --version >&-
 expect 'a closed standard output gives a message with --version too' 3
-cylint -o written in >&- 2>err
-status=$?
-[ "$(wc -l <written)" -eq 100000 ] || status="$status, lost"
+answer -o written in >&-
+[ "$(wc -l <written)" -eq 100000 ] || echo lost >>code
 expect '-o works with standard output closed' 0
 cylint in >out 2>&-
-status=$?
+echo $? >code
 expect 'a closed standard error does no harm' 0
 echo nonsense | cylint >out 2>&-
-status=$?
+echo $? >code
 printf 'error\tnan\tnan\tnan\n' >want
 expect 'messages to a closed standard error reach nothing else' 1
 
-{ cylint in 2>err; echo $? >code; } | head -n 1 >out
-status=$(cat code)
+answer in | head -n 1 >out
 printf 'cross\t2\t1\t2\n' >want
 : >want.err
 expect 'death by SIGPIPE is silent' 141
 
-(ulimit -f 8; trap '' XFSZ; cylint -o limited in 2>err; echo $? >code)
-status=$(cat code)
+(ulimit -f 8; trap '' XFSZ; answer -o limited in)
 echo 'cylint: limited: File too large' >want.err
 expect 'a file size limit gives a message' 3
 
@@ -197,8 +189,7 @@ printf 'cross\t2\t1\t2\n' >want
 run one missing one
 expect 'a missing file gives a message after the answers before it' 3
 echo 'cylint: stdin: Bad file descriptor' >want.err
-cylint <&- >out 2>err
-status=$?
+run <&-
 expect 'a closed standard input gives a message' 3
 : >want
 : >want.err
@@ -220,7 +211,7 @@ run --binary-in -k ray,cylinder in.npy
 expect 'a .npy header of NULs is refused' 3
 head -c 1000000 /dev/zero | tr '\0' '\377' >nans
 run -b -k ray,cylinder -f n nans
-[ "$(wc -c <out)" -eq $(((1000000 + 103) / 104 * 8)) ] || status="$status, lost"
+[ "$(wc -c <out)" -eq $(((1000000 + 103) / 104 * 8)) ] || echo lost >>code
 expect 'binary NaN makes bad records, none is lost' 1
 
 # --- many bad records, many answers
@@ -228,11 +219,11 @@ yes nonsense | head -n 100000 >bad
 run bad
 [ "$(wc -l <out)" -eq 100000 ] && [ "$(wc -l <err)" -eq 11 ] &&
     [ "$(tail -n 1 err)" = 'cylint: 100000 bad records in all' ] ||
-    status="$status, output"
+    echo output >>code
 expect '100000 bad records have eleven messages' 1
 { cat in; echo nonsense; cat in; } >mixed
 run -e stop mixed
-[ "$(wc -l <out)" -eq 100000 ] || status="$status, output"
+[ "$(wc -l <out)" -eq 100000 ] || echo output >>code
 echo "cylint: mixed:100001:1: expected line, ray, segment,\
  span or point, found 'nonsense'" >want.err
 expect 'the work stops at the bad record, with all answers before it' 1
@@ -246,7 +237,7 @@ long=$(head -c 3000 /dev/zero | tr '\0' 'm')
 echo 'line 9 9 9  0 0 1  cylinder 0 0 0  0 0 1  1' >miss
 columns=$(yes t0 | head -n 256 | paste -sd, -)
 run --miss "$long" -f "$columns" miss
-[ "$(wc -c <out)" -eq $((256 * 3001)) ] || status="$status, $(wc -c <out)"
+[ "$(wc -c <out)" -eq $((256 * 3001)) ] || echo "$(wc -c <out)" >>code
 expect '256 columns of 3000 bytes fit into a row' 0
 run -f "$columns,n" miss
 echo 'cylint: -f: more than 256 columns' >want.err
@@ -260,13 +251,11 @@ i=1
 while [ $i -le "$(wc -c <in)" ]; do
     tail -c +$i in | head -c 1
     i=$((i + 1))
-done | { cylint >out 2>err; echo $? >code; }
-status=$(cat code)
+done | run
 expect 'input in single bytes is put together' 0
 
 { printf '\357'; sleep 0.05; printf '\273'; sleep 0.05; printf '\277%s\n' \
-    "$good"; } | { cylint >out 2>err; echo $? >code; }
-status=$(cat code)
+    "$good"; } | run
 printf 'cross\t2\t1\t2\n' >want
 expect 'a byte order mark in single bytes is skipped' 0
 
@@ -275,20 +264,19 @@ if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
     say='cylint: waiting for records from the terminal'
     for options in '' '-s scene'; do
         script -qec "cylint $options" /dev/null </dev/null >out
-        status=$?
-        [ "$(grep -c "^$say, LINE.*Ctrl-D" out)" -eq 1 ] || status="$status, $(cat out)"
+        echo $? >code
+        [ "$(grep -c "^$say, LINE.*Ctrl-D" out)" -eq 1 ] || echo "$(cat out)" >>code
         expect "on a terminal cylint $options says what it waits for" 0
         script -qec "cylint $options in" /dev/null </dev/null >out
-        status=$?
-        ! grep "$say" out || status="$status, said"
+        echo $? >code
+        ! grep "$say" out || echo said >>code
         expect "on a terminal cylint $options FILE does not wait" 0
     done
 else
     echo 'note: no terminal can be made here'
 fi
 : >want.err
-cylint </dev/null >out 2>err
-status=$?
+run </dev/null
 expect 'elsewhere it does not say so' 0
 
 # The partner writes a record and reads its answer before it writes the next.
@@ -307,7 +295,7 @@ for i in 1 2 3 4 5; do
 done
 exec 3>&-
 wait $pid
-status=$?
+echo $? >code
 exec 4<&-
 kill "$(cat timer)" 2>/dev/null
 printf '2\t%d\n' 1 2 3 4 5 >want

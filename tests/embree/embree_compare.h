@@ -8,6 +8,7 @@
 #define CYLINT_EMBREE_COMPARE_H
 
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 #include "embree_world.h"
@@ -34,6 +35,12 @@ static inline struct world made(const cylint_shape *shapes, size_t n,
     return w;
 }
 
+/* For the world w of the shapes, with a hierarchy and then without. */
+#define EACH_WAY(w, shapes, n)                                          \
+    for (int way = 0; way < 2; way++)                                   \
+        for (struct world w = made(shapes, n, both_ways[way]); w.scene; \
+             world_free(&w))
+
 enum { SOME = 200 };
 
 /* A ray to a point among SOME shapes, from up to three sides of their cube
@@ -52,6 +59,13 @@ static inline void aim(uint64_t *state, struct rays *r, int i)
     rays_add(r, i, o, d, 0, HUGE_VALF);
 }
 
+static inline void aim_all(uint64_t *state, struct rays *r, int n)
+{
+    rays_begin(r, n);
+    for (int i = 0; i < n; i++)
+        aim(state, r, i);
+}
+
 static inline int shadow_expected(const struct world *w, const struct rays *r,
                                   int i)
 {
@@ -65,6 +79,26 @@ static inline void agrees(const struct world *w, struct rays *r)
         if (r->valid[i] && !CHECK(world_agrees(w, r, i, 1)))
             world_show(w, r, i);
     CHECK(rays_strayed(r, 0) == 0);
+}
+
+/* Traces the rays for nearest and for any hit, and checks the answers.  Returns the
+ * number of nearest hits. */
+static inline int both_agree(const struct world *w, struct rays *r,
+                             const struct rays_query *query)
+{
+    int hits = 0;
+    rays_intersect(r, w->scene, query);
+    agrees(w, r);
+    for (int i = 0; i < r->n; i++)
+        hits += r->valid[i] && rays_hit(r, i);
+    memcpy(r->word, r->before, sizeof r->word);
+    rays_occluded(r, w->scene, query);
+    for (int i = 0; i < r->n; i++)
+        if (r->valid[i] &&
+            !CHECK(rays_shadowed(r, i) == shadow_expected(w, r, i)))
+            world_show(w, r, i);
+    CHECK(rays_strayed(r, 1) == 0);
+    return hits;
 }
 
 /* Traces one ray and checks the answer. */

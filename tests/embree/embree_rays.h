@@ -45,6 +45,10 @@ union ray_word {
     unsigned u;
 };
 
+/* The numbers of rays that Embree traces at once. */
+static const int rays_sizes[4] = {1, 4, 8, 16};
+#define EACH_SIZE(n) for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n)
+
 /* Rays are added one by one; the others are inactive. */
 struct rays {
     union ray_word word[RAYS_WORDS + RAYS_BEYOND];

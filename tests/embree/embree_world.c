@@ -68,6 +68,33 @@ enum RTCError world_last_error(void)
 
 /* --------------------------------------------------------------- scene -- */
 
+RTCScene world_new_scene(void)
+{
+    RTCScene scene = rtcNewScene(world_device());
+#if RTC_VERSION_MAJOR >= 4
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+#else
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+#endif
+    return scene;
+}
+
+RTCScene world_instance(RTCScene of, unsigned id, const float matrix[12])
+{
+    RTCScene outer = world_new_scene();
+    RTCGeometry instance =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, of);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            matrix);
+    rtcSetGeometryMask(instance, 0xffffffffu);
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(outer, instance, id);
+    rtcReleaseGeometry(instance);
+    rtcCommitScene(outer);
+    return outer;
+}
+
 int world_make(struct world *w, const cylint_shape *shapes, size_t n,
                const cylint_embree_options *options)
 {
@@ -78,12 +105,7 @@ int world_make(struct world *w, const cylint_shape *shapes, size_t n,
         cylint_embree_geometry(world_device(), shapes, n, options, &w->problem);
     if (!w->geometry)
         return 0;
-    w->scene = rtcNewScene(world_device());
-#if RTC_VERSION_MAJOR >= 4
-    rtcSetSceneFlags(w->scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
-#else
-    rtcSetSceneFlags(w->scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-#endif
+    w->scene = world_new_scene();
     rtcAttachGeometry(w->scene, w->geometry);
     rtcCommitScene(w->scene);
     w->pack_memory = malloc(cylint_pack_bytes(n) + 1);
@@ -235,6 +257,11 @@ void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
         break;
     }
 }
+
+const int world_scenes[WORLD_SCENES] = {
+    SCENE_THIN,    SCENE_FAT,   SCENE_FIBRES,  SCENE_NEEDLES,
+    SCENE_DISCS,   SCENE_MIXED, SCENE_DISTANT, SCENE_LENGTHS,
+    SCENE_LATTICE, SCENE_ROUND, SCENE_STRANDS};
 
 void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n)
 {

@@ -24,6 +24,13 @@ struct world_memory {
 };
 extern struct world_memory world_memory;
 
+/* A scene in which filters of contexts, or of arguments, are called. */
+RTCScene world_new_scene(void);
+
+/* A committed scene that holds an instance of the other, with this number and
+ * matrix of three rows, column by column. */
+RTCScene world_instance(RTCScene of, unsigned id, const float matrix[12]);
+
 struct world {
     RTCScene scene;
     RTCGeometry geometry;
@@ -58,6 +65,10 @@ void world_show(const struct world *w, struct rays *r, int i);
 /* Numbers from a seed, the same everywhere. */
 double world_uniform(uint64_t *state); /* in [0, 1), 24 bits: a float */
 void world_direction(uint64_t *state, float d[3]); /* near unit length */
+
+/* Kinds of scenes that differ most. */
+enum { WORLD_SCENES = 11 };
+extern const int world_scenes[WORLD_SCENES];
 
 /* Another n shapes of one of the kinds of scenes that all have a box: up to
  * SCENE_MIXED, or SCENE_LATTICE. */

@@ -69,39 +69,24 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
 
 static void packets_answer_and_leave_other_lanes_alone(void)
 {
-    static const int sizes[4] = {1, 4, 8, 16};
     cylint_shape shapes[SOME];
     uint64_t state = 2;
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(shapes, SOME, both_ways[how]);
+    EACH_WAY(w, shapes, SOME)
+    {
         int hits = 0, active = 0;
         for (int turn = 0; turn < 800; turn++) {
+            const struct rays_query query = {.coherent = turn & 1};
             struct rays r;
-            struct rays_query query = {0};
-            query.coherent = turn & 1;
-            rays_begin(&r, sizes[turn % 4]);
-            for (int i = 0; i < r.n; i++) {
-                aim(&state, &r, i); /* inactive rays too would hit */
+            aim_all(&state, &r, rays_sizes[turn % 4]);
+            for (int i = 0; i < r.n; i++) { /* inactive rays too would hit */
                 r.valid[i] = r.n == 1 || world_uniform(&state) < 0.7 ? -1 : 0;
-            }
-            rays_intersect(&r, w.scene, &query);
-            agrees(&w, &r);
-            for (int i = 0; i < r.n; i++) {
                 active += r.valid[i] != 0;
-                hits += r.valid[i] && rays_hit(&r, i);
             }
-            memcpy(r.word, r.before, sizeof r.word);
-            rays_occluded(&r, w.scene, &query);
-            for (int i = 0; i < r.n; i++)
-                if (r.valid[i] &&
-                    !CHECK(rays_shadowed(&r, i) == shadow_expected(&w, &r, i)))
-                    world_show(&w, &r, i);
-            CHECK(rays_strayed(&r, 1) == 0);
+            hits += both_agree(&w, &r, &query);
         }
         if (!CHECK(hits > active / 10 && hits < active))
             REPORT("%d hits of %d", hits, active);
-        world_free(&w);
     }
 }
 
@@ -111,12 +96,11 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
     const float o[3] = {0, 0, 1}, d[3] = {0, 0, 0.5f};
     cylint_shape shape;
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(&shape, 1, both_ways[how]);
+    EACH_WAY(w, &shape, 1)
+    {
         struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 6);
         CHECK(rays_at(&r, HIT_U, 0)->f == 1);
-        world_free(&w);
     }
 }
 
@@ -127,8 +111,8 @@ static void the_domain_holds_its_ends(void)
     const float o[3] = {-4, 0.25f, 0.5f}, d[3] = {3, 0, 0};
     cylint_shape shape;
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(&shape, 1, both_ways[how]);
+    EACH_WAY(w, &shape, 1)
+    {
         struct rays r;
         float t[2];
         cylint_line line;
@@ -151,14 +135,10 @@ static void the_domain_holds_its_ends(void)
                         to = nextafterf(to, b < 0 ? 0 : HUGE_VALF);
                     if (from > to)
                         continue;
-                    rays_begin(&r, 1);
-                    rays_add(&r, 0, o, d, from, to);
-                    rays_intersect(&r, w.scene, NULL);
-                    agrees(&w, &r);
+                    r = traced_alone(&w, o, d, from, to);
                     hits += rays_hit(&r, 0);
                 }
         CHECK(hits > 0);
-        world_free(&w);
     }
 }
 
@@ -168,30 +148,29 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
     const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
     cylint_shape shape;
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(&shape, 1, both_ways[how]);
+    EACH_WAY(w, &shape, 1)
+    {
         int hits = 0;
-        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n)
-            for (int face = 0; face < 6; face++)
-                for (int sign = 0; sign < 8; sign++) {
-                    const int across = face / 2,
-                              along = (across + 1 + sign % 2) % 3;
-                    const float zero = sign & 4 ? -0.0f : 0.0f;
-                    float o[3] = {0, 0, 2}, d[3];
-                    struct rays r;
-                    o[across] += face % 2 ? 1.0f : -1.0f;
-                    for (int k = 0; k < 3; k++)
-                        d[k] = zero;
-                    d[along] = sign & 2 ? 1.0f : -1.0f;
-                    o[along] -= 3 * d[along];
-                    rays_begin(&r, n);
-                    rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
-                    rays_intersect(&r, w.scene, NULL);
-                    agrees(&w, &r);
-                    hits += rays_hit(&r, n / 2);
-                }
+        EACH_SIZE(n)
+        for (int face = 0; face < 6; face++)
+            for (int sign = 0; sign < 8; sign++) {
+                const int across = face / 2,
+                          along = (across + 1 + sign % 2) % 3;
+                const float zero = sign & 4 ? -0.0f : 0.0f;
+                float o[3] = {0, 0, 2}, d[3];
+                struct rays r;
+                o[across] += face % 2 ? 1.0f : -1.0f;
+                for (int k = 0; k < 3; k++)
+                    d[k] = zero;
+                d[along] = sign & 2 ? 1.0f : -1.0f;
+                o[along] -= 3 * d[along];
+                rays_begin(&r, n);
+                rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
+                rays_intersect(&r, w.scene, NULL);
+                agrees(&w, &r);
+                hits += rays_hit(&r, n / 2);
+            }
         CHECK(hits == 4 * 6 * 8);
-        world_free(&w);
     }
 }
 
@@ -203,9 +182,10 @@ static void a_ray_without_direction_hits_nothing(void)
     const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
     cylint_shape shape;
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(&shape, 1, both_ways[how]);
-        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+    EACH_WAY(w, &shape, 1)
+    {
+        EACH_SIZE(n)
+        {
             struct rays r;
             rays_begin(&r, n);
             for (int i = 0; i < n; i++)
@@ -214,7 +194,6 @@ static void a_ray_without_direction_hits_nothing(void)
             agrees(&w, &r);
             CHECK(n == 1 || rays_hit(&r, 1));
         }
-        world_free(&w);
     }
 }
 
@@ -287,7 +266,8 @@ static void equal_and_nearly_equal_hits_are_distinguished(void)
                                          : CYLINT_ENDS_CAP0);
             }
             w = made(shapes, MANY, both_ways[how]);
-            for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+            EACH_SIZE(n)
+            {
                 rays_begin(&r, n);
                 for (int i = 0; i < n; i++)
                     rays_add(&r, i, o, d, 0, HUGE_VALF);
@@ -322,7 +302,8 @@ static void equal_hits_of_moving_shapes_are_distinguished(void)
     at = w;
     cylint_pack_shapes(&at.pack, w.pack_memory, now, MANY);
     at.shapes = now;
-    for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+    EACH_SIZE(n)
+    {
         struct rays r;
         rays_begin(&r, n);
         for (int i = 0; i < n; i++) {
@@ -342,19 +323,14 @@ static void v_is_below_a_whole_turn(void)
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     cylint_shape shape;
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(&shape, 1, both_ways[how]);
+    EACH_WAY(w, &shape, 1)
+    {
         for (int k = 24; k < 48; k += 4) {
             const float o[3] = {-ldexpf(1, -k), -4, 0.5f}, d[3] = {0, 1, 0};
-            struct rays r;
-            rays_begin(&r, 1);
-            rays_add(&r, 0, o, d, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
+            struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
             CHECK(rays_at(&r, HIT_V, 0)->f > 0.99f &&
                   rays_at(&r, HIT_V, 0)->f < 1);
         }
-        world_free(&w);
     }
 }
 
@@ -398,26 +374,15 @@ static void add_spy(RTCScene scene)
     rtcReleaseGeometry(spy);
 }
 
-static RTCScene scene_with_instance(RTCScene of, unsigned id, uint64_t *state)
+static RTCScene skewed_instance(RTCScene of, unsigned id, uint64_t *state)
 {
-    RTCScene outer = rtcNewScene(world_device());
-    RTCGeometry instance =
-        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
     const double scale = pow(10, 4 * world_uniform(state) - 2);
     float matrix[12];
     for (int c = 0; c < 4; c++)
         world_direction(state, matrix + 3 * c);
     for (int k = 0; k < 9; k++)
         matrix[k] = (float)(scale * matrix[k]);
-    rtcSetGeometryInstancedScene(instance, of);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            matrix);
-    rtcSetGeometryMask(instance, 0xffffffffu);
-    rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(outer, instance, id);
-    rtcReleaseGeometry(instance);
-    rtcCommitScene(outer);
-    return outer;
+    return world_instance(of, id, matrix);
 }
 
 /* Whether ray `at`, in instance 7, hit. */
@@ -448,18 +413,17 @@ static void instances_answer_for_the_transformed_ray(void)
     cylint_shape shapes[SOME];
     uint64_t state = 4;
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(shapes, SOME, both_ways[how]);
+    EACH_WAY(w, shapes, SOME)
+    {
         int hits = 0;
         add_spy(w.scene);
         rtcCommitScene(w.scene);
         for (int turn = 0; turn < 40; turn++) {
-            RTCScene outer = scene_with_instance(w.scene, 7, &state);
+            RTCScene outer = skewed_instance(w.scene, 7, &state);
             struct RTCBounds box;
             rtcGetSceneBounds(w.scene, &box);
             for (int i = 0; i < 60; i++) {
-                static const int sizes[4] = {1, 4, 8, 16};
-                const int n = sizes[i % 4], one = i % n, all = i % 8 > 3;
+                const int n = rays_sizes[i % 4], one = i % n, all = i % 8 > 3;
                 struct rays r;
                 float o[3], d[3];
                 world_direction(&state, o);
@@ -482,7 +446,6 @@ static void instances_answer_for_the_transformed_ray(void)
             rtcReleaseScene(outer);
         }
         CHECK(hits > 100);
-        world_free(&w);
     }
 }
 
@@ -499,11 +462,8 @@ static void a_hit_gets_the_instance_of_the_context(void)
     w = made(shapes, SOME, 0);
     query.instance = 9;
     for (int i = 0; i < 400; i++) {
-        static const int sizes[4] = {1, 4, 8, 16};
         struct rays r;
-        rays_begin(&r, sizes[i % 4]);
-        for (int k = 0; k < r.n; k++)
-            aim(&state, &r, k);
+        aim_all(&state, &r, rays_sizes[i % 4]);
         rays_intersect(&r, w.scene, &query);
         agrees(&w, &r);
         for (int k = 0; k < r.n; k++) {
@@ -529,8 +489,7 @@ static void bare_hits_are_completed_later(void)
             made(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
         for (int i = 0; i < 500; i++) {
             struct rays r;
-            rays_begin(&r, 1);
-            aim(&state, &r, 0);
+            aim_all(&state, &r, 1);
             rays_intersect(&r, w.scene, NULL);
             for (int m = HIT_NG; m <= HIT_V; m++)
                 CHECK(r.word[m].u == r.before[m].u);

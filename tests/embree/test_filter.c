@@ -280,7 +280,6 @@ static void query_packets(struct world *w, uint64_t *state, rule geometry,
 
 static void with_filters(unsigned how, int kind)
 {
-    static const int sizes[4] = {1, 4, 8, 16};
     cylint_shape shapes[SOME];
     cylint_embree_options options = {0};
     uint64_t state = 11;
@@ -300,7 +299,7 @@ static void with_filters(unsigned how, int kind)
         for (int context = ACCEPT; context < RULES; context++)
             for (int i = 0; i < 40; i++)
                 query_packets(&w, &state, (rule)geometry, (rule)context,
-                              sizes[i / 2 % 4], i & 1,
+                              rays_sizes[i / 2 % 4], i & 1,
                               (how & CYLINT_EMBREE_BARE) != 0);
     }
     world_free(&w);

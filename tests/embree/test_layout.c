@@ -17,7 +17,7 @@ enum { CURVE_ID = 5, INSTANCE_ID = 3 };
 static RTCScene curve_scene(void)
 {
     const float nodes[2][4] = {{-1, 0, 0, 0.5f}, {1, 0, 0, 0.5f}};
-    RTCScene scene = rtcNewScene(world_device());
+    RTCScene scene = world_new_scene();
     RTCGeometry curve =
         rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
     unsigned *first = rtcSetNewGeometryBuffer(
@@ -31,29 +31,6 @@ static RTCScene curve_scene(void)
     rtcCommitGeometry(curve);
     rtcAttachGeometryByID(scene, curve, CURVE_ID);
     rtcReleaseGeometry(curve);
-    rtcCommitScene(scene);
-    return scene;
-}
-
-/* Moved by (0, 0, 8). */
-static RTCScene instance_of(RTCScene inner)
-{
-    const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
-    RTCScene scene = rtcNewScene(world_device());
-    RTCGeometry instance =
-        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, inner);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            matrix);
-    rtcSetGeometryMask(instance, 0xffffffffu);
-    rtcCommitGeometry(instance);
-#if RTC_VERSION_MAJOR >= 4
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
-#else
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-#endif
-    rtcAttachGeometryByID(scene, instance, INSTANCE_ID);
-    rtcReleaseGeometry(instance);
     rtcCommitScene(scene);
     return scene;
 }
@@ -76,15 +53,11 @@ static void count_call(const struct RTCFilterFunctionNArguments *a)
 
 static void a_hit_is_written_where_it_is_declared(void)
 {
-    RTCScene inner = curve_scene(), scene;
-#if RTC_VERSION_MAJOR >= 4
-    rtcSetSceneFlags(inner, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
-#else
-    rtcSetSceneFlags(inner, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-#endif
-    rtcCommitScene(inner);
-    scene = instance_of(inner);
-    for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+    const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
+    RTCScene inner = curve_scene();
+    RTCScene scene = world_instance(inner, INSTANCE_ID, matrix);
+    EACH_SIZE(n)
+    {
         struct call_counts counts = {0, 0};
         struct rays_query query = {0};
         struct rays r;

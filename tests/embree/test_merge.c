@@ -63,7 +63,7 @@ static void as_of_one(struct rays *r)
 
 static void draw_rays(struct rays *r, uint64_t *state)
 {
-    rays_begin(r, (int[]){1, 4, 8, 16}[*state % 4]);
+    rays_begin(r, rays_sizes[*state % 4]);
     for (int i = 0; i < r->n; i++) {
         float o[3], d[3];
         world_direction(state, o);

@@ -10,16 +10,9 @@
 #include <string.h>
 
 #include "embree/geometry.h"
-#include "embree/geometry.h"
 #include "embree_compare.h"
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
-
-static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
-                             SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
-                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
-                             SCENE_ROUND,   SCENE_STRANDS};
-enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* Arrangements of the rays of a packet. */
 enum manner {
@@ -154,7 +147,6 @@ static int compare_packet(const struct world *w, struct rays *r, int coherent,
 static void query_scene(const struct world *w, const struct scene_shapes *s,
                         unsigned how, int turns)
 {
-    static const int sizes[3] = {4, 8, 16};
     uint64_t state = how + 1;
     int hits = 0;
     for (int turn = 0; turn < turns; turn++) {
@@ -162,7 +154,7 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
         const struct aim a = draw_aim(&state, s, manner);
         const double share = turn % 2 ? 1 : world_uniform(&state);
         struct rays r;
-        rays_begin(&r, sizes[turn / MANNERS % 3]);
+        rays_begin(&r, rays_sizes[1 + turn / MANNERS % 3]);
         for (int i = 0; i < r.n; i++)
             if (world_uniform(&state) <= share)
                 add(&state, &a, manner, &r, i);
@@ -176,11 +168,11 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
 
 static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
-    for (int i = 0; i < SCENES; i++) {
+    for (int i = 0; i < WORLD_SCENES; i++) {
         const cylint_embree_options options = options_for(how);
         struct scene_shapes s;
         struct world w;
-        scene_generate(scenes[i], SHAPES, 7, &s);
+        scene_generate(world_scenes[i], SHAPES, 7, &s);
         if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
             rtcSetGeometryIntersectFilterFunction(w.geometry, filter);
             rtcSetGeometryOccludedFilterFunction(w.geometry, filter);
@@ -234,9 +226,9 @@ static void filtered_packets_return_the_answers_to_rays_alone(void)
 /* Calls the callback directly: Embree's results for such rays are undefined. */
 static void call(const struct world *w, struct rays *r)
 {
-    cylint_rtc_context context;
+    cylint_rtc_context context = {0};
     struct RTCIntersectFunctionNArguments a = {0};
-    cylint_rtc_init(&context);
+    context.instID[0] = RTC_INVALID_GEOMETRY_ID;
     memcpy(r->before, r->word, sizeof r->before);
     a.valid = r->valid;
     a.geometryUserPtr = rtcGetGeometryUserData(w->geometry);
@@ -248,7 +240,6 @@ static void call(const struct world *w, struct rays *r)
 
 static void rays_that_are_no_lines_do_not_disturb_others(void)
 {
-    static const int sizes[3] = {4, 8, 16};
     const cylint_embree_options options = options_for(CYLINT_EMBREE_NO_FILTERS);
     uint64_t state = 3;
     struct scene_shapes s;
@@ -262,7 +253,7 @@ static void rays_that_are_no_lines_do_not_disturb_others(void)
         const float bad[4] = {NAN, HUGE_VALF, -HUGE_VALF, 0};
         struct rays r;
         int is_bad[RAYS_MOST], valid[RAYS_MOST];
-        rays_begin(&r, sizes[turn % 3]);
+        rays_begin(&r, rays_sizes[1 + turn % 3]);
         for (int i = 0; i < r.n; i++) {
             const double kind = 8 * world_uniform(&state);
             const int k = (int)(3 * world_uniform(&state));
@@ -342,7 +333,6 @@ static double library_t(const struct world *w, struct rays *r, int i)
  * through Embree every answer is that or a miss: see cylint_embree.h. */
 static void a_domain_of_one_point_is_answered_or_skipped(void)
 {
-    static const int sizes[3] = {4, 8, 16};
     cylint_shape shapes[64];
     uint64_t state = 11;
     stand_on_a_plane(&state, shapes, 64);
@@ -350,7 +340,8 @@ static void a_domain_of_one_point_is_answered_or_skipped(void)
     int hits = 0;
     for (int turn = 0; turn < 600; turn++) {
         const float t = turn & 1 ? 0 : 2;
-        struct rays r = rays_that_hit_at(&state, sizes[turn % 3], t, t);
+        struct rays r =
+            rays_that_hit_at(&state, rays_sizes[1 + turn % 3], t, t);
         const struct rays_query query = {.coherent = turn / 2 % 2};
         call(&w, &r);
         for (int i = 0; i < r.n; i++) {
@@ -369,7 +360,6 @@ static void a_domain_of_one_point_is_answered_or_skipped(void)
 
 static void of_hits_at_tnear_the_lower_number_is_reported(void)
 {
-    static const int sizes[4] = {1, 4, 8, 16};
     cylint_shape shapes[64];
     uint64_t state = 12;
     stand_on_a_plane(&state, shapes, 64);
@@ -378,7 +368,7 @@ static void of_hits_at_tnear_the_lower_number_is_reported(void)
         for (int turn = 0; turn < 800; turn++) {
             const float t = turn & 1 ? 0 : 2;
             struct rays r =
-                rays_that_hit_at(&state, sizes[turn % 4], t, HUGE_VALF);
+                rays_that_hit_at(&state, rays_sizes[turn % 4], t, HUGE_VALF);
             const struct rays_query query = {.coherent = turn / 4 % 2};
             const int exception = how == 1 && r.n > 1;
             rays_intersect(&r, w.scene, &query);

@@ -22,12 +22,6 @@
 static int rays_wanted = 100000, shapes_wanted = 200;
 static uint64_t seed = 1;
 
-static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
-                             SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
-                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
-                             SCENE_ROUND,   SCENE_STRANDS};
-enum { SCENES = sizeof scenes / sizeof *scenes };
-
 struct tally {
     long rays, hits, shadows;
     long far, far_missed, far_other; /* from farther than `sizes` */
@@ -114,12 +108,11 @@ static void compare_lines(const struct world *w, const struct scene_shapes *s,
                           enum scene_lines kind, uint64_t seed, int rays,
                           struct tally *n)
 {
-    static const int sizes[4] = {1, 4, 8, 16};
     uint64_t index = 0;
     for (int n_rays = 0, turn = 0;
          n_rays < rays && index < 100u * (unsigned)rays; turn++) {
         struct rays r;
-        rays_begin(&r, sizes[turn % 4]);
+        rays_begin(&r, rays_sizes[turn % 4]);
         for (int i = 0; i < r.n; i++) {
             cylint_line line;
             if (scene_line(s, kind, seed, index++, &line) == CYLINT_OK)
@@ -144,16 +137,17 @@ static void compare_lines(const struct world *w, const struct scene_shapes *s,
 static void answers_are_those_of_brute_force(unsigned how, double sizes)
 {
     struct tally n = {.sizes = sizes};
-    for (int i = 0; i < SCENES; i++) {
+    for (int i = 0; i < WORLD_SCENES; i++) {
         struct scene_shapes s;
         struct world w;
         cylint_embree_options options = {0};
         options.flags = how;
-        scene_generate(scenes[i], (size_t)shapes_wanted, seed, &s);
+        scene_generate(world_scenes[i], (size_t)shapes_wanted, seed, &s);
         if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
             for (int kind = 0; kind < LINES_KINDS; kind++)
-                compare_lines(&w, &s, (enum scene_lines)kind, seed,
-                              1 + rays_wanted / (2 * SCENES * LINES_KINDS), &n);
+                compare_lines(
+                    &w, &s, (enum scene_lines)kind, seed,
+                    1 + rays_wanted / (2 * WORLD_SCENES * LINES_KINDS), &n);
             world_free(&w);
         } else {
             REPORT("scene %s, shape %lu: %s", s.name,

@@ -16,7 +16,6 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
                         uint64_t *state)
 {
     static const float times[4] = {0, 0.25f, 0.5f, 1};
-    static const int sizes[4] = {1, 4, 8, 16};
     cylint_shape now[SOME];
     cylint_embree_options options = {0};
     struct world w, at;
@@ -34,19 +33,10 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
         at.shapes = now;
         for (int i = 0; i < 500; i++) {
             struct rays r;
-            rays_begin(&r, sizes[i % 4]);
-            for (int k = 0; k < r.n; k++) {
-                aim(state, &r, k);
-                rays_at(&r, RAY_TIME, k)->f = times[turn];
-            }
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&at, &r);
-            hits += rays_hit(&r, 0);
-            memcpy(r.word, r.before, sizeof r.word);
-            rays_occluded(&r, w.scene, NULL);
+            aim_all(state, &r, rays_sizes[i % 4]);
             for (int k = 0; k < r.n; k++)
-                if (!CHECK(rays_shadowed(&r, k) == shadow_expected(&at, &r, k)))
-                    world_show(&at, &r, k);
+                rays_at(&r, RAY_TIME, k)->f = times[turn];
+            hits += both_agree(&at, &r, NULL);
         }
     }
     free(at.pack_memory);
@@ -166,9 +156,7 @@ static void query_some(struct world *w, uint64_t *state)
 {
     for (int i = 0; i < 100; i++) {
         struct rays r;
-        rays_begin(&r, 4);
-        for (int k = 0; k < 4; k++)
-            aim(state, &r, k);
+        aim_all(state, &r, 4);
         rays_intersect(&r, w->scene, NULL);
         agrees(w, &r);
     }
@@ -271,10 +259,11 @@ static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
 static void a_geometry_without_shapes_is_never_hit(void)
 {
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(NULL, 0, both_ways[how]);
+    EACH_WAY(w, NULL, 0)
+    {
         struct RTCBounds box;
-        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+        EACH_SIZE(n)
+        {
             struct rays r;
             rays_begin(&r, n);
             rays_add(&r, 0, o, d, 0, HUGE_VALF);
@@ -284,7 +273,6 @@ static void a_geometry_without_shapes_is_never_hit(void)
         rtcGetSceneBounds(w.scene, &box);
         CHECK(box.lower_x > box.upper_x);
         CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
-        world_free(&w);
     }
     CHECK(world_errors() == 0);
 }
@@ -337,12 +325,11 @@ static void shapes_that_embree_would_drop_are_refused_by_number(void)
     refused(&shape, 16, CYLINT_EMBREE_ESHAPE);
     /* a shape within the limit is hit */
     CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_ENDS_CAPPED));
-    for (int how = 0; how < 2; how++) {
+    EACH_WAY(w, &shape, 1)
+    {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
-        struct world w = made(&shape, 1, both_ways[how]);
         struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0));
-        world_free(&w);
     }
 }
 
@@ -424,7 +411,6 @@ static void u_is_z_below_0_and_above_1_on_round_ends(void)
 {
     static const float expected[4][2] = {
         {-0.1f, 1.1f}, {-0.1f, 1.05f}, {0, 1}, {0, 0}};
-    static const int sizes[4] = {1, 4, 8, 16};
     cylint_shape shapes[4];
     double p[4][3], q[4][3];
     for (int i = 0; i < 4; i++) {
@@ -436,21 +422,20 @@ static void u_is_z_below_0_and_above_1_on_round_ends(void)
                              CYLINT_ENDS_CAPPED) &&
           !cylint_cylinder(&shapes[2], p[2], q[2], 0.2, CYLINT_ENDS_CAPPED) &&
           !cylint_sphere(&shapes[3], p[3], 0.2, CYLINT_ENDS_CAPPED));
-    for (int way = 0; way < 2; way++) {
-        struct world w = made(shapes, 4, both_ways[way]);
-        for (int size = 0; size < 4; size++)
-            for (int i = 0; i < 8; i++) {
-                const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
-                const float d[3] = {0, 0, -o[2]};
-                struct rays r;
-                rays_begin(&r, sizes[size]);
-                for (int k = 0; k < r.n; k++)
-                    rays_add(&r, k, o, d, 0, HUGE_VALF);
-                rays_intersect(&r, w.scene, NULL);
-                agrees(&w, &r);
-                CHECK(rays_at(&r, HIT_U, r.n - 1)->f == expected[i / 2][i % 2]);
-            }
-        world_free(&w);
+    EACH_WAY(w, shapes, 4)
+    {
+        EACH_SIZE(n)
+        for (int i = 0; i < 8; i++) {
+            const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
+            const float d[3] = {0, 0, -o[2]};
+            struct rays r;
+            rays_begin(&r, n);
+            for (int k = 0; k < n; k++)
+                rays_add(&r, k, o, d, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&w, &r);
+            CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
+        }
     }
 }
 

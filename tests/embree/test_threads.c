@@ -39,10 +39,9 @@ static struct answer answers[THREADS + 1][MOST];
 /* Question `number`, the same for all threads. */
 static void answer_question(int number, struct answer *a)
 {
-    static const int sizes[4] = {1, 4, 8, 16};
     const double side = cbrt(SHAPES);
     uint64_t state = (uint64_t)number;
-    const int n = sizes[number % 4];
+    const int n = rays_sizes[number % 4];
     struct rays r;
     cylint_line line;
     cylint_hit hit;

@@ -9,7 +9,7 @@
 #include "arguments.h"
 #include "main.h"
 #include "numbers.h"
-#include "text.h"
+#include "report.h"
 
 enum { VALUE_MOST = 64, HELP_COLUMN = 21 };
 
@@ -228,4 +228,12 @@ void print_options(const struct option *known)
             column = 0;
         }
     }
+}
+
+int end_printing(void)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return 0;
+    complain_errno("standard output");
+    return EXIT_IO;
 }

@@ -70,4 +70,7 @@ int was_given(const struct option *known, unsigned long long given,
 /* Prints the lines of the options in --help. */
 void print_options(const struct option *known);
 
+/* Returns 0, or EXIT_IO after a message if standard output did not take all. */
+int end_printing(void);
+
 #endif

@@ -485,9 +485,5 @@ int print_about(const char *what)
     else
         for (const struct kind *k = shape_kinds; k->word; k++)
             printf("%s\t%d\t%s\n", k->word, k->numbers, k->names);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        complain_errno("standard output");
-        return EXIT_IO;
-    }
-    return 0;
+    return end_printing();
 }

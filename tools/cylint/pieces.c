@@ -2,12 +2,12 @@
  * pieces.c - the pieces of a line, its first boundary, and the solids that
  * contain a point, in memory that grows
  */
-#include <stdint.h>
 #include <stdlib.h>
 
+#include "names.h"
 #include "pieces.h"
 
-enum { PIECES_FIRST = 256, GROWTH = 8, WORK_FIRST = 1 << 14 };
+enum { WORK_FIRST = 1 << 14 };
 
 void piece_memory_free(struct piece_memory *m)
 {
@@ -29,15 +29,9 @@ static int grow_work(cylint_workspace *work)
 
 static int grow_pieces(struct piece_memory *m)
 {
-    const size_t capacity =
-        m->capacity > 0 ? GROWTH * m->capacity : PIECES_FIRST;
-    cylint_piece *more = capacity <= SIZE_MAX / sizeof *more
-                             ? realloc(m->piece, capacity * sizeof *more)
-                             : NULL;
-    if (more) {
-        m->piece = more;
-        m->capacity = capacity;
-    }
+    cylint_piece *more =
+        grown(m->piece, m->capacity, &m->capacity, sizeof *more);
+    m->piece = more ? more : m->piece;
     return more != NULL;
 }
 

@@ -2,16 +2,15 @@
  * progress.c - the progress of the work, on standard error
  */
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "main.h"
 #include "progress.h"
 
-static double seconds(void)
+double seconds_of(clockid_t clock)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
@@ -22,7 +21,7 @@ void progress_start(struct progress *p, int wanted, const char *unit,
     p->in_bytes = in_bytes;
     p->terminal = isatty(2);
     p->shown = wanted || p->terminal;
-    p->start = p->last = p->shown ? seconds() : 0;
+    p->start = p->last = p->shown ? seconds_of(CLOCK_MONOTONIC) : 0;
     p->dirty = 0;
     p->count = 0;
 }
@@ -49,7 +48,7 @@ void progress_add(struct progress *p, unsigned long long count, double done,
     p->count += count;
     if (!p->shown)
         return;
-    const double now = seconds();
+    const double now = seconds_of(CLOCK_MONOTONIC);
     const double pause = p->terminal && p->dirty ? 0.2 : 1;
     if (now - p->last >= pause)
         show(p, now, done, total);
@@ -60,5 +59,5 @@ void progress_end(struct progress *p)
     if (p->dirty)
         fputs("\r\033[K", stderr);
     else if (p->shown && !p->terminal)
-        show(p, seconds(), 0, 0);
+        show(p, seconds_of(CLOCK_MONOTONIC), 0, 0);
 }

@@ -7,6 +7,11 @@
 #ifndef CYLINT_PROGRESS_H
 #define CYLINT_PROGRESS_H
 
+#include <time.h>
+
+/* Seconds of a clock. */
+double seconds_of(clockid_t clock);
+
 struct progress {
     const char *unit;    /* what is counted, in the plural */
     int in_bytes;        /* `done` and `total` are bytes */

@@ -33,6 +33,19 @@ DEFINED = re.compile(
     r"^(?:static|INLINE|CYLINT_INLINE|ASIDE) [^=;(]*?\b(\w+)\("
     r"|^typedef [^(]*?\b(\w+);|^} (\w+);"
 )
+# Strings, __attribute__((...)) and _Pragma(...).
+LEFT_OUT = re.compile(
+    r'"(?:\\.|[^"\\])*"'
+    r"|\b(?:__attribute__|_Pragma|__pragma)\s*\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)"
+)
+# The names in text whose braces, with what they contain, are @: of functions and
+# objects, of structs, of types, of types of functions.
+NAMED = [
+    re.compile(r"\bstatic\b[^=;@(]*?(\w+)\s*(?:\[[^=;]*\]\s*)?[=;(]"),
+    re.compile(r"\b(?:struct|union|enum)\s+(\w+)\s*@"),
+    re.compile(r"\btypedef\b[^;]*?(\w+)\s*(?:\[[^;]*\]\s*)?;"),
+    re.compile(r"\btypedef\b[^;(]*?(?:\(\s*\*\s*)?(\w+)\s*\)?\s*\("),
+]
 PUBLIC = {
     "cylint.h",
     "cylint_distance.h",
@@ -212,111 +225,34 @@ def macros_in(lines):
 # ------------------------------------------------------ names of file scope --
 
 
-def tokens_of(cc, path, flags, private):
-    """The tokens of the preprocessed file, those of private files marked."""
+def private_text(cc, path, flags, private):
+    """The preprocessed file without the other files that it includes."""
     command = [*cc.split(), "-E", "-std=c99", "-Iinclude", *flags, str(path)]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
     chain = [True]  # for the files that include each other: all are private
+    lines = []
     for line in done.stdout.splitlines():
         marker = re.match(r'# \d+ "(.*)"((?: \d)*)', line)
-        if marker:
-            flags = marker[2].split()
-            if "1" in flags:
-                file = Path(marker[1])
-                private_file = file.exists() and file.resolve() in private
-                chain.append(chain[-1] and private_file)
-            elif "2" in flags:
-                chain.pop()
-            continue
-        inside = chain[-1]
-        if line.startswith("#"):
-            continue
-        for token in re.findall(
-            r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'])+\'|\w+|\S', line
-        ):
-            yield token, inside
-
-
-def is_name(token):
-    return re.match(r"[A-Za-z_]\w*$", token) is not None
-
-
-def enumerators(body):
-    depth, fresh = 0, True
-    for token in body:
-        depth += token in "({"
-        depth -= token in ")}"
-        if fresh and is_name(token):
-            yield token
-        fresh = token == "," and depth == 0
-
-
-def drop_attributes(tokens):
-    """Without __attribute__((...)) and _Pragma(...)."""
-    kept, i = [], 0
-    while i < len(tokens):
-        if tokens[i] in ("__attribute__", "_Pragma", "__pragma"):
-            depth, i = 0, i + 1
-            while True:
-                depth += {"(": 1, ")": -1}.get(tokens[i], 0)
-                i += 1
-                if depth == 0:
-                    break
-        else:
-            kept.append(tokens[i])
-            i += 1
-    return kept
-
-
-def names_in(declaration):
-    """The names that a declaration of file scope defines, but external ones.
-
-    declaration: tokens; the tokens within braces are lists.
-    """
-    flat = drop_attributes(declaration)
-    for i, token in enumerate(flat):
-        if token in ("struct", "union", "enum") and i + 1 < len(flat):
-            tag = flat[i + 1] if not isinstance(flat[i + 1], list) else None
-            body = flat[i + 2] if tag and i + 2 < len(flat) else flat[i + 1]
-            if isinstance(body, list):
-                if tag:
-                    yield tag
-                if token == "enum":
-                    yield from enumerators(body)
-    if "typedef" not in flat and "static" not in flat:
-        return
-    words = [t for t in flat if not isinstance(t, list)]
-    if "(" in words and "=" not in words[: words.index("(")]:
-        at = words.index("(")
-        yield words[at + 2] if words[at + 1] == "*" else words[at - 1]
-        return
-    for i, token in enumerate(words):
-        if token in "=[;," and is_name(words[i - 1]):
-            yield words[i - 1]
-            if token in "=[;":
-                return
+        if marker and " 1" in marker[2]:
+            file = Path(marker[1])
+            chain.append(chain[-1] and file.exists() and file.resolve() in private)
+        elif marker and " 2" in marker[2]:
+            chain.pop()
+        elif chain[-1] and not line.startswith("#"):
+            lines.append(line)
+    return "\n".join(lines)
 
 
 def names_of(cc, path, flags, private):
-    names, declaration, stack, mine = set(), [], [], False
-    for token, inside in tokens_of(cc, path, flags, private):
-        if token == "{":
-            stack.append(declaration)
-            declaration = []
-            continue
-        if token == "}":
-            body, declaration = declaration, stack.pop()
-            declaration.append(body)
-            ends = not stack and ")" in declaration and "=" not in declaration
-        else:
-            declaration.append(token)
-            ends = not stack and token == ";"
-        mine = mine or (inside and not stack)
-        if ends:
-            if mine:
-                names.update(names_in(declaration))
-            declaration, mine = [], False
-    return names
+    """The names that declarations of file scope define, but external ones."""
+    text = LEFT_OUT.sub("", private_text(cc, path, flags, private))
+    names = set()
+    for body in re.findall(r"\benum\s*\w*\s*\{([^{}]*)\}", text):
+        names |= set(re.findall(r"(?:^|,)\s*([A-Za-z_]\w*)", body))
+    nested = 1
+    while nested:
+        text, nested = re.subn(r"\{[^{}]*\}", "@", text)
+    return names.union(*(pattern.findall(text) for pattern in NAMED))
 
 
 def names_in_text(lines):
@@ -380,49 +316,35 @@ def feature(isa):
     return f"__{isa.upper()}__"
 
 
+def by_compiler(clang, gcc):
+    return ["#ifdef __clang__", *clang, "#else", *gcc, "#endif"]
+
+
 def target_begin(target):
     """gcc's pragma defines the macros of the instruction sets; clang's does
     not."""
     text = ",".join(target)
-    return [
-        "#ifdef __clang__",
+    clang = [
         f'#pragma clang attribute push(__attribute__((target("{text}"))), \\',
         "                             apply_to = function)",
-        *(
-            line
-            for isa in target
-            for line in (
-                f"#ifndef {feature(isa)}",
-                f"#define {feature(isa)} 1",
-                f"#define CYLINT_UNDEFINE_{isa.upper()}",
-                "#endif",
-            )
-        ),
-        "#else",
-        "#pragma GCC push_options",
-        f'#pragma GCC target("{text}")',
-        "#endif",
     ]
+    for isa in target:
+        clang += [
+            f"#ifndef {feature(isa)}",
+            f"#define {feature(isa)} 1",
+            f"#define CYLINT_UNDEFINE_{isa.upper()}",
+            "#endif",
+        ]
+    gcc = ["#pragma GCC push_options", f'#pragma GCC target("{text}")']
+    return by_compiler(clang, gcc)
 
 
 def target_end(target):
-    return [
-        "#ifdef __clang__",
-        "#pragma clang attribute pop",
-        *(
-            line
-            for isa in target
-            for line in (
-                f"#ifdef CYLINT_UNDEFINE_{isa.upper()}",
-                f"#undef {feature(isa)}",
-                f"#undef CYLINT_UNDEFINE_{isa.upper()}",
-                "#endif",
-            )
-        ),
-        "#else",
-        "#pragma GCC pop_options",
-        "#endif",
-    ]
+    clang = ["#pragma clang attribute pop"]
+    for isa in target:
+        undefine = f"CYLINT_UNDEFINE_{isa.upper()}"
+        clang += [f"#ifdef {undefine}", f"#undef {feature(isa)}", f"#undef {undefine}", "#endif"]
+    return by_compiler(clang, ["#pragma GCC pop_options"])
 
 
 PREAMBLE = """/*

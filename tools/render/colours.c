@@ -170,18 +170,13 @@ static double height_of(const cylint_shape *s, struct vector up)
            up.v[2] * (cylint_base(s)[2] + 0.5 * cylint_axis(s)[2]);
 }
 
-static double measure(enum colouring how, const cylint_shape *shape,
+static double measure(const struct scene *scene, size_t i, enum colouring how,
                       struct vector up)
-{
-    return how == COLOUR_RADIUS ? log(radius_of(shape)) : height_of(shape, up);
-}
-
-static double measure_number(const struct scene *scene, size_t i,
-                             enum colouring how, struct vector up)
 {
     cylint_shape shape;
     scene_shape(scene, i, &shape);
-    return measure(how, &shape, up);
+    return how == COLOUR_RADIUS ? log(radius_of(&shape))
+                                : height_of(&shape, up);
 }
 
 /* Colours along a gradient, from the least to the greatest finite value. */
@@ -190,14 +185,14 @@ static void by_measure(struct colours *c, const struct scene *scene,
 {
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (size_t i = 0; i < scene->count; i++) {
-        const double x = measure_number(scene, i, how, up);
+        const double x = measure(scene, i, how, up);
         if (x - x == 0) {
             least = fmin(least, x);
             most = fmax(most, x);
         }
     }
     for (size_t i = 0; i < scene->count; i++) {
-        const double x = measure_number(scene, i, how, up);
+        const double x = measure(scene, i, how, up);
         const double share =
             x - x == 0 && most > least ? (x - least) / (most - least) : 0.5;
         if (c->of[i] == NO_COLOUR) {

@@ -136,7 +136,8 @@ int main(int argc, char **argv)
         return status != 0 ? status : print_about(options.print);
     colours.how = options.colouring;
     stages_start(&stages, options.progress);
-    status = picture_open(&out, options.output);
+    status = output_open(
+        &out, strcmp(options.output, "-") == 0 ? NULL : options.output, 1);
     if (status != 0)
         return status;
     status = prepare(&options, &scene, &colours, &stage, &view);

@@ -297,9 +297,5 @@ int print_about(const char *what)
              "failed,\n"
              "4 out of memory.  See cylint-render(1).");
     }
-    if (fflush(stdout) != 0) {
-        complain_errno("standard output");
-        return EXIT_IO;
-    }
-    return 0;
+    return end_printing();
 }

@@ -100,11 +100,6 @@ static int encode(png_structp png, png_infop info, const struct picture *p)
     return 1;
 }
 
-int picture_open(struct output *out, const char *file)
-{
-    return output_open(out, strcmp(file, "-") == 0 ? NULL : file, 1);
-}
-
 int picture_write(const struct picture *p, struct output *out)
 {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL,

@@ -17,9 +17,6 @@ struct picture {
 
 /* All return 0, or report the fault and return an exit status. */
 int picture_make(struct picture *picture, int width, int height, int channels);
-/* Opens the file, "-" for standard output; called before the work.
- * output_close() puts it in its place. */
-int picture_open(struct output *out, const char *file);
 int picture_write(const struct picture *picture, struct output *out);
 
 void picture_free(struct picture *picture);

@@ -160,23 +160,20 @@ int view_of_scene(struct view *view, const struct viewing *camera,
     return 1;
 }
 
-void view_ray(const struct view *view, double x, double y, cylint_line *ray)
-{
-    const struct vector across = plus(times(x * view->half_width, view->right),
-                                      y * view->half_height, view->up);
-    const struct vector o =
-        view->parallel ? plus(view->eye, 1, across) : view->eye;
-    const struct vector d =
-        view->parallel ? view->forward : plus(view->forward, 1, across);
-    cylint_ray(ray, o.v, d.v);
-}
-
 void view_sample(const struct view *view, int width, int height, int x, int y,
                  int i, int samples, cylint_line *ray)
 {
     double at[2] = {0.5, 0.5};
     if (samples > 1)
         sample_square((uint32_t)i, 0, at);
-    view_ray(view, 2 * (x + at[0]) / width - 1, 1 - 2 * (y + at[1]) / height,
-             ray);
+    const double right = 2 * (x + at[0]) / width - 1;
+    const double up = 1 - 2 * (y + at[1]) / height;
+    const struct vector across =
+        plus(times(right * view->half_width, view->right),
+             up * view->half_height, view->up);
+    const struct vector o =
+        view->parallel ? plus(view->eye, 1, across) : view->eye;
+    const struct vector d =
+        view->parallel ? view->forward : plus(view->forward, 1, across);
+    cylint_ray(ray, o.v, d.v);
 }

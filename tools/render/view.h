@@ -34,10 +34,6 @@ struct view {
 int view_of_scene(struct view *view, const struct viewing *camera,
                   const struct boxes *boxes);
 
-/* The ray through the point x, y of the picture: -1 to 1 from left to right
- * and from bottom to top. */
-void view_ray(const struct view *view, double x, double y, cylint_line *ray);
-
 /* Ray i of `samples` through pixel x, y of a picture of this size; y is counted from
  * the top.  One ray goes through the pixel's middle.  Samples have the same places in
  * all pixels, so that edges are even. */
