@@ -35,32 +35,32 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
     return hit & node->children;
 }
 
-#define IS_DONE_ALONE(t, e) 0
 #include "traverse_template.h"
 
 static inline void push_start(traversal *t, const cylint_bvh *bvh,
-                              const ray_state *ray, uint32_t child)
+                              const ray_state *ray)
 {
     t->bvh = bvh;
     t->ray = ray;
-    t->stack[0] = (entry){keyed_child(order_key(ray->first), child)};
+    t->stack[0] = (entry){keyed_child(order_key(ray->first), 0)};
     t->n = 1;
 }
 
-/* Starts at `child`.  certain: return 1 at a certain hit.  If the line ends
- * outside the box of all and has a point inside a shape, it hits the shape behind
- * that point. */
-CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
-                                ray_state *state, const cylint_float_ray *ray,
-                                cylint_ray_leaf_callback *callback, void *self,
-                                int certain)
+/* certain: returns 1 at a certain hit.  If the line ends outside the box of all and
+ * has a point inside a shape, it hits the shape behind that point. */
+CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
+                              const cylint_float_ray *ray,
+                              cylint_ray_leaf_callback *callback, void *self,
+                              int certain)
 {
     const float E = size_of(ray);
     const cylint_leaf *leaf, *next;
     float least[CYLINT_LEAF_SIZE];
+    ray_state state;
     traversal t;
     entry at;
-    push_start(&t, bvh, state, child);
+    start_ray(&state, bvh, ray);
+    push_start(&t, bvh, &state);
     for (next = next_leaf(&t, &at); (leaf = next);) {
         unsigned certain_lanes = 0;
         next = next_leaf(&t, &at);
@@ -72,7 +72,7 @@ CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
             return 1;
         if (callback(self, leaf, lanes, least))
             return 0;
-        shorten(state, ray->tfar);
+        shorten(&state, ray->tfar);
     }
     return 0;
 }
@@ -80,19 +80,9 @@ CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
 static int traverse_ray(const cylint_bvh *bvh, const cylint_float_ray *ray,
                         cylint_ray_leaf_callback *callback, void *self, int any)
 {
-    ray_state state;
-    start_ray(&state, bvh, ray);
     return any && ends_outside(bvh, ray)
-               ? traverse_from(bvh, 0, &state, ray, callback, self, 1)
-               : traverse_from(bvh, 0, &state, ray, callback, self, 0);
-}
-
-static int traverse_subtree(const cylint_bvh *bvh, uint32_t child,
-                            ray_state *state, const cylint_float_ray *ray,
-                            cylint_ray_leaf_callback *callback, void *self,
-                            int certain)
-{
-    return traverse_from(bvh, child, state, ray, callback, self, certain);
+               ? traverse_as(bvh, ray, callback, self, 1)
+               : traverse_as(bvh, ray, callback, self, 0);
 }
 
 static void traverse_line(const cylint_bvh *bvh, const double o[3],
@@ -105,7 +95,7 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     traversal t;
     entry at;
     start_line(&state, bvh, o, d, 0, *tmax);
-    push_start(&t, bvh, &state, 0);
+    push_start(&t, bvh, &state);
     for (next = next_leaf(&t, &at); (leaf = next);) {
         next = next_leaf(&t, &at);
         const unsigned lanes = test_line(leaf, o, d, 0, *tmax, least);
@@ -203,5 +193,5 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
     }
 }
 
-const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_subtree,
-                                           traverse_line, traverse_all};
+const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_line,
+                                           traverse_all};

@@ -55,17 +55,8 @@ typedef struct cylint_ray_state {
     double t0, t0_error;         /* ... minus t0, with this error */
 } cylint_ray_state;
 
-/* Starts at `child` with the ray's state initialised.  certain: returns 1 at a
- * certain hit; else returns 0. */
-typedef int cylint_traverse_subtree(const cylint_bvh *bvh, uint32_t child,
-                                    cylint_ray_state *state,
-                                    const cylint_float_ray *ray,
-                                    cylint_ray_leaf_callback *callback,
-                                    void *self, int certain);
-
 typedef struct cylint_traversal {
     cylint_traverse_ray *ray;
-    cylint_traverse_subtree *subtree;
     cylint_traverse_line *line;
     cylint_traverse_line *all; /* in no order, and the callback gets no least[];
                                   does not read *tmax again */

@@ -113,7 +113,6 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
     return hit & node->children;
 }
 
-#define IS_DONE_ALONE(t, e) 0
 #include "traverse_template.h"
 
 /* --------------------------------------------------------------- leaves -- */

@@ -14,8 +14,6 @@
  *   int is_needed(traversal *, entry *)   whether the entry, just taken from
  *                                         the stack, may still hold the
  *                                         nearest hit
- *   IS_DONE_ALONE(traversal *, const entry *)   a macro: traverses the entry
- *                                         by other code and is 1, or is 0
  *   unsigned hit_children(const traversal *, const entry *,
  *                         const cylint_node *, child_hits *)
  *                                         bits of the children that are hit
@@ -59,8 +57,6 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
                 *at = next;
                 return &t->bvh->leaves[child & ~CYLINT_LEAF_FLAG];
             }
-            if (IS_DONE_ALONE(t, &next))
-                break;
             const cylint_node *node = &t->bvh->nodes[child];
             child_hits hits;
             const unsigned hit = hit_children(t, &next, node, &hits);

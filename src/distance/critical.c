@@ -195,7 +195,6 @@ static void polynomial(const stationary *f, int sign, triple p[DEGREE + 1])
         size = cylint_larger(size, fabs(x[i].a));
     }
     const int e = cylint_any_exponent(size);
-    /* untaken 1 of 2: no known form is so large */
     const double power = cylint_power_of_two(e > 1000    ? -1000
                                              : e < -1000 ? 1000
                                                          : -e);

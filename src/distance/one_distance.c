@@ -52,6 +52,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m,
     const int certain =
         /* untaken 1 of 4: no known distance of numbers in range is so small */
         n->d.high <= n->d.low && fabs(d.hi) >= CYLINT_DISTANCE_LEAST;
+    /* untaken 1 of 4: the feature is known in every known case */
     if (certain || !n->known)
         return certain;
     distance_in_pairs at = {(int)n->feature,

@@ -102,7 +102,6 @@ static inline double triple_normalizer(const triple v[3])
     if (size == 0)
         return 1;
     const int e = cylint_any_exponent(size);
-    /* untaken 1 of 4: no known vector is so long */
     return cylint_power_of_two(e > 1000 ? -1000 : e < -1000 ? 1000 : -e);
 }
 

@@ -17,24 +17,6 @@ typedef struct RTCRayQueryContext cylint_rtc_context;
 #define cylint_rtc_filter_occluded(args, filter) \
     rtcInvokeOccludedFilterFromGeometry(args, filter)
 
-#define cylint_rtc_init(context) rtcInitRayQueryContext(context)
-static inline void cylint_rtc_nearest(RTCScene scene, cylint_rtc_context *c,
-                                      struct RTCRayHit *ray)
-{
-    struct RTCIntersectArguments args;
-    rtcInitIntersectArguments(&args);
-    args.context = c;
-    rtcIntersect1(scene, ray, &args);
-}
-static inline void cylint_rtc_any(RTCScene scene, cylint_rtc_context *c,
-                                  struct RTCRay *ray)
-{
-    struct RTCOccludedArguments args;
-    rtcInitOccludedArguments(&args);
-    args.context = c;
-    rtcOccluded1(scene, ray, &args);
-}
-
 #else
 
 #include <embree3/rtcore.h>
@@ -44,11 +26,6 @@ typedef struct RTCIntersectContext cylint_rtc_context;
 #define cylint_rtc_filter_hit(args, filter) rtcFilterIntersection(args, filter)
 #define cylint_rtc_filter_occluded(args, filter) \
     rtcFilterOcclusion(args, filter)
-
-#define cylint_rtc_init(context) rtcInitIntersectContext(context)
-#define cylint_rtc_nearest(scene, context, ray) \
-    rtcIntersect1(scene, context, ray)
-#define cylint_rtc_any(scene, context, ray) rtcOccluded1(scene, context, ray)
 
 #endif
 

@@ -26,7 +26,7 @@ typedef struct cylint_embree_data {
     const cylint_shape *from[2]; /* the caller's arrays, at times 0 and 1; the
                                     second is NULL if the shapes do not move */
     size_t n;
-    double pad;     /* added to each side of Embree's boxes: box_pad.h */
+    double pad;     /* added to each side of Embree's boxes: box_pad() */
     unsigned flags; /* CYLINT_EMBREE_SINGLE, ... */
     void *user;     /* for filter functions */
     int threads;    /* to build the hierarchy */

@@ -3,7 +3,7 @@
  *
  * An entry of the stack also has the bits of the rays that may hit the child.
  * Boxes and cylinders are unpacked once for all rays, and all rays wait for the
- * same memory.  A ray that is the only one in a node goes on by itself.
+ * same memory.
  */
 #include "packet_traverse.h"
 
@@ -11,7 +11,6 @@
 
 #ifndef CYLINT_TRAVERSE_PACKET
 #define CYLINT_TRAVERSE_PACKET cylint_traverse_packet_plain
-#define CYLINT_TRAVERSAL cylint_traversal_plain
 #endif
 
 typedef struct {
@@ -57,36 +56,6 @@ static void set_certain(traversal *p, unsigned k)
     p->active &= ~(1u << k);
 }
 
-/* ----------------------------------------------------------- single rays -- */
-
-typedef struct {
-    traversal *p;
-    cylint_packet_leaf hit;
-    unsigned ray;
-} single_ray;
-
-static int report_single(void *self, const cylint_leaf *leaf, unsigned lanes,
-                         const float least[CYLINT_LEAF_SIZE])
-{
-    single_ray *s = self;
-    s->hit.leaf = leaf;
-    s->hit.rays = 1u << s->ray;
-    s->hit.lanes[s->ray] = lanes;
-    memcpy(s->hit.least[s->ray], least, sizeof s->hit.least[s->ray]);
-    report(s->p, &s->hit);
-    return !(s->p->active >> s->ray & 1);
-}
-
-static void traverse_single(traversal *p, unsigned k, uint32_t child)
-{
-    single_ray s;
-    s.p = p;
-    s.ray = k;
-    if (CYLINT_TRAVERSAL.subtree(p->bvh, child, &p->state[k], p->ray[k],
-                                 report_single, &s, p->outside >> k & 1))
-        set_certain(p, k);
-}
-
 /* ----------------------------------------------------------------- nodes -- */
 
 /* Keeps the active rays whose domain reaches the entry. */
@@ -100,14 +69,6 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
     }
     e->rays = rays;
     return rays != 0;
-}
-
-CYLINT_INLINE int is_done_alone(traversal *p, const entry *e)
-{
-    if (e->rays & (e->rays - 1))
-        return 0;
-    traverse_single(p, (unsigned)cylint_lowest(e->rays), (uint32_t)e->key);
-    return 1;
 }
 
 CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
@@ -139,7 +100,6 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
     return (entry){keyed_child(hits->enter[i], node->child[i]), hits->rays[i]};
 }
 
-#define IS_DONE_ALONE(p, e) is_done_alone(p, e)
 #include "../bvh/traverse_template.h"
 
 /* ---------------------------------------------------------------- leaves -- */

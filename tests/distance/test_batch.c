@@ -326,6 +326,13 @@ static void every_column_can_be_wanted_alone(void)
             draw_points_about(&c, 60, 5);
             check_batch(0, 60, &at);
             check_batch(MOST, 60, &at);
+            for (int i = 0; i < 60; i++) /* nothing is left by lanes */
+                for (int j = 0; j < 3; j++)
+                    place_of_case[i][j] =
+                        cylint_top(&c.shape)[j] +
+                        ldexp(7 + i, j - 2) * cylint_height(&c.shape);
+            check_batch(0, 60, &at);
+            check_batch(MOST, 60, &at);
         }
 }
 

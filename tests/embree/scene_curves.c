@@ -12,7 +12,7 @@
 
 #include "cylint_scene.h"
 #include "shapes/layout.h"
-#include "embree/api.h"
+#include "embree_rays.h"
 #include "scenes.h"
 
 enum { SHAPES = 2000, RAYS = 4000 };
@@ -61,21 +61,22 @@ static RTCScene curves_of(RTCDevice device, struct scene_shapes *s)
     return scene;
 }
 
-/* A ray of floats; unit: with a unit direction. */
-static struct RTCRay ray_of(const cylint_line *line, int unit)
+/* Makes a ray of floats, and the line of the same floats; unit: with a unit
+ * direction.  Returns whether that is a line. */
+static int add_ray(struct rays *r, cylint_line *line, int unit)
 {
     const double length =
         sqrt(line->d[0] * line->d[0] + line->d[1] * line->d[1] +
              line->d[2] * line->d[2]);
-    const double k = unit ? 1 / length : 1;
-    return (struct RTCRay){.org_x = (float)line->o[0],
-                           .org_y = (float)line->o[1],
-                           .org_z = (float)line->o[2],
-                           .dir_x = (float)(line->d[0] * k),
-                           .dir_y = (float)(line->d[1] * k),
-                           .dir_z = (float)(line->d[2] * k),
-                           .tfar = HUGE_VALF,
-                           .mask = ~0u};
+    double o[3], d[3];
+    float of[3], df[3];
+    for (int j = 0; j < 3; j++) {
+        o[j] = of[j] = (float)line->o[j];
+        d[j] = df[j] = (float)(line->d[j] * (unit ? 1 / length : 1));
+    }
+    rays_begin(r, 1);
+    rays_add(r, 0, of, df, 0, HUGE_VALF);
+    return cylint_ray(line, o, d) == CYLINT_OK;
 }
 
 static void compare(RTCScene curves, const cylint_scene *exact,
@@ -85,18 +86,13 @@ static void compare(RTCScene curves, const cylint_scene *exact,
     size_t hits = 0, missed = 0, false_hits = 0, rays_traced = 0;
     for (size_t i = 0; i < RAYS; i++) {
         cylint_line line;
-        cylint_rtc_context context;
-        if (scene_line(s, kind, 1, i, &line) != CYLINT_OK)
+        struct rays r;
+        if (scene_line(s, kind, 1, i, &line) != CYLINT_OK ||
+            !add_ray(&r, &line, unit))
             continue;
-        struct RTCRay ray = ray_of(&line, unit);
-        const double o[3] = {ray.org_x, ray.org_y, ray.org_z};
-        const double d[3] = {ray.dir_x, ray.dir_y, ray.dir_z};
-        if (cylint_ray(&line, o, d) != CYLINT_OK)
-            continue;
-        cylint_rtc_init(&context);
-        cylint_rtc_any(curves, &context, &ray);
+        rays_occluded(&r, curves, NULL);
         const int hit = cylint_scene_count(exact, &line, 1) > 0;
-        const int curve_hit = ray.tfar < 0;
+        const int curve_hit = rays_shadowed(&r, 0);
         rays_traced++;
         hits += (size_t)hit;
         missed += (size_t)(hit && !curve_hit);

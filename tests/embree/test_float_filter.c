@@ -88,6 +88,8 @@ static void set_piece(struct scene_query *x, uint64_t i)
     if (i % 4 == 0 && x->n && t != 0) /* there is no float before 0 */
         x->q.tfar =
             cylint_float_after(cylint_float_above(t), (int)(i / 8 % 5) - 2);
+    if (!(fabsf(x->q.tfar) <= FLT_MAX)) /* nor one beyond FLT_MAX */
+        x->q.tfar = HUGE_VALF;
     cylint_filter_record_of(&x->record, x->shape);
 }
 

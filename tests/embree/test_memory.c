@@ -12,24 +12,68 @@
 
 enum { SHAPES = 300, ENOUGH = 1000 };
 
-static void begin(int refuse)
+/* What is made, updated or, if there is a scene, committed while allocations are
+ * refused. */
+struct subject {
+    const cylint_shape *shapes;
+    cylint_embree_options options;
+    RTCGeometry geometry;
+    RTCScene scene;
+};
+
+static int make(struct subject *s)
 {
-    world_memory.requests = 0;
-    world_memory.refuse = refuse;
-    world_errors();
+    const long long bytes = world_memory.bytes;
+    cylint_embree_problem problem = {-1, 0};
+    RTCGeometry geometry = cylint_embree_geometry(
+        world_device(), s->shapes, SHAPES, &s->options, &problem);
+    CHECK((geometry != NULL) == (problem.status == CYLINT_EMBREE_OK));
+    cylint_embree_release(geometry);
+    CHECK(world_memory.bytes == bytes);
+    return problem.status;
 }
 
-/* Whether an allocation was refused; then the device reported an error. */
-static int was_refused(void)
+static int update(struct subject *s)
 {
-    const int refused = world_memory.requests >= world_memory.refuse;
-    world_memory.refuse = 0;
-    if (refused)
-        CHECK(world_errors() > 0 &&
-              world_last_error() == RTC_ERROR_OUT_OF_MEMORY);
-    else
-        CHECK(world_errors() == 0);
-    return refused;
+    cylint_embree_problem problem = {-1, 0};
+    const int status = cylint_embree_update(s->geometry, &problem);
+    CHECK(status == problem.status);
+    return status;
+}
+
+/* The scene has no status: the errors of the device are checked. */
+static int commit(struct subject *s)
+{
+    rtcCommitScene(s->scene);
+    return world_memory.requests < world_memory.refuse ? CYLINT_EMBREE_OK
+                                                       : CYLINT_EMBREE_EMEMORY;
+}
+
+/* Refuses one allocation of an action after the other, until it succeeds.  If one
+ * is refused, the device reports an error, and no memory stays behind, except that
+ * of a scene.  Returns the number of refusals. */
+static int refuse_each(int (*act)(struct subject *), struct subject *s)
+{
+    for (int k = 1; k < ENOUGH; k++) {
+        if (s->scene)
+            CHECK(cylint_embree_update(s->geometry, NULL) == CYLINT_EMBREE_OK);
+        const long long bytes = world_memory.bytes;
+        world_memory.requests = 0;
+        world_memory.refuse = k;
+        world_errors();
+        const int status = act(s);
+        const int refused = world_memory.requests >= k;
+        world_memory.refuse = 0;
+        CHECK(status == (refused ? CYLINT_EMBREE_EMEMORY : CYLINT_EMBREE_OK));
+        CHECK(refused ? world_errors() > 0 &&
+                            world_last_error() == RTC_ERROR_OUT_OF_MEMORY
+                      : world_errors() == 0);
+        if (!refused)
+            return k - 1;
+        CHECK(s->scene || world_memory.bytes == bytes);
+    }
+    CHECK(0); /* never made */
+    return 0;
 }
 
 static void shapes_of_all_kinds(cylint_shape *shapes, uint64_t seed)
@@ -39,41 +83,17 @@ static void shapes_of_all_kinds(cylint_shape *shapes, uint64_t seed)
     world_shapes(&seed, SCENE_FIBRES, shapes, SHAPES / 2);
 }
 
-static void refuse_making(unsigned how, const cylint_shape *moved)
-{
-    cylint_shape shapes[SHAPES];
-    cylint_embree_options options = {0};
-    int refusals = 0, made = 0;
-    options.flags = how;
-    options.moved = moved;
-    shapes_of_all_kinds(shapes, 1);
-    for (int k = 1; k < ENOUGH && !made; k++) {
-        const long long bytes = world_memory.bytes;
-        cylint_embree_problem problem = {-1, 0};
-        RTCGeometry geometry;
-        begin(k);
-        geometry = cylint_embree_geometry(world_device(), shapes, SHAPES,
-                                          &options, &problem);
-        if (was_refused()) {
-            refusals++;
-            CHECK(!geometry && problem.status == CYLINT_EMBREE_EMEMORY);
-        } else {
-            made = 1;
-            CHECK(geometry && problem.status == CYLINT_EMBREE_OK);
-        }
-        cylint_embree_release(geometry);
-        CHECK(world_memory.bytes == bytes);
-    }
-    CHECK(made && refusals > 0);
-}
-
 static void a_failed_making_frees_all_memory(void)
 {
-    cylint_shape moved[SHAPES];
+    cylint_shape shapes[SHAPES], moved[SHAPES];
+    shapes_of_all_kinds(shapes, 1);
     shapes_of_all_kinds(moved, 1);
-    refuse_making(0, NULL);
-    refuse_making(CYLINT_EMBREE_SINGLE, NULL);
-    refuse_making(0, moved);
+    for (int how = 0; how < 3; how++) {
+        struct subject s = {.shapes = shapes};
+        s.options.flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0;
+        s.options.moved = how == 2 ? moved : NULL;
+        CHECK(refuse_each(make, &s) > 0);
+    }
 }
 
 static void query_all(struct world *w, uint64_t *state)
@@ -100,27 +120,12 @@ static void a_failed_update_frees_all_memory(void)
         const long long before = world_memory.bytes;
         cylint_embree_options options = {0};
         struct world w;
-        int refusals = 0, made = 0;
         options.flags = how ? CYLINT_EMBREE_SINGLE : 0;
         shapes_of_all_kinds(shapes, 2);
         if (!CHECK(world_make(&w, shapes, SHAPES, &options)))
             return;
-        for (int k = 1; k < ENOUGH && !made; k++) {
-            const long long bytes = world_memory.bytes;
-            int status;
-            begin(k);
-            status = cylint_embree_update(w.geometry, &w.problem);
-            CHECK(status == w.problem.status);
-            if (was_refused()) {
-                refusals++;
-                CHECK(status == CYLINT_EMBREE_EMEMORY);
-                CHECK(world_memory.bytes == bytes);
-            } else {
-                made = 1;
-                CHECK(status == CYLINT_EMBREE_OK);
-            }
-        }
-        CHECK(made && (how || refusals > 0));
+        struct subject s = {.geometry = w.geometry};
+        CHECK(refuse_each(update, &s) > 0 || how);
         rtcCommitScene(w.scene);
         query_all(&w, &state);
         world_free(&w);
@@ -136,20 +141,11 @@ static void a_refused_commit_can_be_repeated(void)
     const long long before = world_memory.bytes;
     uint64_t state = 6;
     struct world w;
-    int refusals = 0, made = 0;
     shapes_of_all_kinds(shapes, 3);
     if (!CHECK(world_make(&w, shapes, SHAPES, NULL)))
         return;
-    for (int k = 1; k < ENOUGH && !made; k++) {
-        CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
-        begin(k);
-        rtcCommitScene(w.scene);
-        if (was_refused())
-            refusals++;
-        else
-            made = 1;
-    }
-    CHECK(made && refusals > 0);
+    struct subject s = {.geometry = w.geometry, .scene = w.scene};
+    CHECK(refuse_each(commit, &s) > 0);
     query_all(&w, &state);
     world_free(&w);
     CHECK(world_memory.bytes == before);

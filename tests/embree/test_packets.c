@@ -226,9 +226,9 @@ static void filtered_packets_return_the_answers_to_rays_alone(void)
 /* Calls the callback directly: Embree's results for such rays are undefined. */
 static void call(const struct world *w, struct rays *r)
 {
-    cylint_rtc_context context;
+    cylint_rtc_context context = {0};
     struct RTCIntersectFunctionNArguments a = {0};
-    cylint_rtc_init(&context);
+    context.instID[0] = RTC_INVALID_GEOMETRY_ID;
     memcpy(r->before, r->word, sizeof r->before);
     a.valid = r->valid;
     a.geometryUserPtr = rtcGetGeometryUserData(w->geometry);

@@ -8,9 +8,11 @@
 
 #include "check.h"
 #include "cylint.h"
+#include "dispatch.h"
 
 static const double origin[3] = {0, 0, 0}, axis_x[3] = {1, 0, 0};
 static const double axis_z[3] = {0, 0, 1};
+static const cylint_one_kernels *at_the_start;
 
 /* tan(x) rounds to 0 up to 2^-1075 180 / pi = 28.6 2^-1074 degrees. */
 static void half_angles_whose_tangent_rounds_to_0_are_refused(void)
@@ -161,8 +163,29 @@ static void a_pack_of_too_many_shapes_has_no_size(void)
     }
 }
 
+/* Before the first call no build is chosen. */
+static void any_function_can_be_the_first_call(void)
+{
+    static const double inside[3] = {0.5, 0, 1}, outside[3] = {2, 0, 1};
+    cylint_shape s;
+    cylint_line line;
+    cylint_answer a;
+    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_INFINITE);
+    cylint_ray(&line, outside, axis_x);
+    cylint_one_chosen = at_the_start;
+    CHECK(cylint_contains(&s, inside) == 1 &&
+          cylint_one_chosen != at_the_start);
+    cylint_one_chosen = at_the_start;
+    CHECK(cylint_contains(&s, outside) == -1);
+    cylint_one_chosen = at_the_start;
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 0 &&
+          cylint_one_chosen != at_the_start);
+}
+
 int main(void)
 {
+    at_the_start = cylint_one_chosen;
+    RUN(any_function_can_be_the_first_call);
     RUN(half_angles_whose_tangent_rounds_to_0_are_refused);
     RUN(a_shape_with_several_faults_returns_the_first);
     RUN(a_line_with_several_faults_returns_the_first);
