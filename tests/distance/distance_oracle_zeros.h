@@ -110,16 +110,18 @@ static real iterate(const real *p, int degree, real low, real high, real x,
     return x;
 }
 
-/* The zero between low and high: first with few bits.  Newton's iteration doubles
- * the number of digits. */
+/* The zero between low and high: first with few bits, then with twice as many each
+ * time, as Newton's iteration doubles the number of digits. */
 static real zero_between(const real *p, int degree, real low, real high)
 {
     const int mark = reals.used;
     const long bits = reals.bits;
-    reals.bits = FIRST_BITS;
-    real x = iterate(p, degree, low, high, low, FIRST_BITS / 2);
+    real x = low;
+    for (long now = FIRST_BITS; now < 2 * bits; now *= 2) {
+        reals.bits = now < bits ? now : bits;
+        x = iterate(p, degree, low, high, x, reals.bits / 2);
+    }
     reals.bits = bits;
-    x = iterate(p, degree, low, high, x, bits / 2);
     return real_keep(mark, x);
 }
 
