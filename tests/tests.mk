@@ -5,7 +5,7 @@ $(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(
 
 # A test stands in the folder of its subject: tests/README.md.
 $(foreach f,$(wildcard tests/test_*),$(error $f belongs into a folder of tests/))
-test_common   := $(patsubst %,$(BUILD)/tests/%.o,$(addprefix support/,families family_records constructed) \
+test_common   := $(patsubst %,$(BUILD)/tests/%.o,$(addprefix support/,families family_records) \
                  $(if $(MPFR),support/oracle distance/distance_oracle distance/distance_oracle_elliptic))
 test_libs     := $(if $(MPFR),-lmpfr -lgmp)
 test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/*/test_*.c)))
@@ -89,7 +89,7 @@ run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	$(MAKE) --no-print-directory -f tests/support/run.mk
 
-check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(BUILD)/tests/package/records $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) ## run every test (PARANOID=1: each decision twice)
 	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one

@@ -83,6 +83,8 @@ static void check_point(const struct family_case *c, const double p[3])
     const pair rho = as_pair(root_of_quotient(exactly.q, W));
     if (h.sign < 0)
         z = pair_neg(z);
+    if (rho.hi != 0 && rho.hi < CYLINT_DISTANCE_LEAST) /* is left to them */
+        return;
     check_head_tail(c, p, z, rho);
     const double off_z = difference(m.z, z), off_rho = difference(got_rho, rho);
     /* The comparison itself errs by 2^-100 of rho. */

@@ -9,9 +9,9 @@
 #include <string.h>
 
 #include "check.h"
-#include "constructed.h"
 #include "cylint_pieces.h"
 #include "environment.h"
+#include "families.h"
 #include "random.h"
 #include "ulps.h"
 #ifdef HAVE_MPFR
@@ -124,11 +124,9 @@ static void compare_many(struct environment there, uint64_t cases)
             family_case(6, family, i, &c);
             compare_chords(&c, there);
         }
+    const int plain = family_named("plain"), exact = family_named("constructed");
     for (uint64_t i = 0; i < 20 * cases; i++) {
-        if (i % 4 == 3)
-            constructed_plain(6, i, &c);
-        else
-            constructed_base(6, i, &c);
+        family_case(6, i % 4 == 3 ? plain : exact, cases + i, &c);
         compare_chords(&c, there);
     }
 }

@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "check.h"
-#include "constructed.h"
+#include "families.h"
 #include "environment.h"
 #include "intersect.h"
 #include "same.h"

@@ -74,8 +74,7 @@ for library in mpfr gmp; do
         libraries="$libraries -l$library"
 done
 common=
-for part in support/families support/family_records support/constructed \
-    support/oracle support/scenes; do
+for part in support/families support/family_records support/oracle support/scenes; do
     [ -f "$build/tests/$part.o" ] && common="$common $build/tests/$part.o"
 done
 for t in library/test_batch library/test_environment numbers/test_exact \

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "constructed.h"
+#include "families.h"
 #include "numbers/double_double.h"
 #include "random.h"
 #include "ulps.h"

@@ -20,7 +20,6 @@
 
 #include "check.h"
 #include "columns.h"
-#include "constructed.h"
 #include "cylint_scene.h"
 #include "environment.h"
 #include "random.h"
@@ -478,15 +477,8 @@ static void coincidences_have_the_same_answers(void)
     for (uint64_t k = 0; k < 4 * groups(GROUPS); k++) {
         begin_group(200, k);
         for (uint64_t i = 0; i < GROUP; i++) {
-            struct family_case base;
-            const uint64_t index = k * GROUP + i;
-            constructed_base(seed(), index, &base);
-            const int all = constructed_neighbours(&base);
-            if (i % 4 == 3)
-                constructed_plain(seed(), index, &g.c[i]);
-            else if (i % 4 == 0 ||
-                     !constructed_neighbour(&base, whole(0, all - 1), &g.c[i]))
-                g.c[i] = base;
+            const char *family = i % 4 == 3 ? "plain" : "constructed";
+            family_case(seed(), family_named(family), k * GROUP + i, &g.c[i]);
         }
         snprintf(g.name, sizeof g.name, "coincidences %d", (int)k);
         test_group(k, 0);
@@ -542,13 +534,8 @@ static void scale(double *x, int n, int e)
 /* An exact coincidence, or a neighbour of one, scaled to another size. */
 static void scaled_case(const struct sizes *s, struct family_case *c)
 {
-    struct family_case base;
     const int e = s->about[0], f = s->about[1];
-    constructed_base(random_bits(&stream), 0, &base);
-    if (whole(0, 1) ||
-        !constructed_neighbour(&base,
-                               whole(0, constructed_neighbours(&base) - 1), c))
-        *c = base;
+    family_case(random_bits(&stream), family_named("constructed"), 0, c);
     const int segment = c->line_word == FAMILY_SEGMENT;
     scale(c->line_data, 3, e);
     scale(c->line_data + 3, 3, segment ? e : f);

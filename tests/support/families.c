@@ -503,6 +503,7 @@ static void exact_differences(struct family_case *out)
     }
 }
 
+#include "families_constructed.h"
 #include "families_round.h"
 
 typedef void maker(struct family_case *out);
@@ -560,6 +561,10 @@ static const struct {
     {"round, from any distance", round_whole, round_ordinary, begin_anywhere, 1,
      1},
     {"round, any exponents", round_whole, round_ordinary, scale_anyhow, 1, 1},
+    {"constructed", constructed, NULL, NULL, 0, 0},
+    {"plain", plain, NULL, NULL, 0, 0},
+    {"plain, one odd number", plain, NULL, add_odd_number, 1, 0},
+    {"wild", wild_numbers, NULL, NULL, 1, 0},
 };
 
 int family_count(void)
@@ -570,6 +575,14 @@ int family_count(void)
 const char *family_name(int family)
 {
     return families[family].name;
+}
+
+int family_named(const char *name)
+{
+    int family = 0;
+    while (strcmp(families[family].name, name) != 0)
+        family++;
+    return family;
 }
 
 int family_is_wild(int family)

@@ -46,6 +46,9 @@ struct family_case {
 int family_count(void);
 const char *family_name(int family);
 
+/* The number of a family that exists. */
+int family_named(const char *name);
+
 /* Whether the exponents in a case differ by hundreds, so that most questions
  * need exact arithmetic.  Such families are slow, most of all in the oracle. */
 int family_is_wild(int family);

@@ -1,0 +1,254 @@
+/*
+ * families_constructed.h - exact coincidences in whole numbers and their
+ * neighbours, numbers of any exponents, and numbers as people write them
+ *
+ * Only families.c includes it.  A coincidence is a line that is exactly tangent,
+ * through a rim or the apex, or along a ruling.  All kinds use one frame: points
+ * c + x a + y b + z h with whole a, b, h, and the surface x^2 + y^2 = rho(z)^2.
+ * With a Pythagorean triple p^2 + q^2 = r^2 and a = r a', b = r b' the point
+ * c + rho (p a' + q b') + z h is on the surface.  The line's direction there is a
+ * combination, by whole numbers, of the tangent -q a' + p b' and the ruling
+ * h + rho' (p a' + q b').  Circular kinds have a', b', h along the coordinates.  A
+ * cone by its angle has 45 degrees, whose tangent is 1, and |h| = r, so its rulings
+ * are p a' + q b' + h.
+ */
+#ifndef CYLINT_FAMILIES_CONSTRUCTED_H
+#define CYLINT_FAMILIES_CONSTRUCTED_H
+
+typedef struct {
+    double c[3], a[3], b[3], h[3]; /* a = a' and b = b' until written */
+    double p, q, r;                /* the triple */
+    double rho0, slope;            /* rho = rho0 + slope z */
+} exact_frame;
+
+static void along_coordinate(double v[3], int i, double size)
+{
+    v[0] = v[1] = v[2] = 0;
+    v[i] = size;
+}
+
+static void whole_components(double v[3])
+{
+    for (int i = 0; i < 3; i++)
+        v[i] = whole_between(-3, 3);
+}
+
+static double triple_product(const exact_frame *f)
+{
+    const double *a = f->a, *b = f->b, *h = f->h;
+    return a[0] * (b[1] * h[2] - b[2] * h[1]) +
+           a[1] * (b[2] * h[0] - b[0] * h[2]) +
+           a[2] * (b[0] * h[1] - b[1] * h[0]);
+}
+
+static void any_exact_frame(exact_frame *f, family_shape word)
+{
+    static const int triples[][3] = {{3, 4, 5},    {4, 3, 5},   {5, 12, 13},
+                                     {15, 8, 17},  {7, 24, 25}, {21, 20, 29},
+                                     {12, 35, 37}, {1, 0, 1},   {0, 1, 1},
+                                     {-3, 4, 5},   {5, -12, 13}};
+    const int *t = triples[one_of((int)(sizeof triples / sizeof *triples))];
+    const int i = one_of(3);
+    f->p = t[0];
+    f->q = t[1];
+    f->r = t[2];
+    f->rho0 = 1;
+    f->slope = 0;
+    whole_components(f->c);
+    do {
+        whole_components(f->a);
+        whole_components(f->b);
+        whole_components(f->h);
+    } while (triple_product(f) == 0);
+    if (word <= FAMILY_ACONE) {
+        along_coordinate(f->a, (i + 1) % 3, 1);
+        along_coordinate(f->b, (i + 2) % 3, 1);
+        along_coordinate(f->h, i,
+                         word == FAMILY_ACONE ? f->r : whole_between(1, 3));
+    }
+    if (word == FAMILY_ACONE) {
+        f->rho0 = 0;
+        f->slope = 1;
+    } else if (word == FAMILY_CONE) {
+        f->rho0 = whole_between(0, 3);
+        f->slope = f->rho0 == 0 ? whole_between(1, 3)
+                                : whole_between(-(int)f->rho0, 3);
+    } else if (word == FAMILY_ECONE) {
+        f->slope = 0.5 * whole_between(-2, 3);
+    }
+}
+
+static void write_exact_shape(struct family_case *c, family_shape word,
+                        const exact_frame *f)
+{
+    double *x = c->shape_data;
+    c->shape_word = word;
+    for (int i = 0; i < 3; i++) {
+        x[i] = f->c[i];
+        x[(word == FAMILY_CONE ? 4 : 3) + i] =
+            word == FAMILY_ACONE ? f->h[i] : f->c[i] + f->h[i];
+        if (word >= FAMILY_ECYLINDER) {
+            x[3 + i] = f->r * f->a[i];
+            x[6 + i] = f->r * f->b[i];
+            x[9 + i] = f->h[i];
+        }
+    }
+    if (word == FAMILY_CYLINDER)
+        x[6] = f->r;
+    if (word == FAMILY_CONE) {
+        x[3] = f->rho0 * f->r;
+        x[7] = (f->rho0 + f->slope) * f->r;
+    }
+    if (word == FAMILY_ACONE)
+        x[6] = 45;
+    if (word == FAMILY_ECONE)
+        x[12] = 1 + f->slope;
+}
+
+/* A line through a point of the surface, of its plane z, or the apex.  Quarters
+ * of the tangent vectors keep all numbers exact. */
+static void write_exact_line(struct family_case *c, const exact_frame *f)
+{
+    enum { TANGENT, RIM, RULING, APEX, KINDS };
+    const int what = one_of(KINDS);
+    double z = what == RIM || one_of(3) == 0 ? whole_between(0, 1)
+                                             : whole_between(-1, 5) / 4.;
+    if (what == APEX && f->slope != 0)
+        z = -f->rho0 / f->slope; /* if not exact, near the apex */
+    const double rho = f->rho0 + f->slope * z;
+    const double around = what == RULING ? 0 : whole_between(1, 3);
+    const double up = what == RULING ? whole_between(1, 3) : whole_between(-3, 3);
+    const double back = whole_between(-3, 3);
+    double *o = c->line_data, *d = c->line_data + 3;
+    for (int i = 0; i < 3; i++) {
+        const double radial = f->p * f->a[i] + f->q * f->b[i];
+        d[i] = around * (f->p * f->b[i] - f->q * f->a[i]) +
+               up * (f->h[i] + f->slope * radial);
+        if (what == RIM || what == APEX)
+            d[i] += whole_between(-2, 2);
+        o[i] = f->c[i] + rho * radial + z * f->h[i] - back * d[i];
+    }
+    c->line_word = (family_line)one_of(4);
+    if (c->line_word == FAMILY_SEGMENT)
+        for (int i = 0; i < 3; i++)
+            d[i] += o[i];
+    o[6] = back; /* a span that begins or ends at the point */
+    o[7] = back + whole_between(0, 2);
+}
+
+/* In half of the cases one number is moved by up to 4 ulp. */
+static void constructed(struct family_case *out)
+{
+    exact_frame f;
+    const family_shape word = any_word();
+    any_exact_frame(&f, word);
+    write_exact_shape(out, word, &f);
+    write_exact_line(out, &f);
+    out->ends = (cylint_ends)(one_of(2) ? 0 : one_of(6));
+    const int of_line = family_line_size(out->line_word);
+    const int n = one_of(of_line + family_shape_size(word));
+    double *moved =
+        n < of_line ? &out->line_data[n] : &out->shape_data[n - of_line];
+    if (chance(0.5))
+        *moved = stepped(*moved, whole_between(-4, 4));
+}
+
+/* ---------------------------------------------------------------- wild -- */
+
+/* Usually near one of two sizes, so that line and shape are near each other;
+ * otherwise any exponent. */
+static double any_double(const int about[2])
+{
+    const int where = one_of(10);
+    int e = whole_between(-1074, 1023);
+    if (where < 9)
+        e = about[where < 6 ? 0 : 1] + whole_between(-8, 8);
+    e = e < -1074 ? -1074 : e > 1023 ? 1023 : e;
+    const double x = ldexp(random_mantissa(&stream), e);
+    return one_of(8) == 0 ? 0 : one_of(2) ? x : -x;
+}
+
+/* Every number has its own exponent in -1074 ... 1023. */
+static void wild_numbers(struct family_case *out)
+{
+    double *x = out->shape_data;
+    const int about[2] = {whole_between(-1074, 1023),
+                          whole_between(-1074, 1023)};
+    out->line_word = (family_line)one_of(3);
+    out->shape_word = any_word();
+    out->ends = (cylint_ends)one_of(6);
+    for (int i = 0; i < 6; i++)
+        out->line_data[i] = any_double(about);
+    for (int i = 0; i < 13; i++) {
+        x[i] = any_double(about);
+        if (family_is_size(out->shape_word, i))
+            x[i] = fabs(x[i]);
+    }
+    if (out->shape_word == FAMILY_ACONE)
+        x[6] = fmod(x[6], 90);
+}
+
+/* --------------------------------------------------------------- plain -- */
+
+/* A number as people write it: whole, or in tenths, which doubles round. */
+static double plain_number(int most, int tenths)
+{
+    return tenths ? whole_between(-10 * most, 10 * most) / 10.0
+                  : whole_between(-most, most);
+}
+
+static void plain_vector(double v[3], int most, int tenths)
+{
+    const int along = one_of(3) ? -1 : one_of(3); /* a coordinate */
+    for (int i = 0; i < 3; i++)
+        v[i] = along < 0 || along == i ? plain_number(most, tenths) : 0;
+}
+
+static void plain_shape(struct family_case *c, int most, int tenths)
+{
+    double *x = c->shape_data;
+    const int size = family_shape_size(c->shape_word);
+    for (int i = 0; i + 3 <= size; i += 3)
+        plain_vector(x + i, most, tenths);
+    if (c->shape_word == FAMILY_CONE) {
+        plain_vector(x + 4, most, tenths);
+        x[3] = fabs(plain_number(most, tenths));
+        x[7] = fabs(plain_number(most, tenths));
+    }
+    if (c->shape_word <= FAMILY_ACONE && one_of(2)) /* along a coordinate */
+        for (int i = 1; i < 3; i++) {
+            const int from = c->shape_word == FAMILY_CONE ? 4 : 3;
+            x[from + i] = c->shape_word == FAMILY_ACONE ? 0 : x[i];
+        }
+    if (c->shape_word == FAMILY_CYLINDER)
+        x[6] = fabs(plain_number(most, tenths));
+    if (c->shape_word == FAMILY_ACONE)
+        x[6] = one_of(4) ? whole_between(1, 89) : 1e-9 * whole_between(1, 100);
+    if (c->shape_word == FAMILY_ECONE)
+        x[12] = fabs(plain_number(most, tenths));
+}
+
+/* Small whole numbers or tenths, often along the coordinates. */
+static void plain(struct family_case *out)
+{
+    const int most = 1 << (1 + one_of(5)), tenths = one_of(3) == 0;
+    out->line_word = (family_line)one_of(3);
+    out->shape_word = any_word();
+    out->ends = (cylint_ends)one_of(6);
+    plain_shape(out, most, tenths);
+    plain_vector(out->line_data, most, tenths);
+    plain_vector(out->line_data + 3, most, tenths);
+}
+
+/* A number far from all others, so that sums nearly cancel. */
+static void add_odd_number(struct family_case *c)
+{
+    static const double odd[] = {1e17, 1e-17, 1e-9, 1e9, 0x1p-1022, 1e150};
+    const double x = odd[one_of(6)];
+    if (chance(0.6))
+        c->shape_data[family_shape_size(c->shape_word) - 1] = x;
+    else
+        c->line_data[one_of(6)] *= x;
+}
+
+#endif
