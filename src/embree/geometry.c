@@ -271,7 +271,7 @@ static int build_bvh(const cylint_embree_data *data, cylint_bvh *bvh,
 }
 
 /* Loads the present state of the shapes.  On failure the old one stays. */
-static int load_shapes(cylint_embree_data *data, cylint_embree_problem *problem)
+static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
 {
     cylint_memory order = {0};
     cylint_bvh bvh = {0};
@@ -302,7 +302,7 @@ static void raise_device_error(RTCGeometry geometry)
 static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
                          cylint_embree_problem *problem)
 {
-    if (!load_shapes(data, problem)) {
+    if (!load_state(data, problem)) {
         if (problem->status != CYLINT_EMBREE_EMEMORY)
             raise_device_error(geometry);
         return 0;
@@ -400,26 +400,20 @@ static void free_data(cylint_embree_data *data)
     cylint_memory_free(&self);
 }
 
-/* What a geometry is made of: an array of shapes, or parts. */
-typedef struct {
-    const cylint_shape *shapes;
-    const cylint_embree_part *parts; /* NULL: an array of shapes */
-    size_t n;
-} ingredients;
-
 /* Sets what the geometry is made of, and makes it. */
 static int fill_geometry(RTCGeometry geometry, cylint_embree_data *data,
-                         const ingredients *of,
+                         const cylint_shape *shapes,
+                         const cylint_embree_part *parts, size_t n,
                          const cylint_embree_options *options,
                          cylint_embree_problem *problem)
 {
-    if (of->parts && !set_parts(data, of->parts, of->n, problem)) {
+    if (parts && !set_parts(data, parts, n, problem)) {
         raise_device_error(geometry);
         return 0;
     }
-    if (!of->parts) {
-        data->from[0] = of->shapes;
-        data->n = of->n;
+    if (!parts) {
+        data->from[0] = shapes;
+        data->n = n;
     }
     if (options)
         set_options(data, options);
@@ -429,7 +423,9 @@ static int fill_geometry(RTCGeometry geometry, cylint_embree_data *data,
     return load_geometry(geometry, data, problem);
 }
 
-static RTCGeometry make(RTCDevice device, const ingredients *of,
+/* Of parts or, if they are NULL, of an array of shapes. */
+static RTCGeometry make(RTCDevice device, const cylint_shape *shapes,
+                        const cylint_embree_part *parts, size_t n,
                         const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
@@ -445,9 +441,9 @@ static RTCGeometry make(RTCDevice device, const ingredients *of,
     if (!geometry)
         return NULL;
     problem->status = CYLINT_EMBREE_EMEMORY;
-    cylint_embree_data *data = new_data(device, of->parts ? of->n : 0);
+    cylint_embree_data *data = new_data(device, parts ? n : 0);
     if (data) {
-        if (fill_geometry(geometry, data, of, options, problem))
+        if (fill_geometry(geometry, data, shapes, parts, n, options, problem))
             return geometry;
         free_data(data);
     }
@@ -460,8 +456,7 @@ RTCGeometry cylint_embree_geometry(RTCDevice device, const cylint_shape *shapes,
                                    const cylint_embree_options *options,
                                    cylint_embree_problem *problem)
 {
-    const ingredients of = {.shapes = shapes, .n = n};
-    return make(device, &of, options, problem);
+    return make(device, shapes, NULL, n, options, problem);
 }
 
 RTCGeometry cylint_embree_merge(RTCDevice device,
@@ -470,8 +465,7 @@ RTCGeometry cylint_embree_merge(RTCDevice device,
                                 cylint_embree_problem *problem)
 {
     static const cylint_embree_part none;
-    const ingredients of = {.parts = n > 0 ? parts : &none, .n = n};
-    return make(device, &of, options, problem);
+    return make(device, NULL, n > 0 ? parts : &none, n, options, problem);
 }
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)
