@@ -9,9 +9,9 @@
 #include "cylint.h"
 #include "families.h"
 #include "random.h"
+#include "shapes/shape_facts.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
-#include "shapes/shape_facts.h"
 #endif
 
 static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
