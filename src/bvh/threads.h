@@ -55,9 +55,8 @@ typedef struct cylint_mutex {
 #define cylint_mutex_unlock(m) pthread_mutex_unlock(&(m)->mutex)
 #define cylint_mutex_wait(m) pthread_cond_wait(&(m)->condition, &(m)->mutex)
 #define cylint_mutex_wake_all(m) pthread_cond_broadcast(&(m)->condition)
-#define cylint_mutex_destroy(m)             \
-    (pthread_cond_destroy(&(m)->condition), \
-     pthread_mutex_destroy(&(m)->mutex))
+#define cylint_mutex_destroy(m) \
+    (pthread_cond_destroy(&(m)->condition), pthread_mutex_destroy(&(m)->mutex))
 
 #else
 

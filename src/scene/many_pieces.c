@@ -32,7 +32,8 @@ typedef struct {
     const cylint_piece_rule *rule;
     size_t most;
     piece_block *block;
-    size_t *first; /* rows: [i + 1] is the number of pieces of line i; or NULL */
+    size_t
+        *first; /* rows: [i + 1] is the number of pieces of line i; or NULL */
     const int *label;
     size_t labels;
     int in_units;
@@ -172,10 +173,8 @@ cylint_scene_status cylint_scene_pieces_lines(const cylint_scene *scene,
                                               cylint_piece_rows *rows)
 {
     cylint_piece_rule from_first = *rule;
-    pieces_query q = {.scene = scene,
-                      .lines = lines,
-                      .rule = &from_first,
-                      .most = most};
+    pieces_query q = {
+        .scene = scene, .lines = lines, .rule = &from_first, .most = most};
     from_first.after = NULL;
     rows->pieces = NULL;
     rows->first = cylint_resized(NULL, lines->n + 1, sizeof *rows->first);

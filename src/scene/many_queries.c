@@ -113,8 +113,8 @@ void cylint_scene_nearest_lines(const cylint_scene *scene,
                                 int threads, size_t *numbers,
                                 const cylint_hit_columns *hits)
 {
-    lines_query q = {
-        scene, lines, find_nearest, .except = except, .numbers = numbers};
+    lines_query q = {scene, lines, find_nearest, .except = except,
+                     .numbers = numbers};
     if (hits)
         q.hits = *hits;
     q.want = wanted_of_hits(&q.hits);
@@ -145,8 +145,8 @@ void cylint_scene_count_lines(const cylint_scene *scene,
                               const cylint_lines *lines, size_t enough,
                               int threads, size_t *counts)
 {
-    lines_query q = {
-        scene, lines, count_hits, .enough = enough, .numbers = counts};
+    lines_query q = {scene, lines, count_hits, .enough = enough,
+                     .numbers = counts};
     if (counts)
         run_lines(&q, threads);
 }

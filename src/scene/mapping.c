@@ -103,7 +103,7 @@ static void unmap_file(cylint_mapping *m)
 
 /* The file is opened once: a pipe's writer must not see it closed. */
 cylint_scene_status cylint_mapping_open(cylint_mapping *m, const char *path,
-                                          size_t least, int is_read)
+                                        size_t least, int is_read)
 {
     FILE *file = fopen(path, "rb");
     if (!file)

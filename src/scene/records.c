@@ -17,7 +17,8 @@ static int resize_shapes(cylint_records *r, size_t capacity)
 {
     void *record = cylint_resized(r->record, capacity, sizeof *r->record);
     r->record = record ? record : r->record;
-    void *tag = record ? cylint_resized(r->tag, capacity, sizeof *r->tag) : NULL;
+    void *tag =
+        record ? cylint_resized(r->tag, capacity, sizeof *r->tag) : NULL;
     r->tag = tag ? tag : r->tag;
     r->capacity = tag ? capacity : r->capacity;
     return tag != NULL;
@@ -25,7 +26,8 @@ static int resize_shapes(cylint_records *r, size_t capacity)
 
 static int resize_elliptic(cylint_records *r, size_t capacity)
 {
-    void *semi_axes = cylint_resized(r->semi_axes, capacity, sizeof *r->semi_axes);
+    void *semi_axes =
+        cylint_resized(r->semi_axes, capacity, sizeof *r->semi_axes);
     r->semi_axes = semi_axes ? semi_axes : r->semi_axes;
     r->elliptic_capacity = semi_axes ? capacity : r->elliptic_capacity;
     return semi_axes != NULL;

@@ -97,7 +97,8 @@ static real above_end(real z, const surface *f)
 static real form(const surface *f, vector x, real rho, vector y, real rho2)
 {
     const real flat = plus(times(x[0], y[0]), times(x[1], y[1]));
-    return f->ball ? plus(flat, times(x[2], y[2])) : minus(flat, times(rho, rho2));
+    return f->ball ? plus(flat, times(x[2], y[2]))
+                   : minus(flat, times(rho, rho2));
 }
 
 /* Sets the.t to a root; returns whether there is one. */
@@ -140,8 +141,8 @@ static void set_true_normal(const surface *f)
     scale(the.normal, along, the.shape.row[2]);
     for (int i = 0; i < 2 && !plane; i++)
         for (int j = 0; j < 3; j++)
-            the.normal[j] = plus(the.normal[j],
-                                 times(the.at[i], the.shape.row[i][j]));
+            the.normal[j] =
+                plus(the.normal[j], times(the.at[i], the.shape.row[i][j]));
     the.has_normal = sign_of(norm(the.normal)) != 0;
     divide(the.normal, the.normal, norm(the.normal));
 }
@@ -159,13 +160,13 @@ static void set_true_hit(const cylint_shape *s, const cylint_line *line,
     vector from_end = {the.at[0], the.at[1], above_end(the.at[2], f)};
     the.slope = f->on_end && !f->ball
                     ? the.v[2]
-                    : times(real_of(2), form(f, from_end, the.radius, the.v,
-                                             the.growth));
+                    : times(real_of(2),
+                            form(f, from_end, the.radius, the.v, the.growth));
     if (s->kind == CYLINT_KIND_SPHERE)
         return;
     the.z = over(the.at[2], the.shape.height);
     the.phi = real_turns(times(real_of(sign), the.at[0]),
-                       times(real_of(sign), the.at[1]));
+                         times(real_of(sign), the.at[1]));
 }
 
 /* --------------------------------------------------------------- judge -- */

@@ -74,7 +74,8 @@ static planar difference(planar p, planar q)
 /* at + t by */
 static planar moved(planar at, real t, planar by)
 {
-    return planar_of(plus(at.s, times(t, by.s)), plus(at.rho, times(t, by.rho)));
+    return planar_of(plus(at.s, times(t, by.s)),
+                     plus(at.rho, times(t, by.rho)));
 }
 
 static planar divided(planar p, real by)
@@ -105,7 +106,8 @@ static void load_across(void)
     cross(c, g.q, g.w);
     if (sign_of(c[0]) == 0 && sign_of(c[1]) == 0 && sign_of(c[2]) == 0) {
         const int least = least_component(g.w);
-        vector e = {real_of(least == 0), real_of(least == 1), real_of(least == 2)};
+        vector e = {real_of(least == 0), real_of(least == 1),
+                    real_of(least == 2)};
         cross(g.across, e, g.w);
         g.point.rho = g.zero;
     } else {
@@ -158,10 +160,11 @@ static void set_direction(piece *p, real ds, real drho)
         p->n = planar_of(negated(p->n.s), negated(p->n.rho));
 }
 
-static piece *add_lateral(enum form form, real s0, real rho0, real s1, real rho1)
+static piece *add_lateral(enum form form, real s0, real rho0, real s1,
+                          real rho1)
 {
-    piece *p = new_piece(form, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL, s0,
-                         rho0);
+    piece *p =
+        new_piece(form, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL, s0, rho0);
     set_direction(p, minus(s1, s0), minus(rho1, rho0));
     p->first = sign_of(rho0) ? CYLINT_FEATURE_RIM0 : CYLINT_FEATURE_APEX;
     p->last = sign_of(rho1) ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_APEX;
@@ -310,8 +313,8 @@ static foot nearest_foot(const cylint_shape *shape)
 static foot foot_from_centre(void)
 {
     const piece *p = &g.pieces[0];
-    const foot f = {{g.r0, g.zero}, {real_of(1), g.zero}, g.r0, p->part,
-                    p->feature};
+    const foot f = {
+        {g.r0, g.zero}, {real_of(1), g.zero}, g.r0, p->part, p->feature};
     g.w[0] = real_of(1);
     g.w[1] = g.w[2] = g.zero;
     return f;

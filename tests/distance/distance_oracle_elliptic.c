@@ -140,8 +140,7 @@ static void load_determinant(void)
         }
     }
     cross(c, e.gy, e.gz);
-    e.det[3] =
-        times(real_of(e.cone ? -1 : 0), square_of(dot(c, e.gx)));
+    e.det[3] = times(real_of(e.cone ? -1 : 0), square_of(dot(c, e.gx)));
 }
 
 /* y = Q + m (T - S) Q + m^2 (C - T S + S^2) Q */
@@ -210,8 +209,7 @@ static void offer(struct oracle_closest *expected, int part, int feature,
         const long equal = mpfr_get_exp(e.scale->x) - e.moved + 20;
         const long tie = mpfr_get_exp((same ? e.longest : e.scale)->x) - 113;
         const real nearer = minus(e.best, size);
-        const long off =
-            sgn(nearer) == 0 ? equal : mpfr_get_exp(nearer->x);
+        const long off = sgn(nearer) == 0 ? equal : mpfr_get_exp(nearer->x);
         if (off < tie)
             expected->is_tie = 1;
         if (sgn(nearer) <= 0 || off < equal)
@@ -322,8 +320,8 @@ static real form2(const real *u, const real *v)
 {
     const real straight = plus(times(e.S2[0], times(u[0], v[0])),
                                times(e.S2[2], times(u[1], v[1])));
-    return plus(straight, times(e.S2[1], plus(times(u[0], v[1]),
-                                              times(u[1], v[0]))));
+    return plus(straight,
+                times(e.S2[1], plus(times(u[0], v[1]), times(u[1], v[0]))));
 }
 
 /* y = flat + m (T - S2) flat */
@@ -350,8 +348,7 @@ static void rim_polynomial(polynomial p, real y[2][2])
  * because the point is moved. */
 static int nearest_of_rim(const real *p, real *zero)
 {
-    const real D =
-        minus(square_of(e.det[1]), times(real_of(4), e.det[2]));
+    const real D = minus(square_of(e.det[1]), times(real_of(4), e.det[2]));
     real low = over(real_of(-2), plus(root_of(D), e.det[1]));
     low = minus(low, times(low, power_of_two(-e.moved - 50)));
     if (!zero_above(p, low, zero))

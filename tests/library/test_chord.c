@@ -90,7 +90,8 @@ static void limit(struct family_case *c)
         return;
     const double t = a.hit[choice(a.n)].t;
     if (fabs(t) < DBL_MAX)
-        *(choice(2) ? &c->line.tmin : &c->line.tmax) = stepped(t, choice(3) - 1);
+        *(choice(2) ? &c->line.tmin : &c->line.tmax) =
+            stepped(t, choice(3) - 1);
     if (!(c->line.tmin <= c->line.tmax))
         c->line.tmin = c->line.tmax;
 }
@@ -124,7 +125,8 @@ static void compare_many(struct environment there, uint64_t cases)
             family_case(6, family, i, &c);
             compare_chords(&c, there);
         }
-    const int plain = family_named("plain"), exact = family_named("constructed");
+    const int plain = family_named("plain"),
+              exact = family_named("constructed");
     for (uint64_t i = 0; i < 20 * cases; i++) {
         family_case(6, i % 4 == 3 ? plain : exact, cases + i, &c);
         compare_chords(&c, there);

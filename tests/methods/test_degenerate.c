@@ -125,7 +125,8 @@ static expected times_four(const expected *c)
 
 static void cylinder_methods_keep_the_contract(void)
 {
-    const double small[7] = {0, 0, 0, 0, 0, 2, 1}, wide[7] = {0, 0, 0, 0, 0, 8, 4};
+    const double small[7] = {0, 0, 0, 0, 0, 2, 1},
+                 wide[7] = {0, 0, 0, 0, 0, 8, 4};
     const int n = sizeof of_a_cylinder / sizeof *of_a_cylinder;
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)

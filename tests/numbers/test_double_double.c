@@ -139,8 +139,7 @@ static void sums_and_products_have_no_error(void)
 {
     for (int i = 0; i < CASES; i++) {
         const double a = any_double();
-        const double b =
-            below(2) ? cancelling((pair){a, 0}).hi : any_double();
+        const double b = below(2) ? cancelling((pair){a, 0}).hi : any_double();
         real_fixed(BITS);
         const real x = real_of(a), y = real_of(b);
         if (!CHECK(is_equal(plus(x, y), two_sum(a, b))))
@@ -196,12 +195,13 @@ static errors worst_of_pairs(int mode)
         const real x = sum_of(a), y = sum_of(b);
         worst.add = larger(worst.add, relative_error(sum, plus(x, y),
                                                      fabs(a.hi) + fabs(b.hi)));
-        worst.mul = larger(worst.mul, relative_error(product, times(x, y),
-                                                     fabs(a.hi * b.hi)));
-        worst.div = larger(worst.div, relative_error(quotient, over(x, y),
-                                                     fabs(a.hi / b.hi)));
-        worst.sqrt = larger(worst.sqrt, relative_error(root, root_of(sum_of(size)),
-                                                       sqrt(size.hi)));
+        worst.mul = larger(
+            worst.mul, relative_error(product, times(x, y), fabs(a.hi * b.hi)));
+        worst.div = larger(
+            worst.div, relative_error(quotient, over(x, y), fabs(a.hi / b.hi)));
+        worst.sqrt =
+            larger(worst.sqrt,
+                   relative_error(root, root_of(sum_of(size)), sqrt(size.hi)));
     }
     return worst;
 }

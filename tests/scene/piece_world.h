@@ -49,8 +49,7 @@ static inline void shapes_at(double t0, double t1, int in[SHAPES])
     for (size_t i = 0; i < world.n; i++) {
         in[i] = 0;
         for (int j = 0; j < world.chords[i]; j++)
-            in[i] |=
-                world.chord[i][j].t0 <= t0 && t1 <= world.chord[i][j].t1;
+            in[i] |= world.chord[i][j].t0 <= t0 && t1 <= world.chord[i][j].t1;
     }
 }
 
@@ -159,8 +158,7 @@ static inline size_t expected_pieces(const cylint_piece_rule *rule,
         if (depth > 0 && follows &&
             (rule->mode == CYLINT_PIECES_UNION ||
              (rule->mode == CYLINT_PIECES_OWNER && owner == to[n - 1].shape) ||
-             (rule->mode == CYLINT_PIECES_CELLS &&
-              same_set(before, in)))) {
+             (rule->mode == CYLINT_PIECES_CELLS && same_set(before, in)))) {
             to[n - 1].t1 = t1;
             if (to[n - 1].depth < depth)
                 to[n - 1].depth = depth;

@@ -300,15 +300,15 @@ static cylint_scene_status find_pieces(void *self)
     double sums[LINES];
     cylint_scene_status status;
     if (c->query == 0) {
-        status = cylint_scene_pieces_lines(c->scene, &c->lines, &rule, 0, 1,
-                                           &rows);
+        status =
+            cylint_scene_pieces_lines(c->scene, &c->lines, &rule, 0, 1, &rows);
         if (status == CYLINT_SCENE_OK) {
             c->found = (double)rows.first[c->lines.n] / 8;
             cylint_piece_rows_free(&rows);
         }
     } else if (c->query == 1) {
-        status = cylint_scene_sums(c->scene, &c->lines, &rule, NULL, 1, 0, 1,
-                                   sums);
+        status =
+            cylint_scene_sums(c->scene, &c->lines, &rule, NULL, 1, 0, 1, sums);
         c->found = sums[c->lines.n - 1];
     } else {
         status = cylint_scene_line_sums(c->scene, &c->line, &rule, NULL, 1, 0,

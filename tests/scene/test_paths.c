@@ -176,8 +176,7 @@ static void ended_domains(int i)
         const double t = all->hit[k / 6].t;
         if (!(fabs(t) < DBL_MAX))
             continue;
-        *(k & 1 ? &line.tmin : &line.tmax) =
-            stepped(t, k % 6 / 2 - 1);
+        *(k & 1 ? &line.tmin : &line.tmax) = stepped(t, k % 6 / 2 - 1);
         if (line.tmin > line.tmax)
             continue;
         const cylint_answer got =
@@ -364,8 +363,7 @@ static void limit_domains(void)
         for (int end = 0; end < 2; end++) {
             const double t = a->hit[end * (a->n - 1)].t;
             if (fabs(t) < DBL_MAX && whole(0, 2))
-                *(end ? &line->tmax : &line->tmin) =
-                    stepped(t, whole(-1, 1));
+                *(end ? &line->tmax : &line->tmin) = stepped(t, whole(-1, 1));
         }
         if (!(line->tmin <= line->tmax)) {
             const double tmin = line->tmax;

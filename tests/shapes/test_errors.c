@@ -60,8 +60,9 @@ enum { BITS = 4400 }; /* holds the sum and product of any two doubles */
 static real axis_square(const cylint_shape *s, int i)
 {
     const int points = cylint_has_end_points(s->kind);
-    return square_of(minus(real_of(points ? cylint_top(s)[i] : cylint_axis(s)[i]),
-                           real_of(points ? cylint_base(s)[i] : 0)));
+    return square_of(
+        minus(real_of(points ? cylint_top(s)[i] : cylint_axis(s)[i]),
+              real_of(points ? cylint_base(s)[i] : 0)));
 }
 
 /* Half the width of the disc of cap i, or of the ball about end i, along
@@ -178,8 +179,8 @@ static void boxes_and_tangents_have_their_errors(void)
             struct family_case c;
             family_case(seed, f, i, &c);
             const int round = c.shape_word >= FAMILY_SPHERE;
-            const int extreme = family_is_wild(f) ||
-                                strstr(family_name(f), "huge") != NULL;
+            const int extreme =
+                family_is_wild(f) || strstr(family_name(f), "huge") != NULL;
             measure_box(&c, !round    ? BOX_ULPS
                             : extreme ? ROUND_WILD_ULPS
                                       : ROUND_ULPS);

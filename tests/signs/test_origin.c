@@ -147,8 +147,8 @@ static void check_domain(const cylint_shape *shape, const double o[3],
                cylint_occluded(shape, &line) == (want.n > 0);
     for (int i = 0; i < got.n && same; i++)
         same = same_hit(&got.hit[i], &want.hit[i], VERDICT);
-    if (!CHECK(same && (want.n == 0 ||
-                        same_hit(&first.hit[0], &want.hit[0], VERDICT))))
+    if (!CHECK(same &&
+               (want.n == 0 || same_hit(&first.hit[0], &want.hit[0], VERDICT))))
         REPORT("%s: kind %d, ends %d, span %a %a %a  %a %a %a  %a %a: %d hits, "
                "%d counted, not %d",
                cylint_kernels_in_use(), shape->kind, shape->ends, o[0], o[1],

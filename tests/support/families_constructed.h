@@ -79,7 +79,7 @@ static void any_exact_frame(exact_frame *f, family_shape word)
 }
 
 static void write_exact_shape(struct family_case *c, family_shape word,
-                        const exact_frame *f)
+                              const exact_frame *f)
 {
     double *x = c->shape_data;
     c->shape_word = word;
@@ -117,7 +117,8 @@ static void write_exact_line(struct family_case *c, const exact_frame *f)
         z = -f->rho0 / f->slope; /* if not exact, near the apex */
     const double rho = f->rho0 + f->slope * z;
     const double around = what == RULING ? 0 : whole_between(1, 3);
-    const double up = what == RULING ? whole_between(1, 3) : whole_between(-3, 3);
+    const double up =
+        what == RULING ? whole_between(1, 3) : whole_between(-3, 3);
     const double back = whole_between(-3, 3);
     double *o = c->line_data, *d = c->line_data + 3;
     for (int i = 0; i < 3; i++) {

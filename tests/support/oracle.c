@@ -45,11 +45,11 @@ typedef struct {
 /* What the answer to one question is computed from. */
 static struct {
     int circular, round, bounded, nappe;
-    vector q, w, d;      /* q: the line's origin from the base; w: axis */
-    vector o;            /* the line's origin */
-    vector gx, gy, gz;   /* gradients of x, y, z; circular: not normalised */
-    real whole;          /* z = Z / whole, whole > 0 */
-    real gamma, delta;   /* the radius is proportional to gamma + delta Z */
+    vector q, w, d;    /* q: the line's origin from the base; w: axis */
+    vector o;          /* the line's origin */
+    vector gx, gy, gz; /* gradients of x, y, z; circular: not normalised */
+    real whole;        /* z = Z / whole, whole > 0 */
+    real gamma, delta; /* the radius is proportional to gamma + delta Z */
     polynomial X, Y, Z, rho;
     int count_of_pieces; /* round: in the order of their parts */
     piece pieces[PIECES];
@@ -91,8 +91,8 @@ static polynomial along_line(vector v, real constant)
 static polynomial beyond(real by, const polynomial *p, int sign)
 {
     const real s = real_of(sign);
-    const polynomial moved = {{plus(by, times(s, p->c[0])), times(s, p->c[1]),
-                               times(s, p->c[2])}};
+    const polynomial moved = {
+        {plus(by, times(s, p->c[0])), times(s, p->c[1]), times(s, p->c[2])}};
     return moved;
 }
 
@@ -145,8 +145,8 @@ static long load_kind(const cylint_shape *s, const double o[3])
     exponents lengths = no_exponents, factor = no_exponents;
     o_.circular =
         s->kind != CYLINT_KIND_ECYLINDER && s->kind != CYLINT_KIND_ECONE;
-    o_.round = s->kind == CYLINT_KIND_SPHERE || s->kind == CYLINT_KIND_CAPSULE ||
-               s->kind == CYLINT_KIND_RCONE;
+    o_.round = s->kind == CYLINT_KIND_SPHERE ||
+               s->kind == CYLINT_KIND_CAPSULE || s->kind == CYLINT_KIND_RCONE;
     o_.nappe = s->ends == CYLINT_ENDS_NAPPE;
     o_.bounded = !o_.nappe && s->ends != CYLINT_ENDS_INFINITE;
     widen(&lengths, o, 3);
@@ -605,9 +605,8 @@ int oracle_contains(const cylint_shape *s, const double point[3])
 struct oracle_place oracle_place(void)
 {
     const struct oracle_place place = {
-        sign_of(o_.pieces[0].surface.F.c[0]) == 0,
-        sign_of(o_.rho.c[0]) == 0, sign_of(o_.Z.c[0]) == 0,
-        order_of(o_.Z.c[0], o_.whole) == 0};
+        sign_of(o_.pieces[0].surface.F.c[0]) == 0, sign_of(o_.rho.c[0]) == 0,
+        sign_of(o_.Z.c[0]) == 0, order_of(o_.Z.c[0], o_.whole) == 0};
     return place;
 }
 

@@ -150,8 +150,9 @@ static inline long both(long a, long b)
 static inline long scaled(long off, real x)
 {
     const long size = mpfr_zero_p(x->x) ? EXACT : mpfr_get_exp(x->x);
-    return off == EXACT || both(size, x->off) == EXACT ? EXACT
-                                                       : off + both(size, x->off);
+    return off == EXACT || both(size, x->off) == EXACT
+               ? EXACT
+               : off + both(size, x->off);
 }
 
 /* z, whose last rounding returned `inexact`, and whose operands' errors add up to
@@ -193,7 +194,7 @@ static inline real times(real x, real y)
         return is_zero(x) ? x : y;
     real z = new_real();
     return with_error(z, mpfr_mul(z->x, x->x, y->x, RND),
-                   both(scaled(x->off, y), scaled(y->off, x)));
+                      both(scaled(x->off, y), scaled(y->off, x)));
 }
 
 static inline real negated(real x)
@@ -204,9 +205,9 @@ static inline real negated(real x)
 /* -1, 0 or 1 */
 static inline int sign_of(real x)
 {
-    if (mpfr_zero_p(x->x) ? x->off == EXACT
-                          : mpfr_get_exp(x->x) > (x->off == EXACT ? x->off
-                                                                  : x->off + 1))
+    if (mpfr_zero_p(x->x)
+            ? x->off == EXACT
+            : mpfr_get_exp(x->x) > (x->off == EXACT ? x->off : x->off + 1))
         return mpfr_sgn(x->x);
     need_more_bits();
     return 0;
@@ -227,7 +228,7 @@ static inline real over(real x, real y)
     z->off = EXACT;
     const long off = both(x->off, scaled(y->off, z));
     return with_error(z, inexact,
-                   off == EXACT ? EXACT : off - mpfr_get_exp(y->x) + 2);
+                      off == EXACT ? EXACT : off - mpfr_get_exp(y->x) + 2);
 }
 
 /* The square root of x; 0 if x is not positive. */
@@ -238,8 +239,8 @@ static inline real root_of(real x)
         return real_of(0);
     const int inexact = mpfr_sqrt(z->x, x->x, RND);
     return with_error(z, inexact,
-                   x->off == EXACT ? EXACT
-                                   : x->off - mpfr_get_exp(x->x) / 2 + 2);
+                      x->off == EXACT ? EXACT
+                                      : x->off - mpfr_get_exp(x->x) / 2 + 2);
 }
 
 static inline real square_of(real x)
@@ -250,8 +251,7 @@ static inline real square_of(real x)
 /* Needs more bits where x is not 0 and has fewer than 125. */
 static inline void need_digits(real x)
 {
-    if (sign_of(x) != 0 && x->off != EXACT &&
-        mpfr_get_exp(x->x) < x->off + 125)
+    if (sign_of(x) != 0 && x->off != EXACT && mpfr_get_exp(x->x) < x->off + 125)
         need_more_bits();
 }
 

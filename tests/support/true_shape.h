@@ -88,8 +88,8 @@ static inline void set_true_shape(true_shape *to, const cylint_shape *s)
 /* |x - (hi + lo)| */
 static inline double off_by(real x, double hi, double lo)
 {
-    return fabs(mpfr_get_d(minus(minus(x, real_of(hi)), real_of(lo))->x,
-                           MPFR_RNDA));
+    return fabs(
+        mpfr_get_d(minus(minus(x, real_of(hi)), real_of(lo))->x, MPFR_RNDA));
 }
 
 #endif
