@@ -65,8 +65,8 @@ unsigned CYLINT_ELLIPTIC_IN_PAIRS(const cylint_shape *shape,
         answer_in_pairs(&a, &q, &m, point, exactly);
         known = m_any(rounds(a.distance, &d));
     }
-    /* untaken 2 of 6: a known distance has the sign of the side in every known case,
-     * and no ordinary question has a smaller one */
+    /* untaken 2 of 6: a known distance has the sign of the side in every known
+     * case, and no ordinary question has a smaller one */
     if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
         const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
                            !cylint_ends_are_planes(shape->ends);

@@ -416,8 +416,8 @@ typedef struct {
     vd N[3], e[3], per_length, e_length;
 } bounded_vector;
 
-/* Rounds x to a float, stored as a double.  x has an error of at most e, which includes the error of
- * the library's x.  Returns whether the float is certain. */
+/* Rounds x to a float, stored as a double.  x has an error of at most e, which
+ * includes the error of the library's x.  Returns whether the float is certain. */
 INLINE vm to_float(vd x, vd e, vd *f)
 {
     *f = v_float(x + e);
@@ -472,9 +472,9 @@ INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
 /*
  * The lateral normal is N = w x c - k dr w, of which `a` is w x c.  Between discs k
  * is the radius at the hit.  There |c| = k |w|, so the length of N is k |w| sqrt(ww
- * + dr^2).  Of a round kind k is the radius of the ball that the cone touches there,
- * |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error of 15 u
- * plus that of k.
+ * + dr^2).  Of a round kind k is the radius of the ball that the cone touches
+ * there, |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error of
+ * 15 u plus that of k.
  */
 INLINE vm lean_on_cone(const question *q, vd k, vd e_k, vd length,
                        bounded_vector *a)

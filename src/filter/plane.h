@@ -186,7 +186,7 @@ static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
         const plane_number x = {{n[i], 0}, 0};
         const plane_number unit = cylint_over_length(x, length);
         normal[i] = unit.v.hi + 0.0; /* no -0 */
-        /* untaken 1 of 4: no known component lies so close to the middle of doubles */
+        /* untaken 1 of 4: no known component is so close to a tie */
         certain &= cylint_sign(n[i]) == 0 || cylint_is_rounded(unit);
     }
     return certain;

@@ -35,6 +35,31 @@ static void subnormal_units_are_compared_exactly(void)
     everywhere(check_two_units);
 }
 
+static void units_in_the_last_place_can_be_subnormal(void)
+{
+    const double small[3] = {0x1p-1000, 0, 0}, tiny[3] = {3 * 0x1p-1074, 0, 0};
+    cylint_shape s;
+    cylint_sphere(&s, origin, 0x1p-1000 - 0x1p-1052, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_on_surface(&s, small, 1));
+    CHECK(!cylint_on_surface(&s, small, 0.9));
+    cylint_sphere(&s, origin, 2 * 0x1p-1074, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_on_surface(&s, tiny, 1));
+    CHECK(!cylint_on_surface(&s, tiny, 0.4));
+}
+
+static void an_infinite_distance_is_on_no_surface(void)
+{
+    static const double most = 0x1.fffffffffffffp1023;
+    const double far[3] = {-most, 0, 0}, center[3] = {most, 0, 0};
+    cylint_shape s;
+    cylint_sphere(&s, center, 1, CYLINT_ENDS_CAPPED);
+    CHECK(!cylint_on_surface(&s, far, HUGE_VAL));
+    cylint_sphere(&s, origin, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_on_surface(&s, far, HUGE_VAL));
+    CHECK(!cylint_on_surface(&s, far, 0x1p53 - 2));
+    CHECK(cylint_on_surface(&s, far, 0x1p53 - 1));
+}
+
 /* Squares of the coordinates overflow, and rounding downward and toward zero an
  * overflow is the largest double. */
 static void check_safety_beyond_all_squares(struct environment e)
@@ -122,6 +147,8 @@ static void subnormal_shapes_are_the_same_in_any_environment(void)
 int main(void)
 {
     RUN(subnormal_units_are_compared_exactly);
+    RUN(units_in_the_last_place_can_be_subnormal);
+    RUN(an_infinite_distance_is_on_no_surface);
     RUN(a_safety_beyond_all_squares_is_below_the_distance);
     RUN(zeros_have_no_sign_in_any_environment);
     RUN(subnormal_shapes_are_the_same_in_any_environment);

@@ -1,8 +1,8 @@
 /*
  * boxes.h - the boxes of a scene's bounded solids
  *
- * A shape that is in no solid is itself a solid.  The box of a solid contains it: it is
- * the common part of the boxes of its clauses.
+ * A shape that is in no solid is itself a solid.  The box of a solid contains it:
+ * it is the common part of the boxes of its clauses.
  */
 #ifndef CYLINT_BOXES_H
 #define CYLINT_BOXES_H

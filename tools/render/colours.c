@@ -221,8 +221,9 @@ static uint32_t colour_of_shape(const struct colours *c,
 }
 
 /* lint: each solid's number is below `solids` */
-/* Writes for each shape the first one of its solid that is not a complement; shapes
- * that are in no solid stand for themselves.  Returns NULL if there is no memory. */
+/* Writes for each shape the first one of its solid that is not a complement;
+ * shapes that are in no solid stand for themselves.  Returns NULL if there is no
+ * memory. */
 static size_t *first_of_solids(const struct scene *scene)
 {
     const cylint_member *m = scene->solids.member;

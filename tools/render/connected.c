@@ -2,7 +2,8 @@
  * connected.c - groups of connected shapes
  *
  * The bits of an end point are a name; its number leads to the first shape with
- * that end.  Groups are trees of shapes (union-find); the root has the lowest number.
+ * that end.  Groups are trees of shapes (union-find); the root has the lowest
+ * number.
  */
 #include <stdlib.h>
 
@@ -44,8 +45,8 @@ struct ends {
     uint32_t *first;
 };
 
-/* Joins shape i with the first shape that has an end at p.  Returns 0 if there is no
- * memory. */
+/* Joins shape i with the first shape that has an end at p.  Returns 0 if there is
+ * no memory. */
 static int join_end(struct ends *ends, uint32_t *parent, uint32_t i,
                     const double *p)
 {

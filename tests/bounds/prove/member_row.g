@@ -1,4 +1,4 @@
-# row_in_pairs() and transformed() (src/filter/frame.h): a row of the matrix times a
+# row_in_pairs() and transformed() (src/filter/wide_frame.h and narrow_frame.h): a row of the matrix times a
 # vector, of which the sum of the sizes of the products is at most 1.  Of product j: e is
 # the error of its high part, a and b are those by low parts, c is left out; s and t are
 # the low parts of the sums of high parts.  Each operation is rounded; fused, fewer are.

@@ -58,8 +58,8 @@ template <size_t INTEGERS, size_t DOUBLES> struct Rows {
     }
 };
 
-/* Memory of the thread for one query at a time, which query(work) uses; it is called
- * again as long as it returns CYLINT_NO_ROOM. */
+/* Memory of the thread for one query at a time, which query(work) uses; it is
+ * called again as long as it returns CYLINT_NO_ROOM. */
 template <class Query> size_t with_workspace(const Query &query)
 {
     thread_local std::vector<double> memory(2048);

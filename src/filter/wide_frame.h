@@ -1,0 +1,223 @@
+/*
+ * wide_frame.h - frame.h for a question in each lane
+ */
+#ifndef CYLINT_WIDE_FRAME_H
+#define CYLINT_WIDE_FRAME_H
+
+#include "frame.h"
+
+INLINE vm m_if_all(int condition)
+{
+    return m_from(condition ? (1u << LANES) - 1 : 0);
+}
+
+/* The same shape in all lanes. */
+INLINE void broadcast_shape(frames *to, const cylint_shape *shape)
+{
+    const unsigned caps = cylint_caps_present(shape->ends);
+    for (int i = 0; i < MEMBERS; i++)
+        to->of[i] = v_set(shape->library.number[i]);
+    to->cap[0] = m_if_all(caps & 1);
+    to->cap[1] = m_if_all(caps & 2);
+    to->skew = m_if_all(cylint_has_skew_rows(shape->kind));
+    to->elliptic = m_if_all(cylint_is_elliptic(shape->kind));
+    to->no_axis = m_if_all(cylint_has_no_axis(shape));
+}
+
+/* Reads members of the shapes, each at shape[lane], from `first` to before `end`
+ * in fours. */
+INLINE void gather_members(frames *to, const cylint_shape *const shape[LANES],
+                           int first, int end)
+{
+    const char *row[LANES];
+    for (int i = 0; i < LANES; i++)
+        row[i] = (const char *)shape[i]->library.number;
+    for (int i = first; i < end; i += 4)
+        v_columns(row, (size_t)i * sizeof(double), &to->of[i]);
+}
+
+/* What all of a solid's questions read. */
+INLINE void gather_numbers(frames *to, const cylint_shape *const shape[LANES],
+                           int solid)
+{
+    gather_members(to, shape, 0,
+                   cylint_solid_is_ball(solid)
+                       ? CYLINT_AT_R1
+                       : CYLINT_AT_COLUMNS + CYLINT_LOW);
+}
+
+/* The same and the caps, and then what roots read: the low parts. */
+INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
+                          int solid)
+{
+    unsigned caps[2] = {0, 0};
+    for (int i = 0; i < LANES; i++) {
+        const unsigned present = cylint_caps_present(shape[i]->ends);
+        caps[0] |= (present & 1) << i;
+        caps[1] |= (present >> 1) << i;
+    }
+    to->cap[0] = m_from(caps[0]);
+    to->cap[1] = m_from(caps[1]);
+    gather_numbers(to, shape, solid);
+}
+
+INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
+                         int solid)
+{
+    if (!cylint_solid_is_ball(solid))
+        gather_members(to, shape, CYLINT_AT_COLUMNS + CYLINT_LOW, MEMBERS);
+}
+
+/* What members of hits take of the kinds. */
+INLINE void gather_kinds(frames *to, const cylint_shape *const shape[LANES])
+{
+    unsigned skew = 0, elliptic = 0, no_axis = 0;
+    for (int i = 0; i < LANES; i++) {
+        skew |= (unsigned)cylint_has_skew_rows(shape[i]->kind) << i;
+        elliptic |= (unsigned)cylint_is_elliptic(shape[i]->kind) << i;
+        no_axis |= (unsigned)cylint_has_no_axis(shape[i]) << i;
+    }
+    to->skew = m_from(skew);
+    to->elliptic = m_from(elliptic);
+    to->no_axis = m_from(no_axis);
+}
+
+INLINE vd v_largest(const vd x[3])
+{
+    return v_max(v_max(v_abs(x[0]), v_abs(x[1])), v_abs(x[2]));
+}
+
+INLINE vd row_of(const frames *f, int row, const vd x[3])
+{
+    return v_sum_of(x[2], f->of[CYLINT_AT_COLUMNS + 6 + row],
+                    v_sum_of(x[1], f->of[CYLINT_AT_COLUMNS + 3 + row],
+                             x[0] * f->of[CYLINT_AT_COLUMNS + row]));
+}
+
+/* The line's origin, and what of the shape G takes. */
+INLINE void load_point(local_line *l, const vd o[3], const frames *f, int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    const int ball = cylint_solid_is_ball(solid);
+    vd x[3];
+    EACH(i, 3)
+        x[i] = o[i] - f->of[CYLINT_AT_BASE + i];
+    EACH(i, 2)
+        l->in.p[i] = v_if(ball, x[i], row_of(f, i, x));
+    l->from_base = v_if(ball, x[2], row_of(f, 2, x));
+    l->in.z = l->from_base;
+    l->in.r = f->of[CYLINT_AT_R0];
+    l->in.slope = v_if(tapered, f->of[CYLINT_AT_SLOPE], v_set(0));
+    if (solid == CYLINT_SOLID_ROUND_CONE) {
+        l->in.z =
+            v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0], l->from_base);
+        l->in.r = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0];
+    }
+    l->Q = v_if(
+        ball, v_largest(x) + f->of[CYLINT_AT_R0],
+        v_sum_of(v_largest(x), f->of[CYLINT_AT_NORM], f->of[CYLINT_AT_REACH]));
+    l->unit = v_set(solid == CYLINT_SOLID_ROUND_CONE
+                        ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
+                        : CYLINT_ROUNDING);
+    l->taper =
+        v_if(tapered, v_set(1) + v_abs(f->of[CYLINT_AT_SLOPE]), v_set(1));
+    l->in_range = v_le(v_largest(o), v_set(CYLINT_FAR));
+}
+
+INLINE void load_first(local_line *l, const source *from, int solid)
+{
+    const frames *f = from->frame;
+    const int ball = cylint_solid_is_ball(solid);
+    const vd *d = from->line->d;
+    const vd size = v_largest(d), most = v_set(CYLINT_WINDOW);
+    load_point(l, from->line->o, f, solid);
+    EACH(i, 2)
+        l->in.v[i] = v_if(ball, d[i], row_of(f, i, d));
+    l->in.w = v_if(ball, d[2], row_of(f, 2, d));
+    set_products_doubles(&l->in);
+    l->D = v_if(ball, size, size * f->of[CYLINT_AT_NORM]);
+    l->in_range =
+        m_and(m_and(v_le(v_set(1 / CYLINT_WINDOW), size), v_le(size, most)),
+              l->in_range);
+}
+
+/* The planes, circles and balls of the ends, after from_base. */
+INLINE void load_ends(local_line *l, const frames *f, int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    const int ball = cylint_solid_is_ball(solid);
+    l->widest = v_if(tapered, v_max(f->of[CYLINT_AT_R0], f->of[CYLINT_AT_R1]),
+                     f->of[CYLINT_AT_R0]);
+    EACH(k, 2) {
+        l->ball_z[k] = v_if(k && !ball, l->from_base - f->of[CYLINT_AT_HEIGHT],
+                            l->from_base);
+        l->ball_r[k] = f->of[CYLINT_AT_R0 + (tapered ? k : 0)];
+        l->z[k] = l->ball_z[k];
+        l->r[k] = l->ball_r[k];
+        if (solid == CYLINT_SOLID_ROUND_CONE) {
+            l->z[k] = v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0 + k],
+                               l->ball_z[k]);
+            l->r[k] = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0 + k];
+        }
+    }
+}
+
+INLINE void load_rest(local_line *l, const source *from, int solid)
+{
+    EACH(k, 2) {
+        l->limit[k] = from->line->limit[k];
+        l->cap[k] = from->frame->cap[k];
+    }
+    load_ends(l, from->frame, solid);
+}
+
+/* A point: the origin of a line with the direction 0. */
+INLINE void load_place(local_line *l, const vd o[3], const frames *f, int solid)
+{
+    load_point(l, o, f, solid);
+    l->in.v[0] = l->in.v[1] = l->in.w = l->D = v_set(0);
+    load_ends(l, f, solid);
+}
+
+/* A row of the matrix times x.  exact: x has no low parts. */
+INLINE vpair row_in_pairs(const frames *f, int row, const vpair x[3], int exact)
+{
+    vpair product[3];
+    EACH(j, 3) {
+        product[j] =
+            v_two_prod(x[j].hi, f->of[CYLINT_AT_COLUMNS + 3 * j + row]);
+        product[j].lo = v_sum_of(
+            x[j].hi, f->of[CYLINT_AT_COLUMNS + CYLINT_LOW + 3 * j + row],
+            product[j].lo);
+        if (!exact)
+            product[j].lo = v_sum_of(
+                x[j].lo, f->of[CYLINT_AT_COLUMNS + 3 * j + row], product[j].lo);
+    }
+    const vpair first = v_two_sum(product[0].hi, product[1].hi);
+    const vpair all = v_two_sum(first.hi, product[2].hi);
+    return (vpair){all.hi, ((product[0].lo + product[1].lo) + product[2].lo) +
+                               (first.lo + all.lo)};
+}
+
+INLINE void load_pairs(pair_line *to, const source *from, int solid)
+{
+    const frames *f = from->frame;
+    const int ball = cylint_solid_is_ball(solid);
+    const int exact = !from->line->segment;
+    vpair x[3], d[3], p[3], v[3];
+    EACH(i, 3) {
+        x[i] = v_two_sum(from->line->o[i], -f->of[CYLINT_AT_BASE + i]);
+        d[i] = direction_at(from, i);
+    }
+    EACH(i, 3) {
+        p[i] = ball ? x[i] : row_in_pairs(f, i, x, 0);
+        v[i] = ball ? d[i] : row_in_pairs(f, i, d, exact);
+    }
+    to->p = (vqpair){q_join(p[0].hi, p[1].hi), q_join(p[0].lo, p[1].lo)};
+    to->v = (vqpair){q_join(v[0].hi, v[1].hi), q_join(v[0].lo, v[1].lo)};
+    to->w = v[2];
+    to->error = v_if(ball, v_set(CYLINT_LOCAL_ERROR), f->of[CYLINT_AT_ERROR]);
+    set_heights(to, p[2], from, solid);
+}
+
+#endif
