@@ -336,10 +336,4 @@ INLINE void set_heights(pair_line *to, vpair from_base, const source *from,
     to->growth = vpair_mul(slope, to->w);
 }
 
-#ifdef CYLINT_NARROW
-#include "narrow_frame.h"
-#else
-#include "wide_frame.h"
-#endif
-
 #endif

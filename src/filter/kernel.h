@@ -14,7 +14,8 @@
 #ifndef CYLINT_KERNEL_H
 #define CYLINT_KERNEL_H
 
-#include "frame.h"
+#include "narrow_frame.h"
+#include "wide_frame.h"
 
 /* A value with a bound on its error. */
 typedef struct {

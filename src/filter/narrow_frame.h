@@ -6,6 +6,8 @@
 
 #include "frame.h"
 
+#ifdef CYLINT_NARROW
+
 /* Rows x and y of the matrix times a vector. */
 INLINE vd across(const cylint_shape *s, vd x, vd y, vd z)
 {
@@ -230,5 +232,7 @@ INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
     to->error = v_set(cylint_frame_error(from->shape));
     set_heights(to, along_of(p), from, solid);
 }
+
+#endif
 
 #endif

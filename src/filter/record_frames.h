@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 #include "../shapes/record.h"
-#include "frame.h"
+#include "wide_frame.h"
 
 #define CYLINT_WIDE
 #include "../shapes/upright_template.h"
