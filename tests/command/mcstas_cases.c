@@ -1,7 +1,8 @@
-/* Cases for the function for McStas in cylint(7), which stands above this text, and for
- * the quadratic formula, which it replaces: rays from 64 m that graze a sample,
- * rays parallel to the axis but for a subnormal velocity (McCode, issue 986), and hollow
- * samples (issues 2502, 997).  Prints how many are wrong; returns 1 if the library's are. */
+/* Cases for the function for McStas in cylint(7), which stands above this text, and
+ * for the quadratic formula, which it replaces: rays from 64 m that graze a sample,
+ * rays parallel to the axis but for a subnormal velocity (McCode, issue 986), and
+ * hollow samples (issues 2502, 997).  Prints how many are wrong; returns 1 if the
+ * library's are. */
 #include <math.h>
 #include <stdio.h>
 
