@@ -473,8 +473,8 @@ INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
  * The lateral normal is N = w x c - k dr w, of which `a` is w x c.  Between discs k
  * is the radius at the hit.  There |c| = k |w|, so the length of N is k |w| sqrt(ww
  * + dr^2).  Of a round kind k is the radius of the ball that the cone touches
- * there, |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error of
- * 15 u plus that of k.
+ * there, |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error
+ * of 15 u plus that of k.
  */
 INLINE vm lean_on_cone(const question *q, vd k, vd e_k, vd length,
                        bounded_vector *a)
