@@ -213,7 +213,7 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const sized before = load_slope(t, m, e);
     const double sign = m->volume.v.hi < 0 ? -1 : 1;
     *by = uncertain_angle;
-    /* untaken 1 of 2: the same */
+    /* untaken 1 of 2: every known step is small enough */
     if (!turn_direction(e, -sign * whole(before.v) * cube / slope))
         return;
     load_plane(t, m, e, tapered);
@@ -485,7 +485,7 @@ static inline void answer_on_rim(elliptic_answer *to,
             doubles->f * (doubles->f * dot_of(doubles->v, doubles->v) +
                           dot_of(doubles->R, doubles->u));
         by = uncertain_angle;
-        /* untaken 1 of 2: the same */
+        /* untaken 1 of 2: every known step is small enough */
         if (turn_direction(&e, whole(sized_dot(r.R, r.v).v) / slope)) {
             load_rim_in_pairs(&r, s, F, doubles->f, &e);
             by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);

@@ -206,7 +206,7 @@ static inline unsigned cylint_plane_members(const cylint_shape *s,
         hit->z = 0;
     if (want & CYLINT_WANT_PHI)
         hit->phi = 0;
-    /* untaken 1 of 4: the same */
+    /* untaken 1 of 4: every known normal is certain */
     if ((left & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
         left &= ~(unsigned)CYLINT_WANT_NORMAL;
     if ((left & CYLINT_WANT_POINT) &&

@@ -32,8 +32,8 @@ typedef struct {
     const cylint_piece_rule *rule;
     size_t most;
     piece_block *block;
-    size_t
-        *first; /* rows: [i + 1] is the number of pieces of line i; or NULL */
+    /* of rows: [i + 1] is the number of pieces of line i; of sums NULL */
+    size_t *first;
     const int *label;
     size_t labels;
     int in_units;

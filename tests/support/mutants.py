@@ -13,8 +13,9 @@ are counted but not printed.
                      [--jobs N] [--full] [--again FILE | --understood]
     tests/support/mutants.py --check
 
-Needs what `make check` needs, including MPFR.  --count is the number of
-random mutants of each file.  --skip leaves out the first N of the seed's
+Only the plain builds of kernels are tried, so changes of lines for AVX or a fused
+multiply-add survive.  Needs what `make check` needs, including MPFR.  --count is
+the number of random mutants of each file.  --skip leaves out the first N of the seed's
 sequence, so that a run can be continued.  --again tries only the mutants that
 an earlier run printed to FILE.  --understood tries those that have a reason, and
 prints reasons whose mutants a test detects.  --full runs all tests with all
