@@ -17,7 +17,12 @@
 #include "random.h"
 #include "roots/roots.h"
 
-enum { BASE = 8192, CASES = 20000 };
+enum { BASE = 8192 };
+
+static int cases(void)
+{
+    return (int)check_setting("CYLINT_CASES", 20000);
+}
 
 static uint64_t below(uint64_t n)
 {
@@ -88,7 +93,7 @@ static void doubles_are_placed_exactly(void)
 {
     mpz_t z;
     mpz_init(z);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         const double x = any_double();
         cylint_arena_open(&arena);
         integer_of_double(z, x, BASE);
@@ -124,7 +129,7 @@ static void sums_are_exact(void)
 {
     mpz_t z;
     mpz_init(z);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         CHECK(is_integer(cancelling_sum(z), z));
     }
@@ -135,7 +140,7 @@ static void products_of_sums_are_exact(void)
 {
     mpz_t x, y;
     mpz_inits(x, y, NULL);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         const exact a = cancelling_sum(x), b = cancelling_sum(y);
         mpz_mul(x, x, y);
@@ -149,7 +154,7 @@ static void keeping_a_number_frees_the_rest(void)
 {
     mpz_t x, y;
     mpz_inits(x, y, NULL);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         const exact before = cancelling_sum(x);
         const int used = arena.used;
@@ -192,7 +197,7 @@ static void roundings_are_within_their_bound(void)
     double worst = 0;
     mpz_t x, y;
     mpz_inits(x, y, NULL);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         exact a = cancelling_sum(x);
         if (below(2)) {
@@ -245,7 +250,7 @@ static void inverses_and_roots_in(struct environment there)
     mpz_t ignored;
     mpfr_inits2(DIGITS, x, y, (mpfr_ptr)NULL);
     mpz_init(ignored);
-    for (int i = 0; i < CASES / 20; i++) {
+    for (int i = 0; i < cases() / 20; i++) {
         cylint_arena_open(&arena);
         const exact a = cancelling_sum(ignored);
         if (a.sign == 0)
@@ -283,7 +288,7 @@ static void sums_are_rounded_once_in(struct environment there)
 {
     mpfr_t r;
     mpfr_init2(r, 4400);
-    for (int i = 0; i < CASES / 4; i++) {
+    for (int i = 0; i < cases() / 4; i++) {
         const int kind = (int)below(4), bits = (int)below(60);
         const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1),
                                 (int)below(9) - 4),
@@ -540,7 +545,7 @@ static void totals_are_rounded_once(void)
         CHECK(cylint_sum_rounded(&sum) == known[i][3]);
     }
     mpfr_init2(all, 2200);
-    for (int i = 0; i < CASES / 10; i++) {
+    for (int i = 0; i < cases() / 10; i++) {
         const int spread = 1 + random_int(&stream, 1000);
         const int middle = random_int(&stream, 1500) - 1000;
         cylint_exact_sum sum = {{0}};
