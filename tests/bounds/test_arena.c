@@ -4,8 +4,9 @@
  * The functions cylint_exact_*() of this file replace those of exact.c.  They
  * keep only a number's extent, the range of limbs that it can have: all limbs
  * that a double can have, and one more for the carry of each sum.  Nothing
- * cancels and nothing is trimmed, so real numbers never use more limbs.  Signs
- * decide what the library computes next; they are random.
+ * cancels and nothing is trimmed, so real numbers never use more limbs
+ * (numbers/test_exact.c tests each operation).  Signs decide what the library
+ * computes next; they are random.
  */
 #include "check.h"
 #include "distance/exact_distance.h"
