@@ -203,8 +203,8 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
         hit at;
         if (!here)
             continue;
-        const verdict v = is_round ? end_on_round(q, end, &at)
-                                   : end_on_discs(q, end, &at);
+        const verdict v =
+            is_round ? end_on_round(q, end, &at) : end_on_discs(q, end, &at);
         *uncertain |= m_bits(v.uncertain) & here;
         left &= ~here | m_bits(v.hit);
         here &= m_bits(v.hit);

@@ -76,7 +76,7 @@ typedef struct {
     vd u[3], D[3], w[3], r0, dr, from;
     vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
-    vd S, T, y0, K, R;  /* K: Dn + r0, R: r0 + |dr| */
+    vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
     quadratic cone, ball; /* ball: of the ball that was hit */
     vm is_ball;           /* the shape is a sphere, which has no cone */
     vm crosses;           /* the line crosses the cone */
@@ -293,8 +293,8 @@ INLINE verdict cross_shape(questions *q, int is_round)
     load_axis(q, is_round);
     const vd G = cone_G(q, c);
     c->e_a = eps(8) * (q->T * q->uu);
-    c->e_G = eps(30) * (q->T * q->uu) *
-             (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
+    c->e_G =
+        eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
     const vm sloped = m_and(v_lt(least, q->W), v_lt(eps(8), q->S));
     const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
@@ -412,8 +412,8 @@ INLINE range range_of_y(const questions *q, const hit *at)
 }
 
 /* Where the line enters or leaves the ball about an end. */
-INLINE verdict end_on_ball(const questions *q, int top,
-                           int end, quadratic *c, hit *at)
+INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
+                           hit *at)
 {
     vd DD = q->DD, r = q->r0, N = q->Dn;
     c->b = q->Du;
