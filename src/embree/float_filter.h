@@ -16,20 +16,6 @@ typedef struct cylint_small_record {
     float p0[3], r0, p1[3], r1;
 } cylint_small_record;
 
-/* An array of shapes, either small or not. */
-typedef struct cylint_float_filter_shapes {
-    const void *data;
-    int small;
-} cylint_float_filter_shapes;
-
-static inline const void *cylint_float_filter_at(
-    const cylint_float_filter_shapes *s, unsigned number)
-{
-    return s->small
-               ? (const void *)((const cylint_small_record *)s->data + number)
-               : (const cylint_record *)s->data + number;
-}
-
 typedef enum {
     CYLINT_FLOAT_FILTER_UNCERTAIN = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,           /* no hit in the domain */

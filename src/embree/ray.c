@@ -81,15 +81,13 @@ static int same_instance(const struct RTCHit *hit,
 static size_t number_of_hit(const cylint_embree_data *data,
                             const struct RTCHit *hit, unsigned geomID)
 {
-    if (!data->parts)
-        return hit->geomID == geomID && hit->primID < data->n ? hit->primID
-                                                              : data->n;
-    if (data->n_parts == 0)
-        return data->n;
-    const cylint_embree_merged *part =
-        &data->parts[cylint_embree_part_at(data, 1, hit->geomID)];
-    return part->geomID == hit->geomID && hit->primID < part->n
-               ? part->first + hit->primID
+    const cylint_embree_array *at = data->arrays;
+    if (data->is_merged) {
+        at += cylint_embree_array_at(data, 1, hit->geomID);
+        geomID = at->geomID;
+    }
+    return hit->geomID == geomID && hit->primID < at->n
+               ? at->first + hit->primID
                : data->n;
 }
 
@@ -161,11 +159,11 @@ static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
 {
     hit->primID = number;
     hit->geomID = r->args->geomID;
-    if (r->data->parts) {
-        const cylint_embree_merged *part =
-            &r->data->parts[r->data->part[r->rank]];
-        hit->primID -= (unsigned)part->first;
-        hit->geomID = part->geomID;
+    if (r->data->array) {
+        const cylint_embree_array *from =
+            &r->data->arrays[r->data->array[r->rank]];
+        hit->primID -= (unsigned)from->first;
+        hit->geomID = from->geomID;
     }
     for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
         hit->instID[i] = r->args->context->instID[i];

@@ -73,7 +73,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
     r->q.tmax = from->tfar;
-    r->q.small = r->data->shapes[0].records.small;
+    r->q.small = r->data->shapes[0].small;
     r->q.describes = needs_description(r);
     r->found = 0;
     return (direction > 0) & (all + direction < HUGE_VAL) &
@@ -89,7 +89,7 @@ static inline unsigned number_of(const ray_test *r)
 /* Sets the question whether the ray hits a piece of the shape. */
 CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 {
-    r->q.shape = cylint_float_filter_at(&r->data->shapes[0].records, r->rank);
+    r->q.shape = cylint_embree_record_at(&r->data->shapes[0], r->rank);
     r->q.tfar = r->ray->tfar;
     r->q.ends = ends;
     r->q.index = piece.index;
@@ -112,8 +112,8 @@ CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
                                    const cylint_leaf *leaf, unsigned lanes)
 {
     for (; lanes; lanes &= lanes - 1)
-        CYLINT_PREFETCH(cylint_float_filter_at(
-            &data->shapes[0].records, leaf->number[cylint_lowest(lanes)]));
+        CYLINT_PREFETCH(cylint_embree_record_at(
+            &data->shapes[0], leaf->number[cylint_lowest(lanes)]));
 }
 
 static inline int nearest_lane(unsigned lanes, const float *least)

@@ -19,11 +19,20 @@ void cylint_filter_record_of(cylint_record *to, const cylint_shape *shape);
 int cylint_small_record_of(cylint_small_record *to, const cylint_shape *shape);
 
 typedef struct cylint_embree_shapes {
-    cylint_memory memory, whole_memory;
-    cylint_float_filter_shapes records;
+    cylint_memory memory; /* the records, then `ends` */
+    cylint_memory whole_memory;
+    int small; /* the records are */
     const uint8_t *ends;
     const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
+
+static inline const void *cylint_embree_record_at(const cylint_embree_shapes *s,
+                                                  size_t at)
+{
+    return (const char *)s->memory.data +
+           at *
+               (s->small ? sizeof(cylint_small_record) : sizeof(cylint_record));
+}
 
 /* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
  * 0, 1, ...  Returns 0 if memory is refused. */
