@@ -87,11 +87,7 @@ static int least_exactly(const asked *of)
 {
     double hi[3], lo[3];
     EACH(j, 3) {
-        const cylint_small_record *small = of->shape;
-        const cylint_record *large = of->shape;
-        const pair w =
-            of->small ? two_diff((double)small->p1[j], (double)small->p0[j])
-                      : two_diff(large->p1[j], large->p0[j]);
+        const pair w = two_diff(of->record.p1[j], of->record.p0[j]);
         hi[j] = w.hi;
         lo[j] = w.lo;
     }
@@ -258,8 +254,7 @@ INLINE void answer_lanes(asked *const of[], int n)
         q.exit_only |= (unsigned)one->exit_only << i;
         q.describes |= (unsigned)one->describes << i;
     }
-    load_records(&q);
-    load_lines(&q);
+    load_questions(&q);
     if (m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0))) & 1) {
         q.r0 = -q.r0;
         q.dr = -q.dr;

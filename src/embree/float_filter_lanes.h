@@ -153,28 +153,6 @@ INLINE void select_quadratic(quadratic *c, vm where, const quadratic *other)
     c->e_G = v_select(where, other->e_G, c->e_G);
 }
 
-/* Loads the shapes. */
-INLINE void load_records(questions *q)
-{
-    const char *row[LANES];
-    vd x[8];
-    for (int i = 0; i < LANES; i++)
-        row[i] = q->of[i]->shape;
-    if (q->of[0]->small) {
-        v_columns_of_floats(row, 0, x);
-        v_columns_of_floats(row, offsetof(cylint_small_record, p1), x + 4);
-    } else {
-        v_columns(row, 0, x);
-        v_columns(row, offsetof(cylint_record, p1), x + 4);
-    }
-    EACH(j, 3) {
-        q->D[j] = x[j]; /* the base, for load_lines() */
-        q->w[j] = x[4 + j] - x[j];
-    }
-    q->r0 = x[3];
-    q->dr = x[7] - x[3];
-}
-
 INLINE vd difference_error(vd x, vd y, vd difference)
 {
     const vd minus_y = difference - x;
@@ -190,22 +168,26 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 }
 
 /*
- * Moves the origin by from * u to a point near the shape, so that the errors are
+ * Loads the shapes and the lines.  Moves the origin by from * u to a point near the shape, so that the errors are
  * relative to the shape's size, wherever the ray begins: to `near` if it is
  * known, else to the point nearest to the base.  u and `from` have 24 bits each,
  * so their product is exact.  The rounding error of o - base is added again
  * [Moller 1965, Knuth].  So D has no error but its own roundings.
  */
-INLINE void load_lines(questions *q)
+INLINE void load_questions(questions *q)
 {
     const char *row[LANES];
-    vd x[8], D0[3], base[3];
+    vd x[8], base[4], top[4], D0[3];
     for (int i = 0; i < LANES; i++)
         row[i] = (const char *)q->of[i];
-    v_columns(row, offsetof(cylint_float_filter_question, o), x);
-    v_columns(row, offsetof(cylint_float_filter_question, d[1]), x + 4);
+    v_columns(row, offsetof(asked, record.p0), base);
+    v_columns(row, offsetof(asked, record.p1), top);
+    v_columns(row, offsetof(asked, o), x);
+    v_columns(row, offsetof(asked, d[1]), x + 4);
+    q->r0 = base[3];
+    q->dr = top[3] - base[3];
     EACH(j, 3) {
-        base[j] = q->D[j];
+        q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }

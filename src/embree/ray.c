@@ -323,15 +323,13 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 static int test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
-    cylint_record between;
     r->rank = r->args->primID;
     set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
     if (cylint_embree_moves(r->data)) {
-        const cylint_record at_0 = cylint_embree_record(s, r->rank),
-                            at_1 = cylint_embree_record(s + 1, r->rank);
-        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
-        r->q.shape = &between;
-        r->q.small = 0;
+        const cylint_record at_0 = r->q.record;
+        cylint_record at_1;
+        cylint_embree_record(s + 1, r->rank, &at_1);
+        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &r->q.record);
     }
     filter_one(r);
     return cylint_ray_end(r);

@@ -73,7 +73,6 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
     r->q.tmax = from->tfar;
-    r->q.small = r->data->shapes[0].small;
     r->q.describes = needs_description(r);
     r->found = 0;
     return (direction > 0) & (all + direction < HUGE_VAL) &
@@ -89,7 +88,7 @@ static inline unsigned number_of(const ray_test *r)
 /* Sets the question whether the ray hits a piece of the shape. */
 CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 {
-    r->q.shape = cylint_embree_record_at(&r->data->shapes[0], r->rank);
+    cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
     r->q.tfar = r->ray->tfar;
     r->q.ends = ends;
     r->q.index = piece.index;

@@ -164,23 +164,12 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s)
 
 /* --------------------------------------------------------------- reading -- */
 
-cylint_record cylint_embree_record(const cylint_embree_shapes *s, size_t at)
-{
-    const cylint_small_record *small = cylint_embree_record_at(s, at);
-    if (!s->small)
-        return *(const cylint_record *)cylint_embree_record_at(s, at);
-    return (cylint_record){
-        {(double)small->p0[0], (double)small->p0[1], (double)small->p0[2]},
-        (double)small->r0,
-        {(double)small->p1[0], (double)small->p1[1], (double)small->p1[2]},
-        (double)small->r1};
-}
-
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
                          cylint_shape *shape)
 {
-    cylint_record x = cylint_embree_record(s, at);
+    cylint_record x;
     int kind = CYLINT_KIND_CONE;
+    cylint_embree_record(s, at, &x);
     if (x.r0 != x.r0) {
         *shape = s->whole[(size_t)x.p0[0]];
         return;
