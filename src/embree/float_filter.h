@@ -36,10 +36,7 @@ typedef enum {
     CYLINT_FLOAT_FILTER_HIT             /* t as a float is less than tfar */
 } cylint_float_filter_result;
 
-/* The floats of a hit, equal to the library's doubles rounded to floats. */
-typedef struct cylint_hit_floats {
-    float z, phi, normal[3];
-} cylint_hit_floats;
+enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
  * A ray, the question which is its first hit on a piece of a shape, and the
@@ -55,11 +52,12 @@ typedef struct cylint_float_filter_question {
     int exit_only;                 /* only where the line leaves the shape */
     int describes;                 /* `floats` are wanted */
     /* the answer; of a HIT: t rounded up to a float, whether the line leaves the
-     * shape there, and the floats if they are wanted */
+     * shape there, and the floats if they are wanted: the normal, z and phi, equal
+     * to the library's doubles rounded to floats */
     cylint_float_filter_result is;
     float t;
     int leaves;
-    cylint_hit_floats floats;
+    float floats[CYLINT_HIT_FLOATS];
 } cylint_float_filter_question;
 
 /* Whether the shape is a sphere, capsule or rounded cone. */

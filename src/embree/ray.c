@@ -148,21 +148,13 @@ static int is_nearer(const ray_test *r, unsigned number,
 
 /* -------------------------------------------------------- recording hits -- */
 
-static cylint_hit_floats floats_of(const cylint_hit *at)
+/* Writes the first members of a RTCHit. */
+static void set_floats(float floats[CYLINT_HIT_FLOATS], const cylint_hit *at)
 {
-    return (cylint_hit_floats){
-        (float)at->z,
-        cylint_angle_as_float(at->phi),
-        {(float)at->normal[0], (float)at->normal[1], (float)at->normal[2]}};
-}
-
-static void write_floats(const cylint_hit_floats *floats, struct RTCHit *hit)
-{
-    hit->Ng_x = floats->normal[0];
-    hit->Ng_y = floats->normal[1];
-    hit->Ng_z = floats->normal[2];
-    hit->u = floats->z;
-    hit->v = floats->phi;
+    EACH(j, 3)
+        floats[j] = (float)at->normal[j];
+    floats[3] = (float)at->z;
+    floats[4] = cylint_angle_as_float(at->phi);
 }
 
 static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
@@ -218,7 +210,7 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
 /* Records a hit at t if the filter functions accept it.  The hit is written in its
  * final place, which saves a copy. */
 static int record(ray_test *r, unsigned number, float t,
-                  const cylint_hit_floats *floats)
+                  const float floats[CYLINT_HIT_FLOATS])
 {
     if (r->any && !has_filters(r)) {
         r->ray->tfar = -HUGE_VALF;
@@ -226,8 +218,8 @@ static int record(ray_test *r, unsigned number, float t,
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
-    if (!is_bare(r))
-        write_floats(floats, r->hit);
+    for (int j = 0; j < CYLINT_HIT_FLOATS && !is_bare(r); j++)
+        ((float *)r->hit)[j] = floats[j];
     write_ids(r, number, r->hit);
     r->ray->tfar = t;
     if (has_filters(r) && !filters_accept(r, r->hit)) {
@@ -251,11 +243,11 @@ static unsigned wanted(const ray_test *r)
 }
 
 /* Describes hit i. */
-static cylint_hit_floats describe(const exact_hits *x, unsigned want, int i)
+static void describe(float floats[CYLINT_HIT_FLOATS], exact_hits *x,
+                     unsigned want, int i)
 {
-    cylint_hit hit = x->answer.hit[i];
-    cylint_describe(&x->shape, &x->line, want, &hit);
-    return floats_of(&hit);
+    cylint_describe(&x->shape, &x->line, want, &x->answer.hit[i]);
+    set_floats(floats, &x->answer.hit[i]);
 }
 
 /* Tests the hits from number `first` on with cylint_intersect().  Hits of a
@@ -272,14 +264,16 @@ static int test_exactly(ray_test *r, int first)
               &x);
     for (int i = first; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        cylint_hit_floats floats = {0};
+        float floats[CYLINT_HIT_FLOATS] = {0};
         if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
         if (!r->any && !is_nearer(r, number, &x.answer, i))
             return 0;
-        if (r->q.describes)
-            floats = whole ? describe(&x, wanted(r), i) : floats_of(at);
-        if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
+        if (r->q.describes && whole)
+            describe(floats, &x, wanted(r), i);
+        else if (r->q.describes)
+            set_floats(floats, at);
+        if (record(r, number, rounded_up(at->t, r->ray->tfar), floats))
             return 1;
     }
     return 0;
@@ -300,7 +294,7 @@ int cylint_ray_end(ray_test *r)
             return test_exactly(r, r->q.exit_only);
         if (r->q.is == CYLINT_FLOAT_FILTER_MISS)
             return 0;
-        if (record(r, number_of(r), r->q.t, &r->q.floats))
+        if (record(r, number_of(r), r->q.t, r->q.floats))
             return 1;
         if (r->q.leaves)
             return 0;
@@ -381,8 +375,6 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     r.q.tmax = tmax_including(rayhit->ray.tfar);
     const int i = find_present(
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
-    if (i >= 0) {
-        const cylint_hit_floats floats = describe(&x, CYLINT_WANT_ALL, i);
-        write_floats(&floats, &rayhit->hit);
-    }
+    if (i >= 0)
+        describe((float *)&rayhit->hit, &x, CYLINT_WANT_ALL, i);
 }

@@ -118,12 +118,12 @@ static int same_float(float x, double y)
     return memcmp(&x, &z, sizeof x) == 0;
 }
 
-static int same_floats(const cylint_hit_floats *f, const cylint_hit *hit)
+static int same_floats(const float f[CYLINT_HIT_FLOATS], const cylint_hit *hit)
 {
-    int same = same_float(f->z, hit->z) &&
-               same_float(f->phi, cylint_angle_as_float(hit->phi));
+    int same = same_float(f[3], hit->z) &&
+               same_float(f[4], cylint_angle_as_float(hit->phi));
     for (int j = 0; j < 3; j++)
-        same &= same_float(f->normal[j], hit->normal[j]);
+        same &= same_float(f[j], hit->normal[j]);
     return same;
 }
 
@@ -180,7 +180,7 @@ static int is_right(const struct scene_query *x, struct tally *tally)
         return !hit || t > q->tfar;
     return hit && q->t == t && t < q->tfar &&
            q->leaves == (hit->side == CYLINT_SIDE_LEAVING) &&
-           (!q->describes || same_floats(&q->floats, hit));
+           (!q->describes || same_floats(q->floats, hit));
 }
 
 /* The number of questions in a call is 1 to build->most in turn. */
