@@ -256,6 +256,10 @@ class Points:
     def shape(self) -> tuple[int, ...]:
         return self.array.shape[:-1]
 
+    def core_of(self, shapes: int) -> _core.Balls:
+        """Points for a scene with so many shapes."""
+        return _core.Balls(self.array, self.radii)
+
     def keep(self) -> None:
         """Lets these points own their array, for members computed later."""
         self.array = owned(self.array)

@@ -164,7 +164,7 @@ inline size_t blocks_of(const Grid &grid)
 
 /*
  * Calls block.run(part) for all blocks of a grid.  Each thread has a Block of its
- * own, Block(from...).  Parts of different rows that begin at the same element come
+ * own, Block{from...}.  Parts of different rows that begin at the same element come
  * one after the other: they often have the same shapes or points.  A block that
  * returns false ends the call, which then returns false.
  */
@@ -173,7 +173,7 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
                 const From &...from)
 {
     struct Worker {
-        explicit Worker(const Grid &g, const From &...f) : part(g), block(f...)
+        explicit Worker(const Grid &g, const From &...f) : part(g), block{f...}
         {
         }
         Part part;
