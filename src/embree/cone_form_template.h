@@ -21,7 +21,8 @@ INLINE NUM FORM(cone_G)(FORM(questions) *q, FORM(quadratic) *to)
     to->a = MOST(SUB(MUL(q->S, q->uu), MUL(MUL(q->T, q->beta), q->dz)), q->T);
     to->b = MOST(SUB(MUL(q->S, q->Du), MUL(height, q->dz)), q->T);
     const NUM c = MOST(SUB(SUB(MUL(q->S, q->DD), MUL(q->r0, q->r0)),
-                           MUL(ADD(height, part), q->z0)), q->T);
+                           MUL(ADD(height, part), q->z0)),
+                       q->T);
     return SUB(MUL(to->b, to->b), MUL(to->a, c));
 }
 

@@ -87,11 +87,7 @@ static int least_exactly(const asked *of)
 {
     double hi[3], lo[3];
     EACH(j, 3) {
-        const cylint_small_record *small = of->shape;
-        const cylint_record *large = of->shape;
-        const pair w =
-            of->small ? two_diff((double)small->p1[j], (double)small->p0[j])
-                      : two_diff(large->p1[j], large->p0[j]);
+        const pair w = two_diff(of->record.p1[j], of->record.p0[j]);
         hi[j] = w.hi;
         lo[j] = w.lo;
     }
@@ -203,8 +199,8 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
         hit at;
         if (!here)
             continue;
-        const verdict v = is_round ? end_on_round(q, end, &at)
-                                   : end_on_discs(q, end, &at);
+        const verdict v =
+            is_round ? end_on_round(q, end, &at) : end_on_discs(q, end, &at);
         *uncertain |= m_bits(v.uncertain) & here;
         left &= ~here | m_bits(v.hit);
         here &= m_bits(v.hit);
@@ -258,8 +254,7 @@ INLINE void answer_lanes(asked *const of[], int n)
         q.exit_only |= (unsigned)one->exit_only << i;
         q.describes |= (unsigned)one->describes << i;
     }
-    load_records(&q);
-    load_lines(&q);
+    load_questions(&q);
     if (m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0))) & 1) {
         q.r0 = -q.r0;
         q.dr = -q.dr;

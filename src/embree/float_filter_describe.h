@@ -88,8 +88,8 @@ INLINE vm lean_on_cone(const questions *q, const hit *at, vm lateral,
     const vm certain = m_and(lateral, v_lt(v_set(32) * e_k, k));
     EACH(j, 3) {
         const vd N = q->S * a->N[j];
-        a->e[j] = q->S * a->e[j] + eps(2) * v_abs(a->N[j]) +
-                  e_lean * v_abs(q->w[j]);
+        a->e[j] =
+            q->S * a->e[j] + eps(2) * v_abs(a->N[j]) + e_lean * v_abs(q->w[j]);
         a->N[j] = N - lean * q->w[j];
     }
     const vd length = k * (q->W * v_sqrt(q->S * q->ww + dr * dr));

@@ -76,7 +76,7 @@ typedef struct {
     vd u[3], D[3], w[3], r0, dr, from;
     vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
-    vd S, T, y0, K, R;  /* K: Dn + r0, R: r0 + |dr| */
+    vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
     quadratic cone, ball; /* ball: of the ball that was hit */
     vm is_ball;           /* the shape is a sphere, which has no cone */
     vm crosses;           /* the line crosses the cone */
@@ -153,28 +153,6 @@ INLINE void select_quadratic(quadratic *c, vm where, const quadratic *other)
     c->e_G = v_select(where, other->e_G, c->e_G);
 }
 
-/* Loads the shapes. */
-INLINE void load_records(questions *q)
-{
-    const char *row[LANES];
-    vd x[8];
-    for (int i = 0; i < LANES; i++)
-        row[i] = q->of[i]->shape;
-    if (q->of[0]->small) {
-        v_columns_of_floats(row, 0, x);
-        v_columns_of_floats(row, offsetof(cylint_small_record, p1), x + 4);
-    } else {
-        v_columns(row, 0, x);
-        v_columns(row, offsetof(cylint_record, p1), x + 4);
-    }
-    EACH(j, 3) {
-        q->D[j] = x[j]; /* the base, for load_lines() */
-        q->w[j] = x[4 + j] - x[j];
-    }
-    q->r0 = x[3];
-    q->dr = x[7] - x[3];
-}
-
 INLINE vd difference_error(vd x, vd y, vd difference)
 {
     const vd minus_y = difference - x;
@@ -190,22 +168,26 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 }
 
 /*
- * Moves the origin by from * u to a point near the shape, so that the errors are
+ * Loads the shapes and the lines.  Moves the origin by from * u to a point near the shape, so that the errors are
  * relative to the shape's size, wherever the ray begins: to `near` if it is
  * known, else to the point nearest to the base.  u and `from` have 24 bits each,
  * so their product is exact.  The rounding error of o - base is added again
  * [Moller 1965, Knuth].  So D has no error but its own roundings.
  */
-INLINE void load_lines(questions *q)
+INLINE void load_questions(questions *q)
 {
     const char *row[LANES];
-    vd x[8], D0[3], base[3];
+    vd x[8], base[4], top[4], D0[3];
     for (int i = 0; i < LANES; i++)
         row[i] = (const char *)q->of[i];
-    v_columns(row, offsetof(cylint_float_filter_question, o), x);
-    v_columns(row, offsetof(cylint_float_filter_question, d[1]), x + 4);
+    v_columns(row, offsetof(asked, record.p0), base);
+    v_columns(row, offsetof(asked, record.p1), top);
+    v_columns(row, offsetof(asked, o), x);
+    v_columns(row, offsetof(asked, d[1]), x + 4);
+    q->r0 = base[3];
+    q->dr = top[3] - base[3];
     EACH(j, 3) {
-        base[j] = q->D[j];
+        q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
@@ -293,8 +275,8 @@ INLINE verdict cross_shape(questions *q, int is_round)
     load_axis(q, is_round);
     const vd G = cone_G(q, c);
     c->e_a = eps(8) * (q->T * q->uu);
-    c->e_G = eps(30) * (q->T * q->uu) *
-             (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
+    c->e_G =
+        eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
     const vm sloped = m_and(v_lt(least, q->W), v_lt(eps(8), q->S));
     const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
@@ -412,8 +394,8 @@ INLINE range range_of_y(const questions *q, const hit *at)
 }
 
 /* Where the line enters or leaves the ball about an end. */
-INLINE verdict end_on_ball(const questions *q, int top,
-                           int end, quadratic *c, hit *at)
+INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
+                           hit *at)
 {
     vd DD = q->DD, r = q->r0, N = q->Dn;
     c->b = q->Du;

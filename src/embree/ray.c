@@ -81,15 +81,13 @@ static int same_instance(const struct RTCHit *hit,
 static size_t number_of_hit(const cylint_embree_data *data,
                             const struct RTCHit *hit, unsigned geomID)
 {
-    if (!data->parts)
-        return hit->geomID == geomID && hit->primID < data->n ? hit->primID
-                                                              : data->n;
-    if (data->n_parts == 0)
-        return data->n;
-    const cylint_embree_merged *part =
-        &data->parts[cylint_embree_part_at(data, 1, hit->geomID)];
-    return part->geomID == hit->geomID && hit->primID < part->n
-               ? part->first + hit->primID
+    const cylint_embree_array *at = data->arrays;
+    if (data->is_merged) {
+        at += cylint_embree_array_at(data, 1, hit->geomID);
+        geomID = at->geomID;
+    }
+    return hit->geomID == geomID && hit->primID < at->n
+               ? at->first + hit->primID
                : data->n;
 }
 
@@ -97,8 +95,8 @@ static size_t number_of_hit(const cylint_embree_data *data,
  * this geometry. */
 static size_t present_number(const ray_test *r)
 {
-    return same_instance(r->hit, r->context)
-               ? number_of_hit(r->data, r->hit, r->geomID)
+    return same_instance(r->hit, r->args->context)
+               ? number_of_hit(r->data, r->hit, r->args->geomID)
                : r->data->n;
 }
 
@@ -160,17 +158,17 @@ static void set_floats(float floats[CYLINT_HIT_FLOATS], const cylint_hit *at)
 static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
 {
     hit->primID = number;
-    hit->geomID = r->geomID;
-    if (r->data->parts) {
-        const cylint_embree_merged *part =
-            &r->data->parts[r->data->part[r->rank]];
-        hit->primID -= (unsigned)part->first;
-        hit->geomID = part->geomID;
+    hit->geomID = r->args->geomID;
+    if (r->data->array) {
+        const cylint_embree_array *from =
+            &r->data->arrays[r->data->array[r->rank]];
+        hit->primID -= (unsigned)from->first;
+        hit->geomID = from->geomID;
     }
     for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
-        hit->instID[i] = r->context->instID[i];
+        hit->instID[i] = r->args->context->instID[i];
 #if CYLINT_INSTANCE_ARRAYS
-        hit->instPrimID[i] = r->context->instPrimID[i];
+        hit->instPrimID[i] = r->args->context->instPrimID[i];
 #endif
     }
 }
@@ -188,18 +186,19 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
     int valid = -1;
     struct RTCFilterFunctionNArguments filter = {&valid,
                                                  r->data->user,
-                                                 r->context,
+                                                 r->args->context,
                                                  (struct RTCRayN *)r->ray,
                                                  (struct RTCHitN *)hit,
                                                  1};
     if (r->any)
-        cylint_rtc_filter_occluded(r->args, &filter);
+        cylint_rtc_filter_occluded(
+            (const struct RTCOccludedFunctionNArguments *)r->args, &filter);
     else
         cylint_rtc_filter_hit(r->args, &filter);
 #if CYLINT_EMBREE == 4
     if (valid && r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
-            ((struct context_with_filter *)r->context)->filter;
+            ((struct context_with_filter *)filter.context)->filter;
         if (also)
             also(&filter);
     }
@@ -311,8 +310,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     ray_test *r = self;
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
-    while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        set_question(r);
+    while (lanes && ask_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
         const int hit = cylint_ray_end(r);
         r->found |= hit;
@@ -322,34 +320,26 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     return 0;
 }
 
-static int test_primitive(ray_test *r, unsigned primID)
+static int test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
-    cylint_record between;
-    r->rank = primID;
-    r->q.shape = cylint_float_filter_at(&s->records, primID);
-    r->q.tfar = r->ray->tfar;
-    r->q.ends = s->ends[primID];
-    r->q.index = r->q.exit_only = 0;
-    r->q.count = 1;
+    r->rank = r->args->primID;
+    set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
     if (cylint_embree_moves(r->data)) {
-        const cylint_record at_0 = cylint_embree_record(s, primID),
-                            at_1 = cylint_embree_record(s + 1, primID);
-        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
-        r->q.shape = &between;
-        r->q.small = 0;
+        const cylint_record at_0 = r->q.record;
+        cylint_record at_1;
+        cylint_embree_record(s + 1, r->rank, &at_1);
+        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &r->q.record);
     }
     filter_one(r);
     return cylint_ray_end(r);
 }
 
-int cylint_trace_single(ray_test *r, unsigned primID)
+int cylint_trace_single(ray_test *r)
 {
     const cylint_traversal *traversal = r->data->traversal;
-    if (!set_line(r))
-        return 0;
     if (!traversal)
-        return test_primitive(r, primID);
+        return test_primitive(r);
     if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
                        r->any && !has_filters(r))) {
         r->ray->tfar = -HUGE_VALF;
@@ -363,15 +353,14 @@ int cylint_trace_single(ray_test *r, unsigned primID)
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)
 {
-    const ray_test all = {.data = rtcGetGeometryUserData(geometry)};
-    const size_t number =
-        number_of_hit(all.data, &rayhit->hit, rayhit->hit.geomID);
+    const call args = {.geometryUserPtr = rtcGetGeometryUserData(geometry)};
+    const cylint_embree_data *data = args.geometryUserPtr;
+    const size_t number = number_of_hit(data, &rayhit->hit, rayhit->hit.geomID);
     ray_test r;
     exact_hits x;
-    if (number == all.data->n)
+    if (number == data->n)
         return;
-    start_test(&r, &all, &rayhit->ray, &rayhit->hit);
-    set_line(&r);
+    start_test(&r, &args, 0, &rayhit->ray, &rayhit->hit);
     r.q.tmax = tmax_including(rayhit->ray.tfar);
     const int i = find_present(
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
