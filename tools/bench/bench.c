@@ -52,7 +52,7 @@ static double seconds_by(clockid_t clock)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-double thread_seconds(void)
+static double thread_seconds(void)
 {
     return seconds_by(CLOCK_THREAD_CPUTIME_ID);
 }

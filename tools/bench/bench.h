@@ -74,8 +74,7 @@ int use_kernels(int k);
 /* For qsort(): doubles, or structures that begin with one, upwards. */
 int compare_doubles(const void *x, const void *y);
 
-/* Seconds of processor time of this thread, of this process, of the clock. */
-double thread_seconds(void);
+/* Seconds of processor time of this process, and of the clock. */
 double process_seconds(void);
 double clock_seconds(void);
 

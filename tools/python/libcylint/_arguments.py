@@ -110,6 +110,10 @@ def owned(array: Doubles) -> Doubles:
     """
     if _is_fixed(array):
         return array
+    if 0 not in array.strides:
+        copy = array.copy()
+        copy.flags.writeable = False
+        return copy
     once = array[tuple(slice(None if step else 1) for step in array.strides)]
     return np.broadcast_to(once.copy(), array.shape)
 
