@@ -81,15 +81,13 @@ static int same_instance(const struct RTCHit *hit,
 static size_t number_of_hit(const cylint_embree_data *data,
                             const struct RTCHit *hit, unsigned geomID)
 {
-    if (!data->parts)
-        return hit->geomID == geomID && hit->primID < data->n ? hit->primID
-                                                              : data->n;
-    if (data->n_parts == 0)
-        return data->n;
-    const cylint_embree_merged *part =
-        &data->parts[cylint_embree_part_at(data, 1, hit->geomID)];
-    return part->geomID == hit->geomID && hit->primID < part->n
-               ? part->first + hit->primID
+    const cylint_embree_array *at = data->arrays;
+    if (data->is_merged) {
+        at += cylint_embree_array_at(data, 1, hit->geomID);
+        geomID = at->geomID;
+    }
+    return hit->geomID == geomID && hit->primID < at->n
+               ? at->first + hit->primID
                : data->n;
 }
 
@@ -97,8 +95,8 @@ static size_t number_of_hit(const cylint_embree_data *data,
  * this geometry. */
 static size_t present_number(const ray_test *r)
 {
-    return same_instance(r->hit, r->context)
-               ? number_of_hit(r->data, r->hit, r->geomID)
+    return same_instance(r->hit, r->args->context)
+               ? number_of_hit(r->data, r->hit, r->args->geomID)
                : r->data->n;
 }
 
@@ -124,9 +122,9 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
  * the lower number.  tfar is the present t rounded up, so the present t is
  * needed only if t rounds to tfar too.  Each hit is tested once: a present hit
  * on the same shape is its other hit. */
-static int is_nearer(const ray_test *r, unsigned number,
-                     const cylint_answer *answer, int i)
+static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 {
+    const unsigned number = number_of(r);
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
@@ -148,37 +146,39 @@ static int is_nearer(const ray_test *r, unsigned number,
 
 /* -------------------------------------------------------- recording hits -- */
 
-static cylint_hit_floats floats_of(const cylint_hit *at)
+/* Describes hit i in the question. */
+static void describe(ray_test *r, exact_hits *x, int i)
 {
-    return (cylint_hit_floats){
-        (float)at->z,
-        cylint_angle_as_float(at->phi),
-        {(float)at->normal[0], (float)at->normal[1], (float)at->normal[2]}};
+    cylint_hit *at = &x->answer.hit[i];
+    cylint_describe(&x->shape, &x->line,
+                    CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI, at);
+    EACH(j, 3)
+        r->q.floats[j] = (float)at->normal[j];
+    r->q.floats[3] = (float)at->z;
+    r->q.floats[4] = cylint_angle_as_float(at->phi);
 }
 
-static void write_floats(const cylint_hit_floats *floats, struct RTCHit *hit)
+static void write_floats(const ray_test *r)
 {
-    hit->Ng_x = floats->normal[0];
-    hit->Ng_y = floats->normal[1];
-    hit->Ng_z = floats->normal[2];
-    hit->u = floats->z;
-    hit->v = floats->phi;
+    float *first = (float *)r->hit; /* members: Ng, u, v */
+    for (int j = 0; j < CYLINT_HIT_FLOATS; j++)
+        first[j] = r->q.floats[j];
 }
 
-static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
+static void write_ids(const ray_test *r, struct RTCHit *hit)
 {
-    hit->primID = number;
-    hit->geomID = r->geomID;
-    if (r->data->parts) {
-        const cylint_embree_merged *part =
-            &r->data->parts[r->data->part[r->rank]];
-        hit->primID -= (unsigned)part->first;
-        hit->geomID = part->geomID;
+    hit->primID = number_of(r);
+    hit->geomID = r->args->geomID;
+    if (r->data->array) {
+        const cylint_embree_array *from =
+            &r->data->arrays[r->data->array[r->rank]];
+        hit->primID -= (unsigned)from->first;
+        hit->geomID = from->geomID;
     }
     for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
-        hit->instID[i] = r->context->instID[i];
+        hit->instID[i] = r->args->context->instID[i];
 #if CYLINT_INSTANCE_ARRAYS
-        hit->instPrimID[i] = r->context->instPrimID[i];
+        hit->instPrimID[i] = r->args->context->instPrimID[i];
 #endif
     }
 }
@@ -191,23 +191,24 @@ struct context_with_filter {
 #endif
 
 /* Calls the filter functions. */
-static int filters_accept(const ray_test *r, struct RTCHit *hit)
+static int filters_accept(const ray_test *r)
 {
     int valid = -1;
     struct RTCFilterFunctionNArguments filter = {&valid,
                                                  r->data->user,
-                                                 r->context,
+                                                 r->args->context,
                                                  (struct RTCRayN *)r->ray,
-                                                 (struct RTCHitN *)hit,
+                                                 (struct RTCHitN *)r->hit,
                                                  1};
     if (r->any)
-        cylint_rtc_filter_occluded(r->args, &filter);
+        cylint_rtc_filter_occluded(
+            (const struct RTCOccludedFunctionNArguments *)r->args, &filter);
     else
         cylint_rtc_filter_hit(r->args, &filter);
 #if CYLINT_EMBREE == 4
     if (valid && r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
-            ((struct context_with_filter *)r->context)->filter;
+            ((struct context_with_filter *)filter.context)->filter;
         if (also)
             also(&filter);
     }
@@ -215,10 +216,9 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
     return valid != 0;
 }
 
-/* Records a hit at t if the filter functions accept it.  The hit is written in its
- * final place, which saves a copy. */
-static int record(ray_test *r, unsigned number, float t,
-                  const cylint_hit_floats *floats)
+/* Records the hit that the question answers if the filter functions accept it.  The
+ * hit is written in its final place, which saves a copy. */
+static int record(ray_test *r)
 {
     if (r->any && !has_filters(r)) {
         r->ray->tfar = -HUGE_VALF;
@@ -226,11 +226,11 @@ static int record(ray_test *r, unsigned number, float t,
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
-    if (!is_bare(r))
-        write_floats(floats, r->hit);
-    write_ids(r, number, r->hit);
-    r->ray->tfar = t;
-    if (has_filters(r) && !filters_accept(r, r->hit)) {
+    if (r->q.describes)
+        write_floats(r);
+    write_ids(r, r->hit);
+    r->ray->tfar = r->q.t;
+    if (has_filters(r) && !filters_accept(r)) {
         r->ray->tfar = tfar;
         *r->hit = old;
         return 0;
@@ -243,43 +243,27 @@ static int record(ray_test *r, unsigned number, float t,
 
 /* ----------------------------------------------------- exact intersections -- */
 
-static unsigned wanted(const ray_test *r)
-{
-    return !needs_description(r) ? CYLINT_WANT_T | CYLINT_WANT_Z
-                                 : CYLINT_WANT_T | CYLINT_WANT_NORMAL |
-                                       CYLINT_WANT_Z | CYLINT_WANT_PHI;
-}
-
-/* Describes hit i. */
-static cylint_hit_floats describe(const exact_hits *x, unsigned want, int i)
-{
-    cylint_hit hit = x->answer.hit[i];
-    cylint_describe(&x->shape, &x->line, want, &hit);
-    return floats_of(&hit);
-}
-
-/* Tests the hits from number `first` on with cylint_intersect().  Hits of a
- * whole shape are described when they are accepted, those of a piece at once,
- * because z decides which piece owns them. */
+/* Tests the hits from number `first` on with cylint_intersect(); z decides which
+ * piece owns them. */
 static int test_exactly(ray_test *r, int first)
 {
-    exact_hits x;
-    const unsigned number = number_of(r);
     const int whole = r->q.count == 1;
+    exact_hits x;
     if (!r->any && present_number(r) != r->data->n)
         r->q.tmax = tmax_including(r->ray->tfar);
-    intersect(r, r->rank, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
+    intersect(r, r->rank,
+              CYLINT_WANT_T | CYLINT_WANT_PART | (whole ? 0 : CYLINT_WANT_Z),
               &x);
     for (int i = first; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        cylint_hit_floats floats = {0};
         if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
-        if (!r->any && !is_nearer(r, number, &x.answer, i))
+        if (!r->any && !is_nearer(r, &x.answer, i))
             return 0;
         if (r->q.describes)
-            floats = whole ? describe(&x, wanted(r), i) : floats_of(at);
-        if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
+            describe(r, &x, i);
+        r->q.t = rounded_up(at->t, r->ray->tfar);
+        if (record(r))
             return 1;
     }
     return 0;
@@ -300,7 +284,7 @@ int cylint_ray_end(ray_test *r)
             return test_exactly(r, r->q.exit_only);
         if (r->q.is == CYLINT_FLOAT_FILTER_MISS)
             return 0;
-        if (record(r, number_of(r), r->q.t, &r->q.floats))
+        if (record(r))
             return 1;
         if (r->q.leaves)
             return 0;
@@ -317,8 +301,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     ray_test *r = self;
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
-    while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        set_question(r);
+    while (lanes && ask_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
         const int hit = cylint_ray_end(r);
         r->found |= hit;
@@ -328,34 +311,26 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     return 0;
 }
 
-static int test_primitive(ray_test *r, unsigned primID)
+static int test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
-    cylint_record between;
-    r->rank = primID;
-    r->q.shape = cylint_float_filter_at(&s->records, primID);
-    r->q.tfar = r->ray->tfar;
-    r->q.ends = s->ends[primID];
-    r->q.index = r->q.exit_only = 0;
-    r->q.count = 1;
+    r->rank = r->args->primID;
+    set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
     if (cylint_embree_moves(r->data)) {
-        const cylint_record at_0 = cylint_embree_record(s, primID),
-                            at_1 = cylint_embree_record(s + 1, primID);
-        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
-        r->q.shape = &between;
-        r->q.small = 0;
+        const cylint_record at_0 = r->q.record;
+        cylint_record at_1;
+        cylint_embree_record(s + 1, r->rank, &at_1);
+        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &r->q.record);
     }
     filter_one(r);
     return cylint_ray_end(r);
 }
 
-int cylint_trace_single(ray_test *r, unsigned primID)
+int cylint_trace_single(ray_test *r)
 {
     const cylint_traversal *traversal = r->data->traversal;
-    if (!set_line(r))
-        return 0;
     if (!traversal)
-        return test_primitive(r, primID);
+        return test_primitive(r);
     if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
                        r->any && !has_filters(r))) {
         r->ray->tfar = -HUGE_VALF;
@@ -369,20 +344,19 @@ int cylint_trace_single(ray_test *r, unsigned primID)
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)
 {
-    const ray_test all = {.data = rtcGetGeometryUserData(geometry)};
-    const size_t number =
-        number_of_hit(all.data, &rayhit->hit, rayhit->hit.geomID);
+    const call args = {.geometryUserPtr = rtcGetGeometryUserData(geometry)};
+    const cylint_embree_data *data = args.geometryUserPtr;
+    const size_t number = number_of_hit(data, &rayhit->hit, rayhit->hit.geomID);
     ray_test r;
     exact_hits x;
-    if (number == all.data->n)
+    if (number == data->n)
         return;
-    start_test(&r, &all, &rayhit->ray, &rayhit->hit);
-    set_line(&r);
+    start_test(&r, &args, 0, &rayhit->ray, &rayhit->hit);
     r.q.tmax = tmax_including(rayhit->ray.tfar);
     const int i = find_present(
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
     if (i >= 0) {
-        const cylint_hit_floats floats = describe(&x, CYLINT_WANT_ALL, i);
-        write_floats(&floats, &rayhit->hit);
+        describe(&r, &x, i);
+        write_floats(&r);
     }
 }
