@@ -297,8 +297,9 @@ static inline int is_turned_round(const struct family_case *given)
     struct family_case c = *given;
     const family_shape word = c.shape_word;
     const int n = word == FAMILY_CONE || word == FAMILY_RCONE ? 4 : 3;
+    const double *p = c.shape_data, *q = p + n;
     const int equal = /* equal balls: always cap 0 */
-        same_bytes(c.shape_data, c.shape_data + n, 3 * sizeof(double));
+        p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
     if (word == FAMILY_ACONE || is_elliptic_word(word) ||
         word == FAMILY_SPHERE || equal)
         return 1;

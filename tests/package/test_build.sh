@@ -22,6 +22,7 @@ cat > "$scratch/bin/sudo" << END
 #!/bin/sh
 exec "\$@"
 END
+echo 'exit 1 # no environment of Python is made' > "$scratch/bin/python3"
 cat > "$scratch/bin/bare-cc" << END
 #!/bin/sh
 case \$* in

@@ -24,7 +24,7 @@ test_command()
     sources=$scratch/scan/build/_deps/cylint-src made=$scratch/scan/build/_deps/cylint-build/build
     [ -d "$sources" ] || sources=$scratch/cylint-$version
     quiet env -u MAKEFLAGS -u MAKELEVEL $make -C "$sources" BUILD="$made" \
-        CC="$(command -v "${cc%% *}")" CFLAGS=-O0 CXXFLAGS=-O0 vectors= small= "$made/cylint" &&
+        CC="$(command -v "${cc%% *}")" CFLAGS=-O0 vectors= small= "$made/cylint" &&
         [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | "$made/cylint" -d ,)" = cross,2,5,6 ]
     verdict its_files_build_the_command $?
 }
