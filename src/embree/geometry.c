@@ -85,49 +85,22 @@ static cylint_extent box_of(const cylint_shape *shape,
                             const cylint_shape *moved, int step)
 {
     const cylint_view view = cylint_plain_view(shape);
-    cylint_extent box;
-    if (!moved)
-        return cylint_swept_disc_box(&view, 0);
-    cylint_motion_bounds(shape, moved, step, &box);
-    return box;
+    return moved ? cylint_motion_box(shape, moved, step)
+                 : cylint_swept_disc_box(&view, 0);
 }
 
-static void whole_bounds(const struct RTCBoundsFunctionArguments *args)
+static void write_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    *args->bounds_o = padded_box(&data->bvh.box, data->pad);
-}
-
-static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
-{
-    const cylint_embree_data *data = args->geometryUserPtr;
-    const int moves = cylint_embree_moves(data);
-    cylint_shape shape[2];
-    for (int i = 0; i <= moves; i++)
-        cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
-    const cylint_extent box =
-        box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
-    *args->bounds_o = padded_box(&box, data->pad);
-}
-
-static int check_shape(const cylint_embree_data *data, size_t i,
-                       cylint_extent *all)
-{
-    const cylint_shape *shape = data->arrays->shapes + i;
-    const cylint_shape *moved =
-        cylint_embree_moves(data) ? data->moved + i : NULL;
-    if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
-        (moved && !cylint_is_bounded(moved)))
-        return CYLINT_EMBREE_ESHAPE;
-    if (moved && !cylint_can_move_into(shape, moved))
-        return CYLINT_EMBREE_EMOTION;
-    for (int step = 0; step < (moved ? 2 : 1); step++) {
-        const cylint_extent box = box_of(shape, moved, step);
-        if (!cylint_extent_is_valid(&box))
-            return CYLINT_EMBREE_ESHAPE;
-        cylint_extent_include(all, &box);
+    cylint_extent box = data->bvh.box;
+    if (!data->traversal) {
+        cylint_shape shape[2];
+        const int moves = cylint_embree_moves(data);
+        for (int i = 0; i <= moves; i++)
+            cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
+        box = box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
     }
-    return CYLINT_EMBREE_OK;
+    *args->bounds_o = padded_box(&box, data->pad);
 }
 
 /* Boxes are padded for rays that begin within FAR_SIZES sizes of the geometry
@@ -208,11 +181,22 @@ static int check_arrays(const cylint_embree_data *data,
 static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
                         cylint_embree_problem *problem)
 {
+    const int moves = cylint_embree_moves(data);
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
-        const int status = check_shape(data, i, all);
-        if (status != CYLINT_EMBREE_OK)
-            return refuse(problem, status, i);
+        const cylint_shape *shape = data->arrays->shapes + i;
+        const cylint_shape *moved = moves ? data->moved + i : NULL;
+        if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
+            (moved && !cylint_is_bounded(moved)))
+            return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
+        if (moved && !cylint_can_move_into(shape, moved))
+            return refuse(problem, CYLINT_EMBREE_EMOTION, i);
+        for (int step = 0; step <= moves; step++) {
+            const cylint_extent box = box_of(shape, moved, step);
+            if (!cylint_extent_is_valid(&box))
+                return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
+            cylint_extent_include(all, &box);
+        }
     }
     return 1;
 }
@@ -326,8 +310,7 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryUserData(geometry, data);
     rtcSetGeometryTimeStepCount(geometry, cylint_embree_moves(data) ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-    rtcSetGeometryBoundsFunction(
-        geometry, data->traversal ? whole_bounds : shape_bounds, NULL);
+    rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
 }
