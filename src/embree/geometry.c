@@ -95,7 +95,7 @@ static void write_bounds(const struct RTCBoundsFunctionArguments *args)
     cylint_extent box = data->bvh.box;
     if (!data->traversal) {
         cylint_shape shape[2];
-        const int moves = cylint_embree_moves(data);
+        const int moves = data->moved != NULL;
         for (int i = 0; i <= moves; i++)
             cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
         box = box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
@@ -148,7 +148,7 @@ static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
     cylint_embree_shapes made[2] = {{.ends = NULL}, {.ends = NULL}};
     const uint32_t *number = order->data;
     int is = 1;
-    for (int i = 0; i <= cylint_embree_moves(data) && is && data->n > 0; i++) {
+    for (int i = 0; i <= (data->moved != NULL) && is && data->n > 0; i++) {
         const cylint_view from = view_of(data, i);
         is = cylint_embree_shapes_copy(&made[i], &from, number, data->n,
                                        data->threads, &data->source);
@@ -181,7 +181,7 @@ static int check_arrays(const cylint_embree_data *data,
 static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
                         cylint_embree_problem *problem)
 {
-    const int moves = cylint_embree_moves(data);
+    const int moves = data->moved != NULL;
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
         const cylint_shape *shape = data->arrays->shapes + i;
@@ -308,7 +308,7 @@ static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
 static void attach(RTCGeometry geometry, cylint_embree_data *data)
 {
     rtcSetGeometryUserData(geometry, data);
-    rtcSetGeometryTimeStepCount(geometry, cylint_embree_moves(data) ? 2 : 1);
+    rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
@@ -347,15 +347,14 @@ static cylint_embree_data *new_data(RTCDevice device,
         return NULL;
     cylint_embree_data *data = self.data;
     cylint_embree_array *arrays = (cylint_embree_array *)(data + 1);
-    *data =
-        (cylint_embree_data){.self = self,
-                             .source = source,
-                             .arrays = arrays,
-                             .n_arrays = n_arrays,
-                             .threads = 1,
-                             .filter_one = cylint_float_filter_of_one(),
-                             .filter_many = cylint_float_filter_of_many(),
-                             .traverse_packet = cylint_traverse_packet_used()};
+    *data = (cylint_embree_data){
+        .self = self,
+        .source = source,
+        .arrays = arrays,
+        .n_arrays = n_arrays,
+        .threads = 1,
+        .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
+        .traverse_packet = cylint_traverse_packet_used()};
     arrays[0] = (cylint_embree_array){.n = 0};
     for (size_t i = 0; i < n; data->n += parts[i++].n)
         arrays[i] = (cylint_embree_array){parts[i].shapes, data->n, parts[i].n,
@@ -381,8 +380,7 @@ static void set_options(cylint_embree_data *data, int is_merged,
         data->threads = options->threads > 1 ? options->threads : 1;
         data->moved = is_merged ? NULL : options->moved;
     }
-    if (is_merged ||
-        (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data)))
+    if (is_merged || (!(data->flags & CYLINT_EMBREE_SINGLE) && !data->moved))
         data->traversal = cylint_traversal_used();
 }
 
