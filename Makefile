@@ -196,14 +196,22 @@ $(BUILD)/tools/cylint.a: $(filter-out %/main.o,$(tool_objects))
 $(BUILD)/cylint-render: $(call objects,tools/render) $(BUILD)/tools/cylint.a $(scene_library)
 $(BUILD)/cylint-render: libs := -lpng
 commands := $(if $(POSIX),$(BUILD)/cylint $(if $(PNG),$(BUILD)/cylint-render))
-$(commands): linker = $(with_numbers) -pthread
-$(commands):
+$(commands) $(BUILD)/demo/cylint: linker = $(with_numbers) -pthread
+$(commands) $(BUILD)/demo/cylint:
+	@mkdir -p $(@D)
 	$(link)
 
 all: $(foreach l,$(libraries),$(call archive,$l)) $(commands) $(foreach l,$(libraries),$(call dynamic,$l))
 
-demo: $(BUILD)/libcylint.a $(BUILD)/cylint ## scan a generated forest and show what was hit
-	@BUILD=$(BUILD) sh tools/demo/demo.sh
+# The demo's command has only the builds for every processor, which are half of what
+# there is to compile: its files that choose a build are compiled without the others.
+choosing := $(if $(X86),$(basename $(shell grep -lE 'OF_BUILD|OF_KERNELS|_many_used' src/*.c src/*/*.c)))
+$(choosing:%=$(BUILD)/%-portable.o): $(BUILD)/%-portable.o: %.c $$(@D)/flags
+	$(call say,CC $< portable)$(compile) -UCYLINT_BUILDS_X86 -c -o $@ $<
+$(BUILD)/demo/cylint: $(filter-out $(isa_builds:%=$(BUILD)/%.o) $(choosing:%=$(BUILD)/%.o),$(library_objects) $(scene_objects)) \
+	$(patsubst %,$(BUILD)/%-portable.o,$(filter-out src/embree/%,$(choosing))) $(tool_objects)
+demo: $(BUILD)/demo/cylint ## scan a generated forest and show what was hit
+	@BUILD=$(BUILD) CYLINT=$< sh tools/demo/demo.sh
 
 include tests/tests.mk
 include tools/bench/bench.mk

@@ -21,13 +21,13 @@ core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
               $(patsubst %,$(BUILD)/tests/%,package/records package/answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
-$(embree_tests) $(BUILD)/tests/embree/scene_curves: $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
-$(embree_tests) $(BUILD)/tests/embree/scene_curves: %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
+$(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
+$(embree_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
 	$(call archive,$(adapter)) $(BUILD)/libcylint.a
 $(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o
 
 $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
-$(embree_tests) $(BUILD)/tests/embree/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
+$(embree_tests): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tests/command/pixels: libs := -lpng
 
 # Without MPFR these programs only say so.
@@ -44,7 +44,7 @@ $(BUILD)/tests/numbers/test_turns.o: extra += $(x86)
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
 
-$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/embree/scene_curves $(BUILD)/tests/command/pixels:
+$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/command/pixels:
 	$(link)
 
 # The command, with system calls that fail as tests/command/faults.c says.
@@ -99,9 +99,8 @@ check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree,
 check-embree4: all ## the same with Embree 4, downloaded from PyPI
 	$(call run_tests,tests/embree/test_embree4.sh)
 
-check-scene: $(BUILD)/tests/scene/test_queries $(if $(EMBREE),$(BUILD)/tests/embree/scene_curves) ## compare scenes with brute force, about two minutes
+check-scene: $(BUILD)/tests/scene/test_queries ## compare scenes with brute force, about two minutes
 	$(BUILD)/tests/scene/test_queries 1000
-	$(if $(EMBREE),$(BUILD)/tests/embree/scene_curves)
 
 check-cross: $(BUILD)/tests/package/records ## compare the bytes from other compilers and processors
 	@BUILD=$(BUILD) sh tests/package/cross.sh

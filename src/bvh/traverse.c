@@ -54,16 +54,15 @@ CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
                               int certain)
 {
     const float E = size_of(ray);
-    const cylint_leaf *leaf, *next;
+    const cylint_leaf *leaf;
     float least[CYLINT_LEAF_SIZE];
     ray_state state;
     traversal t;
-    entry at;
     start_ray(&state, bvh, ray);
     push_start(&t, bvh, &state);
-    for (next = next_leaf(&t, &at); (leaf = next);) {
+    leaf_ahead next = first_leaf(&t);
+    while ((leaf = take_leaf(&t, &next))) {
         unsigned certain_lanes = 0;
-        next = next_leaf(&t, &at);
         const unsigned lanes = test_ray(leaf, NULL, ray, E, least,
                                         certain ? &certain_lanes : NULL);
         if (!lanes)
@@ -89,15 +88,14 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
                           const double d[3], const double *tmax,
                           cylint_line_leaf_callback *callback, void *self)
 {
-    const cylint_leaf *leaf, *next;
+    const cylint_leaf *leaf;
     double least[CYLINT_LEAF_SIZE];
     ray_state state;
     traversal t;
-    entry at;
     start_line(&state, bvh, o, d, 0, *tmax);
     push_start(&t, bvh, &state);
-    for (next = next_leaf(&t, &at); (leaf = next);) {
-        next = next_leaf(&t, &at);
+    leaf_ahead next = first_leaf(&t);
+    while ((leaf = take_leaf(&t, &next))) {
         const unsigned lanes = test_line(leaf, o, d, 0, *tmax, least);
         if (!lanes)
             continue;

@@ -230,13 +230,12 @@ void CYLINT_TRAVERSE_POINT(const cylint_bvh *bvh, const double point[3],
                            const double *distance,
                            cylint_point_leaf_callback *callback, void *self)
 {
-    const cylint_leaf *leaf, *next;
+    const cylint_leaf *leaf;
     double least[CYLINT_LEAF_SIZE];
     traversal t;
-    entry at;
     start_point(&t, bvh, point, distance);
-    for (next = next_leaf(&t, &at); (leaf = next);) {
-        next = next_leaf(&t, &at);
+    leaf_ahead next = first_leaf(&t);
+    while ((leaf = take_leaf(&t, &next))) {
         test_lanes_of(&t, leaf, least);
         if (callback(self, leaf, least))
             return;

@@ -43,8 +43,7 @@ CYLINT_INLINE entry push_children(traversal *t, const cylint_node *node,
     return next;
 }
 
-/* The next leaf, with its entry in *at, or NULL.  A call before the last leaf
- * is tested prefetches the next one. */
+/* The next leaf, with its entry in *at, or NULL. */
 CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
 {
     while (t->n > 0) {
@@ -66,4 +65,31 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
         }
     }
     return NULL;
+}
+
+/* The leaf after the present one.  It is computed before the present one is tested:
+ * so its data arrive meanwhile.  By then it may no longer be needed. */
+typedef struct {
+    const cylint_leaf *leaf; /* or NULL */
+    entry at;
+} leaf_ahead;
+
+CYLINT_INLINE leaf_ahead first_leaf(traversal *t)
+{
+    leaf_ahead next = {NULL, {0}};
+    next.leaf = next_leaf(t, &next.at);
+    return next;
+}
+
+/* The present leaf, or NULL; *next becomes the one after it. */
+CYLINT_INLINE const cylint_leaf *take_leaf(traversal *t, leaf_ahead *next)
+{
+    const cylint_leaf *leaf;
+    int needed;
+    do {
+        leaf = next->leaf;
+        needed = is_needed(t, &next->at);
+        next->leaf = next_leaf(t, &next->at);
+    } while (leaf && !needed);
+    return leaf;
 }

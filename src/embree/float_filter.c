@@ -13,43 +13,13 @@
 #include "../bvh/swept_disc.h"
 #include "../shapes/measure.h"
 
-#include "float_filter_lanes.h"
-#include "float_filter_round.h"
-
-typedef cylint_float_filter_question asked;
-
-/* The questions of the lanes; those that are not used repeat the first. */
-typedef struct {
-    asked *of[LANES];
-    unsigned used, exit_only, describes; /* bits of lanes */
-} batch;
+#include "float_filter_describe.h"
 
 /* For each lane i of `lanes`: at most once where there is one lane. */
 #define EACH_LANE(i, lanes)                                                   \
     for (unsigned i##_of = (lanes), i;                                        \
          i##_of && (i = LANES == 1 ? 0 : (unsigned)cylint_lowest(i##_of), 1); \
          i##_of = LANES == 1 ? 0 : i##_of & (i##_of - 1))
-
-INLINE verdict cross_shape(surfaces *x, question *q, int is_round)
-{
-    return is_round ? cross_round(x, q) : cross_discs(&x->cone, q);
-}
-
-INLINE verdict end_on_shape(surfaces *x, const question *q, int end,
-                            int is_round, hit *at)
-{
-    return is_round ? end_on_round(x, q, end, at)
-                    : end_on_discs(&x->cone, q, end, at);
-}
-
-INLINE void step_on_shape(const surfaces *x, const question *q, int end,
-                          int is_round, hit *at)
-{
-    if (is_round)
-        step_on_round(x, q, end, at);
-    else
-        step_on_cone(&x->cone, q, v_set(1), end, at);
-}
 
 /* ------------------------------------------------------------- accepting -- */
 
@@ -85,8 +55,8 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
 }
 
 /* The same for `lanes`.  Returns the lanes with a hit. */
-INLINE unsigned accept_hits(const question *q, const hit *at, unsigned lanes,
-                            const batch *b, unsigned *uncertain)
+INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
+                            unsigned *uncertain)
 {
     double t[LANES], e[LANES], z[LANES], z_error[LANES];
     const vd all = q->from + at->s;
@@ -101,9 +71,9 @@ INLINE unsigned accept_hits(const question *q, const hit *at, unsigned lanes,
     {
         const int is_present =
             !(capped >> i & 1) ||
-            cylint_caps_present(b->of[i]->ends) >> (top >> i & 1) & 1;
+            cylint_caps_present(q->of[i]->ends) >> (top >> i & 1) & 1;
         const cylint_float_filter_result is =
-            accept_hit(t[i], e[i], z[i], z_error[i], is_present, b->of[i]);
+            accept_hit(t[i], e[i], z[i], z_error[i], is_present, q->of[i]);
         hits |= (unsigned)(is == CYLINT_FLOAT_FILTER_HIT) << i;
         *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNCERTAIN) << i;
     }
@@ -117,42 +87,37 @@ static int least_exactly(const asked *of)
 {
     double hi[3], lo[3];
     EACH(j, 3) {
-        const cylint_small_record *small = of->shape;
-        const cylint_record *large = of->shape;
-        const pair w =
-            of->small ? two_diff((double)small->p1[j], (double)small->p0[j])
-                      : two_diff(large->p1[j], large->p0[j]);
+        const pair w = two_diff(of->record.p1[j], of->record.p0[j]);
         hi[j] = w.hi;
         lo[j] = w.lo;
     }
     return cylint_least_component(hi, lo);
 }
 
-INLINE void find_least(const question *q, const batch *b, vm least[3])
+INLINE void find_least(const questions *q, vm least[3])
 {
     const vm tied = least_components(q, least);
     unsigned found[3] = {0, 0, 0};
     if (!m_any(tied))
         return;
     EACH_LANE(i, m_bits(tied))
-    found[least_exactly(b->of[i])] |= 1u << i;
+    found[least_exactly(q->of[i])] |= 1u << i;
     EACH(j, 3)
         least[j] = m_if(tied, m_from(found[j]), least[j]);
 }
 
 /* The unit normal, from *a, that of lateral_direction(). */
-INLINE vm normal_on_shape(const surfaces *x, const question *q, const hit *at,
-                          int is_round, bounded_vector *a, vd normal[3])
+INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
+                          bounded_vector *a, vd normal[3])
 {
-    const vm at_end = is_round ? is_on_ball(x, at) : at->capped;
+    const vm at_end = is_round ? is_on_ball(q, at) : at->capped;
     const vm lateral = m_not(at_end);
     vm certain = at_end;
     if (m_any(lateral))
-        certain = m_or(at_end, is_round ? lean_on_round(x, q, at, lateral, a)
-                                        : lean_on_discs(q, at, a));
+        certain = m_or(at_end, lean_on_cone(q, at, lateral, a));
     if (m_any(at_end)) {
         const bounded_vector end =
-            is_round ? ball_normal(x, q, at) : cap_normal(q, at->top);
+            is_round ? ball_normal(q, at) : cap_normal(q, at->top);
         if (m_any(lateral))
             select_vector(a, at_end, &end);
         else
@@ -162,95 +127,94 @@ INLINE vm normal_on_shape(const surfaces *x, const question *q, const hit *at,
 }
 
 /* Writes the floats of hits; returns the lanes in which they are certain. */
-INLINE unsigned describe_hits(const surfaces *x, const question *q,
-                              const hit *at, unsigned lanes, const batch *b,
+INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
                               int is_round)
 {
     vm least[3];
     vd c[3];
     bounded_vector normal;
-    vd f[5]; /* z, phi, the normal */
-    double stored[5][LANES];
-    find_least(q, b, least);
+    vd f[CYLINT_HIT_FLOATS]; /* the normal, z, phi */
+    double stored[CYLINT_HIT_FLOATS][LANES];
+    find_least(q, least);
     const vd e_c = across(q, at, c);
     lateral_direction(q, c, e_c, &normal);
-    vm certain = to_float(at->z, at->z_error, &f[0]);
-    const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
-                                along_least(c, least), &f[1]);
+    vm certain = to_float(at->z, at->z_error, &f[3]);
+    vm phi = describe_phi(q, e_c, along_least(normal.N, least),
+                          along_least(c, least), &f[4]);
     if (is_round) {
-        const vm is_ball = x->is_ball;
-        f[1] = v_select(is_ball, v_set(0), f[1]);
-        certain = m_and(certain, m_or(is_ball, phi));
-    } else {
-        certain = m_and(certain, phi);
+        f[4] = v_select(q->is_ball, v_set(0), f[4]);
+        phi = m_or(q->is_ball, phi);
     }
-    certain =
-        m_and(certain, normal_on_shape(x, q, at, is_round, &normal, f + 2));
-    EACH(j, 5)
+    certain = m_and(m_and(certain, phi),
+                    normal_on_shape(q, at, is_round, &normal, f));
+    EACH(j, CYLINT_HIT_FLOATS)
         v_store(stored[j], f[j]);
     lanes &= m_bits(certain);
     EACH_LANE(i, lanes)
-    b->of[i]->floats = (cylint_hit_floats){
-        (float)stored[0][i],
-        (float)stored[1][i],
-        {(float)stored[2][i], (float)stored[3][i], (float)stored[4][i]}};
+    {
+        /* not by a loop, which gcc 12 makes wait for the stores */
+        float *to = q->of[i]->floats;
+        to[0] = (float)stored[0][i];
+        to[1] = (float)stored[1][i];
+        to[2] = (float)stored[2][i];
+        to[3] = (float)stored[3][i];
+        to[4] = (float)stored[4][i];
+    }
     return lanes;
 }
 
 /* Hits for which a step pays: of these the floats would be uncertain, on discs
  * about one of 2^6, on round shapes one of 2^11. */
-INLINE unsigned need_step(const surfaces *x, const question *q, const hit *at,
-                          int is_round)
+INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 {
     const vd e = at->s_error * q->U;
     if (is_round)
-        return m_bits(v_lt(v_set(0x1p-38) * x->R, e));
-    return m_bits(m_and_not(v_lt(v_set(0x1p-33) * (q->r0 + v_abs(q->dr)), e),
-                            at->capped));
+        return m_bits(v_lt(v_set(0x1p-38) * q->R, e));
+    return m_bits(m_and_not(v_lt(v_set(0x1p-33) * q->R, e), at->capped));
 }
 
 /* ------------------------------------------------------------- answering -- */
 
 /* Steps on the surface in the lanes. */
-INLINE void step_hits(const surfaces *x, const question *q, int end,
-                      int is_round, unsigned lanes, hit *at)
+INLINE void step_hits(const questions *q, int end, int is_round, unsigned lanes,
+                      hit *at)
 {
     hit better = *at;
-    step_on_shape(x, q, end, is_round, &better);
+    step_on_shape(q, end, is_round, &better);
     select_hit(at, m_from(lanes), &better);
 }
 
 /* The first hits.  *uncertain: the undecided lanes; *leaves: those in which the
  * line leaves the shape.  Returns the lanes with a hit. */
-INLINE unsigned find_hits(surfaces *x, question *q, const batch *b,
-                          int is_round, hit *first, unsigned *uncertain,
-                          unsigned *leaves)
+INLINE unsigned find_hits(questions *q, int is_round, hit *first,
+                          unsigned *uncertain, unsigned *leaves)
 {
     unsigned hits = 0;
-    const verdict crosses = cross_shape(x, q, is_round);
-    unsigned left = m_bits(crosses.hit) & b->used;
+    const verdict crosses = cross_shape(q, is_round);
+    unsigned left = m_bits(crosses.hit) & q->used;
     *uncertain = m_bits(crosses.uncertain);
     *leaves = 0;
     for (int end = 0; end < 2; end++) {
-        unsigned here = end ? left : left & ~b->exit_only, unsure;
+        unsigned here = end ? left : left & ~q->exit_only, unsure;
         hit at;
         if (!here)
             continue;
-        const verdict v = end_on_shape(x, q, end, is_round, &at);
+        const verdict v =
+            is_round ? end_on_round(q, end, &at) : end_on_discs(q, end, &at);
         *uncertain |= m_bits(v.uncertain) & here;
         left &= ~here | m_bits(v.hit);
         here &= m_bits(v.hit);
-        unsigned accepted = accept_hits(q, &at, here, b, &unsure);
+        unsigned accepted = accept_hits(q, &at, here, &unsure);
         unsigned again = is_round ? unsure : unsure & ~m_bits(at.capped);
         if (again) {
             unsigned still;
-            step_hits(x, q, end, is_round, again, &at);
-            accepted |= accept_hits(q, &at, again, b, &still);
+            step_hits(q, end, is_round, again, &at);
+            accepted |= accept_hits(q, &at, again, &still);
             unsure = (unsure & ~again) | still;
         }
-        again = accepted & b->describes & need_step(x, q, &at, is_round);
+        again = accepted & q->describes & need_step(q, &at, is_round);
         if (again)
-            step_hits(x, q, end, is_round, again, &at);
+            step_hits(q, end, is_round, again, &at);
         if (LANES == 1 || !hits)
             *first = at;
         else
@@ -263,54 +227,45 @@ INLINE unsigned find_hits(surfaces *x, question *q, const batch *b,
     return hits;
 }
 
-INLINE void answer_as(question *q, const batch *b, int is_round)
+INLINE void answer_as(questions *q, int is_round)
 {
-    surfaces x;
     hit at = no_hit();
     unsigned uncertain, leaves;
-    const unsigned hits =
-        find_hits(&x, q, b, is_round, &at, &uncertain, &leaves);
-    const unsigned wanted = hits & b->describes;
+    const unsigned hits = find_hits(q, is_round, &at, &uncertain, &leaves);
+    const unsigned wanted = hits & q->describes;
     if (wanted)
-        uncertain |= wanted & ~describe_hits(&x, q, &at, wanted, b, is_round);
-    EACH_LANE(i, b->used)
+        uncertain |= wanted & ~describe_hits(q, &at, wanted, is_round);
+    EACH_LANE(i, q->used)
     {
-        b->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
+        q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
                        : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
                                           : CYLINT_FLOAT_FILTER_MISS;
-        b->of[i]->leaves = (int)(leaves >> i & 1);
+        q->of[i]->leaves = (int)(leaves >> i & 1);
     }
 }
 
-INLINE void answer_batch(asked *const of[], int n)
+INLINE void answer_lanes(asked *const of[], int n)
 {
-    const char *shape[LANES], *line[LANES];
-    batch b = {.used = 0};
-    question q;
-    vd r[2];
+    questions q;
+    q.used = q.exit_only = q.describes = 0;
     for (int i = 0; i < LANES; i++) {
-        b.of[i] = of[i < n ? i : 0];
-        b.used |= (unsigned)(i < n) << i;
-        b.exit_only |= (unsigned)b.of[i]->exit_only << i;
-        b.describes |= (unsigned)b.of[i]->describes << i;
-        shape[i] = b.of[i]->shape;
-        line[i] = (const char *)b.of[i];
+        asked *one = q.of[i] = of[i < n ? i : 0];
+        q.used |= (unsigned)(i < n) << i;
+        q.exit_only |= (unsigned)one->exit_only << i;
+        q.describes |= (unsigned)one->describes << i;
     }
-    load_records(&q, shape, of[0]->small, r);
-    load_lines(&q, line);
-    q.r0 = r[0];
-    q.dr = r[1] - r[0];
-    if (m_bits(v_lt(r[0] + r[1], v_set(0))) & 1) {
+    load_questions(&q);
+    if (m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0))) & 1) {
         q.r0 = -q.r0;
         q.dr = -q.dr;
-        answer_as(&q, &b, 1);
+        answer_as(&q, 1);
     } else {
-        answer_as(&q, &b, 0);
+        answer_as(&q, 0);
     }
 }
 
 void CYLINT_FLOAT_FILTER(asked *const of[], int n)
 {
     for (int from = 0; from < n; from += LANES)
-        answer_batch(of + from, n - from);
+        answer_lanes(of + from, n - from);
 }

@@ -9,37 +9,13 @@
 
 #include "../shapes/record.h"
 
-/* A record in half the memory, if all numbers are floats and none of them is
- * subnormal.  In the filter's records round kinds have negative radii, and a shape
- * that the filter does not decide has NaN radii. */
-typedef struct cylint_small_record {
-    float p0[3], r0, p1[3], r1;
-} cylint_small_record;
-
-/* An array of shapes, either small or not. */
-typedef struct cylint_float_filter_shapes {
-    const void *data;
-    int small;
-} cylint_float_filter_shapes;
-
-static inline const void *cylint_float_filter_at(
-    const cylint_float_filter_shapes *s, unsigned number)
-{
-    return s->small
-               ? (const void *)((const cylint_small_record *)s->data + number)
-               : (const cylint_record *)s->data + number;
-}
-
 typedef enum {
     CYLINT_FLOAT_FILTER_UNCERTAIN = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,           /* no hit in the domain */
     CYLINT_FLOAT_FILTER_HIT             /* t as a float is less than tfar */
 } cylint_float_filter_result;
 
-/* The floats of a hit, equal to the library's doubles rounded to floats. */
-typedef struct cylint_hit_floats {
-    float z, phi, normal[3];
-} cylint_hit_floats;
+enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
  * A ray, the question which is its first hit on a piece of a shape, and the
@@ -48,33 +24,34 @@ typedef struct cylint_hit_floats {
  */
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;
-    double tmax;       /* not read by the filter */
-    const void *shape; /* cylint_small_record, if `small`, else _shape */
+    double tmax; /* not read by the filter */
+    cylint_record
+        record; /* of a round kind with negative radii; of a shape that
+                             the filter does not decide, with NaN */
     float tfar;
-    int small, ends, index, count; /* ends: the shape's */
-    int exit_only;                 /* only where the line leaves the shape */
-    int describes;                 /* `floats` are wanted */
+    int ends, index, count; /* ends: the shape's */
+    int exit_only;          /* only where the line leaves the shape */
+    int describes;          /* `floats` are wanted */
     /* the answer; of a HIT: t rounded up to a float, whether the line leaves the
-     * shape there, and the floats if they are wanted */
+     * shape there, and the floats if they are wanted: the normal, z and phi, equal
+     * to the library's doubles rounded to floats */
     cylint_float_filter_result is;
     float t;
     int leaves;
-    cylint_hit_floats floats;
+    float floats[CYLINT_HIT_FLOATS];
 } cylint_float_filter_question;
 
 /* Whether the shape is a sphere, capsule or rounded cone. */
 static inline int cylint_float_filter_is_round(
     const cylint_float_filter_question *q)
 {
-    const cylint_record *large = q->shape;
-    const cylint_small_record *small = q->shape;
-    return q->small ? small->r0 + small->r1 < 0 : large->r0 + large->r1 < 0;
+    return q->record.r0 + q->record.r1 < 0;
 }
 
 enum { CYLINT_FLOAT_FILTER_MOST = 16 };
 
-/* Answers n questions, 1 to CYLINT_FLOAT_FILTER_MOST.  All shapes are small or
- * none is; all are round or none is. */
+/* Answers n questions, 1 to CYLINT_FLOAT_FILTER_MOST.  All shapes are round or none
+ * is. */
 typedef void cylint_float_filter(cylint_float_filter_question *const of[],
                                  int n);
 

@@ -1,6 +1,5 @@
 /*
- * float_filter_lanes.h - where a line enters and leaves a cylinder or cone, and
- * the floats of a hit
+ * float_filter_lanes.h - where a line enters and leaves a shape
  *
  * For float_filter.c, one question in each lane.
  *
@@ -9,25 +8,44 @@
  * has at most 2 / sqrt(3) of the errors of its products.
  *
  * The line is D + s u, the axis w, W = |w|; U and Dn are sizes of u and D, at
- * least their lengths, which take no roots.  Along the line
+ * least their lengths, which take no roots.  With c = P x w, a cone is where
+ *
+ *   Q = S |c|^2 / ww - k^2 is negative,  k = r0 + dr z.
+ *
+ * Between discs k is the radius at z, and S = 1.  The cone of a round kind touches
+ * both balls, of the radii r0 and r0 + dr, on the circles y = 0 and y = S, and
+ * S = 1 - dr^2 / ww.  Along the line, where T = S + dr^2 / ww,
  *
  *   z = z0 + s dz,  z0 = D.w / ww,  dz = u.w / ww,
- *   k = k0 + s k1,  k0 = r0 + dr z0,  k1 = dr dz,  the radius at z,
- *   Q = a s^2 + 2 b s + c, negative inside of the lateral surface,
- *   a = uu - (u.w) dz - k1^2,  b = D.u - (D.w) dz - k0 k1,
- *   c = DD - (D.w) z0 - k0^2,  G = b^2 - a c.
+ *   y = y0 + s dz,  y0 = (D.w + r0 dr) / ww,
+ *   Q = a s^2 + 2 b s + c,  a = S uu - T (u.w) dz,
+ *   b = S D.u - (T D.w + r0 dr) dz,
+ *   c = S DD - r0^2 - (T D.w + 2 r0 dr) z0,  G = b^2 - a c,
+ *   ball i: |x|^2 = r_i^2,  x = D or D - w.
  *
- * Errors, where K = r0 + |dr| Dn / W and L = |dr| U / W:
+ * The line enters a round solid where it enters the cone at y between 0 and S, or
+ * ball 0 at y < 0, or ball 1 at y > S; it enters at most once.  If a > 0 and it
+ * enters the cone at y < 0, then ball 0 decides: the solid's part of the cone at
+ * y < 0 is in that ball, and the line cannot come to y > S without it.  All this
+ * holds for leaving.
+ *
+ * Errors, where K = Dn + r0 / sqrt(T), and |dr| < W unless S is below its error:
  *
  *   D: 2 u Dn.  w: u W.  u.w: 4 u U W.  D.w: 6 u Dn W.  1 / ww: 6.1 u of it.
- *   z0: 13.2 u Dn / W.  dz: 11.2 u U / W.
- *   k0: 21.3 u K.  k1: 18.3 u L.  dr: u of it.
- *   a: (20.3 U^2 + 38.7 L^2) u.  b: (24.3 Dn U + 41.7 K L) u.
- *   c: (29.3 Dn^2 + 44.7 K^2) u.
+ *   z0: 13.2 u Dn / W.  dz: 11.2 u U / W.  dr: u of it.
+ *   S and y0 of round kinds: 12.1 u, 15.1 u K / W.  T between discs: 11.1 u of it.
+ *   a: 35.2 u T U^2.  b: 40.2 u T K U.  c: 46.2 u T K^2.
  *
- * With S = U^2 + L^2 and T = Dn^2 + K^2, |a| <= S, |b| <= sqrt(S T) and |c| <= T,
- * so these are at most 6 eps of S, sqrt(S T) and T, and the error of G is less
- * than 27 eps S T with the roundings of b^2 - a c.
+ * As |a| <= T U^2, |b| <= T K U and |c| <= T K^2, the error of G is less than
+ * 20.8 eps T^2 K^2 U^2 with the roundings of b^2 - a c.  So e_a = 8 eps T U^2 and
+ * e_G = 24 eps T^2 K^2 U^2 fit chord_end(); T K^2 <= 5/4 (T DD + 4 r0^2).
+ *
+ * Of a ball, with N = Dn or Dn + W, R = r0 + |dr| and K = N + R: x: 3 u N,
+ * x.u: 6 u N U, |x|^2 - r^2: 15 u K^2, b^2 - uu c: 34 u K^2 U^2.  There
+ * e_G = 6 eps K^2 U^2 and e_a = eps U^2 fit chord_end(): G <= R^2 U^2 but for its
+ * error, so that of b is less than 0.14 e_G / sqrt(G).
+ *
+ * tests/bounds/test_embree_float_bounds.c computes these bounds from the forms.
  *
  * Compiled as it is and again with fused multiply-add, which rounds less often:
  * the bounds hold either way.  Lanes that do not count divide by 1.
@@ -40,24 +58,31 @@
 
 #include "../numbers/simd.h"
 #include "float_filter.h"
-#include "angle.h"
 
 /* ------------------------------------------------------------ questions -- */
 
-/* The line from the shape's base on: t = from + s. */
+typedef cylint_float_filter_question asked;
+
+/* Q, where the line crosses its surface: reciprocals of a and sqrt(G), errors. */
 typedef struct {
+    vd a, b, root, per_a, per_root, e_a, e_G;
+} quadratic;
+
+/* The questions of the lanes; those that are not used repeat the first. */
+typedef struct {
+    asked *of[LANES];
+    unsigned used, exit_only, describes; /* bits of lanes */
+    /* the line from the shape's base on: t = from + s */
     vd u[3], D[3], w[3], r0, dr, from;
     vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
-} question;
-
-/* Q, where the line crosses its surface: reciprocals of a and sqrt(G), errors.
- * apart, of a cone: a < 0, and Q < 0 before the first root and behind the
- * second. */
-typedef struct {
-    vd a, b, root, per_a, per_root, e_a, e_G;
-    vm apart;
-} quadratic;
+    vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
+    quadratic cone, ball; /* ball: of the ball that was hit */
+    vm is_ball;           /* the shape is a sphere, which has no cone */
+    vm crosses;           /* the line crosses the cone */
+    vm leans;             /* a of the cone is certainly positive */
+    vm apart; /* a < 0: Q < 0 before the first root and behind the second */
+} questions;
 
 /* A hit at s and z with their errors.  capped: on a cap, top: on the top one. */
 typedef struct {
@@ -128,26 +153,6 @@ INLINE void select_quadratic(quadratic *c, vm where, const quadratic *other)
     c->e_G = v_select(where, other->e_G, c->e_G);
 }
 
-/* Loads the record at row[0], row[1], ...; r[i] is the radius at end i. */
-INLINE void load_records(question *q, const char *const row[LANES], int small,
-                         vd r[2])
-{
-    vd x[8];
-    if (small) {
-        v_columns_of_floats(row, 0, x);
-        v_columns_of_floats(row, offsetof(cylint_small_record, p1), x + 4);
-    } else {
-        v_columns(row, 0, x);
-        v_columns(row, offsetof(cylint_record, p1), x + 4);
-    }
-    EACH(j, 3) {
-        q->D[j] = x[j]; /* the base, for load_lines() */
-        q->w[j] = x[4 + j] - x[j];
-    }
-    r[0] = x[3];
-    r[1] = x[7];
-}
-
 INLINE vd difference_error(vd x, vd y, vd difference)
 {
     const vd minus_y = difference - x;
@@ -163,19 +168,26 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 }
 
 /*
- * Moves the origin by from * u to a point near the shape, so that the errors are
+ * Loads the shapes and the lines.  Moves the origin by from * u to a point near the shape, so that the errors are
  * relative to the shape's size, wherever the ray begins: to `near` if it is
  * known, else to the point nearest to the base.  u and `from` have 24 bits each,
  * so their product is exact.  The rounding error of o - base is added again
  * [Moller 1965, Knuth].  So D has no error but its own roundings.
  */
-INLINE void load_lines(question *q, const char *const row[LANES])
+INLINE void load_questions(questions *q)
 {
-    vd x[8], D0[3], base[3];
-    v_columns(row, offsetof(cylint_float_filter_question, o), x);
-    v_columns(row, offsetof(cylint_float_filter_question, d[1]), x + 4);
+    const char *row[LANES];
+    vd x[8], base[4], top[4], D0[3];
+    for (int i = 0; i < LANES; i++)
+        row[i] = (const char *)q->of[i];
+    v_columns(row, offsetof(asked, record.p0), base);
+    v_columns(row, offsetof(asked, record.p1), top);
+    v_columns(row, offsetof(asked, o), x);
+    v_columns(row, offsetof(asked, d[1]), x + 4);
+    q->r0 = base[3];
+    q->dr = top[3] - base[3];
     EACH(j, 3) {
-        base[j] = q->D[j];
+        q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
@@ -192,22 +204,10 @@ INLINE void load_lines(question *q, const char *const row[LANES])
     q->W = v_sqrt(q->ww);
 }
 
-/* Sets what follows from the axis.  ww: its square, or 1 where it has no length;
- * this does not wait for roots. */
-INLINE void load_axis(question *q, vd ww)
-{
-    q->per_ww = v_set(1) / ww;
-    q->per_W = q->W * q->per_ww;
-    q->alpha = dot(q->D, q->w);
-    q->beta = dot(q->u, q->w);
-    q->z0 = q->alpha * q->per_ww;
-    q->dz = q->beta * q->per_ww;
-}
-
 /* Products have at most ten lengths as factors.  If none of these is less than
  * 2^-90, a product flushed to zero is negligible.  An overflow gives an infinite
  * bound or NaN, and then nothing is certain. */
-INLINE vm in_window(const question *q, vd radii)
+INLINE vm in_window(const questions *q, vd radii)
 {
     const vd least = v_set(0x1p-90);
     return m_and(v_lt(v_set(0x1p-89), radii), v_lt(least, q->U));
@@ -237,35 +237,65 @@ INLINE verdict cross_surface(quadratic *c, vd G, vm known)
     return (verdict){is, m_not(m_or(is, is_not))};
 }
 
-INLINE verdict cross_discs(quadratic *c, question *q)
+#define NUM vd
+#define FORM(name) name
+#define ADD(x, y) ((x) + (y))
+#define SUB(x, y) ((x) - (y))
+#define MUL(x, y) ((x) * (y))
+#define MOST(x, T) (x)
+#include "cone_form_template.h"
+
+/* Sets what follows from the axis.  Does not wait for roots. */
+INLINE void load_axis(questions *q, int is_round)
 {
-    const vm window = m_and(in_window(q, q->r0 + (q->r0 + q->dr)),
-                            v_lt(v_set(0x1p-90), q->W));
-    vd k0 = q->r0, S = q->uu, K = q->r0;
-    c->apart = m_none();
-    load_axis(q, q->ww);
-    c->a = q->uu - q->beta * q->dz;
-    c->b = q->Du - q->alpha * q->dz;
-    if (m_any(m_not(v_eq(q->dr, v_set(0))))) {
-        const vd slope = v_abs(q->dr) * q->per_W, k1 = q->dr * q->dz;
-        k0 = q->r0 + q->dr * q->z0;
-        c->a = c->a - k1 * k1;
-        c->apart = v_lt(c->a, v_set(0));
-        c->b = c->b - k0 * k1;
-        S = S + slope * slope * q->uu;
-        K = K + slope * q->Dn;
+    const vd one = v_set(1);
+    q->is_ball = is_round ? m_not(v_lt(v_set(0), size(q->w))) : m_none();
+    q->per_ww = one / v_select(q->is_ball, one, q->ww);
+    q->per_W = q->W * q->per_ww;
+    q->alpha = dot(q->D, q->w);
+    q->beta = dot(q->u, q->w);
+    q->R = q->r0 + v_abs(q->dr);
+    q->K = q->Dn + q->r0;
+    const vd slope2 = q->dr * q->dr * q->per_ww;
+    q->S = q->T = one;
+    if (is_round)
+        q->S = one - slope2;
+    else if (m_any(m_not(v_eq(q->dr, v_set(0)))))
+        q->T = one + slope2;
+}
+
+/* Lines that certainly cross the shape's surface, if that is its cone's; of a round
+ * kind, those that do not certainly miss the cone.  uncertain: products may
+ * underflow (see in_window()), or one ball may lie in the other, or, between discs,
+ * the line is near the cone. */
+INLINE verdict cross_shape(questions *q, int is_round)
+{
+    const vd least = v_set(0x1p-90);
+    quadratic *c = &q->cone;
+    load_axis(q, is_round);
+    const vd G = cone_G(q, c);
+    c->e_a = eps(8) * (q->T * q->uu);
+    c->e_G =
+        eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
+    const vm sloped = m_and(v_lt(least, q->W), v_lt(eps(8), q->S));
+    const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
+    const vm has_cone = m_and_not(window, q->is_ball);
+    const verdict v = cross_surface(c, G, has_cone);
+    if (!is_round) {
+        q->apart = v_lt(c->a, v_set(0));
+        return v;
     }
-    const vd from_axis = q->DD - q->alpha * q->z0 - k0 * k0;
-    const vd G = c->b * c->b - c->a * from_axis;
-    c->e_a = eps(8) * S;
-    c->e_G = eps(28) * S * (q->DD + K * K);
-    return cross_surface(c, G, window);
+    q->crosses = v.hit;
+    q->leans = v_lt(v_set(8) * c->e_a, c->a);
+    q->ball = *c;
+    const vm misses = m_and_not(has_cone, m_or(v.hit, v.uncertain));
+    return (verdict){m_and_not(window, misses), m_not(window)};
 }
 
 /* z at s, and its error.  The bound includes the error of the library's z: its
  * dividend and divisor are right to 2^-54 of themselves (hit.c), so with its
  * roundings it is right to eps |z| / 2.  eps / 16 of it is to spare. */
-INLINE void set_z(const question *q, hit *at)
+INLINE void set_z(const questions *q, hit *at)
 {
     const vd X = q->Dn + v_abs(at->s) * q->U;
     at->z = q->z0 + at->s * q->dz;
@@ -276,10 +306,10 @@ INLINE void set_z(const question *q, hit *at)
 /*
  * The root of Q before (end 0) or behind the middle: there the chord begins or
  * ends.  The error of sqrt(G) is at most 0.53 e_G / sqrt(G), with its rounding.
- * As G <= 2 S T, that of b is at most 0.33 e_G / sqrt(G), and that of their sum's
- * rounding 0.02 of it.  The error of a is 6/8 e_a, at most a / 10.
+ * As G <= 2 (T K U)^2, that of b is at most 0.33 e_G / sqrt(G), and that of their
+ * sum's rounding 0.02 of it.  The error of a is 6/8 e_a, at most a / 10.
  */
-INLINE hit chord_end(const quadratic *c, const question *q, int end)
+INLINE hit chord_end(const quadratic *c, const questions *q, int end)
 {
     hit at;
     at.s = ((end ? c->root : -c->root) - c->b) * c->per_a;
@@ -293,12 +323,12 @@ INLINE hit chord_end(const quadratic *c, const question *q, int end)
 /* The same on a shape between discs.  Where a < 0 the nappe with positive radii
  * is the second's if the radii grow along the line, and its chord has one end
  * only.  Its other end is beyond a cap. */
-INLINE hit lateral_end(const quadratic *c, const question *q, int end)
+INLINE hit lateral_end(const questions *q, int end)
 {
-    hit at = chord_end(c, q, end);
-    if (m_any(c->apart)) {
+    hit at = chord_end(&q->cone, q, end);
+    if (m_any(q->apart)) {
         const vd zero = v_set(0), along = end ? q->dz : -q->dz;
-        const vm endless = m_and(c->apart, v_lt(zero, q->dr * along));
+        const vm endless = m_and(q->apart, v_lt(zero, q->dr * along));
         const vd beyond = v_select(v_lt(zero, along), v_set(2), v_set(-1));
         at.z = v_select(endless, beyond, at.z);
         at.z_error = v_select(endless, zero, at.z_error);
@@ -308,10 +338,9 @@ INLINE hit lateral_end(const quadratic *c, const question *q, int end)
 
 /* For chords that begin or end below the base or above the top: whether they
  * cross that cap's plane.  Then moves the hit there. */
-INLINE verdict move_to_cap(const quadratic *c, const question *q, int end,
-                           vm between, hit *at)
+INLINE verdict move_to_cap(const questions *q, int end, vm between, hit *at)
 {
-    const hit other = lateral_end(c, q, 1 - end);
+    const hit other = lateral_end(q, 1 - end);
     const vm top = v_lt(v_set(0.5), at->z);
     const vd one = v_set(1), dz = v_abs(q->dz);
     const vd out = v_select(top, at->z - one, -at->z);
@@ -339,33 +368,121 @@ INLINE verdict move_to_cap(const quadratic *c, const question *q, int end,
 }
 
 /* Where the line enters (end 0) or leaves the closed shape. */
-INLINE verdict end_on_discs(const quadratic *c, const question *q, int end,
-                            hit *at)
+INLINE verdict end_on_discs(const questions *q, int end, hit *at)
 {
-    *at = lateral_end(c, q, end);
+    *at = lateral_end(q, end);
     const vd margin = at->z_error + eps(1);
     const vm between =
         m_and(v_lt(margin, at->z), v_lt(at->z, v_set(1) - margin));
     if (!m_any(m_not(between)))
         return (verdict){between, m_none()};
-    return move_to_cap(c, q, end, between, at);
+    return move_to_cap(q, end, between, at);
+}
+
+/* Where y is: below 0, between 0 and S, above S, or none of these. */
+typedef struct {
+    vm below, between, above;
+} range;
+
+INLINE range range_of_y(const questions *q, const hit *at)
+{
+    const vd X = q->K + v_abs(at->s) * q->U, y = q->y0 + at->s * q->dz;
+    const vd e =
+        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(1));
+    return (range){v_lt(y, -e), m_and(v_lt(e, y), v_lt(y, q->S - e)),
+                   v_lt(q->S + e, y)};
+}
+
+/* Where the line enters or leaves the ball about an end. */
+INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
+                           hit *at)
+{
+    vd DD = q->DD, r = q->r0, N = q->Dn;
+    c->b = q->Du;
+    if (top) {
+        vd D1[3];
+        EACH(j, 3)
+            D1[j] = q->D[j] - q->w[j];
+        DD = dot(D1, D1);
+        c->b = dot(D1, q->u);
+        r = q->r0 + q->dr;
+        N = N + q->W;
+    }
+    const vd K = N + q->R;
+    c->a = q->uu;
+    c->e_G = eps(6) * q->uu * (K * K);
+    c->e_a = eps(1) * q->uu;
+    const verdict v =
+        cross_surface(c, ball_G(q->uu, c->b, DD, r), m_not(m_none()));
+    if (m_any(v.hit)) {
+        *at = chord_end(c, q, end);
+        at->z_error = v_select(q->is_ball, v_set(0), at->z_error);
+        at->capped = m_not(q->is_ball);
+        at->top = top ? at->capped : m_none();
+    }
+    return v;
+}
+
+/*
+ * Where the line enters or leaves the solid.  A sphere's only surface is ball 0.
+ * `sure` lanes know the ball.  The others take the cone and both balls in turn;
+ * they miss the solid if each of these is missed, or is hit elsewhere.
+ */
+INLINE verdict end_on_round(questions *q, int end, hit *at)
+{
+    range at_cone = {q->is_ball, m_none(), m_none()};
+    *at = no_hit();
+    if (m_any(q->crosses)) {
+        *at = chord_end(&q->cone, q, end);
+        const range r = range_of_y(q, at);
+        at_cone.below = m_or(m_and(q->crosses, r.below), q->is_ball);
+        at_cone.between = m_and(q->crosses, r.between);
+        at_cone.above = m_and(q->crosses, r.above);
+    }
+    vm hits = at_cone.between, uncertain = m_none();
+    const vm beyond = m_or(at_cone.below, at_cone.above);
+    const vm sure = m_and(beyond, m_or(q->leans, q->is_ball));
+    const vm either = m_not(m_or(hits, sure));
+    vm misses = m_and(either, beyond);
+    for (int top = 0; top < 2; top++) {
+        quadratic c;
+        hit ball = no_hit();
+        const vm known = m_and(sure, top ? at_cone.above : at_cone.below);
+        const vm mine = m_or(known, m_and_not(either, hits));
+        if (!m_any(mine))
+            continue;
+        const verdict v = end_on_ball(q, top, end, &c, &ball);
+        vm elsewhere = m_none();
+        if (m_any(m_and(mine, v.hit))) {
+            const range r = range_of_y(q, &ball);
+            const vm comes =
+                m_and(m_and(mine, v.hit), m_or(known, top ? r.above : r.below));
+            elsewhere = m_and(v.hit, m_or(r.between, m_or(r.below, r.above)));
+            select_hit(at, comes, &ball);
+            select_quadratic(&q->ball, comes, &c);
+            hits = m_or(hits, comes);
+        }
+        uncertain = m_or(uncertain, m_and(known, v.uncertain));
+        misses = m_and(misses,
+                       m_or(m_not(mine),
+                            m_or(m_not(m_or(v.hit, v.uncertain)), elsewhere)));
+    }
+    uncertain = m_or(uncertain, m_and_not(either, m_or(hits, misses)));
+    return (verdict){hits, uncertain};
+}
+
+INLINE vm is_on_ball(const questions *q, const hit *at)
+{
+    return m_or(at->capped, q->is_ball);
 }
 
 /* ---------------------------------------------------------------- steps -- */
 
 /* P = D + s u. */
-INLINE void point_at(const question *q, const hit *at, vd P[3])
+INLINE void point_at(const questions *q, const hit *at, vd P[3])
 {
     EACH(j, 3)
         P[j] = q->D[j] + at->s * q->u[j];
-}
-
-/* The radius at a hit and its error. */
-INLINE vd radius_at(const question *q, const hit *at, vd *error)
-{
-    const vd X = q->Dn + v_abs(at->s) * q->U;
-    *error = eps(3) * (q->r0 + v_abs(q->dr) * X * q->per_W);
-    return q->r0 + q->dr * at->z;
 }
 
 /*
@@ -377,7 +494,7 @@ INLINE vd radius_at(const question *q, const hit *at, vd *error)
  *
  * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
  */
-INLINE void step_to_root(const quadratic *c, const question *q, int end, vd Q,
+INLINE void step_to_root(const quadratic *c, const questions *q, int end, vd Q,
                          vd Q_error, hit *at)
 {
     const vd d = at->s_error, step = Q * (v_set(0.5) * c->per_root);
@@ -388,13 +505,17 @@ INLINE void step_to_root(const quadratic *c, const question *q, int end, vd Q,
     set_z(q, at);
 }
 
-/*
- * The same on a cone, where Q = S |c|^2 / ww - k^2, c = P x w, S = 1, and on the
- * cone of a round kind (float_filter_round.h).  Errors: c: 3 eps W X; S and 1 / ww
- * and their products: 22 u.
- */
-INLINE void step_on_cone(const quadratic *on, const question *q, vd S, int end,
-                         hit *at)
+/* The radius of the cone at a hit and its error. */
+INLINE vd radius_at(const questions *q, const hit *at, vd *error)
+{
+    const vd X = q->Dn + v_abs(at->s) * q->U;
+    *error = eps(3) * (q->r0 + v_abs(q->dr) * X * q->per_W);
+    return q->r0 + q->dr * at->z;
+}
+
+/* The same on the cone.  Errors: c: 3 eps W X; S and 1 / ww and their products:
+ * 22 u. */
+INLINE void step_on_cone(const questions *q, int end, hit *at)
 {
     const vd X = q->Dn + v_abs(at->s) * q->U, e_c = eps(3) * (q->W * X);
     const vd two = v_set(2);
@@ -402,162 +523,41 @@ INLINE void step_on_cone(const quadratic *on, const question *q, vd S, int end,
     point_at(q, at, P);
     cross(c, P, q->w);
     const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
-    const vd Q = S * cc * q->per_ww - k * k;
+    const vd Q = q->S * cc * q->per_ww - k * k;
     const vd e_Q = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
                    e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
-    step_to_root(on, q, end, Q, e_Q, at);
+    step_to_root(&q->cone, q, end, Q, e_Q, at);
 }
 
-/* ---------------------------------------------------------- description -- */
-
-/* A vector N with errors e[].  Its length is 1 / per_length, with a relative
- * error of e_length. */
-typedef struct {
-    vd N[3], e[3], per_length, e_length;
-} bounded_vector;
-
-/* Rounds x to a float, stored as a double.  x has an error of at most e, which
- * includes the error of the library's x.  Returns whether the float is certain. */
-INLINE vm to_float(vd x, vd e, vd *f)
+/* P from the centre of the ball of the hit, and the size of its terms. */
+INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
 {
-    *f = v_float(x + e);
-    return v_eq(v_float(x - e), *f);
-}
-
-/* c = P x w at the hit, and its error. */
-INLINE vd across(const question *q, const hit *at, vd c[3])
-{
-    vd P[3];
+    const vd zero = v_set(0);
     point_at(q, at, P);
-    cross(c, P, q->w);
-    return q->W * (q->U * at->s_error + eps(3) * (q->Dn + v_abs(at->s) * q->U));
+    EACH(j, 3)
+        P[j] = P[j] - v_select(at->top, q->w[j], zero);
+    return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* a: w x c and its error, which follows from e_c, rounding included.  The error is
- * computed by component: a component that is zero because components of the
- * axis are zero stays exact. */
-INLINE void lateral_direction(const question *q, const vd c[3], vd e_c,
-                              bounded_vector *a)
+/* The same on the surface of a hit.  On a ball Q = |P|^2 - r^2; the error of P is
+ * at most 6 u X, that of r 2 u R. */
+INLINE void step_on_shape(const questions *q, int end, int is_round, hit *at)
 {
-    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    cross(a->N, q->w, c);
-    a->e[0] = (y + z) * e_c;
-    a->e[1] = (z + x) * e_c;
-    a->e[2] = (x + y) * e_c;
-}
-
-INLINE void select_vector(bounded_vector *a, vm where,
-                          const bounded_vector *other)
-{
-    EACH(j, 3) {
-        a->N[j] = v_select(where, other->N[j], a->N[j]);
-        a->e[j] = v_select(where, other->e[j], a->e[j]);
+    const vm on_ball = is_round ? is_on_ball(q, at) : m_none();
+    const hit begin = *at;
+    if (m_any(m_not(on_ball)))
+        step_on_cone(q, end, at);
+    if (m_any(on_ball)) {
+        hit ball = begin;
+        vd P[3];
+        const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+        const vd e_P = eps(1) * point_on_ball(q, &ball, P), PP = dot(P, P);
+        const vd e_Q =
+            e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + q->R * q->R);
+        step_to_root(&q->ball, q, end, PP - r * r, e_Q, &ball);
+        ball.z_error = v_select(q->is_ball, v_set(0), ball.z_error);
+        select_hit(at, on_ball, &ball);
     }
-    a->per_length = v_select(where, other->per_length, a->per_length);
-    a->e_length = v_select(where, other->e_length, a->e_length);
-}
-
-/* N / |N|. */
-INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
-{
-    vm certain = m_not(m_none());
-    EACH(j, 3) {
-        const vd x = a->N[j] * a->per_length;
-        const vd e = a->e[j] * a->per_length + v_abs(x) * a->e_length;
-        certain = m_and(certain, to_float(x, v_set(1.1) * e, &unit[j]));
-    }
-    return certain;
-}
-
-/*
- * The lateral normal is N = w x c - k dr w, of which `a` is w x c.  Between discs k
- * is the radius at the hit.  There |c| = k |w|, so the length of N is k |w| sqrt(ww
- * + dr^2).  Of a round kind k is the radius of the ball that the cone touches
- * there, |c|^2 = S k^2 ww, and the length is k ww.  `length` has a relative error
- * of 15 u plus that of k.
- */
-INLINE vm lean_on_cone(const question *q, vd k, vd e_k, vd length,
-                       bounded_vector *a)
-{
-    const vd dr = q->dr, lean = k * dr;
-    const vd e_lean = v_abs(dr) * (e_k + eps(1) * v_abs(k));
-    const vm certain = v_lt(v_set(32) * e_k, k);
-    EACH(j, 3) {
-        a->N[j] = a->N[j] - lean * q->w[j];
-        a->e[j] = a->e[j] + e_lean * v_abs(q->w[j]);
-    }
-    a->per_length = v_set(1) / where_or_one(certain, length);
-    a->e_length = e_k / where_or_one(certain, k) + eps(3);
-    return certain;
-}
-
-/* The same between discs. */
-INLINE vm lean_on_discs(const question *q, const hit *at, bounded_vector *a)
-{
-    const vm cone = m_not(v_eq(q->dr, v_set(0)));
-    bounded_vector leaning = *a;
-    vd e_k;
-    a->per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
-    a->e_length = eps(3);
-    if (!m_any(cone))
-        return m_not(cone);
-    const vd k = radius_at(q, at, &e_k);
-    e_k = e_k + v_abs(q->dr * q->dz) * at->s_error;
-    const vd length = k * (q->W * v_sqrt(q->ww + q->dr * q->dr));
-    const vm certain = lean_on_cone(q, k, e_k, length, &leaning);
-    select_vector(a, cone, &leaning);
-    return m_or(certain, m_not(cone));
-}
-
-INLINE bounded_vector cap_normal(const question *q, vm top)
-{
-    bounded_vector a;
-    EACH(j, 3) {
-        a.N[j] = v_select(top, q->w[j], -q->w[j]);
-        a.e[j] = v_set(0);
-    }
-    a.per_length = v_set(1) / q->W;
-    a.e_length = eps(2);
-    return a;
-}
-
-/*
- * phi = atan2(P.(w x v), P.v |w|) over 2 pi, where v = e x w, e being the unit
- * vector along which the axis is least.  That is atan2((w x c).e, -c.e |w|).
- */
-INLINE vm describe_phi(const question *q, vd e_c, vd across_w, vd c, vd *phi)
-{
-    vd per_far;
-    const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
-    /* both have an error of at most W e_c, so the angle one of less than
-     * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
-    const vd part = q->W * e_c * per_far;
-    const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
-    const vm inside =
-        m_and(v_lt(e, turn), v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
-    return m_and(m_and(v_lt(part, v_set(0.125)), inside),
-                 to_float(turn, e, phi));
-}
-
-/* least[j]: the axis is least along coordinate j, the first such.  Returns
- * whether that is uncertain: of equal doubles other than 0 the low parts
- * decide. */
-INLINE vm least_components(const question *q, vm least[3])
-{
-    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    const vm y_less = v_lt(y, x);
-    const vd xy = v_select(y_less, y, x);
-    const vm tied = m_or(m_and(v_eq(x, y), v_le(x, z)), v_eq(xy, z));
-    least[2] = v_lt(z, xy);
-    least[1] = m_and_not(y_less, least[2]);
-    least[0] = m_not(m_or(least[1], least[2]));
-    return m_and(tied, v_lt(v_set(0), v_select(least[2], z, xy)));
-}
-
-/* The component of x along which the axis is least. */
-INLINE vd along_least(const vd x[3], const vm least[3])
-{
-    return v_select(least[1], x[1], v_select(least[2], x[2], x[0]));
 }
 
 #endif

@@ -113,9 +113,9 @@ static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
 static int check_shape(const cylint_embree_data *data, size_t i,
                        cylint_extent *all)
 {
-    const cylint_shape *shape = data->from[0] + i;
+    const cylint_shape *shape = data->arrays->shapes + i;
     const cylint_shape *moved =
-        cylint_embree_moves(data) ? data->from[1] + i : NULL;
+        cylint_embree_moves(data) ? data->moved + i : NULL;
     if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
         (moved && !cylint_is_bounded(moved)))
         return CYLINT_EMBREE_ESHAPE;
@@ -141,25 +141,21 @@ static int refuse(cylint_embree_problem *problem, int status, size_t shape)
     return 0;
 }
 
-/* The part that holds a number. */
-static size_t part_of(const cylint_embree_data *data, size_t number)
-{
-    return cylint_embree_part_at(data, 0, number);
-}
-
-static void write_part_shape(const void *owner, uint32_t number,
-                             cylint_shape *shape)
+static void write_shape(const void *owner, uint32_t number, cylint_shape *shape)
 {
     const cylint_embree_data *data = owner;
-    const cylint_embree_merged *part = data->parts + part_of(data, number);
-    *shape = part->shapes[number - part->first];
+    const cylint_embree_array *from =
+        data->arrays + cylint_embree_array_at(data, 0, number);
+    *shape = from->shapes[number - from->first];
 }
 
 static cylint_view view_of(const cylint_embree_data *data, int time)
 {
-    cylint_view view = cylint_plain_view(data->from[time]);
-    if (data->parts) {
-        view.write_shape = write_part_shape;
+    cylint_view view =
+        cylint_plain_view(time ? data->moved : data->arrays->shapes);
+    if (data->n_arrays > 1) {
+        view.shapes = NULL;
+        view.write_shape = write_shape;
         view.owner = data;
     }
     return view;
@@ -194,7 +190,17 @@ static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
     data->order_memory = *order;
     data->number = number;
     data->rank = number ? number + data->n : NULL;
-    data->part = data->parts && number ? data->rank + data->n : NULL;
+    data->array = data->is_merged && number ? data->rank + data->n : NULL;
+    return 1;
+}
+
+/* Whether the numbers of merged arrays ascend. */
+static int check_arrays(const cylint_embree_data *data,
+                        cylint_embree_problem *problem)
+{
+    for (size_t i = 1; i < data->n_arrays; i++)
+        if (data->arrays[i].geomID <= data->arrays[i - 1].geomID)
+            return refuse(problem, CYLINT_EMBREE_EPART, i);
     return 1;
 }
 
@@ -231,7 +237,7 @@ static void rank_shapes(const cylint_bvh *bvh, uint32_t *rank, uint32_t *number)
 }
 
 /* Shapes that are together in leaves get neighbouring ranks, so that their records
- * are together in memory.  Writes numbers, then ranks, then the parts of a merged
+ * are together in memory.  Writes numbers, then ranks, then the arrays of a merged
  * geometry.  Returns 0 if memory is refused. */
 static int rank_by_leaves(cylint_memory *order, const cylint_bvh *bvh,
                           const cylint_embree_data *data)
@@ -240,14 +246,14 @@ static int rank_by_leaves(cylint_memory *order, const cylint_bvh *bvh,
     if (data->n == 0)
         return 1;
     if (!cylint_memory_allocate(order, &data->source,
-                                (data->parts ? 3 : 2) * bytes))
+                                (data->is_merged ? 3 : 2) * bytes))
         return 0;
     uint32_t *number = order->data, *rank = number + data->n;
     memset(rank, 0xff, bytes);
     rank_shapes(bvh, rank, number);
-    if (data->parts)
-        for (size_t i = 0; i < data->n; i++)
-            rank[data->n + i] = (uint32_t)part_of(data, number[i]);
+    for (size_t i = 0; i < data->n && data->is_merged; i++)
+        rank[data->n + i] =
+            (uint32_t)cylint_embree_array_at(data, 0, number[i]);
     return 1;
 }
 
@@ -275,7 +281,8 @@ static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
 {
     cylint_memory order = {0};
     cylint_bvh bvh = {0};
-    if (!(data->traversal ? build_bvh(data, &bvh, problem)
+    if (!check_arrays(data, problem) ||
+        !(data->traversal ? build_bvh(data, &bvh, problem)
                           : check_shapes(data, &bvh.box, problem)))
         return 0;
     if ((data->traversal && !rank_by_leaves(&order, &bvh, data)) ||
@@ -343,52 +350,33 @@ static cylint_memory_source device_memory(RTCDevice device)
     return (cylint_memory_source){device, allocate_buffer, release_buffer};
 }
 
-static void set_options(cylint_embree_data *data,
-                        const cylint_embree_options *options)
-{
-    data->flags = options->flags;
-    data->user = options->user;
-    data->threads = options->threads > 1 ? options->threads : 1;
-    if (data->parts)
-        data->flags &= ~(unsigned)CYLINT_EMBREE_SINGLE;
-    else
-        data->from[1] = options->moved;
-}
-
-/* Copies the parts behind the data; *problem: see cylint_embree_merge(). */
-static int set_parts(cylint_embree_data *data, const cylint_embree_part *parts,
-                     size_t n, cylint_embree_problem *problem)
-{
-    cylint_embree_merged *to = (cylint_embree_merged *)(data + 1);
-    data->parts = to;
-    data->n_parts = n;
-    for (size_t i = 0; i < n; i++) {
-        if (i > 0 && parts[i].geomID <= parts[i - 1].geomID)
-            return refuse(problem, CYLINT_EMBREE_EPART, i);
-        to[i] = (cylint_embree_merged){parts[i].shapes, data->n, parts[i].n,
-                                       parts[i].geomID};
-        data->n += parts[i].n;
-    }
-    return 1;
-}
-
-static cylint_embree_data *new_data(RTCDevice device, size_t n_parts)
+/* The arrays are behind the data. */
+static cylint_embree_data *new_data(RTCDevice device,
+                                    const cylint_embree_part *parts, size_t n)
 {
     const cylint_memory_source source = device_memory(device);
-    const size_t size = sizeof(cylint_embree_merged);
+    const size_t size = sizeof(cylint_embree_array);
+    const size_t n_arrays = n > 0 ? n : 1;
     cylint_memory self;
-    if (n_parts > SIZE_MAX / 2 / size ||
+    if (n_arrays > SIZE_MAX / 2 / size ||
         !cylint_memory_allocate(&self, &source,
-                                sizeof(cylint_embree_data) + n_parts * size))
+                                sizeof(cylint_embree_data) + n_arrays * size))
         return NULL;
     cylint_embree_data *data = self.data;
+    cylint_embree_array *arrays = (cylint_embree_array *)(data + 1);
     *data =
         (cylint_embree_data){.self = self,
                              .source = source,
+                             .arrays = arrays,
+                             .n_arrays = n_arrays,
                              .threads = 1,
                              .filter_one = cylint_float_filter_of_one(),
                              .filter_many = cylint_float_filter_of_many(),
                              .traverse_packet = cylint_traverse_packet_used()};
+    arrays[0] = (cylint_embree_array){.n = 0};
+    for (size_t i = 0; i < n; data->n += parts[i++].n)
+        arrays[i] = (cylint_embree_array){parts[i].shapes, data->n, parts[i].n,
+                                          parts[i].geomID};
     return data;
 }
 
@@ -400,32 +388,23 @@ static void free_data(cylint_embree_data *data)
     cylint_memory_free(&self);
 }
 
-/* Sets what the geometry is made of, and makes it. */
-static int fill_geometry(RTCGeometry geometry, cylint_embree_data *data,
-                         const cylint_shape *shapes,
-                         const cylint_embree_part *parts, size_t n,
-                         const cylint_embree_options *options,
-                         cylint_embree_problem *problem)
+static void set_options(cylint_embree_data *data, int is_merged,
+                        const cylint_embree_options *options)
 {
-    if (parts && !set_parts(data, parts, n, problem)) {
-        raise_device_error(geometry);
-        return 0;
+    data->is_merged = is_merged;
+    if (options) {
+        data->flags = options->flags;
+        data->user = options->user;
+        data->threads = options->threads > 1 ? options->threads : 1;
+        data->moved = is_merged ? NULL : options->moved;
     }
-    if (!parts) {
-        data->from[0] = shapes;
-        data->n = n;
-    }
-    if (options)
-        set_options(data, options);
-    if (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data))
+    if (is_merged ||
+        (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data)))
         data->traversal = cylint_traversal_used();
-    attach(geometry, data);
-    return load_geometry(geometry, data, problem);
 }
 
-/* Of parts or, if they are NULL, of an array of shapes. */
-static RTCGeometry make(RTCDevice device, const cylint_shape *shapes,
-                        const cylint_embree_part *parts, size_t n,
+static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
+                        size_t n, int is_merged,
                         const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
@@ -441,9 +420,11 @@ static RTCGeometry make(RTCDevice device, const cylint_shape *shapes,
     if (!geometry)
         return NULL;
     problem->status = CYLINT_EMBREE_EMEMORY;
-    cylint_embree_data *data = new_data(device, parts ? n : 0);
+    cylint_embree_data *data = new_data(device, parts, n);
     if (data) {
-        if (fill_geometry(geometry, data, shapes, parts, n, options, problem))
+        set_options(data, is_merged, options);
+        attach(geometry, data);
+        if (load_geometry(geometry, data, problem))
             return geometry;
         free_data(data);
     }
@@ -456,7 +437,8 @@ RTCGeometry cylint_embree_geometry(RTCDevice device, const cylint_shape *shapes,
                                    const cylint_embree_options *options,
                                    cylint_embree_problem *problem)
 {
-    return make(device, shapes, NULL, n, options, problem);
+    const cylint_embree_part all = {shapes, n, 0};
+    return make(device, &all, 1, 0, options, problem);
 }
 
 RTCGeometry cylint_embree_merge(RTCDevice device,
@@ -464,8 +446,7 @@ RTCGeometry cylint_embree_merge(RTCDevice device,
                                 const cylint_embree_options *options,
                                 cylint_embree_problem *problem)
 {
-    static const cylint_embree_part none;
-    return make(device, NULL, n > 0 ? parts : &none, n, options, problem);
+    return make(device, parts, n, 1, options, problem);
 }
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)

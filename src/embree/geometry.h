@@ -12,20 +12,22 @@
 #include "api.h"
 #include "cylint_embree.h"
 
-/* The shapes that hits name by this geomID; `first`: the number of the first. */
-typedef struct cylint_embree_merged {
+/* An array of the caller's; `first`: the number of its first shape.  Of a merged
+ * geometry, hits name its shapes by this geomID. */
+typedef struct cylint_embree_array {
     const cylint_shape *shapes;
     size_t first, n;
     unsigned geomID;
-} cylint_embree_merged;
+} cylint_embree_array;
 
 /* The user data of the geometry. */
 typedef struct cylint_embree_data {
-    cylint_memory self;          /* holds this struct */
-    cylint_memory_source source; /* of all memory */
-    const cylint_shape *from[2]; /* the caller's arrays, at times 0 and 1; the
-                                    second is NULL if the shapes do not move */
-    size_t n;
+    cylint_memory self;                /* holds this struct */
+    cylint_memory_source source;       /* of all memory */
+    const cylint_embree_array *arrays; /* behind this struct; at least one */
+    size_t n_arrays, n; /* n: the shapes of all; several arrays are merged */
+    int is_merged;
+    const cylint_shape *moved; /* at time 1; NULL: the shapes do not move */
     double pad;     /* added to each side of Embree's boxes: box_pad() */
     unsigned flags; /* CYLINT_EMBREE_SINGLE, ... */
     void *user;     /* for filter functions */
@@ -39,22 +41,18 @@ typedef struct cylint_embree_data {
     cylint_embree_shapes shapes[2]; /* at times 0 and 1 */
     cylint_memory order_memory;
     const uint32_t *number, *rank; /* of each rank, of each number, or NULL */
-    /* The parts of a merged geometry, in the order of their geomIDs, and that of
-     * each rank; the members of `from` are NULL. */
-    const cylint_embree_merged *parts;
-    size_t n_parts;
-    const uint32_t *part;
+    const uint32_t *array; /* of each rank, of a merged geometry; or NULL */
 } cylint_embree_data;
 
-/* The last part whose first number, or geomID, is at most x; 0 if there is none. */
-static inline size_t cylint_embree_part_at(const cylint_embree_data *data,
-                                           int by_geomID, size_t x)
+/* The last array whose first number, or geomID, is at most x, or the first. */
+static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
+                                            int by_geomID, size_t x)
 {
-    size_t low = 0, high = data->n_parts;
+    size_t low = 0, high = data->n_arrays;
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
-        const cylint_embree_merged *part = &data->parts[middle];
-        if ((by_geomID ? part->geomID : part->first) <= x)
+        const cylint_embree_array *at = &data->arrays[middle];
+        if ((by_geomID ? at->geomID : at->first) <= x)
             low = middle;
         else
             high = middle;
@@ -64,7 +62,7 @@ static inline size_t cylint_embree_part_at(const cylint_embree_data *data,
 
 static inline int cylint_embree_moves(const cylint_embree_data *data)
 {
-    return data->from[1] != NULL;
+    return data->moved != NULL;
 }
 
 void cylint_embree_intersect_callback(

@@ -33,24 +33,19 @@ typedef struct {
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
     ray_state state[CYLINT_PACKET_MOST];
     float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
-    const cylint_float_ray *const *ray;
+    const struct RTCRay *ray;
     cylint_packet_leaf_callback *callback;
     void *self;
 } traversal;
-
-#define EACH_RAY(k, rays)                                    \
-    for (unsigned k##_of = (rays), k;                        \
-         k##_of && (k = (unsigned)cylint_lowest(k##_of), 1); \
-         k##_of &= k##_of - 1)
 
 static void report(traversal *p, const cylint_packet_leaf *hit)
 {
     p->active &= ~p->callback(p->self, hit);
     EACH_RAY(k, hit->rays)
-    shorten(&p->state[k], p->ray[k]->tfar);
+    shorten(&p->state[k], p->ray[k].tfar);
 }
 
-static void set_certain(traversal *p, unsigned k)
+static void set_certain(traversal *p, int k)
 {
     p->certain |= 1u << k;
     p->active &= ~(1u << k);
@@ -116,11 +111,11 @@ CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
     hit->rays = 0;
     EACH_RAY(k, rays)
     {
+        const cylint_float_ray *ray = float_ray(&p->ray[k]);
         unsigned certain = 0;
-        hit->lanes[k] =
-            test_ray(leaf, all, p->ray[k], p->E[k], hit->least[k], NULL);
+        hit->lanes[k] = test_ray(leaf, all, ray, p->E[k], hit->least[k], NULL);
         if (solid && hit->lanes[k] && p->outside >> k & 1)
-            test_ray(leaf, all, p->ray[k], p->E[k], hit->least[k], &certain);
+            test_ray(leaf, all, ray, p->E[k], hit->least[k], &certain);
         if (certain)
             set_certain(p, k);
         else
@@ -143,8 +138,7 @@ static void traverse(traversal *p)
 }
 
 unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *bvh,
-                                const cylint_float_ray *const ray[], int n,
-                                int certain,
+                                const struct RTCRay ray[], int n, int certain,
                                 cylint_packet_leaf_callback *callback,
                                 void *self)
 {
@@ -156,10 +150,10 @@ unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *bvh,
     p.active = (1u << n) - 1;
     p.certain = p.outside = 0;
     for (int k = 0; k < n; k++) {
-        p.E[k] = size_of(ray[k]);
-        start_ray(&p.state[k], bvh, ray[k]);
+        p.E[k] = size_of(float_ray(&ray[k]));
+        start_ray(&p.state[k], bvh, float_ray(&ray[k]));
         if (certain)
-            p.outside |= (unsigned)ends_outside(bvh, ray[k]) << k;
+            p.outside |= (unsigned)ends_outside(bvh, float_ray(&ray[k])) << k;
     }
     traverse(&p);
     return p.certain;

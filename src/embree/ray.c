@@ -81,15 +81,13 @@ static int same_instance(const struct RTCHit *hit,
 static size_t number_of_hit(const cylint_embree_data *data,
                             const struct RTCHit *hit, unsigned geomID)
 {
-    if (!data->parts)
-        return hit->geomID == geomID && hit->primID < data->n ? hit->primID
-                                                              : data->n;
-    if (data->n_parts == 0)
-        return data->n;
-    const cylint_embree_merged *part =
-        &data->parts[cylint_embree_part_at(data, 1, hit->geomID)];
-    return part->geomID == hit->geomID && hit->primID < part->n
-               ? part->first + hit->primID
+    const cylint_embree_array *at = data->arrays;
+    if (data->is_merged) {
+        at += cylint_embree_array_at(data, 1, hit->geomID);
+        geomID = at->geomID;
+    }
+    return hit->geomID == geomID && hit->primID < at->n
+               ? at->first + hit->primID
                : data->n;
 }
 
@@ -97,8 +95,8 @@ static size_t number_of_hit(const cylint_embree_data *data,
  * this geometry. */
 static size_t present_number(const ray_test *r)
 {
-    return same_instance(r->hit, r->context)
-               ? number_of_hit(r->data, r->hit, r->geomID)
+    return same_instance(r->hit, r->args->context)
+               ? number_of_hit(r->data, r->hit, r->args->geomID)
                : r->data->n;
 }
 
@@ -148,37 +146,29 @@ static int is_nearer(const ray_test *r, unsigned number,
 
 /* -------------------------------------------------------- recording hits -- */
 
-static cylint_hit_floats floats_of(const cylint_hit *at)
+/* Writes the first members of a RTCHit. */
+static void set_floats(float floats[CYLINT_HIT_FLOATS], const cylint_hit *at)
 {
-    return (cylint_hit_floats){
-        (float)at->z,
-        cylint_angle_as_float(at->phi),
-        {(float)at->normal[0], (float)at->normal[1], (float)at->normal[2]}};
-}
-
-static void write_floats(const cylint_hit_floats *floats, struct RTCHit *hit)
-{
-    hit->Ng_x = floats->normal[0];
-    hit->Ng_y = floats->normal[1];
-    hit->Ng_z = floats->normal[2];
-    hit->u = floats->z;
-    hit->v = floats->phi;
+    EACH(j, 3)
+        floats[j] = (float)at->normal[j];
+    floats[3] = (float)at->z;
+    floats[4] = cylint_angle_as_float(at->phi);
 }
 
 static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
 {
     hit->primID = number;
-    hit->geomID = r->geomID;
-    if (r->data->parts) {
-        const cylint_embree_merged *part =
-            &r->data->parts[r->data->part[r->rank]];
-        hit->primID -= (unsigned)part->first;
-        hit->geomID = part->geomID;
+    hit->geomID = r->args->geomID;
+    if (r->data->array) {
+        const cylint_embree_array *from =
+            &r->data->arrays[r->data->array[r->rank]];
+        hit->primID -= (unsigned)from->first;
+        hit->geomID = from->geomID;
     }
     for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
-        hit->instID[i] = r->context->instID[i];
+        hit->instID[i] = r->args->context->instID[i];
 #if CYLINT_INSTANCE_ARRAYS
-        hit->instPrimID[i] = r->context->instPrimID[i];
+        hit->instPrimID[i] = r->args->context->instPrimID[i];
 #endif
     }
 }
@@ -196,18 +186,19 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
     int valid = -1;
     struct RTCFilterFunctionNArguments filter = {&valid,
                                                  r->data->user,
-                                                 r->context,
+                                                 r->args->context,
                                                  (struct RTCRayN *)r->ray,
                                                  (struct RTCHitN *)hit,
                                                  1};
     if (r->any)
-        cylint_rtc_filter_occluded(r->args, &filter);
+        cylint_rtc_filter_occluded(
+            (const struct RTCOccludedFunctionNArguments *)r->args, &filter);
     else
         cylint_rtc_filter_hit(r->args, &filter);
 #if CYLINT_EMBREE == 4
     if (valid && r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
-            ((struct context_with_filter *)r->context)->filter;
+            ((struct context_with_filter *)filter.context)->filter;
         if (also)
             also(&filter);
     }
@@ -218,7 +209,7 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
 /* Records a hit at t if the filter functions accept it.  The hit is written in its
  * final place, which saves a copy. */
 static int record(ray_test *r, unsigned number, float t,
-                  const cylint_hit_floats *floats)
+                  const float floats[CYLINT_HIT_FLOATS])
 {
     if (r->any && !has_filters(r)) {
         r->ray->tfar = -HUGE_VALF;
@@ -226,8 +217,8 @@ static int record(ray_test *r, unsigned number, float t,
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
-    if (!is_bare(r))
-        write_floats(floats, r->hit);
+    for (int j = 0; j < CYLINT_HIT_FLOATS && !is_bare(r); j++)
+        ((float *)r->hit)[j] = floats[j];
     write_ids(r, number, r->hit);
     r->ray->tfar = t;
     if (has_filters(r) && !filters_accept(r, r->hit)) {
@@ -251,11 +242,11 @@ static unsigned wanted(const ray_test *r)
 }
 
 /* Describes hit i. */
-static cylint_hit_floats describe(const exact_hits *x, unsigned want, int i)
+static void describe(float floats[CYLINT_HIT_FLOATS], exact_hits *x,
+                     unsigned want, int i)
 {
-    cylint_hit hit = x->answer.hit[i];
-    cylint_describe(&x->shape, &x->line, want, &hit);
-    return floats_of(&hit);
+    cylint_describe(&x->shape, &x->line, want, &x->answer.hit[i]);
+    set_floats(floats, &x->answer.hit[i]);
 }
 
 /* Tests the hits from number `first` on with cylint_intersect().  Hits of a
@@ -272,14 +263,16 @@ static int test_exactly(ray_test *r, int first)
               &x);
     for (int i = first; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        cylint_hit_floats floats = {0};
+        float floats[CYLINT_HIT_FLOATS] = {0};
         if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
         if (!r->any && !is_nearer(r, number, &x.answer, i))
             return 0;
-        if (r->q.describes)
-            floats = whole ? describe(&x, wanted(r), i) : floats_of(at);
-        if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
+        if (r->q.describes && whole)
+            describe(floats, &x, wanted(r), i);
+        else if (r->q.describes)
+            set_floats(floats, at);
+        if (record(r, number, rounded_up(at->t, r->ray->tfar), floats))
             return 1;
     }
     return 0;
@@ -300,7 +293,7 @@ int cylint_ray_end(ray_test *r)
             return test_exactly(r, r->q.exit_only);
         if (r->q.is == CYLINT_FLOAT_FILTER_MISS)
             return 0;
-        if (record(r, number_of(r), r->q.t, &r->q.floats))
+        if (record(r, number_of(r), r->q.t, r->q.floats))
             return 1;
         if (r->q.leaves)
             return 0;
@@ -317,8 +310,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     ray_test *r = self;
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
-    while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        set_question(r);
+    while (lanes && ask_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
         const int hit = cylint_ray_end(r);
         r->found |= hit;
@@ -328,34 +320,26 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     return 0;
 }
 
-static int test_primitive(ray_test *r, unsigned primID)
+static int test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
-    cylint_record between;
-    r->rank = primID;
-    r->q.shape = cylint_float_filter_at(&s->records, primID);
-    r->q.tfar = r->ray->tfar;
-    r->q.ends = s->ends[primID];
-    r->q.index = r->q.exit_only = 0;
-    r->q.count = 1;
+    r->rank = r->args->primID;
+    set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
     if (cylint_embree_moves(r->data)) {
-        const cylint_record at_0 = cylint_embree_record(s, primID),
-                            at_1 = cylint_embree_record(s + 1, primID);
-        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &between);
-        r->q.shape = &between;
-        r->q.small = 0;
+        const cylint_record at_0 = r->q.record;
+        cylint_record at_1;
+        cylint_embree_record(s + 1, r->rank, &at_1);
+        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &r->q.record);
     }
     filter_one(r);
     return cylint_ray_end(r);
 }
 
-int cylint_trace_single(ray_test *r, unsigned primID)
+int cylint_trace_single(ray_test *r)
 {
     const cylint_traversal *traversal = r->data->traversal;
-    if (!set_line(r))
-        return 0;
     if (!traversal)
-        return test_primitive(r, primID);
+        return test_primitive(r);
     if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
                        r->any && !has_filters(r))) {
         r->ray->tfar = -HUGE_VALF;
@@ -369,20 +353,17 @@ int cylint_trace_single(ray_test *r, unsigned primID)
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)
 {
-    const ray_test all = {.data = rtcGetGeometryUserData(geometry)};
-    const size_t number =
-        number_of_hit(all.data, &rayhit->hit, rayhit->hit.geomID);
+    const call args = {.geometryUserPtr = rtcGetGeometryUserData(geometry)};
+    const cylint_embree_data *data = args.geometryUserPtr;
+    const size_t number = number_of_hit(data, &rayhit->hit, rayhit->hit.geomID);
     ray_test r;
     exact_hits x;
-    if (number == all.data->n)
+    if (number == data->n)
         return;
-    start_test(&r, &all, &rayhit->ray, &rayhit->hit);
-    set_line(&r);
+    start_test(&r, &args, 0, &rayhit->ray, &rayhit->hit);
     r.q.tmax = tmax_including(rayhit->ray.tfar);
     const int i = find_present(
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
-    if (i >= 0) {
-        const cylint_hit_floats floats = describe(&x, CYLINT_WANT_ALL, i);
-        write_floats(&floats, &rayhit->hit);
-    }
+    if (i >= 0)
+        describe((float *)&rayhit->hit, &x, CYLINT_WANT_ALL, i);
 }

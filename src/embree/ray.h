@@ -13,16 +13,16 @@
 #include "../numbers/compiler.h"
 #include "geometry.h"
 
+/* The arguments of both callbacks have the same members; in place of `rayhit` those
+ * for occlusion have rays alone. */
+typedef struct RTCIntersectFunctionNArguments call;
+
 /* A ray, and the lane or primitive to test it against. */
 typedef struct cylint_ray_test {
     cylint_float_filter_question q; /* first: the filter's pointers are ours */
     const cylint_embree_data *data;
-    const void
-        *args; /* of Embree's callback: RTCIntersectFunctionNArguments, or
-                         RTCOccludedFunctionNArguments if `any` */
-    int any;
-    cylint_rtc_context *context;
-    unsigned geomID;
+    const call *args;
+    int any; /* the callback is that for occlusion */
     struct RTCRay *ray;
     struct RTCHit *hit;      /* zeros if `any` */
     const cylint_leaf *leaf; /* NULL: each shape is a primitive */
@@ -32,22 +32,6 @@ typedef struct cylint_ray_test {
 } cylint_ray_test;
 
 typedef cylint_ray_test ray_test;
-
-/* cylint_float_ray has the layout of the first members of RTCRay. */
-#define SAME(ours, theirs) \
-    (offsetof(cylint_float_ray, ours) == offsetof(struct RTCRay, theirs))
-typedef char same_layout[SAME(o[0], org_x) && SAME(o[1], org_y) &&
-                                 SAME(o[2], org_z) && SAME(tnear, tnear) &&
-                                 SAME(d[0], dir_x) && SAME(d[1], dir_y) &&
-                                 SAME(d[2], dir_z) && SAME(tfar, tfar)
-                             ? 1
-                             : -1];
-#undef SAME
-
-static inline const cylint_float_ray *float_ray(const struct RTCRay *ray)
-{
-    return (const cylint_float_ray *)ray;
-}
 
 static inline int is_bare(const ray_test *r)
 {
@@ -65,41 +49,34 @@ static inline int needs_description(const ray_test *r)
     return !is_bare(r) && (!r->any || has_filters(r));
 }
 
-/* Sets the pointers only: clearing the whole struct takes longer than testing a
- * leaf. */
-static inline void start_test(ray_test *r, const ray_test *all,
-                              struct RTCRay *ray, struct RTCHit *hit)
+/* Sets what all questions about the ray share.  Returns whether cylint_span()
+ * accepts it.  The box tests do not reject all rays that it refuses.  Sums of six
+ * floats do not overflow doubles.  Clearing the whole struct would take longer than
+ * testing a leaf. */
+static inline int start_test(ray_test *r, const call *args, int any,
+                             struct RTCRay *ray, struct RTCHit *hit)
 {
-    r->data = all->data;
-    r->args = all->args;
-    r->any = all->any;
-    r->context = all->context;
-    r->geomID = all->geomID;
+    const cylint_float_ray *from = float_ray(ray);
+    double direction = 0, all = 0;
+    r->data = args->geometryUserPtr;
+    r->args = args;
+    r->any = any;
     r->ray = ray;
     r->hit = hit;
     r->leaf = NULL;
-}
-
-/* Sets what all questions about the ray share.  Returns whether cylint_span()
- * accepts it.  The box tests do not reject all rays that it refuses.  Sums of six
- * floats do not overflow doubles. */
-static inline int set_line(ray_test *r)
-{
-    const cylint_float_ray *ray = float_ray(r->ray);
-    double any = 0, all = 0;
     EACH(j, 3) {
-        r->q.o[j] = ray->o[j];
-        r->q.d[j] = ray->d[j];
-        any += fabs(r->q.d[j]);
+        r->q.o[j] = from->o[j];
+        r->q.d[j] = from->d[j];
+        direction += fabs(r->q.d[j]);
         all += fabs(r->q.o[j]);
     }
-    r->q.tmin = ray->tnear;
+    r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
-    r->q.tmax = ray->tfar;
-    r->q.small = r->data->shapes[0].records.small;
+    r->q.tmax = from->tfar;
     r->q.describes = needs_description(r);
     r->found = 0;
-    return (any > 0) & (all + any < HUGE_VAL) & (ray->tnear <= ray->tfar);
+    return (direction > 0) & (all + direction < HUGE_VAL) &
+           (from->tnear <= from->tfar);
 }
 
 /* The number of the shape that is tested. */
@@ -108,13 +85,12 @@ static inline unsigned number_of(const ray_test *r)
     return r->leaf ? r->data->number[r->rank] : r->rank;
 }
 
-/* Sets the question whether the ray hits the piece of the lane. */
-CYLINT_INLINE void set_question(ray_test *r)
+/* Sets the question whether the ray hits a piece of the shape. */
+CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 {
-    const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
-    r->q.shape = cylint_float_filter_at(&r->data->shapes[0].records, r->rank);
+    cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
     r->q.tfar = r->ray->tfar;
-    r->q.ends = cylint_leaf_ends(r->leaf, r->lane);
+    r->q.ends = ends;
     r->q.index = piece.index;
     r->q.count = piece.count;
     r->q.exit_only = 0;
@@ -127,7 +103,7 @@ CYLINT_INLINE void set_question(ray_test *r)
 int cylint_ray_end(ray_test *r);
 
 /* Traces the ray alone.  Returns 1 if a hit was recorded. */
-int cylint_trace_single(ray_test *r, unsigned primID);
+int cylint_trace_single(ray_test *r);
 
 /* ---------------------------------------------------------------- lanes -- */
 
@@ -135,8 +111,8 @@ CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
                                    const cylint_leaf *leaf, unsigned lanes)
 {
     for (; lanes; lanes &= lanes - 1)
-        CYLINT_PREFETCH(cylint_float_filter_at(
-            &data->shapes[0].records, leaf->number[cylint_lowest(lanes)]));
+        CYLINT_PREFETCH(cylint_embree_record_at(
+            &data->shapes[0], leaf->number[cylint_lowest(lanes)]));
 }
 
 static inline int nearest_lane(unsigned lanes, const float *least)
@@ -149,10 +125,10 @@ static inline int nearest_lane(unsigned lanes, const float *least)
     return first;
 }
 
-/* Selects the nearest lane and removes it from *lanes.  Returns 0 if no lane can
- * hold the nearest hit. */
-CYLINT_INLINE int select_nearest_lane(ray_test *r, const cylint_leaf *leaf,
-                                      unsigned *lanes, const float *least)
+/* Removes the nearest lane from *lanes and sets the question about it.  Returns 0
+ * if no lane can hold the nearest hit. */
+CYLINT_INLINE int ask_nearest_lane(ray_test *r, const cylint_leaf *leaf,
+                                   unsigned *lanes, const float *least)
 {
     const int lane = nearest_lane(*lanes, least);
     if (least[lane] > r->ray->tfar)
@@ -163,6 +139,8 @@ CYLINT_INLINE int select_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     r->rank = leaf->number[lane];
     CYLINT_PREFETCH(r->data->number + r->rank);
     r->q.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
+    set_question(r, cylint_leaf_ends(leaf, lane),
+                 cylint_leaf_piece(leaf, lane));
     return 1;
 }
 

@@ -73,7 +73,7 @@ static const cylint_shape *source_of(const copying *c, size_t i,
 static void copy_some(void *self, size_t from, size_t to)
 {
     copying *c = self;
-    const int small = c->to->records.small;
+    const int small = c->to->small;
     cylint_small_record *floats = c->to->memory.data;
     cylint_record *doubles = c->to->memory.data;
     size_t i = from, whole = 0;
@@ -105,7 +105,7 @@ static int copy_records(copying *c, size_t n, int threads,
             small ? sizeof(cylint_small_record) : sizeof(cylint_record);
         if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
             return 0;
-        to->records = (cylint_float_filter_shapes){to->memory.data, small};
+        to->small = small;
         to->ends = c->ends = (uint8_t *)to->memory.data + n * size;
         c->fits = 1;
         cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
@@ -164,25 +164,12 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s)
 
 /* --------------------------------------------------------------- reading -- */
 
-cylint_record cylint_embree_record(const cylint_embree_shapes *s, size_t at)
-{
-    const cylint_small_record *small = s->records.data;
-    const cylint_record *large = s->records.data;
-    if (!s->records.small)
-        return large[at];
-    small += at;
-    return (cylint_record){
-        {(double)small->p0[0], (double)small->p0[1], (double)small->p0[2]},
-        (double)small->r0,
-        {(double)small->p1[0], (double)small->p1[1], (double)small->p1[2]},
-        (double)small->r1};
-}
-
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
                          cylint_shape *shape)
 {
-    cylint_record x = cylint_embree_record(s, at);
+    cylint_record x;
     int kind = CYLINT_KIND_CONE;
+    cylint_embree_record(s, at, &x);
     if (x.r0 != x.r0) {
         *shape = s->whole[(size_t)x.p0[0]];
         return;

@@ -13,17 +13,53 @@
 #include "../bvh/swept_disc.h"
 #include "float_filter.h"
 
+/* A record in half the memory, if all numbers are floats and none of them is
+ * subnormal. */
+typedef struct cylint_small_record {
+    float p0[3], r0, p1[3], r1;
+} cylint_small_record;
+
+/* The record for the float filter. */
 void cylint_filter_record_of(cylint_record *to, const cylint_shape *shape);
 
 /* Returns 0 if the shape does not fit. */
 int cylint_small_record_of(cylint_small_record *to, const cylint_shape *shape);
 
 typedef struct cylint_embree_shapes {
-    cylint_memory memory, whole_memory;
-    cylint_float_filter_shapes records;
+    cylint_memory memory; /* the records, then `ends` */
+    cylint_memory whole_memory;
+    int small; /* the records are */
     const uint8_t *ends;
     const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
+
+static inline const void *cylint_embree_record_at(const cylint_embree_shapes *s,
+                                                  size_t at)
+{
+    return (const char *)s->memory.data +
+           at *
+               (s->small ? sizeof(cylint_small_record) : sizeof(cylint_record));
+}
+
+/* Writes the record of a shape in doubles. */
+static inline void cylint_embree_record(const cylint_embree_shapes *s,
+                                        size_t at, cylint_record *to)
+{
+    const void *from = cylint_embree_record_at(s, at);
+    const cylint_small_record *small = from;
+    if (!s->small) {
+        *to = *(const cylint_record *)from;
+        return;
+    }
+    to->p0[0] = (double)small->p0[0];
+    to->p0[1] = (double)small->p0[1];
+    to->p0[2] = (double)small->p0[2];
+    to->r0 = (double)small->r0;
+    to->p1[0] = (double)small->p1[0];
+    to->p1[1] = (double)small->p1[1];
+    to->p1[2] = (double)small->p1[2];
+    to->r1 = (double)small->r1;
+}
 
 /* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
  * 0, 1, ...  Returns 0 if memory is refused. */
@@ -36,9 +72,6 @@ static inline size_t cylint_embree_shapes_bytes(const cylint_embree_shapes *s)
 {
     return s->memory.bytes + s->whole_memory.bytes;
 }
-
-/* The record of a shape in doubles. */
-cylint_record cylint_embree_record(const cylint_embree_shapes *s, size_t at);
 
 /* Makes a shape by its constructor. */
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,

@@ -399,10 +399,6 @@ static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
 #if LANES >= 4
 typedef __m256d v_row;
 static inline v_row v_row_at(const double *x) { return _mm256_loadu_pd(x); }
-static inline v_row v_row_of_floats(const float *x)
-{
-    return _mm256_cvtps_pd(_mm_loadu_ps(x));
-}
 
 static inline void v_transpose(const v_row row[LANES], vd to[4])
 {
@@ -433,10 +429,6 @@ static inline v_row v_row_at(const double *x)
 {
     return (v_row){{x[0], x[1], x[2], x[3]}};
 }
-static inline v_row v_row_of_floats(const float *x)
-{
-    return (v_row){{x[0], x[1], x[2], x[3]}};
-}
 
 static inline void v_transpose(const v_row row[LANES], vd to[4])
 {
@@ -456,15 +448,6 @@ static inline void v_columns(const char *const row[LANES], size_t at,
     v_row r[LANES];
     for (int i = 0; i < LANES; i++)
         r[i] = v_row_at((const double *)(const void *)(row[i] + at));
-    v_transpose(r, to);
-}
-
-static inline void v_columns_of_floats(const char *const row[LANES], size_t at,
-                                       vd to[4])
-{
-    v_row r[LANES];
-    for (int i = 0; i < LANES; i++)
-        r[i] = v_row_of_floats((const float *)(const void *)(row[i] + at));
     v_transpose(r, to);
 }
 

@@ -2,13 +2,14 @@
  * test_embree_float_bounds.c - floor embree: the bounds and the records of the
  * float filter
  *
- * The forms of round kinds run over an arithmetic that carries bounds on a number
- * and on its error, in units u = 2^-53 of one rounding.  |w| = |u| = 1, and what
- * is compared is K = |D| + r0 = 1.  The errors of dot products are those of
- * float_filter_lanes.h.
+ * The forms of cones and balls run over an arithmetic that carries bounds on a
+ * number and on its error, in units u = 2^-53 of one rounding.  |w| = |u| = 1, and
+ * what is compared is K = |D| + r0 / sqrt(T) = 1.  The errors of dot products are
+ * those of float_filter_lanes.h.
  */
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #define CYLINT_ONE_LANE
 #include "check.h"
@@ -34,18 +35,26 @@ static number product(number x, number y)
     return rounded(x.size * y.size, x.off * y.size + x.size * y.off);
 }
 
-static number at_most_one(number x)
+static number at_most(number x, double most)
 {
-    return (number){fmin(x.size, 1), x.off};
+    return (number){fmin(x.size, most), x.off};
 }
+
+typedef struct {
+    number uu, Du, DD, alpha, beta, per_ww, r0, dr, S, T, y0, z0, dz;
+} questions_bounds;
+
+typedef struct {
+    number a, b;
+} quadratic_bounds;
 
 #define NUM number
 #define FORM(name) name##_bounds
 #define ADD(x, y) sum(x, y)
 #define SUB(x, y) sum(x, y)
 #define MUL(x, y) product(x, y)
-#define SMALL(x) at_most_one(x)
-#include "embree/round_forms_template.h"
+#define MOST(x, T) at_most(x, (T).size)
+#include "embree/cone_form_template.h"
 
 /* An error is at most `most` eps (8 u); *share: the greatest part of that. */
 static void is_within(const char *what, number x, double most, double *share)
@@ -56,75 +65,105 @@ static void is_within(const char *what, number x, double most, double *share)
     *share = fmax(*share, part);
 }
 
-/* The bounds of float_filter_round.h.  lateral_at() wants errors of at most 6/8
- * e_a and 0.33 e_G / sqrt(G); of a cone G <= 6, of a ball G <= 1. */
-static void the_errors_of_round_forms_are_within_their_bounds(void)
+/* Sets S and T as load_axis() does; r0 is such that K is 1. */
+static void set_slope(questions_bounds *q, double slope, int is_round)
 {
-    double a = 0, b = 0, G = 0, S = 0, y = 0, ball_b = 0, ball_G = 0;
+    const number one = {1, 0};
+    q->dr = (number){slope, slope};
+    const number slope2 = product(product(q->dr, q->dr), q->per_ww);
+    q->S = is_round ? at_most(sum(one, slope2), 1) : one;
+    q->T = is_round ? one : sum(one, slope2);
+    q->r0 = (number){(1 - q->alpha.size) * sqrt(q->T.size), 0};
+}
+
+/* The bounds of float_filter_lanes.h.  chord_end() wants errors of at most 6/8 e_a
+ * and 0.33 e_G / sqrt(G); of a cone G <= 2 T^2, of a ball G <= 1. */
+static void the_errors_of_cones_and_balls_are_within_their_bounds(void)
+{
+    double a = 0, b = 0, G = 0, S = 0, y = 0, z = 0, ball_b = 0, ball_G = 0;
     for (int i = 0; i <= 100; i++) {
         const double D = 0.01 * i, r0 = 1 - D;
-        for (int dr = 0; dr <= 10; dr++) {
-            const round_terms_bounds t = {
-                {1, 3},   {D, 5 * D}, {D * D, 7 * D * D},   {D, 6 * D}, {1, 4},
-                {1, 6.1}, {r0, 0},    {0.1 * dr, 0.1 * dr}, {1, 0}};
-            round_cone_bounds x;
-            set_round_cone_bounds(&x, &t);
-            is_within("a", x.a, 6, &a);
-            is_within("b", x.b, 0.33 * 38 / sqrt(6), &b);
-            is_within("G", x.G, 38, &G);
-            is_within("S", x.S, 2, &S);
-            is_within("y", x.y0, 3, &y);
+        for (int turn = 0; turn <= 60; turn++) {
+            const int is_round = turn <= 10;
+            questions_bounds q = {.uu = {1, 3},
+                                  .Du = {D, 5 * D},
+                                  .DD = {D * D, 7 * D * D},
+                                  .alpha = {D, 6 * D},
+                                  .beta = {1, 4},
+                                  .per_ww = {1, 6.1}};
+            quadratic_bounds x;
+            set_slope(&q, is_round ? 0.1 * turn : 0.1 * (turn - 11), is_round);
+            const double T = q.T.size;
+            is_within("G", cone_G_bounds(&q, &x), 24 * T * T, &G);
+            is_within("a", x.a, 6 * T, &a);
+            is_within("b", x.b, 0.33 * 24 / sqrt(2) * T, &b);
+            is_within("S", q.S, 2, &S);
+            is_within("z", q.z0, 2, &z);
+            if (is_round)
+                is_within("y", q.y0, 3, &y);
         }
         /* x, of size D, has an error of 3 u D, and r one of 2 u (r0 + |dr|) */
         const number xu = {D, 6 * D}, xx = {D * D, 9 * D * D}, r = {r0, 2 * r0},
                      uu = {1, 3};
         is_within("ball, b", xu, 0.33 * 6, &ball_b);
-        is_within("ball, G", round_ball_G_bounds(uu, xu, xx, r), 6, &ball_G);
+        is_within("ball, G", ball_G_bounds(uu, xu, xx, r), 6, &ball_G);
     }
-    const double least[] = {a, b, G, S, y, ball_b, ball_G};
-    for (int i = 0; i < 7; i++) /* no bound is four times too large */
+    const double least[] = {a, b, G, S, y, z, ball_b, ball_G};
+    for (int i = 0; i < 8; i++) /* no bound is four times too large */
         if (!CHECK(least[i] > 0.25))
             REPORT("bound %d: %g of it would do", i, least[i]);
 }
 
 /* ----------------------------------------------------- records, angles -- */
 
+/* Whether a shape has a small record, which then holds the numbers of the large
+ * one. */
+static int is_kept_small(const cylint_shape *shape, cylint_record *read)
+{
+    cylint_small_record small;
+    cylint_record large;
+    const cylint_embree_shapes one = {.memory = {.data = &small}, .small = 1};
+    if (!cylint_small_record_of(&small, shape))
+        return 0;
+    cylint_filter_record_of(&large, shape);
+    cylint_embree_record(&one, 0, read);
+    return CHECK(memcmp(&large, read, sizeof large) == 0);
+}
+
 static void small_records_keep_round_kinds(void)
 {
     const double base[3] = {1, 2, 3}, top[3] = {4, 5, 6};
-    cylint_small_record small;
+    cylint_record record;
     cylint_shape shape;
-    CHECK(cylint_sphere(&shape, base, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK &&
-          cylint_small_record_of(&small, &shape));
-    CHECK(small.r0 < 0 && small.r1 < 0);
-    CHECK(cylint_round_cone(&shape, base, 0, top, 1, CYLINT_ENDS_OPEN) ==
-              CYLINT_OK &&
-          cylint_small_record_of(&small, &shape));
-    CHECK(small.r0 + small.r1 < 0);
+    CHECK(!cylint_sphere(&shape, base, 1, CYLINT_ENDS_CAPPED) &&
+          is_kept_small(&shape, &record));
+    CHECK(record.r0 < 0 && record.r1 < 0);
+    CHECK(!cylint_round_cone(&shape, base, 0, top, 1, CYLINT_ENDS_OPEN) &&
+          is_kept_small(&shape, &record));
+    CHECK(record.r0 + record.r1 < 0);
     /* one ball in the other: z depends on the axis, the parts on the ends */
-    CHECK(cylint_round_cone(&shape, base, 1, top, 9, CYLINT_ENDS_OPEN) ==
-              CYLINT_OK &&
-          !cylint_small_record_of(&small, &shape));
+    CHECK(!cylint_round_cone(&shape, base, 1, top, 9, CYLINT_ENDS_OPEN) &&
+          !is_kept_small(&shape, &record));
 }
 
 /* A cylinder or cone from base to top, or neither. */
 static int is_small(double x, double r, int cone)
 {
     const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
-    cylint_small_record small;
+    cylint_record record;
     cylint_shape shape;
-    return CHECK((cone
-                      ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
+    return CHECK(
+               !(cone ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
                       : cylint_cylinder(&shape, base, top, r,
-                                        CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
-           cylint_small_record_of(&small, &shape);
+                                        CYLINT_ENDS_CAPPED))) &&
+           is_kept_small(&shape, &record);
 }
 
 static void only_shapes_made_of_floats_have_small_records(void)
 {
     const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
     const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
-    cylint_small_record small;
+    cylint_record record;
     cylint_shape shape;
     for (int cone = 0; cone < 2; cone++) {
         CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
@@ -134,12 +173,11 @@ static void only_shapes_made_of_floats_have_small_records(void)
         CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
         CHECK(!is_small(0x1p200, 0.5, cone));
     }
-    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) ==
-              CYLINT_OK &&
-          !cylint_small_record_of(&small, &shape));
-    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up,
-                                   CYLINT_ENDS_CAPPED) == CYLINT_OK &&
-          !cylint_small_record_of(&small, &shape));
+    CHECK(!cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) &&
+          !is_kept_small(&shape, &record));
+    CHECK(
+        !cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_ENDS_CAPPED) &&
+        !is_kept_small(&shape, &record));
 }
 
 /* Compared with long doubles; the bound is not far above the largest error. */
@@ -167,7 +205,7 @@ static void the_error_of_an_angle_is_within_its_bound(void)
 
 int main(void)
 {
-    RUN(the_errors_of_round_forms_are_within_their_bounds);
+    RUN(the_errors_of_cones_and_balls_are_within_their_bounds);
     RUN(only_shapes_made_of_floats_have_small_records);
     RUN(small_records_keep_round_kinds);
     RUN(the_error_of_an_angle_is_within_its_bound);

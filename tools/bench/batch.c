@@ -19,6 +19,7 @@ static struct {
     cylint_pack pack;
     void *memory;
     lean_line *formula;
+    enum kind kind;
     signed char hits[N];
     double t[2][N];
 } in;
@@ -33,13 +34,13 @@ static void draw_in_ball(uint64_t *random, double radius, double p[3])
         p[i] *= at;
 }
 
-static void draw_input(enum kind kind, double radius)
+static void draw_input(double radius)
 {
     uint64_t random = 5;
     for (int i = 0; i < N; i++) {
         struct solid *s = &in.solid[i];
         double at[3];
-        draw_solid(&random, kind, s);
+        draw_solid(&random, in.kind, s);
         draw_in_ball(&random, radius, at);
         for (int c = 0; c < 3; c++) {
             s->base[c] += at[c] - s->middle[c];
@@ -67,22 +68,14 @@ static void draw_input(enum kind kind, double radius)
     }
 }
 
-static double share_of_hits(void)
+/* The share of hits in a ball of this radius. */
+static double share_of_hits(double radius)
 {
     size_t hits = 0;
+    draw_input(radius);
     for (int i = 0; i < N; i++)
         hits += cylint_count(&in.pack, &in.line[i], 0);
     return (double)hits / N / N;
-}
-
-static void draw_share(enum kind kind, double share)
-{
-    double low = 0, high = 32;
-    for (int step = 0; step < 16; step++) {
-        const double radius = 0.5 * (low + high);
-        draw_input(kind, radius);
-        *(share_of_hits() > share ? &low : &high) = radius;
-    }
 }
 
 /* ----------------------------------------------------------------- turns -- */
@@ -183,27 +176,26 @@ static const struct {
 
 void bench_batch(void)
 {
-    static const double shares[] = {0.01, 0.5};
+    static const struct {
+        double share;
+        const char *setup;
+    } shares[] = {{0.01, "1 % hit"}, {0.5, "50 % hit"}};
     in.memory = need(cylint_pack_bytes(N));
     for (int kind = 0; kind < KINDS; kind++)
-        for (int share = 0; share < 2; share++) {
-            if (!is_wanted(kind_names[kind]))
-                continue;
-            draw_share((enum kind)kind, shares[share]);
+        for (int k = 0; k < 2 && is_wanted(kind_names[kind]); k++) {
+            in.kind = (enum kind)kind;
+            approach(share_of_hits, 32, shares[k].share);
             in.formula = lean_line_of(&in.solid[0]);
-            for (size_t q = 0; q < sizeof asked / sizeof *asked; q++) {
-                char question[64];
-                snprintf(question, sizeof question, "%s; %.0f %% hit",
-                         asked[q].name, 100 * shares[share]);
+            for (size_t q = 0; q < sizeof asked / sizeof *asked; q++)
                 compete(&(struct contest){.subject = kind_names[kind],
-                                          .question = question,
+                                          .question = asked[q].name,
+                                          .setup = shares[k].setup,
                                           .rival = "prepared quadratic",
                                           .theirs = asked[q].theirs,
                                           .ours = asked[q].ours,
                                           .input = asked[q].input,
                                           .questions = N,
                                           .units = N});
-            }
         }
     free(in.memory);
 }

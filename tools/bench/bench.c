@@ -34,7 +34,7 @@ static const struct {
     {"embree", "shapes in scenes of Embree", bench_embree},
 #endif
 };
-enum { CASES = sizeof cases / sizeof *cases, CONTESTANTS = 8, ROUNDS = 3 };
+enum { CASES = sizeof cases / sizeof *cases, ROUNDS = 3 };
 
 static struct {
     double seconds, most;
@@ -52,7 +52,7 @@ static double seconds_by(clockid_t clock)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-double thread_seconds(void)
+static double thread_seconds(void)
 {
     return seconds_by(CLOCK_THREAD_CPUTIME_ID);
 }
@@ -82,6 +82,32 @@ static void stay_on_one_core(void)
             return;
         }
 #endif
+}
+
+/* --------------------------------------------------------------- kernels -- */
+
+static int kernels_count(void)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    must(n <= KERNELS_MOST, "more kernels than expected");
+    return n;
+}
+
+int kernels_in_use(void)
+{
+    int k = 0;
+    while (strcmp(cylint_kernels_name(k), cylint_kernels_in_use()))
+        k++;
+    return k;
+}
+
+int use_kernels(int k)
+{
+    const char *name = cylint_kernels_name(k);
+    cylint_use_kernels(name);
+    return name != NULL;
 }
 
 /* -------------------------------------------------------------- the loop -- */
@@ -120,14 +146,6 @@ static void take_turn(struct contestant *a, int *order, int n, int shuffled)
 static void print_row(const struct contest *c, int shuffled, const char *unit,
                       double theirs, const double *ours);
 
-static int kernels_count(void)
-{
-    int n = 0;
-    while (cylint_kernels_name(n))
-        n++;
-    return n;
-}
-
 /* The kernels of the library, from the plainest to the best, into list[1
  * ...]; the rival is list[0]. Returns how many there are in all. */
 static int list_contestants(const struct contest *c, struct contestant *list)
@@ -135,7 +153,7 @@ static int list_contestants(const struct contest *c, struct contestant *list)
     int n = 1;
     list[0] = (struct contestant){NULL, c->theirs,
                                   c->others ? c->others : c->input, HUGE_VAL};
-    for (int k = kernels_count(); k-- > 0 && n < CONTESTANTS;)
+    for (int k = kernels_count(); k-- > 0;)
         list[n++] = (struct contestant){cylint_kernels_name(k), c->ours,
                                         c->input, HUGE_VAL};
     return n;
@@ -152,8 +170,8 @@ static int takes_part(const struct contest *c, const struct contestant *a,
 
 static void race(struct contest *c, int *order, int shuffled)
 {
-    struct contestant list[CONTESTANTS];
-    double ours[CONTESTANTS];
+    struct contestant list[1 + KERNELS_MOST];
+    double ours[KERNELS_MOST];
     const int n = list_contestants(c, list);
     const double start = thread_seconds();
     for (int round = 0;
@@ -216,9 +234,12 @@ static void print_row(const struct contest *c, int shuffled, const char *unit,
                       double theirs, const double *ours)
 {
     double best = NAN; /* the time of the last kernels, the best */
+    char question[96];
+    snprintf(question, sizeof question, "%s%s%s", c->question,
+             c->setup ? "; " : "", c->setup ? c->setup : "");
     print_text(user.name, 10);
     print_text(c->subject, 20);
-    print_text(c->question, 44);
+    print_text(question, 44);
     print_text(c->shuffled ? shuffled ? "shuffled" : "in order" : "-", 10);
     print_text(c->rival ? c->rival : "-", 22);
     print_text(unit, 4);
@@ -231,13 +252,16 @@ static void print_row(const struct contest *c, int shuffled, const char *unit,
     fflush(stdout);
 }
 
-void print_figure(const char *subject, const char *question, const char *rival,
-                  const char *unit, double theirs, double ours)
+void print_figure(const char *subject, const char *question, const char *setup,
+                  const char *rival, const char *unit, double theirs,
+                  double ours)
 {
-    const struct contest c = {
-        .subject = subject, .question = question, .rival = rival};
-    double each[CONTESTANTS];
-    for (int k = 0; k < CONTESTANTS; k++)
+    const struct contest c = {.subject = subject,
+                              .question = question,
+                              .setup = setup,
+                              .rival = rival};
+    double each[KERNELS_MOST];
+    for (int k = 0; k < KERNELS_MOST; k++)
         each[k] = k == kernels_count() - 1 ? ours : (double)NAN;
     if (is_wanted(subject))
         print_row(&c, 0, unit, theirs, each);
@@ -255,9 +279,10 @@ double largest(double usual)
     return user.most > 0 ? user.most : usual;
 }
 
-double seconds_of_contest(void)
+int compare_doubles(const void *x, const void *y)
 {
-    return user.seconds;
+    const double a = *(const double *)x, b = *(const double *)y;
+    return (a > b) - (a < b);
 }
 
 void must(int is_true, const char *message)

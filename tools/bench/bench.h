@@ -37,6 +37,7 @@ typedef double bench_turn(const void *input, const int *order, int n);
 
 struct contest {
     const char *subject, *question;
+    const char *setup; /* of the question; or NULL */
     const char *rival; /* its name; NULL: the library has no rival */
     bench_turn *theirs, *ours;
     const void *input;  /* of both, */
@@ -54,18 +55,26 @@ void compete(struct contest *c);
 
 /* Prints another figure, of both or, if `theirs` is NaN, of the library
  * alone. */
-void print_figure(const char *subject, const char *question, const char *rival,
-                  const char *unit, double theirs, double ours);
+void print_figure(const char *subject, const char *question, const char *setup,
+                  const char *rival, const char *unit, double theirs,
+                  double ours);
 
 /* Whether the user wants this subject; contests of others end at once. */
 int is_wanted(const char *subject);
 
-/* The options -n and -s, or these if there are none. */
+/* The option -n, or `usual` if there is none. */
 double largest(double usual);
-double seconds_of_contest(void);
 
-/* Seconds of processor time of this thread, of this process, of the clock. */
-double thread_seconds(void);
+enum { KERNELS_MOST = 8 };
+/* The number of the kernels in use, from 0, the best. */
+int kernels_in_use(void);
+/* Uses kernels number k.  Behind the last returns 0, and the best are used. */
+int use_kernels(int k);
+
+/* For qsort(): doubles, or structures that begin with one, upwards. */
+int compare_doubles(const void *x, const void *y);
+
+/* Seconds of processor time of this process, and of the clock. */
 double process_seconds(void);
 double clock_seconds(void);
 

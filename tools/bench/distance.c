@@ -93,10 +93,9 @@ static void ask(const char *name, enum family family, bench_turn *ours,
                 const void *input)
 {
     const int is_batch = ours == batch;
-    char question[64];
-    snprintf(question, sizeof question, "%s; %s", name, family_names[family]);
     compete(&(struct contest){.subject = kind_names[in.solid[0].kind],
-                              .question = question,
+                              .question = name,
+                              .setup = family_names[family],
                               .rival = in.formula ? "prepared distance" : NULL,
                               .theirs = is_batch ? formula_batch : formula,
                               .ours = ours,

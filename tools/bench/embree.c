@@ -14,7 +14,7 @@
 
 #include "sticks.h"
 
-enum { RAYS = 160 * 160, MOST = 8, LANES = 16 };
+enum { RAYS = 160 * 160, LANES = 16 };
 enum { CURVES = -1, MERGED = -2 }; /* in place of the adapter's flags */
 
 /* A scene and its rays. */
@@ -28,17 +28,14 @@ struct world {
 
 static struct {
     float ray[RAYS][2][3];
-    struct world ours[MOST], bare[MOST], curves; /* bare: or merged */
+    struct world ours[KERNELS_MOST], bare[KERNELS_MOST],
+        curves; /* bare: or merged */
 } in;
 
 /* The adapter's scene that was made with the kernels in use. */
 static const struct world *in_use(const struct world *worlds)
 {
-    int k = 0;
-    while (worlds != &in.curves &&
-           strcmp(cylint_kernels_name(k), cylint_kernels_in_use()))
-        k++;
-    return &worlds[k];
+    return worlds == &in.curves ? worlds : &worlds[kernels_in_use()];
 }
 
 /* ---------------------------------------------------------------- scenes -- */
@@ -79,45 +76,49 @@ static RTCGeometry curves_of(RTCDevice device, const struct sticks *s,
     return g;
 }
 
-static size_t first_of_part(const struct sticks *s, size_t parts, size_t k)
+/* How many geometries: one for each cell. */
+static size_t parts_of(const struct sticks *s)
 {
-    return k * s->n / parts;
+    return s->side * s->side * s->side;
 }
 
-/* Geometry k of `parts`; merged it is the only one. */
-static RTCGeometry part_of(RTCDevice device, const struct sticks *s,
-                           size_t parts, size_t k, int flags)
+static cylint_embree_part cell(const struct sticks *s, size_t k)
 {
-    const size_t first = first_of_part(s, parts, k),
-                 last = first_of_part(s, parts, k + 1);
+    const size_t parts = parts_of(s), first = k * s->n / parts;
+    return (cylint_embree_part){.shapes = s->shapes + first,
+                                .n = (k + 1) * s->n / parts - first,
+                                .geomID = (unsigned)k};
+}
+
+/* The geometry of cell k; merged the only one. */
+static RTCGeometry geometry_of(RTCDevice device, const struct sticks *s,
+                               size_t k, int flags)
+{
     const cylint_embree_options options = {.flags = (unsigned)flags};
+    const cylint_embree_part c = cell(s, k);
+    const size_t parts = parts_of(s), first = (size_t)(c.shapes - s->shapes);
     if (flags == CURVES)
-        return curves_of(device, s, first, last);
+        return curves_of(device, s, first, first + c.n);
     if (flags != MERGED)
-        return cylint_embree_geometry(device, s->shapes + first, last - first,
-                                      &options, NULL);
+        return cylint_embree_geometry(device, c.shapes, c.n, &options, NULL);
     cylint_embree_part *part = need(parts * sizeof *part);
-    for (k = 0; k < parts; k++) {
-        part[k].shapes = s->shapes + first_of_part(s, parts, k);
-        part[k].n = first_of_part(s, parts, k + 1) - first_of_part(s, parts, k);
-        part[k].geomID = (unsigned)k;
-    }
+    for (k = 0; k < parts; k++)
+        part[k] = cell(s, k);
     RTCGeometry g = cylint_embree_merge(device, part, parts, NULL, NULL);
     free(part);
     return g;
 }
 
-/* parts: how many geometries; flags: of the adapter, CURVES or MERGED. */
-static void build(struct world *w, const struct sticks *s, size_t parts,
-                  int flags)
+/* flags: of the adapter, CURVES or MERGED. */
+static void build(struct world *w, const struct sticks *s, int flags)
 {
     *w = (struct world){.device = embree_device(),
-                        .parts = flags == MERGED ? 1 : parts};
+                        .parts = flags == MERGED ? 1 : parts_of(s)};
     rtcSetDeviceMemoryMonitorFunction(w->device, count_bytes, &w->bytes);
     w->scene = rtcNewScene(w->device);
     w->part = need(w->parts * sizeof *w->part);
     for (size_t k = 0; k < w->parts; k++) {
-        w->part[k] = part_of(w->device, s, parts, k, flags);
+        w->part[k] = geometry_of(w->device, s, k, flags);
         must(w->part[k] != NULL, "no geometry was made");
         rtcAttachGeometry(w->scene, w->part[k]);
         if (flags == CURVES)
@@ -137,17 +138,6 @@ static void release(struct world *w, int is_ours)
     rtcReleaseScene(w->scene);
     rtcReleaseDevice(w->device);
     w->device = NULL;
-}
-
-/* One for each of the kernels. */
-static void build_all(struct world *worlds, const struct sticks *s,
-                      size_t parts, int flags)
-{
-    for (int k = 0; k < MOST && cylint_kernels_name(k); k++) {
-        cylint_use_kernels(cylint_kernels_name(k));
-        build(&worlds[k], s, parts, flags);
-    }
-    cylint_use_kernels(NULL);
 }
 
 /* ----------------------------------------------------------------- turns -- */
@@ -227,11 +217,13 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
 
 /* -------------------------------------------------------------- contests -- */
 
-static void ask(const struct sticks *s, const char *question, bench_turn *turn,
-                bench_turn *of_curves, const struct world *ours)
+static void ask(const struct sticks *s, const char *question, const char *setup,
+                bench_turn *turn, bench_turn *of_curves,
+                const struct world *ours)
 {
     compete(&(struct contest){.subject = s->name,
                               .question = question,
+                              .setup = setup,
                               .rival = s->is_round ? "Embree's round curves"
                                                    : "Embree's cone curves",
                               .theirs = of_curves,
@@ -254,68 +246,56 @@ static double percent_wrong(void)
     return 100.0 * wrong / RAYS;
 }
 
-static void ask_scene(const struct stick_kind *kind, double n, int is_round)
+static void ask_scene(const struct sticks *s)
 {
-    struct sticks s;
-    draw_sticks(kind, (size_t)n, is_round, 1, &s);
-    if (is_wanted(s.name)) {
-        build(&in.curves, &s, 1, CURVES);
-        build_all(in.ours, &s, 1, 0);
-        build_all(in.bare, &s, 1, CYLINT_EMBREE_NO_FILTERS);
-        draw_incoherent(RAYS, in.ray);
-        ask(&s, "nearest; incoherent", nearest, nearest, in.ours);
-        print_figure(s.name, "wrong; incoherent", "curves", "%",
-                     percent_wrong(), 0);
-        ask(&s, "any; incoherent", any, any, in.ours);
-        ask(&s, "any; incoherent; no filters", any, any, in.bare);
-        draw_coherent(RAYS, in.ray);
-        ask(&s, "nearest; camera", nearest, nearest, in.ours);
-        ask(&s, "nearest; camera; packets; curves alone", nearest_in_packets,
-            nearest, in.ours);
-        ask(&s, "nearest; camera; packets", nearest_in_packets,
-            nearest_in_packets, in.ours);
-        print_figure(s.name, "a shape", "curves", "bytes", in.curves.bytes / n,
-                     in.ours[0].bytes / n);
-        release(&in.curves, 0);
-        for (int k = 0; k < MOST; k++) {
-            release(&in.ours[k], 1);
-            release(&in.bare[k], 1);
-        }
-    }
-    free_sticks(&s);
+    draw_incoherent(RAYS, in.ray);
+    ask(s, "nearest; incoherent", NULL, nearest, nearest, in.ours);
+    print_figure(s->name, "wrong; incoherent", NULL, "curves", "%",
+                 percent_wrong(), 0);
+    ask(s, "any; incoherent", NULL, any, any, in.ours);
+    ask(s, "any; incoherent; no filters", NULL, any, any, in.bare);
+    draw_coherent(RAYS, in.ray);
+    ask(s, "nearest; camera", NULL, nearest, nearest, in.ours);
+    ask(s, "nearest; camera; packets; curves alone", NULL, nearest_in_packets,
+        nearest, in.ours);
+    ask(s, "nearest; camera; packets", NULL, nearest_in_packets,
+        nearest_in_packets, in.ours);
+    print_figure(s->name, "a shape", NULL, "curves", "bytes",
+                 in.curves.bytes / (double)s->n,
+                 in.ours[0].bytes / (double)s->n);
 }
 
-static void ask_parts(const struct sticks *s, const char *rays, size_t parts)
+/* A geometry for each cell, or all merged. */
+static void ask_parts(const struct sticks *s)
 {
-    char question[64];
-    snprintf(question, sizeof question, "nearest; %s; %zu parts", rays, parts);
-    ask(s, question, nearest, nearest, in.ours);
-    snprintf(question, sizeof question, "nearest; %s; %zu parts merged", rays,
-             parts);
-    ask(s, question, nearest, nearest, in.bare);
+    static const struct {
+        const char *question;
+        draw_rays *draw;
+    } asked[] = {{"nearest; incoherent", draw_incoherent},
+                 {"nearest; camera", draw_coherent}};
+    char alone[32], merged[32];
+    snprintf(alone, sizeof alone, "%zu parts", parts_of(s));
+    snprintf(merged, sizeof merged, "%zu parts merged", parts_of(s));
+    for (int k = 0; k < 2; k++) {
+        asked[k].draw(RAYS, in.ray);
+        ask(s, asked[k].question, alone, nearest, nearest, in.ours);
+        ask(s, asked[k].question, merged, nearest, nearest, in.bare);
+    }
 }
 
-/* The same number in each of side^3 cells, a geometry each, or all merged. */
-static void ask_many(const struct stick_kind *kind, size_t side)
+static void ask_sticks(const struct sticks *s)
 {
-    const size_t parts = side * side * side;
-    struct sticks s;
-    draw_sticks(kind, 100000, 0, side, &s);
-    if (is_wanted(s.name)) {
-        build(&in.curves, &s, parts, CURVES);
-        build_all(in.ours, &s, parts, 0);
-        build_all(in.bare, &s, parts, MERGED);
-        draw_incoherent(RAYS, in.ray);
-        ask_parts(&s, "incoherent", parts);
-        draw_coherent(RAYS, in.ray);
-        ask_parts(&s, "camera", parts);
-        release(&in.curves, 0);
-        for (int k = 0; k < MOST; k++) {
-            release(&in.ours[k], 1);
-            release(&in.bare[k], 1);
-        }
+    build(&in.curves, s, CURVES);
+    for (int k = 0; use_kernels(k); k++) {
+        build(&in.ours[k], s, 0);
+        build(&in.bare[k], s, s->side > 1 ? MERGED : CYLINT_EMBREE_NO_FILTERS);
     }
-    free_sticks(&s);
+    (s->side > 1 ? ask_parts : ask_scene)(s);
+    release(&in.curves, 0);
+    for (int k = 0; k < KERNELS_MOST; k++) {
+        release(&in.ours[k], 1);
+        release(&in.bare[k], 1);
+    }
 }
 
 void bench_embree(void)
@@ -324,18 +304,18 @@ void bench_embree(void)
         const struct stick_kind *kind;
         double n;
         int is_round;
-    } scenes[] = {{&thin, 1e3, 0},        {&fat, 1e3, 0},
-                  {&thin_sticks, 1e5, 0}, {&fat_sticks, 1e5, 0},
-                  {&fibres, 1e5, 0},      {&thin, 1e6, 0},
-                  {&thin_sticks, 1e6, 0}, {&fat_sticks, 1e6, 0},
-                  {&thin_sticks, 1e6, 1}, {&fat_sticks, 1e6, 1}};
+        size_t side;
+    } scenes[] = {{&thin, 1e3, 0, 1},        {&fat, 1e3, 0, 1},
+                  {&thin_sticks, 1e5, 0, 1}, {&fat_sticks, 1e5, 0, 1},
+                  {&fibres, 1e5, 0, 1},      {&thin, 1e6, 0, 1},
+                  {&thin_sticks, 1e6, 0, 1}, {&fat_sticks, 1e6, 0, 1},
+                  {&thin_sticks, 1e6, 1, 1}, {&fat_sticks, 1e6, 1, 1},
+                  {&thin_sticks, 1e5, 0, 8}, {&fat_sticks, 1e5, 0, 8},
+                  {&fat_sticks, 1e5, 0, 18}};
 #if defined(__SSE2__)
     _mm_setcsr(_mm_getcsr() | 0x8040); /* subnormals are 0: Embree's advice */
 #endif
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
-        if (scenes[i].n <= largest(1e6))
-            ask_scene(scenes[i].kind, scenes[i].n, scenes[i].is_round);
-    ask_many(&thin_sticks, 8);
-    ask_many(&fat_sticks, 8);
-    ask_many(&fat_sticks, 18);
+        with_sticks(scenes[i].kind, scenes[i].n, scenes[i].is_round,
+                    scenes[i].side, ask_sticks);
 }

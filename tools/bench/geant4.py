@@ -21,6 +21,7 @@ from fractions import Fraction
 from math import cos, isqrt, radians, sin
 
 import numpy as np
+from rows import print_header, print_row
 
 import libcylint as cylint
 
@@ -299,9 +300,7 @@ def row(solid, family, n):
     for question, unit, theirs, ours in (
             (f"all pieces; {name}", "ns", steps, pieces),
             (f"wrong of {n}; {name}", "1", *wrong)):
-        ratio = f"{ours / theirs:.4g}" if theirs else "-"
-        print(f"geant4,   {solid.name + ',':19} {question + ',':43} -,        Geant4,"
-              f"{unit + ',':>19} {theirs:.4g}, {ours:.4g}, {ratio}", flush=True)
+        print_row("geant4", solid.name, question, "Geant4", unit, theirs, ours)
     return wrong[1]
 
 
@@ -310,7 +309,7 @@ def main():
     n = int(sys.argv[2]) if len(sys.argv) > 2 else 4000
     for name in ("geant4_steps", "cylint_pieces_of"):
         getattr(library, name).restype = ctypes.c_double
-    print("case,subject,question,order,rival,unit,theirs,ours,ratio")
+    print_header()
     wrong = sum(row(Solid(library, kind, *sector), family, n)
                 for kind in RADII for sector in SECTORS for family in FAMILIES)
     sys.exit(wrong > 0)

@@ -33,6 +33,17 @@ void draw_direction(uint64_t *random, double d[3])
     normalise(d);
 }
 
+double approach(double (*function)(double), double most, double wanted)
+{
+    double low = 0, high = most, value = 0;
+    for (int step = 0; step < 16; step++) {
+        const double middle = 0.5 * (low + high);
+        value = function(middle);
+        *(value > wanted ? &low : &high) = middle;
+    }
+    return value;
+}
+
 void draw_solid(uint64_t *random, enum kind kind, struct solid *s)
 {
     *s = (struct solid){.kind = kind,

@@ -33,4 +33,8 @@ void draw_solid(uint64_t *random, enum kind kind, struct solid *s);
 
 cylint_shape shape_of(const struct solid *s);
 
+/* Calls a function that falls from 0 to `most`, the last time near the argument
+ * at which it is `wanted`.  Returns the value there. */
+double approach(double (*function)(double), double most, double wanted);
+
 #endif

@@ -24,12 +24,6 @@ static struct {
     lean_line *formula;
 } in;
 
-static int by_size(const void *x, const void *y)
-{
-    const double a = *(const double *)x, b = *(const double *)y;
-    return (a > b) - (a < b);
-}
-
 /* ----------------------------------------------------------------- input -- */
 
 static struct solid solid_of(const struct family_case *c)
@@ -108,7 +102,6 @@ static void print_errors(const char *subject, const char *family,
 {
     int wrong = 0;
     size_t n = 0;
-    char question[64];
     for (int i = 0; i < CASES; i++) {
         cylint_answer a;
         answer_one(method->answer, i, &a);
@@ -118,17 +111,15 @@ static void print_errors(const char *subject, const char *family,
                             sqrt(dot3(in.line[i].d, in.line[i].d)) /
                             fmax(in.solid[i].r0, in.solid[i].r1);
     }
-    snprintf(question, sizeof question, "%s; wrong", family);
-    print_figure(subject, question, method->name, "%", 100.0 * wrong / CASES,
-                 0);
+    qsort(in.error, n, sizeof *in.error, compare_doubles);
+    print_figure(subject, family, "wrong", method->name, "%",
+                 100.0 * wrong / CASES, 0);
     if (n == 0)
         return;
-    qsort(in.error, n, sizeof *in.error, by_size);
-    snprintf(question, sizeof question, "%s; median error", family);
-    print_figure(subject, question, method->name, "r", in.error[n / 2], 0);
-    snprintf(question, sizeof question, "%s; error of 99 %%", family);
-    print_figure(subject, question, method->name, "r", in.error[n * 99 / 100],
-                 0);
+    print_figure(subject, family, "median error", method->name, "r",
+                 in.error[n / 2], 0);
+    print_figure(subject, family, "error of 99 %", method->name, "r",
+                 in.error[n * 99 / 100], 0);
 }
 
 static void ask_methods(const char *subject, const char *family)

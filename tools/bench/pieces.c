@@ -7,7 +7,7 @@
  */
 #include "sticks.h"
 #ifdef CYLINT_EMBREE
-#include "embree_chords.h"
+#include "embree.h"
 #endif
 
 enum { RAYS = 1024, ROOM = 1 << 16, WORK = 1 << 23 };
@@ -15,18 +15,11 @@ enum { RAYS = 1024, ROOM = 1 << 16, WORK = 1 << 23 };
 static struct {
     const cylint_shape *shapes;
     cylint_line line[RAYS];
-    float ray[RAYS][2][3];
     size_t numbers[ROOM];
     cylint_piece pieces[ROOM];
     char work[WORK];
     double end[2 * ROOM][2]; /* t, and 1 or -1 */
 } in;
-
-static int compare_ends(const void *x, const void *y)
-{
-    const double a = *(const double *)x, b = *(const double *)y;
-    return (a > b) - (a < b);
-}
 
 /* The length of the union of all chords. */
 static double one_by_recipe(const cylint_scene *scene, const cylint_line *line)
@@ -43,7 +36,7 @@ static double one_by_recipe(const cylint_scene *scene, const cylint_line *line)
             in.end[ends++][1] = j == 0 ? 1 : -1;
         }
     }
-    qsort(in.end, ends, sizeof *in.end, compare_ends);
+    qsort(in.end, ends, sizeof *in.end, compare_doubles);
     double depth = 0, begin = 0, sum = 0;
     for (size_t i = 0; i < ends; i++) {
         if (depth == 0)
@@ -88,11 +81,9 @@ static void ask_scene(const struct sticks *s)
     size_t hits = 0;
     in.shapes = s->shapes;
     make_scenes(s);
-    draw_incoherent(RAYS, in.ray);
-    for (int i = 0; i < RAYS; i++) {
-        make_line(in.ray[i], &in.line[i]);
+    draw_lines(draw_incoherent, RAYS, in.line);
+    for (int i = 0; i < RAYS; i++)
         hits += cylint_scene_count(scene_in_use(), &in.line[i], 0);
-    }
     struct contest c = {.subject = s->name,
                         .question = "union of all pieces",
                         .rival = "recipe",
@@ -100,7 +91,7 @@ static void ask_scene(const struct sticks *s)
                         .ours = all_of_union,
                         .questions = RAYS,
                         .units = (double)hits / RAYS};
-    print_figure(s->name, "hits of a ray", NULL, "1", NAN, c.units);
+    print_figure(s->name, "hits of a ray", NULL, NULL, "1", NAN, c.units);
     compete(&c);
     c.question = "pieces by owner";
     c.ours = all_of_owners;
@@ -128,11 +119,6 @@ void bench_pieces(void)
 {
     static const struct stick_kind *const kinds[] = {&thin, &fat};
     for (double n = 1e4; n <= largest(1e6); n *= 10)
-        for (int k = 0; k < 2; k++) {
-            struct sticks s;
-            draw_sticks(kinds[k], (size_t)n, 0, 1, &s);
-            if (is_wanted(s.name))
-                ask_scene(&s);
-            free_sticks(&s);
-        }
+        for (int k = 0; k < 2; k++)
+            with_sticks(kinds[k], n, 0, 1, ask_scene);
 }

@@ -13,18 +13,13 @@ import sys
 import time
 
 import numpy as np
+from rows import print_header, print_row
 
 import libcylint as cylint
 
 ROUNDS = 3
 QUICK = "--quick" in sys.argv
 SOURCE = 3.0  # of the projection: how far from the centre, the detector behind that
-
-
-def print_row(subject, question, rival, unit, theirs, ours):
-    ratio = f"{ours / theirs:.4g}" if theirs else "-"
-    print(f"python,   {subject + ',':19} {question + ',':43} -,        {rival + ',':21}",
-          f"{unit + ',':3} {theirs:.4g}, {ours:.4g}, {ratio}", flush=True)
 
 
 def compete(subject, question, rival, n, theirs, ours):
@@ -35,7 +30,7 @@ def compete(subject, question, rival, n, theirs, ours):
             start = time.process_time()
             answers[i] = call()
             least[i] = min(least[i], time.process_time() - start)
-    print_row(subject, question, rival, "ns", *(1e9 * t / n for t in least))
+    print_row("python", subject, question, rival, "ns", *(1e9 * t / n for t in least))
     return answers
 
 
@@ -236,7 +231,7 @@ def one_cylinder(n, random):
                 "1 cylinder", f"relation and t; {family}", rival.name, m,
                 lambda: rival.nearest(o, d),
                 lambda: cylint.intersect(rod, o, d, threads=1))
-            print_row("1 cylinder", f"wrong verdicts; {family}", rival.name, "%",
+            print_row("python", "1 cylinder", f"wrong verdicts; {family}", rival.name, "%",
                       100 * ((theirs >= 0) != (ours.n > 0)).mean(), 0)
 
 
@@ -256,16 +251,16 @@ def many_cylinders(n, random):
                 "5000 cylinders", f"nearest; {name}", rival.name, m,
                 lambda: rival.nearest(o[:m], d[:m]),
                 lambda: scene.nearest(o[:m], d[:m], threads=1))
-            print_row("5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
+            print_row("python", "5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
                       100 * (theirs != ours.index).mean(), 0)
         for name, p in points.items() if rival.name == "Open3D 64 facets" else ():
             theirs, ours = compete(
                 "5000 cylinders", f"closest; {name}", rival.name, len(p),
                 lambda: rival.closest(p), lambda: scene.closest(p, threads=1))
             error = abs(theirs[1] - abs(ours.distance)) / shapes[2][ours.index]
-            print_row("5000 cylinders", f"median error; {name}", rival.name, "r",
+            print_row("python", "5000 cylinders", f"median error; {name}", rival.name, "r",
                       np.median(error), 0)
-            print_row("5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
+            print_row("python", "5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
                       100 * (theirs[0] != ours.index).mean(), 0)
 
 
@@ -284,12 +279,12 @@ def path_lengths(n, random):
         error = abs(sums - ours) / ours[ours > 0].mean()
         for name, unit, x in (("mean error", "1", error.mean()),
                               ("largest error", "1", error.max()), ("unpaired", "1", odd)):
-            print_row("1000 cylinders", f"sums; {name}", rival.name, unit, x, 0)
+            print_row("python", "1000 cylinders", f"sums; {name}", rival.name, unit, x, 0)
 
 
 def main():
     n = 100_000 if QUICK else 1_000_000
-    print("case,subject,question,order,rival,unit,theirs,ours,ratio")
+    print_header()
     for case in one_cylinder, many_cylinders, path_lengths:
         case(n, np.random.default_rng(1))
 

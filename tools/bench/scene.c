@@ -14,8 +14,6 @@ enum { RAYS = 4096, ROOM = 256 };
 
 static struct {
     cylint_line line[RAYS];
-    double point[RAYS][3];
-    float ray[RAYS][2][3];
 } in;
 
 /* --------------------------------------------------------------- queries -- */
@@ -23,7 +21,7 @@ static struct {
 static inline double closest_of(const cylint_scene *scene, int i)
 {
     cylint_closest a = {.distance = 0};
-    cylint_scene_closest(scene, in.point[i], HUGE_VAL, 0, &a);
+    cylint_scene_closest(scene, in.line[i].o, HUGE_VAL, 0, &a);
     return a.distance;
 }
 
@@ -39,7 +37,7 @@ BENCH_TURN(all, SCENE; size_t numbers[ROOM],
 BENCH_TURN(closest, SCENE, closest_of(scene, i))
 BENCH_TURN(within, SCENE;
            const double most = *(const double *)input,
-           cylint_scene_within_count(scene, in.point[i], most, 0, 0))
+           cylint_scene_within_count(scene, in.line[i].o, most, 0, 0))
 
 /* ----------------------------------------------------- building and files
  * -- */
@@ -82,21 +80,22 @@ static void measure_building(const struct sticks *s)
     cylint_scene *scene = cylint_scene_new(s->shapes, s->n, 1, NULL);
     const double build = process_seconds() - start;
     must(scene != NULL, "out of memory");
-    print_figure(s->name, "build", NULL, "s", NAN, build);
-    print_figure(s->name, "a shape", NULL, "bytes", NAN,
+    print_figure(s->name, "build", NULL, NULL, "s", NAN, build);
+    print_figure(s->name, "a shape", NULL, NULL, "bytes", NAN,
                  (double)cylint_scene_bytes(scene) / (double)s->n);
-    print_figure(s->name, "move 1 % of the shapes", "build", "s", build,
+    print_figure(s->name, "move 1 % of the shapes", NULL, "build", "s", build,
                  seconds_of_refit(scene, s, s->n / 100));
-    print_figure(s->name, "move half of the shapes", "build", "s", build,
+    print_figure(s->name, "move half of the shapes", NULL, "build", "s", build,
                  seconds_of_refit(scene, s, s->n / 2));
     const double saved = clock_seconds();
     must(cylint_scene_save(scene, path) == CYLINT_SCENE_OK,
          "a scene was not saved");
-    print_figure(s->name, "save", "build", "s", build, clock_seconds() - saved);
-    print_figure(s->name, "open trusted and first line", "build", "s", build,
-                 seconds_to_open(path, CYLINT_SCENE_TRUSTED));
-    print_figure(s->name, "open checked and first line", "build", "s", build,
-                 seconds_to_open(path, 0));
+    print_figure(s->name, "save", NULL, "build", "s", build,
+                 clock_seconds() - saved);
+    print_figure(s->name, "open trusted and first line", NULL, "build", "s",
+                 build, seconds_to_open(path, CYLINT_SCENE_TRUSTED));
+    print_figure(s->name, "open checked and first line", NULL, "build", "s",
+                 build, seconds_to_open(path, 0));
     remove(path);
     cylint_scene_free(scene);
 }
@@ -116,12 +115,7 @@ static void measure_queries(const struct sticks *s)
                  {"nearest; rays of a camera", nearest}};
     make_scenes(s);
     for (size_t q = 0; q < sizeof asked / sizeof *asked; q++) {
-        (q < 6 ? draw_incoherent : draw_coherent)(RAYS, in.ray);
-        for (int i = 0; i < RAYS; i++) {
-            make_line(in.ray[i], &in.line[i]);
-            for (int j = 0; j < 3; j++)
-                in.point[i][j] = in.ray[i][0][j];
-        }
+        draw_lines(q < 6 ? draw_incoherent : draw_coherent, RAYS, in.line);
         compete(&(struct contest){.subject = s->name,
                                   .question = asked[q].name,
                                   .ours = asked[q].ours,
@@ -131,20 +125,17 @@ static void measure_queries(const struct sticks *s)
     free_scenes();
 }
 
+static void ask_scene(const struct sticks *s)
+{
+    measure_queries(s);
+    measure_building(s);
+}
+
 void bench_scene(void)
 {
     static const struct stick_kind *const kinds[] = {&thin, &fat, &fibres};
     const double sizes[] = {1e4, 1e6, largest(1e6)};
     for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 3; i++) {
-            struct sticks s;
-            if (sizes[i] > sizes[2] || (i == 2 && sizes[2] <= 1e6))
-                continue;
-            draw_sticks(kinds[k], (size_t)sizes[i], 0, 1, &s);
-            if (is_wanted(s.name)) {
-                measure_queries(&s);
-                measure_building(&s);
-            }
-            free_sticks(&s);
-        }
+        for (int i = 0; i < (sizes[2] > 1e6 ? 3 : 2); i++)
+            with_sticks(kinds[k], sizes[i], 0, 1, ask_scene);
 }

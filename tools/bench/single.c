@@ -44,27 +44,16 @@ static void ordinary_ray(int i, double spread)
     make_ray(i, o, d);
 }
 
-static int percent_of_hits(void)
+/* Draws all rays.  Returns the percentage of hits. */
+static double ordinary_rays(double spread)
 {
     int hits = 0;
-    for (int i = 0; i < PAIRS; i++)
+    in.random = 11;
+    for (int i = 0; i < PAIRS; i++) {
+        ordinary_ray(i, spread);
         hits += cylint_occluded(&in.shape[i], &in.line[i]);
-    return (100 * hits + PAIRS / 2) / PAIRS;
-}
-
-/* Rays of which that many per cent hit, the spread by bisection. Returns 0
- * if there are none: an infinite shape is hard to miss. */
-static int ordinary_rays(int percent)
-{
-    double low = 0, high = 64;
-    for (int step = 0; step < 16; step++) {
-        const double spread = 0.5 * (low + high);
-        in.random = 11;
-        for (int i = 0; i < PAIRS; i++)
-            ordinary_ray(i, spread);
-        *(percent_of_hits() > percent ? &low : &high) = spread;
     }
-    return abs(percent_of_hits() - percent) <= 3;
+    return (100 * hits + PAIRS / 2) / PAIRS;
 }
 
 /* A unit vector across the axis. */
@@ -191,17 +180,15 @@ static void ask(const char *subject, const char *setup)
     } asked[] = {{"verdict", lean_both, verdicts},
                  {"both t", lean_both, both_t},
                  {"nearest t and normal", lean_nearest, nearest_and_normal}};
-    for (int k = 0; k < 3; k++) {
-        char question[64];
-        snprintf(question, sizeof question, "%s; %s", asked[k].name, setup);
+    for (int k = 0; k < 3; k++)
         compete(&(struct contest){.subject = subject,
-                                  .question = question,
+                                  .question = asked[k].name,
+                                  .setup = setup,
                                   .rival = "prepared quadratic",
                                   .theirs = asked[k].theirs,
                                   .ours = asked[k].ours,
                                   .questions = PAIRS,
                                   .shuffled = 1});
-    }
 }
 
 static void ask_hard(const char *subject)
@@ -222,7 +209,10 @@ static void ask_hard(const char *subject)
 
 static void ask_kind(enum kind kind, int is_infinite)
 {
-    static const int percents[] = {93, 22, 1};
+    static const struct {
+        int percent;
+        const char *setup;
+    } shares[] = {{93, "93 % hit"}, {22, "22 % hit"}, {1, "1 % hit"}};
     char subject[32];
     snprintf(subject, sizeof subject, "%s%s", is_infinite ? "infinite " : "",
              kind_names[kind]);
@@ -237,12 +227,11 @@ static void ask_kind(enum kind kind, int is_infinite)
     }
     in.both = lean_line_of(&in.solid[0]);
     in.first = lean_normal_of(&in.solid[0]);
+    /* An infinite shape is hard to miss. */
     for (int k = 0; k < 3; k++)
-        if (ordinary_rays(percents[k])) {
-            char setup[32];
-            snprintf(setup, sizeof setup, "%d %% hit", percents[k]);
-            ask(subject, setup);
-        }
+        if (fabs(approach(ordinary_rays, 64, shares[k].percent) -
+                 shares[k].percent) <= 3)
+            ask(subject, shares[k].setup);
     ask_hard(subject);
 }
 

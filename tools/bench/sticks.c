@@ -3,8 +3,6 @@
  */
 #include "sticks.h"
 
-#include <string.h>
-
 const struct stick_kind thin_sticks = {"thin sticks", 1, 1.0 / 20},
                         fat_sticks = {"fat sticks", 1, 1.0 / 3},
                         thin = {"thin", 3, 1.0 / 20},
@@ -34,20 +32,16 @@ static void draw_stick(uint64_t *random, const double low[3], double width,
          "a shape was refused");
 }
 
-void draw_sticks(const struct stick_kind *kind, size_t n, int is_round,
-                 size_t side, struct sticks *to)
+static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
 {
     uint64_t random = 1;
+    const size_t n = to->n, side = to->side;
     const double length = kind->length / cbrt((double)n);
     const double width = 1 / (double)side;
     const size_t cells = side * side * side;
-    *to = (struct sticks){.n = n,
-                          .is_round = is_round,
-                          .end = need(n * sizeof *to->end),
-                          .radius = need(n * sizeof *to->radius),
-                          .shapes = need(n * sizeof *to->shapes)};
-    snprintf(to->name, sizeof to->name, "%.0e %s%s", (double)n,
-             is_round ? "round " : "", kind->name);
+    to->end = need(n * sizeof *to->end);
+    to->radius = need(n * sizeof *to->radius);
+    to->shapes = need(n * sizeof *to->shapes);
     for (size_t cell = 0; cell < cells; cell++) {
         const double low[3] = {width * (double)(cell % side),
                                width * (double)(cell / side % side),
@@ -58,11 +52,19 @@ void draw_sticks(const struct stick_kind *kind, size_t n, int is_round,
     }
 }
 
-void free_sticks(struct sticks *s)
+void with_sticks(const struct stick_kind *kind, double n, int is_round,
+                 size_t side, void (*ask)(const struct sticks *s))
 {
-    free(s->end);
-    free(s->radius);
-    free(s->shapes);
+    struct sticks s = {.n = (size_t)n, .side = side, .is_round = is_round};
+    snprintf(s.name, sizeof s.name, "%.0e %s%s", n, is_round ? "round " : "",
+             kind->name);
+    if (n > largest(1e6) || !is_wanted(s.name))
+        return;
+    draw_sticks(kind, &s);
+    ask(&s);
+    free(s.end);
+    free(s.radius);
+    free(s.shapes);
 }
 
 static void set_ray(float ray[2][3], const double o[3], double d[3])
@@ -100,42 +102,40 @@ void draw_coherent(int n, float (*ray)[2][3])
     }
 }
 
-void make_line(float ray[2][3], cylint_line *line)
+void draw_lines(draw_rays *draw, int n, cylint_line *line)
 {
-    double o[3], d[3];
-    for (int j = 0; j < 3; j++) {
-        o[j] = ray[0][j];
-        d[j] = ray[1][j];
+    float(*ray)[2][3] = need((size_t)n * sizeof *ray);
+    draw(n, ray);
+    for (int i = 0; i < n; i++) {
+        double end[2][3];
+        for (int j = 0; j < 6; j++)
+            end[j / 3][j % 3] = ray[i][j / 3][j % 3];
+        must(cylint_ray(&line[i], end[0], end[1]) == CYLINT_OK,
+             "a ray was refused");
     }
-    must(cylint_ray(line, o, d) == CYLINT_OK, "a ray was refused");
+    free(ray);
 }
 
 /* ---------------------------------------------------------------- scenes -- */
 
-enum { MOST = 8 };
-static cylint_scene *scenes[MOST];
+static cylint_scene *scenes[KERNELS_MOST];
 
 void make_scenes(const struct sticks *s)
 {
-    for (int k = 0; k < MOST && cylint_kernels_name(k); k++) {
-        cylint_use_kernels(cylint_kernels_name(k));
+    for (int k = 0; use_kernels(k); k++) {
         scenes[k] = cylint_scene_new(s->shapes, s->n, 1, NULL);
         must(scenes[k] != NULL, "out of memory");
     }
-    cylint_use_kernels(NULL);
 }
 
 const cylint_scene *scene_in_use(void)
 {
-    int k = 0;
-    while (strcmp(cylint_kernels_name(k), cylint_kernels_in_use()))
-        k++;
-    return scenes[k];
+    return scenes[kernels_in_use()];
 }
 
 void free_scenes(void)
 {
-    for (int k = 0; k < MOST; k++) {
+    for (int k = 0; k < KERNELS_MOST; k++) {
         cylint_scene_free(scenes[k]);
         scenes[k] = NULL;
     }

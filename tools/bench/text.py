@@ -19,6 +19,7 @@ from pathlib import Path
 os.environ["POLARS_MAX_THREADS"] = "1"
 
 import numpy as np  # noqa: E402
+from rows import print_header, print_row  # noqa: E402
 
 ROUNDS, COPIES = 5, 20
 COMMAND, RECORDS = sys.argv[1], 200_000 if "--quick" in sys.argv else 2_000_000
@@ -78,27 +79,20 @@ def rivals(file):
         yield name, lambda command=command: run(command, file)
 
 
-def print_row(question, rival, unit, theirs, ours):
-    has_rival = theirs is not None
-    figure, ratio = (f"{theirs:.4g}", f"{ours / theirs:.4g}") if has_rival else "--"
-    print(f"text,     command,            {question + ',':43} -,        {rival + ',':21}",
-          f"{unit + ',':3} {figure}, {ours:.4g}, {ratio}", flush=True)
-
-
 def main():
-    print("case,subject,question,order,rival,unit,theirs,ours,ratio")
+    print_header()
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         write_records(folder)
         ours = [COMMAND, "-k", "ray,cylinder", "-j", "1"]
         for rival, call in rivals(folder / "text"):
             times = [(call(), run(ours, folder / "text")) for _ in range(ROUNDS)]
-            print_row("a record", rival, "ns",
+            print_row("text", "command", "a record", rival, "ns",
                       *(1e9 * min(t) / RECORDS for t in zip(*times)))
         for name, flags in ("text", []), ("doubles", ["-b"]):
             file = folder / name
             least = min(run([*ours, *flags], file) for _ in range(ROUNDS))
-            print_row(name, "-", "MB/s", None, file.stat().st_size / least / 1e6)
+            print_row("text", "command", name, "-", "MB/s", None, file.stat().st_size / least / 1e6)
 
 
 if __name__ == "__main__":

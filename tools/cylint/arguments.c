@@ -87,6 +87,19 @@ int check_value(const struct option *o, const char *value, int is_right)
     return is_right ? 0 : usage_value(o, value, o->extra, NULL);
 }
 
+int read_about(const struct option *o, const char *value, void *place)
+{
+    int index;
+    *(const char **)place = value ? value : o->name;
+    return value ? read_word(o, value, &index) : 0;
+}
+
+const char *read_finite(const char *p, double *value)
+{
+    const char *after = cylint_read_number(p, p + strlen(p), value);
+    return after && *value - *value == 0 ? after : NULL;
+}
+
 const char *read_bound(const char *p, double *bound)
 {
     const char *word = p + (*p == '-' || *p == '+');
@@ -94,8 +107,7 @@ const char *read_bound(const char *p, double *bound)
         *bound = *p == '-' ? -HUGE_VAL : HUGE_VAL;
         return word + 3;
     }
-    const char *after = cylint_read_number(p, p + strlen(p), bound);
-    return after && *bound - *bound == 0 ? after : NULL;
+    return read_finite(p, bound);
 }
 
 /* ------------------------------------------------------------ arguments -- */

@@ -37,6 +37,7 @@ option_reader read_flag;  /* sets an int to `number` */
 option_reader read_text;  /* a const char *, the value */
 option_reader read_word;  /* an int, the index of a word */
 option_reader read_count; /* an int from 1 to `number` */
+option_reader read_about; /* a const char *, the word or the option's name */
 
 /* Prints a message and a hint to --help.  Returns EXIT_USAGE. */
 int usage(const char *format, ...)
@@ -53,8 +54,9 @@ int usage_value(const struct option *o, const char *value, const char *expected,
  * returns EXIT_USAGE. */
 int check_value(const struct option *o, const char *value, int is_right);
 
-/* Reads a number, inf or -inf at p.  Returns the byte after it, or NULL.
- * The ends of a domain may be infinite; the numbers of a record may not. */
+/* Both read a number at p and return the byte after it, or NULL.  The ends of a
+ * domain may be inf or -inf; the numbers of a record may not. */
+const char *read_finite(const char *p, double *value);
 const char *read_bound(const char *p, double *bound);
 
 /* Reads argv[1..argc) into *options, moves the files to the front of argv

@@ -60,13 +60,6 @@ static int read_method(const struct option *o, const char *value, void *place)
     return 0;
 }
 
-static int read_printed(const struct option *o, const char *value, void *place)
-{
-    int index;
-    *(const char **)place = value ? value : o->name;
-    return value ? read_word(o, value, &index) : 0;
-}
-
 /* ---------------------------------------------------------------- table -- */
 
 enum { COUNT_MOST = INT_MAX / 10 - 1 };
@@ -161,10 +154,10 @@ static const struct option options_known[] = {
     {"o", "FILE", read_text, AT(output), 0, 0, 0, "output file"},
     {"progress", 0, read_flag, AT(progress), 0, 1, 0,
      "write the progress to standard error"},
-    {"list", "=WHAT", read_printed, AT(print), lists, 0, 0,
+    {"list", "=WHAT", read_about, AT(print), lists, 0, 0,
      "methods, shapes or columns, one a line"},
-    {"help", 0, read_printed, AT(print), 0, 0, 0, NULL},
-    {"version", 0, read_printed, AT(print), 0, 0, 0, ""},
+    {"help", 0, read_about, AT(print), 0, 0, 0, NULL},
+    {"version", 0, read_about, AT(print), 0, 0, 0, ""},
     {0}};
 
 static int is_given(const struct options *o, const char *name)

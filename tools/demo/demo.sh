@@ -1,7 +1,7 @@
 #!/bin/sh
 # demo.sh - a laser scan of a generated forest, from text to text
 #
-# BUILD is the folder of the command; the demo writes to BUILD/demo.  AWK is the
+# The demo writes to BUILD/demo.  CYLINT is the command, or BUILD/cylint; AWK is the
 # awk to use.
 set -eu
 LC_ALL=C
@@ -9,6 +9,7 @@ export LC_ALL
 here=$(dirname "$0")
 build=${BUILD:-build}
 awk=${AWK:-awk}
+cylint=${CYLINT:-$build/cylint}
 out=$build/demo
 columns=400 rows=64
 
@@ -40,7 +41,7 @@ echo "at which height above the ground?"
 echo
 echo "\$ cylint -s forest.scene -f shape,t,part,z rays.txt > answers.txt"
 started=$(now)
-"$build/cylint" -s "$out/forest.scene" -f shape,t,part,z "$out/rays.txt" \
+"$cylint" -s "$out/forest.scene" -f shape,t,part,z "$out/rays.txt" \
     > "$out/answers.txt"
 ended=$(now)
 seconds=$($awk -v a="$started" -v b="$ended" 'BEGIN { printf "%.3f", b - a }')

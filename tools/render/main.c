@@ -3,15 +3,43 @@
  *
  * The locale is never set: numbers have a point everywhere.
  */
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "main.h"
 #include "options.h"
+#include "progress.h"
 #include "report.h"
-#include "stages.h"
 
 const char *const program = "cylint-render";
+
+/* -------------------------------------------------------------- stages -- */
+
+struct stages {
+    int reported;          /* on standard error */
+    double last, last_cpu; /* seconds; of all threads together */
+};
+
+static void stages_start(struct stages *stages, int reported)
+{
+    *stages = (struct stages){reported, seconds_of(CLOCK_MONOTONIC),
+                              seconds_of(CLOCK_PROCESS_CPUTIME_ID)};
+}
+
+/* Reports the time since the last call: `WHAT COUNT UNIT: SECONDS s, SECONDS s of
+ * CPU`. */
+static void stages_end(struct stages *stages, const char *what,
+                       unsigned long long count, const char *unit)
+{
+    const struct stages before = *stages;
+    stages_start(stages, before.reported);
+    if (before.reported)
+        fprintf(stderr, "%s: %s %llu %s: %.2f s, %.2f s of CPU\n", program,
+                what, count, unit, stages->last - before.last,
+                stages->last_cpu - before.last_cpu);
+}
+
+/* ------------------------------------------------------------- picture -- */
 
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
  * its rim.  Its record's tail has its colour. */

@@ -8,7 +8,6 @@
 
 #include "arguments.h"
 #include "main.h"
-#include "numbers.h"
 #include "options.h"
 #include "report.h"
 #include "swc.h"
@@ -19,12 +18,6 @@ static const uint32_t SKY_TOP = 0xc3d7ea, SKY_BOTTOM = 0xf6f3ec;
 static const uint32_t CLAY = 0xd9cbb8;
 
 /* ------------------------------------------------------------- values -- */
-
-static const char *read_finite(const char *p, double *value)
-{
-    const char *after = cylint_read_number(p, p + strlen(p), value);
-    return after && *value - *value == 0 ? after : NULL;
-}
 
 /* X,Y,Z */
 static int read_point(const char *p, struct vector *point)
@@ -153,13 +146,6 @@ static int read_output(const struct option *o, const char *value, void *place)
     return check_value(o, value, !is_other);
 }
 
-static int read_printed(const struct option *o, const char *value, void *place)
-{
-    (void)value;
-    *(const char **)place = o->name;
-    return 0;
-}
-
 /* ---------------------------------------------------------------- table -- */
 
 enum { OF_SURFACES = 1 /* an option for light and colour, not for X-rays */ };
@@ -218,8 +204,8 @@ static const struct option options_known[] = {
      "of a neuron, NAME.swc: cones (default) or round"},
     {"progress", 0, read_flag, AT(progress), 0, 1, 0,
      "report the progress on standard error"},
-    {"help", 0, read_printed, AT(print), 0, 0, 0, NULL},
-    {"version", 0, read_printed, AT(print), 0, 0, 0, ""},
+    {"help", 0, read_about, AT(print), 0, 0, 0, NULL},
+    {"version", 0, read_about, AT(print), 0, 0, 0, ""},
     {0}};
 
 static int is_given(const struct options *o, const char *name)

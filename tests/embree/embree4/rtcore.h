@@ -17,15 +17,10 @@
 #include <sys/types.h>
 
 #define RTC_VERSION_MAJOR 4
-#define RTC_VERSION_MINOR 4
-#define RTC_VERSION_PATCH 0
-#define RTC_VERSION 40400
-#define RTC_VERSION_STRING "4.4.0"
 
 #define RTC_MAX_INSTANCE_LEVEL_COUNT 1
 #define RTC_GEOMETRY_INSTANCE_ARRAY
 #define RTC_INVALID_GEOMETRY_ID ((unsigned int)-1)
-#define RTC_MAX_TIME_STEP_COUNT 129
 
 #define RTC_ALIGN(bytes) __attribute__((aligned(bytes)))
 #define RTC_FORCEINLINE static inline __attribute__((unused))
@@ -43,41 +38,27 @@ typedef struct RTCBufferTy *RTCBuffer;
 typedef struct RTCSceneTy *RTCScene; /* again, as in Embree's own headers */
 
 enum RTCDeviceProperty {
-    RTC_DEVICE_PROPERTY_VERSION = 0,
     RTC_DEVICE_PROPERTY_VERSION_MAJOR = 1,
-    RTC_DEVICE_PROPERTY_VERSION_MINOR = 2,
-    RTC_DEVICE_PROPERTY_VERSION_PATCH = 3,
-    RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED = 64,
-    RTC_DEVICE_PROPERTY_FILTER_FUNCTION_SUPPORTED = 66,
-    RTC_DEVICE_PROPERTY_USER_GEOMETRY_SUPPORTED = 100
+    RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED = 64
 };
 
 enum RTCError {
-    RTC_ERROR_NONE = 0,
-    RTC_ERROR_UNKNOWN = 1,
     RTC_ERROR_INVALID_ARGUMENT = 2,
-    RTC_ERROR_INVALID_OPERATION = 3,
-    RTC_ERROR_OUT_OF_MEMORY = 4,
-    RTC_ERROR_UNSUPPORTED_CPU = 5,
-    RTC_ERROR_CANCELLED = 6
+    RTC_ERROR_OUT_OF_MEMORY = 4
 };
 
 typedef void (*RTCErrorFunction)(void *user, enum RTCError, const char *text);
 typedef bool (*RTCMemoryMonitorFunction)(void *user, ssize_t bytes, bool post);
-typedef bool (*RTCProgressMonitorFunction)(void *user, double part);
 
 RTCDevice rtcNewDevice(const char *config);
-void rtcRetainDevice(RTCDevice);
 void rtcReleaseDevice(RTCDevice);
 ssize_t rtcGetDeviceProperty(RTCDevice, enum RTCDeviceProperty);
-enum RTCError rtcGetDeviceError(RTCDevice);
 void rtcSetDeviceErrorFunction(RTCDevice, RTCErrorFunction, void *user);
 void rtcSetDeviceMemoryMonitorFunction(RTCDevice, RTCMemoryMonitorFunction,
                                        void *user);
 
 RTCBuffer rtcNewBuffer(RTCDevice, size_t bytes);
 void *rtcGetBufferData(RTCBuffer);
-void rtcRetainBuffer(RTCBuffer);
 void rtcReleaseBuffer(RTCBuffer);
 
 /* ---------------------------------------------------- rays, hits, boxes -- */
@@ -85,10 +66,6 @@ void rtcReleaseBuffer(RTCBuffer);
 struct RTC_ALIGN(16) RTCBounds {
     float lower_x, lower_y, lower_z, align0;
     float upper_x, upper_y, upper_z, align1;
-};
-
-struct RTC_ALIGN(16) RTCLinearBounds {
-    struct RTCBounds bounds0, bounds1;
 };
 
 struct RTC_ALIGN(16) RTCRay {
@@ -153,14 +130,12 @@ RTC_FORCEINLINE void rtcInitRayQueryContext(struct RTCRayQueryContext *c)
 }
 
 enum RTCRayQueryFlags {
-    RTC_RAY_QUERY_FLAG_NONE = 0,
     RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER = 1 << 1,
     RTC_RAY_QUERY_FLAG_INCOHERENT = 0,
     RTC_RAY_QUERY_FLAG_COHERENT = 1 << 16
 };
 
 enum RTCFeatureFlags {
-    RTC_FEATURE_FLAG_NONE = 0,
     RTC_FEATURE_FLAG_ALL = -1 /* every bit; ISO C wants an int */
 };
 
@@ -258,10 +233,8 @@ enum RTCGeometryType {
 enum RTCFormat {
     RTC_FORMAT_UCHAR = 0x1001,
     RTC_FORMAT_UINT = 0x5001,
-    RTC_FORMAT_FLOAT3 = 0x9003,
     RTC_FORMAT_FLOAT4 = 0x9004,
-    RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR = 0x9234,
-    RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR = 0x9244
+    RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR = 0x9234
 };
 
 enum RTCBufferType {
@@ -270,16 +243,8 @@ enum RTCBufferType {
     RTC_BUFFER_TYPE_FLAGS = 32
 };
 
-enum RTCCurveFlags {
-    RTC_CURVE_FLAG_NEIGHBOR_LEFT = 1,
-    RTC_CURVE_FLAG_NEIGHBOR_RIGHT = 2
-};
-
 enum RTCBuildQuality {
-    RTC_BUILD_QUALITY_LOW = 0,
-    RTC_BUILD_QUALITY_MEDIUM = 1,
-    RTC_BUILD_QUALITY_HIGH = 2,
-    RTC_BUILD_QUALITY_REFIT = 3
+    RTC_BUILD_QUALITY_HIGH = 2
 };
 
 struct RTCBoundsFunctionArguments {
@@ -290,15 +255,10 @@ struct RTCBoundsFunctionArguments {
 typedef void (*RTCBoundsFunction)(const struct RTCBoundsFunctionArguments *);
 
 RTCGeometry rtcNewGeometry(RTCDevice, enum RTCGeometryType);
-void rtcRetainGeometry(RTCGeometry);
 void rtcReleaseGeometry(RTCGeometry);
 void rtcCommitGeometry(RTCGeometry);
-void rtcEnableGeometry(RTCGeometry);
-void rtcDisableGeometry(RTCGeometry);
 void rtcSetGeometryTimeStepCount(RTCGeometry, unsigned int);
-void rtcSetGeometryTimeRange(RTCGeometry, float from, float to);
 void rtcSetGeometryMask(RTCGeometry, unsigned int);
-void rtcSetGeometryBuildQuality(RTCGeometry, enum RTCBuildQuality);
 void rtcSetGeometryUserData(RTCGeometry, void *);
 void *rtcGetGeometryUserData(RTCGeometry);
 void rtcSetGeometryUserPrimitiveCount(RTCGeometry, unsigned int);
@@ -307,7 +267,6 @@ void rtcSetGeometryIntersectFunction(RTCGeometry, RTCIntersectFunctionN);
 void rtcSetGeometryOccludedFunction(RTCGeometry, RTCOccludedFunctionN);
 void rtcSetGeometryIntersectFilterFunction(RTCGeometry, RTCFilterFunctionN);
 void rtcSetGeometryOccludedFilterFunction(RTCGeometry, RTCFilterFunctionN);
-void rtcSetGeometryEnableFilterFunctionFromArguments(RTCGeometry, bool);
 void rtcInvokeIntersectFilterFromGeometry(
     const struct RTCIntersectFunctionNArguments *,
     const struct RTCFilterFunctionNArguments *);
@@ -320,114 +279,24 @@ void rtcSetGeometryTransform(RTCGeometry, unsigned int step, enum RTCFormat,
 void *rtcSetNewGeometryBuffer(RTCGeometry, enum RTCBufferType,
                               unsigned int slot, enum RTCFormat,
                               size_t stride, size_t items);
-void rtcSetSharedGeometryBuffer(RTCGeometry, enum RTCBufferType,
-                                unsigned int slot, enum RTCFormat,
-                                const void *from, size_t offset,
-                                size_t stride, size_t items);
 
 /* ---------------------------------------------------------------- scene -- */
 
 enum RTCSceneFlags {
-    RTC_SCENE_FLAG_NONE = 0,
-    RTC_SCENE_FLAG_DYNAMIC = 1,
-    RTC_SCENE_FLAG_COMPACT = 2,
     RTC_SCENE_FLAG_ROBUST = 4,
     RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS = 8
 };
 
 RTCScene rtcNewScene(RTCDevice);
-void rtcRetainScene(RTCScene);
 void rtcReleaseScene(RTCScene);
 RTCDevice rtcGetSceneDevice(RTCScene);
 unsigned int rtcAttachGeometry(RTCScene, RTCGeometry);
 void rtcAttachGeometryByID(RTCScene, RTCGeometry, unsigned int geomID);
 void rtcDetachGeometry(RTCScene, unsigned int geomID);
-RTCGeometry rtcGetGeometry(RTCScene, unsigned int geomID);
 void rtcSetSceneFlags(RTCScene, enum RTCSceneFlags);
-enum RTCSceneFlags rtcGetSceneFlags(RTCScene);
 void rtcSetSceneBuildQuality(RTCScene, enum RTCBuildQuality);
-void rtcSetSceneProgressMonitorFunction(RTCScene, RTCProgressMonitorFunction,
-                                        void *user);
 void rtcCommitScene(RTCScene);
-void rtcJoinCommitScene(RTCScene);
 void rtcGetSceneBounds(RTCScene, struct RTCBounds *);
-void rtcGetSceneLinearBounds(RTCScene, struct RTCLinearBounds *);
-
-/* -------------------------------------------------------------- builder -- */
-
-typedef struct RTCBVHTy *RTCBVH;
-typedef struct RTCThreadLocalAllocatorTy *RTCThreadLocalAllocator;
-
-struct RTC_ALIGN(32) RTCBuildPrimitive {
-    float lower_x, lower_y, lower_z;
-    unsigned int geomID;
-    float upper_x, upper_y, upper_z;
-    unsigned int primID;
-};
-
-typedef void *(*RTCCreateNodeFunction)(RTCThreadLocalAllocator,
-                                       unsigned int children, void *user);
-typedef void (*RTCSetNodeChildrenFunction)(void *node, void **children,
-                                           unsigned int count, void *user);
-typedef void (*RTCSetNodeBoundsFunction)(void *node,
-                                         const struct RTCBounds **,
-                                         unsigned int count, void *user);
-typedef void *(*RTCCreateLeafFunction)(RTCThreadLocalAllocator,
-                                       const struct RTCBuildPrimitive *,
-                                       size_t count, void *user);
-typedef void (*RTCSplitPrimitiveFunction)(const struct RTCBuildPrimitive *,
-                                          unsigned int dimension,
-                                          float position,
-                                          struct RTCBounds *left,
-                                          struct RTCBounds *right,
-                                          void *user);
-
-enum RTCBuildFlags {
-    RTC_BUILD_FLAG_NONE = 0,
-    RTC_BUILD_FLAG_DYNAMIC = 1
-};
-
-enum { RTC_BUILD_MAX_PRIMITIVES_PER_LEAF = 32 };
-
-struct RTCBuildArguments {
-    size_t byteSize;
-    enum RTCBuildQuality buildQuality;
-    enum RTCBuildFlags buildFlags;
-    unsigned int maxBranchingFactor, maxDepth, sahBlockSize;
-    unsigned int minLeafSize, maxLeafSize;
-    float traversalCost, intersectionCost;
-    RTCBVH bvh;
-    struct RTCBuildPrimitive *primitives;
-    size_t primitiveCount, primitiveArrayCapacity;
-    RTCCreateNodeFunction createNode;
-    RTCSetNodeChildrenFunction setNodeChildren;
-    RTCSetNodeBoundsFunction setNodeBounds;
-    RTCCreateLeafFunction createLeaf;
-    RTCSplitPrimitiveFunction splitPrimitive;
-    RTCProgressMonitorFunction buildProgress;
-    void *userPtr;
-};
-
-RTC_FORCEINLINE struct RTCBuildArguments rtcDefaultBuildArguments(void)
-{
-    struct RTCBuildArguments a = {0};
-    a.byteSize = sizeof a;
-    a.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-    a.maxBranchingFactor = 2;
-    a.maxDepth = 32;
-    a.sahBlockSize = 1;
-    a.minLeafSize = 1;
-    a.maxLeafSize = RTC_BUILD_MAX_PRIMITIVES_PER_LEAF;
-    a.traversalCost = 1;
-    a.intersectionCost = 1;
-    return a;
-}
-
-RTCBVH rtcNewBVH(RTCDevice);
-void *rtcBuildBVH(const struct RTCBuildArguments *);
-void *rtcThreadLocalAlloc(RTCThreadLocalAllocator, size_t bytes, size_t align);
-void rtcRetainBVH(RTCBVH);
-void rtcReleaseBVH(RTCBVH);
 
 #ifdef __cplusplus
 }

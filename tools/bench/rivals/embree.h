@@ -1,10 +1,15 @@
 /*
- * embree.h - single rays and occlusion queries by Embree 3 or 4
+ * embree.h - single rays and occlusion queries by Embree 3 or 4, and the union of
+ * chords in cylinders, as a caller of Embree computes it
  *
  * The Makefile defines CYLINT_EMBREE, the major version.
  */
 #ifndef BENCH_EMBREE_H
 #define BENCH_EMBREE_H
+
+#include <stddef.h>
+
+#include "cylint.h"
 
 #if CYLINT_EMBREE == 4
 #include <embree4/rtcore.h>
@@ -44,5 +49,13 @@ typedef struct RTCIntersectContext embree_context;
 
 /* A device of one thread, which ends the program if Embree fails. */
 RTCDevice embree_device(void);
+
+struct embree_chords *embree_chords_new(float (*end)[2][3], float (*radius)[2],
+                                        size_t n);
+void embree_chords_free(struct embree_chords *scene);
+
+/* The length of the union of a ray's chords; d has length 1. */
+double embree_chords_union(const struct embree_chords *scene,
+                           const cylint_line *ray);
 
 #endif

@@ -6,11 +6,10 @@
  * rtcOccluded1(), which needs no order.  The chords are then sorted by qsort()
  * and merged.
  */
-#include "embree_chords.h"
+#include "embree.h"
 
 #include <float.h>
 
-#include "embree.h"
 #include "inputs.h"
 
 enum { MOST = 1 << 16 };
@@ -79,12 +78,6 @@ static void collect(const struct RTCOccludedFunctionNArguments *args)
     }
 }
 
-static int compare_chords(const void *x, const void *y)
-{
-    const double a = *(const double *)x, b = *(const double *)y;
-    return (a > b) - (a < b);
-}
-
 double embree_chords_union(const struct embree_chords *scene,
                            const cylint_line *ray)
 {
@@ -101,7 +94,7 @@ double embree_chords_union(const struct embree_chords *scene,
     found.n = 0;
     embree_begin(&query.context);
     embree_any(scene->scene, &query.context, &r);
-    qsort(found.chord, found.n, sizeof *found.chord, compare_chords);
+    qsort(found.chord, found.n, sizeof *found.chord, compare_doubles);
     for (size_t i = 0; i < found.n; i++) {
         const double t0 = found.chord[i][0], t1 = found.chord[i][1];
         if (t1 > end) {

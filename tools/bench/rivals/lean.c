@@ -21,6 +21,18 @@ static inline int hits_of(const double t[2], double t0, double t1)
     return (t[0] >= t0 && t[0] <= t1) + (t[1] >= t0 && t[1] <= t1);
 }
 
+/* The roots of A t^2 + 2 B t + C.  Returns 0 if there are none. */
+static inline int roots(double A, double B, double C, double t[2])
+{
+    const double G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    t[0] = (-B - root) * inverse;
+    t[1] = (-B + root) * inverse;
+    return 1;
+}
+
 /* Clips the overlap t with the slab.  Returns whether anything is left. */
 static inline int clip(const struct lean *s, double z, double speed,
                        double t[2], enum place *on)
@@ -47,13 +59,8 @@ static inline int cylinder(const struct lean *s, const double o[3],
     from_base(s, o, q);
     const double speed = dot3(d, s->axis), z = dot3(q, s->axis);
     const double A = dot3(d, d) - speed * speed, B = dot3(q, d) - z * speed;
-    const double C = dot3(q, q) - z * z - s->r0_squared, G = B * B - A * C;
-    if (!(G >= 0))
-        return 0;
-    const double root = sqrt(G), inverse = 1 / A;
-    t[0] = (-B - root) * inverse;
-    t[1] = (-B + root) * inverse;
-    return clip(s, z, speed, t, on);
+    const double C = dot3(q, q) - z * z - s->r0_squared;
+    return roots(A, B, C, t) && clip(s, z, speed, t, on);
 }
 
 static inline int cone(const struct lean *s, const double o[3],
@@ -65,12 +72,9 @@ static inline int cone(const struct lean *s, const double o[3],
     const double rho = s->r0 + s->slope * z, growth = s->slope * speed;
     const double A = dot3(d, d) - speed * speed - growth * growth;
     const double B = dot3(q, d) - z * speed - rho * growth;
-    const double C = dot3(q, q) - z * z - rho * rho, G = B * B - A * C;
-    if (!(G >= 0))
+    const double C = dot3(q, q) - z * z - rho * rho;
+    if (!roots(A, B, C, t))
         return 0;
-    const double root = sqrt(G), inverse = 1 / A;
-    t[0] = (-B - root) * inverse;
-    t[1] = (-B + root) * inverse;
     if (A < 0 && s->height < HUGE_VAL) {
         const double low = fmin(t[0], t[1]), high = fmax(t[0], t[1]);
         t[0] = growth > 0 ? high : -HUGE_VAL;
@@ -87,13 +91,9 @@ static inline int elliptic(const struct lean *s, const double o[3],
     const double x = dot3(q, s->row[0]), y = dot3(q, s->row[1]);
     const double u = dot3(d, s->row[0]), v = dot3(d, s->row[1]);
     const double A = u * u + v * v, B = x * u + y * v;
-    const double C = x * x + y * y - 1, G = B * B - A * C;
-    if (!(G >= 0))
-        return 0;
-    const double root = sqrt(G), inverse = 1 / A;
-    t[0] = (-B - root) * inverse;
-    t[1] = (-B + root) * inverse;
-    return clip(s, dot3(q, s->axis), dot3(d, s->axis), t, on);
+    const double C = x * x + y * y - 1;
+    return roots(A, B, C, t) &&
+           clip(s, dot3(q, s->axis), dot3(d, s->axis), t, on);
 }
 
 static inline int sphere(const struct lean *s, const double o[3],
@@ -101,16 +101,9 @@ static inline int sphere(const struct lean *s, const double o[3],
 {
     double q[3];
     from_base(s, o, q);
-    const double A = dot3(d, d), B = dot3(q, d);
-    const double G = B * B - A * (dot3(q, q) - s->r0_squared);
-    if (!(G >= 0))
-        return 0;
-    const double root = sqrt(G), inverse = 1 / A;
-    t[0] = (-B - root) * inverse;
-    t[1] = (-B + root) * inverse;
     if (on)
         on[0] = on[1] = BASE;
-    return 1;
+    return roots(dot3(d, d), dot3(q, d), dot3(q, q) - s->r0_squared, t);
 }
 
 /* Capsule and round cone [Quilez, iquilezles.org/articles/intersectors],
@@ -128,12 +121,9 @@ static inline int hull(const struct lean *s, const double o[3],
     const double d2 = ww - shrink * shrink;
     const double A = d2 * dd - wd * wd, B = d2 * dq - wq * wd + wd * shift;
     const double C = d2 * qq - wq * wq + 2 * wq * shift - ww * s->r0_squared;
-    const double G = B * B - A * C;
-    if (!(G >= 0))
+    if (!roots(A, B, C, t))
         return 0;
-    const double root = sqrt(G), inverse = 1 / A;
     for (int k = 0; k < 2; k++) {
-        t[k] = (-B + (k ? root : -root)) * inverse;
         const double y = wq - shift + t[k] * wd;
         if (on)
             on[k] = SIDE;

@@ -110,6 +110,10 @@ def owned(array: Doubles) -> Doubles:
     """
     if _is_fixed(array):
         return array
+    if 0 not in array.strides:
+        copy = array.copy()
+        copy.flags.writeable = False
+        return copy
     once = array[tuple(slice(None if step else 1) for step in array.strides)]
     return np.broadcast_to(once.copy(), array.shape)
 
@@ -255,6 +259,10 @@ class Points:
     @property
     def shape(self) -> tuple[int, ...]:
         return self.array.shape[:-1]
+
+    def core_of(self, shapes: int) -> _core.Balls:
+        """Points for a scene with so many shapes."""
+        return _core.Balls(self.array, self.radii)
 
     def keep(self) -> None:
         """Lets these points own their array, for members computed later."""

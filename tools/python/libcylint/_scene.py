@@ -293,26 +293,21 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    def _ask(self, query: Any, lines: SceneLines, kinds: str, rule: Any = None) -> Any:
-        """Calls a function of _core for lines, which writes columns of these types:
-        i index, t number, b byte, ? bool, v vector; "": it returns flat arrays."""
-        columns = [_columns(lines.shape, kinds)] if kinds else []
+    def _ask(
+        self, query: Any, asked: Any, columns: str | list[NDArray[Any]], rule: Any = None
+    ) -> Any:
+        """Calls a function of _core for lines or points, which writes the columns, or
+        columns of these types: i index, t number, b byte, ? bool, v vector; "": it
+        returns flat arrays."""
+        if isinstance(columns, str):
+            columns = _columns(asked.shape, columns)
         found = query(
-            self._scene, lines.core_of(len(self)), rule or _PLAIN, *columns,
-            workers(self._choose(lines.threads)), lines.progress,
+            self._scene, asked.core_of(len(self)), rule or _PLAIN, columns,
+            workers(self._choose(asked.threads)), asked.progress,
         )
         if not found:
-            raise lines.refuse()
-        return columns[0] if kinds else found
-
-    def _near(self, query: Any, around: Points, kinds: str, rule: Any = None) -> Any:
-        """The same for points and their radii."""
-        columns = _columns(around.shape, kinds)
-        found = query(
-            self._scene, around.array, around.radii, rule or _PLAIN, columns,
-            workers(self._choose(around.threads)), around.progress,
-        )
-        return columns if kinds else found
+            raise asked.refuse()
+        return columns or found
 
     @takes(SceneLines)
     def nearest(self, lines: SceneLines) -> NearestHits:
@@ -495,11 +490,7 @@ class Scene:
             _mode(mode), self._integers("rank", rank), label, width, units == "length"
         )
         sums = np.empty((*lines.shape, width))
-        if not _core.Scene.sums(
-            self._scene, lines.core(), rule, [sums],
-            workers(self._choose(threads)), progress,
-        ):
-            raise lines.refuse()
+        self._ask(_core.Scene.sums, lines, [sums], rule)
         return sums[..., 0] if labels is None and columns is None else sums
 
     def depth(
@@ -518,7 +509,7 @@ class Scene:
         """
         asked = Points(points, threads=threads, progress=progress)
         rule = _core.Scene.Rule(0, self._integers("rank", rank), None, 0, False)
-        deep, index = self._near(_core.Scene.depth, asked, "ii", rule)
+        deep, index = self._ask(_core.Scene.depth, asked, "ii", rule)
         return deep, index
 
     @takes(SceneLines)
@@ -567,7 +558,7 @@ class Scene:
         array(-0.25)
         """
         around.keep()
-        columns = self._near(_core.Scene.closest, around, "it", _signed(around))
+        columns = self._ask(_core.Scene.closest, around, "it", _signed(around))
         chosen = self._choose(around.threads)
         return ClosestShapes(self._scene, around, columns, chosen)
 
@@ -584,7 +575,7 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        found = self._near(_core.Scene.within, around, "", _signed(around))
+        found = self._ask(_core.Scene.within, around, "", _signed(around))
         return ShapesWithin(*found)
 
     @takes(Balls)
@@ -594,7 +585,7 @@ class Scene:
         Arguments as of `within`.
         """
         query = _core.Scene.within_count
-        return self._near(query, around, "i", _signed(around))[0]
+        return self._ask(query, around, "i", _signed(around))[0]
 
     @takes(Points)
     def contains(self, points: Points) -> NDArray[np.int64]:
@@ -607,7 +598,7 @@ class Scene:
         >>> cylint.Scene(posts).contains([[2, 0, 0.5], [5, 0, 1], [9, 0, 0]])
         array([2, 1, 0])
         """
-        return self._near(_core.Scene.contains, points, "i")[0]
+        return self._ask(_core.Scene.contains, points, "i")[0]
 
 
 _PLAIN = _core.Scene.Rule(0, None, None, 0, False)

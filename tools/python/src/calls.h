@@ -32,13 +32,14 @@ inline const cylint_shape *as_shape(const void *p)
 class Lines
 {
   public:
+    enum { ORIGINS, DIRECTIONS, STARTS, ENDS, LEFT_OUT, ARRAYS };
     Lines(Input o, Input d, Input tmin, Input tmax, Input out,
           bool are_segments, bool mask)
         : segments(are_segments), masked(mask), origins(o), directions(d),
           starts(tmin), ends(tmax), left_out(out)
     {
     }
-    /* Adds the arrays to an empty grid. */
+    /* Adds the arrays, which get these numbers, to an empty grid. */
     void add_to(Grid &grid) const;
     /* The number of axes to which the arrays broadcast. */
     size_t axes() const;
@@ -49,9 +50,6 @@ class Lines
     friend class LineBlock;
     const Input origins, directions, starts, ends, left_out;
 };
-
-/* The numbers of the arrays of lines in a grid, and of the next array. */
-enum { ORIGINS, DIRECTIONS, STARTS, ENDS, LEFT_OUT, BEHIND_LINES };
 
 /* The lines of a block, in columns. */
 class LineBlock
@@ -122,13 +120,8 @@ void describe(Input shapes, std::optional<Input> index, const Lines &lines,
               Outputs columns, int threads, const Callback &progress);
 nb::tuple first_bad_line(const Lines &lines);
 
-/* points.cc: a query is a number of module.cc */
-enum { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
-void ask_points(int query, Input shapes, std::optional<Input> index,
-                Input points, std::optional<Input> ulps, Outputs columns,
-                int threads, const Callback &progress);
-
-/* scene.cc, text.cc */
+/* points.cc, scene.cc, text.cc */
+void register_points(nb::module_ &module);
 void register_scene(nb::module_ &module);
 nb::tuple read_scene(const char *file, int ends, bool round);
 nb::bytes write_scene(Input shapes, size_t first,

@@ -12,10 +12,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstring>
+#include <functional>
 #include <memory>
-
-#include "work.h"
+#include <optional>
 
 namespace nb = nanobind;
 
@@ -155,6 +156,42 @@ class Part
     std::vector<char *> first;
 };
 
+/* ------------------------------------------------------------- threads -- */
+
+/* progress(done, total), or nothing */
+using Callback = std::optional<nb::object>;
+
+/*
+ * Lets Python handle signals and calls progress(done, total), unless progress is
+ * None, several times a second during work without Python's lock.
+ */
+class Listener
+{
+  public:
+    Listener(const Callback &callback, size_t elements);
+    /* `part` of the work is done, 0 to 1.  Throws exceptions of Python. */
+    void listen(double part);
+    /* All is done.  The caller has Python's lock. */
+    void end() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    const Callback progress;
+    const size_t total;
+    Clock::time_point due;
+};
+
+/*
+ * Calls task(worker, block) for all blocks, in their order, from at most
+ * `threads` threads; worker is below `threads`.  Python's lock is released.  The
+ * calling thread works too, and it listens: done counts elements, of which a
+ * block has total / blocks on average.  The last call of progress has done =
+ * total.  An exception of Python or of a task ends the work and is passed on.  A
+ * task that returns false ends it, too.
+ */
+void work(size_t blocks, size_t total, int threads, const Callback &progress,
+          const std::function<bool(int worker, size_t block)> &task);
+
 /* The number of blocks. */
 inline size_t blocks_of(const Grid &grid)
 {
@@ -164,7 +201,7 @@ inline size_t blocks_of(const Grid &grid)
 
 /*
  * Calls block.run(part) for all blocks of a grid.  Each thread has a Block of its
- * own, Block(from...).  Parts of different rows that begin at the same element come
+ * own, Block{from...}.  Parts of different rows that begin at the same element come
  * one after the other: they often have the same shapes or points.  A block that
  * returns false ends the call, which then returns false.
  */
@@ -173,7 +210,7 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
                 const From &...from)
 {
     struct Worker {
-        explicit Worker(const Grid &g, const From &...f) : part(g), block(f...)
+        explicit Worker(const Grid &g, const From &...f) : part(g), block{f...}
         {
         }
         Part part;

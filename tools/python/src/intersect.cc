@@ -34,8 +34,9 @@ int LineBlock::make(size_t i, cylint_line *line) const
 
 bool LineBlock::gather(const Part &part)
 {
-    const char *const at[4] = {part.at(ORIGINS), part.at(DIRECTIONS),
-                               part.at(STARTS), part.at(ENDS)};
+    const char *const at[4] = {part.at(Lines::ORIGINS),
+                               part.at(Lines::DIRECTIONS),
+                               part.at(Lines::STARTS), part.at(Lines::ENDS)};
     if (size == part.size && std::equal(at, at + 4, from))
         return true;
     std::copy(at, at + 4, from);
@@ -43,11 +44,11 @@ bool LineBlock::gather(const Part &part)
     const ptrdiff_t o_step = coordinate_step(source.origins);
     const ptrdiff_t d_step = coordinate_step(source.directions);
     for (int axis = 0; axis < 3; axis++) {
-        part.read(column[axis], ORIGINS, axis * o_step);
-        part.read(column[3 + axis], DIRECTIONS, axis * d_step);
+        part.read(column[axis], Lines::ORIGINS, axis * o_step);
+        part.read(column[3 + axis], Lines::DIRECTIONS, axis * d_step);
     }
-    part.read(column[6], STARTS);
-    part.read(column[7], ENDS);
+    part.read(column[6], Lines::STARTS);
+    part.read(column[7], Lines::ENDS);
     return false;
 }
 
@@ -57,7 +58,7 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /* The numbers of further arrays in the grid. */
-enum { SHAPES = BEHIND_LINES, COLUMNS };
+enum { SHAPES = Lines::ARRAYS, COLUMNS };
 enum { RELATION, N, T, PART, COPIED_ORIGINS, COPIED_DIRECTIONS };
 
 /* What a worker keeps from block to block. */
@@ -89,7 +90,7 @@ class Block : LineBlock
         if (source.segments)
             return run_segments();
         bool one_line = part->stride(SHAPES) != 0;
-        for (int array = ORIGINS; array <= ENDS; array++)
+        for (int array = Lines::ORIGINS; array <= Lines::ENDS; array++)
             one_line = one_line && part->stride(array) == 0;
         cylint_columns to{};
         to.relation = relation, to.n = n, to.t0 = t[0], to.t1 = t[1];
@@ -162,7 +163,7 @@ class Block : LineBlock
     bool is_constant(int array, double value) const
     {
         return part->stride(array) == 0 &&
-               column[array == STARTS ? 6 : 7][0] == value;
+               column[array == Lines::STARTS ? 6 : 7][0] == value;
     }
 
     /* Returns whether all lines are valid. */
@@ -173,8 +174,8 @@ class Block : LineBlock
             lines.o[axis] = column[axis];
             lines.d[axis] = column[3 + axis];
         }
-        lines.tmin = is_constant(STARTS, 0) ? nullptr : column[6];
-        lines.tmax = is_constant(ENDS, infinity) ? nullptr : column[7];
+        lines.tmin = is_constant(Lines::STARTS, 0) ? nullptr : column[6];
+        lines.tmax = is_constant(Lines::ENDS, infinity) ? nullptr : column[7];
         int bad = 0;
         for (size_t i = 0; i < lines.n; i++) {
             double sum = 0; /* NaN if a coordinate is not finite */

@@ -6,15 +6,6 @@
  */
 #include "calls.h"
 
-/* A query of points, of one kind. */
-template <int query>
-void points_query(Input shapes, std::optional<Input> index, Input points,
-                  std::optional<Input> ulps, Outputs columns, int threads,
-                  const Callback &progress)
-{
-    ask_points(query, shapes, index, points, ulps, columns, threads, progress);
-}
-
 NB_MODULE(_core, m)
 {
     m.attr("version") = cylint_version();
@@ -30,10 +21,7 @@ NB_MODULE(_core, m)
     m.def("first_bad_line", &first_bad_line);
     m.def("intersect", &intersect);
     m.def("describe", &describe);
-    m.def("closest", &points_query<CLOSEST>);
-    m.def("contains", &points_query<CONTAINS>);
-    m.def("safety", &points_query<SAFETY>);
-    m.def("on_surface", &points_query<ON_SURFACE>);
+    register_points(m);
     m.def("read_scene", &read_scene);
     m.def("write_scene", &write_scene);
     register_scene(m);

@@ -15,8 +15,10 @@ namespace
 enum { POINTS, SHAPES, ULPS, COLUMNS };
 enum { DISTANCE, PART, FEATURE, POINT, NORMAL };
 
+enum Query { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
+
 struct Source {
-    int query;
+    Query query;
     ptrdiff_t step;               /* of coordinates */
     const cylint_shape *numbered; /* shapes that are numbered, or nullptr */
 };
@@ -118,16 +120,15 @@ class Block
     signed char small[FEATURE + 1][BLOCK];
 };
 
-} // namespace
-
 /*
  * columns: distance or safety (...), part, or what contains() and on_surface()
  * return, feature, point (..., 3), normal; None where it is not wanted.  With
  * `index` the shapes are numbered by it, and -1 stands for a refused shape.
  */
-void ask_points(int query, Input shapes, std::optional<Input> index,
-                Input points, std::optional<Input> ulps, Outputs columns,
-                int threads, const Callback &progress)
+template <Query query>
+void ask(Input shapes, std::optional<Input> index, Input points,
+         std::optional<Input> ulps, Outputs columns, int threads,
+         const Callback &progress)
 {
     Grid grid;
     grid.add(points, 1);
@@ -140,4 +141,14 @@ void ask_points(int query, Input shapes, std::optional<Input> index,
     const Source source = {query, coordinate_step(points),
                            index ? as_shape(shapes.data()) : nullptr};
     each_block<Block>(grid, threads, progress, source);
+}
+
+} // namespace
+
+void register_points(nb::module_ &module)
+{
+    module.def("closest", &ask<CLOSEST>);
+    module.def("contains", &ask<CONTAINS>);
+    module.def("safety", &ask<SAFETY>);
+    module.def("on_surface", &ask<ON_SURFACE>);
 }

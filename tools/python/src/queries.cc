@@ -6,13 +6,30 @@
 
 #include "scene.h"
 
+extern "C" {
+#include "pieces.h"
+}
+
 namespace
 {
 
 enum { CAPACITY = 128 }; /* shapes of one call of the library */
 
+/* Answers that are written to the columns of the call. */
+struct Columns {
+    enum { in_order = false };
+    explicit Columns(const Grid &)
+    {
+    }
+    static nb::object object()
+    {
+        return nb::bool_(true);
+    }
+};
+
 /* Answers that are rows, any number of them for each line or point, by blocks. */
-template <size_t INTEGERS, size_t DOUBLES> struct Rows {
+template <size_t INTEGERS, size_t DOUBLES, bool pairs = false> struct Rows {
+    enum { in_order = true };
     struct Row {
         int64_t integer[INTEGERS];
         double number[DOUBLES];
@@ -23,7 +40,7 @@ template <size_t INTEGERS, size_t DOUBLES> struct Rows {
 
     /* Arrays of NumPy: one for each integer, and one for each double, or one of
      * pairs of them. */
-    nb::tuple columns(bool pairs) const
+    nb::object object() const
     {
         size_t size = 0;
         for (const auto &block : blocks)
@@ -58,18 +75,24 @@ template <size_t INTEGERS, size_t DOUBLES> struct Rows {
     }
 };
 
-/* Memory of the thread for one query at a time, which query(work) uses; it is
- * called again as long as it returns CYLINT_NO_ROOM. */
-template <class Query> size_t with_workspace(const Query &query)
-{
-    thread_local std::vector<double> memory(2048);
-    for (;;) {
-        cylint_workspace work{memory.data(), memory.size() * sizeof(double), 0};
-        const size_t answer = query(&work);
-        if (answer != CYLINT_NO_ROOM)
-            return answer;
-        memory.resize(work.wanted / sizeof(double) + 1);
+/* The memory of a thread for pieces. */
+struct Memory : piece_memory {
+    Memory() : piece_memory()
+    {
     }
+    ~Memory()
+    {
+        piece_memory_free(this);
+    }
+};
+thread_local Memory memory;
+
+/* What a function of pieces.h returns, unless there was no memory. */
+size_t checked(size_t answer)
+{
+    if (answer == CYLINT_NO_ROOM)
+        throw std::bad_alloc();
+    return answer;
 }
 
 /* Writes an answer to element i of the arrays from number `array` on. */
@@ -160,15 +183,24 @@ struct Asked {
     unsigned want_of_points;
 };
 
+/* What is asked: a line that leaves out a shape, or none, n; or a point with a
+ * radius. */
+struct Ray {
+    const cylint_line *line;
+    size_t except;
+};
+struct Ball {
+    double point[3], radius;
+};
+
 /* ---------------------------------------------------- one line, columns -- */
 
 /* index, t, part */
-void nearest(const Asked &q, const cylint_line &line, size_t except,
-             const Answer &put)
+void nearest(const Asked &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
     const size_t found = cylint_scene_nearest_other(
-        q.scene, &line, except, CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
+        q.scene, ray.line, ray.except, CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
     if (found < q.n)
         put(integer(found), hit.t, byte(hit.part));
     else
@@ -176,44 +208,39 @@ void nearest(const Asked &q, const cylint_line &line, size_t except,
 }
 
 /* bool */
-void any(const Asked &q, const cylint_line &line, size_t except,
-         const Answer &put)
+void any(const Asked &q, const Ray &ray, const Answer &put)
 {
-    put(cylint_scene_occluded(q.scene, &line, except) != 0);
+    put(cylint_scene_occluded(q.scene, ray.line, ray.except) != 0);
 }
 
 /* int64 */
-void count(const Asked &q, const cylint_line &line, size_t except,
-           const Answer &put)
+void count(const Asked &q, const Ray &ray, const Answer &put)
 {
     cylint_shape shape;
-    size_t hits = cylint_scene_count(q.scene, &line, 0);
-    if (except < q.n) {
-        cylint_scene_shape(q.scene, except, &shape);
-        hits -= cylint_occluded(&shape, &line) != 0;
+    size_t hits = cylint_scene_count(q.scene, ray.line, 0);
+    if (ray.except < q.n) {
+        cylint_scene_shape(q.scene, ray.except, &shape);
+        hits -= cylint_occluded(&shape, ray.line) != 0;
     }
     put(integer(hits));
 }
 
 /* sums (..., labels), the last axis contiguous */
-void sums(const Asked &q, const cylint_line &line, size_t, const Answer &put)
+void sums(const Asked &q, const Ray &ray, const Answer &put)
 {
     const cylint_piece_rule rule = q.rule.pieces();
-    if (cylint_scene_line_sums(q.scene, &line, &rule, q.rule.label(),
+    if (cylint_scene_line_sums(q.scene, ray.line, &rule, q.rule.label(),
                                q.rule.most, q.rule.flag,
                                put.doubles()) != CYLINT_SCENE_OK)
         throw std::bad_alloc();
 }
 
 /* index, t, part, side, point (..., 3), normal (..., 3) */
-void first_boundary(const Asked &q, const cylint_line &line, size_t,
-                    const Answer &put)
+void boundary(const Asked &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
-    const size_t found = with_workspace([&](cylint_workspace *work) {
-        return cylint_scene_first_boundary(q.scene, &line, CYLINT_WANT_ALL,
-                                           &hit, work);
-    });
+    const size_t found = checked(
+        first_boundary(q.scene, ray.line, CYLINT_WANT_ALL, &hit, &memory));
     if (found < q.n)
         put(integer(found), hit.t, byte(hit.part), byte(hit.side),
             vector(hit.point), vector(hit.normal));
@@ -237,21 +264,21 @@ void each_found(const Query &query, const Write &write)
     } while (found == CAPACITY);
 }
 
-using Hit = Rows<2, 2>; /* line, index, both t */
-void all(const Asked &q, const cylint_line &line, size_t except, int64_t number,
+using Hit = Rows<2, 2, true>; /* line, index, both t */
+void all(const Asked &q, const Ray &ray, int64_t number,
          std::vector<Hit::Row> &to)
 {
     const auto query = [&](size_t from, size_t *numbers) {
-        return cylint_scene_all(q.scene, &line, from, numbers, CAPACITY);
+        return cylint_scene_all(q.scene, ray.line, from, numbers, CAPACITY);
     };
     each_found(query, [&](size_t index) {
         double t[2] = {not_a_number, not_a_number};
         cylint_shape shape;
         cylint_answer answer;
-        if (index == except)
+        if (index == ray.except)
             return;
         cylint_scene_shape(q.scene, index, &shape);
-        cylint_intersect(&shape, &line, CYLINT_WANT_T, &answer);
+        cylint_intersect(&shape, ray.line, CYLINT_WANT_T, &answer);
         for (int k = 0; k < answer.n; k++)
             t[k] = answer.hit[k].t;
         to.push_back({{number, integer(index)}, {t[0], t[1]}});
@@ -259,35 +286,27 @@ void all(const Asked &q, const cylint_line &line, size_t except, int64_t number,
 }
 
 using Piece = Rows<3, 2>; /* line, shape, depth, t0, t1 */
-void pieces(const Asked &q, const cylint_line &line, size_t, int64_t number,
+void pieces(const Asked &q, const Ray &ray, int64_t number,
             std::vector<Piece::Row> &to)
 {
     const cylint_piece_rule rule = q.rule.pieces();
-    const size_t most = q.rule.most;
-    std::vector<cylint_piece> some(most > 0 ? most : CAPACITY);
-    size_t found;
-    for (;; some.resize(2 * some.size())) {
-        found = with_workspace([&](cylint_workspace *work) {
-            return cylint_scene_pieces(q.scene, &line, &rule, some.data(),
-                                       some.size(), work);
-        });
-        if (most > 0 || found < some.size())
-            break;
+    const size_t found =
+        checked(find_pieces(q.scene, ray.line, &rule, q.rule.most, &memory));
+    for (size_t k = 0; k < found; k++) {
+        const cylint_piece &p = memory.piece[k];
+        to.push_back(
+            {{number, integer(p.shape), integer(p.depth)}, {p.t0, p.t1}});
     }
-    for (size_t k = 0; k < found; k++)
-        to.push_back({{number, integer(some[k].shape), integer(some[k].depth)},
-                      {some[k].t0, some[k].t1}});
 }
 
 /* ------------------------------------------------- one point, a radius -- */
 
 /* index, distance */
-void closest(const Asked &q, const double *point, double radius,
-             const Answer &put)
+void closest(const Asked &q, const Ball &ball, const Answer &put)
 {
     cylint_closest answer;
-    const size_t found =
-        cylint_scene_closest(q.scene, point, radius, q.want_of_points, &answer);
+    const size_t found = cylint_scene_closest(q.scene, ball.point, ball.radius,
+                                              q.want_of_points, &answer);
     if (found < q.n)
         put(integer(found), answer.distance);
     else
@@ -295,36 +314,35 @@ void closest(const Asked &q, const double *point, double radius,
 }
 
 /* int64 */
-void within_count(const Asked &q, const double *point, double radius,
-                  const Answer &put)
+void within_count(const Asked &q, const Ball &ball, const Answer &put)
 {
-    put(integer(cylint_scene_within_count(q.scene, point, radius,
+    put(integer(cylint_scene_within_count(q.scene, ball.point, ball.radius,
                                           q.want_of_points, 0)));
 }
 
 /* int64; the radius has no effect */
-void contains(const Asked &q, const double *point, double, const Answer &put)
+void contains(const Asked &q, const Ball &ball, const Answer &put)
 {
-    put(integer(cylint_scene_contains(q.scene, point, 0)));
+    put(integer(cylint_scene_contains(q.scene, ball.point, 0)));
 }
 
 /* depth, index; the radius has no effect */
-void depth(const Asked &q, const double *point, double, const Answer &put)
+void depth(const Asked &q, const Ball &ball, const Answer &put)
 {
     size_t owner = q.n;
-    const size_t deep = with_workspace([&](cylint_workspace *work) {
-        return cylint_scene_depth(q.scene, point, q.rule.rank(), &owner, work);
-    });
+    const size_t deep = checked(
+        depth_of_point(q.scene, ball.point, q.rule.rank(), &owner, &memory));
     put(integer(deep), owner < q.n ? integer(owner) : -1);
 }
 
 using Near = Rows<2, 1>; /* point, index, distance */
-void within(const Asked &q, const double *point, double radius, int64_t number,
+void within(const Asked &q, const Ball &ball, int64_t number,
             std::vector<Near::Row> &to)
 {
     const auto query = [&](size_t from, size_t *numbers) {
-        return cylint_scene_within(q.scene, point, radius, q.want_of_points,
-                                   from, numbers, nullptr, CAPACITY);
+        return cylint_scene_within(q.scene, ball.point, ball.radius,
+                                   q.want_of_points, from, numbers, nullptr,
+                                   CAPACITY);
     };
     each_found(query, [&](size_t index) {
         cylint_shape shape;
@@ -332,140 +350,115 @@ void within(const Asked &q, const double *point, double radius, int64_t number,
         cylint_scene_shape(q.scene, index, &shape);
         to.push_back(
             {{number, integer(index)},
-             {cylint_distance(&shape, point, q.want_of_points, &answer)}});
+             {cylint_distance(&shape, ball.point, q.want_of_points, &answer)}});
     });
 }
 
 /* ------------------------------------------------ many lines or points -- */
 
-Asked asked_of(const Scene &scene, const Rule &rule)
-{
-    return {scene.scene.get(), scene.n, rule, rule.flag ? CYLINT_SIGNED : 0u};
-}
-
-/* The shape that a line leaves out, or n. */
-size_t left_out(const Asked &q, const Part &part, size_t i)
-{
-    const auto index = part.value<int64_t>(LEFT_OUT, i);
-    return index < 0 ? q.n : static_cast<size_t>(index);
-}
-
-/* Returns false if a line is refused and not masked. */
-template <auto query>
-bool line_columns(const Scene &scene, const Lines &lines, const Rule &rule,
-                  Outputs columns, int threads, const Callback &progress)
-{
-    const Asked q = asked_of(scene, rule);
-    Grid grid;
-    lines.add_to(grid);
-    for (const auto &column : columns)
-        grid.add(column, column->ndim() - lines.axes());
-    grid.finish(false);
-    return each_line(grid, lines, threads, progress,
-                     [&q](const Part &part, size_t i, const cylint_line &line) {
-                         query(q, line, left_out(q, part, i),
-                               Answer(part, i, BEHIND_LINES));
-                     });
-}
-
-/* Returns the rows in the order of the lines; None if a line is refused. */
-template <auto query, class Found, bool pairs>
-nb::object line_rows(const Scene &scene, const Lines &lines, const Rule &rule,
-                     int threads, const Callback &progress)
-{
-    const Asked q = asked_of(scene, rule);
-    Grid grid;
-    lines.add_to(grid);
-    grid.finish(true);
-    Found found(grid);
-    const bool good =
-        each_line(grid, lines, threads, progress,
-                  [&](const Part &part, size_t i, const cylint_line &line) {
-                      query(q, line, left_out(q, part, i),
-                            integer(part.number + i), found.blocks[part.block]);
-                  });
-    return good ? nb::object(found.columns(pairs)) : nb::none();
-}
-
-/* The points (..., 3) and radii (...) of a block. */
-enum { POINTS, RADII, BEHIND_BALLS };
-
-/* Calls function(part, i, point, radius) for each point. */
-template <class Function> class EachBall
-{
-  public:
-    EachBall(ptrdiff_t s, const Function &f) : step(s), function(f)
+/* Arrays of points (..., 3) and radii (...). */
+struct Balls {
+    enum { POINTS, RADII, ARRAYS };
+    void add_to(Grid &grid) const
     {
+        grid.add(points, 1);
+        grid.add(radii);
     }
-    bool run(const Part &part)
+    size_t axes() const
     {
+        return std::max(points.ndim() - 1, radii.ndim());
+    }
+
+    const Input points, radii;
+};
+
+/* Calls function(part, i, ball) for each point. */
+template <class Function> struct EachBall {
+    const Balls &balls;
+    const Function &function;
+    bool run(const Part &part) const
+    {
+        const ptrdiff_t step = coordinate_step(balls.points);
         for (size_t i = 0; i < part.size; i++) {
-            double point[3];
+            Ball ball;
             for (int axis = 0; axis < 3; axis++)
-                std::memcpy(&point[axis], part.at(POINTS, i) + axis * step,
-                            sizeof *point);
-            function(part, i, point, part.value<double>(RADII, i));
+                std::memcpy(&ball.point[axis],
+                            part.at(Balls::POINTS, i) + axis * step,
+                            sizeof *ball.point);
+            ball.radius = part.value<double>(Balls::RADII, i);
+            function(part, i, ball);
         }
         return true;
     }
-
-  private:
-    const ptrdiff_t step;
-    const Function &function;
 };
 
-/* columns: empty for a query that returns rows in the order of the points */
-template <auto query, class Found>
-nb::object points_of(const Scene &scene, Input points, Input radii,
-                     const Rule &rule, Outputs columns, int threads,
-                     const Callback &progress)
+/* Returns false if a line is refused and not masked. */
+template <class Function>
+bool each(const Lines &lines, size_t n, const Grid &grid, int threads,
+          const Callback &progress, const Function &function)
 {
-    const Asked q = asked_of(scene, rule);
-    Grid grid;
-    grid.add(points, 1), grid.add(radii);
-    for (const auto &column : columns)
-        grid.add(column);
-    grid.finish(columns.empty());
-    Found found(grid);
-    const auto ask = [&](const Part &part, size_t i, const double *point,
-                         double radius) {
-        if constexpr (std::is_same_v<Found, Near>)
-            query(q, point, radius, integer(part.number + i),
-                  found.blocks[part.block]);
-        else
-            query(q, point, radius, Answer(part, i, BEHIND_BALLS));
-    };
-    each_block<EachBall<decltype(ask)>>(grid, threads, progress,
-                                        coordinate_step(points), ask);
-    return found.columns(false);
+    return each_line(grid, lines, threads, progress,
+                     [&](const Part &part, size_t i, const cylint_line &line) {
+                         const auto index =
+                             part.value<int64_t>(Lines::LEFT_OUT, i);
+                         const size_t except =
+                             index < 0 ? n : static_cast<size_t>(index);
+                         function(part, i, Ray{&line, except});
+                     });
 }
 
-struct NoRows {
-    explicit NoRows(const Grid &)
-    {
-    }
-    static nb::object columns(bool)
-    {
+template <class Function>
+bool each(const Balls &balls, size_t, const Grid &grid, int threads,
+          const Callback &progress, const Function &function)
+{
+    return each_block<EachBall<Function>>(grid, threads, progress, balls,
+                                          function);
+}
+
+/* Asks about lines or points.  columns: for the answers, unless these are rows,
+ * which are in the order of the lines or points.  Returns True or the arrays of
+ * rows; None if a line is refused. */
+template <class From, class Answers, auto query>
+nb::object ask(const Scene &scene, const From &from, const Rule &rule,
+               Outputs columns, int threads, const Callback &progress)
+{
+    const Asked q = {scene.scene.get(), scene.n, rule,
+                     rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
+    Grid grid;
+    from.add_to(grid);
+    for (const auto &column : columns)
+        grid.add(column, column->ndim() - from.axes());
+    grid.finish(Answers::in_order);
+    Answers answers(grid);
+    const auto one = [&](const Part &part, size_t i, const auto &asked) {
+        if constexpr (Answers::in_order)
+            query(q, asked, integer(part.number + i),
+                  answers.blocks[part.block]);
+        else
+            query(q, asked, Answer(part, i, From::ARRAYS));
+    };
+    if (!each(from, q.n, grid, threads, progress, one))
         return nb::none();
-    }
-};
+    return answers.object();
+}
 
 } // namespace
 
-void register_queries(nb::class_<Scene> &scene)
+void register_queries(nb::module_ &module, nb::class_<Scene> &scene)
 {
+    nb::class_<Balls>(module, "Balls").def(nb::init<Input, Input>());
     nb::class_<Rule>(scene, "Rule")
         .def(nb::init<int, Integers, Integers, size_t, bool>());
-    scene.def("nearest", &line_columns<nearest>)
-        .def("any", &line_columns<any>)
-        .def("count", &line_columns<count>)
-        .def("sums", &line_columns<sums>)
-        .def("first_boundary", &line_columns<first_boundary>)
-        .def("all", &line_rows<all, Hit, true>)
-        .def("pieces", &line_rows<pieces, Piece, false>)
-        .def("closest", &points_of<closest, NoRows>)
-        .def("within_count", &points_of<within_count, NoRows>)
-        .def("contains", &points_of<contains, NoRows>)
-        .def("depth", &points_of<depth, NoRows>)
-        .def("within", &points_of<within, Near>);
+    scene.def("nearest", &ask<Lines, Columns, nearest>)
+        .def("any", &ask<Lines, Columns, any>)
+        .def("count", &ask<Lines, Columns, count>)
+        .def("sums", &ask<Lines, Columns, sums>)
+        .def("first_boundary", &ask<Lines, Columns, boundary>)
+        .def("all", &ask<Lines, Hit, all>)
+        .def("pieces", &ask<Lines, Piece, pieces>)
+        .def("closest", &ask<Balls, Columns, closest>)
+        .def("within_count", &ask<Balls, Columns, within_count>)
+        .def("contains", &ask<Balls, Columns, contains>)
+        .def("depth", &ask<Balls, Columns, depth>)
+        .def("within", &ask<Balls, Near, within>);
 }

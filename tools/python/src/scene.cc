@@ -257,5 +257,5 @@ void register_scene(nb::module_ &module)
         .def("bytes", &Scene::bytes)
         .def("set_solids", &Scene::set_solids)
         .def("solids", &Scene::solids);
-    register_queries(scene);
+    register_queries(module, scene);
 }

@@ -50,6 +50,6 @@ struct Scene {
     size_t n;
 };
 
-void register_queries(nb::class_<Scene> &scene);
+void register_queries(nb::module_ &module, nb::class_<Scene> &scene);
 
 #endif

@@ -73,25 +73,31 @@ nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
     return nb::make_tuple(status, n);
 }
 
+/* Calls function(i, shape) for each of shapes (n). */
+template <class Function>
+static void each_shape(const Input &shapes, const Function &function)
+{
+    const auto *at = static_cast<const char *>(shapes.data());
+    const ptrdiff_t step = 4 * shapes.stride(0);
+    nb::gil_scoped_release released;
+    for (size_t i = 0; i < shapes.shape(0); i++, at += step)
+        function(i, as_shape(at));
+}
+
 /* The inverse of make_shapes: shapes (n) to kinds (n) and numbers (n, 13). */
 void read_shapes(Input shapes, Output kinds, Output numbers)
 {
-    const auto *const from = static_cast<const char *>(shapes.data());
-    const ptrdiff_t step = 4 * shapes.stride(0);
-    nb::gil_scoped_release released;
-    for (size_t i = 0; i < shapes.shape(0); i++)
-        static_cast<signed char *>(kinds.data())[i] = static_cast<signed char>(
-            numbers_of_shape(as_shape(from + static_cast<ptrdiff_t>(i) * step),
-                             row(numbers, i)));
+    auto *const kind = static_cast<signed char *>(kinds.data());
+    each_shape(shapes, [&](size_t i, const cylint_shape *s) {
+        kind[i] =
+            static_cast<signed char>(numbers_of_shape(s, row(numbers, i)));
+    });
 }
 
 /* shapes (n), boxes (n, 6) */
 void bounds(Input shapes, Output boxes)
 {
-    const auto *const from = static_cast<const char *>(shapes.data());
-    const ptrdiff_t step = 4 * shapes.stride(0);
-    nb::gil_scoped_release released;
-    for (size_t i = 0; i < shapes.shape(0); i++)
-        cylint_bounds(as_shape(from + static_cast<ptrdiff_t>(i) * step),
-                      row(boxes, i), row(boxes, i) + 3);
+    each_shape(shapes, [&](size_t i, const cylint_shape *s) {
+        cylint_bounds(s, row(boxes, i), row(boxes, i) + 3);
+    });
 }
