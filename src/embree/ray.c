@@ -122,9 +122,9 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
  * the lower number.  tfar is the present t rounded up, so the present t is
  * needed only if t rounds to tfar too.  Each hit is tested once: a present hit
  * on the same shape is its other hit. */
-static int is_nearer(const ray_test *r, unsigned number,
-                     const cylint_answer *answer, int i)
+static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 {
+    const unsigned number = number_of(r);
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
@@ -146,18 +146,28 @@ static int is_nearer(const ray_test *r, unsigned number,
 
 /* -------------------------------------------------------- recording hits -- */
 
-/* Writes the first members of a RTCHit. */
-static void set_floats(float floats[CYLINT_HIT_FLOATS], const cylint_hit *at)
+/* Describes hit i in the question. */
+static void describe(ray_test *r, exact_hits *x, int i)
 {
+    cylint_hit *at = &x->answer.hit[i];
+    cylint_describe(&x->shape, &x->line,
+                    CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI, at);
     EACH(j, 3)
-        floats[j] = (float)at->normal[j];
-    floats[3] = (float)at->z;
-    floats[4] = cylint_angle_as_float(at->phi);
+        r->q.floats[j] = (float)at->normal[j];
+    r->q.floats[3] = (float)at->z;
+    r->q.floats[4] = cylint_angle_as_float(at->phi);
 }
 
-static void write_ids(const ray_test *r, unsigned number, struct RTCHit *hit)
+static void write_floats(const ray_test *r)
 {
-    hit->primID = number;
+    float *first = (float *)r->hit; /* members: Ng, u, v */
+    for (int j = 0; j < CYLINT_HIT_FLOATS; j++)
+        first[j] = r->q.floats[j];
+}
+
+static void write_ids(const ray_test *r, struct RTCHit *hit)
+{
+    hit->primID = number_of(r);
     hit->geomID = r->args->geomID;
     if (r->data->array) {
         const cylint_embree_array *from =
@@ -181,14 +191,14 @@ struct context_with_filter {
 #endif
 
 /* Calls the filter functions. */
-static int filters_accept(const ray_test *r, struct RTCHit *hit)
+static int filters_accept(const ray_test *r)
 {
     int valid = -1;
     struct RTCFilterFunctionNArguments filter = {&valid,
                                                  r->data->user,
                                                  r->args->context,
                                                  (struct RTCRayN *)r->ray,
-                                                 (struct RTCHitN *)hit,
+                                                 (struct RTCHitN *)r->hit,
                                                  1};
     if (r->any)
         cylint_rtc_filter_occluded(
@@ -206,10 +216,9 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
     return valid != 0;
 }
 
-/* Records a hit at t if the filter functions accept it.  The hit is written in its
- * final place, which saves a copy. */
-static int record(ray_test *r, unsigned number, float t,
-                  const float floats[CYLINT_HIT_FLOATS])
+/* Records the hit that the question answers if the filter functions accept it.  The
+ * hit is written in its final place, which saves a copy. */
+static int record(ray_test *r)
 {
     if (r->any && !has_filters(r)) {
         r->ray->tfar = -HUGE_VALF;
@@ -217,11 +226,11 @@ static int record(ray_test *r, unsigned number, float t,
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
-    for (int j = 0; j < CYLINT_HIT_FLOATS && !is_bare(r); j++)
-        ((float *)r->hit)[j] = floats[j];
-    write_ids(r, number, r->hit);
-    r->ray->tfar = t;
-    if (has_filters(r) && !filters_accept(r, r->hit)) {
+    if (r->q.describes)
+        write_floats(r);
+    write_ids(r, r->hit);
+    r->ray->tfar = r->q.t;
+    if (has_filters(r) && !filters_accept(r)) {
         r->ray->tfar = tfar;
         *r->hit = old;
         return 0;
@@ -234,45 +243,27 @@ static int record(ray_test *r, unsigned number, float t,
 
 /* ----------------------------------------------------- exact intersections -- */
 
-static unsigned wanted(const ray_test *r)
-{
-    return !needs_description(r) ? CYLINT_WANT_T | CYLINT_WANT_Z
-                                 : CYLINT_WANT_T | CYLINT_WANT_NORMAL |
-                                       CYLINT_WANT_Z | CYLINT_WANT_PHI;
-}
-
-/* Describes hit i. */
-static void describe(float floats[CYLINT_HIT_FLOATS], exact_hits *x,
-                     unsigned want, int i)
-{
-    cylint_describe(&x->shape, &x->line, want, &x->answer.hit[i]);
-    set_floats(floats, &x->answer.hit[i]);
-}
-
-/* Tests the hits from number `first` on with cylint_intersect().  Hits of a
- * whole shape are described when they are accepted, those of a piece at once,
- * because z decides which piece owns them. */
+/* Tests the hits from number `first` on with cylint_intersect(); z decides which
+ * piece owns them. */
 static int test_exactly(ray_test *r, int first)
 {
-    exact_hits x;
-    const unsigned number = number_of(r);
     const int whole = r->q.count == 1;
+    exact_hits x;
     if (!r->any && present_number(r) != r->data->n)
         r->q.tmax = tmax_including(r->ray->tfar);
-    intersect(r, r->rank, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
+    intersect(r, r->rank,
+              CYLINT_WANT_T | CYLINT_WANT_PART | (whole ? 0 : CYLINT_WANT_Z),
               &x);
     for (int i = first; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        float floats[CYLINT_HIT_FLOATS] = {0};
         if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
-        if (!r->any && !is_nearer(r, number, &x.answer, i))
+        if (!r->any && !is_nearer(r, &x.answer, i))
             return 0;
-        if (r->q.describes && whole)
-            describe(floats, &x, wanted(r), i);
-        else if (r->q.describes)
-            set_floats(floats, at);
-        if (record(r, number, rounded_up(at->t, r->ray->tfar), floats))
+        if (r->q.describes)
+            describe(r, &x, i);
+        r->q.t = rounded_up(at->t, r->ray->tfar);
+        if (record(r))
             return 1;
     }
     return 0;
@@ -293,7 +284,7 @@ int cylint_ray_end(ray_test *r)
             return test_exactly(r, r->q.exit_only);
         if (r->q.is == CYLINT_FLOAT_FILTER_MISS)
             return 0;
-        if (record(r, number_of(r), r->q.t, r->q.floats))
+        if (record(r))
             return 1;
         if (r->q.leaves)
             return 0;
@@ -364,6 +355,8 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     r.q.tmax = tmax_including(rayhit->ray.tfar);
     const int i = find_present(
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
-    if (i >= 0)
-        describe((float *)&rayhit->hit, &x, CYLINT_WANT_ALL, i);
+    if (i >= 0) {
+        describe(&r, &x, i);
+        write_floats(&r);
+    }
 }

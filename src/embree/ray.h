@@ -43,12 +43,6 @@ static inline int has_filters(const ray_test *r)
     return !(r->data->flags & CYLINT_EMBREE_NO_FILTERS);
 }
 
-/* Whether u, v and Ng of a hit are read by the caller or a filter. */
-static inline int needs_description(const ray_test *r)
-{
-    return !is_bare(r) && (!r->any || has_filters(r));
-}
-
 /* Sets what all questions about the ray share.  Returns whether cylint_span()
  * accepts it.  The box tests do not reject all rays that it refuses.  Sums of six
  * floats do not overflow doubles.  Clearing the whole struct would take longer than
@@ -73,7 +67,8 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
     r->q.tmax = from->tfar;
-    r->q.describes = needs_description(r);
+    /* whether the caller or a filter reads u, v and Ng */
+    r->q.describes = !is_bare(r) && (!any || has_filters(r));
     r->found = 0;
     return (direction > 0) & (all + direction < HUGE_VAL) &
            (from->tnear <= from->tfar);

@@ -15,24 +15,10 @@
 
 static const unsigned both_ways[2] = {0, CYLINT_EMBREE_SINGLE};
 
-static inline cylint_embree_options options_for(unsigned how)
-{
-    cylint_embree_options options = {0};
-    options.flags = how;
-    return options;
-}
-
 static inline struct world made(const cylint_shape *shapes, size_t n,
                                 unsigned how)
 {
-    const cylint_embree_options options = options_for(how);
-    struct world w;
-    if (!CHECK(world_make(&w, shapes, n, &options))) {
-        REPORT("%s, shape %lu", cylint_embree_strerror(w.problem.status),
-               (unsigned long)w.problem.shape);
-        exit(1); /* no geometry to test */
-    }
-    return w;
+    return world_made(shapes, n, &(cylint_embree_options){.flags = how});
 }
 
 /* For the world w of the shapes, with a hierarchy and then without. */
@@ -79,6 +65,16 @@ static inline void agrees(const struct world *w, struct rays *r)
         if (r->valid[i] && !CHECK(world_agrees(w, r, i, 1)))
             world_show(w, r, i);
     CHECK(rays_strayed(r, 0) == 0);
+}
+
+static inline void query_some(const struct world *w, uint64_t *state)
+{
+    for (int i = 0; i < 100; i++) {
+        struct rays r;
+        aim_all(state, &r, rays_sizes[i % 4]);
+        rays_intersect(&r, w->scene, NULL);
+        agrees(w, &r);
+    }
 }
 
 /* Traces the rays for nearest and for any hit, and checks the answers.  Returns the

@@ -95,22 +95,41 @@ RTCScene world_instance(RTCScene of, unsigned id, const float matrix[12])
     return outer;
 }
 
-int world_make(struct world *w, const cylint_shape *shapes, size_t n,
-               const cylint_embree_options *options)
+struct world world_made(const cylint_shape *shapes, size_t n,
+                        const cylint_embree_options *options)
 {
-    memset(w, 0, sizeof *w);
-    w->shapes = shapes;
-    w->n = n;
-    w->geometry =
-        cylint_embree_geometry(world_device(), shapes, n, options, &w->problem);
-    if (!w->geometry)
-        return 0;
-    w->scene = world_new_scene();
-    rtcAttachGeometry(w->scene, w->geometry);
+    struct world w = {.shapes = shapes, .n = n};
+    cylint_embree_problem problem;
+    w.geometry =
+        cylint_embree_geometry(world_device(), shapes, n, options, &problem);
+    w.pack_memory = malloc(cylint_pack_bytes(n) + 1);
+    if (!w.geometry || !w.pack_memory) {
+        fprintf(stderr, "%s, shape %lu\n",
+                cylint_embree_strerror(problem.status),
+                (unsigned long)problem.shape);
+        exit(1);
+    }
+    w.scene = world_new_scene();
+    rtcAttachGeometry(w.scene, w.geometry);
+    rtcCommitScene(w.scene);
+    cylint_pack_shapes(&w.pack, w.pack_memory, shapes, n);
+    return w;
+}
+
+void world_filter(struct world *w, RTCFilterFunctionN filter)
+{
+    rtcSetGeometryIntersectFilterFunction(w->geometry, filter);
+    rtcSetGeometryOccludedFilterFunction(w->geometry, filter);
+    rtcCommitGeometry(w->geometry);
     rtcCommitScene(w->scene);
-    w->pack_memory = malloc(cylint_pack_bytes(n) + 1);
-    cylint_pack_shapes(&w->pack, w->pack_memory, shapes, n);
-    return w->pack_memory != NULL;
+}
+
+int world_update(struct world *w)
+{
+    const int status = cylint_embree_update(w->geometry, NULL);
+    rtcCommitScene(w->scene);
+    cylint_pack_shapes(&w->pack, w->pack_memory, w->shapes, w->n);
+    return status;
 }
 
 void world_free(struct world *w)

@@ -38,14 +38,17 @@ struct world {
     size_t n;
     cylint_pack pack;
     void *pack_memory; /* of the pack */
-    cylint_embree_problem problem;
 };
 
-/* A committed scene that holds the shapes alone.  1 if it is made;
- * else w->problem says why it is not. */
-int world_make(struct world *w, const cylint_shape *shapes, size_t n,
-               const cylint_embree_options *options);
+/* A committed scene that holds the shapes alone; ends the test if there is none. */
+struct world world_made(const cylint_shape *shapes, size_t n,
+                        const cylint_embree_options *options);
 void world_free(struct world *w);
+
+/* Commits the scene with this filter of the geometry, or with the shapes as they
+ * are now.  Returns the status of the update. */
+void world_filter(struct world *w, RTCFilterFunctionN filter);
+int world_update(struct world *w);
 
 /* The least float that is not below x: tfar of a hit at t = x. */
 float world_float_above(double x);

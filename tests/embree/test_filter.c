@@ -281,21 +281,13 @@ static void query_packets(struct world *w, uint64_t *state, rule geometry,
 static void with_filters(unsigned how, int kind)
 {
     cylint_shape shapes[SOME];
-    cylint_embree_options options = {0};
+    const cylint_embree_options options = {
+        .flags = how | CYLINT_EMBREE_CONTEXT_FILTER, .user = &user_word};
     uint64_t state = 11;
-    struct world w;
-    options.flags = how | CYLINT_EMBREE_CONTEXT_FILTER;
-    options.user = &user_word;
     world_shapes(&state, kind, shapes, SOME);
-    if (!CHECK(world_make(&w, shapes, SOME, &options)))
-        return;
+    struct world w = world_made(shapes, SOME, &options);
     for (int geometry = ACCEPT; geometry < RULES; geometry++) {
-        rtcSetGeometryIntersectFilterFunction(
-            w.geometry, geometry == ACCEPT ? NULL : geometry_filter);
-        rtcSetGeometryOccludedFilterFunction(
-            w.geometry, geometry == ACCEPT ? NULL : geometry_filter);
-        rtcCommitGeometry(w.geometry);
-        rtcCommitScene(w.scene);
+        world_filter(&w, geometry == ACCEPT ? NULL : geometry_filter);
         for (int context = ACCEPT; context < RULES; context++)
             for (int i = 0; i < 40; i++)
                 query_packets(&w, &state, (rule)geometry, (rule)context,

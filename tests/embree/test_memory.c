@@ -7,8 +7,7 @@
  */
 #include <string.h>
 
-#include "check.h"
-#include "embree_world.h"
+#include "embree_compare.h"
 
 enum { SHAPES = 300, ENOUGH = 1000 };
 
@@ -96,21 +95,6 @@ static void a_failed_making_frees_all_memory(void)
     }
 }
 
-static void query_all(struct world *w, uint64_t *state)
-{
-    for (int i = 0; i < 50; i++) {
-        struct rays r;
-        float o[3], d[3];
-        world_direction(state, o);
-        world_direction(state, d);
-        rays_begin(&r, 1);
-        rays_add(&r, 0, o, d, 0, 1e9f);
-        rays_intersect(&r, w->scene, NULL);
-        if (!CHECK(world_agrees(w, &r, 0, 1)))
-            world_show(w, &r, 0);
-    }
-}
-
 /* A refused update can be repeated. */
 static void a_failed_update_frees_all_memory(void)
 {
@@ -118,16 +102,12 @@ static void a_failed_update_frees_all_memory(void)
     uint64_t state = 5;
     for (int how = 0; how < 2; how++) {
         const long long before = world_memory.bytes;
-        cylint_embree_options options = {0};
-        struct world w;
-        options.flags = how ? CYLINT_EMBREE_SINGLE : 0;
         shapes_of_all_kinds(shapes, 2);
-        if (!CHECK(world_make(&w, shapes, SHAPES, &options)))
-            return;
+        struct world w = made(shapes, SHAPES, both_ways[how]);
         struct subject s = {.geometry = w.geometry};
         CHECK(refuse_each(update, &s) > 0 || how);
         rtcCommitScene(w.scene);
-        query_all(&w, &state);
+        query_some(&w, &state);
         world_free(&w);
         CHECK(world_memory.bytes == before);
     }
@@ -140,13 +120,11 @@ static void a_refused_commit_can_be_repeated(void)
     cylint_shape shapes[SHAPES];
     const long long before = world_memory.bytes;
     uint64_t state = 6;
-    struct world w;
     shapes_of_all_kinds(shapes, 3);
-    if (!CHECK(world_make(&w, shapes, SHAPES, NULL)))
-        return;
+    struct world w = made(shapes, SHAPES, 0);
     struct subject s = {.geometry = w.geometry, .scene = w.scene};
     CHECK(refuse_each(commit, &s) > 0);
-    query_all(&w, &state);
+    query_some(&w, &state);
     world_free(&w);
     CHECK(world_memory.bytes == before);
 }
@@ -175,12 +153,10 @@ static void queries_do_not_read_the_callers_shapes(void)
     uint64_t state = 7;
     shapes_of_all_kinds(shapes, 5);
     for (int how = 0; how < 3; how++) {
-        cylint_embree_options options = {0};
-        struct world w;
-        options.flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0;
-        options.moved = how == 2 ? copy : NULL;
-        if (!CHECK(world_make(&w, shapes, SHAPES, NULL)))
-            return;
+        const cylint_embree_options options = {
+            .flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0,
+            .moved = how == 2 ? copy : NULL};
+        struct world w = made(shapes, SHAPES, 0);
         memcpy(copy, shapes, sizeof copy);
         cylint_embree_release(w.geometry);
         rtcDetachGeometry(w.scene, 0);
@@ -189,7 +165,7 @@ static void queries_do_not_read_the_callers_shapes(void)
         memset(copy, 0xa5, sizeof copy);
         rtcAttachGeometry(w.scene, w.geometry);
         rtcCommitScene(w.scene);
-        query_all(&w, &state);
+        query_some(&w, &state);
         world_free(&w);
     }
 }

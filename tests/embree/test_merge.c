@@ -41,9 +41,10 @@ static void merge(struct world *w, const cylint_embree_options *options)
 {
     rtcReleaseScene(w->scene);
     cylint_embree_release(w->geometry);
-    w->geometry = cylint_embree_merge(world_device(), parts, n_parts, options,
-                                      &w->problem);
-    CHECK(w->geometry && w->problem.status == CYLINT_EMBREE_OK);
+    cylint_embree_problem problem;
+    w->geometry =
+        cylint_embree_merge(world_device(), parts, n_parts, options, &problem);
+    CHECK(w->geometry && problem.status == CYLINT_EMBREE_OK);
     w->scene = rtcNewScene(world_device());
     rtcAttachGeometryByID(w->scene, w->geometry, 1);
     rtcCommitScene(w->scene);
@@ -123,29 +124,20 @@ static void hits_have_the_numbers_of_the_parts(void)
         cylint_embree_options options = {.flags = flags[i], .threads = 2};
         cylint_shape shapes[SHAPES];
         uint64_t state = 11 + (uint64_t)i;
-        struct world one, merged;
         world_shapes(&state, i % 2 ? SCENE_LATTICE : SCENE_MIXED, shapes,
                      SHAPES);
         cut(shapes);
-        CHECK(world_make(&one, shapes, SHAPES, &options));
-        CHECK(world_make(&merged, shapes, SHAPES, &options));
+        struct world one = world_made(shapes, SHAPES, &options);
+        struct world merged = world_made(shapes, SHAPES, &options);
         merge(&merged, &options);
         if (i == 3) {
-            rtcSetGeometryIntersectFilterFunction(one.geometry, reject_some);
-            rtcSetGeometryOccludedFilterFunction(one.geometry, reject_some);
-            rtcSetGeometryIntersectFilterFunction(merged.geometry, reject_some);
-            rtcSetGeometryOccludedFilterFunction(merged.geometry, reject_some);
-            rtcCommitGeometry(one.geometry);
-            rtcCommitGeometry(merged.geometry);
-            rtcCommitScene(one.scene);
-            rtcCommitScene(merged.scene);
+            world_filter(&one, reject_some);
+            world_filter(&merged, reject_some);
         }
         compare(&one, &merged, &state, i == 1);
         world_shapes(&state, SCENE_MIXED, shapes, SHAPES);
-        CHECK(cylint_embree_update(one.geometry, NULL) == CYLINT_EMBREE_OK &&
-              cylint_embree_update(merged.geometry, NULL) == CYLINT_EMBREE_OK);
-        rtcCommitScene(one.scene);
-        rtcCommitScene(merged.scene);
+        CHECK(world_update(&one) == CYLINT_EMBREE_OK &&
+              world_update(&merged) == CYLINT_EMBREE_OK);
         compare(&one, &merged, &state, i == 1);
         CHECK(cylint_embree_bytes(merged.geometry) >
               cylint_embree_bytes(one.geometry));

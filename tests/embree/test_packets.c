@@ -169,18 +169,12 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
 static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < WORLD_SCENES; i++) {
-        const cylint_embree_options options = options_for(how);
         struct scene_shapes s;
-        struct world w;
         scene_generate(world_scenes[i], SHAPES, 7, &s);
-        if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
-            rtcSetGeometryIntersectFilterFunction(w.geometry, filter);
-            rtcSetGeometryOccludedFilterFunction(w.geometry, filter);
-            rtcCommitGeometry(w.geometry);
-            rtcCommitScene(w.scene);
-            query_scene(&w, &s, how, MANNERS * PACKETS);
-            world_free(&w);
-        }
+        struct world w = made(s.shapes, s.n, how);
+        world_filter(&w, filter);
+        query_scene(&w, &s, how, MANNERS * PACKETS);
+        world_free(&w);
         scene_release(&s);
     }
 }
@@ -240,14 +234,11 @@ static void call(const struct world *w, struct rays *r)
 
 static void rays_that_are_no_lines_do_not_disturb_others(void)
 {
-    const cylint_embree_options options = options_for(CYLINT_EMBREE_NO_FILTERS);
     uint64_t state = 3;
     struct scene_shapes s;
-    struct world w;
     int hits = 0;
     scene_generate(SCENE_FAT, SHAPES, 3, &s);
-    if (!CHECK(world_make(&w, s.shapes, s.n, &options)))
-        return;
+    struct world w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         const struct aim a = draw_aim(&state, &s, EYE);
         const float bad[4] = {NAN, HUGE_VALF, -HUGE_VALF, 0};

@@ -14,9 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
 #include "shapes/layout.h"
-#include "embree_world.h"
+#include "embree_compare.h"
 #include "vectors.h"
 
 static int rays_wanted = 100000, shapes_wanted = 200;
@@ -139,21 +138,13 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
         struct scene_shapes s;
-        struct world w;
-        cylint_embree_options options = {0};
-        options.flags = how;
         scene_generate(world_scenes[i], (size_t)shapes_wanted, seed, &s);
-        if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
-            for (int kind = 0; kind < LINES_KINDS; kind++)
-                compare_lines(
-                    &w, &s, (enum scene_lines)kind, seed,
-                    1 + rays_wanted / (2 * WORLD_SCENES * LINES_KINDS), &n);
-            world_free(&w);
-        } else {
-            REPORT("scene %s, shape %lu: %s", s.name,
-                   (unsigned long)w.problem.shape,
-                   cylint_embree_strerror(w.problem.status));
-        }
+        struct world w = made(s.shapes, s.n, how);
+        for (int kind = 0; kind < LINES_KINDS; kind++)
+            compare_lines(&w, &s, (enum scene_lines)kind, seed,
+                          1 + rays_wanted / (2 * WORLD_SCENES * LINES_KINDS),
+                          &n);
+        world_free(&w);
         scene_release(&s);
     }
     CHECK(n.rays >= rays_wanted / 2 && n.hits > n.rays / 4 &&
@@ -188,10 +179,9 @@ static void hits_of_a_shape_that_share_a_float_are_distinguished(void)
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
         struct scene_shapes s;
-        struct world w;
         scene_generate(SCENE_LENGTHS, 300, turn, &s);
-        if (CHECK(world_make(&w, s.shapes, s.n, NULL)))
-            compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
+        struct world w = made(s.shapes, s.n, 0);
+        compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
         world_free(&w);
         scene_release(&s);
     }
@@ -234,21 +224,17 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
 static void rays_that_barely_miss_are_not_occluded(void)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
-    cylint_embree_options options = {0};
     uint64_t state = seed;
     long hits = 0;
-    options.flags = CYLINT_EMBREE_NO_FILTERS;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];
-        struct world w;
         world_shapes(&state, scene, shapes, SOLIDS);
         for (int i = 0; i < SOLIDS; i++) {
             const cylint_shape was = shapes[i];
             cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
                             cylint_r0(&was), CYLINT_ENDS_CAPPED);
         }
-        if (!CHECK(world_make(&w, shapes, SOLIDS, &options)))
-            return;
+        struct world w = made(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
         for (int turn = 0; turn < TURNS; turn++) {
             struct rays r;
             rays_begin(&r, 1);

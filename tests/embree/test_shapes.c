@@ -17,13 +17,9 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
 {
     static const float times[4] = {0, 0.25f, 0.5f, 1};
     cylint_shape now[SOME];
-    cylint_embree_options options = {0};
-    struct world w, at;
+    const cylint_embree_options options = {.moved = moved};
+    struct world w = world_made(shapes, SOME, &options), at = w;
     int hits = 0;
-    options.moved = moved;
-    if (!CHECK(world_make(&w, shapes, SOME, &options)))
-        return 0;
-    at = w;
     at.pack_memory = malloc(cylint_pack_bytes(SOME));
     for (int turn = 0; turn < 4; turn++) {
         for (int i = 0; i < SOME; i++)
@@ -152,56 +148,38 @@ static void between_moves_the_constructors_numbers(void)
 
 /* --------------------------------------------------------------- update -- */
 
-static void query_some(struct world *w, uint64_t *state)
-{
-    for (int i = 0; i < 100; i++) {
-        struct rays r;
-        aim_all(state, &r, 4);
-        rays_intersect(&r, w->scene, NULL);
-        agrees(w, &r);
-    }
-}
-
 static void an_update_reads_the_changed_shapes(void)
 {
-    cylint_shape shapes[SOME], kept;
+    cylint_shape shapes[SOME];
     uint64_t state = 6;
     for (int how = 0; how < 2; how++) {
-        struct world w;
-        long long bytes;
+        cylint_embree_problem problem;
         world_shapes(&state, SCENE_THIN, shapes, SOME);
-        w = made(shapes, SOME, both_ways[how]);
+        struct world w = made(shapes, SOME, both_ways[how]);
         query_some(&w, &state);
-        bytes = world_memory.bytes;
+        const long long bytes = world_memory.bytes;
         for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
             world_shapes(&state, kind, shapes, SOME);
-            CHECK(cylint_embree_update(w.geometry, &w.problem) ==
-                  CYLINT_EMBREE_OK);
-            rtcCommitScene(w.scene);
-            cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SOME);
+            CHECK(world_update(&w) == CYLINT_EMBREE_OK);
             query_some(&w, &state);
         }
         /* a later scene needs no more memory than the first */
         world_shapes(&state, SCENE_THIN, shapes, SOME);
         for (int i = 0; i < 50; i++)
-            CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
-        rtcCommitScene(w.scene);
+            CHECK(world_update(&w) == CYLINT_EMBREE_OK);
         CHECK(world_memory.bytes < 2 * bytes);
         /* a shape that is refused, and then one that is not */
-        kept = shapes[17];
+        const cylint_shape kept = shapes[17];
         cylint_cylinder(&shapes[17], cylint_base(&kept), cylint_base(&kept), 1,
                         CYLINT_ENDS_CAPPED);
         world_errors();
-        CHECK(cylint_embree_update(w.geometry, &w.problem) ==
+        CHECK(cylint_embree_update(w.geometry, &problem) ==
               CYLINT_EMBREE_ESHAPE);
-        CHECK(w.problem.status == CYLINT_EMBREE_ESHAPE &&
-              w.problem.shape == 17);
+        CHECK(problem.status == CYLINT_EMBREE_ESHAPE && problem.shape == 17);
         CHECK(world_errors() == 1 &&
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         shapes[17] = kept;
-        CHECK(cylint_embree_update(w.geometry, &w.problem) == CYLINT_EMBREE_OK);
-        rtcCommitScene(w.scene);
-        cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SOME);
+        CHECK(world_update(&w) == CYLINT_EMBREE_OK);
         query_some(&w, &state);
         world_free(&w);
     }
@@ -289,7 +267,7 @@ static void refused(const cylint_shape *bad, size_t first, int status)
     world_shapes(&state, SCENE_FAT, shapes, ROW);
     shapes[first] = shapes[ROW - 1] = *bad;
     for (int how = 0; how < 2; how++) {
-        const cylint_embree_options options = options_for(both_ways[how]);
+        const cylint_embree_options options = {.flags = both_ways[how]};
         cylint_embree_problem problem = {0, 0};
         const long long bytes = world_memory.bytes;
         world_errors();
@@ -372,19 +350,15 @@ static void five_threads_make_a_geometry_that_answers_the_same(void)
     static cylint_shape shapes[MANY];
     const long long bytes = world_memory.bytes;
     const double side = cbrt(MANY);
-    cylint_embree_options options = {0};
+    const cylint_embree_options options = {.threads = 5};
     uint64_t state = 12;
-    struct world one, five;
     int hits = 0;
     world_shapes(&state, SCENE_FIBRES, shapes, MANY);
-    options.threads = 5;
-    if (!CHECK(world_make(&one, shapes, MANY, NULL) &&
-               world_make(&five, shapes, MANY, &options)))
-        return;
+    struct world one = made(shapes, MANY, 0);
+    struct world five = world_made(shapes, MANY, &options);
     CHECK(cylint_embree_bytes(one.geometry) ==
           cylint_embree_bytes(five.geometry));
-    CHECK(cylint_embree_update(five.geometry, NULL) == CYLINT_EMBREE_OK);
-    rtcCommitScene(five.scene);
+    CHECK(world_update(&five) == CYLINT_EMBREE_OK);
     for (int i = 0; i < 300; i++) {
         struct rays r, s;
         float o[3], d[3];
