@@ -49,7 +49,7 @@ typedef struct {
 
 /* The most data that are multiplied with each other in any of these numbers, so
  * none has more than 67 limbs (exact.h) times that; from a norm of nearest_point.c
- * (tests/bounds/test_form_depth.c counts them). */
+ * (tests/bounds/test_arena.c counts them). */
 enum { CYLINT_DISTANCE_DEGREE = 22 };
 
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,

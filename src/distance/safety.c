@@ -204,13 +204,6 @@ INLINE double if_positive(double bound, const cylint_shape *s,
     return bound > 0 ? bound : below_distance(s, point);
 }
 
-static double elliptic_safety(const cylint_shape *s, const double point[3])
-{
-    return CYLINT_OF_BUILD(cylint_build_used(), cylint_elliptic_safety_plain,
-                           cylint_elliptic_safety_fma,
-                           cylint_elliptic_safety_fma)(s, point);
-}
-
 /* All but the capped shapes of circular and round kinds. */
 ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
@@ -218,7 +211,7 @@ ASIDE double other_safety(const cylint_shape *s, const double point[3])
     if (!cylint_prepared(s) || cylint_has_tangent(s->kind))
         return below_distance(s, point);
     if (cylint_is_elliptic(s->kind))
-        bound = elliptic_safety(s, point);
+        bound = CYLINT_OF_FMA(cylint_elliptic_kernels)->safety(s, point);
     else if (s->ends == CYLINT_ENDS_INFINITE)
         bound = infinite_safety(s, point);
     else if (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind))

@@ -23,7 +23,7 @@ typedef struct {
  * The capacity of the arena.  The bits of a double have weights from 2^-1074 to
  * 2^1023: an input takes at most 67 limbs, a product of d inputs 67 d.  A form
  * keeps only its result (BEGIN, RETURN).  Proved: tests/bounds/test_arena.c runs
- * the library with numbers of full length and measures at most 15441 limbs.  The
+ * the library with numbers of full length and measures at most 15027 limbs.  The
  * capacity is the next power of two.
  */
 enum { CYLINT_ARENA_LIMBS = 16384 };

@@ -1,14 +1,20 @@
 /*
- * test_arena.c - floor numbers: the arena is large enough for every question
+ * test_arena.c - floors numbers and distance: the arena is large enough for every
+ * question, and exact_distance.h has the degree of the forms of distances
  *
  * The functions cylint_exact_*() of this file replace those of exact.c.  They
  * keep only a number's extent, the range of limbs that it can have: all limbs
  * that a double can have, and one more for the carry of each sum.  Nothing
- * cancels and nothing is trimmed, so real numbers never use more limbs.  Signs
- * decide what the library computes next; they are random.
+ * cancels and nothing is trimmed, so real numbers never use more limbs
+ * (numbers/test_exact.c tests each operation).  Signs decide what the library
+ * computes next; they are random.
+ *
+ * The degree of a number is how many data are multiplied in it: each has LOWEST
+ * as the position of its first limb, and positions add.
  */
 #include "check.h"
 #include "distance/exact_distance.h"
+#include "families.h"
 #include "random.h"
 #include "roots/roots.h"
 #include "shapes/layout.h"
@@ -23,12 +29,19 @@ static uint64_t below(uint64_t n)
     return random_below(&stream, n);
 }
 
+static int highest_degree;
+
+static int larger(int x, int y)
+{
+    return x > y ? x : y;
+}
+
 static exact extent(cylint_arena *arena, int n, int exponent)
 {
+    highest_degree = larger(highest_degree, exponent / LOWEST);
     const exact x = {arena->limb + arena->used, n, exponent, below(2) ? 1 : -1};
     arena->used += n;
-    if (arena->used > arena->most)
-        arena->most = arena->used;
+    arena->most = larger(arena->most, arena->used);
     return x;
 }
 
@@ -51,7 +64,7 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
         return x;
     const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
     const int xt = x.exponent + x.n, yt = y.exponent + y.n;
-    return extent(arena, (xt > yt ? xt : yt) - low + 1, low);
+    return extent(arena, larger(xt, yt) - low + 1, low);
 }
 
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
@@ -96,40 +109,24 @@ pair cylint_exact_round(exact x, int *e)
 /* A shape of the kind and a line; their numbers have no effect here. */
 static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
 {
-    static const double p[3] = {0, 0, 0}, a[3] = {1, 0, 0}, b[3] = {0, 1, 0},
-                        h[3] = {0, 0, 1}, o[3] = {0.3, -5, 0.4},
-                        d[3] = {0.1, 1, 0.2};
-    switch (kind) {
-    case CYLINT_KIND_CYLINDER:
-        cylint_cylinder(s, p, h, 1, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_CONE:
-        cylint_cone(s, p, 1, h, 2, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_ACONE:
-        cylint_tangent_cone(s, p, h, 1, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_ECYLINDER:
-        cylint_elliptic_cylinder(s, p, a, b, h, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_ECONE:
-        cylint_elliptic_cone(s, p, a, b, h, 2, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_SPHERE:
-        cylint_sphere(s, p, 1, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_CAPSULE:
-        cylint_capsule(s, p, h, 1, CYLINT_ENDS_CAPPED);
-        break;
-    default:
-        cylint_round_cone(s, p, 1, h, 1.5, CYLINT_ENDS_CAPPED);
-        s->kind = CYLINT_KIND_RCONE; /* whatever the arithmetic here says */
-        s->library.flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
-    }
-    if (segment)
-        cylint_segment(l, o, d);
-    else
-        cylint_whole_line(l, o, d);
+    static const double line[6] = {0.3, -5, 0.4, 0.1, 1, 0.2};
+    static const double shape[CYLINT_KIND_RCONE + 1][13] = {
+        [CYLINT_KIND_CYLINDER] = {0, 0, 0, 0, 0, 1, 1},
+        [CYLINT_KIND_CONE] = {0, 0, 0, 1, 0, 0, 1, 2},
+        [CYLINT_KIND_ACONE] = {0, 0, 0, 0, 0, 1, 1},
+        [CYLINT_KIND_ECYLINDER] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
+        [CYLINT_KIND_ECONE] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2},
+        [CYLINT_KIND_SPHERE] = {0, 0, 0, 1},
+        [CYLINT_KIND_CAPSULE] = {0, 0, 0, 0, 0, 1, 1},
+        [CYLINT_KIND_RCONE] = {0, 0, 0, 1, 0, 0, 1, 1.5}};
+    struct family_case c =
+        family_of(segment ? FAMILY_SEGMENT : FAMILY_LINE, line,
+                  (family_shape)(kind - CYLINT_KIND_CYLINDER), shape[kind]);
+    family_make(&c);
+    *l = c.line;
+    *s = c.shape;
+    s->kind = kind; /* the arithmetic here may have made another */
+    s->library.flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
 }
 
 static void compute_signs(cylint_query *q)
@@ -169,8 +166,17 @@ static int limbs_used(int kind, int segment)
     return q.arena.most;
 }
 
-/* The same for the distance of a point, from every feature. */
-static int limbs_of_distance(int kind, cylint_ends ends)
+typedef enum { FEATURE, DISTANCE, POINT, ANSWERS } exact_answer;
+
+static void end_answer(exact_answer answer, int degree[ANSWERS])
+{
+    degree[answer] = larger(degree[answer], highest_degree);
+    highest_degree = 0;
+}
+
+/* The same for the distance of a point, from every feature, and the highest degrees
+ * of the numbers that each answer needs. */
+static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
 {
     static const double point[3] = {0.3, -5, 0.4};
     int most = 0;
@@ -183,16 +189,22 @@ static int limbs_of_distance(int kind, cylint_ends ends)
         cylint_closest answer;
         cylint_load_meridian(&m, &s, point);
         const int used = m.arena->used;
+        highest_degree = 0;
         cylint_nearest_feature(&m);
+        end_answer(FEATURE, degree);
         CHECK(m.arena->used == used);
         const int end = (int)below(2);
         nearest n = {CYLINT_PART_LATERAL, feature, end, 1};
         if (feature == CYLINT_FEATURE_CAP0 || feature == CYLINT_FEATURE_CAP1)
             n.part = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
         cylint_rounded_distance(&m, &n);
+        end_answer(DISTANCE, degree);
+        if (below(2)) /* a point on the axis */
+            m.q.sign = 0;
         cylint_nearest_point(&m, &n, CYLINT_WANT_ALL, &answer);
+        end_answer(POINT, degree);
         CHECK(m.arena->used == used);
-        most = m.arena->most > most ? m.arena->most : most;
+        most = larger(most, m.arena->most);
     }
     return most;
 }
@@ -200,29 +212,34 @@ static int limbs_of_distance(int kind, cylint_ends ends)
 static void no_distance_needs_more_than_the_arena(void)
 {
     enum { ROUNDS = 2000 };
-    for (int kind = 1; kind < CYLINT_KINDS; kind++) {
-        int most = 0;
+    int highest = 0;
+    for (int kind = 1; kind <= CYLINT_KIND_RCONE; kind++) {
+        int most = 0, degree[ANSWERS] = {0, 0, 0};
         for (int i = 0; i < ROUNDS && !cylint_is_elliptic(kind); i++) {
             const int planes = cylint_is_round(kind) || below(2);
-            const int used = limbs_of_distance(
-                kind, planes ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_INFINITE);
-            most = used > most ? used : most;
+            const cylint_ends ends =
+                planes ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_INFINITE;
+            most = larger(most, limbs_of_distance(kind, ends, degree));
         }
-        printf("note: kind %d: %d of %d limbs\n", kind, most,
-               (int)CYLINT_ARENA_LIMBS);
+        printf("note: kind %d: %d of %d limbs; degrees: feature %d, distance "
+               "%d, point %d\n",
+               kind, most, (int)CYLINT_ARENA_LIMBS, degree[FEATURE],
+               degree[DISTANCE], degree[POINT]);
         CHECK(most <= CYLINT_ARENA_LIMBS);
+        for (int i = 0; i < ANSWERS; i++)
+            highest = larger(highest, degree[i]);
     }
+    if (!CHECK(highest == CYLINT_DISTANCE_DEGREE))
+        REPORT("degree %d", highest);
 }
 
 static void no_question_needs_more_than_the_arena(void)
 {
-    enum { KINDS = CYLINT_KINDS - 1, ROUNDS = 2000 };
-    for (int kind = 1; kind <= KINDS; kind++) {
+    enum { ROUNDS = 2000 };
+    for (int kind = 1; kind <= CYLINT_KIND_RCONE; kind++) {
         int most = 0;
-        for (int i = 0; i < ROUNDS; i++) {
-            const int used = limbs_used(kind, i & 1);
-            most = used > most ? used : most;
-        }
+        for (int i = 0; i < ROUNDS; i++)
+            most = larger(most, limbs_used(kind, i & 1));
         printf("note: kind %d: %d of %d limbs\n", kind, most,
                (int)CYLINT_ARENA_LIMBS);
         CHECK(most > LEAF && most <= CYLINT_ARENA_LIMBS);

@@ -1,22 +1,17 @@
 /*
- * test_form_depth.c - floors signs and distance: error_bounds.h has the depth of
- * the forms, exact_distance.h the degree of those of distances
+ * test_form_depth.c - floor signs: error_bounds.h has the depth of the forms, and
+ * their degree
  *
  * The depth of a form is the largest number of roundings on a path from the
  * data to it.  forms_template.h is compiled with an arithmetic of path lengths:
  * a sum has one rounding more than its longer side, a product one more than
  * both sides together.  The largest depth of all forms and kinds must be
  * CYLINT_DEPTH, neither more nor less.
- *
- * The forms of distances are exact, so their size counts: the degree is the
- * number of data that are multiplied.
  */
 #include <string.h>
 
 #include "check.h"
 #include "shapes/layout.h"
-#include "distance/exact_distance.h"
-#include "random.h"
 #include "roots/roots.h"
 
 static int longer(int x, int y)
@@ -272,136 +267,6 @@ static void the_highest_degree_is_in_error_bounds_h(void)
         REPORT("degree %d", most);
 }
 
-/* ---------------------------------------------- degrees of distances --- */
-
-/* The functions cylint_exact_*() of this file replace those of exact.c: n is a
- * degree.  Signs decide what is computed next; they are random. */
-static int degree_of_numbers;
-
-static exact number_of_degree(cylint_arena *arena, int degree)
-{
-    static uint64_t stream = 1;
-    degree_of_numbers = longer(degree_of_numbers, degree);
-    return (exact){arena->limb, degree, 0, random_int(&stream, 2) ? 1 : -1};
-}
-
-exact cylint_exact_from(cylint_arena *arena, double x)
-{
-    (void)x;
-    return number_of_degree(arena, 1);
-}
-
-exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
-{
-    return x.sign == 0   ? y
-           : y.sign == 0 ? x
-                         : number_of_degree(arena, longer(x.n, y.n));
-}
-
-exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
-{
-    return x.sign == 0   ? x
-           : y.sign == 0 ? y
-                         : number_of_degree(arena, x.n + y.n);
-}
-
-exact cylint_exact_difference(cylint_arena *arena, double x, double y)
-{
-    (void)x;
-    (void)y;
-    return number_of_degree(arena, 1);
-}
-
-exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
-{
-    arena->used = used;
-    return x;
-}
-
-double cylint_exact_nearest(exact x, int e)
-{
-    static int calls;
-    (void)x;
-    (void)e;
-    return calls++ % 2 ? 1 : 1.25; /* two candidates, which are compared */
-}
-
-pair cylint_exact_round(exact x, int *e)
-{
-    (void)x;
-    *e = 0;
-    return (pair){1, 0};
-}
-
-static void make_shape(cylint_shape *s, int kind, cylint_ends ends)
-{
-    static const double p[3] = {0, 0, 0}, h[3] = {0, 0, 1};
-    if (kind == CYLINT_KIND_ACONE)
-        cylint_tangent_cone(s, p, h, 1, ends);
-    else if (kind == CYLINT_KIND_SPHERE)
-        cylint_sphere(s, p, 1, ends);
-    else
-        cylint_cone(s, p, 1, h, 2, ends);
-    s->kind = kind; /* whatever the arithmetic here says */
-    s->library.flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
-}
-
-/* What the library computes from exact numbers. */
-typedef enum { FEATURE, DISTANCE, POINT, ANSWERS } exact_answer;
-
-/* The largest degrees in one random question. */
-static void degrees_of_question(int kind, cylint_ends ends, int feature,
-                                int on_axis, int degree[ANSWERS])
-{
-    static const double point[3] = {0.3, -5, 0.4};
-    static uint64_t stream = 2;
-    const int end = random_int(&stream, 2);
-    const int is_cap =
-        feature == CYLINT_FEATURE_CAP0 || feature == CYLINT_FEATURE_CAP1;
-    const int part = !is_cap ? CYLINT_PART_LATERAL
-                     : end   ? CYLINT_PART_CAP1
-                             : CYLINT_PART_CAP0;
-    const nearest n = {part, feature, end, 1};
-    cylint_shape s;
-    cylint_closest answer;
-    meridian m;
-    make_shape(&s, kind, ends);
-    cylint_load_meridian(&m, &s, point);
-    degree_of_numbers = 0;
-    cylint_nearest_feature(&m);
-    degree[FEATURE] = longer(degree[FEATURE], degree_of_numbers);
-    degree_of_numbers = 0;
-    cylint_rounded_distance(&m, &n);
-    degree[DISTANCE] = longer(degree[DISTANCE], degree_of_numbers);
-    degree_of_numbers = 0;
-    if (on_axis)
-        m.q.sign = 0;
-    cylint_nearest_point(&m, &n, CYLINT_WANT_ALL, &answer);
-    degree[POINT] = longer(degree[POINT], degree_of_numbers);
-}
-
-static void distances_have_the_degree_in_exact_distance_h(void)
-{
-    enum { ROUNDS = 100 };
-    int most = 0;
-    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-        int degree[ANSWERS] = {0, 0, 0};
-        for (int i = 0; i < ROUNDS && !cylint_is_elliptic(kind); i++)
-            for (int f = 0; f <= CYLINT_FEATURE_APEX; f++) {
-                degrees_of_question(kind, CYLINT_ENDS_CAPPED, f, i & 1, degree);
-                if (!cylint_is_round(kind))
-                    degrees_of_question(kind, CYLINT_ENDS_INFINITE, f, i & 1,
-                                        degree);
-            }
-        printf("note: degrees, kind %d: feature %d, distance %d, point %d\n",
-               kind, degree[FEATURE], degree[DISTANCE], degree[POINT]);
-        for (int i = 0; i < ANSWERS; i++)
-            most = longer(most, degree[i]);
-    }
-    if (!CHECK(most == CYLINT_DISTANCE_DEGREE))
-        REPORT("degree %d", most);
-}
-
 int main(void)
 {
     RUN(the_deepest_form_has_the_depth_in_error_bounds_h);
@@ -409,6 +274,5 @@ int main(void)
     RUN(values_at_a_point_of_the_line_are_no_deeper);
     RUN(underflow_stays_below_its_bound);
     RUN(the_highest_degree_is_in_error_bounds_h);
-    RUN(distances_have_the_degree_in_exact_distance_h);
     return check_end();
 }

@@ -3,8 +3,9 @@
  *
  * The arrays of every batch lie between guard pages; its inputs and its pack
  * are read-only during the call.  All tests run with every build of the kernels
- * that this processor has.  CYLINT_SEED changes all cases of the families,
- * CYLINT_CASES sets the number of lines of each, at most 59.
+ * that this processor has.  CYLINT_SEED changes all cases of the families;
+ * CYLINT_CASES sets the number of lines of each, at most 59, and a 50th of the
+ * number of its pairs, at most MOST.
  */
 #include <math.h>
 #include <pthread.h>
@@ -273,16 +274,17 @@ static void kernels_are_chosen_by_name(void)
 
 static void batches_answer_as_single_questions(void)
 {
+    const size_t lines = lines_per_family(), n = lines < 12 ? 50 * lines : MOST;
     for (int family = 0; family <= family_count(); family++) {
         if (family < family_count())
             draw(family, 1000, MOST);
         else
             draw_mixed(MOST);
-        check_pairs(drawn, MOST, &usual);
-        check_pairs(drawn, MOST, &without_members);
-        check_lines(&drawn[MOST - 1], drawn, MOST, &usual);
-        check_shapes(&drawn[MOST - 2], drawn, MOST, &usual);
-        for (size_t i = 0; i < lines_per_family(); i++) {
+        check_pairs(drawn, n, &usual);
+        check_pairs(drawn, n, &without_members);
+        check_lines(&drawn[MOST - 1], drawn, n, &usual);
+        check_shapes(&drawn[MOST - 2], drawn, n, &usual);
+        for (size_t i = 0; i < lines; i++) {
             const struct layout *at = i % 2 ? &usual : &without_members;
             slide(&drawn[i], 100);
             check_lines(&drawn[i], lined, 100, at);
@@ -499,17 +501,19 @@ static void the_lower_number_is_nearest_for_equal_t(void)
 
 /* -------------------------------------------------------------- threads -- */
 
+enum { SHARED_LINES = 150 };
+
 struct share {
     const cylint_pack *pack;
-    size_t nearest[MOST], count[MOST];
-    double t[MOST], t0[MOST];
+    size_t nearest[SHARED_LINES], count[SHARED_LINES];
+    double t[SHARED_LINES], t0[MOST];
 };
 
 static void *query_all(void *at)
 {
     struct share *s = at;
     cylint_columns columns = {.t0 = s->t0};
-    for (size_t i = 0; i < MOST; i++) {
+    for (size_t i = 0; i < SHARED_LINES; i++) {
         cylint_hit hit = {0};
         s->nearest[i] =
             cylint_nearest(s->pack, &drawn[i].line, CYLINT_WANT_T, &hit);

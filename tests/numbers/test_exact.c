@@ -1,15 +1,12 @@
 /*
  * test_exact.c - floor numbers: exact arithmetic against GMP, and its memory
  *
- * Numbers are compared as integers, multiplied by 2^BASE.  A second test
- * searches for inputs that use as much of the arena as possible, by small
- * changes from random starts; memory behind the arena catches what overflows.
+ * Numbers are compared as integers, multiplied by 2^BASE.
  */
 #include <float.h>
 #include <gmp.h>
 #include <math.h>
 #include <mpfr.h>
-#include <stddef.h>
 
 #include "check.h"
 #include "environment.h"
@@ -17,7 +14,12 @@
 #include "random.h"
 #include "roots/roots.h"
 
-enum { BASE = 8192, CASES = 20000 };
+enum { BASE = 8192 };
+
+static int cases(void)
+{
+    return (int)check_setting("CYLINT_CASES", 20000);
+}
 
 static uint64_t below(uint64_t n)
 {
@@ -88,7 +90,7 @@ static void doubles_are_placed_exactly(void)
 {
     mpz_t z;
     mpz_init(z);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         const double x = any_double();
         cylint_arena_open(&arena);
         integer_of_double(z, x, BASE);
@@ -124,7 +126,7 @@ static void sums_are_exact(void)
 {
     mpz_t z;
     mpz_init(z);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         CHECK(is_integer(cancelling_sum(z), z));
     }
@@ -135,7 +137,7 @@ static void products_of_sums_are_exact(void)
 {
     mpz_t x, y;
     mpz_inits(x, y, NULL);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         const exact a = cancelling_sum(x), b = cancelling_sum(y);
         mpz_mul(x, x, y);
@@ -149,7 +151,7 @@ static void keeping_a_number_frees_the_rest(void)
 {
     mpz_t x, y;
     mpz_inits(x, y, NULL);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         const exact before = cancelling_sum(x);
         const int used = arena.used;
@@ -192,7 +194,7 @@ static void roundings_are_within_their_bound(void)
     double worst = 0;
     mpz_t x, y;
     mpz_inits(x, y, NULL);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < cases(); i++) {
         cylint_arena_open(&arena);
         exact a = cancelling_sum(x);
         if (below(2)) {
@@ -245,7 +247,7 @@ static void inverses_and_roots_in(struct environment there)
     mpz_t ignored;
     mpfr_inits2(DIGITS, x, y, (mpfr_ptr)NULL);
     mpz_init(ignored);
-    for (int i = 0; i < CASES / 20; i++) {
+    for (int i = 0; i < cases() / 20; i++) {
         cylint_arena_open(&arena);
         const exact a = cancelling_sum(ignored);
         if (a.sign == 0)
@@ -283,7 +285,7 @@ static void sums_are_rounded_once_in(struct environment there)
 {
     mpfr_t r;
     mpfr_init2(r, 4400);
-    for (int i = 0; i < CASES / 4; i++) {
+    for (int i = 0; i < cases() / 4; i++) {
         const int kind = (int)below(4), bits = (int)below(60);
         const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1),
                                 (int)below(9) - 4),
@@ -316,209 +318,35 @@ static void sums_are_rounded_once(void)
 
 /* ----------------------------------------------- memory of the arena --- */
 
-/* The arena is the last member of the query, so `spare` catches overflow. */
-static struct {
-    cylint_query q;
-    uint32_t spare[1 << 20];
-} spacious;
-
-enum { SHAPE_DATA = 13, DATA = SHAPE_DATA + 6, KINDS = 8 };
-
-typedef struct {
-    double x[DATA];
-    cylint_ends ends;
-    int segment;
-} wild;
-
-/* A number at either end of the exponent range, or between. */
-static double wild_double(void)
+/* The result is within the limbs from `low` up to `top`, and its operation used
+ * no more memory than they. */
+static void expect_limbs(exact x, int low, int top, int used)
 {
-    const double sign = below(2) ? 1 : -1;
-    const double m = sign * (1 + (double)below((uint64_t)1 << 52) * 0x1p-52);
-    switch (below(10)) {
-    case 0:
-    case 1:
-    case 2:
-        return m * 0x1p1023;
-    case 3:
-    case 4:
-    case 5:
-        return sign * (double)(1 + below(7)) * 0x1p-1074;
-    case 6:
-        return m * 0x1p-1000;
-    case 7:
-        return cylint_scaled(m, (int)below(2040) - 1020);
-    case 8:
-        return m;
-    default:
-        return 0;
-    }
+    CHECK(arena.most - used <= top - low);
+    CHECK(x.sign == 0 || (x.exponent >= low && cylint_top_of(x) <= top));
 }
 
-static wild wild_case(void)
+/* bounds/test_arena.c computes the capacity of the arena from these limits. */
+static void operations_use_no_more_limbs_than_the_capacity_counts(void)
 {
-    wild c;
-    for (int i = 0; i < DATA; i++)
-        c.x[i] = wild_double();
-    c.ends = (cylint_ends)below(6);
-    c.segment = (int)below(2);
-    return c;
-}
-
-static wild changed(wild c)
-{
-    for (uint64_t k = 1 + below(3); k > 0; k--)
-        c.x[below(DATA)] = wild_double();
-    if (below(8) == 0)
-        c.ends = (cylint_ends)below(6);
-    if (below(8) == 0)
-        c.segment = !c.segment;
-    return c;
-}
-
-static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
-{
-    const double *x = c->x, *o = x + SHAPE_DATA;
-    cylint_status status;
-    switch (kind) {
-    case 0:
-        status = cylint_cylinder(s, x, x + 3, fabs(x[6]), c->ends);
-        break;
-    case 1:
-        status = cylint_cone(s, x, fabs(x[6]), x + 3, fabs(x[7]), c->ends);
-        break;
-    case 2:
-        status = cylint_tangent_cone(s, x, x + 3, fabs(x[6]), c->ends);
-        break;
-    case 3:
-        status = cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, c->ends);
-        break;
-    case 4:
-        status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, fabs(x[12]),
-                                      c->ends);
-        break;
-    case 5:
-        status = cylint_sphere(s, x, fabs(x[6]), CYLINT_ENDS_CAPPED);
-        break;
-    case 6:
-        status = cylint_capsule(s, x, x + 3, fabs(x[6]), CYLINT_ENDS_CAPPED);
-        break;
-    default:
-        status = cylint_round_cone(s, x, fabs(x[6]), x + 3, fabs(x[7]),
-                                   CYLINT_ENDS_CAPPED);
-    }
-    return status == CYLINT_OK &&
-           (c->segment ? cylint_segment(l, o, o + 3)
-                       : cylint_whole_line(l, o, o + 3)) == CYLINT_OK;
-}
-
-/* Whether the root exists and may be computed. */
-static int exists(cylint_query *q, cylint_root root)
-{
-    const int linear = !cylint_is_tapered(q->kind) || cylint_is_round(q->kind);
-    const int G = cylint_form_sign(q, FORM_G, 0),
-              A = cylint_form_sign(q, FORM_A, 0);
-    switch (root) {
-    case ROOT_ENTRY:
-        return G > 0 && (A != 0 || cylint_form_sign(q, FORM_B, 0) < 0);
-    case ROOT_EXIT:
-        return G > 0 && (A != 0 || cylint_form_sign(q, FORM_B, 0) > 0);
-    case ROOT_DOUBLE:
-        return G == 0 && A != 0;
-    case ROOT_APEX:
-        return !linear && cylint_form_sign(q, FORM_BETA, 0) != 0;
-    default:
-        return cylint_form_sign(q, FORM_BETA, 0) != 0;
-    }
-}
-
-/* The largest number of limbs in use while all signs, roots and members of a
- * hit are computed. */
-static int limbs_used(const wild *c, int kind)
-{
-    cylint_shape s;
-    cylint_line l;
-    cylint_hit hit;
-    cylint_query *q = &spacious.q;
-    if (!made(c, kind, &s, &l))
-        return 0;
-    cylint_query_open(q, &s, &l);
-    cylint_load_exact(q);
-    q->filters = 0; /* nothing is decided before the exact stage */
-    for (int cap = 0; cap < 2; cap++) {
-        cylint_form_sign(q, FORM_ALPHA, cap);
-        cylint_form_sign(q, FORM_E, cap);
-        cylint_form_sign(q, FORM_N, cap);
-    }
-    cylint_form_sign(q, FORM_C, 0);
-    if (cylint_is_round(q->kind)) {
-        cylint_form_sign(q, FORM_END_BALL, 0);
-        cylint_form_sign(q, FORM_END_BALL, 1);
-    } else {
-        cylint_form_sign(q, FORM_T, 0);
-        cylint_form_sign(q, FORM_RHO0, 0);
-    }
-    cylint_form_sign(q, FORM_ALONG, 0);
-    for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++) {
-        double t = 0;
-        if (!exists(q, root))
+    mpz_t z;
+    mpz_init(z);
+    for (int i = 0; i < cases(); i++) {
+        cylint_arena_open(&arena);
+        expect_limbs(cylint_exact_from(&arena, any_double()), -34, 33, 0);
+        const exact x = cancelling_sum(z), y = cancelling_sum(z);
+        if (x.sign == 0 || y.sign == 0)
             continue;
-        cylint_root_within(q, root, 1, &t);
-        cylint_describe_hit(q, root, CYLINT_PART_LATERAL, 0, CYLINT_WANT_ALL,
-                            &hit);
+        const int xt = cylint_top_of(x), yt = cylint_top_of(y);
+        int used = arena.most = arena.used;
+        expect_limbs(cylint_exact_mul(&arena, x, y), x.exponent + y.exponent,
+                     xt + yt, used);
+        used = arena.most = arena.used;
+        expect_limbs(cylint_exact_add(&arena, x, y),
+                     x.exponent < y.exponent ? x.exponent : y.exponent,
+                     (xt > yt ? xt : yt) + 1, used);
     }
-    return q->arena.most;
-}
-
-static void print_case(const wild *c, int kind)
-{
-    static const char *const name[KINDS] = {"cylinder",  "cone",  "acone",
-                                            "ecylinder", "econe", "sphere",
-                                            "capsule",   "rcone"};
-    fprintf(stderr, "    %s ends %d, %s:", name[kind], (int)c->ends,
-            c->segment ? "segment" : "line");
-    for (int i = 0; i < DATA; i++)
-        fprintf(stderr, " %a", c->x[i]);
-    fputc('\n', stderr);
-}
-
-enum { STARTS = 4, CHANGES = 40 };
-
-static int climb(int kind, wild *best)
-{
-    int most = 0;
-    for (int start = 0; start < STARTS; start++) {
-        wild c = wild_case();
-        int used = limbs_used(&c, kind);
-        for (int i = 0; i < CHANGES; i++) {
-            const wild d = changed(c);
-            const int more = limbs_used(&d, kind);
-            if (more >= used) {
-                used = more;
-                c = d;
-            }
-        }
-        if (used > most) {
-            most = used;
-            *best = c;
-        }
-    }
-    return most;
-}
-
-static void wild_exponents_fit_the_arena(void)
-{
-    const size_t end = offsetof(cylint_query, arena) + sizeof(cylint_arena);
-    if (!CHECK(end == sizeof(cylint_query)))
-        return;
-    for (int kind = 0; kind < KINDS; kind++) {
-        wild c;
-        const int most = climb(kind, &c);
-        printf("note: kind %d: %d of %d limbs\n", kind + 1, most,
-               (int)CYLINT_ARENA_LIMBS);
-        if (!CHECK(most <= CYLINT_ARENA_LIMBS))
-            print_case(&c, kind);
-    }
+    mpz_clear(z);
 }
 
 /* Of positive and negative doubles whose sum is not negative. */
@@ -540,7 +368,7 @@ static void totals_are_rounded_once(void)
         CHECK(cylint_sum_rounded(&sum) == known[i][3]);
     }
     mpfr_init2(all, 2200);
-    for (int i = 0; i < CASES / 10; i++) {
+    for (int i = 0; i < cases() / 10; i++) {
         const int spread = 1 + random_int(&stream, 1000);
         const int middle = random_int(&stream, 1500) - 1000;
         cylint_exact_sum sum = {{0}};
@@ -567,6 +395,6 @@ int main(void)
     RUN(inverses_and_roots_are_within_their_bound);
     RUN(sums_are_rounded_once);
     RUN(totals_are_rounded_once);
-    RUN(wild_exponents_fit_the_arena);
+    RUN(operations_use_no_more_limbs_than_the_capacity_counts);
     return check_end();
 }

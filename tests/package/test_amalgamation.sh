@@ -33,7 +33,7 @@ sed -n 's/^have \([0-9.]*\) MB and \([0-9,]*\) lines: each .*/\1 \2/p' man/cylin
 verdict cylint_3_states_its_size $?
 compiles "$cc" plain
 verdict it_compiles_without_a_flag $? || { check_end; exit; }
-compiles "$cc" small -DCYLINT_PLAIN
+compiles "$cc" small -DCYLINT_PLAIN -fsyntax-only # no code for an instruction set of its own
 verdict it_compiles_without_kernels_for_avx $?
 strict='-Wall -Wextra -Wpedantic -Wconversion'
 case ${CFLAGS:-} in # beside the sanitizers' code gcc warns of values that are initialized
@@ -66,7 +66,10 @@ for object in plain library; do
     verdict "the_example_of_scenes_runs_with_it_$object" $?
 done
 
-# Tests that `make check` has built, with this object for libcylint.a.
+# Tests that `make check` has built, with this object for libcylint.a.  The number of
+# cases follows the name: `make check` runs each with all its cases on the same text,
+# and what is new here, one unit and other flags, is in every build of the kernels and
+# every call from the first case of each family on.
 libraries=
 for library in mpfr gmp; do
     echo 'int main(void) { return 0; }' > "$scratch/empty.c"
@@ -77,16 +80,17 @@ common=
 for part in support/families support/family_records support/oracle support/scenes; do
     [ -f "$build/tests/$part.o" ] && common="$common $build/tests/$part.o"
 done
-for t in library/test_batch library/test_environment numbers/test_exact \
-    library/test_intersect library/test_interface methods/test_ordinary \
-    methods/test_degenerate methods/test_misprints library/test_outside \
-    library/test_properties \
-    shapes/test_constructors library/test_hits roots/test_midpoints \
-    bvh/test_nodes scene/test_paths scene/test_many \
-    bounds/test_scene_point_bounds; do
+for t in library/test_batch:1 library/test_environment:5 numbers/test_exact:2000 \
+    library/test_intersect:200 library/test_interface: methods/test_ordinary: \
+    methods/test_degenerate: methods/test_misprints: library/test_outside:50 \
+    library/test_properties:50 shapes/test_constructors: library/test_hits: \
+    roots/test_midpoints: bvh/test_nodes: scene/test_paths:2 scene/test_many: \
+    bounds/test_scene_point_bounds:; do
+    cases=${t#*:} t=${t%:*}
     [ -f "$build/tests/$t.o" ] || continue
     $cc ${CFLAGS:-} -o "$scratch/test" "$build/tests/$t.o" $common \
-        "$scratch/library.o" $libraries -pthread -lm && "$scratch/test" > "$scratch/log" 2>&1
+        "$scratch/library.o" $libraries -pthread -lm &&
+        env ${cases:+CYLINT_CASES="$cases"} "$scratch/test" > "$scratch/log" 2>&1
     status=$?
     sum=$(sed -n 's/^\([0-9]*\) passed, 0 failed$/\1/p' "$scratch/log")
     [ $status -eq 0 ] && [ "${sum:-0}" -gt 0 ] || tail -n 20 "$scratch/log"
