@@ -32,6 +32,7 @@ typedef cylint_ray_state ray_state;
  * f_lower() ignore a NaN.
  */
 
+/* lint: a box has three sides */
 /* The faces where lines with this `entry` enter and leave the boxes of children
  * from `from` on. */
 CYLINT_INLINE void child_faces(const cylint_node *node, int from,
