@@ -270,11 +270,34 @@ static void a_small_z_is_no_more_certain_than_the_librarys(void)
     }
 }
 
+/* The square of the axis overflows. */
+static void a_very_long_cone_is_not_decided_wrongly(void)
+{
+    const double p0[3] = {0x1.986e2cbca445p+85, -0x1.60b7e19cbe7b8p+82,
+                          -0x1.715b3acbc8995p+92};
+    const double p1[3] = {0x1.ecda3bacf4366p+88, 0x1.026c9a2e190aap+660,
+                          0x1.bedae8d9e6ae1p+86};
+    const double o[3] = {0x1.3f4fbdp+86, 0, 0x1.64ec7cp+89};
+    const double d[3] = {0, 0x1.402042p+87, 0};
+    struct tally tally = {0, 0};
+    struct scene_query x;
+    cylint_shape shape;
+    cylint_float_filter_question *const one = &x.q;
+    CHECK(!cylint_cone(&shape, p0, 0, p1, 0x1.4d1ce734fa9c5p+95,
+                       CYLINT_ENDS_CAP1));
+    CHECK(make_query(&x, &shape, o, d, 1) && x.n > 0);
+    for (int b = 0; b < n_builds; b++) {
+        builds[b].answer(&one, 1);
+        CHECK(is_right(&x, &tally));
+    }
+}
+
 int main(void)
 {
     list_builds();
     RUN(certain_answers_are_the_librarys);
     RUN(ordinary_shapes_are_certain);
+    RUN(a_very_long_cone_is_not_decided_wrongly);
     RUN(a_small_z_is_no_more_certain_than_the_librarys);
     return check_end();
 }
