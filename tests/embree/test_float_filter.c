@@ -18,7 +18,7 @@
 #include "families.h"
 #include "shapes/layout.h"
 
-enum { CASES = 10000 };
+enum { CASES = 10000, MOST = 16 };
 
 /* The numbers of hits, and of certain hits. */
 struct tally {
@@ -38,10 +38,9 @@ static void list_builds(void)
     const char *name;
     for (int i = 0; (name = cylint_kernels_name(i)); i++) {
         CHECK(cylint_use_kernels(name));
-        builds[n_builds++] =
-            (struct build){name, cylint_float_filter_of_one(), 1};
-        builds[n_builds++] = (struct build){name, cylint_float_filter_of_many(),
-                                            CYLINT_FLOAT_FILTER_MOST};
+        for (int many = 0; many < 2; many++)
+            builds[n_builds++] = (struct build){
+                name, cylint_float_filter_used(many), many ? MOST : 1};
     }
     cylint_use_kernels(NULL);
 }
@@ -127,9 +126,9 @@ static int same_floats(const float f[CYLINT_HIT_FLOATS], const cylint_hit *hit)
 
 /* Queries side by side. */
 struct crowd {
-    struct scene_query query[CYLINT_FLOAT_FILTER_MOST];
-    struct family_case from[CYLINT_FLOAT_FILTER_MOST];
-    cylint_float_filter_question *asked[CYLINT_FLOAT_FILTER_MOST];
+    struct scene_query query[MOST];
+    struct family_case from[MOST];
+    cylint_float_filter_question *asked[MOST];
     int n;
 };
 
