@@ -4,7 +4,6 @@
 #include "../dispatch.h"
 #include "../filter/plane.h"
 #include "cylint_distance.h"
-#include "boundary.h"
 #include "elliptic.h"
 #include "exact_distance.h"
 #include "one_distance.h"

@@ -66,9 +66,7 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     /* untaken 2 of 6: a known distance has the sign of the side in every known
      * case, and no ordinary question has a smaller one */
     if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
-        const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
-                           !cylint_ends_are_planes(shape->ends);
-        answer->distance = closed ? d : fabs(d);
+        answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
         want &= ~(unsigned)(CYLINT_WANT_DISTANCE | CYLINT_ON_SURFACE);
     }
     if (want & CYLINT_WANT_PART) {
@@ -96,15 +94,11 @@ static void locate_in_doubles(elliptic_place *p, const cylint_shape *s,
         p->Y[i] = cylint_column(s, i)[1];
         p->Z[i] = cylint_column(s, i)[2] * unit;
     }
-    p->is_turned = 0;
-    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    load_norms(p, s);
     p->x = dot_of(p->D, p->X);
     p->y = dot_of(p->D, p->Y);
     p->z = dot_of(p->D, p->Z);
     p->rho = 1 + p->slope * p->z;
-    p->z_norm = sqrt(dot_of(p->Z, p->Z));
-    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
-              fabs(p->slope) * p->z_norm;
     const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y),
                  z = p->z_norm / unit;
     const double least = cylint_smaller(sqrt(cylint_smaller(x, y)), z);

@@ -72,8 +72,7 @@ static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
         p->Y[i] = whole(m->V[i].v) * inverse;
         p->Z[i] = whole(m->W[i].v) * inverse;
     }
-    p->is_turned = 0;
-    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    load_norms(p, s);
     p->x = whole(m->x.v) * inverse;
     p->y = whole(m->y.v) * inverse;
     p->z = whole(m->z.v) * inverse;
@@ -86,9 +85,6 @@ static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
         !cylint_is_tapered(s->kind) ||
         (sized_dot(m->U, m->W).size == 0 && sized_dot(m->V, m->W).size == 0);
     p->is_central = m->x.size == 0 && m->y.size == 0 && across;
-    p->z_norm = sqrt(dot_of(p->Z, p->Z));
-    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
-              fabs(p->slope) * p->z_norm;
 }
 
 static inline void turn_numbers_about_apex(elliptic_numbers *m)

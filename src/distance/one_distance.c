@@ -72,12 +72,12 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
                               const double point[3], int kind, unsigned want,
                               cylint_closest *answer)
 {
-    const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
-                       !cylint_ends_are_planes(shape->ends);
     if (!(fabs(whole(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
     } else if (find_distance(n, m, shape, point)) {
-        answer->distance = closed ? n->d.low : fabs(n->d.low);
+        answer->distance = cylint_surface_is_whole(shape->ends)
+                               ? n->d.low
+                               : fabs(n->d.low);
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
     if (!n->known)

@@ -8,7 +8,6 @@
 #ifndef CYLINT_OTHER_ENDS_H
 #define CYLINT_OTHER_ENDS_H
 
-#include "boundary.h"
 #include "distance_types.h"
 
 /* The numbers of an angle cone in the lengths of the world: its local coordinates

@@ -9,8 +9,8 @@
  */
 #include <string.h>
 
-#include "distance/boundary.h"
 #include "distance/elliptic.h"
+#include "distance/nearest.h"
 #include "elliptic_solids.h"
 #include "known_distances.h"
 

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "distance/boundary.h"
+#include "distance/nearest.h"
 #include "distance/one_distance.h"
 #include "distance_points.h"
 #include "environment.h"
