@@ -101,7 +101,7 @@ isa.src/shapes/local-fma   := $(avx2) -mprefer-vector-width=128 -DCYLINT_MEASURE
 isa.src/signs/origin-fma   := $(avx2) -DCYLINT_SIGN_AT_ORIGIN=cylint_sign_at_origin_fma
 isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCYLINT_SIGN_AT_ORIGIN=cylint_sign_at_origin_fma
 isa.src/distance/one_distance-fma := $(avx2) -mprefer-vector-width=128 -DCYLINT_ONE_DISTANCES=cylint_one_distances_fma
-isa.src/distance/elliptic_certain-fma := $(avx2) -mprefer-vector-width=128 -DCYLINT_ELLIPTIC_IN_PAIRS=cylint_elliptic_in_pairs_fma -DCYLINT_ELLIPTIC_NORMAL=cylint_elliptic_normal_fma -DCYLINT_ELLIPTIC_SAFETY=cylint_elliptic_safety_fma
+isa.src/distance/elliptic_certain-fma := $(avx2) -mprefer-vector-width=128 -DCYLINT_ELLIPTIC_KERNELS=cylint_elliptic_kernels_fma
 isa.src/distance/lanes-avx2   := $(avx2) -DCYLINT_DISTANCE_LANES=cylint_distance_lanes_avx2
 isa.src/distance/lanes-avx512 := $(avx512) -DCYLINT_DISTANCE_LANES=cylint_distance_lanes_avx512
 isa.src/filter/many-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2

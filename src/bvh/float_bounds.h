@@ -68,7 +68,6 @@ typedef struct cylint_extent {
     float lower[3], upper[3];
 } cylint_extent;
 
-/* lint: the analyzer takes three rounds of a loop for one */
 static inline cylint_extent cylint_float_box(const double lo[3],
                                              const double hi[3])
 {

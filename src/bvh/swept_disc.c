@@ -123,7 +123,6 @@ cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
     return h;
 }
 
-/* lint: the analyzer takes two rounds of a loop for one */
 /*
  * Each coordinate below is computed with at most 16 roundings of numbers not
  * larger than `size`.  The sides are moved out by 2^-48 of size, and by DBL_MIN

@@ -1,12 +1,10 @@
 /*
  * boundary.c - the feature on which a point of the surface lies
  */
-#include "boundary.h"
-
 #include "../dispatch.h"
 #include "../signs/origin.h"
 #include "../signs/sign.h"
-#include "cylint_distance.h"
+#include "nearest.h"
 
 static int is_on(const cylint_shape *shape, const cylint_line *line,
                  int surface)

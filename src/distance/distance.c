@@ -4,7 +4,6 @@
 #include "../dispatch.h"
 #include "../filter/plane.h"
 #include "cylint_distance.h"
-#include "boundary.h"
 #include "elliptic.h"
 #include "exact_distance.h"
 #include "one_distance.h"
@@ -14,11 +13,11 @@ size_t cylint_sizeof_closest(void)
     return sizeof(cylint_closest);
 }
 
-static const cylint_one_distances *kernels(void)
+static cylint_in_pairs *pairs_of(const cylint_shape *shape)
 {
-    return CYLINT_OF_BUILD(cylint_build_used(), &cylint_one_distances_plain,
-                           &cylint_one_distances_fma,
-                           &cylint_one_distances_fma);
+    return cylint_is_elliptic(shape->kind)
+               ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
+               : CYLINT_OF_FMA(cylint_one_distances)->pairs;
 }
 
 /* There is no surface. */
@@ -60,53 +59,40 @@ static int flushes_a_coordinate(const cylint_shape *shape,
     return small && cylint_flushes_subnormals();
 }
 
-#define OF_BUILD(name) \
-    CYLINT_OF_BUILD(cylint_build_used(), name##_plain, name##_fma, name##_fma)
-
-/* A point for which cylint_contains() is 0.  Returns the members that are left:
- * all where its part is missing. */
-ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
-                                  const double point[3], unsigned want,
-                                  cylint_closest *answer)
-{
-    const int feature = cylint_boundary_feature(shape, point);
-    const int elliptic = cylint_is_elliptic(shape->kind);
-    if (feature == CYLINT_NO_FEATURE)
-        return want;
-    answer->distance = 0;
-    if (want & CYLINT_WANT_PART) {
-        answer->part = cylint_feature_part(feature);
-        answer->feature = feature;
-    }
-    if (want & CYLINT_WANT_POINT)
-        EACH(i, 3)
-            answer->point[i] = cylint_positive_zero(point[i]);
-    if (!(want & CYLINT_WANT_NORMAL))
-        return 0;
-    const int known =
-        (elliptic ? OF_BUILD(cylint_elliptic_normal)
-                  : kernels()->normal)(shape, point, feature, answer->normal);
-    return known ? 0 : CYLINT_WANT_NORMAL;
-}
-
-static unsigned elliptic_in_pairs(const cylint_shape *shape,
-                                  const double point[3], unsigned want,
-                                  cylint_closest *answer)
-{
-    if (!cylint_rounds_to_nearest())
-        return want;
-    const unsigned left =
-        OF_BUILD(cylint_elliptic_in_pairs)(shape, point, want, answer);
-    return left & CYLINT_WANT_DISTANCE && cylint_contains(shape, point) == 0
-               ? answer_on_boundary(shape, point, want, answer)
-               : left;
-}
-
-/* Whether cylint_boundary_feature() serves the shape, and not the template. */
+/* Whether cylint_boundary_feature() serves the shape. */
 static int has_boundary(const cylint_shape *shape)
 {
     return shape->kind == CYLINT_KIND_CYLINDER ||
-           shape->kind == CYLINT_KIND_CONE;
+           shape->kind == CYLINT_KIND_CONE || cylint_is_elliptic(shape->kind);
+}
+
+/* Of a point for which cylint_contains() is 0 and of which pairs leave the members
+ * `left`.  Returns 0 where all are then known: not where its part is missing. */
+ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
+                                  const double point[3], unsigned want,
+                                  unsigned left, cylint_closest *answer)
+{
+    if (!cylint_surface_is_whole(shape->ends) || left & CYLINT_WANT_PART ||
+        cylint_is_elliptic(shape->kind)) {
+        const int feature = has_boundary(shape)
+                                ? cylint_boundary_feature(shape, point)
+                                : CYLINT_NO_FEATURE;
+        if (feature == CYLINT_NO_FEATURE)
+            return want;
+        if (want & CYLINT_WANT_PART) {
+            answer->part = cylint_feature_part(feature);
+            answer->feature = feature;
+        }
+        left = want & CYLINT_WANT_NORMAL
+                   ? pairs_of(shape)(shape, point, feature, CYLINT_WANT_NORMAL,
+                                     answer)
+                   : 0;
+    }
+    answer->distance = 0;
+    if (want & CYLINT_WANT_POINT)
+        EACH(i, 3)
+            answer->point[i] = cylint_positive_zero(point[i]);
+    return left & CYLINT_WANT_NORMAL;
 }
 
 /* The members of `want` that heads and tails, pairs and triples leave. */
@@ -114,30 +100,20 @@ static unsigned left_by_doubles(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer)
 {
-    const cylint_one_distances *k = kernels();
+    const cylint_one_distances *k = CYLINT_OF_FMA(cylint_one_distances);
     const unsigned parted = want / CYLINT_WANT_PART & 1;
     if (!((unsigned)shape->ends | (want & CYLINT_WANT_GEOMETRY)) &&
         k->head_tail[shape->kind][parted] &&
         k->head_tail[shape->kind][parted](shape, point, answer))
         return 0;
-    if (want & CYLINT_WANT_GEOMETRY && flushes_a_coordinate(shape, point))
+    if (!cylint_rounds_to_nearest() ||
+        (want & CYLINT_WANT_GEOMETRY && flushes_a_coordinate(shape, point)))
         return want;
-    if (cylint_is_elliptic(shape->kind))
-        return elliptic_in_pairs(shape, point, want, answer);
-    const unsigned left = k->pairs(shape, point, want, answer);
-    if (!(left & CYLINT_ON_SURFACE) || cylint_contains(shape, point) != 0)
-        return left;
-    /* The point is on the boundary of the solid. */
-    if (has_boundary(shape) &&
-        (!cylint_surface_is_whole(shape->ends) || left & CYLINT_WANT_PART))
-        return answer_on_boundary(shape, point, want, answer);
-    if (!cylint_surface_is_whole(shape->ends) || left & CYLINT_WANT_PART)
-        return left;
-    answer->distance = 0;
-    if (want & CYLINT_WANT_POINT)
-        EACH(i, 3)
-            answer->point[i] = cylint_positive_zero(point[i]);
-    return left & CYLINT_WANT_NORMAL;
+    const unsigned left =
+        pairs_of(shape)(shape, point, CYLINT_NO_FEATURE, want, answer);
+    return left & CYLINT_ON_SURFACE && cylint_contains(shape, point) == 0
+               ? answer_on_boundary(shape, point, want, left, answer)
+               : left;
 }
 
 /* All answers that doubles leave. */

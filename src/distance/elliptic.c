@@ -27,8 +27,8 @@
 
 #include "../shapes/shape_facts.h"
 #include "../signs/sign.h"
-#include "boundary.h"
 #include "elliptic_terms.h"
+#include "nearest.h"
 
 enum { ANY_FEATURE = CYLINT_NO_FEATURE };
 
@@ -518,8 +518,6 @@ double cylint_elliptic_distance(const cylint_shape *shape,
 {
     search s;
     const int side = cylint_contains(shape, point);
-    const int is_signed = shape->ends == CYLINT_ENDS_CAPPED ||
-                          !cylint_ends_are_planes(shape->ends);
     cylint_load_elliptic(&s.p, shape, point);
     s.only = ANY_FEATURE;
     s.best.part = -1;
@@ -542,7 +540,8 @@ double cylint_elliptic_distance(const cylint_shape *shape,
         return answer->distance = 0;
     const double d = cylint_scaled(s.distance.hi, s.p.e + s.p.far);
     const double size = cylint_sign(d) == 0 ? 0x1p-1074 : d;
-    return answer->distance = is_signed && side > 0 ? -size : size;
+    return answer->distance =
+               side > 0 && cylint_surface_is_whole(shape->ends) ? -size : size;
 }
 
 double cylint_below_elliptic(const cylint_shape *shape, const double point[3],

@@ -71,6 +71,16 @@ CYLINT_INLINE double sum_of_sizes(const double v[3])
     return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
+/* What follows from the rows of the matrix. */
+static inline void load_norms(elliptic_place *p, const cylint_shape *s)
+{
+    p->is_turned = 0;
+    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    p->z_norm = sqrt(dot_of(p->Z, p->Z));
+    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
+              fabs(p->slope) * p->z_norm;
+}
+
 /* ------------------------------------------------ a point and an ellipse -- */
 
 /* A symmetric matrix, its eigenvalues, and the unit vector (c, s) that belongs to
@@ -226,22 +236,19 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
     if (p->is_central &&
         is_second(*at) == !p->is_turned) /* the other one has the least phi */
         *at = (angle){-at->cos, -at->sin};
-    for (int i = 0; i < CYLINT_ANGLE_STEPS; i++) {
+    double by = 1;
+    for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);
+        if (fabs(by) <= CYLINT_ANGLE_STEP)
+            return 1;
         const double g = t->slope_of_n * t->q - t->n * t->half_q,
                      slope = slope_of_height(t, p);
-        if (!(slope < 0))
-            return 0;
-        const double by = -g / slope;
-        if (!(fabs(by) < 0.5))
+        by = -g / slope;
+        if (!(slope < 0) || !(fabs(by) < 0.5))
             return 0;
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);
-        if (fabs(by) <= CYLINT_ANGLE_STEP) {
-            load_tangent_plane(t, p, *at);
-            return 1;
-        }
     }
     return 0;
 }
@@ -277,25 +284,22 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
     const angle e = secular_angle((axes.c * Fa + axes.s * Fb) / least,
                                   (axes.c * Fb - axes.s * Fa) / least,
                                   axes.gap / axes.least, rough);
+    double by = 1;
     *at = turned_back(&axes, e.cos, e.sin);
     /* untaken 1 of 2: no known case takes all steps */
-    for (int i = 0; i < CYLINT_ANGLE_STEPS; i++) {
+    for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_rim_place(r, s, *at);
+        if (fabs(by) <= CYLINT_ANGLE_STEP)
+            return 1;
         const double slope = r->f * dot_of(r->v, r->v) + dot_of(r->R, r->u);
-        if (!(slope > 0))
-            return 0;
-        const double by = dot_of(r->R, r->v) / slope;
-        /* untaken 1 of 2: the secular angle is closer in every known case */
-        if (!(fabs(by) < 0.5))
+        by = dot_of(r->R, r->v) / slope;
+        /* untaken 1 of 4: the secular angle is closer in every known case */
+        if (!(slope > 0) || !(fabs(by) < 0.5))
             return 0;
         /* untaken 1 of 4: the same */
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);
-        if (fabs(by) <= CYLINT_ANGLE_STEP) {
-            load_rim_place(r, s, *at);
-            return 1;
-        }
     }
     return 0;
 }

@@ -12,12 +12,9 @@
 #define CYLINT_ONE_LANE
 #include "elliptic.h"
 #include "elliptic_pairs.h"
-#include "one_distance.h"
 
-#ifndef CYLINT_ELLIPTIC_IN_PAIRS
-#define CYLINT_ELLIPTIC_IN_PAIRS cylint_elliptic_in_pairs_plain
-#define CYLINT_ELLIPTIC_NORMAL cylint_elliptic_normal_plain
-#define CYLINT_ELLIPTIC_SAFETY cylint_elliptic_safety_plain
+#ifndef CYLINT_ELLIPTIC_KERNELS
+#define CYLINT_ELLIPTIC_KERNELS cylint_elliptic_kernels_plain
 #endif
 
 static int rounds_to(const bounded from[3], double to[3])
@@ -46,32 +43,31 @@ static int has_tiny(const cylint_shape *s, const double point[3])
     return tiny;
 }
 
-/* Writes the members of `want` that are certain; returns the others. */
-unsigned CYLINT_ELLIPTIC_IN_PAIRS(const cylint_shape *shape,
-                                  const double point[3], unsigned want,
+static unsigned elliptic_in_pairs(const cylint_shape *shape,
+                                  const double point[3], int on, unsigned want,
                                   cylint_closest *answer)
 {
     elliptic_question q;
     elliptic_numbers m;
     elliptic_answer a;
     double d;
+    if (want & CYLINT_WANT_DISTANCE)
+        want |= CYLINT_ON_SURFACE;
     if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
         return want;
-    q.feature = find_in_pairs(&q, &m, shape, point);
+    q.feature = find_in_pairs(&q, &m, shape, point, on);
     if (q.feature == CYLINT_NO_FEATURE)
         return want;
-    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known = 0;
-    for (; exactly <= 2 && !known; exactly++) {
+    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known;
+    do {
         answer_in_pairs(&a, &q, &m, point, exactly);
         known = m_any(rounds(a.distance, &d));
-    }
+    } while (want & CYLINT_WANT_DISTANCE && !known && ++exactly <= 2);
     /* untaken 2 of 6: a known distance has the sign of the side in every known
      * case, and no ordinary question has a smaller one */
     if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
-        const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
-                           !cylint_ends_are_planes(shape->ends);
-        answer->distance = closed ? d : fabs(d);
-        want &= ~(unsigned)CYLINT_WANT_DISTANCE;
+        answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
+        want &= ~(unsigned)(CYLINT_WANT_DISTANCE | CYLINT_ON_SURFACE);
     }
     if (want & CYLINT_WANT_PART) {
         answer->feature = q.feature;
@@ -83,67 +79,6 @@ unsigned CYLINT_ELLIPTIC_IN_PAIRS(const cylint_shape *shape,
     if (want & CYLINT_WANT_NORMAL && rounds_to(a.normal, answer->normal))
         want &= ~(unsigned)CYLINT_WANT_NORMAL;
     return want;
-}
-
-/* ---------------------------------------------- points of the surface -- */
-
-/* (x, y) over its length, and the error of the angle. */
-static direction_pair direction_of_point(const elliptic_numbers *m,
-                                         double *turn)
-{
-    vpair inverse;
-    const sized square = sized_sum(sized_square(m->x), sized_square(m->y));
-    pairs_root(square.v, &inverse);
-    const direction_pair e = direction_of(pairs_product(m->x.v, inverse),
-                                          pairs_product(m->y.v, inverse));
-    *turn = 4 * CYLINT_SIZED_ERROR * inverse.hi *
-            (e.cos.size * m->y.size + e.sin.size * m->x.size);
-    return e;
-}
-
-/* There the ruling is that of the point. */
-static void normal_on_lateral(bounded to[3], elliptic_numbers *m,
-                              const cylint_shape *s)
-{
-    plane_in_pairs t;
-    double turn, ratio = 0;
-    if (s->ends == CYLINT_ENDS_INFINITE &&
-        (m->rho.v.hi < 0) != (m->volume.v.hi < 0))
-        turn_numbers_about_apex(m);
-    if (m->volume.v.hi < 0) {
-        m->x.v = opposite(m->x.v);
-        m->y.v = opposite(m->y.v);
-    }
-    const direction_pair e = direction_of_point(m, &turn);
-    load_plane(&t, m, &e, cylint_is_tapered(s->kind));
-    load_slope(&t, m, &e);
-    EACH(i, 3)
-        ratio += t.slope_of_N[i].size * t.inverse.hi;
-    write_unit(to, t.N, t.inverse, lost_by_root(&t.q, ratio * turn),
-               t.slope_of_N, turn, m->outward);
-}
-
-int CYLINT_ELLIPTIC_NORMAL(const cylint_shape *shape, const double point[3],
-                           int feature, double normal[3])
-{
-    elliptic_numbers m;
-    elliptic_question q;
-    elliptic_answer a;
-    /* untaken 3 of 6: callers have tested the rounding mode; points of the surface
-     * whose part is certain are ordinary in every known case */
-    if (!cylint_rounds_to_nearest() || has_tiny(shape, point) ||
-        !is_ordinary_question(shape, point))
-        return 0;
-    load_numbers(&m, shape, point);
-    q.shape = shape;
-    q.feature = feature;
-    if (feature == CYLINT_FEATURE_APEX)
-        answer_on_apex(&a, &q, &m);
-    else if (cylint_feature_part(feature) == CYLINT_PART_LATERAL)
-        normal_on_lateral(a.normal, &m, shape);
-    else
-        answer_on_cap(&a, &q, &m, point, feature == CYLINT_FEATURE_CAP1);
-    return rounds_to(a.normal, normal);
 }
 
 /* --------------------------------------------------------------- safety -- */
@@ -159,15 +94,11 @@ static void locate_in_doubles(elliptic_place *p, const cylint_shape *s,
         p->Y[i] = cylint_column(s, i)[1];
         p->Z[i] = cylint_column(s, i)[2] * unit;
     }
-    p->is_turned = 0;
-    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    load_norms(p, s);
     p->x = dot_of(p->D, p->X);
     p->y = dot_of(p->D, p->Y);
     p->z = dot_of(p->D, p->Z);
     p->rho = 1 + p->slope * p->z;
-    p->z_norm = sqrt(dot_of(p->Z, p->Z));
-    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
-              fabs(p->slope) * p->z_norm;
     const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y),
                  z = p->z_norm / unit;
     const double least = cylint_smaller(sqrt(cylint_smaller(x, y)), z);
@@ -215,7 +146,7 @@ static double distance_in_doubles(const elliptic_question *q)
     }
 }
 
-double CYLINT_ELLIPTIC_SAFETY(const cylint_shape *shape, const double point[3])
+static double elliptic_safety(const cylint_shape *shape, const double point[3])
 {
     elliptic_question q;
     if (!is_ordinary_question(shape, point))
@@ -227,3 +158,6 @@ double CYLINT_ELLIPTIC_SAFETY(const cylint_shape *shape, const double point[3])
     q.feature = find_feature_of(&q, side_of_lateral(&q.at));
     return q.feature == CYLINT_NO_FEATURE ? 0 : distance_in_doubles(&q);
 }
+
+const cylint_elliptic_kernels CYLINT_ELLIPTIC_KERNELS = {elliptic_in_pairs,
+                                                         elliptic_safety};

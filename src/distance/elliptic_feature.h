@@ -12,9 +12,8 @@
 #ifndef CYLINT_ELLIPTIC_FEATURE_H
 #define CYLINT_ELLIPTIC_FEATURE_H
 
-#include "boundary.h"
-#include "cylint_distance.h"
 #include "elliptic_certainty.h"
+#include "nearest.h"
 
 /* A question in doubles. */
 typedef struct {

@@ -72,8 +72,7 @@ static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
         p->Y[i] = whole(m->V[i].v) * inverse;
         p->Z[i] = whole(m->W[i].v) * inverse;
     }
-    p->is_turned = 0;
-    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    load_norms(p, s);
     p->x = whole(m->x.v) * inverse;
     p->y = whole(m->y.v) * inverse;
     p->z = whole(m->z.v) * inverse;
@@ -86,9 +85,6 @@ static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
         !cylint_is_tapered(s->kind) ||
         (sized_dot(m->U, m->W).size == 0 && sized_dot(m->V, m->W).size == 0);
     p->is_central = m->x.size == 0 && m->y.size == 0 && across;
-    p->z_norm = sqrt(dot_of(p->Z, p->Z));
-    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
-              fabs(p->slope) * p->z_norm;
 }
 
 static inline void turn_numbers_about_apex(elliptic_numbers *m)
@@ -113,8 +109,21 @@ static inline int side_in_pairs(const elliptic_question *q,
                                                 : whole(f.v) > error;
 }
 
+/* The angle at which the point is on a feature, where it has one. */
+static inline int find_on_feature(elliptic_question *q, int feature)
+{
+    q->inside = 0;
+    if (feature == CYLINT_FEATURE_LATERAL)
+        return find_on_lateral(q) ? feature : CYLINT_NO_FEATURE;
+    return feature == CYLINT_FEATURE_RIM0 || feature == CYLINT_FEATURE_RIM1
+               ? find_on_rim(q, feature == CYLINT_FEATURE_RIM1)
+               : feature;
+}
+
+/* on: the feature on which the point lies, or CYLINT_NO_FEATURE. */
 static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
-                                const cylint_shape *s, const double point[3])
+                                const cylint_shape *s, const double point[3],
+                                int on)
 {
     if (!is_ordinary_question(s, point))
         return CYLINT_NO_FEATURE;
@@ -130,7 +139,8 @@ static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
     locate_by_pairs(&q->at, m, s);
     if (turn_about_apex(q))
         turn_numbers_about_apex(m);
-    return find_feature_of(q, side_in_pairs(q, m));
+    return on == CYLINT_NO_FEATURE ? find_feature_of(q, side_in_pairs(q, m))
+                                   : find_on_feature(q, on);
 }
 
 /* ------------------------------------------------------------- in pairs -- */

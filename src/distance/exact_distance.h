@@ -58,9 +58,7 @@ void cylint_load_meridian(meridian *m, const cylint_shape *shape,
 /* The feature of a valid shape that is not elliptic. */
 nearest cylint_nearest_feature(meridian *m);
 
-/* The square of the distance is (a + b sqrt(c)) / *denominator. */
-surd_sum cylint_square_of_distance(meridian *m, const nearest *n,
-                                   exact *denominator);
+surd_quotient cylint_square_of_distance(meridian *m, const nearest *n);
 
 /* The double nearest to the absolute distance; the least above 0 for distances
  * that would round to 0.  The same in every

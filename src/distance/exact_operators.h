@@ -16,6 +16,17 @@
 #define EXACT_BEGIN const int used_before = m->arena->used;
 #define EXACT_RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
 
+static inline exact exact_zero(const meridian *m)
+{
+    return (exact){m->arena->limb, 0, 0, 0};
+}
+
+/* a / d */
+static inline surd_quotient exact_quotient(const meridian *m, exact a, exact d)
+{
+    return (surd_quotient){{a, exact_zero(m), exact_zero(m)}, d};
+}
+
 static inline exact exact_dot(meridian *m, const exact x[3], const exact y[3])
 {
     EXACT_BEGIN

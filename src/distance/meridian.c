@@ -121,12 +121,11 @@ static int sign_disc(meridian *m, int i)
 static int sign_beyond_cap(meridian *m, const nearest *n, int i)
 {
     const int used = m->arena->used;
-    exact den;
-    surd_sum x = cylint_square_of_distance(m, n, &den);
-    x.a = EXACT_SUB(EXACT_MUL(x.a, m->L->vv),
-                    EXACT_MUL(EXACT_MUL(m->height[i], m->height[i]), den));
-    x.b = EXACT_MUL(x.b, m->L->vv);
-    const int sign = cylint_surd_sum_sign(m->arena, &x);
+    const surd_quotient x = cylint_square_of_distance(m, n);
+    const exact square = EXACT_MUL(m->height[i], m->height[i]);
+    const int sign = sign_of(
+        m, EXACT_SUB(EXACT_MUL(x.n.a, m->L->vv), EXACT_MUL(square, x.d)),
+        EXACT_MUL(x.n.b, m->L->vv), x.n.c);
     m->arena->used = used;
     return sign;
 }
@@ -269,91 +268,81 @@ static exact twice(meridian *m, exact x)
     return EXACT_ADD(x, x);
 }
 
-static surd_sum without_root(meridian *m, exact a)
-{
-    const exact zero = {m->arena->limb, 0, 0, 0};
-    return (surd_sum){a, zero, zero};
-}
-
 /* (|D_end| - r)^2. */
-static surd_sum from_ball(meridian *m, int end, exact *denominator)
+static surd_quotient from_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
     const exact dd = exact_dot(m, L->D[end], L->D[end]), r = L->r[end];
-    *denominator = L->one;
-    return (surd_sum){EXACT_ADD(dd, EXACT_MUL(r, r)),
-                      cylint_exact_neg(twice(m, r)), dd};
+    return (surd_quotient){{EXACT_ADD(dd, EXACT_MUL(r, r)),
+                            cylint_exact_neg(twice(m, r)), dd},
+                           L->one};
 }
 
 /* (T - c)^2 / (W (g + dr^2)). */
-static surd_sum from_lateral(meridian *m, exact *denominator)
+static surd_quotient from_lateral(meridian *m)
 {
-    *denominator =
-        EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
-    return (surd_sum){EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
-                      cylint_exact_neg(twice(m, m->c)), m->T2};
+    return (surd_quotient){
+        {EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
+         cylint_exact_neg(twice(m, m->c)), m->T2},
+        EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)))};
 }
 
 /* The plane of a cap. */
-static surd_sum from_plane(meridian *m, int end, exact *denominator)
+static surd_quotient from_plane(meridian *m, int end)
 {
-    *denominator = m->L->vv;
-    return without_root(m, EXACT_MUL(m->height[end], m->height[end]));
+    return exact_quotient(m, EXACT_MUL(m->height[end], m->height[end]),
+                          m->L->vv);
 }
 
 /* The circle of radius r about the end: (g (q + h^2) + r^2 W^2 - 2 r W T) /
  * (g W), h the height. */
-static surd_sum from_rim(meridian *m, int end, exact *denominator)
+static surd_quotient from_rim(meridian *m, int end)
 {
     const exact h = m->height[end], W = m->L->vv;
     const exact r = EXACT_MUL(m->L->r[end], W);
-    *denominator = EXACT_MUL(m->g, W);
-    return (surd_sum){
-        EXACT_ADD(EXACT_MUL(m->g, EXACT_ADD(m->q, EXACT_MUL(h, h))),
-                  EXACT_MUL(r, r)),
-        cylint_exact_neg(twice(m, r)), m->T2};
+    const exact square = EXACT_MUL(m->g, EXACT_ADD(m->q, EXACT_MUL(h, h)));
+    return (surd_quotient){{EXACT_ADD(square, EXACT_MUL(r, r)),
+                            cylint_exact_neg(twice(m, r)), m->T2},
+                           EXACT_MUL(m->g, W)};
 }
 
 /* The circle of tangency of a ball: (q + h^2 + r^2 W + 2 r dr h - 2 r T) / W. */
-static surd_sum from_tangency(meridian *m, int end, exact *denominator)
+static surd_quotient from_tangency(meridian *m, int end)
 {
     const exact h = m->height[end], W = m->L->vv, r = m->L->r[end];
     const exact across = EXACT_ADD(m->q, EXACT_MUL(EXACT_MUL(r, r), W));
     const exact along =
         EXACT_MUL(h, EXACT_ADD(h, twice(m, EXACT_MUL(r, m->dr))));
-    *denominator = W;
-    return (surd_sum){EXACT_ADD(across, along), cylint_exact_neg(twice(m, r)),
-                      m->T2};
+    return (surd_quotient){{EXACT_ADD(across, along),
+                            cylint_exact_neg(twice(m, r)), m->T2},
+                           W};
 }
 
 /* The apex of a nappe: (c^2 + dr^2 q) / (W dr^2). */
-static surd_sum from_apex(meridian *m, exact *denominator)
+static surd_quotient from_apex(meridian *m)
 {
     const exact dr2 = EXACT_MUL(m->dr, m->dr);
-    *denominator = EXACT_MUL(m->L->vv, dr2);
-    return without_root(m,
-                        EXACT_ADD(EXACT_MUL(m->c, m->c), EXACT_MUL(dr2, m->q)));
+    return exact_quotient(
+        m, EXACT_ADD(EXACT_MUL(m->c, m->c), EXACT_MUL(dr2, m->q)),
+        EXACT_MUL(m->L->vv, dr2));
 }
 
-surd_sum cylint_square_of_distance(meridian *m, const nearest *n,
-                                   exact *denominator)
+surd_quotient cylint_square_of_distance(meridian *m, const nearest *n)
 {
     const int round = cylint_is_round(m->L->kind);
     if (m->L->kind == CYLINT_KIND_SPHERE)
-        return from_ball(m, 0, denominator);
+        return from_ball(m, 0);
     if (cylint_is_plane(m->L->kind))
-        return from_plane(m, 0, denominator);
+        return from_plane(m, 0);
     switch (n->feature) {
     case CYLINT_FEATURE_LATERAL:
-        return from_lateral(m, denominator);
+        return from_lateral(m);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        return round ? from_ball(m, n->end, denominator)
-                     : from_plane(m, n->end, denominator);
+        return round ? from_ball(m, n->end) : from_plane(m, n->end);
     default:
-        return !cylint_ends_are_planes(m->shape->ends)
-                   ? from_apex(m, denominator)
-               : round ? from_tangency(m, n->end, denominator)
-                       : from_rim(m, n->end, denominator);
+        return !cylint_ends_are_planes(m->shape->ends) ? from_apex(m)
+               : round ? from_tangency(m, n->end)
+                       : from_rim(m, n->end);
     }
 }

@@ -8,6 +8,8 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
+enum { CYLINT_NO_FEATURE = -1 };
+
 typedef struct {
     int part, feature;
     int end;  /* of a cap, rim or apex */
@@ -40,5 +42,9 @@ CYLINT_INLINE int cylint_feature_part(int feature)
 {
     return feature >= CYLINT_FEATURE_RIM0 ? CYLINT_PART_LATERAL : feature;
 }
+
+/* Of a circular or elliptic shape and a point for which cylint_contains() is 0, by
+ * exact signs; CYLINT_NO_FEATURE where `ends` leaves out that part. */
+int cylint_boundary_feature(const cylint_shape *shape, const double point[3]);
 
 #endif

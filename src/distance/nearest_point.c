@@ -25,18 +25,13 @@ typedef struct {
     int off_axis;
 } radial;
 
-static exact zero_of(meridian *m)
-{
-    return (exact){m->arena->limb, 0, 0, 0};
-}
-
 /* e x w, e the coordinate direction of the axis's least component. */
 static void phi_direction(meridian *m, exact U[3])
 {
     const exact *w = m->L->w;
     const int i = cylint_least_axis_component(m->shape);
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    U[i] = zero_of(m);
+    U[i] = exact_zero(m);
     U[j] = cylint_exact_neg(w[k]);
     U[k] = w[j];
 }
@@ -125,55 +120,51 @@ static exact foot_b(meridian *m, const radial *d, int i)
     EXACT_RETURN(b)
 }
 
-static surd_sum foot(meridian *m, const radial *d, int i, exact *denominator)
+static surd_quotient foot(meridian *m, const radial *d, int i)
 {
     const exact a = foot_a(m, d, i), b = foot_b(m, d, i);
-    *denominator = EXACT_MUL(d->K, unit(m));
-    return (surd_sum){a, b, d->K};
+    return (surd_quotient){{a, b, d->K}, EXACT_MUL(d->K, unit(m))};
 }
 
-static surd_sum on_rim(meridian *m, const radial *d, int end, int i,
-                       exact *denominator)
+static surd_quotient on_rim(meridian *m, const radial *d, int end, int i)
 {
-    *denominator = EXACT_MUL(m->g, d->K);
-    return (surd_sum){EXACT_MUL(*denominator, centre(m, end, i)),
-                      EXACT_MUL(m->L->r[end], d->V[i]), d->K};
+    const exact gK = EXACT_MUL(m->g, d->K);
+    return (surd_quotient){{EXACT_MUL(gK, centre(m, end, i)),
+                            EXACT_MUL(m->L->r[end], d->V[i]), d->K},
+                           gK};
 }
 
-static surd_sum on_tangency(meridian *m, const radial *d, int end, int i,
-                            exact *denominator)
+static surd_quotient on_tangency(meridian *m, const radial *d, int end, int i)
 {
     const cylint_terms_exact *L = m->L;
     const exact r = L->r[end];
     const exact along = EXACT_SUB(EXACT_MUL(L->vv, centre(m, end, i)),
                                   EXACT_MUL(EXACT_MUL(r, m->dr), L->w[i]));
-    *denominator = EXACT_MUL(L->vv, d->K);
-    return (surd_sum){EXACT_MUL(d->K, along), EXACT_MUL(r, d->V[i]), d->K};
+    return (surd_quotient){
+        {EXACT_MUL(d->K, along), EXACT_MUL(r, d->V[i]), d->K},
+        EXACT_MUL(L->vv, d->K)};
 }
 
-static surd_sum on_ball(meridian *m, const radial *d, int end, int i,
-                        exact *denominator)
+static surd_quotient on_ball(meridian *m, const radial *d, int end, int i)
 {
-    *denominator = d->K;
-    return (surd_sum){EXACT_MUL(d->K, centre(m, end, i)),
-                      EXACT_MUL(m->L->r[end], d->V[i]), d->K};
+    return (surd_quotient){{EXACT_MUL(d->K, centre(m, end, i)),
+                            EXACT_MUL(m->L->r[end], d->V[i]), d->K},
+                           d->K};
 }
 
-static surd_sum on_plane(meridian *m, int end, int i, exact *denominator)
+static surd_quotient on_plane(meridian *m, int end, int i)
 {
     const exact W = m->L->vv, x = cylint_exact_from(m->arena, m->point[i]);
-    *denominator = W;
-    return (surd_sum){
-        EXACT_SUB(EXACT_MUL(W, x), EXACT_MUL(m->height[end], m->L->w[i])),
-        zero_of(m), zero_of(m)};
+    return exact_quotient(
+        m, EXACT_SUB(EXACT_MUL(W, x), EXACT_MUL(m->height[end], m->L->w[i])),
+        W);
 }
 
-static surd_sum at_apex(meridian *m, int i, exact *denominator)
+static surd_quotient at_apex(meridian *m, int i)
 {
     const exact base = EXACT_MUL(m->L->dr, centre(m, 0, i));
-    *denominator = m->L->dr;
-    return (surd_sum){EXACT_SUB(base, EXACT_MUL(m->L->r[0], m->L->w[i])),
-                      zero_of(m), zero_of(m)};
+    return exact_quotient(
+        m, EXACT_SUB(base, EXACT_MUL(m->L->r[0], m->L->w[i])), m->L->dr);
 }
 
 /* The point is on a ball. */
@@ -183,25 +174,23 @@ static int is_on_ball(const meridian *m, const nearest *n)
            (cylint_is_round(m->L->kind) && n->part != CYLINT_PART_LATERAL);
 }
 
-static surd_sum coordinate(meridian *m, const nearest *n, const radial *d,
-                           int i, exact *denominator)
+static surd_quotient coordinate(meridian *m, const nearest *n, const radial *d,
+                                int i)
 {
     if (is_on_ball(m, n))
-        return on_ball(m, d, n->end, i, denominator);
+        return on_ball(m, d, n->end, i);
     if (cylint_is_plane(m->L->kind))
-        return on_plane(m, 0, i, denominator);
+        return on_plane(m, 0, i);
     switch (n->feature) {
     case CYLINT_FEATURE_LATERAL:
-        return foot(m, d, i, denominator);
+        return foot(m, d, i);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        return on_plane(m, n->end, i, denominator);
+        return on_plane(m, n->end, i);
     default:
-        return !cylint_ends_are_planes(m->shape->ends)
-                   ? at_apex(m, i, denominator)
-               : cylint_is_round(m->L->kind)
-                   ? on_tangency(m, d, n->end, i, denominator)
-                   : on_rim(m, d, n->end, i, denominator);
+        return !cylint_ends_are_planes(m->shape->ends) ? at_apex(m, i)
+               : cylint_is_round(m->L->kind) ? on_tangency(m, d, n->end, i)
+                                             : on_rim(m, d, n->end, i);
     }
 }
 
@@ -210,11 +199,8 @@ static void write_nearest_point(meridian *m, const nearest *n, const radial *d,
 {
     for (int i = 0; i < 3; i++) {
         const int used = m->arena->used;
-        exact denominator;
-        const surd_sum x = coordinate(m, n, d, i, &denominator);
-        floating value = cylint_surd_sum_value(m->arena, &x);
-        if (value.v.hi != 0)
-            value = floating_div(value, cylint_floating(denominator));
+        const surd_quotient x = coordinate(m, n, d, i);
+        const floating value = cylint_surd_quotient_value(m->arena, &x);
         point[i] = cylint_positive_zero(cylint_scaled(value.v.hi, value.e));
         m->arena->used = used;
     }

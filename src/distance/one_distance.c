@@ -72,12 +72,12 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
                               const double point[3], int kind, unsigned want,
                               cylint_closest *answer)
 {
-    const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
-                       !cylint_ends_are_planes(shape->ends);
     if (!(fabs(whole(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
     } else if (find_distance(n, m, shape, point)) {
-        answer->distance = closed ? n->d.low : fabs(n->d.low);
+        answer->distance = cylint_surface_is_whole(shape->ends)
+                               ? n->d.low
+                               : fabs(n->d.low);
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
     if (!n->known)
@@ -102,73 +102,36 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     return want;
 }
 
-INLINE unsigned capped_in_pairs(const cylint_shape *shape,
-                                const double point[3], int kind, unsigned want,
+/* kind: of the shape; a constant for spheres, which have no axis. */
+INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
+                                const double point[3], int on, unsigned want,
                                 cylint_closest *answer)
 {
-    const cylint_shape *const at[1] = {shape};
+    const int tangent = cylint_has_tangent(kind);
+    const int straight = tangent ? CYLINT_KIND_CONE : kind;
     shape_lanes s;
     half_plane m;
     vnearest n;
-    pairs_load_shapes(&s, at);
-    pairs_nearest(&n, &m, &s, point, kind, 1);
-    return write_certain(&n, &m, &s, shape, point, kind, want, answer);
-}
-
-static unsigned other_in_pairs(const cylint_shape *shape, const double point[3],
-                               unsigned want, cylint_closest *answer)
-{
-    const int tangent = cylint_has_tangent(shape->kind);
-    shape_lanes s;
-    half_plane m;
-    vnearest n;
-    nearest_to_other(&n, &m, &s, point, shape);
+    find_nearest(&n, &m, &s, point, shape, straight, tangent, on);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
                 (int)n.feature != CYLINT_FEATURE_RIM0
             ? want & CYLINT_WANT_GEOMETRY
             : 0;
-    return geometry | write_certain(&n, &m, &s, shape, point,
-                                    tangent ? CYLINT_KIND_CONE : shape->kind,
+    return geometry | write_certain(&n, &m, &s, shape, point, straight,
                                     want & ~geometry, answer);
 }
 
 static unsigned in_pairs(const cylint_shape *shape, const double point[3],
-                         unsigned want, cylint_closest *answer)
+                         int on, unsigned want, cylint_closest *answer)
 {
-    if (!cylint_rounds_to_nearest())
-        return want;
-    if (shape->kind == CYLINT_KIND_SPHERE &&
-        !cylint_part_is_present(shape->ends, cylint_surface(shape)))
-        return want; /* no surface */
-    if (shape->kind == CYLINT_KIND_SPHERE)
-        return capped_in_pairs(shape, point, CYLINT_KIND_SPHERE, want, answer);
-    return shape->ends == CYLINT_ENDS_CAPPED && !cylint_has_tangent(shape->kind)
-               ? capped_in_pairs(shape, point, shape->kind, want, answer)
-               : other_in_pairs(shape, point, want, answer);
-}
-
-static int normal_of_feature(const cylint_shape *shape, const double point[3],
-                             int feature, double normal[3])
-{
-    const cylint_shape *const at[1] = {shape};
-    shape_lanes s;
-    half_plane m;
-    described_point to;
-    vnearest n = {{{0, 0}, 0, 0, 0}, feature, 1};
-    /* untaken 1 of 2: callers have tested the rounding mode */
-    if (!cylint_rounds_to_nearest())
-        return 0;
-    pairs_load_shapes(&s, at);
-    pairs_load(&m, &s, point, 1);
-    pairs_rho(&m);
-    describe_nearest(&to, &n, &m, &s, point, CYLINT_KIND_CONE);
-    if (!to.normal_known)
-        return 0;
-    EACH(i, 3)
-        normal[i] = to.normal[i];
-    return 1;
+    if (shape->kind != CYLINT_KIND_SPHERE)
+        return answer_in_pairs(shape, shape->kind, point, on, want, answer);
+    return cylint_part_is_present(shape->ends, cylint_surface(shape))
+               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point,
+                                 CYLINT_NO_FEATURE, want, answer)
+               : want; /* no surface */
 }
 
 /* ------------------------------------------------------------- kernels -- */
@@ -194,5 +157,4 @@ const cylint_one_distances CYLINT_ONE_DISTANCES = {
      [CYLINT_KIND_SPHERE] = {sphere_alone, sphere_parted},
      [CYLINT_KIND_CAPSULE] = {capsule_alone, capsule_parted},
      [CYLINT_KIND_RCONE] = {round_cone_alone, round_cone_parted}},
-    in_pairs,
-    normal_of_feature};
+    in_pairs};

@@ -21,19 +21,20 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
                                       const double point[3],
                                       cylint_closest *answer);
 
+/* Writes the members of `want` that are certain, and returns the others, in pairs,
+ * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
+ * is left and the point can be on the surface: other members are then right if it
+ * is and the surface is whole.  on: CYLINT_NO_FEATURE, or the feature on which the
+ * point lies: then only its normal may be wanted. */
+typedef unsigned cylint_in_pairs(const cylint_shape *shape,
+                                 const double point[3], int on, unsigned want,
+                                 cylint_closest *answer);
+
 /* By kind, without and with the feature; NULL: none.  `pairs` serves all
- * prepared shapes, with triples of doubles near the surface: it writes the
- * members of `want` that are certain, and returns the others;
- * CYLINT_ON_SURFACE if the distance is 0 or too small for a sign, and, of closed
- * shapes, the other members are those of a point on the surface. */
+ * prepared shapes that are not elliptic, and features of cylinders and cones. */
 typedef struct {
     cylint_head_tail_distance *head_tail[CYLINT_KINDS][2];
-    unsigned (*pairs)(const cylint_shape *shape, const double point[3],
-                      unsigned want, cylint_closest *answer);
-    /* The normal at a point of a feature of a cylinder or cone, where it is
-     * certain: returns 1. */
-    int (*normal)(const cylint_shape *shape, const double point[3], int feature,
-                  double normal[3]);
+    cylint_in_pairs *pairs;
 } cylint_one_distances;
 
 extern const cylint_one_distances cylint_one_distances_plain CYLINT_HIDDEN,

@@ -1,6 +1,6 @@
 /*
- * other_ends.h - distances from shapes that are not capped, and from angle cones,
- * in pairs, at one lane
+ * other_ends.h - distances in pairs, at one lane: from shapes that are not capped,
+ * from angle cones and from all others
  *
  * The distance is that from the side of the feature that is outside a solid.
  * Where the surface does not enclose one, the driver takes the absolute value.
@@ -102,24 +102,29 @@ static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
         pairs_rounded(pairs_turned(s, vpair_sub(rho, s->r[0]), m->z), m->error);
 }
 
-/* A shape that is not capped; the kind of an angle cone is that of a cone. */
-static void nearest_to_other(vnearest *n, half_plane *m, shape_lanes *s,
-                             const double point[3], const cylint_shape *shape)
+/* Of a shape of any kind and ends; the kind of an angle cone is that of a cone.
+ * on: the feature on which the point lies, or CYLINT_NO_FEATURE. */
+INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
+                         const double point[3], const cylint_shape *shape,
+                         int kind, int tangent, int on)
 {
     const cylint_shape *const at[1] = {shape};
-    const int tangent = cylint_has_tangent(shape->kind);
-    const int kind = tangent ? CYLINT_KIND_CONE : shape->kind;
     if (tangent)
         load_angle_cone(s, shape);
     else
         pairs_load_shapes(s, at);
-    if (shape->ends == CYLINT_ENDS_CAPPED) { /* an angle cone */
-        pairs_nearest(n, m, s, point, CYLINT_KIND_CONE, 1);
+    if (on == CYLINT_NO_FEATURE &&
+        (shape->ends == CYLINT_ENDS_CAPPED || kind == CYLINT_KIND_SPHERE)) {
+        pairs_nearest(n, m, s, point, kind, 1);
         return;
     }
-    n->known = 1;
-    n->feature = CYLINT_FEATURE_LATERAL;
+    *n = (vnearest){{{0, 0}, 0, 0, 0}, on, 1};
     pairs_load(m, s, point, 1);
+    if (on != CYLINT_NO_FEATURE) {
+        pairs_rho(m);
+        return;
+    }
+    n->feature = CYLINT_FEATURE_LATERAL;
     if (cylint_ends_are_planes(shape->ends))
         nearest_to_open(n, m, s, cylint_caps_present(shape->ends), kind);
     else

@@ -1,7 +1,7 @@
 /*
  * rounded_distance.c - the double nearest to a distance
  *
- * The square of the distance is (a + b sqrt(c)) / denominator, so whether the
+ * The square of the distance is (a + b sqrt(c)) / d, so whether the
  * distance is above the middle of two doubles is the sign of another surd_sum.
  */
 #include "error_bounds.h"
@@ -9,19 +9,19 @@
 
 /* The sign of the distance minus the middle of the double of this rank and the
  * next. */
-static int sign_at_middle(cylint_arena *arena, const surd_sum *x,
-                          exact denominator, int64_t rank)
+static int sign_at_middle(cylint_arena *arena, const surd_quotient *x,
+                          int64_t rank)
 {
     const int used = arena->used;
     const exact four = cylint_exact_from(arena, 4);
     const exact sum = cylint_exact_add(arena, cylint_exact_of_rank(arena, rank),
                                        cylint_exact_of_rank(arena, rank + 1));
     const exact square =
-        cylint_exact_mul(arena, cylint_exact_mul(arena, sum, sum), denominator);
+        cylint_exact_mul(arena, cylint_exact_mul(arena, sum, sum), x->d);
     const surd_sum at = {cylint_exact_add(arena,
-                                          cylint_exact_mul(arena, four, x->a),
+                                          cylint_exact_mul(arena, four, x->n.a),
                                           cylint_exact_neg(square)),
-                         cylint_exact_mul(arena, four, x->b), x->c};
+                         cylint_exact_mul(arena, four, x->n.b), x->n.c};
     const int sign = cylint_surd_sum_sign(arena, &at);
     arena->used = used;
     return sign;
@@ -44,22 +44,20 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
 {
     cylint_arena *arena = m->arena;
     const int used = arena->used;
-    exact denominator;
-    const surd_sum x = cylint_square_of_distance(m, n, &denominator);
-    const floating square = cylint_surd_sum_value(arena, &x);
+    const surd_quotient x = cylint_square_of_distance(m, n);
+    const floating square = cylint_surd_quotient_value(arena, &x);
     double distance = 0;
     if (square.v.hi > 0) {
         const double error = cylint_rounds_to_nearest()
                                  ? CYLINT_SURD_ERROR
                                  : CYLINT_DIRECTED_SURD_ERROR;
-        const floating d = cylint_floating_sqrt(
-            floating_div(square, cylint_floating(denominator)));
+        const floating d = cylint_floating_sqrt(square);
         int64_t low = nearest_rank(arena, d, -error);
         int64_t high = nearest_rank(arena, d, error);
         while (low < high) {
             /* mutant '2' -> '3': slower, any rank between both is right */
             const int64_t middle = low + (high - low) / 2;
-            const int sign = sign_at_middle(arena, &x, denominator, middle);
+            const int sign = sign_at_middle(arena, &x, middle);
             if (sign == 0) /* a tie, to even */
                 low = high = middle + (middle & 1);
             else if (sign > 0)

@@ -15,6 +15,7 @@
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../numbers/simd.h"
+#include "../shapes/measure.h"
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
@@ -204,13 +205,6 @@ INLINE double if_positive(double bound, const cylint_shape *s,
     return bound > 0 ? bound : below_distance(s, point);
 }
 
-static double elliptic_safety(const cylint_shape *s, const double point[3])
-{
-    return CYLINT_OF_BUILD(cylint_build_used(), cylint_elliptic_safety_plain,
-                           cylint_elliptic_safety_fma,
-                           cylint_elliptic_safety_fma)(s, point);
-}
-
 /* All but the capped shapes of circular and round kinds. */
 ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
@@ -218,7 +212,7 @@ ASIDE double other_safety(const cylint_shape *s, const double point[3])
     if (!cylint_prepared(s) || cylint_has_tangent(s->kind))
         return below_distance(s, point);
     if (cylint_is_elliptic(s->kind))
-        bound = elliptic_safety(s, point);
+        bound = CYLINT_OF_FMA(cylint_elliptic_kernels)->safety(s, point);
     else if (s->ends == CYLINT_ENDS_INFINITE)
         bound = infinite_safety(s, point);
     else if (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind))
@@ -266,3 +260,26 @@ double cylint_safety(const cylint_shape *shape, const double point[3])
 }
 
 #endif
+
+/* Of point i and shape number each * i. */
+static void write_safety(const cylint_shape *shapes, size_t each,
+                         const cylint_points *points, double *safety)
+{
+    for (size_t i = 0; i < points->n; i++) {
+        double point[3];
+        cylint_read_point(points, i, point);
+        safety[i] = cylint_safety(shapes + each * i, point);
+    }
+}
+
+void cylint_safety_points(const cylint_shape *shape,
+                          const cylint_points *points, double *safety)
+{
+    write_safety(shape, 0, points, safety);
+}
+
+void cylint_safety_pairs(const cylint_shape *shapes,
+                         const cylint_points *points, double *safety)
+{
+    write_safety(shapes, 1, points, safety);
+}

@@ -64,3 +64,9 @@ floating cylint_surd_sum_value(cylint_arena *arena, const surd_sum *x)
     arena->used = used;
     return N.v.hi == 0 ? N : floating_div(N, sum);
 }
+
+floating cylint_surd_quotient_value(cylint_arena *arena, const surd_quotient *x)
+{
+    const floating n = cylint_surd_sum_value(arena, &x->n);
+    return n.v.hi == 0 ? n : floating_div(n, cylint_floating(x->d));
+}

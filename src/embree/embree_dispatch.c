@@ -13,15 +13,12 @@ cylint_traverse_packet *cylint_traverse_packet_used(void)
                              cylint_traverse_packet_avx2);
 }
 
-cylint_float_filter *cylint_float_filter_of_one(void)
+cylint_float_filter *cylint_float_filter_used(int many)
 {
-    return CYLINT_OF_KERNELS(cylint_float_filter_plain, cylint_float_filter_fma,
-                             cylint_float_filter_fma);
-}
-
-cylint_float_filter *cylint_float_filter_of_many(void)
-{
-    return CYLINT_OF_KERNELS(cylint_float_filter_plain,
-                             cylint_float_filter_avx2,
-                             cylint_float_filter_avx512);
+    return many ? CYLINT_OF_KERNELS(cylint_float_filter_plain,
+                                    cylint_float_filter_avx2,
+                                    cylint_float_filter_avx512)
+                : CYLINT_OF_KERNELS(cylint_float_filter_plain,
+                                    cylint_float_filter_fma,
+                                    cylint_float_filter_fma);
 }

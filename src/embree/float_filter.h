@@ -48,16 +48,12 @@ static inline int cylint_float_filter_is_round(
     return q->record.r0 + q->record.r1 < 0;
 }
 
-enum { CYLINT_FLOAT_FILTER_MOST = 16 };
-
-/* Answers n questions, 1 to CYLINT_FLOAT_FILTER_MOST.  All shapes are round or none
- * is. */
+/* Answers n questions.  All shapes are round or none is. */
 typedef void cylint_float_filter(cylint_float_filter_question *const of[],
                                  int n);
 
-/* The builds for this processor: for one question, and for several. */
-cylint_float_filter *cylint_float_filter_of_one(void);
-cylint_float_filter *cylint_float_filter_of_many(void);
+/* The build in use for one question, or for many. */
+cylint_float_filter *cylint_float_filter_used(int many);
 
 /* All builds: two with one lane, and two with several. */
 extern cylint_float_filter cylint_float_filter_plain, cylint_float_filter_fma,

@@ -206,7 +206,8 @@ INLINE void load_questions(questions *q)
 
 /* Products have at most ten lengths as factors.  If none of these is less than
  * 2^-90, a product flushed to zero is negligible.  An overflow gives an infinite
- * bound or NaN, and then nothing is certain. */
+ * bound or NaN, and then nothing is certain, but for that of 1 / ww: cross_shape()
+ * tests it. */
 INLINE vm in_window(const questions *q, vd radii)
 {
     const vd least = v_set(0x1p-90);
@@ -277,7 +278,8 @@ INLINE verdict cross_shape(questions *q, int is_round)
     c->e_a = eps(8) * (q->T * q->uu);
     c->e_G =
         eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
-    const vm sloped = m_and(v_lt(least, q->W), v_lt(eps(8), q->S));
+    const vm sloped = m_and(m_and(v_lt(least, q->W), v_lt(least, q->per_W)),
+                            v_lt(eps(8), q->S));
     const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
     const verdict v = cross_surface(c, G, has_cone);

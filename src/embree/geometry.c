@@ -85,49 +85,22 @@ static cylint_extent box_of(const cylint_shape *shape,
                             const cylint_shape *moved, int step)
 {
     const cylint_view view = cylint_plain_view(shape);
-    cylint_extent box;
-    if (!moved)
-        return cylint_swept_disc_box(&view, 0);
-    cylint_motion_bounds(shape, moved, step, &box);
-    return box;
+    return moved ? cylint_motion_box(shape, moved, step)
+                 : cylint_swept_disc_box(&view, 0);
 }
 
-static void whole_bounds(const struct RTCBoundsFunctionArguments *args)
+static void write_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    *args->bounds_o = padded_box(&data->bvh.box, data->pad);
-}
-
-static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
-{
-    const cylint_embree_data *data = args->geometryUserPtr;
-    const int moves = cylint_embree_moves(data);
-    cylint_shape shape[2];
-    for (int i = 0; i <= moves; i++)
-        cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
-    const cylint_extent box =
-        box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
-    *args->bounds_o = padded_box(&box, data->pad);
-}
-
-static int check_shape(const cylint_embree_data *data, size_t i,
-                       cylint_extent *all)
-{
-    const cylint_shape *shape = data->arrays->shapes + i;
-    const cylint_shape *moved =
-        cylint_embree_moves(data) ? data->moved + i : NULL;
-    if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
-        (moved && !cylint_is_bounded(moved)))
-        return CYLINT_EMBREE_ESHAPE;
-    if (moved && !cylint_can_move_into(shape, moved))
-        return CYLINT_EMBREE_EMOTION;
-    for (int step = 0; step < (moved ? 2 : 1); step++) {
-        const cylint_extent box = box_of(shape, moved, step);
-        if (!cylint_extent_is_valid(&box))
-            return CYLINT_EMBREE_ESHAPE;
-        cylint_extent_include(all, &box);
+    cylint_extent box = data->bvh.box;
+    if (!data->traversal) {
+        cylint_shape shape[2];
+        const int moves = data->moved != NULL;
+        for (int i = 0; i <= moves; i++)
+            cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
+        box = box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
     }
-    return CYLINT_EMBREE_OK;
+    *args->bounds_o = padded_box(&box, data->pad);
 }
 
 /* Boxes are padded for rays that begin within FAR_SIZES sizes of the geometry
@@ -175,7 +148,7 @@ static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
     cylint_embree_shapes made[2] = {{.ends = NULL}, {.ends = NULL}};
     const uint32_t *number = order->data;
     int is = 1;
-    for (int i = 0; i <= cylint_embree_moves(data) && is && data->n > 0; i++) {
+    for (int i = 0; i <= (data->moved != NULL) && is && data->n > 0; i++) {
         const cylint_view from = view_of(data, i);
         is = cylint_embree_shapes_copy(&made[i], &from, number, data->n,
                                        data->threads, &data->source);
@@ -208,11 +181,22 @@ static int check_arrays(const cylint_embree_data *data,
 static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
                         cylint_embree_problem *problem)
 {
+    const int moves = data->moved != NULL;
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
-        const int status = check_shape(data, i, all);
-        if (status != CYLINT_EMBREE_OK)
-            return refuse(problem, status, i);
+        const cylint_shape *shape = data->arrays->shapes + i;
+        const cylint_shape *moved = moves ? data->moved + i : NULL;
+        if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
+            (moved && !cylint_is_bounded(moved)))
+            return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
+        if (moved && !cylint_can_move_into(shape, moved))
+            return refuse(problem, CYLINT_EMBREE_EMOTION, i);
+        for (int step = 0; step <= moves; step++) {
+            const cylint_extent box = box_of(shape, moved, step);
+            if (!cylint_extent_is_valid(&box))
+                return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
+            cylint_extent_include(all, &box);
+        }
     }
     return 1;
 }
@@ -324,10 +308,9 @@ static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
 static void attach(RTCGeometry geometry, cylint_embree_data *data)
 {
     rtcSetGeometryUserData(geometry, data);
-    rtcSetGeometryTimeStepCount(geometry, cylint_embree_moves(data) ? 2 : 1);
+    rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-    rtcSetGeometryBoundsFunction(
-        geometry, data->traversal ? whole_bounds : shape_bounds, NULL);
+    rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
 }
@@ -364,15 +347,14 @@ static cylint_embree_data *new_data(RTCDevice device,
         return NULL;
     cylint_embree_data *data = self.data;
     cylint_embree_array *arrays = (cylint_embree_array *)(data + 1);
-    *data =
-        (cylint_embree_data){.self = self,
-                             .source = source,
-                             .arrays = arrays,
-                             .n_arrays = n_arrays,
-                             .threads = 1,
-                             .filter_one = cylint_float_filter_of_one(),
-                             .filter_many = cylint_float_filter_of_many(),
-                             .traverse_packet = cylint_traverse_packet_used()};
+    *data = (cylint_embree_data){
+        .self = self,
+        .source = source,
+        .arrays = arrays,
+        .n_arrays = n_arrays,
+        .threads = 1,
+        .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
+        .traverse_packet = cylint_traverse_packet_used()};
     arrays[0] = (cylint_embree_array){.n = 0};
     for (size_t i = 0; i < n; data->n += parts[i++].n)
         arrays[i] = (cylint_embree_array){parts[i].shapes, data->n, parts[i].n,
@@ -398,8 +380,7 @@ static void set_options(cylint_embree_data *data, int is_merged,
         data->threads = options->threads > 1 ? options->threads : 1;
         data->moved = is_merged ? NULL : options->moved;
     }
-    if (is_merged ||
-        (!(data->flags & CYLINT_EMBREE_SINGLE) && !cylint_embree_moves(data)))
+    if (is_merged || (!(data->flags & CYLINT_EMBREE_SINGLE) && !data->moved))
         data->traversal = cylint_traversal_used();
 }
 

@@ -33,7 +33,7 @@ typedef struct cylint_embree_data {
     void *user;     /* for filter functions */
     int threads;    /* to build the hierarchy */
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
-    cylint_float_filter *filter_one, *filter_many;
+    cylint_float_filter *filter[2];    /* for one question, and for several */
     cylint_traverse_packet *traverse_packet;
     cylint_bvh bvh; /* its box only, if each shape is a primitive */
     /* Leaves name shapes by rank, in the order in which leaves first name
@@ -58,11 +58,6 @@ static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
             high = middle;
     }
     return low;
-}
-
-static inline int cylint_embree_moves(const cylint_embree_data *data)
-{
-    return data->moved != NULL;
 }
 
 void cylint_embree_intersect_callback(

@@ -110,8 +110,8 @@ static double reach(const disc *at, const disc *other, int j)
  * out by 2^-21 M, more than the total of 5 2^-24 M; the rest covers the doubles
  * and the rounding of M.
  */
-void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
-                          int step, cylint_extent *box)
+cylint_extent cylint_motion_box(const cylint_shape *at_0,
+                                const cylint_shape *at_1, int step)
 {
     double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {
@@ -129,5 +129,5 @@ void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
         lo[j] = side[step][0] - 0x1p-21 * M;
         hi[j] = side[step][1] + 0x1p-21 * M;
     }
-    *box = cylint_float_box(lo, hi);
+    return cylint_float_box(lo, hi);
 }

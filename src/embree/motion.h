@@ -18,7 +18,7 @@ void cylint_embree_record_between(const cylint_record *at_0,
 
 /* The box at time 0 or 1 (step).  The boxes that Embree interpolates between the
  * two contain the shape at every time. */
-void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
-                          int step, cylint_extent *box);
+cylint_extent cylint_motion_box(const cylint_shape *at_0,
+                                const cylint_shape *at_1, int step);
 
 #endif

@@ -77,7 +77,7 @@ static void test_batch(question *const asked[], int n,
                        const cylint_embree_data *data)
 {
     if (n > 0)
-        (n > 1 ? data->filter_many : data->filter_one)(asked, n);
+        data->filter[n > 1](asked, n);
     for (int i = 0; i < n; i++) {
         ray_test *r = (ray_test *)asked[i];
         r->found |= cylint_ray_end(r);

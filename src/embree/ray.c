@@ -21,7 +21,7 @@ static void make_shape(const cylint_embree_data *data, size_t rank, float time,
                        cylint_shape *shape)
 {
     cylint_shape at[2];
-    if (!cylint_embree_moves(data)) {
+    if (!data->moved) {
         cylint_embree_shape(&data->shapes[0], rank, shape);
         return;
     }
@@ -274,7 +274,7 @@ static int test_exactly(ray_test *r, int first)
 CYLINT_INLINE void filter_one(ray_test *r)
 {
     cylint_float_filter_question *const one = &r->q;
-    r->data->filter_one(&one, 1);
+    r->data->filter[0](&one, 1);
 }
 
 int cylint_ray_end(ray_test *r)
@@ -316,7 +316,7 @@ static int test_primitive(ray_test *r)
     const cylint_embree_shapes *s = r->data->shapes;
     r->rank = r->args->primID;
     set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
-    if (cylint_embree_moves(r->data)) {
+    if (r->data->moved) {
         const cylint_record at_0 = r->q.record;
         cylint_record at_1;
         cylint_embree_record(s + 1, r->rank, &at_1);

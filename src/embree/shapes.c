@@ -57,10 +57,8 @@ typedef struct {
     const uint32_t *number;
     cylint_embree_shapes *to;
     uint8_t *ends;
-    cylint_mutex mutex; /* protects the members below */
-    int fits;           /* all shapes fit into small records, if these are
-                           wanted */
-    size_t whole;       /* the number of shapes that are kept whole */
+    cylint_mutex mutex; /* protects `fits` */
+    int fits; /* all shapes fit into small records, if these are wanted */
 } copying;
 
 static const cylint_shape *source_of(const copying *c, size_t i,
@@ -76,21 +74,18 @@ static void copy_some(void *self, size_t from, size_t to)
     const int small = c->to->small;
     cylint_small_record *floats = c->to->memory.data;
     cylint_record *doubles = c->to->memory.data;
-    size_t i = from, whole = 0;
+    size_t i = from;
     for (int fits = 1; i < to && fits; i += (size_t)fits) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
         c->ends[i] = (uint8_t)shape->ends;
-        if (small) {
+        if (small)
             fits = cylint_small_record_of(&floats[i], shape);
-        } else {
+        else
             cylint_filter_record_of(&doubles[i], shape);
-            whole += doubles[i].r0 != doubles[i].r0;
-        }
     }
     cylint_mutex_lock(&c->mutex);
     c->fits &= i == to;
-    c->whole += whole;
     cylint_mutex_unlock(&c->mutex);
 }
 
@@ -121,11 +116,13 @@ static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
     cylint_embree_shapes *to = c->to;
     cylint_record *records = to->memory.data;
     cylint_shape *whole;
-    size_t next = 0;
-    if (c->whole == 0)
+    size_t next = 0, n_whole = 0;
+    for (size_t i = 0; i < n && !to->small; i++)
+        n_whole += records[i].r0 != records[i].r0;
+    if (n_whole == 0)
         return 1;
     if (!cylint_memory_allocate(&to->whole_memory, source,
-                                c->whole * sizeof *whole))
+                                n_whole * sizeof *whole))
         return 0;
     to->whole = whole = to->whole_memory.data;
     for (size_t i = 0; i < n; i++)

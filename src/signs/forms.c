@@ -5,7 +5,6 @@
  */
 #include "forms.h"
 
-/* lint: the analyzer misses assignments of the template */
 #define INLINE
 #define MEMORY
 

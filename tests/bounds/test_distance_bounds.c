@@ -98,14 +98,11 @@ static void check_point(const struct family_case *c, const double p[3])
     if (cylint_is_round(c->shape.kind) ||
         !cylint_ends_are_planes(c->shape.ends))
         return;
-    exact denominator;
-    const surd_sum square =
-        cylint_square_of_distance(&exactly, &rim, &denominator);
-    const floating v = cylint_surd_sum_value(arena, &square);
+    const surd_quotient square = cylint_square_of_distance(&exactly, &rim);
+    const floating v = cylint_surd_quotient_value(arena, &square);
     if (v.v.hi == 0)
         return;
-    const pair true_rim = as_pair(
-        cylint_floating_sqrt(floating_div(v, cylint_floating(denominator))));
+    const pair true_rim = as_pair(cylint_floating_sqrt(v));
     double error = m.error;
     const vpair got = pairs_length(vpair_sub(got_rho, s.r[0]), m.z, &m, &error);
     if (!(got.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */

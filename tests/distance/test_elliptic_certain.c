@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "distance/elliptic.h"
-#include "distance/one_distance.h"
+#include "distance/nearest.h"
 #include "elliptic_solids.h"
 #include "known_distances.h"
 
@@ -26,6 +26,14 @@ struct tally {
     long n, left, safe;
     double ratios, least;
 };
+
+/* Returns the members that are left. */
+static unsigned in_pairs(const cylint_shape *s, const double p[3],
+                         cylint_closest *answer)
+{
+    return cylint_elliptic_kernels_plain.pairs(s, p, CYLINT_NO_FEATURE, ALL,
+                                               answer);
+}
 
 /* Of *a and *b the members that `left` does not name. */
 static int are_equal(const cylint_closest *a, const cylint_closest *b,
@@ -67,7 +75,7 @@ static void check_point(const struct solid *e, cylint_ends ends,
         return;
     memset(&certain, 0, sizeof certain);
     memset(&last, 0, sizeof last);
-    const unsigned left = cylint_elliptic_in_pairs_plain(&s, p, ALL, &certain);
+    const unsigned left = in_pairs(&s, p, &certain);
     sum->n++;
     sum->left += left != 0;
     int right = are_equal(&certain, &all, left) &&
@@ -310,7 +318,7 @@ static void on_the_axis_the_answer_is_certain(void)
     const double p[3] = {1, 2, 6.7};
     cylint_closest a;
     memset(&a, 0, sizeof a);
-    CHECK(cylint_elliptic_in_pairs_plain(&s, p, ALL, &a) == 0);
+    CHECK(in_pairs(&s, p, &a) == 0);
     CHECK(a.distance == -1 && a.feature == LATERAL && a.point[0] == 1 &&
           a.point[1] == 3 && a.point[2] == 6.7 && a.normal[1] == 1);
 }

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "distance/nearest.h"
 #include "distance/one_distance.h"
 #include "distance_points.h"
 #include "environment.h"
@@ -392,8 +393,8 @@ static void signed_distances_are_those_of_the_closed_solid(void)
 static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
                               unsigned want, cylint_closest *answer)
 {
-    return cylint_one_distances_plain.pairs(s, p, want | CYLINT_WANT_DISTANCE,
-                                            answer);
+    return cylint_one_distances_plain.pairs(
+        s, p, CYLINT_NO_FEATURE, want | CYLINT_WANT_DISTANCE, answer);
 }
 
 /* The distance does not need the direction from the axis to the point. */

@@ -18,7 +18,7 @@
 #include "families.h"
 #include "shapes/layout.h"
 
-enum { CASES = 10000 };
+enum { CASES = 10000, MOST = 16 };
 
 /* The numbers of hits, and of certain hits. */
 struct tally {
@@ -38,10 +38,9 @@ static void list_builds(void)
     const char *name;
     for (int i = 0; (name = cylint_kernels_name(i)); i++) {
         CHECK(cylint_use_kernels(name));
-        builds[n_builds++] =
-            (struct build){name, cylint_float_filter_of_one(), 1};
-        builds[n_builds++] = (struct build){name, cylint_float_filter_of_many(),
-                                            CYLINT_FLOAT_FILTER_MOST};
+        for (int many = 0; many < 2; many++)
+            builds[n_builds++] = (struct build){
+                name, cylint_float_filter_used(many), many ? MOST : 1};
     }
     cylint_use_kernels(NULL);
 }
@@ -127,9 +126,9 @@ static int same_floats(const float f[CYLINT_HIT_FLOATS], const cylint_hit *hit)
 
 /* Queries side by side. */
 struct crowd {
-    struct scene_query query[CYLINT_FLOAT_FILTER_MOST];
-    struct family_case from[CYLINT_FLOAT_FILTER_MOST];
-    cylint_float_filter_question *asked[CYLINT_FLOAT_FILTER_MOST];
+    struct scene_query query[MOST];
+    struct family_case from[MOST];
+    cylint_float_filter_question *asked[MOST];
     int n;
 };
 
@@ -271,11 +270,34 @@ static void a_small_z_is_no_more_certain_than_the_librarys(void)
     }
 }
 
+/* The square of the axis overflows. */
+static void a_very_long_cone_is_not_decided_wrongly(void)
+{
+    const double p0[3] = {0x1.986e2cbca445p+85, -0x1.60b7e19cbe7b8p+82,
+                          -0x1.715b3acbc8995p+92};
+    const double p1[3] = {0x1.ecda3bacf4366p+88, 0x1.026c9a2e190aap+660,
+                          0x1.bedae8d9e6ae1p+86};
+    const double o[3] = {0x1.3f4fbdp+86, 0, 0x1.64ec7cp+89};
+    const double d[3] = {0, 0x1.402042p+87, 0};
+    struct tally tally = {0, 0};
+    struct scene_query x;
+    cylint_shape shape;
+    cylint_float_filter_question *const one = &x.q;
+    CHECK(!cylint_cone(&shape, p0, 0, p1, 0x1.4d1ce734fa9c5p+95,
+                       CYLINT_ENDS_CAP1));
+    CHECK(make_query(&x, &shape, o, d, 1) && x.n > 0);
+    for (int b = 0; b < n_builds; b++) {
+        builds[b].answer(&one, 1);
+        CHECK(is_right(&x, &tally));
+    }
+}
+
 int main(void)
 {
     list_builds();
     RUN(certain_answers_are_the_librarys);
     RUN(ordinary_shapes_are_certain);
+    RUN(a_very_long_cone_is_not_decided_wrongly);
     RUN(a_small_z_is_no_more_certain_than_the_librarys);
     return check_end();
 }

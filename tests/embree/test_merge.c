@@ -94,10 +94,8 @@ static void compare(struct world *one, struct world *merged, uint64_t *state,
     int hits = 0;
     for (int n = 0; n < 2000; n++) {
         struct rays r, s;
-        const uint64_t seed = *state;
         draw_rays(&r, state);
-        *state = seed;
-        draw_rays(&s, state);
+        s = r;
         rays_intersect(&r, one->scene, NULL);
         rays_intersect(&s, merged->scene, NULL);
         if (bare && r.n == 1) {
@@ -108,7 +106,7 @@ static void compare(struct world *one, struct world *merged, uint64_t *state,
         as_of_one(&s);
         CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);
         draw_rays(&r, state);
-        memcpy(&s, &r, sizeof s);
+        s = r;
         rays_occluded(&r, one->scene, NULL);
         rays_occluded(&s, merged->scene, NULL);
         CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);

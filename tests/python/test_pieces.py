@@ -83,6 +83,12 @@ def test_pieces_are_those_of_a_loop(world, mode, ranked):
         assert rows(found, i) == expected and rows(first, i) == expected[:2]
 
 
+def test_more_pieces_may_be_wanted_than_memory_holds(world):
+    _, scene, o, d, _ = world
+    found, first = scene.pieces(o, d), scene.pieces(o, d, first=10**13)
+    assert all(same(a, b) for a, b in zip(found, first, strict=True))
+
+
 def test_sums_are_exact_and_rounded_once(world):
     shapes, scene, o, d, _ = world
     labels = np.arange(SHAPES) % 4 - 1

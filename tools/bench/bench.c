@@ -9,11 +9,12 @@
  * Without a CASE the program prints their names.  Output is CSV; a ratio below
  * 1 means that the library is faster.
  */
-#define _GNU_SOURCE /* sched_setaffinity() */
+#define _GNU_SOURCE /* sched_setaffinity(), getopt() */
 #include "bench.h"
 
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -314,26 +315,17 @@ static int run(const char *name)
 
 int main(int argc, char **argv)
 {
-    int at = 1, status = 0;
-    for (; at + 1 < argc && argv[at][0] == '-'; at += 2) {
-        const char *value = argv[at + 1];
-        switch (argv[at][1]) {
-        case 's':
-            user.seconds = atof(value);
-            break;
-        case 'n':
-            user.most = atof(value);
-            break;
-        case 'k':
-            user.kernels = value;
-            break;
-        case 'o':
-            user.only = value;
-            break;
-        default:
-            must(0, "options are -s -n -k -o");
-        }
+    int status = 0;
+    for (int option; (option = getopt(argc, argv, "s:n:k:o:")) != -1;) {
+        must(option != '?', "options are -s -n -k -o");
+        if (option == 's')
+            user.seconds = atof(optarg);
+        else if (option == 'n')
+            user.most = atof(optarg);
+        else
+            *(option == 'k' ? &user.kernels : &user.only) = optarg;
     }
+    int at = optind;
     must(!user.kernels || cylint_use_kernels(user.kernels),
          "this processor runs no such kernels");
     stay_on_one_core();

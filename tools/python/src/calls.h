@@ -26,29 +26,18 @@ inline const cylint_shape *as_shape(const void *p)
 /*
  * Arrays of lines: origins and directions (..., 3), tmin and tmax (...), and the
  * numbers of shapes that lines leave out (...), int64, below 0 for none.
- * are_segments: the directions are end points, b, and the lines are exact.
- * mask: refused lines are accepted; they hit nothing.
+ * segments: the directions are end points, b, and the lines are exact.
+ * masked: refused lines are accepted; they hit nothing.
  */
-class Lines
-{
-  public:
+struct Lines {
     enum { ORIGINS, DIRECTIONS, STARTS, ENDS, LEFT_OUT, ARRAYS };
-    Lines(Input o, Input d, Input tmin, Input tmax, Input out,
-          bool are_segments, bool mask)
-        : segments(are_segments), masked(mask), origins(o), directions(d),
-          starts(tmin), ends(tmax), left_out(out)
-    {
-    }
     /* Adds the arrays, which get these numbers, to an empty grid. */
     void add_to(Grid &grid) const;
     /* The number of axes to which the arrays broadcast. */
     size_t axes() const;
 
-    const bool segments, masked;
-
-  private:
-    friend class LineBlock;
     const Input origins, directions, starts, ends, left_out;
+    const bool segments, masked;
 };
 
 /* The lines of a block, in columns. */

@@ -65,9 +65,7 @@ enum { RELATION, N, T, PART, COPIED_ORIGINS, COPIED_DIRECTIONS };
 class Block : LineBlock
 {
   public:
-    explicit Block(const Lines &l) : LineBlock(l)
-    {
-    }
+    using LineBlock::LineBlock;
 
     bool run(const Part &p)
     {

@@ -96,13 +96,11 @@ size_t checked(size_t answer)
 }
 
 /* Writes an answer to element i of the arrays from number `array` on. */
-class Answer
-{
-  public:
-    Answer(const Part &p, size_t element, int first)
-        : part(p), i(element), array(first)
-    {
-    }
+struct Answer {
+    const Part &part;
+    const size_t i;
+    const int array;
+
     template <class... Values> void operator()(const Values &...values) const
     {
         int to = array;
@@ -114,7 +112,6 @@ class Answer
         return &part.value<double>(array, i);
     }
 
-  private:
     template <class Value> void put(int to, const Value &value) const
     {
         part.value<Value>(to, i) = value;
@@ -123,10 +120,6 @@ class Answer
     {
         std::copy(vector.begin(), vector.end(), &part.value<double>(to, i));
     }
-
-    const Part &part;
-    const size_t i;
-    const int array;
 };
 
 using Byte = signed char;
@@ -152,10 +145,6 @@ using Integers = std::optional<Input>; /* int32 for each shape, contiguous */
 
 /* What a query needs beside lines or points. */
 struct Rule {
-    Rule(int m, Integers ranks, Integers label, size_t first, bool is_set)
-        : mode(m), rank_of(ranks), label_of(label), most(first), flag(is_set)
-    {
-    }
     const int *rank() const
     {
         return rank_of ? static_cast<const int *>(rank_of->data()) : nullptr;
@@ -435,7 +424,7 @@ nb::object ask(const Scene &scene, const From &from, const Rule &rule,
             query(q, asked, integer(part.number + i),
                   answers.blocks[part.block]);
         else
-            query(q, asked, Answer(part, i, From::ARRAYS));
+            query(q, asked, Answer{part, i, From::ARRAYS});
     };
     if (!each(from, q.n, grid, threads, progress, one))
         return nb::none();
