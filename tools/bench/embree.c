@@ -256,6 +256,7 @@ static void ask_scene(const struct sticks *s)
     ask(s, "any; incoherent; no filters", NULL, any, any, in.bare);
     draw_coherent(RAYS, in.ray);
     ask(s, "nearest; camera", NULL, nearest, nearest, in.ours);
+    ask(s, "nearest; camera; bare", NULL, nearest, nearest, in.bare);
     ask(s, "nearest; camera; packets; curves alone", NULL, nearest_in_packets,
         nearest, in.ours);
     ask(s, "nearest; camera; packets", NULL, nearest_in_packets,
@@ -288,7 +289,9 @@ static void ask_sticks(const struct sticks *s)
     build(&in.curves, s, CURVES);
     for (int k = 0; use_kernels(k); k++) {
         build(&in.ours[k], s, 0);
-        build(&in.bare[k], s, s->side > 1 ? MERGED : CYLINT_EMBREE_NO_FILTERS);
+        build(&in.bare[k], s,
+              s->side > 1 ? MERGED
+                          : CYLINT_EMBREE_NO_FILTERS | CYLINT_EMBREE_BARE);
     }
     (s->side > 1 ? ask_parts : ask_scene)(s);
     release(&in.curves, 0);
