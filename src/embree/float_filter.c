@@ -244,7 +244,7 @@ INLINE void answer_as(questions *q, int is_round)
     }
 }
 
-INLINE void answer_lanes(asked *const of[], int n)
+INLINE void answer_questions(asked *const of[], int n)
 {
     questions q;
     q.used = q.exit_only = q.describes = 0;
@@ -267,5 +267,5 @@ INLINE void answer_lanes(asked *const of[], int n)
 void CYLINT_FLOAT_FILTER(asked *const of[], int n)
 {
     for (int from = 0; from < n; from += LANES)
-        answer_lanes(of + from, n - from);
+        answer_questions(of + from, n - from);
 }

@@ -114,7 +114,8 @@ static int refuse(cylint_embree_problem *problem, int status, size_t shape)
     return 0;
 }
 
-static void write_shape(const void *owner, uint32_t number, cylint_shape *shape)
+static void write_numbered_shape(const void *owner, uint32_t number,
+                                 cylint_shape *shape)
 {
     const cylint_embree_data *data = owner;
     const cylint_embree_array *from =
@@ -128,7 +129,7 @@ static cylint_view view_of(const cylint_embree_data *data, int time)
         cylint_plain_view(time ? data->moved : data->arrays->shapes);
     if (data->n_arrays > 1) {
         view.shapes = NULL;
-        view.write_shape = write_shape;
+        view.write_shape = write_numbered_shape;
         view.owner = data;
     }
     return view;
