@@ -58,11 +58,17 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     q.feature = find_in_pairs(&q, &m, shape, point, on);
     if (q.feature == CYLINT_NO_FEATURE)
         return want;
-    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known;
-    do {
-        answer_in_pairs(&a, &q, &m, point, exactly);
-        known = m_any(rounds(a.distance, &d));
-    } while (want & CYLINT_WANT_DISTANCE && !known && ++exactly <= 2);
+    const int on_ruling = on == CYLINT_FEATURE_LATERAL ||
+                          on == CYLINT_FEATURE_RIM0 ||
+                          on == CYLINT_FEATURE_RIM1;
+    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known = 0;
+    if (on_ruling)
+        normal_of_ruling(a.normal, &m, cylint_is_tapered(shape->kind));
+    else
+        do {
+            answer_in_pairs(&a, &q, &m, point, exactly);
+            known = m_any(rounds(a.distance, &d));
+        } while (want & CYLINT_WANT_DISTANCE && !known && ++exactly <= 2);
     /* untaken 2 of 6: a known distance has the sign of the side in every known
      * case, and no ordinary question has a smaller one */
     if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {

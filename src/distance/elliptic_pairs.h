@@ -109,17 +109,6 @@ static inline int side_in_pairs(const elliptic_question *q,
                                                 : whole(f.v) > error;
 }
 
-/* The angle at which the point is on a feature, where it has one. */
-static inline int find_on_feature(elliptic_question *q, int feature)
-{
-    q->inside = 0;
-    if (feature == CYLINT_FEATURE_LATERAL)
-        return find_on_lateral(q) ? feature : CYLINT_NO_FEATURE;
-    return feature == CYLINT_FEATURE_RIM0 || feature == CYLINT_FEATURE_RIM1
-               ? find_on_rim(q, feature == CYLINT_FEATURE_RIM1)
-               : feature;
-}
-
 /* on: the feature on which the point lies, or CYLINT_NO_FEATURE. */
 static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
                                 const cylint_shape *s, const double point[3],
@@ -139,8 +128,9 @@ static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
     locate_by_pairs(&q->at, m, s);
     if (turn_about_apex(q))
         turn_numbers_about_apex(m);
+    q->inside = 0;
     return on == CYLINT_NO_FEATURE ? find_feature_of(q, side_in_pairs(q, m))
-                                   : find_on_feature(q, on);
+                                   : on;
 }
 
 /* ------------------------------------------------------------- in pairs -- */
@@ -370,6 +360,30 @@ static inline void answer_on_lateral(elliptic_answer *to,
     write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
                t.slope_of_N, by.turn, m->outward);
     write_foot(to->point, point, to->distance, to->normal);
+}
+
+/* The normal at a point of the lateral surface or of a rim: the ruling is that of the
+ * point, so its angle is (x, y) over their length. */
+static inline void normal_of_ruling(bounded to[3], const elliptic_numbers *m,
+                                    int tapered)
+{
+    plane_in_pairs t;
+    vpair inverse;
+    double ratio = 0;
+    const sized square = sized_sum(sized_square(m->x), sized_square(m->y));
+    pairs_root(square.v, &inverse);
+    if (m->volume.v.hi < 0)
+        inverse = opposite(inverse);
+    const direction_pair e = direction_of(pairs_product(m->x.v, inverse),
+                                          pairs_product(m->y.v, inverse));
+    const double turn = 4 * CYLINT_SIZED_ERROR * fabs(inverse.hi) *
+                        (e.cos.size * m->y.size + e.sin.size * m->x.size);
+    load_plane(&t, m, &e, tapered);
+    load_slope(&t, m, &e);
+    EACH(i, 3)
+        ratio += t.slope_of_N[i].size * t.inverse.hi;
+    write_unit(to, t.N, t.inverse, lost_by_root(&t.q, ratio * turn),
+               t.slope_of_N, turn, m->outward);
 }
 
 /* The coordinate of a plane that runs along the others. */
