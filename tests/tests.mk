@@ -1,7 +1,7 @@
 # tests/tests.mk: how the tests are built and run; the Makefile includes it.
 
-# -O1 compiles a test in half the time of -O2 and makes it no slower: most of its
-# time is the library's.
+# -O1 compiles a test in half the time of -O2, and most of its running time is the
+# library's.
 $(BUILD)/tests/%: extra := $(if $(filter -O2 -O3,$(CFLAGS)),-O1) $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(WRAP),-DWRAPPED)
 

@@ -167,10 +167,9 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
  * about one of 2^6, on round shapes one of 2^11. */
 INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 {
-    const vd e = at->s_error * q->U;
-    if (is_round)
-        return m_bits(v_lt(v_set(0x1p-38) * q->R, e));
-    return m_bits(m_and_not(v_lt(v_set(0x1p-33) * q->R, e), at->capped));
+    const vm far =
+        v_lt(v_set(is_round ? 0x1p-38 : 0x1p-33) * q->R, at->s_error * q->U);
+    return m_bits(is_round ? far : m_and_not(far, at->capped));
 }
 
 /* ------------------------------------------------------------- answering -- */

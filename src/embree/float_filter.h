@@ -25,9 +25,9 @@ enum { CYLINT_HIT_FLOATS = 5 };
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;
     double tmax; /* not read by the filter */
-    cylint_record
-        record; /* of a round kind with negative radii; of a shape that
-                             the filter does not decide, with NaN */
+    /* of the shape, of a round kind with negative radii; NaN radii: the filter does
+     * not decide the shape */
+    cylint_record record;
     float tfar;
     int ends, index, count; /* ends: the shape's */
     int exit_only;          /* only where the line leaves the shape */

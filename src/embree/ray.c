@@ -160,13 +160,17 @@ static void describe(ray_test *r, exact_hits *x, int i)
 
 static void write_floats(const ray_test *r)
 {
-    float *first = (float *)r->hit; /* members: Ng, u, v */
-    for (int j = 0; j < CYLINT_HIT_FLOATS; j++)
-        first[j] = r->q.floats[j];
+    struct RTCHit *hit = r->hit;
+    hit->Ng_x = r->q.floats[0];
+    hit->Ng_y = r->q.floats[1];
+    hit->Ng_z = r->q.floats[2];
+    hit->u = r->q.floats[3];
+    hit->v = r->q.floats[4];
 }
 
-static void write_ids(const ray_test *r, struct RTCHit *hit)
+static void write_ids(const ray_test *r)
 {
+    struct RTCHit *hit = r->hit;
     hit->primID = number_of(r);
     hit->geomID = r->args->geomID;
     if (r->data->array) {
@@ -228,7 +232,7 @@ static int record(ray_test *r)
     const struct RTCHit old = *r->hit;
     if (r->q.describes)
         write_floats(r);
-    write_ids(r, r->hit);
+    write_ids(r);
     r->ray->tfar = r->q.t;
     if (has_filters(r) && !filters_accept(r)) {
         r->ray->tfar = tfar;

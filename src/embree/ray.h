@@ -17,6 +17,17 @@
  * for occlusion have rays alone. */
 typedef struct RTCIntersectFunctionNArguments call;
 
+#define SAME(ours, theirs)                                    \
+    (offsetof(struct RTCIntersectFunctionNArguments, ours) == \
+     offsetof(struct RTCOccludedFunctionNArguments, theirs))
+typedef char same_arguments
+    [SAME(valid, valid) && SAME(geometryUserPtr, geometryUserPtr) &&
+             SAME(primID, primID) && SAME(context, context) &&
+             SAME(rayhit, ray) && SAME(N, N) && SAME(geomID, geomID)
+         ? 1
+         : -1];
+#undef SAME
+
 /* A ray, and the lane or primitive to test it against. */
 typedef struct cylint_ray_test {
     cylint_float_filter_question q; /* first: the filter's pointers are ours */

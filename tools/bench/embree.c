@@ -28,8 +28,8 @@ struct world {
 
 static struct {
     float ray[RAYS][2][3];
-    struct world ours[KERNELS_MOST], bare[KERNELS_MOST],
-        curves; /* bare: or merged */
+    struct world ours[KERNELS_MOST], curves;
+    struct world bare[KERNELS_MOST]; /* or merged */
 } in;
 
 /* The adapter's scene that was made with the kernels in use. */

@@ -21,8 +21,7 @@ extern const struct stick_kind thin_sticks, fat_sticks, thin, fat, fibres;
 struct sticks {
     char name[32]; /* of the kind, and n */
     size_t n;
-    size_t
-        side; /* of side^3 equal cells; those of cell k are k n / side^3 ... */
+    size_t side;  /* of side^3 equal cells; cell k begins with k n / side^3 */
     int is_round; /* round cones, else cylinders */
     float (*end)[2][3], (*radius)[2];
     cylint_shape *shapes;
