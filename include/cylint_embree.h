@@ -193,7 +193,7 @@ typedef struct cylint_embree_part {
  *
  * For programs with thousands of small geometries.  To Embree each of these is a
  * box and a call of the adapter; merged they are one box, and an incoherent ray
- * takes less than half the time.  Hits and filters get the geomID of the part and
+ * takes about half the time.  Hits and filters get the geomID of the part and
  * the number of the shape in the part, whatever number Embree gives to the merged
  * geometry.  The geomIDs ascend from part to part, and no other geometry of the
  * scene has one of them.  At equal t the shape of the part before is hit.
