@@ -168,11 +168,12 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 }
 
 /*
- * Loads the shapes and the lines.  Moves the origin by from * u to a point near the shape, so that the errors are
- * relative to the shape's size, wherever the ray begins: to `near` if it is
- * known, else to the point nearest to the base.  u and `from` have 24 bits each,
- * so their product is exact.  The rounding error of o - base is added again
- * [Moller 1965, Knuth].  So D has no error but its own roundings.
+ * Loads the shapes and the lines.  Moves the origin by from * u to a point near the
+ * shape, so that the errors are relative to the shape's size, wherever the ray
+ * begins: to `near` if it is known, else to the point nearest to the base.  u and
+ * `from` have 24 bits each, so their product is exact.  The rounding error of
+ * o - base is added again [Moller 1965, Knuth].  So D has no error but its own
+ * roundings.
  */
 INLINE void load_questions(questions *q)
 {
@@ -205,9 +206,11 @@ INLINE void load_questions(questions *q)
 }
 
 /* Products have at most ten lengths as factors.  If none of these is less than
- * 2^-90, a product flushed to zero is negligible.  An overflow gives an infinite
- * bound or NaN, and then nothing is certain, but for that of 1 / ww: cross_shape()
- * tests it. */
+ * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
+ * and along a coordinate none is flushed, since coordinates and radii are 0 or at
+ * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
+ * NaN, and then nothing is certain, but for those of 1 / ww and of G:
+ * cross_shape() and cross_surface() test them. */
 INLINE vm in_window(const questions *q, vd radii)
 {
     const vd least = v_set(0x1p-90);
@@ -225,6 +228,7 @@ INLINE vm in_window(const questions *q, vd radii)
  */
 INLINE verdict cross_surface(quadratic *c, vd G, vm known)
 {
+    known = m_and(known, v_le(v_abs(G), v_set(DBL_MAX)));
     const vm clear = m_and(v_lt(v_set(16) * c->e_G, G),
                            v_lt(v_set(8) * c->e_a, v_abs(c->a)));
     const vm is = m_and(known, clear);

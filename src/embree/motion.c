@@ -53,8 +53,9 @@ void cylint_embree_record_between(const cylint_record *at_0,
                                   cylint_record *to)
 {
     interpolate_record(to, at_0, at_1, time);
-    if (cylint_record_is_point(to) &&
-        !(cylint_record_is_point(at_0) && cylint_record_is_point(at_1)))
+    if (!cylint_filter_serves(to) ||
+        (cylint_record_is_point(to) &&
+         !(cylint_record_is_point(at_0) && cylint_record_is_point(at_1))))
         to->r0 = NAN;
 }
 

@@ -25,8 +25,8 @@ static double radii_sign(const cylint_shape *s)
 
 void cylint_filter_record_of(cylint_record *to, const cylint_shape *s)
 {
-    const double sign = radii_sign(s);
     cylint_set_record(to, s);
+    const double sign = cylint_filter_serves(to) ? radii_sign(s) : NAN;
     to->r0 *= sign;
     to->r1 *= sign;
 }
