@@ -43,8 +43,9 @@ static inline cylint_build cylint_build_used(void)
 
 /* The address of NAME_plain or, on processors with a fused multiply-add, of
  * NAME_fma. */
-#define CYLINT_OF_FMA(name) \
-    CYLINT_OF_BUILD(cylint_build_used(), &name##_plain, &name##_fma, &name##_fma)
+#define CYLINT_OF_FMA(name)                                          \
+    CYLINT_OF_BUILD(cylint_build_used(), &name##_plain, &name##_fma, \
+                    &name##_fma)
 
 /* The kernel for many questions. */
 static inline cylint_filter_many *cylint_many_used(void)

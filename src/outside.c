@@ -50,9 +50,7 @@ static int is_beyond_part(const search *s, const double p[3])
     case CYLINT_PART_CAP1:
         return cylint_form_sign(&q, FORM_ALPHA, 1) > 0;
     default:
-        /* untaken 1 of 4: where Q <= 0 a point outside is beyond an apex */
         return cylint_form_sign(&q, FORM_C, 0) > 0 ||
-               /* untaken 1 of 2: the same */
                (cylint_is_tapered(shape->kind) &&
                 cylint_form_sign(&q, FORM_RHO0, 0) < 0);
     }

@@ -18,7 +18,8 @@ typedef struct {
     double (*safety)(const cylint_shape *shape, const double point[3]);
 } cylint_elliptic_kernels;
 
-extern const cylint_elliptic_kernels cylint_elliptic_kernels_plain CYLINT_HIDDEN,
+extern const cylint_elliptic_kernels cylint_elliptic_kernels_plain
+    CYLINT_HIDDEN,
     cylint_elliptic_kernels_fma CYLINT_HIDDEN;
 
 /* The double below the absolute value of cylint_elliptic_distance(), less the

@@ -69,8 +69,8 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
             answer_in_pairs(&a, &q, &m, point, exactly);
             known = m_any(rounds(a.distance, &d));
         } while (want & CYLINT_WANT_DISTANCE && !known && ++exactly <= 2);
-    /* untaken 2 of 6: a known distance has the sign of the side in every known
-     * case, and no ordinary question has a smaller one */
+    /* untaken 1 of 6: a known distance has the sign of the side in every known
+     * case */
     if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
         answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
         want &= ~(unsigned)(CYLINT_WANT_DISTANCE | CYLINT_ON_SURFACE);

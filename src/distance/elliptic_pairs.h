@@ -362,8 +362,8 @@ static inline void answer_on_lateral(elliptic_answer *to,
     write_foot(to->point, point, to->distance, to->normal);
 }
 
-/* The normal at a point of the lateral surface or of a rim: the ruling is that of the
- * point, so its angle is (x, y) over their length. */
+/* The normal at a point of the lateral surface or of a rim: the ruling is that of
+ * the point, so its angle is (x, y) over their length. */
 static inline void normal_of_ruling(bounded to[3], const elliptic_numbers *m,
                                     int tapered)
 {

@@ -273,9 +273,9 @@ static surd_quotient from_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
     const exact dd = exact_dot(m, L->D[end], L->D[end]), r = L->r[end];
-    return (surd_quotient){{EXACT_ADD(dd, EXACT_MUL(r, r)),
-                            cylint_exact_neg(twice(m, r)), dd},
-                           L->one};
+    return (surd_quotient){
+        {EXACT_ADD(dd, EXACT_MUL(r, r)), cylint_exact_neg(twice(m, r)), dd},
+        L->one};
 }
 
 /* (T - c)^2 / (W (g + dr^2)). */
@@ -313,9 +313,8 @@ static surd_quotient from_tangency(meridian *m, int end)
     const exact across = EXACT_ADD(m->q, EXACT_MUL(EXACT_MUL(r, r), W));
     const exact along =
         EXACT_MUL(h, EXACT_ADD(h, twice(m, EXACT_MUL(r, m->dr))));
-    return (surd_quotient){{EXACT_ADD(across, along),
-                            cylint_exact_neg(twice(m, r)), m->T2},
-                           W};
+    return (surd_quotient){
+        {EXACT_ADD(across, along), cylint_exact_neg(twice(m, r)), m->T2}, W};
 }
 
 /* The apex of a nappe: (c^2 + dr^2 q) / (W dr^2). */

@@ -163,8 +163,8 @@ static surd_quotient on_plane(meridian *m, int end, int i)
 static surd_quotient at_apex(meridian *m, int i)
 {
     const exact base = EXACT_MUL(m->L->dr, centre(m, 0, i));
-    return exact_quotient(
-        m, EXACT_SUB(base, EXACT_MUL(m->L->r[0], m->L->w[i])), m->L->dr);
+    return exact_quotient(m, EXACT_SUB(base, EXACT_MUL(m->L->r[0], m->L->w[i])),
+                          m->L->dr);
 }
 
 /* The point is on a ball. */

@@ -75,9 +75,8 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     if (!(fabs(whole(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
     } else if (find_distance(n, m, shape, point)) {
-        answer->distance = cylint_surface_is_whole(shape->ends)
-                               ? n->d.low
-                               : fabs(n->d.low);
+        answer->distance =
+            cylint_surface_is_whole(shape->ends) ? n->d.low : fabs(n->d.low);
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
     if (!n->known)
