@@ -3,8 +3,7 @@
  */
 #include "motion.h"
 
-#include <float.h>
-
+#include "../bvh/swept_disc.h"
 #include "../intersect.h"
 
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
@@ -13,37 +12,34 @@ int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
            at_0->ends == at_1->ends;
 }
 
-static void interpolate(double to[], const double x[], const double y[], int n,
+/* Of n doubles, the members of a record or of semi-axes. */
+static void interpolate(void *to, const void *x, const void *y, size_t n,
                         double time)
 {
-    for (int i = 0; i < n; i++)
-        to[i] = (1 - time) * x[i] + time * y[i];
+    const double *at_0 = x, *at_1 = y;
+    for (size_t i = 0; i < n; i++)
+        ((double *)to)[i] = (1 - time) * at_0[i] + time * at_1[i];
 }
 
-static void interpolate_record(cylint_record *to, const cylint_record *x,
-                               const cylint_record *y, double time)
-{
-    interpolate(to->p0, x->p0, y->p0, 3, time);
-    interpolate(to->p1, x->p1, y->p1, 3, time);
-    interpolate(&to->r0, &x->r0, &y->r0, 1, time);
-    interpolate(&to->r1, &x->r1, &y->r1, 1, time);
-}
+enum {
+    RECORD = sizeof(cylint_record) / sizeof(double),
+    SEMI_AXES = sizeof(cylint_semi_axes) / sizeof(double)
+};
 
 cylint_status cylint_embree_between(const cylint_shape *at_0,
                                     const cylint_shape *at_1, double time,
                                     cylint_shape *shape)
 {
-    cylint_record x, y, between;
-    cylint_semi_axes x_axes, y_axes, axes;
+    cylint_record x, y;
+    cylint_semi_axes x_axes, y_axes;
     cylint_set_record(&x, at_0);
     cylint_set_record(&y, at_1);
     cylint_set_semi_axes(&x_axes, at_0);
     cylint_set_semi_axes(&y_axes, at_1);
-    interpolate_record(&between, &x, &y, time);
-    interpolate(axes.a, x_axes.a, y_axes.a, 3, time);
-    interpolate(axes.b, x_axes.b, y_axes.b, 3, time);
+    interpolate(&x, &x, &y, RECORD, time);
+    interpolate(&x_axes, &x_axes, &y_axes, SEMI_AXES, time);
     return cylint_make_of_record(shape, cylint_constructor_kind(at_0),
-                                 at_0->ends, &between, &axes);
+                                 at_0->ends, &x, &x_axes);
 }
 
 /* A rounded cone may become a ball on the way; the filter serves only balls that
@@ -52,7 +48,7 @@ void cylint_embree_record_between(const cylint_record *at_0,
                                   const cylint_record *at_1, double time,
                                   cylint_record *to)
 {
-    interpolate_record(to, at_0, at_1, time);
+    interpolate(to, at_0, at_1, RECORD, time);
     if (!cylint_filter_serves(to) ||
         (cylint_record_is_point(to) &&
          !(cylint_record_is_point(at_0) && cylint_record_is_point(at_1))))
@@ -62,7 +58,7 @@ void cylint_embree_record_between(const cylint_record *at_0,
 /*
  * Boxes.  Embree uses (1-t) box_0 + t box_1, which must contain the shape at
  * every t.  A shape is the convex hull of its two discs.  A disc's centre is
- * linear in t.  Along coordinate j the disc reaches f(t) from its centre,
+ * linear in t.  Along coordinate j the disc reaches at most f(t) from its centre,
  *
  *   circular: the radius, linear in t; the balls of round shapes likewise;
  *   acone:    0 at v; at v + u the tangent times |u|, the product of a
@@ -73,62 +69,48 @@ void cylint_embree_record_between(const cylint_record *at_0,
  * most the linear interpolation of the products, except if one of k and g grows
  * and the other shrinks: then it may exceed it by t (1-t) |k1-k0| |g1-g0|, at
  * most a quarter of |k1-k0| |g1-g0|, which is added.  So centre + f of each
- * disc, and the larger of the two, are below a linear function.
+ * disc is below a linear function, which the boxes contain at t = 0 and 1.
  */
-typedef struct {
-    double center[3], k, g[3];
-} disc;
 
-static disc disc_of(const cylint_shape *s, int end)
+/* The box of the discs of a state, by f; writes g of each coordinate, 1 if f is
+ * linear. */
+static cylint_extent box_of_discs(const cylint_shape *s, double g[3])
 {
-    disc d;
-    const int cap = cylint_end_at(s, end);
-    const double u = sqrt(cylint_axis(s)[0] * cylint_axis(s)[0] +
-                          cylint_axis(s)[1] * cylint_axis(s)[1] +
-                          cylint_axis(s)[2] * cylint_axis(s)[2]);
-    d.k = cylint_end_factor(s, cap);
-    for (int j = 0; j < 3; j++) {
-        d.center[j] = cylint_end_center(s, cap, j);
-        d.g[j] = cylint_is_elliptic(s->kind)
-                     ? cylint_elliptic_reach(cylint_a(s), cylint_b(s), j)
-                     : cylint_radius_unit(s, u);
-    }
-    return d;
-}
-
-static double reach(const disc *at, const disc *other, int j)
-{
-    const double dk = at->k - other->k, dg = at->g[j] - other->g[j];
-    return at->k * at->g[j] + (dk * dg < 0 ? -dk * dg / 4 : 0);
+    const cylint_view view = cylint_plain_view(s);
+    cylint_swept_disc disc;
+    cylint_swept_disc_of(&disc, &view, s);
+    EACH(j, 3)
+        g[j] = disc.elliptic ? cylint_elliptic_reach(disc.a, disc.b, j) : 1;
+    const cylint_extent box =
+        cylint_piece_box(&disc, g, (cylint_shape_piece){0, 1});
+    if (cylint_has_tangent(s->kind))
+        g[0] = g[1] = g[2] = disc.length;
+    return box;
 }
 
 /*
- * Roundings.  The numbers above and those of cylint_embree_between() are doubles
- * with a few roundings each.  Embree stores lower0 and upper0 and their
- * differences to lower1 and upper1, and adds t times these, in floats.  M is the
- * largest of these sizes: the differences are at most 2 M, with errors of 2^-24
- * of that; the product adds as much, the sum half of it.  The sides are moved
- * out by 2^-21 M, more than the total of 5 2^-24 M; the rest covers the doubles
- * and the rounding of M.
+ * Roundings.  Embree stores lower0 and upper0 and their differences to lower1 and
+ * upper1, and adds t times these, in floats.  M is the largest of these sizes: the
+ * differences are at most 2 M, with errors of 2^-24 of that; the product adds as
+ * much, the sum half of it.  The sides are moved out by 2^-21 M, more than the
+ * total of 5 2^-24 M; the rest covers doubles, those of cylint_embree_between()
+ * too.
  */
 cylint_extent cylint_motion_box(const cylint_shape *at_0,
                                 const cylint_shape *at_1, int step)
 {
-    double lo[3], hi[3];
-    for (int j = 0; j < 3; j++) {
-        double side[2][2] = {{DBL_MAX, -DBL_MAX}, {DBL_MAX, -DBL_MAX}};
-        for (int cap = 0; cap < 2; cap++) {
-            const disc d[2] = {disc_of(at_0, cap), disc_of(at_1, cap)};
-            for (int i = 0; i < 2; i++) {
-                const double f = reach(&d[i], &d[1 - i], j);
-                side[i][0] = fmin(side[i][0], d[i].center[j] - f);
-                side[i][1] = fmax(side[i][1], d[i].center[j] + f);
-            }
-        }
-        const double M = fmax(fmax(fabs(side[0][0]), fabs(side[0][1])),
-                              fmax(fabs(side[1][0]), fabs(side[1][1])));
-        lo[j] = side[step][0] - 0x1p-21 * M;
-        hi[j] = side[step][1] + 0x1p-21 * M;
+    double g[2][3], lo[3], hi[3];
+    const cylint_extent box[2] = {box_of_discs(at_0, g[0]),
+                                  box_of_discs(at_1, g[1])};
+    const double dk = cylint_r1(at_1) - cylint_r1(at_0);
+    EACH(j, 3) {
+        const double product = dk * (g[1][j] - g[0][j]);
+        const double more = product < 0 ? -product / 4 : 0;
+        double M = 0;
+        EACH(i, 2)
+            M = fmax(M, fmax(fabsf(box[i].lower[j]), fabsf(box[i].upper[j])));
+        lo[j] = box[step].lower[j] - more - 0x1p-21 * (M + more);
+        hi[j] = box[step].upper[j] + more + 0x1p-21 * (M + more);
     }
     return cylint_float_box(lo, hi);
 }

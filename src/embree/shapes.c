@@ -57,9 +57,10 @@ typedef struct {
     const uint32_t *number;
     cylint_embree_shapes *to;
     uint8_t *ends;
-    cylint_mutex mutex; /* protects `fits` */
-    int fits; /* all shapes fit into small records, if these are wanted */
 } copying;
+
+/* In place of the ends of a shape that does not fit into a small record. */
+enum { TOO_LARGE = 255 };
 
 static const cylint_shape *source_of(const copying *c, size_t i,
                                      cylint_shape *spare)
@@ -71,22 +72,17 @@ static const cylint_shape *source_of(const copying *c, size_t i,
 static void copy_some(void *self, size_t from, size_t to)
 {
     copying *c = self;
-    const int small = c->to->small;
     cylint_small_record *floats = c->to->memory.data;
     cylint_record *doubles = c->to->memory.data;
-    size_t i = from;
-    for (int fits = 1; i < to && fits; i += (size_t)fits) {
+    for (size_t i = from; i < to; i++) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
         c->ends[i] = (uint8_t)shape->ends;
-        if (small)
-            fits = cylint_small_record_of(&floats[i], shape);
-        else
+        if (!c->to->small)
             cylint_filter_record_of(&doubles[i], shape);
+        else if (!cylint_small_record_of(&floats[i], shape))
+            c->ends[i] = TOO_LARGE;
     }
-    cylint_mutex_lock(&c->mutex);
-    c->fits &= i == to;
-    cylint_mutex_unlock(&c->mutex);
 }
 
 /* Makes small records or, if a shape does not fit, large ones; usually the first
@@ -95,20 +91,20 @@ static int copy_records(copying *c, size_t n, int threads,
                         const cylint_memory_source *source)
 {
     cylint_embree_shapes *to = c->to;
-    for (int small = 1; small >= 0; small--) {
+    cylint_small_record first;
+    cylint_shape spare;
+    to->small = cylint_small_record_of(&first, source_of(c, 0, &spare));
+    for (;; to->small = 0) {
         const size_t size =
-            small ? sizeof(cylint_small_record) : sizeof(cylint_record);
+            to->small ? sizeof(cylint_small_record) : sizeof(cylint_record);
         if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
             return 0;
-        to->small = small;
         to->ends = c->ends = (uint8_t *)to->memory.data + n * size;
-        c->fits = 1;
         cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
-        if (c->fits)
-            break;
+        if (!to->small || !memchr(to->ends, TOO_LARGE, n))
+            return 1;
         cylint_memory_free(&to->memory);
     }
-    return 1;
 }
 
 static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
@@ -140,17 +136,8 @@ int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source)
 {
-    copying c = {.from = from,
-                 .number = number,
-                 .to = to,
-                 .mutex = CYLINT_MUTEX_INITIALIZER};
-    *to = (cylint_embree_shapes){.ends = NULL};
-    const int is =
-        copy_records(&c, n, threads, source) && keep_whole(&c, n, source);
-    cylint_mutex_destroy(&c.mutex);
-    if (!is)
-        cylint_embree_shapes_free(to);
-    return is;
+    copying c = {.from = from, .number = number, .to = to};
+    return copy_records(&c, n, threads, source) && keep_whole(&c, n, source);
 }
 
 void cylint_embree_shapes_free(cylint_embree_shapes *s)

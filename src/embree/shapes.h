@@ -62,7 +62,8 @@ static inline void cylint_embree_record(const cylint_embree_shapes *s,
 }
 
 /* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
- * 0, 1, ...  Returns 0 if memory is refused. */
+ * 0, 1, ...  *to holds none before.  Returns 0 if memory is refused; the caller
+ * frees *to then too. */
 int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source);
