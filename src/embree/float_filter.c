@@ -11,7 +11,6 @@
 
 #include "../bvh/float_bounds.h"
 #include "../bvh/swept_disc.h"
-#include "../shapes/measure.h"
 
 #include "float_filter_describe.h"
 
@@ -82,30 +81,6 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
 
 /* ------------------------------------------------------------ describing -- */
 
-/* The component along which the axis of a shape is least, exactly. */
-static int least_exactly(const asked *of)
-{
-    double hi[3], lo[3];
-    EACH(j, 3) {
-        const pair w = two_diff(of->record.p1[j], of->record.p0[j]);
-        hi[j] = w.hi;
-        lo[j] = w.lo;
-    }
-    return cylint_least_component(hi, lo);
-}
-
-INLINE void find_least(const questions *q, vm least[3])
-{
-    const vm tied = least_components(q, least);
-    unsigned found[3] = {0, 0, 0};
-    if (!m_any(tied))
-        return;
-    EACH_LANE(i, m_bits(tied))
-    found[least_exactly(q->of[i])] |= 1u << i;
-    EACH(j, 3)
-        least[j] = m_if(tied, m_from(found[j]), least[j]);
-}
-
 /* The unit normal, from *a, that of lateral_direction(). */
 INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
                           bounded_vector *a, vd normal[3])
@@ -115,14 +90,8 @@ INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
     vm certain = at_end;
     if (m_any(lateral))
         certain = m_or(at_end, lean_on_cone(q, at, lateral, a));
-    if (m_any(at_end)) {
-        const bounded_vector end =
-            is_round ? ball_normal(q, at) : cap_normal(q, at->top);
-        if (m_any(lateral))
-            select_vector(a, at_end, &end);
-        else
-            *a = end;
-    }
+    if (m_any(at_end))
+        set_end_normal(q, at, is_round, at_end, a);
     return m_and(certain, unit_floats(a, normal));
 }
 
