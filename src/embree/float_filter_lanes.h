@@ -418,7 +418,6 @@ INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
         cross_surface(c, ball_G(q->uu, c->b, DD, r), m_not(m_none()));
     if (m_any(v.hit)) {
         *at = chord_end(c, q, end);
-        at->z_error = v_select(q->is_ball, v_set(0), at->z_error);
         at->capped = m_not(q->is_ball);
         at->top = top ? at->capped : m_none();
     }
@@ -495,26 +494,6 @@ INLINE void point_at(const questions *q, const hit *at, vd P[3])
         P[j] = q->D[j] + at->s * q->u[j];
 }
 
-/*
- * A step of Newton's from a root at which Q' / 2 is -+sqrt(G) (end 0, 1), for hits
- * of which the floats would be uncertain.  Where s - root = d, Q is
- * d (2 Q'/2 + a d), so that the step leaves
- *
- *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
- *
- * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
- */
-INLINE void step_to_root(const quadratic *c, const questions *q, int end, vd Q,
-                         vd Q_error, hit *at)
-{
-    const vd d = at->s_error, step = Q * (v_set(0.5) * c->per_root);
-    at->s = end ? at->s - step : at->s + step;
-    at->s_error = d * (c->e_G * (c->per_root * c->per_root) + eps(1)) +
-                  v_set(0.6) * c->per_root * (v_abs(c->a) * (d * d) + Q_error) +
-                  eps(0.25) * v_abs(at->s);
-    set_z(q, at);
-}
-
 /* The radius of the cone at a hit and its error. */
 INLINE vd radius_at(const questions *q, const hit *at, vd *error)
 {
@@ -523,9 +502,9 @@ INLINE vd radius_at(const questions *q, const hit *at, vd *error)
     return q->r0 + q->dr * at->z;
 }
 
-/* The same on the cone.  Errors: c: 3 eps W X; S and 1 / ww and their products:
- * 22 u. */
-INLINE void step_on_cone(const questions *q, int end, hit *at)
+/* Q of the cone at a hit and its error.  Errors: c: 3 eps W X; S and 1 / ww and
+ * their products: 22 u. */
+INLINE vd cone_at(const questions *q, const hit *at, vd *error)
 {
     const vd X = q->Dn + v_abs(at->s) * q->U, e_c = eps(3) * (q->W * X);
     const vd two = v_set(2);
@@ -533,10 +512,9 @@ INLINE void step_on_cone(const questions *q, int end, hit *at)
     point_at(q, at, P);
     cross(c, P, q->w);
     const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
-    const vd Q = q->S * cc * q->per_ww - k * k;
-    const vd e_Q = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
-                   e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
-    step_to_root(&q->cone, q, end, Q, e_Q, at);
+    *error = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
+             e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
+    return q->S * cc * q->per_ww - k * k;
 }
 
 /* P from the centre of the ball of the hit, and the size of its terms. */
@@ -549,25 +527,48 @@ INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
     return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* The same on the surface of a hit.  On a ball Q = |P|^2 - r^2; the error of P is
- * at most 6 u X, that of r 2 u R. */
-INLINE void step_on_shape(const questions *q, int end, int is_round, hit *at)
+/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X, that
+ * of r 2 u R. */
+INLINE vd ball_at(const questions *q, const hit *at, vd *error)
+{
+    vd P[3];
+    const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+    const vd e_P = eps(1) * point_on_ball(q, at, P), PP = dot(P, P);
+    *error = e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + q->R * q->R);
+    return PP - r * r;
+}
+
+/*
+ * A step of Newton's from a root at which Q' / 2 is -+sqrt(G) (end 0, 1), in the
+ * lanes `where`, for hits of which the floats would be uncertain.  Where s - root =
+ * d, Q is d (2 Q'/2 + a d), so that the step leaves
+ *
+ *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
+ *
+ * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
+ */
+INLINE void step_on_shape(const questions *q, int end, int is_round, vm where,
+                          hit *at)
 {
     const vm on_ball = is_round ? is_on_ball(q, at) : m_none();
-    const hit begin = *at;
+    quadratic c = q->cone;
+    vd Q = v_set(0), e_Q = v_set(0);
+    hit better = *at;
     if (m_any(m_not(on_ball)))
-        step_on_cone(q, end, at);
+        Q = cone_at(q, at, &e_Q);
     if (m_any(on_ball)) {
-        hit ball = begin;
-        vd P[3];
-        const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
-        const vd e_P = eps(1) * point_on_ball(q, &ball, P), PP = dot(P, P);
-        const vd e_Q =
-            e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + q->R * q->R);
-        step_to_root(&q->ball, q, end, PP - r * r, e_Q, &ball);
-        ball.z_error = v_select(q->is_ball, v_set(0), ball.z_error);
-        select_hit(at, on_ball, &ball);
+        vd e;
+        Q = v_select(on_ball, ball_at(q, at, &e), Q);
+        e_Q = v_select(on_ball, e, e_Q);
+        select_quadratic(&c, on_ball, &q->ball);
     }
+    const vd d = at->s_error, step = Q * (v_set(0.5) * c.per_root);
+    better.s = end ? at->s - step : at->s + step;
+    better.s_error = d * (c.e_G * (c.per_root * c.per_root) + eps(1)) +
+                     v_set(0.6) * c.per_root * (v_abs(c.a) * (d * d) + e_Q) +
+                     eps(0.25) * v_abs(better.s);
+    set_z(q, &better);
+    select_hit(at, where, &better);
 }
 
 #endif
