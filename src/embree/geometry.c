@@ -7,7 +7,6 @@
 #include "../bvh/float_bounds.h"
 #include "../bvh/kernels_used.h"
 #include "geometry.h"
-#include "motion.h"
 
 int cylint_embree_version(void)
 {
