@@ -81,7 +81,6 @@ typedef struct {
     quadratic cone, ball; /* ball: of the ball that was hit */
     vm is_ball;           /* the shape is a sphere, which has no cone */
     vm crosses;           /* the line crosses the cone */
-    vm leans;             /* a of the cone is certainly positive */
     vm apart; /* a < 0: Q < 0 before the first root and behind the second */
 } questions;
 
@@ -215,18 +214,6 @@ INLINE void load_questions(questions *q)
     q->W = v_sqrt(q->ww);
 }
 
-/* Products have at most ten lengths as factors.  If none of these is less than
- * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
- * and along a coordinate none is flushed, since coordinates and radii are 0 or at
- * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
- * NaN, and then nothing is certain, but for those of 1 / ww and of G:
- * cross_shape() and cross_surface() test them. */
-INLINE vm in_window(const questions *q, vd radii)
-{
-    const vd least = v_set(0x1p-90);
-    return m_and(v_lt(v_set(0x1p-89), radii), v_lt(least, q->U));
-}
-
 /* ------------------------------------------------------------- surfaces -- */
 
 /*
@@ -279,10 +266,19 @@ INLINE void load_axis(questions *q, int is_round)
         q->T = one + slope2;
 }
 
-/* Lines that certainly cross the shape's surface, if that is its cone's; of a round
+/*
+ * Lines that certainly cross the shape's surface, if that is its cone's; of a round
  * kind, those that do not certainly miss the cone.  uncertain: products may
- * underflow (see in_window()), or one ball may lie in the other, or, between discs,
- * the line is near the cone. */
+ * underflow, or one ball may lie in the other, or, between discs, the line is near
+ * the cone.
+ *
+ * Products have at most ten lengths as factors.  If none of these is less than
+ * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
+ * and along a coordinate none is flushed, since coordinates and radii are 0 or at
+ * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
+ * NaN, and then nothing is certain, but for those of 1 / ww and of G:
+ * cross_shape() and cross_surface() test them.
+ */
 INLINE verdict cross_shape(questions *q, int is_round)
 {
     const vd least = v_set(0x1p-90);
@@ -294,15 +290,15 @@ INLINE verdict cross_shape(questions *q, int is_round)
         eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
     const vm sloped = m_and(m_and(v_lt(least, q->W), v_lt(least, q->per_W)),
                             v_lt(eps(8), q->S));
-    const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
+    const vm window =
+        m_and(m_and(v_lt(v_set(0x1p-89), q->R), v_lt(least, q->U)),
+              m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
     const verdict v = cross_surface(c, G, has_cone);
-    if (!is_round) {
-        q->apart = v_lt(c->a, v_set(0));
+    q->apart = v_lt(c->a, v_set(0));
+    if (!is_round)
         return v;
-    }
     q->crosses = v.hit;
-    q->leans = v_lt(v_set(8) * c->e_a, c->a);
     q->ball = *c;
     const vm misses = m_and_not(has_cone, m_or(v.hit, v.uncertain));
     return (verdict){m_and_not(window, misses), m_not(window)};
@@ -453,7 +449,7 @@ INLINE verdict end_on_round(questions *q, int end, hit *at)
     if (m_any(q->crosses))
         y = end_on_cone(q, end, at);
     const vm beyond = m_or(y.below, y.above);
-    const vm steep = m_and_not(beyond, q->leans);
+    const vm steep = m_and(beyond, q->apart);
     vm hits = y.between;
     vm uncertain = m_not(m_or(m_or(hits, beyond), q->is_ball));
     y.below = m_or(m_or(y.below, steep), q->is_ball);
