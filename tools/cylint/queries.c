@@ -76,7 +76,8 @@ static void find_label(struct task *task)
     struct row *row = &task->row;
     row->label.length = 0;
     if (fields_of(task)->labels > 0 && row->shape > 0)
-        row->label = labels_get(&task->job->labels, (size_t)row->shape - 1);
+        row->label =
+            labels_get(&task->job->scene.labels, (size_t)row->shape - 1);
 }
 
 /* Writes a row for the shape with this number, from 1; 0: there is none. */

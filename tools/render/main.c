@@ -4,6 +4,7 @@
  * The locale is never set: numbers have a point everywhere.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "main.h"
@@ -41,19 +42,28 @@ static void stages_end(struct stages *stages, const char *what,
 
 /* ------------------------------------------------------------- picture -- */
 
+struct drawing {
+    struct options options;
+    struct scene scene;
+    uint32_t *colours; /* of the shapes, and of the ground behind them */
+    struct stage stage;
+    struct view view;
+    struct stages stages;
+};
+
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
- * its rim.  Its record's tail has its colour. */
-static int add_ground(struct scene *scene, const char *colour, struct vector up,
-                      const struct boxes *all)
+ * its rim. */
+static int add_ground(struct drawing *d, const struct boxes *all)
 {
+    const struct vector up = d->stage.up;
     const double radius = 30 * all->size, depth = 0.01 * all->size;
     const double low = -reach(all, times(-1, up));
     const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
-    record.tail = string_of(colour);
     cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
-    return scene_add(scene, &record);
+    read_colour(string_of(d->options.ground), &d->colours[d->scene.count]);
+    return scene_add(&d->scene, &record);
 }
 
 /* The default: from the left above the camera. */
@@ -65,10 +75,53 @@ static struct vector sun_of(const struct options *o, const struct view *view)
                                   -0.45, view->forward));
 }
 
-static int draw_picture(const struct options *o, struct scene *scene,
-                        struct stage *stage, const struct view *view,
-                        struct stages *stages, struct output *out)
+/* The view contains the scene without the ground. */
+static int set_stage(struct drawing *d, const struct boxes *boxes)
 {
+    const struct options *o = &d->options;
+    const struct vector up = unit(o->viewing.up);
+    d->colours = colours_make(&d->scene, o->colouring, o->colour, up);
+    if (!d->colours)
+        return EXIT_MEMORY;
+    d->scene.keeps_labels = 0;
+    labels_free(&d->scene.labels);
+    if (!view_of_scene(&d->view, &o->viewing, boxes)) {
+        complain(o->scene, "no shape is bounded, or the view is along --up; "
+                           "use --eye and --look-at");
+        return EXIT_BAD;
+    }
+    d->stage = (struct stage){.colours = d->colours,
+                              .has_solids = d->scene.solids.count > 0,
+                              .has_ground = o->ground && boxes->size > 0,
+                              .middle = boxes->middle,
+                              .size = boxes->size,
+                              .shading = (enum shading)o->shading,
+                              .sun = sun_of(o, &d->view),
+                              .up = up};
+    const int status = d->stage.has_ground ? add_ground(d, boxes) : 0;
+    d->stage.count = d->scene.count;
+    return status;
+}
+
+static int prepare(struct drawing *d)
+{
+    const struct options *o = &d->options;
+    struct boxes boxes;
+    d->scene.keeps_labels = 1;
+    int status =
+        scene_read(&d->scene, o->scene, o->ends, (enum swc_form)o->swc);
+    if (status != 0)
+        return status;
+    status = boxes_make(&boxes, &d->scene);
+    if (status == 0)
+        status = set_stage(d, &boxes);
+    boxes_free(&boxes);
+    return status;
+}
+
+static int draw_picture(struct drawing *d, struct output *out)
+{
+    const struct options *o = &d->options;
     const unsigned long long pixels =
         (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
@@ -77,104 +130,52 @@ static int draw_picture(const struct options *o, struct scene *scene,
     const int processors_here = processors();
     const int workers = o->workers > 0 ? o->workers : processors_here;
     const int builders = workers < processors_here ? workers : processors_here;
-    int status = scene_build(scene, builders);
+    int status = scene_build(&d->scene, builders);
     if (status != 0)
         return status;
-    stage->scene = scene->shapes;
-    stages_end(stages, "built a scene of", cylint_scene_bytes(stage->scene),
-               "bytes");
+    d->stage.scene = d->scene.shapes;
+    stages_end(&d->stages, "built a scene of",
+               cylint_scene_bytes(d->stage.scene), "bytes");
     status = picture_make(&picture, o->size[0], o->size[1],
                           is_xray                   ? 1
                           : o->backdrop.transparent ? 4
                                                     : 3);
     if (status == 0) {
-        status = is_xray ? xray_picture(&picture, &o->xray, stage->scene, view,
-                                        o->samples, workers, o->progress)
-                         : trace(&picture, stage, view, &o->backdrop,
-                                 o->samples, workers, o->progress);
+        status = is_xray
+                     ? xray_picture(&picture, &o->xray, d->stage.scene,
+                                    &d->view, o->samples, workers, o->progress)
+                     : trace(&picture, &d->stage, &d->view, &o->backdrop,
+                             o->samples, workers, o->progress);
     }
-    stages_end(stages, "traced", pixels, "pixels");
+    stages_end(&d->stages, "traced", pixels, "pixels");
     if (status == 0)
         status = picture_write(&picture, out);
-    stages_end(stages, "wrote", pixels, "pixels");
+    stages_end(&d->stages, "wrote", pixels, "pixels");
     picture_free(&picture);
-    return status;
-}
-
-/* The view contains the scene without the ground. */
-static int set_stage(const struct options *o, struct scene *scene,
-                     struct colours *colours, const struct boxes *boxes,
-                     struct stage *stage, struct view *view)
-{
-    const int has_ground = o->ground && boxes->size > 0;
-    const struct vector up = unit(o->viewing.up);
-    int status = colours_complete(colours, scene, o->colour, up);
-    if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
-        complain(o->scene, "no shape is bounded, or the view is along --up; "
-                           "use --eye and --look-at");
-        status = EXIT_BAD;
-    }
-    if (status == 0 && has_ground)
-        status = add_ground(scene, o->ground, up, boxes);
-    if (status == 0) {
-        *stage = (struct stage){NULL,
-                                scene->count,
-                                colours->of,
-                                scene->solids.count > 0,
-                                has_ground,
-                                boxes->middle,
-                                boxes->size,
-                                (enum shading)o->shading,
-                                sun_of(o, view),
-                                up};
-    }
-    return status;
-}
-
-static int prepare(const struct options *o, struct scene *scene,
-                   struct colours *colours, struct stage *stage,
-                   struct view *view)
-{
-    struct boxes boxes;
-    int status = scene_read(scene, o->scene, o->ends, (enum swc_form)o->swc);
-    if (status == 0) {
-        status = boxes_make(&boxes, scene);
-        if (status == 0)
-            status = set_stage(o, scene, colours, &boxes, stage, view);
-        boxes_free(&boxes);
-    }
     return status;
 }
 
 int main(int argc, char **argv)
 {
-    struct options options;
-    struct colours colours = {0};
-    struct scene scene;
-    struct stage stage;
-    struct view view;
-    struct stages stages;
+    static struct drawing d;
+    const struct options *o = &d.options;
     struct output out;
     guard_standard_streams();
-    memset(&scene, 0, sizeof scene);
-    scene.also = colours_take_tail;
-    scene.context = &colours;
-    int status = read_options(&options, argc, argv);
-    if (status != 0 || options.print)
-        return status != 0 ? status : print_about(options.print);
-    colours.how = options.colouring;
-    stages_start(&stages, options.progress);
-    status = output_open(
-        &out, strcmp(options.output, "-") == 0 ? NULL : options.output, 1);
+    int status = read_options(&d.options, argc, argv);
+    if (status != 0 || o->print)
+        return status != 0 ? status : print_about(o->print);
+    stages_start(&d.stages, o->progress);
+    status =
+        output_open(&out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
     if (status != 0)
         return status;
-    status = prepare(&options, &scene, &colours, &stage, &view);
+    status = prepare(&d);
     if (status == 0) {
-        stages_end(&stages, "read", stage.count, "shapes");
-        status = draw_picture(&options, &scene, &stage, &view, &stages, &out);
+        stages_end(&d.stages, "read", d.stage.count, "shapes");
+        status = draw_picture(&d, &out);
     }
     const int closed = output_close(&out, status == 0);
-    scene_free(&scene);
-    colours_free(&colours);
+    scene_free(&d.scene);
+    free(d.colours);
     return status != 0 ? status : closed;
 }
