@@ -182,6 +182,7 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
 {
+    /* mutant '&&' -> '||': a number below stays there; its copy takes room only */
     if (x.n > 0 && x.limb >= arena->limb + used) {
         memmove(arena->limb + used, x.limb, (size_t)x.n * sizeof *x.limb);
         x.limb = arena->limb + used;
