@@ -91,6 +91,8 @@ $(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point r
 # The builds for x86 processors without AVX2.
 $(if $(X86),$(call of,src/filter/one.o src/signs/origin.o src/distance/one_distance.o src/distance/elliptic_certain.o)): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
+# The Python module has the command's readers.
+$(BUILD)/tools/cylint/%: extra += -fPIC -fvisibility=hidden
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
 # flags of FILE.c's build NAME.
@@ -140,7 +142,7 @@ $(isa_builds:%=$(BUILD)/%.o): $(BUILD)/%.o: $$(firstword $$(subst -, ,$$*)).c $$
 	$(call say,CC $< $(lastword $(subst -, ,$*)))$(compile) $(isa.$*) -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
-	$(call say,CXX $<)$(CXX) -std=c++17 $(warnings) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
+	$(call say,CXX $<)$(CXX) -std=c++17 -fPIC -fvisibility=hidden $(warnings) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 
 # FOLDER/flags holds the commands that compile the folder's files.  If they
 # change, the file is written and the folder's objects are compiled again.

@@ -28,14 +28,14 @@ stands_alone()
     (cd "$sources" && find . -type f -exec cmp {} "$top/{}" \;) > "$scratch/log" 2>&1
     [ ! -s "$scratch/log" ] || { cat "$scratch/log"; return 1; }
     quiet env -u MAKEFLAGS -u MAKELEVEL "${MAKE:-make}" -n -C "$sources" BUILD="$scratch/none" \
-        "$scratch/none/libcylint.a" "$scratch/none/libcylint-scene.a" &&
+        "$scratch/none/libcylint.a" "$scratch/none/libcylint-scene.a" "$scratch/none/tools/cylint.a" &&
         [ "$(grep -c "^echo 'CC src/" "$scratch/log")" -gt 50 ]
 }
 
 # Builds again only if the sources changed; a clone's Makefile is out of reach.
 make_wheel()
 {
-    sum=$({ gzip -dc "$home"/dist/*.tar.gz; cat "$build"/libcylint*.a; } | cksum)
+    sum=$({ gzip -dc "$home"/dist/*.tar.gz; cat "$build"/libcylint*.a "$build/tools/cylint.a"; } | cksum)
     [ "$sum" = "$(cat "$home/wheel/sum" 2>/dev/null)" ] && return
     rm -rf "$home/wheel"
     mkdir "$home/wheel" && (
