@@ -53,7 +53,7 @@ quote    = '$(subst ','\'',$(1))'
 ifneq ($(filter-out help clean uninstall deps deps-%,$(or $(MAKECMDGOALS),all)),)
 include $(BUILD)/config.mk
 endif
-$(BUILD)/config.mk: $(if $(findstring n,$(options)),,$(filter deps deps-cross,$(MAKECMDGOALS))) FORCE
+$(BUILD)/config.mk: $(if $(findstring n,$(options)),,$(patsubst deps,deps-debian,$(filter deps deps-cross,$(MAKECMDGOALS)))) FORCE
 	@CC=$(call quote,$(CC)) CXX=$(call quote,$(CXX)) CFLAGS=$(call quote,$(CFLAGS)) \
 	  CXXFLAGS=$(call quote,$(CXXFLAGS)) sh tools/config.sh $@
 

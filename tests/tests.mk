@@ -73,9 +73,13 @@ $(BUILD)/tests/command/faulty $(fuzz_programs):
 
 # ----------------------------------------------------------------- check --
 
-deps: ## install what the tests need (Debian; Python's packages by pip)
+deps: deps-debian ## install what the tests need (Debian; Python's packages by pip)
 	@BUILD=$(BUILD) sh tools/deps.sh
 
+deps-debian:
+	@sh tools/deps.sh debian
+
+deps-cross deps-cluster: deps
 deps-cross: ## what check-cross and lint need as well (Debian)
 	@BUILD=$(BUILD) sh tools/deps.sh cross
 
@@ -92,7 +96,7 @@ run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	$(MAKE) --no-print-directory -f tests/support/run.mk
 
-check: all $(BUILD)/tools/cylint.a $(if $(POSIX),$(BUILD)/demo/cylint) $(test_programs) $(BUILD)/tests/package/records $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) ## run every test (PARANOID=1: each decision twice)
+check: all $(BUILD)/tools/cylint.a $(if $(POSIX),$(BUILD)/demo/cylint) $(test_programs) $(BUILD)/tests/package/records $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) $(filter deps,$(MAKECMDGOALS)) ## run every test (PARANOID=1: each decision twice)
 	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one
@@ -167,5 +171,5 @@ stress: $(BUILD)/tests/library/test_intersect ## compare 1e8 cases with the orac
 	  CYLINT_CASES=1000000 CYLINT_SEED=$$seed $< & jobs="$$jobs $$!"; done; \
 	  for job in $$jobs; do wait $$job || exit; done
 
-.PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
+.PHONY: deps deps-debian deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
 	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress

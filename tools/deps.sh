@@ -1,10 +1,11 @@
 #!/bin/sh
 # Installs the packages for `make check` on Debian and its descendants; with the
 # argument `cross` also those for `make check-cross` and `make lint`, with
-# `cluster` those for `make check-cluster` (Spark goes to $BUILD/spark).  It
-# installs only missing packages, so a second run needs neither network nor root.
+# `cluster` those for `make check-cluster` (Spark goes to $BUILD/spark), with
+# `debian` none from PyPI.  It installs only missing packages, so a second run needs
+# neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev mandoc libembree-dev
-    libpng-dev zsh python3-pip python3-venv python3-dev'
+    libpng-dev zsh python3-venv python3-dev'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
 [ "$1" = cross ] && wanted="$wanted clang clang-19 clang-tidy clang-format-14
     cppcheck qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
@@ -26,6 +27,8 @@ if [ -n "$missing" ]; then
         DEBIAN_FRONTEND=noninteractive \
         $as_root apt-get install -q -y --no-install-recommends $missing || exit
 fi
+
+[ "$1" != debian ] || exit 0
 
 # The Python package is built and tested in an environment of its own.
 python=${BUILD:-build}/python

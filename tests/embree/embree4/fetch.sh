@@ -29,8 +29,10 @@ command -v python3 >/dev/null || unavailable 'no python3 to fetch and unpack it 
 mkdir -p "$folder" || exit 1
 wheel=${EMBREE4_WHEEL:-$folder/$name}
 if [ ! -e "$wheel" ]; then
-    python3 -m pip --version >/dev/null 2>&1 || unavailable 'no pip to fetch it (make deps)'
-    python3 -m pip --quiet --disable-pip-version-check download \
+    python=${BUILD:-build}/python/bin/python # of make deps
+    [ -x "$python" ] || python=python3
+    "$python" -m pip --version >/dev/null 2>&1 || unavailable 'no pip to fetch it (make deps)'
+    "$python" -m pip --quiet --disable-pip-version-check download \
         --timeout 10 --retries 1 --no-deps --dest "$folder" \
         --only-binary :all: --implementation cp --python-version 3.11 \
         --platform manylinux_2_28_x86_64 embreex==4.4.0.post1 >/dev/null 2>&1 ||
