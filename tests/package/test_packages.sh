@@ -19,12 +19,13 @@ test_dist()
 }
 
 # The file of make dist, unpacked; CMake may have built the libraries beside it.
+# With X86= each file is compiled once.
 test_command()
 {
     sources=$scratch/scan/build/_deps/cylint-src made=$scratch/scan/build/_deps/cylint-build/build
     [ -d "$sources" ] || sources=$scratch/cylint-$version
     quiet env -u MAKEFLAGS -u MAKELEVEL $make -C "$sources" BUILD="$made" \
-        CC="$(command -v "${cc%% *}")" CFLAGS=-O0 vectors= small= "$made/cylint" &&
+        CC="$(command -v "${cc%% *}")" CFLAGS=-O0 X86= vectors= small= "$made/cylint" &&
         [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | "$made/cylint" -d ,)" = cross,2,5,6 ]
     verdict its_files_build_the_command $?
 }
@@ -44,7 +45,7 @@ test_fetch_content()
         from=-DFETCHCONTENT_SOURCE_DIR_CYLINT=$top
     fi
     quiet cmake -S "$scratch/scan" -B "$scratch/scan/build" -G 'Unix Makefiles' \
-        -DCMAKE_C_COMPILER="${cc%% *}" -DCMAKE_C_FLAGS=-O0 '-DCYLINT_MAKE_FLAGS=vectors=;small=' $from &&
+        -DCMAKE_C_COMPILER="${cc%% *}" -DCMAKE_C_FLAGS=-O0 '-DCYLINT_MAKE_FLAGS=X86=;vectors=;small=' $from &&
         quiet cmake --build "$scratch/scan/build" &&
         "$scratch/scan/build/scan" | diff "$scratch/scan.said" -
     verdict cmake_builds_the_sources_within_a_project $?
