@@ -16,7 +16,8 @@ double cylint_scaled(double x, int e)
     const int k = cylint_exponent(x), sum = k + e;
     const double m =
         x * cylint_power_of_two(-k / 2) * cylint_power_of_two(-k - -k / 2);
-    /* mutant '1000' -> '1001': at 1001 both branches are exact */
+    /* mutant '1000' -> '1001': at 1001 both branches are exact;
+     * '>' -> '>=': at 1000 too */
     if (sum > 1000)
         return m * 0x1p1000 *
                cylint_power_of_two(sum < 1100 ? sum - 1000 : 100);

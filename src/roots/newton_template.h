@@ -37,7 +37,9 @@ NEWTON_INLINE FORM(newton)
     const NUM relative =
         SUM_OF(scaled, slope_error, CONSTANT(SLACK * CYLINT_QUOTIENT_ROUNDING));
     const NUM delta = QUOTIENT(residual, slope, inverse);
+    /* mutant '*' -> '+': wider, as these bounds are below 1; slower */
     const NUM first = SUM_OF(ABS(delta), relative, scaled * residual_error);
+    /* mutant '*' -> '+': the same */
     const NUM error = SUM_OF(scaled * curvature * distance, distance, first);
     return (FORM(newton)){delta, error};
 }

@@ -13,6 +13,8 @@ static double largest_length(const cylint_shape *s)
     if (cylint_is_elliptic(s->kind))
         most = cylint_larger(most, cylint_larger(cylint_largest(cylint_a(s)),
                                                  cylint_largest(cylint_b(s))));
+    /* mutant '!' -> '': slower, exact arithmetic decides where a radius or its
+     * factor is out of range */
     if (!cylint_has_factors(s->kind))
         most = cylint_larger(most, cylint_larger(cylint_r0(s), cylint_r1(s)));
     return most;

@@ -63,6 +63,7 @@ SHORT = [("library/test_hits", {}), ("shapes/test_constructors", {}),
          ("bounds/test_local_bounds", {}), ("bounds/test_local_residuals", {}),
          ("filter/test_local_coordinates", FEW),
          ("library/test_intersect", FEW), ("roots/test_midpoints", {}),
+         ("signs/test_origin", {}),
          ("shapes/test_errors", FEW), ("library/test_environment", {"CYLINT_CASES": "5"}),
          ("library/test_properties", FEW),
          ("library/test_batch", {"CYLINT_CASES": "3"})]
