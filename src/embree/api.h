@@ -6,6 +6,8 @@
 #ifndef CYLINT_EMBREE_API_H
 #define CYLINT_EMBREE_API_H
 
+#include <stddef.h>
+
 #if CYLINT_EMBREE == 4
 
 #include <embree4/rtcore.h>
@@ -29,12 +31,18 @@ typedef struct RTCIntersectContext cylint_rtc_context;
 
 #endif
 
-/* Whether hits and contexts have the member instPrimID. */
+/* The ids of instances in hits and contexts: instID and, behind it, instPrimID if
+ * there are arrays of instances. */
 #ifdef RTC_GEOMETRY_INSTANCE_ARRAY
-#define CYLINT_INSTANCE_ARRAYS 1
+enum { CYLINT_INSTANCE_BYTES = 2 * 4 * RTC_MAX_INSTANCE_LEVEL_COUNT };
 #else
-#define CYLINT_INSTANCE_ARRAYS 0
+enum { CYLINT_INSTANCE_BYTES = 4 * RTC_MAX_INSTANCE_LEVEL_COUNT };
 #endif
+
+static inline const void *cylint_rtc_instance(const cylint_rtc_context *context)
+{
+    return (const char *)context + offsetof(cylint_rtc_context, instID);
+}
 
 #if RTC_VERSION_MAJOR != CYLINT_EMBREE
 #error "rtcore.h is of another major version of Embree than CYLINT_EMBREE"

@@ -11,7 +11,6 @@
 
 #include "../bvh/float_bounds.h"
 #include "../bvh/swept_disc.h"
-#include "../shapes/measure.h"
 
 #include "float_filter_describe.h"
 
@@ -23,23 +22,11 @@
 
 /* ------------------------------------------------------------- accepting -- */
 
-/* Whether the piece contains the hit; *certain: whether that is certain. */
-INLINE int is_on_piece(double z, double z_error, const asked *of, int *certain)
-{
-    if (of->count == 1)
-        return *certain = 1;
-    const int low = cylint_piece_at(z - z_error, of->count);
-    const int high = cylint_piece_at(z + z_error, of->count);
-    *certain = low == high;
-    return low == of->index;
-}
-
 /* HIT: the hit counts; MISS: it does not, but the next may. */
 INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
                                              asked *of)
 {
-    int certain;
     if (t + e < of->tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
     const float above = of->t = cylint_float_above(t);
@@ -47,11 +34,15 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
         return CYLINT_FLOAT_FILTER_UNCERTAIN;
     if (above > of->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
-    const int on_piece = is_on_piece(z, z_error, of, &certain);
-    return !certain || (on_piece && above >= of->tfar)
-               ? CYLINT_FLOAT_FILTER_UNCERTAIN
-           : on_piece ? CYLINT_FLOAT_FILTER_HIT
-                      : CYLINT_FLOAT_FILTER_MISS;
+    if (of->count > 1) {
+        const int piece = cylint_piece_at(z - z_error, of->count);
+        if (piece != cylint_piece_at(z + z_error, of->count))
+            return CYLINT_FLOAT_FILTER_UNCERTAIN;
+        if (piece != of->index)
+            return CYLINT_FLOAT_FILTER_MISS;
+    }
+    return above < of->tfar ? CYLINT_FLOAT_FILTER_HIT
+                            : CYLINT_FLOAT_FILTER_UNCERTAIN;
 }
 
 /* The same for `lanes`.  Returns the lanes with a hit. */
@@ -82,30 +73,6 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
 
 /* ------------------------------------------------------------ describing -- */
 
-/* The component along which the axis of a shape is least, exactly. */
-static int least_exactly(const asked *of)
-{
-    double hi[3], lo[3];
-    EACH(j, 3) {
-        const pair w = two_diff(of->record.p1[j], of->record.p0[j]);
-        hi[j] = w.hi;
-        lo[j] = w.lo;
-    }
-    return cylint_least_component(hi, lo);
-}
-
-INLINE void find_least(const questions *q, vm least[3])
-{
-    const vm tied = least_components(q, least);
-    unsigned found[3] = {0, 0, 0};
-    if (!m_any(tied))
-        return;
-    EACH_LANE(i, m_bits(tied))
-    found[least_exactly(q->of[i])] |= 1u << i;
-    EACH(j, 3)
-        least[j] = m_if(tied, m_from(found[j]), least[j]);
-}
-
 /* The unit normal, from *a, that of lateral_direction(). */
 INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
                           bounded_vector *a, vd normal[3])
@@ -115,14 +82,8 @@ INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
     vm certain = at_end;
     if (m_any(lateral))
         certain = m_or(at_end, lean_on_cone(q, at, lateral, a));
-    if (m_any(at_end)) {
-        const bounded_vector end =
-            is_round ? ball_normal(q, at) : cap_normal(q, at->top);
-        if (m_any(lateral))
-            select_vector(a, at_end, &end);
-        else
-            *a = end;
-    }
+    if (m_any(at_end))
+        set_end_normal(q, at, is_round, at_end, a);
     return m_and(certain, unit_floats(a, normal));
 }
 
@@ -139,14 +100,15 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
     const vd e_c = across(q, at, c);
     lateral_direction(q, c, e_c, &normal);
     vm certain = to_float(at->z, at->z_error, &f[3]);
-    vm phi = describe_phi(q, e_c, along_least(normal.N, least),
-                          along_least(c, least), &f[4]);
+    const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
+                                along_least(c, least), &f[4]);
+    certain = m_and(certain, phi);
     if (is_round) {
-        f[4] = v_select(q->is_ball, v_set(0), f[4]);
-        phi = m_or(q->is_ball, phi);
+        EACH(j, 2)
+            f[3 + j] = v_select(q->is_ball, v_set(0), f[3 + j]);
+        certain = m_or(q->is_ball, certain);
     }
-    certain = m_and(m_and(certain, phi),
-                    normal_on_shape(q, at, is_round, &normal, f));
+    certain = m_and(certain, normal_on_shape(q, at, is_round, &normal, f));
     EACH(j, CYLINT_HIT_FLOATS)
         v_store(stored[j], f[j]);
     lanes &= m_bits(certain);
@@ -174,15 +136,6 @@ INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 
 /* ------------------------------------------------------------- answering -- */
 
-/* Steps on the surface in the lanes. */
-INLINE void step_hits(const questions *q, int end, int is_round, unsigned lanes,
-                      hit *at)
-{
-    hit better = *at;
-    step_on_shape(q, end, is_round, &better);
-    select_hit(at, m_from(lanes), &better);
-}
-
 /* The first hits.  *uncertain: the undecided lanes; *leaves: those in which the
  * line leaves the shape.  Returns the lanes with a hit. */
 INLINE unsigned find_hits(questions *q, int is_round, hit *first,
@@ -203,17 +156,10 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
         *uncertain |= m_bits(v.uncertain) & here;
         left &= ~here | m_bits(v.hit);
         here &= m_bits(v.hit);
-        unsigned accepted = accept_hits(q, &at, here, &unsure);
-        unsigned again = is_round ? unsure : unsure & ~m_bits(at.capped);
-        if (again) {
-            unsigned still;
-            step_hits(q, end, is_round, again, &at);
-            accepted |= accept_hits(q, &at, again, &still);
-            unsure = (unsure & ~again) | still;
-        }
-        again = accepted & q->describes & need_step(q, &at, is_round);
-        if (again)
-            step_hits(q, end, is_round, again, &at);
+        const unsigned inexact = here & need_step(q, &at, is_round);
+        if (inexact)
+            step_on_shape(q, end, is_round, m_from(inexact), &at);
+        const unsigned accepted = accept_hits(q, &at, here, &unsure);
         if (LANES == 1 || !hits)
             *first = at;
         else

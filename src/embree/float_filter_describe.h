@@ -47,17 +47,6 @@ INLINE void lateral_direction(const questions *q, const vd c[3], vd e_c,
     a->e_length = eps(3);
 }
 
-INLINE void select_vector(bounded_vector *a, vm where,
-                          const bounded_vector *other)
-{
-    EACH(j, 3) {
-        a->N[j] = v_select(where, other->N[j], a->N[j]);
-        a->e[j] = v_select(where, other->e[j], a->e[j]);
-    }
-    a->per_length = v_select(where, other->per_length, a->per_length);
-    a->e_length = v_select(where, other->e_length, a->e_length);
-}
-
 /* N / |N|. */
 INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
 {
@@ -98,34 +87,31 @@ INLINE vm lean_on_cone(const questions *q, const hit *at, vm lateral,
     return certain;
 }
 
-INLINE bounded_vector cap_normal(const questions *q, vm top)
+/* The outward normal on a cap, or on the ball about an end, in the lanes `where`:
+ * -w or w, or P from the centre. */
+INLINE void set_end_normal(const questions *q, const hit *at, int is_round,
+                           vm where, bounded_vector *a)
 {
-    bounded_vector a;
-    EACH(j, 3) {
-        a.N[j] = v_select(top, q->w[j], -q->w[j]);
-        a.e[j] = v_set(0);
+    const vd zero = v_set(0), one = v_set(1);
+    vd P[3], e = zero, length = q->W, e_length = eps(2);
+    if (is_round) {
+        const vd X = point_on_ball(q, at, P);
+        const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+        e = q->U * at->s_error + eps(1) * X;
+        length = where_or_one(v_lt(zero, r), r);
+        e_length = eps(1) * (q->R / length + one);
     }
-    a.per_length = v_set(1) / q->W;
-    a.e_length = eps(2);
-    return a;
-}
-
-/* The unit normal on the ball about an end: N = (x + s u) / r. */
-INLINE bounded_vector ball_normal(const questions *q, const hit *at)
-{
-    const vd zero = v_set(0);
-    const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
-    bounded_vector to;
-    const vd X = point_on_ball(q, at, to.N);
-    const vd e = q->U * at->s_error + eps(1) * X;
     EACH(j, 3) {
-        const vd w = v_select(at->top, q->w[j], zero);
-        const vd sizes = v_abs(q->D[j]) + v_abs(at->s * q->u[j]) + v_abs(w);
-        to.e[j] = v_select(v_lt(zero, sizes), e, zero);
+        const vd w = q->w[j], center = v_select(at->top, w, zero);
+        const vd sizes =
+            v_abs(q->D[j]) + v_abs(at->s * q->u[j]) + v_abs(center);
+        const vd N = is_round ? P[j] : v_select(at->top, w, -w);
+        a->N[j] = v_select(where, N, a->N[j]);
+        a->e[j] =
+            v_select(where, v_select(v_lt(zero, sizes), e, zero), a->e[j]);
     }
-    to.per_length = v_set(1) / where_or_one(v_lt(zero, r), r);
-    to.e_length = eps(1) * (q->R * v_abs(to.per_length) + v_set(1));
-    return to;
+    a->per_length = v_select(where, one / length, a->per_length);
+    a->e_length = v_select(where, e_length, a->e_length);
 }
 
 /*
@@ -146,19 +132,33 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
                  to_float(turn, e, phi));
 }
 
-/* least[j]: the axis is least along coordinate j, the first such.  Returns
- * whether that is uncertain: of equal doubles other than 0 the low parts
- * decide. */
-INLINE vm least_components(const questions *q, vm least[3])
+/* |x| < |y|, both with what their roundings lost, and with their signs. */
+INLINE vm is_less(vd x, vd x_lost, vd y, vd y_lost)
 {
-    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    const vm y_less = v_lt(y, x);
-    const vd xy = v_select(y_less, y, x);
-    const vm tied = m_or(m_and(v_eq(x, y), v_le(x, z)), v_eq(xy, z));
-    least[2] = v_lt(z, xy);
+    return m_or(v_lt(x, y), m_and(v_eq(x, y), v_lt(x_lost, y_lost)));
+}
+
+/* least[j]: the axis is least along coordinate j, the first such. */
+INLINE void find_least(const questions *q, vm least[3])
+{
+    vd base[4], top[4], size[3], lost[3];
+    EACH(j, 3) {
+        size[j] = v_abs(q->w[j]);
+        lost[j] = v_set(0);
+    }
+    if (m_any(m_or(m_or(v_eq(size[0], size[1]), v_eq(size[1], size[2])),
+                   v_eq(size[2], size[0])))) {
+        load_ends(q, base, top);
+        EACH(j, 3)
+            lost[j] = v_select(q->is_angle, lost[j],
+                               v_like(v_set(1), q->w[j]) *
+                                   difference_error(top[j], base[j], q->w[j]));
+    }
+    const vm y_less = is_less(size[1], lost[1], size[0], lost[0]);
+    least[2] = is_less(size[2], lost[2], v_select(y_less, size[1], size[0]),
+                       v_select(y_less, lost[1], lost[0]));
     least[1] = m_and_not(y_less, least[2]);
     least[0] = m_not(m_or(least[1], least[2]));
-    return m_and(tied, v_lt(v_set(0), v_select(least[2], z, xy)));
 }
 
 /* The component of x along which the axis is least. */

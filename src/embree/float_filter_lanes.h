@@ -26,8 +26,9 @@
  * The line enters a round solid where it enters the cone at y between 0 and S, or
  * ball 0 at y < 0, or ball 1 at y > S; it enters at most once.  If a > 0 and it
  * enters the cone at y < 0, then ball 0 decides: the solid's part of the cone at
- * y < 0 is in that ball, and the line cannot come to y > S without it.  All this
- * holds for leaving.
+ * y < 0 is in that ball, and the line cannot come to y > S without it.  If a < 0
+ * and it enters the cone elsewhere, it enters the solid where it first enters a
+ * ball.  All this holds for leaving.
  *
  * Errors, where K = Dn + r0 / sqrt(T), and |dr| < W unless S is below its error:
  *
@@ -35,6 +36,9 @@
  *   z0: 13.2 u Dn / W.  dz: 11.2 u U / W.  dr: u of it.
  *   S and y0 of round kinds: 12.1 u, 15.1 u K / W.  T between discs: 11.1 u of it.
  *   a: 35.2 u T U^2.  b: 40.2 u T K U.  c: 46.2 u T K^2.
+ *
+ * Of an angle cone w is exact and r0 is 0; dr is the tangent times W, with an error
+ * of 3.5 u, but that of W cancels in dr^2 / ww: 8 u of T.
  *
  * As |a| <= T U^2, |b| <= T K U and |c| <= T K^2, the error of G is less than
  * 20.8 eps T^2 K^2 U^2 with the roundings of b^2 - a c.  So e_a = 8 eps T U^2 and
@@ -78,9 +82,9 @@ typedef struct {
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
     vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
     quadratic cone, ball; /* ball: of the ball that was hit */
+    vm is_angle;          /* the shape is an angle cone: the record has w */
     vm is_ball;           /* the shape is a sphere, which has no cone */
     vm crosses;           /* the line crosses the cone */
-    vm leans;             /* a of the cone is certainly positive */
     vm apart; /* a < 0: Q < 0 before the first root and behind the second */
 } questions;
 
@@ -167,6 +171,16 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
     return v_select(known, near, v_float(-dot(D0, d) / dot(d, d)));
 }
 
+/* Base and r0, top and r1; of an angle cone v and -k, u and k. */
+INLINE void load_ends(const questions *q, vd base[4], vd top[4])
+{
+    const char *row[LANES];
+    for (int i = 0; i < LANES; i++)
+        row[i] = (const char *)&q->of[i]->record;
+    v_columns(row, offsetof(cylint_record, p0), base);
+    v_columns(row, offsetof(cylint_record, p1), top);
+}
+
 /*
  * Loads the shapes and the lines.  Moves the origin by from * u to a point near the
  * shape, so that the errors are relative to the shape's size, wherever the ray
@@ -178,20 +192,24 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 INLINE void load_questions(questions *q)
 {
     const char *row[LANES];
+    const vd zero = v_set(0);
     vd x[8], base[4], top[4], D0[3];
     for (int i = 0; i < LANES; i++)
         row[i] = (const char *)q->of[i];
-    v_columns(row, offsetof(asked, record.p0), base);
-    v_columns(row, offsetof(asked, record.p1), top);
+    load_ends(q, base, top);
     v_columns(row, offsetof(asked, o), x);
     v_columns(row, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
+    q->is_angle = m_and(v_lt(q->r0, zero), v_lt(zero, top[3]));
     EACH(j, 3) {
         q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
+    if (m_any(q->is_angle))
+        EACH(j, 3)
+            q->w[j] = v_select(q->is_angle, top[j], q->w[j]);
     q->from = origin_shift(x[7], D0, q->u);
     EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) +
@@ -203,18 +221,10 @@ INLINE void load_questions(questions *q)
     q->U = size(q->u);
     q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
-}
-
-/* Products have at most ten lengths as factors.  If none of these is less than
- * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
- * and along a coordinate none is flushed, since coordinates and radii are 0 or at
- * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
- * NaN, and then nothing is certain, but for those of 1 / ww and of G:
- * cross_shape() and cross_surface() test them. */
-INLINE vm in_window(const questions *q, vd radii)
-{
-    const vd least = v_set(0x1p-90);
-    return m_and(v_lt(v_set(0x1p-89), radii), v_lt(least, q->U));
+    if (m_any(q->is_angle)) {
+        q->r0 = v_select(q->is_angle, zero, q->r0);
+        q->dr = v_select(q->is_angle, top[3] * q->W, q->dr);
+    }
 }
 
 /* ------------------------------------------------------------- surfaces -- */
@@ -269,10 +279,19 @@ INLINE void load_axis(questions *q, int is_round)
         q->T = one + slope2;
 }
 
-/* Lines that certainly cross the shape's surface, if that is its cone's; of a round
+/*
+ * Lines that certainly cross the shape's surface, if that is its cone's; of a round
  * kind, those that do not certainly miss the cone.  uncertain: products may
- * underflow (see in_window()), or one ball may lie in the other, or, between discs,
- * the line is near the cone. */
+ * underflow, or one ball may lie in the other, or, between discs, the line is near
+ * the cone.
+ *
+ * Products have at most ten lengths as factors.  If none of these is less than
+ * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
+ * and along a coordinate none is flushed, since coordinates and radii are 0 or at
+ * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
+ * NaN, and then nothing is certain, but for those of 1 / ww and of G:
+ * cross_shape() and cross_surface() test them.
+ */
 INLINE verdict cross_shape(questions *q, int is_round)
 {
     const vd least = v_set(0x1p-90);
@@ -284,15 +303,15 @@ INLINE verdict cross_shape(questions *q, int is_round)
         eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
     const vm sloped = m_and(m_and(v_lt(least, q->W), v_lt(least, q->per_W)),
                             v_lt(eps(8), q->S));
-    const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
+    const vm window =
+        m_and(m_and(v_lt(v_set(0x1p-89), q->R), v_lt(least, q->U)),
+              m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
     const verdict v = cross_surface(c, G, has_cone);
-    if (!is_round) {
-        q->apart = v_lt(c->a, v_set(0));
+    q->apart = v_lt(c->a, v_set(0));
+    if (!is_round)
         return v;
-    }
     q->crosses = v.hit;
-    q->leans = v_lt(v_set(8) * c->e_a, c->a);
     q->ball = *c;
     const vm misses = m_and_not(has_cone, m_or(v.hit, v.uncertain));
     return (verdict){m_and_not(window, misses), m_not(window)};
@@ -385,20 +404,6 @@ INLINE verdict end_on_discs(const questions *q, int end, hit *at)
     return move_to_cap(q, end, between, at);
 }
 
-/* Where y is: below 0, between 0 and S, above S, or none of these. */
-typedef struct {
-    vm below, between, above;
-} range;
-
-INLINE range range_of_y(const questions *q, const hit *at)
-{
-    const vd X = q->K + v_abs(at->s) * q->U, y = q->y0 + at->s * q->dz;
-    const vd e =
-        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(1));
-    return (range){v_lt(y, -e), m_and(v_lt(e, y), v_lt(y, q->S - e)),
-                   v_lt(q->S + e, y)};
-}
-
 /* Where the line enters or leaves the ball about an end. */
 INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
                            hit *at)
@@ -422,59 +427,66 @@ INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
         cross_surface(c, ball_G(q->uu, c->b, DD, r), m_not(m_none()));
     if (m_any(v.hit)) {
         *at = chord_end(c, q, end);
-        at->z_error = v_select(q->is_ball, v_set(0), at->z_error);
         at->capped = m_not(q->is_ball);
         at->top = top ? at->capped : m_none();
     }
     return v;
 }
 
+/* Where the line enters or leaves the cone of a round kind: y below 0, between 0 and
+ * S, above S, or none of these. */
+typedef struct {
+    vm below, between, above;
+} range;
+
+INLINE range end_on_cone(const questions *q, int end, hit *at)
+{
+    *at = chord_end(&q->cone, q, end);
+    const vd X = q->K + v_abs(at->s) * q->U, y = q->y0 + at->s * q->dz;
+    const vd e =
+        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(1));
+    return (range){m_and(q->crosses, v_lt(y, -e)),
+                   m_and(q->crosses, m_and(v_lt(e, y), v_lt(y, q->S - e))),
+                   m_and(q->crosses, v_lt(q->S + e, y))};
+}
+
 /*
  * Where the line enters or leaves the solid.  A sphere's only surface is ball 0.
- * `sure` lanes know the ball.  The others take the cone and both balls in turn;
- * they miss the solid if each of these is missed, or is hit elsewhere.
+ * Beyond the balls' circles the cone decides which ball is hit or, if it is
+ * flatter than the line (`steep`), that it is the one which is entered first.
  */
 INLINE verdict end_on_round(questions *q, int end, hit *at)
 {
-    range at_cone = {q->is_ball, m_none(), m_none()};
+    range y = {m_none(), m_none(), m_none()};
     *at = no_hit();
-    if (m_any(q->crosses)) {
-        *at = chord_end(&q->cone, q, end);
-        const range r = range_of_y(q, at);
-        at_cone.below = m_or(m_and(q->crosses, r.below), q->is_ball);
-        at_cone.between = m_and(q->crosses, r.between);
-        at_cone.above = m_and(q->crosses, r.above);
-    }
-    vm hits = at_cone.between, uncertain = m_none();
-    const vm beyond = m_or(at_cone.below, at_cone.above);
-    const vm sure = m_and(beyond, m_or(q->leans, q->is_ball));
-    const vm either = m_not(m_or(hits, sure));
-    vm misses = m_and(either, beyond);
+    if (m_any(q->crosses))
+        y = end_on_cone(q, end, at);
+    const vm beyond = m_or(y.below, y.above);
+    const vm steep = m_and(beyond, q->apart);
+    vm hits = y.between;
+    vm uncertain = m_not(m_or(m_or(hits, beyond), q->is_ball));
+    y.below = m_or(m_or(y.below, steep), q->is_ball);
+    y.above = m_or(y.above, steep);
     for (int top = 0; top < 2; top++) {
+        const vm mine = top ? y.above : y.below;
         quadratic c;
         hit ball = no_hit();
-        const vm known = m_and(sure, top ? at_cone.above : at_cone.below);
-        const vm mine = m_or(known, m_and_not(either, hits));
         if (!m_any(mine))
             continue;
         const verdict v = end_on_ball(q, top, end, &c, &ball);
-        vm elsewhere = m_none();
-        if (m_any(m_and(mine, v.hit))) {
-            const range r = range_of_y(q, &ball);
-            const vm comes =
-                m_and(m_and(mine, v.hit), m_or(known, top ? r.above : r.below));
-            elsewhere = m_and(v.hit, m_or(r.between, m_or(r.below, r.above)));
-            select_hit(at, comes, &ball);
-            select_quadratic(&q->ball, comes, &c);
-            hits = m_or(hits, comes);
-        }
-        uncertain = m_or(uncertain, m_and(known, v.uncertain));
-        misses = m_and(misses,
-                       m_or(m_not(mine),
-                            m_or(m_not(m_or(v.hit, v.uncertain)), elsewhere)));
+        const vd before = end ? ball.s - at->s : at->s - ball.s;
+        const vd error = ball.s_error + at->s_error;
+        const vm is = m_and(mine, v.hit), both = m_and(is, hits);
+        const vm comes =
+            m_or(m_and_not(is, hits), m_and(both, v_lt(error, before)));
+        uncertain =
+            m_or(uncertain, m_or(m_and(mine, v.uncertain),
+                                 m_and_not(both, v_lt(error, v_abs(before)))));
+        select_hit(at, comes, &ball);
+        select_quadratic(&q->ball, comes, &c);
+        hits = m_or(hits, is);
     }
-    uncertain = m_or(uncertain, m_and_not(either, m_or(hits, misses)));
-    return (verdict){hits, uncertain};
+    return (verdict){m_and_not(hits, uncertain), uncertain};
 }
 
 INLINE vm is_on_ball(const questions *q, const hit *at)
@@ -491,26 +503,6 @@ INLINE void point_at(const questions *q, const hit *at, vd P[3])
         P[j] = q->D[j] + at->s * q->u[j];
 }
 
-/*
- * A step of Newton's from a root at which Q' / 2 is -+sqrt(G) (end 0, 1), for hits
- * of which the floats would be uncertain.  Where s - root = d, Q is
- * d (2 Q'/2 + a d), so that the step leaves
- *
- *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
- *
- * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
- */
-INLINE void step_to_root(const quadratic *c, const questions *q, int end, vd Q,
-                         vd Q_error, hit *at)
-{
-    const vd d = at->s_error, step = Q * (v_set(0.5) * c->per_root);
-    at->s = end ? at->s - step : at->s + step;
-    at->s_error = d * (c->e_G * (c->per_root * c->per_root) + eps(1)) +
-                  v_set(0.6) * c->per_root * (v_abs(c->a) * (d * d) + Q_error) +
-                  eps(0.25) * v_abs(at->s);
-    set_z(q, at);
-}
-
 /* The radius of the cone at a hit and its error. */
 INLINE vd radius_at(const questions *q, const hit *at, vd *error)
 {
@@ -519,9 +511,9 @@ INLINE vd radius_at(const questions *q, const hit *at, vd *error)
     return q->r0 + q->dr * at->z;
 }
 
-/* The same on the cone.  Errors: c: 3 eps W X; S and 1 / ww and their products:
- * 22 u. */
-INLINE void step_on_cone(const questions *q, int end, hit *at)
+/* Q of the cone at a hit and its error.  Errors: c: 3 eps W X; S and 1 / ww and
+ * their products: 22 u. */
+INLINE vd cone_at(const questions *q, const hit *at, vd *error)
 {
     const vd X = q->Dn + v_abs(at->s) * q->U, e_c = eps(3) * (q->W * X);
     const vd two = v_set(2);
@@ -529,10 +521,9 @@ INLINE void step_on_cone(const questions *q, int end, hit *at)
     point_at(q, at, P);
     cross(c, P, q->w);
     const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
-    const vd Q = q->S * cc * q->per_ww - k * k;
-    const vd e_Q = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
-                   e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
-    step_to_root(&q->cone, q, end, Q, e_Q, at);
+    *error = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
+             e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
+    return q->S * cc * q->per_ww - k * k;
 }
 
 /* P from the centre of the ball of the hit, and the size of its terms. */
@@ -545,25 +536,48 @@ INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
     return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* The same on the surface of a hit.  On a ball Q = |P|^2 - r^2; the error of P is
- * at most 6 u X, that of r 2 u R. */
-INLINE void step_on_shape(const questions *q, int end, int is_round, hit *at)
+/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X, that
+ * of r 2 u R. */
+INLINE vd ball_at(const questions *q, const hit *at, vd *error)
+{
+    vd P[3];
+    const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+    const vd e_P = eps(1) * point_on_ball(q, at, P), PP = dot(P, P);
+    *error = e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + q->R * q->R);
+    return PP - r * r;
+}
+
+/*
+ * A step of Newton's from a root at which Q' / 2 is -+sqrt(G) (end 0, 1), in the
+ * lanes `where`, for hits of which the floats would be uncertain.  Where s - root =
+ * d, Q is d (2 Q'/2 + a d), so that the step leaves
+ *
+ *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
+ *
+ * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
+ */
+INLINE void step_on_shape(const questions *q, int end, int is_round, vm where,
+                          hit *at)
 {
     const vm on_ball = is_round ? is_on_ball(q, at) : m_none();
-    const hit begin = *at;
+    quadratic c = q->cone;
+    vd Q = v_set(0), e_Q = v_set(0);
+    hit better = *at;
     if (m_any(m_not(on_ball)))
-        step_on_cone(q, end, at);
+        Q = cone_at(q, at, &e_Q);
     if (m_any(on_ball)) {
-        hit ball = begin;
-        vd P[3];
-        const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
-        const vd e_P = eps(1) * point_on_ball(q, &ball, P), PP = dot(P, P);
-        const vd e_Q =
-            e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + q->R * q->R);
-        step_to_root(&q->ball, q, end, PP - r * r, e_Q, &ball);
-        ball.z_error = v_select(q->is_ball, v_set(0), ball.z_error);
-        select_hit(at, on_ball, &ball);
+        vd e;
+        Q = v_select(on_ball, ball_at(q, at, &e), Q);
+        e_Q = v_select(on_ball, e, e_Q);
+        select_quadratic(&c, on_ball, &q->ball);
     }
+    const vd d = at->s_error, step = Q * (v_set(0.5) * c.per_root);
+    better.s = end ? at->s - step : at->s + step;
+    better.s_error = d * (c.e_G * (c.per_root * c.per_root) + eps(1)) +
+                     v_set(0.6) * c.per_root * (v_abs(c.a) * (d * d) + e_Q) +
+                     eps(0.25) * v_abs(better.s);
+    set_z(q, &better);
+    select_hit(at, where, &better);
 }
 
 #endif

@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "../bvh/float_bounds.h"
-#include "../bvh/threads.h"
+#include "../bvh/kernels_used.h"
 #include "geometry.h"
-#include "motion.h"
 
 int cylint_embree_version(void)
 {
@@ -135,39 +134,6 @@ static cylint_view view_of(const cylint_embree_data *data, int time)
     return view;
 }
 
-static void free_shapes(cylint_embree_shapes shapes[2], cylint_memory *order)
-{
-    cylint_embree_shapes_free(&shapes[0]);
-    cylint_embree_shapes_free(&shapes[1]);
-    cylint_memory_free(order);
-}
-
-/* Copies the shapes in this order, with which the memory of the order goes.
- * Returns 0 if memory is refused: then the present shapes stay. */
-static int copy_shapes(cylint_embree_data *data, cylint_memory *order)
-{
-    cylint_embree_shapes made[2] = {{.ends = NULL}, {.ends = NULL}};
-    const uint32_t *number = order->data;
-    int is = 1;
-    for (int i = 0; i <= (data->moved != NULL) && is && data->n > 0; i++) {
-        const cylint_view from = view_of(data, i);
-        is = cylint_embree_shapes_copy(&made[i], &from, number, data->n,
-                                       data->threads, &data->source);
-    }
-    if (!is) {
-        free_shapes(made, order);
-        return 0;
-    }
-    free_shapes(data->shapes, &data->order_memory);
-    data->shapes[0] = made[0];
-    data->shapes[1] = made[1];
-    data->order_memory = *order;
-    data->number = number;
-    data->rank = number ? number + data->n : NULL;
-    data->array = data->is_merged && number ? data->rank + data->n : NULL;
-    return 1;
-}
-
 /* Whether the numbers of merged arrays ascend. */
 static int check_arrays(const cylint_embree_data *data,
                         cylint_embree_problem *problem)
@@ -224,26 +190,38 @@ static void rank_shapes(const cylint_bvh *bvh, uint32_t *rank, uint32_t *number)
 /* Shapes that are together in leaves get neighbouring ranks, so that their records
  * are together in memory.  Writes numbers, then ranks, then the arrays of a merged
  * geometry.  Returns 0 if memory is refused. */
-static int rank_by_leaves(cylint_memory *order, const cylint_bvh *bvh,
-                          const cylint_embree_data *data)
+static int rank_by_leaves(cylint_embree_data *data)
 {
-    const size_t bytes = data->n * sizeof(uint32_t);
-    if (data->n == 0)
-        return 1;
-    if (!cylint_memory_allocate(order, &data->source,
-                                (data->is_merged ? 3 : 2) * bytes))
+    const size_t n = data->n;
+    if (!cylint_memory_allocate(&data->order_memory, &data->source,
+                                (data->is_merged ? 3 : 2) * n *
+                                    sizeof(uint32_t)))
         return 0;
-    uint32_t *number = order->data, *rank = number + data->n;
-    memset(rank, 0xff, bytes);
-    rank_shapes(bvh, rank, number);
-    for (size_t i = 0; i < data->n && data->is_merged; i++)
-        rank[data->n + i] =
-            (uint32_t)cylint_embree_array_at(data, 0, number[i]);
+    uint32_t *number = data->order_memory.data, *rank = number + n;
+    uint32_t *array = data->is_merged ? rank + n : NULL;
+    memset(rank, 0xff, n * sizeof *rank);
+    rank_shapes(&data->bvh, rank, number);
+    for (size_t i = 0; i < n && array; i++)
+        array[i] = (uint32_t)cylint_embree_array_at(data, 0, number[i]);
+    data->number = number;
+    data->rank = rank;
+    data->array = array;
     return 1;
 }
 
-static int build_bvh(const cylint_embree_data *data, cylint_bvh *bvh,
-                     cylint_embree_problem *problem)
+/* Copies the shapes in the order of their ranks.  Returns 0 if memory is refused. */
+static int copy_shapes(cylint_embree_data *data)
+{
+    for (int i = 0; i <= (data->moved != NULL); i++) {
+        const cylint_view from = view_of(data, i);
+        if (!cylint_embree_shapes_copy(&data->shapes[i], &from, data->number,
+                                       data->n, data->threads, &data->source))
+            return 0;
+    }
+    return 1;
+}
+
+static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
 {
     const cylint_view view = view_of(data, 0);
     size_t shape;
@@ -251,7 +229,7 @@ static int build_bvh(const cylint_embree_data *data, cylint_bvh *bvh,
                                     .n = data->n,
                                     .threads = data->threads,
                                     .source = &data->source};
-    switch (cylint_bvh_build(bvh, &input, &shape)) {
+    switch (cylint_bvh_build(&data->bvh, &input, &shape)) {
     case CYLINT_BVH_OK:
         return 1;
     case CYLINT_BVH_ESHAPE:
@@ -261,23 +239,34 @@ static int build_bvh(const cylint_embree_data *data, cylint_bvh *bvh,
     }
 }
 
+/* What follows from the shapes. */
+static void free_state(cylint_embree_data *data)
+{
+    cylint_bvh_free(&data->bvh);
+    cylint_embree_shapes_free(&data->shapes[0]);
+    cylint_embree_shapes_free(&data->shapes[1]);
+    cylint_memory_free(&data->order_memory);
+}
+
 /* Loads the present state of the shapes.  On failure the old one stays. */
 static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
 {
-    cylint_memory order = {0};
-    cylint_bvh bvh = {0};
+    cylint_embree_data next = *data;
+    next.bvh = (cylint_bvh){0};
+    next.order_memory = (cylint_memory){0};
+    next.shapes[0] = next.shapes[1] = (cylint_embree_shapes){0};
     if (!check_arrays(data, problem) ||
-        !(data->traversal ? build_bvh(data, &bvh, problem)
-                          : check_shapes(data, &bvh.box, problem)))
+        !(data->traversal ? build_bvh(&next, problem)
+                          : check_shapes(data, &next.bvh.box, problem)))
         return 0;
-    if ((data->traversal && !rank_by_leaves(&order, &bvh, data)) ||
-        !copy_shapes(data, &order)) {
-        cylint_bvh_free(&bvh);
+    if (data->n > 0 &&
+        ((data->traversal && !rank_by_leaves(&next)) || !copy_shapes(&next))) {
+        free_state(&next);
         return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    cylint_bvh_free(&data->bvh);
-    data->bvh = bvh;
-    data->pad = box_pad(&bvh.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
+    next.pad = box_pad(&next.bvh.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
+    free_state(data);
+    *data = next;
     return 1;
 }
 
@@ -329,16 +318,25 @@ static void release_buffer(void *buffer)
     rtcReleaseBuffer(buffer);
 }
 
-static cylint_memory_source device_memory(RTCDevice device)
+cylint_float_filter *cylint_float_filter_used(int many)
 {
-    return (cylint_memory_source){device, allocate_buffer, release_buffer};
+    return many ? CYLINT_OF_KERNELS(cylint_float_filter_plain,
+                                    cylint_float_filter_avx2,
+                                    cylint_float_filter_avx512)
+                : CYLINT_OF_KERNELS(cylint_float_filter_plain,
+                                    cylint_float_filter_fma,
+                                    cylint_float_filter_fma);
 }
 
 /* The arrays are behind the data. */
 static cylint_embree_data *new_data(RTCDevice device,
-                                    const cylint_embree_part *parts, size_t n)
+                                    const cylint_embree_part *parts, size_t n,
+                                    int is_merged,
+                                    const cylint_embree_options *options)
 {
-    const cylint_memory_source source = device_memory(device);
+    const cylint_embree_options none = {0}, *with = options ? options : &none;
+    const cylint_memory_source source = {device, allocate_buffer,
+                                         release_buffer};
     const size_t size = sizeof(cylint_embree_array);
     const size_t n_arrays = n > 0 ? n : 1;
     cylint_memory self;
@@ -353,9 +351,17 @@ static cylint_embree_data *new_data(RTCDevice device,
         .source = source,
         .arrays = arrays,
         .n_arrays = n_arrays,
-        .threads = 1,
+        .is_merged = is_merged,
+        .moved = is_merged ? NULL : with->moved,
+        .flags = with->flags,
+        .user = with->user,
+        .threads = with->threads > 1 ? with->threads : 1,
         .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
-        .traverse_packet = cylint_traverse_packet_used()};
+        .traverse_packet = CYLINT_OF_KERNELS(cylint_traverse_packet_plain,
+                                             cylint_traverse_packet_avx2,
+                                             cylint_traverse_packet_avx2)};
+    if (is_merged || !(data->flags & CYLINT_EMBREE_SINGLE || data->moved))
+        data->traversal = cylint_traversal_used();
     arrays[0] = (cylint_embree_array){.n = 0};
     for (size_t i = 0; i < n; data->n += parts[i++].n)
         arrays[i] = (cylint_embree_array){parts[i].shapes, data->n, parts[i].n,
@@ -366,23 +372,8 @@ static cylint_embree_data *new_data(RTCDevice device,
 static void free_data(cylint_embree_data *data)
 {
     cylint_memory self = data->self;
-    cylint_bvh_free(&data->bvh);
-    free_shapes(data->shapes, &data->order_memory);
+    free_state(data);
     cylint_memory_free(&self);
-}
-
-static void set_options(cylint_embree_data *data, int is_merged,
-                        const cylint_embree_options *options)
-{
-    data->is_merged = is_merged;
-    if (options) {
-        data->flags = options->flags;
-        data->user = options->user;
-        data->threads = options->threads > 1 ? options->threads : 1;
-        data->moved = is_merged ? NULL : options->moved;
-    }
-    if (is_merged || (!(data->flags & CYLINT_EMBREE_SINGLE) && !data->moved))
-        data->traversal = cylint_traversal_used();
 }
 
 static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
@@ -402,9 +393,8 @@ static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
     if (!geometry)
         return NULL;
     problem->status = CYLINT_EMBREE_EMEMORY;
-    cylint_embree_data *data = new_data(device, parts, n);
+    cylint_embree_data *data = new_data(device, parts, n, is_merged, options);
     if (data) {
-        set_options(data, is_merged, options);
         attach(geometry, data);
         if (load_geometry(geometry, data, problem))
             return geometry;

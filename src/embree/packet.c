@@ -13,7 +13,7 @@
  * each member N times, those of hits behind those of rays. */
 enum {
     RAY_WORDS = sizeof(struct RTCRay) / 4,
-    HIT_WORDS = 7 + RTC_MAX_INSTANCE_LEVEL_COUNT * (1 + CYLINT_INSTANCE_ARRAYS)
+    HIT_WORDS = (offsetof(struct RTCHit, instID) + CYLINT_INSTANCE_BYTES) / 4
 };
 
 static void gather(void *one, const void *packet, unsigned words, unsigned N,

@@ -59,9 +59,6 @@ typedef unsigned cylint_traverse_packet(const cylint_bvh *bvh,
                                         cylint_packet_leaf_callback *callback,
                                         void *self);
 
-/* The build in use. */
-cylint_traverse_packet *cylint_traverse_packet_used(void);
-
 /* All builds. */
 extern cylint_traverse_packet cylint_traverse_packet_plain,
     cylint_traverse_packet_avx2;

@@ -7,27 +7,12 @@
 
 #include "../bvh/float_bounds.h"
 #include "angle.h"
-#include "motion.h"
 
 /* The domain's end that still includes every root whose t, rounded to a double,
  * is tfar. */
 static double tmax_including(float tfar)
 {
     return nextafter((double)tfar, HUGE_VAL);
-}
-
-/* Makes the shape of that rank; if it moves, at the ray's time. */
-static void make_shape(const cylint_embree_data *data, size_t rank, float time,
-                       cylint_shape *shape)
-{
-    cylint_shape at[2];
-    if (!data->moved) {
-        cylint_embree_shape(&data->shapes[0], rank, shape);
-        return;
-    }
-    cylint_embree_shape(&data->shapes[0], rank, &at[0]);
-    cylint_embree_shape(&data->shapes[1], rank, &at[1]);
-    cylint_embree_between(&at[0], &at[1], time, shape);
 }
 
 /* A shape, and the library's answer to the ray's line; 0 hits for a line that it
@@ -43,7 +28,11 @@ static void intersect(const ray_test *r, size_t rank, unsigned want,
                       exact_hits *x)
 {
     const cylint_float_filter_question *q = &r->q;
-    make_shape(r->data, rank, r->ray->time, &x->shape);
+    if (r->data->moved)
+        cylint_embree_moving_shape(r->data->shapes, rank, r->ray->time,
+                                   &x->shape);
+    else
+        cylint_embree_shape(r->data->shapes, rank, &x->shape);
     x->n = cylint_span(&x->line, q->o, q->d, q->tmin, q->tmax) == CYLINT_OK
                ? cylint_intersect(&x->shape, &x->line, want, &x->answer)
                : 0;
@@ -66,14 +55,8 @@ static float rounded_up(double t, float tfar)
 static int same_instance(const struct RTCHit *hit,
                          const cylint_rtc_context *context)
 {
-    int same = 1;
-    for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
-        same &= hit->instID[i] == context->instID[i];
-#if CYLINT_INSTANCE_ARRAYS
-        same &= hit->instPrimID[i] == context->instPrimID[i];
-#endif
-    }
-    return same;
+    return memcmp((const char *)hit + offsetof(struct RTCHit, instID),
+                  cylint_rtc_instance(context), CYLINT_INSTANCE_BYTES) == 0;
 }
 
 /* The number of the shape of a hit on this geometry, or data->n.  geomID: the
@@ -179,20 +162,15 @@ static void write_ids(const ray_test *r)
         hit->primID -= (unsigned)from->first;
         hit->geomID = from->geomID;
     }
-    for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
-        hit->instID[i] = r->args->context->instID[i];
-#if CYLINT_INSTANCE_ARRAYS
-        hit->instPrimID[i] = r->args->context->instPrimID[i];
-#endif
-    }
+    memcpy((char *)hit + offsetof(struct RTCHit, instID),
+           cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
 }
 
-#if CYLINT_EMBREE == 4
+/* Of Embree 4, see CYLINT_EMBREE_CONTEXT_FILTER. */
 struct context_with_filter {
     cylint_rtc_context context;
     RTCFilterFunctionN filter;
 };
-#endif
 
 /* Calls the filter functions. */
 static int filters_accept(const ray_test *r)
@@ -209,14 +187,13 @@ static int filters_accept(const ray_test *r)
             (const struct RTCOccludedFunctionNArguments *)r->args, &filter);
     else
         cylint_rtc_filter_hit(r->args, &filter);
-#if CYLINT_EMBREE == 4
-    if (valid && r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
+    if (CYLINT_EMBREE == 4 && valid &&
+        r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
             ((struct context_with_filter *)filter.context)->filter;
         if (also)
             also(&filter);
     }
-#endif
     return valid != 0;
 }
 
@@ -320,12 +297,8 @@ static int test_primitive(ray_test *r)
     const cylint_embree_shapes *s = r->data->shapes;
     r->rank = r->args->primID;
     set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
-    if (r->data->moved) {
-        const cylint_record at_0 = r->q.record;
-        cylint_record at_1;
-        cylint_embree_record(s + 1, r->rank, &at_1);
-        cylint_embree_record_between(&at_0, &at_1, r->ray->time, &r->q.record);
-    }
+    if (r->data->moved)
+        cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     filter_one(r);
     return cylint_ray_end(r);
 }

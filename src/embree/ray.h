@@ -153,13 +153,8 @@ CYLINT_INLINE int ask_nearest_lane(ray_test *r, const cylint_leaf *leaf,
 /* Embree 4 expects in valid[] whether the ray was hit. */
 static inline void set_valid(int *valid, unsigned i, int hit)
 {
-#if CYLINT_EMBREE == 4
-    valid[i] = hit ? -1 : 0;
-#else
-    (void)valid;
-    (void)i;
-    (void)hit;
-#endif
+    if (CYLINT_EMBREE == 4)
+        valid[i] = hit ? -1 : 0;
 }
 
 #endif

@@ -1,5 +1,6 @@
 /*
- * shapes.c - the shapes of a geometry: what their constructors got
+ * shapes.c - the shapes of a geometry: what their constructors got, and how they
+ * move
  */
 #include "shapes.h"
 
@@ -12,7 +13,7 @@
  * about one centre the filter reads the first. */
 static double radii_sign(const cylint_shape *s)
 {
-    if (!cylint_is_bounded(s) || !cylint_has_end_points(s->kind))
+    if (!cylint_is_bounded(s) || cylint_is_elliptic(s->kind))
         return NAN;
     if (!cylint_is_round(s->kind))
         return 1;
@@ -27,6 +28,7 @@ void cylint_filter_record_of(cylint_record *to, const cylint_shape *s)
 {
     cylint_set_record(to, s);
     const double sign = cylint_filter_serves(to) ? radii_sign(s) : NAN;
+    to->r0 = cylint_has_tangent(s->kind) ? -to->r1 : to->r0;
     to->r0 *= sign;
     to->r1 *= sign;
 }
@@ -57,9 +59,10 @@ typedef struct {
     const uint32_t *number;
     cylint_embree_shapes *to;
     uint8_t *ends;
-    cylint_mutex mutex; /* protects `fits` */
-    int fits; /* all shapes fit into small records, if these are wanted */
 } copying;
+
+/* In place of the ends of a shape that does not fit into a small record. */
+enum { TOO_LARGE = 255 };
 
 static const cylint_shape *source_of(const copying *c, size_t i,
                                      cylint_shape *spare)
@@ -71,22 +74,17 @@ static const cylint_shape *source_of(const copying *c, size_t i,
 static void copy_some(void *self, size_t from, size_t to)
 {
     copying *c = self;
-    const int small = c->to->small;
     cylint_small_record *floats = c->to->memory.data;
     cylint_record *doubles = c->to->memory.data;
-    size_t i = from;
-    for (int fits = 1; i < to && fits; i += (size_t)fits) {
+    for (size_t i = from; i < to; i++) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
         c->ends[i] = (uint8_t)shape->ends;
-        if (small)
-            fits = cylint_small_record_of(&floats[i], shape);
-        else
+        if (!c->to->small)
             cylint_filter_record_of(&doubles[i], shape);
+        else if (!cylint_small_record_of(&floats[i], shape))
+            c->ends[i] = TOO_LARGE;
     }
-    cylint_mutex_lock(&c->mutex);
-    c->fits &= i == to;
-    cylint_mutex_unlock(&c->mutex);
 }
 
 /* Makes small records or, if a shape does not fit, large ones; usually the first
@@ -95,20 +93,20 @@ static int copy_records(copying *c, size_t n, int threads,
                         const cylint_memory_source *source)
 {
     cylint_embree_shapes *to = c->to;
-    for (int small = 1; small >= 0; small--) {
+    cylint_small_record first;
+    cylint_shape spare;
+    to->small = cylint_small_record_of(&first, source_of(c, 0, &spare));
+    for (;; to->small = 0) {
         const size_t size =
-            small ? sizeof(cylint_small_record) : sizeof(cylint_record);
+            to->small ? sizeof(cylint_small_record) : sizeof(cylint_record);
         if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
             return 0;
-        to->small = small;
         to->ends = c->ends = (uint8_t *)to->memory.data + n * size;
-        c->fits = 1;
         cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
-        if (c->fits)
-            break;
+        if (!to->small || !memchr(to->ends, TOO_LARGE, n))
+            return 1;
         cylint_memory_free(&to->memory);
     }
-    return 1;
 }
 
 static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
@@ -140,17 +138,8 @@ int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source)
 {
-    copying c = {.from = from,
-                 .number = number,
-                 .to = to,
-                 .mutex = CYLINT_MUTEX_INITIALIZER};
-    *to = (cylint_embree_shapes){.ends = NULL};
-    const int is =
-        copy_records(&c, n, threads, source) && keep_whole(&c, n, source);
-    cylint_mutex_destroy(&c.mutex);
-    if (!is)
-        cylint_embree_shapes_free(to);
-    return is;
+    copying c = {.from = from, .number = number, .to = to};
+    return copy_records(&c, n, threads, source) && keep_whole(&c, n, source);
 }
 
 void cylint_embree_shapes_free(cylint_embree_shapes *s)
@@ -176,6 +165,130 @@ void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
         kind = is_sphere ? CYLINT_KIND_SPHERE : CYLINT_KIND_RCONE;
         x.r0 = -x.r0;
         x.r1 = -x.r1;
+    } else if (x.r0 < 0) {
+        kind = CYLINT_KIND_ACONE;
     }
     cylint_make_of_record(shape, kind, s->ends[at], &x, NULL);
+}
+
+/* --------------------------------------------------------------- motion -- */
+
+int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
+{
+    return cylint_constructor_kind(at_0) == cylint_constructor_kind(at_1) &&
+           at_0->ends == at_1->ends;
+}
+
+/* Of n doubles, the members of a record or of semi-axes. */
+static void interpolate(void *to, const void *x, const void *y, size_t n,
+                        double time)
+{
+    const double *at_0 = x, *at_1 = y;
+    for (size_t i = 0; i < n; i++)
+        ((double *)to)[i] = (1 - time) * at_0[i] + time * at_1[i];
+}
+
+enum {
+    RECORD = sizeof(cylint_record) / sizeof(double),
+    SEMI_AXES = sizeof(cylint_semi_axes) / sizeof(double)
+};
+
+cylint_status cylint_embree_between(const cylint_shape *at_0,
+                                    const cylint_shape *at_1, double time,
+                                    cylint_shape *shape)
+{
+    cylint_record x, y;
+    cylint_semi_axes x_axes, y_axes;
+    cylint_set_record(&x, at_0);
+    cylint_set_record(&y, at_1);
+    cylint_set_semi_axes(&x_axes, at_0);
+    cylint_set_semi_axes(&y_axes, at_1);
+    interpolate(&x, &x, &y, RECORD, time);
+    interpolate(&x_axes, &x_axes, &y_axes, SEMI_AXES, time);
+    return cylint_make_of_record(shape, cylint_constructor_kind(at_0),
+                                 at_0->ends, &x, &x_axes);
+}
+
+/* A rounded cone may become a ball on the way; the filter serves only balls that
+ * stay balls. */
+void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
+                                 double time, cylint_record *to)
+{
+    cylint_record x, y;
+    cylint_embree_record(&s[0], at, &x);
+    cylint_embree_record(&s[1], at, &y);
+    interpolate(to, &x, &y, RECORD, time);
+    if (!cylint_filter_serves(to) ||
+        (cylint_record_is_point(to) &&
+         !(cylint_record_is_point(&x) && cylint_record_is_point(&y))))
+        to->r0 = NAN;
+}
+
+void cylint_embree_moving_shape(const cylint_embree_shapes s[2], size_t at,
+                                double time, cylint_shape *shape)
+{
+    cylint_shape x, y;
+    cylint_embree_shape(&s[0], at, &x);
+    cylint_embree_shape(&s[1], at, &y);
+    cylint_embree_between(&x, &y, time, shape);
+}
+
+/*
+ * Boxes.  Embree uses (1-t) box_0 + t box_1, which must contain the shape at
+ * every t.  A shape is the convex hull of its two discs.  A disc's centre is
+ * linear in t.  Along coordinate j the disc reaches at most f(t) from its centre,
+ *
+ *   circular: the radius, linear in t; the balls of round shapes likewise;
+ *   acone:    0 at v; at v + u the tangent times |u|, the product of a
+ *             linear function k and a convex one g, both >= 0;
+ *   elliptic: sqrt(a_j^2 + b_j^2), convex; at the top that times k.
+ *
+ * g is convex, so it is at most its linear interpolation.  k times that is at
+ * most the linear interpolation of the products, except if one of k and g grows
+ * and the other shrinks: then it may exceed it by t (1-t) |k1-k0| |g1-g0|, at
+ * most a quarter of |k1-k0| |g1-g0|, which is added.  So centre + f of each
+ * disc is below a linear function, which the boxes contain at t = 0 and 1.
+ */
+
+/* The box of the discs of a state, by f; writes g of each coordinate, 1 if f is
+ * linear. */
+static cylint_extent box_of_discs(const cylint_shape *s, double g[3])
+{
+    const cylint_view view = cylint_plain_view(s);
+    cylint_swept_disc disc;
+    cylint_swept_disc_of(&disc, &view, s);
+    EACH(j, 3)
+        g[j] = disc.elliptic ? cylint_elliptic_reach(disc.a, disc.b, j) : 1;
+    const cylint_extent box =
+        cylint_piece_box(&disc, g, (cylint_shape_piece){0, 1});
+    if (cylint_has_tangent(s->kind))
+        g[0] = g[1] = g[2] = disc.length;
+    return box;
+}
+
+/*
+ * Roundings.  Embree stores lower0 and upper0 and their differences to lower1 and
+ * upper1, and adds t times these, in floats.  M is the largest of these sizes: the
+ * differences are at most 2 M, with errors of 2^-24 of that; the product adds as
+ * much, the sum half of it.  The sides are moved out by 2^-21 M, more than the
+ * total of 5 2^-24 M; the rest covers doubles, those of cylint_embree_between()
+ * too.
+ */
+cylint_extent cylint_motion_box(const cylint_shape *at_0,
+                                const cylint_shape *at_1, int step)
+{
+    double g[2][3], lo[3], hi[3];
+    const cylint_extent box[2] = {box_of_discs(at_0, g[0]),
+                                  box_of_discs(at_1, g[1])};
+    const double dk = cylint_r1(at_1) - cylint_r1(at_0);
+    EACH(j, 3) {
+        const double product = dk * (g[1][j] - g[0][j]);
+        const double more = product < 0 ? -product / 4 : 0;
+        double M = 0;
+        EACH(i, 2)
+            M = fmax(M, fmax(fabsf(box[i].lower[j]), fabsf(box[i].upper[j])));
+        lo[j] = box[step].lower[j] - more - 0x1p-21 * (M + more);
+        hi[j] = box[step].upper[j] + more + 0x1p-21 * (M + more);
+    }
+    return cylint_float_box(lo, hi);
 }

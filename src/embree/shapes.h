@@ -11,6 +11,7 @@
 
 #include "../bvh/memory.h"
 #include "../bvh/swept_disc.h"
+#include "cylint_embree.h"
 #include "float_filter.h"
 
 /* A record in half the memory, if all numbers are floats and none of them is
@@ -62,7 +63,8 @@ static inline void cylint_embree_record(const cylint_embree_shapes *s,
 }
 
 /* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
- * 0, 1, ...  Returns 0 if memory is refused. */
+ * 0, 1, ...  *to holds none before.  Returns 0 if memory is refused; the caller
+ * frees *to then too. */
 int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source);
@@ -76,5 +78,22 @@ static inline size_t cylint_embree_shapes_bytes(const cylint_embree_shapes *s)
 /* Makes a shape by its constructor. */
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
                          cylint_shape *shape);
+
+/* --------------------------------------------------------------- motion -- */
+
+/* The shape at a time, of those at times 0 and 1; and its record, or one that the
+ * filter does not decide. */
+void cylint_embree_moving_shape(const cylint_embree_shapes s[2], size_t at,
+                                double time, cylint_shape *shape);
+void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
+                                 double time, cylint_record *to);
+
+/* Whether the two states have the same constructor and the same ends. */
+int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1);
+
+/* The box at time 0 or 1 (step).  The boxes that Embree interpolates between the
+ * two contain the shape at every time. */
+cylint_extent cylint_motion_box(const cylint_shape *at_0,
+                                const cylint_shape *at_1, int step);
 
 #endif

@@ -311,6 +311,7 @@ static int placed(const cylint_query *q, number x)
     const double t = x.v.hi, error = CYLINT_ROOT_SLACK * x.error +
                                      CYLINT_QUOTIENT_ROUNDING * fabs(t) +
                                      CYLINT_UNDERFLOW;
+    /* mutant '||' -> '&&': slower, the root is computed and compared */
     if (t + error < from - off_from || t - error > to + off_to)
         return -1;
     return t - error > from + off_from && t + error < to - off_to;

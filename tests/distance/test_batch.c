@@ -10,12 +10,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "cylint_distance.h"
+#include "closest.h"
 #include "distance/lanes.h"
 #include "distance_points.h"
 #include "environment.h"
 #include "guarded.h"
-#include "known_distances.h"
 
 enum { MOST = 600, FEW = 21, COLUMNS = 12 };
 enum { DISTANCE, PART, FEATURE, POINT, SIDE = 9, ON, SAFETY };

@@ -4,8 +4,8 @@
  */
 #include <math.h>
 
+#include "closest.h"
 #include "environment.h"
-#include "known_distances.h"
 
 static const double origin[3] = {0, 0, 0};
 
@@ -88,69 +88,11 @@ static void a_safety_beyond_all_squares_is_below_the_distance(void)
     everywhere(check_safety_beyond_all_squares);
 }
 
-/* -0 + 0 is -0 rounding downward. */
-static void check_zeros(struct environment e)
-{
-    static const double inside[3] = {0x1.eb851eb851eb8p-3, -0x1p-1074,
-                                     -0x1.70a3d70a3d70ap-3},
-                        beside[3] = {-3, -0.0, 1}, top[3] = {0, 0, 2};
-    static const double a[3] = {2, 0, 0}, b[3] = {0, 1, 0};
-    cylint_shape s[3];
-    cylint_sphere(&s[0], origin, 0.3, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&s[1], origin, top, 1, CYLINT_ENDS_CAPPED);
-    cylint_elliptic_cylinder(&s[2], origin, a, b, top, CYLINT_ENDS_CAPPED);
-    for (int i = 0; i < 3; i++) {
-        environment_set(e);
-        const cylint_closest q = answer_to(&s[i], i ? beside : inside, WANT);
-        const double safe = cylint_safety(&s[i], i ? beside : inside);
-        environment_reset();
-        CHECK(!signbit(safe) && !has_negative_zero(&q));
-    }
-}
-
-static void zeros_have_no_sign_in_any_environment(void)
-{
-    everywhere(check_zeros);
-}
-
-/* An end whose radius is the least double is no apex, and three units are more
- * than two: also where the processor reads both as zero. */
-static void check_subnormal_shapes(struct environment e)
-{
-    static const double below[3] = {0, 0, -3}, top[3] = {0, 0, 2};
-    const double unit = 0x1p-1074, p1[3] = {3 * unit, 2 * unit, 5 * unit};
-    cylint_shape s[3];
-    cylint_round_cone(&s[0], origin, unit, top, 1, CYLINT_ENDS_CAPPED);
-    cylint_cone(&s[1], origin, unit, top, 1, CYLINT_ENDS_OPEN);
-    cylint_cylinder(&s[2], origin, p1, 1, CYLINT_ENDS_INFINITE);
-    for (int i = 0; i < 3; i++) {
-        const double *p = i == 2 ? origin : below;
-        const cylint_closest want = answer_to(&s[i], p, WANT);
-        environment_set(e);
-        const cylint_closest got = answer_to(&s[i], p, WANT),
-                             parted = answer_to(&s[i], p, CYLINT_WANT_PART);
-        environment_reset();
-        CHECK(want.feature == (i == 0   ? CYLINT_FEATURE_CAP0
-                               : i == 1 ? CYLINT_FEATURE_RIM0
-                                        : CYLINT_FEATURE_LATERAL));
-        CHECK(got.feature == want.feature && parted.feature == want.feature &&
-              got.part == want.part && parted.part == want.part);
-        CHECK(are_within(got.normal, want.normal, 4));
-    }
-}
-
-static void subnormal_shapes_are_the_same_in_any_environment(void)
-{
-    everywhere(check_subnormal_shapes);
-}
-
 int main(void)
 {
     RUN(subnormal_units_are_compared_exactly);
     RUN(units_in_the_last_place_can_be_subnormal);
     RUN(an_infinite_distance_is_on_no_surface);
     RUN(a_safety_beyond_all_squares_is_below_the_distance);
-    RUN(zeros_have_no_sign_in_any_environment);
-    RUN(subnormal_shapes_are_the_same_in_any_environment);
     return check_end();
 }

@@ -1,20 +1,27 @@
 /*
  * test_known.c - floor distance: answers known by hand, and properties
  *
- * The oracle's tests are in test_oracle.c.  CYLINT_CASES is the number
- * of shapes of each family, with POINTS points each.  CYLINT_FAR is the number
- * of cases whose numbers have any exponents of doubles.
+ * The records of known.txt have their answers, and they and the cases of the
+ * families have the properties.  The oracle's tests of families are in
+ * test_oracle.c.  CYLINT_CASES is the number of shapes of each family, with POINTS
+ * points each.  CYLINT_FAR is the number of cases whose numbers have any exponents
+ * of doubles.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "closest.h"
 #include "distance/nearest.h"
 #include "distance/one_distance.h"
 #include "distance_points.h"
 #include "environment.h"
-#include "known_distances.h"
 #include "numbers/bits.h"
+#include "records.h"
 #include "shapes/layout.h"
+#ifdef HAVE_MPFR
+#include "distance_oracle.h"
+#endif
 
 enum { CASES = 60, POINTS = 4, FAR_CASES = 1000 };
 
@@ -22,199 +29,198 @@ static const double origin[3] = {0, 0, 0};
 
 /* ------------------------------------------------------ known answers -- */
 
-static cylint_shape cylinder(cylint_ends ends)
+enum { MOST = 200, NONE = CYLINT_FEATURE_APEX + 1, ANY };
+
+/* want.distance is NaN, or want.feature ANY, if it is not known. */
+static struct record {
+    struct family_case c;
+    double p[3];
+    cylint_closest want;
+    int has_place; /* point and normal */
+} records[MOST];
+static int count;
+
+static const char *take(const char *text, const char *known)
 {
-    static const double top[3] = {0, 0, 2};
-    cylint_shape s;
-    cylint_cylinder(&s, origin, top, 1, ends);
-    return s;
+    static const char *const features[] = {"lateral", "cap0", "cap1", "rim0",
+                                           "rim1",    "apex", "none", "any"};
+    struct record *r = &records[count];
+    double place[6];
+    char word[8];
+    int used = 0;
+    text = family_numbers(text, 3, r->p);
+    if (count == MOST || !text || !family_parse(text, &r->c) ||
+        !(known = family_numbers(known, 1, &r->want.distance)) ||
+        sscanf(known, "%7s%n", word, &used) != 1)
+        return NULL;
+    while (r->want.feature < ANY &&
+           strcmp(features[r->want.feature], word) != 0)
+        r->want.feature++;
+    known += used;
+    const char *end = family_numbers(known, 6, place);
+    if ((r->has_place = end != NULL)) {
+        memcpy(r->want.point, place, sizeof r->want.point);
+        memcpy(r->want.normal, place + 3, sizeof r->want.normal);
+    }
+    count++;
+    return end ? end : known;
 }
 
-/* The lateral surface has the slope 4/3: x = 3, z = 0 to x = 0, z = 4. */
-static cylint_shape cone(cylint_ends ends)
+static void every_record_is_read(void)
 {
-    static const double top[3] = {0, 0, 4};
-    cylint_shape s;
-    cylint_cone(&s, origin, 3, top, 0, ends);
-    return s;
+    each_record("tests/distance/known.txt", 125, take);
 }
 
-/* The balls of radius 5 and 2 at the distance 5: sine -3/5. */
-static cylint_shape round_cone(cylint_ends ends)
+/* Of an elliptic kind it is within 1 ulp or 2^-113 of the largest length. */
+static int is_distance(const cylint_shape *s, const double p[3], double got,
+                       double want)
 {
-    static const double top[3] = {0, 0, 5};
-    cylint_shape s;
-    cylint_round_cone(&s, origin, 5, top, 2, ends);
-    return s;
+    double length[4] = {0};
+    if (!cylint_is_elliptic(s->kind) || !isfinite(want))
+        return got == want;
+    for (int i = 0; i < 3; i++) {
+        length[0] = hypot(length[0], p[i] - cylint_base(s)[i]);
+        length[1] = hypot(length[1], cylint_a(s)[i]);
+        length[2] = hypot(length[2], cylint_b(s)[i]);
+        length[3] = hypot(length[3], cylint_axis(s)[i]);
+    }
+    const double longest =
+        fmax(fmax(length[0], length[1]), fmax(length[2], length[3]));
+    return fabs(got - want) <= fmax(ulp(want), 0x1p-113 * longest);
 }
 
-#define CHECK_KNOWN(shape, table)                                              \
-    check_known(#table, shape, table, (int)(sizeof(table) / sizeof(table)[0]), \
-                0, 0)
+static int is_feature(const cylint_closest *got, int want)
+{
+    const int part = want == CYLINT_FEATURE_CAP0   ? CYLINT_PART_CAP0
+                     : want == CYLINT_FEATURE_CAP1 ? CYLINT_PART_CAP1
+                                                   : CYLINT_PART_LATERAL;
+    return want == ANY    ? got->part >= 0
+           : want == NONE ? got->part == -1
+                          : got->part == part && got->feature == want;
+}
+
+/* The nearest doubles in the default environment.  In others point and normal may
+ * differ by some units, and of elliptic kinds only the sign is the same; numbers
+ * below `least` may be flushed to 0. */
+static int is_known(const struct record *r, const cylint_closest *got,
+                    int elsewhere, double least)
+{
+    const int elliptic = cylint_is_elliptic(r->c.shape.kind);
+    const cylint_closest *want = &r->want;
+    const double ulps = elliptic || elsewhere ? 4 : 0, *n = got->normal;
+    const int same_sign =
+        cylint_sign(got->distance) == cylint_sign(want->distance);
+    if (isnan(want->distance))
+        return isfinite(got->distance) && got->part >= 0 &&
+               (elsewhere || fabs(dot3(n, n) - 1) < 1e-9);
+    if (elliptic && elsewhere)
+        return same_sign;
+    return same_sign && got->flags == 0 &&
+           is_distance(&r->c.shape, r->p, got->distance, want->distance) &&
+           is_feature(got, want->feature) &&
+           (!r->has_place ||
+            (are_within(got->point, want->point, ulps, least) &&
+             are_within(got->normal, want->normal, ulps, least)));
+}
+
+static int is_safe(const struct record *r, double safe, double distance)
+{
+    return !signbit(safe) && (r->want.feature == NONE
+                                  ? safe == HUGE_VAL
+                                  : safe < HUGE_VAL && safe <= fabs(distance) &&
+                                        !(safe > fabs(r->want.distance)));
+}
+
+static void check_records(struct environment there)
+{
+    const int elsewhere = there.rounding != FE_TONEAREST || there.tiny;
+    for (int i = 0; i < count; i++) {
+        const struct record *r = &records[i];
+        const cylint_shape *s = &r->c.shape;
+        environment_set(there);
+        const cylint_closest a = answer_to(s, r->p, WANT);
+        const double alone = answer_to(s, r->p, 0).distance;
+        const double safe = cylint_safety(s, r->p);
+        const int on = cylint_on_surface(s, r->p, 0);
+        environment_reset();
+        if (!CHECK(is_known(r, &a, elsewhere, there.tiny ? DBL_MIN : 0) &&
+                   is_distance(s, r->p, alone, a.distance) &&
+                   is_safe(r, safe, a.distance) && !has_negative_zero(&a) &&
+                   on == (a.distance == 0))) {
+            REPORT_CASE(&r->c);
+            REPORT("%s, point %a %a %a: %.17g part %d feature %d, point %.17g "
+                   "%.17g %.17g, normal %.17g %.17g %.17g; alone %.17g; safety "
+                   "%.17g; on the surface %d",
+                   cylint_kernels_in_use(), r->p[0], r->p[1], r->p[2],
+                   a.distance, a.part, a.feature, a.point[0], a.point[1],
+                   a.point[2], a.normal[0], a.normal[1], a.normal[2], alone,
+                   safe, on);
+        }
+    }
+}
+
+static void known_answers_are_returned_in_every_environment(void)
+{
+    for (int k = 0; cylint_kernels_name(k); k++) {
+        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
+        check_records(environment_of(0));
+    }
+    cylint_use_kernels(NULL);
+    everywhere(check_records);
+}
+
+#ifdef HAVE_MPFR
+
+static void the_oracle_has_the_known_answers(void)
+{
+    for (int i = 0; i < count; i++) {
+        const struct record *r = &records[i];
+        const cylint_closest *want = &r->want;
+        struct oracle_closest got;
+        if (isnan(want->distance))
+            continue;
+        oracle_distance(&r->c.shape, r->p, &got);
+        if (got.too_near || got.is_tie)
+            continue;
+        if (!CHECK(want->feature == NONE
+                       ? got.part == -1
+                       : got.feature == want->feature &&
+                             fabs(oracle_distance_error(want->distance)) <= 1))
+            REPORT_CASE(&r->c);
+    }
+}
+
+#endif
 
 static void the_size_of_an_answer_is_that_of_the_header(void)
 {
     CHECK(cylint_sizeof_closest() == sizeof(cylint_closest));
 }
 
-static void answers_about_a_capped_cylinder_are_known(void)
+/* A shape that was refused, and bad points. */
+static void where_nothing_is_known_the_distance_is_infinite(void)
 {
-    static const struct known capped[] = {
-        {{3, 0, 1}, 2, 0, LATERAL, {1, 0, 1}, {1, 0, 0}},
-        {{0, 0.5, 1}, -0.5, 0, LATERAL, {0, 1, 1}, {0, 1, 0}},
-        {{0, 0.5, -3}, 3, 1, CAP0, {0, 0.5, 0}, {0, 0, -1}},
-        {{0.5, 0, 7}, 5, 2, CAP1, {0.5, 0, 2}, {0, 0, 1}},
-        {{0.5, 0, 1.75}, -0.25, 2, CAP1, {0.5, 0, 2}, {0, 0, 1}},
-        {{4, 0, -4}, 5, 0, RIM0, {1, 0, 0}, {1, 0, 0}},
-        {{0, -4, 6}, 5, 0, RIM1, {0, -1, 2}, {0, -1, 0}},
-        {{1, 0, 1}, 0, 0, LATERAL, {1, 0, 1}, {1, 0, 0}},
-        {{0.5, 0.25, 0}, 0, 1, CAP0, {0.5, 0.25, 0}, {0, 0, -1}},
-        {{1, 0, 2}, 0, 0, RIM1, {1, 0, 2}, {1, 0, 0}},
-        /* right below a rim: the rim, not the cap */
-        {{1, 0, -2}, 2, 0, RIM0, {1, 0, 0}, {1, 0, 0}},
-        /* ties: lateral before caps, cap0 before cap1 */
-        {{0.75, 0, 0.25}, -0.25, 0, LATERAL, {1, 0, 0.25}, {1, 0, 0}},
-        /* on the axis: phi = 0 is the direction -y */
-        {{0, 0, 1}, -1, 0, LATERAL, {0, -1, 1}, {0, -1, 0}},
-    };
-    CHECK_KNOWN(cylinder(CYLINT_ENDS_CAPPED), capped);
-}
-
-static void answers_of_other_ends_are_known(void)
-{
-    static const struct known open[] = {
-        {{0.5, 0, 1}, 0.5, 0, LATERAL, {1, 0, 1}, {1, 0, 0}},
-        {{0, 0, -1}, 1.4142135623730951, 0, RIM0, {0, -1, 0}, {0, -1, 0}},
-        {{0, 0, 0}, 1, 0, RIM0, {0, -1, 0}, {0, -1, 0}},
-    };
-    static const struct known cap1[] = {
-        {{0.5, 0, 1.75}, 0.25, 2, CAP1, {0.5, 0, 2}, {0, 0, 1}},
-        {{0.5, 0, 0.25}, 0.5, 0, LATERAL, {1, 0, 0.25}, {1, 0, 0}},
-        {{0.25, 0, -1}, 1.25, 0, RIM0, {1, 0, 0}, {1, 0, 0}},
-    };
-    static const struct known infinite[] = {
-        {{0, 0.5, -7}, -0.5, 0, LATERAL, {0, 1, -7}, {0, 1, 0}},
-        {{0, 3, 1e9}, 2, 0, LATERAL, {0, 1, 1e9}, {0, 1, 0}},
-    };
-    CHECK_KNOWN(cylinder(CYLINT_ENDS_OPEN), open);
-    CHECK_KNOWN(cylinder(CYLINT_ENDS_CAP1), cap1);
-    CHECK_KNOWN(cylinder(CYLINT_ENDS_INFINITE), infinite);
-    CHECK_KNOWN(cylinder(CYLINT_ENDS_NAPPE), infinite);
-}
-
-static void answers_about_cones_are_known(void)
-{
-    static const struct known capped[] = {
-        {{9.5, 0, 8}, 10, 0, LATERAL, {1.5, 0, 2}, {0.8, 0, 0.6}},
-        {{0, 0, 6}, 2, 0, APEX, {0, 0, 4}, {0, 0, 1}},
-        {{0, 0, 4}, 0, 0, APEX, {0, 0, 4}, {0, 0, 1}},
-        {{6, 0, -4}, 5, 0, RIM0, {3, 0, 0}, {0.8, 0, 0.6}},
-        {{0, 0, 1}, -1, 1, CAP0, {0, 0, 0}, {0, 0, -1}},
-    };
-    static const struct known infinite[] = {
-        {{0, 0, 4}, 0, 0, APEX, {0, 0, 4}, {0, 0, -1}},
-    };
-    CHECK_KNOWN(cone(CYLINT_ENDS_CAPPED), capped);
-    cylint_shape whole = cone(CYLINT_ENDS_INFINITE);
-    CHECK_KNOWN(whole, infinite);
-    /* the nearer nappe of a double cone; in the plane of the apex the one with
-     * the base */
-    static const double above[3] = {0, 0, 9}, beside[3] = {5, 0, 4};
-    cylint_closest a;
-    CHECK(cylint_distance(&whole, above, WANT, &a) == -3 && a.part == 0);
-    CHECK(a.point[2] > 4 && a.normal[2] < 0);
-    CHECK(cylint_distance(&whole, beside, WANT, &a) == 4);
-    CHECK(a.point[2] < 4 && a.normal[2] > 0);
-    cylint_shape nappe = cone(CYLINT_ENDS_NAPPE);
-    CHECK(cylint_distance(&nappe, above, WANT, &a) == 5);
-    CHECK(a.feature == APEX && a.normal[2] == 1);
-}
-
-/* Axes along z, apex at the origin.  Where a line or a point does not prefer a
- * nappe, the normal points towards the base, or, if the base is the apex, against
- * the axis. */
-static void the_normal_at_the_apex_of_a_double_cone_is_stated(void)
-{
-    static const double below[3] = {0, 0, -2}, above[3] = {0, 0, 1},
-                        top[3] = {0, 0, 3}, across[3] = {1, 0, 0};
-    static const double expected[4] = {-1, 1, -1, -1};
-    cylint_shape s[4];
-    CHECK(!cylint_cone(&s[0], below, 2, origin, 0, CYLINT_ENDS_INFINITE) &&
-          !cylint_cone(&s[1], above, 1, top, 3, CYLINT_ENDS_INFINITE) &&
-          !cylint_cone(&s[2], origin, 0, top, 3, CYLINT_ENDS_INFINITE) &&
-          !cylint_angle_cone(&s[3], origin, above, 45, CYLINT_ENDS_INFINITE));
-    for (int i = 0; i < 4; i++) {
-        const cylint_closest a = answer_to(&s[i], origin, WANT);
-        cylint_answer hits;
-        cylint_line line;
-        CHECK(a.distance == 0 && a.feature == APEX);
-        CHECK(a.normal[0] == 0 && a.normal[1] == 0 &&
-              a.normal[2] == expected[i]);
-        cylint_whole_line(&line, origin, across);
-        CHECK(cylint_intersect(&s[i], &line, CYLINT_WANT_ALL, &hits) == 1);
-        CHECK(hits.hit[0].normal[2] == expected[i]);
-        for (int k = 0; k < 2; k++) {
-            cylint_whole_line(&line, origin, k ? above : below);
-            CHECK(cylint_intersect(&s[i], &line, CYLINT_WANT_ALL, &hits) == 1);
-            CHECK(hits.hit[0].normal[2] == (k ? -1 : 1));
-        }
-    }
-}
-
-static void answers_about_round_shapes_are_known(void)
-{
-    static const struct known closed[] = {
-        {{8, 0, 6}, 5, 0, RIM0, {4, 0, 3}, {0.8, 0, 0.6}},
-        {{0, 0, -9}, 4, 1, CAP0, {0, 0, -5}, {0, 0, -1}},
-        {{0, 0, 10}, 3, 2, CAP1, {0, 0, 7}, {0, 0, 1}},
-    };
-    cylint_shape s = round_cone(CYLINT_ENDS_CAPPED);
-    CHECK_KNOWN(s, closed);
-    static const double at_p0[3] = {0, 0, 0}, below[3] = {0, 0, -9};
-    cylint_closest a;
-    CHECK(cylint_distance(&s, at_p0, WANT, &a) == -5 && a.feature == RIM0);
-    s = round_cone(CYLINT_ENDS_CAP1);
-    CHECK(cylint_distance(&s, below, WANT, &a) == sqrt(16 + 144));
-    CHECK(a.part == 0 && a.feature == RIM0);
-    static const struct known ball[] = {
-        {{3, 0, 4}, 4, 0, LATERAL, {0.6, 0, 0.8}, {0.6, 0, 0.8}},
-        {{0, 0, 0}, -1, 0, LATERAL, {1, 0, 0}, {1, 0, 0}},
-        {{0, 1, 0}, 0, 0, LATERAL, {0, 1, 0}, {0, 1, 0}},
-    };
-    cylint_sphere(&s, origin, 1, CYLINT_ENDS_CAPPED);
-    CHECK_KNOWN(s, ball);
-}
-
-static void where_there_is_no_surface_the_distance_is_infinite(void)
-{
-    static const double near[3] = {0, 0, 1},
-                        bad[2][3] = {{0, NAN, 0}, {HUGE_VAL, 0, 0}};
-    cylint_closest a;
-    cylint_shape s;
-    cylint_round_cone(&s, origin, 5, near, 1, CYLINT_ENDS_CAP1);
-    CHECK(cylint_distance(&s, near, 0, &a) == HUGE_VAL);
-    CHECK(a.part == -1 && a.flags == 0);
-    CHECK(cylint_safety(&s, near) == HUGE_VAL);
-    cylint_round_cone(&s, origin, 5, near, 1, CYLINT_ENDS_CAP0);
-    CHECK(cylint_distance(&s, near, WANT, &a) == 4 && a.part == 1);
-    cylint_cylinder(&s, origin, origin, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_distance(&s, near, 0, &a) == HUGE_VAL);
-    CHECK(a.part == -1 && a.flags == CYLINT_FLAG_INVALID);
-    CHECK(!cylint_on_surface(&s, near, 1e300));
-    s = cylinder(CYLINT_ENDS_CAPPED);
-    for (int i = 0; i < 2; i++) {
-        CHECK(cylint_distance(&s, bad[i], WANT, &a) == HUGE_VAL);
-        CHECK(a.part == -1 && a.flags == CYLINT_FLAG_INVALID);
-        CHECK(cylint_safety(&s, bad[i]) == HUGE_VAL);
-        CHECK(!cylint_on_surface(&s, bad[i], 1));
+    static const double top[3] = {0, 0, 2},
+                        p[3][3] = {{0, 0, 1}, {0, NAN, 0}, {HUGE_VAL, 0, 0}};
+    cylint_shape s[3];
+    cylint_cylinder(&s[0], origin, origin, 1, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&s[1], origin, top, 1, CYLINT_ENDS_CAPPED);
+    s[2] = s[1];
+    for (int i = 0; i < 3; i++) {
+        const cylint_closest a = answer_to(&s[i], p[i], i ? WANT : 0);
+        CHECK(a.distance == HUGE_VAL && a.part == -1 &&
+              a.flags == CYLINT_FLAG_INVALID);
+        CHECK(cylint_safety(&s[i], p[i]) == HUGE_VAL);
+        CHECK(!cylint_on_surface(&s[i], p[i], i ? 1 : 1e300));
     }
 }
 
 static void a_point_is_on_a_surface_exactly_or_within_ulps(void)
 {
-    static const double on[3] = {0.6, 0.8, 1}, beside[3] = {1 + 0x1p-51, 0, 1},
-                        exactly[3] = {1, 0, 1};
-    const cylint_shape s = cylinder(CYLINT_ENDS_CAPPED);
+    static const double top[3] = {0, 0, 2}, on[3] = {0.6, 0.8, 1},
+                        beside[3] = {1 + 0x1p-51, 0, 1}, exactly[3] = {1, 0, 1};
+    cylint_shape s;
+    cylint_cylinder(&s, origin, top, 1, CYLINT_ENDS_CAPPED);
     CHECK(!cylint_on_surface(&s, on, 0)); /* 0.6 and 0.8 are rounded */
     CHECK(cylint_on_surface(&s, on, 1));
     CHECK(cylint_on_surface(&s, exactly, 0));
@@ -223,77 +229,6 @@ static void a_point_is_on_a_surface_exactly_or_within_ulps(void)
     CHECK(cylint_on_surface(&s, beside, 2));
     CHECK(!cylint_on_surface(&s, exactly, -1));
     CHECK(!cylint_on_surface(&s, exactly, NAN));
-}
-
-static void the_distance_on_the_surface_has_no_sign(void)
-{
-    static const double top[3] = {0, 0, 2}, on[3] = {1, 0, 1};
-    static const cylint_ends ends[] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
-                                       CYLINT_ENDS_INFINITE};
-    for (int i = 0; i < 3; i++) {
-        cylint_shape s;
-        cylint_closest a;
-        cylint_cylinder(&s, origin, top, 1, ends[i]);
-        const double distance = cylint_distance(&s, on, 0, &a);
-        CHECK(distance == 0 && !signbit(distance) && !signbit(a.distance));
-    }
-}
-
-static void every_exponent_is_answered(void)
-{
-    static const double least = 0x1p-1074, most = 0x1.fffffffffffffp1023;
-    const double tiny[3] = {0, 0, 3 * least}, huge[3] = {most, 0, 0},
-                 far[3] = {-most, -most, -most}, along[3] = {0, 0, 1},
-                 beside[3] = {1, 0, least};
-    cylint_closest a;
-    cylint_shape s;
-    cylint_sphere(&s, origin, least, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_distance(&s, tiny, WANT, &a) == 2 * least);
-    CHECK(a.normal[2] == 1 && a.point[2] == least);
-    CHECK(cylint_safety(&s, tiny) <= 2 * least);
-    CHECK(cylint_distance(&s, huge, 0, &a) == most);
-    cylint_cone(&s, origin, 1, along, 0.75, CYLINT_ENDS_INFINITE);
-    CHECK(cylint_distance(&s, beside, 0, &a) == least);
-    CHECK(cylint_safety(&s, beside) == 0 &&
-          !signbit(cylint_safety(&s, beside)));
-    CHECK(cylint_distance(&s, far, 0, &a) == HUGE_VAL && a.flags == 0);
-    CHECK(cylint_safety(&s, far) == most);
-    cylint_cylinder(&s, far, huge, most, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_distance(&s, origin, WANT, &a) < 0);
-    CHECK(fabs(a.distance) > most / 4);
-}
-
-static void circles_of_tangency_are_lateral(void)
-{
-    static const double top[3] = {0, 0, 2}, at_base[3] = {3, 0, 0},
-                        at_top[3] = {0, 3, 2}, beyond[3] = {3, 0, 2 + 0x1p-51},
-                        before[3] = {0, 3, -0x1p-60};
-    cylint_shape s;
-    cylint_closest a;
-    cylint_capsule(&s, origin, top, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_distance(&s, at_base, WANT, &a) == 2);
-    CHECK(a.part == CYLINT_PART_LATERAL && a.feature == CYLINT_FEATURE_RIM0);
-    CHECK(cylint_distance(&s, at_top, WANT, &a) == 2);
-    CHECK(a.part == CYLINT_PART_LATERAL && a.feature == CYLINT_FEATURE_RIM1);
-    cylint_distance(&s, beyond, WANT, &a);
-    CHECK(a.part == CYLINT_PART_CAP1 && a.feature == CYLINT_FEATURE_CAP1);
-    cylint_distance(&s, before, WANT, &a);
-    CHECK(a.part == CYLINT_PART_CAP0 && a.feature == CYLINT_FEATURE_CAP0);
-}
-
-/* The middle of the largest double and 2^1024. */
-static void a_distance_is_rounded_to_infinity_from_its_middle_on(void)
-{
-    static const double most = 0x1.fffffffffffffp1023, half_ulp = 0x1p970;
-    const double point[3] = {most, 0, 0};
-    double center[3] = {-half_ulp, 0, 0};
-    cylint_shape s;
-    cylint_closest a;
-    cylint_sphere(&s, center, 0x1p-1074, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_distance(&s, point, 0, &a) == most);
-    center[0] = -half_ulp * (1 + 0x1p-52);
-    cylint_sphere(&s, center, 0x1p-1074, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_distance(&s, point, 0, &a) == HUGE_VAL && a.flags == 0);
 }
 
 /* --------------------------------------------------------- properties -- */
@@ -310,6 +245,9 @@ static void over_families(property *check)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 5);
+    for (int i = 0; i < count; i++)
+        if (!cylint_is_elliptic(records[i].c.shape.kind))
+            check(&records[i].c, records[i].p);
     for (int f = 0; f < family_count(); f++)
         for (uint64_t i = 0; i < (family_is_wild(f) ? cases / 10 : cases);
              i++) {
@@ -326,9 +264,12 @@ static void over_families(property *check)
         }
 }
 
-/* The same for cases of any exponents. */
+/* The same for cases of any exponents; elliptic: of elliptic kinds. */
 static void over_exponents(property *check, int elliptic)
 {
+    for (int i = 0; i < count && elliptic; i++)
+        if (cylint_is_elliptic(records[i].c.shape.kind))
+            check(&records[i].c, records[i].p);
     const uint64_t cases = check_setting("CYLINT_FAR", FAR_CASES);
     uint64_t stream = check_setting("CYLINT_SEED", 5);
     for (uint64_t i = 0; i < cases; i++) {
@@ -402,15 +343,17 @@ static void pairs_decide_the_distance_from_points_on_the_axis(void)
 {
     static const double tilted_base[3] = {1, 2, 3}, tilted_top[3] = {4, 6, 4},
                         middle[3] = {2.5, 4, 3.5};
-    const cylint_shape upright[] = {cylinder(CYLINT_ENDS_CAPPED),
-                                    cone(CYLINT_ENDS_CAPPED),
-                                    round_cone(CYLINT_ENDS_CAPPED)};
+    static const char *const upright[] = {"cylinder 0 0 0 0 0 2 1",
+                                          "cone 0 0 0 3 0 0 4 0",
+                                          "rcone 0 0 0 5 0 0 5 2"};
     cylint_closest answer;
     cylint_shape tilted;
     for (int i = 0; i < 3; i++) {
         const double inside[3] = {0, 0, 0.7}, beyond[3] = {0, 0, -0.3};
-        CHECK(!left_by_pairs(&upright[i], inside, 0, &answer));
-        CHECK(!left_by_pairs(&upright[i], beyond, 0, &answer));
+        struct family_case c;
+        CHECK(family_parse(upright[i], &c));
+        CHECK(!left_by_pairs(&c.shape, inside, 0, &answer));
+        CHECK(!left_by_pairs(&c.shape, beyond, 0, &answer));
     }
     cylint_cylinder(&tilted, tilted_base, tilted_top, 0.1, CYLINT_ENDS_CAPPED);
     CHECK(!left_by_pairs(&tilted, middle, 0, &answer));
@@ -480,36 +423,6 @@ static void a_foot_at_an_end_is_decided_by_all_digits(void)
             }
         }
     }
-}
-
-/* A disc of height 2^-52 and radii 2^33 and 2^43 without its base: the centre of
- * the base is on the boundary of the solid, but not on the surface. */
-static void what_is_missing_is_not_the_surface(void)
-{
-    const double low[3] = {0, 0, 0}, high[3] = {0, 0, 0x1p-52};
-    cylint_shape s;
-    cylint_cone(&s, low, 0x1p33, high, 0x1p43, CYLINT_ENDS_CAP1);
-    CHECK(cylint_contains(&s, low) == 0);
-    CHECK(answer_to(&s, low, 0).distance == 0x1p-52);
-    CHECK(answer_to(&s, low, WANT).distance == 0x1p-52);
-}
-
-/* A point 2^-9 beyond the end of a capsule of length 2^56, on its axis: doubles do
- * not decide whether it is beyond. */
-static void an_end_is_found_beside_a_long_axis(void)
-{
-    const double low[3] = {-0x1.f65962a4afaf4p-193, 0x1.9318e631248ap-29,
-                           0x1.470ad53e8c98p+56};
-    const double high[3] = {-0x1.44484d579a2ap-190, -0x1.5112ac9ed24ap-197,
-                            -0x1.a072640f126f8p-202};
-    const double p[3] = {0x1.311a343af89c8p-144, 0x1.9318e631248ap-29,
-                         -0x1.7ba574cb8ba4p-9};
-    cylint_shape s;
-    cylint_capsule(&s, low, high, 0x1.872db365260aap+44, CYLINT_ENDS_CAPPED);
-    CHECK(answer_to(&s, p, 0).distance == -0x1.872db365260a9p+44);
-    cylint_use_kernels("plain");
-    CHECK(answer_to(&s, p, 0).distance == -0x1.872db365260a9p+44);
-    cylint_use_kernels(NULL);
 }
 
 /* The size that the manual relates the error of the safety to. */
@@ -668,25 +581,19 @@ static void a_power_of_two_scales_the_distance(void)
 
 int main(void)
 {
+    RUN(every_record_is_read);
+    RUN(known_answers_are_returned_in_every_environment);
+#ifdef HAVE_MPFR
+    RUN(the_oracle_has_the_known_answers);
+#endif
     RUN(the_size_of_an_answer_is_that_of_the_header);
-    RUN(answers_about_a_capped_cylinder_are_known);
-    RUN(answers_of_other_ends_are_known);
-    RUN(answers_about_cones_are_known);
-    RUN(the_normal_at_the_apex_of_a_double_cone_is_stated);
-    RUN(answers_about_round_shapes_are_known);
-    RUN(where_there_is_no_surface_the_distance_is_infinite);
+    RUN(where_nothing_is_known_the_distance_is_infinite);
     RUN(a_point_is_on_a_surface_exactly_or_within_ulps);
-    RUN(the_distance_on_the_surface_has_no_sign);
-    RUN(every_exponent_is_answered);
-    RUN(circles_of_tangency_are_lateral);
-    RUN(a_distance_is_rounded_to_infinity_from_its_middle_on);
     RUN(the_sign_is_that_of_contains);
     RUN(signed_distances_are_those_of_the_closed_solid);
     RUN(pairs_decide_the_distance_from_points_on_the_axis);
     RUN(all_paths_return_the_same_bits);
     RUN(a_foot_at_an_end_is_decided_by_all_digits);
-    RUN(what_is_missing_is_not_the_surface);
-    RUN(an_end_is_found_beside_a_long_axis);
     RUN(the_floating_point_environment_changes_nothing);
     RUN(safety_is_never_above_the_distance);
     RUN(safety_is_little_below_the_distance);

@@ -369,22 +369,6 @@ static void distances_are_those_of_the_oracle(void)
     over_families(0, 0);
 }
 
-/* Found by the families: products of subnormal coordinates underflow. */
-static void a_subnormal_coordinate_is_not_lost(void)
-{
-    static const double shape[8] = {-7, 0, 3, 450, 618, 0, 3, 75};
-    static const double point[3] = {203, -9 * 0x1p-1074, 408};
-    struct tally sum = {0};
-    struct family_case c;
-    memset(&c, 0, sizeof c);
-    c.shape_word = FAMILY_RCONE;
-    memcpy(c.shape_data, shape, sizeof shape);
-    c.ends = CYLINT_ENDS_CAP1;
-    c.line_data[3] = 1;
-    if (CHECK(family_make(&c)))
-        check_point(&c, point, &sum);
-}
-
 static void also_of_mixed_exponents(void)
 {
     over_families(1, 0);
@@ -428,7 +412,6 @@ static void elliptic_distances_of_any_exponents_are_too(void)
 int main(void)
 {
     RUN(distances_are_those_of_the_oracle);
-    RUN(a_subnormal_coordinate_is_not_lost);
     RUN(also_of_mixed_exponents);
     RUN(elliptic_distances_are_those_of_the_oracle);
     RUN(distances_of_any_exponents_are_those_of_the_oracle);

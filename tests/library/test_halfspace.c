@@ -16,7 +16,6 @@
 #include "intersect.h"
 #include "random.h"
 #include "same.h"
-#include "same.h"
 
 enum { CASES = 20000, MOST = 9 };
 
@@ -337,6 +336,10 @@ static void chords_are_half_lines(void)
         if (c.slope == 0) {
             CHECK(n == (c.above <= 0) && (n == 0 || (chord[0].t0 == -HUGE_VAL &&
                                                      chord[0].t1 == HUGE_VAL)));
+            c.line.tmin = -9;
+            c.line.tmax = 8;
+            CHECK(cylint_chord(&c.shape, &c.line, chord) == n &&
+                  (n == 0 || (chord[0].t0 == -9 && chord[0].t1 == 8)));
             continue;
         }
         CHECK(n == 1 && chord[0].t0 == (c.slope > 0 ? -HUGE_VAL : t) &&

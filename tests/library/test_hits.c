@@ -2,7 +2,6 @@
  * test_hits.c - floors intersect, roots and filter: members of hits that are known
  * exactly, and domains
  *
- * The records of hits.txt must have their hits bit for bit, with each member wanted
  * The records of hits.txt must have their hits bit for bit, with each member
  * wanted alone, in every floating-point environment, from the exact stage
  * alone, and from the oracle.
@@ -14,6 +13,7 @@
 #include "families.h"
 #include "environment.h"
 #include "intersect.h"
+#include "records.h"
 #include "same.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
@@ -28,59 +28,37 @@ static struct record {
 } records[MOST];
 static int count;
 
-static const char *parse_answer(const char *text, cylint_answer *a)
+static const char *take(const char *text, const char *known)
 {
     static const char *const words[] = {"miss", "touch", "along", "cross"};
+    struct record *r = &records[count];
+    cylint_answer *a = &r->want;
     char word[8];
     int used = 0;
-    memset(a, 0, sizeof *a);
-    if (sscanf(text, " => %7s %d%n", word, &a->n, &used) != 2 || a->n > 2)
+    if (count == MOST || !family_parse(text, &r->c) ||
+        sscanf(known, "%7s %d%n", word, &a->n, &used) != 2 || a->n > 2)
         return NULL;
     while (a->relation < 4 && strcmp(words[a->relation], word) != 0)
         a->relation++;
-    text += used;
-    for (int i = 0; i < a->n; i++) {
-        cylint_hit *h = &a->hit[i];
+    known += used;
+    for (int i = 0; i < a->n && known; i++) {
         double x[11];
-        for (int k = 0; k < 11; k++) {
-            char *end;
-            x[k] = strtod(text, &end);
-            if (end == text)
-                return NULL;
-            text = end;
-        }
-        *h = (cylint_hit){.part = (int)x[0],
-                          .side = (int)x[1],
-                          .t = x[2],
-                          .point = {x[3], x[4], x[5]},
-                          .normal = {x[6], x[7], x[8]},
-                          .z = x[9],
-                          .phi = x[10]};
+        known = family_numbers(known, 11, x);
+        a->hit[i] = (cylint_hit){.part = (int)x[0],
+                                 .side = (int)x[1],
+                                 .t = x[2],
+                                 .point = {x[3], x[4], x[5]},
+                                 .normal = {x[6], x[7], x[8]},
+                                 .z = x[9],
+                                 .phi = x[10]};
     }
-    return text;
+    count++;
+    return known;
 }
 
 static void every_record_is_read(void)
 {
-    char text[1500];
-    FILE *f = fopen("tests/library/hits.txt", "r");
-    if (!CHECK(f))
-        return;
-    while (fgets(text, sizeof text, f) && CHECK(count < MOST)) {
-        struct record *r = &records[count];
-        const char *rest = text;
-        if (text[0] == '#' || text[0] == '\n')
-            continue;
-        rest = family_parse(text, &r->c);
-        if (rest)
-            rest = parse_answer(rest, &r->want);
-        if (CHECK(rest && rest[strspn(rest, " \n")] == '\0'))
-            count++;
-        else
-            REPORT("%s", text);
-    }
-    fclose(f);
-    CHECK(count > 90);
+    each_record("tests/library/hits.txt", 90, take);
 }
 
 /* Made and answered there. */

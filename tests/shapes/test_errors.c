@@ -12,6 +12,7 @@
 #include "check.h"
 #include "families.h"
 #include "real.h"
+#include "records.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
 
@@ -191,97 +192,26 @@ static void boxes_and_tangents_have_their_errors(void)
 
 /* ---------------------------------------------------------- named boxes -- */
 
-#define ALL INFINITY
-#define WHOLE "line 0 0 0 1 0 0 "
-
-/* Unbounded solids; sizes at both ends of the range, of which boxes were too
- * small, infinite or NaN; boxes where nothing is rounded.  Sides are outward by
- * at most `ulps` units. */
-static const struct {
-    const char *shape;
-    double lo[3], hi[3];
-    int ulps;
-} named[] = {
-    {WHOLE "cylinder 0 0 0 0 0 1 2 ends=open", {-2, -2, 0}, {2, 2, 1}, 4},
-    {WHOLE "cylinder 0 0 0 3 4 0 5", {-4, -3, -5}, {7, 7, 5}, 4},
-    {WHOLE "ecylinder 0 0 0 1 0 0 0 2 0 1 0 1", {-1, -2, 0}, {2, 2, 1}, 4},
-    {WHOLE "acone 0 0 0 0 0 1 45", {-1, -1, 0}, {1, 1, 1}, 4},
-    {WHOLE "acone 0 0 0 0 0 1 45 ends=infinite",
-     {-ALL, -ALL, -ALL},
-     {ALL, ALL, ALL},
-     0},
-    {WHOLE "cylinder 0 0 0 0 0 1 1", {-1, -1, 0}, {1, 1, 1}, 0},
-    {WHOLE "cone 4 5 6 2 4 5 9 1", {2, 3, 6}, {6, 7, 9}, 0},
-    {WHOLE "cone 4 5 6 0 4 5 9 1 ends=nappe",
-     {-ALL, -ALL, 6},
-     {ALL, ALL, ALL},
-     0},
-    {WHOLE "cylinder 4 5 6 4 5 9 2 ends=infinite",
-     {2, 3, -ALL},
-     {6, 7, ALL},
-     0},
-    {WHOLE "cylinder 4 5 6 4 5 9 2 ends=nappe", {2, 3, -ALL}, {6, 7, ALL}, 0},
-    {WHOLE "ecylinder 4 5 6 2 0 0 0 3 0 0 0 1 ends=infinite",
-     {2, 2, -ALL},
-     {6, 8, ALL},
-     0},
-    {WHOLE "ecylinder 4 5 6 2 0 0 0 3 0 0 0 1 ends=nappe",
-     {2, 2, -ALL},
-     {6, 8, ALL},
-     0},
-    /* nappes end at the apex, and are open on the base's side */
-    {WHOLE "cone 0 0 0 1 0 0 1 0.5 ends=nappe",
-     {-ALL, -ALL, -ALL},
-     {ALL, ALL, 2},
-     4},
-    {WHOLE "cone 0 0 0 1 0 0 -1 0.5 ends=nappe",
-     {-ALL, -ALL, -2},
-     {ALL, ALL, ALL},
-     4},
-    {WHOLE "cone 0 0 0 0.5 0 0 1 1 ends=nappe",
-     {-ALL, -ALL, -1},
-     {ALL, ALL, ALL},
-     4},
-    {WHOLE "cone 0 0 0 0.5 0 0 -1 1 ends=nappe",
-     {-ALL, -ALL, -ALL},
-     {ALL, ALL, 1},
-     4},
-    /* the axis and its length exceed the largest double; the box does not */
-    {WHOLE "cone -0x1.fffffffffffffp1023 0 0 1 0x1.fffffffffffffp1023 0 0 3",
-     {-0x1.fffffffffffffp1023, -3, -3},
-     {0x1.fffffffffffffp1023, 3, 3},
-     0},
-    {WHOLE "cylinder -0x1.fffffffffffffp1022 -0x1.fffffffffffffp1022 1 "
-           "0x1.fffffffffffffp1022 0x1.fffffffffffffp1022 1 0x1p1000",
-     {-0x1.0000016a09e66p1023, -0x1.0000016a09e66p1023, -0x1p1000},
-     {0x1.0000016a09e66p1023, 0x1.0000016a09e66p1023, 0x1p1000},
-     4},
-    {WHOLE "econe 0 0 0 0 1 0 0x3p-1074 0 0 0 0 1 0x1.8p133",
-     {-0x4.8p-941, -0x1.8p133, 0},
-     {0x4.8p-941, 0x1.8p133, 1},
-     4},
-    {WHOLE "ecylinder 0 0 0 1 0 0 0 0 -0x1.9p1018 0 1 0",
-     {-1, 0, -0x1.9p1018},
-     {1, 1, 0x1.9p1018},
-     0},
-};
+static const char *check_box(const char *text, const char *known)
+{
+    struct family_case c;
+    double x[7], lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
+    const char *end = family_numbers(known, 7, x);
+    if (!end || !family_parse(text, &c))
+        return NULL;
+    cylint_bounds(&c.shape, lo, hi);
+    for (int k = 0; k < 3; k++)
+        if (!CHECK(lo[k] <= x[1 + k] && hi[k] >= x[4 + k] &&
+                   lo[k] >= stepped(x[1 + k], -(int)x[0]) &&
+                   hi[k] <= stepped(x[4 + k], (int)x[0])))
+            REPORT("%s: coordinate %d from %a to %a", text, k, lo[k], hi[k]);
+    CHECK(lo[3] == 7 && hi[3] == 7);
+    return end;
+}
 
 static void named_boxes_are_tight(void)
 {
-    for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
-        struct family_case c;
-        double lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
-        if (!CHECK(family_parse(named[i].shape, &c)))
-            continue;
-        cylint_bounds(&c.shape, lo, hi);
-        for (int k = 0; k < 3; k++)
-            if (!CHECK(lo[k] <= named[i].lo[k] && hi[k] >= named[i].hi[k] &&
-                       lo[k] >= stepped(named[i].lo[k], -named[i].ulps) &&
-                       hi[k] <= stepped(named[i].hi[k], named[i].ulps)))
-                REPORT("%s: coordinate %d from %a to %a", named[i].shape, k,
-                       lo[k], hi[k]);
-        CHECK(lo[3] == 7 && hi[3] == 7);
-    }
+    each_record("tests/shapes/boxes.txt", 20, check_box);
 }
 
 /* Beyond the largest double on one side only. */

@@ -83,9 +83,13 @@ int family_is_size(family_shape word, int i);
  * newline. */
 void family_print(FILE *to, const struct family_case *c);
 
-/* Reads what family_print() prints, numbers in decimal too, and makes it;
- * `ends` may be missing.  Returns a pointer behind it, or NULL. */
+/* Reads what family_print() prints, numbers in decimal too, and makes it.  `ends`
+ * may be missing, and so may the line, which is then the x axis.  Returns a
+ * pointer behind it, or NULL. */
 const char *family_parse(const char *text, struct family_case *c);
+
+/* Reads n numbers.  Returns a pointer behind them, or NULL. */
+const char *family_numbers(const char *text, int n, double *to);
 
 /* Prints a failed case on standard error, with a newline. */
 void family_report(const struct family_case *c);

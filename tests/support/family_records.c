@@ -119,7 +119,7 @@ static const char *parse_word(const char *text, const char *const *words, int n,
     return NULL;
 }
 
-static const char *parse_numbers(const char *text, int n, double *to)
+const char *family_numbers(const char *text, int n, double *to)
 {
     for (int i = 0; i < n; i++) {
         char *end;
@@ -135,15 +135,18 @@ const char *family_parse(const char *text, struct family_case *c)
 {
     int word;
     memset(c, 0, sizeof *c);
-    if (!(text = parse_word(text, line_words, 4, &word)))
-        return NULL;
-    c->line_word = (family_line)word;
-    if (!(text = parse_numbers(text, family_line_size(c->line_word),
-                               c->line_data)) ||
-        !(text = parse_word(text, shape_words, 8, &word)))
+    c->line_data[3] = 1;
+    const char *line = parse_word(text, line_words, 4, &word);
+    if (line) {
+        c->line_word = (family_line)word;
+        text =
+            family_numbers(line, family_line_size(c->line_word), c->line_data);
+    }
+    if (!text || !(text = parse_word(text, shape_words, 8, &word)))
         return NULL;
     c->shape_word = (family_shape)word;
-    text = parse_numbers(text, family_shape_size(c->shape_word), c->shape_data);
+    text =
+        family_numbers(text, family_shape_size(c->shape_word), c->shape_data);
     if (!text)
         return NULL;
     const char *ends = text + strspn(text, " ");

@@ -12,7 +12,7 @@
 int task_make(struct task *task, struct job *job)
 {
     const struct options *o = job->options;
-    const size_t longest = job->labels.longest;
+    const size_t longest = job->scene.labels.longest;
     const size_t lines = row_capacity(&o->fields, &o->style, longest);
     const size_t points = row_capacity(&o->point_fields, &o->style, longest);
     const size_t row = o->sum           ? sums_capacity(&job->groups, &o->style)

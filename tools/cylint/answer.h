@@ -11,6 +11,7 @@
 #include "output.h"
 #include "pieces.h"
 #include "progress.h"
+#include "scene.h"
 
 /* The data shared by all workers.  The first group is constant when they
  * start.  The second is for the worker that reads, the last for the one that
@@ -18,7 +19,6 @@
 struct job {
     const struct options *options;
     struct scene scene;   /* without -s it has no shapes */
-    struct labels labels; /* of the shapes, if they are kept */
     struct groups groups; /* which records leave out; ranks; sums */
 
     pthread_mutex_t reading;

@@ -9,42 +9,31 @@
 #include "labels.h"
 #include "main.h"
 
-static int store_label(struct scene *scene, const struct record *record)
+int labels_add(struct labels *labels, struct string label)
 {
-    struct labels *labels = scene->context;
-    if (record->tail.length > labels->longest)
-        labels->longest = record->tail.length;
-    return texts_add(&labels->texts, record->tail) ? 0 : out_of_memory();
+    struct texts *t = &labels->texts;
+    if (!texts_add(t, label))
+        return out_of_memory();
+    labels->table = (cylint_scene_labels){t->end, t->bytes};
+    if (label.length > labels->longest)
+        labels->longest = label.length;
+    return 0;
 }
 
-void labels_collect(struct labels *labels, struct scene *scene)
-{
-    scene->also = store_label;
-    scene->context = labels;
-}
-
-void labels_give(struct labels *labels, struct scene *scene)
-{
-    const struct texts *t = &labels->texts;
-    if (t->length > 0) {
-        labels->table = (cylint_scene_labels){t->end, t->bytes};
-        cylint_scene_set_labels(scene->shapes, &labels->table);
-    }
-}
-
-int labels_take(struct labels *labels, const struct scene *scene,
+int labels_take(struct labels *labels, const cylint_scene *scene,
                 const char *file)
 {
-    const cylint_scene_labels *of = cylint_scene_get_labels(scene->shapes);
+    const cylint_scene_labels *of = cylint_scene_get_labels(scene);
+    const size_t count = cylint_scene_size(scene);
     if (!of)
         return 0;
     labels->table = *of;
-    for (size_t i = 0; i < scene->count; i++) {
+    for (size_t i = 0; i < count; i++) {
         const size_t length = labels_get(labels, i).length;
         labels->longest = length > labels->longest ? length : labels->longest;
     }
     if (labels->longest > 0 &&
-        memchr(of->text, '\n', (size_t)of->end[scene->count - 1])) {
+        memchr(of->text, '\n', (size_t)of->end[count - 1])) {
         complain(file, "a label of the scene has a line feed");
         return EXIT_BAD;
     }
@@ -54,6 +43,7 @@ int labels_take(struct labels *labels, const struct scene *scene,
 void labels_free(struct labels *labels)
 {
     texts_free(&labels->texts);
+    memset(labels, 0, sizeof *labels);
 }
 
 struct string labels_get(const struct labels *labels, size_t shape)

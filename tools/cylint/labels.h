@@ -8,8 +8,9 @@
 #ifndef CYLINT_LABELS_H
 #define CYLINT_LABELS_H
 
+#include "cylint_scene.h"
+#include "grammar.h"
 #include "names.h"
-#include "scene.h"
 
 /* The labels of shapes.  Zero it before use. */
 struct labels {
@@ -18,13 +19,12 @@ struct labels {
     cylint_scene_labels table; /* the labels; end is NULL if there are none */
 };
 
-/* Makes scene_add() store the labels here. */
-void labels_collect(struct labels *labels, struct scene *scene);
-/* Gives the scene the labels that were collected, after all its shapes. */
-void labels_give(struct labels *labels, struct scene *scene);
+/* Adds the label of the next shape.  Returns 0, or an exit status after a
+ * message. */
+int labels_add(struct labels *labels, struct string label);
 /* Uses the labels of a scene that was opened from `file`, in their place.
  * Returns 0, or an exit status after a message. */
-int labels_take(struct labels *labels, const struct scene *scene,
+int labels_take(struct labels *labels, const cylint_scene *scene,
                 const char *file);
 void labels_free(struct labels *labels);
 

@@ -24,18 +24,13 @@ static int load_shapes(struct job *job)
 {
     const struct options *o = job->options;
     struct scene *scene = &job->scene;
-    int status = scene_open(scene, o->scene, o->grammar.ends);
-    if (status == 0 && needs_labels(o))
-        return labels_take(&job->labels, scene, o->scene);
+    scene->keeps_labels = needs_labels(o);
+    const int status = scene_open(scene, o->scene, o->grammar.ends);
     if (status != NOT_SAVED)
         return status;
-    if (needs_labels(o) || o->save)
-        labels_collect(&job->labels, scene);
-    status = scene_read_text(scene, o->scene, o->grammar.ends,
-                             (enum swc_form)o->swc);
-    if (status == 0)
-        labels_give(&job->labels, scene);
-    return status;
+    scene->keeps_labels |= o->save != NULL;
+    return scene_read_text(scene, o->scene, o->grammar.ends,
+                           (enum swc_form)o->swc);
 }
 
 /* No method needs the hierarchy. */
@@ -45,7 +40,7 @@ static int read_scene(struct job *job)
     int status = load_shapes(job);
     job->groups.shapes = job->scene.count;
     if (status == 0 && (o->not_label || o->rank || o->sum))
-        status = groups_make(&job->groups, &job->labels);
+        status = groups_make(&job->groups, &job->scene.labels);
     if (o->sum >= SUM_TOTAL)
         groups_unite(&job->groups);
     if (status == 0 && o->rank)
@@ -136,14 +131,12 @@ static int save(struct job *job)
 static int write_text(struct job *job)
 {
     const struct options *o = job->options;
-    labels_collect(&job->labels, &job->scene);
+    job->scene.keeps_labels = 1;
     const int status = scene_read(&job->scene, o->scene, o->grammar.ends,
                                   (enum swc_form)o->swc);
-    if (status != 0)
-        return status;
-    labels_give(&job->labels, &job->scene);
-    return scene_write_text(&job->scene, &job->labels, o->scene,
-                            o->style.digits, &job->out);
+    return status == 0 ? scene_write_text(&job->scene, o->scene,
+                                          o->style.digits, &job->out)
+                       : status;
 }
 
 static int answer(struct job *job)
@@ -188,7 +181,6 @@ int main(int argc, char **argv)
     if (status == 0 && !options.only_saves)
         status = answer(&job);
     scene_free(&job.scene);
-    labels_free(&job.labels);
     groups_free(&job.groups);
     return status;
 }

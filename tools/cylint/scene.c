@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 
 #include "input.h"
-#include "labels.h"
 #include "main.h"
 #include "output.h"
 #include "scene.h"
@@ -30,7 +29,8 @@ static int scene_begin(struct scene *scene)
 
 int scene_add(struct scene *scene, const struct record *record)
 {
-    int status = scene->also ? scene->also(scene, record) : 0;
+    int status =
+        scene->keeps_labels ? labels_add(&scene->labels, record->tail) : 0;
     if (status == 0)
         status = scene_begin(scene);
     if (status == 0)
@@ -39,11 +39,6 @@ int scene_add(struct scene *scene, const struct record *record)
                          "-s", EXIT_USAGE);
     scene->count += status == 0;
     return status;
-}
-
-void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape)
-{
-    cylint_scene_shape(scene->shapes, i, shape);
 }
 
 int scene_build(struct scene *scene, int threads)
@@ -65,6 +60,7 @@ void scene_free(struct scene *scene)
     solids_free(&scene->solids);
     cylint_scene_free(scene->shapes);
     scene->shapes = NULL;
+    labels_free(&scene->labels);
 }
 
 /* ----------------------------------------------------------------- text -- */
@@ -153,17 +149,17 @@ int scene_open(struct scene *scene, const char *file, int ends)
         return EXIT_USAGE;
     }
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
-    return scene_failed(status, file, EXIT_IO);
+    return status == CYLINT_SCENE_OK && scene->keeps_labels
+               ? labels_take(&scene->labels, scene->shapes, file)
+               : scene_failed(status, file, EXIT_IO);
 }
 
-static int add_saved(struct scene *scene, const struct scene *saved,
-                     const char *file)
+static int add_saved(struct scene *scene, const struct scene *saved)
 {
-    struct labels labels = {0};
-    int status = labels_take(&labels, saved, file);
+    int status = 0;
     for (size_t i = 0; i < saved->count && status == 0; i++) {
-        struct record record = {.tail = labels_get(&labels, i)};
-        scene_shape(saved, i, &record.shape);
+        struct record record = {.tail = labels_get(&saved->labels, i)};
+        cylint_scene_shape(saved->shapes, i, &record.shape);
         status = scene_add(scene, &record);
     }
     const size_t members = cylint_scene_members(saved->shapes);
@@ -178,12 +174,12 @@ static int add_saved(struct scene *scene, const struct scene *saved,
 int scene_read(struct scene *scene, const char *file, int ends,
                enum swc_form form)
 {
-    struct scene saved = {0};
+    struct scene saved = {.keeps_labels = 1};
     int status = scene_open(&saved, file, ends);
     if (status == NOT_SAVED)
         status = scene_read_text(scene, file, ends, form);
     else if (status == 0)
-        status = add_saved(scene, &saved, file);
+        status = add_saved(scene, &saved);
     scene_free(&saved);
     return status;
 }
@@ -201,12 +197,14 @@ static int write_part(void *context, const void *data, size_t bytes)
     return w->status == 0;
 }
 
-int scene_save(const struct scene *scene, const char *file)
+int scene_save(struct scene *scene, const char *file)
 {
     struct writing w = {.status = 0};
     const int status = output_open(&w.out, file, 1);
     if (status != 0)
         return status;
+    if (scene->labels.texts.length > 0)
+        cylint_scene_set_labels(scene->shapes, &scene->labels.table);
     cylint_scene_write(scene->shapes, write_part, &w);
     const int closed = output_close(&w.out, w.status == 0);
     return w.status != 0 ? w.status : closed;

@@ -7,6 +7,7 @@
 
 #include "cylint_scene.h"
 #include "grammar.h"
+#include "labels.h"
 #include "solids.h"
 #include "swc.h"
 
@@ -15,11 +16,8 @@ struct scene {
     cylint_scene *shapes; /* NULL: none yet */
     size_t count;
     struct solids solids; /* that were read, for scene_build() */
-
-    /* Called with the record of shape number `count`, unless NULL.  Returns
-     * 0 or an exit status. */
-    int (*also)(struct scene *scene, const struct record *record);
-    void *context; /* for also() */
+    int keeps_labels;     /* else there are none */
+    struct labels labels; /* the tails of the records */
 };
 
 /* All return 0, or an exit status after a message. */
@@ -27,7 +25,7 @@ struct scene {
 /* What it is for a status of the library.  name: of the file. */
 int scene_failed(cylint_scene_status status, const char *name, int exit_status);
 
-/* Adds the shape of a record and calls also(). */
+/* Adds the shape of a record. */
 int scene_add(struct scene *scene, const struct record *record);
 
 /* Reads shapes, one a line, or a neuron's nodes (swc.h), which become shapes of
@@ -53,10 +51,7 @@ int scene_read(struct scene *scene, const char *file, int ends,
 int scene_build(struct scene *scene, int threads);
 
 /* Saves a scene that was built, with its labels. */
-int scene_save(const struct scene *scene, const char *file);
-
-/* Writes shape number i, from 0. */
-void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape);
+int scene_save(struct scene *scene, const char *file);
 
 void scene_free(struct scene *scene);
 

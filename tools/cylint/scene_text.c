@@ -218,9 +218,8 @@ static int refuse_shape(const char *file, size_t shape, const char *why)
     return EXIT_BAD;
 }
 
-static int put_records(struct scene *scene, const struct labels *labels,
-                       const char *file, int digits, struct output *out,
-                       struct text *t)
+static int put_records(const struct scene *scene, const char *file, int digits,
+                       struct output *out, struct text *t)
 {
     const struct solids *s = &scene->solids;
     size_t at = 0;
@@ -229,8 +228,8 @@ static int put_records(struct scene *scene, const struct labels *labels,
         cylint_shape shape;
         struct shape_record r = {&shape, s,
                                  s->count > 0 ? s->member + at : NULL, 0,
-                                 labels_get(labels, i)};
-        scene_shape(scene, i, &shape);
+                                 labels_get(&scene->labels, i)};
+        cylint_scene_shape(scene->shapes, i, &shape);
         for (; at < s->count && s->member[at].shape == i; at++)
             r.members++;
         const char *fault = put_record(t, &r, digits);
@@ -244,8 +243,8 @@ static int put_records(struct scene *scene, const struct labels *labels,
     return status;
 }
 
-int scene_write_text(struct scene *scene, const struct labels *labels,
-                     const char *file, int digits, struct output *out)
+int scene_write_text(struct scene *scene, const char *file, int digits,
+                     struct output *out)
 {
     struct solids *s = &scene->solids;
     struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
@@ -254,7 +253,7 @@ int scene_write_text(struct scene *scene, const struct labels *labels,
     solids_complete(s);
     if (s->count > 0)
         qsort(s->member, s->count, sizeof *s->member, compare_members);
-    const int status = put_records(scene, labels, file, digits, out, &t);
+    const int status = put_records(scene, file, digits, out, &t);
     free(t.data);
     return status;
 }

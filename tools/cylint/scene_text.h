@@ -4,7 +4,6 @@
 #ifndef CYLINT_SCENE_TEXT_H
 #define CYLINT_SCENE_TEXT_H
 
-#include "labels.h"
 #include "output.h"
 #include "scene.h"
 #include "text.h"
@@ -33,7 +32,7 @@ const char *put_record(struct text *t, const struct shape_record *record,
 
 /* Writes all shapes of a scene that was read from `file`, with solids and labels.
  * Returns 0, or an exit status after a message. */
-int scene_write_text(struct scene *scene, const struct labels *labels,
-                     const char *file, int digits, struct output *out);
+int scene_write_text(struct scene *scene, const char *file, int digits,
+                     struct output *out);
 
 #endif

@@ -130,21 +130,24 @@ static uint32_t hash_of_text(struct string s)
     return hash;
 }
 
-int colours_take_tail(struct scene *scene, const struct record *record)
+/* A scene that is being coloured. */
+struct colours {
+    const struct scene *scene;
+    enum colouring how;
+    struct vector up;
+    uint32_t one;    /* the colour for COLOUR_ONE */
+    uint32_t *of;    /* the colour of each shape, or NO_COLOUR */
+    uint32_t *group; /* of connected shapes; NULL: not wanted */
+};
+
+static void read_tails(struct colours *c)
 {
-    struct colours *c = scene->context;
-    const size_t number = scene->count;
-    uint32_t *of = grown(c->of, number, &c->of_most, sizeof *of);
-    uint32_t *label = grown(c->label, number, &c->label_most, sizeof *label);
-    c->of = of ? of : c->of;
-    c->label = label ? label : c->label;
-    if (!of || !label)
-        return out_of_memory();
-    of[number] = colour_in_tail(record->tail);
-    if (of[number] == NO_COLOUR)
-        of[number] = colour_of_atom(c->how, record->tail);
-    label[number] = hash_of_text(record->tail);
-    return 0;
+    for (size_t i = 0; i < c->scene->count; i++) {
+        const struct string tail = labels_get(&c->scene->labels, i);
+        c->of[i] = colour_in_tail(tail);
+        if (c->of[i] == NO_COLOUR)
+            c->of[i] = colour_of_atom(c->how, tail);
+    }
 }
 
 /* ---------------------------------------------- shapes without a colour -- */
@@ -170,53 +173,53 @@ static double height_of(const cylint_shape *s, struct vector up)
            up.v[2] * (cylint_base(s)[2] + 0.5 * cylint_axis(s)[2]);
 }
 
-static double measure(const struct scene *scene, size_t i, enum colouring how,
-                      struct vector up)
+static double measure(const struct colours *c, size_t i)
 {
     cylint_shape shape;
-    scene_shape(scene, i, &shape);
-    return how == COLOUR_RADIUS ? log(radius_of(&shape))
-                                : height_of(&shape, up);
+    cylint_scene_shape(c->scene->shapes, i, &shape);
+    return c->how == COLOUR_RADIUS ? log(radius_of(&shape))
+                                   : height_of(&shape, c->up);
 }
 
 /* Colours along a gradient, from the least to the greatest finite value. */
-static void by_measure(struct colours *c, const struct scene *scene,
-                       enum colouring how, struct vector up)
+static void by_measure(struct colours *c)
 {
     double least = HUGE_VAL, most = -HUGE_VAL;
-    for (size_t i = 0; i < scene->count; i++) {
-        const double x = measure(scene, i, how, up);
+    for (size_t i = 0; i < c->scene->count; i++) {
+        const double x = measure(c, i);
         if (x - x == 0) {
             least = fmin(least, x);
             most = fmax(most, x);
         }
     }
-    for (size_t i = 0; i < scene->count; i++) {
-        const double x = measure(scene, i, how, up);
+    for (size_t i = 0; i < c->scene->count; i++) {
+        const double x = measure(c, i);
         const double share =
             x - x == 0 && most > least ? (x - least) / (most - least) : 0.5;
         if (c->of[i] == NO_COLOUR) {
-            c->of[i] = how == COLOUR_RADIUS ? colour_of_radius(share)
-                                            : colour_of_height(share);
+            c->of[i] = c->how == COLOUR_RADIUS ? colour_of_radius(share)
+                                               : colour_of_height(share);
         }
     }
 }
 
-static uint32_t colour_of_shape(const struct colours *c,
-                                const struct scene *scene, enum colouring how,
-                                uint32_t one, size_t i)
+static uint32_t colour_of_shape(const struct colours *c, size_t i)
 {
     cylint_shape shape;
-    switch (how) {
+    uint32_t label;
+    switch (c->how) {
     case COLOUR_NUMBER:
         return colour_of_number(i);
     case COLOUR_LABEL:
-        return c->label[i] ? colour_of_number(c->label[i]) : one;
+        label = hash_of_text(labels_get(&c->scene->labels, i));
+        return label ? colour_of_number(label) : c->one;
     case COLOUR_KIND:
-        scene_shape(scene, i, &shape);
+        cylint_scene_shape(c->scene->shapes, i, &shape);
         return colour_of_number((size_t)shape.kind);
+    case COLOUR_CONNECTED:
+        return colour_of_number(c->group[i]);
     default:
-        return one;
+        return c->one;
     }
 }
 
@@ -248,41 +251,47 @@ static size_t *first_of_solids(const struct scene *scene)
 
 /* lint: stand[] has a number for each shape */
 /* Members of a solid without a colour of their own have that of its first one. */
-static int colour_others(struct colours *c, const struct scene *scene,
-                         enum colouring how, uint32_t one)
+static int colour_others(struct colours *c)
 {
-    size_t *stand = first_of_solids(scene);
+    size_t *stand = first_of_solids(c->scene);
     if (!stand)
         return out_of_memory();
     for (int members = 0; members < 2; members++) {
-        for (size_t i = 0; i < scene->count; i++) {
-            if (c->of[i] == NO_COLOUR && members) {
+        for (size_t i = 0; i < c->scene->count; i++) {
+            if (c->of[i] == NO_COLOUR && members)
                 c->of[i] = c->of[stand[i]];
-            } else if (c->of[i] == NO_COLOUR && stand[i] == i) {
-                c->of[i] = how == COLOUR_CONNECTED
-                               ? colour_of_number(c->label[i])
-                               : colour_of_shape(c, scene, how, one, i);
-            }
+            else if (c->of[i] == NO_COLOUR && stand[i] == i)
+                c->of[i] = colour_of_shape(c, i);
         }
     }
     free(stand);
     return 0;
 }
 
-int colours_complete(struct colours *c, const struct scene *scene, uint32_t one,
-                     struct vector up)
+static int colour_all(struct colours *c)
 {
-    const enum colouring how = c->how;
     int status = 0;
-    if (how == COLOUR_CONNECTED)
-        status = connected_groups(scene, c->label);
-    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT)
-        by_measure(c, scene, how, up);
-    return status != 0 ? status : colour_others(c, scene, how, one);
+    read_tails(c);
+    if (c->how == COLOUR_CONNECTED)
+        status = connected_groups(c->scene, c->group);
+    if (c->how == COLOUR_RADIUS || c->how == COLOUR_HEIGHT)
+        by_measure(c);
+    return status != 0 ? status : colour_others(c);
 }
 
-void colours_free(struct colours *c)
+uint32_t *colours_make(const struct scene *scene, enum colouring how,
+                       uint32_t one, struct vector up)
 {
-    free(c->of);
-    free(c->label);
+    const size_t bytes = (scene->count + 1) * sizeof(uint32_t);
+    struct colours c = {.scene = scene, .how = how, .one = one, .up = up};
+    c.of = malloc(bytes);
+    c.group = how == COLOUR_CONNECTED ? malloc(bytes) : NULL;
+    const int status = c.of && (c.group || how != COLOUR_CONNECTED)
+                           ? colour_all(&c)
+                           : out_of_memory();
+    free(c.group);
+    if (status == 0)
+        return c.of;
+    free(c.of);
+    return NULL;
 }

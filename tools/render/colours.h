@@ -27,22 +27,11 @@ enum colouring {
 
 extern const char *const colouring_words[]; /* from COLOUR_NUMBER on, NULL */
 
-struct colours {
-    enum colouring how; /* of the shapes that have no colour in their tails */
-    uint32_t *of;       /* 0xrrggbb for each shape, sRGB */
-    uint32_t *label;    /* a hash of each tail, 0 if it has none */
-    size_t of_most, label_most; /* capacities */
-};
-
-/* The callback `also` of struct scene; its context is a struct colours. */
-int colours_take_tail(struct scene *scene, const struct record *record);
-
-/* Gives a colour to all shapes of the scene that have none.  `one` is the colour
- * for COLOUR_ONE.  Returns 0 or an exit status. */
-int colours_complete(struct colours *colours, const struct scene *scene,
-                     uint32_t one, struct vector up);
-
-void colours_free(struct colours *colours);
+/* Returns a new array with a colour for each shape of a scene that keeps labels,
+ * 0xrrggbb, sRGB, and space for one more; NULL after a message.  how: of the
+ * shapes that have no colour in their tails; one: the colour for COLOUR_ONE. */
+uint32_t *colours_make(const struct scene *scene, enum colouring how,
+                       uint32_t one, struct vector up);
 
 /* Reads #rrggbb.  Returns 0 if the text is anything else. */
 int read_colour(struct string s, uint32_t *colour);

@@ -57,12 +57,11 @@ nb::tuple read_scene(const char *file, int ends, bool round)
 {
     std::vector<std::string> said;
     struct scene scene = {};
-    struct labels names = {};
     int status;
     {
         nb::gil_scoped_release released;
         messages = &said;
-        labels_collect(&names, &scene);
+        scene.keeps_labels = 1;
         status = scene_read(&scene, file, ends, round ? SWC_ROUND : SWC_CONES);
         solids_complete(&scene.solids);
         messages = nullptr;
@@ -72,16 +71,15 @@ nb::tuple read_scene(const char *file, int ends, bool round)
     if (status == 0) {
         begun = scene_object(scene.shapes);
         scene.shapes = nullptr; /* the object's now */
-        if (names.texts.length > 0)
-            labels =
-                label_texts(names.texts.end, names.texts.bytes, scene.count);
+        if (scene.labels.texts.length > 0)
+            labels = label_texts(scene.labels.table.end,
+                                 scene.labels.table.text, scene.count);
         for (size_t i = 0; i < scene.solids.count; i++) {
             const cylint_member &m = scene.solids.member[i];
             members.append(nb::make_tuple(m.shape, m.solid, m.clause));
         }
     }
     scene_free(&scene);
-    labels_free(&names);
     return nb::make_tuple(status, begun, labels, members, said);
 }
 
