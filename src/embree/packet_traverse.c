@@ -38,19 +38,6 @@ typedef struct {
     void *self;
 } traversal;
 
-static void report(traversal *p, const cylint_packet_leaf *hit)
-{
-    p->active &= ~p->callback(p->self, hit);
-    EACH_RAY(k, hit->rays)
-    shorten(&p->state[k], p->ray[k].tfar);
-}
-
-static void set_certain(traversal *p, int k)
-{
-    p->certain |= 1u << k;
-    p->active &= ~(1u << k);
-}
-
 /* ----------------------------------------------------------------- nodes -- */
 
 /* Keeps the active rays whose domain reaches the entry. */
@@ -117,7 +104,7 @@ CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
         if (solid && hit->lanes[k] && p->outside >> k & 1)
             test_ray(leaf, all, ray, p->E[k], hit->least[k], &certain);
         if (certain)
-            set_certain(p, k);
+            p->certain |= 1u << k;
         else
             hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;
     }
@@ -132,8 +119,12 @@ static void traverse(traversal *p)
     while ((leaf = next_leaf(p, &at))) {
         cylint_packet_leaf hit;
         test_rays(p, leaf, at.rays, &hit);
-        if (hit.rays)
-            report(p, &hit);
+        p->active &= ~p->certain;
+        if (!hit.rays)
+            continue;
+        p->active &= ~p->callback(p->self, &hit);
+        EACH_RAY(k, hit.rays)
+        shorten(&p->state[k], p->ray[k].tfar);
     }
 }
 

@@ -87,7 +87,7 @@ static void put_shape(struct task *task, size_t number)
     task->row.shape = (double)number;
     task->row.answer.n = -1;
     if (number > 0) {
-        scene_shape(&task->job->scene, number - 1, &shape);
+        cylint_scene_shape(task->job->scene.shapes, number - 1, &shape);
         if (task->record.is_point)
             measure(task, &shape);
         else
@@ -197,7 +197,7 @@ static int visit_line(struct search *s, unsigned want,
     for (size_t i = 0; i < scene->count; i++) {
         if (is_left_out(s->task, i))
             continue;
-        scene_shape(scene, i, &shape);
+        cylint_scene_shape(scene->shapes, i, &shape);
         if (solve(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST, &answer))
             return EXIT_BAD;
         if (answer.n > 0 && isnan(callback(s, i, &answer.hit[0])))

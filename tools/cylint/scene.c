@@ -41,11 +41,6 @@ int scene_add(struct scene *scene, const struct record *record)
     return status;
 }
 
-void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape)
-{
-    cylint_scene_shape(scene->shapes, i, shape);
-}
-
 int scene_build(struct scene *scene, int threads)
 {
     int status = scene_begin(scene);
@@ -164,7 +159,7 @@ static int add_saved(struct scene *scene, const struct scene *saved)
     int status = 0;
     for (size_t i = 0; i < saved->count && status == 0; i++) {
         struct record record = {.tail = labels_get(&saved->labels, i)};
-        scene_shape(saved, i, &record.shape);
+        cylint_scene_shape(saved->shapes, i, &record.shape);
         status = scene_add(scene, &record);
     }
     const size_t members = cylint_scene_members(saved->shapes);

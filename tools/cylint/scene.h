@@ -53,9 +53,6 @@ int scene_build(struct scene *scene, int threads);
 /* Saves a scene that was built, with its labels. */
 int scene_save(struct scene *scene, const char *file);
 
-/* Writes shape number i, from 0. */
-void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape);
-
 void scene_free(struct scene *scene);
 
 #endif

@@ -229,7 +229,7 @@ static int put_records(const struct scene *scene, const char *file, int digits,
         struct shape_record r = {&shape, s,
                                  s->count > 0 ? s->member + at : NULL, 0,
                                  labels_get(&scene->labels, i)};
-        scene_shape(scene, i, &shape);
+        cylint_scene_shape(scene->shapes, i, &shape);
         for (; at < s->count && s->member[at].shape == i; at++)
             r.members++;
         const char *fault = put_record(t, &r, digits);

@@ -56,7 +56,7 @@ static struct box box_of_shape(const struct scene *scene, size_t number)
 {
     struct box box;
     cylint_shape shape;
-    scene_shape(scene, number, &shape);
+    cylint_scene_shape(scene->shapes, number, &shape);
     cylint_bounds(&shape, box.low.v, box.high.v);
     return box;
 }

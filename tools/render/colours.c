@@ -176,7 +176,7 @@ static double height_of(const cylint_shape *s, struct vector up)
 static double measure(const struct colours *c, size_t i)
 {
     cylint_shape shape;
-    scene_shape(c->scene, i, &shape);
+    cylint_scene_shape(c->scene->shapes, i, &shape);
     return c->how == COLOUR_RADIUS ? log(radius_of(&shape))
                                    : height_of(&shape, c->up);
 }
@@ -214,7 +214,7 @@ static uint32_t colour_of_shape(const struct colours *c, size_t i)
         label = hash_of_text(labels_get(&c->scene->labels, i));
         return label ? colour_of_number(label) : c->one;
     case COLOUR_KIND:
-        scene_shape(c->scene, i, &shape);
+        cylint_scene_shape(c->scene->shapes, i, &shape);
         return colour_of_number((size_t)shape.kind);
     case COLOUR_CONNECTED:
         return colour_of_number(c->group[i]);

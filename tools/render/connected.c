@@ -69,7 +69,7 @@ static int join_shapes(struct ends *ends, const struct scene *scene,
     int has_memory = 1;
     for (uint32_t i = 0; i < scene->count && has_memory; i++) {
         cylint_shape shape;
-        scene_shape(scene, i, &shape);
+        cylint_scene_shape(scene->shapes, i, &shape);
         if (has_ends(&shape))
             has_memory = join_end(ends, parent, i, cylint_base(&shape)) &&
                          join_end(ends, parent, i, cylint_top(&shape));

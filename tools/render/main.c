@@ -42,7 +42,7 @@ static void stages_end(struct stages *stages, const char *what,
 
 /* ------------------------------------------------------------- picture -- */
 
-struct drawing {
+struct job {
     struct options options;
     struct scene scene;
     uint32_t *colours; /* of the shapes, and of the ground behind them */
@@ -53,17 +53,18 @@ struct drawing {
 
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
  * its rim. */
-static int add_ground(struct drawing *d, const struct boxes *all)
+static int add_ground(struct job *job, const struct boxes *all)
 {
-    const struct vector up = d->stage.up;
+    const struct vector up = job->stage.up;
     const double radius = 30 * all->size, depth = 0.01 * all->size;
     const double low = -reach(all, times(-1, up));
     const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
     cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
-    read_colour(string_of(d->options.ground), &d->colours[d->scene.count]);
-    return scene_add(&d->scene, &record);
+    read_colour(string_of(job->options.ground),
+                &job->colours[job->scene.count]);
+    return scene_add(&job->scene, &record);
 }
 
 /* The default: from the left above the camera. */
@@ -76,52 +77,52 @@ static struct vector sun_of(const struct options *o, const struct view *view)
 }
 
 /* The view contains the scene without the ground. */
-static int set_stage(struct drawing *d, const struct boxes *boxes)
+static int set_stage(struct job *job, const struct boxes *boxes)
 {
-    const struct options *o = &d->options;
+    const struct options *o = &job->options;
     const struct vector up = unit(o->viewing.up);
-    d->colours = colours_make(&d->scene, o->colouring, o->colour, up);
-    if (!d->colours)
+    job->colours = colours_make(&job->scene, o->colouring, o->colour, up);
+    if (!job->colours)
         return EXIT_MEMORY;
-    d->scene.keeps_labels = 0;
-    labels_free(&d->scene.labels);
-    if (!view_of_scene(&d->view, &o->viewing, boxes)) {
+    job->scene.keeps_labels = 0;
+    labels_free(&job->scene.labels);
+    if (!view_of_scene(&job->view, &o->viewing, boxes)) {
         complain(o->scene, "no shape is bounded, or the view is along --up; "
                            "use --eye and --look-at");
         return EXIT_BAD;
     }
-    d->stage = (struct stage){.colours = d->colours,
-                              .has_solids = d->scene.solids.count > 0,
-                              .has_ground = o->ground && boxes->size > 0,
-                              .middle = boxes->middle,
-                              .size = boxes->size,
-                              .shading = (enum shading)o->shading,
-                              .sun = sun_of(o, &d->view),
-                              .up = up};
-    const int status = d->stage.has_ground ? add_ground(d, boxes) : 0;
-    d->stage.count = d->scene.count;
+    job->stage = (struct stage){.colours = job->colours,
+                                .has_solids = job->scene.solids.count > 0,
+                                .has_ground = o->ground && boxes->size > 0,
+                                .middle = boxes->middle,
+                                .size = boxes->size,
+                                .shading = (enum shading)o->shading,
+                                .sun = sun_of(o, &job->view),
+                                .up = up};
+    const int status = job->stage.has_ground ? add_ground(job, boxes) : 0;
+    job->stage.count = job->scene.count;
     return status;
 }
 
-static int prepare(struct drawing *d)
+static int prepare(struct job *job)
 {
-    const struct options *o = &d->options;
+    const struct options *o = &job->options;
     struct boxes boxes;
-    d->scene.keeps_labels = 1;
+    job->scene.keeps_labels = 1;
     int status =
-        scene_read(&d->scene, o->scene, o->ends, (enum swc_form)o->swc);
+        scene_read(&job->scene, o->scene, o->ends, (enum swc_form)o->swc);
     if (status != 0)
         return status;
-    status = boxes_make(&boxes, &d->scene);
+    status = boxes_make(&boxes, &job->scene);
     if (status == 0)
-        status = set_stage(d, &boxes);
+        status = set_stage(job, &boxes);
     boxes_free(&boxes);
     return status;
 }
 
-static int draw_picture(struct drawing *d, struct output *out)
+static int draw_picture(struct job *job, struct output *out)
 {
-    const struct options *o = &d->options;
+    const struct options *o = &job->options;
     const unsigned long long pixels =
         (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
@@ -130,52 +131,50 @@ static int draw_picture(struct drawing *d, struct output *out)
     const int processors_here = processors();
     const int workers = o->workers > 0 ? o->workers : processors_here;
     const int builders = workers < processors_here ? workers : processors_here;
-    int status = scene_build(&d->scene, builders);
+    const struct drawing drawing = {&picture, &job->view, o->samples, workers,
+                                    o->progress};
+    int status = scene_build(&job->scene, builders);
     if (status != 0)
         return status;
-    d->stage.scene = d->scene.shapes;
-    stages_end(&d->stages, "built a scene of",
-               cylint_scene_bytes(d->stage.scene), "bytes");
+    job->stage.scene = job->scene.shapes;
+    stages_end(&job->stages, "built a scene of",
+               cylint_scene_bytes(job->stage.scene), "bytes");
     status = picture_make(&picture, o->size[0], o->size[1],
                           is_xray                   ? 1
                           : o->backdrop.transparent ? 4
                                                     : 3);
-    if (status == 0) {
-        status = is_xray
-                     ? xray_picture(&picture, &o->xray, d->stage.scene,
-                                    &d->view, o->samples, workers, o->progress)
-                     : trace(&picture, &d->stage, &d->view, &o->backdrop,
-                             o->samples, workers, o->progress);
-    }
-    stages_end(&d->stages, "traced", pixels, "pixels");
+    if (status == 0)
+        status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
+                         : trace(&drawing, &job->stage, &o->backdrop);
+    stages_end(&job->stages, "traced", pixels, "pixels");
     if (status == 0)
         status = picture_write(&picture, out);
-    stages_end(&d->stages, "wrote", pixels, "pixels");
+    stages_end(&job->stages, "wrote", pixels, "pixels");
     picture_free(&picture);
     return status;
 }
 
 int main(int argc, char **argv)
 {
-    static struct drawing d;
-    const struct options *o = &d.options;
+    static struct job job;
+    const struct options *o = &job.options;
     struct output out;
     guard_standard_streams();
-    int status = read_options(&d.options, argc, argv);
+    int status = read_options(&job.options, argc, argv);
     if (status != 0 || o->print)
         return status != 0 ? status : print_about(o->print);
-    stages_start(&d.stages, o->progress);
+    stages_start(&job.stages, o->progress);
     status =
         output_open(&out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
     if (status != 0)
         return status;
-    status = prepare(&d);
+    status = prepare(&job);
     if (status == 0) {
-        stages_end(&d.stages, "read", d.stage.count, "shapes");
-        status = draw_picture(&d, &out);
+        stages_end(&job.stages, "read", job.stage.count, "shapes");
+        status = draw_picture(&job, &out);
     }
     const int closed = output_close(&out, status == 0);
-    scene_free(&d.scene);
-    free(d.colours);
+    scene_free(&job.scene);
+    free(job.colours);
     return status != 0 ? status : closed;
 }

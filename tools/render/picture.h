@@ -15,6 +15,16 @@ struct picture {
     char note[64];         /* a description in the file, if not empty */
 };
 
+struct view;
+
+/* How a picture is drawn; its bytes do not depend on the number of workers. */
+struct drawing {
+    struct picture *picture;
+    const struct view *view;
+    int samples, workers;
+    int progress; /* report it even if standard error is no terminal */
+};
+
 /* All return 0, or report the fault and return an exit status. */
 int picture_make(struct picture *picture, int width, int height, int channels);
 int picture_write(const struct picture *picture, struct output *out);

@@ -15,11 +15,9 @@
 #include "trace.h"
 
 struct work {
-    struct picture *picture;
+    const struct drawing *drawing;
     const struct stage *stage;
-    const struct view *view;
     const struct backdrop *backdrop;
-    int samples;
 
     pthread_mutex_t lock; /* protects the members below */
     int next_row, rows_done, status;
@@ -29,17 +27,18 @@ struct work {
 static struct sample pixel_of_samples(const struct work *w,
                                       struct tracer *tracer, int x, int y)
 {
-    const struct picture *p = w->picture;
+    const struct drawing *d = w->drawing;
+    const struct picture *p = d->picture;
     const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
     struct sample sum = {vector(0, 0, 0), 0};
-    for (int i = 0; i < w->samples; i++) {
+    for (int i = 0; i < d->samples; i++) {
         cylint_line ray;
-        view_sample(w->view, p->width, p->height, x, y, i, w->samples, &ray);
+        view_sample(d->view, p->width, p->height, x, y, i, d->samples, &ray);
         const struct sample one = trace_sample(tracer, &ray, (uint32_t)i, seed);
         sum.light = plus(sum.light, 1, one.light);
         sum.opacity += one.opacity;
     }
-    const double share = 1.0 / w->samples;
+    const double share = 1.0 / d->samples;
     return (struct sample){times(share, sum.light), share * sum.opacity};
 }
 
@@ -53,7 +52,7 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
                       unsigned char *bytes)
 {
     const struct backdrop *b = w->backdrop;
-    const double down = (y + 0.5) / w->picture->height;
+    const double down = (y + 0.5) / w->drawing->picture->height;
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {
         const double light =
@@ -69,7 +68,7 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
 
 static void trace_row(const struct work *w, struct tracer *tracer, int y)
 {
-    const struct picture *p = w->picture;
+    const struct picture *p = w->drawing->picture;
     unsigned char *bytes =
         p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
     for (int x = 0; x < p->width; x++, bytes += p->channels)
@@ -79,11 +78,12 @@ static void trace_row(const struct work *w, struct tracer *tracer, int y)
 static void *take_rows(void *context)
 {
     struct work *w = context;
+    const int rows = w->drawing->picture->height;
     struct tracer tracer;
     memset(&tracer, 0, sizeof tracer);
     tracer.stage = w->stage;
     pthread_mutex_lock(&w->lock);
-    while (w->next_row < w->picture->height && w->status == 0) {
+    while (w->next_row < rows && w->status == 0) {
         const int y = w->next_row++;
         pthread_mutex_unlock(&w->lock);
         trace_row(w, &tracer, y);
@@ -91,7 +91,7 @@ static void *take_rows(void *context)
         if (tracer.has_failed && w->status == 0)
             w->status = out_of_memory();
         w->rows_done++;
-        progress_add(&w->progress, 1, w->rows_done, w->picture->height);
+        progress_add(&w->progress, 1, w->rows_done, rows);
     }
     pthread_mutex_unlock(&w->lock);
     piece_memory_free(&tracer.memory);
@@ -100,21 +100,20 @@ static void *take_rows(void *context)
 
 /* The caller is the first worker.  If the system refuses threads, there are
  * fewer. */
-int trace(struct picture *picture, const struct stage *stage,
-          const struct view *view, const struct backdrop *backdrop, int samples,
-          int workers, int progress)
+int trace(const struct drawing *d, const struct stage *stage,
+          const struct backdrop *backdrop)
 {
-    struct work w = {picture, stage,
-                     view,    backdrop,
-                     samples, PTHREAD_MUTEX_INITIALIZER,
-                     0,       0,
-                     0,       {NULL, 0, 0, 0, 0, 0, 0, 0}};
-    const int most = workers < picture->height ? workers : picture->height;
+    struct work w = {.drawing = d,
+                     .stage = stage,
+                     .backdrop = backdrop,
+                     .lock = PTHREAD_MUTEX_INITIALIZER};
+    const int rows = d->picture->height;
+    const int most = d->workers < rows ? d->workers : rows;
     pthread_t *others = malloc((size_t)most * sizeof *others);
     int started = 0;
     if (!others)
         return out_of_memory();
-    progress_start(&w.progress, progress, "rows", 0);
+    progress_start(&w.progress, d->progress, "rows", 0);
     while (started < most - 1 &&
            pthread_create(&others[started], NULL, take_rows, &w) == 0)
         started++;

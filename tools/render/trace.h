@@ -14,11 +14,8 @@ struct backdrop {
     struct vector top, bottom;
 };
 
-/* Fills the picture; its bytes do not depend on the number of workers.
- * progress: report it even if standard error is no terminal.  Returns 0 or an
- * exit status. */
-int trace(struct picture *picture, const struct stage *stage,
-          const struct view *view, const struct backdrop *backdrop, int samples,
-          int workers, int progress);
+/* Fills the picture.  Returns 0 or an exit status. */
+int trace(const struct drawing *drawing, const struct stage *stage,
+          const struct backdrop *backdrop);
 
 #endif

@@ -21,13 +21,13 @@ struct ray_block {
     double sums[RAYS_AT_ONCE];
 };
 
-/* What the lengths of all pixels are computed from. */
+/* The lengths of all pixels, and what they are computed from. */
 struct rays {
-    const struct picture *picture;
+    const struct drawing *drawing;
     const cylint_scene *scene;
-    const struct view *view;
-    int samples, workers;
     struct ray_block *block;
+    size_t pixels;
+    double *lengths;
 };
 
 /* ------------------------------------------------------------- lengths -- */
@@ -35,14 +35,16 @@ struct rays {
 /* The rays of `count` pixels from pixel `first` on, in the order of rows. */
 static size_t fill_block(const struct rays *rays, size_t first, size_t count)
 {
-    const size_t width = (size_t)rays->picture->width;
+    const struct drawing *d = rays->drawing;
+    const struct picture *picture = d->picture;
+    const size_t width = (size_t)picture->width;
     struct ray_block *b = rays->block;
     size_t n = 0;
     for (size_t p = first; p < first + count; p++) {
-        for (int i = 0; i < rays->samples; i++, n++) {
+        for (int i = 0; i < d->samples; i++, n++) {
             cylint_line ray = {.tmax = 0}; /* d = 0: no pieces */
-            view_sample(rays->view, rays->picture->width, rays->picture->height,
-                        (int)(p % width), (int)(p / width), i, rays->samples,
+            view_sample(d->view, picture->width, picture->height,
+                        (int)(p % width), (int)(p / width), i, d->samples,
                         &ray);
             for (int k = 0; k < 3; k++) {
                 b->o[k][n] = ray.o[k];
@@ -53,19 +55,19 @@ static size_t fill_block(const struct rays *rays, size_t first, size_t count)
     return n;
 }
 
-static void take_means(const struct rays *rays, size_t count, double *lengths)
+static void take_means(const struct rays *rays, size_t first, size_t count)
 {
     const double *sum = rays->block->sums;
-    for (size_t p = 0; p < count; p++) {
+    const int samples = rays->drawing->samples;
+    for (size_t p = first; p < first + count; p++) {
         double all = 0;
-        for (int i = 0; i < rays->samples; i++)
+        for (int i = 0; i < samples; i++)
             all += *sum++;
-        lengths[p] = all / rays->samples;
+        rays->lengths[p] = all / samples;
     }
 }
 
-static int measure_block(const struct rays *rays, size_t first, size_t count,
-                         double *lengths)
+static int measure_block(const struct rays *rays, size_t first, size_t count)
 {
     const cylint_piece_rule all = {CYLINT_PIECES_UNION, NULL, NULL};
     const struct ray_block *b = rays->block;
@@ -74,23 +76,24 @@ static int measure_block(const struct rays *rays, size_t first, size_t count,
                                 {b->d[0], b->d[1], b->d[2]},
                                 NULL,
                                 NULL};
-    if (cylint_scene_sums(rays->scene, &lines, &all, NULL, 1, 1, rays->workers,
+    if (cylint_scene_sums(rays->scene, &lines, &all, NULL, 1, 1,
+                          rays->drawing->workers,
                           rays->block->sums) != CYLINT_SCENE_OK)
         return out_of_memory();
-    take_means(rays, count, lengths + first);
+    take_means(rays, first, count);
     return 0;
 }
 
-static int measure(const struct rays *rays, size_t pixels, int progress,
-                   double *lengths)
+static int measure(const struct rays *rays)
 {
-    const size_t most = RAYS_AT_ONCE / (size_t)rays->samples;
+    const size_t most = RAYS_AT_ONCE / (size_t)rays->drawing->samples;
+    const size_t pixels = rays->pixels;
     struct progress shown;
     int status = 0;
-    progress_start(&shown, progress, "pixels", 0);
+    progress_start(&shown, rays->drawing->progress, "pixels", 0);
     for (size_t done = 0, n; status == 0 && done < pixels; done += n) {
         n = pixels - done < most ? pixels - done : most;
-        status = measure_block(rays, done, n, lengths);
+        status = measure_block(rays, done, n);
         progress_add(&shown, n, (double)(done + n), (double)pixels);
     }
     progress_end(&shown);
@@ -104,14 +107,15 @@ struct summary {
     double mean, largest;
 };
 
-static struct summary summary_of(const double *lengths, size_t pixels)
+static struct summary summary_of(const struct rays *rays)
 {
+    const double *lengths = rays->lengths;
     struct summary s = {0, 0};
     double sum = 0, n = 0;
-    for (size_t p = 0; p < pixels; p++)
+    for (size_t p = 0; p < rays->pixels; p++)
         if (lengths[p] > s.largest && lengths[p] < HUGE_VAL)
             s.largest = lengths[p];
-    for (size_t p = 0; p < pixels; p++) {
+    for (size_t p = 0; p < rays->pixels; p++) {
         if (lengths[p] > 0 && lengths[p] < HUGE_VAL) {
             sum += lengths[p] / s.largest;
             n++;
@@ -129,22 +133,11 @@ static double brightness(const struct xray *how, double largest, double length)
     return length > 0 ? exp(-how->mu * length) : 1;
 }
 
-static void put_pixels(struct picture *picture, const struct xray *how,
-                       double largest, const double *lengths, size_t pixels)
-{
-    for (size_t p = 0; p < pixels; p++) {
-        const double share = brightness(how, largest, lengths[p]);
-        const unsigned value = (unsigned)(65535 * share + 0.5);
-        picture->pixels[2 * p] = (unsigned char)(value >> 8);
-        picture->pixels[2 * p + 1] = (unsigned char)(value & 0xff);
-    }
-}
-
 /* Writes what the picture shows to its note. */
 static void scale(struct picture *picture, const struct xray *how,
-                  const double *lengths, size_t pixels)
+                  const struct rays *rays)
 {
-    const struct summary s = summary_of(lengths, pixels);
+    const struct summary s = summary_of(rays);
     struct xray used = *how;
     if (how->scale == XRAY_LINEAR) {
         snprintf(picture->note, sizeof picture->note, "65535 length / %.17g",
@@ -155,37 +148,28 @@ static void scale(struct picture *picture, const struct xray *how,
         snprintf(picture->note, sizeof picture->note,
                  "65535 exp(-%.17g length)", used.mu);
     }
-    put_pixels(picture, &used, s.largest, lengths, pixels);
-}
-
-/* ------------------------------------------------------------- picture -- */
-
-static int draw(struct picture *picture, const struct xray *how,
-                const struct rays *rays, size_t pixels, int progress,
-                double *lengths)
-{
-    const int status = measure(rays, pixels, progress, lengths);
-    if (status == 0) {
-        scale(picture, how, lengths, pixels);
-        if (progress)
-            fprintf(stderr, "%s: a pixel is %s\n", program, picture->note);
+    for (size_t p = 0; p < rays->pixels; p++) {
+        const double share = brightness(&used, s.largest, rays->lengths[p]);
+        const unsigned value = (unsigned)(65535 * share + 0.5);
+        picture->pixels[2 * p] = (unsigned char)(value >> 8);
+        picture->pixels[2 * p + 1] = (unsigned char)(value & 0xff);
     }
-    return status;
 }
 
-int xray_picture(struct picture *picture, const struct xray *how,
-                 const cylint_scene *scene, const struct view *view,
-                 int samples, int workers, int progress)
+int xray_picture(const struct drawing *d, const struct xray *how,
+                 const cylint_scene *scene)
 {
-    const size_t width = (size_t)picture->width;
-    const size_t pixels = width * (size_t)picture->height;
-    double *lengths = calloc(pixels, sizeof *lengths);
-    const struct rays rays = {picture, scene,   view,
-                              samples, workers, malloc(sizeof *rays.block)};
-    const int status = lengths && rays.block ? draw(picture, how, &rays, pixels,
-                                                    progress, lengths)
-                                             : out_of_memory();
-    free(lengths);
+    const size_t pixels =
+        (size_t)d->picture->width * (size_t)d->picture->height;
+    const struct rays rays = {d, scene, malloc(sizeof *rays.block), pixels,
+                              calloc(pixels, sizeof *rays.lengths)};
+    const int status =
+        rays.block && rays.lengths ? measure(&rays) : out_of_memory();
+    if (status == 0)
+        scale(d->picture, how, &rays);
+    if (status == 0 && d->progress)
+        fprintf(stderr, "%s: a pixel is %s\n", program, d->picture->note);
     free(rays.block);
+    free(rays.lengths);
     return status;
 }

@@ -27,11 +27,8 @@ struct xray {
     double mu;
 };
 
-/* Fills a grey picture of 16 bits and its note; the bytes do not depend on the
- * number of workers.  progress: report it even if standard error is no terminal.
- * Returns 0 or an exit status. */
-int xray_picture(struct picture *picture, const struct xray *how,
-                 const cylint_scene *scene, const struct view *view,
-                 int samples, int workers, int progress);
+/* Fills a grey picture of 16 bits and its note.  Returns 0 or an exit status. */
+int xray_picture(const struct drawing *drawing, const struct xray *how,
+                 const cylint_scene *scene);
 
 #endif
