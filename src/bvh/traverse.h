@@ -49,7 +49,7 @@ typedef void cylint_traverse_line(const cylint_bvh *bvh, const double o[3],
  * into boxes and exits from them.
  */
 typedef struct cylint_ray_state {
-    float r[4], near[4], far[4]; /* three of each */
+    float r[3], near[3], far[3];
     int near_faces[3];           /* where it enters boxes: 0 or 1 */
     float first, last;           /* the domain; its t is the line's t ... */
     double t0, t0_error;         /* ... minus t0, with this error */
