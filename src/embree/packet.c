@@ -78,10 +78,8 @@ static void test_batch(question *const asked[], int n,
 {
     if (n > 0)
         data->filter[n > 1](asked, n);
-    for (int i = 0; i < n; i++) {
-        ray_test *r = (ray_test *)asked[i];
-        r->found |= cylint_ray_end(r);
-    }
+    for (int i = 0; i < n; i++)
+        cylint_ray_end((ray_test *)asked[i]);
 }
 
 /* Tests the lanes of all rays in turns, the nearest lane of each ray first.
@@ -132,7 +130,7 @@ static void trace_rays(const call *a, int any, unsigned rays)
         load_ray(&s, a, any, (unsigned)i);
     }
     if (s.n == 1)
-        s.test[0].found = cylint_trace_single(&s.test[0]);
+        cylint_trace_single(&s.test[0]);
     else if (s.n > 1)
         certain = data->traverse_packet(&data->bvh, s.ray, s.n,
                                         any && !has_filters(&s.test[0]),
