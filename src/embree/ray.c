@@ -141,14 +141,10 @@ static void describe(ray_test *r, exact_hits *x, int i)
     r->q.floats[4] = cylint_angle_as_float(at->phi);
 }
 
+/* Ng, u and v are the first members of a hit. */
 static void write_floats(const ray_test *r)
 {
-    struct RTCHit *hit = r->hit;
-    hit->Ng_x = r->q.floats[0];
-    hit->Ng_y = r->q.floats[1];
-    hit->Ng_z = r->q.floats[2];
-    hit->u = r->q.floats[3];
-    hit->v = r->q.floats[4];
+    memcpy(r->hit, r->q.floats, sizeof r->q.floats);
 }
 
 static void write_ids(const ray_test *r)
