@@ -77,9 +77,8 @@
  * and cylint_embree_update() read them, so that a program which calls no update
  * may free them.  A geometry keeps what the constructors got: 33 bytes a shape if
  * all numbers of all shapes are floats, else 65, and 8 for its order; an elliptic
- * shape or an angle cone takes as much as in the array besides.  All memory is
- * allocated from the device as buffers: its memory monitor counts it and may
- * refuse it.
+ * shape takes as much as in the array besides.  All memory is allocated from the
+ * device as buffers: its memory monitor counts it and may refuse it.
  */
 #ifndef CYLINT_EMBREE_H
 #define CYLINT_EMBREE_H

@@ -2,8 +2,9 @@
 
 # -O1 compiles a test in half the time of -O2, and most of its running time is the
 # library's.
-$(BUILD)/tests/%: extra := $(if $(filter -O2 -O3,$(CFLAGS)),-O1) $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
+$(BUILD)/tests/%: extra := $(if $(filter -O2 -O3,$(CFLAGS)),-O1) $(floats) $(posix) $(static) -Isrc -Itests/support \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(WRAP),-DWRAPPED)
+$(BUILD)/tests/embree/% $(BUILD)/tests/bounds/%: extra += $(embree)
 
 # A test stands in the folder of its subject: tests/README.md.
 $(foreach f,$(wildcard tests/test_*),$(error $f belongs into a folder of tests/))

@@ -1,7 +1,7 @@
 /*
  * float_filter.h - hits of float rays, computed in doubles with error bounds
  *
- * For circular and round shapes with two ends, most questions by far.  An answer
+ * For circular and round shapes, most questions by far.  An answer
  * is what cylint_intersect() returns, as far as floats show it, or UNCERTAIN.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
@@ -25,8 +25,8 @@ enum { CYLINT_HIT_FLOATS = 5 };
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;
     double tmax; /* not read by the filter */
-    /* of the shape, of a round kind with negative radii; NaN radii: the filter does
-     * not decide the shape */
+    /* of the shape; of a round kind with negative radii, of an angle cone with the
+     * negative tangent as r0; NaN radii: the filter does not decide the shape */
     cylint_record record;
     float tfar;
     int ends, index, count; /* ends: the shape's */

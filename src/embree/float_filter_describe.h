@@ -150,8 +150,9 @@ INLINE void find_least(const questions *q, vm least[3])
                    v_eq(size[2], size[0])))) {
         load_ends(q, base, top);
         EACH(j, 3)
-            lost[j] = v_like(v_set(1), q->w[j]) *
-                      difference_error(top[j], base[j], q->w[j]);
+            lost[j] = v_select(q->is_angle, lost[j],
+                               v_like(v_set(1), q->w[j]) *
+                                   difference_error(top[j], base[j], q->w[j]));
     }
     const vm y_less = is_less(size[1], lost[1], size[0], lost[0]);
     least[2] = is_less(size[2], lost[2], v_select(y_less, size[1], size[0]),

@@ -37,6 +37,9 @@
  *   S and y0 of round kinds: 12.1 u, 15.1 u K / W.  T between discs: 11.1 u of it.
  *   a: 35.2 u T U^2.  b: 40.2 u T K U.  c: 46.2 u T K^2.
  *
+ * Of an angle cone w is exact and r0 is 0; dr is the tangent times W, with an error
+ * of 3.5 u, but that of W cancels in dr^2 / ww: 8 u of T.
+ *
  * As |a| <= T U^2, |b| <= T K U and |c| <= T K^2, the error of G is less than
  * 20.8 eps T^2 K^2 U^2 with the roundings of b^2 - a c.  So e_a = 8 eps T U^2 and
  * e_G = 24 eps T^2 K^2 U^2 fit chord_end(); T K^2 <= 5/4 (T DD + 4 r0^2).
@@ -79,9 +82,9 @@ typedef struct {
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
     vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
     quadratic cone, ball; /* ball: of the ball that was hit */
+    vm is_angle;          /* the shape is an angle cone: the record has w */
     vm is_ball;           /* the shape is a sphere, which has no cone */
     vm crosses;           /* the line crosses the cone */
-    vm leans;             /* a of the cone is certainly positive */
     vm apart; /* a < 0: Q < 0 before the first root and behind the second */
 } questions;
 
@@ -168,7 +171,7 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
     return v_select(known, near, v_float(-dot(D0, d) / dot(d, d)));
 }
 
-/* Base and r0, top and r1. */
+/* Base and r0, top and r1; of an angle cone v and -k, u and k. */
 INLINE void load_ends(const questions *q, vd base[4], vd top[4])
 {
     const char *row[LANES];
@@ -189,6 +192,7 @@ INLINE void load_ends(const questions *q, vd base[4], vd top[4])
 INLINE void load_questions(questions *q)
 {
     const char *row[LANES];
+    const vd zero = v_set(0);
     vd x[8], base[4], top[4], D0[3];
     for (int i = 0; i < LANES; i++)
         row[i] = (const char *)q->of[i];
@@ -197,11 +201,15 @@ INLINE void load_questions(questions *q)
     v_columns(row, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
+    q->is_angle = m_and(v_lt(q->r0, zero), v_lt(zero, top[3]));
     EACH(j, 3) {
         q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
+    if (m_any(q->is_angle))
+        EACH(j, 3)
+            q->w[j] = v_select(q->is_angle, top[j], q->w[j]);
     q->from = origin_shift(x[7], D0, q->u);
     EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) +
@@ -213,18 +221,10 @@ INLINE void load_questions(questions *q)
     q->U = size(q->u);
     q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
-}
-
-/* Products have at most ten lengths as factors.  If none of these is less than
- * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
- * and along a coordinate none is flushed, since coordinates and radii are 0 or at
- * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
- * NaN, and then nothing is certain, but for those of 1 / ww and of G:
- * cross_shape() and cross_surface() test them. */
-INLINE vm in_window(const questions *q, vd radii)
-{
-    const vd least = v_set(0x1p-90);
-    return m_and(v_lt(v_set(0x1p-89), radii), v_lt(least, q->U));
+    if (m_any(q->is_angle)) {
+        q->r0 = v_select(q->is_angle, zero, q->r0);
+        q->dr = v_select(q->is_angle, top[3] * q->W, q->dr);
+    }
 }
 
 /* ------------------------------------------------------------- surfaces -- */
@@ -279,10 +279,19 @@ INLINE void load_axis(questions *q, int is_round)
         q->T = one + slope2;
 }
 
-/* Lines that certainly cross the shape's surface, if that is its cone's; of a round
+/*
+ * Lines that certainly cross the shape's surface, if that is its cone's; of a round
  * kind, those that do not certainly miss the cone.  uncertain: products may
- * underflow (see in_window()), or one ball may lie in the other, or, between discs,
- * the line is near the cone. */
+ * underflow, or one ball may lie in the other, or, between discs, the line is near
+ * the cone.
+ *
+ * Products have at most ten lengths as factors.  If none of these is less than
+ * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
+ * and along a coordinate none is flushed, since coordinates and radii are 0 or at
+ * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
+ * NaN, and then nothing is certain, but for those of 1 / ww and of G:
+ * cross_shape() and cross_surface() test them.
+ */
 INLINE verdict cross_shape(questions *q, int is_round)
 {
     const vd least = v_set(0x1p-90);
@@ -294,15 +303,15 @@ INLINE verdict cross_shape(questions *q, int is_round)
         eps(30) * (q->T * q->uu) * (q->T * q->DD + v_set(4) * (q->r0 * q->r0));
     const vm sloped = m_and(m_and(v_lt(least, q->W), v_lt(least, q->per_W)),
                             v_lt(eps(8), q->S));
-    const vm window = m_and(in_window(q, q->R), m_or(q->is_ball, sloped));
+    const vm window =
+        m_and(m_and(v_lt(v_set(0x1p-89), q->R), v_lt(least, q->U)),
+              m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
     const verdict v = cross_surface(c, G, has_cone);
-    if (!is_round) {
-        q->apart = v_lt(c->a, v_set(0));
+    q->apart = v_lt(c->a, v_set(0));
+    if (!is_round)
         return v;
-    }
     q->crosses = v.hit;
-    q->leans = v_lt(v_set(8) * c->e_a, c->a);
     q->ball = *c;
     const vm misses = m_and_not(has_cone, m_or(v.hit, v.uncertain));
     return (verdict){m_and_not(window, misses), m_not(window)};
@@ -352,47 +361,38 @@ INLINE hit lateral_end(const questions *q, int end)
     return at;
 }
 
-/* For chords that begin or end below the base or above the top: whether they
- * cross that cap's plane.  Then moves the hit there. */
-INLINE verdict move_to_cap(const questions *q, int end, vm between, hit *at)
-{
-    const hit other = lateral_end(q, 1 - end);
-    const vm top = v_lt(v_set(0.5), at->z);
-    const vd one = v_set(1), dz = v_abs(q->dz);
-    const vd out = v_select(top, at->z - one, -at->z);
-    const vd other_out = v_select(top, other.z - one, -other.z);
-    const vd margin = other.z_error + eps(1);
-    const vm outside = m_and_not(v_lt(at->z_error + eps(1), out), between);
-    const vm stays = m_and(outside, v_lt(margin, other_out));
-    const vm comes = m_and(m_and(outside, v_lt(other_out, -margin)),
-                           v_lt(eps(16) * q->U * q->per_W, dz));
-    const vm decided = m_or(m_or(between, stays), comes);
-    if (m_any(comes)) {
-        const vd per_dz = one / where_or_one(comes, dz);
-        const vd rise = v_select(top, one, v_set(0)) - q->z0;
-        hit cap;
-        cap.s = v_select(v_lt(q->dz, v_set(0)), -rise, rise) * per_dz;
-        cap.s_error =
-            eps(4) * (one + (q->Dn + v_abs(cap.s) * q->U) * q->per_W) * per_dz;
-        cap.z = v_select(top, one, v_set(0));
-        cap.z_error = v_set(0);
-        cap.capped = comes;
-        cap.top = top;
-        select_hit(at, comes, &cap);
-    }
-    return (verdict){m_or(between, comes), m_not(decided)};
-}
-
-/* Where the line enters (end 0) or leaves the closed shape. */
+/*
+ * Where the line enters (end 0) or leaves the closed shape: where its chord begins or
+ * ends, or, if that is beyond a cap and the chord's other end is not, on that cap.
+ * `out`: how far z is beyond the nearer cap.
+ */
 INLINE verdict end_on_discs(const questions *q, int end, hit *at)
 {
+    const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
     *at = lateral_end(q, end);
+    const vm top = v_lt(v_set(0.5), at->z);
+    const vd out = v_select(top, at->z - one, -at->z);
     const vd margin = at->z_error + eps(1);
-    const vm between =
-        m_and(v_lt(margin, at->z), v_lt(at->z, v_set(1) - margin));
+    const vm between = v_lt(out, -margin), beyond = v_lt(margin, out);
     if (!m_any(m_not(between)))
         return (verdict){between, m_none()};
-    return move_to_cap(q, end, between, at);
+    const hit other = lateral_end(q, 1 - end);
+    const vd other_out = v_select(top, other.z - one, -other.z);
+    const vd other_margin = other.z_error + eps(1);
+    const vm stays = m_and(beyond, v_lt(other_margin, other_out));
+    const vm comes = m_and(m_and(beyond, v_lt(other_out, -other_margin)),
+                           v_lt(eps(16) * q->U * q->per_W, dz));
+    const vm hits = m_or(between, comes);
+    if (m_any(comes)) {
+        const vd per_dz = one / where_or_one(comes, dz);
+        const vd z = v_select(top, one, zero), rise = z - q->z0;
+        const vd s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
+        const vd X = q->Dn + v_abs(s) * q->U;
+        const hit cap = {
+            s, eps(4) * (one + X * q->per_W) * per_dz, z, zero, comes, top};
+        select_hit(at, comes, &cap);
+    }
+    return (verdict){hits, m_not(m_or(hits, stays))};
 }
 
 /* Where the line enters or leaves the ball about an end. */
@@ -453,7 +453,7 @@ INLINE verdict end_on_round(questions *q, int end, hit *at)
     if (m_any(q->crosses))
         y = end_on_cone(q, end, at);
     const vm beyond = m_or(y.below, y.above);
-    const vm steep = m_and_not(beyond, q->leans);
+    const vm steep = m_and(beyond, q->apart);
     vm hits = y.between;
     vm uncertain = m_not(m_or(m_or(hits, beyond), q->is_ball));
     y.below = m_or(m_or(y.below, steep), q->is_ball);

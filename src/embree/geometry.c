@@ -318,11 +318,6 @@ static void release_buffer(void *buffer)
     rtcReleaseBuffer(buffer);
 }
 
-static cylint_memory_source device_memory(RTCDevice device)
-{
-    return (cylint_memory_source){device, allocate_buffer, release_buffer};
-}
-
 cylint_float_filter *cylint_float_filter_used(int many)
 {
     return many ? CYLINT_OF_KERNELS(cylint_float_filter_plain,
@@ -335,9 +330,13 @@ cylint_float_filter *cylint_float_filter_used(int many)
 
 /* The arrays are behind the data. */
 static cylint_embree_data *new_data(RTCDevice device,
-                                    const cylint_embree_part *parts, size_t n)
+                                    const cylint_embree_part *parts, size_t n,
+                                    int is_merged,
+                                    const cylint_embree_options *options)
 {
-    const cylint_memory_source source = device_memory(device);
+    const cylint_embree_options none = {0}, *with = options ? options : &none;
+    const cylint_memory_source source = {device, allocate_buffer,
+                                         release_buffer};
     const size_t size = sizeof(cylint_embree_array);
     const size_t n_arrays = n > 0 ? n : 1;
     cylint_memory self;
@@ -352,11 +351,17 @@ static cylint_embree_data *new_data(RTCDevice device,
         .source = source,
         .arrays = arrays,
         .n_arrays = n_arrays,
-        .threads = 1,
+        .is_merged = is_merged,
+        .moved = is_merged ? NULL : with->moved,
+        .flags = with->flags,
+        .user = with->user,
+        .threads = with->threads > 1 ? with->threads : 1,
         .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
         .traverse_packet = CYLINT_OF_KERNELS(cylint_traverse_packet_plain,
                                              cylint_traverse_packet_avx2,
                                              cylint_traverse_packet_avx2)};
+    if (is_merged || !(data->flags & CYLINT_EMBREE_SINGLE || data->moved))
+        data->traversal = cylint_traversal_used();
     arrays[0] = (cylint_embree_array){.n = 0};
     for (size_t i = 0; i < n; data->n += parts[i++].n)
         arrays[i] = (cylint_embree_array){parts[i].shapes, data->n, parts[i].n,
@@ -369,20 +374,6 @@ static void free_data(cylint_embree_data *data)
     cylint_memory self = data->self;
     free_state(data);
     cylint_memory_free(&self);
-}
-
-static void set_options(cylint_embree_data *data, int is_merged,
-                        const cylint_embree_options *options)
-{
-    data->is_merged = is_merged;
-    if (options) {
-        data->flags = options->flags;
-        data->user = options->user;
-        data->threads = options->threads > 1 ? options->threads : 1;
-        data->moved = is_merged ? NULL : options->moved;
-    }
-    if (is_merged || (!(data->flags & CYLINT_EMBREE_SINGLE) && !data->moved))
-        data->traversal = cylint_traversal_used();
 }
 
 static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
@@ -402,9 +393,8 @@ static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
     if (!geometry)
         return NULL;
     problem->status = CYLINT_EMBREE_EMEMORY;
-    cylint_embree_data *data = new_data(device, parts, n);
+    cylint_embree_data *data = new_data(device, parts, n, is_merged, options);
     if (data) {
-        set_options(data, is_merged, options);
         attach(geometry, data);
         if (load_geometry(geometry, data, problem))
             return geometry;

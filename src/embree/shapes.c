@@ -13,7 +13,7 @@
  * about one centre the filter reads the first. */
 static double radii_sign(const cylint_shape *s)
 {
-    if (!cylint_is_bounded(s) || !cylint_has_end_points(s->kind))
+    if (!cylint_is_bounded(s) || cylint_is_elliptic(s->kind))
         return NAN;
     if (!cylint_is_round(s->kind))
         return 1;
@@ -28,6 +28,7 @@ void cylint_filter_record_of(cylint_record *to, const cylint_shape *s)
 {
     cylint_set_record(to, s);
     const double sign = cylint_filter_serves(to) ? radii_sign(s) : NAN;
+    to->r0 = cylint_has_tangent(s->kind) ? -to->r1 : to->r0;
     to->r0 *= sign;
     to->r1 *= sign;
 }
@@ -164,6 +165,8 @@ void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
         kind = is_sphere ? CYLINT_KIND_SPHERE : CYLINT_KIND_RCONE;
         x.r0 = -x.r0;
         x.r1 = -x.r1;
+    } else if (x.r0 < 0) {
+        kind = CYLINT_KIND_ACONE;
     }
     cylint_make_of_record(shape, kind, s->ends[at], &x, NULL);
 }

@@ -169,9 +169,10 @@ INLINE asked asked_by(cylint_question *q)
 }
 
 /* The signs of a line in pairs, then its hits. */
-INLINE int refine_line(cylint_question *q, int solid)
+static int refine_line(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
+    const int solid = cylint_prepared(shape);
     const asked a = asked_by(q);
     const source from = {shape, q->line};
     local_line l = no_line;
@@ -310,14 +311,13 @@ INLINE hits with_zero_hits(hits h, vm lanes, const cylint_line *line)
 INLINE int refine_ends(cylint_question *q, int solid)
 {
     const asked a = asked_by(q);
-    const source from = {q->shape, q->line};
     local_line l = no_line;
     pair_line in;
     verdict v = no_verdict;
     point_signs at = no_point_signs;
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vd t = near_limit(l.limit[0]);
-    load_pairs(&in, &from, m_bits(v_eq(t, v_set(0))) != 3, solid);
+    load_any_pairs(&in, q->shape, q->line, m_bits(v_eq(t, v_set(0))) != 3);
     v.exists[0] = m_from(q->exists);
     v.A.v = v_set(q->A);
     at.past = (signs){m_from(q->past[0]), m_from(q->past[1])};
@@ -333,12 +333,6 @@ INLINE int refine_ends(cylint_question *q, int solid)
         where = place_of(&at, &v, l.limit[0], solid);
     }
     return answer_by_places(&where, q->ends, &a, solid);
-}
-
-/* One function for all solids: a tenth of the code, and a third slower. */
-static int refine_any_line(cylint_question *q)
-{
-    return refine_line(q, cylint_prepared(q->shape));
 }
 
 /* A root of 0, or a second step, with residuals in levels for the ends that are
@@ -359,10 +353,8 @@ static int refine_roots(cylint_question *q)
               v_load(q->low),   v_load(q->high), m_from(q->nearest)};
     local_line l;
     pair_line in;
-    if (q->want & CYLINT_WANT_BESIDE_T) {
-        const source from = {shape, q->line};
-        load_pairs(&in, &from, 1, solid);
-    }
+    if (q->want & CYLINT_WANT_BESIDE_T)
+        load_any_pairs(&in, shape, q->line, 1);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vm present = m_from(q->ends.present);
     hits h = hits_of_roots(&r, &l, present);

@@ -114,6 +114,52 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
 
+/* sum[0..n] += x y[0..n-1], where sum[n] is 0. */
+static void add_product(uint32_t *sum, uint32_t x, const uint32_t *y, int n)
+{
+    uint64_t carry = 0;
+    for (int j = 0; j < n; j++) {
+        carry += (uint64_t)x * y[j] + sum[j];
+        sum[j] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    sum[n] = (uint32_t)carry;
+}
+
+/* Two limbs are an integer of 64 bits in memory, and their products have a type. */
+#if defined(__SIZEOF_INT128__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define CYLINT_TWO_LIMBS
+__extension__ typedef unsigned __int128 four_limbs;
+
+static uint64_t two_limbs(const uint32_t *limb)
+{
+    uint64_t value;
+    memcpy(&value, limb, sizeof value);
+    return value;
+}
+
+/* The same with two limbs of x: sum[0..n+1], of which the last two are 0.  It takes
+ * a quarter of the products. */
+static void add_two_products(uint32_t *sum, uint64_t x, const uint32_t *y,
+                             int n)
+{
+    uint64_t carry = 0;
+    int j = 0;
+    for (; j + 1 < n; j += 2) {
+        const four_limbs product = (four_limbs)x * two_limbs(y + j) + carry;
+        const uint64_t low = (uint64_t)product + two_limbs(sum + j);
+        carry = (uint64_t)(product >> 64) + (low < (uint64_t)product);
+        memcpy(sum + j, &low, sizeof low);
+    }
+    if (j < n) {
+        const four_limbs product = (four_limbs)x * y[j] + carry + sum[j];
+        sum[j] = (uint32_t)product;
+        carry = (uint64_t)(product >> 32);
+    }
+    memcpy(sum + n, &carry, sizeof carry);
+}
+#endif
+
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
@@ -121,16 +167,15 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
         return (exact){arena->limb, 0, 0, 0};
     uint32_t *limb = take(arena, x.n + y.n);
     memset(limb, 0, (size_t)(x.n + y.n) * sizeof *limb);
-    for (int i = 0; i < x.n; i++) {
-        const uint64_t xi = x.limb[i];
-        uint64_t carry = 0;
-        for (int j = 0; j < y.n; j++) {
-            carry += xi * y.limb[j] + limb[i + j];
-            limb[i + j] = (uint32_t)carry;
-            carry >>= 32;
-        }
-        limb[i + y.n] = (uint32_t)carry;
-    }
+    int i = 0;
+#ifdef CYLINT_TWO_LIMBS
+    for (; i + 1 < x.n; i += 2)
+        if (two_limbs(x.limb + i) != 0)
+            add_two_products(limb + i, two_limbs(x.limb + i), y.limb, y.n);
+#endif
+    for (; i < x.n; i++)
+        if (x.limb[i] != 0)
+            add_product(limb + i, x.limb[i], y.limb, y.n);
     return trimmed(arena, limb, x.n + y.n, x.exponent + y.exponent,
                    x.sign * y.sign);
 }

@@ -173,7 +173,10 @@ static void only_shapes_made_of_floats_have_small_records(void)
         CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
         CHECK(!is_small(0x1p200, 0.5, cone));
     }
-    CHECK(!cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) &&
+    CHECK(!cylint_tangent_cone(&shape, base, up, 0.75, CYLINT_ENDS_CAPPED) &&
+          is_kept_small(&shape, &record));
+    CHECK(record.r0 == -0.75 && record.r1 == 0.75);
+    CHECK(!cylint_tangent_cone(&shape, base, up, 0.1, CYLINT_ENDS_CAPPED) &&
           !is_kept_small(&shape, &record));
     CHECK(
         !cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_ENDS_CAPPED) &&

@@ -48,7 +48,7 @@ awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "rye
     i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
 # Some of their answers take memory for every line.
 sed 's/not=[^ ]* //' rays | sed -n '900,1100p' >walk
-sed -n '80,120p' walk >steps # sums take memory three times for each
+sed -n '95,105p' walk >steps # sums take memory three times for each
 awk '{ n = int(NR / 3); word = NR % 3 ? (NR % 3 == 1 ? "in=w" : "out=w") n : ""
     $8 += NR % 3 / 9; $9 = word " " $9; print }' shapes >walls
 for i in 1 2 3 4 5 6; do echo s$i $((i % 4 - 2)); done >ranks
@@ -333,6 +333,16 @@ done
 check_wrong 'a signal leaves the old file and no other'
 
 # For every n the n-th allocation fails, alone or with all later ones.
+mkdir died
+all_stopped() { # JOB WHAT: died/*.out are first lines, with one message in died/*.err
+    wc -l died/*.out | awk -v answers=$1.out '
+        BEGIN { while ((getline line < answers) > 0) text[++n] = line }
+        $2 != "total" { for (i = 1; i <= $1; i++) print text[i] }' >expected
+    cat died/*.out | cmp -s - expected || wrong="$wrong $2: other answers;"
+    other=$(grep -cFx 'cylint: out of memory' died/*.err | grep -v ':1$')
+    [ -z "$other" ] || wrong="$wrong $2: messages of $other;"
+}
+
 for job in $jobs neuron pieces sums first; do
     for j in $WORKERS; do
         CYLINT_FAULTS='count=1' answer "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
@@ -342,16 +352,21 @@ for job in $jobs neuron pieces sums first; do
         while [ "$n" -gt 0 ]; do
             for fault in alloc allocs; do
                 CYLINT_FAULTS="$fault=$n leaks=1" answer "$faulty" $job -j $j \
-                    <"$(input_of $job)" >out 2>err
+                    <"$(input_of $job)" >died/$fault$n.out 2>died/$fault$n.err
                 status=$?
-                [ $status -ne 1 ] || { same $job 1 "$job -j $j $fault=$n"; continue; }
-                stopped $status 4 'out of memory' "$job -j $j $fault=$n"
-                first_lines $job "$(wc -l <out)" "$job -j $j $fault=$n"
-                died=$((died + 1))
+                case $status in
+                1) mv died/$fault$n.out out
+                   mv died/$fault$n.err err
+                   same $job 1 "$job -j $j $fault=$n" ;;
+                4) died=$((died + 1)) ;;
+                *) wrong="$wrong $job -j $j $fault=$n: status $status;" ;;
+                esac
             done
             n=$((n - 1))
         done
         [ $died -ge 8 ] || wrong="$wrong $job -j $j: only $died of $(cat count) matter?"
+        all_stopped $job "$job -j $j"
+        rm died/*
     done
 done
 check_wrong 'out of memory at the n-th allocation, for every n'

@@ -212,7 +212,7 @@ static void certain_answers_are_the_librarys(void)
                 if (family_is_round(family) != round)
                     continue;
                 const struct tally t = ask_family(
-                    &builds[b], family, round ? FAMILY_RCONE : FAMILY_CONE);
+                    &builds[b], family, round ? FAMILY_RCONE : FAMILY_ACONE);
                 sum.hits += t.hits;
                 sum.certain += t.certain;
             }

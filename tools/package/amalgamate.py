@@ -69,16 +69,20 @@ def resolve(name, includer):
     raise SystemExit(f"{includer}: cannot find {name}")
 
 
+@functools.cache
 def lines_with_depth(path):
     """The lines of a file, each with the number of conditions around it, without that
     of its guard."""
     depth = -1 if not is_repeated(path) and path.suffix == ".h" else 0
+    lines = []
     for line in path.read_text().splitlines():
         depth -= re.match(r" *# *endif", line) is not None
-        yield line, depth
+        lines.append((line, depth))
         depth += re.match(r" *# *if", line) is not None
+    return lines
 
 
+@functools.cache
 def included(path, most_depth=99):
     """The files that it includes, within so many conditions at most."""
     found = [
@@ -88,6 +92,7 @@ def included(path, most_depth=99):
     return [f for f in files if f is not None]
 
 
+@functools.cache
 def is_repeated(path):
     """Whether it has no guard: a template, or a part of a file."""
     return not re.search(r"^#ifndef \w+_H$", path.read_text(), re.M)
@@ -232,7 +237,7 @@ def private_text(cc, path, flags, private):
     chain = [True]  # for the files that include each other: all are private
     lines = []
     for line in done.stdout.splitlines():
-        marker = re.match(r'# \d+ "(.*)"((?: \d)*)', line)
+        marker = line[:1] == "#" and re.match(r'# \d+ "(.*)"((?: \d)*)', line)
         if marker and " 1" in marker[2]:
             file = Path(marker[1])
             chain.append(chain[-1] and file.exists() and file.resolve() in private)
