@@ -478,6 +478,7 @@ KERNEL(round_cone, CYLINT_SOLID_ROUND_CONE)
 static lanes_kernel *const of_solid[CYLINT_SOLIDS] = {
     CYLINT_EACH_SOLID(MEMBER)};
 #undef MEMBER
+#undef nappe_lanes
 
 /* ------------------------------------------------------- the groups ----- */
 

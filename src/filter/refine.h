@@ -289,12 +289,10 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
 /* x where m, else y. */
 INLINE root root_if(vm m, const root *x, const root *y)
 {
-    return (root){v_select(m, x->value, y->value),
-                  v_select(m, x->tail, y->tail),
-                  v_select(m, x->error, y->error),
-                  v_select(m, x->low, y->low),
-                  v_select(m, x->high, y->high),
-                  m_if(m, x->nearest, y->nearest)};
+    return (root){
+        v_select(m, x->value, y->value), v_select(m, x->tail, y->tail),
+        v_select(m, x->error, y->error), v_select(m, x->low, y->low),
+        v_select(m, x->high, y->high),   m_if(m, x->nearest, y->nearest)};
 }
 
 /* The hits, of which those in the lanes have the root 0. */
