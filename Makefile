@@ -109,8 +109,8 @@ isa.src/filter/many-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/filter/many_points-avx2   := $(avx2) -DCYLINT_SIDES=cylint_sides_avx2
 isa.src/filter/many_points-avx512 := $(avx512) -DCYLINT_SIDES=cylint_sides_avx512
-isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2
-isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512
+isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
+isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
 isa.src/bvh/traverse_point-avx512    := $(avx512) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_TRAVERSE_PACKET=cylint_traverse_packet_avx2

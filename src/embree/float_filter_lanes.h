@@ -361,47 +361,38 @@ INLINE hit lateral_end(const questions *q, int end)
     return at;
 }
 
-/* For chords that begin or end below the base or above the top: whether they
- * cross that cap's plane.  Then moves the hit there. */
-INLINE verdict move_to_cap(const questions *q, int end, vm between, hit *at)
-{
-    const hit other = lateral_end(q, 1 - end);
-    const vm top = v_lt(v_set(0.5), at->z);
-    const vd one = v_set(1), dz = v_abs(q->dz);
-    const vd out = v_select(top, at->z - one, -at->z);
-    const vd other_out = v_select(top, other.z - one, -other.z);
-    const vd margin = other.z_error + eps(1);
-    const vm outside = m_and_not(v_lt(at->z_error + eps(1), out), between);
-    const vm stays = m_and(outside, v_lt(margin, other_out));
-    const vm comes = m_and(m_and(outside, v_lt(other_out, -margin)),
-                           v_lt(eps(16) * q->U * q->per_W, dz));
-    const vm decided = m_or(m_or(between, stays), comes);
-    if (m_any(comes)) {
-        const vd per_dz = one / where_or_one(comes, dz);
-        const vd rise = v_select(top, one, v_set(0)) - q->z0;
-        hit cap;
-        cap.s = v_select(v_lt(q->dz, v_set(0)), -rise, rise) * per_dz;
-        cap.s_error =
-            eps(4) * (one + (q->Dn + v_abs(cap.s) * q->U) * q->per_W) * per_dz;
-        cap.z = v_select(top, one, v_set(0));
-        cap.z_error = v_set(0);
-        cap.capped = comes;
-        cap.top = top;
-        select_hit(at, comes, &cap);
-    }
-    return (verdict){m_or(between, comes), m_not(decided)};
-}
-
-/* Where the line enters (end 0) or leaves the closed shape. */
+/*
+ * Where the line enters (end 0) or leaves the closed shape: where its chord begins or
+ * ends, or, if that is beyond a cap and the chord's other end is not, on that cap.
+ * `out`: how far z is beyond the nearer cap.
+ */
 INLINE verdict end_on_discs(const questions *q, int end, hit *at)
 {
+    const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
     *at = lateral_end(q, end);
+    const vm top = v_lt(v_set(0.5), at->z);
+    const vd out = v_select(top, at->z - one, -at->z);
     const vd margin = at->z_error + eps(1);
-    const vm between =
-        m_and(v_lt(margin, at->z), v_lt(at->z, v_set(1) - margin));
+    const vm between = v_lt(out, -margin), beyond = v_lt(margin, out);
     if (!m_any(m_not(between)))
         return (verdict){between, m_none()};
-    return move_to_cap(q, end, between, at);
+    const hit other = lateral_end(q, 1 - end);
+    const vd other_out = v_select(top, other.z - one, -other.z);
+    const vd other_margin = other.z_error + eps(1);
+    const vm stays = m_and(beyond, v_lt(other_margin, other_out));
+    const vm comes = m_and(m_and(beyond, v_lt(other_out, -other_margin)),
+                           v_lt(eps(16) * q->U * q->per_W, dz));
+    const vm hits = m_or(between, comes);
+    if (m_any(comes)) {
+        const vd per_dz = one / where_or_one(comes, dz);
+        const vd z = v_select(top, one, zero), rise = z - q->z0;
+        const vd s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
+        const vd X = q->Dn + v_abs(s) * q->U;
+        const hit cap = {
+            s, eps(4) * (one + X * q->per_W) * per_dz, z, zero, comes, top};
+        select_hit(at, comes, &cap);
+    }
+    return (verdict){hits, m_not(m_or(hits, stays))};
 }
 
 /* Where the line enters or leaves the ball about an end. */

@@ -154,19 +154,6 @@ static size_t expected(const struct record *q, int ray, double *t)
     return nearest;
 }
 
-/* Hits of a shape that floats show at t: entry and exit may be one float. */
-static int hits_at(const struct record *q, int ray, unsigned prim, float t)
-{
-    const cylint_line line = rays_line(q->r, ray);
-    cylint_answer answer;
-    int n = 0;
-    const int hits =
-        cylint_intersect(&q->w->shapes[prim], &line, CYLINT_WANT_T, &answer);
-    for (int i = 0; i < hits; i++)
-        n += world_float_above(answer.hit[i].t) == t;
-    return n;
-}
-
 /* The number of calls beyond one for each hit. */
 static int twice(const struct record *q, int which)
 {
@@ -179,9 +166,10 @@ static int twice(const struct record *q, int which)
             same += q->offer[which][i].prim == q->offer[which][j].prim &&
                     q->offer[which][i].t == q->offer[which][j].t &&
                     q->offer[which][i].ray == q->offer[which][j].ray;
-        n += same > 1 &&
-             same > hits_at(q, q->offer[which][i].ray, q->offer[which][i].prim,
-                            q->offer[which][i].t);
+        n +=
+            same > 1 &&
+            same > world_hits_at(q->w, q->r, q->offer[which][i].ray,
+                                 q->offer[which][i].prim, q->offer[which][i].t);
     }
     return n;
 }
