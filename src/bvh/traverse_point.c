@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "keyed_entry.h"
-#include "traverse_point.h"
 
 #ifndef CYLINT_TRAVERSE_POINT
 #define CYLINT_TRAVERSE_POINT cylint_traverse_point_plain

@@ -6,7 +6,7 @@
  * never above these, and below by no more than the errors that are stated there.
  */
 #define CYLINT_TRAVERSE_POINT cylint_traverse_point_tested
-#include "bvh/traverse_point.h"
+#include "bvh/traverse.h"
 cylint_traverse_point CYLINT_TRAVERSE_POINT;
 #include "bvh/traverse_point.c"
 
