@@ -201,15 +201,18 @@ INLINE void load_questions(questions *q)
     v_columns(row, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
-    q->is_angle = m_and(v_lt(q->r0, zero), v_lt(zero, top[3]));
+    q->is_angle = v_lt(base[3] * top[3], zero);
     EACH(j, 3) {
         q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
-    if (m_any(q->is_angle))
+    if (m_any(q->is_angle)) {
         EACH(j, 3)
             q->w[j] = v_select(q->is_angle, top[j], q->w[j]);
+        q->r0 = v_select(q->is_angle, zero, q->r0);
+        q->dr = v_select(q->is_angle, top[3] * v_sqrt(dot(q->w, q->w)), q->dr);
+    }
     q->from = origin_shift(x[7], D0, q->u);
     EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) +
@@ -221,10 +224,6 @@ INLINE void load_questions(questions *q)
     q->U = size(q->u);
     q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
-    if (m_any(q->is_angle)) {
-        q->r0 = v_select(q->is_angle, zero, q->r0);
-        q->dr = v_select(q->is_angle, top[3] * q->W, q->dr);
-    }
 }
 
 /* ------------------------------------------------------------- surfaces -- */
