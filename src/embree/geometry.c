@@ -442,8 +442,9 @@ void cylint_embree_release(RTCGeometry geometry)
 size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
+    const cylint_embree_shapes *shapes = data->shapes;
     return data->self.bytes + data->bvh.node_memory.bytes +
            data->bvh.leaf_memory.bytes + data->order_memory.bytes +
-           cylint_embree_shapes_bytes(&data->shapes[0]) +
-           cylint_embree_shapes_bytes(&data->shapes[1]);
+           shapes[0].memory.bytes + shapes[0].whole_memory.bytes +
+           shapes[1].memory.bytes + shapes[1].whole_memory.bytes;
 }
