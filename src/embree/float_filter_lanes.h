@@ -361,8 +361,8 @@ INLINE hit lateral_end(const questions *q, int end)
 }
 
 /*
- * Where the line enters (end 0) or leaves the closed shape: where its chord begins or
- * ends, or, if that is beyond a cap and the chord's other end is not, on that cap.
+ * Where the line enters (end 0) or leaves the closed shape: where its chord begins
+ * or ends, or, if that is beyond a cap and the chord's other end is not, on that cap.
  * `out`: how far z is beyond the nearer cap.
  */
 INLINE verdict end_on_discs(const questions *q, int end, hit *at)
@@ -423,8 +423,8 @@ INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
     return v;
 }
 
-/* Where the line enters or leaves the cone of a round kind: y below 0, between 0 and
- * S, above S, or none of these. */
+/* Where the line enters or leaves the cone of a round kind: y below 0, between 0
+ * and S, above S, or none of these. */
 typedef struct {
     vm below, between, above;
 } range;
@@ -526,8 +526,8 @@ INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
     return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X, that
- * of r 2 u R. */
+/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X,
+ * that of r 2 u R. */
 INLINE vd ball_at(const questions *q, const hit *at, vd *error)
 {
     vd P[3];
