@@ -362,8 +362,8 @@ INLINE hit lateral_end(const questions *q, int end)
 
 /*
  * Where the line enters (end 0) or leaves the closed shape: where its chord begins
- * or ends, or, if that is beyond a cap and the chord's other end is not, on that cap.
- * `out`: how far z is beyond the nearer cap.
+ * or ends, or, if that is beyond a cap and the chord's other end is not, on that
+ * cap.  `out`: how far z is beyond the nearer cap.
  */
 INLINE verdict end_on_discs(const questions *q, int end, hit *at)
 {
