@@ -209,7 +209,8 @@ static int rank_by_leaves(cylint_embree_data *data)
     return 1;
 }
 
-/* Copies the shapes in the order of their ranks.  Returns 0 if memory is refused. */
+/* Copies the shapes in the order of their ranks.  Returns 0 if memory is
+ * refused. */
 static int copy_shapes(cylint_embree_data *data)
 {
     for (int i = 0; i <= (data->moved != NULL); i++) {
