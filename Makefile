@@ -90,6 +90,7 @@ $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/floa
 $(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
 # The builds for x86 processors without AVX2.
 $(if $(X86),$(call of,src/filter/one.o src/signs/origin.o src/distance/one_distance.o src/distance/elliptic_certain.o)): extra += $(small)
+$(if $(X86),$(call of,src/distance/elliptic_certain.o)): extra += -DCYLINT_LOOPS
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the

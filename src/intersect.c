@@ -263,8 +263,8 @@ int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
     cylint_local_in_doubles(&shape, kind, ends, p0, r0, p1, r1);
     const unsigned solid =
         (unsigned)cylint_prepared(&shape) & -(unsigned)line->in_range;
-    return cylint_one_used()->by_solid[solid](
-        &shape, line, CYLINT_WANT_NEAREST, &answer, &question);
+    return cylint_one_used()->by_solid[solid](&shape, line, CYLINT_WANT_NEAREST,
+                                              &answer, &question);
 }
 
 /* Without the filter. */

@@ -201,15 +201,18 @@ INLINE void load_questions(questions *q)
     v_columns(row, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
-    q->is_angle = m_and(v_lt(q->r0, zero), v_lt(zero, top[3]));
+    q->is_angle = v_lt(base[3] * top[3], zero);
     EACH(j, 3) {
         q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
-    if (m_any(q->is_angle))
+    if (m_any(q->is_angle)) {
         EACH(j, 3)
             q->w[j] = v_select(q->is_angle, top[j], q->w[j]);
+        q->r0 = v_select(q->is_angle, zero, q->r0);
+        q->dr = v_select(q->is_angle, top[3] * v_sqrt(dot(q->w, q->w)), q->dr);
+    }
     q->from = origin_shift(x[7], D0, q->u);
     EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) +
@@ -221,10 +224,6 @@ INLINE void load_questions(questions *q)
     q->U = size(q->u);
     q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
-    if (m_any(q->is_angle)) {
-        q->r0 = v_select(q->is_angle, zero, q->r0);
-        q->dr = v_select(q->is_angle, top[3] * q->W, q->dr);
-    }
 }
 
 /* ------------------------------------------------------------- surfaces -- */
@@ -362,9 +361,9 @@ INLINE hit lateral_end(const questions *q, int end)
 }
 
 /*
- * Where the line enters (end 0) or leaves the closed shape: where its chord begins or
- * ends, or, if that is beyond a cap and the chord's other end is not, on that cap.
- * `out`: how far z is beyond the nearer cap.
+ * Where the line enters (end 0) or leaves the closed shape: where its chord begins
+ * or ends, or, if that is beyond a cap and the chord's other end is not, on that
+ * cap.  `out`: how far z is beyond the nearer cap.
  */
 INLINE verdict end_on_discs(const questions *q, int end, hit *at)
 {
@@ -424,8 +423,8 @@ INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
     return v;
 }
 
-/* Where the line enters or leaves the cone of a round kind: y below 0, between 0 and
- * S, above S, or none of these. */
+/* Where the line enters or leaves the cone of a round kind: y below 0, between 0
+ * and S, above S, or none of these. */
 typedef struct {
     vm below, between, above;
 } range;
@@ -527,8 +526,8 @@ INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
     return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X, that
- * of r 2 u R. */
+/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X,
+ * that of r 2 u R. */
 INLINE vd ball_at(const questions *q, const hit *at, vd *error)
 {
     vd P[3];

@@ -92,8 +92,8 @@ static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
         EACH_RAY(k, rays)
         {
             question *q = &p->test[k].q;
-            if (left[k] && ask_nearest_lane(&p->test[k], hit->leaf, &left[k],
-                                            hit->least[k])) {
+            if (left[k] && take_nearest_lane(&p->test[k], hit->leaf, &left[k],
+                                             hit->least[k])) {
                 const int is_round = cylint_float_filter_is_round(q);
                 asked[is_round][n[is_round]++] = q;
             } else {

@@ -38,11 +38,6 @@ static void intersect(const ray_test *r, size_t rank, unsigned want,
                : 0;
 }
 
-static size_t rank_of(const cylint_embree_data *data, size_t number)
-{
-    return data->rank ? data->rank[number] : number;
-}
-
 /* The new tfar of a ray hit at t <= tfar. */
 static float rounded_up(double t, float tfar)
 {
@@ -51,13 +46,6 @@ static float rounded_up(double t, float tfar)
 }
 
 /* --------------------------------------------------------- nearest hits -- */
-
-static int same_instance(const struct RTCHit *hit,
-                         const cylint_rtc_context *context)
-{
-    return memcmp((const char *)hit + offsetof(struct RTCHit, instID),
-                  cylint_rtc_instance(context), CYLINT_INSTANCE_BYTES) == 0;
-}
 
 /* The number of the shape of a hit on this geometry, or data->n.  geomID: the
  * geometry's own. */
@@ -75,10 +63,13 @@ static size_t number_of_hit(const cylint_embree_data *data,
 }
 
 /* The number of the shape of the ray's present hit, or data->n if that is not on
- * this geometry. */
+ * this geometry, in this instance. */
 static size_t present_number(const ray_test *r)
 {
-    return same_instance(r->hit, r->args->context)
+    const char *instance =
+        (const char *)r->hit + offsetof(struct RTCHit, instID);
+    return memcmp(instance, cylint_rtc_instance(r->args->context),
+                  CYLINT_INSTANCE_BYTES) == 0
                ? number_of_hit(r->data, r->hit, r->args->geomID)
                : r->data->n;
 }
@@ -90,8 +81,9 @@ static size_t present_number(const ray_test *r)
 static int find_present(const ray_test *r, size_t number, unsigned want,
                         exact_hits *x)
 {
+    const uint32_t *rank = r->data->rank;
     int found = -1;
-    intersect(r, rank_of(r->data, number), want, x);
+    intersect(r, rank ? rank[number] : number, want, x);
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
@@ -273,7 +265,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     ray_test *r = self;
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
-    while (lanes && ask_nearest_lane(r, leaf, &lanes, least)) {
+    while (lanes && take_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
         cylint_ray_end(r);
         if (r->found && r->any)

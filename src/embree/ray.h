@@ -132,8 +132,8 @@ static inline int nearest_lane(unsigned lanes, const float *least)
 
 /* Removes the nearest lane from *lanes and sets the question about it.  Returns 0
  * if no lane can hold the nearest hit. */
-CYLINT_INLINE int ask_nearest_lane(ray_test *r, const cylint_leaf *leaf,
-                                   unsigned *lanes, const float *least)
+CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
+                                    unsigned *lanes, const float *least)
 {
     const int lane = nearest_lane(*lanes, least);
     if (least[lane] > r->ray->tfar)

@@ -103,8 +103,7 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
     question->line = line;
     question->answer = answer;
     question->want = want;
-    const int n =
-        kernels->by_solid[solid](shape, line, want, answer, question);
+    const int n = kernels->by_solid[solid](shape, line, want, answer, question);
     return n == CYLINT_UNDECIDED ? kernels->refine(question) : n;
 }
 

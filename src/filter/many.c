@@ -447,23 +447,38 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
 }
 
 typedef void lanes_kernel(group_questions *x, unsigned want, int relations,
-                          cylint_filter_group *g);
+                          int solid, cylint_filter_group *g);
 
-#define KERNEL(name, solid)                                                   \
+INLINE void load_and_answer(group_questions *x, unsigned want, int relations,
+                            int solid, cylint_filter_group *g)
+{
+    if (x->shape)
+        gather_shapes(&x->frame, x->shape, solid);
+    answer_lanes(x, want, relations, solid, g);
+}
+
+#define KERNEL(name, constant)                                                \
     ASIDE void name##_lanes(group_questions *x, unsigned want, int relations, \
-                            cylint_filter_group *g)                           \
+                            int solid, cylint_filter_group *g)                \
     {                                                                         \
-        if (x->shape)                                                         \
-            gather_shapes(&x->frame, x->shape, solid);                        \
-        answer_lanes(x, want, relations, solid, g);                           \
+        (void)solid;                                                          \
+        load_and_answer(x, want, relations, constant, g);                     \
     }
-CYLINT_EACH_SOLID(KERNEL)
+KERNEL(cylinder, CYLINT_SOLID_CYLINDER)
+KERNEL(cone, CYLINT_SOLID_CONE)
+KERNEL(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
+KERNEL(double_cone, cylint_whole_cone(solid))
+#define nappe_lanes double_cone_lanes
+KERNEL(sphere, CYLINT_SOLID_SPHERE)
+KERNEL(capsule, CYLINT_SOLID_CAPSULE)
+KERNEL(round_cone, CYLINT_SOLID_ROUND_CONE)
 #undef KERNEL
 
 #define MEMBER(name, solid) [solid] = name##_lanes,
 static lanes_kernel *const of_solid[CYLINT_SOLIDS] = {
     CYLINT_EACH_SOLID(MEMBER)};
 #undef MEMBER
+#undef nappe_lanes
 
 /* ------------------------------------------------------- the groups ----- */
 
@@ -517,7 +532,7 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
     }
     x->in_use = (1u << lanes) - 1;
     x->nearest = from->nearest;
-    of_solid[from->solid](x, from->want, from->relations, g);
+    of_solid[from->solid](x, from->want, from->relations, from->solid, g);
 }
 
 void CYLINT_MANY(cylint_filter_batch *from, cylint_filter_use *use, void *self)

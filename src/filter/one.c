@@ -104,17 +104,17 @@ INLINE bounded_value test_of_G(const first_line *first,
 /* The test of G, whose values go on in registers: so a miss saves none. */
 #define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
 #define VALUES a.p, a.v, a.from_base, a.w, a.Q, a.D, G.v, G.e
-#define KERNEL(name, signs, roots, solid)                                  \
-    static int name(ARGUMENTS)                                             \
-    {                                                                      \
-        const source from = {shape, line};                                 \
-        const first_line a = load_first(&from, solid);                     \
-        const bounded_value G = test_of_G(&a, shape, solid);               \
-        if (m_bits(v_lt(G.v, -G.e)) & 1)                                   \
-            return write_miss(answer);                                     \
-        return want & CYLINT_WANT_T                                        \
-                   ? roots(shape, line, want, answer, question, VALUES)    \
-                   : signs(shape, line, want, answer, question, VALUES);   \
+#define KERNEL(name, signs, roots, solid)                                \
+    static int name(ARGUMENTS)                                           \
+    {                                                                    \
+        const source from = {shape, line};                               \
+        const first_line a = load_first(&from, solid);                   \
+        const bounded_value G = test_of_G(&a, shape, solid);             \
+        if (m_bits(v_lt(G.v, -G.e)) & 1)                                 \
+            return write_miss(answer);                                   \
+        return want & CYLINT_WANT_T                                      \
+                   ? roots(shape, line, want, answer, question, VALUES)  \
+                   : signs(shape, line, want, answer, question, VALUES); \
     }
 #define REST(name, roots, solid)                                           \
     ASIDE int name(ARGUMENTS, FIRST)                                       \
@@ -130,9 +130,9 @@ INLINE bounded_value test_of_G(const first_line *first,
     {                                   \
         return refine_ends(q, solid);   \
     }
-#define OWN(name, solid)           \
-    REST(name##_signs, 0, solid)   \
-    REST(name##_roots, 1, solid)   \
+#define OWN(name, solid)         \
+    REST(name##_signs, 0, solid) \
+    REST(name##_roots, 1, solid) \
     KERNEL(name, name##_signs, name##_roots, solid)
 
 OWN(cylinder, CYLINT_SOLID_CYLINDER)

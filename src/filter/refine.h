@@ -286,14 +286,13 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
     return left;
 }
 
-/* r with roots 0 in the lanes. */
-INLINE root with_zeros(const root *r, vm lanes)
+/* x where m, else y. */
+INLINE root root_if(vm m, const root *x, const root *y)
 {
-    const vd zero = v_set(0);
     return (root){
-        v_select(lanes, zero, r->value), v_select(lanes, zero, r->tail),
-        v_select(lanes, zero, r->error), v_select(lanes, zero, r->low),
-        v_select(lanes, zero, r->high),  m_or(lanes, r->nearest)};
+        v_select(m, x->value, y->value), v_select(m, x->tail, y->tail),
+        v_select(m, x->error, y->error), v_select(m, x->low, y->low),
+        v_select(m, x->high, y->high),   m_if(m, x->nearest, y->nearest)};
 }
 
 /* The hits, of which those in the lanes have the root 0. */
@@ -349,6 +348,8 @@ static int refine_roots(cylint_question *q)
                          .inverse = v_load(q->inverse),
                          .slope_error = v_load(q->slope_error),
                          .curvature = v_load(q->curvature)};
+    const vd none = v_set(0);
+    const root zero = {none, none, none, none, none, m_from(3)};
     root r = {v_load(q->value), v_load(q->tail), v_load(q->error),
               v_load(q->low),   v_load(q->high), m_from(q->nearest)};
     local_line l;
@@ -360,7 +361,7 @@ static int refine_roots(cylint_question *q)
     hits h = hits_of_roots(&r, &l, present);
     unsigned needed = ends_needed(h, bits, q->want);
     const vm zeros = m_from(zero_roots(&r, &at, needed, q, solid));
-    r = with_zeros(&r, zeros);
+    r = root_if(zeros, &zero, &r);
     h = with_zero_hits(h, zeros, q->line);
     needed = ends_needed(h, bits, q->want);
     if (!needed)
@@ -380,11 +381,7 @@ static int refine_roots(cylint_question *q)
     const bounded_value exact = bounded_levels(
         v_load(residual), size_at(start, &l), m_from(q->ends.on_end), shape);
     const root better = step_from(start, exact, &at);
-    const vm m = m_from(needed);
-    r = (root){
-        v_select(m, better.value, r.value), v_select(m, better.tail, r.tail),
-        v_select(m, better.error, r.error), v_select(m, better.low, r.low),
-        v_select(m, better.high, r.high),   m_if(m, better.nearest, r.nearest)};
+    r = root_if(m_from(needed), &better, &r);
     h = with_zero_hits(hits_of_roots(&r, &l, present), zeros, q->line);
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
