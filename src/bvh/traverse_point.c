@@ -17,10 +17,9 @@ typedef struct {
     const cylint_bvh *bvh;
     double x[3], error, box_error;
     double nearest; /* the distance of the box of all */
-    float low[3],
-        high[3];    /* the nearest point of the box of all, from bvh->center,
-                              with box_error subtracted and added */
-    float twice[3]; /* twice its distances along each coordinate */
+    /* The nearest point of the box of all, from bvh->center, with box_error
+     * subtracted and added; twice its distances along each coordinate. */
+    float low[3], high[3], twice[3];
     const double *distance;
     float last; /* the bound for *distance */
     entry stack[CYLINT_STACK_SIZE];
