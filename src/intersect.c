@@ -181,11 +181,12 @@ static int signs_contradict(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer a;
     cylint_intersect_by_signs(shape, line, want, &a);
+    /* mutant '!=' -> '==': an effect with PARANOID=1 only */
     int wrong = a.relation != known->relation || a.n != known->n;
     for (int i = 0; i < a.n && !wrong; i++)
         wrong = ((want & CYLINT_WANT_PART) &&
                  (a.hit[i].part != known->hit[i].part ||
-                  /* mutant '!=' -> '==': an effect with PARANOID=1 only */
+                  /* mutant '!=' -> '==': the same */
                   a.hit[i].side != known->hit[i].side)) ||
                 ((want & CYLINT_WANT_T) && a.hit[i].t != known->hit[i].t);
     return wrong;
@@ -301,6 +302,7 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
         cylint_largest(point) <= CYLINT_FAR
             ? cylint_one_used()->contains[cylint_prepared(shape)](shape, point)
             : CYLINT_SIDE_UNDECIDED;
+    /* mutant '!' -> '': slower, exact arithmetic decides */
     if (side != CYLINT_SIDE_UNDECIDED && !CYLINT_IS_PARANOID)
         return side;
     const int exactly = contains_by_signs(shape, point);
