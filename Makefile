@@ -90,6 +90,7 @@ $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/floa
 $(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
 # The builds for x86 processors without AVX2.
 $(if $(X86),$(call of,src/filter/one.o src/signs/origin.o src/distance/one_distance.o src/distance/elliptic_certain.o)): extra += $(small)
+$(if $(X86),$(call of,src/distance/elliptic_certain.o)): extra += -DCYLINT_LOOPS
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 # The Python module has the command's readers.
 $(BUILD)/tools/cylint/%: extra += -fPIC -fvisibility=hidden
@@ -110,8 +111,8 @@ isa.src/filter/many-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/filter/many_points-avx2   := $(avx2) -DCYLINT_SIDES=cylint_sides_avx2
 isa.src/filter/many_points-avx512 := $(avx512) -DCYLINT_SIDES=cylint_sides_avx512
-isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2
-isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512
+isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
+isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
 isa.src/bvh/traverse_point-avx512    := $(avx512) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_TRAVERSE_PACKET=cylint_traverse_packet_avx2

@@ -66,7 +66,7 @@ static unsigned choose_and_describe(const cylint_shape *shape,
     return cylint_one_used()->describe(shape, line, want, known, hit);
 }
 
-#define ONE(name, solid) [solid] = {choose_and_answer, choose_and_answer},
+#define ONE(name, solid) [solid] = choose_and_answer,
 #define SIDE(name, solid) [solid] = choose_and_contain,
 static const cylint_one_kernels choosing = {
     {ONE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(ONE)},

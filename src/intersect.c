@@ -181,11 +181,12 @@ static int signs_contradict(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer a;
     cylint_intersect_by_signs(shape, line, want, &a);
+    /* mutant '!=' -> '==': an effect with PARANOID=1 only */
     int wrong = a.relation != known->relation || a.n != known->n;
     for (int i = 0; i < a.n && !wrong; i++)
         wrong = ((want & CYLINT_WANT_PART) &&
                  (a.hit[i].part != known->hit[i].part ||
-                  /* mutant '!=' -> '==': an effect with PARANOID=1 only */
+                  /* mutant '!=' -> '==': the same */
                   a.hit[i].side != known->hit[i].side)) ||
                 ((want & CYLINT_WANT_T) && a.hit[i].t != known->hit[i].t);
     return wrong;
@@ -263,8 +264,8 @@ int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
     cylint_local_in_doubles(&shape, kind, ends, p0, r0, p1, r1);
     const unsigned solid =
         (unsigned)cylint_prepared(&shape) & -(unsigned)line->in_range;
-    return cylint_one_used()->by_solid[solid][0](
-        &shape, line, CYLINT_WANT_NEAREST, &answer, &question);
+    return cylint_one_used()->by_solid[solid](&shape, line, CYLINT_WANT_NEAREST,
+                                              &answer, &question);
 }
 
 /* Without the filter. */
@@ -301,6 +302,7 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
         cylint_largest(point) <= CYLINT_FAR
             ? cylint_one_used()->contains[cylint_prepared(shape)](shape, point)
             : CYLINT_SIDE_UNDECIDED;
+    /* mutant '!' -> '': slower, exact arithmetic decides */
     if (side != CYLINT_SIDE_UNDECIDED && !CYLINT_IS_PARANOID)
         return side;
     const int exactly = contains_by_signs(shape, point);

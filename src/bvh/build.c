@@ -5,6 +5,7 @@
  * Embree's rtcBuildBVH fills leaves of 8 with 4.4 boxes on average and takes
  * twice the time.
  */
+#define CYLINT_FOUR_LANES
 #include "build.h"
 
 #include <float.h>
@@ -19,40 +20,60 @@
  * bins.  The split is as good as with all boxes. */
 enum { BINS = 16, SAMPLES = 2048 };
 
+/* A box, in vectors of one or four lanes.  The fourth of lower and of upper is not a
+ * float and is not used. */
+enum { PARTS = WIDTH == 1 ? 3 : 1 };
 typedef struct {
-    v4 lower, upper;
+    vf lower[PARTS], upper[PARTS];
 } bounds;
 
-static bounds nothing(void)
+static inline bounds nothing(void)
 {
-    return (bounds){v4_set(FLT_MAX), v4_set(-FLT_MAX)};
+    bounds h;
+    EACH(k, PARTS) {
+        h.lower[k] = f_set(FLT_MAX);
+        h.upper[k] = f_set(-FLT_MAX);
+    }
+    return h;
 }
 
-static bounds joined(bounds a, bounds b)
+static inline bounds joined(bounds a, bounds b)
 {
-    return (bounds){v4_min(a.lower, b.lower), v4_max(a.upper, b.upper)};
+    EACH(k, PARTS) {
+        a.lower[k] = f_lower(a.lower[k], b.lower[k]);
+        a.upper[k] = f_higher(a.upper[k], b.upper[k]);
+    }
+    return a;
 }
 
-static bounds bounds_of(const cylint_boxed_piece *b)
+static inline bounds bounds_of(const cylint_boxed_piece *b)
 {
-    /* the fourth member is not a float and is not used */
-    return (bounds){v4_load(b->lower), v4_load(b->upper)};
+    bounds h;
+    EACH(k, PARTS) {
+        h.lower[k] = f_load(b->lower + k * WIDTH);
+        h.upper[k] = f_load(b->upper + k * WIDTH);
+    }
+    return h;
 }
 
-static cylint_extent extent_of(bounds h)
+static inline cylint_extent extent_of(bounds h)
 {
     float lower[4], upper[4];
-    v4_store(lower, h.lower);
-    v4_store(upper, h.upper);
+    EACH(k, PARTS) {
+        f_store(lower + k * WIDTH, h.lower[k]);
+        f_store(upper + k * WIDTH, h.upper[k]);
+    }
     return (cylint_extent){{lower[0], lower[1], lower[2]},
                            {upper[0], upper[1], upper[2]}};
 }
 
 /* Half the area; infinite for no boxes. */
-static float area(bounds h)
+static inline float area(bounds h)
 {
-    const v4 side = v4_sub(v4_xyz(h.upper), v4_xyz(h.lower));
-    return v4_sum_xyz(v4_mul(side, v4_yzx(side)));
+    const cylint_extent e = extent_of(h);
+    const float x = e.upper[0] - e.lower[0], y = e.upper[1] - e.lower[1],
+                z = e.upper[2] - e.lower[2];
+    return x * y + y * z + z * x;
 }
 
 /* Consecutive boxes, the box of all of them, and the box of their centres times
@@ -63,43 +84,51 @@ typedef struct {
     bounds box, centers;
 } range;
 
-/* Maps a centre to its bin. */
-typedef struct {
-    v4 least, per_bin;
-} scale;
-
-static v4 center_of(const cylint_boxed_piece *b)
+/* The box's centre times two. */
+static inline bounds center_of(bounds h)
 {
-    const bounds h = bounds_of(b);
-    return v4_add(v4_xyz(h.lower), v4_xyz(h.upper));
+    EACH(k, PARTS)
+        h.lower[k] = h.upper[k] = h.lower[k] + h.upper[k];
+    return h;
+}
+
+static inline float key(const cylint_boxed_piece *b, int axis)
+{
+    return b->lower[axis] + b->upper[axis];
 }
 
 static range measured(cylint_boxed_piece *boxes, size_t n)
 {
     range r = {boxes, n, nothing(), nothing()};
     for (size_t i = 0; i < n; i++) {
-        const v4 c = center_of(&boxes[i]);
-        r.box = joined(r.box, bounds_of(&boxes[i]));
-        r.centers = joined(r.centers, (bounds){c, c});
+        const bounds h = bounds_of(&boxes[i]);
+        r.box = joined(r.box, h);
+        r.centers = joined(r.centers, center_of(h));
     }
     return r;
 }
 
+/* Maps a centre to its bin. */
+typedef struct {
+    float least[3], per_bin[3];
+} scale;
+
 static scale scale_of(const range *r)
 {
-    float extent[4];
-    v4_store(extent, v4_sub(r->centers.upper, r->centers.lower));
-    for (int j = 0; j < 4; j++)
-        extent[j] = extent[j] > FLT_MIN * BINS
-                        ? BINS * (1 - 4 * FLT_EPSILON) / extent[j]
-                        : 0;
-    return (scale){r->centers.lower, v4_load(extent)};
+    const cylint_extent e = extent_of(r->centers);
+    scale s;
+    EACH(j, 3) {
+        const float side = e.upper[j] - e.lower[j];
+        s.least[j] = e.lower[j];
+        s.per_bin[j] =
+            side > FLT_MIN * BINS ? BINS * (1 - 4 * FLT_EPSILON) / side : 0;
+    }
+    return s;
 }
 
 static int widest_axis(const scale *s)
 {
-    float x[4];
-    v4_store(x, s->per_bin);
+    const float *x = s->per_bin;
     int widest = 0;
     for (int j = 1; j < 3; j++)
         if (x[j] > 0 && (x[widest] <= 0 || x[j] < x[widest]))
@@ -107,9 +136,11 @@ static int widest_axis(const scale *s)
     return widest;
 }
 
-static void bins_of(const cylint_boxed_piece *b, const scale *s, int32_t bin[4])
+/* Counted in bins, from the first. */
+static inline float place_of(const cylint_boxed_piece *b, const scale *s,
+                             int axis)
 {
-    v4_truncate(bin, v4_mul(v4_sub(center_of(b), s->least), s->per_bin));
+    return (key(b, axis) - s->least[axis]) * s->per_bin[axis];
 }
 
 typedef struct {
@@ -128,11 +159,10 @@ static size_t fill(bins *b, const scale *s, const range *r, size_t every)
         }
     for (size_t i = 0; i < r->n; i += every, n++) {
         const bounds h = bounds_of(&r->boxes[i]);
-        int32_t bin[4];
-        bins_of(&r->boxes[i], s, bin);
-        for (int j = 0; j < 3; j++) {
-            b->box[j][bin[j]] = joined(b->box[j][bin[j]], h);
-            b->n[j][bin[j]]++;
+        EACH(j, 3) {
+            const int bin = (int)place_of(&r->boxes[i], s, j);
+            b->box[j][bin] = joined(b->box[j][bin], h);
+            b->n[j][bin]++;
         }
     }
     return n;
@@ -178,11 +208,6 @@ static void swap(cylint_boxed_piece *a, cylint_boxed_piece *b)
     *b = c;
 }
 
-static float key(const cylint_boxed_piece *b, int axis)
-{
-    return b->lower[axis] + b->upper[axis];
-}
-
 /* Sorts partially: none of the first k keys is larger than any other key. */
 static void select_nth(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 {
@@ -215,15 +240,12 @@ static void select_nth(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 static size_t partition(cylint_boxed_piece *boxes, size_t n, const scale *s,
                         int axis, int bin)
 {
-    float least[4], per_bin[4];
-    v4_store(least, s->least);
-    v4_store(per_bin, s->per_bin);
     size_t left = 0;
     for (size_t i = 0; i < n; i++) {
         const cylint_boxed_piece box = boxes[i];
         boxes[i] = boxes[left];
         boxes[left] = box;
-        left += (key(&box, axis) - least[axis]) * per_bin[axis] < (float)bin;
+        left += place_of(&box, s, axis) < (float)bin;
     }
     return left;
 }

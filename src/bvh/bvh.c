@@ -1,11 +1,13 @@
 /*
- * bvh.c - builds and frees a bounding volume hierarchy
+ * bvh.c - builds and frees a bounding volume hierarchy; the build of its traversal
  */
 #include "bvh.h"
 
 #include <string.h>
 
+#include "kernels_used.h"
 #include "threads.h"
+#include "traverse.h"
 
 /* The number of shapes that are read together before leaves are filled.  They
  * lie at random addresses, and the processor waits for several at once.
@@ -177,4 +179,10 @@ void cylint_bvh_free(cylint_bvh *bvh)
     cylint_memory_free(&bvh->node_memory);
     cylint_memory_free(&bvh->leaf_memory);
     memset(bvh, 0, sizeof *bvh);
+}
+
+const cylint_traversal *cylint_traversal_used(void)
+{
+    return CYLINT_OF_KERNELS(&cylint_traversal_plain, &cylint_traversal_avx2,
+                             &cylint_traversal_avx512);
 }

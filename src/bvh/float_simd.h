@@ -3,7 +3,8 @@
  *
  * The only header of the bounding volume hierarchy with intrinsics.  vf has the
  * operators + - * / of C; other operations are functions.  WIDTH, the number of
- * lanes, divides 8.  vi holds as many 32-bit integers, vm as many truth values.
+ * lanes, divides 8; with CYLINT_FOUR_LANES it divides 4.  vi holds as many 32-bit
+ * integers, vm as many truth values.
  *
  *   f_mad(x, y, z)       x y + z, rounded once or twice: results are used with
  *                        error bounds, so builds may differ
@@ -26,9 +27,10 @@
 #include "../numbers/compiler.h"
 
 /* clang-format off */
-#if defined(__AVX2__) && defined(__FMA__)
+#if defined(__AVX2__) && defined(__FMA__) && !defined(CYLINT_FOUR_LANES)
 
 #include <immintrin.h>
+#define EIGHT_LANES
 #define MM(name) _mm256_##name
 #define MM_BITS(name) _mm256_##name##_si256
 enum { WIDTH = 8 };
@@ -129,7 +131,6 @@ static inline vi i_or_where(vi x, vm m, vi y)
 
 #else
 
-#define NO_LANES
 #include <math.h>
 enum { WIDTH = 1 };
 typedef float vf;
@@ -167,13 +168,13 @@ static inline void i_store(uint32_t *x, vi v) { *x = v; }
 
 #endif
 
-#if defined(__AVX512VL__)
+#if defined(EIGHT_LANES) && defined(__AVX512VL__)
 static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
 {
     i_store(to, _mm256_maskz_compress_epi32((__mmask8)bits, i_load(x)));
     return _mm_popcnt_u32(bits);
 }
-#elif defined(__AVX2__)
+#elif defined(EIGHT_LANES)
 static inline int i_keep_four(uint32_t *to, const uint32_t *x, unsigned bits)
 {
     /* which are kept, in four digits */
@@ -206,7 +207,7 @@ static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
 
 static inline unsigned i_highest(const uint32_t x[8])
 {
-#if defined(__AVX2__)
+#ifdef EIGHT_LANES
     return (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(i_load(x)));
 #else
     unsigned bits = 0;
@@ -221,104 +222,6 @@ static inline unsigned f_not_greater(vf x, vf y)
 {
     return m_bits(m_not_greater(x, y));
 }
-
-/* Four floats: x, y, z and an unused one, which v4_xyz() clears.  v4_like(a, b)
- * is a with the signs of b, v4_signs() returns the signs as bits, and
- * v4_below_zero(a) has negative signs where a < 0. */
-#ifdef NO_LANES
-
-typedef struct {
-    float x[4];
-} v4;
-#define V4_EACH(expression) \
-    v4 r; \
-    for (int i = 0; i < 4; i++) \
-        r.x[i] = expression; \
-    return r;
-static inline v4 v4_load(const float *x) { V4_EACH(x[i]) }
-static inline v4 v4_set(float x) { V4_EACH(x) }
-static inline void v4_store(float *x, v4 a)
-{
-    for (int i = 0; i < 4; i++)
-        x[i] = a.x[i];
-}
-static inline v4 v4_min(v4 a, v4 b)
-{
-    V4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i])
-}
-static inline v4 v4_max(v4 a, v4 b)
-{
-    V4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i])
-}
-static inline v4 v4_add(v4 a, v4 b) { V4_EACH(a.x[i] + b.x[i]) }
-static inline v4 v4_sub(v4 a, v4 b) { V4_EACH(a.x[i] - b.x[i]) }
-static inline v4 v4_mul(v4 a, v4 b) { V4_EACH(a.x[i] * b.x[i]) }
-static inline v4 v4_div(v4 a, v4 b) { V4_EACH(a.x[i] / b.x[i]) }
-static inline v4 v4_abs(v4 a) { V4_EACH(fabsf(a.x[i])) }
-static inline v4 v4_like(v4 a, v4 b)
-{
-    V4_EACH(signbit(b.x[i]) ? -fabsf(a.x[i]) : fabsf(a.x[i]))
-}
-static inline v4 v4_below_zero(v4 a) { V4_EACH(a.x[i] < 0 ? -1.0f : 1.0f) }
-static inline unsigned v4_signs(v4 a)
-{
-    unsigned bits = 0;
-    for (int i = 0; i < 4; i++)
-        bits |= (unsigned)(signbit(a.x[i]) != 0) << i;
-    return bits;
-}
-static inline v4 v4_xyz(v4 a)
-{
-    a.x[3] = 0;
-    return a;
-}
-static inline v4 v4_yzx(v4 a) { V4_EACH(a.x[i < 3 ? (i + 1) % 3 : 3]) }
-static inline float v4_sum_xyz(v4 a) { return a.x[0] + a.x[1] + a.x[2]; }
-static inline void v4_truncate(int32_t *to, v4 a)
-{
-    for (int i = 0; i < 4; i++)
-        to[i] = (int32_t)a.x[i];
-}
-
-#else
-
-typedef __m128 v4;
-static inline v4 v4_load(const float *x) { return _mm_loadu_ps(x); }
-static inline v4 v4_set(float x) { return _mm_set1_ps(x); }
-static inline void v4_store(float *x, v4 a) { _mm_storeu_ps(x, a); }
-static inline v4 v4_min(v4 a, v4 b) { return _mm_min_ps(a, b); }
-static inline v4 v4_max(v4 a, v4 b) { return _mm_max_ps(a, b); }
-static inline v4 v4_add(v4 a, v4 b) { return _mm_add_ps(a, b); }
-static inline v4 v4_sub(v4 a, v4 b) { return _mm_sub_ps(a, b); }
-static inline v4 v4_mul(v4 a, v4 b) { return _mm_mul_ps(a, b); }
-static inline v4 v4_div(v4 a, v4 b) { return _mm_div_ps(a, b); }
-static inline v4 v4_abs(v4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
-static inline v4 v4_like(v4 a, v4 b)
-{
-    const v4 sign = _mm_set1_ps(-0.0f);
-    return _mm_or_ps(_mm_andnot_ps(sign, a), _mm_and_ps(sign, b));
-}
-static inline v4 v4_below_zero(v4 a) { return _mm_cmplt_ps(a, _mm_setzero_ps()); }
-static inline unsigned v4_signs(v4 a) { return (unsigned)_mm_movemask_ps(a); }
-static inline v4 v4_xyz(v4 a)
-{
-    return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)));
-}
-static inline v4 v4_yzx(v4 a)
-{
-    return _mm_shuffle_ps(a, a, _MM_SHUFFLE(3, 0, 2, 1));
-}
-static inline float v4_sum_xyz(v4 a)
-{
-    return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(a, v4_yzx(a)),
-                                    _mm_movehl_ps(a, a)));
-}
-static inline void v4_truncate(int32_t *to, v4 a)
-{
-    _mm_storeu_si128((__m128i *)(void *)to, _mm_cvttps_epi32(a));
-}
-
-#endif
 
 /* clang-format on */
 #endif

@@ -89,6 +89,11 @@ static inline void prefetch_child(const cylint_bvh *bvh, uint32_t child)
 
 /* ---------------------------------------------------------------- start -- */
 
+static inline float larger_float(float x, float y) /* fmaxf() is a call */
+{
+    return x > y ? x : y;
+}
+
 /* The state's t for the line's t, rounded up or down. */
 static inline float local_above(const ray_state *s, double t)
 {
@@ -101,31 +106,30 @@ static inline float local_below(const ray_state *s, double t)
 }
 
 /* x may have an error of x_error. */
-static inline void start_floats(ray_state *s, const cylint_bvh *bvh, v4 x, v4 d,
-                                float x_error)
+static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
+                         const float d[3], float x_error)
 {
-    const v4 negative = v4_below_zero(d);
-    const v4 size = v4_abs(v4_xyz(d)), turned = v4_yzx(size);
-    const v4 most = v4_max(size, v4_max(turned, v4_yzx(turned)));
-    const v4 least = v4_mul(most, v4_set(0x1p-60f));
-    const v4 r = v4_div(v4_set(1), v4_like(v4_max(size, least), negative));
-    const v4 off =
-        v4_add(v4_mul(v4_abs(x), v4_set(0x1p-20f)), v4_set(bvh->pad + x_error));
-    const v4 e = v4_add(v4_mul(v4_abs(r), off), v4_set(16 * FLT_MIN));
-    const v4 at = v4_mul(x, r);
-    v4_store(s->r, r);
-    v4_store(s->near, v4_add(at, e));
-    v4_store(s->far, v4_sub(at, e));
-    EACH(j, 3)
-        s->near_faces[j] = (int)(v4_signs(negative) >> j & 1);
+    const float xy = larger_float(fabsf(d[0]), fabsf(d[1]));
+    const float least = larger_float(xy, fabsf(d[2])) * 0x1p-60f;
+    EACH(j, 3) {
+        const float size = larger_float(fabsf(d[j]), least);
+        const float r = copysignf(1 / size, d[j]), at = x[j] * r;
+        const float off = fabsf(x[j]) * 0x1p-20f + (bvh->pad + x_error);
+        const float e = fabsf(r) * off + 16 * FLT_MIN;
+        s->near_faces[j] = signbit(d[j]) != 0;
+        s->r[j] = r;
+        s->near[j] = at + e;
+        s->far[j] = at - e;
+    }
 }
 
-static inline void start(ray_state *s, const cylint_bvh *bvh, const double x[3],
-                         const double d[3], float x_error)
+static inline void start_doubles(ray_state *s, const cylint_bvh *bvh,
+                                 const double x[3], const double d[3],
+                                 float x_error)
 {
-    const float X[4] = {(float)x[0], (float)x[1], (float)x[2], 0};
-    const float D[4] = {(float)d[0], (float)d[1], (float)d[2], 0};
-    start_floats(s, bvh, v4_load(X), v4_load(D), x_error);
+    const float X[3] = {(float)x[0], (float)x[1], (float)x[2]};
+    const float D[3] = {(float)d[0], (float)d[1], (float)d[2]};
+    start(s, bvh, X, D, x_error);
 }
 
 /* Moves the origin to the line's point nearest to the centre: floats are coarse
@@ -140,7 +144,7 @@ static void start_nearer(ray_state *s, const cylint_bvh *bvh, const double x[3],
     s->t0_error = 0x1p-51 * fabs(s->t0);
     EACH(j, 3)
         near[j] = x[j] + s->t0 * d[j];
-    start(s, bvh, near, d, cylint_float_above(0x1p-49 * far));
+    start_doubles(s, bvh, near, d, cylint_float_above(0x1p-49 * far));
 }
 
 static inline void start_line(ray_state *s, const cylint_bvh *bvh,
@@ -152,7 +156,7 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
         x[j] = o[j] - (double)bvh->center[j];
     s->t0 = s->t0_error = 0;
     if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) < (double)bvh->near_distance)
-        start(s, bvh, x, d, 0);
+        start_doubles(s, bvh, x, d, 0);
     else
         start_nearer(s, bvh, x, d);
     s->first = local_below(s, tmin);
@@ -170,13 +174,15 @@ static void start_far_ray(ray_state *s, const cylint_bvh *bvh,
 static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
                              const cylint_float_ray *ray)
 {
-    const v4 x = v4_sub(v4_load(ray->o), v4_load(bvh->center));
-    if (!(v4_sum_xyz(v4_abs(x)) < bvh->near_distance)) {
+    float x[3];
+    EACH(j, 3)
+        x[j] = ray->o[j] - bvh->center[j];
+    if (!(fabsf(x[0]) + fabsf(x[1]) + fabsf(x[2]) < bvh->near_distance)) {
         start_far_ray(s, bvh, ray);
         return;
     }
     s->t0 = s->t0_error = 0;
-    start_floats(s, bvh, x, v4_load(ray->d), 0);
+    start(s, bvh, x, ray->d, 0);
     s->first = ray->tnear;
     s->last = ray->tfar;
 }

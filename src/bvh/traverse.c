@@ -7,6 +7,7 @@
 
 #ifndef CYLINT_TRAVERSAL
 #define CYLINT_TRAVERSAL cylint_traversal_plain
+#define CYLINT_TRAVERSE_POINT cylint_traverse_point_plain
 #endif
 
 typedef struct {
@@ -192,4 +193,4 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
 }
 
 const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_line,
-                                           traverse_all};
+                                           traverse_all, CYLINT_TRAVERSE_POINT};

@@ -1,9 +1,11 @@
 /*
- * traverse.h - finds the pieces of shapes that a line may hit, nearest first
+ * traverse.h - finds the pieces of shapes that a line may hit, or that are within a
+ * distance of a point, nearest first
  *
  * From the root down to the leaves by boxes, then by the lanes of leaves.  All
  * tests are conservative: the line certainly does not hit a rejected piece
- * within its domain, wherever the line begins.
+ * within its domain, wherever the line begins, and no point of a rejected piece
+ * is within the distance.
  */
 #ifndef CYLINT_BVH_TRAVERSE_H
 #define CYLINT_BVH_TRAVERSE_H
@@ -43,16 +45,31 @@ typedef void cylint_traverse_line(const cylint_bvh *bvh, const double o[3],
                                   cylint_line_leaf_callback *callback,
                                   void *self);
 
+/* Gets a leaf, of which the pieces of a lane are at least least[lane] away.  It
+ * may reduce the distance.  Returns 1 to stop the traversal. */
+typedef int cylint_point_leaf_callback(void *self, const cylint_leaf *leaf,
+                                       const double least[CYLINT_LEAF_SIZE]);
+
+/* Traverses a hierarchy that is not empty.  The coordinates of the point are at
+ * most CYLINT_POINT_MOST in size, those of the box of all at most 1.  *distance
+ * is at least 0 and may be infinite. */
+typedef void cylint_traverse_point(const cylint_bvh *bvh, const double point[3],
+                                   const double *distance,
+                                   cylint_point_leaf_callback *callback,
+                                   void *self);
+
+#define CYLINT_POINT_MOST 0x1p60
+
 /*
  * The line x + t d, where x is relative to the centre of the hierarchy, and
  * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
  * into boxes and exits from them.
  */
 typedef struct cylint_ray_state {
-    float r[4], near[4], far[4]; /* three of each */
-    int near_faces[3];           /* where it enters boxes: 0 or 1 */
-    float first, last;           /* the domain; its t is the line's t ... */
-    double t0, t0_error;         /* ... minus t0, with this error */
+    float r[3], near[3], far[3];
+    int near_faces[3];   /* where it enters boxes: 0 or 1 */
+    float first, last;   /* the domain; its t is the line's t ... */
+    double t0, t0_error; /* ... minus t0, with this error */
 } cylint_ray_state;
 
 typedef struct cylint_traversal {
@@ -60,13 +77,16 @@ typedef struct cylint_traversal {
     cylint_traverse_line *line;
     cylint_traverse_line *all; /* in no order, and the callback gets no least[];
                                   does not read *tmax again */
+    cylint_traverse_point *point;
 } cylint_traversal;
 
 /* The build in use. */
 const cylint_traversal *cylint_traversal_used(void);
 
-/* All builds. */
+/* All builds, and their functions for points (traverse_point.c). */
 extern const cylint_traversal cylint_traversal_plain, cylint_traversal_avx2,
     cylint_traversal_avx512;
+cylint_traverse_point cylint_traverse_point_plain, cylint_traverse_point_avx2,
+    cylint_traverse_point_avx512;
 
 #endif

@@ -1,29 +1,25 @@
 /*
  * traverse_point.c - finds the pieces of shapes within a distance of a point
  *
- * In floats near the hierarchy, for all children of a node or lanes of a leaf
- * together; in doubles, one by one, where floats are too coarse.  This file is
- * compiled for several instruction sets.
+ * In floats, for all children of a node or lanes of a leaf together; lanes of leaves
+ * in doubles, one by one, where floats are too coarse.  This file is compiled for
+ * several instruction sets.
  */
 #include <string.h>
 
 #include "keyed_entry.h"
-#include "traverse_point.h"
 
 #ifndef CYLINT_TRAVERSE_POINT
 #define CYLINT_TRAVERSE_POINT cylint_traverse_point_plain
 #endif
 
-/*
- * Lower bounds of nodes are floats: of a near point the squares of distances, of
- * a far one the distances minus that of the box of all.
- */
 typedef struct {
     const cylint_bvh *bvh;
-    int is_far;
-    double x[3], from_center[3]; /* the point; relative to bvh->center */
-    double error, nearest;       /* nearest: the distance of the box of all */
-    float near_x[3], near_error; /* from_center and error as floats */
+    double x[3], error, box_error;
+    double nearest; /* the distance of the box of all */
+    /* The nearest point of the box of all, from bvh->center, with box_error
+     * subtracted and added; twice its distances along each coordinate. */
+    float low[3], high[3], twice[3];
     const double *distance;
     float last; /* the bound for *distance */
     entry stack[CYLINT_STACK_SIZE];
@@ -37,80 +33,51 @@ static inline int is_needed(const traversal *t, const entry *e)
 
 /* ---------------------------------------------------------------- boxes -- */
 
-/* The square is rounded up by more than the relative errors of the squares that
- * are compared with it. */
-static inline void update_last(traversal *t)
-{
-    const double d = *t->distance;
-    t->last = cylint_float_above(t->is_far ? d - t->nearest + t->error
-                                           : d * d * (1 + 0x1p-18));
-}
-
 /*
- * The lower bounds of boxes are distances from the box, less t->error along each
- * coordinate.  In doubles, the coordinates of the point and two differences are
- * rounded, each by at most 2^-53 of the sizes of the point and of the box of all;
- * error is 2^-48 of them, so it also covers the roundings of the root.  step
- * times a face is exact.
+ * The bound of a box is the difference of the squares of two distances: of the box
+ * and of the box of all, in which it lies.  Let n be the latter along a coordinate,
+ * and d the distance of the box from the nearest point of the box of all.  Then the
+ * box is n + d away, and the difference is the sum of
+ *
+ *   (n + d)^2 - n^2 = d (d + 2 n) >= 0,
+ *
+ * in floats, wherever the point is: the nearest point, a face and d are rounded by at
+ * most 2^-22 of the size of the box of all, and box_error is 2^-20 of it.  The relative
+ * errors of products and sums are less than 2^-20.
  */
-ASIDE void far_children(const traversal *t, const cylint_node *node,
-                        float enter[CYLINT_CHILDREN])
+CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
+                                    const cylint_node *node, child_hits *hits)
 {
-    for (int i = 0; i < CYLINT_CHILDREN; i++) {
-        double sum = 0;
-        for (int j = 0; j < 3; j++) {
-            const double step = (double)node->step[j];
-            const double from = t->from_center[j] - (double)node->corner[j];
-            const double below = step * node->face[0][j][i] - from;
-            const double above = from - step * node->face[1][j][i];
-            const double out = cylint_larger(below, above) - t->error;
-            const double apart = cylint_larger(out, 0);
-            sum += apart * apart;
-        }
-        enter[i] = cylint_float_below(sqrt(sum) - t->nearest);
-    }
-}
-
-/* The same in floats: the point, a face and the difference are rounded by at
- * most 2^-24 of these sizes; near_error is 2^-20 of them.  The relative errors of
- * squares and sums are less than 2^-20. */
-CYLINT_INLINE void near_children(const traversal *t, const cylint_node *node,
-                                 float enter[CYLINT_CHILDREN])
-{
+    unsigned hit = 0;
+    (void)e;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf sum = f_set(0);
         EACH(j, 3) {
             const vf corner = f_set(node->corner[j]);
-            const vf step = f_set(node->step[j]), x = f_set(t->near_x[j]);
+            const vf step = f_set(node->step[j]);
             const vf lower =
                 f_mad(f_from_bytes(node->face[0][j] + i), step, corner);
             const vf upper =
                 f_mad(f_from_bytes(node->face[1][j] + i), step, corner);
             const vf out =
-                f_higher(lower - x, x - upper) - f_set(t->near_error);
-            const vf apart = f_higher(out, f_set(0));
-            sum = f_mad(apart, apart, sum);
+                f_higher(lower - f_set(t->high[j]), f_set(t->low[j]) - upper);
+            const vf d = f_higher(out, f_set(0));
+            sum = f_mad(d, d + f_set(t->twice[j]), sum);
         }
-        f_store(enter + i, sum);
-    }
-}
-
-CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
-                                    const cylint_node *node, child_hits *hits)
-{
-    float enter[CYLINT_CHILDREN];
-    unsigned hit = 0;
-    (void)e;
-    if (t->is_far)
-        far_children(t, node, enter);
-    else
-        near_children(t, node, enter);
-    for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
-        const vf from = f_load(enter + i);
-        hit |= m_bits(m_not_greater(from, f_set(t->last))) << i;
-        f_store_keys(hits->enter + i, from);
+        hit |= f_not_greater(sum, f_set(t->last)) << i;
+        f_store_keys(hits->enter + i, sum);
     }
     return hit & node->children;
+}
+
+/* The difference is rounded up by more than the relative errors of the bounds that
+ * are compared with it.  `error` is 2^-48 of the sizes of the point and of the box of
+ * all, far more than the roundings of `nearest`. */
+static inline void update_last(traversal *t)
+{
+    const double d = *t->distance;
+    t->last = cylint_float_above((d - t->nearest + t->error) *
+                                 (d + t->nearest) * (1 + 0x1p-18));
 }
 
 #include "traverse_template.h"
@@ -193,32 +160,30 @@ CYLINT_INLINE void test_lanes_of(const traversal *t, const cylint_leaf *b,
 
 /* ---------------------------------------------------------------- start -- */
 
-/* Points farther than this from the centre, in sizes of the box of all, are
- * far. */
-#define FAR_SIZES 16
-
 static inline void start_point(traversal *t, const cylint_bvh *bvh,
                                const double point[3], const double *distance)
 {
-    double size = DBL_MIN, far = 0, nearest = 0;
+    double from_center[3], size = DBL_MIN, far = 0, nearest = 0;
     EACH(j, 3) {
         const double lower = bvh->box.lower[j], upper = bvh->box.upper[j];
-        const double x = point[j], center = bvh->center[j];
-        const double below = lower - x, above = x - upper;
-        /* mutant '0' -> '1': both sides subtract the distance of this box */
-        const double out = cylint_larger(cylint_larger(below, above), 0);
+        const double x = point[j];
+        const double inside = cylint_smaller(cylint_larger(x, lower), upper);
+        const double out = fabs(x - inside);
         t->x[j] = x;
-        t->from_center[j] = x - center;
-        t->near_x[j] = (float)t->from_center[j];
+        from_center[j] = inside - (double)bvh->center[j];
+        t->twice[j] = (float)(2 * out);
         size += fabs(lower) + fabs(upper);
         far += fabs(x);
         nearest += out * out;
     }
     t->bvh = bvh;
-    t->is_far = !(far < size * FAR_SIZES);
     t->nearest = sqrt(nearest);
     t->error = (far + size) * 0x1p-48;
-    t->near_error = (float)((far + size) * 0x1p-20);
+    t->box_error = size * 0x1p-20;
+    EACH(j, 3) {
+        t->low[j] = (float)(from_center[j] - t->box_error);
+        t->high[j] = (float)(from_center[j] + t->box_error);
+    }
     t->distance = distance;
     update_last(t);
     /* mutant '0' -> '1': the first 0: the root is visited with any bound */

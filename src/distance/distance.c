@@ -153,6 +153,7 @@ static int contradicts(const cylint_shape *shape, const double point[3],
     if (want & CYLINT_WANT_PART)
         wrong |= a.part != known->part || a.feature != known->feature;
     for (int i = 0; i < 3; i++) {
+        /* mutant '&&' -> '||': an effect with PARANOID=1 only */
         wrong |= want & CYLINT_WANT_POINT && a.point[i] != known->point[i];
         wrong |= want & CYLINT_WANT_NORMAL && a.normal[i] != known->normal[i];
     }

@@ -56,6 +56,7 @@ static void load_axis(meridian *m)
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
                           const double point[3])
 {
+    /* mutant '0' -> '1': any direction serves */
     static const double along[3] = {1, 0, 0};
     cylint_line line;
     cylint_whole_line(&line, point, along);

@@ -84,6 +84,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     if (want & CYLINT_WANT_PART)
         write_feature(shape, (int)n->feature, answer);
     want &= ~(unsigned)CYLINT_WANT_PART;
+    /* mutant '!' -> '': slower, the members are left to the next stage */
     if (!(want & CYLINT_WANT_GEOMETRY))
         return want;
     described_point to;

@@ -24,6 +24,7 @@
 ASIDE double below_distance(const cylint_shape *shape, const double point[3])
 {
     cylint_closest answer;
+    /* mutant '0' -> '1': only its sign is used */
     answer.part = 0;
     const double size = fabs(cylint_distance(shape, point, 0, &answer));
     if (answer.part < 0 || cylint_sign(size) == 0)

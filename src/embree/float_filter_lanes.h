@@ -201,15 +201,18 @@ INLINE void load_questions(questions *q)
     v_columns(row, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
-    q->is_angle = m_and(v_lt(q->r0, zero), v_lt(zero, top[3]));
+    q->is_angle = v_lt(base[3] * top[3], zero);
     EACH(j, 3) {
         q->w[j] = top[j] - base[j];
         D0[j] = x[j] - base[j];
         q->u[j] = x[3 + j];
     }
-    if (m_any(q->is_angle))
+    if (m_any(q->is_angle)) {
         EACH(j, 3)
             q->w[j] = v_select(q->is_angle, top[j], q->w[j]);
+        q->r0 = v_select(q->is_angle, zero, q->r0);
+        q->dr = v_select(q->is_angle, top[3] * v_sqrt(dot(q->w, q->w)), q->dr);
+    }
     q->from = origin_shift(x[7], D0, q->u);
     EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) +
@@ -221,10 +224,6 @@ INLINE void load_questions(questions *q)
     q->U = size(q->u);
     q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
-    if (m_any(q->is_angle)) {
-        q->r0 = v_select(q->is_angle, zero, q->r0);
-        q->dr = v_select(q->is_angle, top[3] * q->W, q->dr);
-    }
 }
 
 /* ------------------------------------------------------------- surfaces -- */
@@ -361,47 +360,38 @@ INLINE hit lateral_end(const questions *q, int end)
     return at;
 }
 
-/* For chords that begin or end below the base or above the top: whether they
- * cross that cap's plane.  Then moves the hit there. */
-INLINE verdict move_to_cap(const questions *q, int end, vm between, hit *at)
-{
-    const hit other = lateral_end(q, 1 - end);
-    const vm top = v_lt(v_set(0.5), at->z);
-    const vd one = v_set(1), dz = v_abs(q->dz);
-    const vd out = v_select(top, at->z - one, -at->z);
-    const vd other_out = v_select(top, other.z - one, -other.z);
-    const vd margin = other.z_error + eps(1);
-    const vm outside = m_and_not(v_lt(at->z_error + eps(1), out), between);
-    const vm stays = m_and(outside, v_lt(margin, other_out));
-    const vm comes = m_and(m_and(outside, v_lt(other_out, -margin)),
-                           v_lt(eps(16) * q->U * q->per_W, dz));
-    const vm decided = m_or(m_or(between, stays), comes);
-    if (m_any(comes)) {
-        const vd per_dz = one / where_or_one(comes, dz);
-        const vd rise = v_select(top, one, v_set(0)) - q->z0;
-        hit cap;
-        cap.s = v_select(v_lt(q->dz, v_set(0)), -rise, rise) * per_dz;
-        cap.s_error =
-            eps(4) * (one + (q->Dn + v_abs(cap.s) * q->U) * q->per_W) * per_dz;
-        cap.z = v_select(top, one, v_set(0));
-        cap.z_error = v_set(0);
-        cap.capped = comes;
-        cap.top = top;
-        select_hit(at, comes, &cap);
-    }
-    return (verdict){m_or(between, comes), m_not(decided)};
-}
-
-/* Where the line enters (end 0) or leaves the closed shape. */
+/*
+ * Where the line enters (end 0) or leaves the closed shape: where its chord begins
+ * or ends, or, if that is beyond a cap and the chord's other end is not, on that
+ * cap.  `out`: how far z is beyond the nearer cap.
+ */
 INLINE verdict end_on_discs(const questions *q, int end, hit *at)
 {
+    const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
     *at = lateral_end(q, end);
+    const vm top = v_lt(v_set(0.5), at->z);
+    const vd out = v_select(top, at->z - one, -at->z);
     const vd margin = at->z_error + eps(1);
-    const vm between =
-        m_and(v_lt(margin, at->z), v_lt(at->z, v_set(1) - margin));
+    const vm between = v_lt(out, -margin), beyond = v_lt(margin, out);
     if (!m_any(m_not(between)))
         return (verdict){between, m_none()};
-    return move_to_cap(q, end, between, at);
+    const hit other = lateral_end(q, 1 - end);
+    const vd other_out = v_select(top, other.z - one, -other.z);
+    const vd other_margin = other.z_error + eps(1);
+    const vm stays = m_and(beyond, v_lt(other_margin, other_out));
+    const vm comes = m_and(m_and(beyond, v_lt(other_out, -other_margin)),
+                           v_lt(eps(16) * q->U * q->per_W, dz));
+    const vm hits = m_or(between, comes);
+    if (m_any(comes)) {
+        const vd per_dz = one / where_or_one(comes, dz);
+        const vd z = v_select(top, one, zero), rise = z - q->z0;
+        const vd s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
+        const vd X = q->Dn + v_abs(s) * q->U;
+        const hit cap = {
+            s, eps(4) * (one + X * q->per_W) * per_dz, z, zero, comes, top};
+        select_hit(at, comes, &cap);
+    }
+    return (verdict){hits, m_not(m_or(hits, stays))};
 }
 
 /* Where the line enters or leaves the ball about an end. */
@@ -433,8 +423,8 @@ INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
     return v;
 }
 
-/* Where the line enters or leaves the cone of a round kind: y below 0, between 0 and
- * S, above S, or none of these. */
+/* Where the line enters or leaves the cone of a round kind: y below 0, between 0
+ * and S, above S, or none of these. */
 typedef struct {
     vm below, between, above;
 } range;
@@ -536,8 +526,8 @@ INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
     return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
 }
 
-/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X, that
- * of r 2 u R. */
+/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X,
+ * that of r 2 u R. */
 INLINE vd ball_at(const questions *q, const hit *at, vd *error)
 {
     vd P[3];

@@ -209,7 +209,8 @@ static int rank_by_leaves(cylint_embree_data *data)
     return 1;
 }
 
-/* Copies the shapes in the order of their ranks.  Returns 0 if memory is refused. */
+/* Copies the shapes in the order of their ranks.  Returns 0 if memory is
+ * refused. */
 static int copy_shapes(cylint_embree_data *data)
 {
     for (int i = 0; i <= (data->moved != NULL); i++) {
@@ -442,8 +443,9 @@ void cylint_embree_release(RTCGeometry geometry)
 size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
+    const cylint_embree_shapes *shapes = data->shapes;
     return data->self.bytes + data->bvh.node_memory.bytes +
            data->bvh.leaf_memory.bytes + data->order_memory.bytes +
-           cylint_embree_shapes_bytes(&data->shapes[0]) +
-           cylint_embree_shapes_bytes(&data->shapes[1]);
+           shapes[0].memory.bytes + shapes[0].whole_memory.bytes +
+           shapes[1].memory.bytes + shapes[1].whole_memory.bytes;
 }

@@ -30,9 +30,10 @@ static void scatter(void *packet, const void *one, unsigned words, unsigned N,
         memcpy((char *)packet + 4 * (k * N + i), (const char *)one + 4 * k, 4);
 }
 
-static void *hits_of(const call *a)
+/* Of a ray in a packet: an occlusion query has no hits. */
+static unsigned words_of(int any)
 {
-    return (char *)a->rayhit + 4 * RAY_WORDS * a->N;
+    return any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
 }
 
 typedef cylint_float_filter_question question;
@@ -40,8 +41,7 @@ typedef cylint_float_filter_question question;
 /* The rays of a packet that are traced together. */
 typedef struct {
     ray_test test[CYLINT_PACKET_MOST];
-    struct RTCRay ray[CYLINT_PACKET_MOST];
-    struct RTCHit hit[CYLINT_PACKET_MOST];
+    struct RTCRayHit ray[CYLINT_PACKET_MOST];
     unsigned place[CYLINT_PACKET_MOST]; /* in the packet */
     int n;
 } packet_state;
@@ -49,25 +49,18 @@ typedef struct {
 /* Copies ray i out of the packet, and starts its test if it is a line. */
 static void load_ray(packet_state *s, const call *a, int any, unsigned i)
 {
-    struct RTCRay *ray = &s->ray[s->n];
-    struct RTCHit *hit = &s->hit[s->n];
-    gather(ray, a->rayhit, RAY_WORDS, a->N, i);
-    if (any)
-        *hit = (struct RTCHit){0};
-    else
-        gather(hit, hits_of(a), HIT_WORDS, a->N, i);
-    if (start_test(&s->test[s->n], a, any, ray, hit))
+    struct RTCRayHit *one = &s->ray[s->n];
+    one->hit = (struct RTCHit){0};
+    gather(one, a->rayhit, words_of(any), a->N, i);
+    if (start_test(&s->test[s->n], a, any, &one->ray, &one->hit))
         s->place[s->n++] = i;
 }
 
 /* Copies a ray that was hit back. */
 static void store_ray(const packet_state *s, const call *a, int any, int k)
 {
-    const unsigned i = s->place[k];
-    scatter(a->rayhit, &s->ray[k], RAY_WORDS, a->N, i);
-    if (!any)
-        scatter(hits_of(a), &s->hit[k], HIT_WORDS, a->N, i);
-    set_valid(a->valid, i, 1);
+    scatter(a->rayhit, &s->ray[k], words_of(any), a->N, s->place[k]);
+    set_valid(a->valid, s->place[k], 1);
 }
 
 /* ------------------------------------------------------------- together -- */
@@ -78,10 +71,8 @@ static void test_batch(question *const asked[], int n,
 {
     if (n > 0)
         data->filter[n > 1](asked, n);
-    for (int i = 0; i < n; i++) {
-        ray_test *r = (ray_test *)asked[i];
-        r->found |= cylint_ray_end(r);
-    }
+    for (int i = 0; i < n; i++)
+        cylint_ray_end((ray_test *)asked[i]);
 }
 
 /* Tests the lanes of all rays in turns, the nearest lane of each ray first.
@@ -101,8 +92,8 @@ static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
         EACH_RAY(k, rays)
         {
             question *q = &p->test[k].q;
-            if (left[k] && ask_nearest_lane(&p->test[k], hit->leaf, &left[k],
-                                            hit->least[k])) {
+            if (left[k] && take_nearest_lane(&p->test[k], hit->leaf, &left[k],
+                                             hit->least[k])) {
                 const int is_round = cylint_float_filter_is_round(q);
                 asked[is_round][n[is_round]++] = q;
             } else {
@@ -132,14 +123,14 @@ static void trace_rays(const call *a, int any, unsigned rays)
         load_ray(&s, a, any, (unsigned)i);
     }
     if (s.n == 1)
-        s.test[0].found = cylint_trace_single(&s.test[0]);
+        cylint_trace_single(&s.test[0]);
     else if (s.n > 1)
         certain = data->traverse_packet(&data->bvh, s.ray, s.n,
                                         any && !has_filters(&s.test[0]),
                                         test_lanes_in_order, &s);
     for (int k = 0; k < s.n; k++) {
         if (certain >> k & 1)
-            s.ray[k].tfar = -HUGE_VALF;
+            s.ray[k].ray.tfar = -HUGE_VALF;
         if (certain >> k & 1 || s.test[k].found)
             store_ray(&s, a, any, k);
     }

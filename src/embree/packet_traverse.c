@@ -33,7 +33,7 @@ typedef struct {
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
     ray_state state[CYLINT_PACKET_MOST];
     float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
-    const struct RTCRay *ray;
+    const struct RTCRayHit *ray;
     cylint_packet_leaf_callback *callback;
     void *self;
 } traversal;
@@ -98,7 +98,7 @@ CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
     hit->rays = 0;
     EACH_RAY(k, rays)
     {
-        const cylint_float_ray *ray = float_ray(&p->ray[k]);
+        const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
         unsigned certain = 0;
         hit->lanes[k] = test_ray(leaf, all, ray, p->E[k], hit->least[k], NULL);
         if (solid && hit->lanes[k] && p->outside >> k & 1)
@@ -124,12 +124,13 @@ static void traverse(traversal *p)
             continue;
         p->active &= ~p->callback(p->self, &hit);
         EACH_RAY(k, hit.rays)
-        shorten(&p->state[k], p->ray[k].tfar);
+        shorten(&p->state[k], p->ray[k].ray.tfar);
     }
 }
 
 unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *bvh,
-                                const struct RTCRay ray[], int n, int certain,
+                                const struct RTCRayHit ray[], int n,
+                                int certain,
                                 cylint_packet_leaf_callback *callback,
                                 void *self)
 {
@@ -141,10 +142,11 @@ unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *bvh,
     p.active = (1u << n) - 1;
     p.certain = p.outside = 0;
     for (int k = 0; k < n; k++) {
-        p.E[k] = size_of(float_ray(&ray[k]));
-        start_ray(&p.state[k], bvh, float_ray(&ray[k]));
+        p.E[k] = size_of(float_ray(&ray[k].ray));
+        start_ray(&p.state[k], bvh, float_ray(&ray[k].ray));
         if (certain)
-            p.outside |= (unsigned)ends_outside(bvh, float_ray(&ray[k])) << k;
+            p.outside |= (unsigned)ends_outside(bvh, float_ray(&ray[k].ray))
+                         << k;
     }
     traverse(&p);
     return p.certain;

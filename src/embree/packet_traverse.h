@@ -54,7 +54,7 @@ typedef unsigned cylint_packet_leaf_callback(void *self,
  * need not get all that these may hit.  Otherwise returns 0.
  */
 typedef unsigned cylint_traverse_packet(const cylint_bvh *bvh,
-                                        const struct RTCRay ray[], int n,
+                                        const struct RTCRayHit ray[], int n,
                                         int certain,
                                         cylint_packet_leaf_callback *callback,
                                         void *self);

@@ -38,11 +38,6 @@ static void intersect(const ray_test *r, size_t rank, unsigned want,
                : 0;
 }
 
-static size_t rank_of(const cylint_embree_data *data, size_t number)
-{
-    return data->rank ? data->rank[number] : number;
-}
-
 /* The new tfar of a ray hit at t <= tfar. */
 static float rounded_up(double t, float tfar)
 {
@@ -51,13 +46,6 @@ static float rounded_up(double t, float tfar)
 }
 
 /* --------------------------------------------------------- nearest hits -- */
-
-static int same_instance(const struct RTCHit *hit,
-                         const cylint_rtc_context *context)
-{
-    return memcmp((const char *)hit + offsetof(struct RTCHit, instID),
-                  cylint_rtc_instance(context), CYLINT_INSTANCE_BYTES) == 0;
-}
 
 /* The number of the shape of a hit on this geometry, or data->n.  geomID: the
  * geometry's own. */
@@ -75,10 +63,13 @@ static size_t number_of_hit(const cylint_embree_data *data,
 }
 
 /* The number of the shape of the ray's present hit, or data->n if that is not on
- * this geometry. */
+ * this geometry, in this instance. */
 static size_t present_number(const ray_test *r)
 {
-    return same_instance(r->hit, r->args->context)
+    const char *instance =
+        (const char *)r->hit + offsetof(struct RTCHit, instID);
+    return memcmp(instance, cylint_rtc_instance(r->args->context),
+                  CYLINT_INSTANCE_BYTES) == 0
                ? number_of_hit(r->data, r->hit, r->args->geomID)
                : r->data->n;
 }
@@ -90,8 +81,9 @@ static size_t present_number(const ray_test *r)
 static int find_present(const ray_test *r, size_t number, unsigned want,
                         exact_hits *x)
 {
+    const uint32_t *rank = r->data->rank;
     int found = -1;
-    intersect(r, rank_of(r->data, number), want, x);
+    intersect(r, rank ? rank[number] : number, want, x);
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
@@ -141,14 +133,10 @@ static void describe(ray_test *r, exact_hits *x, int i)
     r->q.floats[4] = cylint_angle_as_float(at->phi);
 }
 
+/* Ng, u and v are the first members of a hit. */
 static void write_floats(const ray_test *r)
 {
-    struct RTCHit *hit = r->hit;
-    hit->Ng_x = r->q.floats[0];
-    hit->Ng_y = r->q.floats[1];
-    hit->Ng_z = r->q.floats[2];
-    hit->u = r->q.floats[3];
-    hit->v = r->q.floats[4];
+    memcpy(r->hit, r->q.floats, sizeof r->q.floats);
 }
 
 static void write_ids(const ray_test *r)
@@ -203,7 +191,7 @@ static int record(ray_test *r)
 {
     if (r->any && !has_filters(r)) {
         r->ray->tfar = -HUGE_VALF;
-        return 1;
+        return r->found = 1;
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
@@ -219,14 +207,14 @@ static int record(ray_test *r)
     if (r->any)
         r->ray->tfar = -HUGE_VALF;
     r->q.tmax = r->ray->tfar;
-    return 1;
+    return r->found = 1;
 }
 
 /* ----------------------------------------------------- exact intersections -- */
 
 /* Tests the hits from number `first` on with cylint_intersect(); z decides which
  * piece owns them. */
-static int test_exactly(ray_test *r, int first)
+static void test_exactly(ray_test *r, int first)
 {
     const int whole = r->q.count == 1;
     exact_hits x;
@@ -240,14 +228,13 @@ static int test_exactly(ray_test *r, int first)
         if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
         if (!r->any && !is_nearer(r, &x.answer, i))
-            return 0;
+            return;
         if (r->q.describes)
             describe(r, &x, i);
         r->q.t = rounded_up(at->t, r->ray->tfar);
         if (record(r))
-            return 1;
+            return;
     }
-    return 0;
 }
 
 /* ---------------------------------------------------------------- tracing -- */
@@ -258,20 +245,16 @@ CYLINT_INLINE void filter_one(ray_test *r)
     r->data->filter[0](&one, 1);
 }
 
-int cylint_ray_end(ray_test *r)
+void cylint_ray_end(ray_test *r)
 {
-    for (;;) {
-        if (r->q.is == CYLINT_FLOAT_FILTER_UNCERTAIN)
-            return test_exactly(r, r->q.exit_only);
-        if (r->q.is == CYLINT_FLOAT_FILTER_MISS)
-            return 0;
-        if (record(r))
-            return 1;
-        if (r->q.leaves)
-            return 0;
+    while (r->q.is == CYLINT_FLOAT_FILTER_HIT) {
+        if (record(r) || r->q.leaves)
+            return;
         r->q.exit_only = 1;
         filter_one(r);
     }
+    if (r->q.is == CYLINT_FLOAT_FILTER_UNCERTAIN)
+        test_exactly(r, r->q.exit_only);
 }
 
 /* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
@@ -282,17 +265,16 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     ray_test *r = self;
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
-    while (lanes && ask_nearest_lane(r, leaf, &lanes, least)) {
+    while (lanes && take_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
-        const int hit = cylint_ray_end(r);
-        r->found |= hit;
-        if (hit && r->any)
+        cylint_ray_end(r);
+        if (r->found && r->any)
             return 1;
     }
     return 0;
 }
 
-static int test_primitive(ray_test *r)
+static void test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
     r->rank = r->args->primID;
@@ -300,18 +282,18 @@ static int test_primitive(ray_test *r)
     if (r->data->moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     filter_one(r);
-    return cylint_ray_end(r);
+    cylint_ray_end(r);
 }
 
 int cylint_trace_single(ray_test *r)
 {
     const cylint_traversal *traversal = r->data->traversal;
-    if (!traversal)
-        return test_primitive(r);
-    if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
-                       r->any && !has_filters(r))) {
+    if (!traversal) {
+        test_primitive(r);
+    } else if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
+                              r->any && !has_filters(r))) {
         r->ray->tfar = -HUGE_VALF;
-        return 1;
+        r->found = 1;
     }
     return r->found;
 }

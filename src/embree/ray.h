@@ -104,11 +104,10 @@ CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 
 /* Records the hit that the filter answers, if it is nearer than the present one
  * and the filter functions accept it, or else a later hit of the shape;
- * cylint_intersect() decides what is uncertain.  Returns 1 if a hit was
- * recorded. */
-int cylint_ray_end(ray_test *r);
+ * cylint_intersect() decides what is uncertain. */
+void cylint_ray_end(ray_test *r);
 
-/* Traces the ray alone.  Returns 1 if a hit was recorded. */
+/* Traces the ray alone.  Returns `found`. */
 int cylint_trace_single(ray_test *r);
 
 /* ---------------------------------------------------------------- lanes -- */
@@ -133,8 +132,8 @@ static inline int nearest_lane(unsigned lanes, const float *least)
 
 /* Removes the nearest lane from *lanes and sets the question about it.  Returns 0
  * if no lane can hold the nearest hit. */
-CYLINT_INLINE int ask_nearest_lane(ray_test *r, const cylint_leaf *leaf,
-                                   unsigned *lanes, const float *least)
+CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
+                                    unsigned *lanes, const float *least)
 {
     const int lane = nearest_lane(*lanes, least);
     if (least[lane] > r->ray->tfar)

@@ -189,8 +189,8 @@ static void interpolate(void *to, const void *x, const void *y, size_t n,
 }
 
 enum {
-    RECORD = sizeof(cylint_record) / sizeof(double),
-    SEMI_AXES = sizeof(cylint_semi_axes) / sizeof(double)
+    RECORD_NUMBERS = sizeof(cylint_record) / sizeof(double),
+    AXES_NUMBERS = sizeof(cylint_semi_axes) / sizeof(double)
 };
 
 cylint_status cylint_embree_between(const cylint_shape *at_0,
@@ -203,8 +203,8 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
     cylint_set_record(&y, at_1);
     cylint_set_semi_axes(&x_axes, at_0);
     cylint_set_semi_axes(&y_axes, at_1);
-    interpolate(&x, &x, &y, RECORD, time);
-    interpolate(&x_axes, &x_axes, &y_axes, SEMI_AXES, time);
+    interpolate(&x, &x, &y, RECORD_NUMBERS, time);
+    interpolate(&x_axes, &x_axes, &y_axes, AXES_NUMBERS, time);
     return cylint_make_of_record(shape, cylint_constructor_kind(at_0),
                                  at_0->ends, &x, &x_axes);
 }
@@ -217,7 +217,7 @@ void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
     cylint_record x, y;
     cylint_embree_record(&s[0], at, &x);
     cylint_embree_record(&s[1], at, &y);
-    interpolate(to, &x, &y, RECORD, time);
+    interpolate(to, &x, &y, RECORD_NUMBERS, time);
     if (!cylint_filter_serves(to) ||
         (cylint_record_is_point(to) &&
          !(cylint_record_is_point(&x) && cylint_record_is_point(&y))))

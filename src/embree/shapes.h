@@ -70,11 +70,6 @@ int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const cylint_memory_source *source);
 void cylint_embree_shapes_free(cylint_embree_shapes *s);
 
-static inline size_t cylint_embree_shapes_bytes(const cylint_embree_shapes *s)
-{
-    return s->memory.bytes + s->whole_memory.bytes;
-}
-
 /* Makes a shape by its constructor. */
 void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
                          cylint_shape *shape);

@@ -44,7 +44,6 @@ INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
 {
     const cylint_line line = {
         .o = {point[0], point[1], point[2]}, .d = {1}, .in_range = 1};
-    const source from = {shape, &line};
     cylint_question q = {.shape = shape, .line = &line};
     local_line l = no_line;
     point_signs at = no_point_signs;
@@ -53,7 +52,7 @@ INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
     load_point(&first, point, shape, solid);
     q.Q = v_first(first.Q);
     set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);
-    load_pairs(&in, &from, 0, solid);
+    load_any_pairs(&in, shape, &line, 0);
     point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
     const int side = side_of_place(place_of_point(&at, solid));
     return side != 0 ? side : contains_exactly(&at, &q, solid);

@@ -194,7 +194,7 @@ static unsigned describe_again(const cylint_shape *shape,
         return cylint_plane_members(shape, line, want, hit);
     if (!line->in_range || !cylint_rounds_to_nearest())
         return want;
-    load_pairs(&in, &from, 1, solid);
+    load_any_pairs(&in, shape, line, 1);
     for (int levels = 0; levels < 2 && want; levels++) {
         const hit_root r =
             root_beside(&from, &in, known->t, known->part, levels, solid);

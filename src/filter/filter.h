@@ -78,11 +78,11 @@ typedef unsigned cylint_kernel_hit(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
                                    const cylint_hit *known, cylint_hit *hit);
 
-/* The functions for one line and one shape: by solid and by whether roots are
- * wanted; what goes on with questions that they do not decide; those for one
- * point and one shape, by solid; and that for one hit. */
+/* The functions for one line and one shape, by solid; what goes on with questions
+ * that they do not decide; those for one point and one shape, by solid; and that
+ * for one hit. */
 typedef struct {
-    cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
+    cylint_kernel_one *by_solid[CYLINT_SOLIDS];
     int (*refine)(cylint_question *question);
     cylint_kernel_point *contains[CYLINT_SOLIDS];
     cylint_kernel_hit *describe;
@@ -97,15 +97,13 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     cylint_answer *answer,
                                     cylint_question *question)
 {
-    const unsigned roots = want / CYLINT_WANT_T % 2;
     const unsigned solid =
         (unsigned)cylint_prepared(shape) & -(unsigned)line->in_range;
     question->shape = shape;
     question->line = line;
     question->answer = answer;
     question->want = want;
-    const int n =
-        kernels->by_solid[solid][roots](shape, line, want, answer, question);
+    const int n = kernels->by_solid[solid](shape, line, want, answer, question);
     return n == CYLINT_UNDECIDED ? kernels->refine(question) : n;
 }
 

@@ -17,6 +17,7 @@ INLINE place place_of_point(point_signs *at, int solid)
     EACH(k, ENDS)
         v.exists[k] = all;
     at->past = (signs){all, all};
+    /* mutant '0' -> '1': a point's line has no direction */
     return place_of(at, &v, v_set(0), solid);
 }
 
@@ -24,6 +25,7 @@ INLINE place place_of_point(point_signs *at, int solid)
 INLINE place place_in_doubles(const local_line *l, int solid)
 {
     point_signs at = no_point_signs;
+    /* mutant '0' -> '1': the same */
     set_place_signs(&at, l, v_set(0), solid);
     return place_of_point(&at, solid);
 }

@@ -374,23 +374,16 @@ ASIDE double residual_in_levels(const cylint_shape *shape,
                                 int on_end)
 {
     const int cap = on_end ? end : -1;
+    const int tapered = cylint_is_tapered(shape->kind);
     if (shape->kind == CYLINT_KIND_SPHERE)
         return ball_residual_in_levels(shape, line, t, 0);
     if (cylint_is_round(shape->kind) && on_end)
         return ball_residual_in_levels(shape, line, t, end);
-    switch (shape->kind) {
-    case CYLINT_KIND_RCONE:
+    if (shape->kind == CYLINT_KIND_RCONE)
         return round_cone_residual_in_levels(shape, line, t);
-    case CYLINT_KIND_ECYLINDER:
-        return elliptic_residual(shape, line, t, cap, 0);
-    case CYLINT_KIND_ECONE:
-        return elliptic_residual(shape, line, t, cap, 1);
-    case CYLINT_KIND_CYLINDER:
-    case CYLINT_KIND_CAPSULE:
-        return circular_residual(shape, line, t, cap, 0);
-    default:
-        return circular_residual(shape, line, t, cap, 1);
-    }
+    return cylint_is_elliptic(shape->kind)
+               ? elliptic_residual(shape, line, t, cap, tapered)
+               : circular_residual(shape, line, t, cap, tapered);
 }
 
 /* Such residuals with the bounds on their errors.  size: size_at(). */

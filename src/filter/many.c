@@ -304,6 +304,25 @@ ASIDE unsigned describe_lanes(const source *from, const pair_line *in,
     return ~left & ALL;
 }
 
+/* The lines in pairs, after what these and members of hits read of the shapes. */
+INLINE void lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
+                           int solid)
+{
+    const source from = {&x->frame, &x->line};
+    if (x->shape)
+        gather_pairs(&x->frame, x->shape, solid);
+    if (x->shape && want & CYLINT_WANT_BESIDE_T)
+        gather_kinds(&x->frame, x->shape);
+    load_pairs(to, &from, solid);
+}
+
+/* One function for all solids but spheres, of which it is short. */
+ASIDE void any_lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
+                              int solid)
+{
+    lines_in_pairs(to, x, want, solid);
+}
+
 /* By roots.  Removes lanes whose hits are not wanted from *crosses. */
 INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
                        verdict *v, vm *crosses, unsigned want, int solid,
@@ -314,18 +333,20 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
     pair_line in;
     if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
         compute_balls(&v->ball, l);
-    estimate at = estimate_end(l, v, &to->at[0], solid);
-    if (nearest)
-        *crosses = m_and(*crosses, may_be_nearest(&at, v, x->nearest, solid));
-    if (!m_any(*crosses))
-        return;
-    if (x->shape)
-        gather_pairs(&x->frame, x->shape, solid);
-    if (x->shape && want & CYLINT_WANT_BESIDE_T)
-        gather_kinds(&x->frame, x->shape);
-    load_pairs(&in, &from, solid);
-    for (int k = 0;; k++) {
+    for (int k = 0; k < 2; k++) {
         const line_end end_k = k ? to->at[1] : to->at[0];
+        const estimate at = estimate_end(l, v, &end_k, solid);
+        if (k == 0) {
+            if (nearest)
+                *crosses =
+                    m_and(*crosses, may_be_nearest(&at, v, x->nearest, solid));
+            if (!m_any(*crosses))
+                return;
+            if (cylint_solid_is_ball(solid))
+                lines_in_pairs(&in, x, want, solid);
+            else
+                any_lines_in_pairs(&in, x, want, solid);
+        }
         root r = step_from(at.t, residual_at(&in, l, at.t, &end_k, solid), &at);
         r.nearest = m_and(r.nearest, at.is_near);
         const hits h = hits_of_roots(&r, l, is_present(l, v, &end_k, k, solid));
@@ -340,9 +361,8 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
                 describe_lanes(&from, &copy, &hit, want, solid, &g->member[k]);
             to->unknown = m_or(to->unknown, m_and_not(h.hit, m_from(certain)));
         }
-        if (k == 1 || (nearest && !m_any(m_and_not(*crosses, h.hit))))
+        if (nearest && !m_any(m_and_not(*crosses, h.hit)))
             return;
-        at = estimate_end(l, v, &to->at[1], solid);
     }
 }
 
@@ -427,23 +447,38 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
 }
 
 typedef void lanes_kernel(group_questions *x, unsigned want, int relations,
-                          cylint_filter_group *g);
+                          int solid, cylint_filter_group *g);
 
-#define KERNEL(name, solid)                                                   \
+INLINE void load_and_answer(group_questions *x, unsigned want, int relations,
+                            int solid, cylint_filter_group *g)
+{
+    if (x->shape)
+        gather_shapes(&x->frame, x->shape, solid);
+    answer_lanes(x, want, relations, solid, g);
+}
+
+#define KERNEL(name, constant)                                                \
     ASIDE void name##_lanes(group_questions *x, unsigned want, int relations, \
-                            cylint_filter_group *g)                           \
+                            int solid, cylint_filter_group *g)                \
     {                                                                         \
-        if (x->shape)                                                         \
-            gather_shapes(&x->frame, x->shape, solid);                        \
-        answer_lanes(x, want, relations, solid, g);                           \
+        (void)solid;                                                          \
+        load_and_answer(x, want, relations, constant, g);                     \
     }
-CYLINT_EACH_SOLID(KERNEL)
+KERNEL(cylinder, CYLINT_SOLID_CYLINDER)
+KERNEL(cone, CYLINT_SOLID_CONE)
+KERNEL(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
+KERNEL(double_cone, cylint_whole_cone(solid))
+#define nappe_lanes double_cone_lanes
+KERNEL(sphere, CYLINT_SOLID_SPHERE)
+KERNEL(capsule, CYLINT_SOLID_CAPSULE)
+KERNEL(round_cone, CYLINT_SOLID_ROUND_CONE)
 #undef KERNEL
 
 #define MEMBER(name, solid) [solid] = name##_lanes,
 static lanes_kernel *const of_solid[CYLINT_SOLIDS] = {
     CYLINT_EACH_SOLID(MEMBER)};
 #undef MEMBER
+#undef nappe_lanes
 
 /* ------------------------------------------------------- the groups ----- */
 
@@ -497,7 +532,7 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
     }
     x->in_use = (1u << lanes) - 1;
     x->nearest = from->nearest;
-    of_solid[from->solid](x, from->want, from->relations, g);
+    of_solid[from->solid](x, from->want, from->relations, from->solid, g);
 }
 
 void CYLINT_MANY(cylint_filter_batch *from, cylint_filter_use *use, void *self)

@@ -233,6 +233,14 @@ INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
     set_heights(to, along_of(p), from, solid);
 }
 
+/* One function for all solids. */
+ASIDE void load_any_pairs(pair_line *to, const cylint_shape *shape,
+                          const cylint_line *line, int moves)
+{
+    const source from = {shape, line};
+    load_pairs(to, &from, moves, cylint_prepared(shape));
+}
+
 #endif
 
 #endif

@@ -103,16 +103,18 @@ INLINE bounded_value test_of_G(const first_line *first,
 
 /* The test of G, whose values go on in registers: so a miss saves none. */
 #define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
-#define KERNEL(name, rest, solid)                                  \
-    static int name(ARGUMENTS)                                     \
-    {                                                              \
-        const source from = {shape, line};                         \
-        const first_line a = load_first(&from, solid);             \
-        const bounded_value G = test_of_G(&a, shape, solid);       \
-        if (m_bits(v_lt(G.v, -G.e)) & 1)                           \
-            return write_miss(answer);                             \
-        return rest(shape, line, want, answer, question, a.p, a.v, \
-                    a.from_base, a.w, a.Q, a.D, G.v, G.e);         \
+#define VALUES a.p, a.v, a.from_base, a.w, a.Q, a.D, G.v, G.e
+#define KERNEL(name, signs, roots, solid)                                \
+    static int name(ARGUMENTS)                                           \
+    {                                                                    \
+        const source from = {shape, line};                               \
+        const first_line a = load_first(&from, solid);                   \
+        const bounded_value G = test_of_G(&a, shape, solid);             \
+        if (m_bits(v_lt(G.v, -G.e)) & 1)                                 \
+            return write_miss(answer);                                   \
+        return want & CYLINT_WANT_T                                      \
+                   ? roots(shape, line, want, answer, question, VALUES)  \
+                   : signs(shape, line, want, answer, question, VALUES); \
     }
 #define REST(name, roots, solid)                                           \
     ASIDE int name(ARGUMENTS, FIRST)                                       \
@@ -122,38 +124,33 @@ INLINE bounded_value test_of_G(const first_line *first,
         return answer_rest(&first, (bounded_value){G, G_error}, &a, roots, \
                            solid);                                         \
     }
-/* The signs at the ends of the domain, or all signs of the line. */
-#define REFINE(name, line, solid)                                           \
-    static int name(cylint_question *q)                                     \
-    {                                                                       \
-        const int n = q->known == CYLINT_KNOWN_LINE ? refine_ends(q, solid) \
-                                                    : CYLINT_UNDECIDED;     \
-        return n == CYLINT_UNDECIDED ? line : n;                            \
+/* The signs at the ends of the domain. */
+#define REFINE(name, solid)             \
+    static int name(cylint_question *q) \
+    {                                   \
+        return refine_ends(q, solid);   \
     }
-#define OWN(name, solid)                           \
-    REST(name##_signs_rest, 0, solid)              \
-    REST(name##_roots_rest, 1, solid)              \
-    KERNEL(name##_signs, name##_signs_rest, solid) \
-    KERNEL(name##_roots, name##_roots_rest, solid)
+#define OWN(name, solid)         \
+    REST(name##_signs, 0, solid) \
+    REST(name##_roots, 1, solid) \
+    KERNEL(name, name##_signs, name##_roots, solid)
 
 OWN(cylinder, CYLINT_SOLID_CYLINDER)
 OWN(cone, CYLINT_SOLID_CONE)
 #if V_HAS_FMA
-REFINE(cylinder_refined, refine_line(q, CYLINT_SOLID_CYLINDER),
-       CYLINT_SOLID_CYLINDER)
-REFINE(cone_refined, refine_line(q, CYLINT_SOLID_CONE), CYLINT_SOLID_CONE)
-#define OTHERS(name, solid) \
-    OWN(name, solid)        \
-    REFINE(name##_refined, refine_any_line(q), solid)
+#define OTHERS(name, solid) OWN(name, solid)
+#define REFINED(name, solid) REFINE(name##_refined, solid)
+CYLINT_EACH_SOLID(REFINED)
+#undef REFINED
+#define REFINED(name, solid) [solid] = name##_refined,
 #else
 /* Without a fused multiply-add a product in pairs is long: the other solids
  * share what follows the test of G, and all share what these do not decide. */
-REST(any_signs_rest, 0, cylint_prepared(shape))
-REST(any_roots_rest, 1, cylint_prepared(shape))
-REFINE(any_refined, refine_any_line(q), cylint_prepared(q->shape))
-#define OTHERS(name, solid)                     \
-    KERNEL(name##_signs, any_signs_rest, solid) \
-    KERNEL(name##_roots, any_roots_rest, solid)
+REST(any_signs, 0, cylint_prepared(shape))
+REST(any_roots, 1, cylint_prepared(shape))
+REFINE(any_refined, cylint_prepared(q->shape))
+#define OTHERS(name, solid) KERNEL(name, any_signs, any_roots, solid)
+#define REFINED(name, solid) [solid] = any_refined,
 #endif
 OTHERS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
 OTHERS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
@@ -179,11 +176,6 @@ static int contains_nearly(const cylint_shape *shape, const double point[3])
     }
 CYLINT_EACH_SOLID(CONTAINS)
 
-#if V_HAS_FMA
-#define REFINED(name, solid) [solid] = name##_refined,
-#else
-#define REFINED(name, solid) [solid] = any_refined,
-#endif
 static int refine(cylint_question *q)
 {
     static int (*const refined[CYLINT_SOLIDS])(cylint_question *) = {
@@ -191,14 +183,16 @@ static int refine(cylint_question *q)
     int n = CYLINT_UNDECIDED;
     if (q->known == CYLINT_KNOWN_USELESS || !cylint_rounds_to_nearest())
         return n;
-    if (q->known != CYLINT_KNOWN_ROOTS)
+    if (q->known == CYLINT_KNOWN_LINE)
         n = refined[cylint_prepared(q->shape)](q);
+    if (n == CYLINT_UNDECIDED && q->known != CYLINT_KNOWN_ROOTS)
+        n = refine_line(q);
     if (n == CYLINT_UNDECIDED && q->known == CYLINT_KNOWN_ROOTS)
         n = refine_roots(q);
     return n;
 }
 
-#define ONE(name, solid) [solid] = {name##_signs, name##_roots},
+#define ONE(name, solid) [solid] = name,
 #define SIDE(name, solid) [solid] = name##_contains,
 
 #else
@@ -218,13 +212,13 @@ static unsigned describe_again(const cylint_shape *shape,
     return cylint_plane_members(shape, line, want, hit);
 }
 
-#define ONE(name, solid) [solid] = {no_solid, no_solid},
+#define ONE(name, solid) [solid] = no_solid,
 #define SIDE(name, solid) [solid] = no_side,
 
 #endif
 
 const cylint_one_kernels CYLINT_ONE = {
-    {[CYLINT_SOLID_NONE] = {no_solid, no_solid}, CYLINT_EACH_SOLID(ONE)},
+    {[CYLINT_SOLID_NONE] = no_solid, CYLINT_EACH_SOLID(ONE)},
     refine,
     {[CYLINT_SOLID_NONE] = no_side, CYLINT_EACH_SOLID(SIDE)},
     describe_again};

@@ -169,9 +169,10 @@ INLINE asked asked_by(cylint_question *q)
 }
 
 /* The signs of a line in pairs, then its hits. */
-INLINE int refine_line(cylint_question *q, int solid)
+static int refine_line(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
+    const int solid = cylint_prepared(shape);
     const asked a = asked_by(q);
     const source from = {shape, q->line};
     local_line l = no_line;
@@ -285,14 +286,13 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
     return left;
 }
 
-/* r with roots 0 in the lanes. */
-INLINE root with_zeros(const root *r, vm lanes)
+/* x where m, else y. */
+INLINE root root_if(vm m, const root *x, const root *y)
 {
-    const vd zero = v_set(0);
     return (root){
-        v_select(lanes, zero, r->value), v_select(lanes, zero, r->tail),
-        v_select(lanes, zero, r->error), v_select(lanes, zero, r->low),
-        v_select(lanes, zero, r->high),  m_or(lanes, r->nearest)};
+        v_select(m, x->value, y->value), v_select(m, x->tail, y->tail),
+        v_select(m, x->error, y->error), v_select(m, x->low, y->low),
+        v_select(m, x->high, y->high),   m_if(m, x->nearest, y->nearest)};
 }
 
 /* The hits, of which those in the lanes have the root 0. */
@@ -310,14 +310,13 @@ INLINE hits with_zero_hits(hits h, vm lanes, const cylint_line *line)
 INLINE int refine_ends(cylint_question *q, int solid)
 {
     const asked a = asked_by(q);
-    const source from = {q->shape, q->line};
     local_line l = no_line;
     pair_line in;
     verdict v = no_verdict;
     point_signs at = no_point_signs;
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vd t = near_limit(l.limit[0]);
-    load_pairs(&in, &from, m_bits(v_eq(t, v_set(0))) != 3, solid);
+    load_any_pairs(&in, q->shape, q->line, m_bits(v_eq(t, v_set(0))) != 3);
     v.exists[0] = m_from(q->exists);
     v.A.v = v_set(q->A);
     at.past = (signs){m_from(q->past[0]), m_from(q->past[1])};
@@ -335,12 +334,6 @@ INLINE int refine_ends(cylint_question *q, int solid)
     return answer_by_places(&where, q->ends, &a, solid);
 }
 
-/* One function for all solids: a tenth of the code, and a third slower. */
-static int refine_any_line(cylint_question *q)
-{
-    return refine_line(q, cylint_prepared(q->shape));
-}
-
 /* A root of 0, or a second step, with residuals in levels for the ends that are
  * needed.  It begins at the root of the first or, if the first may have led so far
  * that the slope differs there, at the estimate. */
@@ -355,20 +348,20 @@ static int refine_roots(cylint_question *q)
                          .inverse = v_load(q->inverse),
                          .slope_error = v_load(q->slope_error),
                          .curvature = v_load(q->curvature)};
+    const vd none = v_set(0);
+    const root zero = {none, none, none, none, none, m_from(3)};
     root r = {v_load(q->value), v_load(q->tail), v_load(q->error),
               v_load(q->low),   v_load(q->high), m_from(q->nearest)};
     local_line l;
     pair_line in;
-    if (q->want & CYLINT_WANT_BESIDE_T) {
-        const source from = {shape, q->line};
-        load_pairs(&in, &from, 1, solid);
-    }
+    if (q->want & CYLINT_WANT_BESIDE_T)
+        load_any_pairs(&in, shape, q->line, 1);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vm present = m_from(q->ends.present);
     hits h = hits_of_roots(&r, &l, present);
     unsigned needed = ends_needed(h, bits, q->want);
     const vm zeros = m_from(zero_roots(&r, &at, needed, q, solid));
-    r = with_zeros(&r, zeros);
+    r = root_if(zeros, &zero, &r);
     h = with_zero_hits(h, zeros, q->line);
     needed = ends_needed(h, bits, q->want);
     if (!needed)
@@ -388,11 +381,7 @@ static int refine_roots(cylint_question *q)
     const bounded_value exact = bounded_levels(
         v_load(residual), size_at(start, &l), m_from(q->ends.on_end), shape);
     const root better = step_from(start, exact, &at);
-    const vm m = m_from(needed);
-    r = (root){
-        v_select(m, better.value, r.value), v_select(m, better.tail, r.tail),
-        v_select(m, better.error, r.error), v_select(m, better.low, r.low),
-        v_select(m, better.high, r.high),   m_if(m, better.nearest, r.nearest)};
+    r = root_if(m_from(needed), &better, &r);
     h = with_zero_hits(hits_of_roots(&r, &l, present), zeros, q->line);
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;

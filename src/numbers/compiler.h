@@ -8,8 +8,8 @@
 #include <stdint.h>
 
 /* A loop that GCC unrolls before it allocates registers.  Otherwise it keeps
- * small arrays in memory. */
-#if defined(__GNUC__) && !defined(__clang__)
+ * small arrays in memory.  CYLINT_LOOPS: files in which this does not pay. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(CYLINT_LOOPS)
 #define EACH(i, n) _Pragma("GCC unroll 4") for (int i = 0; i < (n); i++)
 #else
 #define EACH(i, n) for (int i = 0; i < (n); i++)

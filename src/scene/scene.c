@@ -185,7 +185,6 @@ void cylint_scene_set_view(cylint_scene *s)
 int cylint_scene_complete(cylint_scene *s)
 {
     s->traversal = cylint_traversal_used();
-    s->traverse_point = cylint_traverse_point_used();
     cylint_scene_set_view(s);
     s->copies = allocate(s, s->n_others, sizeof *s->copies);
     s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);

@@ -8,7 +8,6 @@
 
 #include "cylint_scene.h"
 #include "../bvh/traverse.h"
-#include "../bvh/traverse_point.h"
 #include "frame.h"
 #include "mapping.h"
 #include "records.h"
@@ -24,7 +23,6 @@ struct cylint_scene {
     cylint_view view; /* the shapes in the frame */
     cylint_bvh bvh;
     const cylint_traversal *traversal;
-    cylint_traverse_point *traverse_point;
     const uint32_t
         *bounded; /* numbers of the shapes in the hierarchy; NULL: all */
     const uint32_t *others; /* numbers of the other shapes, ascending */

@@ -2,7 +2,7 @@
  * visit_point.c - the shapes of a scene that are near a point or hold it
  *
  * The hierarchy rejects shapes that are certainly farther than the radius
- * (traverse_point.h), and cylint_safety() rejects others.  cylint_distance()
+ * (traverse_point.c), and cylint_safety() rejects others.  cylint_distance()
  * computes the distances to the rest.
  *
  * The box of a piece contains the surface and the solid of the piece, whatever
@@ -10,7 +10,7 @@
  * of a shape cover its solid.  The distance to a box is 0 for a point inside.  So
  * it is a lower bound of the distance to the surface, and of the distance to the
  * closed solid, which is 0 inside.  A traversal with the radius 0 therefore finds
- * a piece of each solid that holds the point: the bounds of traverse_point.h are
+ * a piece of each solid that holds the point: the bounds of traverse_point.c are
  * lower by more than their roundings, so they are 0 for such a piece.  Solids
  * deeper than a negative radius hold the point, so that they are found too.
  */
@@ -131,7 +131,7 @@ static double axial_of(const cylint_swept_disc *disc, const double x[3])
  * Whether the lane's piece contains the nearest point of the surface or solid,
  * computed in doubles; of a solid that holds the point it is the point.  That
  * piece is within v->radius, but for an error that is less than the bounds of
- * traverse_point.h allow for, so its lane is never rejected; and it is the same
+ * traverse_point.c allow for, so its lane is never rejected; and it is the same
  * piece whenever the shape is tested.
  */
 static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
@@ -197,7 +197,7 @@ static void traverse_points(point_visit *v)
     if (s->n_bounded == 0 || v->stopped)
         return;
     if (point_to_frame(v)) {
-        s->traverse_point(&s->bvh, v->x, &v->reach, test_point_leaf, v);
+        s->traversal->point(&s->bvh, v->x, &v->reach, test_point_leaf, v);
         return;
     }
     for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)

@@ -233,6 +233,14 @@ CYLINT_INLINE int cylint_solid_is_ball(int solid)
     return solid == CYLINT_SOLID_SPHERE;
 }
 
+/* A double cone or a nappe.  They differ in so few branches that one kernel serves
+ * both; compilers derive from this that it is one of them. */
+CYLINT_INLINE int cylint_whole_cone(int solid)
+{
+    return cylint_solid_is_nappe(solid) ? CYLINT_SOLID_NAPPE
+                                        : CYLINT_SOLID_DOUBLE_CONE;
+}
+
 /* The base is the end at z = 1. */
 CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
 {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Floor command: the transcripts of cli.txt and the examples of the manuals
-# give their output, and every option, word and column has a transcript.
+# Floor command: the transcripts of cli.txt and hostile.txt and the examples of the
+# manuals give their output, and every option, word and column has a transcript.
 #
 # A transcript is `$ command` and the expected output.  `! text` is a line of
 # standard error, `? N` the exit status (default 0), `!? text` the message and
@@ -63,7 +63,9 @@ covered() { # word: is it in cli.txt, not as a part of another?
     verdict "no transcript for $1" $?
 }
 
-run_transcripts cli.txt <"$top/tests/command/cli.txt"
+for file in cli.txt hostile.txt; do
+    run_transcripts $file <"$top/tests/command/$file"
+done
 
 for page in cylint.1 cylint.7; do
     rm -rf "$scratch/work"

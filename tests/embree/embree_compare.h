@@ -97,14 +97,14 @@ static inline int both_agree(const struct world *w, struct rays *r,
     return hits;
 }
 
-/* Traces one ray and checks the answer. */
-static inline struct rays traced_alone(const struct world *w, const float o[3],
-                                       const float d[3], float tnear,
-                                       float tfar)
+/* Traces n rays that are the same and checks the answers. */
+static inline struct rays traced(const struct world *w, int n, const float o[3],
+                                 const float d[3], float tnear, float tfar)
 {
     struct rays r;
-    rays_begin(&r, 1);
-    rays_add(&r, 0, o, d, tnear, tfar);
+    rays_begin(&r, n);
+    for (int i = 0; i < n; i++)
+        rays_add(&r, i, o, d, tnear, tfar);
     rays_intersect(&r, w->scene, NULL);
     agrees(w, &r);
     return r;

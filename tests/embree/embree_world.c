@@ -182,6 +182,20 @@ int world_agrees(const struct world *w, struct rays *r, int i, int complete)
     return agrees;
 }
 
+int world_hits_at(const struct world *w, const struct rays *r, int i,
+                  unsigned shape, float t)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_answer answer;
+    const int hits = shape < w->n ? cylint_intersect(&w->shapes[shape], &line,
+                                                     CYLINT_WANT_T, &answer)
+                                  : 0;
+    int n = 0;
+    for (int k = 0; k < hits; k++)
+        n += world_float_above(answer.hit[k].t) == t;
+    return n;
+}
+
 void world_show(const struct world *w, struct rays *r, int i)
 {
     const cylint_line line = rays_line(r, i);

@@ -95,7 +95,7 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     EACH_WAY(w, &shape, 1)
     {
-        struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
+        struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 6);
         CHECK(rays_at(&r, HIT_U, 0)->f == 1);
     }
@@ -110,15 +110,11 @@ static void the_domain_holds_its_ends(void)
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     EACH_WAY(w, &shape, 1)
     {
-        struct rays r;
+        struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         float t[2];
-        cylint_line line;
+        const cylint_line line = rays_line(&r, 0);
         cylint_answer answer;
         int hits = 0;
-        rays_begin(&r, 1);
-        rays_add(&r, 0, o, d, 0, HUGE_VALF);
-        rays_intersect(&r, w.scene, NULL);
-        line = rays_line(&r, 0);
         CHECK(cylint_intersect(&shape, &line, CYLINT_WANT_T, &answer) == 2);
         for (int k = 0; k < 2; k++)
             t[k] = (float)answer.hit[k].t;
@@ -132,7 +128,7 @@ static void the_domain_holds_its_ends(void)
                         to = nextafterf(to, b < 0 ? 0 : HUGE_VALF);
                     if (from > to)
                         continue;
-                    r = traced_alone(&w, o, d, from, to);
+                    r = traced(&w, 1, o, d, from, to);
                     hits += rays_hit(&r, 0);
                 }
         CHECK(hits > 0);
@@ -250,7 +246,6 @@ static void equal_and_nearly_equal_hits_are_distinguished(void)
     for (int how = 0; how < 2; how++)
         for (int turn = 0; turn < 60; turn++) {
             struct world w;
-            struct rays r;
             for (int i = 0; i < MANY; i++) {
                 /* caps toward the ray, from 0 to a few doubles apart, and solids
              * of different sizes, so that they are grouped in some order */
@@ -264,13 +259,7 @@ static void equal_and_nearly_equal_hits_are_distinguished(void)
             }
             w = made(shapes, MANY, both_ways[how]);
             EACH_SIZE(n)
-            {
-                rays_begin(&r, n);
-                for (int i = 0; i < n; i++)
-                    rays_add(&r, i, o, d, 0, HUGE_VALF);
-                rays_intersect(&r, w.scene, NULL);
-                agrees(&w, &r);
-            }
+            traced(&w, n, o, d, 0, HUGE_VALF);
             world_free(&w);
         }
 }
@@ -322,7 +311,7 @@ static void v_is_below_a_whole_turn(void)
     {
         for (int k = 24; k < 48; k += 4) {
             const float o[3] = {-ldexpf(1, -k), -4, 0.5f}, d[3] = {0, 1, 0};
-            struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
+            struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
             CHECK(rays_at(&r, HIT_V, 0)->f > 0.99f &&
                   rays_at(&r, HIT_V, 0)->f < 1);
         }

@@ -15,16 +15,18 @@ enum { SOME = 150, MOST_OFFERS = 4 * SOME };
 
 typedef enum rule { ACCEPT, REJECT, EXITS, HALF, RULES } rule;
 
+struct offer {
+    int ray;
+    unsigned prim;
+    float t;
+};
+
 /* The rules of the filters in one query, and the hits that they got. */
 struct record {
     const struct world *w;
     rule geometry, context; /* ACCEPT where there is no such filter */
     struct rays *r;
-    struct {
-        int ray;
-        unsigned prim;
-        float t;
-    } offer[2][MOST_OFFERS];
+    struct offer offer[2][MOST_OFFERS];
     int offers[2]; /* to the geometry's, the context's */
     int bare, occlusion;
     int bad; /* wrong arguments */
@@ -49,16 +51,17 @@ static int passes(rule rule, unsigned prim, float t, int leaving)
 }
 
 /* The index of the library's hit with these members, or -1. */
-static int offered_hit(const struct record *q, unsigned prim, float t, float u,
-                       int ray, cylint_answer *answer)
+static int offered_hit(const struct record *q, const struct offer *o, float u,
+                       cylint_answer *answer)
 {
-    const cylint_line line = rays_line(q->r, ray);
+    const cylint_line line = rays_line(q->r, o->ray);
     int number = -1;
-    const int n = prim < q->w->n ? cylint_intersect(&q->w->shapes[prim], &line,
-                                                    CYLINT_WANT_ALL, answer)
-                                 : 0;
+    const int n = o->prim < q->w->n
+                      ? cylint_intersect(&q->w->shapes[o->prim], &line,
+                                         CYLINT_WANT_ALL, answer)
+                      : 0;
     for (int i = 0; i < n; i++)
-        if (world_float_above(answer->hit[i].t) == t &&
+        if (world_float_above(answer->hit[i].t) == o->t &&
             (number < 0 || q->bare || (float)answer->hit[i].z == u))
             number = i;
     return number;
@@ -89,7 +92,6 @@ static void filter(struct record *q, int which,
 {
     union ray_word hit[RAY_MEMBERS - HIT_NG], ray[HIT_NG];
     cylint_answer answer;
-    int number, lane;
     if (which == 1 && a->valid[0] == 0)
         return; /* Embree 3 calls it after a rejection by the geometry's too */
     if (a->N != 1 || a->valid[0] != -1 || a->geometryUserPtr != &user_word) {
@@ -98,24 +100,20 @@ static void filter(struct record *q, int which,
     }
     memcpy(hit, a->hit, sizeof hit);
     memcpy(ray, a->ray, sizeof ray);
-    lane = (int)ray[RAY_ID].u;
-    if (q->offers[which] < MOST_OFFERS) {
-        q->offer[which][q->offers[which]].ray = lane;
-        q->offer[which][q->offers[which]].prim = hit[HIT_PRIM - HIT_NG].u;
-        q->offer[which][q->offers[which]].t = ray[RAY_TFAR].f;
-    }
+    const struct offer o = {(int)ray[RAY_ID].u, hit[HIT_PRIM - HIT_NG].u,
+                            ray[RAY_TFAR].f};
+    if (q->offers[which] < MOST_OFFERS)
+        q->offer[which][q->offers[which]] = o;
     q->offers[which]++;
-    number = offered_hit(q, hit[HIT_PRIM - HIT_NG].u, ray[RAY_TFAR].f,
-                         hit[HIT_U - HIT_NG].f, lane, &answer);
+    const int number = offered_hit(q, &o, hit[HIT_U - HIT_NG].f, &answer);
     if (number < 0) {
         q->bad++;
         return;
     }
-    q->bad += !described(q, hit, lane, &answer.hit[number]);
+    q->bad += !described(q, hit, o.ray, &answer.hit[number]);
     q->bad += hit[HIT_GEOM - HIT_NG].u != 0;
     q->bad += hit[HIT_INST - HIT_NG].u != RTC_INVALID_GEOMETRY_ID;
-    if (!passes(which ? q->context : q->geometry, hit[HIT_PRIM - HIT_NG].u,
-                ray[RAY_TFAR].f,
+    if (!passes(which ? q->context : q->geometry, o.prim, o.t,
                 answer.hit[number].side == CYLINT_SIDE_LEAVING))
         a->valid[0] = 0;
 }
@@ -154,34 +152,17 @@ static size_t expected(const struct record *q, int ray, double *t)
     return nearest;
 }
 
-/* Hits of a shape that floats show at t: entry and exit may be one float. */
-static int hits_at(const struct record *q, int ray, unsigned prim, float t)
-{
-    const cylint_line line = rays_line(q->r, ray);
-    cylint_answer answer;
-    int n = 0;
-    const int hits =
-        cylint_intersect(&q->w->shapes[prim], &line, CYLINT_WANT_T, &answer);
-    for (int i = 0; i < hits; i++)
-        n += world_float_above(answer.hit[i].t) == t;
-    return n;
-}
-
 /* The number of calls beyond one for each hit. */
 static int twice(const struct record *q, int which)
 {
     int n = 0;
-    const int most =
-        q->offers[which] < MOST_OFFERS ? q->offers[which] : MOST_OFFERS;
-    for (int i = 0; i < most; i++) {
+    for (int i = 0; i < q->offers[which] && i < MOST_OFFERS; i++) {
+        const struct offer *o = &q->offer[which][i], *p = q->offer[which];
         int same = 1;
-        for (int j = 0; j < i; j++)
-            same += q->offer[which][i].prim == q->offer[which][j].prim &&
-                    q->offer[which][i].t == q->offer[which][j].t &&
-                    q->offer[which][i].ray == q->offer[which][j].ray;
-        n += same > 1 &&
-             same > hits_at(q, q->offer[which][i].ray, q->offer[which][i].prim,
-                            q->offer[which][i].t);
+        for (; p < o; p++)
+            same += o->prim == p->prim && o->t == p->t && o->ray == p->ray;
+        n +=
+            same > 1 && same > world_hits_at(q->w, q->r, o->ray, o->prim, o->t);
     }
     return n;
 }

@@ -63,16 +63,8 @@ static int is_far(const struct scene_shapes *s, const cylint_line *line,
 /* Whether the shape of the answer has a hit there. */
 static int is_a_hit(const struct world *w, struct rays *r, int i)
 {
-    const cylint_line line = rays_line(r, i);
-    const unsigned shape = rays_at(r, HIT_PRIM, i)->u;
-    cylint_answer answer;
-    int n = shape < w->n ? cylint_intersect(&w->shapes[shape], &line,
-                                            CYLINT_WANT_T, &answer)
-                         : 0;
-    while (n > 0 &&
-           world_float_above(answer.hit[n - 1].t) != rays_at(r, RAY_TFAR, i)->f)
-        n--;
-    return n > 0;
+    return world_hits_at(w, r, i, rays_at(r, HIT_PRIM, i)->u,
+                         rays_at(r, RAY_TFAR, i)->f) > 0;
 }
 
 static void compare(const struct world *w, const struct scene_shapes *s,

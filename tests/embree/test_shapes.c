@@ -241,13 +241,7 @@ static void a_geometry_without_shapes_is_never_hit(void)
     {
         struct RTCBounds box;
         EACH_SIZE(n)
-        {
-            struct rays r;
-            rays_begin(&r, n);
-            rays_add(&r, 0, o, d, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
-        }
+        traced(&w, n, o, d, 0, HUGE_VALF);
         rtcGetSceneBounds(w.scene, &box);
         CHECK(box.lower_x > box.upper_x);
         CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
@@ -306,7 +300,7 @@ static void shapes_that_embree_would_drop_are_refused_by_number(void)
     EACH_WAY(w, &shape, 1)
     {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
-        struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
+        struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0));
     }
 }
@@ -402,12 +396,7 @@ static void u_is_z_below_0_and_above_1_on_round_ends(void)
         for (int i = 0; i < 8; i++) {
             const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
             const float d[3] = {0, 0, -o[2]};
-            struct rays r;
-            rays_begin(&r, n);
-            for (int k = 0; k < n; k++)
-                rays_add(&r, k, o, d, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
+            struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
             CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
         }
     }

@@ -2,7 +2,6 @@
  * shapes.c - floors intersect and batch: fuzzes the library
  *
  * The bytes of an input become a line and some shapes.  The properties of
- * The bytes of an input become a line and some shapes.  The properties of
  * library/properties.h hold, and batches with all kernels give the answers of
  * single questions.  A build with CYLINT_PARANOID also makes each decision
  * twice.

@@ -14,21 +14,6 @@ static const double origin[3] = {0, 0, 0}, axis_x[3] = {1, 0, 0};
 static const double axis_z[3] = {0, 0, 1};
 static const cylint_one_kernels *at_the_start;
 
-/* tan(x) rounds to 0 up to 2^-1075 180 / pi = 28.6 2^-1074 degrees. */
-static void half_angles_whose_tangent_rounds_to_0_are_refused(void)
-{
-    cylint_shape s;
-    for (int i = 1; i <= 40; i++) {
-        CHECK(cylint_angle_cone(&s, origin, axis_z, i * 0x1p-1074,
-                                CYLINT_ENDS_NAPPE) ==
-              (i <= 28 ? CYLINT_EANGLE : CYLINT_OK));
-    }
-    CHECK(cylint_angle_cone(&s, origin, axis_z, 1.4e-322, CYLINT_ENDS_NAPPE) ==
-          CYLINT_EANGLE);
-    CHECK(cylint_angle_cone(&s, origin, axis_z, 1.5e-322, CYLINT_ENDS_NAPPE) ==
-          CYLINT_OK);
-}
-
 /* For every set of faults, the bits of `faults`, a constructor returns the
  * first fault in the order of the list. */
 struct faults {
@@ -186,7 +171,6 @@ int main(void)
 {
     at_the_start = cylint_one_chosen;
     RUN(any_function_can_be_the_first_call);
-    RUN(half_angles_whose_tangent_rounds_to_0_are_refused);
     RUN(a_shape_with_several_faults_returns_the_first);
     RUN(a_line_with_several_faults_returns_the_first);
     RUN(version_and_sizes_of_structs_are_those_of_the_header);

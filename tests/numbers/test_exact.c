@@ -1,20 +1,18 @@
 /*
- * test_exact.c - floor numbers: exact arithmetic against GMP, and its memory
- *
- * Numbers are compared as integers, multiplied by 2^BASE.
+ * test_exact.c - floor numbers: exact arithmetic against MPFR, and its memory
  */
 #include <float.h>
-#include <gmp.h>
+#include <gmp.h> /* before mpfr.h */
 #include <math.h>
-#include <mpfr.h>
 
 #include "check.h"
 #include "environment.h"
 #include "numbers/exact_sum.h"
 #include "random.h"
+#include "real.h"
 #include "roots/roots.h"
 
-enum { BASE = 8192 };
+enum { BITS = 4400 }; /* sums and products of two sums have no error */
 
 static int cases(void)
 {
@@ -50,206 +48,142 @@ static double any_double(void)
     }
 }
 
-static void integer_of_double(mpz_t z, double x, int shift)
+static real real_of_exact(exact x)
 {
-    int e;
-    mpz_set_d(z, ldexp(frexp(x, &e), 53));
-    const int up = x == 0 ? 0 : e - 53 + shift;
-    if (up >= 0)
-        mpz_mul_2exp(z, z, (mp_bitcnt_t)up);
-    else
-        mpz_fdiv_q_2exp(z, z, (mp_bitcnt_t)-up);
-}
-
-static void integer_of(mpz_t z, exact x)
-{
-    mpz_import(z, (size_t)x.n, -1, sizeof *x.limb, 0, 0, x.limb);
-    if (x.n > 0)
-        mpz_mul_2exp(z, z, (mp_bitcnt_t)(32 * x.exponent + BASE));
-    if (x.sign < 0)
-        mpz_neg(z, z);
-}
-
-/* Whether x has no zero limb at its ends and x 2^BASE is the integer. */
-static int is_integer(exact x, const mpz_t wanted)
-{
+    real r = new_real();
     mpz_t z;
     mpz_init(z);
-    integer_of(z, x);
+    mpz_import(z, (size_t)x.n, -1, sizeof *x.limb, 0, 0, x.limb);
+    mpfr_set_z_2exp(r->x, z, 32 * x.exponent, RND);
+    mpz_clear(z);
+    r->off = EXACT;
+    return x.sign < 0 ? negated(r) : r;
+}
+
+/* Whether x has no zero limb at its ends and is the number. */
+static int is_real(exact x, real wanted)
+{
     const int trimmed = x.sign == 0
                             ? x.n == 0
                             : x.n > 0 && x.limb[0] != 0 && x.limb[x.n - 1] != 0;
-    const int same = mpz_cmp(z, wanted) == 0 && mpz_sgn(z) == x.sign;
-    mpz_clear(z);
-    return trimmed && same;
+    return trimmed && mpfr_equal_p(real_of_exact(x)->x, wanted->x) &&
+           mpfr_sgn(wanted->x) == x.sign;
 }
 
 static cylint_arena arena;
 
+static void begin_case(void)
+{
+    real_fixed(BITS);
+    cylint_arena_open(&arena);
+}
+
 static void doubles_are_placed_exactly(void)
 {
-    mpz_t z;
-    mpz_init(z);
     for (int i = 0; i < cases(); i++) {
         const double x = any_double();
-        cylint_arena_open(&arena);
-        integer_of_double(z, x, BASE);
-        if (!CHECK(is_integer(cylint_exact_from(&arena, x), z)))
+        begin_case();
+        if (!CHECK(is_real(cylint_exact_from(&arena, x), real_of(x))))
             REPORT("%a", x);
     }
-    mpz_clear(z);
 }
 
 enum { TERMS = 6 };
 
 /* A sum in which terms often cancel, exactly or nearly. */
-static exact cancelling_sum(mpz_t sum)
+static exact cancelling_sum(real *sum)
 {
     double term[TERMS];
-    mpz_t z;
-    mpz_init(z);
-    mpz_set_ui(sum, 0);
     exact x = cylint_exact_from(&arena, 0);
+    *sum = real_of(0);
     for (int i = 0; i < TERMS; i++) {
         term[i] = i > 0 && below(2) ? -term[below((uint64_t)i)] : any_double();
         if (below(4) == 0 && fabs(term[i]) < 0x1p1000)
             term[i] = nextafter(term[i], HUGE_VAL);
-        integer_of_double(z, term[i], BASE);
-        mpz_add(sum, sum, z);
+        *sum = plus(*sum, real_of(term[i]));
         x = cylint_exact_add(&arena, x, cylint_exact_from(&arena, term[i]));
     }
-    mpz_clear(z);
     return x;
 }
 
 static void sums_are_exact(void)
 {
-    mpz_t z;
-    mpz_init(z);
     for (int i = 0; i < cases(); i++) {
-        cylint_arena_open(&arena);
-        CHECK(is_integer(cancelling_sum(z), z));
+        real sum;
+        begin_case();
+        const exact x = cancelling_sum(&sum);
+        CHECK(is_real(x, sum));
     }
-    mpz_clear(z);
 }
 
 static void products_of_sums_are_exact(void)
 {
-    mpz_t x, y;
-    mpz_inits(x, y, NULL);
     for (int i = 0; i < cases(); i++) {
-        cylint_arena_open(&arena);
-        const exact a = cancelling_sum(x), b = cancelling_sum(y);
-        mpz_mul(x, x, y);
-        mpz_fdiv_q_2exp(x, x, BASE);
-        CHECK(is_integer(cylint_exact_mul(&arena, a, b), x));
+        real x, y;
+        begin_case();
+        const exact a = cancelling_sum(&x), b = cancelling_sum(&y);
+        CHECK(is_real(cylint_exact_mul(&arena, a, b), times(x, y)));
     }
-    mpz_clears(x, y, NULL);
 }
 
 static void keeping_a_number_frees_the_rest(void)
 {
-    mpz_t x, y;
-    mpz_inits(x, y, NULL);
     for (int i = 0; i < cases(); i++) {
-        cylint_arena_open(&arena);
-        const exact before = cancelling_sum(x);
+        real x, y;
+        begin_case();
+        const exact before = cancelling_sum(&x);
         const int used = arena.used;
-        cancelling_sum(y);
-        exact kept = cancelling_sum(y);
+        cancelling_sum(&y);
+        exact kept = cancelling_sum(&y);
         kept = cylint_exact_keep(&arena, used, kept);
-        CHECK(is_integer(kept, y) && is_integer(before, x));
+        CHECK(is_real(kept, y) && is_real(before, x));
         CHECK(arena.used <= used + kept.n);
         const int end = arena.used;
-        CHECK(is_integer(cylint_exact_keep(&arena, end, before), x));
+        CHECK(is_real(cylint_exact_keep(&arena, end, before), x));
         CHECK(arena.used == end);
     }
-    mpz_clears(x, y, NULL);
 }
 
-/* |x - (hi + lo) 2^e| / |x|. */
-static double rounding_error(const mpz_t x, pair v, int e)
+/* |x / y - 1| */
+static double apart(real x, real y)
 {
-    mpz_t sum, z;
-    mpf_t off, size;
-    mpz_inits(sum, z, NULL);
-    mpf_init2(off, 256);
-    mpf_init2(size, 256);
-    integer_of_double(sum, v.hi, e + BASE);
-    integer_of_double(z, v.lo, e + BASE);
-    mpz_add(sum, sum, z);
-    mpz_sub(sum, sum, x);
-    mpf_set_z(off, sum);
-    mpf_set_z(size, x);
-    mpf_div(off, off, size);
-    const double relative = fabs(mpf_get_d(off));
-    mpf_clear(off);
-    mpf_clear(size);
-    mpz_clears(sum, z, NULL);
-    return relative;
+    return fabs(mpfr_get_d(over(minus(x, y), y)->x, MPFR_RNDA));
 }
 
 static void roundings_are_within_their_bound(void)
 {
     double worst = 0;
-    mpz_t x, y;
-    mpz_inits(x, y, NULL);
     for (int i = 0; i < cases(); i++) {
-        cylint_arena_open(&arena);
-        exact a = cancelling_sum(x);
+        real x, y;
+        int e;
+        begin_case();
+        exact a = cancelling_sum(&x);
         if (below(2)) {
-            a = cylint_exact_mul(&arena, a, cancelling_sum(y));
-            integer_of(x, a);
+            a = cylint_exact_mul(&arena, a, cancelling_sum(&y));
+            x = times(x, y);
         }
         if (a.sign == 0)
             continue;
-        int e;
         const pair v = cylint_exact_round(a, &e);
-        const double off = rounding_error(x, v, e);
+        const real rounded =
+            times(plus(real_of(v.hi), real_of(v.lo)), power_of_two(e));
+        const double off = apart(rounded, x);
         worst = fmax(worst, off);
         CHECK(off < CYLINT_EXACT_ROUNDING);
         CHECK(fabs(v.hi) >= 1 && fabs(v.hi) <= 2 && v.hi + v.lo == v.hi);
     }
     printf("note: largest error of rounding to a pair: %.3f 2^-104\n",
            worst * 0x1p104);
-    mpz_clears(x, y, NULL);
 }
 
 /* --------------------------------------------------- leading digits ---- */
 
-enum { DIGITS = 400 };
-
-static void real_of(mpfr_t r, exact x)
-{
-    mpz_t z;
-    mpz_init(z);
-    integer_of(z, x);
-    mpfr_set_z_2exp(r, z, -BASE, MPFR_RNDN);
-    mpz_clear(z);
-}
-
-/* |x / y - 1|. */
-static double apart(exact x, const mpfr_t y)
-{
-    mpfr_t r;
-    mpfr_init2(r, DIGITS);
-    real_of(r, x);
-    mpfr_div(r, r, y, MPFR_RNDN);
-    mpfr_sub_ui(r, r, 1, MPFR_RNDN);
-    const double off = fabs(mpfr_get_d(r, MPFR_RNDA));
-    mpfr_clear(r);
-    return off;
-}
-
 static void inverses_and_roots_in(struct environment there)
 {
-    mpfr_t x, y;
-    mpz_t ignored;
-    mpfr_inits2(DIGITS, x, y, (mpfr_ptr)NULL);
-    mpz_init(ignored);
     for (int i = 0; i < cases() / 20; i++) {
-        cylint_arena_open(&arena);
-        const exact a = cancelling_sum(ignored);
+        real x;
+        begin_case();
+        const exact a = cancelling_sum(&x);
         if (a.sign == 0)
             continue;
         exact size = a;
@@ -262,17 +196,13 @@ static void inverses_and_roots_in(struct environment there)
         environment_reset();
         CHECK(cylint_exact_add(&arena, here, cylint_exact_neg(inverse)).sign ==
               0);
-        real_of(x, a);
-        mpfr_ui_div(y, 1, x, MPFR_RNDN);
-        CHECK(apart(inverse, y) < CYLINT_INVERSE_ERROR);
-        mpfr_abs(x, x, MPFR_RNDN);
-        mpfr_sqrt(y, x, MPFR_RNDN);
-        CHECK(apart(root, y) < CYLINT_INVERSE_ERROR);
-        mpfr_rec_sqrt(y, x, MPFR_RNDN);
-        CHECK(apart(both, y) < CYLINT_INVERSE_ERROR);
+        const real one = real_of(1), root_x = root_of(real_of_exact(size));
+        CHECK(apart(real_of_exact(inverse), over(one, x)) <
+              CYLINT_INVERSE_ERROR);
+        CHECK(apart(real_of_exact(root), root_x) < CYLINT_INVERSE_ERROR);
+        CHECK(apart(real_of_exact(both), over(one, root_x)) <
+              CYLINT_INVERSE_ERROR);
     }
-    mpfr_clears(x, y, (mpfr_ptr)NULL);
-    mpz_clear(ignored);
 }
 
 static void inverses_and_roots_are_within_their_bound(void)
@@ -283,8 +213,6 @@ static void inverses_and_roots_are_within_their_bound(void)
 /* hi + lo times 2^e: also below the normal numbers and beyond the largest. */
 static void sums_are_rounded_once_in(struct environment there)
 {
-    mpfr_t r;
-    mpfr_init2(r, 4400);
     for (int i = 0; i < cases() / 4; i++) {
         const int kind = (int)below(4), bits = (int)below(60);
         const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1),
@@ -294,11 +222,9 @@ static void sums_are_rounded_once_in(struct environment there)
                       : kind == 1 ? 960 + (int)below(16)
                       : kind == 2 ? -1074 - 53
                                   : (int)below(200);
-        cylint_arena_open(&arena);
-        mpfr_set_d(r, hi, MPFR_RNDN);
-        mpfr_add_d(r, r, lo, MPFR_RNDN);
-        mpfr_mul_2si(r, r, e, MPFR_RNDN);
-        const double want = mpfr_get_d(r, MPFR_RNDN);
+        begin_case();
+        const real sum = plus(real_of(hi), real_of(lo));
+        const double want = mpfr_get_d(times(sum, power_of_two(e))->x, RND);
         environment_set(there);
         const double got = cylint_exact_nearest(
             cylint_exact_add(&arena, cylint_exact_from(&arena, hi),
@@ -308,7 +234,6 @@ static void sums_are_rounded_once_in(struct environment there)
         if (!CHECK(memcmp(&got, &want, sizeof got) == 0))
             REPORT("(%a + %a) 2^%d: %a, not %a", hi, lo, e, got, want);
     }
-    mpfr_clear(r);
 }
 
 static void sums_are_rounded_once(void)
@@ -329,12 +254,11 @@ static void expect_limbs(exact x, int low, int top, int used)
 /* bounds/test_arena.c computes the capacity of the arena from these limits. */
 static void operations_use_no_more_limbs_than_the_capacity_counts(void)
 {
-    mpz_t z;
-    mpz_init(z);
     for (int i = 0; i < cases(); i++) {
-        cylint_arena_open(&arena);
+        real unused;
+        begin_case();
         expect_limbs(cylint_exact_from(&arena, any_double()), -34, 33, 0);
-        const exact x = cancelling_sum(z), y = cancelling_sum(z);
+        const exact x = cancelling_sum(&unused), y = cancelling_sum(&unused);
         if (x.sign == 0 || y.sign == 0)
             continue;
         const int xt = cylint_top_of(x), yt = cylint_top_of(y);
@@ -346,7 +270,6 @@ static void operations_use_no_more_limbs_than_the_capacity_counts(void)
                      x.exponent < y.exponent ? x.exponent : y.exponent,
                      (xt > yt ? xt : yt) + 1, used);
     }
-    mpz_clear(z);
 }
 
 /* Of positive and negative doubles whose sum is not negative. */
@@ -360,29 +283,27 @@ static void totals_are_rounded_once(void)
                                       {DBL_MAX, 0x1p970, 0, HUGE_VAL},
                                       {DBL_MAX, 0x1p970, -0x1p-1074, DBL_MAX}};
     uint64_t stream = 5;
-    mpfr_t all;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         cylint_exact_sum sum = {{0}};
         for (int k = 0; k < 3; k++)
             cylint_sum_add(&sum, known[i][k]);
         CHECK(cylint_sum_rounded(&sum) == known[i][3]);
     }
-    mpfr_init2(all, 2200);
     for (int i = 0; i < cases() / 10; i++) {
         const int spread = 1 + random_int(&stream, 1000);
         const int middle = random_int(&stream, 1500) - 1000;
         cylint_exact_sum sum = {{0}};
-        mpfr_set_zero(all, 1);
+        real_fixed(BITS);
+        real all = real_of(0);
         for (int n = random_int(&stream, 40); n > 0; n--) {
             const int e = middle + random_int(&stream, spread) - spread / 2;
             const double size = ldexp(random_mantissa(&stream), e);
-            const double x = mpfr_cmp_d(all, size) < 0 ? size : -size;
-            mpfr_add_d(all, all, x, MPFR_RNDN);
+            const double x = mpfr_cmp_d(all->x, size) < 0 ? size : -size;
+            all = plus(all, real_of(x));
             cylint_sum_add(&sum, x);
         }
-        CHECK(cylint_sum_rounded(&sum) == mpfr_get_d(all, MPFR_RNDN));
+        CHECK(cylint_sum_rounded(&sum) == mpfr_get_d(all->x, RND));
     }
-    mpfr_clear(all);
 }
 
 int main(void)

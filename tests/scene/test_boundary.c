@@ -1,6 +1,6 @@
 /*
- * test_boundary.c - the first boundary of solids, the solids at a point, and
- * the pieces and sums of many lines
+ * test_boundary.c - the first boundary of solids, the shapes and solids at a point,
+ * and the pieces and sums of many lines
  *
  * piece_world.h makes the scenes and gives the expected pieces.
  *
@@ -218,6 +218,47 @@ static void the_depth_is_that_of_a_loop(void)
     fprintf(stderr, "%ld points in solids\n", inside);
 }
 
+/* Points of integers lie on many surfaces.  Of a point of the union the least
+ * signed distance is not positive, and 0 on a boundary if no solid has the point
+ * inside; the nearest surface can be one inside another shape. */
+static void the_boundary_belongs_to_the_solid(void)
+{
+    const long worlds = (long)check_setting("CYLINT_CASES", 300) / 4;
+    long on = 0, positive = 0;
+    rng = 9;
+    for (long i = 0; i < worlds; i++) {
+        begin_world();
+        for (int j = 0; j < 50; j++) {
+            cylint_closest solid, surface;
+            double point[3];
+            size_t holding = 0, inside = 0;
+            point_of_integers(point, 7);
+            for (size_t k = 0; k < world.n; k++) {
+                const int side = cylint_contains(&world.shape[k], point);
+                holding += side >= 0;
+                inside += side > 0;
+            }
+            cylint_scene_closest(world.scene, point, HUGE_VAL, CYLINT_SIGNED,
+                                 &solid);
+            cylint_scene_closest(world.scene, point, HUGE_VAL, 0, &surface);
+            const double d = solid.distance;
+            if (!CHECK(cylint_scene_contains(world.scene, point, 0) ==
+                           holding &&
+                       (inside    ? d < 0
+                        : holding ? d == 0
+                                  : d > 0)))
+                REPORT("point %g %g %g: %g, not in %zu of %zu", point[0],
+                       point[1], point[2], d, inside, holding);
+            on += d == 0;
+            positive += holding > 0 && surface.distance > 0;
+        }
+        cylint_scene_free(world.scene);
+    }
+    CHECK(on > worlds / 4 && positive > worlds);
+    printf("note: %ld points on boundaries, %ld outside the nearest surface\n",
+           on, positive);
+}
+
 static void no_solid_contains_an_infinite_point(void)
 {
     const double point[3] = {0, HUGE_VAL, 0};
@@ -376,6 +417,7 @@ int main(void)
     RUN(the_first_boundary_is_that_of_a_loop);
     RUN(an_invalid_line_has_no_boundary);
     RUN(the_depth_is_that_of_a_loop);
+    RUN(the_boundary_belongs_to_the_solid);
     RUN(no_solid_contains_an_infinite_point);
     RUN(pieces_of_many_lines_are_those_of_each);
 #ifdef HAVE_MPFR

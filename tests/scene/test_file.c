@@ -82,11 +82,13 @@ static void an_opened_scene_saves_the_same_bytes(void)
 }
 
 /* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
- * a tangent cone, with labels. */
+ * a tangent cone, with labels; two solids. */
 static void write_small(struct bytes *b)
 {
     static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
     static const cylint_scene_labels labels = {ends, "abcdef"};
+    static const cylint_member members[] = {
+        {0, 0, 1}, {1, 0, -2}, {3, 1, 1}, {2, 1, 1}, {5, 1, -7}};
     const double p[3] = {0, 0, 0}, q[3] = {3, 1, 2}, h[3] = {0, 0, 2},
                  x[3] = {1, 0.5, 0}, y[3] = {0, 1, 0.25};
     cylint_shape shape[SMALL];
@@ -98,6 +100,7 @@ static void write_small(struct bytes *b)
     cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
     cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
+    CHECK(cylint_scene_set_solids(scene, members, 5) == CYLINT_SCENE_OK);
     scene_file_write(scene, b);
     cylint_scene_free(scene);
 }

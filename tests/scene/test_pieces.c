@@ -13,7 +13,6 @@
 #include "cylint_scene.h"
 #include "environment.h"
 #include "piece_world.h"
-#include "scene_file.h"
 
 /* ---------------------------------------------------------- the library -- */
 
@@ -69,25 +68,6 @@ static void check_line(void)
         }
 }
 
-/* In place of the scene, with its solids. */
-static void open_saved_scene(void)
-{
-    static struct bytes file; /* as long as the scene */
-    scene_file_write(world.scene, &file);
-    cylint_scene_free(world.scene);
-    world.scene = cylint_scene_open_memory(file.data, file.n, 0, NULL);
-    if (!CHECK(world.scene != NULL))
-        exit(1);
-    CHECK(cylint_scene_members(world.scene) == world.members);
-    for (size_t i = 0; i < world.members; i++) {
-        cylint_member m;
-        cylint_scene_member(world.scene, i, &m);
-        CHECK(m.shape == world.member[i].shape &&
-              m.solid == world.member[i].solid &&
-              m.clause == world.member[i].clause);
-    }
-}
-
 static void check_worlds(long worlds, int with_solids)
 {
     pieces_compared = 0;
@@ -97,11 +77,6 @@ static void check_worlds(long worlds, int with_solids)
             make_solids();
         for (int j = 0; j < LINES; j++)
             check_line();
-        if (i % 16 == 0) {
-            open_saved_scene();
-            for (int j = 0; j < 3; j++)
-                check_line();
-        }
         cylint_scene_free(world.scene);
     }
     CHECK(pieces_compared > 100 * worlds);

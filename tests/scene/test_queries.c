@@ -441,6 +441,25 @@ static void a_bad_point_or_radius_has_no_shape(void)
     scene_release(&of);
 }
 
+/* The case of cylint_scene(3), section Overlapping shapes. */
+static void the_nearest_surface_may_lie_inside_another_shape(void)
+{
+    const double center[3] = {0, 0, 0}, end[3] = {30, 0, 0}, p[3] = {0, 3, 0};
+    cylint_shape shapes[2];
+    cylint_closest near;
+    CHECK(!cylint_sphere(&shapes[0], center, 10, CYLINT_ENDS_CAPPED) &&
+          !cylint_capsule(&shapes[1], center, end, 1, CYLINT_ENDS_CAPPED));
+    cylint_scene *scene = cylint_scene_new(shapes, 2, 1, NULL);
+    CHECK(cylint_scene_closest(scene, p, HUGE_VAL, 0, &near) == 1 &&
+          near.distance == 2);
+    CHECK(cylint_contains(&shapes[0], p) == 1 &&
+          cylint_distance(&shapes[0], p, 0, &near) == -7);
+    CHECK(cylint_scene_closest(scene, p, HUGE_VAL, CYLINT_SIGNED, &near) == 0 &&
+          near.distance == -7);
+    CHECK(cylint_scene_contains(scene, p, 0) == 1);
+    cylint_scene_free(scene);
+}
+
 /* Ends a visit after some calls, or asks for less than before. */
 struct ender {
     int calls, most;
@@ -653,6 +672,7 @@ int main(int argc, char **argv)
     RUN(equal_shapes_are_found_in_order);
     RUN(an_empty_scene_has_no_answers);
     RUN(a_bad_point_or_radius_has_no_shape);
+    RUN(the_nearest_surface_may_lie_inside_another_shape);
     RUN(a_callback_may_end_a_visit_or_query_the_scene);
     RUN(points_have_the_same_answers_in_every_environment);
     RUN(threads_share_a_scene_with_the_same_answers);

@@ -7,8 +7,10 @@
 
 #include "check.h"
 #include "cylint.h"
+#include "environment.h"
 #include "families.h"
 #include "random.h"
+#include "records.h"
 #include "shapes/shape_facts.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
@@ -16,7 +18,7 @@
 
 static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
 static const double axis_z[3] = {0, 0, 1}, origin[3] = {0, 0, 0};
-static const double axis_x[3] = {1, 0, 0}, axis_y[3] = {0, 1, 0};
+static const double axis_x[3] = {1, 0, 0};
 
 enum { WORDS = FAMILY_RCONE + 1 };
 
@@ -56,6 +58,41 @@ static cylint_status spoiled(family_shape word, int i, double x)
     c.shape_data[i] = x;
     family_make(&c);
     return c.shape_status;
+}
+
+/* In every environment. */
+static const char *check_status(const char *text, const char *known)
+{
+    static const char *const words[] = {"ok",         "nonfinite", "axis",
+                                        "degenerate", "radius",    "angle",
+                                        "ends",       "direction", "domain"};
+    enum { STATUSES = sizeof words / sizeof *words };
+    struct family_case c;
+    char word[12];
+    int want = 0, used = 0;
+    if (!family_parse_any(text, &c) ||
+        sscanf(known, "%11s%n", word, &used) != 1)
+        return NULL;
+    while (want < STATUSES && strcmp(words[want], word) != 0)
+        want++;
+    for (int i = 0; i < ENVIRONMENTS; i++) {
+        const struct environment there = environment_of(i);
+        if (!can_treat_subnormals(there.tiny))
+            continue;
+        environment_set(there);
+        family_make(&c);
+        environment_reset();
+        const int status = c.line_status != CYLINT_OK ? (int)c.line_status
+                                                      : (int)c.shape_status;
+        if (!CHECK(status == want))
+            REPORT("%s: status %d in environment %d", text, status, i);
+    }
+    return known + used;
+}
+
+static void known_statuses_are_returned_in_every_environment(void)
+{
+    each_record("tests/shapes/statuses.txt", 60, check_status);
 }
 
 static int answers_miss(const cylint_shape *shape, const cylint_line *line)
@@ -112,67 +149,8 @@ static void ends_outside_the_list_are_refused(void)
     }
 }
 
-static void an_axis_without_length_is_refused(void)
+static void tangents_are_positive_and_finite(void)
 {
-    const double minus_zero[3] = {-0.0, -0.0, 0}, p[3] = {1e300, -3, 5e-324};
-    cylint_shape s;
-    CHECK(cylint_cylinder(&s, p, p, 1, CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
-    CHECK(cylint_cone(&s, p, 1, p, 0, CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
-    CHECK(cylint_cone(&s, origin, 1, minus_zero, 2, CYLINT_ENDS_OPEN) ==
-          CYLINT_EAXIS);
-    CHECK(cylint_angle_cone(&s, p, minus_zero, 45, CYLINT_ENDS_OPEN) ==
-          CYLINT_EAXIS);
-    CHECK(cylint_tangent_cone(&s, p, origin, 1, CYLINT_ENDS_OPEN) ==
-          CYLINT_EAXIS);
-    CHECK(cylint_elliptic_cone(&s, p, axis_x, axis_y, minus_zero, 1,
-                               CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
-    CHECK(cylint_elliptic_cylinder(&s, p, axis_x, axis_y, origin,
-                                   CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
-}
-
-static void radii_must_not_be_negative_nor_all_zero(void)
-{
-    static const struct {
-        family_shape word;
-        int at;
-        double x;
-        cylint_status status;
-    } row[] = {{FAMILY_CYLINDER, 6, -1, CYLINT_ERADIUS},
-               {FAMILY_CYLINDER, 6, -5e-324, CYLINT_ERADIUS},
-               {FAMILY_CYLINDER, 6, 0, CYLINT_ERADIUS},
-               {FAMILY_CYLINDER, 6, -0.0, CYLINT_ERADIUS},
-               {FAMILY_CYLINDER, 6, 5e-324, CYLINT_OK},
-               {FAMILY_CONE, 3, -1, CYLINT_ERADIUS},
-               {FAMILY_CONE, 7, -5e-324, CYLINT_ERADIUS},
-               {FAMILY_CONE, 3, 0, CYLINT_OK},
-               {FAMILY_CONE, 7, -0.0, CYLINT_OK},
-               {FAMILY_ECONE, 12, -1, CYLINT_ERADIUS},
-               {FAMILY_ECONE, 12, 0, CYLINT_OK},
-               {FAMILY_ECONE, 12, -0.0, CYLINT_OK},
-               {FAMILY_SPHERE, 3, 0, CYLINT_ERADIUS},
-               {FAMILY_SPHERE, 3, -1, CYLINT_ERADIUS},
-               {FAMILY_CAPSULE, 6, 0, CYLINT_ERADIUS},
-               {FAMILY_RCONE, 7, -5e-324, CYLINT_ERADIUS},
-               {FAMILY_RCONE, 3, 0, CYLINT_OK},
-               {FAMILY_RCONE, 7, -0.0, CYLINT_OK}};
-    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-        if (!CHECK(spoiled(row[i].word, row[i].at, row[i].x) == row[i].status))
-            REPORT("word %d, number %d: %g", (int)row[i].word, row[i].at,
-                   row[i].x);
-    cylint_shape s;
-    CHECK(cylint_cone(&s, origin, 0, axis_z, -0.0, CYLINT_ENDS_OPEN) ==
-          CYLINT_ERADIUS);
-    CHECK(cylint_round_cone(&s, origin, 0, axis_z, 0, CYLINT_ENDS_OPEN) ==
-          CYLINT_ERADIUS);
-}
-
-static void half_angles_lie_between_0_and_90(void)
-{
-    static const double bad[] = {0, -0.0, 90, 90.5, -1, -45, 180, 1e300};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        CHECK(spoiled(FAMILY_ACONE, 6, bad[i]) == CYLINT_EANGLE);
-    CHECK(spoiled(FAMILY_ACONE, 6, nextafter(90, 0)) == CYLINT_OK);
-    CHECK(spoiled(FAMILY_ACONE, 6, 1e-300) == CYLINT_OK);
     static const double infinite[3] = {0, HUGE_VAL, 0};
     cylint_shape s;
     CHECK(cylint_tangent_cone(&s, origin, axis_z, 0, 0) == CYLINT_EANGLE);
@@ -184,43 +162,9 @@ static void half_angles_lie_between_0_and_90(void)
     CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);
 }
 
-static void the_tangent_of_45_degrees_is_1(void)
-{
-    cylint_shape s;
-    CHECK(cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE) ==
-          CYLINT_OK);
-    CHECK(cylint_r1(&s) == 1);
-}
-
-static void dependent_axes_are_refused_exactly(void)
-{
-    cylint_shape s;
-    /* three vectors of one plane; moved by one ulp they span the space */
-    const double a[3] = {1, 2, 3}, b[3] = {4, 5, 6}, h[3] = {7, 8, 9};
-    const double g[3] = {7, 8, nextafter(9, 10)};
-    CHECK(cylint_elliptic_cylinder(&s, origin, a, b, h, 0) ==
-          CYLINT_EDEGENERATE);
-    CHECK(cylint_elliptic_cylinder(&s, origin, a, b, g, 0) == CYLINT_OK);
-    CHECK(cylint_elliptic_cylinder(&s, origin, a, a, axis_z, 0) ==
-          CYLINT_EDEGENERATE);
-    CHECK(cylint_elliptic_cone(&s, origin, a, origin, axis_z, 0, 0) ==
-          CYLINT_EDEGENERATE);
-    /* 0.1, 0.2, 0.3 as doubles: 0.1 x 3 is not 0.3 */
-    const double p[3] = {0.1, 0.1, 1}, q[3] = {0.3, 0.3, 3};
-    CHECK(cylint_elliptic_cylinder(&s, origin, p, q, axis_x, 0) == CYLINT_OK);
-    /* at the ends of the range, where products over- and underflow */
-    const double x[3] = {5e-324, 0, 0}, y[3] = {0, 5e-324, 0};
-    const double z[3] = {0, 0, 5e-324}, far[3] = {0, 1e308, 1e308};
-    CHECK(cylint_elliptic_cylinder(&s, origin, x, y, z, 0) == CYLINT_OK);
-    CHECK(cylint_elliptic_cylinder(&s, origin, x, y, far, 0) == CYLINT_OK);
-    CHECK(cylint_elliptic_cylinder(&s, far, far, far, x, 0) ==
-          CYLINT_EDEGENERATE);
-}
-
-static void lines_are_checked(void)
+static void lines_of_numbers_that_are_not_finite_are_refused(void)
 {
     cylint_line l;
-    const double zero[3] = {0, -0.0, 0}, tiny[3] = {0, 5e-324, 0};
     for (int i = 0; i < 6; i++) {
         for (int k = 0; k < 3; k++) {
             double x[6] = {0, 0, 0, 1, 2, 3};
@@ -232,18 +176,6 @@ static void lines_are_checked(void)
             CHECK(!l.valid);
         }
     }
-    CHECK(cylint_whole_line(&l, axis_x, zero) == CYLINT_EDIRECTION);
-    CHECK(cylint_ray(&l, axis_x, zero) == CYLINT_EDIRECTION);
-    CHECK(cylint_span(&l, axis_x, zero, 0, 1) == CYLINT_EDIRECTION);
-    CHECK(cylint_segment(&l, axis_x, axis_x) == CYLINT_EDIRECTION);
-    CHECK(cylint_segment(&l, origin, zero) == CYLINT_EDIRECTION);
-    CHECK(cylint_ray(&l, axis_x, tiny) == CYLINT_OK);
-    CHECK(cylint_segment(&l, zero, tiny) == CYLINT_OK);
-    CHECK(cylint_span(&l, zero, axis_x, 1, 0) == CYLINT_EDOMAIN);
-    CHECK(cylint_span(&l, zero, axis_x, NAN, 0) == CYLINT_EDOMAIN);
-    CHECK(cylint_span(&l, zero, axis_x, 0, NAN) == CYLINT_EDOMAIN);
-    CHECK(cylint_span(&l, zero, axis_x, 0, 0) == CYLINT_OK);
-    CHECK(cylint_span(&l, zero, axis_x, -HUGE_VAL, HUGE_VAL) == CYLINT_OK);
 }
 
 static void every_status_has_its_text(void)
@@ -315,31 +247,6 @@ static void a_coordinate_that_is_nan_is_outside_of_any_shape(void)
                     REPORT_CASE(&c);
             }
         }
-}
-
-static void extreme_shapes_are_accepted(void)
-{
-    const double low[3] = {-1.7e308, -1.7e308, -1.7e308};
-    const double high[3] = {1.7e308, 1.7e308, 1.7e308};
-    const double tiny[3] = {5e-324, 0, 0};
-    cylint_shape s;
-    cylint_line l;
-    CHECK(cylint_cylinder(&s, low, high, 1e308, 0) == CYLINT_OK);
-    CHECK(cylint_contains(&s, origin) == 1);
-    CHECK(cylint_segment(&l, low, high) == CYLINT_OK);
-    cylint_answer a;
-    CHECK(cylint_intersect(&s, &l, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 0 && a.hit[1].t == 1);
-    CHECK(a.hit[0].part == CYLINT_PART_CAP0 &&
-          a.hit[1].part == CYLINT_PART_CAP1);
-    for (int i = 0; i < 3; i++)
-        CHECK(a.hit[0].point[i] == low[i] && a.hit[1].point[i] == high[i]);
-    CHECK(cylint_cylinder(&s, origin, tiny, DBL_MAX, 0) == CYLINT_OK);
-    CHECK(cylint_cylinder(&s, low, high, 5e-324, 0) == CYLINT_OK);
-    CHECK(cylint_contains(&s, origin) == 1);
-    CHECK(cylint_cone(&s, origin, 0, tiny, 5e-324, 0) == CYLINT_OK);
-    CHECK(cylint_contains(&s, origin) == 0);
-    CHECK(cylint_cone(&s, low, DBL_MAX, high, 0, 0) == CYLINT_OK);
 }
 
 /* ------------------------------------------------ rounded cones as balls -- */
@@ -477,20 +384,16 @@ static void differences_have_their_low_parts(void)
 
 int main(void)
 {
+    RUN(known_statuses_are_returned_in_every_environment);
     RUN(good_shapes_are_accepted_with_all_ends);
     RUN(a_number_that_is_not_finite_is_refused_in_every_place);
     RUN(ends_outside_the_list_are_refused);
-    RUN(an_axis_without_length_is_refused);
-    RUN(radii_must_not_be_negative_nor_all_zero);
-    RUN(half_angles_lie_between_0_and_90);
-    RUN(the_tangent_of_45_degrees_is_1);
-    RUN(dependent_axes_are_refused_exactly);
-    RUN(lines_are_checked);
+    RUN(tangents_are_positive_and_finite);
+    RUN(lines_of_numbers_that_are_not_finite_are_refused);
     RUN(every_status_has_its_text);
     RUN(an_invalid_shape_or_line_misses_with_the_flag);
     RUN(points_that_are_not_finite_are_outside);
     RUN(a_coordinate_that_is_nan_is_outside_of_any_shape);
-    RUN(extreme_shapes_are_accepted);
     RUN(the_ball_that_holds_the_other_is_the_shape);
     RUN(z_and_phi_of_a_ball_are_those_of_the_axis);
 #ifdef HAVE_MPFR

@@ -88,6 +88,9 @@ void family_print(FILE *to, const struct family_case *c);
  * pointer behind it, or NULL. */
 const char *family_parse(const char *text, struct family_case *c);
 
+/* Reads a case too that constructors refuse, and makes what they do not. */
+const char *family_parse_any(const char *text, struct family_case *c);
+
 /* Reads n numbers.  Returns a pointer behind them, or NULL. */
 const char *family_numbers(const char *text, int n, double *to);
 

@@ -131,7 +131,7 @@ const char *family_numbers(const char *text, int n, double *to)
     return text;
 }
 
-const char *family_parse(const char *text, struct family_case *c)
+const char *family_parse_any(const char *text, struct family_case *c)
 {
     int word;
     memset(c, 0, sizeof *c);
@@ -155,7 +155,14 @@ const char *family_parse(const char *text, struct family_case *c)
             return NULL;
         c->ends = (cylint_ends)word;
     }
-    return family_make(c) ? text : NULL;
+    family_make(c);
+    return text;
+}
+
+const char *family_parse(const char *text, struct family_case *c)
+{
+    text = family_parse_any(text, c);
+    return text && !c->line_status && !c->shape_status ? text : NULL;
 }
 
 void family_print(FILE *to, const struct family_case *c)

@@ -253,12 +253,9 @@ class Points:
         progress: Progress | None = None,
     ) -> None:
         self.array = doubles("points", points, 3)
+        self.shape = self.array.shape[:-1]
         self.threads = threads
         self.progress = progress
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return self.array.shape[:-1]
 
     def core_of(self, shapes: int) -> _core.Balls:
         """Points for a scene with so many shapes."""
@@ -281,13 +278,9 @@ class Balls(Points):
         super().__init__(points, threads=threads, progress=progress)
         self.radii = doubles(self.radii_name, r)
         self.signed = signed
-        self._shape = broadcast(
+        self.shape = broadcast(
             f"points {self.radii_name}", self.array[..., 0], self.radii
         )
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return self._shape
 
 
 class BallsWithin(Balls):

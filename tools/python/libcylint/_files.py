@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._shapes import Shapes, codes_of, shapes_of
+from ._shapes import Shapes, all_shapes, codes_of
 
 _NOT_GIVEN = -1
 _BAD, _USAGE, _MEMORY = 1, 2, 4
@@ -45,7 +45,7 @@ def read_scene(
     <libcylint.Shapes (2,): 1 sphere, 1 rcone>
     """
     begun, labels, _ = read_begun(path, ends=ends, swc=swc)
-    return Shapes(shapes_of(begun, None)[0], labels)
+    return all_shapes(begun, labels)
 
 
 def read_begun(

@@ -18,7 +18,7 @@ from ._arguments import (
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
 from ._hits import DescribedHits
-from ._shapes import Shapes, checked, joined_labels, kinds_of, shapes_of
+from ._shapes import Shapes, all_shapes, checked, joined_labels, kinds_at
 
 
 class NearestHits(DescribedHits):
@@ -45,8 +45,7 @@ class NearestHits(DescribedHits):
 
     @cached_property
     def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        records, index = shapes_of(self._scene, self._source[1])
-        return kinds_of(records), index
+        return kinds_at(self._scene, self._source[1], False)
 
     def __repr__(self) -> str:
         hits = counted(np.count_nonzero(self.index >= 0), "hit")
@@ -76,8 +75,7 @@ class ClosestShapes(ClosestPoints):
 
     @cached_property
     def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        records, index = shapes_of(self._scene, self._source[1], self._signed)
-        return kinds_of(records), index
+        return kinds_at(self._scene, self._source[1], self._signed)
 
 
 class AllHits(NamedTuple):
@@ -207,7 +205,7 @@ class Scene:
     @property
     def shapes(self) -> Shapes:
         """The shapes, in their order: a copy, of 400 bytes a shape."""
-        return Shapes(shapes_of(self._scene, None)[0], self._labels)
+        return all_shapes(self._scene, self._labels)
 
     @property
     def nbytes(self) -> int:

@@ -62,20 +62,22 @@ def kinds_of(records: NDArray[np.void]) -> NDArray[np.int32]:
     return records.view(_readable)["kind"]
 
 
-def shapes_of(
-    scene: _core.Scene, index: NDArray[np.int64] | None, closed: bool = False
-) -> tuple[NDArray[np.void], NDArray[np.int64]]:
-    """Records of the shapes of a scene with these numbers, each once, and an index
-    into the records for each number; -1 stays.  None: all shapes, in order.
-    closed: as closed solids."""
-    if index is None:
-        records = np.empty(scene.size(), _record)
-        scene.take(None, kinds_of(records), closed)
-        return records, np.arange(len(records))
+def all_shapes(scene: _core.Scene, labels: NDArray[np.object_] | None) -> Shapes:
+    """The shapes of a scene, in their order, with these labels."""
+    records = np.empty(scene.size(), _record)
+    scene.take(None, kinds_of(records), False)
+    return Shapes(records, labels)
+
+
+def kinds_at(
+    scene: _core.Scene, index: Any, closed: bool
+) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
+    """The kinds of the shapes of a scene with these numbers, each once, and an index
+    into them for each number; -1 stays.  closed: as closed solids."""
     numbers, places = np.unique(index, return_inverse=True)
-    records = np.empty(len(numbers), _record)
-    scene.take(numbers, kinds_of(records), closed)
-    return records, np.where(index < 0, -1, places.reshape(index.shape))
+    kinds = kinds_of(np.empty(len(numbers), _record))
+    scene.take(numbers, kinds, closed)
+    return kinds, np.where(index < 0, -1, places.reshape(index.shape))
 
 
 class Shapes:
