@@ -20,8 +20,8 @@
  * bins.  The split is as good as with all boxes. */
 enum { BINS = 16, SAMPLES = 2048 };
 
-/* A box, in vectors of one or four lanes.  The fourth of lower and of upper is not a
- * float and is not used. */
+/* A box, in vectors of one or four lanes.  The fourth of lower and of upper is not
+ * a float and is not used. */
 enum { PARTS = WIDTH == 1 ? 3 : 1 };
 typedef struct {
     vf lower[PARTS], upper[PARTS];

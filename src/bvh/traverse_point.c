@@ -1,9 +1,9 @@
 /*
  * traverse_point.c - finds the pieces of shapes within a distance of a point
  *
- * In floats, for all children of a node or lanes of a leaf together; lanes of leaves
- * in doubles, one by one, where floats are too coarse.  This file is compiled for
- * several instruction sets.
+ * In floats, for all children of a node or lanes of a leaf together; lanes of
+ * leaves in doubles, one by one, where floats are too coarse.  This file is
+ * compiled for several instruction sets.
  */
 #include <string.h>
 
@@ -34,16 +34,16 @@ static inline int is_needed(const traversal *t, const entry *e)
 /* ---------------------------------------------------------------- boxes -- */
 
 /*
- * The bound of a box is the difference of the squares of two distances: of the box
- * and of the box of all, in which it lies.  Let n be the latter along a coordinate,
- * and d the distance of the box from the nearest point of the box of all.  Then the
- * box is n + d away, and the difference is the sum of
+ * The bound of a box is the difference of the squares of two distances: of the
+ * box and of the box of all, in which it lies.  Let n be the latter along a
+ * coordinate, and d the distance of the box from the nearest point of the box of
+ * all.  Then the box is n + d away, and the difference is the sum of
  *
  *   (n + d)^2 - n^2 = d (d + 2 n) >= 0,
  *
- * in floats, wherever the point is: the nearest point, a face and d are rounded by at
- * most 2^-22 of the size of the box of all, and box_error is 2^-20 of it.  The relative
- * errors of products and sums are less than 2^-20.
+ * in floats, wherever the point is: the nearest point, a face and d are rounded by
+ * at most 2^-22 of the size of the box of all, and box_error is 2^-20 of it.  The
+ * relative errors of products and sums are less than 2^-20.
  */
 CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
                                     const cylint_node *node, child_hits *hits)
@@ -71,8 +71,8 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
 }
 
 /* The difference is rounded up by more than the relative errors of the bounds that
- * are compared with it.  `error` is 2^-48 of the sizes of the point and of the box of
- * all, far more than the roundings of `nearest`. */
+ * are compared with it.  `error` is 2^-48 of the sizes of the point and of the box
+ * of all, far more than the roundings of `nearest`. */
 static inline void update_last(traversal *t)
 {
     const double d = *t->distance;

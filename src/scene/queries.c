@@ -1,6 +1,6 @@
 /*
- * queries.c - the nearest, the count and the lowest numbers of the shapes of a scene
- * that a line hits, or that are near a point
+ * queries.c - the nearest, the count and the lowest numbers of the shapes of a
+ * scene that a line hits, or that are near a point
  */
 #include <math.h>
 

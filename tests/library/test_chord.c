@@ -251,7 +251,8 @@ static void every_record_is_read(void)
     each_record("tests/library/chords.txt", 36, take);
 }
 
-/* Made and answered there; the closed solid is the same whatever ends are present. */
+/* Made and answered there; the closed solid is the same whatever ends are
+ * present. */
 static void check_records(struct environment there)
 {
     for (int i = 0; i < count; i++) {
