@@ -102,6 +102,7 @@ static int measure(const struct rays *rays)
 
 /* --------------------------------------------------------------- scale -- */
 
+/* lint: out_of_memory() is not 0, so lengths were allocated */
 /* Over the lengths that are finite and not 0; both 0 if there are none. */
 struct summary {
     double mean, largest;
