@@ -102,12 +102,12 @@ static int measure(const struct rays *rays)
 
 /* --------------------------------------------------------------- scale -- */
 
-/* lint: out_of_memory() is not 0, so lengths were allocated */
 /* Over the lengths that are finite and not 0; both 0 if there are none. */
 struct summary {
     double mean, largest;
 };
 
+/* lint: out_of_memory() is not 0, so lengths were allocated */
 static struct summary summary_of(const struct rays *rays)
 {
     const double *lengths = rays->lengths;
