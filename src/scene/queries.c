@@ -285,23 +285,27 @@ static double count_near(void *context, size_t number, double distance,
     return count_one(context);
 }
 
+static size_t count_about(const cylint_scene *scene, const double point[3],
+                          double radius, cylint_nearness nearness,
+                          size_t enough)
+{
+    shape_counter q = {0, enough, radius};
+    cylint_visit_point(scene, point, radius, nearness, enough == 1, count_near,
+                       &q);
+    return q.count;
+}
+
 size_t cylint_scene_within_count(const cylint_scene *scene,
                                  const double point[3], double radius,
                                  unsigned want, size_t enough)
 {
-    shape_counter q = {0, enough, radius};
-    cylint_visit_point(scene, point, radius, cylint_nearness_of(want),
-                       enough == 1, count_near, &q);
-    return q.count;
+    return count_about(scene, point, radius, cylint_nearness_of(want), enough);
 }
 
 size_t cylint_scene_contains(const cylint_scene *scene, const double point[3],
                              size_t enough)
 {
-    shape_counter q = {0, enough, 0};
-    cylint_visit_point(scene, point, 0, CYLINT_HOLDING, enough == 1, count_near,
-                       &q);
-    return q.count;
+    return count_about(scene, point, 0, CYLINT_HOLDING, enough);
 }
 
 typedef struct {

@@ -273,7 +273,7 @@ static void known_cases_are_not_decided_wrongly(void)
          HUGE_VALF,
          {0x1.3f4fbdp+86, 0, 0x1.64ec7cp+89},
          {0, 0x1.402042p+87, 0}},
-        /* a c overflows, and b^2 does not */
+        /* a c overflows, and b^2 does not; coordinates less than 2^-149 */
         {{0x1.47b2671479142p-810, 0x1.ca524c8edaf3fp-799,
           0x1.e968918ebe53bp-81},
          0x1.937cf60a30b09p+255,
@@ -283,6 +283,7 @@ static void known_cases_are_not_decided_wrongly(void)
          0x1.f9559ap-8f,
          {0x1.4859bcp-85, 0, 0x1.3dbe8cp-74},
          {0x1.a55026p-75, 0x1.465864p-69, 0x1.d28076p-71}},
+        /* the same without such coordinates */
         {{0, 0, 0},
          0x1.937cf60a30b09p+255,
          {0x1.aaabb5086dae4p-77, -0x1.8c1c6e06b4d8dp-76, 0x1.a32e5b42a0fa3p-78},

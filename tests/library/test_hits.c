@@ -29,17 +29,11 @@ static int count;
 
 static const char *take(const char *text, const char *known)
 {
-    static const char *const words[] = {"miss", "touch", "along", "cross"};
     struct record *r = &records[count];
     cylint_answer *a = &r->want;
-    char word[8];
-    int used = 0;
     if (count == MOST || !family_parse(text, &r->c) ||
-        sscanf(known, "%7s %d%n", word, &a->n, &used) != 2 || a->n > 2)
+        !(known = read_relation(known, a)))
         return NULL;
-    while (a->relation < 4 && strcmp(words[a->relation], word) != 0)
-        a->relation++;
-    known += used;
     for (int i = 0; i < a->n && known; i++) {
         double x[11];
         known = family_numbers(known, 11, x);

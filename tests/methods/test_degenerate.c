@@ -37,8 +37,6 @@ static int same_hit(const cylint_hit *a, const cylint_hit *b)
     return good;
 }
 
-static const char *const relations[] = {"miss", "touch", "along", "cross"};
-
 /* want: relation, n, t and part. */
 static void check_method(const cylint_method *m, const struct family_case *c,
                          const cylint_answer *want)
@@ -54,8 +52,8 @@ static void check_method(const cylint_method *m, const struct family_case *c,
     if (!CHECK(good)) {
         REPORT_CASE(c);
         REPORT("--method=%s: %s n %d t %a %a, expected %s %d %a %a", m->name,
-               relations[a.relation], a.n, a.hit[0].t, a.hit[1].t,
-               relations[want->relation], want->n, want->hit[0].t,
+               relation_word(a.relation), a.n, a.hit[0].t, a.hit[1].t,
+               relation_word(want->relation), want->n, want->hit[0].t,
                want->hit[1].t);
     }
 }
@@ -77,14 +75,8 @@ static const char *check_record(const char *text, const char *known)
 {
     struct family_case c;
     cylint_answer want = {0};
-    char word[8];
-    int used = 0;
-    if (!family_parse(text, &c) ||
-        sscanf(known, "%7s %d%n", word, &want.n, &used) != 2 || want.n > 2)
+    if (!family_parse(text, &c) || !(known = read_relation(known, &want)))
         return NULL;
-    while (want.relation < 4 && strcmp(relations[want.relation], word) != 0)
-        want.relation++;
-    known += used;
     for (int i = 0; i < want.n && known; i++) {
         double x[2] = {0};
         known = family_numbers(known, 2, x);

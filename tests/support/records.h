@@ -38,4 +38,27 @@ static inline void each_record(const char *path, int least,
     CHECK(n >= least);
 }
 
+/* NULL: no relation. */
+static inline const char *relation_word(int relation)
+{
+    static const char *const words[] = {"miss", "touch", "along", "cross"};
+    return relation >= 0 && relation < 4 ? words[relation] : NULL;
+}
+
+/* Reads the relation and the number of hits.  Returns a pointer behind them, or
+ * NULL. */
+static inline const char *read_relation(const char *known, cylint_answer *to)
+{
+    char word[8];
+    int used;
+    if (sscanf(known, "%7s %d%n", word, &to->n, &used) != 2 || to->n > 2)
+        return NULL;
+    for (int i = 0; relation_word(i); i++)
+        if (strcmp(relation_word(i), word) == 0) {
+            to->relation = i;
+            return known + used;
+        }
+    return NULL;
+}
+
 #endif
