@@ -128,7 +128,7 @@ static void add_ball(const cylint_shape *s, int end, double lo[3], double hi[3])
  * j, both per unit of z.  Exact. */
 static int leans_inward(cylint_query *q, int j)
 {
-    const cylint_terms_exact *L = cylint_load_exact(q);
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     cylint_arena *m = &q->arena;
     const int used = m->used;
     exact along = cylint_exact_mul(m, L->w[j], L->w[j]), across;
