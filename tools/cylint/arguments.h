@@ -31,8 +31,6 @@ struct option {
     const char *help; /* of it and of those before it that have none */
 };
 
-extern const char no_help[]; /* the help of an option that is not shown */
-
 option_reader read_flag;  /* sets an int to `number` */
 option_reader read_text;  /* a const char *, the value */
 option_reader read_word;  /* an int, the index of a word */
