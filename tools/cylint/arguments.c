@@ -240,8 +240,7 @@ void print_options(const struct option *known)
 
 int end_printing(void)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return 0;
-    complain_errno("standard output");
-    return EXIT_IO;
+    return fflush(stdout) == 0 && !ferror(stdout)
+               ? 0
+               : complain_errno("standard output");
 }
