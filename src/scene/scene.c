@@ -324,7 +324,7 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
     return scene->own_bytes + scene->file.bytes +
            cylint_records_bytes(&scene->records) +
            scene->bvh.node_memory.bytes + scene->bvh.leaf_memory.bytes +
-           cylint_solids_bytes(&scene->solids, scene->n) +
+           scene->solids.bytes +
            (scene->given ? scene->solids.n_members * sizeof *scene->given : 0);
 }
 
