@@ -63,7 +63,7 @@ void cylint_load_meridian(meridian *m, const cylint_shape *shape,
     m->shape = shape;
     m->point = point;
     cylint_query_open(&m->query, shape, &line);
-    m->L = cylint_load_exact(&m->query);
+    m->L = cylint_load_exact(&m->query, FORM_ALPHA, 0);
     m->arena = &m->query.arena;
     /* mutant '1' -> '2': only its sign is used */
     m->flip = 1;

@@ -155,7 +155,7 @@ static unsigned companions(const call *a, unsigned rays)
         for (unsigned k = 0; k < 3; k++) {
             const unsigned o = k * a->N, d = (DIR + k) * a->N;
             far += fabsf(words[o + (unsigned)i] - first[o]);
-            is &= (words[d + (unsigned)i] < 0) == (first[d] < 0);
+            is &= !signbit(words[d + (unsigned)i]) == !signbit(first[d]);
         }
         found |= (unsigned)(is && far < S / 8) << i;
     }

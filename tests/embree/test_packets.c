@@ -21,6 +21,7 @@ enum manner {
     MIXED,  /* as from an eye, but every third anywhere */
     OCTANT, /* only their signs are the same */
     AFAR,   /* from an eye a hundred to a million sizes away */
+    ALONG,  /* parallel to the z axis, with zeros of both signs */
     SPANS,  /* from an eye among the shapes, with ends of domains there */
     ANYHOW,
     MANNERS
@@ -77,13 +78,17 @@ static void add(uint64_t *state, const struct aim *a, enum manner manner,
             to[k] = from[k] + sign * fabs(to[k] - from[k]);
         else if (!anywhere) {
             to[k] = a->at[k] + a->spread * (to[k] - a->at[k]);
-            from[k] = a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
+            from[k] = manner == ALONG && k < 2
+                          ? to[k]
+                          : a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
         }
     }
     const double length = 1e-2 + world_uniform(state);
     for (int k = 0; k < 3; k++) {
         o[k] = (float)from[k];
         d[k] = (float)((to[k] - (double)o[k]) * length);
+        if (manner == ALONG && k < 2)
+            d[k] = world_uniform(state) < 0.5 ? 0 : -0.0f;
     }
     if (manner == SPANS) {
         tnear = (float)(world_uniform(state) / length);
