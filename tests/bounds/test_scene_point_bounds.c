@@ -106,7 +106,7 @@ static void check_boxes(uint64_t *stream, double far)
     }
 }
 
-static void boxes_are_visited_within_their_distance_only(void)
+TEST(boxes_are_visited_within_their_distance_only)
 {
     uint64_t stream = check_setting("CYLINT_SEED", 1);
     for (int round = 0; round < ROUNDS; round++) {
@@ -217,7 +217,7 @@ static void check_lanes(uint64_t *stream, double far)
     }
 }
 
-static void bounds_of_lanes_are_below_their_distances(void)
+TEST(bounds_of_lanes_are_below_their_distances)
 {
     uint64_t stream = check_setting("CYLINT_SEED", 1) + 1;
     for (int round = 0; round < ROUNDS; round++) {
@@ -227,11 +227,4 @@ static void bounds_of_lanes_are_below_their_distances(void)
         check_lanes(&stream, pow(2, between(&stream, 17, 21)));
         check_lanes(&stream, pow(2, between(&stream, 16, 70)));
     }
-}
-
-int main(void)
-{
-    RUN(boxes_are_visited_within_their_distance_only);
-    RUN(bounds_of_lanes_are_below_their_distances);
-    return check_end();
 }
