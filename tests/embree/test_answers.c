@@ -89,10 +89,8 @@ TEST(packets_answer_and_leave_other_lanes_alone)
 
 TEST(a_ray_that_starts_inside_hits_where_it_leaves)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 4};
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 4  1");
     const float o[3] = {0, 0, 1}, d[3] = {0, 0, 0.5f};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     EACH_WAY(w, &shape, 1)
     {
         struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
@@ -104,10 +102,8 @@ TEST(a_ray_that_starts_inside_hits_where_it_leaves)
 /* Ends of the domain, on the hit itself and one float beside it. */
 TEST(the_domain_holds_its_ends)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
     const float o[3] = {-4, 0.25f, 0.5f}, d[3] = {3, 0, 0};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     EACH_WAY(w, &shape, 1)
     {
         struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
@@ -138,9 +134,7 @@ TEST(the_domain_holds_its_ends)
 /* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
 TEST(a_ray_within_a_face_of_the_box_is_not_lost)
 {
-    const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    const cylint_shape shape = shape_of("cylinder -1 0 2  1 0 2  1");
     EACH_WAY(w, &shape, 1)
     {
         int hits = 0;
@@ -171,10 +165,8 @@ TEST(a_ray_within_a_face_of_the_box_is_not_lost)
  * that are not finite: for these its results are undefined.) */
 TEST(a_ray_without_direction_hits_nothing)
 {
-    const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
+    const cylint_shape shape = shape_of("cylinder 0 0 -1  0 0 1  1");
     const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     EACH_WAY(w, &shape, 1)
     {
         EACH_SIZE(n)
@@ -211,15 +203,13 @@ static int is_visible(struct world *w, unsigned mask)
 
 TEST(masks_select_the_visible_geometries)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {1, 1, 1};
-    cylint_shape shape;
+    const cylint_shape shape = shape_of("cylinder 0 0 0  1 1 1  0.5");
     struct world w;
     if (!rtcGetDeviceProperty(world_device(),
                               RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED)) {
         printf("note: this Embree was built without ray masks\n");
         return;
     }
-    cylint_cylinder(&shape, p0, p1, 0.5, CYLINT_ENDS_CAPPED);
     w = made(&shape, 1, 0);
     for (int bit = 0; bit < 32; bit++)
         CHECK(is_visible(&w, 1u << bit));
@@ -304,9 +294,7 @@ TEST(equal_hits_of_moving_shapes_are_distinguished)
 /* An angle a little less than a whole turn: v is still below 1. */
 TEST(v_is_below_a_whole_turn)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
     EACH_WAY(w, &shape, 1)
     {
         for (int k = 24; k < 48; k += 4) {

@@ -88,6 +88,10 @@ void family_print(FILE *to, const struct family_case *c);
  * pointer behind it, or NULL. */
 const char *family_parse(const char *text, struct family_case *c);
 
+/* The case, or the shape, of a record that is right. */
+struct family_case case_of(const char *text);
+cylint_shape shape_of(const char *text);
+
 /* Reads a case too that constructors refuse, and makes what they do not. */
 const char *family_parse_any(const char *text, struct family_case *c);
 
