@@ -225,11 +225,10 @@ TEST(the_scenes_box_is_the_padded_box_of_the_shapes)
 TEST(a_geometry_without_shapes_is_never_hit)
 {
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
-    EACH_WAY(w, NULL, 0)
-    {
+    EACH_WAY(w, NULL, 0) {
         struct RTCBounds box;
         EACH_SIZE(n)
-        traced(&w, n, o, d, 0, HUGE_VALF);
+            traced(&w, n, o, d, 0, HUGE_VALF);
         rtcGetSceneBounds(w.scene, &box);
         CHECK(box.lower_x > box.upper_x);
         CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
@@ -284,8 +283,7 @@ TEST(shapes_that_embree_would_drop_are_refused_by_number)
     }
     /* a shape within the limit is hit */
     const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1.8e18  1e17");
-    EACH_WAY(w, &shape, 1)
-    {
+    EACH_WAY(w, &shape, 1) {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
         struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0));
@@ -369,15 +367,14 @@ TEST(u_is_z_below_0_and_above_1_on_round_ends)
                                     shape_of("rcone 1 0 0 0.2  1 0 2 0.1"),
                                     shape_of("cylinder 2 0 0  2 0 2  0.2"),
                                     shape_of("sphere 3 0 0  0.2")};
-    EACH_WAY(w, shapes, 4)
-    {
+    EACH_WAY(w, shapes, 4) {
         EACH_SIZE(n)
-        for (int i = 0; i < 8; i++) {
-            const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
-            const float d[3] = {0, 0, -o[2]};
-            struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
-            CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
-        }
+            for (int i = 0; i < 8; i++) {
+                const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
+                const float d[3] = {0, 0, -o[2]};
+                struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
+                CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
+            }
     }
 }
 
