@@ -18,8 +18,8 @@ int cylint_threads_for(size_t n, int wanted);
 /* Does items [from, to) of the work. */
 typedef void cylint_thread_work(void *self, size_t from, size_t to);
 
-/* Calls `work` for n items, each once, on this number of threads, the caller's
- * included.  Uses fewer if the system refuses threads. */
+/* Calls `work` for n items, each once, in as many equal parts, on this number of
+ * threads, the caller's included.  Uses fewer if the system refuses threads. */
 void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self);
 
