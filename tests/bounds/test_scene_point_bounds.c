@@ -202,10 +202,11 @@ static void check_lanes(uint64_t *stream, double far)
     }
     b.always = random_int(stream, 4) ? 0 : 1;
     test_lanes_of(&t, &b, least);
-    const double coarse = K < (long double)FAR_LIMIT ? 0x1p-18 : 0x1p-47;
+    const long double coarse =
+        K < (long double)FAR_LIMIT ? 0x1p-18 * K : 0x1p-47 * K + 2 + 0x1p20 / K;
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
         const double apart = (double)(distance_to_lane(&b, lane, q) / steps);
-        const double lacks = (double)(coarse * K / steps) + 2 * t.error;
+        const double lacks = (double)(coarse / steps) + 2 * t.error;
         const int is_certain = !(b.always >> lane & 1);
         if (!CHECK(least[lane] >= 0 &&
                    (least[lane] == 0 || least[lane] <= apart)))

@@ -277,7 +277,7 @@ TEST(refused_solids_change_nothing)
     const size_t spare = SHAPES * 12;
     c.scene = scene_of_pipes(c.members);
     c.before = cylint_scene_bytes(c.scene);
-    CHECK(refuse_each(set_solids, &c) > 5);
+    CHECK(refuse_each(set_solids, &c) >= 3);
     const size_t held = cylint_scene_bytes(c.scene) - c.before;
     CHECK(held <= heap.bytes && held + spare + 64 > heap.bytes);
     cylint_scene_free(c.scene);
