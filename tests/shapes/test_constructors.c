@@ -232,21 +232,17 @@ TEST(points_that_are_not_finite_are_outside)
 /* A point next to the apex or the base, but for one coordinate. */
 TEST(a_coordinate_that_is_nan_is_outside_of_any_shape)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < 50; i++) {
-            struct family_case c;
-            family_case(9, family, i, &c);
-            if (!cylint_is_round(c.shape.kind))
-                c.ends = i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
-            family_make(&c);
-            for (int axis = 0; axis < 3; axis++) {
-                double p[3] = {c.shape_data[0], c.shape_data[1],
-                               c.shape_data[2]};
-                p[axis] = NAN;
-                if (!CHECK(cylint_contains(&c.shape, p) == -1))
-                    REPORT_CASE(&c);
-            }
+    EACH_CASE(c, 9, 50) {
+        if (!cylint_is_round(c.shape.kind))
+            c.ends = number % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
+        family_make(&c);
+        for (int axis = 0; axis < 3; axis++) {
+            double p[3] = {c.shape_data[0], c.shape_data[1], c.shape_data[2]};
+            p[axis] = NAN;
+            if (!CHECK(cylint_contains(&c.shape, p) == -1))
+                REPORT_CASE(&c);
         }
+    }
 }
 
 /* ------------------------------------------------ rounded cones as balls -- */
@@ -358,24 +354,18 @@ TEST(the_kind_is_decided_exactly)
 /* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
 TEST(differences_have_their_low_parts)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t n = 0; n < 200; n++) {
-            struct family_case c;
-            family_case(9, family, n, &c);
-            const cylint_line *l = &c.line;
-            const cylint_shape *s = &c.shape;
-            for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
-                const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
-                                     -c.line_data[3 + i]};
-                CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
-            }
-            for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
-                const double w[4] = {cylint_axis(s)[i],
-                                     cylint_axis_pair(s, i).lo,
-                                     cylint_base(s)[i], -cylint_top(s)[i]};
-                CHECK(!isfinite(cylint_axis(s)[i]) ||
-                      oracle_sum_sign(w, 4) == 0);
-            }
+    EACH_CASE(c, 9, 200) {
+        const cylint_line *l = &c.line;
+        const cylint_shape *s = &c.shape;
+        for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
+            const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
+                                 -c.line_data[3 + i]};
+            CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
+        }
+        for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
+            const double w[4] = {cylint_axis(s)[i], cylint_axis_pair(s, i).lo,
+                                 cylint_base(s)[i], -cylint_top(s)[i]};
+            CHECK(!isfinite(cylint_axis(s)[i]) || oracle_sum_sign(w, 4) == 0);
         }
     }
 }
