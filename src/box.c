@@ -103,6 +103,8 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
                              ? SMALLER
                              : 0;
         const pair reach = cylint_scaled_pair(product, e + er - down);
+        /* a reach that rounds to 0 */
+        is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
         const pair along = {cylint_scaled(offset, -down), 0};
         center = cylint_scaled(center, -down);
         const double low =

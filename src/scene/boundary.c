@@ -204,17 +204,11 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
     if (!cylint_has_room(work))
         return CYLINT_NO_ROOM;
     cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
-    size_t n = c.n, used = c.n * sizeof *c.chord;
-    work->wanted = used;
+    work->wanted = c.n * sizeof *c.chord;
     if (c.n > c.capacity)
         return CYLINT_NO_ROOM;
-    chord = c.chord;
-    if (scene->solids.n > 0) {
-        cylint_room room = {(char *)(c.chord + c.n), work->bytes - used, used};
-        n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, &room, &chord,
-                                    &spare);
-        work->wanted = room.wanted;
-    }
+    const size_t n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, work,
+                                             &chord, &spare);
     if (n != CYLINT_NO_ROOM)
         *owner = best_container(chord, n, rank, scene->n);
     return n;

@@ -240,7 +240,7 @@ static void traverse_lines(line_visit *v, int in_no_order)
         return;
     default:
         for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-            test_line_at(v, s->bounded ? s->bounded[i] : i);
+            test_line_at(v, cylint_bounded_number(s, i));
     }
 }
 

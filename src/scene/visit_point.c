@@ -201,7 +201,7 @@ static void traverse_points(point_visit *v)
         return;
     }
     for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-        test_point_at(v, s->bounded ? s->bounded[i] : i);
+        test_point_at(v, cylint_bounded_number(s, i));
 }
 
 void cylint_visit_point(const cylint_scene *scene, const double point[3],

@@ -113,7 +113,7 @@ static void check_point(const struct family_case *c, const double p[3])
     }
 }
 
-static void errors_are_below_their_bounds(void)
+TEST(errors_are_below_their_bounds)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     for (int f = 0; f < family_count(); f++)
@@ -137,10 +137,4 @@ static void errors_are_below_their_bounds(void)
            "tails z %.2g, rho %.2g of the bounds\n",
            most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho);
     CHECK(most_rho > 0 && most_head_tail_rho > 0);
-}
-
-int main(void)
-{
-    RUN(errors_are_below_their_bounds);
-    return check_end();
 }

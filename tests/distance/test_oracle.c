@@ -351,17 +351,17 @@ static void over_families(int wild, int elliptic)
         print_tally(place_names[k], &places[k]);
 }
 
-static void distances_are_those_of_the_oracle(void)
+TEST(distances_are_those_of_the_oracle)
 {
     over_families(0, 0);
 }
 
-static void also_of_mixed_exponents(void)
+TEST(also_of_mixed_exponents)
 {
     over_families(1, 0);
 }
 
-static void elliptic_distances_are_those_of_the_oracle(void)
+TEST(elliptic_distances_are_those_of_the_oracle)
 {
     over_families(0, 1);
 }
@@ -383,22 +383,12 @@ static void check_any_exponents(int elliptic, uint64_t cases)
     print_tally("any exponents", &sum);
 }
 
-static void distances_of_any_exponents_are_those_of_the_oracle(void)
+TEST(distances_of_any_exponents_are_those_of_the_oracle)
 {
     check_any_exponents(0, check_setting("CYLINT_FAR", FAR_CASES));
 }
 
-static void elliptic_distances_of_any_exponents_are_too(void)
+TEST(elliptic_distances_of_any_exponents_are_too)
 {
     check_any_exponents(1, check_setting("CYLINT_ELLIPTIC_FAR", FAR_ELLIPTIC));
-}
-
-int main(void)
-{
-    RUN(distances_are_those_of_the_oracle);
-    RUN(also_of_mixed_exponents);
-    RUN(elliptic_distances_are_those_of_the_oracle);
-    RUN(distances_of_any_exponents_are_those_of_the_oracle);
-    RUN(elliptic_distances_of_any_exponents_are_too);
-    return check_end();
 }

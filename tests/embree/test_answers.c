@@ -51,7 +51,7 @@ static void kind_answers_as_the_library(struct world *w, uint64_t *state)
           cylint_r1(shape) == 0 || shape->kind == CYLINT_KIND_SPHERE);
 }
 
-static void every_kind_with_all_caps_answers_as_the_library(void)
+TEST(every_kind_with_all_caps_answers_as_the_library)
 {
     uint64_t state = 1;
     const double c[3] = {0.5, 0.25, -0.5};
@@ -64,7 +64,7 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
         }
 }
 
-static void packets_answer_and_leave_other_lanes_alone(void)
+TEST(packets_answer_and_leave_other_lanes_alone)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 2;
@@ -87,7 +87,7 @@ static void packets_answer_and_leave_other_lanes_alone(void)
     }
 }
 
-static void a_ray_that_starts_inside_hits_where_it_leaves(void)
+TEST(a_ray_that_starts_inside_hits_where_it_leaves)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 4};
     const float o[3] = {0, 0, 1}, d[3] = {0, 0, 0.5f};
@@ -102,7 +102,7 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
 }
 
 /* Ends of the domain, on the hit itself and one float beside it. */
-static void the_domain_holds_its_ends(void)
+TEST(the_domain_holds_its_ends)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     const float o[3] = {-4, 0.25f, 0.5f}, d[3] = {3, 0, 0};
@@ -136,7 +136,7 @@ static void the_domain_holds_its_ends(void)
 }
 
 /* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
-static void a_ray_within_a_face_of_the_box_is_not_lost(void)
+TEST(a_ray_within_a_face_of_the_box_is_not_lost)
 {
     const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
     cylint_shape shape;
@@ -169,7 +169,7 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
 
 /* The library refuses such a line, so nothing is hit.  (Embree gets no rays
  * that are not finite: for these its results are undefined.) */
-static void a_ray_without_direction_hits_nothing(void)
+TEST(a_ray_without_direction_hits_nothing)
 {
     const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
     const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
@@ -209,7 +209,7 @@ static int is_visible(struct world *w, unsigned mask)
     return hit;
 }
 
-static void masks_select_the_visible_geometries(void)
+TEST(masks_select_the_visible_geometries)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {1, 1, 1};
     cylint_shape shape;
@@ -237,7 +237,7 @@ static void masks_select_the_visible_geometries(void)
 /* Of shapes hit at the same t the lowest number is reported, whichever leaf
  * they are in; of shapes whose t differ by less than a float's last place the
  * nearer one. */
-static void equal_and_nearly_equal_hits_are_distinguished(void)
+TEST(equal_and_nearly_equal_hits_are_distinguished)
 {
     enum { MANY = 40 };
     cylint_shape shapes[MANY];
@@ -266,7 +266,7 @@ static void equal_and_nearly_equal_hits_are_distinguished(void)
 
 /* The same with shapes that move along the ray; at time 1/2 it hits the
  * caps. */
-static void equal_hits_of_moving_shapes_are_distinguished(void)
+TEST(equal_hits_of_moving_shapes_are_distinguished)
 {
     enum { MANY = 40 };
     cylint_shape shapes[MANY], moved[MANY], now[MANY];
@@ -302,7 +302,7 @@ static void equal_hits_of_moving_shapes_are_distinguished(void)
 }
 
 /* An angle a little less than a whole turn: v is still below 1. */
-static void v_is_below_a_whole_turn(void)
+TEST(v_is_below_a_whole_turn)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     cylint_shape shape;
@@ -392,7 +392,7 @@ static int agrees_inside(const struct world *w, struct rays *r, int at)
 }
 
 /* Skewed and scaled instances: the transformed ray counts. */
-static void instances_answer_for_the_transformed_ray(void)
+TEST(instances_answer_for_the_transformed_ray)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 4;
@@ -435,7 +435,7 @@ static void instances_answer_for_the_transformed_ray(void)
 
 /* An application may instance scenes itself: the hit gets the ids in the
  * context.  (Both versions of Embree tested allow one level.) */
-static void a_hit_gets_the_instance_of_the_context(void)
+TEST(a_hit_gets_the_instance_of_the_context)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 13;
@@ -462,7 +462,7 @@ static void a_hit_gets_the_instance_of_the_context(void)
 
 /* ------------------------------------------------------------ bare hits -- */
 
-static void bare_hits_are_completed_later(void)
+TEST(bare_hits_are_completed_later)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 10;
@@ -489,22 +489,4 @@ static void bare_hits_are_completed_later(void)
         world_free(&w);
     }
     CHECK(hits > 100);
-}
-
-int main(void)
-{
-    RUN(every_kind_with_all_caps_answers_as_the_library);
-    RUN(packets_answer_and_leave_other_lanes_alone);
-    RUN(a_ray_that_starts_inside_hits_where_it_leaves);
-    RUN(the_domain_holds_its_ends);
-    RUN(a_ray_within_a_face_of_the_box_is_not_lost);
-    RUN(a_ray_without_direction_hits_nothing);
-    RUN(masks_select_the_visible_geometries);
-    RUN(equal_and_nearly_equal_hits_are_distinguished);
-    RUN(equal_hits_of_moving_shapes_are_distinguished);
-    RUN(v_is_below_a_whole_turn);
-    RUN(instances_answer_for_the_transformed_ray);
-    RUN(a_hit_gets_the_instance_of_the_context);
-    RUN(bare_hits_are_completed_later);
-    return check_end();
 }

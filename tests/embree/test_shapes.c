@@ -40,7 +40,7 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
     return hits;
 }
 
-static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
+TEST(moving_shapes_are_hit_where_they_are_at_the_rays_time)
 {
     cylint_shape shapes[SOME], moved[SOME];
     uint64_t state = 5;
@@ -57,7 +57,7 @@ static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
 
 /* Round cones that are two balls about one centre at time 0: of these the larger
  * one is hit. */
-static void a_ball_that_becomes_a_round_cone_is_hit_where_it_is(void)
+TEST(a_ball_that_becomes_a_round_cone_is_hit_where_it_is)
 {
     cylint_shape shapes[SOME], moved[SOME];
     uint64_t state = 6;
@@ -79,7 +79,7 @@ static void a_ball_that_becomes_a_round_cone_is_hit_where_it_is(void)
 }
 
 /* The numbers given to the constructors change linearly. */
-static void between_moves_the_constructors_numbers(void)
+TEST(between_moves_the_constructors_numbers)
 {
     const double p[2][3] = {{0, 0, 0}, {1, 2, 4}},
                  q[2][3] = {{0, 0, 2}, {8, 2, 4}};
@@ -148,7 +148,7 @@ static void between_moves_the_constructors_numbers(void)
 
 /* --------------------------------------------------------------- update -- */
 
-static void an_update_reads_the_changed_shapes(void)
+TEST(an_update_reads_the_changed_shapes)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 6;
@@ -189,7 +189,7 @@ static void an_update_reads_the_changed_shapes(void)
 
 /* Embree's box contains the shapes; it is wider only by the padding that the
  * header states and a rounding to float. */
-static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
+TEST(the_scenes_box_is_the_padded_box_of_the_shapes)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 7;
@@ -234,7 +234,7 @@ static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
             }
 }
 
-static void a_geometry_without_shapes_is_never_hit(void)
+TEST(a_geometry_without_shapes_is_never_hit)
 {
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
     EACH_WAY(w, NULL, 0)
@@ -277,7 +277,7 @@ static void refused(const cylint_shape *bad, size_t first, int status)
     }
 }
 
-static void shapes_that_embree_would_drop_are_refused_by_number(void)
+TEST(shapes_that_embree_would_drop_are_refused_by_number)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
@@ -305,7 +305,7 @@ static void shapes_that_embree_would_drop_are_refused_by_number(void)
     }
 }
 
-static void impossible_motion_is_refused_by_number(void)
+TEST(impossible_motion_is_refused_by_number)
 {
     cylint_shape shapes[ROW], moved[ROW];
     cylint_embree_options options = {0};
@@ -338,7 +338,7 @@ static void impossible_motion_is_refused_by_number(void)
 }
 
 /* Enough shapes for five threads to make and update the geometry. */
-static void five_threads_make_a_geometry_that_answers_the_same(void)
+TEST(five_threads_make_a_geometry_that_answers_the_same)
 {
     enum { MANY = 21000 };
     static cylint_shape shapes[MANY];
@@ -375,7 +375,7 @@ static void five_threads_make_a_geometry_that_answers_the_same(void)
 
 /* The shapes stand side by side, 2 high.  A ray along the axis from below and one
  * from above. */
-static void u_is_z_below_0_and_above_1_on_round_ends(void)
+TEST(u_is_z_below_0_and_above_1_on_round_ends)
 {
     static const float expected[4][2] = {
         {-0.1f, 1.1f}, {-0.1f, 1.05f}, {0, 1}, {0, 0}};
@@ -402,7 +402,7 @@ static void u_is_z_below_0_and_above_1_on_round_ends(void)
     }
 }
 
-static void every_status_has_its_text(void)
+TEST(every_status_has_its_text)
 {
     static const char *const texts[] = {
         [CYLINT_EMBREE_OK] = "no error",
@@ -417,20 +417,4 @@ static void every_status_has_its_text(void)
             "the geometry numbers of merged parts do not ascend"};
     check_texts(cylint_embree_strerror, texts, sizeof texts / sizeof *texts);
     CHECK(cylint_embree_version() == RTC_VERSION_MAJOR);
-}
-
-int main(void)
-{
-    RUN(moving_shapes_are_hit_where_they_are_at_the_rays_time);
-    RUN(a_ball_that_becomes_a_round_cone_is_hit_where_it_is);
-    RUN(between_moves_the_constructors_numbers);
-    RUN(an_update_reads_the_changed_shapes);
-    RUN(the_scenes_box_is_the_padded_box_of_the_shapes);
-    RUN(a_geometry_without_shapes_is_never_hit);
-    RUN(shapes_that_embree_would_drop_are_refused_by_number);
-    RUN(impossible_motion_is_refused_by_number);
-    RUN(five_threads_make_a_geometry_that_answers_the_same);
-    RUN(u_is_z_below_0_and_above_1_on_round_ends);
-    RUN(every_status_has_its_text);
-    return check_end();
 }

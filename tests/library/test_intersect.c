@@ -80,7 +80,7 @@ static void run_family(int family)
            sum.off[ULPS_PHI]);
 }
 
-static void library_and_oracle_agree(void)
+TEST(library_and_oracle_agree)
 {
     const int only =
         getenv("CYLINT_FAMILY") ? atoi(getenv("CYLINT_FAMILY")) : -1;
@@ -109,7 +109,7 @@ static int inside_at(const struct family_case *c, double t)
 
 /* Checks the oracle itself: points of the line just before and just after each
  * hit are inside or outside as the side of the hit says. */
-static void oracle_agrees_with_points_sampled_along_the_line(void)
+TEST(oracle_agrees_with_points_sampled_along_the_line)
 {
     for (uint64_t i = 0; i < cases(); i++) {
         struct family_case c;
@@ -135,7 +135,7 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
     }
 }
 
-static void occluded_agrees_with_the_oracle(void)
+TEST(occluded_agrees_with_the_oracle)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t i = 0; i < cases() / 10; i++) {
@@ -165,7 +165,7 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
 }
 
 /* The exact root may lie on either side of the end. */
-static void a_domain_may_end_where_a_hit_is_rounded(void)
+TEST(a_domain_may_end_where_a_hit_is_rounded)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t i = 0; i < cases() / 10; i++) {
@@ -182,7 +182,7 @@ static void a_domain_may_end_where_a_hit_is_rounded(void)
     }
 }
 
-static void contains_is_exact(void)
+TEST(contains_is_exact)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t i = 0; i < cases() / 4; i++) {
@@ -196,14 +196,4 @@ static void contains_is_exact(void)
             }
         }
     }
-}
-
-int main(void)
-{
-    RUN(oracle_agrees_with_points_sampled_along_the_line);
-    RUN(library_and_oracle_agree);
-    RUN(occluded_agrees_with_the_oracle);
-    RUN(a_domain_may_end_where_a_hit_is_rounded);
-    RUN(contains_is_exact);
-    return check_end();
 }

@@ -76,7 +76,7 @@ static int shene_count_as_printed(double r, double d)
     return r < fabs(d) ? 2 : r == fabs(d) ? 1 : 0;
 }
 
-static void shene_prints_two_hits_where_the_line_passes_outside(void)
+TEST(shene_prints_two_hits_where_the_line_passes_outside)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double through[3] = {-3, 0.5, 0}, beside[3] = {-3, 2, 0};
@@ -93,7 +93,7 @@ static int shene_parallel_as_printed(double r, double distance)
     return distance == r ? CYLINT_RELATION_ALONG : CYLINT_RELATION_MISS;
 }
 
-static void shene_prints_that_a_parallel_line_inside_does_not_intersect(void)
+TEST(shene_prints_that_a_parallel_line_inside_does_not_intersect)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double inside[3] = {0.5, 0, 0};
@@ -105,7 +105,7 @@ static void shene_prints_that_a_parallel_line_inside_does_not_intersect(void)
 
 /* The formula of t_P is cut off in print.  Read as (D x v).w, without the
  * division by |u x v| squared, it is right for perpendicular lines only. */
-static void shenes_foot_halves_the_chord_of_an_oblique_line(void)
+TEST(shenes_foot_halves_the_chord_of_an_oblique_line)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double o[3] = {-3, 0.6, 0}, d[3] = {3, 0, 4};
@@ -166,7 +166,7 @@ static cylint_shape shenes_cone(void)
     return shape;
 }
 
-static void shenes_general_cone_case_is_right_where_it_applies(void)
+TEST(shenes_general_cone_case_is_right_where_it_applies)
 {
     const cylint_shape shape = shenes_cone();
     const double o[3] = {-8, 1, 3}, d[3] = {2, -0.25, -0.1};
@@ -184,7 +184,7 @@ static void shenes_general_cone_case_is_right_where_it_applies(void)
     }
 }
 
-static void a_line_through_the_apex_has_no_plane(void)
+TEST(a_line_through_the_apex_has_no_plane)
 {
     const cylint_shape shape = shenes_cone();
     const double outside[3] = {-3, 0, 0}, inside[3] = {0, 0, -3};
@@ -212,7 +212,7 @@ static void a_line_through_the_apex_has_no_plane(void)
     CHECK(a.relation == CYLINT_RELATION_ALONG && a.n == 0);
 }
 
-static void a_plane_perpendicular_to_the_axis_cuts_the_apex_only(void)
+TEST(a_plane_perpendicular_to_the_axis_cuts_the_apex_only)
 {
     const cylint_shape shape = shenes_cone();
     const double o[3] = {1, -3, 0}, to_apex[3] = {0, -3, 0};
@@ -230,7 +230,7 @@ static void a_plane_perpendicular_to_the_axis_cuts_the_apex_only(void)
           CYLINT_RELATION_TOUCH);
 }
 
-static void a_line_parallel_to_a_ruling_meets_the_other_one_only(void)
+TEST(a_line_parallel_to_a_ruling_meets_the_other_one_only)
 {
     const cylint_shape shape = shenes_cone();
     const double o[3] = {0, 0, -3}, d[3] = {4, 0, 3};
@@ -264,7 +264,7 @@ static int gullotti_parallel_as_printed(const double p[3], const double v[3])
     return CYLINT_RELATION_MISS;
 }
 
-static void gullotti_puts_every_parallel_line_on_the_surface(void)
+TEST(gullotti_puts_every_parallel_line_on_the_surface)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
 
@@ -277,7 +277,7 @@ static void gullotti_puts_every_parallel_line_on_the_surface(void)
     }
 }
 
-static void gullottis_parallel_lines_never_reach_the_caps(void)
+TEST(gullottis_parallel_lines_never_reach_the_caps)
 {
     const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
     const double o[3] = {0.5, 0, -2};
@@ -297,7 +297,7 @@ static int gullotti_accepts_as_printed(const double world[3])
     return world[2] >= 0 && world[2] <= 1;
 }
 
-static void gullottis_axial_test_in_world_space_loses_hits(void)
+TEST(gullottis_axial_test_in_world_space_loses_hits)
 {
     const double low[3] = {0, 0, 10}, high[3] = {0, 0, 15};
     const double o[3] = {-3, 0, 12}, below[3] = {-3, 0, 0.5};
@@ -311,7 +311,7 @@ static void gullottis_axial_test_in_world_space_loses_hits(void)
     CHECK(corrected(cylint_gullotti, &shape, below, along_x).n == 0);
 }
 
-static void gullottis_leading_coefficient_cancels(void)
+TEST(gullottis_leading_coefficient_cancels)
 {
     const cylint_shape disc = upright(0x1p-30, CYLINT_ENDS_INFINITE);
     const double o[3] = {-3, 0, 0}, d[3] = {1, 0, 0.5};
@@ -330,7 +330,7 @@ static double gullotti_local_x_as_printed(const double D[3], const double a[3])
     return dot3(D, a) / dot3(a, a);
 }
 
-static void gullottis_rotation_is_none_for_an_oblique_cylinder(void)
+TEST(gullottis_rotation_is_none_for_an_oblique_cylinder)
 {
     const double h[3] = {1, 0, 1}, o[3] = {0.5, -3, 0.5};
     cylint_shape shape;
@@ -352,7 +352,7 @@ static double delta_as_printed(const double d[3], const double e[3], double r,
     return sqrt(dot3(e, e) * (r * r - f * f) / below);
 }
 
-static void closest_points_lose_a_nearly_parallel_line(void)
+TEST(closest_points_lose_a_nearly_parallel_line)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double d[3] = {1e-9, 0, 1};
@@ -362,7 +362,7 @@ static void closest_points_lose_a_nearly_parallel_line(void)
     CHECK(a.n == 2 && is(a.hit[0].t, -1e9) && is(a.hit[1].t, 1e9));
 }
 
-static void closest_points_have_no_answer_for_a_parallel_line(void)
+TEST(closest_points_have_no_answer_for_a_parallel_line)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
 
@@ -374,7 +374,7 @@ static void closest_points_have_no_answer_for_a_parallel_line(void)
     }
 }
 
-static void closest_points_leave_out_the_ends(void)
+TEST(closest_points_leave_out_the_ends)
 {
     const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
     const double above[3] = {-3, 0, 5}, o[3] = {-3, 0, -1}, d[3] = {1, 0, 1};
@@ -389,7 +389,7 @@ static void closest_points_leave_out_the_ends(void)
 
 /* The print leaves out t_c, where the connecting line is perpendicular to both
  * lines. */
-static void the_closest_point_halves_the_chord(void)
+TEST(the_closest_point_halves_the_chord)
 {
     const double p0[3] = {1, 2, 3}, p1[3] = {2, 4, 7}, o[3] = {-5, 1, 6};
     const double d[3] = {3, 1, -0.5};
@@ -433,7 +433,7 @@ static int clipobj_as_printed(double dc, double dw, double *in, double *out)
     return *in < *out;
 }
 
-static void clipobj_keeps_a_chord_that_begins_on_the_far_plane(void)
+TEST(clipobj_keeps_a_chord_that_begins_on_the_far_plane)
 {
     const cylint_shape shape = upright(4, CYLINT_ENDS_CAPPED);
     const double o[3] = {-4, 0, 0}, d[3] = {3, 0, 4};
@@ -444,7 +444,7 @@ static void clipobj_keeps_a_chord_that_begins_on_the_far_plane(void)
     CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && is(a.hit[0].t, 1));
 }
 
-static void clipobj_rejects_tangents_and_lines_in_a_caps_plane(void)
+TEST(clipobj_rejects_tangents_and_lines_in_a_caps_plane)
 {
     const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
     const double beside[3] = {1, -3, 1}, in_cap[3] = {-3, 0, 2};
@@ -461,7 +461,7 @@ static void clipobj_rejects_tangents_and_lines_in_a_caps_plane(void)
     CHECK(a.relation == CYLINT_RELATION_ALONG && a.n == 2 && a.hit[0].t == 2);
 }
 
-static void intcyls_infinity_is_neither_far_enough_nor_a_hit(void)
+TEST(intcyls_infinity_is_neither_far_enough_nor_a_hit)
 {
     const double top[3] = {0, 0, 1e22};
     const double o[3] = {0.5, 0, -1e22}, inside[3] = {0.5, 0, 0};
@@ -478,28 +478,4 @@ static void intcyls_infinity_is_neither_far_enough_nor_a_hit(void)
     const cylint_shape endless = upright(1, CYLINT_ENDS_INFINITE);
     a = corrected(cylint_cychosz_waggenspack, &endless, inside, along_z);
     CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 0);
-}
-
-int main(void)
-{
-    RUN(shene_prints_two_hits_where_the_line_passes_outside);
-    RUN(shene_prints_that_a_parallel_line_inside_does_not_intersect);
-    RUN(shenes_foot_halves_the_chord_of_an_oblique_line);
-    RUN(shenes_general_cone_case_is_right_where_it_applies);
-    RUN(a_line_through_the_apex_has_no_plane);
-    RUN(a_plane_perpendicular_to_the_axis_cuts_the_apex_only);
-    RUN(a_line_parallel_to_a_ruling_meets_the_other_one_only);
-    RUN(gullotti_puts_every_parallel_line_on_the_surface);
-    RUN(gullottis_parallel_lines_never_reach_the_caps);
-    RUN(gullottis_axial_test_in_world_space_loses_hits);
-    RUN(gullottis_leading_coefficient_cancels);
-    RUN(gullottis_rotation_is_none_for_an_oblique_cylinder);
-    RUN(closest_points_lose_a_nearly_parallel_line);
-    RUN(closest_points_have_no_answer_for_a_parallel_line);
-    RUN(closest_points_leave_out_the_ends);
-    RUN(the_closest_point_halves_the_chord);
-    RUN(clipobj_keeps_a_chord_that_begins_on_the_far_plane);
-    RUN(clipobj_rejects_tangents_and_lines_in_a_caps_plane);
-    RUN(intcyls_infinity_is_neither_far_enough_nor_a_hit);
-    return check_end();
 }

@@ -86,7 +86,7 @@ static void check_moves(int kind, uint64_t seed, long moves)
     scene_release(&of);
 }
 
-static void a_scene_that_moved_answers_as_a_new_one(void)
+TEST(a_scene_that_moved_answers_as_a_new_one)
 {
     const long moves = (long)check_setting("CYLINT_CASES", MOVES);
     for (int kind = 0; kind < SCENE_KINDS; kind++)
@@ -111,7 +111,7 @@ static double move_each(cylint_scene *scene, const cylint_shape *shapes,
     return cylint_scene_worsening(scene);
 }
 
-static void moving_forth_and_back_adds_nothing_to_boxes(void)
+TEST(moving_forth_and_back_adds_nothing_to_boxes)
 {
     static cylint_shape shapes[SHAPES];
     double forth = 0, back = 0;
@@ -128,7 +128,7 @@ static void moving_forth_and_back_adds_nothing_to_boxes(void)
     cylint_scene_free(scene);
 }
 
-static void what_is_refused_changes_nothing(void)
+TEST(what_is_refused_changes_nothing)
 {
     static cylint_shape shapes[SHAPES], moved[SHAPES];
     const double o[3] = {0, 0, 0}, far[3] = {0x1p401, 0, 0}, x[3] = {1, 0, 0},
@@ -160,7 +160,7 @@ static void what_is_refused_changes_nothing(void)
     cylint_scene_free(scene);
 }
 
-static void a_scene_that_moved_is_saved(void)
+TEST(a_scene_that_moved_is_saved)
 {
     struct scene_shapes of, by;
     struct bytes file = {NULL, NULL, 0, 0};
@@ -179,13 +179,4 @@ static void a_scene_that_moved_is_saved(void)
     free(file.memory);
     scene_release(&of);
     scene_release(&by);
-}
-
-int main(void)
-{
-    RUN(a_scene_that_moved_answers_as_a_new_one);
-    RUN(moving_forth_and_back_adds_nothing_to_boxes);
-    RUN(what_is_refused_changes_nothing);
-    RUN(a_scene_that_moved_is_saved);
-    return check_end();
 }
