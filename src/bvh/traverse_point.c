@@ -138,7 +138,7 @@ CYLINT_INLINE void test_lanes_of(const traversal *t, const cylint_leaf *b,
 {
     const double steps = (double)cylint_leaf_steps(b);
     const double unit = (1 - 0x1p-50) / steps;
-    double q[3], K = (double)CYLINDER_REACH, from = 0;
+    double q[3], K = (double)CYLINDER_REACH, less = t->error;
     float found[CYLINT_LEAF_SIZE];
     EACH(j, 3) {
         q[j] = (t->x[j] - (double)b->center[j]) * steps;
@@ -147,9 +147,9 @@ CYLINT_INLINE void test_lanes_of(const traversal *t, const cylint_leaf *b,
     if (K < (double)FAR_LIMIT)
         near_lanes(b, q, K, found);
     else
-        from = far_lanes(b, q, K, found);
+        less -= far_lanes(b, q, K, found) * unit;
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
-        const double d = (from + (double)found[lane]) * unit - t->error;
+        const double d = (double)found[lane] * unit - less;
         least[lane] = d > 0 && !(b->always >> lane & 1) ? d : 0;
     }
 }

@@ -164,16 +164,14 @@ typedef struct {
     size_t n, capacity; /* n counts those without room too */
 } containers;
 
-static double keep_container(void *context, size_t number, double distance,
-                             int flags)
+static double keep_container(void *context, const cylint_found *found)
 {
     containers *c = context;
-    (void)distance;
-    (void)flags;
-    if (c->scene->solids.n > 0 && cylint_is_late(c->scene, (uint32_t)number))
+    const uint32_t number = (uint32_t)found->number;
+    if (c->scene->solids.n > 0 && cylint_is_late(c->scene, number))
         return 0;
     if (c->n < c->capacity)
-        c->chord[c->n] = (cylint_numbered_chord){0, 1, (uint32_t)number};
+        c->chord[c->n] = (cylint_numbered_chord){0, 1, number};
     c->n++;
     return 0;
 }

@@ -83,8 +83,7 @@ TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
                                 SCENE_LENGTHS};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-            struct scene_shapes of;
-            scene_generate(kinds[k], sizes[i], 3, &of);
+            struct scene_shapes of = scene_generate(kinds[k], sizes[i], 3);
             check_nodes(&of);
             scene_release(&of);
         }
@@ -117,9 +116,8 @@ TEST(any_number_of_threads_builds_the_same_bytes)
     static const int kinds[] = {SCENE_FIBRES, SCENE_MIXED, SCENE_FAT};
     static const int threads[] = {2, 3, 5, 100, 0};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
-        struct scene_shapes of;
         cylint_bvh alone, other;
-        scene_generate(kinds[k], 23000, 4, &of);
+        struct scene_shapes of = scene_generate(kinds[k], 23000, 4);
         if (!make(&alone, &of, 1))
             return;
         for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
@@ -138,8 +136,7 @@ TEST(any_number_of_threads_builds_the_same_bytes)
 /* The lowest number, whichever thread finds it. */
 TEST(the_first_refused_shape_is_reported)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_THIN, 23000, 5, &of);
+    struct scene_shapes of = scene_generate(SCENE_THIN, 23000, 5);
     const cylint_view view = cylint_plain_view(of.shapes);
     static const size_t bad[] = {22999, 12000, 11999, 300};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
@@ -158,8 +155,7 @@ TEST(the_first_refused_shape_is_reported)
 
 TEST(scenes_of_several_threads_answer_as_those_of_one)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_UNBOUNDED, 12000, 6, &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 12000, 6);
     cylint_scene *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
     cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
     if (CHECK(one && four)) {
@@ -205,10 +201,9 @@ enum { REPORTED = sizeof reported / sizeof *reported };
 TEST(progress_grows_and_does_not_change_the_scene)
 {
     for (int i = 0; i < 2 * REPORTED; i++) {
-        struct scene_shapes of;
         struct progress seen;
         cylint_scene_status status;
-        scene_generate(reported[i / 2], 40000, 7, &of);
+        struct scene_shapes of = scene_generate(reported[i / 2], 40000, 7);
         const int threads = i % 2 ? 4 : 1;
         cylint_scene *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
         cylint_scene *made = make_reported(&of, threads, &seen, 0, &status);
@@ -226,11 +221,10 @@ TEST(progress_grows_and_does_not_change_the_scene)
 TEST(a_build_stops_when_its_caller_stops_it)
 {
     for (int i = 0; i < 2 * REPORTED; i++) {
-        struct scene_shapes of;
         struct progress seen;
         cylint_scene_status status;
         const int threads = i % 2 ? 4 : 1;
-        scene_generate(reported[i / 2], 20000, 8, &of);
+        struct scene_shapes of = scene_generate(reported[i / 2], 20000, 8);
         for (long stop = 1; stop < 1000; stop += 1 + stop / 8) {
             cylint_scene *made =
                 make_reported(&of, threads, &seen, stop, &status);

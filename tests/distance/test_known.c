@@ -248,20 +248,16 @@ static void over_families(property *check)
     for (int i = 0; i < count; i++)
         if (!cylint_is_elliptic(records[i].c.shape.kind))
             check(&records[i].c, records[i].p);
-    for (int f = 0; f < family_count(); f++)
-        for (uint64_t i = 0; i < (family_is_wild(f) ? cases / 10 : cases);
-             i++) {
-            struct family_case c;
-            family_case(seed, f, i, &c);
-            uint64_t stream = seed + i * 64 + (uint64_t)f;
-            for (int k = 0; k < POINTS; k++) {
-                double p[3];
-                draw_point(&c, &stream, p);
-                if (!cylint_is_elliptic(c.shape.kind) && isfinite(p[0]) &&
-                    isfinite(p[1]) && isfinite(p[2]))
-                    check(&c, p);
-            }
+    EACH_CASE(c, seed, family_is_wild(family) ? cases / 10 : cases) {
+        uint64_t stream = seed + number * 64 + (uint64_t)family;
+        for (int k = 0; k < POINTS; k++) {
+            double p[3];
+            draw_point(&c, &stream, p);
+            if (!cylint_is_elliptic(c.shape.kind) && isfinite(p[0]) &&
+                isfinite(p[1]) && isfinite(p[2]))
+                check(&c, p);
         }
+    }
 }
 
 /* The same for cases of any exponents; elliptic: of elliptic kinds. */

@@ -325,28 +325,25 @@ static void over_families(int wild, int elliptic)
     memset(places, 0, sizeof places);
     for (int k = 0; k < PLACES; k++)
         places[k].safety = 1;
-    for (int f = 0; f < family_count(); f++)
-        for (uint64_t i = 0; i < cases; i++) {
-            struct family_case c;
-            if (family_is_wild(f) != wild)
+    EACH_CASE(c, seed, cases) {
+        if (family_is_wild(family) != wild)
+            continue;
+        if (cylint_is_elliptic(c.shape.kind) != elliptic)
+            continue;
+        uint64_t stream = seed + number * 64 + (uint64_t)family;
+        if (elliptic)
+            strain(&c, &stream);
+        if (c.shape.kind == CYLINT_KIND_NONE)
+            continue;
+        for (int k = 0; k < POINTS; k++) {
+            double p[3];
+            const enum place place = draw_point(&c, &stream, p);
+            if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
+                (elliptic && !is_promised(&c.shape, p)))
                 continue;
-            family_case(seed, f, i, &c);
-            if (cylint_is_elliptic(c.shape.kind) != elliptic)
-                continue;
-            uint64_t stream = seed + i * 64 + (uint64_t)f;
-            if (elliptic)
-                strain(&c, &stream);
-            if (c.shape.kind == CYLINT_KIND_NONE)
-                continue;
-            for (int k = 0; k < POINTS; k++) {
-                double p[3];
-                const enum place place = draw_point(&c, &stream, p);
-                if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
-                    (elliptic && !is_promised(&c.shape, p)))
-                    continue;
-                check_point(&c, p, &places[place]);
-            }
+            check_point(&c, p, &places[place]);
         }
+    }
     for (int k = 0; k < PLACES; k++)
         print_tally(place_names[k], &places[k]);
 }

@@ -174,8 +174,7 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
 static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s;
-        scene_generate(world_scenes[i], SHAPES, 7, &s);
+        struct scene_shapes s = scene_generate(world_scenes[i], SHAPES, 7);
         struct world w = made(s.shapes, s.n, how);
         world_filter(&w, filter);
         query_scene(&w, &s, how, MANNERS * PACKETS);
@@ -240,9 +239,8 @@ static void call(const struct world *w, struct rays *r)
 TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
     uint64_t state = 3;
-    struct scene_shapes s;
     int hits = 0;
-    scene_generate(SCENE_FAT, SHAPES, 3, &s);
+    struct scene_shapes s = scene_generate(SCENE_FAT, SHAPES, 3);
     struct world w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         const struct aim a = draw_aim(&state, &s, EYE);

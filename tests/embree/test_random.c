@@ -133,8 +133,7 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
     const size_t shapes = (size_t)check_setting("CYLINT_SHAPES", 200);
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s;
-        scene_generate(world_scenes[i], shapes, seed(), &s);
+        struct scene_shapes s = scene_generate(world_scenes[i], shapes, seed());
         struct world w = made(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
             compare_lines(&w, &s, (enum scene_lines)kind, seed(),
@@ -173,8 +172,7 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
 {
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
-        struct scene_shapes s;
-        scene_generate(SCENE_LENGTHS, 300, turn, &s);
+        struct scene_shapes s = scene_generate(SCENE_LENGTHS, 300, turn);
         struct world w = made(s.shapes, s.n, 0);
         compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
         world_free(&w);

@@ -117,13 +117,10 @@ TEST(the_matrix_is_as_accurate_as_it_states)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 1);
-    struct family_case c;
     int usable = 0;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            family_case(seed, family, i, &c);
-            usable += matrix_is_accurate(&c.shape);
-        }
+    EACH_CASE(c, seed, cases) {
+        usable += matrix_is_accurate(&c.shape);
+    }
     CHECK(usable > 0);
 }
 
@@ -193,19 +190,15 @@ TEST(the_matrix_of_extreme_shapes_is_accurate)
 
 TEST(all_paths_have_the_bits_of_the_exact_stage)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < CASES; i++) {
-            struct family_case c;
-            cylint_answer got, want;
-            family_case(24, family, i, &c);
-            memset(&got, 0, sizeof got);
-            memset(&want, 0, sizeof want);
-            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
-            cylint_intersect_by_signs(&c.shape, &c.line, CYLINT_WANT_ALL,
-                                      &want);
-            if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
-                report_answers(&c, "all stages, exact stage", &got, &want);
-        }
+    EACH_CASE(c, 24, CASES) {
+        cylint_answer got, want;
+        memset(&got, 0, sizeof got);
+        memset(&want, 0, sizeof want);
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
+        cylint_intersect_by_signs(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
+        if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
+            report_answers(&c, "all stages, exact stage", &got, &want);
+    }
 }
 
 static int differs(const cylint_answer *got, const cylint_answer *want,
@@ -295,14 +288,11 @@ TEST(a_question_is_undecided_or_exact)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 1);
-    struct family_case c;
     int decided = 0;
     stream = seed;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            family_case(seed, family, i, &c);
-            decided += compare_domains(&c.shape, &c.line);
-        }
+    EACH_CASE(c, seed, cases) {
+        decided += compare_domains(&c.shape, &c.line);
+    }
     CHECK(decided > 0);
 }
 

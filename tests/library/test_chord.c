@@ -124,15 +124,12 @@ static void compare_chords(struct family_case *c, struct environment there)
 
 static void compare_many(struct environment there, uint64_t cases)
 {
-    struct family_case c;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            family_case(6, family, i, &c);
-            compare_chords(&c, there);
-        }
+    EACH_CASE(c, 6, cases)
+        compare_chords(&c, there);
     const int plain = family_named("plain"),
               exact = family_named("constructed");
     for (uint64_t i = 0; i < 20 * cases; i++) {
+        struct family_case c;
         family_case(6, i % 4 == 3 ? plain : exact, cases + i, &c);
         compare_chords(&c, there);
     }

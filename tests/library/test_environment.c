@@ -82,12 +82,9 @@ static void compare_ends(struct family_case c, cylint_ends ends,
 
 static void made_of_families(struct environment there)
 {
-    struct family_case c;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < check_setting("CYLINT_CASES", 20); i++) {
-            family_case(check_setting("CYLINT_SEED", 1) + 9, family, i, &c);
-            compare(c, there);
-        }
+    const uint64_t seed = check_setting("CYLINT_SEED", 1) + 9;
+    EACH_CASE(c, seed, check_setting("CYLINT_CASES", 20))
+        compare(c, there);
 }
 
 TEST(shapes_and_lines_are_made_the_same)

@@ -137,15 +137,11 @@ TEST(oracle_agrees_with_points_sampled_along_the_line)
 
 TEST(occluded_agrees_with_the_oracle)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t i = 0; i < cases() / 10; i++) {
-            struct family_case c;
-            cylint_answer want;
-            family_case(seed() + 1, family, i, &c);
-            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
-            if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
-                family_report(&c);
-        }
+    EACH_CASE(c, seed() + 1, cases() / 10) {
+        cylint_answer want;
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
+        if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
+            family_report(&c);
     }
 }
 
@@ -167,33 +163,25 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
 /* The exact root may lie on either side of the end. */
 TEST(a_domain_may_end_where_a_hit_is_rounded)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t i = 0; i < cases() / 10; i++) {
-            struct family_case c;
-            cylint_answer a;
-            family_case(seed() + 3, family, i, &c);
-            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a);
-            for (int k = 0; k < a.n && !c.line.segment; k++) {
-                ends_at(&c, a.hit[k].t, HUGE_VAL);
-                ends_at(&c, -HUGE_VAL, a.hit[k].t);
-                ends_at(&c, a.hit[k].t, a.hit[k].t);
-            }
+    EACH_CASE(c, seed() + 3, cases() / 10) {
+        cylint_answer a;
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a);
+        for (int k = 0; k < a.n && !c.line.segment; k++) {
+            ends_at(&c, a.hit[k].t, HUGE_VAL);
+            ends_at(&c, -HUGE_VAL, a.hit[k].t);
+            ends_at(&c, a.hit[k].t, a.hit[k].t);
         }
     }
 }
 
 TEST(contains_is_exact)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t i = 0; i < cases() / 4; i++) {
-            struct family_case c;
-            family_case(seed() + 2, family, i, &c);
-            const double *o = c.line.o;
-            const int want = oracle_contains(&c.shape, o);
-            if (!CHECK(cylint_contains(&c.shape, o) == want)) {
-                REPORT("want %d, family %s", want, family_name(family));
-                family_report(&c);
-            }
+    EACH_CASE(c, seed() + 2, cases() / 4) {
+        const double *o = c.line.o;
+        const int want = oracle_contains(&c.shape, o);
+        if (!CHECK(cylint_contains(&c.shape, o) == want)) {
+            REPORT("want %d, family %s", want, family_name(family));
+            family_report(&c);
         }
     }
 }

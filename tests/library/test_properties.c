@@ -13,13 +13,10 @@ enum { CASES = 500 };
 static void over_all_families(int (*holds)(const struct family_case *c),
                               uint64_t cases)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            struct family_case c;
-            family_case(3, family, i, &c);
-            if (!CHECK(holds(&c)))
-                REPORT_CASE(&c);
-        }
+    EACH_CASE(c, 3, cases) {
+        if (!CHECK(holds(&c)))
+            REPORT_CASE(&c);
+    }
 }
 
 #define PROPERTY(name, holds)                                           \

@@ -37,9 +37,8 @@ TEST(an_opened_scene_answers_as_the_saved_one)
     static const unsigned flags[] = {0, CYLINT_SCENE_READ, CYLINT_SCENE_TRUSTED,
                                      CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
-        struct scene_shapes of;
         cylint_scene_status status = CYLINT_SCENE_EFILE;
-        scene_generate(kind, SHAPES, 7, &of);
+        struct scene_shapes of = scene_generate(kind, SHAPES, 7);
         cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
         for (int i = 0; i < 4; i++) {
@@ -65,8 +64,7 @@ TEST(an_opened_scene_saves_the_same_bytes)
     struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
     for (int kind = 0; kind < SCENE_KINDS; kind++)
         for (size_t n = 1; n <= 16; n *= 4) {
-            struct scene_shapes of;
-            scene_generate(kind, n, 5, &of);
+            struct scene_shapes of = scene_generate(kind, n, 5);
             cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
             scene_file_write(built, &first);
             cylint_scene *opened =
@@ -108,9 +106,8 @@ static void write_small(struct bytes *b)
 
 TEST(bytes_in_memory_open_at_every_address)
 {
-    struct scene_shapes of;
     struct bytes b = {NULL, NULL, 0, 0};
-    scene_generate(SCENE_MIXED, SHAPES, 3, &of);
+    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 3);
     cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(built, &b);
     for (size_t shift = 0; shift < 80; shift += 8) {
@@ -178,10 +175,9 @@ static int write_few(void *context, const void *data, size_t n)
 
 TEST(a_failure_leaves_the_old_file)
 {
-    struct scene_shapes of;
     char missing[96];
     cylint_scene_status status = CYLINT_SCENE_OK;
-    scene_generate(SCENE_FAT, SMALL, 3, &of);
+    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
     cylint_scene *scene = cylint_scene_begin(0);
     CHECK(cylint_scene_add(scene, of.shapes, of.n) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_save(scene, path) == CYLINT_SCENE_EUNFINISHED);
@@ -250,9 +246,8 @@ TEST(a_named_pipe_is_read)
 /* The file is replaced while it is mapped: the mapping stays as it was. */
 TEST(two_processes_map_one_file)
 {
-    struct scene_shapes of;
     int status = 1;
-    scene_generate(SCENE_THIN, SHAPES, 3, &of);
+    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 3);
     cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
     cylint_scene *opened = cylint_scene_open(path, 0, NULL);
@@ -440,8 +435,8 @@ TEST(no_changed_numbers_make_a_query_fail)
     int opened = 0;
     for (int i = 0; i < cases; i++) {
         if (i % 1000 == 0) {
-            struct scene_shapes of;
-            scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i, &of);
+            struct scene_shapes of =
+                scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i);
             cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
             scene_file_write(scene, &b);
             cylint_scene_free(scene);

@@ -202,7 +202,7 @@ static void leave_out_nearest(void)
 static cylint_scene *new_scene(enum scene_kind kind, uint64_t seed,
                                struct scene_shapes *of)
 {
-    scene_generate(kind, SHAPES, seed, of);
+    *of = scene_generate(kind, SHAPES, seed);
     return cylint_scene_new(of->shapes, of->n, 1, NULL);
 }
 
@@ -338,11 +338,10 @@ TEST(closest_shapes_are_those_of_single_points)
 
 TEST(an_empty_scene_answers_none)
 {
-    struct scene_shapes of;
     cylint_scene *scene = cylint_scene_new(NULL, 0, 1, NULL);
     const cylint_lines lines = lines_now(MOST, 3);
     const cylint_hit_columns hits = wanted_hits(all);
-    scene_generate(SCENE_THIN, SHAPES, 7, &of);
+    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 7);
     fill_lines(&of);
     poison();
     cylint_scene_nearest_lines(scene, &lines, NULL, 3, found.number, &hits);

@@ -149,8 +149,7 @@ TEST(a_scene_frees_all_memory)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED};
     for (int i = 0; i < 2; i++) {
-        struct scene_shapes of;
-        scene_generate(kinds[i], SHAPES, 5, &of);
+        struct scene_shapes of = scene_generate(kinds[i], SHAPES, 5);
         CHECK(refuse_each(make_scene, &of) > 5);
         scene_release(&of);
     }
@@ -165,8 +164,7 @@ static int stop_at_last(void *context, double part)
 
 TEST(a_scene_that_is_stopped_frees_all_memory)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5, &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5);
     for (int call = 1; call < ENOUGH; call++) {
         int calls = call;
         cylint_scene_status status;
@@ -197,9 +195,8 @@ static cylint_scene_status open_unaligned(void *self)
 /* Unaligned bytes are copied. */
 TEST(an_opened_scene_frees_all_memory)
 {
-    struct scene_shapes of;
     struct bytes file = {NULL, NULL, 0, 0};
-    scene_generate(SCENE_UNBOUNDED, SHAPES, 5, &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(scene, &file);
     memmove(file.data + 1, file.data, file.n);
@@ -381,8 +378,7 @@ TEST(many_lines_need_no_memory_and_no_threads)
     static size_t expected[LINES], counts[LINES];
     const cylint_lines lines = {
         .n = LINES, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}};
-    struct scene_shapes of;
-    scene_generate(SCENE_UNBOUNDED, SHAPES, 5, &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     for (uint64_t i = 0; i < LINES; i++) {
         cylint_line line;

@@ -38,18 +38,6 @@ static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
 
 /* ----------------------------------------------------------------- lines -- */
 
-/* The hit as a query that wants fewer members writes it. */
-static cylint_hit with_members(const cylint_hit *all, unsigned want)
-{
-    cylint_hit hit;
-    memset(&hit, UNTOUCHED, sizeof hit);
-    for (int k = 0; k < HIT_MEMBERS; k++)
-        if (want & hit_members[k].want)
-            memcpy((char *)&hit + hit_members[k].at,
-                   (const char *)all + hit_members[k].at, hit_members[k].size);
-    return hit;
-}
-
 static void check_line(const struct scene_shapes *of, const cylint_scene *scene,
                        const cylint_line *line)
 {
@@ -259,13 +247,13 @@ static void check_points(const struct scene_shapes *of, uint64_t number)
 /* A loop takes far longer where doubles cannot decide, and for points. */
 TEST(generated_scenes_answer_as_a_loop)
 {
-    struct scene_shapes of;
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
-        scene_generate(kind, slow ? SHAPES / 30 : SHAPES, seed(), &of);
+        struct scene_shapes of =
+            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, seed());
         check_lines(&of, (uint64_t)kind);
         scene_release(&of);
-        scene_generate(kind, NEAR, seed(), &of);
+        of = scene_generate(kind, NEAR, seed());
         check_points(&of, (uint64_t)kind);
         scene_release(&of);
     }
@@ -275,11 +263,11 @@ TEST(generated_scenes_answer_as_a_loop)
 TEST(small_scenes_answer_as_a_loop)
 {
     const size_t lines = lines_of_a_kind, points = points_of_a_family;
-    struct scene_shapes of;
     lines_of_a_kind = 0;
     points_of_a_family = 1;
     for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
-        for (int kind = 0; scene_generate(kind, n, seed(), &of); kind++) {
+        for (int kind = 0; kind < SCENE_KINDS; kind++) {
+            struct scene_shapes of = scene_generate(kind, n, seed());
             check_lines(&of, n);
             check_points(&of, n);
             scene_release(&of);
@@ -416,11 +404,10 @@ TEST(a_bad_point_or_radius_has_no_shape)
     static const double radii[] = {NAN, -1, -5e-324, -HUGE_VAL};
     static const double wrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
     static const double good[3] = {0, 0, 0};
-    struct scene_shapes of;
     cylint_closest a;
     size_t number;
     double distance;
-    scene_generate(SCENE_UNBOUNDED, 100, seed(), &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 100, seed());
     cylint_scene *scene = open_scene(&of, 1);
     for (int i = 0; i < 26; i++) {
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
@@ -499,8 +486,7 @@ static double query_again(void *context, size_t number, const cylint_hit *hit)
 
 TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_STRANDS, SHAPES, seed(), &of);
+    struct scene_shapes of = scene_generate(SCENE_STRANDS, SHAPES, seed());
     cylint_scene *scene = open_scene(&of, 1);
     int visited = 0;
     for (uint64_t i = 0; i < 200; i++) {
@@ -543,9 +529,8 @@ static void answer_points_there(struct environment there)
     static struct point_answers want, got;
     uint64_t random = seed() + 200;
     for (int k = 0; k < 3 * FAMILIES; k++) {
-        struct scene_shapes of;
         double point[3];
-        scene_generate(kinds[k % 3], 40, seed(), &of);
+        struct scene_shapes of = scene_generate(kinds[k % 3], 40, seed());
         cylint_scene *scene = open_scene(&of, 1);
         point_of(&of, (enum family)(k / 3), &random, point);
         for (int i = 0; i < 2; i++) {
@@ -621,9 +606,8 @@ static void *answer_part(void *argument)
 
 TEST(threads_share_a_scene_with_the_same_answers)
 {
-    struct scene_shapes of;
     struct part parts[THREADS];
-    scene_generate(SCENE_UNBOUNDED, SHAPES, seed(), &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
     cylint_scene *scene = open_scene(&of, 2);
     for (int i = 0; i < THREADS; i++) {
         parts[i] = (struct part){.of = &of, .scene = scene};

@@ -55,17 +55,17 @@ static void replace(struct scene_shapes *of, const struct scene_shapes *by,
 
 static void check_moves(int kind, uint64_t seed, long moves)
 {
-    struct scene_shapes of, by;
     uint64_t random = seed;
     cylint_scene_status status;
-    scene_generate(kind, SHAPES, seed, &of);
+    struct scene_shapes of = scene_generate(kind, SHAPES, seed);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_worsening(scene) == 1);
     for (long k = 0; k < moves; k++) {
         /* sometimes of another kind, size and place */
         const int other =
             random_int(&random, 4) ? kind : random_int(&random, SCENE_KINDS);
-        scene_generate(other, SHAPES, seed + 1 + (uint64_t)k, &by);
+        struct scene_shapes by =
+            scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
         const size_t first = (size_t)random_below(&random, of.n),
                      most = of.n - first;
         const size_t n = random_int(&random, 4)
@@ -162,10 +162,9 @@ TEST(what_is_refused_changes_nothing)
 
 TEST(a_scene_that_moved_is_saved)
 {
-    struct scene_shapes of, by;
     struct bytes file = {NULL, NULL, 0, 0};
-    scene_generate(SCENE_MIXED, SHAPES, 7, &of);
-    scene_generate(SCENE_MIXED, SHAPES, 8, &by);
+    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 7);
+    struct scene_shapes by = scene_generate(SCENE_MIXED, SHAPES, 8);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     replace(&of, &by, 50, 100);
     CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==

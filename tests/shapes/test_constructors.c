@@ -232,21 +232,17 @@ TEST(points_that_are_not_finite_are_outside)
 /* A point next to the apex or the base, but for one coordinate. */
 TEST(a_coordinate_that_is_nan_is_outside_of_any_shape)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < 50; i++) {
-            struct family_case c;
-            family_case(9, family, i, &c);
-            if (!cylint_is_round(c.shape.kind))
-                c.ends = i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
-            family_make(&c);
-            for (int axis = 0; axis < 3; axis++) {
-                double p[3] = {c.shape_data[0], c.shape_data[1],
-                               c.shape_data[2]};
-                p[axis] = NAN;
-                if (!CHECK(cylint_contains(&c.shape, p) == -1))
-                    REPORT_CASE(&c);
-            }
+    EACH_CASE(c, 9, 50) {
+        if (!cylint_is_round(c.shape.kind))
+            c.ends = number % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
+        family_make(&c);
+        for (int axis = 0; axis < 3; axis++) {
+            double p[3] = {c.shape_data[0], c.shape_data[1], c.shape_data[2]};
+            p[axis] = NAN;
+            if (!CHECK(cylint_contains(&c.shape, p) == -1))
+                REPORT_CASE(&c);
         }
+    }
 }
 
 /* ------------------------------------------------ rounded cones as balls -- */
@@ -279,36 +275,6 @@ TEST(the_ball_that_holds_the_other_is_the_shape)
     CHECK(is_ball(&s, origin, 1, CYLINT_PART_CAP1));
     CHECK(cylint_sphere(&s, up, 2, CYLINT_ENDS_CAPPED) == CYLINT_OK);
     CHECK(is_ball(&s, up, 2, CYLINT_PART_LATERAL));
-}
-
-/* z and phi of a hit are those of the axis from p0 to p1, also where only the
- * ball about p1 is left.  Without axis they are 0. */
-TEST(z_and_phi_of_a_ball_are_those_of_the_axis)
-{
-    const double o[3] = {0, 0, -9}, y[3] = {0, 1, -9}, d[3] = {0, 0, 1};
-    cylint_shape s;
-    cylint_line line;
-    cylint_answer a;
-    cylint_whole_line(&line, o, d);
-    cylint_round_cone(&s, origin, 1, up, 3, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 8 && a.hit[0].z == -0.5 && a.hit[0].phi == 0);
-    CHECK(a.hit[1].t == 14 && a.hit[1].z == 2.5);
-    CHECK(a.hit[0].part == CYLINT_PART_CAP1 && a.hit[1].normal[2] == 1);
-    cylint_capsule(&s, up, up, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 10 && a.hit[0].z == 0 && a.hit[1].phi == 0);
-    cylint_whole_line(&line, y, d);
-    for (int turned = 0; turned < 2; turned++) {
-        cylint_round_cone(&s, turned ? up : origin, 1, turned ? origin : up, 3,
-                          CYLINT_ENDS_CAPPED);
-        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-        CHECK(a.hit[0].phi == (turned ? 0 : 0.5));
-        CHECK(fabs(a.hit[1].z - (turned ? 1 - sqrt(2) : 1 + sqrt(2))) < 1e-15);
-    }
-    cylint_round_cone(&s, up, 1.5, up, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].z == 0 && a.hit[0].phi == 0 && a.hit[1].phi == 0);
 }
 
 #ifdef HAVE_MPFR
@@ -358,24 +324,18 @@ TEST(the_kind_is_decided_exactly)
 /* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
 TEST(differences_have_their_low_parts)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t n = 0; n < 200; n++) {
-            struct family_case c;
-            family_case(9, family, n, &c);
-            const cylint_line *l = &c.line;
-            const cylint_shape *s = &c.shape;
-            for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
-                const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
-                                     -c.line_data[3 + i]};
-                CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
-            }
-            for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
-                const double w[4] = {cylint_axis(s)[i],
-                                     cylint_axis_pair(s, i).lo,
-                                     cylint_base(s)[i], -cylint_top(s)[i]};
-                CHECK(!isfinite(cylint_axis(s)[i]) ||
-                      oracle_sum_sign(w, 4) == 0);
-            }
+    EACH_CASE(c, 9, 200) {
+        const cylint_line *l = &c.line;
+        const cylint_shape *s = &c.shape;
+        for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
+            const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
+                                 -c.line_data[3 + i]};
+            CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
+        }
+        for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
+            const double w[4] = {cylint_axis(s)[i], cylint_axis_pair(s, i).lo,
+                                 cylint_base(s)[i], -cylint_top(s)[i]};
+            CHECK(!isfinite(cylint_axis(s)[i]) || oracle_sum_sign(w, 4) == 0);
         }
     }
 }

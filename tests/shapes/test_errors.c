@@ -175,18 +175,15 @@ static void measure_tangent(const struct family_case *c)
 TEST(boxes_and_tangents_have_their_errors)
 {
     const uint64_t seed = check_setting("CYLINT_SEED", 3);
-    for (int f = 0; f < family_count(); f++)
-        for (uint64_t i = 0; i < check_setting("CYLINT_CASES", CASES); i++) {
-            struct family_case c;
-            family_case(seed, f, i, &c);
-            const int round = c.shape_word >= FAMILY_SPHERE;
-            const int extreme =
-                family_is_wild(f) || strstr(family_name(f), "huge") != NULL;
-            measure_box(&c, !round    ? BOX_ULPS
-                            : extreme ? ROUND_WILD_ULPS
-                                      : ROUND_ULPS);
-            measure_tangent(&c);
-        }
+    EACH_CASE(c, seed, check_setting("CYLINT_CASES", CASES)) {
+        const int round = c.shape_word >= FAMILY_SPHERE;
+        const int extreme = family_is_wild(family) ||
+                            strstr(family_name(family), "huge") != NULL;
+        measure_box(&c, !round    ? BOX_ULPS
+                        : extreme ? ROUND_WILD_ULPS
+                                  : ROUND_ULPS);
+        measure_tangent(&c);
+    }
     mpfr_free_cache();
 }
 
