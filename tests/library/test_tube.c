@@ -267,6 +267,22 @@ static void directions_that_nearly_agree_make_the_sector_that_they_say(void)
     CHECK(found[0] > TUBES && found[1] > TUBES && found[2] > TUBES);
 }
 
+/* The axis (1, 0, 2), in multiples of the least double. */
+static void an_axis_of_the_least_doubles_keeps_its_digits(void)
+{
+    static const double p0[3] = {0, 0, 0}, p1[3] = {0x1p-1074, 0, 0x1p-1073},
+                        radii[2] = {1, 1},
+                        sector[2][3] = {{1, 0, 0}, {0, 1, 0}},
+                        out[3] = {1, 0, 3}, in[3] = {1, 0, 1};
+    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+    CHECK(cylint_tube(p0, p1, radii, NULL, sector, shapes, clauses, &n) ==
+          CYLINT_OK);
+    CHECK(n == 3 && cylint_contains(&shapes[2], out) == -1 &&
+          cylint_contains(&shapes[2], in) == 1);
+}
+
 int main(void)
 {
     RUN(pieces_are_where_radius_height_and_angle_say);
@@ -275,5 +291,6 @@ int main(void)
     RUN(bad_sectors_are_refused);
     RUN(a_hole_can_begin_with_the_radius_0);
     RUN(directions_that_nearly_agree_make_the_sector_that_they_say);
+    RUN(an_axis_of_the_least_doubles_keeps_its_digits);
     return check_end();
 }
