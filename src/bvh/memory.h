@@ -36,6 +36,15 @@ int cylint_memory_reduce(cylint_memory *memory,
  * if there is no memory. */
 void *cylint_resized(void *array, size_t n, size_t size);
 
+/* Memory that is not used yet.  `wanted` also counts what did not fit. */
+typedef struct cylint_room {
+    char *at;
+    size_t left, wanted;
+} cylint_room;
+
+/* Returns memory for n elements, or NULL. */
+void *cylint_take_room(cylint_room *room, size_t n, size_t size);
+
 /* Releases the memory, if there is any. */
 void cylint_memory_free(cylint_memory *memory);
 

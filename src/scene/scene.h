@@ -4,6 +4,7 @@
 #ifndef CYLINT_SCENE_SCENE_H
 #define CYLINT_SCENE_SCENE_H
 
+#include <math.h>
 #include <stdint.h>
 
 #include "cylint_scene.h"
@@ -39,8 +40,25 @@ struct cylint_scene {
                             the lists and the labels lie in it */
 };
 
-/* Whether a frame can contain the shape; if so, writes its box. */
-int cylint_scene_box(const cylint_shape *shape, double lo[3], double hi[3]);
+/* The box of n shapes that a frame can contain. */
+typedef struct cylint_shapes_box {
+    double lo[3], hi[3];
+    size_t n;
+} cylint_shapes_box;
+
+#define CYLINT_NO_BOX                                                        \
+    {                                                                        \
+        {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0 \
+    }
+
+/* Extends the box by a shape.  Returns 0 if no frame can contain the shape. */
+int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
+
+/* The number of shape i of those in the hierarchy. */
+static inline size_t cylint_bounded_number(const cylint_scene *scene, size_t i)
+{
+    return scene->bounded ? scene->bounded[i] : i;
+}
 
 /* Sets the view to that of the frame. */
 void cylint_scene_set_view(cylint_scene *scene);

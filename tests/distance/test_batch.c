@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#define CHECK_OWN_MAIN
 #include "closest.h"
 #include "distance/lanes.h"
 #include "distance_points.h"
@@ -266,7 +267,7 @@ static void check_families(void)
     }
 }
 
-static void batches_of_all_families_answer_as_single_questions(void)
+TEST(batches_of_all_families_answer_as_single_questions)
 {
     with_all_kernels(check_families);
 }
@@ -285,7 +286,7 @@ static void check_mixed(void)
         check_batch(one, CYLINT_POINT_BLOCK + 1, &usual);
 }
 
-static void mixed_batches_answer_as_single_questions(void)
+TEST(mixed_batches_answer_as_single_questions)
 {
     with_all_kernels(check_mixed);
 }
@@ -302,13 +303,13 @@ static void check_addresses(void)
         }
 }
 
-static void batches_of_all_lengths_serve_all_addresses(void)
+TEST(batches_of_all_lengths_serve_all_addresses)
 {
     with_all_kernels(check_addresses);
 }
 
 /* Without the others; in lanes, and of a shape with one cap one by one. */
-static void every_column_can_be_wanted_alone(void)
+TEST(every_column_can_be_wanted_alone)
 {
     struct family_case c;
     uint64_t index = 0;
@@ -375,12 +376,12 @@ static void check_environments(void)
     }
 }
 
-static void batches_answer_as_single_questions_in_any_environment(void)
+TEST(batches_answer_as_single_questions_in_any_environment)
 {
     with_all_kernels(check_environments);
 }
 
-static void of_equal_shapes_the_first_is_closest(void)
+TEST(of_equal_shapes_the_first_is_closest)
 {
     static const double p[3] = {5, 0, 1}, top[3] = {0, 0, 2};
     cylint_shape s[3];
@@ -397,7 +398,7 @@ static void of_equal_shapes_the_first_is_closest(void)
 }
 
 /* Known by hand, without families. */
-static void refused_shapes_and_points_answer_as_documented(void)
+TEST(refused_shapes_and_points_answer_as_documented)
 {
     static const double top[3] = {0, 0, 2};
     static const double x[4] = {0, 1, NAN, 9}, y[4] = {0, 0, 0, HUGE_VAL},
@@ -426,12 +427,5 @@ static void refused_shapes_and_points_answer_as_documented(void)
 int main(void)
 {
     allocate_pages();
-    RUN(refused_shapes_and_points_answer_as_documented);
-    RUN(of_equal_shapes_the_first_is_closest);
-    RUN(batches_of_all_families_answer_as_single_questions);
-    RUN(mixed_batches_answer_as_single_questions);
-    RUN(batches_of_all_lengths_serve_all_addresses);
-    RUN(every_column_can_be_wanted_alone);
-    RUN(batches_answer_as_single_questions_in_any_environment);
-    return check_end();
+    return check_all();
 }

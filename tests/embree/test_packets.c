@@ -174,8 +174,7 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
 static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s;
-        scene_generate(world_scenes[i], SHAPES, 7, &s);
+        struct scene_shapes s = scene_generate(world_scenes[i], SHAPES, 7);
         struct world w = made(s.shapes, s.n, how);
         world_filter(&w, filter);
         query_scene(&w, &s, how, MANNERS * PACKETS);
@@ -184,7 +183,7 @@ static void query_scenes(unsigned how, RTCFilterFunctionN filter)
     }
 }
 
-static void packets_return_the_answers_to_rays_alone(void)
+TEST(packets_return_the_answers_to_rays_alone)
 {
     const char *name;
     for (int i = 0; (name = cylint_kernels_name(i)); i++) {
@@ -194,12 +193,12 @@ static void packets_return_the_answers_to_rays_alone(void)
     cylint_use_kernels(NULL);
 }
 
-static void packets_without_filters_return_the_answers_to_rays_alone(void)
+TEST(packets_without_filters_return_the_answers_to_rays_alone)
 {
     query_scenes(CYLINT_EMBREE_NO_FILTERS, NULL);
 }
 
-static void bare_packets_return_the_answers_to_rays_alone(void)
+TEST(bare_packets_return_the_answers_to_rays_alone)
 {
     query_scenes(CYLINT_EMBREE_BARE, NULL);
 }
@@ -215,7 +214,7 @@ static void reject_some(const struct RTCFilterFunctionNArguments *a)
     }
 }
 
-static void filtered_packets_return_the_answers_to_rays_alone(void)
+TEST(filtered_packets_return_the_answers_to_rays_alone)
 {
     query_scenes(0, reject_some);
 }
@@ -237,12 +236,11 @@ static void call(const struct world *w, struct rays *r)
     cylint_embree_intersect_callback(&a);
 }
 
-static void rays_that_are_no_lines_do_not_disturb_others(void)
+TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
     uint64_t state = 3;
-    struct scene_shapes s;
     int hits = 0;
-    scene_generate(SCENE_FAT, SHAPES, 3, &s);
+    struct scene_shapes s = scene_generate(SCENE_FAT, SHAPES, 3);
     struct world w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         const struct aim a = draw_aim(&state, &s, EYE);
@@ -327,7 +325,7 @@ static double library_t(const struct world *w, struct rays *r, int i)
 
 /* The adapter answers a packet of rays with tnear = tfar as the rays alone;
  * through Embree every answer is that or a miss: see cylint_embree.h. */
-static void a_domain_of_one_point_is_answered_or_skipped(void)
+TEST(a_domain_of_one_point_is_answered_or_skipped)
 {
     cylint_shape shapes[64];
     uint64_t state = 11;
@@ -354,7 +352,7 @@ static void a_domain_of_one_point_is_answered_or_skipped(void)
     world_free(&w);
 }
 
-static void of_hits_at_tnear_the_lower_number_is_reported(void)
+TEST(of_hits_at_tnear_the_lower_number_is_reported)
 {
     cylint_shape shapes[64];
     uint64_t state = 12;
@@ -376,16 +374,4 @@ static void of_hits_at_tnear_the_lower_number_is_reported(void)
         }
         world_free(&w);
     }
-}
-
-int main(void)
-{
-    RUN(a_domain_of_one_point_is_answered_or_skipped);
-    RUN(of_hits_at_tnear_the_lower_number_is_reported);
-    RUN(packets_return_the_answers_to_rays_alone);
-    RUN(packets_without_filters_return_the_answers_to_rays_alone);
-    RUN(bare_packets_return_the_answers_to_rays_alone);
-    RUN(filtered_packets_return_the_answers_to_rays_alone);
-    RUN(rays_that_are_no_lines_do_not_disturb_others);
-    return check_end();
 }

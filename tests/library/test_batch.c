@@ -11,6 +11,7 @@
 #include <pthread.h>
 #include <stdint.h>
 
+#define CHECK_OWN_MAIN
 #include "check.h"
 #include "columns.h"
 #include "guarded.h"
@@ -294,7 +295,7 @@ static void batches_answer_as_single_questions(void)
     }
 }
 
-static void check_all(size_t n, const struct layout *at)
+static void check_batches(size_t n, const struct layout *at)
 {
     check_pairs(drawn, n, at);
     check_lines(&drawn[0], lined, n, at);
@@ -319,7 +320,7 @@ static void runs_of_one_kind_answer_as_single_questions(void)
                 lined[n] = *c;
                 n += (int)c->shape_word == kind && family_make(c);
             }
-            check_all(N, &usual);
+            check_batches(N, &usual);
         }
 }
 
@@ -339,10 +340,10 @@ static void every_length_has_its_answers(void)
     draw_around(0);
     for (size_t n = 0; n < 2 * (2 * 8 + 2); n++) {
         at.at_end = (int)n % 2;
-        check_all(n / 2, &at);
+        check_batches(n / 2, &at);
     }
     for (size_t i = 0; i < sizeof longer / sizeof *longer; i++)
-        check_all(longer[i], &usual);
+        check_batches(longer[i], &usual);
 }
 
 static void every_address_has_its_answers(void)
@@ -351,7 +352,7 @@ static void every_address_has_its_answers(void)
         draw_around(family);
         for (size_t i = 0; i < 128; i++) {
             const struct layout at = {i / 2, (int)i % 2, ALL_COLUMNS, 3};
-            check_all(FEW, &at);
+            check_batches(FEW, &at);
         }
     }
 }
@@ -363,7 +364,7 @@ static void only_wanted_columns_are_written(void)
         const int columns =
             i <= WITHOUT_MEMBERS ? i : 1 << (i - WITHOUT_MEMBERS - 1);
         const struct layout at = {0, columns % 2, columns, 3};
-        check_all(40, &at);
+        check_batches(40, &at);
     }
 }
 
@@ -427,7 +428,7 @@ static void an_invalid_line_misses(void)
         CHECK(!column_line(&bad[i].line, 3).valid);
     memcpy(drawn, bad, sizeof bad);
     memcpy(lined, bad, sizeof bad);
-    check_all(N, &usual);
+    check_batches(N, &usual);
     for (int i = 0; i < FEW; i++) {
         drawn[i] = easy();
         drawn[i].line.tmin = 3 + i / 8.;

@@ -194,17 +194,17 @@ static void over_families(int wild)
                tally[i].rays, tally[i].moved);
 }
 
-static void rays_leave_the_solid_or_stay_in_it(void)
+TEST(rays_leave_the_solid_or_stay_in_it)
 {
     over_families(0);
 }
 
-static void also_of_wild_sizes(void)
+TEST(also_of_wild_sizes)
 {
     over_families(1);
 }
 
-static void a_point_on_the_wanted_side_is_not_moved(void)
+TEST(a_point_on_the_wanted_side_is_not_moved)
 {
     cylint_shape s;
     cylint_hit hit = {.point = {0, 0, 2}, .normal = {0, 0, 1}};
@@ -222,7 +222,7 @@ static void a_point_on_the_wanted_side_is_not_moved(void)
 
 /* A shape and its hit, scaled by a power of two, have the scaled point, also where
  * the squares of steps overflow or underflow. */
-static void the_nearest_neighbour_is_chosen_at_all_sizes(void)
+TEST(the_nearest_neighbour_is_chosen_at_all_sizes)
 {
     static const double normals[][3] = {
         {0, -0.6, 0.8}, {0.48, 0.64, -0.6}, {-0.36, 0.48, 0.8}, {0, 0, -1}};
@@ -252,7 +252,7 @@ static void the_nearest_neighbour_is_chosen_at_all_sizes(void)
             }
 }
 
-static void no_double_is_inside_a_solid_that_is_too_thin(void)
+TEST(no_double_is_inside_a_solid_that_is_too_thin)
 {
     cylint_shape s;
     const double c[3] = {0.1, 0.2, 0.3}, to[3] = {1.7, 0.9, 1.1};
@@ -277,14 +277,4 @@ static void no_double_is_inside_a_solid_that_is_too_thin(void)
     memset(&none, 0, sizeof none);
     CHECK(cylint_outside(&none, &hit, 1, p) == 0 && p[2] == hit.point[2]);
     CHECK(cylint_outside(&none, &hit, -1, p) == 1);
-}
-
-int main(void)
-{
-    RUN(rays_leave_the_solid_or_stay_in_it);
-    RUN(also_of_wild_sizes);
-    RUN(a_point_on_the_wanted_side_is_not_moved);
-    RUN(the_nearest_neighbour_is_chosen_at_all_sizes);
-    RUN(no_double_is_inside_a_solid_that_is_too_thin);
-    return check_end();
 }

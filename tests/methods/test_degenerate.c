@@ -101,14 +101,14 @@ static const char *check_record(const char *text, const char *known)
     return known ? known + strlen(known) : NULL;
 }
 
-static void the_methods_keep_the_contract(void)
+TEST(the_methods_keep_the_contract)
 {
     each_record("tests/methods/degenerate.txt", 64, check_record);
 }
 
 /* Lines aimed at the apex miss it by an ulp or two.  Whatever the quadratic
  * computes, no hit is on the absent cap. */
-static void a_pointed_end_is_never_hit_as_a_cap(void)
+TEST(a_pointed_end_is_never_hit_as_a_cap)
 {
     const double apex[3] = {1, 2, 3}, other[3] = {2, 4, 7};
     cylint_shape down, up;
@@ -134,7 +134,7 @@ static void a_pointed_end_is_never_hit_as_a_cap(void)
     CHECK(hits > 500);
 }
 
-static void only_wanted_members_are_written(void)
+TEST(only_wanted_members_are_written)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     const double from[3] = {-3, 0, 0.5}, x[3] = {1, 0, 0};
@@ -156,7 +156,7 @@ static void only_wanted_members_are_written(void)
 }
 
 /* A member wanted alone has the value that it has when all are wanted. */
-static void each_member_is_written_by_itself(void)
+TEST(each_member_is_written_by_itself)
 {
     static const unsigned wants[] = {CYLINT_WANT_POINT, CYLINT_WANT_NORMAL,
                                      CYLINT_WANT_Z, CYLINT_WANT_PHI};
@@ -191,7 +191,7 @@ static void each_member_is_written_by_itself(void)
 }
 
 /* An angle slightly below 0 is 0, not one turn. */
-static void an_angle_stays_below_a_turn(void)
+TEST(an_angle_stays_below_a_turn)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, y[3] = {0, 1, 0};
     cylint_shape shape;
@@ -211,7 +211,7 @@ static void an_angle_stays_below_a_turn(void)
 
 /* Shene's plane is tangent to the cone in a ruling.  The line meets the ruling
  * in one point, or is parallel to it. */
-static void a_tangent_plane_has_one_ruling(void)
+TEST(a_tangent_plane_has_one_ruling)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     int touches = 0, misses = 0;
@@ -237,15 +237,4 @@ static void a_tangent_plane_has_one_ruling(void)
     /* rounding keeps the plane tangent and the line parallel */
     CHECK(touches > 0);
     CHECK(misses > 0);
-}
-
-int main(void)
-{
-    RUN(the_methods_keep_the_contract);
-    RUN(each_member_is_written_by_itself);
-    RUN(an_angle_stays_below_a_turn);
-    RUN(a_tangent_plane_has_one_ruling);
-    RUN(a_pointed_end_is_never_hit_as_a_cap);
-    RUN(only_wanted_members_are_written);
-    return check_end();
 }

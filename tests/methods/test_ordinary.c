@@ -87,7 +87,7 @@ static int agrees(const cylint_answer *got, const cylint_answer *want,
     return good;
 }
 
-static void every_method_agrees_with_the_library(void)
+TEST(every_method_agrees_with_the_library)
 {
     enum { KINDS = 1 + CYLINT_KIND_ECONE, ENDS = 1 + CYLINT_ENDS_NAPPE };
     int compared[KINDS][ENDS] = {{0}}, hits = 0;
@@ -126,7 +126,7 @@ static void every_method_agrees_with_the_library(void)
 }
 
 /* The shapes and ends of each method, as its line of the table states. */
-static void a_method_refuses_shapes_that_it_is_not_published_for(void)
+TEST(a_method_refuses_shapes_that_it_is_not_published_for)
 {
     int refused = 0;
     for (const cylint_method *m = cylint_methods(); m->name; m++)
@@ -136,7 +136,7 @@ static void a_method_refuses_shapes_that_it_is_not_published_for(void)
     CHECK(refused == 28 + 28 + 18 + 24 + 24);
 }
 
-static void refused_shapes_and_lines_miss_with_the_flag(void)
+TEST(refused_shapes_and_lines_miss_with_the_flag)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, x[3] = {1, 0, 0};
     cylint_shape good, cone, bad;
@@ -162,7 +162,7 @@ static void refused_shapes_and_lines_miss_with_the_flag(void)
     }
 }
 
-static void the_table_names_each_method_once(void)
+TEST(the_table_names_each_method_once)
 {
     int n = 0;
     for (const cylint_method *m = cylint_methods(); m->name; m++, n++) {
@@ -171,13 +171,4 @@ static void the_table_names_each_method_once(void)
             CHECK(strcmp(k->name, m->name) && k->answer != m->answer);
     }
     CHECK(n == 6);
-}
-
-int main(void)
-{
-    RUN(every_method_agrees_with_the_library);
-    RUN(a_method_refuses_shapes_that_it_is_not_published_for);
-    RUN(refused_shapes_and_lines_miss_with_the_flag);
-    RUN(the_table_names_each_method_once);
-    return check_end();
 }
