@@ -38,18 +38,6 @@ static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
 
 /* ----------------------------------------------------------------- lines -- */
 
-/* The hit as a query that wants fewer members writes it. */
-static cylint_hit with_members(const cylint_hit *all, unsigned want)
-{
-    cylint_hit hit;
-    memset(&hit, UNTOUCHED, sizeof hit);
-    for (int k = 0; k < HIT_MEMBERS; k++)
-        if (want & hit_members[k].want)
-            memcpy((char *)&hit + hit_members[k].at,
-                   (const char *)all + hit_members[k].at, hit_members[k].size);
-    return hit;
-}
-
 static void check_line(const struct scene_shapes *of, const cylint_scene *scene,
                        const cylint_line *line)
 {

@@ -277,36 +277,6 @@ TEST(the_ball_that_holds_the_other_is_the_shape)
     CHECK(is_ball(&s, up, 2, CYLINT_PART_LATERAL));
 }
 
-/* z and phi of a hit are those of the axis from p0 to p1, also where only the
- * ball about p1 is left.  Without axis they are 0. */
-TEST(z_and_phi_of_a_ball_are_those_of_the_axis)
-{
-    const double o[3] = {0, 0, -9}, y[3] = {0, 1, -9}, d[3] = {0, 0, 1};
-    cylint_shape s;
-    cylint_line line;
-    cylint_answer a;
-    cylint_whole_line(&line, o, d);
-    cylint_round_cone(&s, origin, 1, up, 3, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 8 && a.hit[0].z == -0.5 && a.hit[0].phi == 0);
-    CHECK(a.hit[1].t == 14 && a.hit[1].z == 2.5);
-    CHECK(a.hit[0].part == CYLINT_PART_CAP1 && a.hit[1].normal[2] == 1);
-    cylint_capsule(&s, up, up, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 10 && a.hit[0].z == 0 && a.hit[1].phi == 0);
-    cylint_whole_line(&line, y, d);
-    for (int turned = 0; turned < 2; turned++) {
-        cylint_round_cone(&s, turned ? up : origin, 1, turned ? origin : up, 3,
-                          CYLINT_ENDS_CAPPED);
-        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-        CHECK(a.hit[0].phi == (turned ? 0 : 0.5));
-        CHECK(fabs(a.hit[1].z - (turned ? 1 - sqrt(2) : 1 + sqrt(2))) < 1e-15);
-    }
-    cylint_round_cone(&s, up, 1.5, up, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].z == 0 && a.hit[0].phi == 0 && a.hit[1].phi == 0);
-}
-
 #ifdef HAVE_MPFR
 
 /* sum[0] + sum[1] = x^2 or, with a negative sign, -x^2, exactly. */
