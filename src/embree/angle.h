@@ -9,13 +9,6 @@
 
 #include "../numbers/simd.h"
 
-/* phi as a float below 1. */
-static inline float cylint_angle_as_float(double phi)
-{
-    const float v = (float)phi;
-    return v < 1 ? v : 1 - FLT_EPSILON / 2;
-}
-
 /*
  * atan2(y, x) / (2 pi), in [0, 1], with an error of at most
  * CYLINT_ATAN2_TURNS_ERROR.  *per_far is between 11/12 and 1 times

@@ -44,8 +44,7 @@ typedef struct {
 CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 {
     unsigned rays = 0;
-    EACH_RAY(k, e->rays & p->active)
-    {
+    EACH_RAY(k, e->rays & p->active) {
         const uint32_t last = order_key(p->state[k].last);
         rays |= (unsigned)(e->key >> 32 <= last) << k;
     }
@@ -62,8 +61,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
         vf enter[3], leave[3], first = f_set(HUGE_VALF);
         vi rays = i_set(0);
         child_faces(node, i, face, enter, leave);
-        EACH_RAY(k, e->rays)
-        {
+        EACH_RAY(k, e->rays) {
             vf from;
             const vm is = hit_boxes(enter, leave, &p->state[k], &from);
             first = m_select(is, f_lower(from, first), first);
@@ -96,8 +94,7 @@ CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
         all[i / WIDTH] = cylinders_of(leaf, i);
     hit->leaf = leaf;
     hit->rays = 0;
-    EACH_RAY(k, rays)
-    {
+    EACH_RAY(k, rays) {
         const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
         unsigned certain = 0;
         hit->lanes[k] = test_ray(leaf, all, ray, p->E[k], hit->least[k], NULL);
@@ -124,7 +121,7 @@ static void traverse(traversal *p)
             continue;
         p->active &= ~p->callback(p->self, &hit);
         EACH_RAY(k, hit.rays)
-        shorten(&p->state[k], p->ray[k].ray.tfar);
+            shorten(&p->state[k], p->ray[k].ray.tfar);
     }
 }
 

@@ -15,7 +15,6 @@
 #include "embree/shapes.h"
 #include "bvh/float_bounds.h"
 #include "bvh/swept_disc.h"
-#include "embree/angle.h"
 #include "environment.h"
 #include "families.h"
 #include "shapes/layout.h"
