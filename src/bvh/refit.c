@@ -1,7 +1,7 @@
 /*
  * refit.c - adapts a bounding volume hierarchy to shapes that have moved
  */
-#include "refit.h"
+#include "bvh.h"
 
 #include <math.h>
 

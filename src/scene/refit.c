@@ -3,7 +3,6 @@
  */
 #include <stdlib.h>
 
-#include "../bvh/refit.h"
 #include "scene.h"
 
 /* The shapes that take the places of [first, first + n). */

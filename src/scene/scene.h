@@ -85,6 +85,13 @@ static inline size_t cylint_first_not_below(const uint32_t *numbers, size_t n,
     return from;
 }
 
+/* The place of the checksum in the file, in bytes. */
+enum { CYLINT_FILE_CHECKSUM = 32 };
+
+/* The checksum of a file of at least 512 bytes, a multiple of 64, at the begin of
+ * a cache line.  It does not depend on the bytes at the checksum's place. */
+uint64_t cylint_file_checksum(const void *data, size_t bytes);
+
 /* Writes the result to *status, unless it is NULL.  Returns the scene, or frees
  * it and returns NULL if the result is a failure. */
 cylint_scene *cylint_scene_or_null(cylint_scene *scene,

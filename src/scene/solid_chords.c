@@ -6,20 +6,8 @@
  */
 #include "../numbers/bits.h"
 
-#include <string.h>
-
 #include "../solid_sweep.h"
 #include "pieces.h"
-
-static int is_event_before(const cylint_event *x, const cylint_event *y)
-{
-    return x->solid != y->solid ? x->solid < y->solid : cylint_less(x->t, y->t);
-}
-
-#define SORTED cylint_event
-#define IS_BEFORE(x, y) is_event_before(x, y)
-#define SORT sort_events_by_solid
-#include "../merge_sort_template.h"
 
 typedef struct {
     const cylint_scene *scene;
@@ -79,7 +67,7 @@ static void add_late_members(assembly *a)
             add_late_member(a, &s->late[solid->first_late + j]);
     }
     if (a->n_events > n)
-        sort_events_by_solid(a->event, a->n_events, a->spare);
+        cylint_sort_events(a->event, a->n_events, a->spare);
 }
 
 /* Adds the chords of a solid, which has n events. */
@@ -161,7 +149,7 @@ size_t cylint_chords_of_solids(const cylint_scene *scene,
         return CYLINT_NO_ROOM;
     for (size_t i = 0; i < n; i++)
         add_chord_of_shape(&a, &of_shapes[i]);
-    sort_events_by_solid(a.event, a.n_events, a.spare);
+    cylint_sort_events(a.event, a.n_events, a.spare);
     add_late_members(&a);
     sweep_solids(&a);
     return a.n;
