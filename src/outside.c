@@ -85,8 +85,8 @@ static int is_shorter(const search *s, const double stepped[3], unsigned a,
     for (int i = 0; i < 3; i++)
         if ((a ^ b) >> i & 1) {
             const int e = -cylint_exponent(most), in_b = b >> i & 1;
-            const double step = cylint_scaled(stepped[i], e) -
-                                cylint_scaled(s->from[i], e);
+            const double step =
+                cylint_scaled(stepped[i], e) - cylint_scaled(s->from[i], e);
             sum[in_b] += step * step;
             count[in_b]++;
         }

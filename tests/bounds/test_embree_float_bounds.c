@@ -14,7 +14,7 @@
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "embree/shapes.h"
-#include "embree/angle.h"
+#include "embree/float_filter_lanes.h"
 
 typedef struct {
     double size, off;

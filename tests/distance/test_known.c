@@ -161,11 +161,8 @@ static void check_records(struct environment there)
 
 TEST(known_answers_are_returned_in_every_environment)
 {
-    for (int k = 0; cylint_kernels_name(k); k++) {
-        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
+    EACH_KERNELS(k)
         check_records(environment_of(0));
-    }
-    cylint_use_kernels(NULL);
     everywhere(check_records);
 }
 

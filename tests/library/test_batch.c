@@ -14,6 +14,7 @@
 #define CHECK_OWN_MAIN
 #include "check.h"
 #include "columns.h"
+#include "environment.h"
 #include "guarded.h"
 
 enum {
@@ -542,12 +543,10 @@ static void threads_share_a_pack(void)
 
 int main(void)
 {
-    const char *kernels;
     allocate_pages();
     RUN(kernels_are_chosen_by_name);
     RUN(threads_share_a_pack);
-    for (int i = 0; (kernels = cylint_kernels_name(i)) != NULL; i++) {
-        cylint_use_kernels(kernels);
+    EACH_KERNELS(k) {
         RUN(batches_answer_as_single_questions);
         RUN(runs_of_one_kind_answer_as_single_questions);
         RUN(every_length_has_its_answers);

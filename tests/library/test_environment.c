@@ -121,6 +121,19 @@ static void subnormal_shapes(struct environment there)
     }
 }
 
+/* A base a subnormal number beside the line; axes of which two components differ by
+ * one, which decides where phi is 0. */
+static void subnormal_differences(struct environment there)
+{
+    const double s = 0x1p-1072, along[] = {-3, 0, 4, 1, 0, 0};
+    const double ellipse[] = {-3, s, 3, 8, 0, 0, 0, 8, 0, 0, 0, 2};
+    const double rod[] = {0, -1, 2, -2, 1, s, 4};
+    const double frustum[] = {s, 0, 0, 2, -2, 2, 1, 3};
+    compare(family_of(FAMILY_LINE, along, FAMILY_ECYLINDER, ellipse), there);
+    compare(family_of(FAMILY_LINE, along, FAMILY_CYLINDER, rod), there);
+    compare(family_of(FAMILY_LINE, along, FAMILY_CONE, frustum), there);
+}
+
 /* Domains whose ends, or hits whose t, are subnormal. */
 static void subnormal_domains(struct environment there)
 {
@@ -163,6 +176,7 @@ TEST(subnormal_numbers_are_not_lost)
         puts("note: this processor cannot flush subnormals");
     everywhere(subnormal_arguments);
     everywhere(subnormal_shapes);
+    everywhere(subnormal_differences);
     everywhere(subnormal_domains);
 }
 

@@ -266,3 +266,19 @@ TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
     }
     CHECK(found[0] > TUBES && found[1] > TUBES && found[2] > TUBES);
 }
+
+/* The axis (1, 0, 2), in multiples of the least double. */
+TEST(an_axis_of_the_least_doubles_keeps_its_digits)
+{
+    static const double p0[3] = {0, 0, 0}, p1[3] = {0x1p-1074, 0, 0x1p-1073},
+                        radii[2] = {1, 1},
+                        sector[2][3] = {{1, 0, 0}, {0, 1, 0}},
+                        out[3] = {1, 0, 3}, in[3] = {1, 0, 1};
+    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+    CHECK(cylint_tube(p0, p1, radii, NULL, sector, shapes, clauses, &n) ==
+          CYLINT_OK);
+    CHECK(n == 3 && cylint_contains(&shapes[2], out) == -1 &&
+          cylint_contains(&shapes[2], in) == 1);
+}

@@ -328,14 +328,6 @@ static void digest_answers(void)
         }
 }
 
-static void use_kernels(uint64_t number)
-{
-    int n = 0;
-    while (cylint_kernels_name(n))
-        n++;
-    CHECK(cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)n))));
-}
-
 /* Makes the lines and shapes again in the present environment. */
 static void make_again(void)
 {
@@ -399,7 +391,7 @@ static void test_group(uint64_t number, int each)
 {
     for (int i = 0; i < GROUP; i++)
         g.shape[i] = g.c[i].shape;
-    use_kernels(number / 2);
+    use_some_kernels(number / 2);
     answer_one_by_one();
     limit_domains();
     digest_answers();

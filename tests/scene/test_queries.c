@@ -212,10 +212,7 @@ static void point_of(const struct scene_shapes *of, enum family family,
 /* With one of the builds of the kernels. */
 static void check_lines(const struct scene_shapes *of, uint64_t number)
 {
-    int kernels = 0;
-    while (cylint_kernels_name(kernels))
-        kernels++;
-    cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)kernels)));
+    use_some_kernels(number);
     cylint_scene *scene = open_scene(of, 2);
     for (int kind = 0; scene && kind < LINES_KINDS; kind++) {
         /* exact numbers decide for most shapes */

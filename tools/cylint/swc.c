@@ -203,8 +203,7 @@ static int refuse_cycle(const struct swc *swc, size_t index, const char *name)
              node->up == index ? "node %llu is its own parent"
                                : "the parents of node %llu lead back to it",
              (unsigned long long)node->number);
-    complain_at(name, node->line, node->column, text);
-    return EXIT_BAD;
+    return complain_at(name, node->line, node->column, text);
 }
 
 /* The node of the cycle through `start` that stands first in the file. */
@@ -250,11 +249,9 @@ static size_t find_parents(const struct swc *swc)
 static void print_count(const char *name, size_t count, const char *what,
                         const char *more)
 {
-    char text[120];
-    snprintf(text, sizeof text, "%llu %s%s %s", (unsigned long long)count, what,
-             count == 1 ? "" : "s", more);
     if (count > 0)
-        complain(name, text);
+        complain(EXIT_ANSWERED, name, "%llu %s%s %s", (unsigned long long)count,
+                 what, count == 1 ? "" : "s", more);
 }
 
 /* The nodes become shapes of a scene.  Counts what bounds nothing. */
@@ -318,10 +315,9 @@ static int add_shape(struct conversion *c, const struct swc_node *node,
     struct text label = {number, 0};
     struct record record;
     const cylint_status status = make_shape(c, node, parent, &record.shape);
-    if (status != CYLINT_OK) {
-        complain_at(c->name, node->line, 1, cylint_strerror((int)status));
-        return EXIT_BAD;
-    }
+    if (status != CYLINT_OK)
+        return complain_at(c->name, node->line, 1,
+                           cylint_strerror((int)status));
     put_whole(&label, node->number);
     record.tail = between(number, number + label.length);
     return scene_add(c->scene, &record);
@@ -340,10 +336,8 @@ static int convert_node(struct conversion *c, const struct swc *swc,
 /* After all nodes were read. */
 static int add_shapes(struct swc *swc, struct conversion *c)
 {
-    if (swc->count == 0) {
-        complain(c->name, "no node was found");
-        return EXIT_BAD;
-    }
+    if (swc->count == 0)
+        return complain(EXIT_BAD, c->name, "no node was found");
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc, c->name);
     for (size_t i = 0; i < swc->count && status == 0; i++)
