@@ -171,6 +171,12 @@ static void start_far_ray(ray_state *s, const cylint_bvh *bvh,
     start_line(s, bvh, o, d, ray->tnear, ray->tfar);
 }
 
+/* -0 has another key than 0. */
+static inline float last_of(float tfar)
+{
+    return tfar == 0 ? 0 : tfar;
+}
+
 static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
                              const cylint_float_ray *ray)
 {
@@ -184,13 +190,13 @@ static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
     s->t0 = s->t0_error = 0;
     start(s, bvh, x, ray->d, 0);
     s->first = ray->tnear;
-    s->last = ray->tfar;
+    s->last = last_of(ray->tfar);
 }
 
 /* After tfar was reduced. */
 static inline void shorten(ray_state *s, float tfar)
 {
-    s->last = s->t0_error > 0 ? local_above(s, tfar) : tfar;
+    s->last = s->t0_error > 0 ? local_above(s, tfar) : last_of(tfar);
 }
 
 /* Whether the domain ends outside the box of all; S is its longest side. */

@@ -128,6 +128,23 @@ TEST(the_domain_holds_its_ends)
     }
 }
 
+/* 0 and -0 are one end. */
+TEST(a_domain_that_ends_at_negative_zero_has_its_end)
+{
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
+    const float o[3] = {0.25f, 0.5f, 0}, d[3] = {0, 0, 1};
+    EACH_WAY(w, &shape, 1) {
+        for (int i = 0; i < 4; i++) {
+            const float tnear = i & 1 ? -0.0f : 0, tfar = i & 2 ? -0.0f : 0;
+            struct rays r;
+            rays_begin(&r, 1);
+            rays_add(&r, 0, o, d, tnear, tfar);
+            rays_intersect(&r, w.scene, NULL);
+            CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 0);
+        }
+    }
+}
+
 /* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
 TEST(a_ray_within_a_face_of_the_box_is_not_lost)
 {
