@@ -28,8 +28,10 @@ typedef cylint_ray_state ray_state;
  * in all less than 10 u (|x| + S) |r|.  start() allows 16 u.  A component of d
  * below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
  * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
- * flushed to zero is less than FLT_MIN.  After an overflow f_higher() and
- * f_lower() ignore a NaN.
+ * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-20 of x r
+ * and F r: where it is 2^100 or more these may overflow, and start() makes it
+ * infinite.  Then each box is between its faces; f_higher() and f_lower() ignore
+ * a NaN.
  */
 
 /* lint: a box has three sides */
@@ -118,8 +120,8 @@ static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
         const float e = fabsf(r) * off + 16 * FLT_MIN;
         s->near_faces[j] = signbit(d[j]) != 0;
         s->r[j] = r;
-        s->near[j] = at + e;
-        s->far[j] = at - e;
+        s->near[j] = e < 0x1p100f ? at + e : HUGE_VALF;
+        s->far[j] = e < 0x1p100f ? at - e : -HUGE_VALF;
     }
 }
 

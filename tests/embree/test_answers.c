@@ -174,6 +174,30 @@ TEST(a_ray_within_a_face_of_the_box_is_not_lost)
     }
 }
 
+/* Products of the hierarchy's boxes and 1 / d overflow floats. */
+TEST(a_ray_along_an_axis_with_a_long_way_is_not_lost)
+{
+    enum { SIDE = 8, MANY = SIDE * SIDE };
+    cylint_shape shapes[MANY];
+    for (int i = 0; i < MANY; i++) {
+        const double x = ldexp(i % SIDE, 49), y = ldexp(i / SIDE, 49);
+        const double p0[3] = {x, y, 0}, p1[3] = {x, y, 0x1p49};
+        cylint_cylinder(&shapes[i], p0, p1, 0x1p47, CYLINT_ENDS_CAPPED);
+    }
+    EACH_WAY(w, shapes, MANY) {
+        for (int i = 0; i < 4 * MANY; i++) {
+            const float zero = i & 1 ? 0.0f : -0.0f;
+            const float d[3] = {zero, zero, i & 2 ? 0x1p-23f : 1};
+            const float o[3] = {ldexpf((float)(i / 4 % SIDE), 49),
+                                ldexpf((float)(i / 4 / SIDE), 49), -0x1p49f};
+            EACH_SIZE(n) {
+                struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
+                CHECK(rays_hit(&r, 0));
+            }
+        }
+    }
+}
+
 /* The library refuses such a line, so nothing is hit.  (Embree gets no rays
  * that are not finite: for these its results are undefined.) */
 TEST(a_ray_without_direction_hits_nothing)
