@@ -11,6 +11,7 @@
 
 #include "embree/geometry.h"
 #include "embree_compare.h"
+#include "environment.h"
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
 
@@ -185,12 +186,8 @@ static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 
 TEST(packets_return_the_answers_to_rays_alone)
 {
-    const char *name;
-    for (int i = 0; (name = cylint_kernels_name(i)); i++) {
-        CHECK(cylint_use_kernels(name));
+    EACH_KERNELS(k)
         query_scenes(0, NULL);
-    }
-    cylint_use_kernels(NULL);
 }
 
 TEST(packets_without_filters_return_the_answers_to_rays_alone)
