@@ -268,25 +268,20 @@ TEST(equal_and_nearly_equal_hits_are_distinguished)
     cylint_shape shapes[MANY];
     const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
     uint64_t state = 3;
-    for (int how = 0; how < 2; how++)
-        for (int turn = 0; turn < 60; turn++) {
-            struct world w;
-            for (int i = 0; i < MANY; i++) {
-                /* caps toward the ray, from 0 to a few doubles apart, and solids
+    for (int turn = 0; turn < 120; turn++) {
+        for (int i = 0; i < MANY; i++) {
+            /* caps toward the ray, from 0 to a few doubles apart, and solids
              * of different sizes, so that they are grouped in some order */
-                double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
-                p0[2] =
-                    turn < 30 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
-                p1[2] = 1 + floor(8 * world_uniform(&state));
-                cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
-                                turn % 3 ? CYLINT_ENDS_CAPPED
-                                         : CYLINT_ENDS_CAP0);
-            }
-            w = made(shapes, MANY, both_ways[how]);
+            double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
+            p0[2] = turn < 60 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
+            p1[2] = 1 + floor(8 * world_uniform(&state));
+            cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
+                            turn % 3 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_CAP0);
+        }
+        EACH_WAY(w, shapes, MANY)
             EACH_SIZE(n)
                 traced(&w, n, o, d, 0, HUGE_VALF);
-            world_free(&w);
-        }
+    }
 }
 
 /* The same with shapes that move along the ray; at time 1/2 it hits the
