@@ -1,11 +1,12 @@
 /*
- * distance_oracle.c - the oracle of distances to circular and round kinds
+ * distance_oracle.c - the oracle of distances to all kinds but elliptic ones
  *
  * The meridian half plane has the coordinates s, along the axis from the base,
  * and rho >= 0, the distance from the axis.  The figure's pieces are
  *     lateral surface   a segment, a ray, a line or two rays
  *     caps of planes    segments from the axis
  *     round ends        arcs of circles about points of the axis
+ *     half-space        a ray from the axis, which is along the normal
  * The nearest point of each piece follows by projection.  The first piece with
  * the least distance is the answer.
  */
@@ -85,6 +86,12 @@ static planar divided(planar p, real by)
 
 /* ------------------------------------------------- shape and point ----- */
 
+static int axis_is_data(const cylint_shape *shape)
+{
+    return shape->kind == CYLINT_KIND_ACONE ||
+           shape->kind == CYLINT_KIND_HALFSPACE;
+}
+
 static long range_of_data(const cylint_shape *shape, const double point[3])
 {
     const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
@@ -92,7 +99,7 @@ static long range_of_data(const cylint_shape *shape, const double point[3])
     widen(&e, point, 3);
     widen(&e, cylint_base(shape), 3);
     widen(&e, radii, 2);
-    if (shape->kind == CYLINT_KIND_ACONE)
+    if (axis_is_data(shape))
         widen(&e, cylint_axis(shape), 3);
     else if (shape->kind != CYLINT_KIND_SPHERE)
         widen(&e, cylint_top(shape), 3);
@@ -124,7 +131,7 @@ static void load(const cylint_shape *shape, const double point[3])
     set_difference(g.q, point, cylint_base(shape));
     if (shape->kind == CYLINT_KIND_SPHERE)
         set(g.w, any_axis);
-    else if (shape->kind == CYLINT_KIND_ACONE)
+    else if (axis_is_data(shape))
         set(g.w, cylint_axis(shape));
     else
         set_difference(g.w, cylint_top(shape), cylint_base(shape));
@@ -223,6 +230,14 @@ static void straight_pieces(const cylint_shape *shape)
         if (shape->ends == CYLINT_ENDS_INFINITE)
             add_nappe(-growth);
     }
+}
+
+static void plane_piece(void)
+{
+    piece *p = new_piece(RAY, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL,
+                         g.zero, g.zero);
+    p->by = planar_of(g.zero, real_of(1));
+    p->n = planar_of(real_of(1), g.zero);
 }
 
 /* The segment that touches both arcs. */
@@ -351,7 +366,9 @@ static void circular_distance(const cylint_shape *shape, const double point[3],
 {
     load(shape, point);
     g.count = 0;
-    if (shape->kind >= CYLINT_KIND_SPHERE)
+    if (shape->kind == CYLINT_KIND_HALFSPACE)
+        plane_piece();
+    else if (shape->kind >= CYLINT_KIND_SPHERE)
         round_pieces(shape);
     else
         straight_pieces(shape);

@@ -1,7 +1,7 @@
 /*
  * distance_oracle.h - the oracle of distances
  *
- * It shares no formula with the library.  A circular or round kind is a plane
+ * It shares no formula with the library.  A kind that is not elliptic is a plane
  * figure that turns about its axis.  The oracle computes the coordinates of the
  * point along the axis and away from it, then the point of each segment, ray and
  * arc of the figure that is nearest.  Comparisons are exact (real.h).

@@ -271,6 +271,7 @@ TEST(shapes_that_embree_would_drop_are_refused_by_number)
                {7, "cylinder 0 0 0  0 0 0  1"},
                {8, "cylinder 0 0 0  0 0 1  1 ends=infinite"},
                {9, "acone 0 0 0  0 0 1  30 ends=nappe"},
+               {10, "halfspace 0 0 0  0 0 1"},
                {15, "cylinder 0 0 0  0 0 1.9e18  1"},
                {16, "cylinder 0 0 0  0 0 1  1e300"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {

@@ -75,7 +75,7 @@ static void draw_line(struct bytes *b, struct family_case *c)
 static void draw_shape(struct bytes *b, struct family_case *c)
 {
     const unsigned kind = next(b);
-    c->shape_word = (family_shape)(kind % 8);
+    c->shape_word = kind < 240 ? (family_shape)(kind % 8) : FAMILY_HALFSPACE;
     c->ends = (cylint_ends)(kind / 8 % 6);
     numbers(b, c->shape_data, family_shape_size(c->shape_word));
     if (c->shape_word == FAMILY_ACONE)

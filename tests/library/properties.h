@@ -12,7 +12,7 @@
 #include <math.h>
 
 #include "same.h"
-#include "shapes/layout.h"
+#include "shapes/shape_facts.h"
 
 static const unsigned verdicts = CYLINT_WANT_T | CYLINT_WANT_PART;
 
@@ -110,12 +110,12 @@ static inline int has_its_origin(const struct family_case *c)
     return good;
 }
 
-/* A whole line and a capped shape. */
+/* A whole line and a bounded solid. */
 static inline int has_even_hits(const struct family_case *given)
 {
     struct family_case c = *given;
     c.ends = CYLINT_ENDS_CAPPED;
-    if (!family_make(&c))
+    if (!family_make(&c) || !cylint_is_bounded(&c.shape))
         return 1;
     c.line.tmin = -HUGE_VAL;
     c.line.tmax = HUGE_VAL;
@@ -204,8 +204,8 @@ static inline int is_elliptic_word(family_shape word)
 static inline const int *vectors_of(family_shape word)
 {
     static const int where[][5] = {
-        {0, 3, -1},       {0, 4, -1}, {0, 3, -1}, {0, 3, 6, 9, -1},
-        {0, 3, 6, 9, -1}, {0, -1},    {0, 3, -1}, {0, 4, -1}};
+        {0, 3, -1}, {0, 4, -1}, {0, 3, -1}, {0, 3, 6, 9, -1}, {0, 3, 6, 9, -1},
+        {0, -1},    {0, 3, -1}, {0, 4, -1}, {0, 3, -1}};
     return where[word];
 }
 
@@ -301,7 +301,7 @@ static inline int is_turned_round(const struct family_case *given)
     const int equal = /* equal balls: always cap 0 */
         p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
     if (word == FAMILY_ACONE || is_elliptic_word(word) ||
-        word == FAMILY_SPHERE || equal)
+        word == FAMILY_SPHERE || word == FAMILY_HALFSPACE || equal)
         return 1;
     memcpy(c.shape_data, given->shape_data + n, (size_t)n * sizeof(double));
     memcpy(c.shape_data + n, given->shape_data, (size_t)n * sizeof(double));
@@ -385,8 +385,8 @@ static inline int is_elliptic_with_equal_axes(const struct family_case *given)
 static inline int loses_hits_with_caps(const struct family_case *given)
 {
     struct family_case c = *given, capped = *given;
-    if (c.shape_word == FAMILY_SPHERE)
-        return 1; /* it has no other ends */
+    if (c.shape_word == FAMILY_SPHERE || c.shape_word == FAMILY_HALFSPACE)
+        return 1; /* they have no other ends */
     capped.ends = CYLINT_ENDS_CAPPED;
     family_make(&capped);
     const cylint_answer all = answer_to(&capped);

@@ -2,7 +2,7 @@
  * test_chord.c - the chords of a line in one shape, against the oracle, and those
  * of chords.txt
  *
- * CYLINT_CASES: lines of each family.  test_halfspace.c has those of half-spaces.
+ * CYLINT_CASES: lines of each family.
  */
 #include <float.h>
 #include <math.h>

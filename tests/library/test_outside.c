@@ -101,6 +101,8 @@ static void check_rays(const struct family_case *c, const cylint_shape *whole,
  * rays point away. */
 static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
 {
+    if (cylint_is_plane(s->kind))
+        return 1;
     const double unit = cylint_is_elliptic(s->kind)
                             ? fmin(length(cylint_a(s)), length(cylint_b(s)))
                             : cylint_radius_unit(s, length(cylint_axis(s)));
@@ -169,13 +171,7 @@ static void over_families(int wild)
     const int rays = (int)check_setting("CYLINT_RAYS", RAYS);
     memset(tally, 0, sizeof tally);
     for (int f = 0; f < family_count(); f++) {
-        const int is_wild =
-            family_is_wild(f) || strcmp(family_name(f), "subnormal") == 0 ||
-            strcmp(family_name(f), "huge") == 0 ||
-            strcmp(family_name(f), "scaled") == 0 ||
-            strcmp(family_name(f), "round, scaled") == 0 ||
-            strcmp(family_name(f), "round, subnormal or huge") == 0;
-        if (is_wild != wild)
+        if ((family_is_wild(f) || family_is_scaled(f)) != wild)
             continue;
         for (uint64_t i = 0; i < (wild ? cases / 10 : cases); i++) {
             struct family_case c;

@@ -112,11 +112,12 @@ TEST(a_method_refuses_shapes_that_it_is_not_published_for)
 TEST(refused_shapes_and_lines_miss_with_the_flag)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, x[3] = {1, 0, 0};
-    cylint_shape good, cone, bad;
+    cylint_shape good, cone, half_space, bad;
     cylint_line line, no_line;
     cylint_answer answer;
     cylint_cylinder(&good, o, up, 1, CYLINT_ENDS_INFINITE);
     cylint_tangent_cone(&cone, o, up, 1, CYLINT_ENDS_INFINITE);
+    CHECK(cylint_halfspace(&half_space, o, up) == CYLINT_OK);
     CHECK(cylint_cylinder(&bad, o, o, 1, CYLINT_ENDS_INFINITE) == CYLINT_EAXIS);
     cylint_whole_line(&line, o, x);
     CHECK(cylint_whole_line(&no_line, o, o) == CYLINT_EDIRECTION);
@@ -129,9 +130,10 @@ TEST(refused_shapes_and_lines_miss_with_the_flag)
                   CYLINT_OK &&
               answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
               answer.flags == CYLINT_FLAG_INVALID);
-        CHECK(m->answer(&bad, &line, CYLINT_WANT_ALL, &answer) ==
-                  CYLINT_EMETHOD &&
-              answer.flags == CYLINT_FLAG_INVALID && answer.n == 0);
+        for (int i = 0; i < 2; i++)
+            CHECK(m->answer(i ? &half_space : &bad, &line, CYLINT_WANT_ALL,
+                            &answer) == CYLINT_EMETHOD &&
+                  answer.flags == CYLINT_FLAG_INVALID && answer.n == 0);
     }
 }
 

@@ -441,11 +441,12 @@ TEST(families_have_the_same_answers)
 TEST(runs_of_one_kind_have_the_same_answers)
 {
     uint64_t index = 5000;
-    for (int kind = FAMILY_CYLINDER; kind <= FAMILY_RCONE; kind++)
+    for (int kind = FAMILY_CYLINDER; kind < FAMILY_SHAPES; kind++)
         for (int ends = 0; ends <= CYLINT_ENDS_NAPPE; ends++)
             for (uint64_t k = 0; k < (groups(GROUPS) + 3) / 4; k++) {
                 int n = 0;
-                if (kind >= FAMILY_SPHERE && ends > CYLINT_ENDS_CAP1)
+                if (kind >= FAMILY_SPHERE && kind <= FAMILY_RCONE &&
+                    ends > CYLINT_ENDS_CAP1)
                     continue;
                 begin_group(100 + (uint64_t)kind, k);
                 for (int i = 0; n < GROUP && i < 20000; i++, index++) {
@@ -543,7 +544,7 @@ static void extreme_case(const struct sizes *s, struct family_case *c)
         return;
     }
     c->line_word = (family_line)whole(0, 3);
-    c->shape_word = (family_shape)whole(0, FAMILY_RCONE);
+    c->shape_word = (family_shape)whole(0, FAMILY_SHAPES - 1);
     c->ends = (cylint_ends)(whole(0, 1) ? 0 : whole(0, 5));
     for (int i = 0; i < 19; i++)
         *(i < 6 ? &c->line_data[i] : &x[i - 6]) =

@@ -20,14 +20,14 @@ static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
 static const double axis_z[3] = {0, 0, 1}, origin[3] = {0, 0, 0};
 static const double axis_x[3] = {1, 0, 0};
 
-enum { WORDS = FAMILY_RCONE + 1 };
+enum { WORDS = FAMILY_SHAPES };
 
-/* The greatest value of `ends` that a shape may have. */
+/* The greatest value of `ends` that a shape may have; a half-space has any. */
 static int most_ends(int word)
 {
-    return word == FAMILY_SPHERE  ? CYLINT_ENDS_CAPPED
-           : word > FAMILY_SPHERE ? CYLINT_ENDS_CAP1
-                                  : CYLINT_ENDS_NAPPE;
+    return word == FAMILY_SPHERE                            ? CYLINT_ENDS_CAPPED
+           : word == FAMILY_CAPSULE || word == FAMILY_RCONE ? CYLINT_ENDS_CAP1
+                                                            : CYLINT_ENDS_NAPPE;
 }
 
 /* A valid case of each shape word; tests change its data. */
@@ -41,7 +41,8 @@ static struct family_case good_case(family_shape word)
         {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5},
         {0, 0, 0, 1},
         {0, 0, 0, 0, 0, 1, 1},
-        {0, 0, 0, 1, 0, 0, 1, 0.5}};
+        {0, 0, 0, 1, 0, 0, 1, 0.5},
+        {0, 0, 0, 0, 0, 1}};
     static const double line[8] = {0, 0, -1, 0, 0, 1, 0, 5};
     struct family_case c;
     memset(&c, 0, sizeof c);
@@ -110,7 +111,7 @@ TEST(good_shapes_are_accepted_with_all_ends)
     static const int kinds[WORDS] = {
         CYLINT_KIND_CYLINDER,  CYLINT_KIND_CONE,  CYLINT_KIND_ACONE,
         CYLINT_KIND_ECYLINDER, CYLINT_KIND_ECONE, CYLINT_KIND_SPHERE,
-        CYLINT_KIND_CAPSULE,   CYLINT_KIND_RCONE};
+        CYLINT_KIND_CAPSULE,   CYLINT_KIND_RCONE, CYLINT_KIND_HALFSPACE};
     for (int word = 0; word < WORDS; word++)
         for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             struct family_case c = good_case((family_shape)word);
@@ -119,7 +120,9 @@ TEST(good_shapes_are_accepted_with_all_ends)
             CHECK(family_make(&c) == good);
             CHECK(c.shape_status == (good ? CYLINT_OK : CYLINT_EENDS));
             CHECK(c.shape.kind == (good ? kinds[word] : CYLINT_KIND_NONE));
-            CHECK(!good || (int)c.shape.ends == ends);
+            CHECK(!good ||
+                  (int)c.shape.ends ==
+                      (word == FAMILY_HALFSPACE ? CYLINT_ENDS_INFINITE : ends));
         }
 }
 
@@ -139,7 +142,7 @@ TEST(a_number_that_is_not_finite_is_refused_in_every_place)
 TEST(ends_outside_the_list_are_refused)
 {
     static const int values[] = {-1, CYLINT_ENDS_NAPPE + 1, 1000};
-    for (int word = 0; word < WORDS; word++) {
+    for (int word = 0; word < FAMILY_HALFSPACE; word++) {
         for (int i = 0; i < 3; i++) {
             struct family_case c = good_case((family_shape)word);
             c.ends = (cylint_ends)values[i];

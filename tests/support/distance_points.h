@@ -93,9 +93,12 @@ static void make_point_frame(struct point_frame *f, const cylint_shape *s,
         f->b[i] /= norm;
 }
 
+/* Of a half-space: any length of its size. */
 static double rho_at(const struct point_frame *f, double z)
 {
     const cylint_shape *s = f->shape;
+    if (cylint_is_plane(s->kind))
+        return f->length;
     return fabs(cylint_r0(s) + (cylint_r1(s) - cylint_r0(s)) * z) * f->unit;
 }
 

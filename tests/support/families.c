@@ -505,6 +505,7 @@ static void exact_differences(struct family_case *out)
 
 #include "families_constructed.h"
 #include "families_round.h"
+#include "families_planes.h"
 
 typedef void maker(struct family_case *out);
 
@@ -565,6 +566,20 @@ static const struct {
     {"plain", plain, NULL, NULL, 0, 0},
     {"plain, one odd number", plain, NULL, add_odd_number, 1, 0},
     {"wild", wild_numbers, NULL, NULL, 1, 0},
+    {"half-space", plane_ordinary, NULL, NULL, 0, 0},
+    {"half-space, far origin", plane_far_origin, NULL, NULL, 0, 0},
+    {"half-space, translated", plane_ordinary, NULL, translate_far, 0, 0},
+    {"half-space, grazing", plane_grazing, NULL, NULL, 0, 0},
+    {"half-space, whole numbers", plane_whole, NULL, NULL, 0, 0},
+    {"half-space, scaled", plane_ordinary, plane_whole, scale, 0, 0},
+    {"half-space, subnormal or huge", plane_ordinary, plane_whole, make_extreme,
+     0, 0},
+    {"half-space, mixed exponents", plane_whole, NULL, mix_exponents, 1, 0},
+    {"half-space, from any distance", plane_whole, plane_ordinary,
+     begin_anywhere, 1, 0},
+    {"half-space, any exponents", plane_whole, plane_ordinary, scale_anyhow, 1,
+     0},
+    {"half-space, wild", plane_wild, NULL, NULL, 1, 0},
 };
 
 int family_count(void)
@@ -588,6 +603,13 @@ int family_named(const char *name)
 int family_is_wild(int family)
 {
     return families[family].wild;
+}
+
+int family_is_scaled(int family)
+{
+    maker *change = families[family].change;
+    return change == scale || change == make_subnormal || change == make_huge ||
+           change == make_extreme;
 }
 
 int family_is_round(int family)

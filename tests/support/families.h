@@ -27,8 +27,11 @@ typedef enum family_shape {
     FAMILY_ECONE,     /* c a b h k */
     FAMILY_SPHERE,    /* c r */
     FAMILY_CAPSULE,   /* p0 p1 r */
-    FAMILY_RCONE      /* p0 r0 p1 r1 */
+    FAMILY_RCONE,     /* p0 r0 p1 r1 */
+    FAMILY_HALFSPACE  /* p n */
 } family_shape;
+
+enum { FAMILY_SHAPES = FAMILY_HALFSPACE + 1 };
 
 /* The numbers of a record of the command, and the line and shape made of
  * them. */
@@ -53,6 +56,9 @@ int family_named(const char *name);
  * need exact arithmetic.  Such families are slow, most of all in the oracle. */
 int family_is_wild(int family);
 
+/* Whether all lengths of a case are multiplied by one number of any size. */
+int family_is_scaled(int family);
+
 /* Whether its shapes are spheres, capsules and rounded cones. */
 int family_is_round(int family);
 
@@ -70,7 +76,8 @@ struct family_case *family_case(uint64_t seed, int family, uint64_t index,
                  *once = family_case(seed, family, number, &c);         \
                  once; once = NULL)
 
-/* Makes line and shape from the numbers.  Returns 1 if both are valid. */
+/* Makes line and shape from the numbers.  Returns 1 if both are valid.  The ends of
+ * a half-space become infinite: it has no others. */
 int family_make(struct family_case *c);
 
 /* A case of the numbers of a record of a line and a capped shape, which are not

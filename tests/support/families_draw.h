@@ -189,7 +189,7 @@ static void write_shape(struct family_case *out, family_shape word,
         copy3(x + 6, f->b);
         copy3(x + 9, f->h);
         break;
-    default: /* round kinds: families_round.h */
+    default: /* others: families_round.h, families_planes.h */
         break;
     }
 }

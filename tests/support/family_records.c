@@ -12,11 +12,11 @@ static const char *const ends_words[] = {"capped", "open",     "cap0",
 static const char *const line_words[] = {"line", "ray", "segment", "span"};
 static const char *const shape_words[] = {"cylinder",  "cone",  "acone",
                                           "ecylinder", "econe", "sphere",
-                                          "capsule",   "rcone"};
+                                          "capsule",   "rcone", "halfspace"};
 
 int family_shape_size(family_shape word)
 {
-    static const int sizes[] = {7, 8, 7, 12, 13, 4, 7, 8};
+    static const int sizes[] = {7, 8, 7, 12, 13, 4, 7, 8, 6};
     return sizes[word];
 }
 
@@ -34,7 +34,7 @@ int family_lengths(family_shape word)
 int family_is_size(family_shape word, int i)
 {
     const int two = word == FAMILY_CONE || word == FAMILY_RCONE;
-    return word != FAMILY_ECYLINDER &&
+    return word != FAMILY_ECYLINDER && word != FAMILY_HALFSPACE &&
            (i == family_shape_size(word) - 1 || (two && i == 3));
 }
 
@@ -103,6 +103,10 @@ int family_make(struct family_case *c)
     case FAMILY_RCONE:
         c->shape_status = cylint_round_cone(s, x, x[3], x + 4, x[7], c->ends);
         break;
+    case FAMILY_HALFSPACE:
+        c->shape_status = cylint_halfspace(s, x, x + 3);
+        c->ends = CYLINT_ENDS_INFINITE;
+        break;
     }
     return c->line_status == CYLINT_OK && c->shape_status == CYLINT_OK;
 }
@@ -142,7 +146,7 @@ const char *family_parse_any(const char *text, struct family_case *c)
         text =
             family_numbers(line, family_line_size(c->line_word), c->line_data);
     }
-    if (!text || !(text = parse_word(text, shape_words, 8, &word)))
+    if (!text || !(text = parse_word(text, shape_words, FAMILY_SHAPES, &word)))
         return NULL;
     c->shape_word = (family_shape)word;
     text =

@@ -6,7 +6,7 @@
  * On the line all these functions are polynomials in t.  Their zeros are the
  * critical parameters.  A point of each gap between two of them, and the critical
  * parameters themselves, are inside a piece, outside or on its boundary.  The
- * answer follows from that.
+ * answer follows from that.  Of a half-space F is linear.
  */
 #include "oracle.h"
 #include "real.h"
@@ -44,7 +44,7 @@ typedef struct {
 
 /* What the answer to one question is computed from. */
 static struct {
-    int circular, round, bounded, nappe;
+    int circular, round, plane, bounded, nappe;
     vector q, w, d;    /* q: the line's origin from the base; w: axis */
     vector o;          /* the line's origin */
     vector gx, gy, gz; /* gradients of x, y, z; circular: not normalised */
@@ -131,10 +131,11 @@ static void subtract_radius(quadric *q, vector v)
 
 /* -------------------------------------------------------------- shapes -- */
 
-/* Whether the axis is the difference of two points.  o_.circular is set. */
+/* Whether the axis is the difference of two points.  o_.circular and o_.plane are
+ * set. */
 static int has_end_points(const cylint_shape *s)
 {
-    return o_.circular && s->kind != CYLINT_KIND_ACONE;
+    return o_.circular && !o_.plane && s->kind != CYLINT_KIND_ACONE;
 }
 
 /* Reads the kind.  Returns the range of the exponents of the lengths, or of the
@@ -147,6 +148,7 @@ static long load_kind(const cylint_shape *s, const double o[3])
         s->kind != CYLINT_KIND_ECYLINDER && s->kind != CYLINT_KIND_ECONE;
     o_.round = s->kind == CYLINT_KIND_SPHERE ||
                s->kind == CYLINT_KIND_CAPSULE || s->kind == CYLINT_KIND_RCONE;
+    o_.plane = s->kind == CYLINT_KIND_HALFSPACE;
     o_.nappe = s->ends == CYLINT_ENDS_NAPPE;
     o_.bounded = !o_.nappe && s->ends != CYLINT_ENDS_INFINITE;
     widen(&lengths, o, 3);
@@ -288,13 +290,24 @@ static void load_round(const cylint_shape *s)
     load_ball(&p[CYLINT_PART_CAP1].surface, o_.w, cylint_r1(s));
 }
 
+/* The solid is where (p - base).n < 0.  There is no z and no angle. */
+static void load_plane(void)
+{
+    o_.count_of_pieces = 1;
+    o_.whole = real_of(0);
+    o_.pieces[0].surface.F = along_line(o_.w, real_of(0));
+}
+
 /* Loads the shape; the line's direction is o_.d. */
 static void load(const cylint_shape *s, const double o[3])
 {
     load_origin(s, o);
     for (int i = 0; i < PIECES; i++)
         o_.pieces[i].bounds = o_.pieces[i].surface.count = 0;
-    (o_.round ? load_round : load_straight)(s);
+    if (o_.plane)
+        load_plane();
+    else
+        (o_.round ? load_round : load_straight)(s);
 }
 
 /* ------------------------------------------------ critical parameters -- */
@@ -446,7 +459,9 @@ static void normal_at(real t, cylint_hit *hit)
 {
     const int sphere = o_.round && o_.count_of_pieces == 1;
     vector n;
-    if (!o_.round && hit->part != CYLINT_PART_LATERAL) {
+    if (o_.plane) {
+        unit_vector(o_.w, 1, hit);
+    } else if (!o_.round && hit->part != CYLINT_PART_LATERAL) {
         unit_vector(o_.circular ? o_.w : o_.gz,
                     hit->part == CYLINT_PART_CAP1 ? 1 : -1, hit);
     } else if (hit->part == CYLINT_PART_LATERAL && !sphere &&
