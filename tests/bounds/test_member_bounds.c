@@ -11,7 +11,6 @@
  * Shapes and lines are those of the families.
  */
 #define CYLINT_NARROW
-#include "numbers/double_double.h" /* before simd.h */
 #include "numbers/simd.h"
 
 #if LANES == 2
