@@ -420,7 +420,8 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * shape; else along a diagonal of the coordinates, as at the apex of a double
  * cone.  Returns 0 and writes hit->point if none of these is on the side.  This
  * happens for side 1 if the solid is thinner than the steps of the doubles, and
- * if the shape was refused.
+ * if the shape was refused; for side -1 only between the nappes of a double cone,
+ * if the space there is so thin.
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of

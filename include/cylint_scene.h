@@ -294,8 +294,8 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
  *     distance from the solid's surface.  The depth in the union is at least
  *     that; where solids overlap, it may be greater.
  *
- * A refused shape has no distance.  If the point is invalid, or the radius is NaN,
- * no shape is within the radius.  It may be HUGE_VAL.
+ * A shape without a surface, and a refused one, has no distance.  If the point is
+ * invalid, or the radius is NaN, no shape is within the radius.  It may be HUGE_VAL.
  */
 
 /* Gets shape `number`, which is within the radius, its distance and its flags, as

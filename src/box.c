@@ -103,6 +103,8 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
                              ? SMALLER
                              : 0;
         const pair reach = cylint_scaled_pair(product, e + er - down);
+        /* a reach that rounds to 0 */
+        is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
         const pair along = {cylint_scaled(offset, -down), 0};
         center = cylint_scaled(center, -down);
         const double low =
@@ -128,7 +130,7 @@ static void add_ball(const cylint_shape *s, int end, double lo[3], double hi[3])
  * j, both per unit of z.  Exact. */
 static int leans_inward(cylint_query *q, int j)
 {
-    const cylint_terms_exact *L = cylint_load_exact(q);
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     cylint_arena *m = &q->arena;
     const int used = m->used;
     exact along = cylint_exact_mul(m, L->w[j], L->w[j]), across;

@@ -271,13 +271,11 @@ int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
 /* Without the filter. */
 ASIDE int contains_by_signs(const cylint_shape *shape, const double point[3])
 {
-    static const double along[3] = {1, 0, 0};
     cylint_line line;
-    if (shape->kind == CYLINT_KIND_NONE ||
-        cylint_whole_line(&line, point, along) != CYLINT_OK)
-        return -1;
     cylint_query q;
-    cylint_query_open(&q, shape, &line);
+    if (shape->kind == CYLINT_KIND_NONE ||
+        cylint_open_at(&q, shape, &line, point) != CYLINT_OK)
+        return -1;
     if (cylint_is_round(q.kind))
         return cylint_round_contains(&q);
     if (cylint_is_plane(q.kind))

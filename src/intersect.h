@@ -56,8 +56,9 @@ CYLINT_API void cylint_chords_of_records(const cylint_record *records,
                                          cylint_interval *chord,
                                          signed char *count);
 
-/* Opens the query of a line through a point, for signs that depend only on that
- * point or on the shape.  Returns an error if the point is not finite. */
+/* Makes a line through a point, and opens its query, for signs that depend only on
+ * that point or on the shape.  They return an error if the point is not finite. */
+cylint_status cylint_line_at(cylint_line *line, const double point[3]);
 cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
                              cylint_line *line, const double point[3]);
 

@@ -62,19 +62,35 @@ static int is_there(const search *s, const double p[3])
            (s->side > 0 || is_beyond_part(s, p));
 }
 
-/* Moves coordinates by `steps` doubles; bit i of `mask` stands for coordinate
- * i.  *distance: the square of the distance. */
-static void step_by(const search *s, unsigned mask, int steps, double p[3],
-                    double *distance)
+/* p: the hit, or, in the coordinates of `mask`, `stepped`; bit i stands for
+ * coordinate i. */
+static void step_by(const search *s, const double stepped[3], unsigned mask,
+                    double p[3])
 {
-    *distance = 0;
-    for (int i = 0; i < 3; i++) {
-        p[i] = s->from[i];
-        if (!(mask >> i & 1))
-            continue;
-        p[i] = moved(p[i], s->towards[i] > 0, steps);
-        *distance += (p[i] - s->from[i]) * (p[i] - s->from[i]);
-    }
+    for (int i = 0; i < 3; i++)
+        p[i] = mask >> i & 1 ? stepped[i] : s->from[i];
+}
+
+/* Whether the step in the coordinates of a is shorter than that in those of b.
+ * A coordinate of both has no influence, so the sums of squares are exact, or
+ * lose a part of two squares that makes them longer than one. */
+static int is_shorter(const search *s, const double stepped[3], unsigned a,
+                      unsigned b)
+{
+    double most = 0, sum[2] = {0, 0};
+    int count[2] = {0, 0};
+    for (int i = 0; i < 3; i++)
+        if ((a ^ b) >> i & 1)
+            most = cylint_larger(most, fabs(stepped[i]));
+    for (int i = 0; i < 3; i++)
+        if ((a ^ b) >> i & 1) {
+            const int e = -cylint_exponent(most), in_b = b >> i & 1;
+            const double step =
+                cylint_scaled(stepped[i], e) - cylint_scaled(s->from[i], e);
+            sum[in_b] += step * step;
+            count[in_b]++;
+        }
+    return sum[0] < sum[1] || (sum[0] == sum[1] && count[0] < count[1]);
 }
 
 /* The coordinates in which the direction is not 0. */
@@ -89,19 +105,19 @@ static unsigned useful(const search *s)
 /* The nearest neighbour of those `steps` away. */
 static int try_neighbours(const search *s, int steps, double p[3])
 {
-    double least = HUGE_VAL;
+    double stepped[3], q[3];
+    unsigned best = 0;
+    for (int i = 0; i < 3; i++)
+        stepped[i] = moved(s->from[i], cylint_sign(s->towards[i]) > 0, steps);
     for (unsigned mask = 1; mask < MASKS; mask++) {
-        double q[3], distance;
-        if (mask & ~useful(s))
+        if (mask & ~useful(s) || (best && !is_shorter(s, stepped, mask, best)))
             continue;
-        step_by(s, mask, steps, q, &distance);
-        if (!(distance < least) || !is_there(s, q))
-            continue;
-        least = distance;
-        for (int i = 0; i < 3; i++)
-            p[i] = q[i];
+        step_by(s, stepped, mask, q);
+        if (is_there(s, q))
+            best = mask;
     }
-    return least < HUGE_VAL;
+    step_by(s, stepped, best, p);
+    return best != 0;
 }
 
 /* Points from + x towards, x doubling, from `least` to 1 or, `beyond`, on. */

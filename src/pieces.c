@@ -13,11 +13,6 @@
 #include "shapes/shape_facts.h"
 #include "solid_sweep.h"
 
-#define SORTED cylint_event
-#define IS_BEFORE(x, y) cylint_less((x)->t, (y)->t)
-#define SORT sort_events_of_solid
-#include "merge_sort_template.h"
-
 /* -------------------------------------------------------------- chords -- */
 
 /* Adds the part of [t0, t1] in the domain. */
@@ -196,7 +191,7 @@ int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
     }
     for (int i = 0; i < clauses; i++)
         failing += holding[i] == 0;
-    sort_events_of_solid(event, events, spare);
+    cylint_sort_events(event, events, spare);
     cylint_sweep_solid(event, events, holding, failing, line->tmin, line->tmax,
                        add_solid_piece, &to);
     return (int)to.n;

@@ -296,12 +296,17 @@ cylint_status cylint_whole_line(cylint_line *line, const double o[3],
     return cylint_span(line, o, d, -HUGE_VAL, HUGE_VAL);
 }
 
+cylint_status cylint_line_at(cylint_line *line, const double point[3])
+{
+    /* mutant '0' -> '1': any direction serves */
+    static const double along[3] = {1, 0, 0};
+    return cylint_whole_line(line, point, along);
+}
+
 cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
                              cylint_line *line, const double point[3])
 {
-    static const double along[3] = {1, 0, 0};
-    const cylint_status status = cylint_whole_line(line, point, along);
-    /* untaken 1 of 2: callers pass finite points */
+    const cylint_status status = cylint_line_at(line, point);
     if (status == CYLINT_OK)
         cylint_query_open(q, shape, line);
     return status;

@@ -9,15 +9,27 @@
 #define CYLINT_SOLID_SWEEP_H
 
 #include <stdint.h>
+#include <string.h>
 
 #include "numbers/bits.h"
 #include "cylint_pieces.h"
 
 typedef struct cylint_event {
     double t;
-    uint32_t solid; /* scenes sort by (solid, t) */
+    uint32_t solid;
     int32_t clause; /* its number from 1; negative: a member ceases to hold */
 } cylint_event;
+
+static inline int cylint_event_is_before(const cylint_event *x,
+                                         const cylint_event *y)
+{
+    return x->solid != y->solid ? x->solid < y->solid : cylint_less(x->t, y->t);
+}
+
+#define SORTED cylint_event
+#define IS_BEFORE(x, y) cylint_event_is_before(x, y)
+#define SORT cylint_sort_events
+#include "merge_sort_template.h"
 
 /* Gets a piece; returns 0 if no more are wanted. */
 typedef int cylint_piece_use(void *self, double t0, double t1);

@@ -31,6 +31,16 @@ static void along_axis(const double x[3], double to[3])
         to[i] = components == 1 ? cylint_sign(to[i]) : to[i];
 }
 
+/* (to - from) 2^e: the nearest doubles. */
+static void difference(const double to[3], const double from[3], int e,
+                       double d[3])
+{
+    for (int i = 0; i < 3; i++)
+        d[i] = cylint_difference(cylint_scaled(to[i], e),
+                                 cylint_scaled(from[i], e))
+                   .hi;
+}
+
 static void cross_product(const double x[3], const double y[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -76,10 +86,9 @@ static cylint_status make_sector(const double p0[3], const double p1[3],
                                  cylint_shape shape[2], int clause[2])
 {
     double axis[3], direction[2][3], normal[2][3];
-    for (int i = 0; i < 3; i++)
-        axis[i] = cylint_difference(cylint_scaled(p1[i], -1),
-                                    cylint_scaled(p0[i], -1))
-                      .hi;
+    difference(p1, p0, 0, axis);
+    if (!cylint_is_finite(axis))
+        difference(p1, p0, -1, axis);
     along_axis(axis, axis);
     for (int i = 0; i < 2; i++) {
         if (!cylint_is_finite(sector[i]))

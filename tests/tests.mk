@@ -63,7 +63,7 @@ $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
 	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
 $(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/scenes.o
-$(BUILD)/tests/fuzz/shapes: $(BUILD)/tests/support/family_records.o
+$(BUILD)/tests/fuzz/shapes $(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/family_records.o
 $(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
 $(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
 

@@ -310,8 +310,8 @@ typedef struct {
     int depth;
 } task;
 
-/* A range of more than 1/MOST_TASKS of all boxes becomes a task for an idle
- * thread.  Tasks share no box, so at most MOST_TASKS wait at any time. */
+/* A range of more than 1/MOST_TASKS of all boxes becomes a task.  Tasks share no
+ * box, so at most MOST_TASKS wait at any time. */
 enum { MOST_TASKS = 128 };
 
 typedef struct {
@@ -321,10 +321,10 @@ typedef struct {
     const float *center;
     cylint_watch *watch;
     size_t task_size;
+    const task *now;   /* tasks that threads share */
     cylint_mutex lock; /* protects the members below */
-    task tasks[MOST_TASKS];
-    int n_tasks, busy; /* waiting tasks; working threads */
-    size_t n_nodes;
+    task next[MOST_TASKS];
+    size_t n_next, n_nodes;
 } builder;
 
 /* Among parts of more than a leaf, the one with the largest box or, if `evenly`,
@@ -470,8 +470,7 @@ size_t cylint_build_most_nodes(size_t leaves)
 static void post(builder *b, const task *t)
 {
     cylint_mutex_lock(&b->lock);
-    b->tasks[b->n_tasks++] = *t;
-    cylint_mutex_wake_all(&b->lock);
+    b->next[b->n_next++] = *t;
     cylint_mutex_unlock(&b->lock);
 }
 
@@ -512,50 +511,41 @@ static size_t make_nodes(builder *b, const task *t)
     return made;
 }
 
-/* One thread: does tasks until none is waiting and no thread is working. */
 static void do_tasks(void *self, size_t from, size_t to)
 {
     builder *b = self;
-    (void)from;
-    (void)to;
-    cylint_mutex_lock(&b->lock);
-    for (;;) {
-        while (b->n_tasks == 0 && b->busy > 0) {
-            cylint_mutex_wait(&b->lock);
-            cylint_mutex_unlock(&b->lock);
-            cylint_watch_add(b->watch, 0);
-            cylint_mutex_lock(&b->lock);
-        }
-        if (b->n_tasks == 0)
-            break;
-        const task t = b->tasks[--b->n_tasks];
-        b->busy++;
-        cylint_mutex_unlock(&b->lock);
-        const size_t made = make_nodes(b, &t);
+    for (; from < to; from++) {
+        const size_t made = make_nodes(b, &b->now[from]);
         cylint_mutex_lock(&b->lock);
         b->n_nodes += made;
-        b->busy--;
-        cylint_mutex_wake_all(&b->lock);
+        cylint_mutex_unlock(&b->lock);
     }
-    cylint_mutex_unlock(&b->lock);
 }
 
+/* First the root, then the tasks that it posts, then those that these post. */
 size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
                           size_t n, const float center[3], int threads,
                           cylint_watch *watch)
 {
     const range all = measured(boxes, n);
     const cylint_extent box = extent_of(all.box);
+    task now[MOST_TASKS];
     builder b = {.boxes = boxes,
                  .nodes = nodes,
                  .least_step = cylint_node_least_step(&box),
                  .center = center,
                  .watch = watch,
                  .task_size = n / MOST_TASKS,
+                 .now = now,
                  .lock = CYLINT_MUTEX_INITIALIZER,
-                 .tasks = {{all, 0, 0}},
-                 .n_tasks = 1};
-    cylint_threads_run(threads, (size_t)threads, do_tasks, &b);
+                 .next = {{all, 0, 0}},
+                 .n_next = 1};
+    while (b.n_next > 0) {
+        const size_t tasks = b.n_next;
+        memcpy(now, b.next, tasks * sizeof *now);
+        b.n_next = 0;
+        cylint_threads_share(threads, tasks, 1, 1, do_tasks, &b);
+    }
     cylint_mutex_destroy(&b.lock);
     return b.n_nodes;
 }

@@ -1,5 +1,6 @@
 /*
- * bvh.h - a bounding volume hierarchy over pieces of shapes
+ * bvh.h - a bounding volume hierarchy over pieces of shapes: builds it (bvh.c),
+ * adapts it to shapes that have moved (refit.c), checks one of a file (sound.c)
  */
 #ifndef CYLINT_BVH_BVH_H
 #define CYLINT_BVH_BVH_H
@@ -37,5 +38,31 @@ void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
                         double line_error);
 
 void cylint_bvh_free(cylint_bvh *bvh);
+
+/*
+ * Shapes [first, first + n) have moved, within the box of the hierarchy.  Their
+ * pieces stay in their lanes; leaves that contain one, and the nodes above these,
+ * are bounded again.  No box is larger than a new build over the same leaves would
+ * make it, but for one step of a node's faces.
+ *
+ * extents: memory for cylint_bvh_extents(bvh).
+ */
+void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
+                      uint32_t n, cylint_extent *extents);
+
+/* The number of leaves and nodes. */
+size_t cylint_bvh_extents(const cylint_bvh *bvh);
+
+/* The mean number of boxes that a random line through the hierarchy's box hits:
+ * the sum of their areas divided by that of their box [Goldsmith, Salmon 1987]. */
+double cylint_bvh_cost(const cylint_bvh *bvh);
+
+/*
+ * Whether the nodes and leaves form a tree as cylint_bvh_build() makes it: each is
+ * in it once, in this order, no path is longer than CYLINT_BVH_DEPTH, all numbers
+ * of shapes are less than n, and all floats are finite.  Then a traversal ends, and
+ * reads nothing outside.  The boxes are not compared with the shapes.
+ */
+int cylint_bvh_is_sound(const cylint_bvh *bvh, size_t n);
 
 #endif

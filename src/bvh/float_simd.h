@@ -223,5 +223,7 @@ static inline unsigned f_not_greater(vf x, vf y)
     return m_bits(m_not_greater(x, y));
 }
 
+#undef MM
+#undef MM_BITS
 /* clang-format on */
 #endif

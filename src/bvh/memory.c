@@ -90,6 +90,18 @@ void *cylint_resized(void *array, size_t n, size_t size)
     return n > SIZE_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
 }
 
+void *cylint_take_room(cylint_room *room, size_t n, size_t size)
+{
+    const size_t bytes = (n * size + 7) / 8 * 8;
+    char *const taken = room->at;
+    room->wanted += bytes;
+    if (bytes > room->left)
+        return NULL;
+    room->at += bytes;
+    room->left -= bytes;
+    return taken;
+}
+
 void cylint_memory_free(cylint_memory *memory)
 {
     if (memory->data)

@@ -21,7 +21,7 @@ typedef struct cylint_memory {
     void (*release)(void *handle);
 } cylint_memory;
 
-/* Allocates bytes > 0 without initialising them, by malloc() if `source` is
+/* Allocates bytes without initialising them, by malloc() if `source` is
  * NULL.  Returns 0 and no memory if the source refuses. */
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes);
@@ -35,6 +35,15 @@ int cylint_memory_reduce(cylint_memory *memory,
 /* realloc() of n elements, which may be none.  Returns NULL, and the array stays,
  * if there is no memory. */
 void *cylint_resized(void *array, size_t n, size_t size);
+
+/* Memory that is not used yet.  `wanted` also counts what did not fit. */
+typedef struct cylint_room {
+    char *at;
+    size_t left, wanted;
+} cylint_room;
+
+/* Returns memory for n elements, or NULL. */
+void *cylint_take_room(cylint_room *room, size_t n, size_t size);
 
 /* Releases the memory, if there is any. */
 void cylint_memory_free(cylint_memory *memory);

@@ -1,7 +1,7 @@
 /*
  * refit.c - adapts a bounding volume hierarchy to shapes that have moved
  */
-#include "refit.h"
+#include "bvh.h"
 
 #include <math.h>
 
@@ -179,12 +179,11 @@ size_t cylint_bvh_extents(const cylint_bvh *bvh)
     return bvh->n_leaves + bvh->n_nodes;
 }
 
-/* Half the area of a box of `faces` steps along each coordinate. */
-static double half_area(const cylint_node *node, const int faces[3])
+static double half_area(const cylint_extent *box)
 {
-    const double x = (double)node->step[0] * faces[0],
-                 y = (double)node->step[1] * faces[1],
-                 z = (double)node->step[2] * faces[2];
+    const double x = (double)box->upper[0] - (double)box->lower[0],
+                 y = (double)box->upper[1] - (double)box->lower[1],
+                 z = (double)box->upper[2] - (double)box->lower[2];
     return x * y + y * z + z * x;
 }
 
@@ -193,20 +192,14 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
     double sum = 0, root = 0;
     for (size_t i = 0; i < bvh->n_nodes; i++) {
         const cylint_node *node = &bvh->nodes[i];
-        int all[2][3] = {{255, 255, 255}, {0, 0, 0}}, side[3];
+        cylint_extent all = cylint_extent_empty();
         for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
-            for (int j = 0; j < 3; j++) {
-                const int from = node->face[0][j][k], to = node->face[1][j][k];
-                all[0][j] = from < all[0][j] ? from : all[0][j];
-                all[1][j] = to > all[1][j] ? to : all[1][j];
-                side[j] = to - from;
-            }
-            sum += half_area(node, side);
+            const cylint_extent box = child_box(bvh, node, k);
+            cylint_extent_include(&all, &box);
+            sum += half_area(&box);
         }
-        for (int j = 0; j < 3; j++)
-            side[j] = all[1][j] - all[0][j];
         if (i == 0)
-            root = half_area(node, side);
+            root = half_area(&all);
     }
     return root > 0 ? sum / root : 0;
 }

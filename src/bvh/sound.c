@@ -1,7 +1,7 @@
 /*
  * sound.c - whether a hierarchy from a file can be traversed
  */
-#include "sound.h"
+#include "bvh.h"
 
 #include <float.h>
 #include <math.h>

@@ -18,8 +18,8 @@ int cylint_threads_for(size_t n, int wanted);
 /* Does items [from, to) of the work. */
 typedef void cylint_thread_work(void *self, size_t from, size_t to);
 
-/* Calls `work` for n items, each once, on this number of threads, the caller's
- * included.  Uses fewer if the system refuses threads. */
+/* Calls `work` for n items, each once, in as many equal parts, on this number of
+ * threads, the caller's included.  Uses fewer if the system refuses threads. */
 void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self);
 
@@ -32,31 +32,20 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
 /* cylint_thread_self() is the calling thread; cylint_thread_is() returns whether
  * it is the given one.
  *
- * A mutex and a condition, which do not allocate: waiting unlocks the mutex until
- * another thread wakes all that wait. */
+ * A mutex does not allocate. */
 #ifdef CYLINT_THREADS
 
 #include <pthread.h>
 
 typedef pthread_t cylint_thread;
+typedef pthread_mutex_t cylint_mutex;
 
-typedef struct cylint_mutex {
-    pthread_mutex_t mutex;
-    pthread_cond_t condition;
-} cylint_mutex;
-
-#define CYLINT_MUTEX_INITIALIZER                            \
-    {                                                       \
-        PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER \
-    }
+#define CYLINT_MUTEX_INITIALIZER PTHREAD_MUTEX_INITIALIZER
 #define cylint_thread_self() pthread_self()
 #define cylint_thread_is(thread) pthread_equal(*(thread), pthread_self())
-#define cylint_mutex_lock(m) pthread_mutex_lock(&(m)->mutex)
-#define cylint_mutex_unlock(m) pthread_mutex_unlock(&(m)->mutex)
-#define cylint_mutex_wait(m) pthread_cond_wait(&(m)->condition, &(m)->mutex)
-#define cylint_mutex_wake_all(m) pthread_cond_broadcast(&(m)->condition)
-#define cylint_mutex_destroy(m) \
-    (pthread_cond_destroy(&(m)->condition), pthread_mutex_destroy(&(m)->mutex))
+#define cylint_mutex_lock(m) pthread_mutex_lock(m)
+#define cylint_mutex_unlock(m) pthread_mutex_unlock(m)
+#define cylint_mutex_destroy(m) pthread_mutex_destroy(m)
 
 #else
 
@@ -67,8 +56,6 @@ typedef char cylint_thread, cylint_mutex;
 #define cylint_thread_is(thread) 1
 #define cylint_mutex_lock(m) ((void)(m))
 #define cylint_mutex_unlock(m) ((void)(m))
-#define cylint_mutex_wait(m) ((void)(m))
-#define cylint_mutex_wake_all(m) ((void)(m))
 #define cylint_mutex_destroy(m) ((void)(m))
 
 #endif

@@ -1,8 +1,7 @@
 /*
  * traverse_point.c - finds the pieces of shapes within a distance of a point
  *
- * In floats, for all children of a node or lanes of a leaf together; lanes of
- * leaves in doubles, one by one, where floats are too coarse.  This file is
+ * In floats, for all children of a node or lanes of a leaf together.  This file is
  * compiled for several instruction sets.
  */
 #include <string.h>
@@ -90,38 +89,14 @@ static inline void update_last(traversal *t)
  * within r of its axis.  With D = q - p the nearest point of the axis is p + z w,
  * z = D.w / ww in [0, 1].
  *
- * With u = 2^-53 or 2^-24, and K >= |q| + 2^11 >= |D|: q, D, z w, their difference
- * and the root are rounded by less than 8 u K together; the error of z, 8 u of
- * K / |w|, moves z w by 8 u K.  Twice that is subtracted.
+ * With u = 2^-24, and K >= |q| + 2^11 >= |D|: q, D, z w, their difference and the
+ * root are rounded by less than 8 u K together; the error of z, 8 u of K / |w|,
+ * moves z w by 8 u K.  Twice that is subtracted.
  */
-ASIDE void far_lanes(const cylint_leaf *b, const double q[3], double K,
-                     double least[CYLINT_LEAF_SIZE])
-{
-    for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
-        const double r = b->r[lane] & CYLINT_LEAF_R_MASK;
-        double D[3], w[3], ww = 0, Dw = 0, square = 0;
-        for (int j = 0; j < 3; j++) {
-            const int bits = j * CYLINT_LEAF_P_BITS;
-            const int p = (int)(b->p[0][lane] >> bits & CYLINT_LEAF_P_MASK);
-            const int top = (int)(b->p[1][lane] >> bits & CYLINT_LEAF_P_MASK);
-            D[j] = q[j] - (p - CYLINT_LEAF_MIDDLE);
-            w[j] = top - p;
-            ww += w[j] * w[j];
-            Dw += D[j] * w[j];
-        }
-        const double at = Dw / cylint_larger(ww, 1);
-        const double z = cylint_smaller(cylint_larger(at, 0), 1);
-        for (int j = 0; j < 3; j++)
-            square += (D[j] - z * w[j]) * (D[j] - z * w[j]);
-        least[lane] = sqrt(square) - (r + 0x1p-48 * K);
-    }
-}
-
 CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
-                              double least[CYLINT_LEAF_SIZE])
+                              float least[CYLINT_LEAF_SIZE])
 {
     const vf error = f_set((float)(0x1p-19 * K));
-    float found[CYLINT_LEAF_SIZE];
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane += WIDTH) {
         const cylinders s = cylinders_of(b, lane);
         vf D[3];
@@ -131,10 +106,30 @@ CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
         const vf z = f_lower(f_higher(at, f_set(0)), f_set(1));
         EACH(j, 3)
             D[j] = D[j] - z * s.w[j];
-        f_store(found + lane, f_sqrt(dot(D, D)) - (s.r + error));
+        f_store(least + lane, f_sqrt(dot(D, D)) - (s.r + error));
     }
-    for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++)
-        least[lane] = (double)found[lane];
+}
+
+/*
+ * Of a point that is far away, from the distance that is returned.  A point x of a
+ * piece is at least (q - x).e = |q| - x.e away, where e is the unit vector of q, and
+ * x.e is at most that of an end of the axis, plus r.  Axes are within 2^10 of the
+ * centre, so this is less than the distance by at most 2^19 / |q| <= 4 steps, and
+ * floats err by less than one.
+ */
+ASIDE double far_lanes(const cylint_leaf *b, const double q[3], double K,
+                       float least[CYLINT_LEAF_SIZE])
+{
+    const double far = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+    vf e[3];
+    EACH(j, 3)
+        e[j] = f_set((float)(q[j] / far));
+    for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane += WIDTH) {
+        const cylinders s = cylinders_of(b, lane);
+        const vf along = dot(e, s.p) + f_higher(dot(e, s.w), f_set(0));
+        f_store(least + lane, f_set(-1) - (along + s.r));
+    }
+    return far - 0x1p-48 * K;
 }
 
 /* A lane without a cylinder may be anywhere in the leaf's box. */
@@ -143,17 +138,18 @@ CYLINT_INLINE void test_lanes_of(const traversal *t, const cylint_leaf *b,
 {
     const double steps = (double)cylint_leaf_steps(b);
     const double unit = (1 - 0x1p-50) / steps;
-    double q[3], K = (double)CYLINDER_REACH;
+    double q[3], K = (double)CYLINDER_REACH, less = t->error;
+    float found[CYLINT_LEAF_SIZE];
     EACH(j, 3) {
         q[j] = (t->x[j] - (double)b->center[j]) * steps;
         K += fabs(q[j]);
     }
     if (K < (double)FAR_LIMIT)
-        near_lanes(b, q, K, least);
+        near_lanes(b, q, K, found);
     else
-        far_lanes(b, q, K, least);
+        less -= far_lanes(b, q, K, found) * unit;
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
-        const double d = least[lane] * unit - t->error;
+        const double d = (double)found[lane] * unit - less;
         least[lane] = d > 0 && !(b->always >> lane & 1) ? d : 0;
     }
 }

@@ -2,6 +2,7 @@
  * boundary.c - the feature on which a point of the surface lies
  */
 #include "../dispatch.h"
+#include "../intersect.h"
 #include "../signs/origin.h"
 #include "../signs/sign.h"
 #include "nearest.h"
@@ -24,11 +25,10 @@ static int is_apex(const cylint_shape *shape, const cylint_line *line)
 
 int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
 {
-    static const double along[3] = {1, 0, 0};
     const unsigned caps = cylint_caps_present(shape->ends);
     const int bounded = cylint_is_bounded(shape);
     cylint_line line;
-    cylint_whole_line(&line, point, along);
+    cylint_line_at(&line, point);
     const int at0 = bounded && is_on(shape, &line, 0);
     const int at1 = bounded && !at0 && is_on(shape, &line, 1);
     if (is_on(shape, &line, CYLINT_LATERAL_SURFACE)) {

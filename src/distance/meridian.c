@@ -1,6 +1,7 @@
 /*
  * meridian.c - the nearest feature, from exact signs
  */
+#include "../intersect.h"
 #include "exact_operators.h"
 
 static exact minor(meridian *m, const exact x[3], const exact y[3], int i,
@@ -56,14 +57,11 @@ static void load_axis(meridian *m)
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
                           const double point[3])
 {
-    /* mutant '0' -> '1': any direction serves */
-    static const double along[3] = {1, 0, 0};
     cylint_line line;
-    cylint_whole_line(&line, point, along);
     m->shape = shape;
     m->point = point;
-    cylint_query_open(&m->query, shape, &line);
-    m->L = cylint_load_exact(&m->query);
+    cylint_open_at(&m->query, shape, &line, point);
+    m->L = cylint_load_exact(&m->query, FORM_ALPHA, 0);
     m->arena = &m->query.arena;
     /* mutant '1' -> '2': only its sign is used */
     m->flip = 1;

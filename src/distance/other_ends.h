@@ -84,20 +84,29 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
                          whole(x[caps >> 1]), (int)caps >> 1);
 }
 
-/* An unbounded shape.  Beyond the apex the nearest nappe of a double cone is the
- * other one: the numbers of *s become its. */
+/* Beyond the apex the nearest nappe of a double cone is the other one: the numbers
+ * of *s become its. */
+static void choose_nappe(vnearest *n, const half_plane *m, shape_lanes *s)
+{
+    const double c = s->cosine.hi * s->r[0].hi + s->sine.hi * whole(m->z);
+    n->known = fabs(c) > margin_of(m);
+    if (c < 0) {
+        s->sine = opposite(s->sine);
+        s->r[0] = opposite(s->r[0]);
+    }
+}
+
+/* An unbounded shape. */
 static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
                                  int kind, int is_nappe)
 {
     const vpair rho = pairs_rho(m);
-    const double M = margin_of(m), C = s->cosine.hi, S = s->sine.hi;
-    const double c = C * s->r[0].hi + S * whole(m->z);
-    if (cylint_is_tapered(kind))
-        n->known = is_nappe ? C * c + S * S * whole(rho) > M : fabs(c) > M;
-    if (cylint_is_tapered(kind) && !is_nappe && c < 0) {
-        s->sine = opposite(s->sine);
-        s->r[0] = opposite(s->r[0]);
-    }
+    const double C = s->cosine.hi, S = s->sine.hi;
+    if (cylint_is_tapered(kind) && is_nappe)
+        n->known = C * (C * s->r[0].hi + S * whole(m->z)) + S * S * whole(rho) >
+                   margin_of(m);
+    else if (cylint_is_tapered(kind))
+        choose_nappe(n, m, s);
     n->d =
         pairs_rounded(pairs_turned(s, vpair_sub(rho, s->r[0]), m->z), m->error);
 }
@@ -122,6 +131,8 @@ INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
     pairs_load(m, s, point, 1);
     if (on != CYLINT_NO_FEATURE) {
         pairs_rho(m);
+        if (shape->ends == CYLINT_ENDS_INFINITE && cylint_is_tapered(kind))
+            choose_nappe(n, m, s);
         return;
     }
     n->feature = CYLINT_FEATURE_LATERAL;

@@ -12,7 +12,7 @@
 #include "../bvh/float_bounds.h"
 #include "../bvh/swept_disc.h"
 
-#include "float_filter_describe.h"
+#include "float_filter_lanes.h"
 
 /* For each lane i of `lanes`: at most once where there is one lane. */
 #define EACH_LANE(i, lanes)                                                   \
@@ -58,8 +58,7 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
     v_store(z, at->z);
     v_store(z_error, at->z_error);
     *uncertain = 0;
-    EACH_LANE(i, lanes)
-    {
+    EACH_LANE(i, lanes) {
         const int is_present =
             !(capped >> i & 1) ||
             cylint_caps_present(q->of[i]->ends) >> (top >> i & 1) & 1;
@@ -73,11 +72,159 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
 
 /* ------------------------------------------------------------ describing -- */
 
+/* A vector N with errors e[].  Its length is 1 / per_length, with a relative
+ * error of e_length. */
+typedef struct {
+    vd N[3], e[3], per_length, e_length;
+} bounded_vector;
+
+/* Rounds x to a float, stored as a double.  x has an error of at most e, which
+ * includes the error of the library's x.  Returns whether the float is certain. */
+INLINE vm to_float(vd x, vd e, vd *f)
+{
+    *f = v_float(x + e);
+    return v_eq(v_float(x - e), *f);
+}
+
+/* a: w x c and its error, which follows from e_c, rounding included, and its length
+ * on a cylinder.  The error is computed by component: a component that is zero
+ * because components of the axis are zero stays exact. */
+INLINE void lateral_direction(const questions *q, const vd c[3], vd e_c,
+                              bounded_vector *a)
+{
+    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
+    cross(a->N, q->w, c);
+    a->e[0] = (y + z) * e_c;
+    a->e[1] = (z + x) * e_c;
+    a->e[2] = (x + y) * e_c;
+    a->per_length = q->per_ww / where_or_one(v_lt(v_set(0), q->r0), q->r0);
+    a->e_length = eps(3);
+}
+
+/* N / |N|. */
+INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
+{
+    vm certain = m_not(m_none());
+    EACH(j, 3) {
+        const vd x = a->N[j] * a->per_length;
+        const vd e = a->e[j] * a->per_length + v_abs(x) * a->e_length;
+        certain = m_and(certain, to_float(x, v_set(1.1) * e, &unit[j]));
+    }
+    return certain;
+}
+
+/*
+ * The lateral normal is N = S (w x c) - k dr w, of which `a` is w x c.  As |c|^2 =
+ * k^2 ww / S, its length is k |w| sqrt(S ww + dr^2), with a relative error of 20 u
+ * plus that of k.
+ */
+INLINE vm lean_on_cone(const questions *q, const hit *at, vm lateral,
+                       bounded_vector *a)
+{
+    const vd dr = q->dr;
+    vd e_k;
+    if (!m_any(m_not(v_eq(dr, v_set(0)))))
+        return lateral;
+    const vd k = radius_at(q, at, &e_k), lean = k * dr;
+    e_k = e_k + v_abs(dr * q->dz) * at->s_error;
+    const vd e_lean = v_abs(dr) * (e_k + eps(1) * v_abs(k));
+    const vm certain = m_and(lateral, v_lt(v_set(32) * e_k, k));
+    EACH(j, 3) {
+        const vd N = q->S * a->N[j];
+        a->e[j] =
+            q->S * a->e[j] + eps(2) * v_abs(a->N[j]) + e_lean * v_abs(q->w[j]);
+        a->N[j] = N - lean * q->w[j];
+    }
+    const vd length = k * (q->W * v_sqrt(q->S * q->ww + dr * dr));
+    a->per_length = v_set(1) / where_or_one(certain, length);
+    a->e_length = e_k / where_or_one(certain, k) + eps(3);
+    return certain;
+}
+
+/* The outward normal on a cap, or on the ball about an end, in the lanes `where`:
+ * -w or w, or P from the centre. */
+INLINE void set_end_normal(const questions *q, const hit *at, int is_round,
+                           vm where, bounded_vector *a)
+{
+    const vd zero = v_set(0), one = v_set(1);
+    vd e = zero, length = q->W, e_length = eps(2);
+    if (is_round) {
+        const vd X = size_at(q, at->s) + v_select(at->top, q->W, zero);
+        const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
+        e = q->U * at->s_error + eps(1) * X;
+        length = where_or_one(v_lt(zero, r), r);
+        e_length = eps(1) * (q->R / length + one);
+    }
+    EACH(j, 3) {
+        const vd w = q->w[j], center = v_select(at->top, w, zero);
+        const vd su = at->s * q->u[j];
+        const vd sizes = v_abs(q->D[j]) + v_abs(su) + v_abs(center);
+        const vd P = (q->D[j] + su) - center;
+        const vd N = is_round ? P : v_select(at->top, w, -w);
+        a->N[j] = v_select(where, N, a->N[j]);
+        a->e[j] =
+            v_select(where, v_select(v_lt(zero, sizes), e, zero), a->e[j]);
+    }
+    a->per_length = v_select(where, one / length, a->per_length);
+    a->e_length = v_select(where, e_length, a->e_length);
+}
+
+/*
+ * phi = atan2(P.(w x v), P.v |w|) over 2 pi, where v = e x w, e being the unit
+ * vector along which the axis is least.  That is atan2((w x c).e, -c.e |w|).
+ */
+INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
+{
+    vd per_far;
+    const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
+    /* both have an error of at most W e_c, so the angle one of less than
+     * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
+    const vd part = q->W * e_c * per_far;
+    const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
+    const vm inside =
+        m_and(v_lt(e, turn), v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
+    return m_and(m_and(v_lt(part, v_set(0.125)), inside),
+                 to_float(turn, e, phi));
+}
+
+/* |x| < |y|, both with what their roundings lost, and with their signs. */
+INLINE vm is_less(vd x, vd x_lost, vd y, vd y_lost)
+{
+    return m_or(v_lt(x, y), m_and(v_eq(x, y), v_lt(x_lost, y_lost)));
+}
+
+/* least[j]: the axis is least along coordinate j, the first such. */
+INLINE void find_least(const questions *q, vm least[3])
+{
+    const vd zero = v_set(0), x = v_abs(q->w[0]), y = v_abs(q->w[1]),
+             z = v_abs(q->w[2]);
+    vd lost[3] = {zero, zero, zero};
+    if (m_any(v_eq((x - y) * (y - z) * (z - x), zero))) {
+        vd base[4], top[4];
+        load_ends(q, base, top);
+        EACH(j, 3)
+            lost[j] = v_select(q->is_angle, zero,
+                               v_like(v_set(1), q->w[j]) *
+                                   difference_error(top[j], base[j], q->w[j]));
+    }
+    const vm y_less = is_less(y, lost[1], x, lost[0]);
+    least[2] = is_less(z, lost[2], v_select(y_less, y, x),
+                       v_select(y_less, lost[1], lost[0]));
+    least[1] = m_and_not(y_less, least[2]);
+    least[0] = m_not(m_or(least[1], least[2]));
+}
+
+/* The component of x along which the axis is least. */
+INLINE vd along_least(const vd x[3], const vm least[3])
+{
+    return v_select(least[1], x[1], v_select(least[2], x[2], x[0]));
+}
+
 /* The unit normal, from *a, that of lateral_direction(). */
 INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
                           bounded_vector *a, vd normal[3])
 {
-    const vm at_end = is_round ? is_on_ball(q, at) : at->capped;
+    const vm at_end = is_round ? is_on_end(q, at) : at->capped;
     const vm lateral = m_not(at_end);
     vm certain = at_end;
     if (m_any(lateral))
@@ -97,7 +244,7 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
     vd f[CYLINT_HIT_FLOATS]; /* the normal, z, phi */
     double stored[CYLINT_HIT_FLOATS][LANES];
     find_least(q, least);
-    const vd e_c = across(q, at, c);
+    const vd e_c = across(q, at->s, at->s_error, c);
     lateral_direction(q, c, e_c, &normal);
     vm certain = to_float(at->z, at->z_error, &f[3]);
     const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
@@ -112,8 +259,7 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
     EACH(j, CYLINT_HIT_FLOATS)
         v_store(stored[j], f[j]);
     lanes &= m_bits(certain);
-    EACH_LANE(i, lanes)
-    {
+    EACH_LANE(i, lanes) {
         /* not by a loop, which gcc 12 makes wait for the stores */
         float *to = q->of[i]->floats;
         to[0] = (float)stored[0][i];
@@ -125,13 +271,13 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
     return lanes;
 }
 
-/* Hits for which a step pays: of these the floats would be uncertain, on discs
+/* Hits for which a step pays: of these the floats would be uncertain, between discs
  * about one of 2^6, on round shapes one of 2^11. */
 INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 {
-    const vm far =
-        v_lt(v_set(is_round ? 0x1p-38 : 0x1p-33) * q->R, at->s_error * q->U);
-    return m_bits(is_round ? far : m_and_not(far, at->capped));
+    const vd share = v_set(is_round ? 0x1p-38 : 0x1p-33);
+    return m_bits(
+        m_and_not(v_lt(share * q->R, at->s_error * q->U), is_on_end(q, at)));
 }
 
 /* ------------------------------------------------------------- answering -- */
@@ -142,23 +288,21 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
                           unsigned *uncertain, unsigned *leaves)
 {
     unsigned hits = 0;
-    const verdict crosses = cross_shape(q, is_round);
-    unsigned left = m_bits(crosses.hit) & q->used;
-    *uncertain = m_bits(crosses.uncertain);
+    cross_shape(q, is_round);
+    unsigned left = m_bits(q->may) & q->used;
+    *uncertain = m_bits(q->uncertain);
     *leaves = 0;
     for (int end = 0; end < 2; end++) {
         unsigned here = end ? left : left & ~q->exit_only, unsure;
-        hit at;
         if (!here)
             continue;
-        const verdict v =
-            is_round ? end_on_round(q, end, &at) : end_on_discs(q, end, &at);
-        *uncertain |= m_bits(v.uncertain) & here;
-        left &= ~here | m_bits(v.hit);
-        here &= m_bits(v.hit);
+        hit at = is_round ? end_on_round(q, end) : end_on_discs(q, end);
+        *uncertain |= m_bits(at.uncertain) & here;
+        left &= ~here | m_bits(at.is);
+        here &= m_bits(at.is);
         const unsigned inexact = here & need_step(q, &at, is_round);
         if (inexact)
-            step_on_shape(q, end, is_round, m_from(inexact), &at);
+            step_on_cone(q, end, m_from(inexact), &at);
         const unsigned accepted = accept_hits(q, &at, here, &unsure);
         if (LANES == 1 || !hits)
             *first = at;
@@ -174,14 +318,13 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
 
 INLINE void answer_as(questions *q, int is_round)
 {
-    hit at = no_hit();
+    hit at;
     unsigned uncertain, leaves;
     const unsigned hits = find_hits(q, is_round, &at, &uncertain, &leaves);
     const unsigned wanted = hits & q->describes;
     if (wanted)
         uncertain |= wanted & ~describe_hits(q, &at, wanted, is_round);
-    EACH_LANE(i, q->used)
-    {
+    EACH_LANE(i, q->used) {
         q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
                        : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
                                           : CYLINT_FLOAT_FILTER_MISS;

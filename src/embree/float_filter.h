@@ -7,6 +7,8 @@
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
 #define CYLINT_EMBREE_FLOAT_FILTER_H
 
+#include <float.h>
+
 #include "../shapes/record.h"
 
 typedef enum {
@@ -40,6 +42,13 @@ typedef struct cylint_float_filter_question {
     int leaves;
     float floats[CYLINT_HIT_FLOATS];
 } cylint_float_filter_question;
+
+/* phi as a float below 1. */
+static inline float cylint_angle_as_float(double phi)
+{
+    const float v = (float)phi;
+    return v < 1 ? v : 1 - FLT_EPSILON / 2;
+}
 
 /* Whether the shape is a sphere, capsule or rounded cone. */
 static inline int cylint_float_filter_is_round(

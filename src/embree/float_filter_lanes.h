@@ -60,16 +60,18 @@
 #include <float.h>
 #include <stddef.h>
 
-#include "../numbers/simd.h"
 #include "float_filter.h"
+#include "../numbers/simd.h"
 
 /* ------------------------------------------------------------ questions -- */
 
 typedef cylint_float_filter_question asked;
 
-/* Q, where the line crosses its surface: reciprocals of a and sqrt(G), errors. */
+/* Q, whether the line certainly crosses its surface, and where: sqrt(G), reciprocals
+ * of a and of that, errors. */
 typedef struct {
     vd a, b, root, per_a, per_root, e_a, e_G;
+    vm is, uncertain; /* neither: certainly not */
 } quadratic;
 
 /* The questions of the lanes; those that are not used repeat the first. */
@@ -81,23 +83,20 @@ typedef struct {
     vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
     vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
-    quadratic cone, ball; /* ball: of the ball that was hit */
-    vm is_angle;          /* the shape is an angle cone: the record has w */
-    vm is_ball;           /* the shape is a sphere, which has no cone */
-    vm crosses;           /* the line crosses the cone */
-    vm apart; /* a < 0: Q < 0 before the first root and behind the second */
+    quadratic cone;
+    vm is_angle; /* the shape is an angle cone: the record has w */
+    vm is_ball;  /* the shape is a sphere, which has no cone */
+    vm apart;    /* a < 0: Q < 0 before the first root and behind the second */
+    vm may, uncertain; /* the line may hit the shape; that is undecided */
 } questions;
 
-/* A hit at s and z with their errors.  capped: on a cap, top: on the top one. */
+/* A hit at s and z with their errors.  capped: on a cap or on the ball of an end;
+ * top: of the top one. */
 typedef struct {
     vd s, s_error, z, z_error;
+    vm is, uncertain; /* neither: certainly no hit */
     vm capped, top;
 } hit;
-
-/* hit: certainly a hit.  uncertain: undecided.  Neither: certainly no hit. */
-typedef struct {
-    vm hit, uncertain;
-} verdict;
 
 /* n eps. */
 INLINE vd eps(double n)
@@ -132,13 +131,7 @@ INLINE vd where_or_one(vm where, vd x)
     return v_select(where, x, v_set(1));
 }
 
-INLINE hit no_hit(void)
-{
-    const vd zero = v_set(0);
-    return (hit){zero, zero, zero, zero, m_none(), m_none()};
-}
-
-/* Copies *other in the lanes `where`. */
+/* Copies where *other is in the lanes `where`. */
 INLINE void select_hit(hit *at, vm where, const hit *other)
 {
     at->s = v_select(where, other->s, at->s);
@@ -147,14 +140,6 @@ INLINE void select_hit(hit *at, vm where, const hit *other)
     at->z_error = v_select(where, other->z_error, at->z_error);
     at->capped = m_if(where, other->capped, at->capped);
     at->top = m_if(where, other->top, at->top);
-}
-
-INLINE void select_quadratic(quadratic *c, vm where, const quadratic *other)
-{
-    c->a = v_select(where, other->a, c->a);
-    c->root = v_select(where, other->root, c->root);
-    c->per_root = v_select(where, other->per_root, c->per_root);
-    c->e_G = v_select(where, other->e_G, c->e_G);
 }
 
 INLINE vd difference_error(vd x, vd y, vd difference)
@@ -229,26 +214,27 @@ INLINE void load_questions(questions *q)
 /* ------------------------------------------------------------- surfaces -- */
 
 /*
- * Where the line certainly crosses the surface, and where it does not, from G,
- * in the lanes `known`.  Writes roots and reciprocals.
+ * Writes whether the line crosses the surface, from G, in the lanes `known`, and
+ * the root and reciprocals.
  *
  * Where a < 0 a line crosses a cone that it is steeper than, on both nappes: G
  * is not negative.
  */
-INLINE verdict cross_surface(quadratic *c, vd G, vm known)
+INLINE void cross_surface(quadratic *c, vd G, vm known)
 {
     known = m_and(known, v_le(v_abs(G), v_set(DBL_MAX)));
     const vm clear = m_and(v_lt(v_set(16) * c->e_G, G),
                            v_lt(v_set(8) * c->e_a, v_abs(c->a)));
     const vm is = m_and(known, clear);
     const vm is_not = m_and(known, v_lt(G, -c->e_G));
+    c->is = is;
+    c->uncertain = m_not(m_or(is, is_not));
     c->root = c->per_a = c->per_root = v_set(1);
     if (m_any(is)) {
         c->root = v_sqrt(where_or_one(is, G));
         c->per_a = v_set(1) / where_or_one(is, c->a);
         c->per_root = v_set(1) / c->root;
     }
-    return (verdict){is, m_not(m_or(is, is_not))};
 }
 
 #define NUM vd
@@ -279,10 +265,10 @@ INLINE void load_axis(questions *q, int is_round)
 }
 
 /*
- * Lines that certainly cross the shape's surface, if that is its cone's; of a round
- * kind, those that do not certainly miss the cone.  uncertain: products may
- * underflow, or one ball may lie in the other, or, between discs, the line is near
- * the cone.
+ * Writes which lines may hit the shape: between discs those that certainly cross
+ * the cone, of a round kind those that do not certainly miss it.  uncertain:
+ * products may underflow, or one ball may lie in the other, or, between discs, the
+ * line is near the cone.
  *
  * Products have at most ten lengths as factors.  If none of these is less than
  * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
@@ -291,7 +277,7 @@ INLINE void load_axis(questions *q, int is_round)
  * NaN, and then nothing is certain, but for those of 1 / ww and of G:
  * cross_shape() and cross_surface() test them.
  */
-INLINE verdict cross_shape(questions *q, int is_round)
+INLINE void cross_shape(questions *q, int is_round)
 {
     const vd least = v_set(0x1p-90);
     quadratic *c = &q->cone;
@@ -306,14 +292,21 @@ INLINE verdict cross_shape(questions *q, int is_round)
         m_and(m_and(v_lt(v_set(0x1p-89), q->R), v_lt(least, q->U)),
               m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
-    const verdict v = cross_surface(c, G, has_cone);
+    cross_surface(c, G, has_cone);
     q->apart = v_lt(c->a, v_set(0));
-    if (!is_round)
-        return v;
-    q->crosses = v.hit;
-    q->ball = *c;
-    const vm misses = m_and_not(has_cone, m_or(v.hit, v.uncertain));
-    return (verdict){m_and_not(window, misses), m_not(window)};
+    q->may = c->is;
+    q->uncertain = c->uncertain;
+    if (is_round) {
+        const vm misses = m_and_not(has_cone, m_or(c->is, c->uncertain));
+        q->may = m_and_not(window, misses);
+        q->uncertain = m_not(window);
+    }
+}
+
+/* The size of D + s u. */
+INLINE vd size_at(const questions *q, vd s)
+{
+    return q->Dn + v_abs(s) * q->U;
 }
 
 /* z at s, and its error.  The bound includes the error of the library's z: its
@@ -321,10 +314,9 @@ INLINE verdict cross_shape(questions *q, int is_round)
  * roundings it is right to eps |z| / 2.  eps / 16 of it is to spare. */
 INLINE void set_z(const questions *q, hit *at)
 {
-    const vd X = q->Dn + v_abs(at->s) * q->U;
     at->z = q->z0 + at->s * q->dz;
-    at->z_error =
-        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(0.0625));
+    at->z_error = at->s_error * v_abs(q->dz) +
+                  eps(3) * (size_at(q, at->s) * q->per_W + v_set(0.0625));
 }
 
 /*
@@ -339,6 +331,8 @@ INLINE hit chord_end(const quadratic *c, const questions *q, int end)
     at.s = ((end ? c->root : -c->root) - c->b) * c->per_a;
     at.s_error =
         (c->e_G * c->per_root + v_abs(at.s) * c->e_a) * v_abs(c->per_a);
+    at.is = c->is;
+    at.uncertain = c->uncertain;
     at.capped = at.top = m_none();
     set_z(q, &at);
     return at;
@@ -365,209 +359,193 @@ INLINE hit lateral_end(const questions *q, int end)
  * or ends, or, if that is beyond a cap and the chord's other end is not, on that
  * cap.  `out`: how far z is beyond the nearer cap.
  */
-INLINE verdict end_on_discs(const questions *q, int end, hit *at)
+INLINE hit end_on_discs(const questions *q, int end)
 {
     const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
-    *at = lateral_end(q, end);
-    const vm top = v_lt(v_set(0.5), at->z);
-    const vd out = v_select(top, at->z - one, -at->z);
-    const vd margin = at->z_error + eps(1);
-    const vm between = v_lt(out, -margin), beyond = v_lt(margin, out);
-    if (!m_any(m_not(between)))
-        return (verdict){between, m_none()};
+    hit at = lateral_end(q, end);
+    const vm top = v_lt(v_set(0.5), at.z);
+    const vd out = v_select(top, at.z - one, -at.z);
+    const vd margin = at.z_error + eps(1);
+    at.is = v_lt(out, -margin);
+    at.uncertain = m_not(at.is);
+    if (!m_any(at.uncertain))
+        return at;
+    const vm beyond = v_lt(margin, out);
     const hit other = lateral_end(q, 1 - end);
     const vd other_out = v_select(top, other.z - one, -other.z);
     const vd other_margin = other.z_error + eps(1);
     const vm stays = m_and(beyond, v_lt(other_margin, other_out));
     const vm comes = m_and(m_and(beyond, v_lt(other_out, -other_margin)),
                            v_lt(eps(16) * q->U * q->per_W, dz));
-    const vm hits = m_or(between, comes);
+    at.is = m_or(at.is, comes);
+    at.uncertain = m_not(m_or(at.is, stays));
     if (m_any(comes)) {
         const vd per_dz = one / where_or_one(comes, dz);
         const vd z = v_select(top, one, zero), rise = z - q->z0;
         const vd s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
-        const vd X = q->Dn + v_abs(s) * q->U;
-        const hit cap = {
-            s, eps(4) * (one + X * q->per_W) * per_dz, z, zero, comes, top};
-        select_hit(at, comes, &cap);
+        const vd e = eps(4) * (one + size_at(q, s) * q->per_W) * per_dz;
+        const hit cap = {s, e, z, zero, at.is, at.uncertain, comes, top};
+        select_hit(&at, comes, &cap);
     }
-    return (verdict){hits, m_not(m_or(hits, stays))};
+    return at;
 }
 
 /* Where the line enters or leaves the ball about an end. */
-INLINE verdict end_on_ball(const questions *q, int top, int end, quadratic *c,
-                           hit *at)
+INLINE hit end_on_ball(const questions *q, int top, int end)
 {
     vd DD = q->DD, r = q->r0, N = q->Dn;
-    c->b = q->Du;
+    quadratic c;
+    c.b = q->Du;
     if (top) {
         vd D1[3];
         EACH(j, 3)
             D1[j] = q->D[j] - q->w[j];
         DD = dot(D1, D1);
-        c->b = dot(D1, q->u);
+        c.b = dot(D1, q->u);
         r = q->r0 + q->dr;
         N = N + q->W;
     }
     const vd K = N + q->R;
-    c->a = q->uu;
-    c->e_G = eps(6) * q->uu * (K * K);
-    c->e_a = eps(1) * q->uu;
-    const verdict v =
-        cross_surface(c, ball_G(q->uu, c->b, DD, r), m_not(m_none()));
-    if (m_any(v.hit)) {
-        *at = chord_end(c, q, end);
-        at->capped = m_not(q->is_ball);
-        at->top = top ? at->capped : m_none();
-    }
-    return v;
-}
-
-/* Where the line enters or leaves the cone of a round kind: y below 0, between 0
- * and S, above S, or none of these. */
-typedef struct {
-    vm below, between, above;
-} range;
-
-INLINE range end_on_cone(const questions *q, int end, hit *at)
-{
-    *at = chord_end(&q->cone, q, end);
-    const vd X = q->K + v_abs(at->s) * q->U, y = q->y0 + at->s * q->dz;
-    const vd e =
-        at->s_error * v_abs(q->dz) + eps(3) * (X * q->per_W + v_set(1));
-    return (range){m_and(q->crosses, v_lt(y, -e)),
-                   m_and(q->crosses, m_and(v_lt(e, y), v_lt(y, q->S - e))),
-                   m_and(q->crosses, v_lt(q->S + e, y))};
+    c.a = q->uu;
+    c.e_G = eps(6) * q->uu * (K * K);
+    c.e_a = eps(1) * q->uu;
+    cross_surface(&c, ball_G(q->uu, c.b, DD, r), m_not(m_none()));
+    hit at = chord_end(&c, q, end);
+    at.capped = m_not(q->is_ball);
+    at.top = top ? at.capped : m_none();
+    return at;
 }
 
 /*
  * Where the line enters or leaves the solid.  A sphere's only surface is ball 0.
  * Beyond the balls' circles the cone decides which ball is hit or, if it is
- * flatter than the line (`steep`), that it is the one which is entered first.
+ * flatter than the line (`apart`), that it is the one which is entered first.
  */
-INLINE verdict end_on_round(questions *q, int end, hit *at)
+INLINE hit end_on_round(const questions *q, int end)
 {
-    range y = {m_none(), m_none(), m_none()};
-    *at = no_hit();
-    if (m_any(q->crosses))
-        y = end_on_cone(q, end, at);
-    const vm beyond = m_or(y.below, y.above);
-    const vm steep = m_and(beyond, q->apart);
-    vm hits = y.between;
-    vm uncertain = m_not(m_or(m_or(hits, beyond), q->is_ball));
-    y.below = m_or(m_or(y.below, steep), q->is_ball);
-    y.above = m_or(y.above, steep);
+    hit at = chord_end(&q->cone, q, end);
+    const vd y = q->y0 + at.s * q->dz, e = at.z_error + eps(3);
+    const vm below = v_lt(y, -e), above = v_lt(q->S + e, y);
+    const vm beyond = m_and(at.is, m_or(below, above));
+    const vm mine[2] = {m_or(m_and(beyond, m_or(below, q->apart)), q->is_ball),
+                        m_and(beyond, m_or(above, q->apart))};
+    at.is = m_and(at.is, m_and(v_lt(e, y), v_lt(y, q->S - e)));
+    at.uncertain = m_not(m_or(m_or(at.is, beyond), q->is_ball));
     for (int top = 0; top < 2; top++) {
-        const vm mine = top ? y.above : y.below;
-        quadratic c;
-        hit ball = no_hit();
-        if (!m_any(mine))
+        if (!m_any(mine[top]))
             continue;
-        const verdict v = end_on_ball(q, top, end, &c, &ball);
-        const vd before = end ? ball.s - at->s : at->s - ball.s;
-        const vd error = ball.s_error + at->s_error;
-        const vm is = m_and(mine, v.hit), both = m_and(is, hits);
+        const hit ball = end_on_ball(q, top, end);
+        const vd before = end ? ball.s - at.s : at.s - ball.s;
+        const vd error = ball.s_error + at.s_error;
+        const vm is = m_and(mine[top], ball.is), both = m_and(is, at.is);
         const vm comes =
-            m_or(m_and_not(is, hits), m_and(both, v_lt(error, before)));
-        uncertain =
-            m_or(uncertain, m_or(m_and(mine, v.uncertain),
+            m_or(m_and_not(is, at.is), m_and(both, v_lt(error, before)));
+        at.uncertain = m_or(at.uncertain,
+                            m_or(m_and(mine[top], ball.uncertain),
                                  m_and_not(both, v_lt(error, v_abs(before)))));
-        select_hit(at, comes, &ball);
-        select_quadratic(&q->ball, comes, &c);
-        hits = m_or(hits, is);
+        select_hit(&at, comes, &ball);
+        at.is = m_or(at.is, is);
     }
-    return (verdict){m_and_not(hits, uncertain), uncertain};
+    at.is = m_and_not(at.is, at.uncertain);
+    return at;
 }
 
-INLINE vm is_on_ball(const questions *q, const hit *at)
+INLINE vm is_on_end(const questions *q, const hit *at)
 {
     return m_or(at->capped, q->is_ball);
 }
 
 /* ---------------------------------------------------------------- steps -- */
 
-/* P = D + s u. */
-INLINE void point_at(const questions *q, const hit *at, vd P[3])
+/* c = P x w, where P = D + s u and s has this error, and the error of c. */
+INLINE vd across(const questions *q, vd s, vd s_error, vd c[3])
 {
+    vd P[3];
     EACH(j, 3)
-        P[j] = q->D[j] + at->s * q->u[j];
+        P[j] = q->D[j] + s * q->u[j];
+    cross(c, P, q->w);
+    return q->W * (q->U * s_error + eps(3) * size_at(q, s));
 }
 
 /* The radius of the cone at a hit and its error. */
 INLINE vd radius_at(const questions *q, const hit *at, vd *error)
 {
-    const vd X = q->Dn + v_abs(at->s) * q->U;
-    *error = eps(3) * (q->r0 + v_abs(q->dr) * X * q->per_W);
+    *error = eps(3) * (q->r0 + v_abs(q->dr) * size_at(q, at->s) * q->per_W);
     return q->r0 + q->dr * at->z;
-}
-
-/* Q of the cone at a hit and its error.  Errors: c: 3 eps W X; S and 1 / ww and
- * their products: 22 u. */
-INLINE vd cone_at(const questions *q, const hit *at, vd *error)
-{
-    const vd X = q->Dn + v_abs(at->s) * q->U, e_c = eps(3) * (q->W * X);
-    const vd two = v_set(2);
-    vd P[3], c[3], e_k;
-    point_at(q, at, P);
-    cross(c, P, q->w);
-    const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
-    *error = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
-             e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
-    return q->S * cc * q->per_ww - k * k;
-}
-
-/* P from the centre of the ball of the hit, and the size of its terms. */
-INLINE vd point_on_ball(const questions *q, const hit *at, vd P[3])
-{
-    const vd zero = v_set(0);
-    point_at(q, at, P);
-    EACH(j, 3)
-        P[j] = P[j] - v_select(at->top, q->w[j], zero);
-    return q->Dn + v_abs(at->s) * q->U + v_select(at->top, q->W, zero);
-}
-
-/* |P|^2 - r^2 of the ball of the hit and its error: that of P is at most 6 u X,
- * that of r 2 u R. */
-INLINE vd ball_at(const questions *q, const hit *at, vd *error)
-{
-    vd P[3];
-    const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
-    const vd e_P = eps(1) * point_on_ball(q, at, P), PP = dot(P, P);
-    *error = e_P * (v_set(2) * size(P) + e_P) + eps(1) * (PP + q->R * q->R);
-    return PP - r * r;
 }
 
 /*
  * A step of Newton's from a root at which Q' / 2 is -+sqrt(G) (end 0, 1), in the
- * lanes `where`, for hits of which the floats would be uncertain.  Where s - root =
- * d, Q is d (2 Q'/2 + a d), so that the step leaves
+ * lanes `where`, for hits on the cone of which the floats would be uncertain.
+ * Errors of Q: S and 1 / ww and their products: 22 u.  Where s - root = d, Q is
+ * d (2 Q'/2 + a d), so that the step leaves
  *
  *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
  *
  * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
  */
-INLINE void step_on_shape(const questions *q, int end, int is_round, vm where,
-                          hit *at)
+INLINE void step_on_cone(const questions *q, int end, vm where, hit *at)
 {
-    const vm on_ball = is_round ? is_on_ball(q, at) : m_none();
-    quadratic c = q->cone;
-    vd Q = v_set(0), e_Q = v_set(0);
+    const quadratic *const cone = &q->cone;
+    const vd two = v_set(2);
+    vd c[3], e_k;
+    const vd e_c = across(q, at->s, v_set(0), c);
+    const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
+    const vd e_Q = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
+                   e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
+    const vd Q = q->S * cc * q->per_ww - k * k;
+    const vd d = at->s_error, step = Q * (v_set(0.5) * cone->per_root);
     hit better = *at;
-    if (m_any(m_not(on_ball)))
-        Q = cone_at(q, at, &e_Q);
-    if (m_any(on_ball)) {
-        vd e;
-        Q = v_select(on_ball, ball_at(q, at, &e), Q);
-        e_Q = v_select(on_ball, e, e_Q);
-        select_quadratic(&c, on_ball, &q->ball);
-    }
-    const vd d = at->s_error, step = Q * (v_set(0.5) * c.per_root);
     better.s = end ? at->s - step : at->s + step;
-    better.s_error = d * (c.e_G * (c.per_root * c.per_root) + eps(1)) +
-                     v_set(0.6) * c.per_root * (v_abs(c.a) * (d * d) + e_Q) +
-                     eps(0.25) * v_abs(better.s);
+    better.s_error =
+        d * (cone->e_G * (cone->per_root * cone->per_root) + eps(1)) +
+        v_set(0.6) * cone->per_root * (v_abs(cone->a) * (d * d) + e_Q) +
+        eps(0.25) * v_abs(better.s);
     set_z(q, &better);
     select_hit(at, where, &better);
+}
+
+/* --------------------------------------------------------------- angles -- */
+
+/*
+ * atan2(y, x) / (2 pi), in [0, 1], with an error of at most
+ * CYLINT_ATAN2_TURNS_ERROR.  *per_far is between 11/12 and 1 times
+ * 1 / hypotenuse.
+ *
+ * The signs and the order of x and y reduce the angle to one between 0 and
+ * pi / 4.  Its difference from pi / 8 has a tangent t of at most 0.4142136.  The
+ * series of atan(t) alternates, so the truncation error is less than the first
+ * omitted term, 0.4142136^29 / (58 pi) turns.  The bound with all roundings is
+ * proved: tests/bounds/prove/turn.g.
+ */
+#define CYLINT_ATAN2_TURNS_ERROR 0x1.8bp-45
+
+INLINE vd cylint_atan2_turns(vd y, vd x, vd *per_far)
+{
+#define TERM(n) v_set(0.15915494309189533577 / (n)) /* of 1 / (2 pi) */
+    const vd c[14] = {TERM(1),   TERM(-3),  TERM(5),   TERM(-7), TERM(9),
+                      TERM(-11), TERM(13),  TERM(-15), TERM(17), TERM(-19),
+                      TERM(21),  TERM(-23), TERM(25),  TERM(-27)};
+#undef TERM
+    const vd tan_eighth = v_set(0.41421356237309504880);
+    const vd ax = v_abs(x), ay = v_abs(y), wider = ax - ay;
+    const vm lies = v_lt(ay, ax);
+    const vd most = v_select(lies, ax, ay), least = v_select(lies, ay, ax);
+    *per_far = v_set(1) / (most + least * tan_eighth);
+    const vd t = (least - most * tan_eighth) * *per_far;
+    const vd z = t * t, z2 = z * z, z4 = z2 * z2, z8 = z4 * z4;
+    const vd low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z) +
+                   z4 * ((c[4] + c[5] * z) + z2 * (c[6] + c[7] * z));
+    const vd high =
+        (c[8] + c[9] * z) + z2 * (c[10] + c[11] * z) + z4 * (c[12] + c[13] * z);
+    /* reflected if x and y were exchanged, and by both signs */
+    const vd octant = v_set(0.125) - v_like(v_set(0.0625), wider);
+    const vd quadrant = v_set(0.25) - v_like(v_set(0.25) - octant, x);
+    const vd half = v_set(0.5) - v_like(v_set(0.5) - quadrant, y);
+    const vd part = t * (low + z8 * high);
+    const vd sign =
+        v_like(v_set(1), wider) * v_like(v_set(1), x) * v_like(v_set(1), y);
+    return half + sign * part;
 }
 
 #endif

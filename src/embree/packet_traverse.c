@@ -44,8 +44,7 @@ typedef struct {
 CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 {
     unsigned rays = 0;
-    EACH_RAY(k, e->rays & p->active)
-    {
+    EACH_RAY(k, e->rays & p->active) {
         const uint32_t last = order_key(p->state[k].last);
         rays |= (unsigned)(e->key >> 32 <= last) << k;
     }
@@ -62,8 +61,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
         vf enter[3], leave[3], first = f_set(HUGE_VALF);
         vi rays = i_set(0);
         child_faces(node, i, face, enter, leave);
-        EACH_RAY(k, e->rays)
-        {
+        EACH_RAY(k, e->rays) {
             vf from;
             const vm is = hit_boxes(enter, leave, &p->state[k], &from);
             first = m_select(is, f_lower(from, first), first);
@@ -86,24 +84,20 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
 
 /* ---------------------------------------------------------------- leaves -- */
 
-/* Tests the rays against the leaf.  Rays with a certain hit stop. */
+/* Tests the rays against the leaf.  wanted: rays with a certain hit stop. */
 CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
-                             unsigned rays, cylint_packet_leaf *hit)
+                             unsigned rays, int wanted, cylint_packet_leaf *hit)
 {
-    const int solid = leaf->used & CYLINT_LEAF_SOLID;
     cylinders all[CYLINT_LEAF_SIZE / WIDTH];
     for (int i = 0; i < CYLINT_LEAF_SIZE; i += WIDTH)
         all[i / WIDTH] = cylinders_of(leaf, i);
     hit->leaf = leaf;
     hit->rays = 0;
-    EACH_RAY(k, rays)
-    {
-        const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
+    EACH_RAY(k, rays) {
         unsigned certain = 0;
-        hit->lanes[k] = test_ray(leaf, all, ray, p->E[k], hit->least[k], NULL);
-        if (solid && hit->lanes[k] && p->outside >> k & 1)
-            test_ray(leaf, all, ray, p->E[k], hit->least[k], &certain);
-        if (certain)
+        hit->lanes[k] = test_ray(leaf, all, float_ray(&p->ray[k].ray), p->E[k],
+                                 hit->least[k], wanted ? &certain : NULL);
+        if (certain && p->outside >> k & 1)
             p->certain |= 1u << k;
         else
             hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;
@@ -118,13 +112,16 @@ static void traverse(traversal *p)
     p->n = 1;
     while ((leaf = next_leaf(p, &at))) {
         cylint_packet_leaf hit;
-        test_rays(p, leaf, at.rays, &hit);
+        if (p->outside && leaf->used & CYLINT_LEAF_SOLID)
+            test_rays(p, leaf, at.rays, 1, &hit);
+        else
+            test_rays(p, leaf, at.rays, 0, &hit);
         p->active &= ~p->certain;
         if (!hit.rays)
             continue;
         p->active &= ~p->callback(p->self, &hit);
         EACH_RAY(k, hit.rays)
-        shorten(&p->state[k], p->ray[k].ray.tfar);
+            shorten(&p->state[k], p->ray[k].ray.tfar);
     }
 }
 

@@ -49,7 +49,7 @@ typedef unsigned cylint_packet_leaf_callback(void *self,
 
 /*
  * Traverses a hierarchy that is not empty with n rays, 1 to CYLINT_PACKET_MOST,
- * that go into the same octant: their d have the same components below 0.
+ * that go into the same octant: their d have the same signs, of zeros too.
  * certain: returns the rays (bits) that certainly hit some shape; the callback
  * need not get all that these may hit.  Otherwise returns 0.
  */

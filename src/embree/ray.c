@@ -1,12 +1,107 @@
 /*
- * ray.c - one ray of Embree's: tests shapes against it, and records hits
+ * ray.c - the callbacks: trace one ray, or the rays of a packet
+ *
+ * cylint_intersect() decides whether and where a shape is hit; the float filter
+ * decides the same for most questions, with certainty and faster.
  */
-#include "ray.h"
-
+#include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "../bvh/float_bounds.h"
-#include "angle.h"
+#include "../numbers/compiler.h"
+#include "geometry.h"
+
+/* The arguments of both callbacks have the same members; in place of `rayhit` those
+ * for occlusion have rays alone. */
+typedef struct RTCIntersectFunctionNArguments call;
+
+#define SAME(ours, theirs)                                    \
+    (offsetof(struct RTCIntersectFunctionNArguments, ours) == \
+     offsetof(struct RTCOccludedFunctionNArguments, theirs))
+typedef char same_arguments
+    [SAME(valid, valid) && SAME(geometryUserPtr, geometryUserPtr) &&
+             SAME(primID, primID) && SAME(context, context) &&
+             SAME(rayhit, ray) && SAME(N, N) && SAME(geomID, geomID)
+         ? 1
+         : -1];
+#undef SAME
+
+/* A ray, and the lane or primitive to test it against. */
+typedef struct cylint_ray_test {
+    cylint_float_filter_question q; /* first: the filter's pointers are ours */
+    const cylint_embree_data *data;
+    const call *args;
+    int any; /* the callback is that for occlusion */
+    struct RTCRay *ray;
+    struct RTCHit *hit;      /* zeros if `any` */
+    const cylint_leaf *leaf; /* NULL: each shape is a primitive */
+    int lane;
+    unsigned rank; /* of the shape */
+    int found;     /* a hit was recorded */
+} cylint_ray_test;
+
+typedef cylint_ray_test ray_test;
+
+static inline int is_bare(const ray_test *r)
+{
+    return (r->data->flags & CYLINT_EMBREE_BARE) != 0;
+}
+
+static inline int has_filters(const ray_test *r)
+{
+    return !(r->data->flags & CYLINT_EMBREE_NO_FILTERS);
+}
+
+/* Sets what all questions about the ray share.  Returns whether cylint_span()
+ * accepts it.  The box tests do not reject all rays that it refuses.  Sums of six
+ * floats do not overflow doubles.  Clearing the whole struct would take longer than
+ * testing a leaf. */
+static inline int start_test(ray_test *r, const call *args, int any,
+                             struct RTCRay *ray, struct RTCHit *hit)
+{
+    const cylint_float_ray *from = float_ray(ray);
+    double direction = 0, all = 0;
+    r->data = args->geometryUserPtr;
+    r->args = args;
+    r->any = any;
+    r->ray = ray;
+    r->hit = hit;
+    r->leaf = NULL;
+    EACH(j, 3) {
+        r->q.o[j] = from->o[j];
+        r->q.d[j] = from->d[j];
+        direction += fabs(r->q.d[j]);
+        all += fabs(r->q.o[j]);
+    }
+    r->q.tmin = from->tnear;
+    r->q.near = HUGE_VAL;
+    r->q.tmax = from->tfar;
+    /* whether the caller or a filter reads u, v and Ng */
+    r->q.describes = !is_bare(r) && (!any || has_filters(r));
+    r->found = 0;
+    return (direction > 0) & (all + direction < HUGE_VAL) &
+           (from->tnear <= from->tfar);
+}
+
+/* The number of the shape that is tested. */
+static inline unsigned number_of(const ray_test *r)
+{
+    return r->leaf ? r->data->number[r->rank] : r->rank;
+}
+
+/* Sets the question whether the ray hits a piece of the shape. */
+CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
+{
+    cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
+    r->q.tfar = r->ray->tfar;
+    r->q.ends = ends;
+    r->q.index = piece.index;
+    r->q.count = piece.count;
+    r->q.exit_only = 0;
+}
+
+/* ------------------------------------------------------- exact answers -- */
 
 /* The domain's end that still includes every root whose t, rounded to a double,
  * is tfar. */
@@ -214,7 +309,7 @@ static int record(ray_test *r)
 
 /* Tests the hits from number `first` on with cylint_intersect(); z decides which
  * piece owns them. */
-static void test_exactly(ray_test *r, int first)
+ASIDE void test_exactly(ray_test *r, int first)
 {
     const int whole = r->q.count == 1;
     exact_hits x;
@@ -237,7 +332,7 @@ static void test_exactly(ray_test *r, int first)
     }
 }
 
-/* ---------------------------------------------------------------- tracing -- */
+/* -------------------------------------------------------- testing shapes -- */
 
 CYLINT_INLINE void filter_one(ray_test *r)
 {
@@ -245,7 +340,10 @@ CYLINT_INLINE void filter_one(ray_test *r)
     r->data->filter[0](&one, 1);
 }
 
-void cylint_ray_end(ray_test *r)
+/* Records the hit that the filter answers, if it is nearer than the present one
+ * and the filter functions accept it, or else a later hit of the shape;
+ * cylint_intersect() decides what is uncertain. */
+static void end_test(ray_test *r)
 {
     while (r->q.is == CYLINT_FLOAT_FILTER_HIT) {
         if (record(r) || r->q.leaves)
@@ -257,6 +355,45 @@ void cylint_ray_end(ray_test *r)
         test_exactly(r, r->q.exit_only);
 }
 
+CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
+                                   const cylint_leaf *leaf, unsigned lanes)
+{
+    for (; lanes; lanes &= lanes - 1)
+        CYLINT_PREFETCH(cylint_embree_record_at(
+            &data->shapes[0], leaf->number[cylint_lowest(lanes)]));
+}
+
+static inline int nearest_lane(unsigned lanes, const float *least)
+{
+    int first = cylint_lowest(lanes);
+    while ((lanes &= lanes - 1)) {
+        const int lane = cylint_lowest(lanes);
+        first = least[lane] < least[first] ? lane : first;
+    }
+    return first;
+}
+
+/* Removes the nearest lane from *lanes and sets the question about it.  Returns 0
+ * if no lane can hold the nearest hit. */
+CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
+                                    unsigned *lanes, const float *least)
+{
+    const int lane = nearest_lane(*lanes, least);
+    if (least[lane] > r->ray->tfar)
+        return 0;
+    *lanes &= ~(1u << lane);
+    r->leaf = leaf;
+    r->lane = lane;
+    r->rank = leaf->number[lane];
+    CYLINT_PREFETCH(r->data->number + r->rank);
+    r->q.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
+    set_question(r, cylint_leaf_ends(leaf, lane),
+                 cylint_leaf_piece(leaf, lane));
+    return 1;
+}
+
+/* --------------------------------------------------------------- one ray -- */
+
 /* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
  * the nearest hit. */
 static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
@@ -267,7 +404,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
         prefetch_shapes(r->data, leaf, lanes);
     while (lanes && take_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
-        cylint_ray_end(r);
+        end_test(r);
         if (r->found && r->any)
             return 1;
     }
@@ -282,10 +419,11 @@ static void test_primitive(ray_test *r)
     if (r->data->moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     filter_one(r);
-    cylint_ray_end(r);
+    end_test(r);
 }
 
-int cylint_trace_single(ray_test *r)
+/* Traces the ray alone.  Returns `found`. */
+static int trace_single(ray_test *r)
 {
     const cylint_traversal *traversal = r->data->traversal;
     if (!traversal) {
@@ -296,6 +434,201 @@ int cylint_trace_single(ray_test *r)
         r->found = 1;
     }
     return r->found;
+}
+
+/* --------------------------------------------------------------- packets -- */
+
+/* Rays are copied out of the packet, traced together if they begin near each
+ * other and go into the same octant, else one by one, and copied back if they
+ * are hit. */
+
+/* Embree 4 expects in valid[] whether the ray was hit. */
+static inline void set_valid(int *valid, unsigned i, int hit)
+{
+    if (CYLINT_EMBREE == 4)
+        valid[i] = hit ? -1 : 0;
+}
+
+/* The members of a ray and of a hit, 4 bytes each.  A packet of N rays stores
+ * each member N times, those of hits behind those of rays. */
+enum {
+    RAY_WORDS = sizeof(struct RTCRay) / 4,
+    HIT_WORDS = (offsetof(struct RTCHit, instID) + CYLINT_INSTANCE_BYTES) / 4
+};
+
+/* Copies words that are step_from and step_to words apart. */
+static void copy_words(void *to, unsigned step_to, const void *from,
+                       unsigned step_from, unsigned words)
+{
+    for (unsigned k = 0; k < words; k++)
+        memcpy((char *)to + 4 * k * step_to,
+               (const char *)from + 4 * k * step_from, 4);
+}
+
+typedef cylint_float_filter_question question;
+
+/* The rays of a packet that are traced together. */
+typedef struct {
+    ray_test test[CYLINT_PACKET_MOST];
+    struct RTCRayHit ray[CYLINT_PACKET_MOST];
+    unsigned place[CYLINT_PACKET_MOST]; /* in the packet */
+    int n;
+} packet_state;
+
+/* ------------------------------------------------------------- together -- */
+
+/* At most one question for each ray; all of round shapes or none of them. */
+static void test_batch(question *const asked[], int n,
+                       const cylint_embree_data *data)
+{
+    if (n > 0)
+        data->filter[n > 1](asked, n);
+    for (int i = 0; i < n; i++)
+        end_test((ray_test *)asked[i]);
+}
+
+/* Tests the lanes of all rays in turns, the nearest lane of each ray first.
+ * Returns the rays (bits) that need no other hit. */
+static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
+{
+    packet_state *p = self;
+    unsigned rays = hit->rays, stopped = 0, left[CYLINT_PACKET_MOST];
+    EACH_RAY(k, rays) {
+        left[k] = hit->lanes[k];
+        prefetch_shapes(p->test[0].data, hit->leaf, left[k]);
+    }
+    while (rays) {
+        question *asked[2][CYLINT_PACKET_MOST]; /* not round, and round */
+        int n[2] = {0, 0};
+        EACH_RAY(k, rays) {
+            question *q = &p->test[k].q;
+            if (left[k] && take_nearest_lane(&p->test[k], hit->leaf, &left[k],
+                                             hit->least[k])) {
+                const int is_round = cylint_float_filter_is_round(q);
+                asked[is_round][n[is_round]++] = q;
+            } else {
+                rays &= ~(1u << k);
+            }
+        }
+        test_batch(asked[0], n[0], p->test[0].data);
+        test_batch(asked[1], n[1], p->test[0].data);
+        if (p->test[0].any)
+            EACH_RAY(k, rays)
+                stopped |= (unsigned)(p->test[k].found != 0) << k;
+        rays &= ~stopped;
+    }
+    return stopped;
+}
+
+/* Traces rays (bits) together; they go into one octant.  An occlusion query has no
+ * hits. */
+static void trace_rays(const call *a, int any, unsigned rays)
+{
+    const cylint_embree_data *data = a->geometryUserPtr;
+    const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
+    float *const packet = (float *)a->rayhit;
+    packet_state s;
+    unsigned certain = 0;
+    s.n = 0;
+    EACH_RAY(i, rays) {
+        struct RTCRayHit *one = &s.ray[s.n];
+        one->hit = (struct RTCHit){0};
+        copy_words(one, 1, packet + i, a->N, words);
+        set_valid(a->valid, (unsigned)i, 0);
+        if (start_test(&s.test[s.n], a, any, &one->ray, &one->hit))
+            s.place[s.n++] = (unsigned)i;
+    }
+    if (s.n == 1)
+        trace_single(&s.test[0]);
+    else if (s.n > 1)
+        certain = data->traverse_packet(&data->bvh, s.ray, s.n,
+                                        any && !has_filters(&s.test[0]),
+                                        test_lanes_in_order, &s);
+    for (int k = 0; k < s.n; k++) {
+        if (certain >> k & 1)
+            s.ray[k].ray.tfar = -HUGE_VALF;
+        else if (!s.test[k].found)
+            continue;
+        copy_words(packet + s.place[k], a->N, &s.ray[k], 1, words);
+        set_valid(a->valid, s.place[k], 1);
+    }
+}
+
+/* ------------------------------------------------- which rays go together -- */
+
+/* Fewer rays often share an octant by chance. */
+static int are_enough(unsigned rays, unsigned N)
+{
+    unsigned n = 0;
+    for (; rays; rays &= rays - 1)
+        n++;
+    return n > N / 4 + 1;
+}
+
+/* Of rays of one octant those that begin near the first one, within 1/8 of the
+ * longest side S of the shapes' box, if they are enough, or else none. */
+static unsigned near_first(const call *a, unsigned rays)
+{
+    const cylint_embree_data *data = a->geometryUserPtr;
+    const float *o = (const float *)a->rayhit,
+                S = data->bvh.near_distance / 256;
+    unsigned near = 0;
+    if (!data->traversal || !are_enough(rays, a->N))
+        return 0;
+    const float *first = o + cylint_lowest(rays);
+    EACH_RAY(i, rays) {
+        float far = 0;
+        for (unsigned j = 0; j < 3 * a->N; j += a->N)
+            far += fabsf(o[j + (unsigned)i] - first[j]);
+        near |= (unsigned)(far < S / 8) << i;
+    }
+    return are_enough(near, a->N) ? near : 0;
+}
+
+static void trace_packet(const call *a, int any)
+{
+    const float *d =
+        (const float *)a->rayhit + offsetof(struct RTCRay, dir_x) / 4 * a->N;
+    unsigned octant[8] = {0};
+    for (unsigned i = 0; i < a->N; i++) {
+        const unsigned x = signbit(d[i]) != 0, y = signbit(d[a->N + i]) != 0,
+                       z = signbit(d[2 * a->N + i]) != 0;
+        octant[x | y << 1 | z << 2] |= (unsigned)(a->valid[i] != 0) << i;
+    }
+    for (int k = 0; k < 8; k++) {
+        const unsigned together = near_first(a, octant[k]);
+        if (together)
+            trace_rays(a, any, together);
+        EACH_RAY(i, octant[k] & ~together)
+            trace_rays(a, any, 1u << i);
+    }
+}
+
+/* -------------------------------------------------------------- callbacks -- */
+
+static void trace(const call *a, int any, struct RTCRay *ray,
+                  struct RTCHit *hit)
+{
+    ray_test one;
+    if (a->N > 1)
+        trace_packet(a, any);
+    else
+        set_valid(a->valid, 0,
+                  start_test(&one, a, any, ray, hit) && trace_single(&one));
+}
+
+void cylint_embree_intersect_callback(
+    const struct RTCIntersectFunctionNArguments *args)
+{
+    struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
+    trace(args, 0, &one->ray, &one->hit);
+}
+
+void cylint_embree_occluded_callback(
+    const struct RTCOccludedFunctionNArguments *args)
+{
+    struct RTCHit none = {0};
+    trace((const call *)args, 1, (struct RTCRay *)args->ray, &none);
 }
 
 /* ------------------------------------------------------------ completion -- */

@@ -10,22 +10,27 @@
 #include "members.h"
 #include "plane.h"
 
-static int has_tiny_numbers(const cylint_line *line)
+/* Whether a coordinate of the line, or its difference from the base, can be
+ * subnormal. */
+static int has_tiny_numbers(const source *from)
 {
+    const double *o = from->line->o, *d = from->line->d,
+                 *base = cylint_base(from->shape);
     int tiny = 0;
     EACH(i, 3)
-        tiny |= cylint_too_small(line->o[i]) | cylint_too_small(line->d[i]);
+        tiny |= cylint_too_small(o[i]) | cylint_too_small(d[i]) |
+                cylint_too_small(base[i]);
     return tiny;
 }
 
 /* The members of both lanes.  Where the processor flushes subnormal numbers, those
- * of a line with such numbers are not certain.  The line is tested first: a product
- * with a subnormal result takes an Intel processor 150 cycles. */
+ * from such numbers are not certain.  The numbers are tested first: a product with
+ * a subnormal result takes an Intel processor 150 cycles. */
 static void members_of(cylint_hit_lanes *to, const source *from,
                        const pair_line *in, const hit_root *r, unsigned want)
 {
     members_at(to, from, in, r, want, cylint_prepared(from->shape));
-    if (has_tiny_numbers(from->line) && cylint_flushes_subnormals())
+    if (has_tiny_numbers(from) && cylint_flushes_subnormals())
         to->certain = 0;
 }
 

@@ -42,7 +42,7 @@ ASIDE void frames_of_records(frames *to, const char *const record[LANES],
     EACH(i, 4)
         axis.part[i] = v_two_sum(top[i], -base[i]);
     const inverse_lengths inverse =
-        upright_rows(&m, &axis, is_hull ? -1 : 1, 0);
+        upright_rows(&m, &axis, is_hull ? -1 : 1, 0, NULL);
     const vpair height = last_of(&m.x), slope = last_of(&m.z);
     EACH(i, 4)
         to->of[CYLINT_AT_BASE + i] = base[i]; /* and r0 */

@@ -28,15 +28,6 @@
  */
 #include "methods.h"
 
-static cylint_method_chord closest_points_parallel(const double D[3],
-                                                   const double d[3], double r)
-{
-    double apart[3];
-
-    along(D, -dot(D, d) / dot(d, d), d, apart);
-    return parallel_chord(dot(apart, apart) - r * r);
-}
-
 static cylint_method_chord closest_points_chord(const cylint_shape *shape,
                                                 const cylint_line *line)
 {
@@ -48,7 +39,7 @@ static cylint_method_chord closest_points_chord(const cylint_shape *shape,
     cross(d, e, n);
     const double nn = dot(n, n);
     if (nn == 0)
-        return closest_points_parallel(D, d, cylint_r0(shape));
+        return parallel_lines(D, d, cylint_r0(shape));
 
     cross(D, e, De);
     cross(D, d, Dd);

@@ -26,16 +26,6 @@
  */
 #include "methods.h"
 
-static cylint_method_chord cychosz_waggenspack_parallel(const double RC[3],
-                                                        const double axis[3],
-                                                        double radius)
-{
-    double D[3];
-
-    along(RC, -dot(RC, axis), axis, D);
-    return parallel_chord(length(D) - radius);
-}
-
 static cylint_method_chord intcyl(const double RC[3], const double raycos[3],
                                   const double axis[3], double radius)
 {
@@ -43,7 +33,7 @@ static cylint_method_chord intcyl(const double RC[3], const double raycos[3],
 
     cross(raycos, axis, n);
     if (dot(n, n) == 0)
-        return cychosz_waggenspack_parallel(RC, axis, radius);
+        return parallel_lines(RC, axis, radius);
     const double ln = unit(n, n);
     const double d = fabs(dot(RC, n));
     if (!(d <= radius))

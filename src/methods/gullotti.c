@@ -33,54 +33,6 @@
  */
 #include "methods.h"
 
-/* The inverse of M: p maps to (row . p) + offset. */
-typedef struct inverse {
-    double row[3][3];
-    double offset[3];
-} inverse;
-
-/* The semi-axes a and b.  Of a circular cylinder: two vectors of length r,
- * perpendicular to the axis and to each other. */
-static void semi_axes(const cylint_shape *shape, double a[3], double b[3])
-{
-    double height[3];
-
-    if (shape->kind == CYLINT_KIND_ECYLINDER) {
-        for (int i = 0; i < 3; i++) {
-            a[i] = cylint_a(shape)[i];
-            b[i] = cylint_b(shape)[i];
-        }
-        return;
-    }
-    cylint_phi_origin(cylint_axis(shape), a);
-    unit(a, a);
-    unit(cylint_axis(shape), height);
-    cross(height, a, b);
-    for (int i = 0; i < 3; i++) {
-        a[i] *= cylint_r0(shape);
-        b[i] *= cylint_r0(shape);
-    }
-}
-
-static inverse inverse_of(const cylint_shape *shape)
-{
-    inverse m;
-    double a[3], b[3];
-    const double *c = cylint_axis(shape);
-
-    semi_axes(shape, a, b);
-    cross(b, c, m.row[0]);
-    cross(c, a, m.row[1]);
-    cross(a, b, m.row[2]);
-    const double det = dot(m.row[2], c);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++)
-            m.row[i][j] /= det;
-        m.offset[i] = -dot(m.row[i], cylint_base(shape));
-    }
-    return m;
-}
-
 /* The chord of the line p + t v in the unit cylinder x^2 + y^2 <= 1. */
 static cylint_method_chord gullotti_chord(const double p[3], const double v[3])
 {
@@ -103,15 +55,15 @@ cylint_status cylint_gullotti(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer)
 {
-    double p[3], v[3];
+    double row[3][3], p[3], v[3];
 
     if (shape->kind != CYLINT_KIND_CYLINDER &&
         shape->kind != CYLINT_KIND_ECYLINDER)
         return cylint_method_not_applicable(answer);
-    const inverse m = inverse_of(shape);
+    cylint_method_rows(shape, cylint_r0(shape), row);
     for (int i = 0; i < 3; i++) {
-        p[i] = dot(m.row[i], line->o) + m.offset[i];
-        v[i] = dot(m.row[i], line->d);
+        p[i] = dot(row[i], line->o) - dot(row[i], cylint_base(shape));
+        v[i] = dot(row[i], line->d);
     }
     const cylint_affine z = {p[2], v[2]};
     cylint_method_chord chord = gullotti_chord(p, v);

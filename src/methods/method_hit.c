@@ -5,61 +5,65 @@
  * doubles, as cylint.h defines them.
  *
  * A point is c + x a + y b + z h; it is inside if x^2 + y^2 <= rho(z)^2.  For a
- * circular shape a is e x axis, b is perpendicular to a and to the axis, and
- * both have length one.
+ * circular shape a and b have length one.
  */
 #include "methods.h"
 
 #include "../shapes/measure.h"
 
 typedef struct frame {
-    double x_of[3], y_of[3], z_of[3]; /* the gradients of x, y and z */
-    double rho, drho;                 /* rho(z) = rho + drho z */
+    double row[3][3]; /* the gradients of x, y and z */
+    double rho, drho; /* rho(z) = rho + drho z */
 } frame;
 
-void cylint_phi_origin(const double axis[3], double out[3])
+static void semi_axes(const cylint_shape *shape, double radius, double a[3],
+                      double b[3])
 {
     static const double none[3] = {0, 0, 0};
-    double e[3] = {0, 0, 0};
+    double e[3] = {0, 0, 0}, h[3];
 
-    e[cylint_least_component(axis, none)] = 1;
-    cross(e, axis, out);
+    if (cylint_is_elliptic(shape->kind)) {
+        memcpy(a, cylint_a(shape), sizeof e);
+        memcpy(b, cylint_b(shape), sizeof e);
+        return;
+    }
+    e[cylint_least_component(cylint_axis(shape), none)] = 1;
+    unit(cylint_axis(shape), h);
+    cross(e, h, a);
+    unit(a, a);
+    cross(h, a, b);
+    for (int i = 0; i < 3; i++) {
+        a[i] *= radius;
+        b[i] *= radius;
+    }
 }
 
-static void scaled_cross(const double a[3], const double b[3], double by,
-                         double out[3])
+void cylint_method_rows(const cylint_shape *shape, double radius,
+                        double row[3][3])
 {
-    cross(a, b, out);
+    const double *h = cylint_axis(shape);
+    double a[3], b[3];
+
+    semi_axes(shape, radius, a, b);
+    cross(b, h, row[0]);
+    cross(h, a, row[1]);
+    cross(a, b, row[2]);
+    const double det = dot(row[2], h);
     for (int i = 0; i < 3; i++)
-        out[i] /= by;
+        for (int j = 0; j < 3; j++)
+            row[i][j] /= det;
 }
 
 static frame frame_of(const cylint_shape *shape)
 {
-    frame f;
-    const double *h = cylint_axis(shape);
+    frame f = {.rho = 1, .drho = cylint_r1(shape) - 1};
 
-    if (cylint_is_elliptic(shape->kind)) {
-        double normal[3];
-        cross(cylint_a(shape), cylint_b(shape), normal);
-        const double det = dot(normal, h);
-        scaled_cross(cylint_b(shape), h, det, f.x_of);
-        scaled_cross(h, cylint_a(shape), det, f.y_of);
-        scaled_cross(cylint_a(shape), cylint_b(shape), det, f.z_of);
-        f.rho = 1;
-        f.drho = cylint_r1(shape) - 1;
-        return f;
+    cylint_method_rows(shape, 1, f.row);
+    if (!cylint_is_elliptic(shape->kind)) {
+        f.rho = cylint_r0(shape);
+        f.drho = (cylint_r1(shape) - cylint_r0(shape)) *
+                 cylint_radius_unit(shape, length(cylint_axis(shape)));
     }
-    double origin[3];
-    const double size = length(h);
-    cylint_phi_origin(h, origin);
-    unit(origin, f.x_of);
-    scaled_cross(h, f.x_of, size, f.y_of);
-    for (int i = 0; i < 3; i++)
-        f.z_of[i] = h[i] / size / size;
-    f.rho = cylint_r0(shape);
-    f.drho =
-        (cylint_r1(shape) - cylint_r0(shape)) * cylint_radius_unit(shape, size);
     return f;
 }
 
@@ -82,7 +86,7 @@ static void normal_at(const cylint_shape *shape, const frame *f,
     if (part != CYLINT_PART_LATERAL) {
         const double sign = part == CYLINT_PART_CAP0 ? -1 : 1;
         for (int i = 0; i < 3; i++)
-            normal[i] = sign * f->z_of[i];
+            normal[i] = sign * f->row[2][i];
         unit(normal, normal);
         return;
     }
@@ -92,7 +96,7 @@ static void normal_at(const cylint_shape *shape, const frame *f,
     }
     const double slope = (f->rho + f->drho * z) * f->drho;
     for (int i = 0; i < 3; i++)
-        normal[i] = x * f->x_of[i] + y * f->y_of[i] - slope * f->z_of[i];
+        normal[i] = x * f->row[0][i] + y * f->row[1][i] - slope * f->row[2][i];
     unit(normal, normal);
 }
 
@@ -129,7 +133,8 @@ void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
 
     const frame f = frame_of(shape);
     minus(point, cylint_base(shape), D);
-    const double x = dot(D, f.x_of), y = dot(D, f.y_of), z = dot(D, f.z_of);
+    const double x = dot(D, f.row[0]), y = dot(D, f.row[1]),
+                 z = dot(D, f.row[2]);
     if (want & CYLINT_WANT_Z)
         hit->z = z;
     if (want & CYLINT_WANT_PHI)

@@ -16,6 +16,7 @@
 #define CYLINT_METHODS_INTERNAL_H
 
 #include <math.h>
+#include <string.h>
 
 #include "../shapes/shape_facts.h"
 #include "cylint_methods.h"
@@ -105,6 +106,17 @@ static inline cylint_method_chord parallel_chord(double excess)
                          -INFINITY, INFINITY);
 }
 
+/* The same where D goes from one of the two to the other, of which d is the
+ * direction. */
+static inline cylint_method_chord parallel_lines(const double D[3],
+                                                 const double d[3], double r)
+{
+    double apart[3];
+
+    along(D, -dot(D, d) / dot(d, d), d, apart);
+    return parallel_chord(length(apart) - r);
+}
+
 /* An affine function of the line's parameter t: at + t slope. */
 typedef struct cylint_affine {
     double at, slope;
@@ -145,9 +157,12 @@ void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
                        unsigned want, double t, int part, int side,
                        cylint_hit *hit);
 
-/* The direction of phi = 0 of a circular shape: e x axis, where e is the
- * coordinate direction in which the axis has its smallest component, the
- * first of equal ones.  Its length is not 1. */
-void cylint_phi_origin(const double axis[3], double out[3]);
+/* The rows of the inverse of [a b h], so that a point c + x a + y b + z h has
+ * (x, y, z) = rows (point - c).  h is the axis.  The semi-axes a and b of a
+ * circular shape have the length `radius` and are perpendicular to it; a is along
+ * e x axis, where e is the coordinate direction in which the axis has its smallest
+ * component, the first of equal ones. */
+void cylint_method_rows(const cylint_shape *shape, double radius,
+                        double row[3][3]);
 
 #endif

@@ -23,51 +23,37 @@ typedef struct quadric {
  *
  *   |w|^4 |D|^2 - |w|^2 (w.D)^2 - (r0 |w|^2 + dr w.D)^2 = 0
  *
- * has no quotient.  A cylinder (dr = 0) needs only one factor |w|^2.
+ * has no quotient.  A cylinder (dr = 0) needs only one factor |w|^2.  So does a
+ * cone by apex and tangent k: |w|^2 |D|^2 - (w.D)^2 - (k w.D)^2 = 0.
  */
 static quadric circular(const cylint_shape *shape, const cylint_line *line)
 {
     quadric q;
     const double *d = line->d, *w = cylint_axis(shape);
+    const double r0 = cylint_r0(shape), r1 = cylint_r1(shape), dr = r1 - r0;
     double D[3];
 
     minus(line->o, cylint_base(shape), D);
     const double ww = dot(w, w), wd = dot(w, d), wD = dot(w, D);
-    const double dr = cylint_r1(shape) - cylint_r0(shape);
     q.A = ww * dot(d, d) - wd * wd;
     q.B = 2 * (ww * dot(d, D) - wd * wD);
     q.C = ww * dot(D, D) - wD * wD;
-    q.rho.at = cylint_r0(shape) * ww + dr * wD;
-    q.rho.slope = dr * wd;
     q.z.at = wD / ww;
     q.z.slope = wd / ww;
+    q.rho.at = r0 * ww + dr * wD;
+    q.rho.slope = dr * wd;
     if (dr == 0) {
-        q.C -= cylint_r0(shape) * cylint_r0(shape) * ww;
+        q.C -= r0 * r0 * ww;
         return q;
     }
-    q.A = ww * q.A - q.rho.slope * q.rho.slope;
-    q.B = ww * q.B - 2 * q.rho.at * q.rho.slope;
-    q.C = ww * q.C - q.rho.at * q.rho.at;
-    return q;
-}
-
-/* By apex and tangent k: |w|^2 |D|^2 - (1 + k^2) (w.D)^2 = 0. */
-static quadric by_angle(const cylint_shape *shape, const cylint_line *line)
-{
-    quadric q;
-    const double *d = line->d, *w = cylint_axis(shape);
-    double D[3];
-
-    minus(line->o, cylint_base(shape), D);
-    const double ww = dot(w, w), wd = dot(w, d), wD = dot(w, D);
-    const double factor = 1 + cylint_r1(shape) * cylint_r1(shape);
-    q.A = ww * dot(d, d) - factor * wd * wd;
-    q.B = 2 * (ww * dot(d, D) - factor * wd * wD);
-    q.C = ww * dot(D, D) - factor * wD * wD;
-    q.rho.at = wD;
-    q.rho.slope = wd;
-    q.z.at = wD / ww;
-    q.z.slope = wd / ww;
+    if (shape->kind == CYLINT_KIND_CONE) {
+        q.A *= ww;
+        q.B *= ww;
+        q.C *= ww;
+    }
+    q.A -= q.rho.slope * q.rho.slope;
+    q.B -= 2 * q.rho.at * q.rho.slope;
+    q.C -= q.rho.at * q.rho.at;
     return q;
 }
 
@@ -136,10 +122,8 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
     switch (shape->kind) {
     case CYLINT_KIND_CYLINDER:
     case CYLINT_KIND_CONE:
-        q = circular(shape, line);
-        break;
     case CYLINT_KIND_ACONE:
-        q = by_angle(shape, line);
+        q = circular(shape, line);
         break;
     case CYLINT_KIND_ECYLINDER:
     case CYLINT_KIND_ECONE:

@@ -28,16 +28,6 @@
  */
 #include "methods.h"
 
-/* u x v = 0: the distance of B from l decides. */
-static cylint_method_chord shene_cylinder_parallel(const double D[3],
-                                                   const double u[3], double r)
-{
-    double apart[3];
-
-    along(D, -dot(D, u), u, apart);
-    return parallel_chord(length(apart) - r);
-}
-
 static cylint_method_chord shene_cylinder_chord(const double D[3],
                                                 const double u[3],
                                                 const double v[3], double r)
@@ -47,7 +37,7 @@ static cylint_method_chord shene_cylinder_chord(const double D[3],
     cross(u, v, uv);
     const double sine = length(uv);
     if (sine == 0)
-        return shene_cylinder_parallel(D, u, r);
+        return parallel_lines(D, u, r); /* the distance of B from l */
 
     const double d = fabs(dot(D, uv) / sine);
     if (!(d <= r))

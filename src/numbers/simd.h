@@ -39,21 +39,9 @@
 
 #include <immintrin.h>
 #define LANES 8
+#define MM(name) _mm512_##name
 typedef __m512d vd;
 typedef __mmask8 vm;
-static inline vd v_set(double x) { return _mm512_set1_pd(x); }
-static inline vd v_load(const double *x) { return _mm512_loadu_pd(x); }
-static inline void v_store(double *x, vd v) { _mm512_storeu_pd(x, v); }
-static inline vd v_abs(vd x) { return _mm512_abs_pd(x); }
-static inline vd v_max(vd x, vd y) { return _mm512_max_pd(x, y); }
-static inline vd v_sqrt(vd x) { return _mm512_sqrt_pd(x); }
-static inline vd v_fma(vd x, vd y, vd z) { return _mm512_fmadd_pd(x, y, z); }
-static inline vd v_float(vd x) { return _mm512_cvtps_pd(_mm512_cvtpd_ps(x)); }
-static inline vd v_like(vd x, vd y)
-{
-    const vd sign = _mm512_set1_pd(-0.0);
-    return _mm512_or_pd(_mm512_andnot_pd(sign, x), _mm512_and_pd(sign, y));
-}
 static inline vm v_lt(vd x, vd y)
 {
     return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
@@ -83,24 +71,9 @@ static inline vm m_from(unsigned bits) { return (vm)bits; }
 
 #include <immintrin.h>
 #define LANES 4
+#define MM(name) _mm256_##name
 typedef __m256d vd;
 typedef __m256d vm;
-static inline vd v_set(double x) { return _mm256_set1_pd(x); }
-static inline vd v_load(const double *x) { return _mm256_loadu_pd(x); }
-static inline void v_store(double *x, vd v) { _mm256_storeu_pd(x, v); }
-static inline vd v_abs(vd x)
-{
-    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
-}
-static inline vd v_max(vd x, vd y) { return _mm256_max_pd(x, y); }
-static inline vd v_sqrt(vd x) { return _mm256_sqrt_pd(x); }
-static inline vd v_fma(vd x, vd y, vd z) { return _mm256_fmadd_pd(x, y, z); }
-static inline vd v_float(vd x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
-static inline vd v_like(vd x, vd y)
-{
-    const vd sign = _mm256_set1_pd(-0.0);
-    return _mm256_or_pd(_mm256_andnot_pd(sign, x), _mm256_and_pd(sign, y));
-}
 static inline vm v_lt(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LT_OQ); }
 static inline vm v_le(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LE_OQ); }
 static inline vm v_eq(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_EQ_OQ); }
@@ -112,11 +85,6 @@ static inline vm m_not(vm m)
 {
     return _mm256_xor_pd(m, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)));
 }
-static inline vm m_and(vm a, vm b) { return _mm256_and_pd(a, b); }
-static inline vm m_or(vm a, vm b) { return _mm256_or_pd(a, b); }
-static inline vm m_and_not(vm a, vm b) { return _mm256_andnot_pd(b, a); }
-static inline vm m_if(vm m, vm a, vm b) { return v_select(m, a, b); }
-static inline unsigned m_bits(vm m) { return (unsigned)_mm256_movemask_pd(m); }
 static inline vm m_from(unsigned bits)
 {
     const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
@@ -143,20 +111,9 @@ static inline vd v_with_last(vd x, double last)
 
 #include <immintrin.h>
 #define LANES 2
+#define MM(name) _mm_##name
 typedef __m128d vd;
 typedef __m128d vm;
-static inline vd v_set(double x) { return _mm_set1_pd(x); }
-static inline vd v_load(const double *x) { return _mm_loadu_pd(x); }
-static inline void v_store(double *x, vd v) { _mm_storeu_pd(x, v); }
-static inline vd v_abs(vd x) { return _mm_andnot_pd(_mm_set1_pd(-0.0), x); }
-static inline vd v_max(vd x, vd y) { return _mm_max_pd(x, y); }
-static inline vd v_sqrt(vd x) { return _mm_sqrt_pd(x); }
-static inline vd v_float(vd x) { return _mm_cvtps_pd(_mm_cvtpd_ps(x)); }
-static inline vd v_like(vd x, vd y)
-{
-    const vd sign = _mm_set1_pd(-0.0);
-    return _mm_or_pd(_mm_andnot_pd(sign, x), _mm_and_pd(sign, y));
-}
 static inline vm v_lt(vd x, vd y) { return _mm_cmplt_pd(x, y); }
 static inline vm v_le(vd x, vd y) { return _mm_cmple_pd(x, y); }
 static inline vm v_eq(vd x, vd y) { return _mm_cmpeq_pd(x, y); }
@@ -177,11 +134,6 @@ static inline vm m_not(vm m)
 {
     return _mm_xor_pd(m, _mm_castsi128_pd(_mm_set1_epi32(-1)));
 }
-static inline vm m_and(vm a, vm b) { return _mm_and_pd(a, b); }
-static inline vm m_or(vm a, vm b) { return _mm_or_pd(a, b); }
-static inline vm m_and_not(vm a, vm b) { return _mm_andnot_pd(b, a); }
-static inline vm m_if(vm m, vm a, vm b) { return v_select(m, a, b); }
-static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_pd(m); }
 static inline vm m_turned(vm m) { return v_turned(m); }
 static inline vm m_firsts(vm m) { return v_firsts(m, m); }
 static inline vm m_seconds(vm m) { return v_seconds(m, m); }
@@ -191,7 +143,6 @@ static inline vm m_from(unsigned bits)
         -(int)(bits >> 1 & 1), -(int)(bits & 1), -(int)(bits & 1)));
 }
 #ifdef __FMA__
-static inline vd v_fma(vd x, vd y, vd z) { return _mm_fmadd_pd(x, y, z); }
 #define V_HAS_FMA 1
 #else
 #define V_HAS_FMA 0
@@ -335,6 +286,30 @@ static inline vd v_fma(vd x, vd y, vd z) { return __builtin_fma(x, y, z); }
 #define V_HAS_FMA 0
 #endif
 
+#endif
+
+#ifdef MM /* intrinsics that have the same names at all widths */
+static inline vd v_set(double x) { return MM(set1_pd)(x); }
+static inline vd v_load(const double *x) { return MM(loadu_pd)(x); }
+static inline void v_store(double *x, vd v) { MM(storeu_pd)(x, v); }
+static inline vd v_abs(vd x) { return MM(andnot_pd)(v_set(-0.0), x); }
+static inline vd v_max(vd x, vd y) { return MM(max_pd)(x, y); }
+static inline vd v_sqrt(vd x) { return MM(sqrt_pd)(x); }
+static inline vd v_float(vd x) { return MM(cvtps_pd)(MM(cvtpd_ps)(x)); }
+static inline vd v_like(vd x, vd y)
+{
+    return MM(or_pd)(v_abs(x), MM(and_pd)(v_set(-0.0), y));
+}
+#if V_HAS_FMA
+static inline vd v_fma(vd x, vd y, vd z) { return MM(fmadd_pd)(x, y, z); }
+#endif
+#if LANES < 8 /* masks are vectors */
+static inline vm m_and(vm a, vm b) { return MM(and_pd)(a, b); }
+static inline vm m_or(vm a, vm b) { return MM(or_pd)(a, b); }
+static inline vm m_and_not(vm a, vm b) { return MM(andnot_pd)(b, a); }
+static inline vm m_if(vm m, vm a, vm b) { return v_select(m, a, b); }
+static inline unsigned m_bits(vm m) { return (unsigned)MM(movemask_pd)(m); }
+#endif
 #endif
 
 static inline int m_any(vm m)
@@ -650,5 +625,6 @@ static inline vqpair q_two_diff(vq a, vq b)
     return (vqpair){s, q_sub(q_sub(a, q_sub(s, bb)), q_add(b, bb))};
 }
 
+#undef MM
 /* clang-format on */
 #endif

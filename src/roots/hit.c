@@ -104,7 +104,7 @@ typedef struct {
 
 static described described_at(cylint_query *q, cylint_root root)
 {
-    const cylint_terms_exact *L = cylint_load_exact_moments(q);
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
     described at = {q, cylint_surd(q, root), *L, *L};
     memcpy(at.along.D[0], L->u, sizeof L->u);
     at.along.r[0].sign = at.along.det.sign = 0;

@@ -37,7 +37,7 @@ typedef struct {
 static number form_in_pairs(cylint_query *q, cylint_form f, int end)
 {
     const bounded_pair x =
-        cylint_form_pair(cylint_load_pair_moments(q), f, end);
+        cylint_form_pair(cylint_load_pairs(q, f, end), f, end);
     return (number){x.v, bounded_pair_error(x)};
 }
 
@@ -172,7 +172,7 @@ static number step_from(number t, int in_window, bounded_pair f, number slope,
  * digits. */
 static number step_to_lateral(cylint_query *q, number t, double curvature)
 {
-    cylint_terms_pair *L = cylint_load_pair_moments(q);
+    cylint_terms_pair *L = cylint_load_pairs(q, FORM_B, 0);
     bounded_pair kept[3];
     const int in_window = move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
     const bounded_pair C = cylint_form_pair(L, FORM_C, 0);
@@ -184,7 +184,7 @@ static number step_to_lateral(cylint_query *q, number t, double curvature)
 /* Towards the plane of a cap. */
 static number step_to_plane(cylint_query *q, number t, int cap)
 {
-    cylint_terms_pair *L = cylint_load_pairs(q);
+    cylint_terms_pair *L = cylint_load_pairs(q, FORM_ALPHA, cap);
     bounded_pair kept[3];
     const int in_window = move_origin(L, cap, (bounded_pair){t.v, 0}, kept);
     const bounded_pair alpha = cylint_form_pair(L, FORM_ALPHA, cap);
@@ -220,7 +220,7 @@ static double exact_value(cylint_query *q, cylint_root root)
     const surd t = cylint_surd(q, root);
     /* mutant '0' -> '1': a number without limbs or without sign is 0 */
     const exact zero = {q->arena.limb, 0, 0, 0};
-    const exact one = cylint_load_exact(q)->one;
+    const exact one = cylint_load_exact(q, FORM_ALPHA, 0)->one;
     const double value = cylint_nearest_at(q, &t, zero, one, one);
     q->arena.used = used;
     return value;
@@ -232,7 +232,8 @@ static int root_against(cylint_query *q, cylint_root root, double m)
     const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
     const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
-    const int sign = cylint_sign_at(q, &t, from, cylint_load_exact(q)->one);
+    const int sign =
+        cylint_sign_at(q, &t, from, cylint_load_exact(q, FORM_ALPHA, 0)->one);
     q->arena.used = used;
     return sign;
 }

@@ -106,7 +106,7 @@ exact cylint_square_root(cylint_arena *arena, exact x)
 
 static const exact *coefficients(cylint_query *q)
 {
-    const cylint_terms_exact *L = cylint_load_exact_moments(q);
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
     if (cylint_is_first(q, CYLINT_READY_QUADRATIC)) {
         q->exact_coefficient[0] = cylint_form_exact(L, FORM_A, 0);
         q->exact_coefficient[1] = cylint_form_exact(L, FORM_B, 0);
@@ -119,7 +119,7 @@ int cylint_exact_mark(cylint_query *q, cylint_root root)
 {
     if (root < ROOT_APEX)
         coefficients(q);
-    cylint_load_exact_moments(q);
+    cylint_load_exact(q, FORM_A, 0);
     return q->arena.used;
 }
 
@@ -140,7 +140,7 @@ static exact radical(cylint_query *q, const cylint_terms_exact *L)
 
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
-    const cylint_terms_exact *L = cylint_load_exact_moments(q);
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
     /* mutant '0' -> '1': a number without limbs or without sign is 0 */
     const exact zero = {q->arena.limb, 0, 0, 0};
     surd t = {L->beta, zero, zero, 0, zero, zero};
@@ -187,7 +187,8 @@ static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
     cylint_arena *arena = &q->arena;
     const int s = t->s * f1.sign, used = arena->used;
     if (f1.sign == 0) /* whatever A is */
-        return (affine){f0, cylint_load_exact(q)->one, 0, f0.sign};
+        return (affine){f0, cylint_load_exact(q, FORM_ALPHA, 0)->one, 0,
+                        f0.sign};
     const exact X = cylint_exact_keep(
         arena, used,
         cylint_exact_add(arena, cylint_exact_mul(arena, t->A, f0),
@@ -239,7 +240,7 @@ double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
     exact size = cylint_value_at(q, t, f0, f1);
-    if (unit.limb != cylint_load_exact(q)->one.limb)
+    if (unit.limb != cylint_load_exact(q, FORM_ALPHA, 0)->one.limb)
         size = cylint_exact_mul(arena, size, cylint_inverse(arena, unit));
     const int sign = size.sign;
     size.sign = sign != 0;

@@ -164,16 +164,14 @@ typedef struct {
     size_t n, capacity; /* n counts those without room too */
 } containers;
 
-static double keep_container(void *context, size_t number, double distance,
-                             int flags)
+static double keep_container(void *context, const cylint_found *found)
 {
     containers *c = context;
-    (void)distance;
-    (void)flags;
-    if (c->scene->solids.n > 0 && cylint_is_late(c->scene, (uint32_t)number))
+    const uint32_t number = (uint32_t)found->number;
+    if (c->scene->solids.n > 0 && cylint_is_late(c->scene, number))
         return 0;
     if (c->n < c->capacity)
-        c->chord[c->n] = (cylint_numbered_chord){0, 1, (uint32_t)number};
+        c->chord[c->n] = (cylint_numbered_chord){0, 1, number};
     c->n++;
     return 0;
 }
@@ -204,17 +202,11 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
     if (!cylint_has_room(work))
         return CYLINT_NO_ROOM;
     cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
-    size_t n = c.n, used = c.n * sizeof *c.chord;
-    work->wanted = used;
+    work->wanted = c.n * sizeof *c.chord;
     if (c.n > c.capacity)
         return CYLINT_NO_ROOM;
-    chord = c.chord;
-    if (scene->solids.n > 0) {
-        cylint_room room = {(char *)(c.chord + c.n), work->bytes - used, used};
-        n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, &room, &chord,
-                                    &spare);
-        work->wanted = room.wanted;
-    }
+    const size_t n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, work,
+                                             &chord, &spare);
     if (n != CYLINT_NO_ROOM)
         *owner = best_container(chord, n, rank, scene->n);
     return n;

@@ -21,9 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../bvh/sound.h"
 #include "../numbers/bits.h"
-#include "file.h"
 #include "scene.h"
 
 typedef enum {

@@ -28,10 +28,13 @@ typedef struct {
 
 typedef struct {
     const cylint_scene *scene;
+    size_t n; /* lines */
     const cylint_lines *lines;
-    const cylint_piece_rule *rule;
+    const cylint_line *line; /* the only one, where `lines` is NULL */
+    cylint_piece_rule rule;
     size_t most;
     piece_block *block;
+    size_t n_blocks;
     /* of rows: [i + 1] is the number of pieces of line i; of sums NULL */
     size_t *first;
     const int *label;
@@ -61,21 +64,20 @@ static int grow_pieces(piece_block *b)
 
 /* Adds all pieces of a line, or the first `most`.  Returns 0 if there is no
  * memory. */
-static int add_pieces(const cylint_scene *scene, const cylint_line *line,
-                      const cylint_piece_rule *rule, size_t most,
+static int add_pieces(const pieces_query *q, const cylint_line *line,
                       piece_block *b)
 {
     if (b->capacity - b->n < FIRST_PIECES && !grow_pieces(b))
         return 0;
     for (;;) {
         const size_t room = b->capacity - b->n,
-                     wanted = most > 0 && most < room ? most : room;
+                     wanted = q->most > 0 && q->most < room ? q->most : room;
         const size_t n = cylint_scene_pieces(
-            scene, line, rule, b->pieces + b->n, wanted, &b->work);
+            q->scene, line, &q->rule, b->pieces + b->n, wanted, &b->work);
         if (n == CYLINT_NO_ROOM) {
             if (!grow_workspace(&b->work, b->work.wanted + b->work.wanted / 2))
                 return 0;
-        } else if (n < room || n == most) {
+        } else if (n < room || n == q->most) {
             b->n += n;
             return 1;
         } else if (!grow_pieces(b)) {
@@ -93,10 +95,13 @@ static int find_each(const pieces_query *q, size_t from, size_t to,
 {
     for (size_t i = from; i < to; i++) {
         cylint_line line;
-        cylint_read_line(q->lines, i, &line);
+        if (q->lines)
+            cylint_read_line(q->lines, i, &line);
+        else
+            line = *q->line;
         const size_t before = q->first ? b->n : 0;
         b->n = before;
-        if (!add_pieces(q->scene, &line, q->rule, q->most, b))
+        if (!add_pieces(q, &line, b))
             return 0;
         if (q->first)
             q->first[i + 1] = b->n - before;
@@ -118,32 +123,6 @@ static void find_block(void *self, size_t from, size_t to)
     b->pieces = kept ? kept : b->pieces;
 }
 
-static size_t blocks_of(size_t lines)
-{
-    return lines / LINES_AT_ONCE + 1;
-}
-
-static void free_blocks(pieces_query *q)
-{
-    for (size_t i = 0; q->block && i < blocks_of(q->lines->n); i++)
-        free(q->block[i].pieces);
-    free(q->block);
-}
-
-/* Returns whether there was enough memory. */
-static int find_all(pieces_query *q, int threads)
-{
-    int has_failed = 0;
-    q->block = calloc(blocks_of(q->lines->n), sizeof *q->block);
-    if (!q->block)
-        return 0;
-    cylint_threads_share(threads, q->lines->n, LINES_AT_ONCE, LINES_A_THREAD,
-                         find_block, q);
-    for (size_t i = 0; i < blocks_of(q->lines->n); i++)
-        has_failed |= q->block[i].has_failed;
-    return !has_failed;
-}
-
 /* ---------------------------------------------------------------- rows -- */
 
 /* Makes one array of those of all blocks. */
@@ -151,13 +130,13 @@ static int unite_rows(const pieces_query *q, cylint_piece_rows *rows)
 {
     size_t n = 0;
     rows->first[0] = 0;
-    for (size_t i = 0; i < q->lines->n; i++)
+    for (size_t i = 0; i < q->n; i++)
         rows->first[i + 1] += rows->first[i];
     rows->pieces =
-        cylint_resized(NULL, rows->first[q->lines->n], sizeof *rows->pieces);
+        cylint_resized(NULL, rows->first[q->n], sizeof *rows->pieces);
     if (!rows->pieces)
         return 0;
-    for (size_t i = 0; i < blocks_of(q->lines->n); i++) {
+    for (size_t i = 0; i < q->n_blocks; i++) {
         const piece_block *b = &q->block[i];
         if (b->n > 0)
             memcpy(rows->pieces + n, b->pieces, b->n * sizeof *b->pieces);
@@ -166,23 +145,42 @@ static int unite_rows(const pieces_query *q, cylint_piece_rows *rows)
     return 1;
 }
 
+/* Finds all pieces, and unites them in rows unless these are NULL. */
+static cylint_scene_status answer_query(pieces_query *q, int threads,
+                                        cylint_piece_rows *rows)
+{
+    q->rule.after = NULL;
+    q->n_blocks = q->n / LINES_AT_ONCE + 1;
+    q->block = calloc(q->n_blocks, sizeof *q->block);
+    if (!q->block)
+        return CYLINT_SCENE_EMEMORY;
+    cylint_threads_share(threads, q->n, LINES_AT_ONCE, LINES_A_THREAD,
+                         find_block, q);
+    int has_failed = 0;
+    for (size_t i = 0; i < q->n_blocks; i++)
+        has_failed |= q->block[i].has_failed;
+    has_failed = has_failed || (rows && !unite_rows(q, rows));
+    for (size_t i = 0; i < q->n_blocks; i++)
+        free(q->block[i].pieces);
+    free(q->block);
+    return has_failed ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK;
+}
+
 cylint_scene_status cylint_scene_pieces_lines(const cylint_scene *scene,
                                               const cylint_lines *lines,
                                               const cylint_piece_rule *rule,
                                               size_t most, int threads,
                                               cylint_piece_rows *rows)
 {
-    cylint_piece_rule from_first = *rule;
-    pieces_query q = {
-        .scene = scene, .lines = lines, .rule = &from_first, .most = most};
-    from_first.after = NULL;
+    pieces_query q = {.scene = scene,
+                      .n = lines->n,
+                      .lines = lines,
+                      .rule = *rule,
+                      .most = most};
     rows->pieces = NULL;
-    rows->first = cylint_resized(NULL, lines->n + 1, sizeof *rows->first);
-    q.first = rows->first;
-    const int has_rows =
-        rows->first && find_all(&q, threads) && unite_rows(&q, rows);
-    free_blocks(&q);
-    if (has_rows)
+    rows->first = q.first =
+        cylint_resized(NULL, lines->n + 1, sizeof *rows->first);
+    if (q.first && answer_query(&q, threads, rows) == CYLINT_SCENE_OK)
         return CYLINT_SCENE_OK;
     cylint_piece_rows_free(rows);
     return CYLINT_SCENE_EMEMORY;
@@ -262,18 +260,15 @@ cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
                                       const int *label, size_t labels,
                                       int in_units, int threads, double *sums)
 {
-    cylint_piece_rule all = *rule;
     pieces_query q = {.scene = scene,
+                      .n = lines->n,
                       .lines = lines,
-                      .rule = &all,
+                      .rule = *rule,
                       .label = label,
                       .labels = labels,
                       .in_units = in_units,
                       .sums = sums};
-    all.after = NULL;
-    const int has_sums = find_all(&q, threads);
-    free_blocks(&q);
-    return has_sums ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+    return answer_query(&q, threads, NULL);
 }
 
 cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
@@ -282,15 +277,13 @@ cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
                                            const int *label, size_t labels,
                                            int in_units, double *sums)
 {
-    cylint_piece_rule all = *rule;
-    piece_block b = {.n = 0};
-    const pieces_query q = {
-        .label = label, .labels = labels, .in_units = in_units, .sums = sums};
-    all.after = NULL;
-    const int has_sums = grow_workspace(&b.work, FIRST_BYTES) &&
-                         add_pieces(scene, line, &all, 0, &b) &&
-                         add_sums(&q, 0, line, &b);
-    free(b.work.memory);
-    free(b.pieces);
-    return has_sums ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+    pieces_query q = {.scene = scene,
+                      .n = 1,
+                      .line = line,
+                      .rule = *rule,
+                      .label = label,
+                      .labels = labels,
+                      .in_units = in_units,
+                      .sums = sums};
+    return answer_query(&q, 1, NULL);
 }

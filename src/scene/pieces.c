@@ -247,22 +247,16 @@ static size_t pieces_of_chords(const cylint_scene *scene,
                                const cylint_line *line, const collector *c,
                                cylint_workspace *work, sweep *s)
 {
+    const cylint_domain domain = {line->tmin, line->tmax, chords_of_line, line};
     cylint_numbered_chord *spare = c->chord + c->capacity, *of_solids;
     s->complete = c->complete;
     s->n = sort_and_unite(c->chord, c->n, spare);
-    s->chord = c->chord;
-    if (scene->solids.n == 0)
-        return write_swept_pieces(s, spare);
-    const size_t used = s->n * sizeof *c->chord;
-    const cylint_domain domain = {line->tmin, line->tmax, chords_of_line, line};
-    cylint_room room = {(char *)(c->chord + s->n), work->bytes - used, used};
-    s->n = cylint_chords_of_solids(scene, &domain, c->chord, s->n, &room,
+    s->n = cylint_chords_of_solids(scene, &domain, c->chord, s->n, work,
                                    &of_solids, &spare);
-    if (s->n == CYLINT_NO_ROOM) {
-        work->wanted = room.wanted;
+    if (s->n == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
-    }
-    sort_chords(of_solids, s->n, spare);
+    if (of_solids != c->chord)
+        sort_chords(of_solids, s->n, spare);
     s->chord = of_solids;
     return write_swept_pieces(s, spare);
 }

@@ -27,26 +27,6 @@ static inline int cylint_outranks(const int *rank, size_t x, size_t y)
     return rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y;
 }
 
-/* Memory of a workspace that is not used yet.  `wanted` also counts what did not
- * fit. */
-typedef struct cylint_room {
-    char *at;
-    size_t left, wanted;
-} cylint_room;
-
-/* Returns memory for n elements, or NULL. */
-static inline void *cylint_take_room(cylint_room *room, size_t n, size_t size)
-{
-    const size_t bytes = (n * size + 7) / 8 * 8;
-    char *const taken = room->at;
-    room->wanted += bytes;
-    if (bytes > room->left)
-        return NULL;
-    room->at += bytes;
-    room->left -= bytes;
-    return taken;
-}
-
 /* Whether the workspace has memory at all; else writes how much to try. */
 static inline int cylint_has_room(cylint_workspace *work)
 {
@@ -68,13 +48,14 @@ typedef struct cylint_domain {
     const void *line;
 } cylint_domain;
 
-/* Makes the chords in solids of the chords in shapes, which have no duplicates.
- * Returns how many there are, in the room and in no order, or CYLINT_NO_ROOM.
- * *spare: as much memory as they take. */
+/* Makes the chords in solids of the n chords in shapes, which have no duplicates and
+ * at which the workspace begins.  Returns how many there are, behind these and in no
+ * order, or CYLINT_NO_ROOM.  *spare: as much memory as they take.  A scene without
+ * solids has those of its shapes, and *spare stays. */
 size_t cylint_chords_of_solids(const cylint_scene *scene,
                                const cylint_domain *domain,
-                               const cylint_numbered_chord *of_shapes, size_t n,
-                               cylint_room *room,
+                               cylint_numbered_chord *of_shapes, size_t n,
+                               cylint_workspace *work,
                                cylint_numbered_chord **of_solids,
                                cylint_numbered_chord **spare);
 

@@ -15,17 +15,26 @@
 typedef struct {
     size_t number, n; /* n: the number of all shapes; number = n: none yet */
     double least;
+    cylint_hit hit;
+    double distance;
+    int flags;
 } least_shape;
 
-/* Keeps the shape if it is before all others.  Returns whether it is. */
-static int keep_least(least_shape *q, size_t number, double x)
+static double keep_least(void *context, const cylint_found *x)
 {
-    if (q->number < q->n && !cylint_less(x, q->least) &&
-        (cylint_less(q->least, x) || number > q->number))
-        return 0;
-    q->number = number;
-    q->least = x;
-    return 1;
+    least_shape *q = context;
+    if (q->number < q->n && !cylint_less(x->at, q->least) &&
+        (cylint_less(q->least, x->at) || x->number > q->number))
+        return q->least;
+    q->number = x->number;
+    q->least = x->at;
+    if (x->hit)
+        q->hit = *x->hit;
+    if (x->closest) {
+        q->distance = x->closest->distance;
+        q->flags = x->closest->flags;
+    }
+    return q->least;
 }
 
 typedef struct {
@@ -33,8 +42,10 @@ typedef struct {
     double wanted; /* what the callback returns until there are enough */
 } shape_counter;
 
-static double count_one(shape_counter *q)
+static double count_one(void *context, const cylint_found *x)
 {
+    shape_counter *q = context;
+    (void)x;
     return ++q->count == q->enough ? (double)NAN : q->wanted;
 }
 
@@ -44,6 +55,7 @@ typedef struct {
     size_t *numbers;
     double *values;
     size_t n, capacity, first;
+    double wanted; /* what the callback returns */
 } lowest_numbers;
 
 static void put(lowest_numbers *heap, size_t at, size_t number, double value)
@@ -84,14 +96,16 @@ static void sift_up(lowest_numbers *heap, size_t at, size_t number,
 
 /* Adds the number if it is one of the lowest.  If the heap is full, it replaces the
  * highest. */
-static void collect_number(lowest_numbers *heap, size_t number, double value)
+static double collect_number(void *context, const cylint_found *x)
 {
-    if (number < heap->first)
-        return;
+    lowest_numbers *heap = context;
+    if (x->number < heap->first)
+        return heap->wanted;
     if (heap->n < heap->capacity)
-        sift_up(heap, heap->n++, number, value);
-    else if (number < heap->numbers[0])
-        sift_down(heap, heap->capacity, number, value);
+        sift_up(heap, heap->n++, x->number, x->at);
+    else if (x->number < heap->numbers[0])
+        sift_down(heap, heap->capacity, x->number, x->at);
+    return heap->wanted;
 }
 
 /* Sorts the numbers, ascending.  Then they are no heap.  Returns how many. */
@@ -112,23 +126,9 @@ static size_t sort_numbers(lowest_numbers *heap)
  * at the end. */
 enum { EARLY_MEMBERS = CYLINT_WANT_T | CYLINT_WANT_PART };
 
-typedef struct {
-    least_shape first;
-    cylint_hit hit;
-} nearest;
-
-static double keep_nearest_hit(void *context, size_t number,
-                               const cylint_hit *hit)
-{
-    nearest *q = context;
-    if (keep_least(&q->first, number, hit->t))
-        q->hit = *hit;
-    return q->first.least;
-}
-
 /* Stores the nearest of the shapes beside the hierarchy.  Returns whether it is
  * not left out; if it is, each of them is tested later. */
-static int keep_nearest_other(nearest *q, const cylint_scene *scene,
+static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
                               const cylint_line *line, size_t except)
 {
     cylint_hit hit;
@@ -138,7 +138,7 @@ static int keep_nearest_other(nearest *q, const cylint_scene *scene,
         return 1;
     if (scene->others[first] == except)
         return 0;
-    keep_nearest_hit(q, scene->others[first], &hit);
+    keep_least(q, &(cylint_found){scene->others[first], hit.t, &hit, NULL});
     return 1;
 }
 
@@ -146,8 +146,7 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
                                   const cylint_line *line, size_t except,
                                   unsigned want, cylint_hit *hit)
 {
-    nearest q = {
-        .first = {.number = scene->n, .n = scene->n, .least = HUGE_VAL}};
+    least_shape q = {.number = scene->n, .n = scene->n, .least = HUGE_VAL};
     cylint_shape shape;
     const cylint_visit_options options = {
         .except = except,
@@ -155,9 +154,8 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
         .often = 1,
         .first_other =
             keep_nearest_other(&q, scene, line, except) ? scene->n_others : 0};
-    cylint_visit_line(scene, line, &options, q.first.least, keep_nearest_hit,
-                      &q);
-    const size_t number = q.first.number;
+    cylint_visit_line(scene, line, &options, q.least, keep_least, &q);
+    const size_t number = q.number;
     if (number == scene->n)
         return number;
     cylint_copy_hit(hit, &q.hit, want & EARLY_MEMBERS);
@@ -174,13 +172,6 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
     return cylint_scene_nearest_other(scene, line, scene->n, want, hit);
 }
 
-static double count_hit(void *context, size_t number, const cylint_hit *hit)
-{
-    (void)number;
-    (void)hit;
-    return count_one(context);
-}
-
 size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
                           size_t enough)
 {
@@ -192,7 +183,7 @@ size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
         scene->n_others > 0 ? cylint_count(&scene->pack, line, enough) : 0;
     shape_counter q = {others, enough, HUGE_VAL};
     if (enough == 0 || q.count < enough)
-        cylint_visit_line(scene, line, &options, HUGE_VAL, count_hit, &q);
+        cylint_visit_line(scene, line, &options, HUGE_VAL, count_one, &q);
     return q.count;
 }
 
@@ -203,54 +194,22 @@ int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
     shape_counter q = {0, 1, HUGE_VAL};
     if (except >= scene->n)
         return cylint_scene_count(scene, line, 1) > 0;
-    cylint_visit_line(scene, line, &options, HUGE_VAL, count_hit, &q);
+    cylint_visit_line(scene, line, &options, HUGE_VAL, count_one, &q);
     return q.count > 0;
-}
-
-static double collect_hit(void *context, size_t number, const cylint_hit *hit)
-{
-    (void)hit;
-    collect_number(context, number, 0);
-    return HUGE_VAL;
 }
 
 size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
                         size_t first, size_t *numbers, size_t capacity)
 {
-    lowest_numbers heap = {
-        .numbers = numbers, .capacity = capacity, .first = first};
+    lowest_numbers heap = {numbers, NULL, 0, capacity, first, HUGE_VAL};
     if (capacity == 0)
         return 0;
     const cylint_visit_options options = {.except = scene->n, .in_no_order = 1};
-    cylint_visit_line(scene, line, &options, HUGE_VAL, collect_hit, &heap);
+    cylint_visit_line(scene, line, &options, HUGE_VAL, collect_number, &heap);
     return sort_numbers(&heap);
 }
 
 /* ------------------------------------------------------------- points --- */
-
-/* The distance that a query compares. */
-static double compared(unsigned want, double distance)
-{
-    return want & CYLINT_SIGNED ? distance : fabs(distance);
-}
-
-typedef struct {
-    least_shape first;
-    double distance;
-    int flags;
-    unsigned want;
-} closest;
-
-static double keep_closest(void *context, size_t number, double distance,
-                           int flags)
-{
-    closest *q = context;
-    if (keep_least(&q->first, number, compared(q->want, distance))) {
-        q->distance = distance;
-        q->flags = flags;
-    }
-    return q->first.least;
-}
 
 /* The members that the visit does not compute. */
 #define WANTED (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
@@ -259,11 +218,11 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
                             cylint_closest *answer)
 {
-    closest q = {.first = {.number = scene->n, .n = scene->n}, .want = want};
+    least_shape q = {.number = scene->n, .n = scene->n};
     cylint_shape shape;
     cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 1,
-                       keep_closest, &q);
-    const size_t number = q.first.number;
+                       keep_least, &q);
+    const size_t number = q.number;
     if (number == scene->n)
         return number;
     if (want & WANTED) {
@@ -276,21 +235,12 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
     return number;
 }
 
-static double count_near(void *context, size_t number, double distance,
-                         int flags)
-{
-    (void)number;
-    (void)distance;
-    (void)flags;
-    return count_one(context);
-}
-
 static size_t count_about(const cylint_scene *scene, const double point[3],
                           double radius, cylint_nearness nearness,
                           size_t enough)
 {
     shape_counter q = {0, enough, radius};
-    cylint_visit_point(scene, point, radius, nearness, enough == 1, count_near,
+    cylint_visit_point(scene, point, radius, nearness, enough == 1, count_one,
                        &q);
     return q.count;
 }
@@ -308,33 +258,48 @@ size_t cylint_scene_contains(const cylint_scene *scene, const double point[3],
     return count_about(scene, point, 0, CYLINT_HOLDING, enough);
 }
 
-typedef struct {
-    double radius;
-    unsigned want;
-    lowest_numbers heap;
-} collection;
-
-static double collect_near(void *context, size_t number, double distance,
-                           int flags)
-{
-    collection *q = context;
-    (void)flags;
-    collect_number(&q->heap, number, compared(q->want, distance));
-    return q->radius;
-}
-
 size_t cylint_scene_within(const cylint_scene *scene, const double point[3],
                            double radius, unsigned want, size_t first,
                            size_t *numbers, double *distances, size_t capacity)
 {
-    collection q = {radius,
-                    want,
-                    {.numbers = numbers,
-                     .values = distances,
-                     .capacity = capacity,
-                     .first = first}};
+    lowest_numbers heap = {numbers, distances, 0, capacity, first, radius};
     if (capacity == 0)
         return 0;
-    cylint_scene_visit_point(scene, point, radius, want, collect_near, &q);
-    return sort_numbers(&q.heap);
+    cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 0,
+                       collect_number, &heap);
+    return sort_numbers(&heap);
+}
+
+/* -------------------------------------------- callbacks of the caller --- */
+
+typedef struct {
+    cylint_scene_hit *hit; /* NULL: near */
+    cylint_scene_near *near;
+    void *context;
+} caller;
+
+static double call(void *self, const cylint_found *x)
+{
+    const caller *c = self;
+    return c->hit ? c->hit(c->context, x->number, x->hit)
+                  : c->near(c->context, x->number, x->closest->distance,
+                            x->closest->flags);
+}
+
+void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,
+                        unsigned want, cylint_scene_hit *callback,
+                        void *context)
+{
+    const cylint_visit_options options = {.except = scene->n, .want = want};
+    caller c = {callback, NULL, context};
+    cylint_visit_line(scene, line, &options, HUGE_VAL, call, &c);
+}
+
+void cylint_scene_visit_point(const cylint_scene *scene, const double point[3],
+                              double radius, unsigned want,
+                              cylint_scene_near *callback, void *context)
+{
+    caller c = {NULL, callback, context};
+    cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 0, call,
+                       &c);
 }

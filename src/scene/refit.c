@@ -1,10 +1,8 @@
 /*
  * refit.c - moves shapes of a scene
  */
-#include <math.h>
 #include <stdlib.h>
 
-#include "../bvh/refit.h"
 #include "scene.h"
 
 /* The shapes that take the places of [first, first + n). */
@@ -12,24 +10,8 @@ typedef struct {
     cylint_scene *scene;
     size_t first, n;
     const cylint_shape *shapes;
-    double lo[3], hi[3]; /* the box of those in the hierarchy */
-    size_t bounded;      /* their number */
+    cylint_shapes_box box; /* of those in the hierarchy */
 } replacement;
-
-/* Measures one shape that is in the hierarchy. */
-static int measure_one(replacement *r, size_t number)
-{
-    const cylint_shape *shape = &r->shapes[number - r->first];
-    double lo[3], hi[3];
-    if (!cylint_scene_box(shape, lo, hi))
-        return 0;
-    for (int j = 0; j < 3; j++) {
-        r->lo[j] = fmin(r->lo[j], lo[j]);
-        r->hi[j] = fmax(r->hi[j], hi[j]);
-    }
-    r->bounded++;
-    return 1;
-}
 
 /* Returns 0 if a shape cannot take the place of another. */
 static int measure_all(replacement *r)
@@ -38,15 +20,13 @@ static int measure_all(replacement *r)
     for (size_t i = 0; i < r->n; i++)
         if (!cylint_record_takes(&s->records, r->first + i, &r->shapes[i]))
             return 0;
-    if (!s->bounded) {
-        for (size_t i = 0; i < r->n && s->n_bounded > 0; i++)
-            if (!measure_one(r, r->first + i))
-                return 0;
-        return 1;
-    }
-    for (size_t i = cylint_first_not_below(s->bounded, s->n_bounded, r->first);
-         i < s->n_bounded && s->bounded[i] - r->first < r->n; i++)
-        if (!measure_one(r, s->bounded[i]))
+    size_t i = r->first;
+    if (s->bounded)
+        i = cylint_first_not_below(s->bounded, s->n_bounded, r->first);
+    for (; i < s->n_bounded && cylint_bounded_number(s, i) - r->first < r->n;
+         i++)
+        if (!cylint_extend_by_shape(
+                &r->box, &r->shapes[cylint_bounded_number(s, i) - r->first]))
             return 0;
     return 1;
 }
@@ -59,9 +39,9 @@ static int stays_in_frame(const replacement *r)
     const cylint_extent *box = &r->scene->bvh.box;
     int is = 1;
     for (int j = 0; j < 3; j++) {
-        const double lo = (r->lo[j] - f->center[j]) * f->scale - 0x1p-20,
-                     hi = (r->hi[j] - f->center[j]) * f->scale + 0x1p-20;
-        is &= r->lo[j] >= f->lo[j] && r->hi[j] <= f->hi[j] &&
+        const double lo = (r->box.lo[j] - f->center[j]) * f->scale - 0x1p-20,
+                     hi = (r->box.hi[j] - f->center[j]) * f->scale + 0x1p-20;
+        is &= r->box.lo[j] >= f->lo[j] && r->box.hi[j] <= f->hi[j] &&
               lo >= (double)box->lower[j] && hi <= (double)box->upper[j];
     }
     return is;
@@ -77,11 +57,11 @@ static double longest_side(const double lo[3], const double hi[3])
 static int make_frame(const replacement *r, cylint_frame *frame)
 {
     const cylint_frame *old = &r->scene->frame;
-    const int all = r->bounded == r->scene->n_bounded;
+    const int all = r->box.n == r->scene->n_bounded;
     double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {
-        lo[j] = all ? r->lo[j] : fmin(r->lo[j], old->lo[j]);
-        hi[j] = all ? r->hi[j] : fmax(r->hi[j], old->hi[j]);
+        lo[j] = all ? r->box.lo[j] : fmin(r->box.lo[j], old->lo[j]);
+        hi[j] = all ? r->box.hi[j] : fmax(r->box.hi[j], old->hi[j]);
     }
     const double room = longest_side(lo, hi) / 16;
     for (int j = 0; j < 3; j++) {
@@ -95,9 +75,9 @@ static int make_frame(const replacement *r, cylint_frame *frame)
 static int needs_frame(const replacement *r)
 {
     const cylint_frame *f = &r->scene->frame;
-    return !stays_in_frame(r) ||
-           (r->bounded == r->scene->n_bounded &&
-            longest_side(r->lo, r->hi) < longest_side(f->lo, f->hi) / 4);
+    return !stays_in_frame(r) || (r->box.n == r->scene->n_bounded &&
+                                  longest_side(r->box.lo, r->box.hi) <
+                                      longest_side(f->lo, f->hi) / 4);
 }
 
 /* Sets the frame, and the hierarchy's box to that of the frame. */
@@ -150,8 +130,7 @@ cylint_scene_status cylint_scene_refit(cylint_scene *scene, size_t first,
                      .first = first,
                      .n = n,
                      .shapes = shapes,
-                     .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
-                     .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+                     .box = CYLINT_NO_BOX};
     if (!scene->is_finished)
         return CYLINT_SCENE_EUNFINISHED;
     if (scene->file.data)
@@ -160,14 +139,14 @@ cylint_scene_status cylint_scene_refit(cylint_scene *scene, size_t first,
         return CYLINT_SCENE_ESIZE;
     if (!measure_all(&r))
         return CYLINT_SCENE_EREPLACE;
-    if (r.bounded > 0) {
+    if (r.box.n > 0) {
         const cylint_scene_status status = refit_hierarchy(&r);
         if (status != CYLINT_SCENE_OK)
             return status;
     } else {
         replace_records(&r);
     }
-    if (r.bounded < n)
+    if (r.box.n < n)
         cylint_scene_pack_others(scene);
     return CYLINT_SCENE_OK;
 }

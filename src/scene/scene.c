@@ -37,11 +37,21 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
+static void extend(cylint_shapes_box *box, const cylint_shapes_box *by)
+{
+    for (int j = 0; j < 3; j++) {
+        box->lo[j] = fmin(box->lo[j], by->lo[j]);
+        box->hi[j] = fmax(box->hi[j], by->hi[j]);
+    }
+    box->n += by->n;
+}
+
 /* Each number has at most 6 roundings and errors of its data.  Squares of lengths
  * may underflow later; multiplied by a larger factor, the lost part would
  * matter. */
-int cylint_scene_box(const cylint_shape *s, double lo[3], double hi[3])
+int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
 {
+    cylint_shapes_box own = {.n = 1};
     const int has_factors = cylint_has_factors(s->kind);
     if (!cylint_is_bounded(s) ||
         (has_factors && cylint_r1(s) > CYLINT_FRAME_MOST))
@@ -53,11 +63,13 @@ int cylint_scene_box(const cylint_shape *s, double lo[3], double hi[3])
         const double more =
             DBL_MIN +
             0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
-        lo[j] = fmin(base - bottom, end - top) - more;
-        hi[j] = fmax(base + bottom, end + top) + more;
-        if (!(lo[j] >= -CYLINT_FRAME_MOST && hi[j] <= CYLINT_FRAME_MOST))
+        own.lo[j] = fmin(base - bottom, end - top) - more;
+        own.hi[j] = fmax(base + bottom, end + top) + more;
+        if (!(own.lo[j] >= -CYLINT_FRAME_MOST &&
+              own.hi[j] <= CYLINT_FRAME_MOST))
             return 0;
     }
+    extend(box, &own);
     return 1;
 }
 
@@ -74,39 +86,24 @@ typedef struct {
     const cylint_records *records;
     cylint_watch *watch;
     cylint_mutex mutex;    /* protects the members below */
-    double lo[3], hi[3];   /* the box of all bounded shapes */
-    size_t bounded, valid; /* the numbers of bounded and of valid shapes */
+    cylint_shapes_box box; /* of all bounded shapes */
+    size_t valid;          /* the number of valid shapes */
 } totals;
-
-static void extend(double lo[3], double hi[3], const double from[3],
-                   const double to[3])
-{
-    for (int j = 0; j < 3; j++) {
-        lo[j] = fmin(lo[j], from[j]);
-        hi[j] = fmax(hi[j], to[j]);
-    }
-}
 
 /* Adds shapes [from, to).  The order of threads does not matter. */
 static void count_shapes(void *self, size_t from, size_t to)
 {
     totals *sum = self;
-    double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    double hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    size_t bounded = 0, valid = 0;
+    cylint_shapes_box box = CYLINT_NO_BOX;
+    size_t valid = 0;
     for (size_t i = from; i < to && cylint_watch_item(sum->watch, i); i++) {
-        double least[3], most[3];
         cylint_shape shape;
         cylint_record_data(sum->records, i, &shape);
         valid += shape.kind != CYLINT_KIND_NONE;
-        if (!cylint_scene_box(&shape, least, most))
-            continue;
-        bounded++;
-        extend(lo, hi, least, most);
+        cylint_extend_by_shape(&box, &shape);
     }
     cylint_mutex_lock(&sum->mutex);
-    extend(sum->lo, sum->hi, lo, hi);
-    sum->bounded += bounded;
+    extend(&sum->box, &box);
     sum->valid += valid;
     cylint_mutex_unlock(&sum->mutex);
 }
@@ -118,14 +115,13 @@ static void choose_frame(cylint_scene *s, int threads, cylint_watch *watch)
     totals sum = {.records = &s->records,
                   .watch = watch,
                   .mutex = CYLINT_MUTEX_INITIALIZER,
-                  .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
-                  .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+                  .box = CYLINT_NO_BOX};
     cylint_watch_step(watch, CYLINT_STEP_BOXES, s->n);
     cylint_threads_run(cylint_threads_for(s->n, threads), s->n, count_shapes,
                        &sum);
     cylint_mutex_destroy(&sum.mutex);
-    if (sum.bounded > 0 && cylint_frame_make(&s->frame, sum.lo, sum.hi))
-        s->n_bounded = sum.bounded;
+    if (sum.box.n > 0 && cylint_frame_make(&s->frame, sum.box.lo, sum.box.hi))
+        s->n_bounded = sum.box.n;
     s->n_others = sum.valid - s->n_bounded;
 }
 
@@ -138,11 +134,11 @@ static void write_data(const void *owner, uint32_t number, cylint_shape *shape)
 static void sort_into_lists(const cylint_scene *s, uint32_t *bounded,
                             uint32_t *others, cylint_watch *watch)
 {
-    double lo[3], hi[3];
+    cylint_shapes_box box = CYLINT_NO_BOX; /* not used */
     for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
         cylint_shape shape;
         cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && cylint_scene_box(&shape, lo, hi))
+        if (s->n_bounded > 0 && cylint_extend_by_shape(&box, &shape))
             *bounded++ = (uint32_t)i;
         else if (shape.kind != CYLINT_KIND_NONE)
             *others++ = (uint32_t)i;
@@ -305,7 +301,7 @@ void cylint_scene_free(cylint_scene *scene)
     if (!scene)
         return;
     if (scene->file.data) {
-        cylint_mapping_close(&scene->file);
+        cylint_memory_free(&scene->file);
     } else {
         cylint_bvh_free(&scene->bvh);
         cylint_records_free(&scene->records);
@@ -324,7 +320,7 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
     return scene->own_bytes + scene->file.bytes +
            cylint_records_bytes(&scene->records) +
            scene->bvh.node_memory.bytes + scene->bvh.leaf_memory.bytes +
-           cylint_solids_bytes(&scene->solids, scene->n) +
+           scene->solids.bytes +
            (scene->given ? scene->solids.n_members * sizeof *scene->given : 0);
 }
 

@@ -4,6 +4,7 @@
 #ifndef CYLINT_SCENE_SCENE_H
 #define CYLINT_SCENE_SCENE_H
 
+#include <math.h>
 #include <stdint.h>
 
 #include "cylint_scene.h"
@@ -35,12 +36,29 @@ struct cylint_scene {
     cylint_scene_labels labels; /* end is NULL: none */
     cylint_solids solids;
     cylint_membership *given; /* the members of solids, unless in the file */
-    cylint_mapping file; /* of an opened scene; then the records, the hierarchy,
+    cylint_memory file; /* of an opened scene; then the records, the hierarchy,
                             the lists and the labels lie in it */
 };
 
-/* Whether a frame can contain the shape; if so, writes its box. */
-int cylint_scene_box(const cylint_shape *shape, double lo[3], double hi[3]);
+/* The box of n shapes that a frame can contain. */
+typedef struct cylint_shapes_box {
+    double lo[3], hi[3];
+    size_t n;
+} cylint_shapes_box;
+
+#define CYLINT_NO_BOX                                                        \
+    {                                                                        \
+        {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0 \
+    }
+
+/* Extends the box by a shape.  Returns 0 if no frame can contain the shape. */
+int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
+
+/* The number of shape i of those in the hierarchy. */
+static inline size_t cylint_bounded_number(const cylint_scene *scene, size_t i)
+{
+    return scene->bounded ? scene->bounded[i] : i;
+}
 
 /* Sets the view to that of the frame. */
 void cylint_scene_set_view(cylint_scene *scene);
@@ -66,6 +84,13 @@ static inline size_t cylint_first_not_below(const uint32_t *numbers, size_t n,
     }
     return from;
 }
+
+/* The place of the checksum in the file, in bytes. */
+enum { CYLINT_FILE_CHECKSUM = 32 };
+
+/* The checksum of a file of at least 512 bytes, a multiple of 64, at the begin of
+ * a cache line.  It does not depend on the bytes at the checksum's place. */
+uint64_t cylint_file_checksum(const void *data, size_t bytes);
 
 /* Writes the result to *status, unless it is NULL.  Returns the scene, or frees
  * it and returns NULL if the result is a failure. */

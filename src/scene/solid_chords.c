@@ -6,20 +6,8 @@
  */
 #include "../numbers/bits.h"
 
-#include <string.h>
-
 #include "../solid_sweep.h"
 #include "pieces.h"
-
-static int is_event_before(const cylint_event *x, const cylint_event *y)
-{
-    return x->solid != y->solid ? x->solid < y->solid : cylint_less(x->t, y->t);
-}
-
-#define SORTED cylint_event
-#define IS_BEFORE(x, y) is_event_before(x, y)
-#define SORT sort_events_by_solid
-#include "../merge_sort_template.h"
 
 typedef struct {
     const cylint_scene *scene;
@@ -79,7 +67,7 @@ static void add_late_members(assembly *a)
             add_late_member(a, &s->late[solid->first_late + j]);
     }
     if (a->n_events > n)
-        sort_events_by_solid(a->event, a->n_events, a->spare);
+        cylint_sort_events(a->event, a->n_events, a->spare);
 }
 
 /* Adds the chords of a solid, which has n events. */
@@ -137,26 +125,31 @@ static void count_events(const cylint_scene *scene,
 
 size_t cylint_chords_of_solids(const cylint_scene *scene,
                                const cylint_domain *domain,
-                               const cylint_numbered_chord *of_shapes, size_t n,
-                               cylint_room *room,
+                               cylint_numbered_chord *of_shapes, size_t n,
+                               cylint_workspace *work,
                                cylint_numbered_chord **of_solids,
                                cylint_numbered_chord **spare)
 {
+    const size_t used = n * sizeof *of_shapes;
+    cylint_room room = {(char *)(of_shapes + n), work->bytes - used, used};
     assembly a = {.scene = scene, .domain = domain};
     size_t events, chords;
+    *of_solids = of_shapes;
+    if (scene->solids.n == 0)
+        return n;
     count_events(scene, of_shapes, n, &events, &chords);
-    a.event = cylint_take_room(room, events, sizeof *a.event);
-    a.spare = cylint_take_room(room, events, sizeof *a.spare);
+    a.event = cylint_take_room(&room, events, sizeof *a.event);
+    a.spare = cylint_take_room(&room, events, sizeof *a.spare);
     a.holding =
-        cylint_take_room(room, scene->solids.most_clauses, sizeof *a.holding);
-    a.chord = cylint_take_room(room, chords, sizeof *a.chord);
-    *of_solids = a.chord;
-    *spare = cylint_take_room(room, chords, sizeof **spare);
+        cylint_take_room(&room, scene->solids.most_clauses, sizeof *a.holding);
+    *of_solids = a.chord = cylint_take_room(&room, chords, sizeof *a.chord);
+    *spare = cylint_take_room(&room, chords, sizeof **spare);
+    work->wanted = room.wanted;
     if (!a.event || !a.spare || !a.holding || !a.chord || !*spare)
         return CYLINT_NO_ROOM;
     for (size_t i = 0; i < n; i++)
         add_chord_of_shape(&a, &of_shapes[i]);
-    sort_events_by_solid(a.event, a.n_events, a.spare);
+    cylint_sort_events(a.event, a.n_events, a.spare);
     add_late_members(&a);
     sweep_solids(&a);
     return a.n;

@@ -30,27 +30,8 @@ static int is_before_in_solid(const cylint_membership *x,
 
 void cylint_solids_free(cylint_solids *s)
 {
-    free(s->of_shapes);
-    free(s->first_of_shape);
-    free(s->late);
-    free(s->solid);
-    free(s->complements);
-    free(s->always);
-    free(s->holding);
-    s->of_shapes = s->late = NULL;
-    s->first_of_shape = s->always = s->holding = NULL;
-    s->solid = NULL;
-    s->complements = NULL;
-}
-
-size_t cylint_solids_bytes(const cylint_solids *s, size_t shapes)
-{
-    return s->n == 0 ? 0
-                     : s->n_members * (2 * sizeof *s->of_shapes +
-                                       sizeof *s->complements) +
-                           (shapes + 1) * sizeof *s->first_of_shape +
-                           s->n * (sizeof *s->solid + sizeof *s->holding) +
-                           s->n_always * sizeof *s->always;
+    free(s->memory);
+    s->memory = NULL;
 }
 
 /* Whether a shape is beside the hierarchy. */
@@ -61,21 +42,32 @@ static int is_other(const cylint_scene *scene, uint32_t shape)
     return i < scene->n_others && scene->others[i] == shape;
 }
 
-static cylint_scene_status allocate_solids(cylint_solids *s, size_t shapes,
-                                           size_t n_others)
+/* Divides the memory of the arrays.  Without memory, only counts its bytes. */
+static void divide_memory(cylint_solids *s, const cylint_scene *scene)
 {
     const size_t n = s->n_members;
-    s->of_shapes = malloc(n * sizeof *s->of_shapes);
-    s->late = malloc(n * sizeof *s->late); /* first all, sorted by solid */
-    s->complements = malloc(n * sizeof *s->complements);
-    s->first_of_shape = calloc(shapes + 1, sizeof *s->first_of_shape);
-    s->solid = calloc(s->n, sizeof *s->solid);
-    s->always = malloc((n_others + 1) * sizeof *s->always);
-    s->holding = malloc(s->n * sizeof *s->holding);
-    return s->of_shapes && s->holding && s->late && s->complements &&
-                   s->first_of_shape && s->solid && s->always
-               ? CYLINT_SCENE_OK
-               : CYLINT_SCENE_EMEMORY;
+    cylint_room room = {s->memory, s->bytes, 0};
+    s->of_shapes = cylint_take_room(&room, n, sizeof *s->of_shapes);
+    s->late = cylint_take_room(&room, n, sizeof *s->late); /* first all */
+    s->complements = cylint_take_room(&room, n, sizeof *s->complements);
+    s->first_of_shape =
+        cylint_take_room(&room, scene->n + 1, sizeof *s->first_of_shape);
+    s->solid = cylint_take_room(&room, s->n, sizeof *s->solid);
+    s->always = cylint_take_room(&room, scene->n_others, sizeof *s->always);
+    s->holding = cylint_take_room(&room, s->n, sizeof *s->holding);
+    s->bytes = room.wanted;
+}
+
+/* The arrays are 0. */
+static int allocate_solids(cylint_solids *s, const cylint_scene *scene)
+{
+    s->memory = NULL;
+    s->bytes = 0;
+    divide_memory(s, scene);
+    s->memory = calloc(1, s->bytes);
+    if (s->memory)
+        divide_memory(s, scene);
+    return s->memory != NULL;
 }
 
 static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
@@ -241,8 +233,7 @@ cylint_scene_status cylint_solids_make(cylint_solids *s,
     if (status != CYLINT_SCENE_OK || s->n == 0)
         return status;
     cylint_membership *spare = malloc(s->n_members * sizeof *spare);
-    status = allocate_solids(s, scene->n, scene->n_others);
-    if (!spare || status != CYLINT_SCENE_OK) {
+    if (!spare || !allocate_solids(s, scene)) {
         free(spare);
         return CYLINT_SCENE_EMEMORY;
     }

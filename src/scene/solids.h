@@ -41,6 +41,8 @@ typedef struct cylint_solids {
     uint32_t *always;     /* shapes beside the hierarchy that all lines test */
     uint32_t *holding; /* solids that contain all points outside their shapes */
     size_t n_always, n_holding;
+    void *memory; /* of these arrays */
+    size_t bytes;
 } cylint_solids;
 
 struct cylint_scene;
@@ -54,9 +56,8 @@ cylint_scene_status cylint_solids_make(cylint_solids *solids,
  * solids. */
 int cylint_is_late(const struct cylint_scene *scene, uint32_t shape);
 
-/* Frees all but `given`. */
+/* Frees the memory of all but `given`. */
 void cylint_solids_free(cylint_solids *solids);
-size_t cylint_solids_bytes(const cylint_solids *solids, size_t shapes);
 
 static inline int cylint_is_member(const cylint_solids *solids, size_t shape)
 {

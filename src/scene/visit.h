@@ -9,6 +9,18 @@
 #include "cylint_pieces.h"
 #include "scene.h"
 
+/* A shape that a visit has found. */
+typedef struct cylint_found {
+    size_t number;
+    double at; /* t of the first hit, if it is wanted; or the distance, signed
+                  where it is that to a solid */
+    const cylint_hit *hit;         /* of a line; NULL if no member is wanted */
+    const cylint_closest *closest; /* of a point: distance and flags */
+} cylint_found;
+
+/* Returns what a cylint_scene_hit or a cylint_scene_near does. */
+typedef double cylint_use_found(void *context, const cylint_found *found);
+
 typedef struct cylint_visit_options {
     size_t except; /* the number of a shape that is left out, or the number of
                       all shapes */
@@ -21,7 +33,7 @@ typedef struct cylint_visit_options {
 /* As cylint_scene_visit().  Hits beyond t = `last` are not wanted. */
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
-                       cylint_scene_hit *callback, void *context);
+                       cylint_use_found *callback, void *context);
 
 /* Gets a chord of shape `number`.  A shape may come more than once, with the same
  * chords.  Returns what cylint_scene_hit does. */
@@ -52,6 +64,6 @@ static inline cylint_nearness cylint_nearness_of(unsigned want)
 /* As cylint_scene_visit_point(); often: as above. */
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, cylint_nearness nearness, int often,
-                        cylint_scene_near *callback, void *context);
+                        cylint_use_found *callback, void *context);
 
 #endif

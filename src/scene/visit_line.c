@@ -28,7 +28,7 @@ typedef struct {
     size_t except;
     unsigned want;
     int stopped;
-    cylint_scene_hit *callback; /* NULL: a visit of chords */
+    cylint_use_found *callback; /* NULL: a visit of chords */
     cylint_scene_chord *chord;
     void *context;
     cylint_tested_shapes tested;
@@ -106,7 +106,10 @@ static int test_line_at(void *self, size_t number)
         return visit_chords_at(v, number);
     if (number == v->except || !line_hits(v, number, v->want, &hit))
         return 0;
-    shorten_line(v, v->callback(v->context, number, v->want ? &hit : NULL));
+    const cylint_found found = {.number = number,
+                                .at = v->want & CYLINT_WANT_T ? hit.t : 0,
+                                .hit = v->want ? &hit : NULL};
+    shorten_line(v, v->callback(v->context, &found));
     return 1;
 }
 
@@ -240,7 +243,7 @@ static void traverse_lines(line_visit *v, int in_no_order)
         return;
     default:
         for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-            test_line_at(v, s->bounded ? s->bounded[i] : i);
+            test_line_at(v, cylint_bounded_number(s, i));
     }
 }
 
@@ -258,7 +261,7 @@ static void begin_visit(line_visit *v, const cylint_scene *scene,
 
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
-                       cylint_scene_hit *callback, void *context)
+                       cylint_use_found *callback, void *context)
 {
     line_visit v;
     begin_visit(&v, scene, line, options->often, context);
@@ -287,12 +290,4 @@ void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
     for (size_t i = 0; i < n; i++)
         visit_chords_at(&v, others[i]);
     traverse_lines(&v, !in_order);
-}
-
-void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,
-                        unsigned want, cylint_scene_hit *callback,
-                        void *context)
-{
-    const cylint_visit_options options = {.except = scene->n, .want = want};
-    cylint_visit_line(scene, line, &options, HUGE_VAL, callback, context);
 }

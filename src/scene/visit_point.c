@@ -29,7 +29,7 @@ typedef struct {
     int to_nearest; /* doubles are rounded to nearest */
     cylint_nearness nearness;
     int stopped;
-    cylint_scene_near *callback;
+    cylint_use_found *callback;
     void *context;
     cylint_tested_shapes tested;
 } point_visit;
@@ -71,6 +71,13 @@ static int is_safely_far(const point_visit *v, const cylint_shape *shape)
             cylint_contains(shape, v->point) < 0);
 }
 
+/* The distance that is compared. */
+static double compared(const point_visit *v, const cylint_closest *answer)
+{
+    return v->nearness == CYLINT_NEAR_SURFACE ? fabs(answer->distance)
+                                              : answer->distance;
+}
+
 /* Whether the shape's surface or solid is at most v->radius away.  Writes distance
  * and flags.  cylint_contains() takes less time than the distance, and decides
  * about shapes that must hold the point. */
@@ -89,10 +96,7 @@ static int point_is_near(const point_visit *v, size_t number,
         return 0;
     answer->part = 0; /* written only if there is no surface */
     cylint_distance(&shape, v->point, 0, answer);
-    return answer->part >= 0 &&
-           !cylint_less(v->radius, v->nearness == CYLINT_NEAR_SURFACE
-                                       ? fabs(answer->distance)
-                                       : answer->distance);
+    return answer->part >= 0 && !cylint_less(v->radius, compared(v, answer));
 }
 
 /* Returns whether the shape is near. */
@@ -102,8 +106,9 @@ static int test_point_at(void *self, size_t number)
     cylint_closest answer;
     if (!point_is_near(v, number, &answer))
         return 0;
-    const double radius =
-        v->callback(v->context, number, answer.distance, answer.flags);
+    const cylint_found found = {
+        .number = number, .at = compared(v, &answer), .closest = &answer};
+    const double radius = v->callback(v->context, &found);
     if (!(radius >= v->radius))
         set_point_radius(v, radius);
     return 1;
@@ -201,12 +206,12 @@ static void traverse_points(point_visit *v)
         return;
     }
     for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-        test_point_at(v, s->bounded ? s->bounded[i] : i);
+        test_point_at(v, cylint_bounded_number(s, i));
 }
 
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, cylint_nearness nearness, int often,
-                        cylint_scene_near *callback, void *context)
+                        cylint_use_found *callback, void *context)
 {
     point_visit v;
     if (is_no_radius(nearness, radius) || !cylint_is_finite(point))
@@ -222,12 +227,4 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     for (size_t i = 0; i < scene->n_others && !v.stopped; i++)
         test_point_at(&v, scene->others[i]);
     traverse_points(&v);
-}
-
-void cylint_scene_visit_point(const cylint_scene *scene, const double point[3],
-                              double radius, unsigned want,
-                              cylint_scene_near *callback, void *context)
-{
-    cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 0,
-                       callback, context);
 }

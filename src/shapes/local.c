@@ -219,7 +219,7 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
     } else {
         const four axis = axis_and_growth(s);
         inverse = upright_rows(&m, &axis, s->kind == CYLINT_KIND_RCONE ? -1 : 1,
-                               cylint_has_tangent(s->kind));
+                               cylint_has_tangent(s->kind), s);
         height = last_of(&m.x);
         slope = last_of(&m.z);
         if (cylint_has_tangent(s->kind)) {

@@ -196,12 +196,14 @@ typedef struct {
     vm is[3];
 } coordinate;
 
-INLINE coordinate least_of_axis(const real hi[4], const real lo[4])
+INLINE coordinate least_of_axis(const real hi[4], const real lo[4],
+                                const cylint_shape *s)
 {
     const vd x = v_abs(hi[0]), y = v_abs(hi[1]), z = v_abs(hi[2]);
     const vm y_first = v_lt(y, x);
     const vm last = v_lt(z, v_select(y_first, y, x));
     (void)lo;
+    (void)s;
     return (coordinate){
         {m_and_not(m_not(last), y_first), m_and_not(y_first, last), last}};
 }
@@ -273,14 +275,28 @@ INLINE void inverse_roots(one root[3], const one a[3], const real near[3])
 
 typedef int coordinate;
 
-/* The coordinate along which the axis is least, from which phi is counted.
- * Which one is unpredictable, so there is no branch but for equal ones. */
-INLINE coordinate least_of_axis(const real hi[4], const real lo[4])
+/* The same where high parts are equal.  The processor can have flushed a low part,
+ * of a subnormal coordinate. */
+INLINE coordinate least_of_equal(const real hi[4], const real lo[4],
+                                 const cylint_shape *s)
+{
+    int tiny = 0;
+    EACH(i, 3)
+        tiny |= cylint_too_small(cylint_base(s)[i]) |
+                cylint_too_small(cylint_top(s)[i]);
+    return tiny ? cylint_least_axis_component(s)
+                : cylint_least_component(hi, lo);
+}
+
+/* The coordinate along which the axis of a shape is least, from which phi is
+ * counted.  Which one is unpredictable, so there is no branch but for equal ones. */
+INLINE coordinate least_of_axis(const real hi[4], const real lo[4],
+                                const cylint_shape *s)
 {
     const double x = fabs(hi[0]), y = fabs(hi[1]), z = fabs(hi[2]);
     const double xy = cylint_smaller(x, y);
     const int least = y < x, last = z < xy;
-    return x == y || z == xy ? cylint_least_component(hi, lo)
+    return x == y || z == xy ? least_of_equal(hi, lo, s)
                              : least + last * (2 - least);
 }
 
@@ -332,19 +348,20 @@ typedef struct {
  *   y = z x x = h l (w (w.e) - e w.w)
  *
  * The component of the last vector along e is -|w x e|^2.  Beside z stands the
- * slope, beside x the height |w|.  sign: -1 for a rounded cone, else 1.
+ * slope, beside x the height |w|.  sign: -1 for a rounded cone, else 1.  s: the
+ * shape; NULL in wide lanes, where phi has no influence.
  *
  * Errors, in units of u^2, u = 2^-53, each relative to its number: squares 6;
  * |w x e|^2 13, |w|^2 22; e of l 51, of h 64; l 47, h 55; x 67, z, slope and
  * height 90; y 140, of which CYLINT_LOCAL_ERROR allows 1024.
  */
 INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
-                                    int has_tangent)
+                                    int has_tangent, const cylint_shape *s)
 {
     const four w = *axis, w1 = turned(&w), w2 = turned(&w1);
     real hi[4], lo[4], near[3], square_hi[4], square_lo[4];
     store_four(hi, lo, &w);
-    const coordinate least = least_of_axis(hi, lo);
+    const coordinate least = least_of_axis(hi, lo, s);
     const real along = number_of(least, hi);
     near[0] = hi[0] * hi[0] + hi[1] * hi[1] + hi[2] * hi[2];
     near[1] = near[0] - along * along;

@@ -98,21 +98,18 @@ static bounded_double bounded_of(double x)
 #define RADIUS_GROWTH(s) bounded_of(cylint_radius_growth(s).hi)
 #include "load_template.h"
 
-static terms_bounded *load_bounded(cylint_query *q)
+/* The terms that the form takes, here and below: each part is computed once. */
+static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
 {
     terms_bounded *L = &q->bounded_terms;
     if (cylint_is_first(q, CYLINT_READY_BOUNDED)) {
         fill_bounded(L, q->near_shape, q->near_line, q->kind);
         prepare_bounded(L);
     }
-    return L;
-}
-
-static terms_bounded *load_bounded_moments(cylint_query *q)
-{
-    terms_bounded *L = load_bounded(q);
-    if (cylint_is_first(q, CYLINT_READY_MOMENTS))
+    if (f >= FORM_E && cylint_is_first(q, CYLINT_READY_MOMENTS))
         prepare_moments_bounded(L);
+    if (f >= FORM_E && end && cylint_is_first(q, CYLINT_READY_TOP))
+        prepare_top_bounded(L);
     return L;
 }
 
@@ -123,7 +120,7 @@ static terms_bounded *load_bounded_moments(cylint_query *q)
 #define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
 #include "load_template.h"
 
-cylint_terms_pair *cylint_load_pairs(cylint_query *q)
+cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)
 {
     cylint_terms_pair *L = &q->pair_terms;
     if (cylint_is_first(q, CYLINT_READY_PAIR)) {
@@ -132,14 +129,10 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q)
         cylint_shorten_axis(q, L->w);
         cylint_prepare_pair(L);
     }
-    return L;
-}
-
-cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
-{
-    cylint_terms_pair *L = cylint_load_pairs(q);
-    if (cylint_is_first(q, CYLINT_READY_PAIR_MOMENTS))
+    if (f >= FORM_E && cylint_is_first(q, CYLINT_READY_PAIR_MOMENTS))
         cylint_prepare_moments_pair(L);
+    if (f >= FORM_E && end && cylint_is_first(q, CYLINT_READY_PAIR_TOP))
+        cylint_prepare_top_pair(L);
     return L;
 }
 
@@ -152,7 +145,8 @@ cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
 #define BEFORE_TOP(D, w) cylint_exact_add(L->arena, D, cylint_exact_neg(w))
 #include "load_template.h"
 
-const cylint_terms_exact *cylint_load_exact(cylint_query *q)
+const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
+                                            int end)
 {
     cylint_terms_exact *L = &q->exact;
     if (cylint_is_first(q, CYLINT_READY_EXACT)) {
@@ -162,14 +156,10 @@ const cylint_terms_exact *cylint_load_exact(cylint_query *q)
         cylint_fill_exact(L, q->shape, q->line, q->kind);
         cylint_prepare_exact(L);
     }
-    return L;
-}
-
-const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q)
-{
-    const cylint_terms_exact *L = cylint_load_exact(q);
-    if (cylint_is_first(q, CYLINT_READY_EXACT_MOMENTS))
-        cylint_prepare_moments_exact(&q->exact);
+    if (f >= FORM_E && cylint_is_first(q, CYLINT_READY_EXACT_MOMENTS))
+        cylint_prepare_moments_exact(L);
+    if (f >= FORM_E && end && cylint_is_first(q, CYLINT_READY_EXACT_TOP))
+        cylint_prepare_top_exact(L);
     return L;
 }
 
@@ -190,12 +180,6 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
 }
 
 /* ---------------------------------------------------------- signs ------ */
-
-/* Whether a form needs a moment about the top, which is not there yet. */
-static int needs_top(cylint_query *q, cylint_form f, int end, unsigned ready)
-{
-    return end && f >= FORM_E && cylint_is_first(q, ready);
-}
 
 static int are_whole(const double *x, int n)
 {
@@ -228,31 +212,22 @@ int cylint_sign_of_pair(cylint_query *q, bounded_pair x)
 
 static int sign_in_doubles(cylint_query *q, cylint_form f, int end)
 {
-    terms_bounded *L = f < FORM_E ? load_bounded(q) : load_bounded_moments(q);
-    if (needs_top(q, f, end, CYLINT_READY_TOP))
-        prepare_top_bounded(L);
-    const bounded_double x = form_bounded(L, f, end);
+    const bounded_double x = form_bounded(load_bounded(q, f, end), f, end);
     return fabs(x.v) > bounded_error(x) ? cylint_sign(x.v)
                                         : CYLINT_SIGN_UNCERTAIN;
 }
 
 static int sign_in_pairs(cylint_query *q, cylint_form f, int end)
 {
-    cylint_terms_pair *L =
-        f < FORM_E ? cylint_load_pairs(q) : cylint_load_pair_moments(q);
-    if (needs_top(q, f, end, CYLINT_READY_PAIR_TOP))
-        cylint_prepare_top_pair(L);
-    return cylint_sign_of_pair(q, cylint_form_pair(L, f, end));
+    return cylint_sign_of_pair(
+        q, cylint_form_pair(cylint_load_pairs(q, f, end), f, end));
 }
 
 int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign)
 {
     if (sign != CYLINT_SIGN_UNCERTAIN && !CYLINT_IS_PARANOID)
         return sign;
-    const cylint_terms_exact *L =
-        f < FORM_E ? cylint_load_exact(q) : cylint_load_exact_moments(q);
-    if (needs_top(q, f, end, CYLINT_READY_EXACT_TOP))
-        cylint_prepare_top_exact(&q->exact);
+    const cylint_terms_exact *L = cylint_load_exact(q, f, end);
     const int used = q->arena.used;
     const int exactly = cylint_form_exact(L, f, end).sign;
     q->arena.used = used;

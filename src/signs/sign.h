@@ -56,12 +56,11 @@ static inline int cylint_is_first(cylint_query *q, unsigned part)
     return !(before & part);
 }
 
-/* The terms of the slower arithmetics, without moments and with all but that
- * about the top.  The first call computes them. */
-cylint_terms_pair *cylint_load_pairs(cylint_query *q);
-cylint_terms_pair *cylint_load_pair_moments(cylint_query *q);
-const cylint_terms_exact *cylint_load_exact(cylint_query *q);
-const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q);
+/* The terms that a form of this end takes, in the slower arithmetics.  What is not
+ * there is computed. */
+cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end);
+const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
+                                            int end);
 
 /* Signs and roots of a cylinder or capsule do not depend on the length of the
  * axis w.  Along a coordinate's direction it becomes a unit vector, by which

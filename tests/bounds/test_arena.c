@@ -209,7 +209,7 @@ static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
     return most;
 }
 
-static void no_distance_needs_more_than_the_arena(void)
+TEST(no_distance_needs_more_than_the_arena)
 {
     enum { ROUNDS = 2000 };
     int highest = 0;
@@ -233,7 +233,7 @@ static void no_distance_needs_more_than_the_arena(void)
         REPORT("degree %d", highest);
 }
 
-static void no_question_needs_more_than_the_arena(void)
+TEST(no_question_needs_more_than_the_arena)
 {
     enum { ROUNDS = 2000 };
     for (int kind = 1; kind <= CYLINT_KIND_RCONE; kind++) {
@@ -244,11 +244,4 @@ static void no_question_needs_more_than_the_arena(void)
                (int)CYLINT_ARENA_LIMBS);
         CHECK(most > LEAF && most <= CYLINT_ARENA_LIMBS);
     }
-}
-
-int main(void)
-{
-    RUN(no_question_needs_more_than_the_arena);
-    RUN(no_distance_needs_more_than_the_arena);
-    return check_end();
 }

@@ -113,34 +113,24 @@ static void check_point(const struct family_case *c, const double p[3])
     }
 }
 
-static void errors_are_below_their_bounds(void)
+TEST(errors_are_below_their_bounds)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
-    for (int f = 0; f < family_count(); f++)
-        for (uint64_t i = 0; i < cases; i++) {
-            struct family_case c;
-            family_case(9, f, i, &c);
-            uint64_t stream = i * 64 + (uint64_t)f;
-            if (!cylint_prepared(&c.shape) ||
-                cylint_is_elliptic(c.shape.kind) ||
-                cylint_has_tangent(c.shape.kind) ||
-                c.shape.kind == CYLINT_KIND_SPHERE)
-                continue;
-            for (int k = 0; k < POINTS; k++) {
-                double p[3];
-                draw_point(&c, &stream, p);
-                if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))
-                    check_point(&c, p);
-            }
+    EACH_CASE(c, 9, cases) {
+        uint64_t stream = number * 64 + (uint64_t)family;
+        if (!cylint_prepared(&c.shape) || cylint_is_elliptic(c.shape.kind) ||
+            cylint_has_tangent(c.shape.kind) ||
+            c.shape.kind == CYLINT_KIND_SPHERE)
+            continue;
+        for (int k = 0; k < POINTS; k++) {
+            double p[3];
+            draw_point(&c, &stream, p);
+            if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))
+                check_point(&c, p);
         }
+    }
     printf("note: largest errors: z %.2g, rho %.2g, rim %.2g; with heads and "
            "tails z %.2g, rho %.2g of the bounds\n",
            most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho);
     CHECK(most_rho > 0 && most_head_tail_rho > 0);
-}
-
-int main(void)
-{
-    RUN(errors_are_below_their_bounds);
-    return check_end();
 }

@@ -78,7 +78,7 @@ static void check_solid(const struct solid *e, const double point[3])
     CHECK(is_exact(plane.n, height_in_triples(&t, &s, &at)));
 }
 
-static void errors_are_below_their_bounds(void)
+TEST(errors_are_below_their_bounds)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     for (int form = 0; form < FORMS; form++)
@@ -94,10 +94,4 @@ static void errors_are_below_their_bounds(void)
            "doubles\n",
            most_in_pairs, most_in_doubles);
     CHECK(most_in_pairs > 0x1p-13 && most_in_doubles > 0x1p-13);
-}
-
-int main(void)
-{
-    RUN(errors_are_below_their_bounds);
-    return check_end();
 }

@@ -14,7 +14,7 @@
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "embree/shapes.h"
-#include "embree/angle.h"
+#include "embree/float_filter_lanes.h"
 
 typedef struct {
     double size, off;
@@ -78,7 +78,7 @@ static void set_slope(questions_bounds *q, double slope, int is_round)
 
 /* The bounds of float_filter_lanes.h.  chord_end() wants errors of at most 6/8 e_a
  * and 0.33 e_G / sqrt(G); of a cone G <= 2 T^2, of a ball G <= 1. */
-static void the_errors_of_cones_and_balls_are_within_their_bounds(void)
+TEST(the_errors_of_cones_and_balls_are_within_their_bounds)
 {
     double a = 0, b = 0, G = 0, S = 0, y = 0, z = 0, ball_b = 0, ball_G = 0;
     for (int i = 0; i <= 100; i++) {
@@ -130,7 +130,7 @@ static int is_kept_small(const cylint_shape *shape, cylint_record *read)
     return CHECK(memcmp(&large, read, sizeof large) == 0);
 }
 
-static void small_records_keep_round_kinds(void)
+TEST(small_records_keep_round_kinds)
 {
     const double base[3] = {1, 2, 3}, top[3] = {4, 5, 6};
     cylint_record record;
@@ -159,7 +159,7 @@ static int is_small(double x, double r, int cone)
            is_kept_small(&shape, &record);
 }
 
-static void only_shapes_made_of_floats_have_small_records(void)
+TEST(only_shapes_made_of_floats_have_small_records)
 {
     const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
     const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
@@ -184,7 +184,7 @@ static void only_shapes_made_of_floats_have_small_records(void)
 }
 
 /* Compared with long doubles; the bound is not far above the largest error. */
-static void the_error_of_an_angle_is_within_its_bound(void)
+TEST(the_error_of_an_angle_is_within_its_bound)
 {
     const long double two_pi = 6.283185307179586476925286766559L;
     double most = 0;
@@ -204,13 +204,4 @@ static void the_error_of_an_angle_is_within_its_bound(void)
     if (!CHECK(most <= CYLINT_ATAN2_TURNS_ERROR &&
                most > 0.5 * CYLINT_ATAN2_TURNS_ERROR))
         REPORT("by %a", most);
-}
-
-int main(void)
-{
-    RUN(the_errors_of_cones_and_balls_are_within_their_bounds);
-    RUN(only_shapes_made_of_floats_have_small_records);
-    RUN(small_records_keep_round_kinds);
-    RUN(the_error_of_an_angle_is_within_its_bound);
-    return check_end();
 }

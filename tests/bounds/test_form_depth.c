@@ -101,14 +101,14 @@ static int deepest(arithmetic in, const char *title)
     return most;
 }
 
-static void the_deepest_form_has_the_depth_in_error_bounds_h(void)
+TEST(the_deepest_form_has_the_depth_in_error_bounds_h)
 {
     const int most = deepest(ROUNDED_DIFFERENCE, "in doubles");
     if (!CHECK(most == CYLINT_DEPTH))
         REPORT("depth %d", most);
 }
 
-static void pairs_are_no_deeper(void)
+TEST(pairs_are_no_deeper)
 {
     CHECK(deepest(EXACT_DIFFERENCE, "in pairs") <= CYLINT_DEPTH);
 }
@@ -122,7 +122,7 @@ static void move_to_t(terms_depth *L)
 }
 
 /* Q at D + t u (root.c) is no deeper than the forms themselves. */
-static void values_at_a_point_of_the_line_are_no_deeper(void)
+TEST(values_at_a_point_of_the_line_are_no_deeper)
 {
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
@@ -221,7 +221,7 @@ static double lost_by_any_form(double per_operation)
     return most;
 }
 
-static void underflow_stays_below_its_bound(void)
+TEST(underflow_stays_below_its_bound)
 {
     const double in_doubles = lost_by_any_form(0x1p-1022),
                  in_pairs = lost_by_any_form(64 * 0x1p-1022);
@@ -246,7 +246,7 @@ static int degree_of_product(int x, int y)
 #include "signs/forms_template.h"
 
 /* The degree that keeps pairs from underflow: of forms whose signs decide. */
-static void the_highest_degree_is_in_error_bounds_h(void)
+TEST(the_highest_degree_is_in_error_bounds_h)
 {
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
@@ -265,14 +265,4 @@ static void the_highest_degree_is_in_error_bounds_h(void)
     }
     if (!CHECK(most == CYLINT_DEGREE))
         REPORT("degree %d", most);
-}
-
-int main(void)
-{
-    RUN(the_deepest_form_has_the_depth_in_error_bounds_h);
-    RUN(pairs_are_no_deeper);
-    RUN(values_at_a_point_of_the_line_are_no_deeper);
-    RUN(underflow_stays_below_its_bound);
-    RUN(the_highest_degree_is_in_error_bounds_h);
-    return check_end();
 }

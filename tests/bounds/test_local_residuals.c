@@ -284,7 +284,7 @@ static void elliptic_levels(double s, double more_s)
     need(f_off, unit);
 }
 
-static void a_residual_in_levels_has_its_bound(void)
+TEST(a_residual_in_levels_has_its_bound)
 {
     straight_levels();
     circular_levels(0, FIRST_SLOPE);
@@ -301,7 +301,7 @@ static void a_residual_in_levels_has_its_bound(void)
 }
 
 /* One operation on triples of the size 1, |c| <= 2^-104. */
-static void an_operation_on_triples_has_its_bound(void)
+TEST(an_operation_on_triples_has_its_bound)
 {
     const triple_number x = {1, 0x1p-104, 0};
     need(triple_plus(x, x).off, 2);
@@ -309,16 +309,8 @@ static void an_operation_on_triples_has_its_bound(void)
     judge_in(&ROUNDING, "", "triples");
 }
 
-static void no_constant_is_four_times_too_large(void)
+TEST(no_constant_is_four_times_too_large)
 {
     check_slack(&TRIPLE);
     check_slack(&ROUNDING);
-}
-
-int main(void)
-{
-    RUN(an_operation_on_triples_has_its_bound);
-    RUN(a_residual_in_levels_has_its_bound);
-    RUN(no_constant_is_four_times_too_large);
-    return check_end();
 }

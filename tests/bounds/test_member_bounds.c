@@ -345,7 +345,7 @@ static int judge_line(const cylint_shape *s, const cylint_line *line)
     return 1;
 }
 
-static void every_number_has_its_bound(void)
+TEST(every_number_has_its_bound)
 {
     const uint64_t hits = check_setting("CYLINT_CASES", 1 << 17);
     uint64_t n = 0;
@@ -364,8 +364,9 @@ static void every_number_has_its_bound(void)
         }
 }
 
-static void bounds_are_not_far_above_the_errors(void)
+TEST(bounds_are_not_far_above_the_errors)
 {
+    (void)describe_again;
     static const number *const all[] = {
         &X,       &Y,       &Z,       &RHO,      &POINT,
         &OF_SIDE, &OF_SKEW, &OF_BALL, &OF_PLANE, &OF_SKEW_PLANE,
@@ -379,15 +380,6 @@ static void bounds_are_not_far_above_the_errors(void)
     }
     /* Of nearly every root that levels find, pairs find the tail. */
     CHECK(ROOT[0].n > ROOT[1].n - ROOT[1].n / 32);
-}
-
-int main(void)
-{
-    (void)describe_again;
-    RUN(every_number_has_its_bound);
-    RUN(bounds_are_not_far_above_the_errors);
-    mpfr_free_cache();
-    return check_end();
 }
 
 #else

@@ -76,15 +76,14 @@ static void check_nodes(const struct scene_shapes *of)
     cylint_bvh_free(&bvh);
 }
 
-static void every_leaf_has_one_parent_and_nodes_have_no_gaps(void)
+TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
 {
     static const size_t sizes[] = {1, 7, 8, 9, 57, 64, 65, 520, 3000, 20000};
     static const int kinds[] = {SCENE_THIN, SCENE_FIBRES, SCENE_LATTICE,
                                 SCENE_LENGTHS};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-            struct scene_shapes of;
-            scene_generate(kinds[k], sizes[i], 3, &of);
+            struct scene_shapes of = scene_generate(kinds[k], sizes[i], 3);
             check_nodes(&of);
             scene_release(&of);
         }
@@ -92,7 +91,7 @@ static void every_leaf_has_one_parent_and_nodes_have_no_gaps(void)
 
 /* Shapes that no split separates, and shapes of which each split separates
  * one. */
-static void scenes_without_good_splits_have_correct_nodes(void)
+TEST(scenes_without_good_splits_have_correct_nodes)
 {
     enum { N = 3000 };
     static cylint_shape shapes[N];
@@ -112,14 +111,13 @@ static void scenes_without_good_splits_have_correct_nodes(void)
 /* -------------------------------------------------------------- threads -- */
 
 /* Enough shapes for five threads; some calls use more. */
-static void any_number_of_threads_builds_the_same_bytes(void)
+TEST(any_number_of_threads_builds_the_same_bytes)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_MIXED, SCENE_FAT};
     static const int threads[] = {2, 3, 5, 100, 0};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
-        struct scene_shapes of;
         cylint_bvh alone, other;
-        scene_generate(kinds[k], 23000, 4, &of);
+        struct scene_shapes of = scene_generate(kinds[k], 23000, 4);
         if (!make(&alone, &of, 1))
             return;
         for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
@@ -136,10 +134,9 @@ static void any_number_of_threads_builds_the_same_bytes(void)
 }
 
 /* The lowest number, whichever thread finds it. */
-static void the_first_refused_shape_is_reported(void)
+TEST(the_first_refused_shape_is_reported)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_THIN, 23000, 5, &of);
+    struct scene_shapes of = scene_generate(SCENE_THIN, 23000, 5);
     const cylint_view view = cylint_plain_view(of.shapes);
     static const size_t bad[] = {22999, 12000, 11999, 300};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
@@ -156,10 +153,9 @@ static void the_first_refused_shape_is_reported(void)
     scene_release(&of);
 }
 
-static void scenes_of_several_threads_answer_as_those_of_one(void)
+TEST(scenes_of_several_threads_answer_as_those_of_one)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_UNBOUNDED, 12000, 6, &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 12000, 6);
     cylint_scene *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
     cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
     if (CHECK(one && four)) {
@@ -202,13 +198,12 @@ static cylint_scene *make_reported(const struct scene_shapes *of, int threads,
 static const int reported[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};
 enum { REPORTED = sizeof reported / sizeof *reported };
 
-static void progress_grows_and_does_not_change_the_scene(void)
+TEST(progress_grows_and_does_not_change_the_scene)
 {
     for (int i = 0; i < 2 * REPORTED; i++) {
-        struct scene_shapes of;
         struct progress seen;
         cylint_scene_status status;
-        scene_generate(reported[i / 2], 40000, 7, &of);
+        struct scene_shapes of = scene_generate(reported[i / 2], 40000, 7);
         const int threads = i % 2 ? 4 : 1;
         cylint_scene *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
         cylint_scene *made = make_reported(&of, threads, &seen, 0, &status);
@@ -223,14 +218,13 @@ static void progress_grows_and_does_not_change_the_scene(void)
     }
 }
 
-static void a_build_stops_when_its_caller_stops_it(void)
+TEST(a_build_stops_when_its_caller_stops_it)
 {
     for (int i = 0; i < 2 * REPORTED; i++) {
-        struct scene_shapes of;
         struct progress seen;
         cylint_scene_status status;
         const int threads = i % 2 ? 4 : 1;
-        scene_generate(reported[i / 2], 20000, 8, &of);
+        struct scene_shapes of = scene_generate(reported[i / 2], 20000, 8);
         for (long stop = 1; stop < 1000; stop += 1 + stop / 8) {
             cylint_scene *made =
                 make_reported(&of, threads, &seen, stop, &status);
@@ -299,7 +293,7 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-static void pieces_contain_the_hits_that_they_own(void)
+TEST(pieces_contain_the_hits_that_they_own)
 {
     uint64_t state = 15;
     long hits = 0;
@@ -365,13 +359,13 @@ static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
 }
 
 /* Run by `make sanitize`, which detects an access outside a stack. */
-static void stacks_hold_the_greatest_depth(void)
+TEST(stacks_hold_the_greatest_depth)
 {
     for (int n = 0; n < CYLINT_CHILDREN - 1; n++)
         traverse_equal_boxes(CYLINT_BVH_DEPTH, n, MOST_COUNTED);
 }
 
-static void each_leaf_is_visited(void)
+TEST(each_leaf_is_visited)
 {
     for (int n = 0; n < CYLINT_CHILDREN; n++) {
         const long nodes = CYLINT_CHILDREN - n;
@@ -381,19 +375,4 @@ static void each_leaf_is_visited(void)
             leaves = n + nodes * leaves;
         }
     }
-}
-
-int main(void)
-{
-    RUN(stacks_hold_the_greatest_depth);
-    RUN(each_leaf_is_visited);
-    RUN(pieces_contain_the_hits_that_they_own);
-    RUN(every_leaf_has_one_parent_and_nodes_have_no_gaps);
-    RUN(scenes_without_good_splits_have_correct_nodes);
-    RUN(any_number_of_threads_builds_the_same_bytes);
-    RUN(the_first_refused_shape_is_reported);
-    RUN(scenes_of_several_threads_answer_as_those_of_one);
-    RUN(progress_grows_and_does_not_change_the_scene);
-    RUN(a_build_stops_when_its_caller_stops_it);
-    return check_end();
 }

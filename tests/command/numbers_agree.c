@@ -70,13 +70,13 @@ static void check_read(const char *text)
     }
 }
 
-static void every_bit_pattern_is_written_alike(void)
+TEST(every_bit_pattern_is_written_alike)
 {
     for (int i = 0; i < 200000; i++)
         check_written(from_bits(next_random()));
 }
 
-static void powers_of_two_and_their_neighbours_are_written_alike(void)
+TEST(powers_of_two_and_their_neighbours_are_written_alike)
 {
     for (int e = -1074; e < 1024; e++) {
         const double x = ldexp(1.0, e);
@@ -86,7 +86,7 @@ static void powers_of_two_and_their_neighbours_are_written_alike(void)
     }
 }
 
-static void short_decimals_and_integers_are_written_alike(void)
+TEST(short_decimals_and_integers_are_written_alike)
 {
     for (int i = 0; i < 100000; i++) {
         const double whole = (double)(next_random() >> (next_random() & 63));
@@ -97,7 +97,7 @@ static void short_decimals_and_integers_are_written_alike(void)
     }
 }
 
-static void halfway_between_two_shortest_goes_to_even(void)
+TEST(halfway_between_two_shortest_goes_to_even)
 {
     for (int i = 0; i < 100000; i++) {
         const int shift = (int)(next_random() % 40);
@@ -105,7 +105,7 @@ static void halfway_between_two_shortest_goes_to_even(void)
     }
 }
 
-static void special_values_are_written_alike(void)
+TEST(special_values_are_written_alike)
 {
     static const double values[] = {0.0,
                                     -0.0,
@@ -131,7 +131,7 @@ static void special_values_are_written_alike(void)
 }
 
 /* The spellings are separated by |; one of them is empty. */
-static void every_spelling_is_read_alike(void)
+TEST(every_spelling_is_read_alike)
 {
     char spellings[] =
         "1|+1|-1|1.|.5|-.5|+.5|1.5e3|1E+3|1e-3|0x1.8p+3|-0X1.8P-3|+0x.8|"
@@ -153,7 +153,7 @@ static void every_spelling_is_read_alike(void)
     }
 }
 
-static void random_text_is_read_alike(void)
+TEST(random_text_is_read_alike)
 {
     static const char letters[] = "00123456789..+-eEpPxX ,af";
     for (int i = 0; i < 300000; i++) {
@@ -166,7 +166,7 @@ static void random_text_is_read_alike(void)
     }
 }
 
-static void decimals_of_up_to_20_digits_are_read_alike(void)
+TEST(decimals_of_up_to_20_digits_are_read_alike)
 {
     static const char *const behind[] = {"", " ", ",", "\t7", "e1", "E", "x"};
     for (int i = 0; i < 1000000; i++) {
@@ -183,7 +183,7 @@ static void decimals_of_up_to_20_digits_are_read_alike(void)
     }
 }
 
-static void integers_about_2_to_the_53_are_read_alike(void)
+TEST(integers_about_2_to_the_53_are_read_alike)
 {
     for (int i = -2000; i < 2000; i++) {
         char text[40];
@@ -197,7 +197,7 @@ static void integers_about_2_to_the_53_are_read_alike(void)
     }
 }
 
-static void long_decimals_near_midpoints_are_read_alike(void)
+TEST(long_decimals_near_midpoints_are_read_alike)
 {
     for (int i = 0; i < 20000; i++) {
         const double x = from_bits(next_random() & 0x7fefffffffffffffU);
@@ -205,19 +205,4 @@ static void long_decimals_near_midpoints_are_read_alike(void)
         snprintf(text, sizeof text, "%.*e", (int)(15 + next_random() % 800), x);
         check_read(text);
     }
-}
-
-int main(void)
-{
-    RUN(every_bit_pattern_is_written_alike);
-    RUN(powers_of_two_and_their_neighbours_are_written_alike);
-    RUN(short_decimals_and_integers_are_written_alike);
-    RUN(halfway_between_two_shortest_goes_to_even);
-    RUN(special_values_are_written_alike);
-    RUN(every_spelling_is_read_alike);
-    RUN(random_text_is_read_alike);
-    RUN(decimals_of_up_to_20_digits_are_read_alike);
-    RUN(integers_about_2_to_the_53_are_read_alike);
-    RUN(long_decimals_near_midpoints_are_read_alike);
-    return check_end();
 }

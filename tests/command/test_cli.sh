@@ -1,54 +1,10 @@
 #!/bin/sh
-# Floor command: the transcripts of cli.txt and hostile.txt and the examples of the
-# manuals give their output, and every option, word and column has a transcript.
-#
-# A transcript is `$ command` and the expected output.  `! text` is a line of
-# standard error, `? N` the exit status (default 0), `!? text` the message and
-# status of a wrong command line, `(empty)` an empty line.  A blank line ends the
-# transcript; text between transcripts is comment.  All commands run in one
-# scratch folder.
+# Floor command: the transcripts of cli.txt, hostile.txt and swc.txt and the examples of
+# the manuals give their output, and every option, word and column has a transcript.
 . "$(dirname "$0")/../support/verdict.sh"
+. tests/support/transcripts.sh
 mkdir "$scratch/work"
 PATH=$build:$PATH
-
-# Runs $command and compares its output with expected.out and expected.err.
-finish() {
-    [ -n "$command" ] || return
-    (cd "$scratch/work" && sh -c "$command") </dev/null >"$scratch/out" 2>"$scratch/err"
-    echo "? $?" >>"$scratch/err"
-    echo "? $status" >>"$scratch/expected.err"
-    diff "$scratch/expected.out" "$scratch/out"
-    wrong=$?
-    diff "$scratch/expected.err" "$scratch/err" || wrong=1
-    verdict "$source: $command" $wrong
-    command=
-}
-
-begin() {
-    command=$1 status=0
-    : >"$scratch/expected.out"
-    : >"$scratch/expected.err"
-}
-
-run_transcripts() { # name; transcripts on standard input
-    source=$1 command=
-    while IFS= read -r line; do
-        case $line in
-        '$ '*) finish; begin "${line#??}" ;;
-        '') finish ;;
-        '!? '*)
-            printf 'cylint: %s\n%s\n' "${line#???}" "Try 'cylint --help'." \
-                >>"$scratch/expected.err"
-            status=2 ;;
-        '! '*) printf '%s\n' "${line#??}" >>"$scratch/expected.err" ;;
-        '? '*) status=${line#??} ;;
-        '(empty)') echo >>"$scratch/expected.out" ;;
-        *) [ -z "$command" ] ||
-            printf '%s\n' "$line" >>"$scratch/expected.out" ;;
-        esac
-    done
-    finish
-}
 
 # Prints, unescaped, the literal displays of a manual that have a command.
 examples() {
@@ -63,7 +19,7 @@ covered() { # word: is it in cli.txt, not as a part of another?
     verdict "no transcript for $1" $?
 }
 
-for file in cli.txt hostile.txt; do
+for file in cli.txt hostile.txt swc.txt; do
     run_transcripts $file <"$top/tests/command/$file"
 done
 

@@ -4,26 +4,12 @@
 # give a message and leave no incomplete file; the manual's examples run.
 # The program pixels prints the pixels of a file.
 . "$(dirname "$0")/../support/verdict.sh"
+. tests/support/transcripts.sh
 page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] ||
     skip_all 'no libpng, so no cylint-render (make deps)'
 PATH=$build:$build/tests/command:$PATH
 cd "$scratch" || exit 1
-
-# refuses STATUS MESSAGE ARGUMENT...
-refuses()
-{
-    wanted=$1 message=$2
-    shift 2
-    cylint-render "$@" > out 2> messages < /dev/null
-    status=$?
-    [ $status -eq "$wanted" ] && [ ! -s out ] &&
-        [ "$(head -n 1 messages)" = "cylint-render: $message" ] || {
-        echo "exit status $status, message: $(cat messages)"
-        false
-    }
-    verdict "refused: $message" $?
-}
 
 # ------------------------------------------------------------ one picture --
 
@@ -460,39 +446,10 @@ test_joints()
 
 test_faults()
 {
-    refuses 2 "expected one scene, found 0" -o x.png
-    refuses 2 "no output file: use -o FILE, or -o - for standard output" some.scene
-    refuses 2 "-o: expected a PNG file, NAME.png, found 'x.jpg'" some.scene -o x.jpg
-    refuses 2 "-o: expected a PNG file, NAME.png, found 'a.b/X.TIFF'" -o a.b/X.TIFF
-    refuses 2 "--size: expected WIDTHxHEIGHT, found '3x'" --size 3x
-    refuses 2 "--size: expected WIDTHxHEIGHT, found '0x7'" --size 0x7
-    refuses 2 "--fov: expected degrees above 0 and below 180, found '180'" --fov 180
-    refuses 2 "--up: expected a direction X,Y,Z, found '0,0,0'" --up 0,0,0
-    refuses 2 "--eye: expected X,Y,Z, found '1,2'" --eye 1,2
-    refuses 2 "--colour: expected number, label, kind, connected, radius,\
- height, element, chain or #rrggbb, found '#12345'" --colour '#12345'
-    refuses 2 "--look-at needs --eye" some.scene -o x.png --look-at 0,0,0
-    refuses 2 "--from and --eye exclude each other" some.scene -o x.png --from 1,0,0 --eye 1,0,0
-    refuses 2 "unknown option '--eyes'; did you mean --eye?" --eyes 1,2,3
-    refuses 3 "no.scene: No such file or directory" no.scene -o x.png
-    refuses 3 "no/x.png: No such file or directory" some.scene -o no/x.png
-    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --size 9x9
-    refuses 2 "--swc needs a neuron, NAME.swc" some.scene -o x.png --swc=round
-    refuses 2 "--swc: expected cones or round, found 'oval'" --swc oval
-    refuses 2 "--xray: expected MU, auto or linear, found '0'" --xray 0
-    refuses 2 "--xray: expected MU, auto or linear, found 'inf'" --xray inf
-    refuses 2 "--xray and --ground exclude each other" some.scene -o x.png \
-        --xray auto --ground none
-    refuses 2 "--xray and --shade exclude each other" some.scene -o x.png \
-        --shade plain --xray linear
-    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --size 9x9 --xray 1
     echo 'cylinder 0 0 0  0 0 zero 1' > bad.scene
-    refuses 1 "bad.scene:1:21: expected a number, found 'zero'" bad.scene -o x.png
     : > empty.scene
-    refuses 1 "empty.scene: no shape is bounded, or the view is along\
- --up; use --eye and --look-at" empty.scene -o x.png
-    refuses 1 "some.scene: no shape is bounded, or the view is along\
- --up; use --eye and --look-at" some.scene -o x.png --from 0,0,1
+    ln -s . work
+    run_transcripts render.txt < "$top/tests/command/render.txt"
     [ ! -e x.png ] && [ -z "$(ls | grep part)" ]
     verdict a_failure_leaves_no_file $?
 

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#define CHECK_OWN_MAIN
 #include "closest.h"
 #include "distance/lanes.h"
 #include "distance_points.h"
@@ -237,78 +238,61 @@ static void draw_family(int family, size_t n)
     draw_points(n, (uint64_t)family);
 }
 
-static void with_all_kernels(void test(void))
-{
-    for (int k = 0; cylint_kernels_name(k); k++) {
-        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
-        test();
-    }
-    cylint_use_kernels(NULL);
-}
-
 /* ---------------------------------------------------------------- tests -- */
 
-static void check_families(void)
+TEST(batches_of_all_families_answer_as_single_questions)
 {
-    for (int family = 0; family < family_count(); family++) {
-        draw_family(family, 97);
-        check_batch(MOST, 97, &usual);
-        check_batch(MOST, 97, &without_members);
-        for (size_t one = 0; one < 9; one++) {
-            struct family_case c;
-            family_case(21, family, one, &c);
-            if (one % 2)
-                c.ends = CYLINT_ENDS_CAPPED;
-            family_make(&c);
-            draw_points_about(&c, 40 + one, one * 99 + (uint64_t)family);
-            check_batch(0, 40 + one, one % 4 < 2 ? &usual : &without_members);
+    EACH_KERNELS(k) {
+        for (int family = 0; family < family_count(); family++) {
+            draw_family(family, 97);
+            check_batch(MOST, 97, &usual);
+            check_batch(MOST, 97, &without_members);
+            for (size_t one = 0; one < 9; one++) {
+                struct family_case c;
+                family_case(21, family, one, &c);
+                if (one % 2)
+                    c.ends = CYLINT_ENDS_CAPPED;
+                family_make(&c);
+                draw_points_about(&c, 40 + one, one * 99 + (uint64_t)family);
+                check_batch(0, 40 + one,
+                            one % 4 < 2 ? &usual : &without_members);
+            }
         }
     }
-}
-
-static void batches_of_all_families_answer_as_single_questions(void)
-{
-    with_all_kernels(check_families);
 }
 
 /* Longer than two blocks; shapes of all kinds and refused ones side by side. */
-static void check_mixed(void)
+TEST(mixed_batches_answer_as_single_questions)
 {
-    draw_mixed(MOST);
-    check_batch(MOST, MOST, &usual);
-    check_batch(MOST, MOST, &without_members);
-    for (size_t one = 0; one < 60; one++)
-        check_batch(one, one % 30 ? 20 : MOST,
-                    one % 2 ? &without_members : &usual);
-    check_batch(MOST, CYLINT_POINT_BLOCK + 1, &usual);
-    for (size_t one = 0; one < 10; one++)
-        check_batch(one, CYLINT_POINT_BLOCK + 1, &usual);
+    EACH_KERNELS(k) {
+        draw_mixed(MOST);
+        check_batch(MOST, MOST, &usual);
+        check_batch(MOST, MOST, &without_members);
+        for (size_t one = 0; one < 60; one++)
+            check_batch(one, one % 30 ? 20 : MOST,
+                        one % 2 ? &without_members : &usual);
+        check_batch(MOST, CYLINT_POINT_BLOCK + 1, &usual);
+        for (size_t one = 0; one < 10; one++)
+            check_batch(one, CYLINT_POINT_BLOCK + 1, &usual);
+    }
 }
 
-static void mixed_batches_answer_as_single_questions(void)
+TEST(batches_of_all_lengths_serve_all_addresses)
 {
-    with_all_kernels(check_mixed);
-}
-
-static void check_addresses(void)
-{
-    draw_mixed(FEW);
-    for (size_t n = 0; n <= FEW; n++)
-        for (size_t i = 0; i < 16; i++) {
-            const struct layout at = {i / 2, (int)i % 2,
-                                      n % 4 ? ALL & ~MEMBERS : ALL, 0};
-            check_batch(MOST, n, &at);
-            check_batch(i % 4 < 2 ? 3 : 10, n, &at);
-        }
-}
-
-static void batches_of_all_lengths_serve_all_addresses(void)
-{
-    with_all_kernels(check_addresses);
+    EACH_KERNELS(k) {
+        draw_mixed(FEW);
+        for (size_t n = 0; n <= FEW; n++)
+            for (size_t i = 0; i < 16; i++) {
+                const struct layout at = {i / 2, (int)i % 2,
+                                          n % 4 ? ALL & ~MEMBERS : ALL, 0};
+                check_batch(MOST, n, &at);
+                check_batch(i % 4 < 2 ? 3 : 10, n, &at);
+            }
+    }
 }
 
 /* Without the others; in lanes, and of a shape with one cap one by one. */
-static void every_column_can_be_wanted_alone(void)
+TEST(every_column_can_be_wanted_alone)
 {
     struct family_case c;
     uint64_t index = 0;
@@ -365,22 +349,19 @@ static void check_environment(struct environment there)
               cylint_is_elliptic(drawn[i].shape.kind));
 }
 
-static void check_environments(void)
+TEST(batches_answer_as_single_questions_in_any_environment)
 {
-    draw_mixed(MOST);
-    everywhere(check_environment);
-    for (int family = 0; family < family_count(); family += 5) {
-        draw_family(family, 100);
+    EACH_KERNELS(k) {
+        draw_mixed(MOST);
         everywhere(check_environment);
+        for (int family = 0; family < family_count(); family += 5) {
+            draw_family(family, 100);
+            everywhere(check_environment);
+        }
     }
 }
 
-static void batches_answer_as_single_questions_in_any_environment(void)
-{
-    with_all_kernels(check_environments);
-}
-
-static void of_equal_shapes_the_first_is_closest(void)
+TEST(of_equal_shapes_the_first_is_closest)
 {
     static const double p[3] = {5, 0, 1}, top[3] = {0, 0, 2};
     cylint_shape s[3];
@@ -397,7 +378,7 @@ static void of_equal_shapes_the_first_is_closest(void)
 }
 
 /* Known by hand, without families. */
-static void refused_shapes_and_points_answer_as_documented(void)
+TEST(refused_shapes_and_points_answer_as_documented)
 {
     static const double top[3] = {0, 0, 2};
     static const double x[4] = {0, 1, NAN, 9}, y[4] = {0, 0, 0, HUGE_VAL},
@@ -426,12 +407,5 @@ static void refused_shapes_and_points_answer_as_documented(void)
 int main(void)
 {
     allocate_pages();
-    RUN(refused_shapes_and_points_answer_as_documented);
-    RUN(of_equal_shapes_the_first_is_closest);
-    RUN(batches_of_all_families_answer_as_single_questions);
-    RUN(mixed_batches_answer_as_single_questions);
-    RUN(batches_of_all_lengths_serve_all_addresses);
-    RUN(every_column_can_be_wanted_alone);
-    RUN(batches_answer_as_single_questions_in_any_environment);
-    return check_end();
+    return check_all();
 }

@@ -15,7 +15,7 @@ enum { CASES = 6000, POINTS = 4, ANGLES = 180 };
 static const double origin[3] = {0, 0, 0};
 
 /* The axis is x, the radius 1000: point and normal are multiples of (y, z). */
-static void far_from_a_cylinder_point_and_normal_are_right(void)
+TEST(far_from_a_cylinder_point_and_normal_are_right)
 {
     static const double a[3] = {0, -1000, 0}, b[3] = {0, 0, 1000},
                         h[3] = {-2, 0, 0};
@@ -70,7 +70,7 @@ static double from_segment(const struct solid *e, const double X[3],
     return sum;
 }
 
-static void no_point_of_the_surface_is_nearer(void)
+TEST(no_point_of_the_surface_is_nearer)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     long second = 0;
@@ -107,11 +107,4 @@ static void no_point_of_the_surface_is_nearer(void)
     printf("note: of %ld points, %ld have several local minima\n",
            (long)cases * POINTS, second);
     CHECK(second > (long)cases / 4);
-}
-
-int main(void)
-{
-    RUN(far_from_a_cylinder_point_and_normal_are_right);
-    RUN(no_point_of_the_surface_is_nearer);
-    return check_end();
 }

@@ -104,7 +104,7 @@ static void check_solids(cylint_ends ends, enum form form, enum where where,
     }
 }
 
-static void nearly_all_answers_are_certain(void)
+TEST(nearly_all_answers_are_certain)
 {
     for (int end = 0; end < ENDS; end++) {
         long n = 0, left = 0;
@@ -126,7 +126,7 @@ static void nearly_all_answers_are_certain(void)
 }
 
 /* Of the points of the last test. */
-static void the_safety_is_close_to_the_distance(void)
+TEST(the_safety_is_close_to_the_distance)
 {
     for (int form = 0; form < FORMS; form++)
         for (int where = 0; where < PLACES; where++) {
@@ -198,7 +198,7 @@ static void draw_mixed_place(const struct solid *e, int mode, double p[3])
         p[i] = draw_number(mode);
 }
 
-static void coincidences_have_one_answer(void)
+TEST(coincidences_have_one_answer)
 {
     const uint64_t cases = check_setting("CYLINT_MIXED", MIXED);
     struct tally sum = {0, 0, 0, 0, 1};
@@ -213,7 +213,7 @@ static void coincidences_have_one_answer(void)
     CHECK(sum.left < sum.n / 2);
 }
 
-static void on_the_axis_the_answer_is_certain(void)
+TEST(on_the_axis_the_answer_is_certain)
 {
     const struct solid tube = {{1, 2, 3}, {2, 0, 0}, {0, 1, 0}, {0, 0, 8}, 1};
     const double p[3] = {1, 2, 6.7};
@@ -225,13 +225,4 @@ static void on_the_axis_the_answer_is_certain(void)
     CHECK(a.distance == -1 && a.feature == CYLINT_FEATURE_LATERAL);
     CHECK(a.point[0] == 1 && a.point[1] == 3 && a.point[2] == 6.7 &&
           a.normal[1] == 1);
-}
-
-int main(void)
-{
-    RUN(nearly_all_answers_are_certain);
-    RUN(the_safety_is_close_to_the_distance);
-    RUN(coincidences_have_one_answer);
-    RUN(on_the_axis_the_answer_is_certain);
-    return check_end();
 }

@@ -30,12 +30,12 @@ static void check_two_units(struct environment e)
     CHECK(!less && enough);
 }
 
-static void subnormal_units_are_compared_exactly(void)
+TEST(subnormal_units_are_compared_exactly)
 {
     everywhere(check_two_units);
 }
 
-static void units_in_the_last_place_can_be_subnormal(void)
+TEST(units_in_the_last_place_can_be_subnormal)
 {
     const double small[3] = {0x1p-1000, 0, 0}, tiny[3] = {3 * 0x1p-1074, 0, 0};
     cylint_shape s;
@@ -47,7 +47,7 @@ static void units_in_the_last_place_can_be_subnormal(void)
     CHECK(!cylint_on_surface(&s, tiny, 0.4));
 }
 
-static void an_infinite_distance_is_on_no_surface(void)
+TEST(an_infinite_distance_is_on_no_surface)
 {
     static const double most = 0x1.fffffffffffffp1023;
     const double far[3] = {-most, 0, 0}, center[3] = {most, 0, 0};
@@ -83,16 +83,7 @@ static void check_safety_beyond_all_squares(struct environment e)
     }
 }
 
-static void a_safety_beyond_all_squares_is_below_the_distance(void)
+TEST(a_safety_beyond_all_squares_is_below_the_distance)
 {
     everywhere(check_safety_beyond_all_squares);
-}
-
-int main(void)
-{
-    RUN(subnormal_units_are_compared_exactly);
-    RUN(units_in_the_last_place_can_be_subnormal);
-    RUN(an_infinite_distance_is_on_no_surface);
-    RUN(a_safety_beyond_all_squares_is_below_the_distance);
-    return check_end();
 }

@@ -66,9 +66,9 @@ static const char *take(const char *text, const char *known)
     return end ? end : known;
 }
 
-static void every_record_is_read(void)
+TEST(every_record_is_read)
 {
-    each_record("tests/distance/known.txt", 125, take);
+    each_record("tests/distance/known.txt", 126, take);
 }
 
 /* Of an elliptic kind it is within 1 ulp or 2^-113 of the largest length. */
@@ -159,19 +159,16 @@ static void check_records(struct environment there)
     }
 }
 
-static void known_answers_are_returned_in_every_environment(void)
+TEST(known_answers_are_returned_in_every_environment)
 {
-    for (int k = 0; cylint_kernels_name(k); k++) {
-        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
+    EACH_KERNELS(k)
         check_records(environment_of(0));
-    }
-    cylint_use_kernels(NULL);
     everywhere(check_records);
 }
 
 #ifdef HAVE_MPFR
 
-static void the_oracle_has_the_known_answers(void)
+TEST(the_oracle_has_the_known_answers)
 {
     for (int i = 0; i < count; i++) {
         const struct record *r = &records[i];
@@ -192,13 +189,13 @@ static void the_oracle_has_the_known_answers(void)
 
 #endif
 
-static void the_size_of_an_answer_is_that_of_the_header(void)
+TEST(the_size_of_an_answer_is_that_of_the_header)
 {
     CHECK(cylint_sizeof_closest() == sizeof(cylint_closest));
 }
 
 /* A shape that was refused, and bad points. */
-static void where_nothing_is_known_the_distance_is_infinite(void)
+TEST(where_nothing_is_known_the_distance_is_infinite)
 {
     static const double top[3] = {0, 0, 2},
                         p[3][3] = {{0, 0, 1}, {0, NAN, 0}, {HUGE_VAL, 0, 0}};
@@ -215,7 +212,7 @@ static void where_nothing_is_known_the_distance_is_infinite(void)
     }
 }
 
-static void a_point_is_on_a_surface_exactly_or_within_ulps(void)
+TEST(a_point_is_on_a_surface_exactly_or_within_ulps)
 {
     static const double top[3] = {0, 0, 2}, on[3] = {0.6, 0.8, 1},
                         beside[3] = {1 + 0x1p-51, 0, 1}, exactly[3] = {1, 0, 1};
@@ -248,20 +245,16 @@ static void over_families(property *check)
     for (int i = 0; i < count; i++)
         if (!cylint_is_elliptic(records[i].c.shape.kind))
             check(&records[i].c, records[i].p);
-    for (int f = 0; f < family_count(); f++)
-        for (uint64_t i = 0; i < (family_is_wild(f) ? cases / 10 : cases);
-             i++) {
-            struct family_case c;
-            family_case(seed, f, i, &c);
-            uint64_t stream = seed + i * 64 + (uint64_t)f;
-            for (int k = 0; k < POINTS; k++) {
-                double p[3];
-                draw_point(&c, &stream, p);
-                if (!cylint_is_elliptic(c.shape.kind) && isfinite(p[0]) &&
-                    isfinite(p[1]) && isfinite(p[2]))
-                    check(&c, p);
-            }
+    EACH_CASE(c, seed, family_is_wild(family) ? cases / 10 : cases) {
+        uint64_t stream = seed + number * 64 + (uint64_t)family;
+        for (int k = 0; k < POINTS; k++) {
+            double p[3];
+            draw_point(&c, &stream, p);
+            if (!cylint_is_elliptic(c.shape.kind) && isfinite(p[0]) &&
+                isfinite(p[1]) && isfinite(p[2]))
+                check(&c, p);
         }
+    }
 }
 
 /* The same for cases of any exponents; elliptic: of elliptic kinds. */
@@ -302,7 +295,7 @@ static void check_sign(const struct family_case *c, const double p[3])
         report(c, p);
 }
 
-static void the_sign_is_that_of_contains(void)
+TEST(the_sign_is_that_of_contains)
 {
     over_families(check_sign);
     over_exponents(check_sign, 0);
@@ -322,7 +315,7 @@ static void check_signed(const struct family_case *c, const double p[3])
         report(c, p);
 }
 
-static void signed_distances_are_those_of_the_closed_solid(void)
+TEST(signed_distances_are_those_of_the_closed_solid)
 {
     over_families(check_signed);
     over_exponents(check_signed, 0);
@@ -339,7 +332,7 @@ static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
 }
 
 /* The distance does not need the direction from the axis to the point. */
-static void pairs_decide_the_distance_from_points_on_the_axis(void)
+TEST(pairs_decide_the_distance_from_points_on_the_axis)
 {
     static const double tilted_base[3] = {1, 2, 3}, tilted_top[3] = {4, 6, 4},
                         middle[3] = {2.5, 4, 3.5};
@@ -389,7 +382,7 @@ static void check_paths(const struct family_case *c, const double p[3])
         report(c, p);
 }
 
-static void all_paths_return_the_same_bits(void)
+TEST(all_paths_return_the_same_bits)
 {
     over_families(check_paths);
     over_exponents(check_paths, 0);
@@ -402,7 +395,7 @@ static double length_of(const double v[3])
 
 /* A triangle of 3, 4 and 5: the foot of a point on the lateral line is nearly
  * an end of it, within 1e-9, where no other feature is near. */
-static void a_foot_at_an_end_is_decided_by_all_digits(void)
+TEST(a_foot_at_an_end_is_decided_by_all_digits)
 {
     const double low[3] = {3, -2, -2}, high[3] = {3, -2, 2};
     cylint_shape shapes[2];
@@ -508,7 +501,7 @@ static void check_environments(const struct family_case *c, const double p[3])
     }
 }
 
-static void the_floating_point_environment_changes_nothing(void)
+TEST(the_floating_point_environment_changes_nothing)
 {
     ulps_of_questions = 3;
     every_environment = 1;
@@ -526,7 +519,7 @@ static void check_safe(const struct family_case *c, const double p[3])
         report(c, p);
 }
 
-static void safety_is_never_above_the_distance(void)
+TEST(safety_is_never_above_the_distance)
 {
     over_families(check_safe);
     over_exponents(check_safe, 0);
@@ -542,7 +535,7 @@ static void check_gap(const struct family_case *c, const double p[3])
         report(c, p);
 }
 
-static void safety_is_little_below_the_distance(void)
+TEST(safety_is_little_below_the_distance)
 {
     over_families(check_gap);
     over_exponents(check_gap, 0);
@@ -574,29 +567,7 @@ static void check_scaled(const struct family_case *c, const double p[3])
         report(c, p);
 }
 
-static void a_power_of_two_scales_the_distance(void)
+TEST(a_power_of_two_scales_the_distance)
 {
     over_families(check_scaled);
-}
-
-int main(void)
-{
-    RUN(every_record_is_read);
-    RUN(known_answers_are_returned_in_every_environment);
-#ifdef HAVE_MPFR
-    RUN(the_oracle_has_the_known_answers);
-#endif
-    RUN(the_size_of_an_answer_is_that_of_the_header);
-    RUN(where_nothing_is_known_the_distance_is_infinite);
-    RUN(a_point_is_on_a_surface_exactly_or_within_ulps);
-    RUN(the_sign_is_that_of_contains);
-    RUN(signed_distances_are_those_of_the_closed_solid);
-    RUN(pairs_decide_the_distance_from_points_on_the_axis);
-    RUN(all_paths_return_the_same_bits);
-    RUN(a_foot_at_an_end_is_decided_by_all_digits);
-    RUN(the_floating_point_environment_changes_nothing);
-    RUN(safety_is_never_above_the_distance);
-    RUN(safety_is_little_below_the_distance);
-    RUN(a_power_of_two_scales_the_distance);
-    return check_end();
 }

@@ -325,43 +325,40 @@ static void over_families(int wild, int elliptic)
     memset(places, 0, sizeof places);
     for (int k = 0; k < PLACES; k++)
         places[k].safety = 1;
-    for (int f = 0; f < family_count(); f++)
-        for (uint64_t i = 0; i < cases; i++) {
-            struct family_case c;
-            if (family_is_wild(f) != wild)
+    EACH_CASE(c, seed, cases) {
+        if (family_is_wild(family) != wild)
+            continue;
+        if (cylint_is_elliptic(c.shape.kind) != elliptic)
+            continue;
+        uint64_t stream = seed + number * 64 + (uint64_t)family;
+        if (elliptic)
+            strain(&c, &stream);
+        if (c.shape.kind == CYLINT_KIND_NONE)
+            continue;
+        for (int k = 0; k < POINTS; k++) {
+            double p[3];
+            const enum place place = draw_point(&c, &stream, p);
+            if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
+                (elliptic && !is_promised(&c.shape, p)))
                 continue;
-            family_case(seed, f, i, &c);
-            if (cylint_is_elliptic(c.shape.kind) != elliptic)
-                continue;
-            uint64_t stream = seed + i * 64 + (uint64_t)f;
-            if (elliptic)
-                strain(&c, &stream);
-            if (c.shape.kind == CYLINT_KIND_NONE)
-                continue;
-            for (int k = 0; k < POINTS; k++) {
-                double p[3];
-                const enum place place = draw_point(&c, &stream, p);
-                if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
-                    (elliptic && !is_promised(&c.shape, p)))
-                    continue;
-                check_point(&c, p, &places[place]);
-            }
+            check_point(&c, p, &places[place]);
         }
+    }
     for (int k = 0; k < PLACES; k++)
         print_tally(place_names[k], &places[k]);
 }
 
-static void distances_are_those_of_the_oracle(void)
+TEST(distances_are_those_of_the_oracle)
 {
     over_families(0, 0);
 }
 
-static void also_of_mixed_exponents(void)
+TEST(also_of_mixed_exponents)
 {
     over_families(1, 0);
 }
 
-static void elliptic_distances_are_those_of_the_oracle(void)
+TEST(elliptic_distances_are_those_of_the_oracle)
 {
     over_families(0, 1);
 }
@@ -383,22 +380,12 @@ static void check_any_exponents(int elliptic, uint64_t cases)
     print_tally("any exponents", &sum);
 }
 
-static void distances_of_any_exponents_are_those_of_the_oracle(void)
+TEST(distances_of_any_exponents_are_those_of_the_oracle)
 {
     check_any_exponents(0, check_setting("CYLINT_FAR", FAR_CASES));
 }
 
-static void elliptic_distances_of_any_exponents_are_too(void)
+TEST(elliptic_distances_of_any_exponents_are_too)
 {
     check_any_exponents(1, check_setting("CYLINT_ELLIPTIC_FAR", FAR_ELLIPTIC));
-}
-
-int main(void)
-{
-    RUN(distances_are_those_of_the_oracle);
-    RUN(also_of_mixed_exponents);
-    RUN(elliptic_distances_are_those_of_the_oracle);
-    RUN(distances_of_any_exponents_are_those_of_the_oracle);
-    RUN(elliptic_distances_of_any_exponents_are_too);
-    return check_end();
 }

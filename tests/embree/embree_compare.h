@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "embree_world.h"
+#include "families.h"
 
 static const unsigned both_ways[2] = {0, CYLINT_EMBREE_SINGLE};
 

@@ -51,7 +51,7 @@ static void kind_answers_as_the_library(struct world *w, uint64_t *state)
           cylint_r1(shape) == 0 || shape->kind == CYLINT_KIND_SPHERE);
 }
 
-static void every_kind_with_all_caps_answers_as_the_library(void)
+TEST(every_kind_with_all_caps_answers_as_the_library)
 {
     uint64_t state = 1;
     const double c[3] = {0.5, 0.25, -0.5};
@@ -60,17 +60,16 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
             cylint_shape shape;
             world_shape(&state, kind, (cylint_ends)ends, c, 1, 0.4, &shape);
             EACH_WAY(w, &shape, 1)
-            kind_answers_as_the_library(&w, &state);
+                kind_answers_as_the_library(&w, &state);
         }
 }
 
-static void packets_answer_and_leave_other_lanes_alone(void)
+TEST(packets_answer_and_leave_other_lanes_alone)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 2;
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
-    EACH_WAY(w, shapes, SOME)
-    {
+    EACH_WAY(w, shapes, SOME) {
         int hits = 0, active = 0;
         for (int turn = 0; turn < 800; turn++) {
             const struct rays_query query = {.coherent = turn & 1};
@@ -87,14 +86,11 @@ static void packets_answer_and_leave_other_lanes_alone(void)
     }
 }
 
-static void a_ray_that_starts_inside_hits_where_it_leaves(void)
+TEST(a_ray_that_starts_inside_hits_where_it_leaves)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 4};
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 4  1");
     const float o[3] = {0, 0, 1}, d[3] = {0, 0, 0.5f};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    EACH_WAY(w, &shape, 1)
-    {
+    EACH_WAY(w, &shape, 1) {
         struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 6);
         CHECK(rays_at(&r, HIT_U, 0)->f == 1);
@@ -102,14 +98,11 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
 }
 
 /* Ends of the domain, on the hit itself and one float beside it. */
-static void the_domain_holds_its_ends(void)
+TEST(the_domain_holds_its_ends)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
     const float o[3] = {-4, 0.25f, 0.5f}, d[3] = {3, 0, 0};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    EACH_WAY(w, &shape, 1)
-    {
+    EACH_WAY(w, &shape, 1) {
         struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         float t[2];
         const cylint_line line = rays_line(&r, 0);
@@ -136,49 +129,42 @@ static void the_domain_holds_its_ends(void)
 }
 
 /* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
-static void a_ray_within_a_face_of_the_box_is_not_lost(void)
+TEST(a_ray_within_a_face_of_the_box_is_not_lost)
 {
-    const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    EACH_WAY(w, &shape, 1)
-    {
+    const cylint_shape shape = shape_of("cylinder -1 0 2  1 0 2  1");
+    EACH_WAY(w, &shape, 1) {
         int hits = 0;
         EACH_SIZE(n)
-        for (int face = 0; face < 6; face++)
-            for (int sign = 0; sign < 8; sign++) {
-                const int across = face / 2,
-                          along = (across + 1 + sign % 2) % 3;
-                const float zero = sign & 4 ? -0.0f : 0.0f;
-                float o[3] = {0, 0, 2}, d[3];
-                struct rays r;
-                o[across] += face % 2 ? 1.0f : -1.0f;
-                for (int k = 0; k < 3; k++)
-                    d[k] = zero;
-                d[along] = sign & 2 ? 1.0f : -1.0f;
-                o[along] -= 3 * d[along];
-                rays_begin(&r, n);
-                rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
-                rays_intersect(&r, w.scene, NULL);
-                agrees(&w, &r);
-                hits += rays_hit(&r, n / 2);
-            }
+            for (int face = 0; face < 6; face++)
+                for (int sign = 0; sign < 8; sign++) {
+                    const int across = face / 2,
+                              along = (across + 1 + sign % 2) % 3;
+                    const float zero = sign & 4 ? -0.0f : 0.0f;
+                    float o[3] = {0, 0, 2}, d[3];
+                    struct rays r;
+                    o[across] += face % 2 ? 1.0f : -1.0f;
+                    for (int k = 0; k < 3; k++)
+                        d[k] = zero;
+                    d[along] = sign & 2 ? 1.0f : -1.0f;
+                    o[along] -= 3 * d[along];
+                    rays_begin(&r, n);
+                    rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    hits += rays_hit(&r, n / 2);
+                }
         CHECK(hits == 4 * 6 * 8);
     }
 }
 
 /* The library refuses such a line, so nothing is hit.  (Embree gets no rays
  * that are not finite: for these its results are undefined.) */
-static void a_ray_without_direction_hits_nothing(void)
+TEST(a_ray_without_direction_hits_nothing)
 {
-    const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
+    const cylint_shape shape = shape_of("cylinder 0 0 -1  0 0 1  1");
     const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    EACH_WAY(w, &shape, 1)
-    {
-        EACH_SIZE(n)
-        {
+    EACH_WAY(w, &shape, 1) {
+        EACH_SIZE(n) {
             struct rays r;
             rays_begin(&r, n);
             for (int i = 0; i < n; i++)
@@ -209,17 +195,15 @@ static int is_visible(struct world *w, unsigned mask)
     return hit;
 }
 
-static void masks_select_the_visible_geometries(void)
+TEST(masks_select_the_visible_geometries)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {1, 1, 1};
-    cylint_shape shape;
+    const cylint_shape shape = shape_of("cylinder 0 0 0  1 1 1  0.5");
     struct world w;
     if (!rtcGetDeviceProperty(world_device(),
                               RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED)) {
         printf("note: this Embree was built without ray masks\n");
         return;
     }
-    cylint_cylinder(&shape, p0, p1, 0.5, CYLINT_ENDS_CAPPED);
     w = made(&shape, 1, 0);
     for (int bit = 0; bit < 32; bit++)
         CHECK(is_visible(&w, 1u << bit));
@@ -237,7 +221,7 @@ static void masks_select_the_visible_geometries(void)
 /* Of shapes hit at the same t the lowest number is reported, whichever leaf
  * they are in; of shapes whose t differ by less than a float's last place the
  * nearer one. */
-static void equal_and_nearly_equal_hits_are_distinguished(void)
+TEST(equal_and_nearly_equal_hits_are_distinguished)
 {
     enum { MANY = 40 };
     cylint_shape shapes[MANY];
@@ -259,14 +243,14 @@ static void equal_and_nearly_equal_hits_are_distinguished(void)
             }
             w = made(shapes, MANY, both_ways[how]);
             EACH_SIZE(n)
-            traced(&w, n, o, d, 0, HUGE_VALF);
+                traced(&w, n, o, d, 0, HUGE_VALF);
             world_free(&w);
         }
 }
 
 /* The same with shapes that move along the ray; at time 1/2 it hits the
  * caps. */
-static void equal_hits_of_moving_shapes_are_distinguished(void)
+TEST(equal_hits_of_moving_shapes_are_distinguished)
 {
     enum { MANY = 40 };
     cylint_shape shapes[MANY], moved[MANY], now[MANY];
@@ -286,8 +270,7 @@ static void equal_hits_of_moving_shapes_are_distinguished(void)
     at = w;
     cylint_pack_shapes(&at.pack, w.pack_memory, now, MANY);
     at.shapes = now;
-    EACH_SIZE(n)
-    {
+    EACH_SIZE(n) {
         struct rays r;
         rays_begin(&r, n);
         for (int i = 0; i < n; i++) {
@@ -302,13 +285,10 @@ static void equal_hits_of_moving_shapes_are_distinguished(void)
 }
 
 /* An angle a little less than a whole turn: v is still below 1. */
-static void v_is_below_a_whole_turn(void)
+TEST(v_is_below_a_whole_turn)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
-    cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
-    EACH_WAY(w, &shape, 1)
-    {
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
+    EACH_WAY(w, &shape, 1) {
         for (int k = 24; k < 48; k += 4) {
             const float o[3] = {-ldexpf(1, -k), -4, 0.5f}, d[3] = {0, 1, 0};
             struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
@@ -392,13 +372,12 @@ static int agrees_inside(const struct world *w, struct rays *r, int at)
 }
 
 /* Skewed and scaled instances: the transformed ray counts. */
-static void instances_answer_for_the_transformed_ray(void)
+TEST(instances_answer_for_the_transformed_ray)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 4;
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
-    EACH_WAY(w, shapes, SOME)
-    {
+    EACH_WAY(w, shapes, SOME) {
         int hits = 0;
         add_spy(w.scene);
         rtcCommitScene(w.scene);
@@ -435,7 +414,7 @@ static void instances_answer_for_the_transformed_ray(void)
 
 /* An application may instance scenes itself: the hit gets the ids in the
  * context.  (Both versions of Embree tested allow one level.) */
-static void a_hit_gets_the_instance_of_the_context(void)
+TEST(a_hit_gets_the_instance_of_the_context)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 13;
@@ -462,7 +441,7 @@ static void a_hit_gets_the_instance_of_the_context(void)
 
 /* ------------------------------------------------------------ bare hits -- */
 
-static void bare_hits_are_completed_later(void)
+TEST(bare_hits_are_completed_later)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 10;
@@ -489,22 +468,4 @@ static void bare_hits_are_completed_later(void)
         world_free(&w);
     }
     CHECK(hits > 100);
-}
-
-int main(void)
-{
-    RUN(every_kind_with_all_caps_answers_as_the_library);
-    RUN(packets_answer_and_leave_other_lanes_alone);
-    RUN(a_ray_that_starts_inside_hits_where_it_leaves);
-    RUN(the_domain_holds_its_ends);
-    RUN(a_ray_within_a_face_of_the_box_is_not_lost);
-    RUN(a_ray_without_direction_hits_nothing);
-    RUN(masks_select_the_visible_geometries);
-    RUN(equal_and_nearly_equal_hits_are_distinguished);
-    RUN(equal_hits_of_moving_shapes_are_distinguished);
-    RUN(v_is_below_a_whole_turn);
-    RUN(instances_answer_for_the_transformed_ray);
-    RUN(a_hit_gets_the_instance_of_the_context);
-    RUN(bare_hits_are_completed_later);
-    return check_end();
 }

@@ -278,27 +278,19 @@ static void with_filters(unsigned how, int kind)
     world_free(&w);
 }
 
-static void filters_get_each_hit_once_from_leaves(void)
+TEST(filters_get_each_hit_once_from_leaves)
 {
     for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
         with_filters(0, kind);
 }
 
-static void filters_get_each_hit_once_from_single_primitives(void)
+TEST(filters_get_each_hit_once_from_single_primitives)
 {
     with_filters(CYLINT_EMBREE_SINGLE, SCENE_FIBRES);
     with_filters(CYLINT_EMBREE_SINGLE, SCENE_MIXED);
 }
 
-static void filters_get_bare_hits_without_description(void)
+TEST(filters_get_bare_hits_without_description)
 {
     with_filters(CYLINT_EMBREE_BARE, SCENE_MIXED);
-}
-
-int main(void)
-{
-    RUN(filters_get_each_hit_once_from_leaves);
-    RUN(filters_get_each_hit_once_from_single_primitives);
-    RUN(filters_get_bare_hits_without_description);
-    return check_end();
 }

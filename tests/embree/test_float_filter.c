@@ -9,12 +9,13 @@
 #include <math.h>
 #include <string.h>
 
+#define CHECK_OWN_MAIN
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "embree/shapes.h"
 #include "bvh/float_bounds.h"
 #include "bvh/swept_disc.h"
-#include "embree/angle.h"
+#include "environment.h"
 #include "families.h"
 #include "shapes/layout.h"
 
@@ -35,14 +36,11 @@ static int n_builds;
 
 static void list_builds(void)
 {
-    const char *name;
-    for (int i = 0; (name = cylint_kernels_name(i)); i++) {
-        CHECK(cylint_use_kernels(name));
+    EACH_KERNELS(k)
         for (int many = 0; many < 2; many++)
-            builds[n_builds++] = (struct build){
-                name, cylint_float_filter_used(many), many ? MOST : 1};
-    }
-    cylint_use_kernels(NULL);
+            builds[n_builds++] =
+                (struct build){cylint_kernels_name(k),
+                               cylint_float_filter_used(many), many ? MOST : 1};
 }
 
 /* A question about a case's line in floats, and its shape, made circular and
@@ -203,7 +201,7 @@ static struct tally ask_family(const struct build *build, int family,
     return tally;
 }
 
-static void certain_answers_are_the_librarys(void)
+TEST(certain_answers_are_the_librarys)
 {
     for (int b = 0; b < n_builds; b++)
         for (int round = 0; round < 2; round++) {
@@ -226,7 +224,7 @@ static void certain_answers_are_the_librarys(void)
 
 /* The rest of round shapes are balls that hold one another, and shapes of which
  * the line passes near the circle between ball and cone. */
-static void ordinary_shapes_are_certain(void)
+TEST(ordinary_shapes_are_certain)
 {
     static const struct {
         const char *name;
@@ -247,7 +245,7 @@ static void ordinary_shapes_are_certain(void)
 }
 
 /* Cases that were decided wrongly. */
-static void known_cases_are_not_decided_wrongly(void)
+TEST(known_cases_are_not_decided_wrongly)
 {
     static const struct {
         double p0[3], r0, p1[3], r1;
@@ -331,8 +329,5 @@ static void known_cases_are_not_decided_wrongly(void)
 int main(void)
 {
     list_builds();
-    RUN(certain_answers_are_the_librarys);
-    RUN(ordinary_shapes_are_certain);
-    RUN(known_cases_are_not_decided_wrongly);
-    return check_end();
+    return check_all();
 }

@@ -51,13 +51,12 @@ static void count_call(const struct RTCFilterFunctionNArguments *a)
                            a->context->instID[0] != INSTANCE_ID;
 }
 
-static void a_hit_is_written_where_it_is_declared(void)
+TEST(a_hit_is_written_where_it_is_declared)
 {
     const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
     RTCScene inner = curve_scene();
     RTCScene scene = world_instance(inner, INSTANCE_ID, matrix);
-    EACH_SIZE(n)
-    {
+    EACH_SIZE(n) {
         struct call_counts counts = {0, 0};
         struct rays_query query = {0};
         struct rays r;
@@ -93,7 +92,7 @@ static void a_hit_is_written_where_it_is_declared(void)
     rtcReleaseScene(inner);
 }
 
-static void a_box_is_written_where_it_is_declared(void)
+TEST(a_box_is_written_where_it_is_declared)
 {
     struct {
         struct RTCBounds box;
@@ -110,11 +109,4 @@ static void a_box_is_written_where_it_is_declared(void)
     for (int i = 0; i < 8; i++)
         CHECK(at.beyond[i] == 0x5a5a5a5au);
     rtcReleaseScene(scene);
-}
-
-int main(void)
-{
-    RUN(a_hit_is_written_where_it_is_declared);
-    RUN(a_box_is_written_where_it_is_declared);
-    return check_end();
 }

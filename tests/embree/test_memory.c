@@ -82,7 +82,7 @@ static void shapes_of_all_kinds(cylint_shape *shapes, uint64_t seed)
     world_shapes(&seed, SCENE_FIBRES, shapes, SHAPES / 2);
 }
 
-static void a_failed_making_frees_all_memory(void)
+TEST(a_failed_making_frees_all_memory)
 {
     cylint_shape shapes[SHAPES], moved[SHAPES];
     shapes_of_all_kinds(shapes, 1);
@@ -96,7 +96,7 @@ static void a_failed_making_frees_all_memory(void)
 }
 
 /* A refused update can be repeated. */
-static void a_failed_update_frees_all_memory(void)
+TEST(a_failed_update_frees_all_memory)
 {
     cylint_shape shapes[SHAPES];
     uint64_t state = 5;
@@ -115,7 +115,7 @@ static void a_failed_update_frees_all_memory(void)
 
 /* If memory for Embree's own hierarchy is refused, Embree calls the error
  * function, and the scene can be committed again. */
-static void a_refused_commit_can_be_repeated(void)
+TEST(a_refused_commit_can_be_repeated)
 {
     cylint_shape shapes[SHAPES];
     const long long before = world_memory.bytes;
@@ -129,7 +129,7 @@ static void a_refused_commit_can_be_repeated(void)
     CHECK(world_memory.bytes == before);
 }
 
-static void a_thousand_geometries_leave_nothing(void)
+TEST(a_thousand_geometries_leave_nothing)
 {
     cylint_shape shapes[SHAPES];
     const long long before = world_memory.bytes;
@@ -147,7 +147,7 @@ static void a_thousand_geometries_leave_nothing(void)
 }
 
 /* Neither a commit nor a query reads the arrays that a geometry was made of. */
-static void queries_do_not_read_the_callers_shapes(void)
+TEST(queries_do_not_read_the_callers_shapes)
 {
     cylint_shape shapes[SHAPES], copy[SHAPES];
     uint64_t state = 7;
@@ -168,14 +168,4 @@ static void queries_do_not_read_the_callers_shapes(void)
         query_some(&w, &state);
         world_free(&w);
     }
-}
-
-int main(void)
-{
-    RUN(queries_do_not_read_the_callers_shapes);
-    RUN(a_failed_making_frees_all_memory);
-    RUN(a_failed_update_frees_all_memory);
-    RUN(a_refused_commit_can_be_repeated);
-    RUN(a_thousand_geometries_leave_nothing);
-    return check_end();
 }

@@ -114,7 +114,7 @@ static void compare(struct world *one, struct world *merged, uint64_t *state,
     CHECK(hits > 100);
 }
 
-static void hits_have_the_numbers_of_the_parts(void)
+TEST(hits_have_the_numbers_of_the_parts)
 {
     static const unsigned flags[] = {0, CYLINT_EMBREE_BARE,
                                      CYLINT_EMBREE_NO_FILTERS, 0};
@@ -144,7 +144,7 @@ static void hits_have_the_numbers_of_the_parts(void)
     }
 }
 
-static void parts_whose_numbers_do_not_ascend_are_refused(void)
+TEST(parts_whose_numbers_do_not_ascend_are_refused)
 {
     const long long bytes = world_memory.bytes;
     cylint_shape shapes[SHAPES];
@@ -168,11 +168,4 @@ static void parts_whose_numbers_do_not_ascend_are_refused(void)
     cylint_embree_release(none);
     CHECK(world_memory.bytes == bytes);
     world_errors();
-}
-
-int main(void)
-{
-    RUN(hits_have_the_numbers_of_the_parts);
-    RUN(parts_whose_numbers_do_not_ascend_are_refused);
-    return check_end();
 }

@@ -11,6 +11,7 @@
 
 #include "embree/geometry.h"
 #include "embree_compare.h"
+#include "environment.h"
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
 
@@ -21,6 +22,7 @@ enum manner {
     MIXED,  /* as from an eye, but every third anywhere */
     OCTANT, /* only their signs are the same */
     AFAR,   /* from an eye a hundred to a million sizes away */
+    ALONG,  /* parallel to the z axis, with zeros of both signs */
     SPANS,  /* from an eye among the shapes, with ends of domains there */
     ANYHOW,
     MANNERS
@@ -77,13 +79,17 @@ static void add(uint64_t *state, const struct aim *a, enum manner manner,
             to[k] = from[k] + sign * fabs(to[k] - from[k]);
         else if (!anywhere) {
             to[k] = a->at[k] + a->spread * (to[k] - a->at[k]);
-            from[k] = a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
+            from[k] = manner == ALONG && k < 2
+                          ? to[k]
+                          : a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
         }
     }
     const double length = 1e-2 + world_uniform(state);
     for (int k = 0; k < 3; k++) {
         o[k] = (float)from[k];
         d[k] = (float)((to[k] - (double)o[k]) * length);
+        if (manner == ALONG && k < 2)
+            d[k] = world_uniform(state) < 0.5 ? 0 : -0.0f;
     }
     if (manner == SPANS) {
         tnear = (float)(world_uniform(state) / length);
@@ -169,8 +175,7 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
 static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s;
-        scene_generate(world_scenes[i], SHAPES, 7, &s);
+        struct scene_shapes s = scene_generate(world_scenes[i], SHAPES, 7);
         struct world w = made(s.shapes, s.n, how);
         world_filter(&w, filter);
         query_scene(&w, &s, how, MANNERS * PACKETS);
@@ -179,22 +184,18 @@ static void query_scenes(unsigned how, RTCFilterFunctionN filter)
     }
 }
 
-static void packets_return_the_answers_to_rays_alone(void)
+TEST(packets_return_the_answers_to_rays_alone)
 {
-    const char *name;
-    for (int i = 0; (name = cylint_kernels_name(i)); i++) {
-        CHECK(cylint_use_kernels(name));
+    EACH_KERNELS(k)
         query_scenes(0, NULL);
-    }
-    cylint_use_kernels(NULL);
 }
 
-static void packets_without_filters_return_the_answers_to_rays_alone(void)
+TEST(packets_without_filters_return_the_answers_to_rays_alone)
 {
     query_scenes(CYLINT_EMBREE_NO_FILTERS, NULL);
 }
 
-static void bare_packets_return_the_answers_to_rays_alone(void)
+TEST(bare_packets_return_the_answers_to_rays_alone)
 {
     query_scenes(CYLINT_EMBREE_BARE, NULL);
 }
@@ -210,7 +211,7 @@ static void reject_some(const struct RTCFilterFunctionNArguments *a)
     }
 }
 
-static void filtered_packets_return_the_answers_to_rays_alone(void)
+TEST(filtered_packets_return_the_answers_to_rays_alone)
 {
     query_scenes(0, reject_some);
 }
@@ -232,12 +233,11 @@ static void call(const struct world *w, struct rays *r)
     cylint_embree_intersect_callback(&a);
 }
 
-static void rays_that_are_no_lines_do_not_disturb_others(void)
+TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
     uint64_t state = 3;
-    struct scene_shapes s;
     int hits = 0;
-    scene_generate(SCENE_FAT, SHAPES, 3, &s);
+    struct scene_shapes s = scene_generate(SCENE_FAT, SHAPES, 3);
     struct world w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         const struct aim a = draw_aim(&state, &s, EYE);
@@ -322,7 +322,7 @@ static double library_t(const struct world *w, struct rays *r, int i)
 
 /* The adapter answers a packet of rays with tnear = tfar as the rays alone;
  * through Embree every answer is that or a miss: see cylint_embree.h. */
-static void a_domain_of_one_point_is_answered_or_skipped(void)
+TEST(a_domain_of_one_point_is_answered_or_skipped)
 {
     cylint_shape shapes[64];
     uint64_t state = 11;
@@ -349,7 +349,7 @@ static void a_domain_of_one_point_is_answered_or_skipped(void)
     world_free(&w);
 }
 
-static void of_hits_at_tnear_the_lower_number_is_reported(void)
+TEST(of_hits_at_tnear_the_lower_number_is_reported)
 {
     cylint_shape shapes[64];
     uint64_t state = 12;
@@ -371,16 +371,4 @@ static void of_hits_at_tnear_the_lower_number_is_reported(void)
         }
         world_free(&w);
     }
-}
-
-int main(void)
-{
-    RUN(a_domain_of_one_point_is_answered_or_skipped);
-    RUN(of_hits_at_tnear_the_lower_number_is_reported);
-    RUN(packets_return_the_answers_to_rays_alone);
-    RUN(packets_without_filters_return_the_answers_to_rays_alone);
-    RUN(bare_packets_return_the_answers_to_rays_alone);
-    RUN(filtered_packets_return_the_answers_to_rays_alone);
-    RUN(rays_that_are_no_lines_do_not_disturb_others);
-    return check_end();
 }

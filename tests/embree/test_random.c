@@ -7,8 +7,8 @@
  * every answer has the same bits.  Embree misses some rays from farther away,
  * up to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported
  * hit must be a hit of the library.
- *
- *     test_random [RAYS [SHAPES [SEED]]]
+  CYLINT_RAYS, CYLINT_SHAPES and CYLINT_SEED
+ * change their numbers and all cases.
  */
 #include <float.h>
 #include <math.h>
@@ -18,8 +18,10 @@
 #include "embree_compare.h"
 #include "vectors.h"
 
-static int rays_wanted = 100000, shapes_wanted = 200;
-static uint64_t seed = 1;
+static uint64_t seed(void)
+{
+    return check_setting("CYLINT_SEED", 1);
+}
 
 struct tally {
     long rays, hits, shadows;
@@ -127,19 +129,19 @@ static void compare_lines(const struct world *w, const struct scene_shapes *s,
 
 static void answers_are_those_of_brute_force(unsigned how, double sizes)
 {
+    const int rays = (int)check_setting("CYLINT_RAYS", 100000);
+    const size_t shapes = (size_t)check_setting("CYLINT_SHAPES", 200);
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s;
-        scene_generate(world_scenes[i], (size_t)shapes_wanted, seed, &s);
+        struct scene_shapes s = scene_generate(world_scenes[i], shapes, seed());
         struct world w = made(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
-            compare_lines(&w, &s, (enum scene_lines)kind, seed,
-                          1 + rays_wanted / (2 * WORLD_SCENES * LINES_KINDS),
-                          &n);
+            compare_lines(&w, &s, (enum scene_lines)kind, seed(),
+                          1 + rays / (2 * WORLD_SCENES * LINES_KINDS), &n);
         world_free(&w);
         scene_release(&s);
     }
-    CHECK(n.rays >= rays_wanted / 2 && n.hits > n.rays / 4 &&
+    CHECK(n.rays >= rays / 2 && n.hits > n.rays / 4 &&
           n.hits < n.rays - n.rays / 100);
     CHECK(n.far < n.rays / 4 && n.far_missed + n.far_other <= n.far / 20);
     printf("note: %ld rays, %ld hit, as by brute force; of %ld from farther "
@@ -147,18 +149,18 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
            n.rays, n.hits, n.far, sizes, n.far_missed, n.far_other);
 }
 
-static void leaves_answer_as_brute_force_does(void)
+TEST(leaves_answer_as_brute_force_does)
 {
     answers_are_those_of_brute_force(0, 4095);
 }
 
 /* Certain occlusion in floats is right. */
-static void without_filters_leaves_answer_as_brute_force_does(void)
+TEST(without_filters_leaves_answer_as_brute_force_does)
 {
     answers_are_those_of_brute_force(CYLINT_EMBREE_NO_FILTERS, 4095);
 }
 
-static void primitives_answer_as_brute_force_does(void)
+TEST(primitives_answer_as_brute_force_does)
 {
     answers_are_those_of_brute_force(CYLINT_EMBREE_SINGLE, 3);
 }
@@ -166,12 +168,11 @@ static void primitives_answer_as_brute_force_does(void)
 /* Lengths from 1e-6 to 1e7: the entry and the exit of a small shape may round
  * to the same float.  The entry is the hit even if the traversal finds the
  * piece with the exit first. */
-static void hits_of_a_shape_that_share_a_float_are_distinguished(void)
+TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
 {
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
-        struct scene_shapes s;
-        scene_generate(SCENE_LENGTHS, 300, turn, &s);
+        struct scene_shapes s = scene_generate(SCENE_LENGTHS, 300, turn);
         struct world w = made(s.shapes, s.n, 0);
         compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
         world_free(&w);
@@ -213,10 +214,10 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
                  : (float)(L + between(state, -0.2, 0.2)));
 }
 
-static void rays_that_barely_miss_are_not_occluded(void)
+TEST(rays_that_barely_miss_are_not_occluded)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
-    uint64_t state = seed;
+    uint64_t state = seed();
     long hits = 0;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];
@@ -241,20 +242,4 @@ static void rays_that_barely_miss_are_not_occluded(void)
         world_free(&w);
     }
     CHECK(hits > TURNS / 4 && hits < 2 * TURNS - TURNS / 4);
-}
-
-int main(int argc, char **argv)
-{
-    if (argc > 1)
-        rays_wanted = atoi(argv[1]);
-    if (argc > 2)
-        shapes_wanted = atoi(argv[2]);
-    if (argc > 3)
-        seed = strtoull(argv[3], NULL, 10);
-    RUN(leaves_answer_as_brute_force_does);
-    RUN(without_filters_leaves_answer_as_brute_force_does);
-    RUN(primitives_answer_as_brute_force_does);
-    RUN(rays_that_barely_miss_are_not_occluded);
-    RUN(hits_of_a_shape_that_share_a_float_are_distinguished);
-    return check_end();
 }

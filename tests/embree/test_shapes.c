@@ -40,7 +40,7 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
     return hits;
 }
 
-static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
+TEST(moving_shapes_are_hit_where_they_are_at_the_rays_time)
 {
     cylint_shape shapes[SOME], moved[SOME];
     uint64_t state = 5;
@@ -57,7 +57,7 @@ static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
 
 /* Round cones that are two balls about one centre at time 0: of these the larger
  * one is hit. */
-static void a_ball_that_becomes_a_round_cone_is_hit_where_it_is(void)
+TEST(a_ball_that_becomes_a_round_cone_is_hit_where_it_is)
 {
     cylint_shape shapes[SOME], moved[SOME];
     uint64_t state = 6;
@@ -78,77 +78,65 @@ static void a_ball_that_becomes_a_round_cone_is_hit_where_it_is(void)
     CHECK(trace_moving(shapes, moved, &state) > 100);
 }
 
-/* The numbers given to the constructors change linearly. */
-static void between_moves_the_constructors_numbers(void)
+static void check_halfway(cylint_shape a, cylint_shape b, cylint_shape expected)
 {
-    const double p[2][3] = {{0, 0, 0}, {1, 2, 4}},
-                 q[2][3] = {{0, 0, 2}, {8, 2, 4}};
-    double pm[3], qm[3], km = 0.5 * (0.75 + 0.25), x[3] = {1, 0, 0},
-                         y[3] = {0, 3, 0}, z[3] = {0, 1, 5};
-    cylint_shape a, b, half, expected;
-    for (int k = 0; k < 3; k++) {
-        pm[k] = 0.5 * (p[0][k] + p[1][k]);
-        qm[k] = 0.5 * (q[0][k] + q[1][k]);
+    cylint_shape between;
+    const cylint_shape *const at[3] = {&a, &expected, &b};
+    for (int i = 0; i < 3; i++) {
+        memset(&between, 0, sizeof between); /* members that no kind has */
+        CHECK(cylint_embree_between(&a, &b, i / 2., &between) == CYLINT_OK);
+        CHECK(memcmp(&between, at[i], sizeof between) == 0);
     }
-    /* constructors leave members unwritten that the kind does not have */
-#define HALF(MAKE_A, MAKE_B, MAKE_EXPECTED)                        \
-    memset(&a, 0, sizeof a);                                       \
-    memset(&b, 0, sizeof b);                                       \
-    memset(&expected, 0, sizeof expected);                         \
-    CHECK(!(MAKE_A) && !(MAKE_B) && !(MAKE_EXPECTED));             \
-    memset(&half, 0, sizeof half);                                 \
-    CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_OK); \
-    CHECK(memcmp(&half, &expected, sizeof half) == 0);             \
-    CHECK(cylint_embree_between(&a, &b, 0, &half) == CYLINT_OK);   \
-    CHECK(memcmp(&half, &a, sizeof half) == 0);                    \
-    CHECK(cylint_embree_between(&a, &b, 1, &half) == CYLINT_OK);   \
-    CHECK(memcmp(&half, &b, sizeof half) == 0)
-    HALF(cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
-         cylint_cylinder(&b, p[1], q[1], 2, CYLINT_ENDS_OPEN),
-         cylint_cylinder(&expected, pm, qm, 1.5, CYLINT_ENDS_OPEN));
-    HALF(cylint_cone(&a, p[0], 1, q[0], 0, CYLINT_ENDS_CAP0),
-         cylint_cone(&b, p[1], 3, q[1], 0.5, CYLINT_ENDS_CAP0),
-         cylint_cone(&expected, pm, 2, qm, 0.25, CYLINT_ENDS_CAP0));
-    HALF(cylint_tangent_cone(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED),
-         cylint_tangent_cone(&b, p[1], q[1], 0.25, CYLINT_ENDS_CAPPED),
-         cylint_tangent_cone(&expected, pm, qm, 0.625, CYLINT_ENDS_CAPPED));
-    HALF(
-        cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_ENDS_CAPPED),
-        cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_ENDS_CAPPED),
-        (z[1] = 0.5, z[2] = 3.5,
-         cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_ENDS_CAPPED)));
-    z[1] = 1, z[2] = 5;
-    HALF(
-        cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_ENDS_CAPPED),
-        cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
-        (z[1] = 0.5, z[2] = 3.5,
-         cylint_elliptic_cone(&expected, pm, x, y, z, km, CYLINT_ENDS_CAPPED)));
-    HALF(cylint_capsule(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
-         cylint_round_cone(&b, p[1], 2, q[1], 1, CYLINT_ENDS_OPEN),
-         cylint_round_cone(&expected, pm, 1.5, qm, 1, CYLINT_ENDS_OPEN));
-    HALF(cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED),
-         cylint_sphere(&b, p[1], 3, CYLINT_ENDS_CAPPED),
-         cylint_sphere(&expected, pm, 2, CYLINT_ENDS_CAPPED));
-    /* the ball about q holds the other at time 0: the ends are exchanged */
-    HALF(
-        cylint_round_cone(&a, p[0], 1, q[0], 99, CYLINT_ENDS_CAPPED),
-        cylint_round_cone(&b, p[1], 0.5, q[1], 0.25, CYLINT_ENDS_CAPPED),
-        cylint_round_cone(&expected, pm, 0.75, qm, 49.625, CYLINT_ENDS_CAPPED));
-    cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED);
-    cylint_capsule(&b, p[0], p[0], 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_embree_between(&a, &a, 0.5, &half) == CYLINT_OK &&
+}
+
+/* The numbers given to the constructors change linearly: the third shape is halfway
+ * between the others. */
+TEST(between_moves_the_constructors_numbers)
+{
+    static const char *const moves[][3] = {
+        {"cylinder 0 0 0  0 0 2  1 ends=open",
+         "cylinder 1 2 4  8 2 4  2 ends=open",
+         "cylinder 0.5 1 2  4 1 3  1.5 ends=open"},
+        {"cone 0 0 0 1  0 0 2 0 ends=cap0", "cone 1 2 4 3  8 2 4 0.5 ends=cap0",
+         "cone 0.5 1 2 2  4 1 3 0.25 ends=cap0"},
+        {"ecylinder 0 0 0  1 0 0  0 3 0  0 0 2",
+         "ecylinder 1 2 4  1 0 0  0 3 0  0 1 5",
+         "ecylinder 0.5 1 2  1 0 0  0 3 0  0 0.5 3.5"},
+        {"econe 0 0 0  1 0 0  0 3 0  0 0 2  0.75",
+         "econe 1 2 4  1 0 0  0 3 0  0 1 5  0.25",
+         "econe 0.5 1 2  1 0 0  0 3 0  0 0.5 3.5  0.5"},
+        {"capsule 0 0 0  0 0 2  1 ends=open",
+         "rcone 1 2 4 2  8 2 4 1 ends=open",
+         "rcone 0.5 1 2 1.5  4 1 3 1 ends=open"},
+        {"sphere 0 0 0  1", "sphere 1 2 4  3", "sphere 0.5 1 2  2"},
+        /* the second ball holds the other at time 0: the ends are exchanged */
+        {"rcone 0 0 0 1  0 0 2 99", "rcone 1 2 4 0.5  8 2 4 0.25",
+         "rcone 0.5 1 2 0.75  4 1 3 49.625"}};
+    static const double v[3][3] = {{0, 0, 0}, {1, 2, 4}, {0.5, 1, 2}},
+                        u[3][3] = {{0, 0, 2}, {8, 2, 4}, {4, 1, 3}};
+    static const double tangent[3] = {1, 0.25, 0.625};
+    cylint_shape cone[3], half;
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++)
+        check_halfway(shape_of(moves[i][0]), shape_of(moves[i][1]),
+                      shape_of(moves[i][2]));
+    memset(cone, 0, sizeof cone);
+    for (int i = 0; i < 3; i++)
+        CHECK(!cylint_tangent_cone(&cone[i], v[i], u[i], tangent[i],
+                                   CYLINT_ENDS_CAPPED));
+    check_halfway(cone[0], cone[1], cone[2]);
+    const cylint_shape ball = shape_of("sphere 0 0 0  1");
+    CHECK(cylint_embree_between(&ball, &ball, 0.5, &half) == CYLINT_OK &&
           cylint_surface(&half) == CYLINT_PART_LATERAL);
-#undef HALF
     /* an axis that vanishes at time 1/2 */
-    cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&b, q[0], p[0], 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_EAXIS);
+    const cylint_shape there = shape_of("cylinder 0 0 0  0 0 2  1"),
+                       back = shape_of("cylinder 0 0 2  0 0 0  1");
+    CHECK(cylint_embree_between(&there, &back, 0.5, &half) == CYLINT_EAXIS);
     CHECK(half.kind == CYLINT_KIND_NONE);
 }
 
 /* --------------------------------------------------------------- update -- */
 
-static void an_update_reads_the_changed_shapes(void)
+TEST(an_update_reads_the_changed_shapes)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 6;
@@ -189,7 +177,7 @@ static void an_update_reads_the_changed_shapes(void)
 
 /* Embree's box contains the shapes; it is wider only by the padding that the
  * header states and a rounding to float. */
-static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
+TEST(the_scenes_box_is_the_padded_box_of_the_shapes)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 7;
@@ -234,14 +222,13 @@ static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
             }
 }
 
-static void a_geometry_without_shapes_is_never_hit(void)
+TEST(a_geometry_without_shapes_is_never_hit)
 {
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
-    EACH_WAY(w, NULL, 0)
-    {
+    EACH_WAY(w, NULL, 0) {
         struct RTCBounds box;
         EACH_SIZE(n)
-        traced(&w, n, o, d, 0, HUGE_VALF);
+            traced(&w, n, o, d, 0, HUGE_VALF);
         rtcGetSceneBounds(w.scene, &box);
         CHECK(box.lower_x > box.upper_x);
         CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
@@ -277,48 +264,45 @@ static void refused(const cylint_shape *bad, size_t first, int status)
     }
 }
 
-static void shapes_that_embree_would_drop_are_refused_by_number(void)
+TEST(shapes_that_embree_would_drop_are_refused_by_number)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
-    double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
-           nan[3] = {0, 0, NAN};
-    cylint_shape shape;
-    CHECK(cylint_cylinder(&shape, p0, nan, 1, CYLINT_ENDS_CAPPED));
-    refused(&shape, 0, CYLINT_EMBREE_ESHAPE);
-    CHECK(cylint_cylinder(&shape, p0, p0, 1, CYLINT_ENDS_CAPPED));
-    refused(&shape, 7, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_INFINITE));
-    refused(&shape, 8, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_angle_cone(&shape, p0, p1, 30, CYLINT_ENDS_NAPPE));
-    refused(&shape, 9, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_cylinder(&shape, p0, far, 1, CYLINT_ENDS_CAPPED));
-    refused(&shape, 15, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_cylinder(&shape, p0, p1, 1e300, CYLINT_ENDS_CAPPED));
-    refused(&shape, 16, CYLINT_EMBREE_ESHAPE);
+    static const struct {
+        size_t first;
+        const char *shape;
+    } bad[] = {{0, "cylinder 0 0 0  0 0 nan  1"},
+               {7, "cylinder 0 0 0  0 0 0  1"},
+               {8, "cylinder 0 0 0  0 0 1  1 ends=infinite"},
+               {9, "acone 0 0 0  0 0 1  30 ends=nappe"},
+               {15, "cylinder 0 0 0  0 0 1.9e18  1"},
+               {16, "cylinder 0 0 0  0 0 1  1e300"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct family_case c;
+        CHECK(family_parse_any(bad[i].shape, &c));
+        CHECK((c.shape_status == CYLINT_OK) == (i > 1));
+        refused(&c.shape, bad[i].first, CYLINT_EMBREE_ESHAPE);
+    }
     /* a shape within the limit is hit */
-    CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_ENDS_CAPPED));
-    EACH_WAY(w, &shape, 1)
-    {
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1.8e18  1e17");
+    EACH_WAY(w, &shape, 1) {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
         struct rays r = traced(&w, 1, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0));
     }
 }
 
-static void impossible_motion_is_refused_by_number(void)
+TEST(impossible_motion_is_refused_by_number)
 {
     cylint_shape shapes[ROW], moved[ROW];
     cylint_embree_options options = {0};
     cylint_embree_problem problem;
     const long long bytes = world_memory.bytes;
-    const double p0[3] = {0, 0, 0}, p1[3] = {1, 0, 0}, p2[3] = {0, 1, 0},
-                 p3[3] = {0, 0, 1};
+    const double p[3] = {0, 0, 0};
     uint64_t state = 9;
     world_shapes(&state, SCENE_FAT, shapes, ROW);
     memcpy(moved, shapes, sizeof moved);
     options.moved = moved;
-    cylint_cylinder(&moved[11], p0, p1, 1, CYLINT_ENDS_OPEN); /* other ends */
-    cylint_elliptic_cylinder(&moved[12], p0, p1, p2, p3, CYLINT_ENDS_CAPPED);
+    moved[11] = shape_of("cylinder 0 0 0  1 0 0  1 ends=open"); /* other ends */
+    moved[12] = shape_of("ecylinder 0 0 0  1 0 0  0 1 0  0 0 1");
     for (int i = 11; i <= 12; i++) {
         world_errors();
         CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
@@ -329,7 +313,7 @@ static void impossible_motion_is_refused_by_number(void)
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         moved[i] = shapes[i];
     }
-    cylint_cylinder(&moved[13], p0, p0, 1, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&moved[13], p, p, 1, CYLINT_ENDS_CAPPED);
     CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
                                   &problem));
     CHECK(problem.status == CYLINT_EMBREE_ESHAPE && problem.shape == 13);
@@ -338,7 +322,7 @@ static void impossible_motion_is_refused_by_number(void)
 }
 
 /* Enough shapes for five threads to make and update the geometry. */
-static void five_threads_make_a_geometry_that_answers_the_same(void)
+TEST(five_threads_make_a_geometry_that_answers_the_same)
 {
     enum { MANY = 21000 };
     static cylint_shape shapes[MANY];
@@ -375,34 +359,26 @@ static void five_threads_make_a_geometry_that_answers_the_same(void)
 
 /* The shapes stand side by side, 2 high.  A ray along the axis from below and one
  * from above. */
-static void u_is_z_below_0_and_above_1_on_round_ends(void)
+TEST(u_is_z_below_0_and_above_1_on_round_ends)
 {
     static const float expected[4][2] = {
         {-0.1f, 1.1f}, {-0.1f, 1.05f}, {0, 1}, {0, 0}};
-    cylint_shape shapes[4];
-    double p[4][3], q[4][3];
-    for (int i = 0; i < 4; i++) {
-        memcpy(p[i], (double[3]){i, 0, 0}, sizeof p[i]);
-        memcpy(q[i], (double[3]){i, 0, 2}, sizeof q[i]);
-    }
-    CHECK(!cylint_capsule(&shapes[0], p[0], q[0], 0.2, CYLINT_ENDS_CAPPED) &&
-          !cylint_round_cone(&shapes[1], p[1], 0.2, q[1], 0.1,
-                             CYLINT_ENDS_CAPPED) &&
-          !cylint_cylinder(&shapes[2], p[2], q[2], 0.2, CYLINT_ENDS_CAPPED) &&
-          !cylint_sphere(&shapes[3], p[3], 0.2, CYLINT_ENDS_CAPPED));
-    EACH_WAY(w, shapes, 4)
-    {
+    const cylint_shape shapes[4] = {shape_of("capsule 0 0 0  0 0 2  0.2"),
+                                    shape_of("rcone 1 0 0 0.2  1 0 2 0.1"),
+                                    shape_of("cylinder 2 0 0  2 0 2  0.2"),
+                                    shape_of("sphere 3 0 0  0.2")};
+    EACH_WAY(w, shapes, 4) {
         EACH_SIZE(n)
-        for (int i = 0; i < 8; i++) {
-            const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
-            const float d[3] = {0, 0, -o[2]};
-            struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
-            CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
-        }
+            for (int i = 0; i < 8; i++) {
+                const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
+                const float d[3] = {0, 0, -o[2]};
+                struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
+                CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
+            }
     }
 }
 
-static void every_status_has_its_text(void)
+TEST(every_status_has_its_text)
 {
     static const char *const texts[] = {
         [CYLINT_EMBREE_OK] = "no error",
@@ -417,20 +393,4 @@ static void every_status_has_its_text(void)
             "the geometry numbers of merged parts do not ascend"};
     check_texts(cylint_embree_strerror, texts, sizeof texts / sizeof *texts);
     CHECK(cylint_embree_version() == RTC_VERSION_MAJOR);
-}
-
-int main(void)
-{
-    RUN(moving_shapes_are_hit_where_they_are_at_the_rays_time);
-    RUN(a_ball_that_becomes_a_round_cone_is_hit_where_it_is);
-    RUN(between_moves_the_constructors_numbers);
-    RUN(an_update_reads_the_changed_shapes);
-    RUN(the_scenes_box_is_the_padded_box_of_the_shapes);
-    RUN(a_geometry_without_shapes_is_never_hit);
-    RUN(shapes_that_embree_would_drop_are_refused_by_number);
-    RUN(impossible_motion_is_refused_by_number);
-    RUN(five_threads_make_a_geometry_that_answers_the_same);
-    RUN(u_is_z_below_0_and_above_1_on_round_ends);
-    RUN(every_status_has_its_text);
-    return check_end();
 }

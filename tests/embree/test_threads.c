@@ -5,8 +5,8 @@
  * through one geometry of the adapter and one cylint_scene, each in another
  * order.  The processor's subnormal modes differ from thread to thread; the
  * answers must not.  `make check-threads` runs this under the thread sanitizer.
- *
- *     test_threads [RAYS]
+  CYLINT_RAYS sets the
+ * number of questions.
  */
 #include <math.h>
 #include <pthread.h>
@@ -22,7 +22,7 @@
 
 enum { THREADS = 8, SHAPES = 500, MOST = 1 << 16 };
 
-static int n_questions = 2000;
+static int n_questions;
 static struct world w;
 static cylint_scene *scene;
 
@@ -89,7 +89,7 @@ static void *work(void *p)
     return NULL;
 }
 
-static void eight_threads_get_the_answers_of_one(void)
+TEST(eight_threads_get_the_answers_of_one)
 {
     static cylint_shape shapes[SHAPES];
     pthread_t thread[THREADS];
@@ -99,7 +99,8 @@ static void eight_threads_get_the_answers_of_one(void)
     world_shapes(&seed, SCENE_MIXED, shapes, SHAPES);
     scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     w = world_made(shapes, SHAPES, NULL);
-    if (!CHECK(scene))
+    n_questions = (int)check_setting("CYLINT_RAYS", 2000);
+    if (!CHECK(scene && n_questions > 0 && n_questions <= MOST))
         return;
     for (int i = 0; i <= THREADS; i++)
         number[i] = i;
@@ -120,14 +121,4 @@ static void eight_threads_get_the_answers_of_one(void)
     CHECK(hits > n_questions / 10);
     cylint_scene_free(scene);
     world_free(&w);
-}
-
-int main(int argc, char **argv)
-{
-    if (argc > 1)
-        n_questions = atoi(argv[1]);
-    if (n_questions < 1 || n_questions > MOST)
-        return 2;
-    RUN(eight_threads_get_the_answers_of_one);
-    return check_end();
 }

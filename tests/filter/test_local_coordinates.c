@@ -113,17 +113,14 @@ static int matrix_is_accurate(const cylint_shape *s)
     return 1;
 }
 
-static void the_matrix_is_as_accurate_as_it_states(void)
+TEST(the_matrix_is_as_accurate_as_it_states)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 1);
-    struct family_case c;
     int usable = 0;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            family_case(seed, family, i, &c);
-            usable += matrix_is_accurate(&c.shape);
-        }
+    EACH_CASE(c, seed, cases) {
+        usable += matrix_is_accurate(&c.shape);
+    }
     CHECK(usable > 0);
 }
 
@@ -175,7 +172,7 @@ static void any_shape(cylint_shape *s)
     } while (s->kind == CYLINT_KIND_NONE);
 }
 
-static void the_matrix_of_extreme_shapes_is_accurate(void)
+TEST(the_matrix_of_extreme_shapes_is_accurate)
 {
     const uint64_t cases = 40 * check_setting("CYLINT_CASES", CASES);
     int usable = 0;
@@ -191,21 +188,17 @@ static void the_matrix_of_extreme_shapes_is_accurate(void)
 
 /* ----------------------------------------------------- one question ----- */
 
-static void all_paths_have_the_bits_of_the_exact_stage(void)
+TEST(all_paths_have_the_bits_of_the_exact_stage)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < CASES; i++) {
-            struct family_case c;
-            cylint_answer got, want;
-            family_case(24, family, i, &c);
-            memset(&got, 0, sizeof got);
-            memset(&want, 0, sizeof want);
-            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
-            cylint_intersect_by_signs(&c.shape, &c.line, CYLINT_WANT_ALL,
-                                      &want);
-            if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
-                report_answers(&c, "all stages, exact stage", &got, &want);
-        }
+    EACH_CASE(c, 24, CASES) {
+        cylint_answer got, want;
+        memset(&got, 0, sizeof got);
+        memset(&want, 0, sizeof want);
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
+        cylint_intersect_by_signs(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
+        if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
+            report_answers(&c, "all stages, exact stage", &got, &want);
+    }
 }
 
 static int differs(const cylint_answer *got, const cylint_answer *want,
@@ -291,24 +284,21 @@ static int compare_domains(const cylint_shape *s, const cylint_line *line)
     return decided;
 }
 
-static void a_question_is_undecided_or_exact(void)
+TEST(a_question_is_undecided_or_exact)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 1);
-    struct family_case c;
     int decided = 0;
     stream = seed;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            family_case(seed, family, i, &c);
-            decided += compare_domains(&c.shape, &c.line);
-        }
+    EACH_CASE(c, seed, cases) {
+        decided += compare_domains(&c.shape, &c.line);
+    }
     CHECK(decided > 0);
 }
 
 /* Lines along a thin cone, close to its rulings or its axis: A and the slope at
  * the roots nearly vanish. */
-static void questions_along_thin_cones_are_exact(void)
+TEST(questions_along_thin_cones_are_exact)
 {
     const uint64_t cases = 100 * check_setting("CYLINT_CASES", CASES);
     stream = check_setting("CYLINT_SEED", 1);
@@ -332,7 +322,7 @@ static void questions_along_thin_cones_are_exact(void)
     }
 }
 
-static void questions_of_extreme_shapes_are_exact(void)
+TEST(questions_of_extreme_shapes_are_exact)
 {
     const uint64_t cases = 40 * check_setting("CYLINT_CASES", CASES);
     stream = check_setting("CYLINT_SEED", 1);
@@ -351,7 +341,7 @@ static void questions_of_extreme_shapes_are_exact(void)
 /* ---------------------------------------------------- former errors ----- */
 
 /* The square of the axis has no low part. */
-static void a_disc_of_almost_no_height_is_exact(void)
+TEST(a_disc_of_almost_no_height_is_exact)
 {
     const double zero[3] = {0, 0, 0};
     for (int e = -400; e > -560; e--) {
@@ -372,7 +362,7 @@ static void a_disc_of_almost_no_height_is_exact(void)
 
 /* The step from the estimate, with a residual in pairs, leads away from the
  * root; a second step from there must not be certain. */
-static void a_root_after_a_wrong_step_is_exact(void)
+TEST(a_root_after_a_wrong_step_is_exact)
 {
     const double v[3] = {-0x1.abb40bf87f06fp-5, -0x1.5eca937204ffap-1,
                          -0x1.784813c86d34ep-3},
@@ -389,17 +379,4 @@ static void a_root_after_a_wrong_step_is_exact(void)
     cylint_span(&line, o, d, 0x1.0402af253094ap+1, HUGE_VAL);
     compare(&s, &line, exact);
     CHECK(exact->n == 2 && exact->hit[0].t == 0x1.0402af2530981p+1);
-}
-
-int main(void)
-{
-    RUN(the_matrix_is_as_accurate_as_it_states);
-    RUN(the_matrix_of_extreme_shapes_is_accurate);
-    RUN(all_paths_have_the_bits_of_the_exact_stage);
-    RUN(a_question_is_undecided_or_exact);
-    RUN(questions_along_thin_cones_are_exact);
-    RUN(questions_of_extreme_shapes_are_exact);
-    RUN(a_disc_of_almost_no_height_is_exact);
-    RUN(a_root_after_a_wrong_step_is_exact);
-    return check_end();
 }

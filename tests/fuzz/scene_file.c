@@ -46,10 +46,9 @@ static struct bytes make_file(int kind, size_t n)
 {
     static const char text[] = "a shape with a name, and one without";
     struct bytes file = {NULL, NULL, 0, 0};
-    struct scene_shapes of;
     uint64_t end[36];
     const cylint_scene_labels labels = {end, text};
-    scene_generate(kind, n > 0 ? n : 1, n, &of);
+    struct scene_shapes of = scene_generate(kind, n > 0 ? n : 1, n);
     for (size_t i = 0; i < n; i++)
         end[i] = (i + 1) / 2;
     cylint_scene *scene = cylint_scene_new(of.shapes, n, 1, NULL);

@@ -11,8 +11,10 @@
 #include <pthread.h>
 #include <stdint.h>
 
+#define CHECK_OWN_MAIN
 #include "check.h"
 #include "columns.h"
+#include "environment.h"
 #include "guarded.h"
 
 enum {
@@ -294,7 +296,7 @@ static void batches_answer_as_single_questions(void)
     }
 }
 
-static void check_all(size_t n, const struct layout *at)
+static void check_batches(size_t n, const struct layout *at)
 {
     check_pairs(drawn, n, at);
     check_lines(&drawn[0], lined, n, at);
@@ -319,7 +321,7 @@ static void runs_of_one_kind_answer_as_single_questions(void)
                 lined[n] = *c;
                 n += (int)c->shape_word == kind && family_make(c);
             }
-            check_all(N, &usual);
+            check_batches(N, &usual);
         }
 }
 
@@ -339,10 +341,10 @@ static void every_length_has_its_answers(void)
     draw_around(0);
     for (size_t n = 0; n < 2 * (2 * 8 + 2); n++) {
         at.at_end = (int)n % 2;
-        check_all(n / 2, &at);
+        check_batches(n / 2, &at);
     }
     for (size_t i = 0; i < sizeof longer / sizeof *longer; i++)
-        check_all(longer[i], &usual);
+        check_batches(longer[i], &usual);
 }
 
 static void every_address_has_its_answers(void)
@@ -351,7 +353,7 @@ static void every_address_has_its_answers(void)
         draw_around(family);
         for (size_t i = 0; i < 128; i++) {
             const struct layout at = {i / 2, (int)i % 2, ALL_COLUMNS, 3};
-            check_all(FEW, &at);
+            check_batches(FEW, &at);
         }
     }
 }
@@ -363,7 +365,7 @@ static void only_wanted_columns_are_written(void)
         const int columns =
             i <= WITHOUT_MEMBERS ? i : 1 << (i - WITHOUT_MEMBERS - 1);
         const struct layout at = {0, columns % 2, columns, 3};
-        check_all(40, &at);
+        check_batches(40, &at);
     }
 }
 
@@ -427,7 +429,7 @@ static void an_invalid_line_misses(void)
         CHECK(!column_line(&bad[i].line, 3).valid);
     memcpy(drawn, bad, sizeof bad);
     memcpy(lined, bad, sizeof bad);
-    check_all(N, &usual);
+    check_batches(N, &usual);
     for (int i = 0; i < FEW; i++) {
         drawn[i] = easy();
         drawn[i].line.tmin = 3 + i / 8.;
@@ -541,12 +543,10 @@ static void threads_share_a_pack(void)
 
 int main(void)
 {
-    const char *kernels;
     allocate_pages();
     RUN(kernels_are_chosen_by_name);
     RUN(threads_share_a_pack);
-    for (int i = 0; (kernels = cylint_kernels_name(i)) != NULL; i++) {
-        cylint_use_kernels(kernels);
+    EACH_KERNELS(k) {
         RUN(batches_answer_as_single_questions);
         RUN(runs_of_one_kind_answer_as_single_questions);
         RUN(every_length_has_its_answers);

@@ -124,21 +124,18 @@ static void compare_chords(struct family_case *c, struct environment there)
 
 static void compare_many(struct environment there, uint64_t cases)
 {
-    struct family_case c;
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            family_case(6, family, i, &c);
-            compare_chords(&c, there);
-        }
+    EACH_CASE(c, 6, cases)
+        compare_chords(&c, there);
     const int plain = family_named("plain"),
               exact = family_named("constructed");
     for (uint64_t i = 0; i < 20 * cases; i++) {
+        struct family_case c;
         family_case(6, i % 4 == 3 ? plain : exact, cases + i, &c);
         compare_chords(&c, there);
     }
 }
 
-static void chords_are_those_of_the_oracle(void)
+TEST(chords_are_those_of_the_oracle)
 {
     rng = 1;
     compared = with_chords = 0;
@@ -152,7 +149,7 @@ static void compare_there(struct environment there)
     compare_many(there, check_setting("CYLINT_CASES", 800) / 50);
 }
 
-static void chords_are_the_same_in_every_environment(void)
+TEST(chords_are_the_same_in_every_environment)
 {
     rng = 4;
     everywhere(compare_there);
@@ -189,7 +186,7 @@ static double error_of_length(const cylint_line *line)
 }
 
 /* Of exponents that are near each other, of all, or about the least normal one. */
-static void a_length_is_within_0501_units(void)
+TEST(a_length_is_within_0501_units)
 {
     const long cases = 60 * (long)check_setting("CYLINT_CASES", 800);
     double worst = 0;
@@ -246,7 +243,7 @@ static const char *take(const char *text, const char *known)
     return known;
 }
 
-static void every_record_is_read(void)
+TEST(every_record_is_read)
 {
     each_record("tests/library/chords.txt", 36, take);
 }
@@ -273,14 +270,14 @@ static void check_records(struct environment there)
     }
 }
 
-static void known_chords_are_found_in_every_environment(void)
+TEST(known_chords_are_found_in_every_environment)
 {
     everywhere(check_records);
 }
 
 static const double origin[3] = {0, 0, 0}, ex[3] = {1, 0, 0};
 
-static void refused_shapes_and_lines_have_no_chord(void)
+TEST(refused_shapes_and_lines_have_no_chord)
 {
     const double nan = (double)NAN;
     const double low[3] = {-DBL_MAX, 0, 0}, high[3] = {DBL_MAX, 0, 0};
@@ -301,17 +298,4 @@ static void refused_shapes_and_lines_have_no_chord(void)
     CHECK(cylint_line_length(&refused) == 0);
     CHECK(cylint_segment(&far, low, high) == CYLINT_OK);
     CHECK(cylint_line_length(&far) == HUGE_VAL);
-}
-
-int main(void)
-{
-    RUN(every_record_is_read);
-    RUN(known_chords_are_found_in_every_environment);
-#ifdef HAVE_MPFR
-    RUN(chords_are_those_of_the_oracle);
-    RUN(chords_are_the_same_in_every_environment);
-    RUN(a_length_is_within_0501_units);
-#endif
-    RUN(refused_shapes_and_lines_have_no_chord);
-    return check_end();
 }

@@ -84,7 +84,7 @@ static void check_hit(const cylint_hit *hit)
     }
 }
 
-static void a_line_has_the_hit_of_the_plane(void)
+TEST(a_line_has_the_hit_of_the_plane)
 {
     rng = 1;
     for (int i = 0; i < CASES; i++) {
@@ -106,7 +106,7 @@ static void a_line_has_the_hit_of_the_plane(void)
 }
 
 /* 1/3 is rounded down, 1/5 up, 1/2 is a double. */
-static void a_root_beside_a_limit_is_compared_exactly(void)
+TEST(a_root_beside_a_limit_is_compared_exactly)
 {
     static const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     static const struct {
@@ -142,12 +142,12 @@ static void check_ties(struct environment there)
     }
 }
 
-static void a_distance_between_two_doubles_is_rounded_to_even(void)
+TEST(a_distance_between_two_doubles_is_rounded_to_even)
 {
     everywhere(check_ties);
 }
 
-static void members_can_be_wanted_alone(void)
+TEST(members_can_be_wanted_alone)
 {
     static const unsigned wants[] = {CYLINT_WANT_T, CYLINT_WANT_POINT,
                                      CYLINT_WANT_NORMAL, CYLINT_WANT_Z};
@@ -164,7 +164,7 @@ static void members_can_be_wanted_alone(void)
     }
 }
 
-static void a_segment_has_its_exact_difference(void)
+TEST(a_segment_has_its_exact_difference)
 {
     rng = 2;
     for (int i = 0; i < CASES; i++) {
@@ -188,7 +188,7 @@ static void a_segment_has_its_exact_difference(void)
     }
 }
 
-static void distances_and_sides_are_those_of_the_plane(void)
+TEST(distances_and_sides_are_those_of_the_plane)
 {
     rng = 3;
     for (int i = 0; i < CASES / 4; i++) {
@@ -222,7 +222,7 @@ static void distances_and_sides_are_those_of_the_plane(void)
     }
 }
 
-static void batches_answer_as_one_question_does(void)
+TEST(batches_answer_as_one_question_does)
 {
     enum { N = 37 };
     static cylint_shape shapes[N];
@@ -269,7 +269,7 @@ static void batches_answer_as_one_question_does(void)
     free(memory);
 }
 
-static void bad_arguments_are_refused(void)
+TEST(bad_arguments_are_refused)
 {
     const double p[3] = {0, 0, 0}, x[3] = {1, 0, 0}, bad[3] = {0, NAN, 1};
     cylint_shape s;
@@ -280,7 +280,7 @@ static void bad_arguments_are_refused(void)
           s.kind == CYLINT_KIND_HALFSPACE && s.ends == CYLINT_ENDS_INFINITE);
 }
 
-static void methods_refuse_it(void)
+TEST(methods_refuse_it)
 {
     const double p[3] = {0, 0, 0}, x[3] = {1, 0, 0};
     cylint_shape s;
@@ -294,7 +294,7 @@ static void methods_refuse_it(void)
     }
 }
 
-static void boxes_end_at_planes_across_a_coordinate(void)
+TEST(boxes_end_at_planes_across_a_coordinate)
 {
     const double p[3] = {1, 2, 3}, n[3] = {0, -2, 0}, oblique[3] = {1, 1, 0};
     double lo[3], hi[3];
@@ -308,7 +308,7 @@ static void boxes_end_at_planes_across_a_coordinate(void)
     CHECK(lo[0] == -HUGE_VAL && hi[0] == HUGE_VAL && hi[1] == HUGE_VAL);
 }
 
-static void points_can_leave_the_plane(void)
+TEST(points_can_leave_the_plane)
 {
     rng = 5;
     for (int i = 0; i < 1000; i++) {
@@ -323,7 +323,7 @@ static void points_can_leave_the_plane(void)
     }
 }
 
-static void chords_are_half_lines(void)
+TEST(chords_are_half_lines)
 {
     rng = 6;
     for (int i = 0; i < CASES; i++) {
@@ -348,7 +348,7 @@ static void chords_are_half_lines(void)
 }
 
 /* Random doubles, also nearly parallel and far, of all sizes. */
-static void pairs_and_signs_agree(void)
+TEST(pairs_and_signs_agree)
 {
     rng = 7;
     for (int i = 0; i < 10 * CASES; i++) {
@@ -372,22 +372,4 @@ static void pairs_and_signs_agree(void)
         CHECK(a.n == b.n && a.relation == b.relation &&
               (a.n == 0 || same_hit(&a.hit[0], &b.hit[0], CYLINT_WANT_ALL)));
     }
-}
-
-int main(void)
-{
-    RUN(pairs_and_signs_agree);
-    RUN(a_line_has_the_hit_of_the_plane);
-    RUN(a_root_beside_a_limit_is_compared_exactly);
-    RUN(a_distance_between_two_doubles_is_rounded_to_even);
-    RUN(members_can_be_wanted_alone);
-    RUN(a_segment_has_its_exact_difference);
-    RUN(distances_and_sides_are_those_of_the_plane);
-    RUN(batches_answer_as_one_question_does);
-    RUN(bad_arguments_are_refused);
-    RUN(methods_refuse_it);
-    RUN(boxes_end_at_planes_across_a_coordinate);
-    RUN(points_can_leave_the_plane);
-    RUN(chords_are_half_lines);
-    return check_end();
 }

@@ -12,7 +12,26 @@
 
 static const double origin[3] = {0, 0, 0}, axis_x[3] = {1, 0, 0};
 static const double axis_z[3] = {0, 0, 1};
-static const cylint_one_kernels *at_the_start;
+
+/* Before the first call no build is chosen. */
+TEST(any_function_can_be_the_first_call)
+{
+    const cylint_one_kernels *const at_the_start = cylint_one_chosen;
+    static const double inside[3] = {0.5, 0, 1}, outside[3] = {2, 0, 1};
+    cylint_shape s;
+    cylint_line line;
+    cylint_answer a;
+    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_INFINITE);
+    cylint_ray(&line, outside, axis_x);
+    cylint_one_chosen = at_the_start;
+    CHECK(cylint_contains(&s, inside) == 1 &&
+          cylint_one_chosen != at_the_start);
+    cylint_one_chosen = at_the_start;
+    CHECK(cylint_contains(&s, outside) == -1);
+    cylint_one_chosen = at_the_start;
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 0 &&
+          cylint_one_chosen != at_the_start);
+}
 
 /* For every set of faults, the bits of `faults`, a constructor returns the
  * first fault in the order of the list. */
@@ -34,7 +53,7 @@ static struct faults faults_of(int bits, int number, int size, int axis,
     return f;
 }
 
-static void a_shape_with_several_faults_returns_the_first(void)
+TEST(a_shape_with_several_faults_returns_the_first)
 {
     enum { NUMBER = 1, SIZE = 2, AXIS = 4, ENDS = 8, PLANE = 16, ALL = 31 };
     for (int bits = 0; bits <= ALL; bits++) {
@@ -70,7 +89,7 @@ static void a_shape_with_several_faults_returns_the_first(void)
     }
 }
 
-static void a_line_with_several_faults_returns_the_first(void)
+TEST(a_line_with_several_faults_returns_the_first)
 {
     enum { NUMBER = 1, LENGTH = 2, DOMAIN = 4, ALL = 7 };
     for (int bits = 0; bits <= ALL; bits++) {
@@ -92,7 +111,7 @@ static void a_line_with_several_faults_returns_the_first(void)
     }
 }
 
-static void version_and_sizes_of_structs_are_those_of_the_header(void)
+TEST(version_and_sizes_of_structs_are_those_of_the_header)
 {
     char text[40];
     const int number = cylint_version_number();
@@ -109,7 +128,7 @@ static void version_and_sizes_of_structs_are_those_of_the_header(void)
 }
 
 /* Tests every address, and a copy of the pack. */
-static void a_pack_keeps_the_callers_pointer(void)
+TEST(a_pack_keeps_the_callers_pointer)
 {
     enum { SHAPES = 20, MOST = 16000 };
     static char memory[MOST + 64];
@@ -137,7 +156,7 @@ static void a_pack_keeps_the_callers_pointer(void)
     }
 }
 
-static void a_pack_of_too_many_shapes_has_no_size(void)
+TEST(a_pack_of_too_many_shapes_has_no_size)
 {
     static const size_t shares[] = {1, 2, 8, 100, 184, 200, 208, 256};
     CHECK(cylint_pack_bytes(SIZE_MAX) == SIZE_MAX);
@@ -146,35 +165,4 @@ static void a_pack_of_too_many_shapes_has_no_size(void)
         for (size_t less = 0; less < 100; less++)
             CHECK(cylint_pack_bytes(n - less) >= n - less);
     }
-}
-
-/* Before the first call no build is chosen. */
-static void any_function_can_be_the_first_call(void)
-{
-    static const double inside[3] = {0.5, 0, 1}, outside[3] = {2, 0, 1};
-    cylint_shape s;
-    cylint_line line;
-    cylint_answer a;
-    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_INFINITE);
-    cylint_ray(&line, outside, axis_x);
-    cylint_one_chosen = at_the_start;
-    CHECK(cylint_contains(&s, inside) == 1 &&
-          cylint_one_chosen != at_the_start);
-    cylint_one_chosen = at_the_start;
-    CHECK(cylint_contains(&s, outside) == -1);
-    cylint_one_chosen = at_the_start;
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 0 &&
-          cylint_one_chosen != at_the_start);
-}
-
-int main(void)
-{
-    at_the_start = cylint_one_chosen;
-    RUN(any_function_can_be_the_first_call);
-    RUN(a_shape_with_several_faults_returns_the_first);
-    RUN(a_line_with_several_faults_returns_the_first);
-    RUN(version_and_sizes_of_structs_are_those_of_the_header);
-    RUN(a_pack_keeps_the_callers_pointer);
-    RUN(a_pack_of_too_many_shapes_has_no_size);
-    return check_end();
 }

@@ -80,7 +80,7 @@ static void run_family(int family)
            sum.off[ULPS_PHI]);
 }
 
-static void library_and_oracle_agree(void)
+TEST(library_and_oracle_agree)
 {
     const int only =
         getenv("CYLINT_FAMILY") ? atoi(getenv("CYLINT_FAMILY")) : -1;
@@ -109,7 +109,7 @@ static int inside_at(const struct family_case *c, double t)
 
 /* Checks the oracle itself: points of the line just before and just after each
  * hit are inside or outside as the side of the hit says. */
-static void oracle_agrees_with_points_sampled_along_the_line(void)
+TEST(oracle_agrees_with_points_sampled_along_the_line)
 {
     for (uint64_t i = 0; i < cases(); i++) {
         struct family_case c;
@@ -135,17 +135,13 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
     }
 }
 
-static void occluded_agrees_with_the_oracle(void)
+TEST(occluded_agrees_with_the_oracle)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t i = 0; i < cases() / 10; i++) {
-            struct family_case c;
-            cylint_answer want;
-            family_case(seed() + 1, family, i, &c);
-            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
-            if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
-                family_report(&c);
-        }
+    EACH_CASE(c, seed() + 1, cases() / 10) {
+        cylint_answer want;
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
+        if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
+            family_report(&c);
     }
 }
 
@@ -165,45 +161,27 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
 }
 
 /* The exact root may lie on either side of the end. */
-static void a_domain_may_end_where_a_hit_is_rounded(void)
+TEST(a_domain_may_end_where_a_hit_is_rounded)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t i = 0; i < cases() / 10; i++) {
-            struct family_case c;
-            cylint_answer a;
-            family_case(seed() + 3, family, i, &c);
-            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a);
-            for (int k = 0; k < a.n && !c.line.segment; k++) {
-                ends_at(&c, a.hit[k].t, HUGE_VAL);
-                ends_at(&c, -HUGE_VAL, a.hit[k].t);
-                ends_at(&c, a.hit[k].t, a.hit[k].t);
-            }
+    EACH_CASE(c, seed() + 3, cases() / 10) {
+        cylint_answer a;
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a);
+        for (int k = 0; k < a.n && !c.line.segment; k++) {
+            ends_at(&c, a.hit[k].t, HUGE_VAL);
+            ends_at(&c, -HUGE_VAL, a.hit[k].t);
+            ends_at(&c, a.hit[k].t, a.hit[k].t);
         }
     }
 }
 
-static void contains_is_exact(void)
+TEST(contains_is_exact)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t i = 0; i < cases() / 4; i++) {
-            struct family_case c;
-            family_case(seed() + 2, family, i, &c);
-            const double *o = c.line.o;
-            const int want = oracle_contains(&c.shape, o);
-            if (!CHECK(cylint_contains(&c.shape, o) == want)) {
-                REPORT("want %d, family %s", want, family_name(family));
-                family_report(&c);
-            }
+    EACH_CASE(c, seed() + 2, cases() / 4) {
+        const double *o = c.line.o;
+        const int want = oracle_contains(&c.shape, o);
+        if (!CHECK(cylint_contains(&c.shape, o) == want)) {
+            REPORT("want %d, family %s", want, family_name(family));
+            family_report(&c);
         }
     }
-}
-
-int main(void)
-{
-    RUN(oracle_agrees_with_points_sampled_along_the_line);
-    RUN(library_and_oracle_agree);
-    RUN(occluded_agrees_with_the_oracle);
-    RUN(a_domain_may_end_where_a_hit_is_rounded);
-    RUN(contains_is_exact);
-    return check_end();
 }

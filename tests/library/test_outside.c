@@ -194,17 +194,17 @@ static void over_families(int wild)
                tally[i].rays, tally[i].moved);
 }
 
-static void rays_leave_the_solid_or_stay_in_it(void)
+TEST(rays_leave_the_solid_or_stay_in_it)
 {
     over_families(0);
 }
 
-static void also_of_wild_sizes(void)
+TEST(also_of_wild_sizes)
 {
     over_families(1);
 }
 
-static void a_point_on_the_wanted_side_is_not_moved(void)
+TEST(a_point_on_the_wanted_side_is_not_moved)
 {
     cylint_shape s;
     cylint_hit hit = {.point = {0, 0, 2}, .normal = {0, 0, 1}};
@@ -220,7 +220,39 @@ static void a_point_on_the_wanted_side_is_not_moved(void)
     CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == nextafter(1, 0));
 }
 
-static void no_double_is_inside_a_solid_that_is_too_thin(void)
+/* A shape and its hit, scaled by a power of two, have the scaled point, also where
+ * the squares of steps overflow or underflow. */
+TEST(the_nearest_neighbour_is_chosen_at_all_sizes)
+{
+    static const double normals[][3] = {
+        {0, -0.6, 0.8}, {0.48, 0.64, -0.6}, {-0.36, 0.48, 0.8}, {0, 0, -1}};
+    static const int exponents[] = {-900, -540, 500, 900};
+    for (int n = 0; n < 4; n++)
+        for (int k = 0; k < 4; k++)
+            for (int side = -1; side < 2; side += 2) {
+                const double scale = ldexp(1, exponents[k]);
+                cylint_shape ball[2];
+                cylint_hit hit[2];
+                double c[2][3], p[2][3];
+                for (int i = 0; i < 3; i++) {
+                    c[0][i] = i == 1 ? 1e-5 : i;
+                    c[1][i] = c[0][i] * scale;
+                    hit[0].normal[i] = hit[1].normal[i] = normals[n][i];
+                    hit[0].point[i] = c[0][i] + 2.5 * normals[n][i];
+                    hit[1].point[i] = hit[0].point[i] * scale;
+                }
+                for (int j = 0; j < 2; j++) {
+                    hit[j].part = CYLINT_PART_LATERAL;
+                    cylint_sphere(&ball[j], c[j], j ? 2.5 * scale : 2.5,
+                                  CYLINT_ENDS_CAPPED);
+                    CHECK(cylint_outside(&ball[j], &hit[j], side, p[j]) == 1);
+                }
+                for (int i = 0; i < 3; i++)
+                    CHECK(p[1][i] == p[0][i] * scale);
+            }
+}
+
+TEST(no_double_is_inside_a_solid_that_is_too_thin)
 {
     cylint_shape s;
     const double c[3] = {0.1, 0.2, 0.3}, to[3] = {1.7, 0.9, 1.1};
@@ -245,13 +277,4 @@ static void no_double_is_inside_a_solid_that_is_too_thin(void)
     memset(&none, 0, sizeof none);
     CHECK(cylint_outside(&none, &hit, 1, p) == 0 && p[2] == hit.point[2]);
     CHECK(cylint_outside(&none, &hit, -1, p) == 1);
-}
-
-int main(void)
-{
-    RUN(rays_leave_the_solid_or_stay_in_it);
-    RUN(also_of_wild_sizes);
-    RUN(a_point_on_the_wanted_side_is_not_moved);
-    RUN(no_double_is_inside_a_solid_that_is_too_thin);
-    return check_end();
 }

@@ -13,17 +13,14 @@ enum { CASES = 500 };
 static void over_all_families(int (*holds)(const struct family_case *c),
                               uint64_t cases)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < cases; i++) {
-            struct family_case c;
-            family_case(3, family, i, &c);
-            if (!CHECK(holds(&c)))
-                REPORT_CASE(&c);
-        }
+    EACH_CASE(c, 3, cases) {
+        if (!CHECK(holds(&c)))
+            REPORT_CASE(&c);
+    }
 }
 
 #define PROPERTY(name, holds)                                           \
-    static void name(void)                                              \
+    TEST(name)                                                          \
     {                                                                   \
         over_all_families(holds, check_setting("CYLINT_CASES", CASES)); \
     }
@@ -44,26 +41,7 @@ PROPERTY(missing_caps_only_remove_hits, loses_hits_with_caps)
 PROPERTY(the_origin_bounds_the_relation, has_its_origin)
 PROPERTY(hits_ascend_within_the_domain, has_good_members)
 
-static void unwanted_members_are_not_written_and_change_nothing(void)
+TEST(unwanted_members_are_not_written_and_change_nothing)
 {
     over_all_families(has_all_wanted_members, CASES / 25);
-}
-
-int main(void)
-{
-    RUN(a_capped_shape_has_an_even_number_of_hits);
-    RUN(a_reversed_line_has_hits_at_minus_t);
-    RUN(hits_in_a_domain_are_the_lines_hits_within_it);
-    RUN(coordinates_may_be_permuted);
-    RUN(coordinates_may_change_sign);
-    RUN(scaling_by_powers_of_two_keeps_the_digits_of_t);
-    RUN(the_ends_may_be_swapped);
-    RUN(an_ellipses_axes_may_be_swapped_or_reversed);
-    RUN(a_cone_with_equal_radii_is_a_cylinder);
-    RUN(a_circular_shape_is_an_elliptic_one_with_equal_axes);
-    RUN(missing_caps_only_remove_hits);
-    RUN(the_origin_bounds_the_relation);
-    RUN(unwanted_members_are_not_written_and_change_nothing);
-    RUN(hits_ascend_within_the_domain);
-    return check_end();
 }

@@ -122,7 +122,7 @@ static void check_line(void)
     }
 }
 
-static void pieces_are_where_radius_height_and_angle_say(void)
+TEST(pieces_are_where_radius_height_and_angle_say)
 {
     rng = 1;
     points_inside = 0;
@@ -137,7 +137,7 @@ static void pieces_are_where_radius_height_and_angle_say(void)
     CHECK(points_inside > TUBES * LINES * POINTS / 40);
 }
 
-static void sectors_of_simple_directions_are_exact(void)
+TEST(sectors_of_simple_directions_are_exact)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
                  inner[2] = {1, 1};
@@ -167,7 +167,7 @@ static void sectors_of_simple_directions_are_exact(void)
 }
 
 /* The planes contain their directions exactly. */
-static void sectors_about_a_coordinate_are_exact(void)
+TEST(sectors_about_a_coordinate_are_exact)
 {
     rng = 3;
     for (int i = 0; i < TUBES; i++) {
@@ -188,7 +188,7 @@ static void sectors_about_a_coordinate_are_exact(void)
     }
 }
 
-static void bad_sectors_are_refused(void)
+TEST(bad_sectors_are_refused)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2};
     const double along[2][3] = {{0, 0, 1}, {0, 1, 0}},
@@ -215,7 +215,7 @@ static void bad_sectors_are_refused(void)
 }
 
 /* The hole is a cone with its apex at p0. */
-static void a_hole_can_begin_with_the_radius_0(void)
+TEST(a_hole_can_begin_with_the_radius_0)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
                  inner[2] = {0, 1}, o[3] = {-3, 0, 1}, d[3] = {1, 0, 0};
@@ -236,7 +236,7 @@ static void a_hole_can_begin_with_the_radius_0(void)
 
 /* Integers of which no double has a cross product: y is x 2^22, moved by one in a
  * coordinate, or not.  axis . (x cross y) is then a component of axis cross x. */
-static void directions_that_nearly_agree_make_the_sector_that_they_say(void)
+TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
 {
     const double p0[3] = {0, 0, 0}, outer[2] = {1, 1};
     int found[3] = {0};
@@ -267,13 +267,18 @@ static void directions_that_nearly_agree_make_the_sector_that_they_say(void)
     CHECK(found[0] > TUBES && found[1] > TUBES && found[2] > TUBES);
 }
 
-int main(void)
+/* The axis (1, 0, 2), in multiples of the least double. */
+TEST(an_axis_of_the_least_doubles_keeps_its_digits)
 {
-    RUN(pieces_are_where_radius_height_and_angle_say);
-    RUN(sectors_of_simple_directions_are_exact);
-    RUN(sectors_about_a_coordinate_are_exact);
-    RUN(bad_sectors_are_refused);
-    RUN(a_hole_can_begin_with_the_radius_0);
-    RUN(directions_that_nearly_agree_make_the_sector_that_they_say);
-    return check_end();
+    static const double p0[3] = {0, 0, 0}, p1[3] = {0x1p-1074, 0, 0x1p-1073},
+                        radii[2] = {1, 1},
+                        sector[2][3] = {{1, 0, 0}, {0, 1, 0}},
+                        out[3] = {1, 0, 3}, in[3] = {1, 0, 1};
+    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+    CHECK(cylint_tube(p0, p1, radii, NULL, sector, shapes, clauses, &n) ==
+          CYLINT_OK);
+    CHECK(n == 3 && cylint_contains(&shapes[2], out) == -1 &&
+          cylint_contains(&shapes[2], in) == 1);
 }

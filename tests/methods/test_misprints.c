@@ -11,6 +11,7 @@
 
 #include "check.h"
 #include "cylint_methods.h"
+#include "records.h"
 #include "vectors.h"
 
 static void unit(const double a[3], double out[3])
@@ -26,47 +27,39 @@ static void minus(const double a[3], const double b[3], double out[3])
         out[i] = a[i] - b[i];
 }
 
-/* The corrected method's answer for the whole line o + t d. */
-static cylint_answer corrected(cylint_method_fn *method,
-                               const cylint_shape *shape, const double o[3],
-                               const double d[3])
-{
-    cylint_line line;
-    cylint_answer answer;
-
-    memset(&answer, 0, sizeof answer);
-    CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
-    CHECK(method(shape, &line, CYLINT_WANT_ALL, &answer) == CYLINT_OK);
-    return answer;
-}
-
 static int is(double t, double expected)
 {
     return fabs(t - expected) <= 1e-9 * fabs(expected);
 }
 
+/* The answer of the corrected method to a record of the command, of which the text
+ * after => is known: relation, number of hits, and of each hit t (~: nearly) and
+ * part. */
+static cylint_answer corrected(cylint_method_fn *method, const char *record)
+{
+    const struct family_case c = case_of(record);
+    const char *known = strstr(record, "=>") + 2;
+    cylint_answer a = {0}, want;
+    double x[2];
+    CHECK(method(&c.shape, &c.line, CYLINT_WANT_ALL, &a) == CYLINT_OK);
+    known = read_relation(known, &want);
+    int same = CHECK(known) && a.relation == want.relation && a.n == want.n;
+    for (int i = 0; same && i < a.n; i++) {
+        known += strspn(known, " ");
+        const int nearly = *known == '~';
+        known = family_numbers(known + nearly, 2, x);
+        same = CHECK(known) && a.hit[i].part == x[1] &&
+               (nearly ? is(a.hit[i].t, x[0]) : a.hit[i].t == x[0]);
+    }
+    if (!CHECK(same))
+        REPORT("%s: relation %d, %d hits, t %a %a", record, a.relation, a.n,
+               a.hit[0].t, a.hit[1].t);
+    return a;
+}
+
 static const double origin[3] = {0, 0, 0};
 static const double along_x[3] = {1, 0, 0}, along_y[3] = {0, 1, 0};
 static const double along_z[3] = {0, 0, 1};
-
-/* Radius 1 about the z axis, 0 <= z <= height. */
-static cylint_shape upright(double height, cylint_ends ends)
-{
-    const double top[3] = {0, 0, height};
-    cylint_shape shape;
-
-    CHECK(cylint_cylinder(&shape, origin, top, 1, ends) == CYLINT_OK);
-    return shape;
-}
-
-/* Lines parallel to the axis of upright(): inside, on the surface, outside. */
-enum { PARALLELS = 3 };
-static const struct {
-    double o[3];
-    int relation;
-} parallels[PARALLELS] = {{{0.5, 0, -2}, CYLINT_RELATION_CROSS},
-                          {{1, 0, -2}, CYLINT_RELATION_ALONG},
-                          {{7, 0, -2}, CYLINT_RELATION_MISS}};
 
 /* ------------------------------------------------- Shene, Gems IV and V -- */
 
@@ -76,15 +69,16 @@ static int shene_count_as_printed(double r, double d)
     return r < fabs(d) ? 2 : r == fabs(d) ? 1 : 0;
 }
 
-static void shene_prints_two_hits_where_the_line_passes_outside(void)
+TEST(shene_prints_two_hits_where_the_line_passes_outside)
 {
-    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
-    const double through[3] = {-3, 0.5, 0}, beside[3] = {-3, 2, 0};
-
     CHECK(shene_count_as_printed(1, 0.5) == 0);
-    CHECK(corrected(cylint_shene_cylinder, &shape, through, along_x).n == 2);
+    corrected(cylint_shene_cylinder,
+              "line -3 0.5 0 1 0 0  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "cross 2  ~2.13397459621556 0 ~3.86602540378444 0");
     CHECK(shene_count_as_printed(1, 2) == 2);
-    CHECK(corrected(cylint_shene_cylinder, &shape, beside, along_x).n == 0);
+    corrected(cylint_shene_cylinder,
+              "line -3 2 0 1 0 0  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "miss 0");
 }
 
 /* "if the distance of B from l is r, l lies on it; else no intersection" */
@@ -93,21 +87,18 @@ static int shene_parallel_as_printed(double r, double distance)
     return distance == r ? CYLINT_RELATION_ALONG : CYLINT_RELATION_MISS;
 }
 
-static void shene_prints_that_a_parallel_line_inside_does_not_intersect(void)
+TEST(shene_prints_that_a_parallel_line_inside_does_not_intersect)
 {
-    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
-    const double inside[3] = {0.5, 0, 0};
-
     CHECK(shene_parallel_as_printed(1, 0.5) == CYLINT_RELATION_MISS);
-    CHECK(corrected(cylint_shene_cylinder, &shape, inside, along_z).relation ==
-          CYLINT_RELATION_CROSS);
+    corrected(cylint_shene_cylinder,
+              "line 0.5 0 0 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "cross 0");
 }
 
 /* The formula of t_P is cut off in print.  Read as (D x v).w, without the
  * division by |u x v| squared, it is right for perpendicular lines only. */
-static void shenes_foot_halves_the_chord_of_an_oblique_line(void)
+TEST(shenes_foot_halves_the_chord_of_an_oblique_line)
 {
-    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double o[3] = {-3, 0.6, 0}, d[3] = {3, 0, 4};
     double u[3], uv[3], w[3], D[3], Dv[3];
 
@@ -118,10 +109,9 @@ static void shenes_foot_halves_the_chord_of_an_oblique_line(void)
     cross3(Dv, D, along_z);
     CHECK(!is(dot3(Dv, w), 5));
     CHECK(is(dot3(Dv, uv) / dot3(uv, uv), 5)); /* the foot: x = 0 */
-
-    const cylint_answer a = corrected(cylint_shene_cylinder, &shape, o, d);
-    CHECK(a.n == 2 && is((a.hit[0].t + a.hit[1].t) / 2, 1));
-    CHECK(is(a.hit[0].t, 1 - 0.8 / 3) && is(a.hit[1].t, 1 + 0.8 / 3));
+    corrected(cylint_shene_cylinder,           /* 1 - 0.8 / 3 and 1 + 0.8 / 3 */
+              "line -3 0.6 0 3 0 4  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "cross 2  ~0.73333333333333 0 ~1.26666666666667 0");
 }
 
 /* The general case alone: both rulings by the vector quotient, with the apex at
@@ -156,66 +146,51 @@ static int shene_cone_without_exceptions(double cosine, const double D[3],
 }
 
 /* Half angle arctan 4/3: cosine and sine are 0.6 and 0.8. */
-static cylint_shape shenes_cone(void)
-{
-    const double u[3] = {0, 0, 3};
-    cylint_shape shape;
+#define SHENES_CONE "  cone 0 0 0 0 0 0 3 4 ends=infinite => "
 
-    CHECK(cylint_cone(&shape, origin, 0, u, 4, CYLINT_ENDS_INFINITE) ==
-          CYLINT_OK);
-    return shape;
-}
-
-static void shenes_general_cone_case_is_right_where_it_applies(void)
+TEST(shenes_general_cone_case_is_right_where_it_applies)
 {
-    const cylint_shape shape = shenes_cone();
     const double o[3] = {-8, 1, 3}, d[3] = {2, -0.25, -0.1};
+    static const char record[] =
+        "line -8 1 3  2 -0.25 -0.1  cone 0 0 0 0 0 0 3 4 ends=infinite => "
+        "cross 2  ~2.15821412164745 0 ~5.61323014729012 0";
     double u[3], t[2];
 
     unit(d, u);
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
-    const cylint_answer a = corrected(cylint_shene_cone, &shape, o, d);
-    const cylint_answer q = corrected(cylint_quadratic, &shape, o, d);
+    corrected(cylint_shene_cone, record);
+    const cylint_answer q = corrected(cylint_quadratic, record);
     const double size = sqrt(dot3(d, d));
-    CHECK(a.n == 2 && q.n == 2);
-    for (int i = 0; i < 2; i++) {
-        CHECK(is(a.hit[i].t, q.hit[i].t));
+    for (int i = 0; i < 2; i++)
         CHECK(is(q.hit[i].t, t[0] / size) || is(q.hit[i].t, t[1] / size));
-    }
 }
 
-static void a_line_through_the_apex_has_no_plane(void)
+TEST(a_line_through_the_apex_has_no_plane)
 {
-    const cylint_shape shape = shenes_cone();
     const double outside[3] = {-3, 0, 0}, inside[3] = {0, 0, -3};
     const double on[3] = {1, 0, 1};
     double t[2], u[3];
 
     CHECK(!shene_cone_without_exceptions(0.6, outside, along_x, t) ||
           isnan(t[0]));
-    cylint_answer a = corrected(cylint_shene_cone, &shape, outside, along_x);
-    CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && a.hit[0].t == 3);
-
+    corrected(cylint_shene_cone,
+              "line -3 0 0 1 0 0" SHENES_CONE "touch 1  3 0");
     CHECK(!shene_cone_without_exceptions(0.6, inside, along_z, t) ||
           isnan(t[0]));
-    a = corrected(cylint_shene_cone, &shape, inside, along_z);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 && a.hit[0].t == 3);
-    CHECK(a.hit[0].side == CYLINT_SIDE_BOTH);
-
+    CHECK(corrected(cylint_shene_cone,
+                    "line 0 0 -3 0 0 1" SHENES_CONE "cross 1  3 0")
+              .hit[0]
+              .side == CYLINT_SIDE_BOTH);
     /* on a ruling of 45 degrees: |d.v| is cos a */
-    cylint_shape right;
-    CHECK(cylint_cone(&right, origin, 0, along_z, 1, CYLINT_ENDS_INFINITE) ==
-          CYLINT_OK);
     unit(on, u);
     CHECK(!shene_cone_without_exceptions(u[2], on, u, t) || isnan(t[0]));
-    a = corrected(cylint_shene_cone, &right, on, on);
-    CHECK(a.relation == CYLINT_RELATION_ALONG && a.n == 0);
+    corrected(cylint_shene_cone, "line 1 0 1 1 0 1  cone 0 0 0 0 0 0 1 1 "
+                                 "ends=infinite => along 0");
 }
 
-static void a_plane_perpendicular_to_the_axis_cuts_the_apex_only(void)
+TEST(a_plane_perpendicular_to_the_axis_cuts_the_apex_only)
 {
-    const cylint_shape shape = shenes_cone();
-    const double o[3] = {1, -3, 0}, to_apex[3] = {0, -3, 0};
+    const double o[3] = {1, -3, 0};
     double n[3], m[3];
 
     cross3(n, along_y, o);
@@ -224,31 +199,39 @@ static void a_plane_perpendicular_to_the_axis_cuts_the_apex_only(void)
         m[i] = along_z[i] - n[2] * n[i];
     unit(m, m);
     CHECK(isnan(m[0]) && isnan(m[2])); /* the frame of delta has no m */
-    CHECK(corrected(cylint_shene_cone, &shape, o, along_y).relation ==
-          CYLINT_RELATION_MISS);
-    CHECK(corrected(cylint_shene_cone, &shape, to_apex, along_y).relation ==
-          CYLINT_RELATION_TOUCH);
+    corrected(cylint_shene_cone, "line 1 -3 0 0 1 0" SHENES_CONE "miss 0");
+    corrected(cylint_shene_cone,
+              "line 0 -3 0 0 1 0" SHENES_CONE "touch 1  3 0");
 }
 
-static void a_line_parallel_to_a_ruling_meets_the_other_one_only(void)
+TEST(a_line_parallel_to_a_ruling_meets_the_other_one_only)
 {
-    const cylint_shape shape = shenes_cone();
     const double o[3] = {0, 0, -3}, d[3] = {4, 0, 3};
     double u[3], t[2];
 
     unit(d, u);
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     CHECK(isnan(t[0]) != isnan(t[1]));
-    cylint_answer a = corrected(cylint_shene_cone, &shape, o, d);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 &&
-          is(a.hit[0].t, 0.5));
+    cylint_answer a = corrected(
+        cylint_shene_cone, "line 0 0 -3 4 0 3" SHENES_CONE "cross 1  ~0.5 0");
     CHECK(a.hit[0].side == CYLINT_SIDE_LEAVING); /* the lower nappe, upwards */
-    const double above[3] = {0, 0, 3};
-    a = corrected(cylint_shene_cone, &shape, above, d);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 &&
-          is(a.hit[0].t, -0.5));
+    a = corrected(cylint_shene_cone,
+                  "line 0 0 3 4 0 3" SHENES_CONE "cross 1  ~-0.5 0");
     CHECK(a.hit[0].side == CYLINT_SIDE_ENTERING);
 }
+
+/* Lines parallel to the axis of a cylinder: inside, on the surface, outside. */
+enum { PARALLELS = 3 };
+static const struct {
+    double o[3];
+    const char *record;
+} parallels[PARALLELS] = {
+    {{0.5, 0, -2},
+     "line 0.5 0 -2 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => cross 0"},
+    {{1, 0, -2},
+     "line 1 0 -2 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => along 0"},
+    {{7, 0, -2},
+     "line 7 0 -2 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => miss 0"}};
 
 /* ------------------------------------------------------------ Gullotti -- */
 
@@ -264,31 +247,22 @@ static int gullotti_parallel_as_printed(const double p[3], const double v[3])
     return CYLINT_RELATION_MISS;
 }
 
-static void gullotti_puts_every_parallel_line_on_the_surface(void)
+TEST(gullotti_puts_every_parallel_line_on_the_surface)
 {
-    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
-
     for (int i = 0; i < PARALLELS; i++) {
-        const double *o = parallels[i].o;
-        CHECK(gullotti_parallel_as_printed(o, along_z) ==
+        CHECK(gullotti_parallel_as_printed(parallels[i].o, along_z) ==
               CYLINT_RELATION_ALONG);
-        CHECK(corrected(cylint_gullotti, &shape, o, along_z).relation ==
-              parallels[i].relation);
+        corrected(cylint_gullotti, parallels[i].record);
     }
 }
 
-static void gullottis_parallel_lines_never_reach_the_caps(void)
+TEST(gullottis_parallel_lines_never_reach_the_caps)
 {
-    const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
-    const double o[3] = {0.5, 0, -2};
     const double a = 0, b = 0, disc = 0; /* of every parallel line */
 
     CHECK(isnan((-b - sqrt(disc)) / (2 * a)));
-    const cylint_answer expected =
-        corrected(cylint_gullotti, &shape, o, along_z);
-    CHECK(expected.relation == CYLINT_RELATION_CROSS && expected.n == 2);
-    CHECK(expected.hit[0].t == 2 && expected.hit[0].part == CYLINT_PART_CAP0);
-    CHECK(expected.hit[1].t == 4 && expected.hit[1].part == CYLINT_PART_CAP1);
+    corrected(cylint_gullotti, "line 0.5 0 -2 0 0 1  cylinder 0 0 0 0 0 2 1 "
+                               "=> cross 2  2 1 4 2");
 }
 
 /* "accept the hit if 0 <= P.h <= 1" with P in world space, h = (0, 0, 1) */
@@ -297,30 +271,27 @@ static int gullotti_accepts_as_printed(const double world[3])
     return world[2] >= 0 && world[2] <= 1;
 }
 
-static void gullottis_axial_test_in_world_space_loses_hits(void)
+TEST(gullottis_axial_test_in_world_space_loses_hits)
 {
-    const double low[3] = {0, 0, 10}, high[3] = {0, 0, 15};
-    const double o[3] = {-3, 0, 12}, below[3] = {-3, 0, 0.5};
     const double hit[3] = {-1, 0, 12}, no_hit[3] = {-1, 0, 0.5};
-    cylint_shape shape;
 
-    CHECK(cylint_cylinder(&shape, low, high, 1, CYLINT_ENDS_OPEN) == CYLINT_OK);
     CHECK(!gullotti_accepts_as_printed(hit));
-    CHECK(corrected(cylint_gullotti, &shape, o, along_x).n == 2);
+    corrected(cylint_gullotti, "line -3 0 12 1 0 0  cylinder 0 0 10 0 0 15 1 "
+                               "ends=open => cross 2  2 0 4 0");
     CHECK(gullotti_accepts_as_printed(no_hit));
-    CHECK(corrected(cylint_gullotti, &shape, below, along_x).n == 0);
+    corrected(cylint_gullotti, "line -3 0 0.5 1 0 0  cylinder 0 0 10 0 0 15 1 "
+                               "ends=open => miss 0");
 }
 
-static void gullottis_leading_coefficient_cancels(void)
+TEST(gullottis_leading_coefficient_cancels)
 {
-    const cylint_shape disc = upright(0x1p-30, CYLINT_ENDS_INFINITE);
-    const double o[3] = {-3, 0, 0}, d[3] = {1, 0, 0.5};
     const double v[3] = {1, 0, 0x1p29}; /* d in local coordinates */
 
     CHECK(dot3(v, v) - v[2] * v[2] == 0);
     CHECK(v[0] * v[0] + v[1] * v[1] == 1);
-    const cylint_answer a = corrected(cylint_gullotti, &disc, o, d);
-    CHECK(a.n == 2 && a.hit[0].t == 2 && a.hit[1].t == 4);
+    corrected(cylint_gullotti,
+              "line -3 0 0 1 0 0.5  cylinder 0 0 0 0 0 0x1p-30 1 "
+              "ends=infinite => cross 2  2 0 4 0");
 }
 
 /* The x coordinate under M = T R S.  The columns of R are the directions of a,
@@ -330,17 +301,15 @@ static double gullotti_local_x_as_printed(const double D[3], const double a[3])
     return dot3(D, a) / dot3(a, a);
 }
 
-static void gullottis_rotation_is_none_for_an_oblique_cylinder(void)
+TEST(gullottis_rotation_is_none_for_an_oblique_cylinder)
 {
-    const double h[3] = {1, 0, 1}, o[3] = {0.5, -3, 0.5};
-    cylint_shape shape;
+    const double o[3] = {0.5, -3, 0.5};
 
-    CHECK(cylint_elliptic_cylinder(&shape, origin, along_x, along_y, h,
-                                   CYLINT_ENDS_INFINITE) == CYLINT_OK);
     /* at z = 0.5 the section's centre is at x = 0.5: the line meets it */
     CHECK(gullotti_local_x_as_printed(o, along_x) == 0.5);
-    const cylint_answer a = corrected(cylint_gullotti, &shape, o, along_y);
-    CHECK(a.n == 2 && a.hit[0].t == 2 && a.hit[1].t == 4);
+    corrected(cylint_gullotti,
+              "line 0.5 -3 0.5 0 1 0  ecylinder 0 0 0 1 0 0 0 1 0 1 0 1 "
+              "ends=infinite => cross 2  2 0 4 0");
 }
 
 /* ------------------------------------------------------ closest points -- */
@@ -352,54 +321,46 @@ static double delta_as_printed(const double d[3], const double e[3], double r,
     return sqrt(dot3(e, e) * (r * r - f * f) / below);
 }
 
-static void closest_points_lose_a_nearly_parallel_line(void)
+TEST(closest_points_lose_a_nearly_parallel_line)
 {
-    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double d[3] = {1e-9, 0, 1};
 
     CHECK(!(delta_as_printed(d, along_z, 1, 0) < HUGE_VAL));
-    const cylint_answer a = corrected(cylint_closest_points, &shape, origin, d);
-    CHECK(a.n == 2 && is(a.hit[0].t, -1e9) && is(a.hit[1].t, 1e9));
+    corrected(cylint_closest_points,
+              "line 0 0 0 1e-9 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "cross 2  ~-1e9 0 ~1e9 0");
 }
 
-static void closest_points_have_no_answer_for_a_parallel_line(void)
+TEST(closest_points_have_no_answer_for_a_parallel_line)
 {
-    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
-
     for (int i = 0; i < PARALLELS; i++) {
-        const double *o = parallels[i].o;
-        CHECK(!(delta_as_printed(along_z, along_z, 1, o[0]) < HUGE_VAL));
-        CHECK(corrected(cylint_closest_points, &shape, o, along_z).relation ==
-              parallels[i].relation);
+        const double away = parallels[i].o[0];
+        CHECK(!(delta_as_printed(along_z, along_z, 1, away) < HUGE_VAL));
+        corrected(cylint_closest_points, parallels[i].record);
     }
 }
 
-static void closest_points_leave_out_the_ends(void)
+TEST(closest_points_leave_out_the_ends)
 {
-    const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
-    const double above[3] = {-3, 0, 5}, o[3] = {-3, 0, -1}, d[3] = {1, 0, 1};
-
     CHECK(delta_as_printed(along_x, along_z, 1, 0) == 1); /* a hit */
-    CHECK(corrected(cylint_closest_points, &shape, above, along_x).n == 0);
-    const cylint_answer a = corrected(cylint_closest_points, &shape, o, d);
-    CHECK(a.n == 2 && is(a.hit[0].t, 2) && is(a.hit[1].t, 3));
-    CHECK(a.hit[0].part == CYLINT_PART_LATERAL &&
-          a.hit[1].part == CYLINT_PART_CAP1);
+    corrected(cylint_closest_points,
+              "line -3 0 5 1 0 0  cylinder 0 0 0 0 0 2 1 => miss 0");
+    corrected(cylint_closest_points, "line -3 0 -1 1 0 1  cylinder 0 0 0 0 0 2 "
+                                     "1 => cross 2  ~2 0 ~3 2");
 }
 
 /* The print leaves out t_c, where the connecting line is perpendicular to both
  * lines. */
-static void the_closest_point_halves_the_chord(void)
+TEST(the_closest_point_halves_the_chord)
 {
     const double p0[3] = {1, 2, 3}, p1[3] = {2, 4, 7}, o[3] = {-5, 1, 6};
     const double d[3] = {3, 1, -0.5};
-    cylint_shape shape;
     double M[3], n[3], e[3], De[3], D[3];
 
-    CHECK(cylint_cylinder(&shape, p0, p1, 4, CYLINT_ENDS_INFINITE) ==
-          CYLINT_OK);
-    const cylint_answer a = corrected(cylint_closest_points, &shape, o, d);
-    CHECK(a.n == 2);
+    const cylint_answer a = corrected(
+        cylint_closest_points,
+        "line -5 1 6 3 1 -0.5  cylinder 1 2 3 2 4 7 4 ends=infinite => "
+        "cross 2  ~0.87030533471806 0 ~3.42060375619103 0");
     const double t_c = (a.hit[0].t + a.hit[1].t) / 2;
     for (int i = 0; i < 3; i++)
         M[i] = o[i] + t_c * d[i];
@@ -433,73 +394,38 @@ static int clipobj_as_printed(double dc, double dw, double *in, double *out)
     return *in < *out;
 }
 
-static void clipobj_keeps_a_chord_that_begins_on_the_far_plane(void)
+TEST(clipobj_keeps_a_chord_that_begins_on_the_far_plane)
 {
-    const cylint_shape shape = upright(4, CYLINT_ENDS_CAPPED);
-    const double o[3] = {-4, 0, 0}, d[3] = {3, 0, 4};
     double in = 1, out = 5 / 3.0; /* the lateral roots */
 
     CHECK(clipobj_as_printed(4, -4, &in, &out) && out > 1);
-    const cylint_answer a = corrected(cylint_cychosz_waggenspack, &shape, o, d);
-    CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && is(a.hit[0].t, 1));
+    corrected(cylint_cychosz_waggenspack,
+              "line -4 0 0 3 0 4  cylinder 0 0 0 0 0 4 1 => touch 1  ~1 0");
 }
 
-static void clipobj_rejects_tangents_and_lines_in_a_caps_plane(void)
+TEST(clipobj_rejects_tangents_and_lines_in_a_caps_plane)
 {
-    const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
-    const double beside[3] = {1, -3, 1}, in_cap[3] = {-3, 0, 2};
     double in = 3, out = 3;
 
     CHECK(!clipobj_as_printed(0, -1, &in, &out)); /* tangent: in = out */
-    cylint_answer a =
-        corrected(cylint_cychosz_waggenspack, &shape, beside, along_y);
-    CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && a.hit[0].t == 3);
+    corrected(cylint_cychosz_waggenspack,
+              "line 1 -3 1 0 1 0  cylinder 0 0 0 0 0 2 1 => touch 1  3 0");
     in = 2;
     out = 4;
     CHECK(!clipobj_as_printed(0, 0, &in, &out)); /* dw = 0: in the plane */
-    a = corrected(cylint_cychosz_waggenspack, &shape, in_cap, along_x);
-    CHECK(a.relation == CYLINT_RELATION_ALONG && a.n == 2 && a.hit[0].t == 2);
+    corrected(cylint_cychosz_waggenspack,
+              "line -3 0 2 1 0 0  cylinder 0 0 0 0 0 2 1 => along 2  2 0 4 0");
 }
 
-static void intcyls_infinity_is_neither_far_enough_nor_a_hit(void)
+TEST(intcyls_infinity_is_neither_far_enough_nor_a_hit)
 {
-    const double top[3] = {0, 0, 1e22};
-    const double o[3] = {0.5, 0, -1e22}, inside[3] = {0.5, 0, 0};
     double in = -1.0e21, out = 1.0e21; /* HUGE, of a parallel ray inside */
-    cylint_shape tall;
 
     CHECK(!clipobj_as_printed(-1, 1e22, &in, &out)); /* the base's plane */
-    CHECK(cylint_cylinder(&tall, origin, top, 1, CYLINT_ENDS_CAPPED) ==
-          CYLINT_OK);
-    cylint_answer a = corrected(cylint_cychosz_waggenspack, &tall, o, along_z);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 2);
-    CHECK(is(a.hit[0].t, 1e22) && is(a.hit[1].t, 2e22));
-
-    const cylint_shape endless = upright(1, CYLINT_ENDS_INFINITE);
-    a = corrected(cylint_cychosz_waggenspack, &endless, inside, along_z);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 0);
-}
-
-int main(void)
-{
-    RUN(shene_prints_two_hits_where_the_line_passes_outside);
-    RUN(shene_prints_that_a_parallel_line_inside_does_not_intersect);
-    RUN(shenes_foot_halves_the_chord_of_an_oblique_line);
-    RUN(shenes_general_cone_case_is_right_where_it_applies);
-    RUN(a_line_through_the_apex_has_no_plane);
-    RUN(a_plane_perpendicular_to_the_axis_cuts_the_apex_only);
-    RUN(a_line_parallel_to_a_ruling_meets_the_other_one_only);
-    RUN(gullotti_puts_every_parallel_line_on_the_surface);
-    RUN(gullottis_parallel_lines_never_reach_the_caps);
-    RUN(gullottis_axial_test_in_world_space_loses_hits);
-    RUN(gullottis_leading_coefficient_cancels);
-    RUN(gullottis_rotation_is_none_for_an_oblique_cylinder);
-    RUN(closest_points_lose_a_nearly_parallel_line);
-    RUN(closest_points_have_no_answer_for_a_parallel_line);
-    RUN(closest_points_leave_out_the_ends);
-    RUN(the_closest_point_halves_the_chord);
-    RUN(clipobj_keeps_a_chord_that_begins_on_the_far_plane);
-    RUN(clipobj_rejects_tangents_and_lines_in_a_caps_plane);
-    RUN(intcyls_infinity_is_neither_far_enough_nor_a_hit);
-    return check_end();
+    corrected(cylint_cychosz_waggenspack,
+              "line 0.5 0 -1e22 0 0 1  cylinder 0 0 0 0 0 1e22 1 => "
+              "cross 2  ~1e22 1 ~2e22 2");
+    corrected(cylint_cychosz_waggenspack,
+              "line 0.5 0 0 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "cross 0");
 }

@@ -15,8 +15,6 @@
 
 enum { CASES = 30000, FEWEST = 100 };
 
-static const double agreement = 1e-9; /* required of the methods, relative */
-
 static cylint_answer exact(const struct family_case *c)
 {
     cylint_answer a;
@@ -61,33 +59,7 @@ static int is_well_conditioned(const struct family_case *c,
     return 1;
 }
 
-/* phi jumps from 1 to 0. */
-static int same_turn(double a, double b)
-{
-    const double apart = fabs(a - b);
-    return apart < agreement || 1 - apart < agreement;
-}
-
-static int agrees(const cylint_answer *got, const cylint_answer *want,
-                  double *worst)
-{
-    int good =
-        got->relation == want->relation && got->n == want->n && !got->flags;
-    for (int i = 0; i < want->n && good; i++) {
-        const cylint_hit *g = &got->hit[i], *w = &want->hit[i];
-        const double apart = fabs(g->t - w->t) / (1 + fabs(w->t));
-        good = g->part == w->part && g->side == w->side && apart <= agreement &&
-               fabs(g->z - w->z) <= agreement && same_turn(g->phi, w->phi) &&
-               g->phi >= 0 && g->phi < 1;
-        for (int j = 0; j < 3; j++)
-            good = good && fabs(g->point[j] - w->point[j]) <= agreement &&
-                   fabs(g->normal[j] - w->normal[j]) <= agreement;
-        *worst = fmax(*worst, apart);
-    }
-    return good;
-}
-
-static void every_method_agrees_with_the_library(void)
+TEST(every_method_agrees_with_the_library)
 {
     enum { KINDS = 1 + CYLINT_KIND_ECONE, ENDS = 1 + CYLINT_ENDS_NAPPE };
     int compared[KINDS][ENDS] = {{0}}, hits = 0;
@@ -112,7 +84,8 @@ static void every_method_agrees_with_the_library(void)
                       got.flags == CYLINT_FLAG_INVALID);
                 continue;
             }
-            if (!CHECK(status == CYLINT_OK && agrees(&got, &want, &worst)))
+            if (!CHECK(status == CYLINT_OK &&
+                       agrees(&got, &want, 1e-9, &worst)))
                 report_answers(&c, m->name, &got, &want);
         }
     }
@@ -126,7 +99,7 @@ static void every_method_agrees_with_the_library(void)
 }
 
 /* The shapes and ends of each method, as its line of the table states. */
-static void a_method_refuses_shapes_that_it_is_not_published_for(void)
+TEST(a_method_refuses_shapes_that_it_is_not_published_for)
 {
     int refused = 0;
     for (const cylint_method *m = cylint_methods(); m->name; m++)
@@ -136,7 +109,7 @@ static void a_method_refuses_shapes_that_it_is_not_published_for(void)
     CHECK(refused == 28 + 28 + 18 + 24 + 24);
 }
 
-static void refused_shapes_and_lines_miss_with_the_flag(void)
+TEST(refused_shapes_and_lines_miss_with_the_flag)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, x[3] = {1, 0, 0};
     cylint_shape good, cone, bad;
@@ -162,7 +135,7 @@ static void refused_shapes_and_lines_miss_with_the_flag(void)
     }
 }
 
-static void the_table_names_each_method_once(void)
+TEST(the_table_names_each_method_once)
 {
     int n = 0;
     for (const cylint_method *m = cylint_methods(); m->name; m++, n++) {
@@ -171,13 +144,4 @@ static void the_table_names_each_method_once(void)
             CHECK(strcmp(k->name, m->name) && k->answer != m->answer);
     }
     CHECK(n == 6);
-}
-
-int main(void)
-{
-    RUN(every_method_agrees_with_the_library);
-    RUN(a_method_refuses_shapes_that_it_is_not_published_for);
-    RUN(refused_shapes_and_lines_miss_with_the_flag);
-    RUN(the_table_names_each_method_once);
-    return check_end();
 }

@@ -114,7 +114,7 @@ static pair cancelling(pair a)
     return two_sum(b.hi, b.lo);
 }
 
-static void both_products_give_the_same_bits(void)
+TEST(both_products_give_the_same_bits)
 {
     for (int i = 0; i < CASES; i++) {
         const double a = any_double(), b = any_double();
@@ -135,7 +135,7 @@ static int is_equal(real x, pair y)
     return mpfr_equal_p(x->x, sum_of(y)->x);
 }
 
-static void sums_and_products_have_no_error(void)
+TEST(sums_and_products_have_no_error)
 {
     for (int i = 0; i < CASES; i++) {
         const double a = any_double();
@@ -206,7 +206,7 @@ static errors worst_of_pairs(int mode)
     return worst;
 }
 
-static void pairs_stay_within_their_bounds(void)
+TEST(pairs_stay_within_their_bounds)
 {
     const errors e = worst_of_pairs(FE_TONEAREST);
     printf("note: largest error over its bound: sum %.2f, product %.2f, "
@@ -218,7 +218,7 @@ static void pairs_stay_within_their_bounds(void)
     CHECK(e.div <= CYLINT_PAIR_DIV && e.sqrt <= CYLINT_PAIR_SQRT);
 }
 
-static void other_rounding_modes_stay_within_the_common_bound(void)
+TEST(other_rounding_modes_stay_within_the_common_bound)
 {
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     errors most = {0, 0, 0, 0};
@@ -232,14 +232,4 @@ static void other_rounding_modes_stay_within_the_common_bound(void)
            most.add / CYLINT_PAIR_ROUNDING, most.mul / CYLINT_PAIR_ROUNDING);
     CHECK(most.add <= CYLINT_PAIR_ROUNDING);
     CHECK(most.mul <= CYLINT_PAIR_ROUNDING);
-}
-
-int main(void)
-{
-    RUN(both_products_give_the_same_bits);
-    RUN(sums_and_products_have_no_error);
-    RUN(pairs_stay_within_their_bounds);
-    RUN(other_rounding_modes_stay_within_the_common_bound);
-    mpfr_free_cache();
-    return check_end();
 }

@@ -78,7 +78,7 @@ static void begin_case(void)
     cylint_arena_open(&arena);
 }
 
-static void doubles_are_placed_exactly(void)
+TEST(doubles_are_placed_exactly)
 {
     for (int i = 0; i < cases(); i++) {
         const double x = any_double();
@@ -106,7 +106,7 @@ static exact cancelling_sum(real *sum)
     return x;
 }
 
-static void sums_are_exact(void)
+TEST(sums_are_exact)
 {
     for (int i = 0; i < cases(); i++) {
         real sum;
@@ -116,7 +116,7 @@ static void sums_are_exact(void)
     }
 }
 
-static void products_of_sums_are_exact(void)
+TEST(products_of_sums_are_exact)
 {
     for (int i = 0; i < cases(); i++) {
         real x, y;
@@ -126,7 +126,7 @@ static void products_of_sums_are_exact(void)
     }
 }
 
-static void keeping_a_number_frees_the_rest(void)
+TEST(keeping_a_number_frees_the_rest)
 {
     for (int i = 0; i < cases(); i++) {
         real x, y;
@@ -150,7 +150,7 @@ static double apart(real x, real y)
     return fabs(mpfr_get_d(over(minus(x, y), y)->x, MPFR_RNDA));
 }
 
-static void roundings_are_within_their_bound(void)
+TEST(roundings_are_within_their_bound)
 {
     double worst = 0;
     for (int i = 0; i < cases(); i++) {
@@ -205,7 +205,7 @@ static void inverses_and_roots_in(struct environment there)
     }
 }
 
-static void inverses_and_roots_are_within_their_bound(void)
+TEST(inverses_and_roots_are_within_their_bound)
 {
     everywhere(inverses_and_roots_in);
 }
@@ -236,7 +236,7 @@ static void sums_are_rounded_once_in(struct environment there)
     }
 }
 
-static void sums_are_rounded_once(void)
+TEST(sums_are_rounded_once)
 {
     everywhere(sums_are_rounded_once_in);
 }
@@ -252,7 +252,7 @@ static void expect_limbs(exact x, int low, int top, int used)
 }
 
 /* bounds/test_arena.c computes the capacity of the arena from these limits. */
-static void operations_use_no_more_limbs_than_the_capacity_counts(void)
+TEST(operations_use_no_more_limbs_than_the_capacity_counts)
 {
     for (int i = 0; i < cases(); i++) {
         real unused;
@@ -273,7 +273,7 @@ static void operations_use_no_more_limbs_than_the_capacity_counts(void)
 }
 
 /* Of positive and negative doubles whose sum is not negative. */
-static void totals_are_rounded_once(void)
+TEST(totals_are_rounded_once)
 {
     static const double known[][4] = {{0, -0.0, 0, 0},
                                       {0x1p-1074, 0, 0, 0x1p-1074},
@@ -304,18 +304,4 @@ static void totals_are_rounded_once(void)
         }
         CHECK(cylint_sum_rounded(&sum) == mpfr_get_d(all->x, RND));
     }
-}
-
-int main(void)
-{
-    RUN(doubles_are_placed_exactly);
-    RUN(sums_are_exact);
-    RUN(products_of_sums_are_exact);
-    RUN(keeping_a_number_frees_the_rest);
-    RUN(roundings_are_within_their_bound);
-    RUN(inverses_and_roots_are_within_their_bound);
-    RUN(sums_are_rounded_once);
-    RUN(totals_are_rounded_once);
-    RUN(operations_use_no_more_limbs_than_the_capacity_counts);
-    return check_end();
 }

@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#define CHECK_OWN_MAIN
 #include "check.h"
 #include "dispatch.h"
 #include "numbers/error_bounds.h"
@@ -56,7 +57,7 @@ static void check_pair(mpfr_t x, double hi, double lo, const char *name, int k)
         REPORT("%s %d must be %a, %a", name, k, wanted, wanted_lo);
 }
 
-static void nodes_are_cosines_and_sines_in_pairs(void)
+TEST(nodes_are_cosines_and_sines_in_pairs)
 {
     mpfr_ui_div(X, 1, turn_in_radians, MPFR_RNDN);
     check_pair(X, CYLINT_TURN_PER_RADIAN, CYLINT_TURN_PER_RADIAN_LO,
@@ -71,7 +72,7 @@ static void nodes_are_cosines_and_sines_in_pairs(void)
 }
 
 /* So |q| is at most the tangent of 0.637 nodes. */
-static void the_node_is_nearer_than_0_637_nodes(void)
+TEST(the_node_is_nearer_than_0_637_nodes)
 {
     const double tau = mpfr_get_d(turn_in_radians, MPFR_RNDN);
     double most = 0;
@@ -86,7 +87,7 @@ static void the_node_is_nearer_than_0_637_nodes(void)
     CHECK(tan(0.637 / 256 * tau) < CYLINT_TURN_TANGENT);
 }
 
-static void the_series_has_its_error(void)
+TEST(the_series_has_its_error)
 {
     double most = 0;
     for (int i = 1; i <= 20000; i++) {
@@ -306,7 +307,7 @@ static void judge_pairs(void)
     }
 }
 
-static void angles_have_their_bounds(void)
+TEST(angles_have_their_bounds)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", 1 << 19);
     for (uint64_t n = 0; n < cases; n += BLOCK) {
@@ -341,11 +342,8 @@ int main(void)
     mpfr_init2(turn_in_radians, BITS + 1000);
     mpfr_const_pi(turn_in_radians, MPFR_RNDN);
     mpfr_mul_2ui(turn_in_radians, turn_in_radians, 1, MPFR_RNDN);
-    RUN(nodes_are_cosines_and_sines_in_pairs);
-    RUN(the_node_is_nearer_than_0_637_nodes);
-    RUN(the_series_has_its_error);
-    RUN(angles_have_their_bounds);
+    const int failed = check_all();
     mpfr_clears(X, Y, angle, turn_in_radians, (mpfr_ptr)0);
     mpfr_free_cache();
-    return check_end();
+    return failed;
 }

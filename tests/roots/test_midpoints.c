@@ -285,8 +285,6 @@ static int move_shape(const struct plan *p, int ulps, struct family_case *c)
     return family_make(c);
 }
 
-static long ties;
-
 static void try_plan(const struct plan *p)
 {
     struct family_case c, moved;
@@ -295,7 +293,6 @@ static void try_plan(const struct plan *p)
     const double lower = p->sign * ldexp(p->m, p->f + 1);
     const double upper = p->sign * ldexp(p->m + 1, p->f + 1);
     const int odd = fmod(p->m, 2) != 0;
-    ties++;
     expect(p, &c, odd ? upper : lower, "tie");
     if (p->where == APEX)
         return; /* a moved line misses the apex and has other roots */
@@ -343,7 +340,7 @@ static void ordinary(struct plan *p)
     p->e = one_of(41) - 20;
 }
 
-static void ordinary_ties_go_to_even(void)
+TEST(ordinary_ties_go_to_even)
 {
     for_all_places(ordinary, 400);
 }
@@ -357,7 +354,7 @@ static void of_any_size(struct plan *p)
     } while (p->e - p->f > 1000 || p->e - p->f < -1074);
 }
 
-static void ties_of_any_exponent_go_to_even(void)
+TEST(ties_of_any_exponent_go_to_even)
 {
     for_all_places(of_any_size, 100);
 }
@@ -370,7 +367,7 @@ static void below_normal(struct plan *p)
     p->e = one_of(1000) - 1074;
 }
 
-static void subnormal_ties_go_to_even(void)
+TEST(subnormal_ties_go_to_even)
 {
     for_all_places(below_normal, 200);
 }
@@ -383,20 +380,7 @@ static void at_the_end(struct plan *p)
     p->e = one_of(1020) - 100;
 }
 
-static void ties_at_the_largest_double_go_to_infinity(void)
+TEST(ties_at_the_largest_double_go_to_infinity)
 {
     for_all_places(at_the_end, 100);
-}
-
-int main(void)
-{
-    RUN(ordinary_ties_go_to_even);
-    RUN(ties_of_any_exponent_go_to_even);
-    RUN(subnormal_ties_go_to_even);
-    RUN(ties_at_the_largest_double_go_to_infinity);
-    printf("note: %ld ties, most with both neighbours\n", ties);
-#ifndef HAVE_MPFR
-    puts("note: no MPFR: no oracle to compare with (make deps)");
-#endif
-    return check_end();
 }

@@ -14,7 +14,7 @@
 #include "same.h"
 #include "scenes.h"
 
-enum { LISTED = 2000, UNTOUCHED = 0x55 };
+enum { LISTED = 2000 };
 
 /* Shapes, ascending, and the t of their first hits or their distances. */
 struct found {

@@ -142,7 +142,7 @@ static void begin_world(void)
         make_solids();
 }
 
-static void the_first_boundary_is_that_of_a_loop(void)
+TEST(the_first_boundary_is_that_of_a_loop)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 300);
     rng = 3;
@@ -163,7 +163,7 @@ static void the_first_boundary_is_that_of_a_loop(void)
             in_bores);
 }
 
-static void an_invalid_line_has_no_boundary(void)
+TEST(an_invalid_line_has_no_boundary)
 {
     cylint_workspace work = {NULL, 0, 0};
     const double o[3] = {0, 0, 0};
@@ -189,7 +189,7 @@ static size_t expected_depth(const double point[3], const int *rank,
     return depth;
 }
 
-static void the_depth_is_that_of_a_loop(void)
+TEST(the_depth_is_that_of_a_loop)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 300);
     long inside = 0;
@@ -221,7 +221,7 @@ static void the_depth_is_that_of_a_loop(void)
 /* Points of integers lie on many surfaces.  Of a point of the union the least
  * signed distance is not positive, and 0 on a boundary if no solid has the point
  * inside; the nearest surface can be one inside another shape. */
-static void the_boundary_belongs_to_the_solid(void)
+TEST(the_boundary_belongs_to_the_solid)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 300) / 4;
     long on = 0, positive = 0;
@@ -259,7 +259,7 @@ static void the_boundary_belongs_to_the_solid(void)
            on, positive);
 }
 
-static void no_solid_contains_an_infinite_point(void)
+TEST(no_solid_contains_an_infinite_point)
 {
     const double point[3] = {0, HUGE_VAL, 0};
     cylint_workspace work = {NULL, 0, 0};
@@ -324,7 +324,7 @@ static void check_rows(const cylint_lines *lines, const cylint_piece_rule *rule,
     CHECK(!rows.first && !rows.pieces);
 }
 
-static void pieces_of_many_lines_are_those_of_each(void)
+TEST(pieces_of_many_lines_are_those_of_each)
 {
     static const int threads[] = {1, 2, 5};
     const long worlds = (long)check_setting("CYLINT_CASES", 8);
@@ -383,7 +383,7 @@ static void check_sums(const cylint_lines *lines, const cylint_piece_rule *rule,
     }
 }
 
-static void sums_are_the_nearest_doubles_for_all_threads(void)
+TEST(sums_are_the_nearest_doubles_for_all_threads)
 {
     static const int threads[] = {1, 2, 5};
     static double sums[3][MANY * LABELS];
@@ -411,17 +411,3 @@ static void sums_are_the_nearest_doubles_for_all_threads(void)
     }
 }
 #endif
-
-int main(void)
-{
-    RUN(the_first_boundary_is_that_of_a_loop);
-    RUN(an_invalid_line_has_no_boundary);
-    RUN(the_depth_is_that_of_a_loop);
-    RUN(the_boundary_belongs_to_the_solid);
-    RUN(no_solid_contains_an_infinite_point);
-    RUN(pieces_of_many_lines_are_those_of_each);
-#ifdef HAVE_MPFR
-    RUN(sums_are_the_nearest_doubles_for_all_threads);
-#endif
-    return check_end();
-}

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define CHECK_OWN_MAIN
 #include "check.h"
 #include "cylint_scene.h"
 #include "environment.h"
@@ -31,14 +32,13 @@ static char path[64]; /* of a file that may be written */
 
 /* ---------------------------------------------------------------- tests -- */
 
-static void an_opened_scene_answers_as_the_saved_one(void)
+TEST(an_opened_scene_answers_as_the_saved_one)
 {
     static const unsigned flags[] = {0, CYLINT_SCENE_READ, CYLINT_SCENE_TRUSTED,
                                      CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
-        struct scene_shapes of;
         cylint_scene_status status = CYLINT_SCENE_EFILE;
-        scene_generate(kind, SHAPES, 7, &of);
+        struct scene_shapes of = scene_generate(kind, SHAPES, 7);
         cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
         for (int i = 0; i < 4; i++) {
@@ -59,13 +59,12 @@ static void an_opened_scene_answers_as_the_saved_one(void)
     remove(path);
 }
 
-static void an_opened_scene_saves_the_same_bytes(void)
+TEST(an_opened_scene_saves_the_same_bytes)
 {
     struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
     for (int kind = 0; kind < SCENE_KINDS; kind++)
         for (size_t n = 1; n <= 16; n *= 4) {
-            struct scene_shapes of;
-            scene_generate(kind, n, 5, &of);
+            struct scene_shapes of = scene_generate(kind, n, 5);
             cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
             scene_file_write(built, &first);
             cylint_scene *opened =
@@ -105,11 +104,10 @@ static void write_small(struct bytes *b)
     cylint_scene_free(scene);
 }
 
-static void bytes_in_memory_open_at_every_address(void)
+TEST(bytes_in_memory_open_at_every_address)
 {
-    struct scene_shapes of;
     struct bytes b = {NULL, NULL, 0, 0};
-    scene_generate(SCENE_MIXED, SHAPES, 3, &of);
+    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 3);
     cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(built, &b);
     for (size_t shift = 0; shift < 80; shift += 8) {
@@ -126,7 +124,7 @@ static void bytes_in_memory_open_at_every_address(void)
     scene_release(&of);
 }
 
-static void an_empty_scene_can_be_saved(void)
+TEST(an_empty_scene_can_be_saved)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
@@ -140,7 +138,7 @@ static void an_empty_scene_can_be_saved(void)
     free(b.memory);
 }
 
-static void labels_are_saved(void)
+TEST(labels_are_saved)
 {
     static const char text[] = "axon\0dend";
     static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
@@ -175,12 +173,11 @@ static int write_few(void *context, const void *data, size_t n)
     return --*calls > 0;
 }
 
-static void a_failure_leaves_the_old_file(void)
+TEST(a_failure_leaves_the_old_file)
 {
-    struct scene_shapes of;
     char missing[96];
     cylint_scene_status status = CYLINT_SCENE_OK;
-    scene_generate(SCENE_FAT, SMALL, 3, &of);
+    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
     cylint_scene *scene = cylint_scene_begin(0);
     CHECK(cylint_scene_add(scene, of.shapes, of.n) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_save(scene, path) == CYLINT_SCENE_EUNFINISHED);
@@ -213,7 +210,7 @@ static void a_failure_leaves_the_old_file(void)
 #ifdef HAS_PROCESSES
 
 /* A link of this name would lead the writer to another file. */
-static void a_file_beside_the_new_one_is_not_written(void)
+TEST(a_file_beside_the_new_one_is_not_written)
 {
     char beside[96], target[96];
     cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
@@ -227,7 +224,7 @@ static void a_file_beside_the_new_one_is_not_written(void)
 }
 
 /* Such a file has one reader, who must not close and open it again. */
-static void a_named_pipe_is_read(void)
+TEST(a_named_pipe_is_read)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     int status = 1;
@@ -247,11 +244,10 @@ static void a_named_pipe_is_read(void)
 }
 
 /* The file is replaced while it is mapped: the mapping stays as it was. */
-static void two_processes_map_one_file(void)
+TEST(two_processes_map_one_file)
 {
-    struct scene_shapes of;
     int status = 1;
-    scene_generate(SCENE_THIN, SHAPES, 3, &of);
+    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 3);
     cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
     cylint_scene *opened = cylint_scene_open(path, 0, NULL);
@@ -314,7 +310,7 @@ static void saved_anywhere(struct environment there)
     free(b.memory);
 }
 
-static void a_file_opens_in_every_environment(void)
+TEST(a_file_opens_in_every_environment)
 {
     everywhere(saved_anywhere);
 }
@@ -330,7 +326,7 @@ static int next_change(int change)
     return change == 0 ? 1 : change == 128 ? 255 : 2 * change % 510;
 }
 
-static void every_changed_byte_is_refused(void)
+TEST(every_changed_byte_is_refused)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     write_small(&b);
@@ -350,7 +346,7 @@ static void every_changed_byte_is_refused(void)
     free(b.memory);
 }
 
-static void every_shorter_file_is_refused(void)
+TEST(every_shorter_file_is_refused)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     write_small(&b);
@@ -367,7 +363,7 @@ static void every_shorter_file_is_refused(void)
 }
 
 /* With the checksum made right, each byte in turn changes. */
-static void no_changed_byte_makes_a_query_fail(void)
+TEST(no_changed_byte_makes_a_query_fail)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     int opened = 0;
@@ -407,7 +403,7 @@ static cylint_scene_status status_with(size_t at, double x)
 enum { FIRST_RECORD = 512 / 8, RECORD = 64 / 8, FRAME = 144 / 8 };
 
 /* NaN is in no order with other numbers. */
-static void numbers_that_constructors_refuse_are_refused(void)
+TEST(numbers_that_constructors_refuse_are_refused)
 {
     CHECK(status_with(FIRST_RECORD, 0) == CYLINT_SCENE_OK);
     for (size_t i = FIRST_RECORD; i < FIRST_RECORD + 4 * RECORD; i++) {
@@ -421,7 +417,7 @@ static void numbers_that_constructors_refuse_are_refused(void)
 }
 
 /* One ball of a rounded cone holds the other, or nearly. */
-static void a_rounded_cone_that_is_a_ball_is_refused(void)
+TEST(a_rounded_cone_that_is_a_ball_is_refused)
 {
     static const double r[] = {1.9979, 1.99999, 2 - 0x1p-52, 2, 2.1, 4};
     for (int i = 0; i < 6; i++)
@@ -430,7 +426,7 @@ static void a_rounded_cone_that_is_a_ball_is_refused(void)
 }
 
 /* Several numbers of larger files at once, of 1, 2, 4 or 8 bytes. */
-static void no_changed_numbers_make_a_query_fail(void)
+TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
     uint64_t random = 17;
@@ -439,8 +435,8 @@ static void no_changed_numbers_make_a_query_fail(void)
     int opened = 0;
     for (int i = 0; i < cases; i++) {
         if (i % 1000 == 0) {
-            struct scene_shapes of;
-            scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i, &of);
+            struct scene_shapes of =
+                scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i);
             cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
             scene_file_write(scene, &b);
             cylint_scene_free(scene);
@@ -483,23 +479,5 @@ int main(void)
 #else
              0L);
 #endif
-    RUN(an_opened_scene_answers_as_the_saved_one);
-    RUN(an_opened_scene_saves_the_same_bytes);
-    RUN(bytes_in_memory_open_at_every_address);
-    RUN(an_empty_scene_can_be_saved);
-    RUN(labels_are_saved);
-    RUN(a_failure_leaves_the_old_file);
-#ifdef HAS_PROCESSES
-    RUN(a_file_beside_the_new_one_is_not_written);
-    RUN(a_named_pipe_is_read);
-    RUN(two_processes_map_one_file);
-#endif
-    RUN(a_file_opens_in_every_environment);
-    RUN(every_changed_byte_is_refused);
-    RUN(every_shorter_file_is_refused);
-    RUN(no_changed_byte_makes_a_query_fail);
-    RUN(numbers_that_constructors_refuse_are_refused);
-    RUN(a_rounded_cone_that_is_a_ball_is_refused);
-    RUN(no_changed_numbers_make_a_query_fail);
-    return check_end();
+    return check_all();
 }

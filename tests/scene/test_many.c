@@ -202,11 +202,11 @@ static void leave_out_nearest(void)
 static cylint_scene *new_scene(enum scene_kind kind, uint64_t seed,
                                struct scene_shapes *of)
 {
-    scene_generate(kind, SHAPES, seed, of);
+    *of = scene_generate(kind, SHAPES, seed);
     return cylint_scene_new(of->shapes, of->n, 1, NULL);
 }
 
-static void nearest_hits_are_those_of_single_lines(void)
+TEST(nearest_hits_are_those_of_single_lines)
 {
     static const enum scene_kind kinds[] = {SCENE_MIXED, SCENE_UNBOUNDED,
                                             SCENE_STRANDS};
@@ -222,7 +222,7 @@ static void nearest_hits_are_those_of_single_lines(void)
     }
 }
 
-static void only_wanted_columns_are_written(void)
+TEST(only_wanted_columns_are_written)
 {
     struct scene_shapes of;
     cylint_scene *scene = new_scene(SCENE_MIXED, 4, &of);
@@ -264,7 +264,7 @@ static void check_any_and_count(const cylint_scene *scene,
     }
 }
 
-static void any_and_count_are_those_of_single_lines(void)
+TEST(any_and_count_are_those_of_single_lines)
 {
     struct scene_shapes of;
     cylint_scene *scene = new_scene(SCENE_UNBOUNDED, 5, &of);
@@ -322,7 +322,7 @@ static void check_all_closest(const cylint_scene *scene, const double *within)
         check_closest(scene, within, 300, 2, k < 0 ? 0 : 1u << k);
 }
 
-static void closest_shapes_are_those_of_single_points(void)
+TEST(closest_shapes_are_those_of_single_points)
 {
     static const enum scene_kind kinds[] = {SCENE_ROUND, SCENE_UNBOUNDED};
     for (int k = 0; k < 2; k++) {
@@ -336,13 +336,12 @@ static void closest_shapes_are_those_of_single_points(void)
     }
 }
 
-static void an_empty_scene_answers_none(void)
+TEST(an_empty_scene_answers_none)
 {
-    struct scene_shapes of;
     cylint_scene *scene = cylint_scene_new(NULL, 0, 1, NULL);
     const cylint_lines lines = lines_now(MOST, 3);
     const cylint_hit_columns hits = wanted_hits(all);
-    scene_generate(SCENE_THIN, SHAPES, 7, &of);
+    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 7);
     fill_lines(&of);
     poison();
     cylint_scene_nearest_lines(scene, &lines, NULL, 3, found.number, &hits);
@@ -352,14 +351,4 @@ static void an_empty_scene_answers_none(void)
               found.small[1][i] == 0 && isnan(found.value[8][i]));
     cylint_scene_free(scene);
     scene_release(&of);
-}
-
-int main(void)
-{
-    RUN(nearest_hits_are_those_of_single_lines);
-    RUN(only_wanted_columns_are_written);
-    RUN(any_and_count_are_those_of_single_lines);
-    RUN(closest_shapes_are_those_of_single_points);
-    RUN(an_empty_scene_answers_none);
-    return check_end();
 }

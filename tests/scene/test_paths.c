@@ -18,6 +18,7 @@
 #include <float.h>
 #include <math.h>
 
+#define CHECK_OWN_MAIN
 #include "check.h"
 #include "columns.h"
 #include "cylint_scene.h"
@@ -327,14 +328,6 @@ static void digest_answers(void)
         }
 }
 
-static void use_kernels(uint64_t number)
-{
-    int n = 0;
-    while (cylint_kernels_name(n))
-        n++;
-    CHECK(cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)n))));
-}
-
 /* Makes the lines and shapes again in the present environment. */
 static void make_again(void)
 {
@@ -398,7 +391,7 @@ static void test_group(uint64_t number, int each)
 {
     for (int i = 0; i < GROUP; i++)
         g.shape[i] = g.c[i].shape;
-    use_kernels(number / 2);
+    use_some_kernels(number / 2);
     answer_one_by_one();
     limit_domains();
     digest_answers();
@@ -430,7 +423,7 @@ static void begin_group(uint64_t kind, uint64_t number)
     stream = random_bits(&stream) + number;
 }
 
-static void families_have_the_same_answers(void)
+TEST(families_have_the_same_answers)
 {
     for (int family = 0; family < family_count(); family++)
         for (uint64_t k = 0;
@@ -445,7 +438,7 @@ static void families_have_the_same_answers(void)
 }
 
 /* All lanes of a batch are of one kind with the same ends; the families in turn. */
-static void runs_of_one_kind_have_the_same_answers(void)
+TEST(runs_of_one_kind_have_the_same_answers)
 {
     uint64_t index = 5000;
     for (int kind = FAMILY_CYLINDER; kind <= FAMILY_RCONE; kind++)
@@ -470,7 +463,7 @@ static void runs_of_one_kind_have_the_same_answers(void)
             }
 }
 
-static void coincidences_have_the_same_answers(void)
+TEST(coincidences_have_the_same_answers)
 {
     for (uint64_t k = 0; k < 4 * groups(GROUPS); k++) {
         begin_group(200, k);
@@ -563,7 +556,7 @@ static void extreme_case(const struct sizes *s, struct family_case *c)
     c->line_data[7] = HUGE_VAL;
 }
 
-static void extreme_exponents_have_the_same_answers(void)
+TEST(extreme_exponents_have_the_same_answers)
 {
     for (uint64_t k = 0; k < groups(EXTREME_GROUPS); k++) {
         struct sizes s;
@@ -624,7 +617,7 @@ static void subnormal_case(int discs, struct family_case *c)
         c->ends = CYLINT_ENDS_INFINITE;
 }
 
-static void subnormal_numbers_have_the_same_answers(void)
+TEST(subnormal_numbers_have_the_same_answers)
 {
     for (uint64_t k = 0; k < 2 * groups(GROUPS); k++) {
         begin_group(400, k);
@@ -638,7 +631,7 @@ static void subnormal_numbers_have_the_same_answers(void)
 }
 
 /* Differences of coordinates are rounded, and overflow where they are scaled. */
-static void the_largest_exponents_have_the_same_answers(void)
+TEST(the_largest_exponents_have_the_same_answers)
 {
     static const double a[] = {-0x1.8p+1002, 0x1.8p+1002, 0, 0,
                                -0x1p+1002,   -0x1p+1001};
@@ -666,16 +659,11 @@ static void the_largest_exponents_have_the_same_answers(void)
 
 int main(void)
 {
-    RUN(families_have_the_same_answers);
-    RUN(runs_of_one_kind_have_the_same_answers);
-    RUN(coincidences_have_the_same_answers);
-    RUN(extreme_exponents_have_the_same_answers);
-    RUN(subnormal_numbers_have_the_same_answers);
-    RUN(the_largest_exponents_have_the_same_answers);
+    const int failed = check_all();
     cylint_use_kernels(NULL);
     printf("note: of %ld lines and shapes %.0f %% meet, %.0f %% hit; digest "
            "%016llx\n",
            pairs, 100. * (double)met / (double)pairs,
            100. * (double)hit / (double)pairs, (unsigned long long)digest);
-    return check_end();
+    return failed;
 }

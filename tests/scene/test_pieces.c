@@ -83,13 +83,13 @@ static void check_worlds(long worlds, int with_solids)
     fprintf(stderr, "%ld pieces\n", pieces_compared);
 }
 
-static void pieces_of_shapes_are_those_of_a_loop(void)
+TEST(pieces_of_shapes_are_those_of_a_loop)
 {
     rng = 1;
     check_worlds((long)check_setting("CYLINT_CASES", 100), 0);
 }
 
-static void pieces_of_solids_are_those_of_a_loop(void)
+TEST(pieces_of_solids_are_those_of_a_loop)
 {
     rng = 2;
     check_worlds((long)check_setting("CYLINT_CASES", 100), 1);
@@ -157,17 +157,9 @@ static void answer_there(struct environment there)
     }
 }
 
-static void pieces_are_the_same_in_every_environment(void)
+TEST(pieces_are_the_same_in_every_environment)
 {
     subnormal_ends = 0;
     everywhere(answer_there);
     CHECK(subnormal_ends > 0);
-}
-
-int main(void)
-{
-    RUN(pieces_of_shapes_are_those_of_a_loop);
-    RUN(pieces_of_solids_are_those_of_a_loop);
-    RUN(pieces_are_the_same_in_every_environment);
-    return check_end();
 }

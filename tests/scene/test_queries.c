@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define CHECK_OWN_MAIN
 #include "answers.h"
 #include "check.h"
 #include "environment.h"
@@ -36,18 +37,6 @@ static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
 }
 
 /* ----------------------------------------------------------------- lines -- */
-
-/* The hit as a query that wants fewer members writes it. */
-static cylint_hit with_members(const cylint_hit *all, unsigned want)
-{
-    cylint_hit hit;
-    memset(&hit, UNTOUCHED, sizeof hit);
-    for (int k = 0; k < HIT_MEMBERS; k++)
-        if (want & hit_members[k].want)
-            memcpy((char *)&hit + hit_members[k].at,
-                   (const char *)all + hit_members[k].at, hit_members[k].size);
-    return hit;
-}
 
 static void check_line(const struct scene_shapes *of, const cylint_scene *scene,
                        const cylint_line *line)
@@ -223,10 +212,7 @@ static void point_of(const struct scene_shapes *of, enum family family,
 /* With one of the builds of the kernels. */
 static void check_lines(const struct scene_shapes *of, uint64_t number)
 {
-    int kernels = 0;
-    while (cylint_kernels_name(kernels))
-        kernels++;
-    cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)kernels)));
+    use_some_kernels(number);
     cylint_scene *scene = open_scene(of, 2);
     for (int kind = 0; scene && kind < LINES_KINDS; kind++) {
         /* exact numbers decide for most shapes */
@@ -256,29 +242,29 @@ static void check_points(const struct scene_shapes *of, uint64_t number)
 }
 
 /* A loop takes far longer where doubles cannot decide, and for points. */
-static void generated_scenes_answer_as_a_loop(void)
+TEST(generated_scenes_answer_as_a_loop)
 {
-    struct scene_shapes of;
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
-        scene_generate(kind, slow ? SHAPES / 30 : SHAPES, seed(), &of);
+        struct scene_shapes of =
+            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, seed());
         check_lines(&of, (uint64_t)kind);
         scene_release(&of);
-        scene_generate(kind, NEAR, seed(), &of);
+        of = scene_generate(kind, NEAR, seed());
         check_points(&of, (uint64_t)kind);
         scene_release(&of);
     }
     CHECK(n_hit > n_lines / 10 && n_near > n_points && n_inside > 10);
 }
 
-static void small_scenes_answer_as_a_loop(void)
+TEST(small_scenes_answer_as_a_loop)
 {
     const size_t lines = lines_of_a_kind, points = points_of_a_family;
-    struct scene_shapes of;
     lines_of_a_kind = 0;
     points_of_a_family = 1;
     for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
-        for (int kind = 0; scene_generate(kind, n, seed(), &of); kind++) {
+        for (int kind = 0; kind < SCENE_KINDS; kind++) {
+            struct scene_shapes of = scene_generate(kind, n, seed());
             check_lines(&of, n);
             check_points(&of, n);
             scene_release(&of);
@@ -287,7 +273,7 @@ static void small_scenes_answer_as_a_loop(void)
     points_of_a_family = points;
 }
 
-static void real_scenes_answer_as_a_loop(void)
+TEST(real_scenes_answer_as_a_loop)
 {
     static const char *const real[][2] = {
         {"neuron", "awk '{ at[$1] = $3 \" \" $4 \" \" $5 \" \" $6 } at[$7] "
@@ -333,7 +319,7 @@ static void fill_bundle(struct scene_shapes *of, uint64_t *random, double width)
 
 enum { BUNDLED = 700 };
 
-static void shapes_of_many_pieces_count_once(void)
+TEST(shapes_of_many_pieces_count_once)
 {
     static cylint_shape shapes[BUNDLED];
     struct scene_shapes of = {.name = "bundle", .shapes = shapes, .n = BUNDLED};
@@ -369,7 +355,7 @@ static void shapes_of_many_pieces_count_once(void)
 }
 
 /* Copies of one shape, and points as near to two of its pieces. */
-static void equal_shapes_are_found_in_order(void)
+TEST(equal_shapes_are_found_in_order)
 {
     enum { COPIES = 300 };
     static cylint_shape shapes[COPIES];
@@ -393,7 +379,7 @@ static void equal_shapes_are_found_in_order(void)
 
 /* ------------------------------------------------------------ contracts -- */
 
-static void an_empty_scene_has_no_answers(void)
+TEST(an_empty_scene_has_no_answers)
 {
     const struct scene_shapes none = {.name = "empty"};
     const double o[3] = {0, 0, 0}, d[3] = {1, 2, 3};
@@ -410,16 +396,15 @@ static void an_empty_scene_has_no_answers(void)
     cylint_scene_free(NULL);
 }
 
-static void a_bad_point_or_radius_has_no_shape(void)
+TEST(a_bad_point_or_radius_has_no_shape)
 {
     static const double radii[] = {NAN, -1, -5e-324, -HUGE_VAL};
     static const double wrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
     static const double good[3] = {0, 0, 0};
-    struct scene_shapes of;
     cylint_closest a;
     size_t number;
     double distance;
-    scene_generate(SCENE_UNBOUNDED, 100, seed(), &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 100, seed());
     cylint_scene *scene = open_scene(&of, 1);
     for (int i = 0; i < 26; i++) {
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
@@ -442,7 +427,7 @@ static void a_bad_point_or_radius_has_no_shape(void)
 }
 
 /* The case of cylint_scene(3), section Overlapping shapes. */
-static void the_nearest_surface_may_lie_inside_another_shape(void)
+TEST(the_nearest_surface_may_lie_inside_another_shape)
 {
     const double center[3] = {0, 0, 0}, end[3] = {30, 0, 0}, p[3] = {0, 3, 0};
     cylint_shape shapes[2];
@@ -496,10 +481,9 @@ static double query_again(void *context, size_t number, const cylint_hit *hit)
     return HUGE_VAL;
 }
 
-static void a_callback_may_end_a_visit_or_query_the_scene(void)
+TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
-    struct scene_shapes of;
-    scene_generate(SCENE_STRANDS, SHAPES, seed(), &of);
+    struct scene_shapes of = scene_generate(SCENE_STRANDS, SHAPES, seed());
     cylint_scene *scene = open_scene(&of, 1);
     int visited = 0;
     for (uint64_t i = 0; i < 200; i++) {
@@ -542,9 +526,8 @@ static void answer_points_there(struct environment there)
     static struct point_answers want, got;
     uint64_t random = seed() + 200;
     for (int k = 0; k < 3 * FAMILIES; k++) {
-        struct scene_shapes of;
         double point[3];
-        scene_generate(kinds[k % 3], 40, seed(), &of);
+        struct scene_shapes of = scene_generate(kinds[k % 3], 40, seed());
         cylint_scene *scene = open_scene(&of, 1);
         point_of(&of, (enum family)(k / 3), &random, point);
         for (int i = 0; i < 2; i++) {
@@ -569,7 +552,7 @@ static void answer_points_there(struct environment there)
     }
 }
 
-static void points_have_the_same_answers_in_every_environment(void)
+TEST(points_have_the_same_answers_in_every_environment)
 {
     everywhere(answer_points_there);
 }
@@ -618,11 +601,10 @@ static void *answer_part(void *argument)
     return NULL;
 }
 
-static void threads_share_a_scene_with_the_same_answers(void)
+TEST(threads_share_a_scene_with_the_same_answers)
 {
-    struct scene_shapes of;
     struct part parts[THREADS];
-    scene_generate(SCENE_UNBOUNDED, SHAPES, seed(), &of);
+    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
     cylint_scene *scene = open_scene(&of, 2);
     for (int i = 0; i < THREADS; i++) {
         parts[i] = (struct part){.of = &of, .scene = scene};
@@ -637,7 +619,7 @@ static void threads_share_a_scene_with_the_same_answers(void)
     scene_release(&of);
 }
 
-static void every_status_has_its_text(void)
+TEST(every_status_has_its_text)
 {
     static const char *const texts[] = {
         [CYLINT_SCENE_OK] = "no error",
@@ -665,19 +647,8 @@ int main(int argc, char **argv)
     if (argc > 1)
         lines_of_a_kind = strtoull(argv[1], NULL, 10);
     points_of_a_family += lines_of_a_kind / 200;
-    RUN(generated_scenes_answer_as_a_loop);
-    RUN(small_scenes_answer_as_a_loop);
-    RUN(real_scenes_answer_as_a_loop);
-    RUN(shapes_of_many_pieces_count_once);
-    RUN(equal_shapes_are_found_in_order);
-    RUN(an_empty_scene_has_no_answers);
-    RUN(a_bad_point_or_radius_has_no_shape);
-    RUN(the_nearest_surface_may_lie_inside_another_shape);
-    RUN(a_callback_may_end_a_visit_or_query_the_scene);
-    RUN(points_have_the_same_answers_in_every_environment);
-    RUN(threads_share_a_scene_with_the_same_answers);
-    RUN(every_status_has_its_text);
+    const int failed = check_all();
     printf("note: %zu lines, %zu of them hit; %zu points, %zu of them inside\n",
            n_lines, n_hit, n_points, n_inside);
-    return check_end();
+    return failed;
 }

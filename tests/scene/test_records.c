@@ -40,7 +40,7 @@ static int is_shape_of(const cylint_shape *x, const cylint_shape *y)
 }
 
 /* Refused shapes too; hulls of two balls of which one holds the other too. */
-static void a_scene_returns_its_shapes(void)
+TEST(a_scene_returns_its_shapes)
 {
     for (int family = 0; family < family_count(); family++) {
         static cylint_shape shapes[BLOCK];
@@ -65,7 +65,7 @@ static void a_scene_returns_its_shapes(void)
     }
 }
 
-static void a_ball_of_a_hull_keeps_its_part(void)
+TEST(a_ball_of_a_hull_keeps_its_part)
 {
     static const double p[3] = {1, 2, 3}, q[3] = {1, 2, 3.5};
     cylint_shape shapes[4], back;
@@ -84,7 +84,7 @@ static void a_ball_of_a_hull_keeps_its_part(void)
     cylint_scene_free(scene);
 }
 
-static void a_finished_scene_takes_no_shape(void)
+TEST(a_finished_scene_takes_no_shape)
 {
     cylint_shape shape;
     static const double c[3] = {0, 0, 0};
@@ -123,7 +123,7 @@ static void check_decision(const cylint_records *records,
     }
 }
 
-static void local_coordinates_in_doubles_decide_right_or_not_at_all(void)
+TEST(local_coordinates_in_doubles_decide_right_or_not_at_all)
 {
     static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
                                 FE_TOWARDZERO};
@@ -142,13 +142,4 @@ static void local_coordinates_in_doubles_decide_right_or_not_at_all(void)
     CHECK(total.decided > 10 * cases && total.undecided > 0);
     printf("note: %ld decisions, %ld undecided\n", total.decided,
            total.undecided);
-}
-
-int main(void)
-{
-    RUN(a_scene_returns_its_shapes);
-    RUN(a_ball_of_a_hull_keeps_its_part);
-    RUN(a_finished_scene_takes_no_shape);
-    RUN(local_coordinates_in_doubles_decide_right_or_not_at_all);
-    return check_end();
 }

@@ -55,17 +55,17 @@ static void replace(struct scene_shapes *of, const struct scene_shapes *by,
 
 static void check_moves(int kind, uint64_t seed, long moves)
 {
-    struct scene_shapes of, by;
     uint64_t random = seed;
     cylint_scene_status status;
-    scene_generate(kind, SHAPES, seed, &of);
+    struct scene_shapes of = scene_generate(kind, SHAPES, seed);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_worsening(scene) == 1);
     for (long k = 0; k < moves; k++) {
         /* sometimes of another kind, size and place */
         const int other =
             random_int(&random, 4) ? kind : random_int(&random, SCENE_KINDS);
-        scene_generate(other, SHAPES, seed + 1 + (uint64_t)k, &by);
+        struct scene_shapes by =
+            scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
         const size_t first = (size_t)random_below(&random, of.n),
                      most = of.n - first;
         const size_t n = random_int(&random, 4)
@@ -86,7 +86,7 @@ static void check_moves(int kind, uint64_t seed, long moves)
     scene_release(&of);
 }
 
-static void a_scene_that_moved_answers_as_a_new_one(void)
+TEST(a_scene_that_moved_answers_as_a_new_one)
 {
     const long moves = (long)check_setting("CYLINT_CASES", MOVES);
     for (int kind = 0; kind < SCENE_KINDS; kind++)
@@ -111,7 +111,7 @@ static double move_each(cylint_scene *scene, const cylint_shape *shapes,
     return cylint_scene_worsening(scene);
 }
 
-static void moving_forth_and_back_adds_nothing_to_boxes(void)
+TEST(moving_forth_and_back_adds_nothing_to_boxes)
 {
     static cylint_shape shapes[SHAPES];
     double forth = 0, back = 0;
@@ -128,7 +128,7 @@ static void moving_forth_and_back_adds_nothing_to_boxes(void)
     cylint_scene_free(scene);
 }
 
-static void what_is_refused_changes_nothing(void)
+TEST(what_is_refused_changes_nothing)
 {
     static cylint_shape shapes[SHAPES], moved[SHAPES];
     const double o[3] = {0, 0, 0}, far[3] = {0x1p401, 0, 0}, x[3] = {1, 0, 0},
@@ -160,12 +160,11 @@ static void what_is_refused_changes_nothing(void)
     cylint_scene_free(scene);
 }
 
-static void a_scene_that_moved_is_saved(void)
+TEST(a_scene_that_moved_is_saved)
 {
-    struct scene_shapes of, by;
     struct bytes file = {NULL, NULL, 0, 0};
-    scene_generate(SCENE_MIXED, SHAPES, 7, &of);
-    scene_generate(SCENE_MIXED, SHAPES, 8, &by);
+    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 7);
+    struct scene_shapes by = scene_generate(SCENE_MIXED, SHAPES, 8);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     replace(&of, &by, 50, 100);
     CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
@@ -179,13 +178,4 @@ static void a_scene_that_moved_is_saved(void)
     free(file.memory);
     scene_release(&of);
     scene_release(&by);
-}
-
-int main(void)
-{
-    RUN(a_scene_that_moved_answers_as_a_new_one);
-    RUN(moving_forth_and_back_adds_nothing_to_boxes);
-    RUN(what_is_refused_changes_nothing);
-    RUN(a_scene_that_moved_is_saved);
-    return check_end();
 }

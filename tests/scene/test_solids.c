@@ -76,7 +76,7 @@ static const struct {
     {CYLINT_SCENE_ESIZE, ((size_t)1 << 28) + 1, {{1, 0, 1}}},
 };
 
-static void a_refused_solid_changes_nothing(void)
+TEST(a_refused_solid_changes_nothing)
 {
     rng = 1;
     for (int with = 0; with < 2; with++) {
@@ -98,7 +98,7 @@ static void a_refused_solid_changes_nothing(void)
     }
 }
 
-static void an_unfinished_scene_has_no_solids(void)
+TEST(an_unfinished_scene_has_no_solids)
 {
     const cylint_member member = {0, 0, 1};
     cylint_shape shape;
@@ -116,7 +116,7 @@ static void an_unfinished_scene_has_no_solids(void)
 }
 
 /* Also that no members remove all solids, and that the members are copied. */
-static void solids_replace_those_before(void)
+TEST(solids_replace_those_before)
 {
     rng = 2;
     make_shapes();
@@ -179,7 +179,7 @@ static void end_saved_world(struct bytes *b)
     cylint_scene_free(world.scene);
 }
 
-static void saved_solids_are_the_same(void)
+TEST(saved_solids_are_the_same)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 100);
     rng = 3;
@@ -217,7 +217,7 @@ static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
     return status;
 }
 
-static void damaged_members_are_refused(void)
+TEST(damaged_members_are_refused)
 {
     struct bytes b;
     begin_saved_world(4, &b);
@@ -239,7 +239,7 @@ static void damaged_members_are_refused(void)
 
 /* The sizes of the sections of solids and of ranks, which this version does not
  * have. */
-static void damaged_sizes_are_refused(void)
+TEST(damaged_sizes_are_refused)
 {
     struct bytes b;
     begin_saved_world(5, &b);
@@ -328,7 +328,7 @@ static void check_sizes(int query, int of)
     }
 }
 
-static void workspaces_of_every_size_are_kept(void)
+TEST(workspaces_of_every_size_are_kept)
 {
     const int worlds = (int)check_setting("CYLINT_CASES", 6);
     rng = 7;
@@ -365,7 +365,7 @@ static void make_one_solid(int clause[SHAPES])
     }
 }
 
-static void pieces_of_one_solid_are_those_of_a_loop(void)
+TEST(pieces_of_one_solid_are_those_of_a_loop)
 {
     static cylint_piece expected[MOST];
     static const size_t capacities[] = {1, 2, 3, CYLINT_SOLID_PIECES};
@@ -398,7 +398,7 @@ static void pieces_of_one_solid_are_those_of_a_loop(void)
     CHECK(found > 10000);
 }
 
-static void bad_members_of_one_solid_are_refused(void)
+TEST(bad_members_of_one_solid_are_refused)
 {
     const double p[3] = {0, 0, 0}, d[3] = {1, 0, 0};
     cylint_shape shape[CYLINT_SOLID_MEMBERS + 1];
@@ -451,7 +451,7 @@ static size_t pieces_along_x(const cylint_scene *scene, double ox,
 
 /* SIREN, issue 186: neighbours have a common face.  Each entry has an exit, and the
  * lengths add up. */
-static void solids_with_a_common_face_have_whole_chords(void)
+TEST(solids_with_a_common_face_have_whole_chords)
 {
     cylint_shape rod[8];
     cylint_piece piece[8];
@@ -477,7 +477,7 @@ static void solids_with_a_common_face_have_whole_chords(void)
 
 /* ROOT, issue 23192: the sum over materials is that of all lengths.  A full rod
  * lies between two hollow ones, in a larger one; the radii and ends touch. */
-static void the_sum_over_materials_is_the_whole_length(void)
+TEST(the_sum_over_materials_is_the_whole_length)
 {
     const double p0[3] = {0, 0, -4}, p1[3] = {0, 0, 4};
     const int rank[4] = {0, 1, 2, 3}, label[4] = {0, 1, 2, 3};
@@ -506,7 +506,7 @@ static void the_sum_over_materials_is_the_whole_length(void)
 
 /* McCode, issues 2502 and 997: a hollow cylinder, a ray from 64 m along a
  * diameter. */
-static void a_hollow_sample_far_away_has_two_pieces(void)
+TEST(a_hollow_sample_far_away_has_two_pieces)
 {
     const double p0[3] = {0, 0, -0.25}, p1[3] = {0, 0, 0.25};
     const cylint_member members[] = {{0, 0, 1}, {1, 0, -2}};
@@ -532,21 +532,4 @@ static void a_hollow_sample_far_away_has_two_pieces(void)
         CHECK(piece[i].shape == 0 && piece[i].depth == 1);
     }
     cylint_scene_free(scene);
-}
-
-int main(void)
-{
-    RUN(a_refused_solid_changes_nothing);
-    RUN(an_unfinished_scene_has_no_solids);
-    RUN(solids_replace_those_before);
-    RUN(saved_solids_are_the_same);
-    RUN(damaged_members_are_refused);
-    RUN(damaged_sizes_are_refused);
-    RUN(workspaces_of_every_size_are_kept);
-    RUN(pieces_of_one_solid_are_those_of_a_loop);
-    RUN(bad_members_of_one_solid_are_refused);
-    RUN(solids_with_a_common_face_have_whole_chords);
-    RUN(the_sum_over_materials_is_the_whole_length);
-    RUN(a_hollow_sample_far_away_has_two_pieces);
-    return check_end();
 }

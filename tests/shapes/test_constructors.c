@@ -90,7 +90,7 @@ static const char *check_status(const char *text, const char *known)
     return known + used;
 }
 
-static void known_statuses_are_returned_in_every_environment(void)
+TEST(known_statuses_are_returned_in_every_environment)
 {
     each_record("tests/shapes/statuses.txt", 60, check_status);
 }
@@ -105,7 +105,7 @@ static int answers_miss(const cylint_shape *shape, const cylint_line *line)
            cylint_occluded(shape, line) == 0;
 }
 
-static void good_shapes_are_accepted_with_all_ends(void)
+TEST(good_shapes_are_accepted_with_all_ends)
 {
     static const int kinds[WORDS] = {
         CYLINT_KIND_CYLINDER,  CYLINT_KIND_CONE,  CYLINT_KIND_ACONE,
@@ -123,7 +123,7 @@ static void good_shapes_are_accepted_with_all_ends(void)
         }
 }
 
-static void a_number_that_is_not_finite_is_refused_in_every_place(void)
+TEST(a_number_that_is_not_finite_is_refused_in_every_place)
 {
     for (int word = 0; word < WORDS; word++) {
         const int n = family_shape_size((family_shape)word);
@@ -136,7 +136,7 @@ static void a_number_that_is_not_finite_is_refused_in_every_place(void)
     }
 }
 
-static void ends_outside_the_list_are_refused(void)
+TEST(ends_outside_the_list_are_refused)
 {
     static const int values[] = {-1, CYLINT_ENDS_NAPPE + 1, 1000};
     for (int word = 0; word < WORDS; word++) {
@@ -149,7 +149,7 @@ static void ends_outside_the_list_are_refused(void)
     }
 }
 
-static void tangents_are_positive_and_finite(void)
+TEST(tangents_are_positive_and_finite)
 {
     static const double infinite[3] = {0, HUGE_VAL, 0};
     cylint_shape s;
@@ -162,7 +162,7 @@ static void tangents_are_positive_and_finite(void)
     CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);
 }
 
-static void lines_of_numbers_that_are_not_finite_are_refused(void)
+TEST(lines_of_numbers_that_are_not_finite_are_refused)
 {
     cylint_line l;
     for (int i = 0; i < 6; i++) {
@@ -178,7 +178,7 @@ static void lines_of_numbers_that_are_not_finite_are_refused(void)
     }
 }
 
-static void every_status_has_its_text(void)
+TEST(every_status_has_its_text)
 {
     static const char *const texts[] = {
         [CYLINT_OK] = "no error",
@@ -194,7 +194,7 @@ static void every_status_has_its_text(void)
     check_texts(cylint_strerror, texts, sizeof texts / sizeof *texts);
 }
 
-static void an_invalid_shape_or_line_misses_with_the_flag(void)
+TEST(an_invalid_shape_or_line_misses_with_the_flag)
 {
     cylint_line line, no_line;
     cylint_whole_line(&line, origin, axis_x);
@@ -215,7 +215,7 @@ static void an_invalid_shape_or_line_misses_with_the_flag(void)
     }
 }
 
-static void points_that_are_not_finite_are_outside(void)
+TEST(points_that_are_not_finite_are_outside)
 {
     for (int word = 0; word < WORDS; word++) {
         struct family_case c = good_case((family_shape)word);
@@ -230,23 +230,19 @@ static void points_that_are_not_finite_are_outside(void)
 }
 
 /* A point next to the apex or the base, but for one coordinate. */
-static void a_coordinate_that_is_nan_is_outside_of_any_shape(void)
+TEST(a_coordinate_that_is_nan_is_outside_of_any_shape)
 {
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < 50; i++) {
-            struct family_case c;
-            family_case(9, family, i, &c);
-            if (!cylint_is_round(c.shape.kind))
-                c.ends = i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
-            family_make(&c);
-            for (int axis = 0; axis < 3; axis++) {
-                double p[3] = {c.shape_data[0], c.shape_data[1],
-                               c.shape_data[2]};
-                p[axis] = NAN;
-                if (!CHECK(cylint_contains(&c.shape, p) == -1))
-                    REPORT_CASE(&c);
-            }
+    EACH_CASE(c, 9, 50) {
+        if (!cylint_is_round(c.shape.kind))
+            c.ends = number % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
+        family_make(&c);
+        for (int axis = 0; axis < 3; axis++) {
+            double p[3] = {c.shape_data[0], c.shape_data[1], c.shape_data[2]};
+            p[axis] = NAN;
+            if (!CHECK(cylint_contains(&c.shape, p) == -1))
+                REPORT_CASE(&c);
         }
+    }
 }
 
 /* ------------------------------------------------ rounded cones as balls -- */
@@ -260,7 +256,7 @@ static int is_ball(const cylint_shape *s, const double c[3], double r, int part)
            memcmp(cylint_base(s), c, 3 * sizeof(double)) == 0;
 }
 
-static void the_ball_that_holds_the_other_is_the_shape(void)
+TEST(the_ball_that_holds_the_other_is_the_shape)
 {
     cylint_shape s;
     CHECK(cylint_round_cone(&s, origin, 3, up, 1, CYLINT_ENDS_OPEN) ==
@@ -281,36 +277,6 @@ static void the_ball_that_holds_the_other_is_the_shape(void)
     CHECK(is_ball(&s, up, 2, CYLINT_PART_LATERAL));
 }
 
-/* z and phi of a hit are those of the axis from p0 to p1, also where only the
- * ball about p1 is left.  Without axis they are 0. */
-static void z_and_phi_of_a_ball_are_those_of_the_axis(void)
-{
-    const double o[3] = {0, 0, -9}, y[3] = {0, 1, -9}, d[3] = {0, 0, 1};
-    cylint_shape s;
-    cylint_line line;
-    cylint_answer a;
-    cylint_whole_line(&line, o, d);
-    cylint_round_cone(&s, origin, 1, up, 3, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 8 && a.hit[0].z == -0.5 && a.hit[0].phi == 0);
-    CHECK(a.hit[1].t == 14 && a.hit[1].z == 2.5);
-    CHECK(a.hit[0].part == CYLINT_PART_CAP1 && a.hit[1].normal[2] == 1);
-    cylint_capsule(&s, up, up, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].t == 10 && a.hit[0].z == 0 && a.hit[1].phi == 0);
-    cylint_whole_line(&line, y, d);
-    for (int turned = 0; turned < 2; turned++) {
-        cylint_round_cone(&s, turned ? up : origin, 1, turned ? origin : up, 3,
-                          CYLINT_ENDS_CAPPED);
-        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-        CHECK(a.hit[0].phi == (turned ? 0 : 0.5));
-        CHECK(fabs(a.hit[1].z - (turned ? 1 - sqrt(2) : 1 + sqrt(2))) < 1e-15);
-    }
-    cylint_round_cone(&s, up, 1.5, up, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
-    CHECK(a.hit[0].z == 0 && a.hit[0].phi == 0 && a.hit[1].phi == 0);
-}
-
 #ifdef HAVE_MPFR
 
 /* sum[0] + sum[1] = x^2 or, with a negative sign, -x^2, exactly. */
@@ -321,7 +287,7 @@ static void add_square(double sum[2], double x, int sign)
 }
 
 /* |w|^2 <= dr^2 decides which kind it is; here w = p1 and dr are exact. */
-static void the_kind_is_decided_exactly(void)
+TEST(the_kind_is_decided_exactly)
 {
     uint64_t stream = 15;
     long balls = 0, cones = 0;
@@ -356,51 +322,22 @@ static void the_kind_is_decided_exactly(void)
 }
 
 /* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
-static void differences_have_their_low_parts(void)
+TEST(differences_have_their_low_parts)
 {
-    for (int family = 0; family < family_count(); family++) {
-        for (uint64_t n = 0; n < 200; n++) {
-            struct family_case c;
-            family_case(9, family, n, &c);
-            const cylint_line *l = &c.line;
-            const cylint_shape *s = &c.shape;
-            for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
-                const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
-                                     -c.line_data[3 + i]};
-                CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
-            }
-            for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
-                const double w[4] = {cylint_axis(s)[i],
-                                     cylint_axis_pair(s, i).lo,
-                                     cylint_base(s)[i], -cylint_top(s)[i]};
-                CHECK(!isfinite(cylint_axis(s)[i]) ||
-                      oracle_sum_sign(w, 4) == 0);
-            }
+    EACH_CASE(c, 9, 200) {
+        const cylint_line *l = &c.line;
+        const cylint_shape *s = &c.shape;
+        for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
+            const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
+                                 -c.line_data[3 + i]};
+            CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
+        }
+        for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
+            const double w[4] = {cylint_axis(s)[i], cylint_axis_pair(s, i).lo,
+                                 cylint_base(s)[i], -cylint_top(s)[i]};
+            CHECK(!isfinite(cylint_axis(s)[i]) || oracle_sum_sign(w, 4) == 0);
         }
     }
 }
 
 #endif
-
-int main(void)
-{
-    RUN(known_statuses_are_returned_in_every_environment);
-    RUN(good_shapes_are_accepted_with_all_ends);
-    RUN(a_number_that_is_not_finite_is_refused_in_every_place);
-    RUN(ends_outside_the_list_are_refused);
-    RUN(tangents_are_positive_and_finite);
-    RUN(lines_of_numbers_that_are_not_finite_are_refused);
-    RUN(every_status_has_its_text);
-    RUN(an_invalid_shape_or_line_misses_with_the_flag);
-    RUN(points_that_are_not_finite_are_outside);
-    RUN(a_coordinate_that_is_nan_is_outside_of_any_shape);
-    RUN(the_ball_that_holds_the_other_is_the_shape);
-    RUN(z_and_phi_of_a_ball_are_those_of_the_axis);
-#ifdef HAVE_MPFR
-    RUN(the_kind_is_decided_exactly);
-    RUN(differences_have_their_low_parts);
-#else
-    puts("note: no MPFR: no oracle (make deps)");
-#endif
-    return check_end();
-}

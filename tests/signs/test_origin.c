@@ -11,11 +11,12 @@
 
 #include "check.h"
 #include "cylint.h"
+#include "environment.h"
 #include "random.h"
 #include "same.h"
 #include "signs/sign.h"
 
-enum { CASES = 4000, KERNELS = 8, VERDICT = CYLINT_WANT_T | CYLINT_WANT_PART };
+enum { CASES = 4000, VERDICT = CYLINT_WANT_T | CYLINT_WANT_PART };
 
 #define ONE 0x1.0d6f3a19c5e27p0
 
@@ -190,18 +191,16 @@ static void check_point(const cylint_shape *shape, const double point[3],
 {
     double d[3];
     make_direction(d);
-    for (int k = 0; k < KERNELS && cylint_kernels_name(k); k++) {
-        cylint_use_kernels(cylint_kernels_name(k));
+    EACH_KERNELS(k) {
         if (!CHECK((cylint_contains(shape, point) == 0) == is_on))
             REPORT("%s: kind %d, ends %d, point %a %a %a",
                    cylint_kernels_in_use(), shape->kind, shape->ends, point[0],
                    point[1], point[2]);
         check_line(shape, point, d, is_on);
     }
-    cylint_use_kernels(NULL);
 }
 
-static void hits_of_a_domain_are_those_of_the_whole_line(void)
+TEST(hits_of_a_domain_are_those_of_the_whole_line)
 {
     for (int i = 0; i < CASES; i++) {
         cylint_shape shape;
@@ -212,7 +211,7 @@ static void hits_of_a_domain_are_those_of_the_whole_line(void)
 }
 
 /* So near that no arithmetic but an exact one finds the difference. */
-static void a_line_that_begins_beside_a_surface_has_no_hit_at_0(void)
+TEST(a_line_that_begins_beside_a_surface_has_no_hit_at_0)
 {
     for (int i = 0; i < CASES; i++) {
         const int k = whole(3), e = 40 + random_int(&stream, 200);
@@ -228,7 +227,7 @@ static void a_line_that_begins_beside_a_surface_has_no_hit_at_0(void)
 
 /* So near that the square of the distance underflows, which loses nothing that the
  * low parts of pairs would show. */
-static void a_point_beside_a_mantle_is_outside(void)
+TEST(a_point_beside_a_mantle_is_outside)
 {
     for (int i = 0; i < CASES; i++) {
         const double base[3] = {0, 0, 0}, top[3] = {0, 0, 8};
@@ -321,7 +320,7 @@ static int is_paranoid(void)
     return (q.ready & CYLINT_READY_EXACT) != 0;
 }
 
-static void zeros_of_few_digits_need_no_exact_numbers(void)
+TEST(zeros_of_few_digits_need_no_exact_numbers)
 {
     if (is_paranoid())
         return;
@@ -331,13 +330,4 @@ static void zeros_of_few_digits_need_no_exact_numbers(void)
         check_mantle(CYLINT_KIND_CONE);
         check_tenths();
     }
-}
-
-int main(void)
-{
-    RUN(a_point_beside_a_mantle_is_outside);
-    RUN(zeros_of_few_digits_need_no_exact_numbers);
-    RUN(hits_of_a_domain_are_those_of_the_whole_line);
-    RUN(a_line_that_begins_beside_a_surface_has_no_hit_at_0);
-    return check_end();
 }

@@ -1,13 +1,12 @@
 /*
  * check.h - the test harness, one page
  *
- * A test is a function whose name states a property.  CHECK(cond) counts a
- * failure and prints its place; REPORT(...) prints the input of a failure, in
- * the command's own input format where it has one.  A program ends with
- *
- *     int main(void) { RUN(name); RUN(other_name); return check_end(); }
- *
- * and prints `N passed, N failed`, which tests/support/run.sh adds up.
+ * A test is TEST(name) { ... }, whose name states a property.  CHECK(cond) counts
+ * a failure and prints its place; REPORT(...) prints the input of a failure, in
+ * the command's own input format where it has one.  main() below runs all tests of
+ * the program in their order and prints `N passed, N failed`, which
+ * tests/support/run.sh adds up.  A program with a main() of its own defines
+ * CHECK_OWN_MAIN before it includes this, and calls check_all().
  */
 #ifndef CYLINT_CHECK_H
 #define CYLINT_CHECK_H
@@ -39,17 +38,46 @@ static int check_passed, check_failed, check_bad;
          ? (void)(fprintf(stderr, "    " __VA_ARGS__), fputc('\n', stderr)) \
          : (void)0)
 
-#define RUN(test)                                                  \
-    do {                                                           \
-        check_bad = 0;                                             \
-        test();                                                    \
-        if (check_bad) {                                           \
-            check_failed++;                                        \
-            fprintf(stderr, "FAILED %s (%d)\n", #test, check_bad); \
-        } else {                                                   \
-            check_passed++;                                        \
-        }                                                          \
-    } while (0)
+struct check_test {
+    void (*test)(void);
+    const char *name;
+    int line;
+};
+
+static struct check_test check_tests[40];
+static int check_count;
+
+/* Tests are added in any order, before main(). */
+static inline void check_add(void (*test)(void), const char *name, int line)
+{
+    int i = check_count++;
+    for (; i > 0 && check_tests[i - 1].line > line; i--)
+        check_tests[i] = check_tests[i - 1];
+    check_tests[i] = (struct check_test){test, name, line};
+}
+
+#define TEST(name)                                                  \
+    static void name(void);                                         \
+    __attribute__((constructor)) static void check_add_##name(void) \
+    {                                                               \
+        check_add(name, #name, __LINE__);                           \
+    }                                                               \
+    static void name(void)
+
+static inline void check_run(void (*test)(void), const char *name)
+{
+    check_bad = 0;
+    test();
+    if (check_bad) {
+        check_failed++;
+        fprintf(stderr, "FAILED %s (%d)\n", name, check_bad);
+    } else {
+        check_passed++;
+    }
+}
+
+/* Runs a test that TEST() does not add: it runs several times. */
+#define RUN(test) check_run(test, #test)
 
 /* The texts of the statuses 0 to n - 1 are these, all others are unknown. */
 static inline void check_texts(const char *(*text_of)(int status),
@@ -68,5 +96,19 @@ static inline int check_end(void)
     printf("%d passed, %d failed\n", check_passed, check_failed);
     return check_failed != 0;
 }
+
+static inline int check_all(void)
+{
+    for (int i = 0; i < check_count; i++)
+        check_run(check_tests[i].test, check_tests[i].name);
+    return check_end();
+}
+
+#ifndef CHECK_OWN_MAIN
+int main(void)
+{
+    return check_all();
+}
+#endif
 
 #endif

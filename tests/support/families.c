@@ -595,8 +595,8 @@ int family_is_round(int family)
     return families[family].round;
 }
 
-void family_case(uint64_t seed, int family, uint64_t index,
-                 struct family_case *out)
+struct family_case *family_case(uint64_t seed, int family, uint64_t index,
+                                struct family_case *out)
 {
     stream = seed;
     stream = random_bits(&stream) + (uint64_t)family;
@@ -609,4 +609,5 @@ void family_case(uint64_t seed, int family, uint64_t index,
         if (families[family].change)
             families[family].change(out);
     } while (!family_make(out));
+    return out;
 }

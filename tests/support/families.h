@@ -57,9 +57,18 @@ int family_is_wild(int family);
 int family_is_round(int family);
 
 /* Writes case `index` of a family and makes its line and shape; line_status and
- * shape_status hold their statuses. */
-void family_case(uint64_t seed, int family, uint64_t index,
-                 struct family_case *out);
+ * shape_status hold their statuses.  Returns `out`. */
+struct family_case *family_case(uint64_t seed, int family, uint64_t index,
+                                struct family_case *out);
+
+/* A loop over cases 0 to cases - 1 of each family.  In it c is the case, and family
+ * and number are its own; a break leaves only this case. */
+#define EACH_CASE(c, seed, cases)                                       \
+    for (int family = 0; family < family_count(); family++)             \
+        for (uint64_t number = 0; number < (uint64_t)(cases); number++) \
+            for (struct family_case c,                                  \
+                 *once = family_case(seed, family, number, &c);         \
+                 once; once = NULL)
 
 /* Makes line and shape from the numbers.  Returns 1 if both are valid. */
 int family_make(struct family_case *c);
@@ -87,6 +96,10 @@ void family_print(FILE *to, const struct family_case *c);
  * may be missing, and so may the line, which is then the x axis.  Returns a
  * pointer behind it, or NULL. */
 const char *family_parse(const char *text, struct family_case *c);
+
+/* The case, or the shape, of a record that is right. */
+struct family_case case_of(const char *text);
+cylint_shape shape_of(const char *text);
 
 /* Reads a case too that constructors refuse, and makes what they do not. */
 const char *family_parse_any(const char *text, struct family_case *c);

@@ -165,6 +165,21 @@ const char *family_parse(const char *text, struct family_case *c)
     return text && !c->line_status && !c->shape_status ? text : NULL;
 }
 
+struct family_case case_of(const char *text)
+{
+    struct family_case c;
+    if (!family_parse(text, &c)) {
+        fprintf(stderr, "no record of a shape: %s\n", text);
+        abort();
+    }
+    return c;
+}
+
+cylint_shape shape_of(const char *text)
+{
+    return case_of(text).shape;
+}
+
 void family_print(FILE *to, const struct family_case *c)
 {
     fputs(line_words[c->line_word], to);

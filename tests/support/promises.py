@@ -38,7 +38,7 @@ def is_run(test):
     """Whether the file of a test exists and runs the property."""
     path, _, name = test.partition(":")
     text = read("tests/" + path)
-    pattern = r"RUN\(%s\)" if path.endswith(".c") else r"(verdict|def) %s\b"
+    pattern = r"(TEST|RUN|PROPERTY)\(%s\b" if path.endswith(".c") else r"(verdict|def) %s\b"
     return bool(text) and (not name or re.search(pattern % re.escape(name), text))
 
 

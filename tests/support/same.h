@@ -32,6 +32,20 @@ static const struct {
 
 enum { HIT_MEMBERS = sizeof hit_members / sizeof *hit_members };
 
+enum { UNTOUCHED = 0x55 }; /* the bytes of what is not written */
+
+/* The hit as a query that wants fewer members writes it. */
+static inline cylint_hit with_members(const cylint_hit *all, unsigned want)
+{
+    cylint_hit hit;
+    memset(&hit, UNTOUCHED, sizeof hit);
+    for (int k = 0; k < HIT_MEMBERS; k++)
+        if (want & hit_members[k].want)
+            memcpy((char *)&hit + hit_members[k].at,
+                   (const char *)all + hit_members[k].at, hit_members[k].size);
+    return hit;
+}
+
 static inline int same_bytes(const void *x, const void *y, size_t n)
 {
     return memcmp(x, y, n) == 0;

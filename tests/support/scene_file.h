@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "cylint_scene.h"
-#include "../../src/scene/file.h"
+#include "../../src/scene/scene.h"
 #include "../fuzz/fuzz.h"
 
 /* ---------------------------------------------------------------- bytes -- */

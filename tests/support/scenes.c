@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "families.h"
 #include "random.h"
 #include "scenes.h"
 #include "vectors.h"
@@ -180,8 +181,8 @@ static cylint_status round_lattice_shape(dice *r, size_t n, cylint_shape *shape)
 }
 
 /* In a cube of side cbrt(n), so that neighbours are about 1 apart. */
-static cylint_status shape_of(dice *r, enum scene_kind kind, size_t n,
-                              cylint_shape *shape)
+static cylint_status draw_shape(dice *r, enum scene_kind kind, size_t n,
+                                cylint_shape *shape)
 {
     const double side = cbrt((double)n);
     double at[3];
@@ -259,34 +260,15 @@ static cylint_shape *allocate(size_t n)
     return shapes;
 }
 
-int scene_generate(int kind, size_t n, uint64_t seed,
-                   struct scene_shapes *scene)
+struct scene_shapes scene_generate(int kind, size_t n, uint64_t seed)
 {
+    struct scene_shapes scene = {
+        .name = scene_names[kind], .n = n, .shapes = allocate(n)};
     dice r = dice_of(seed, (uint64_t)kind, 0);
-    if (kind < 0 || kind >= SCENE_KINDS)
-        return 0;
-    scene->name = scene_names[kind];
-    scene->n = n;
-    scene->shapes = allocate(n);
     for (size_t i = 0; i < n; i++) /* refused shapes stay */
-        shape_of(&r, (enum scene_kind)kind, n, &scene->shapes[i]);
-    measure(scene);
-    return 1;
-}
-
-/* 1: read, 0: not a shape. */
-static int read_shape(const char *text, cylint_shape *shape)
-{
-    double x[8];
-    if (sscanf(text, "cylinder %lf %lf %lf %lf %lf %lf %lf", &x[0], &x[1],
-               &x[2], &x[3], &x[4], &x[5], &x[6]) == 7)
-        return cylint_cylinder(shape, x, x + 3, x[6], CYLINT_ENDS_CAPPED) ==
-               CYLINT_OK;
-    if (sscanf(text, "cone %lf %lf %lf %lf %lf %lf %lf %lf", &x[0], &x[1],
-               &x[2], &x[3], &x[4], &x[5], &x[6], &x[7]) == 8)
-        return cylint_cone(shape, x, x[3], x + 4, x[7], CYLINT_ENDS_CAPPED) ==
-               CYLINT_OK;
-    return 0;
+        draw_shape(&r, (enum scene_kind)kind, n, &scene.shapes[i]);
+    measure(&scene);
+    return scene;
 }
 
 int scene_from(const char *name, const char *command,
@@ -306,7 +288,9 @@ int scene_from(const char *name, const char *command,
             scene->shapes = more;
             full *= 2;
         }
-        scene->n += (size_t)read_shape(text, &scene->shapes[scene->n]);
+        struct family_case c;
+        if (family_parse(text, &c))
+            scene->shapes[scene->n++] = c.shape;
     }
     if (lines)
         pclose(lines);

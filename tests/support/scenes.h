@@ -36,14 +36,11 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_KINDS
 };
 
-/* Generates a scene of a kind, numbered from 0.  Returns 0 if there is no such
- * kind.  The caller frees *scene with scene_release(). */
-int scene_generate(int kind, size_t n, uint64_t seed,
-                   struct scene_shapes *scene);
+/* Generates a scene of a kind.  The caller frees it with scene_release(). */
+struct scene_shapes scene_generate(int kind, size_t n, uint64_t seed);
 
-/* Reads a scene file, with cylinders and cones in decimal only, from the output of
- * a shell command.  Returns 0 if
- * there is none. */
+/* Reads a scene file from the output of a shell command.  Returns 0 if there is
+ * none. */
 int scene_from(const char *name, const char *command,
                struct scene_shapes *scene);
 

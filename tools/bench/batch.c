@@ -46,7 +46,7 @@ static void draw_input(double radius)
             s->base[c] += at[c] - s->middle[c];
             s->middle[c] = at[c];
         }
-        in.shape[i] = shape_of(s);
+        in.shape[i] = shape_of_solid(s);
         lean_prepare(&in.lean[i], s);
     }
     cylint_pack_shapes(&in.pack, in.memory, in.shape, N);

@@ -129,7 +129,7 @@ void bench_distance(void)
         in.random = 7;
         for (int i = 0; i < PAIRS; i++) {
             draw_solid(&in.random, (enum kind)kind, &in.solid[i]);
-            in.shape[i] = shape_of(&in.solid[i]);
+            in.shape[i] = shape_of_solid(&in.solid[i]);
             lean_prepare_body(&in.lean[i], &in.solid[i]);
         }
         in.formula = lean_distance_of(&in.solid[0]);

@@ -71,7 +71,7 @@ void draw_solid(uint64_t *random, enum kind kind, struct solid *s)
         s->r1 = s->r0;
 }
 
-cylint_shape shape_of(const struct solid *s)
+cylint_shape shape_of_solid(const struct solid *s)
 {
     const cylint_ends ends =
         s->is_infinite ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_CAPPED;

@@ -31,7 +31,7 @@ double normalise(double v[3]);
 /* Near the origin, about 1 long and 0.1 to 1 thick. */
 void draw_solid(uint64_t *random, enum kind kind, struct solid *s);
 
-cylint_shape shape_of(const struct solid *s);
+cylint_shape shape_of_solid(const struct solid *s);
 
 /* Calls a function that falls from 0 to `most`, the last time near the argument
  * at which it is `wanted`.  Returns the value there. */

@@ -222,7 +222,7 @@ static void ask_kind(enum kind kind, int is_infinite)
     for (int i = 0; i < PAIRS; i++) {
         draw_solid(&in.random, kind, &in.solid[i]);
         in.solid[i].is_infinite = is_infinite;
-        in.shape[i] = shape_of(&in.solid[i]);
+        in.shape[i] = shape_of_solid(&in.solid[i]);
         lean_prepare(&in.lean[i], &in.solid[i]);
     }
     in.both = lean_line_of(&in.solid[0]);

@@ -12,38 +12,28 @@
 
 /* ------------------------------------------------------------- numbers -- */
 
-/* The kind whose constructor made the shape. */
-static int kind_of(const cylint_shape *s)
-{
-    static const int kinds[] = {[CYLINT_KIND_CYLINDER] = SHAPE_CYLINDER,
-                                [CYLINT_KIND_CONE] = SHAPE_CONE,
-                                [CYLINT_KIND_ACONE] = SHAPE_ACONE,
-                                [CYLINT_KIND_ECYLINDER] = SHAPE_ECYLINDER,
-                                [CYLINT_KIND_ECONE] = SHAPE_ECONE,
-                                [CYLINT_KIND_SPHERE] = SHAPE_SPHERE,
-                                [CYLINT_KIND_CAPSULE] = SHAPE_CAPSULE,
-                                [CYLINT_KIND_RCONE] = SHAPE_RCONE,
-                                [CYLINT_KIND_HALFSPACE] = SHAPE_HALFSPACE};
-    return s->kind == CYLINT_KIND_SPHERE &&
-                   cylint_surface(s) != CYLINT_PART_LATERAL
-               ? SHAPE_RCONE
-               : kinds[s->kind];
-}
-
 int numbers_of_shape(const cylint_shape *s, double number[13])
 {
-    /* p: base, t: top, r: its radius at the base, R: at the top or the tangent */
-    static const char *const parts[SHAPE_KINDS] = {
-        [SHAPE_CYLINDER] = "ptr",   [SHAPE_CONE] = "prtR",
-        [SHAPE_ECYLINDER] = "pabh", [SHAPE_ECONE] = "pabhR",
-        [SHAPE_ACONE] = "phR",      [SHAPE_SPHERE] = "pr",
-        [SHAPE_CAPSULE] = "ptr",    [SHAPE_RCONE] = "prtR",
-        [SHAPE_HALFSPACE] = "ph"};
-    const int kind = kind_of(s);
-    /* The ball about p1 has its base there. */
-    const int turned =
-        s->kind == CYLINT_KIND_SPHERE && cylint_surface(s) == CYLINT_PART_CAP1;
-    for (const char *p = parts[kind]; *p; p++) {
+    /* By kind, the constructor and its numbers.
+     * p: base, t: top, r: its radius at the base, R: at the top or the tangent */
+    static const struct {
+        int kind;
+        const char *parts;
+    } made[] = {[CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "ptr"},
+                [CYLINT_KIND_CONE] = {SHAPE_CONE, "prtR"},
+                [CYLINT_KIND_ACONE] = {SHAPE_ACONE, "phR"},
+                [CYLINT_KIND_ECYLINDER] = {SHAPE_ECYLINDER, "pabh"},
+                [CYLINT_KIND_ECONE] = {SHAPE_ECONE, "pabhR"},
+                [CYLINT_KIND_SPHERE] = {SHAPE_SPHERE, "pr"},
+                [CYLINT_KIND_CAPSULE] = {SHAPE_CAPSULE, "ptr"},
+                [CYLINT_KIND_RCONE] = {SHAPE_RCONE, "prtR"},
+                [CYLINT_KIND_HALFSPACE] = {SHAPE_HALFSPACE, "ph"}};
+    /* A round cone that is a ball; that about p1 has its base there. */
+    const int is_ball = s->kind == CYLINT_KIND_SPHERE &&
+                        cylint_surface(s) != CYLINT_PART_LATERAL;
+    const int turned = is_ball && cylint_surface(s) == CYLINT_PART_CAP1;
+    const int kind = is_ball ? CYLINT_KIND_RCONE : (int)s->kind;
+    for (const char *p = made[kind].parts; *p; p++) {
         const int is_top = (*p == 't' || *p == 'R') != turned;
         const double *from = *p == 'a'                ? cylint_a(s)
                              : *p == 'b'              ? cylint_b(s)
@@ -55,7 +45,7 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
         memcpy(number, from, count * sizeof *number);
         number += count;
     }
-    return kind;
+    return made[kind].kind;
 }
 
 /*
@@ -205,19 +195,6 @@ static int compare_members(const void *a, const void *b)
                                   : abs(m->clause) - abs(n->clause);
 }
 
-static int refuse_shape(const char *file, size_t shape, const char *why)
-{
-    char text[160];
-    struct text t = {text, 0};
-    put_word(&t, "shape ");
-    put_whole(&t, shape + 1);
-    put_word(&t, ": ");
-    put_word(&t, why);
-    put_char(&t, '\0');
-    complain(file, text);
-    return EXIT_BAD;
-}
-
 static int put_records(const struct scene *scene, const char *file, int digits,
                        struct output *out, struct text *t)
 {
@@ -234,7 +211,8 @@ static int put_records(const struct scene *scene, const char *file, int digits,
             r.members++;
         const char *fault = put_record(t, &r, digits);
         if (fault)
-            return refuse_shape(file, i, fault);
+            return complain(EXIT_BAD, file, "shape %llu: %s",
+                            (unsigned long long)i + 1, fault);
         if (t->length >= TEXT_FULL || i + 1 == scene->count) {
             status = output_write(out, t->data, t->length);
             t->length = 0;

@@ -23,74 +23,56 @@ inline const cylint_shape *as_shape(const void *p)
     return static_cast<const cylint_shape *>(p);
 }
 
+/* A line, and the number of the shape that it leaves out, below 0 for none. */
+struct Ray {
+    cylint_line line;
+    int64_t left_out;
+};
+
 /*
  * Arrays of lines: origins and directions (..., 3), tmin and tmax (...), and the
- * numbers of shapes that lines leave out (...), int64, below 0 for none.
+ * numbers of shapes that lines leave out (...), int64.
  * segments: the directions are end points, b, and the lines are exact.
  * masked: refused lines are accepted; they hit nothing.
  */
 struct Lines {
     enum { ORIGINS, DIRECTIONS, STARTS, ENDS, LEFT_OUT, ARRAYS };
+    using Element = Ray;
     /* Adds the arrays, which get these numbers, to an empty grid. */
     void add_to(Grid &grid) const;
     /* The number of axes to which the arrays broadcast. */
     size_t axes() const;
+    /* Makes line i of a part.  Returns the status of its constructor. */
+    int make(const Part &part, size_t i, Ray *ray) const;
 
     const Input origins, directions, starts, ends, left_out;
     const bool segments, masked;
 };
 
-/* The lines of a block, in columns. */
-class LineBlock
-{
-  public:
-    explicit LineBlock(const Lines &l) : source(l)
+/* Makes the elements of a part, and calls function(part, i, element) for each. */
+template <class From, class Function> struct Each {
+    const From &from;
+    const Function &function;
+    bool run(const Part &part) const
     {
-    }
-    /* Makes line i.  Returns the status of its constructor. */
-    int make(size_t i, cylint_line *line) const;
-    /* Returns whether the block has the lines of the last one. */
-    bool gather(const Part &part);
-
-  protected:
-    const Lines &source;
-    double column[8][BLOCK]; /* o, d, tmin, tmax */
-
-  private:
-    const char *from[4] = {};
-    size_t size = 0;
-};
-
-/* Calls function(part, i, line) for each line.  Returns false, and stops, if a line
- * is refused and not masked. */
-template <class Function> class EachLine : LineBlock
-{
-  public:
-    EachLine(const Lines &l, const Function &f) : LineBlock(l), function(f)
-    {
-    }
-    bool run(const Part &part)
-    {
-        gather(part);
         for (size_t i = 0; i < part.size; i++) {
-            cylint_line line;
-            if (make(i, &line) != CYLINT_OK && !source.masked)
+            typename From::Element element;
+            if (from.make(part, i, &element) != CYLINT_OK && !from.masked)
                 return false;
-            function(part, i, line);
+            function(part, i, element);
         }
         return true;
     }
-
-  private:
-    const Function &function;
 };
 
-template <class Function>
-bool each_line(const Grid &grid, const Lines &lines, int threads,
-               const Callback &progress, const Function &function)
+/* Does so for all parts of a grid.  Returns false, and stops, if an element is
+ * refused and not masked. */
+template <class From, class Function>
+bool each(const Grid &grid, const From &from, int threads,
+          const Callback &progress, const Function &function)
 {
-    return each_block<EachLine<Function>>(grid, threads, progress, lines,
-                                          function);
+    return each_block<Each<From, Function>>(grid, threads, progress, from,
+                                            function);
 }
 
 /* shapes.cc */

@@ -105,13 +105,14 @@ class Part
     void locate(size_t row, size_t begin, size_t count)
     {
         grid.locate(row, begin, first);
+        strides = grid.strides().data();
         number = row * grid.row() + begin;
         block = row * ((grid.row() + BLOCK - 1) / BLOCK) + begin / BLOCK;
         size = count;
     }
     ptrdiff_t stride(int array) const
     {
-        return grid.strides()[static_cast<size_t>(array)];
+        return strides[array];
     }
     /* The address of element i; nullptr if the array has no data. */
     char *at(int array, size_t i = 0) const
@@ -123,6 +124,14 @@ class Part
     template <class Value> Value &value(int array, size_t i, size_t k = 0) const
     {
         return reinterpret_cast<Value *>(at(array, i))[k];
+    }
+    /* Reads element i of an array (..., 3). */
+    void read_vector(double to[3], int array, size_t i,
+                     const Input &vectors) const
+    {
+        const ptrdiff_t step = coordinate_step(vectors);
+        for (int axis = 0; axis < 3; axis++)
+            std::memcpy(&to[axis], at(array, i) + axis * step, sizeof *to);
     }
     /* Reads the double that is `offset` bytes into each element. */
     void read(double *to, int array, ptrdiff_t offset = 0) const
@@ -154,6 +163,7 @@ class Part
   private:
     const Grid &grid;
     std::vector<char *> first;
+    const ptrdiff_t *strides = nullptr;
 };
 
 /* ------------------------------------------------------------- threads -- */
@@ -210,9 +220,6 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
                 const From &...from)
 {
     struct Worker {
-        explicit Worker(const Grid &g, const From &...f) : part(g), block{f...}
-        {
-        }
         Part part;
         Block block;
     };
@@ -224,7 +231,7 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
          [&](int number, size_t i) {
              auto &worker = workers[static_cast<size_t>(number)];
              if (!worker)
-                 worker = std::make_unique<Worker>(grid, from...);
+                 worker.reset(new Worker{Part(grid), Block{from...}});
              const size_t begin = i / rows * BLOCK;
              worker->part.locate(i % rows, begin,
                                  std::min<size_t>(BLOCK, grid.row() - begin));

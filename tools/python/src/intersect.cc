@@ -23,33 +23,16 @@ size_t Lines::axes() const
                      ends.ndim(), left_out.ndim()});
 }
 
-int LineBlock::make(size_t i, cylint_line *line) const
+int Lines::make(const Part &part, size_t i, Ray *ray) const
 {
-    const double o[3] = {column[0][i], column[1][i], column[2][i]};
-    const double d[3] = {column[3][i], column[4][i], column[5][i]};
-    return source.segments
-               ? cylint_segment(line, o, d)
-               : cylint_span(line, o, d, column[6][i], column[7][i]);
-}
-
-bool LineBlock::gather(const Part &part)
-{
-    const char *const at[4] = {part.at(Lines::ORIGINS),
-                               part.at(Lines::DIRECTIONS),
-                               part.at(Lines::STARTS), part.at(Lines::ENDS)};
-    if (size == part.size && std::equal(at, at + 4, from))
-        return true;
-    std::copy(at, at + 4, from);
-    size = part.size;
-    const ptrdiff_t o_step = coordinate_step(source.origins);
-    const ptrdiff_t d_step = coordinate_step(source.directions);
-    for (int axis = 0; axis < 3; axis++) {
-        part.read(column[axis], Lines::ORIGINS, axis * o_step);
-        part.read(column[3 + axis], Lines::DIRECTIONS, axis * d_step);
-    }
-    part.read(column[6], Lines::STARTS);
-    part.read(column[7], Lines::ENDS);
-    return false;
+    double o[3], d[3];
+    part.read_vector(o, ORIGINS, i, origins);
+    part.read_vector(d, DIRECTIONS, i, directions);
+    ray->left_out = part.value<int64_t>(LEFT_OUT, i);
+    return segments
+               ? cylint_segment(&ray->line, o, d)
+               : cylint_span(&ray->line, o, d, part.value<double>(STARTS, i),
+                             part.value<double>(ENDS, i));
 }
 
 namespace
@@ -62,16 +45,16 @@ enum { SHAPES = Lines::ARRAYS, COLUMNS };
 enum { RELATION, N, T, PART, COPIED_ORIGINS, COPIED_DIRECTIONS };
 
 /* What a worker keeps from block to block. */
-class Block : LineBlock
+class Block
 {
   public:
-    using LineBlock::LineBlock;
-
+    explicit Block(const Lines &l) : source(l)
+    {
+    }
     bool run(const Part &p)
     {
         part = &p;
-        if (!gather(p))
-            lines_valid = set_lines();
+        gather();
         const bool valid = answer();
         if (!valid && !source.masked)
             return false;
@@ -82,6 +65,26 @@ class Block : LineBlock
     }
 
   private:
+    /* Reads the lines, unless they are those of the last block. */
+    void gather()
+    {
+        const char *at[4];
+        for (int array = Lines::ORIGINS; array <= Lines::ENDS; array++)
+            at[array] = part->at(array);
+        if (lines.n == part->size && std::equal(at, at + 4, from))
+            return;
+        std::copy(at, at + 4, from);
+        const ptrdiff_t o_step = coordinate_step(source.origins);
+        const ptrdiff_t d_step = coordinate_step(source.directions);
+        for (int axis = 0; axis < 3; axis++) {
+            part->read(column[axis], Lines::ORIGINS, axis * o_step);
+            part->read(column[3 + axis], Lines::DIRECTIONS, axis * d_step);
+        }
+        part->read(column[6], Lines::STARTS);
+        part->read(column[7], Lines::ENDS);
+        lines_valid = set_lines();
+    }
+
     /* Returns false if a line is refused; the other answers are right. */
     bool answer()
     {
@@ -96,9 +99,9 @@ class Block : LineBlock
         if (part->stride(SHAPES) == 0) {
             cylint_intersect_lines(shape_at(0), &lines, &to);
         } else if (pack_shapes(); one_line) {
-            cylint_line line;
-            make(0, &line);
-            cylint_intersect_shapes(&pack, &line, &to);
+            Ray ray;
+            source.make(*part, 0, &ray);
+            cylint_intersect_shapes(&pack, &ray.line, &to);
         } else {
             cylint_intersect_pairs(&pack, &lines, &to);
         }
@@ -109,10 +112,10 @@ class Block : LineBlock
     {
         bool valid = true;
         for (size_t i = 0; i < part->size; i++) {
-            cylint_line line;
-            valid &= make(i, &line) == CYLINT_OK;
+            Ray ray;
+            valid &= source.make(*part, i, &ray) == CYLINT_OK;
             cylint_answer answer;
-            cylint_intersect(shape_at(i), &line,
+            cylint_intersect(shape_at(i), &ray.line,
                              CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
             relation[i] = static_cast<signed char>(answer.relation);
             n[i] = static_cast<signed char>(answer.n);
@@ -129,9 +132,9 @@ class Block : LineBlock
     /* A refused line has no relation. */
     void mark_refused()
     {
-        cylint_line line;
+        Ray ray;
         for (size_t i = 0; i < part->size; i++)
-            if (make(i, &line) != CYLINT_OK)
+            if (source.make(*part, i, &ray) != CYLINT_OK)
                 relation[i] = -1;
     }
 
@@ -202,6 +205,9 @@ class Block : LineBlock
     }
 
     const Part *part = nullptr;
+    const Lines &source;
+    const char *from[4] = {};
+    double column[8][BLOCK]; /* o, d, tmin, tmax */
     cylint_lines lines{};
     bool lines_valid = true;
     cylint_pack pack{};
@@ -294,21 +300,21 @@ void describe(Input shapes, std::optional<Input> index, const Lines &lines,
                                          CYLINT_WANT_PART;
     }
     grid.finish(false);
-    each_line(grid, lines, threads, progress,
-              [&](const Part &part, size_t i, const cylint_line &line) {
-                  const cylint_shape *shape = as_shape(part.at(SHAPES, i));
-                  if (nearest) {
-                      const auto number = part.value<int64_t>(SHAPES, i);
-                      shape = number < 0 ? nullptr : as_shape(records) + number;
-                  }
-                  cylint_answer answer;
-                  answer.n = 0;
-                  if (shape) /* a refused line hits nothing */
-                      cylint_intersect(shape, &line, want, &answer);
-                  for (int k = 0; k < (nearest ? 1 : 2); k++)
-                      write_hit(part, i, static_cast<size_t>(k), shape,
-                                k < answer.n ? &answer.hit[k] : nullptr);
-              });
+    each(grid, lines, threads, progress,
+         [&](const Part &part, size_t i, const Ray &ray) {
+             const cylint_shape *shape = as_shape(part.at(SHAPES, i));
+             if (nearest) {
+                 const auto number = part.value<int64_t>(SHAPES, i);
+                 shape = number < 0 ? nullptr : as_shape(records) + number;
+             }
+             cylint_answer answer;
+             answer.n = 0;
+             if (shape) /* a refused line hits nothing */
+                 cylint_intersect(shape, &ray.line, want, &answer);
+             for (int k = 0; k < (nearest ? 1 : 2); k++)
+                 write_hit(part, i, static_cast<size_t>(k), shape,
+                           k < answer.n ? &answer.hit[k] : nullptr);
+         });
 }
 
 /* Returns (number of the first refused line in C order, status), or (-1, 0). */
@@ -318,15 +324,11 @@ nb::tuple first_bad_line(const Lines &lines)
     lines.add_to(grid);
     grid.finish(true);
     Part part(grid);
-    LineBlock block(lines);
-    for (size_t begin = 0; begin < grid.size(); begin += part.size) {
-        const size_t at = begin % grid.row();
-        part.locate(begin / grid.row(), at,
-                    std::min<size_t>(BLOCK, grid.row() - at));
-        block.gather(part);
+    for (size_t row = 0; row * grid.row() < grid.size(); row++) {
+        part.locate(row, 0, grid.row());
         for (size_t i = 0; i < part.size; i++) {
-            cylint_line line;
-            const int status = block.make(i, &line);
+            Ray ray;
+            const int status = lines.make(part, i, &ray);
             if (status != CYLINT_OK)
                 return nb::make_tuple(part.number + i, status);
         }

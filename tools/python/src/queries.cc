@@ -170,14 +170,14 @@ struct Asked {
     size_t n;
     const Rule &rule;
     unsigned want_of_points;
+
+    size_t except(const Ray &ray) const
+    {
+        return ray.left_out < 0 ? n : static_cast<size_t>(ray.left_out);
+    }
 };
 
-/* What is asked: a line that leaves out a shape, or none, n; or a point with a
- * radius. */
-struct Ray {
-    const cylint_line *line;
-    size_t except;
-};
+/* A point with a radius. */
 struct Ball {
     double point[3], radius;
 };
@@ -188,8 +188,9 @@ struct Ball {
 void nearest(const Asked &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
-    const size_t found = cylint_scene_nearest_other(
-        q.scene, ray.line, ray.except, CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
+    const size_t found =
+        cylint_scene_nearest_other(q.scene, &ray.line, q.except(ray),
+                                   CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
     if (found < q.n)
         put(integer(found), hit.t, byte(hit.part));
     else
@@ -199,17 +200,17 @@ void nearest(const Asked &q, const Ray &ray, const Answer &put)
 /* bool */
 void any(const Asked &q, const Ray &ray, const Answer &put)
 {
-    put(cylint_scene_occluded(q.scene, ray.line, ray.except) != 0);
+    put(cylint_scene_occluded(q.scene, &ray.line, q.except(ray)) != 0);
 }
 
 /* int64 */
 void count(const Asked &q, const Ray &ray, const Answer &put)
 {
     cylint_shape shape;
-    size_t hits = cylint_scene_count(q.scene, ray.line, 0);
-    if (ray.except < q.n) {
-        cylint_scene_shape(q.scene, ray.except, &shape);
-        hits -= cylint_occluded(&shape, ray.line) != 0;
+    size_t hits = cylint_scene_count(q.scene, &ray.line, 0);
+    if (ray.left_out >= 0) {
+        cylint_scene_shape(q.scene, q.except(ray), &shape);
+        hits -= cylint_occluded(&shape, &ray.line) != 0;
     }
     put(integer(hits));
 }
@@ -218,7 +219,7 @@ void count(const Asked &q, const Ray &ray, const Answer &put)
 void sums(const Asked &q, const Ray &ray, const Answer &put)
 {
     const cylint_piece_rule rule = q.rule.pieces();
-    if (cylint_scene_line_sums(q.scene, ray.line, &rule, q.rule.label(),
+    if (cylint_scene_line_sums(q.scene, &ray.line, &rule, q.rule.label(),
                                q.rule.most, q.rule.flag,
                                put.doubles()) != CYLINT_SCENE_OK)
         throw std::bad_alloc();
@@ -229,7 +230,7 @@ void boundary(const Asked &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
     const size_t found = checked(
-        first_boundary(q.scene, ray.line, CYLINT_WANT_ALL, &hit, &memory));
+        first_boundary(q.scene, &ray.line, CYLINT_WANT_ALL, &hit, &memory));
     if (found < q.n)
         put(integer(found), hit.t, byte(hit.part), byte(hit.side),
             vector(hit.point), vector(hit.normal));
@@ -258,16 +259,16 @@ void all(const Asked &q, const Ray &ray, int64_t number,
          std::vector<Hit::Row> &to)
 {
     const auto query = [&](size_t from, size_t *numbers) {
-        return cylint_scene_all(q.scene, ray.line, from, numbers, CAPACITY);
+        return cylint_scene_all(q.scene, &ray.line, from, numbers, CAPACITY);
     };
     each_found(query, [&](size_t index) {
         double t[2] = {not_a_number, not_a_number};
         cylint_shape shape;
         cylint_answer answer;
-        if (index == ray.except)
+        if (integer(index) == ray.left_out)
             return;
         cylint_scene_shape(q.scene, index, &shape);
-        cylint_intersect(&shape, ray.line, CYLINT_WANT_T, &answer);
+        cylint_intersect(&shape, &ray.line, CYLINT_WANT_T, &answer);
         for (int k = 0; k < answer.n; k++)
             t[k] = answer.hit[k].t;
         to.push_back({{number, integer(index)}, {t[0], t[1]}});
@@ -280,7 +281,7 @@ void pieces(const Asked &q, const Ray &ray, int64_t number,
 {
     const cylint_piece_rule rule = q.rule.pieces();
     const size_t found =
-        checked(find_pieces(q.scene, ray.line, &rule, q.rule.most, &memory));
+        checked(find_pieces(q.scene, &ray.line, &rule, q.rule.most, &memory));
     for (size_t k = 0; k < found; k++) {
         const cylint_piece &p = memory.piece[k];
         to.push_back(
@@ -348,6 +349,8 @@ void within(const Asked &q, const Ball &ball, int64_t number,
 /* Arrays of points (..., 3) and radii (...). */
 struct Balls {
     enum { POINTS, RADII, ARRAYS };
+    enum { masked = false }; /* none is refused */
+    using Element = Ball;
     void add_to(Grid &grid) const
     {
         grid.add(points, 1);
@@ -357,52 +360,15 @@ struct Balls {
     {
         return std::max(points.ndim() - 1, radii.ndim());
     }
+    int make(const Part &part, size_t i, Ball *ball) const
+    {
+        part.read_vector(ball->point, POINTS, i, points);
+        ball->radius = part.value<double>(RADII, i);
+        return CYLINT_OK;
+    }
 
     const Input points, radii;
 };
-
-/* Calls function(part, i, ball) for each point. */
-template <class Function> struct EachBall {
-    const Balls &balls;
-    const Function &function;
-    bool run(const Part &part) const
-    {
-        const ptrdiff_t step = coordinate_step(balls.points);
-        for (size_t i = 0; i < part.size; i++) {
-            Ball ball;
-            for (int axis = 0; axis < 3; axis++)
-                std::memcpy(&ball.point[axis],
-                            part.at(Balls::POINTS, i) + axis * step,
-                            sizeof *ball.point);
-            ball.radius = part.value<double>(Balls::RADII, i);
-            function(part, i, ball);
-        }
-        return true;
-    }
-};
-
-/* Returns false if a line is refused and not masked. */
-template <class Function>
-bool each(const Lines &lines, size_t n, const Grid &grid, int threads,
-          const Callback &progress, const Function &function)
-{
-    return each_line(grid, lines, threads, progress,
-                     [&](const Part &part, size_t i, const cylint_line &line) {
-                         const auto index =
-                             part.value<int64_t>(Lines::LEFT_OUT, i);
-                         const size_t except =
-                             index < 0 ? n : static_cast<size_t>(index);
-                         function(part, i, Ray{&line, except});
-                     });
-}
-
-template <class Function>
-bool each(const Balls &balls, size_t, const Grid &grid, int threads,
-          const Callback &progress, const Function &function)
-{
-    return each_block<EachBall<Function>>(grid, threads, progress, balls,
-                                          function);
-}
 
 /* Asks about lines or points.  columns: for the answers, unless these are rows,
  * which are in the order of the lines or points.  Returns True or the arrays of
@@ -426,7 +392,7 @@ nb::object ask(const Scene &scene, const From &from, const Rule &rule,
         else
             query(q, asked, Answer{part, i, From::ARRAYS});
     };
-    if (!each(from, q.n, grid, threads, progress, one))
+    if (!each(grid, from, threads, progress, one))
         return nb::none();
     return answers.object();
 }

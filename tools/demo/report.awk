@@ -1,0 +1,136 @@
+# report.awk - shows a scan: some answers, the range image as text, and the totals
+#
+# Reads a scene, the answers of `cylint -f shape,t,part,z` with labels `column row`,
+# and the same answers sorted by t.  Prints the first hit on each part of each kind of
+# shape; then an image, whose characters show the nearest hit of wide x high rays: a
+# tree by its range, near to far in `shades`, the ground as a dot, the sky as a blank.
+# `seconds` is the time of the command, 0 if the clock is too coarse.
+
+BEGIN {
+    shades = "@#%*+=-:"
+    nearest_shown = 7
+    farthest_shown = 31
+    line("shape", "t", "part", "z", "column row", "label")
+}
+
+FNR == 1 { files++ }
+
+files == 1 && !/^#/ {
+    label[++shapes] = $NF
+    shapes_of[kind_of($NF)]++
+}
+
+files == 2 { rays++ }
+
+files == 2 && $1 > 0 {
+    hits++
+    kind = kind_of(label[$1])
+    if (!((kind, $3) in shown))
+        line($1, $2, $3, $4, $5 " " $6, label[$1])
+    shown[kind, $3] = 1
+    cell = int($5 / wide) "," int($6 / high)
+    if (kind == "ground")
+        ground[cell] = 1
+    else if (!(cell in nearest_in) || $2 < nearest_in[cell])
+        nearest_in[cell] = $2
+    if (!(kind in hits_of) || $2 < nearest_of[kind])
+        nearest_of[kind] = $2
+    hits_of[kind]++
+    parts[$3]++
+    tree = label[$1]
+    sub(/-.*/, "", tree)
+    if (kind != "ground" && !(tree in tree_hit)) {
+        tree_hit[tree] = 1
+        trees++
+    }
+    if (hits == 1 || $4 > height) {
+        height = $4
+        tallest = label[$1]
+    }
+}
+
+files == 3 && $1 > 0 { range[++n] = $2 }
+
+END {
+    if (hits == 0) {
+        print "report.awk: no ray hit anything" | "cat 1>&2"
+        exit 1
+    }
+    printf "\nThe same %d answers as a picture:\n\n", rays
+    for (row = 0; row < rows / high; row++)
+        print row_of_picture()
+    print legend()
+    printf "\nrays %d, hits %d (%.1f %%), sky %d\n",
+           rays, hits, 100 * hits / rays, rays - hits
+    printf "range: nearest %.3f m, median %.3f m, farthest %.3f m\n", range[1],
+           (range[int((n + 1) / 2)] + range[int(n / 2) + 1]) / 2, range[n]
+    printf "tallest hit: %.3f m, on %s\n", height, tallest
+    printf "trees hit: %d\n", trees
+    printf "part hit: lateral %d, cap0 %d, cap1 %d\n\n",
+           parts["lateral"], parts["cap0"], parts["cap1"]
+    printf "%-8s %7s %7s %12s\n", "", "shapes", "hits", "nearest (m)"
+    totals("ground")
+    totals("stem")
+    totals("branch")
+    totals("twig")
+    totals("foliage")
+    print "\ntime: " time()
+}
+
+# The label spruce7-stem is of the kind `stem`.
+function kind_of(text)
+{
+    sub(/.*-/, "", text)
+    return text
+}
+
+function line(shape, t, part, z, ray, name)
+{
+    printf "%-5s  %-18s  %-7s  %-22s  %-10s  %s\n", shape, t, part, z, ray,
+           name
+}
+
+function row_of_picture(   column, text)
+{
+    for (column = 0; column < columns / wide; column++)
+        text = text mark(column "," row)
+    sub(/ +$/, "", text)
+    return text
+}
+
+function mark(cell)
+{
+    if (cell in nearest_in)
+        return substr(shades, shade(nearest_in[cell]), 1)
+    return cell in ground ? "." : " "
+}
+
+function shade(distance,   n)
+{
+    n = 1 + int(length(shades) * (distance - nearest_shown) / \
+                (farthest_shown - nearest_shown))
+    return n < 1 ? 1 : n > length(shades) ? length(shades) : n
+}
+
+function legend(   i, step, text)
+{
+    step = (farthest_shown - nearest_shown) / length(shades)
+    for (i = 1; i <= length(shades); i++)
+        text = text "  " substr(shades, i, 1) " " \
+               sprintf("%g", nearest_shown + (i - 1) * step)
+    return "range in m from:" text "    . ground"
+}
+
+function totals(kind)
+{
+    printf "%-8s %7d %7d %12s\n", kind, shapes_of[kind], hits_of[kind],
+           kind in hits_of ? sprintf("%.3f", nearest_of[kind]) : "-"
+}
+
+function time()
+{
+    if (seconds <= 0)
+        return "too short for this clock"
+    return sprintf("%.2f s, %.0f rays/s against %d shapes, reading and " \
+                   "writing text", seconds, rays / seconds, shapes)
+}
