@@ -363,12 +363,11 @@ TEST(batches_answer_as_single_questions_in_any_environment)
 
 TEST(of_equal_shapes_the_first_is_closest)
 {
-    static const double p[3] = {5, 0, 1}, top[3] = {0, 0, 2};
-    cylint_shape s[3];
+    static const double p[3] = {5, 0, 1};
+    const cylint_shape s[3] = {shape_of("rcone 0 0 0 5  5 0 1 0 ends=cap1"),
+                               shape_of("cylinder 0 0 0  0 0 2  1"),
+                               shape_of("cylinder 0 0 0  0 0 2  1")};
     cylint_closest a;
-    cylint_round_cone(&s[0], origin, 5, p, 0, CYLINT_ENDS_CAP1);
-    cylint_cylinder(&s[1], origin, top, 1, CYLINT_ENDS_CAPPED);
-    s[2] = s[1];
     CHECK(cylint_closest_shape(s, 3, p, 4, CYLINT_WANT_PART, &a) == 0 ||
           a.part >= 0);
     CHECK(cylint_closest_shape(s + 1, 2, p, 4, CYLINT_WANT_PART, &a) == 0);

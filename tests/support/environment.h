@@ -1,6 +1,6 @@
 /*
- * environment.h - sets a thread's rounding mode and treatment of subnormals, and the
- * build of the kernels
+ * environment.h - sets a thread's rounding mode and treatment of subnormals, and
+ * the build of the kernels
  */
 #ifndef CYLINT_TEST_ENVIRONMENT_H
 #define CYLINT_TEST_ENVIRONMENT_H
@@ -77,8 +77,8 @@ static inline void environment_reset(void)
     treat_subnormals(0);
 }
 
-/* Uses build i of the kernels.  Returns 0 if there is none; the usual one is then in
- * use again. */
+/* Uses build i of the kernels.  Returns 0 if there is none; the usual one is then
+ * in use again. */
 static inline int use_kernels(int i)
 {
     const char *name = cylint_kernels_name(i);
