@@ -74,6 +74,7 @@ endif
 # Flags by folder.  With -O3 gcc vectorizes loops.  The SLP vectorizer of gcc 12
 # compiles (double)(float)x to x where two of them are adjacent.
 posix   := -D_POSIX_C_SOURCE=200809L
+hidden  := -fPIC -fvisibility=hidden
 floats  := -fno-tree-slp-vectorize
 vectors := -O3
 small   := -Os
@@ -83,7 +84,7 @@ x86     := $(if $(X86),-DCYLINT_BUILDS_X86)
 of       = $(addprefix $(BUILD)/,$(1) $(addsuffix flag%,$(sort $(dir $(1)))))
 # Warnings in the headers of Embree are not ours.
 embree  := $(if $(EMBREE),-DCYLINT_EMBREE=$(EMBREE)) $(EMBREE_CFLAGS:-I%=-isystem%)
-$(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DCYLINT_PARANOID)
+$(BUILD)/src/%: extra := $(hidden) -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
 $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
@@ -93,7 +94,7 @@ $(if $(X86),$(call of,src/filter/one.o src/signs/origin.o src/distance/one_dista
 $(if $(X86),$(call of,src/distance/elliptic_certain.o)): extra += -DCYLINT_LOOPS
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 # The Python module has the command's readers.
-$(BUILD)/tools/cylint/%: extra += -fPIC -fvisibility=hidden
+$(BUILD)/tools/cylint/%: extra += $(hidden)
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
 # flags of FILE.c's build NAME.
@@ -143,7 +144,7 @@ $(isa_builds:%=$(BUILD)/%.o): $(BUILD)/%.o: $$(firstword $$(subst -, ,$$*)).c $$
 	$(call say,CC $< $(lastword $(subst -, ,$*)))$(compile) $(isa.$*) -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
-	$(call say,CXX $<)$(CXX) -std=c++17 -fPIC -fvisibility=hidden $(warnings) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
+	$(call say,CXX $<)$(CXX) -std=c++17 $(hidden) $(warnings) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 
 # FOLDER/flags holds the commands that compile the folder's files.  If they
 # change, the file is written and the folder's objects are compiled again.

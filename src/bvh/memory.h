@@ -21,7 +21,7 @@ typedef struct cylint_memory {
     void (*release)(void *handle);
 } cylint_memory;
 
-/* Allocates bytes > 0 without initialising them, by malloc() if `source` is
+/* Allocates bytes without initialising them, by malloc() if `source` is
  * NULL.  Returns 0 and no memory if the source refuses. */
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes);

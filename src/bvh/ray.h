@@ -28,8 +28,10 @@ typedef cylint_ray_state ray_state;
  * in all less than 10 u (|x| + S) |r|.  start() allows 16 u.  A component of d
  * below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
  * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
- * flushed to zero is less than FLT_MIN.  After an overflow f_higher() and
- * f_lower() ignore a NaN.
+ * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-20 of x r
+ * and F r: where it is 2^100 or more these may overflow, and start() makes it
+ * infinite.  Then each box is between its faces; f_higher() and f_lower() ignore
+ * a NaN.
  */
 
 /* lint: a box has three sides */
@@ -118,8 +120,8 @@ static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
         const float e = fabsf(r) * off + 16 * FLT_MIN;
         s->near_faces[j] = signbit(d[j]) != 0;
         s->r[j] = r;
-        s->near[j] = at + e;
-        s->far[j] = at - e;
+        s->near[j] = e < 0x1p100f ? at + e : HUGE_VALF;
+        s->far[j] = e < 0x1p100f ? at - e : -HUGE_VALF;
     }
 }
 
@@ -171,6 +173,12 @@ static void start_far_ray(ray_state *s, const cylint_bvh *bvh,
     start_line(s, bvh, o, d, ray->tnear, ray->tfar);
 }
 
+/* -0 has another key than 0. */
+static inline float last_of(float tfar)
+{
+    return tfar == 0 ? 0 : tfar;
+}
+
 static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
                              const cylint_float_ray *ray)
 {
@@ -184,13 +192,13 @@ static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
     s->t0 = s->t0_error = 0;
     start(s, bvh, x, ray->d, 0);
     s->first = ray->tnear;
-    s->last = ray->tfar;
+    s->last = last_of(ray->tfar);
 }
 
 /* After tfar was reduced. */
 static inline void shorten(ray_state *s, float tfar)
 {
-    s->last = s->t0_error > 0 ? local_above(s, tfar) : tfar;
+    s->last = s->t0_error > 0 ? local_above(s, tfar) : last_of(tfar);
 }
 
 /* Whether the domain ends outside the box of all; S is its longest side. */

@@ -12,7 +12,6 @@
 #include "../bvh/float_bounds.h"
 #include "../bvh/swept_disc.h"
 
-#include "angle.h"
 #include "float_filter_lanes.h"
 
 /* For each lane i of `lanes`: at most once where there is one lane. */
@@ -197,21 +196,21 @@ INLINE vm is_less(vd x, vd x_lost, vd y, vd y_lost)
 /* least[j]: the axis is least along coordinate j, the first such. */
 INLINE void find_least(const questions *q, vm least[3])
 {
-    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    vm y_less = v_lt(y, x), z_less = v_lt(z, v_select(y_less, y, x));
-    if (m_any(v_eq((x - y) * (y - z) * (z - x), v_set(0)))) {
-        vd base[4], top[4], lost[3];
+    const vd zero = v_set(0), x = v_abs(q->w[0]), y = v_abs(q->w[1]),
+             z = v_abs(q->w[2]);
+    vd lost[3] = {zero, zero, zero};
+    if (m_any(v_eq((x - y) * (y - z) * (z - x), zero))) {
+        vd base[4], top[4];
         load_ends(q, base, top);
         EACH(j, 3)
-            lost[j] = v_select(q->is_angle, v_set(0),
+            lost[j] = v_select(q->is_angle, zero,
                                v_like(v_set(1), q->w[j]) *
                                    difference_error(top[j], base[j], q->w[j]));
-        y_less = is_less(y, lost[1], x, lost[0]);
-        z_less = is_less(z, lost[2], v_select(y_less, y, x),
-                         v_select(y_less, lost[1], lost[0]));
     }
-    least[2] = z_less;
-    least[1] = m_and_not(y_less, z_less);
+    const vm y_less = is_less(y, lost[1], x, lost[0]);
+    least[2] = is_less(z, lost[2], v_select(y_less, y, x),
+                       v_select(y_less, lost[1], lost[0]));
+    least[1] = m_and_not(y_less, least[2]);
     least[0] = m_not(m_or(least[1], least[2]));
 }
 

@@ -84,23 +84,20 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
 
 /* ---------------------------------------------------------------- leaves -- */
 
-/* Tests the rays against the leaf.  Rays with a certain hit stop. */
+/* Tests the rays against the leaf.  wanted: rays with a certain hit stop. */
 CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
-                             unsigned rays, cylint_packet_leaf *hit)
+                             unsigned rays, int wanted, cylint_packet_leaf *hit)
 {
-    const int solid = leaf->used & CYLINT_LEAF_SOLID;
     cylinders all[CYLINT_LEAF_SIZE / WIDTH];
     for (int i = 0; i < CYLINT_LEAF_SIZE; i += WIDTH)
         all[i / WIDTH] = cylinders_of(leaf, i);
     hit->leaf = leaf;
     hit->rays = 0;
     EACH_RAY(k, rays) {
-        const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
         unsigned certain = 0;
-        hit->lanes[k] = test_ray(leaf, all, ray, p->E[k], hit->least[k], NULL);
-        if (solid && hit->lanes[k] && p->outside >> k & 1)
-            test_ray(leaf, all, ray, p->E[k], hit->least[k], &certain);
-        if (certain)
+        hit->lanes[k] = test_ray(leaf, all, float_ray(&p->ray[k].ray), p->E[k],
+                                 hit->least[k], wanted ? &certain : NULL);
+        if (certain && p->outside >> k & 1)
             p->certain |= 1u << k;
         else
             hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;
@@ -115,7 +112,10 @@ static void traverse(traversal *p)
     p->n = 1;
     while ((leaf = next_leaf(p, &at))) {
         cylint_packet_leaf hit;
-        test_rays(p, leaf, at.rays, &hit);
+        if (p->outside && leaf->used & CYLINT_LEAF_SOLID)
+            test_rays(p, leaf, at.rays, 1, &hit);
+        else
+            test_rays(p, leaf, at.rays, 0, &hit);
         p->active &= ~p->certain;
         if (!hit.rays)
             continue;

@@ -52,13 +52,11 @@ static inline void cylint_embree_record(const cylint_embree_shapes *s,
         *to = *(const cylint_record *)from;
         return;
     }
-    to->p0[0] = (double)small->p0[0];
-    to->p0[1] = (double)small->p0[1];
-    to->p0[2] = (double)small->p0[2];
+    EACH(j, 3) {
+        to->p0[j] = (double)small->p0[j];
+        to->p1[j] = (double)small->p1[j];
+    }
     to->r0 = (double)small->r0;
-    to->p1[0] = (double)small->p1[0];
-    to->p1[1] = (double)small->p1[1];
-    to->p1[2] = (double)small->p1[2];
     to->r1 = (double)small->r1;
 }
 

@@ -13,7 +13,6 @@
 #include <float.h>
 
 #include "../numbers/compiler.h"
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "../shapes/measure.h"
@@ -310,6 +309,50 @@ INLINE vm has_no_axis(const source *from)
 INLINE vpair pair_at(const source *from, int i)
 {
     return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
+}
+
+/* The lateral surface, and z from the base. */
+INLINE void set_surface(local_line *l, vd from_base, const source *from,
+                        int solid)
+{
+    const vd r = number_at(from, CYLINT_AT_R0), one = v_set(1);
+    l->from_base = l->in.z = from_base;
+    l->in.r = r;
+    l->in.slope = v_set(0);
+    l->taper = one;
+    if (cylint_solid_is_tapered(solid)) {
+        l->in.slope = number_at(from, CYLINT_AT_SLOPE);
+        l->taper = one + v_abs(l->in.slope);
+    }
+    if (solid == CYLINT_SOLID_ROUND_CONE) {
+        l->in.z = v_sum_of(number_at(from, CYLINT_AT_SINE), r, from_base);
+        l->in.r = number_at(from, CYLINT_AT_COSINE) * r;
+    }
+}
+
+/* The planes, circles and balls of the ends, after set_surface(). */
+INLINE void set_ends(local_line *l, const source *from, int solid)
+{
+    const vd r0 = number_at(from, CYLINT_AT_R0);
+    vd r1 = r0, from_top = l->from_base;
+    if (cylint_solid_is_tapered(solid))
+        r1 = number_at(from, CYLINT_AT_R1);
+    if (!cylint_solid_is_ball(solid))
+        from_top = l->from_base - number_at(from, CYLINT_AT_HEIGHT);
+    l->widest = v_max(r0, r1);
+    if (!cylint_solid_is_bounded(solid))
+        return;
+    EACH(k, ENDS) {
+        l->ball_z[k] = ends_of(l->from_base, from_top, k);
+        l->ball_r[k] = ends_of(r0, r1, k);
+        l->z[k] = l->ball_z[k];
+        l->r[k] = l->ball_r[k];
+        if (solid == CYLINT_SOLID_ROUND_CONE) {
+            l->z[k] = v_sum_of(number_at(from, CYLINT_AT_SINE), l->ball_r[k],
+                               l->ball_z[k]);
+            l->r[k] = number_at(from, CYLINT_AT_COSINE) * l->ball_r[k];
+        }
+    }
 }
 
 /* Sets z and the radius, after w. */

@@ -76,63 +76,32 @@ INLINE first_line load_first(const source *from, int solid)
     return to;
 }
 
-INLINE void set_line(local_line *l, const first_line *first,
-                     const cylint_shape *shape, int solid)
+INLINE void set_line(local_line *l, const first_line *first, const source *from,
+                     int solid)
 {
-    const int tapered = cylint_solid_is_tapered(solid);
-    const vd r = v_set(cylint_r0(shape));
     l->in.p[0] = v_firsts(first->p, first->p);
     l->in.p[1] = v_seconds(first->p, first->p);
     l->in.v[0] = v_firsts(first->v, first->v);
     l->in.v[1] = v_seconds(first->v, first->v);
     set_products_doubles(&l->in);
-    l->from_base = l->in.z = first->from_base;
     l->in.w = first->w;
-    l->in.r = r;
-    l->in.slope = v_set(tapered ? cylint_slope(shape) : 0);
-    l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
     l->Q = first->Q;
     l->D = first->D;
-    l->unit = v_set(cylint_unit(shape));
+    l->unit = v_set(cylint_unit(from->shape));
     l->in_range = m_from(3);
-    if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->in.z = v_sum_of(v_set(cylint_sine(shape)), r, first->from_base);
-        l->in.r = v_set(cylint_cosine(shape)) * r;
-    }
-}
-
-/* The planes, circles and balls of the ends, after from_base. */
-INLINE void load_ends(local_line *l, const cylint_shape *shape, int solid)
-{
-    const int tapered = cylint_solid_is_tapered(solid);
-    l->widest = tapered
-                    ? v_set(cylint_larger(cylint_r0(shape), cylint_r1(shape)))
-                    : l->in.r;
-    if (!cylint_solid_is_bounded(solid))
-        return;
-    l->ball_z[0] =
-        v_firsts(l->from_base, l->from_base - v_set(cylint_height(shape)));
-    l->ball_r[0] = v_set(cylint_r0(shape));
-    if (tapered)
-        l->ball_r[0] = v_load(cylint_radii(shape));
-    l->z[0] = l->ball_z[0];
-    l->r[0] = l->ball_r[0];
-    if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->z[0] =
-            v_sum_of(v_set(cylint_sine(shape)), l->ball_r[0], l->ball_z[0]);
-        l->r[0] = v_set(cylint_cosine(shape)) * l->ball_r[0];
-    }
+    set_surface(l, first->from_base, from, solid);
 }
 
 /* A point: the origin of a line with the direction 0. */
 INLINE void load_place(local_line *l, const double o[3],
                        const cylint_shape *shape, int solid)
 {
+    const source from = {shape, NULL};
     first_line first = {.v = v_set(0), .w = v_set(0), .D = v_set(0)};
     load_point(&first, o, shape, solid);
     first.from_base = height_of(o, shape, solid);
-    set_line(l, &first, shape, solid);
-    load_ends(l, shape, solid);
+    set_line(l, &first, &from, solid);
+    set_ends(l, &from, solid);
 }
 
 /* What the stages in pairs take of the line in doubles. */
@@ -164,7 +133,7 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
     }
     l->limit[0] = v_load(&from->line->tmin);
     l->cap[0] = m_from(cylint_caps_present(from->shape->ends));
-    load_ends(l, from->shape, solid);
+    set_ends(l, from, solid);
 }
 
 /* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.

@@ -13,7 +13,6 @@
 #ifndef CYLINT_SIGN_AT_ORIGIN
 #define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
 #endif
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/simd.h"
 #include "filter.h"
 #include "plane.h"
@@ -67,7 +66,7 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
     local_line l = no_line;
     forms f = no_forms;
     verdict v = no_verdict;
-    set_line(&l, first, a->shape, solid);
+    set_line(&l, first, &from, solid);
     load_rest(&l, &from, solid);
     if (cylint_solid_is_nappe(solid))
         set_Y_doubles(&l.in, f.Y);
@@ -91,12 +90,12 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
     return answer_by_roots(&l, &v, &in, a, solid);
 }
 
-INLINE bounded_value test_of_G(const first_line *first,
-                               const cylint_shape *shape, int solid)
+INLINE bounded_value test_of_G(const first_line *first, const source *from,
+                               int solid)
 {
     local_line l;
     forms f;
-    set_line(&l, first, shape, solid);
+    set_line(&l, first, from, solid);
     first_form(&f, &l, solid);
     return bounded_G(&f, &l, solid);
 }
@@ -109,7 +108,7 @@ INLINE bounded_value test_of_G(const first_line *first,
     {                                                                    \
         const source from = {shape, line};                               \
         const first_line a = load_first(&from, solid);                   \
-        const bounded_value G = test_of_G(&a, shape, solid);             \
+        const bounded_value G = test_of_G(&a, &from, solid);             \
         if (m_bits(v_lt(G.v, -G.e)) & 1)                                 \
             return write_miss(answer);                                   \
         return want & CYLINT_WANT_T                                      \

@@ -97,32 +97,23 @@ INLINE vd row_of(const frames *f, int row, const vd x[3])
 }
 
 /* The line's origin, and what of the shape G takes. */
-INLINE void load_point(local_line *l, const vd o[3], const frames *f, int solid)
+INLINE void load_point(local_line *l, const vd o[3], const source *from,
+                       int solid)
 {
-    const int tapered = cylint_solid_is_tapered(solid);
+    const frames *f = from->frame;
     const int ball = cylint_solid_is_ball(solid);
     vd x[3];
     EACH(i, 3)
         x[i] = o[i] - f->of[CYLINT_AT_BASE + i];
     EACH(i, 2)
         l->in.p[i] = v_if(ball, x[i], row_of(f, i, x));
-    l->from_base = v_if(ball, x[2], row_of(f, 2, x));
-    l->in.z = l->from_base;
-    l->in.r = f->of[CYLINT_AT_R0];
-    l->in.slope = v_if(tapered, f->of[CYLINT_AT_SLOPE], v_set(0));
-    if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->in.z =
-            v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0], l->from_base);
-        l->in.r = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0];
-    }
+    set_surface(l, v_if(ball, x[2], row_of(f, 2, x)), from, solid);
     l->Q = v_if(
         ball, v_largest(x) + f->of[CYLINT_AT_R0],
         v_sum_of(v_largest(x), f->of[CYLINT_AT_NORM], f->of[CYLINT_AT_REACH]));
     l->unit = v_set(solid == CYLINT_SOLID_ROUND_CONE
                         ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
                         : CYLINT_ROUNDING);
-    l->taper =
-        v_if(tapered, v_set(1) + v_abs(f->of[CYLINT_AT_SLOPE]), v_set(1));
     l->in_range = v_le(v_largest(o), v_set(CYLINT_FAR));
 }
 
@@ -132,7 +123,7 @@ INLINE void load_first(local_line *l, const source *from, int solid)
     const int ball = cylint_solid_is_ball(solid);
     const vd *d = from->line->d;
     const vd size = v_largest(d), most = v_set(CYLINT_WINDOW);
-    load_point(l, from->line->o, f, solid);
+    load_point(l, from->line->o, from, solid);
     EACH(i, 2)
         l->in.v[i] = v_if(ball, d[i], row_of(f, i, d));
     l->in.w = v_if(ball, d[2], row_of(f, 2, d));
@@ -143,42 +134,22 @@ INLINE void load_first(local_line *l, const source *from, int solid)
               l->in_range);
 }
 
-/* The planes, circles and balls of the ends, after from_base. */
-INLINE void load_ends(local_line *l, const frames *f, int solid)
-{
-    const int tapered = cylint_solid_is_tapered(solid);
-    const int ball = cylint_solid_is_ball(solid);
-    l->widest = v_if(tapered, v_max(f->of[CYLINT_AT_R0], f->of[CYLINT_AT_R1]),
-                     f->of[CYLINT_AT_R0]);
-    EACH(k, 2) {
-        l->ball_z[k] = v_if(k && !ball, l->from_base - f->of[CYLINT_AT_HEIGHT],
-                            l->from_base);
-        l->ball_r[k] = f->of[CYLINT_AT_R0 + (tapered ? k : 0)];
-        l->z[k] = l->ball_z[k];
-        l->r[k] = l->ball_r[k];
-        if (solid == CYLINT_SOLID_ROUND_CONE) {
-            l->z[k] = v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0 + k],
-                               l->ball_z[k]);
-            l->r[k] = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0 + k];
-        }
-    }
-}
-
 INLINE void load_rest(local_line *l, const source *from, int solid)
 {
     EACH(k, 2) {
         l->limit[k] = from->line->limit[k];
         l->cap[k] = from->frame->cap[k];
     }
-    load_ends(l, from->frame, solid);
+    set_ends(l, from, solid);
 }
 
 /* A point: the origin of a line with the direction 0. */
 INLINE void load_place(local_line *l, const vd o[3], const frames *f, int solid)
 {
-    load_point(l, o, f, solid);
+    const source from = {f, NULL};
+    load_point(l, o, &from, solid);
     l->in.v[0] = l->in.v[1] = l->in.w = l->D = v_set(0);
-    load_ends(l, f, solid);
+    set_ends(l, &from, solid);
 }
 
 /* A row of the matrix times x.  exact: x has no low parts. */

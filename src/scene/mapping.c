@@ -19,14 +19,6 @@
 
 enum { FIRST_BYTES = 1 << 16, MAPPING_ALIGNMENT = 64 };
 
-static cylint_scene_status keep_copy(cylint_mapping *m, cylint_memory *memory,
-                                     size_t bytes)
-{
-    *m = (cylint_mapping){
-        .data = memory->data, .bytes = bytes, .memory = *memory};
-    return CYLINT_SCENE_OK;
-}
-
 /* Moves the bytes to memory of twice the size. */
 static int double_memory(cylint_memory *memory)
 {
@@ -49,32 +41,32 @@ static size_t bytes_for(FILE *file)
 }
 
 /* Reads to the end, of a pipe too. */
-static cylint_scene_status read_file(cylint_mapping *m, FILE *file)
+static cylint_scene_status read_file(cylint_memory *m, FILE *file)
 {
-    cylint_memory memory;
     size_t bytes = 0;
-    if (!cylint_memory_allocate(&memory, NULL, bytes_for(file)))
+    if (!cylint_memory_allocate(m, NULL, bytes_for(file)))
         return CYLINT_SCENE_EMEMORY;
     for (;;) {
-        bytes +=
-            fread((char *)memory.data + bytes, 1, memory.bytes - bytes, file);
-        if (bytes < memory.bytes)
+        bytes += fread((char *)m->data + bytes, 1, m->bytes - bytes, file);
+        if (bytes < m->bytes)
             break;
-        if (!double_memory(&memory)) {
-            cylint_memory_free(&memory);
+        if (!double_memory(m))
             return CYLINT_SCENE_EMEMORY;
-        }
     }
-    if (!ferror(file))
-        return keep_copy(m, &memory, bytes);
-    cylint_memory_free(&memory);
-    return CYLINT_SCENE_EFILE;
+    m->bytes = bytes;
+    return ferror(file) ? CYLINT_SCENE_EFILE : CYLINT_SCENE_OK;
 }
 
 #ifdef CYLINT_HAS_MMAP
 
+static void unmap_file(void *memory)
+{
+    const cylint_memory *m = memory;
+    munmap(m->data, m->bytes);
+}
+
 /* Returns 0 if the file cannot be mapped. */
-static int map_file(cylint_mapping *m, FILE *file, size_t least)
+static int map_file(cylint_memory *m, FILE *file, size_t least)
 {
     struct stat about;
     if (fstat(fileno(file), &about) != 0 || !S_ISREG(about.st_mode) ||
@@ -84,25 +76,18 @@ static int map_file(cylint_mapping *m, FILE *file, size_t least)
                       fileno(file), 0);
     if (data == MAP_FAILED)
         return 0;
-    *m = (cylint_mapping){
-        .data = data, .bytes = (size_t)about.st_size, .is_mapped = 1};
+    *m = (cylint_memory){data, (size_t)about.st_size, m, unmap_file};
     return 1;
-}
-
-static void unmap_file(cylint_mapping *m)
-{
-    munmap((void *)(uintptr_t)m->data, m->bytes);
 }
 
 #else
 
 #define map_file(m, file, least) ((void)(least), 0)
-#define unmap_file(m) ((void)(m))
 
 #endif
 
 /* The file is opened once: a pipe's writer must not see it closed. */
-cylint_scene_status cylint_mapping_open(cylint_mapping *m, const char *path,
+cylint_scene_status cylint_mapping_open(cylint_memory *m, const char *path,
                                         size_t least, int is_read)
 {
     FILE *file = fopen(path, "rb");
@@ -115,24 +100,21 @@ cylint_scene_status cylint_mapping_open(cylint_mapping *m, const char *path,
     return status;
 }
 
-cylint_scene_status cylint_mapping_of_memory(cylint_mapping *m,
-                                             const void *data, size_t bytes)
+/* Releases nothing: the bytes are those of the caller. */
+static void leave(void *handle)
 {
-    cylint_memory memory;
-    if ((uintptr_t)data % MAPPING_ALIGNMENT == 0) {
-        *m = (cylint_mapping){.data = data, .bytes = bytes};
-        return CYLINT_SCENE_OK;
-    }
-    if (!cylint_memory_allocate(&memory, NULL, bytes > 0 ? bytes : 1))
-        return CYLINT_SCENE_EMEMORY;
-    memcpy(memory.data, data, bytes);
-    return keep_copy(m, &memory, bytes);
+    (void)handle;
 }
 
-void cylint_mapping_close(cylint_mapping *m)
+cylint_scene_status cylint_mapping_of_memory(cylint_memory *m, const void *data,
+                                             size_t bytes)
 {
-    if (m->is_mapped)
-        unmap_file(m);
-    cylint_memory_free(&m->memory);
-    *m = (cylint_mapping){.data = NULL};
+    if ((uintptr_t)data % MAPPING_ALIGNMENT == 0) {
+        *m = (cylint_memory){(void *)(uintptr_t)data, bytes, NULL, leave};
+        return CYLINT_SCENE_OK;
+    }
+    if (!cylint_memory_allocate(m, NULL, bytes))
+        return CYLINT_SCENE_EMEMORY;
+    memcpy(m->data, data, bytes);
+    return CYLINT_SCENE_OK;
 }

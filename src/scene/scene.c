@@ -301,7 +301,7 @@ void cylint_scene_free(cylint_scene *scene)
     if (!scene)
         return;
     if (scene->file.data) {
-        cylint_mapping_close(&scene->file);
+        cylint_memory_free(&scene->file);
     } else {
         cylint_bvh_free(&scene->bvh);
         cylint_records_free(&scene->records);

@@ -36,7 +36,7 @@ struct cylint_scene {
     cylint_scene_labels labels; /* end is NULL: none */
     cylint_solids solids;
     cylint_membership *given; /* the members of solids, unless in the file */
-    cylint_mapping file; /* of an opened scene; then the records, the hierarchy,
+    cylint_memory file; /* of an opened scene; then the records, the hierarchy,
                             the lists and the labels lie in it */
 };
 

@@ -14,7 +14,8 @@
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "embree/shapes.h"
-#include "embree/angle.h"
+#include "embree/float_filter_lanes.h"
+#include "families.h"
 
 typedef struct {
     double size, off;
@@ -132,18 +133,14 @@ static int is_kept_small(const cylint_shape *shape, cylint_record *read)
 
 TEST(small_records_keep_round_kinds)
 {
-    const double base[3] = {1, 2, 3}, top[3] = {4, 5, 6};
-    cylint_record record;
-    cylint_shape shape;
-    CHECK(!cylint_sphere(&shape, base, 1, CYLINT_ENDS_CAPPED) &&
-          is_kept_small(&shape, &record));
-    CHECK(record.r0 < 0 && record.r1 < 0);
-    CHECK(!cylint_round_cone(&shape, base, 0, top, 1, CYLINT_ENDS_OPEN) &&
-          is_kept_small(&shape, &record));
-    CHECK(record.r0 + record.r1 < 0);
+    const cylint_shape ball = shape_of("sphere 1 2 3 1");
+    const cylint_shape cone = shape_of("rcone 1 2 3 0  4 5 6 1 ends=open");
     /* one ball in the other: z depends on the axis, the parts on the ends */
-    CHECK(!cylint_round_cone(&shape, base, 1, top, 9, CYLINT_ENDS_OPEN) &&
-          !is_kept_small(&shape, &record));
+    const cylint_shape inside = shape_of("rcone 1 2 3 1  4 5 6 9 ends=open");
+    cylint_record record;
+    CHECK(is_kept_small(&ball, &record) && record.r0 < 0 && record.r1 < 0);
+    CHECK(is_kept_small(&cone, &record) && record.r0 + record.r1 < 0);
+    CHECK(!is_kept_small(&inside, &record));
 }
 
 /* A cylinder or cone from base to top, or neither. */
@@ -162,7 +159,8 @@ static int is_small(double x, double r, int cone)
 TEST(only_shapes_made_of_floats_have_small_records)
 {
     const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
-    const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
+    const cylint_shape elliptic =
+        shape_of("ecylinder 1 2 3  1 0 0  0 1 0  0 0 1");
     cylint_record record;
     cylint_shape shape;
     for (int cone = 0; cone < 2; cone++) {
@@ -178,9 +176,7 @@ TEST(only_shapes_made_of_floats_have_small_records)
     CHECK(record.r0 == -0.75 && record.r1 == 0.75);
     CHECK(!cylint_tangent_cone(&shape, base, up, 0.1, CYLINT_ENDS_CAPPED) &&
           !is_kept_small(&shape, &record));
-    CHECK(
-        !cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_ENDS_CAPPED) &&
-        !is_kept_small(&shape, &record));
+    CHECK(!is_kept_small(&elliptic, &record));
 }
 
 /* Compared with long doubles; the bound is not far above the largest error. */

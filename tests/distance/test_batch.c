@@ -238,74 +238,57 @@ static void draw_family(int family, size_t n)
     draw_points(n, (uint64_t)family);
 }
 
-static void with_all_kernels(void test(void))
-{
-    for (int k = 0; cylint_kernels_name(k); k++) {
-        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
-        test();
-    }
-    cylint_use_kernels(NULL);
-}
-
 /* ---------------------------------------------------------------- tests -- */
-
-static void check_families(void)
-{
-    for (int family = 0; family < family_count(); family++) {
-        draw_family(family, 97);
-        check_batch(MOST, 97, &usual);
-        check_batch(MOST, 97, &without_members);
-        for (size_t one = 0; one < 9; one++) {
-            struct family_case c;
-            family_case(21, family, one, &c);
-            if (one % 2)
-                c.ends = CYLINT_ENDS_CAPPED;
-            family_make(&c);
-            draw_points_about(&c, 40 + one, one * 99 + (uint64_t)family);
-            check_batch(0, 40 + one, one % 4 < 2 ? &usual : &without_members);
-        }
-    }
-}
 
 TEST(batches_of_all_families_answer_as_single_questions)
 {
-    with_all_kernels(check_families);
+    EACH_KERNELS(k) {
+        for (int family = 0; family < family_count(); family++) {
+            draw_family(family, 97);
+            check_batch(MOST, 97, &usual);
+            check_batch(MOST, 97, &without_members);
+            for (size_t one = 0; one < 9; one++) {
+                struct family_case c;
+                family_case(21, family, one, &c);
+                if (one % 2)
+                    c.ends = CYLINT_ENDS_CAPPED;
+                family_make(&c);
+                draw_points_about(&c, 40 + one, one * 99 + (uint64_t)family);
+                check_batch(0, 40 + one,
+                            one % 4 < 2 ? &usual : &without_members);
+            }
+        }
+    }
 }
 
 /* Longer than two blocks; shapes of all kinds and refused ones side by side. */
-static void check_mixed(void)
-{
-    draw_mixed(MOST);
-    check_batch(MOST, MOST, &usual);
-    check_batch(MOST, MOST, &without_members);
-    for (size_t one = 0; one < 60; one++)
-        check_batch(one, one % 30 ? 20 : MOST,
-                    one % 2 ? &without_members : &usual);
-    check_batch(MOST, CYLINT_POINT_BLOCK + 1, &usual);
-    for (size_t one = 0; one < 10; one++)
-        check_batch(one, CYLINT_POINT_BLOCK + 1, &usual);
-}
-
 TEST(mixed_batches_answer_as_single_questions)
 {
-    with_all_kernels(check_mixed);
-}
-
-static void check_addresses(void)
-{
-    draw_mixed(FEW);
-    for (size_t n = 0; n <= FEW; n++)
-        for (size_t i = 0; i < 16; i++) {
-            const struct layout at = {i / 2, (int)i % 2,
-                                      n % 4 ? ALL & ~MEMBERS : ALL, 0};
-            check_batch(MOST, n, &at);
-            check_batch(i % 4 < 2 ? 3 : 10, n, &at);
-        }
+    EACH_KERNELS(k) {
+        draw_mixed(MOST);
+        check_batch(MOST, MOST, &usual);
+        check_batch(MOST, MOST, &without_members);
+        for (size_t one = 0; one < 60; one++)
+            check_batch(one, one % 30 ? 20 : MOST,
+                        one % 2 ? &without_members : &usual);
+        check_batch(MOST, CYLINT_POINT_BLOCK + 1, &usual);
+        for (size_t one = 0; one < 10; one++)
+            check_batch(one, CYLINT_POINT_BLOCK + 1, &usual);
+    }
 }
 
 TEST(batches_of_all_lengths_serve_all_addresses)
 {
-    with_all_kernels(check_addresses);
+    EACH_KERNELS(k) {
+        draw_mixed(FEW);
+        for (size_t n = 0; n <= FEW; n++)
+            for (size_t i = 0; i < 16; i++) {
+                const struct layout at = {i / 2, (int)i % 2,
+                                          n % 4 ? ALL & ~MEMBERS : ALL, 0};
+                check_batch(MOST, n, &at);
+                check_batch(i % 4 < 2 ? 3 : 10, n, &at);
+            }
+    }
 }
 
 /* Without the others; in lanes, and of a shape with one cap one by one. */
@@ -366,29 +349,25 @@ static void check_environment(struct environment there)
               cylint_is_elliptic(drawn[i].shape.kind));
 }
 
-static void check_environments(void)
-{
-    draw_mixed(MOST);
-    everywhere(check_environment);
-    for (int family = 0; family < family_count(); family += 5) {
-        draw_family(family, 100);
-        everywhere(check_environment);
-    }
-}
-
 TEST(batches_answer_as_single_questions_in_any_environment)
 {
-    with_all_kernels(check_environments);
+    EACH_KERNELS(k) {
+        draw_mixed(MOST);
+        everywhere(check_environment);
+        for (int family = 0; family < family_count(); family += 5) {
+            draw_family(family, 100);
+            everywhere(check_environment);
+        }
+    }
 }
 
 TEST(of_equal_shapes_the_first_is_closest)
 {
-    static const double p[3] = {5, 0, 1}, top[3] = {0, 0, 2};
-    cylint_shape s[3];
+    static const double p[3] = {5, 0, 1};
+    const cylint_shape s[3] = {shape_of("rcone 0 0 0 5  5 0 1 0 ends=cap1"),
+                               shape_of("cylinder 0 0 0  0 0 2  1"),
+                               shape_of("cylinder 0 0 0  0 0 2  1")};
     cylint_closest a;
-    cylint_round_cone(&s[0], origin, 5, p, 0, CYLINT_ENDS_CAP1);
-    cylint_cylinder(&s[1], origin, top, 1, CYLINT_ENDS_CAPPED);
-    s[2] = s[1];
     CHECK(cylint_closest_shape(s, 3, p, 4, CYLINT_WANT_PART, &a) == 0 ||
           a.part >= 0);
     CHECK(cylint_closest_shape(s + 1, 2, p, 4, CYLINT_WANT_PART, &a) == 0);

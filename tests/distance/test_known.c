@@ -161,11 +161,8 @@ static void check_records(struct environment there)
 
 TEST(known_answers_are_returned_in_every_environment)
 {
-    for (int k = 0; cylint_kernels_name(k); k++) {
-        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
+    EACH_KERNELS(k)
         check_records(environment_of(0));
-    }
-    cylint_use_kernels(NULL);
     everywhere(check_records);
 }
 
@@ -200,12 +197,10 @@ TEST(the_size_of_an_answer_is_that_of_the_header)
 /* A shape that was refused, and bad points. */
 TEST(where_nothing_is_known_the_distance_is_infinite)
 {
-    static const double top[3] = {0, 0, 2},
-                        p[3][3] = {{0, 0, 1}, {0, NAN, 0}, {HUGE_VAL, 0, 0}};
+    static const double p[3][3] = {{0, 0, 1}, {0, NAN, 0}, {HUGE_VAL, 0, 0}};
     cylint_shape s[3];
     cylint_cylinder(&s[0], origin, origin, 1, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&s[1], origin, top, 1, CYLINT_ENDS_CAPPED);
-    s[2] = s[1];
+    s[1] = s[2] = shape_of("cylinder 0 0 0  0 0 2  1");
     for (int i = 0; i < 3; i++) {
         const cylint_closest a = answer_to(&s[i], p[i], i ? WANT : 0);
         CHECK(a.distance == HUGE_VAL && a.part == -1 &&
@@ -217,10 +212,9 @@ TEST(where_nothing_is_known_the_distance_is_infinite)
 
 TEST(a_point_is_on_a_surface_exactly_or_within_ulps)
 {
-    static const double top[3] = {0, 0, 2}, on[3] = {0.6, 0.8, 1},
-                        beside[3] = {1 + 0x1p-51, 0, 1}, exactly[3] = {1, 0, 1};
-    cylint_shape s;
-    cylint_cylinder(&s, origin, top, 1, CYLINT_ENDS_CAPPED);
+    static const double on[3] = {0.6, 0.8, 1}, beside[3] = {1 + 0x1p-51, 0, 1},
+                        exactly[3] = {1, 0, 1};
+    const cylint_shape s = shape_of("cylinder 0 0 0  0 0 2  1");
     CHECK(!cylint_on_surface(&s, on, 0)); /* 0.6 and 0.8 are rounded */
     CHECK(cylint_on_surface(&s, on, 1));
     CHECK(cylint_on_surface(&s, exactly, 0));
@@ -337,21 +331,18 @@ static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
 /* The distance does not need the direction from the axis to the point. */
 TEST(pairs_decide_the_distance_from_points_on_the_axis)
 {
-    static const double tilted_base[3] = {1, 2, 3}, tilted_top[3] = {4, 6, 4},
-                        middle[3] = {2.5, 4, 3.5};
+    static const double middle[3] = {2.5, 4, 3.5};
+    const cylint_shape tilted = shape_of("cylinder 1 2 3  4 6 4  0.1");
     static const char *const upright[] = {"cylinder 0 0 0 0 0 2 1",
                                           "cone 0 0 0 3 0 0 4 0",
                                           "rcone 0 0 0 5 0 0 5 2"};
     cylint_closest answer;
-    cylint_shape tilted;
     for (int i = 0; i < 3; i++) {
         const double inside[3] = {0, 0, 0.7}, beyond[3] = {0, 0, -0.3};
-        struct family_case c;
-        CHECK(family_parse(upright[i], &c));
-        CHECK(!left_by_pairs(&c.shape, inside, 0, &answer));
-        CHECK(!left_by_pairs(&c.shape, beyond, 0, &answer));
+        const cylint_shape s = shape_of(upright[i]);
+        CHECK(!left_by_pairs(&s, inside, 0, &answer));
+        CHECK(!left_by_pairs(&s, beyond, 0, &answer));
     }
-    cylint_cylinder(&tilted, tilted_base, tilted_top, 0.1, CYLINT_ENDS_CAPPED);
     CHECK(!left_by_pairs(&tilted, middle, 0, &answer));
     CHECK(answer.distance == -0.1);
 }
@@ -400,10 +391,8 @@ static double length_of(const double v[3])
  * an end of it, within 1e-9, where no other feature is near. */
 TEST(a_foot_at_an_end_is_decided_by_all_digits)
 {
-    const double low[3] = {3, -2, -2}, high[3] = {3, -2, 2};
-    cylint_shape shapes[2];
-    cylint_cone(&shapes[0], low, 0, high, 3, CYLINT_ENDS_CAPPED);
-    cylint_round_cone(&shapes[1], low, 1, high, 3, CYLINT_ENDS_CAPPED);
+    const cylint_shape shapes[2] = {shape_of("cone 3 -2 -2 0  3 -2 2 3"),
+                                    shape_of("rcone 3 -2 -2 1  3 -2 2 3")};
     for (int k = 0; k < 2; k++) {
         cylint_shape unprepared = shapes[k];
         unprepared.library.flag[CYLINT_AT_PREPARED] = 0;

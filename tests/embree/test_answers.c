@@ -128,6 +128,23 @@ TEST(the_domain_holds_its_ends)
     }
 }
 
+/* 0 and -0 are one end. */
+TEST(a_domain_that_ends_at_negative_zero_has_its_end)
+{
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
+    const float o[3] = {0.25f, 0.5f, 0}, d[3] = {0, 0, 1};
+    EACH_WAY(w, &shape, 1) {
+        for (int i = 0; i < 4; i++) {
+            const float tnear = i & 1 ? -0.0f : 0, tfar = i & 2 ? -0.0f : 0;
+            struct rays r;
+            rays_begin(&r, 1);
+            rays_add(&r, 0, o, d, tnear, tfar);
+            rays_intersect(&r, w.scene, NULL);
+            CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 0);
+        }
+    }
+}
+
 /* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
 TEST(a_ray_within_a_face_of_the_box_is_not_lost)
 {
@@ -154,6 +171,30 @@ TEST(a_ray_within_a_face_of_the_box_is_not_lost)
                     hits += rays_hit(&r, n / 2);
                 }
         CHECK(hits == 4 * 6 * 8);
+    }
+}
+
+/* Products of the hierarchy's boxes and 1 / d overflow floats. */
+TEST(a_ray_along_an_axis_with_a_long_way_is_not_lost)
+{
+    enum { SIDE = 8, MANY = SIDE * SIDE };
+    cylint_shape shapes[MANY];
+    for (int i = 0; i < MANY; i++) {
+        const double x = ldexp(i % SIDE, 49), y = ldexp(i / SIDE, 49);
+        const double p0[3] = {x, y, 0}, p1[3] = {x, y, 0x1p49};
+        cylint_cylinder(&shapes[i], p0, p1, 0x1p47, CYLINT_ENDS_CAPPED);
+    }
+    EACH_WAY(w, shapes, MANY) {
+        for (int i = 0; i < 4 * MANY; i++) {
+            const float zero = i & 1 ? 0.0f : -0.0f;
+            const float d[3] = {zero, zero, i & 2 ? 0x1p-23f : 1};
+            const float o[3] = {ldexpf((float)(i / 4 % SIDE), 49),
+                                ldexpf((float)(i / 4 / SIDE), 49), -0x1p49f};
+            EACH_SIZE(n) {
+                struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
+                CHECK(rays_hit(&r, 0));
+            }
+        }
     }
 }
 
@@ -227,25 +268,20 @@ TEST(equal_and_nearly_equal_hits_are_distinguished)
     cylint_shape shapes[MANY];
     const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
     uint64_t state = 3;
-    for (int how = 0; how < 2; how++)
-        for (int turn = 0; turn < 60; turn++) {
-            struct world w;
-            for (int i = 0; i < MANY; i++) {
-                /* caps toward the ray, from 0 to a few doubles apart, and solids
+    for (int turn = 0; turn < 120; turn++) {
+        for (int i = 0; i < MANY; i++) {
+            /* caps toward the ray, from 0 to a few doubles apart, and solids
              * of different sizes, so that they are grouped in some order */
-                double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
-                p0[2] =
-                    turn < 30 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
-                p1[2] = 1 + floor(8 * world_uniform(&state));
-                cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
-                                turn % 3 ? CYLINT_ENDS_CAPPED
-                                         : CYLINT_ENDS_CAP0);
-            }
-            w = made(shapes, MANY, both_ways[how]);
+            double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
+            p0[2] = turn < 60 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
+            p1[2] = 1 + floor(8 * world_uniform(&state));
+            cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
+                            turn % 3 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_CAP0);
+        }
+        EACH_WAY(w, shapes, MANY)
             EACH_SIZE(n)
                 traced(&w, n, o, d, 0, HUGE_VALF);
-            world_free(&w);
-        }
+    }
 }
 
 /* The same with shapes that move along the ray; at time 1/2 it hits the

@@ -15,6 +15,7 @@
 #include "embree/shapes.h"
 #include "bvh/float_bounds.h"
 #include "bvh/swept_disc.h"
+#include "environment.h"
 #include "families.h"
 #include "shapes/layout.h"
 
@@ -35,14 +36,11 @@ static int n_builds;
 
 static void list_builds(void)
 {
-    const char *name;
-    for (int i = 0; (name = cylint_kernels_name(i)); i++) {
-        CHECK(cylint_use_kernels(name));
+    EACH_KERNELS(k)
         for (int many = 0; many < 2; many++)
-            builds[n_builds++] = (struct build){
-                name, cylint_float_filter_used(many), many ? MOST : 1};
-    }
-    cylint_use_kernels(NULL);
+            builds[n_builds++] =
+                (struct build){cylint_kernels_name(k),
+                               cylint_float_filter_used(many), many ? MOST : 1};
 }
 
 /* A question about a case's line in floats, and its shape, made circular and

@@ -11,6 +11,7 @@
 
 #include "embree/geometry.h"
 #include "embree_compare.h"
+#include "environment.h"
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
 
@@ -185,12 +186,8 @@ static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 
 TEST(packets_return_the_answers_to_rays_alone)
 {
-    const char *name;
-    for (int i = 0; (name = cylint_kernels_name(i)); i++) {
-        CHECK(cylint_use_kernels(name));
+    EACH_KERNELS(k)
         query_scenes(0, NULL);
-    }
-    cylint_use_kernels(NULL);
 }
 
 TEST(packets_without_filters_return_the_answers_to_rays_alone)
@@ -357,14 +354,13 @@ TEST(of_hits_at_tnear_the_lower_number_is_reported)
     cylint_shape shapes[64];
     uint64_t state = 12;
     stand_on_a_plane(&state, shapes, 64);
-    for (int how = 0; how < 2; how++) {
-        struct world w = made(shapes, 64, both_ways[how]);
+    EACH_WAY(w, shapes, 64)
         for (int turn = 0; turn < 800; turn++) {
             const float t = turn & 1 ? 0 : 2;
             struct rays r =
                 rays_that_hit_at(&state, rays_sizes[turn % 4], t, HUGE_VALF);
             const struct rays_query query = {.coherent = turn / 4 % 2};
-            const int exception = how == 1 && r.n > 1;
+            const int exception = way == 1 && r.n > 1;
             rays_intersect(&r, w.scene, &query);
             for (int i = 0; i < r.n; i++)
                 CHECK(exception && rays_hit(&r, i)
@@ -372,6 +368,4 @@ TEST(of_hits_at_tnear_the_lower_number_is_reported)
                                 rays_at(&r, RAY_TFAR, i)->f == t
                           : world_agrees(&w, &r, i, 1));
         }
-        world_free(&w);
-    }
 }

@@ -14,6 +14,7 @@
 #define CHECK_OWN_MAIN
 #include "check.h"
 #include "columns.h"
+#include "environment.h"
 #include "guarded.h"
 
 enum {
@@ -398,11 +399,7 @@ static void segments_keep_the_low_parts_of_their_directions(void)
 /* A cylinder about the z axis, and a line that crosses it. */
 static struct family_case easy(void)
 {
-    static const double shape[7] = {0, 0, 0, 0, 0, 4, 1};
-    static const double line[6] = {-3, 0.25, 1, 1, 0.125, 0.25};
-    struct family_case c = family_of(FAMILY_RAY, line, FAMILY_CYLINDER, shape);
-    family_make(&c);
-    return c;
+    return case_of("ray -3 0.25 1  1 0.125 0.25  cylinder 0 0 0  0 0 4  1");
 }
 
 /* Among them one whose tmin is just above tmax, near every hit. */
@@ -475,19 +472,16 @@ static void a_hard_lane_does_not_disturb_its_neighbours(void)
 /* The same cylinder in four forms, after some that are missed or hit later. */
 static void the_lower_number_is_nearest_for_equal_t(void)
 {
-    static const double data[4][13] = {{0, 0, 0, 0, 0, 4, 1},
-                                       {0, 0, 0, 1, 0, 0, 4, 1},
-                                       {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4},
-                                       {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4, 1}};
-    static const family_shape word[4] = {FAMILY_CYLINDER, FAMILY_CONE,
-                                         FAMILY_ECYLINDER, FAMILY_ECONE};
+    static const char *const forms[4] = {"cylinder 0 0 0  0 0 4  1",
+                                         "cone 0 0 0 1  0 0 4 1",
+                                         "ecylinder 0 0 0  1 0 0  0 1 0  0 0 4",
+                                         "econe 0 0 0  1 0 0  0 1 0  0 0 4  1"};
     struct family_case cases[FEW];
     const struct family_case line = easy();
     for (int turn = 0; turn < 24; turn++) {
         const int ahead = turn / 4;
         for (int i = 0; i < FEW; i++) {
-            cases[i] = family_of(line.line_word, line.line_data,
-                                 word[(i + turn) % 4], data[(i + turn) % 4]);
+            cases[i] = case_of(forms[(i + turn) % 4]);
             if (i < ahead)
                 cases[i].shape_data[0] += i % 2 ? 0.25 : 100.25;
             family_make(&cases[i]);
@@ -542,12 +536,10 @@ static void threads_share_a_pack(void)
 
 int main(void)
 {
-    const char *kernels;
     allocate_pages();
     RUN(kernels_are_chosen_by_name);
     RUN(threads_share_a_pack);
-    for (int i = 0; (kernels = cylint_kernels_name(i)) != NULL; i++) {
-        cylint_use_kernels(kernels);
+    EACH_KERNELS(k) {
         RUN(batches_answer_as_single_questions);
         RUN(runs_of_one_kind_answer_as_single_questions);
         RUN(every_length_has_its_answers);

@@ -289,7 +289,7 @@ TEST(refused_shapes_and_lines_have_no_chord)
     cylint_whole_line(&line, origin, ex);
     CHECK(cylint_chord(&none, &line, c) == 0);
     CHECK(cylint_chord(&s, &line, c) == 0);
-    cylint_sphere(&s, origin, 1, CYLINT_ENDS_CAPPED);
+    s = shape_of("sphere 0 0 0 1");
     CHECK(cylint_chord(&s, &line, c) == 1);
     CHECK(cylint_whole_line(&refused, origin, origin) == CYLINT_EDIRECTION);
     CHECK(cylint_chord(&s, &refused, c) == 0);

@@ -230,18 +230,14 @@ TEST(tangents_of_angles_are_the_same)
  * u.w at an apex, which decides the normal. */
 static void long_signs(struct environment there)
 {
-    const double beside[] = {0x1.0000000000001p0, 0, 1, 1, 0, 1};
-    const double across[] = {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0};
-    const double upright[] = {0, 0, 0, 0, 0, 1, 45};
-    const double leaning[] = {0, 0, 0, 1, 1, 0, 45};
-    struct family_case c =
-        family_of(FAMILY_LINE, across, FAMILY_ACONE, leaning);
+    const struct family_case c =
+        case_of("line 0 0 0  1 -0x1.fffffffffffffp-1 0  "
+                "acone 0 0 0  1 1 0  45  ends=infinite");
     cylint_answer a;
-    compare_ends(family_of(FAMILY_LINE, beside, FAMILY_ACONE, upright),
-                 CYLINT_ENDS_INFINITE, there);
-    c.ends = CYLINT_ENDS_INFINITE;
+    compare(case_of("line 0x1.0000000000001p0 0 1  1 0 1  "
+                    "acone 0 0 0  0 0 1  45  ends=infinite"),
+            there);
     compare(c, there);
-    family_make(&c);
     environment_set(there);
     cylint_intersect(&c.shape, &c.line, CYLINT_WANT_NORMAL, &a);
     environment_reset();

@@ -206,11 +206,9 @@ TEST(also_of_wild_sizes)
 
 TEST(a_point_on_the_wanted_side_is_not_moved)
 {
-    cylint_shape s;
+    const cylint_shape s = shape_of("sphere 0 0 0 1");
     cylint_hit hit = {.point = {0, 0, 2}, .normal = {0, 0, 1}};
-    const double c[3] = {0, 0, 0};
     double p[3];
-    CHECK(cylint_sphere(&s, c, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK);
     CHECK(cylint_outside(&s, &hit, -1, p) == 1 && p[2] == 2);
     hit.point[2] = 0.5;
     CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == 0.5);
@@ -254,25 +252,18 @@ TEST(the_nearest_neighbour_is_chosen_at_all_sizes)
 
 TEST(no_double_is_inside_a_solid_that_is_too_thin)
 {
-    cylint_shape s;
-    const double c[3] = {0.1, 0.2, 0.3}, to[3] = {1.7, 0.9, 1.1};
-    cylint_line line;
+    const struct family_case c =
+        case_of("ray 0.9 0.55 -4  0 0 1  "
+                "capsule 0.1 0.2 0.3  1.7 0.9 1.1  0x1p-70");
     cylint_answer a;
     double p[3];
-    cylint_capsule(&s, c, to, 0x1p-70, CYLINT_ENDS_CAPPED);
-    const double o[3] = {0.9, 0.55, -4}, d[3] = {0, 0, 1};
-    cylint_ray(&line, o, d);
-    cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a);
-    cylint_hit hit = a.hit[0];
-    if (a.n == 0) {
-        memcpy(hit.point, o, sizeof o);
-        hit.point[2] = 0.7;
-        hit.normal[0] = 0, hit.normal[1] = 0, hit.normal[2] = -1;
-    }
-    if (cylint_outside(&s, &hit, 1, p) == 0)
+    cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
+    const cylint_hit beside = {.point = {0.9, 0.55, 0.7}, .normal = {0, 0, -1}},
+                     hit = a.n > 0 ? a.hit[0] : beside;
+    if (cylint_outside(&c.shape, &hit, 1, p) == 0)
         CHECK(memcmp(p, hit.point, sizeof p) == 0);
     else
-        CHECK(cylint_contains(&s, p) == 1);
+        CHECK(cylint_contains(&c.shape, p) == 1);
     cylint_shape none;
     memset(&none, 0, sizeof none);
     CHECK(cylint_outside(&none, &hit, 1, p) == 0 && p[2] == hit.point[2]);

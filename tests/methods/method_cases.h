@@ -27,8 +27,8 @@ static inline int answers_for(const char *name, int kind, int ends)
     return kind == CYLINT_KIND_CYLINDER;
 }
 
-/* Whether the answers are the same and their numbers within `error`.  phi jumps from
- * 1 to 0.  Writes the largest difference of t to *worst if it is larger. */
+/* Whether the answers are the same and their numbers within `error`.  phi jumps
+ * from 1 to 0.  Writes the largest difference of t to *worst if it is larger. */
 static inline int agrees(const cylint_answer *got, const cylint_answer *want,
                          double error, double *worst)
 {

@@ -98,13 +98,11 @@ TEST(the_methods_keep_the_contract)
  * computes, no hit is on the absent cap. */
 TEST(a_pointed_end_is_never_hit_as_a_cap)
 {
-    const double apex[3] = {1, 2, 3}, other[3] = {2, 4, 7};
-    cylint_shape down, up;
+    const double apex[3] = {1, 2, 3};
+    const cylint_shape down = shape_of("cone 1 2 3 0  2 4 7 2"),
+                       up = shape_of("cone 2 4 7 2  1 2 3 0");
     cylint_answer a;
     int hits = 0;
-
-    cylint_cone(&down, apex, 0, other, 2, CYLINT_ENDS_CAPPED);
-    cylint_cone(&up, other, 2, apex, 0, CYLINT_ENDS_CAPPED);
     for (int i = 1; i < 1000; i++) {
         const double d[3] = {1 + i / 7.0, 2 - i / 300.0, 4 + i / 11.0};
         double o[3];
@@ -150,10 +148,8 @@ TEST(each_member_is_written_by_itself)
 /* An angle slightly below 0 is 0, not one turn. */
 TEST(an_angle_stays_below_a_turn)
 {
-    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, y[3] = {0, 1, 0};
-    cylint_shape shape;
-
-    cylint_cylinder(&shape, o, up, 1, CYLINT_ENDS_CAPPED);
+    const double y[3] = {0, 1, 0};
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
     for (int sign = -1; sign <= 1; sign += 2) {
         const double from[3] = {sign * 1e-300, -2, 0.5};
         cylint_line line;
@@ -172,11 +168,10 @@ TEST(a_tangent_plane_has_one_ruling)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     int touches = 0, misses = 0;
-    cylint_shape cone, narrow;
+    const cylint_shape cone = shape_of("acone 0 0 0  0 0 1  45  ends=infinite");
+    cylint_shape narrow;
     cylint_line line;
     cylint_answer a;
-
-    cylint_angle_cone(&cone, o, up, 45, CYLINT_ENDS_INFINITE);
     for (int i = 1; i <= 40; i++) { /* the ruling along (x, y, hypot(x, y)) */
         const double x = i * i - 400, y = 40 * i, z = i * i + 400;
         const double across[3] = {-y, x, 0};

@@ -3,6 +3,7 @@
 # example compiles and links with it, the README's commands run, and uninstall
 # removes it.  The library also compiles without the Makefile.
 . "$(dirname "$0")/../support/verdict.sh"
+. tests/support/transcripts.sh
 . "$(dirname "$0")/../support/installs.sh"
 root=$scratch/root
 lib=$root/usr/lib
@@ -355,31 +356,14 @@ test_without_makefile()
         "$scratch/bare/example" | diff "$scratch/example.said" -
 }
 
-# sh runs each `$ ` line of the README's console blocks with the installed command
-# in the path; the lines after it are the expected output.
+# The README's console blocks are transcripts of the installed command.
 test_readme_commands()
 {
-    here=$(pwd)
-    mkdir "$scratch/steps" "$scratch/work"
-    ln -s "$here/tools" "$scratch/work/tools"
-    awk -v steps="$scratch/steps/" '
-        /^```/ { inside = $0 == "```console"; open = 0; next }
-        !inside { next }
-        /^\$ / { step = sprintf("%s%02d", steps, ++n)
-                 printf "" > (step ".said")
-                 text = substr($0, 3)
-                 print text > (step ".sh")
-                 open = text ~ /\\$/
-                 next }
-        open { print > (step ".sh"); open = /\\$/; next }
-        { print > (step ".said") }
-    ' README.md
-    for step in "$scratch"/steps/*.sh; do
-        (cd "$scratch/work" && PATH=$root/usr/bin:$PATH sh "$step") > "$scratch/said" 2>&1
-        diff "${step%.sh}.said" "$scratch/said" || { cat "$step"; false; }
-        verdict "readme_command_$(basename "$step" .sh)" $?
-    done
-    [ "$(ls "$scratch/steps" | wc -l)" -ge 6 ]
+    mkdir "$scratch/work"
+    ln -s "$top/tools" "$scratch/work/tools"
+    awk '/^```/ { inside = $0 == "```console"; print ""; next } inside' README.md > "$scratch/shown"
+    PATH=$root/usr/bin:$PATH run_transcripts README.md < "$scratch/shown"
+    [ "$(grep -c '^\$ ' "$scratch/shown")" -ge 6 ]
     verdict the_readme_shows_commands $?
 }
 

@@ -212,10 +212,7 @@ static void point_of(const struct scene_shapes *of, enum family family,
 /* With one of the builds of the kernels. */
 static void check_lines(const struct scene_shapes *of, uint64_t number)
 {
-    int kernels = 0;
-    while (cylint_kernels_name(kernels))
-        kernels++;
-    cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)kernels)));
+    use_some_kernels(number);
     cylint_scene *scene = open_scene(of, 2);
     for (int kind = 0; scene && kind < LINES_KINDS; kind++) {
         /* exact numbers decide for most shapes */
@@ -432,11 +429,10 @@ TEST(a_bad_point_or_radius_has_no_shape)
 /* The case of cylint_scene(3), section Overlapping shapes. */
 TEST(the_nearest_surface_may_lie_inside_another_shape)
 {
-    const double center[3] = {0, 0, 0}, end[3] = {30, 0, 0}, p[3] = {0, 3, 0};
-    cylint_shape shapes[2];
+    const cylint_shape shapes[2] = {shape_of("sphere 0 0 0 10"),
+                                    shape_of("capsule 0 0 0  30 0 0  1")};
+    const double p[3] = {0, 3, 0};
     cylint_closest near;
-    CHECK(!cylint_sphere(&shapes[0], center, 10, CYLINT_ENDS_CAPPED) &&
-          !cylint_capsule(&shapes[1], center, end, 1, CYLINT_ENDS_CAPPED));
     cylint_scene *scene = cylint_scene_new(shapes, 2, 1, NULL);
     CHECK(cylint_scene_closest(scene, p, HUGE_VAL, 0, &near) == 1 &&
           near.distance == 2);

@@ -67,13 +67,11 @@ TEST(a_scene_returns_its_shapes)
 
 TEST(a_ball_of_a_hull_keeps_its_part)
 {
-    static const double p[3] = {1, 2, 3}, q[3] = {1, 2, 3.5};
-    cylint_shape shapes[4], back;
-    CHECK(cylint_round_cone(&shapes[0], p, 2, q, 1, CYLINT_ENDS_CAP0) ==
-          CYLINT_OK);
-    CHECK(cylint_round_cone(&shapes[1], p, 1, q, 2, CYLINT_ENDS_CAP0) ==
-          CYLINT_OK);
-    CHECK(cylint_capsule(&shapes[2], p, p, 1, CYLINT_ENDS_CAP1) == CYLINT_OK);
+    static const double p[3] = {1, 2, 3};
+    cylint_shape shapes[4] = {shape_of("rcone 1 2 3 2  1 2 3.5 1 ends=cap0"),
+                              shape_of("rcone 1 2 3 1  1 2 3.5 2 ends=cap0"),
+                              shape_of("capsule 1 2 3  1 2 3  1 ends=cap1")},
+                 back;
     CHECK(cylint_cylinder(&shapes[3], p, p, 1, CYLINT_ENDS_CAPPED) ==
           CYLINT_EAXIS);
     cylint_scene *scene = cylint_scene_new(shapes, 4, 1, NULL);
@@ -86,9 +84,7 @@ TEST(a_ball_of_a_hull_keeps_its_part)
 
 TEST(a_finished_scene_takes_no_shape)
 {
-    cylint_shape shape;
-    static const double c[3] = {0, 0, 0};
-    CHECK(cylint_sphere(&shape, c, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    const cylint_shape shape = shape_of("sphere 0 0 0 1");
     cylint_scene *scene = cylint_scene_begin(1);
     CHECK(cylint_scene_add(scene, NULL, 0) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);

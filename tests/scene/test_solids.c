@@ -101,10 +101,8 @@ TEST(a_refused_solid_changes_nothing)
 TEST(an_unfinished_scene_has_no_solids)
 {
     const cylint_member member = {0, 0, 1};
-    cylint_shape shape;
-    const double o[3] = {0, 0, 0};
+    const cylint_shape shape = shape_of("sphere 0 0 0 1");
     cylint_scene *scene = cylint_scene_begin(0);
-    cylint_sphere(&shape, o, 1, CYLINT_ENDS_CAPPED);
     cylint_scene_add(scene, &shape, 1);
     CHECK(cylint_scene_set_solids(scene, &member, 1) ==
           CYLINT_SCENE_EUNFINISHED);
@@ -508,18 +506,15 @@ TEST(the_sum_over_materials_is_the_whole_length)
  * diameter. */
 TEST(a_hollow_sample_far_away_has_two_pieces)
 {
-    const double p0[3] = {0, 0, -0.25}, p1[3] = {0, 0, 0.25};
     const cylint_member members[] = {{0, 0, 1}, {1, 0, -2}};
     const int clause[] = {1, -2};
-    const double o[3] = {-64, 0, 0};
+    const struct family_case c =
+        case_of("ray -64 0 0  1 0 0  cylinder 0 0 -0.25  0 0 0.25  0x1.4p-7");
+    const cylint_shape rod[2] = {
+        c.shape, shape_of("cylinder 0 0 -0.25  0 0 0.25  0x1p-7")};
     cylint_interval wall[CYLINT_SOLID_PIECES];
     cylint_piece piece[8];
-    cylint_shape rod[2];
-    cylint_line ray;
-    cylint_cylinder(&rod[0], p0, p1, 0x1.4p-7, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&rod[1], p0, p1, 0x1p-7, CYLINT_ENDS_CAPPED);
-    cylint_ray(&ray, o, ex);
-    CHECK(cylint_solid_pieces(rod, clause, 2, &ray, wall,
+    CHECK(cylint_solid_pieces(rod, clause, 2, &c.line, wall,
                               CYLINT_SOLID_PIECES) == 2);
     cylint_scene *scene = cylint_scene_new(rod, 2, 1, NULL);
     CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);

@@ -11,11 +11,12 @@
 
 #include "check.h"
 #include "cylint.h"
+#include "environment.h"
 #include "random.h"
 #include "same.h"
 #include "signs/sign.h"
 
-enum { CASES = 4000, KERNELS = 8, VERDICT = CYLINT_WANT_T | CYLINT_WANT_PART };
+enum { CASES = 4000, VERDICT = CYLINT_WANT_T | CYLINT_WANT_PART };
 
 #define ONE 0x1.0d6f3a19c5e27p0
 
@@ -190,15 +191,13 @@ static void check_point(const cylint_shape *shape, const double point[3],
 {
     double d[3];
     make_direction(d);
-    for (int k = 0; k < KERNELS && cylint_kernels_name(k); k++) {
-        cylint_use_kernels(cylint_kernels_name(k));
+    EACH_KERNELS(k) {
         if (!CHECK((cylint_contains(shape, point) == 0) == is_on))
             REPORT("%s: kind %d, ends %d, point %a %a %a",
                    cylint_kernels_in_use(), shape->kind, shape->ends, point[0],
                    point[1], point[2]);
         check_line(shape, point, d, is_on);
     }
-    cylint_use_kernels(NULL);
 }
 
 TEST(hits_of_a_domain_are_those_of_the_whole_line)

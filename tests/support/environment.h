@@ -1,5 +1,6 @@
 /*
- * environment.h - sets a thread's rounding mode and treatment of subnormals
+ * environment.h - sets a thread's rounding mode and treatment of subnormals, and
+ * the build of the kernels
  */
 #ifndef CYLINT_TEST_ENVIRONMENT_H
 #define CYLINT_TEST_ENVIRONMENT_H
@@ -8,6 +9,7 @@
 #include <stdint.h>
 
 #include "check.h"
+#include "cylint.h"
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
@@ -74,6 +76,27 @@ static inline void environment_reset(void)
     fesetround(FE_TONEAREST);
     treat_subnormals(0);
 }
+
+/* Uses build i of the kernels.  Returns 0 if there is none; the usual one is then
+ * in use again. */
+static inline int use_kernels(int i)
+{
+    const char *name = cylint_kernels_name(i);
+    CHECK(cylint_use_kernels(name));
+    return name != NULL;
+}
+
+/* Uses one of the builds. */
+static inline void use_some_kernels(uint64_t number)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    use_kernels((int)(number % (uint64_t)n));
+}
+
+/* A loop over all builds of the kernels. */
+#define EACH_KERNELS(i) for (int i = 0; use_kernels(i); i++)
 
 enum { ENVIRONMENTS = 16 };
 

@@ -13,7 +13,6 @@
 #include "bench.h"
 
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sched.h>
@@ -46,26 +45,11 @@ static volatile double sink;
 
 /* ------------------------------------------------------------------ time -- */
 
-static double seconds_by(clockid_t clock)
+double seconds_of(clockid_t clock)
 {
     struct timespec t;
     clock_gettime(clock, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static double thread_seconds(void)
-{
-    return seconds_by(CLOCK_THREAD_CPUTIME_ID);
-}
-
-double process_seconds(void)
-{
-    return seconds_by(CLOCK_PROCESS_CPUTIME_ID);
-}
-
-double clock_seconds(void)
-{
-    return seconds_by(CLOCK_MONOTONIC);
 }
 
 /* Keeps this thread on the last core that it may use. */
@@ -139,9 +123,9 @@ static void take_turn(struct contestant *a, int *order, int n, int shuffled)
         sink = a->turn(a->input, order, n);
         shuffle(order, n);
     }
-    const double start = thread_seconds();
+    const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     sink = a->turn(a->input, order, n);
-    a->least = fmin(a->least, thread_seconds() - start);
+    a->least = fmin(a->least, seconds_of(CLOCK_THREAD_CPUTIME_ID) - start);
 }
 
 static void print_row(const struct contest *c, int shuffled, const char *unit,
@@ -174,9 +158,11 @@ static void race(struct contest *c, int *order, int shuffled)
     struct contestant list[1 + KERNELS_MOST];
     double ours[KERNELS_MOST];
     const int n = list_contestants(c, list);
-    const double start = thread_seconds();
+    const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     for (int round = 0;
-         round < ROUNDS || thread_seconds() - start < user.seconds; round++)
+         round < ROUNDS ||
+         seconds_of(CLOCK_THREAD_CPUTIME_ID) - start < user.seconds;
+         round++)
         for (int i = 0; i < n; i++)
             if (takes_part(c, &list[i], i == n - 1))
                 take_turn(&list[i], order, c->questions, shuffled);

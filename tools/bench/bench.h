@@ -13,6 +13,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "cylint.h"
 
@@ -74,9 +75,7 @@ int use_kernels(int k);
 /* For qsort(): doubles, or structures that begin with one, upwards. */
 int compare_doubles(const void *x, const void *y);
 
-/* Seconds of processor time of this process, and of the clock. */
-double process_seconds(void);
-double clock_seconds(void);
+double seconds_of(clockid_t clock);
 
 /* malloc(), or ends the program. */
 void *need(size_t bytes);

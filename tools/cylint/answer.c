@@ -183,10 +183,8 @@ static enum answered finish_block(struct task *task)
     struct job *job = task->job;
     const struct block *b = &task->block;
     progress_add(&job->progress, b->records, (double)b->input, job->in.total);
-    if (b->failure != 0) {
-        job->status = b->failure;
-        input_complain(b);
-    }
+    if (b->failure != 0)
+        job->status = input_complain(b);
     return b->length == 0 || task->stopped ? ANSWERED_LAST : ANSWERED;
 }
 

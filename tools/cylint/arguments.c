@@ -13,8 +13,6 @@
 
 enum { VALUE_MOST = 64, HELP_COLUMN = 21 };
 
-const char no_help[] = "";
-
 /* ------------------------------------------------------------- messages -- */
 
 /* lint: va_start() was called */
@@ -229,8 +227,6 @@ void print_options(const struct option *known)
 {
     int column = 0;
     for (const struct option *o = known; o->name; o++) {
-        if (o->help == no_help)
-            continue;
         column +=
             printf("%s%s%s", column > 0 ? ", " : "  ", dashes_of(o), o->name);
         if (o->value)
@@ -244,8 +240,7 @@ void print_options(const struct option *known)
 
 int end_printing(void)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return 0;
-    complain_errno("standard output");
-    return EXIT_IO;
+    return fflush(stdout) == 0 && !ferror(stdout)
+               ? 0
+               : complain_errno("standard output");
 }

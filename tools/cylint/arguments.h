@@ -10,6 +10,8 @@
 
 #include <stddef.h>
 
+#include "message.h"
+
 struct option;
 
 /* Reads a value into the option's place.  Returns 0, or EXIT_USAGE after a
@@ -31,8 +33,6 @@ struct option {
     const char *help; /* of it and of those before it that have none */
 };
 
-extern const char no_help[]; /* the help of an option that is not shown */
-
 option_reader read_flag;  /* sets an int to `number` */
 option_reader read_text;  /* a const char *, the value */
 option_reader read_word;  /* an int, the index of a word */
@@ -40,11 +40,7 @@ option_reader read_count; /* an int from 1 to `number` */
 option_reader read_about; /* a const char *, the word or the option's name */
 
 /* Prints a message and a hint to --help.  Returns EXIT_USAGE. */
-int usage(const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 1, 2)))
-#endif
-    ;
+int usage(const char *format, ...) LIKE_PRINTF(1, 2);
 /* The same for a wrong value.  `meant` is the known word nearest to it, or
  * NULL. */
 int usage_value(const struct option *o, const char *value, const char *expected,

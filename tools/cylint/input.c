@@ -363,9 +363,10 @@ void input_read(struct input *in, struct block *b)
     b->input = in->bytes;
 }
 
-void input_complain(const struct block *b)
+int input_complain(const struct block *b)
 {
-    complain(b->name, b->what ? b->what : strerror(b->error));
+    return complain(b->failure, b->name, "%s",
+                    b->what ? b->what : strerror(b->error));
 }
 
 int block_make(struct block *block)
@@ -409,11 +410,9 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
         do {
             input_read(&in, &block);
             status = block.failure != 0
-                         ? block.failure
+                         ? input_complain(&block)
                          : read_block(&block, &notes, handle, context);
         } while (status == 0 && block.length > 0);
-        if (block.failure != 0)
-            input_complain(&block);
         input_close(&in);
     }
     free(block.text);

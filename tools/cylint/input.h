@@ -61,8 +61,8 @@ int input_is_empty(struct input *in);
 /* Reads the next block.  Its length is 0 at the end of all input and if
  * block->failure is set. */
 void input_read(struct input *in, struct block *block);
-/* Prints the failure. */
-void input_complain(const struct block *block);
+/* Prints the failure.  Returns its exit status. */
+int input_complain(const struct block *block);
 void input_close(struct input *in);
 
 /* Allocates a block's text.  Returns 0 if there is no memory. */

@@ -33,10 +33,8 @@ int labels_take(struct labels *labels, const cylint_scene *scene,
         labels->longest = length > labels->longest ? length : labels->longest;
     }
     if (labels->longest > 0 &&
-        memchr(of->text, '\n', (size_t)of->end[count - 1])) {
-        complain(file, "a label of the scene has a line feed");
-        return EXIT_BAD;
-    }
+        memchr(of->text, '\n', (size_t)of->end[count - 1]))
+        return complain(EXIT_BAD, file, "a label of the scene has a line feed");
     return 0;
 }
 

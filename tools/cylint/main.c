@@ -66,11 +66,9 @@ static int read_scene_if_needed(struct job *job)
         return 0;
     if (is_terminal(o) || o->sum || !input_is_empty(&job->in))
         return read_scene(job);
-    if (strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0) {
-        complain_errno(o->scene);
-        return EXIT_IO;
-    }
-    return 0;
+    return strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0
+               ? complain_errno(o->scene)
+               : 0;
 }
 
 /* Writes the header line, before the workers start. */

@@ -28,12 +28,6 @@ int open_file(const char *name, int flags, unsigned mode)
     return fd;
 }
 
-static int failed(const struct output *out)
-{
-    complain_errno(out->name);
-    return EXIT_IO;
-}
-
 /* ------------------------------------------------------------ signals -- */
 
 /* The file that a signal removes. */
@@ -127,13 +121,13 @@ static int open_new(struct output *out)
 {
     if (is_link(out->name)) {
         out->fd = open_file(out->name, O_WRONLY | O_CREAT, 0666);
-        return out->fd >= 0 ? 0 : failed(out);
+        return out->fd >= 0 ? 0 : complain_errno(out->name);
     }
     if (snprintf(out->place, PATH_MAX, "%s", out->name) >= PATH_MAX) {
         errno = ENAMETOOLONG;
-        return failed(out);
+        return complain_errno(out->name);
     }
-    return begin_part(out, NULL) ? 0 : failed(out);
+    return begin_part(out, NULL) ? 0 : complain_errno(out->name);
 }
 
 static int open_target(struct output *out, const char *name)
@@ -147,14 +141,14 @@ static int open_target(struct output *out, const char *name)
     }
     const int fd = out->fd = open_file(name, O_WRONLY, 0);
     if (fd < 0)
-        return errno == ENOENT ? open_new(out) : failed(out);
+        return errno == ENOENT ? open_new(out) : complain_errno(out->name);
     if (fstat(fd, &old) != 0 || !S_ISREG(old.st_mode))
         return 0;
     if (realpath(name, out->place) && begin_part(out, &old)) {
         close(fd);
         return 0;
     }
-    return ftruncate(fd, 0) == 0 ? 0 : failed(out);
+    return ftruncate(fd, 0) == 0 ? 0 : complain_errno(out->name);
 }
 
 /* Returns whether all bytes are on the disk.  Not all file systems support
@@ -172,12 +166,12 @@ static int close_target(struct output *out, int is_whole)
 {
     int status = 0;
     if (out->part[0] && is_whole && !is_stored(out->fd))
-        status = failed(out);
+        status = complain_errno(out->name);
     if (close(out->fd) != 0 && errno != EINTR && status == 0)
-        status = failed(out);
+        status = complain_errno(out->name);
     if (out->part[0] && is_whole && status == 0 &&
         rename(out->part, out->place) != 0)
-        status = failed(out);
+        status = complain_errno(out->name);
     if (out->part[0] && (!is_whole || status != 0))
         unlink(out->part);
     has_part = 0;
@@ -202,9 +196,7 @@ int output_is_input(const char *file, const char *input)
         stat(file, &out) == 0 && S_ISREG(out.st_mode) &&
         (strcmp(input, "-") == 0 ? fstat(0, &in) : stat(input, &in)) == 0 &&
         in.st_dev == out.st_dev && in.st_ino == out.st_ino;
-    if (is_same)
-        complain(file, "is both input and output");
-    return is_same;
+    return is_same && complain(EXIT_IO, file, "is both input and output");
 }
 
 static int put_array_header(struct output *out, unsigned long long rows)
@@ -220,10 +212,8 @@ int output_begin_array(struct output *out)
     struct stat s;
     const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
                          !(fcntl(out->fd, F_GETFL) & O_APPEND);
-    if (!way_back) {
-        complain(out->name, "a .npy array must go to a file");
-        return EXIT_IO;
-    }
+    if (!way_back)
+        return complain(EXIT_IO, out->name, "a .npy array must go to a file");
     out->array = (long long)lseek(out->fd, 0, SEEK_CUR);
     return put_array_header(out, 0);
 }
@@ -236,7 +226,7 @@ int output_open(struct output *out, const char *name, size_t row)
     const int status = open_target(out, name);
     if (status == 0 && (fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
-        return failed(out);
+        return complain_errno(out->name);
     }
     return status;
 }
@@ -293,10 +283,8 @@ static int finish_array(struct output *out)
     struct stat s;
     const off_t at = lseek(out->fd, 0, SEEK_CUR);
     if (at == -1 || fstat(out->fd, &s) != 0 ||
-        lseek(out->fd, (off_t)out->array, SEEK_SET) == -1) {
-        complain_errno(out->name);
-        return EXIT_IO;
-    }
+        lseek(out->fd, (off_t)out->array, SEEK_SET) == -1)
+        return complain_errno(out->name);
     const long long end = (long long)(at < s.st_size ? at : s.st_size);
     const long long rows = end - out->array - NPY_WRITTEN;
     return put_array_header(out, (unsigned long long)rows / out->row);

@@ -9,7 +9,7 @@
 #include "main.h"
 #include "report.h"
 
-enum { FOUND_MOST = 32 };
+enum { FOUND_MOST = 32, COMPLAINT_CAPACITY = 512 };
 
 static struct note *present(struct notes *notes)
 {
@@ -137,23 +137,30 @@ void count_bad(struct notes *notes)
 
 /* ------------------------------------------------------------ printing -- */
 
-void complain(const char *name, const char *what)
+/* lint: va_start() was called */
+int complain(int status, const char *name, const char *format, ...)
 {
-    char shown[SHOWN_CAPACITY];
-    message("%s: %s", escape(shown, string_of(name), SHOWN_MOST), what);
+    char shown[SHOWN_CAPACITY], text[COMPLAINT_CAPACITY];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    message("%s: %s", escape(shown, string_of(name), SHOWN_MOST), text);
+    return status;
 }
 
-void complain_errno(const char *name)
+int complain_errno(const char *name)
 {
-    complain(name, strerror(errno));
+    return complain(EXIT_IO, name, "%s", strerror(errno));
 }
 
-void complain_at(const char *name, unsigned long long line,
-                 unsigned long long column, const char *what)
+int complain_at(const char *name, unsigned long long line,
+                unsigned long long column, const char *what)
 {
     char shown[SHOWN_CAPACITY];
     message("%s:%llu:%llu: %s", escape(shown, string_of(name), SHOWN_MOST),
             line, column, what);
+    return EXIT_BAD;
 }
 
 int out_of_memory(void)
@@ -170,9 +177,7 @@ static void print_note(const struct note *note, const char *name)
                  note->looks_binary ? "; this looks like a binary file" : "");
         complain_at(name, note->line, note->column, text);
     } else {
-        snprintf(text, sizeof text, "record %llu: %s", note->record,
-                 note->text);
-        complain(name, text);
+        complain(EXIT_BAD, name, "record %llu: %s", note->record, note->text);
     }
 }
 

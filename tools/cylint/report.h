@@ -55,10 +55,7 @@ struct report {
  * The place is in its text, or NULL. */
 /* A text as of printf(). */
 int refuse(struct notes *notes, const char *at, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
+    LIKE_PRINTF(3, 4);
 /* `WHAT: 'TEXT'`, or `WHAT` if the text is empty. */
 int refuse_text(struct notes *notes, const char *what, struct string text);
 /* `expected WHAT, found 'TEXT'`; an empty text is the end of the line. */
@@ -87,14 +84,16 @@ void report_notes(struct report *report, struct notes *notes, const char *name);
 /* Prints the number of bad records, if some had no message. */
 void report_end(const struct report *report);
 
-/* `PROGRAM: NAME:LINE:COLUMN: WHAT`, NAME escaped. */
-void complain_at(const char *name, unsigned long long line,
-                 unsigned long long column, const char *what);
-/* `PROGRAM: NAME: WHAT`; the same with the text of errno. */
-void complain(const char *name, const char *what);
-void complain_errno(const char *name);
-
-/* Returns EXIT_MEMORY after a message. */
+/* All return an exit status after a message. */
+/* EXIT_BAD: `PROGRAM: NAME:LINE:COLUMN: WHAT`, NAME escaped. */
+int complain_at(const char *name, unsigned long long line,
+                unsigned long long column, const char *what);
+/* `status`: `PROGRAM: NAME: ` and a text as of printf(). */
+int complain(int status, const char *name, const char *format, ...)
+    LIKE_PRINTF(3, 4);
+/* EXIT_IO: the same with the text of errno. */
+int complain_errno(const char *name);
+/* EXIT_MEMORY */
 int out_of_memory(void);
 
 #endif

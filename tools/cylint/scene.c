@@ -12,12 +12,11 @@
 
 int scene_failed(cylint_scene_status status, const char *name, int exit_status)
 {
-    if (status == CYLINT_SCENE_OK)
-        return 0;
-    if (status == CYLINT_SCENE_EMEMORY)
-        return out_of_memory();
-    complain(name, cylint_scene_strerror((int)status));
-    return exit_status;
+    return status == CYLINT_SCENE_OK ? 0
+           : status == CYLINT_SCENE_EMEMORY
+               ? out_of_memory()
+               : complain(exit_status, name, "%s",
+                          cylint_scene_strerror((int)status));
 }
 
 static int scene_begin(struct scene *scene)
@@ -144,10 +143,9 @@ int scene_open(struct scene *scene, const char *file, int ends)
         scene->shapes = cylint_scene_open(file, 0, &status);
     if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE)
         return NOT_SAVED;
-    if (status == CYLINT_SCENE_OK && ends != NOT_GIVEN) {
-        complain(file, "is a saved scene, whose shapes have their ends");
-        return EXIT_USAGE;
-    }
+    if (status == CYLINT_SCENE_OK && ends != NOT_GIVEN)
+        return complain(EXIT_USAGE, file,
+                        "is a saved scene, whose shapes have their ends");
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
     return status == CYLINT_SCENE_OK && scene->keeps_labels
                ? labels_take(&scene->labels, scene->shapes, file)

@@ -195,19 +195,6 @@ static int compare_members(const void *a, const void *b)
                                   : abs(m->clause) - abs(n->clause);
 }
 
-static int refuse_shape(const char *file, size_t shape, const char *why)
-{
-    char text[160];
-    struct text t = {text, 0};
-    put_word(&t, "shape ");
-    put_whole(&t, shape + 1);
-    put_word(&t, ": ");
-    put_word(&t, why);
-    put_char(&t, '\0');
-    complain(file, text);
-    return EXIT_BAD;
-}
-
 static int put_records(const struct scene *scene, const char *file, int digits,
                        struct output *out, struct text *t)
 {
@@ -224,7 +211,8 @@ static int put_records(const struct scene *scene, const char *file, int digits,
             r.members++;
         const char *fault = put_record(t, &r, digits);
         if (fault)
-            return refuse_shape(file, i, fault);
+            return complain(EXIT_BAD, file, "shape %llu: %s",
+                            (unsigned long long)i + 1, fault);
         if (t->length >= TEXT_FULL || i + 1 == scene->count) {
             status = output_write(out, t->data, t->length);
             t->length = 0;

@@ -2,7 +2,6 @@
  * solids.c - the solids of a scene that are made of shapes: in=NAME, out=NAME
  */
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -98,19 +97,17 @@ static void number_solids(const struct solids *s, size_t *number)
 static int complain_of_numbers(const struct solids *s, const size_t *number,
                                size_t *solid_at)
 {
-    char a[SHOWN_CAPACITY], b[SHOWN_CAPACITY], text[512];
+    char a[SHOWN_CAPACITY], b[SHOWN_CAPACITY];
     for (size_t i = 0; i < s->names.texts.count; i++) {
         const size_t other = solid_at[number[i]];
-        if (other > 0) {
-            snprintf(text, sizeof text,
-                     "the solids '%s' and '%s' have the same first shape, "
-                     "number %llu; write that shape twice, once for each solid",
-                     escape(a, names_get(&s->names, other - 1), NAME_SHOWN),
-                     escape(b, names_get(&s->names, i), NAME_SHOWN),
-                     (unsigned long long)number[i] + 1);
-            complain(s->file, text);
-            break;
-        }
+        if (other > 0)
+            return complain(
+                EXIT_BAD, s->file,
+                "the solids '%s' and '%s' have the same first shape, "
+                "number %llu; write that shape twice, once for each solid",
+                escape(a, names_get(&s->names, other - 1), NAME_SHOWN),
+                escape(b, names_get(&s->names, i), NAME_SHOWN),
+                (unsigned long long)number[i] + 1);
         solid_at[number[i]] = i + 1;
     }
     return EXIT_BAD;

@@ -29,18 +29,24 @@
 
 struct swc_node {
     uint64_t number, parent;
-    double centre[3], radius;
+    double ball[4];                  /* centre and radius */
     unsigned long long line, column; /* of the parent's number */
     size_t up;                       /* the parent's index, from 1; 0: a root */
     size_t path; /* the first node, from 1, whose ancestor this is; 0: none */
 };
 
-/* The nodes of a file, in its order. */
+/* The nodes of a file, which become shapes of a scene. */
 struct swc {
-    struct swc_node *nodes;
+    struct scene *scene;
+    enum swc_form form;
+    int ends;               /* NOT_GIVEN: capped */
+    const char *name;       /* of the file */
+    struct swc_node *nodes; /* in its order */
     size_t count, capacity;
     size_t *places; /* a hash table of indices into nodes[], from 1 */
     int bits;       /* it has 2^bits entries */
+    /* of what bounds nothing */
+    size_t without_length, without_radius, roots_without_radius;
 };
 
 const char *const swc_forms[] = {
@@ -162,9 +168,9 @@ static int read_node(struct reader *r, struct swc_node *node)
         return EXIT_BAD;
     skip_field(r); /* the type */
     for (int i = 0; i < 3; i++)
-        if (read_decimal(r, &node->centre[i]))
+        if (read_decimal(r, &node->ball[i]))
             return EXIT_BAD;
-    if (read_radius(r, &node->radius))
+    if (read_radius(r, &node->ball[3]))
         return EXIT_BAD;
     node->line = r->notes->line;
     node->column = (unsigned long long)(r->p - r->notes->text) + 1;
@@ -195,7 +201,7 @@ static int read_line(void *context, const char *text, const char *end,
 
 /* --------------------------------------------------------------- shapes -- */
 
-static int refuse_cycle(const struct swc *swc, size_t index, const char *name)
+static int refuse_cycle(const struct swc *swc, size_t index)
 {
     const struct swc_node *node = &swc->nodes[index - 1];
     char text[80];
@@ -203,8 +209,7 @@ static int refuse_cycle(const struct swc *swc, size_t index, const char *name)
              node->up == index ? "node %llu is its own parent"
                                : "the parents of node %llu lead back to it",
              (unsigned long long)node->number);
-    complain_at(name, node->line, node->column, text);
-    return EXIT_BAD;
+    return complain_at(swc->name, node->line, node->column, text);
 }
 
 /* The node of the cycle through `start` that stands first in the file. */
@@ -219,7 +224,7 @@ static size_t first_of_cycle(const struct swc *swc, size_t start)
 
 /* Follows the parents of each node to a root or to a node followed before:
  * to one of the same path, if they form a cycle. */
-static int refuse_cycles(const struct swc *swc, const char *name)
+static int refuse_cycles(const struct swc *swc)
 {
     for (size_t start = 1; start <= swc->count; start++) {
         size_t i = start;
@@ -228,7 +233,7 @@ static int refuse_cycles(const struct swc *swc, const char *name)
             i = swc->nodes[i - 1].up;
         }
         if (i > 0 && swc->nodes[i - 1].path == start)
-            return refuse_cycle(swc, first_of_cycle(swc, i), name);
+            return refuse_cycle(swc, first_of_cycle(swc, i));
     }
     return 0;
 }
@@ -250,21 +255,10 @@ static size_t find_parents(const struct swc *swc)
 static void print_count(const char *name, size_t count, const char *what,
                         const char *more)
 {
-    char text[120];
-    snprintf(text, sizeof text, "%llu %s%s %s", (unsigned long long)count, what,
-             count == 1 ? "" : "s", more);
     if (count > 0)
-        complain(name, text);
+        complain(EXIT_ANSWERED, name, "%llu %s%s %s", (unsigned long long)count,
+                 what, count == 1 ? "" : "s", more);
 }
-
-/* The nodes become shapes of a scene.  Counts what bounds nothing. */
-struct conversion {
-    struct scene *scene;
-    enum swc_form form;
-    int ends;         /* NOT_GIVEN: capped */
-    const char *name; /* of the file */
-    size_t without_length, without_radius, roots_without_radius;
-};
 
 static int same_place(const double a[3], const double b[3])
 {
@@ -272,91 +266,79 @@ static int same_place(const double a[3], const double b[3])
 }
 
 /* Whether a root bounds a ball; counts it if not. */
-static int is_ball(struct conversion *c, const struct swc_node *root)
+static int is_ball(struct swc *swc, const struct swc_node *root)
 {
-    c->roots_without_radius += root->radius == 0;
-    return root->radius > 0;
+    swc->roots_without_radius += root->ball[3] == 0;
+    return root->ball[3] > 0;
 }
 
 /* Whether an edge bounds a shape; counts it if not.  A rounded cone without
  * length is a ball. */
-static int is_solid(struct conversion *c, const struct swc_node *node,
+static int is_solid(struct swc *swc, const struct swc_node *node,
                     const struct swc_node *parent)
 {
-    if (c->form == SWC_CONES && same_place(node->centre, parent->centre)) {
-        c->without_length++;
+    if (swc->form == SWC_CONES && same_place(node->ball, parent->ball)) {
+        swc->without_length++;
         return 0;
     }
-    if (node->radius == 0 && parent->radius == 0) {
-        c->without_radius++;
+    if (node->ball[3] == 0 && parent->ball[3] == 0) {
+        swc->without_radius++;
         return 0;
     }
     return 1;
 }
 
 /* parent: NULL for a root. */
-static cylint_status make_shape(const struct conversion *c,
-                                const struct swc_node *node,
-                                const struct swc_node *parent,
-                                cylint_shape *shape)
-{
-    const cylint_ends ends =
-        c->ends == NOT_GIVEN ? CYLINT_ENDS_CAPPED : (cylint_ends)c->ends;
-    if (!parent)
-        return cylint_sphere(shape, node->centre, node->radius, ends);
-    if (c->form == SWC_ROUND)
-        return cylint_round_cone(shape, node->centre, node->radius,
-                                 parent->centre, parent->radius, ends);
-    return cylint_cone(shape, node->centre, node->radius, parent->centre,
-                       parent->radius, ends);
-}
-
-static int add_shape(struct conversion *c, const struct swc_node *node,
+static int add_shape(const struct swc *swc, const struct swc_node *node,
                      const struct swc_node *parent)
 {
-    char number[24];
-    struct text label = {number, 0};
+    char digits[24];
+    struct text label = {digits, 0};
     struct record record;
-    const cylint_status status = make_shape(c, node, parent, &record.shape);
-    if (status != CYLINT_OK) {
-        complain_at(c->name, node->line, 1, cylint_strerror((int)status));
-        return EXIT_BAD;
-    }
+    double number[8];
+    const int kind = !parent                  ? SHAPE_SPHERE
+                     : swc->form == SWC_ROUND ? SHAPE_RCONE
+                                              : SHAPE_CONE;
+    memcpy(number, node->ball, sizeof node->ball);
+    if (parent)
+        memcpy(number + 4, parent->ball, sizeof parent->ball);
+    const cylint_status status =
+        shape_of_numbers(kind, swc->ends, number, &record.shape);
+    if (status != CYLINT_OK)
+        return complain_at(swc->name, node->line, 1,
+                           cylint_strerror((int)status));
     put_whole(&label, node->number);
-    record.tail = between(number, number + label.length);
-    return scene_add(c->scene, &record);
+    record.tail = between(digits, digits + label.length);
+    return scene_add(swc->scene, &record);
 }
 
-static int convert_node(struct conversion *c, const struct swc *swc,
-                        const struct swc_node *node)
+static int convert_node(struct swc *swc, const struct swc_node *node)
 {
     const struct swc_node *parent =
         node->up > 0 ? &swc->nodes[node->up - 1] : NULL;
-    const int is_shape = parent ? is_solid(c, node, parent)
-                                : c->form == SWC_ROUND && is_ball(c, node);
-    return is_shape ? add_shape(c, node, parent) : 0;
+    const int is_shape = parent ? is_solid(swc, node, parent)
+                                : swc->form == SWC_ROUND && is_ball(swc, node);
+    return is_shape ? add_shape(swc, node, parent) : 0;
 }
 
 /* After all nodes were read. */
-static int add_shapes(struct swc *swc, struct conversion *c)
+static int add_shapes(struct swc *swc)
 {
-    if (swc->count == 0) {
-        complain(c->name, "no node was found");
-        return EXIT_BAD;
-    }
+    if (swc->count == 0)
+        return complain(EXIT_BAD, swc->name, "no node was found");
     const size_t missing = find_parents(swc);
-    int status = refuse_cycles(swc, c->name);
+    int status = refuse_cycles(swc);
     for (size_t i = 0; i < swc->count && status == 0; i++)
-        status = convert_node(c, swc, &swc->nodes[i]);
+        status = convert_node(swc, &swc->nodes[i]);
     if (status != 0)
         return status;
-    print_count(c->name, missing, "node",
+    print_count(swc->name, missing, "node",
                 missing == 1
                     ? "with a parent that is not in the file taken as a root"
                     : "with a parent that is not in the file taken as roots");
-    print_count(c->name, c->without_length, "edge", "of no length skipped");
-    print_count(c->name, c->without_radius, "edge", "of no radius skipped");
-    print_count(c->name, c->roots_without_radius, "root",
+    print_count(swc->name, swc->without_length, "edge", "of no length skipped");
+    print_count(swc->name, swc->without_radius, "edge", "of no radius skipped");
+    print_count(swc->name, swc->roots_without_radius, "root",
                 "of no radius skipped");
     return 0;
 }
@@ -364,12 +346,10 @@ static int add_shapes(struct swc *swc, struct conversion *c)
 int swc_read(struct scene *scene, const char *file, int ends,
              enum swc_form form)
 {
-    struct swc swc = {0};
-    struct conversion c = {
-        .scene = scene, .form = form, .ends = ends, .name = file};
+    struct swc swc = {.scene = scene, .form = form, .ends = ends, .name = file};
     int status = read_lines(file, 1, read_line, &swc);
     if (status == 0)
-        status = add_shapes(&swc, &c);
+        status = add_shapes(&swc);
     free(swc.nodes);
     free(swc.places);
     return status;

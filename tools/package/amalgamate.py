@@ -10,9 +10,8 @@ Headers that are the same for all files come first.  What several sections need 
 different macros is a part: templates, headers that depend on the instruction set (they
 include a header of intrinsics), and files with several builds.  They stand beside OUTPUT,
 which includes them with CYLINT_PART, the number of a part, defined.  cylint_builds.h has
-files, and in part 0 the headers whose macro CYLINT_NEEDS_... is defined.
-cylint_templates.h has templates; its part 1 undefines all macros of parts.  Two files,
-because compilers read a file to its end.
+headers and files, cylint_templates.h has templates; its part 1 undefines all macros of
+parts.  Two files, because compilers read a file to its end.
 
 Names of file scope get the number of their section: all those of parts, and of other
 files those that several define.  The preprocessor (CC -E) shows the names, and #define
@@ -46,13 +45,6 @@ NAMED = [
     re.compile(r"\btypedef\b[^;]*?(\w+)\s*(?:\[[^;]*\]\s*)?;"),
     re.compile(r"\btypedef\b[^;(]*?(?:\(\s*\*\s*)?(\w+)\s*\)?\s*\("),
 ]
-PUBLIC = {
-    "cylint.h",
-    "cylint_distance.h",
-    "cylint_methods.h",
-    "cylint_pieces.h",
-    "cylint_scene.h",
-}
 X86 = "defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__)) && !defined(CYLINT_PLAIN)"
 
 
@@ -64,57 +56,40 @@ def resolve(name, includer):
     beside = (includer.parent / name).resolve()
     if beside.exists():
         return beside
-    if name in PUBLIC:
+    if Path("include", name).exists():
         return None
     raise SystemExit(f"{includer}: cannot find {name}")
 
 
 @functools.cache
-def lines_with_depth(path):
-    """The lines of a file, each with the number of conditions around it, without that
-    of its guard."""
-    depth = -1 if not is_repeated(path) and path.suffix == ".h" else 0
-    lines = []
-    for line in path.read_text().splitlines():
-        depth -= re.match(r" *# *endif", line) is not None
-        lines.append((line, depth))
-        depth += re.match(r" *# *if", line) is not None
-    return lines
-
-
-@functools.cache
-def included(path, most_depth=99):
-    """The files that it includes, within so many conditions at most."""
-    found = [
-        (INCLUDE.match(line), depth) for line, depth in lines_with_depth(path)
-    ]
-    files = [resolve(m[1], path) for m, depth in found if m and depth <= most_depth]
+def included(path):
+    """The files that it includes."""
+    names = map(INCLUDE.match, path.read_text().splitlines())
+    files = [resolve(m[1], path) for m in names if m]
     return [f for f in files if f is not None]
 
 
 @functools.cache
-def is_repeated(path):
-    """Whether it has no guard: a template, or a part of a file."""
-    return not re.search(r"^#ifndef \w+_H$", path.read_text(), re.M)
+def guard_of(path):
+    """The macro of a header; None for a template, or a part of a file."""
+    match = re.search(r"^#ifndef (\w+_H)$", path.read_text(), re.M)
+    return match and match[1]
 
 
 @functools.cache
 def is_private(path):
     """Whether a header belongs to each section that includes it."""
     return (
-        is_repeated(path)
+        not guard_of(path)
         or path.name.endswith("simd.h")
-        or any(is_private(f) and not is_repeated(f) for f in included(path))
+        or any(is_private(f) and guard_of(f) for f in included(path))
     )
 
 
-def private_files(path, most_depth=99):
+def private_files(path):
     """A file and the private headers that it includes."""
-    files = {path}
-    for header in included(path, most_depth):
-        if is_private(header):
-            files |= private_files(header, most_depth)
-    return files
+    private = filter(is_private, included(path))
+    return {path}.union(*map(private_files, private))
 
 
 def shared_headers(files):
@@ -140,86 +115,65 @@ class Parts:
 
     def __init__(self, files, built_again):
         self.number = {}
-        self.headers = []
         for path in files:
             self.collect(path)
-        self.files = set()
-        for path in files:
-            if path in built_again:
-                self.number[path] = len(self.number) + 2
-                self.files.add(self.number[path])
+        for path in filter(built_again.__contains__, files):
+            self.add(path)
+        self.templates = {
+            p for p in self.number if not guard_of(p) and p not in built_again
+        }
+
+    def add(self, path):
+        self.number.setdefault(path, len(self.number) + 2)
 
     def collect(self, path):
         for header in included(path):
             self.collect(header)
-            if not is_private(header):
-                continue
-            if is_repeated(header):
-                self.number.setdefault(header, len(self.number) + 2)
-            elif header not in self.headers:
-                self.headers.append(header)
-
-    def include_headers(self, path):
-        """Lines that include the headers that a file needs without a condition."""
-        needed = private_files(path, 0)
-        return [
-            *(f"#define {needs(h)}" for h in self.headers if h in needed),
-            *self.include(0),
-        ]
+            if is_private(header):
+                self.add(header)
 
     def text(self, path):
-        """The lines of a file with includes of templates.  In a C file all headers
-        of parts stand where the first of them is included, but those that it
-        includes under a condition."""
+        """The lines of a file, with includes of parts."""
         lines = [f"/* {path.parent.name}/{path.name} */"]
-        wanted = path.suffix == ".c"
-        for line, depth in lines_with_depth(path):
+        for line in path.read_text().splitlines():
             match = INCLUDE.match(line)
             file = match and resolve(match[1], path)
             if not match:
                 lines.append(line)
             elif file in self.number:
-                lines += self.include(self.number[file])
-            elif file in self.headers and depth > 0:
-                lines += self.include_headers(file)
-            elif file in self.headers and wanted:
-                lines += self.include_headers(path)
-                wanted = False
+                lines += self.include(file)
         return lines
 
-    def include(self, number):
-        is_file = number == 0 or number in self.files
-        return [
-            "#undef CYLINT_PART",
-            f"#define CYLINT_PART {number}",
-            f'#include "cylint_{"builds" if is_file else "templates"}.h"',
-            "#undef CYLINT_PART",
-        ]
+    def include(self, path):
+        """A header, which has a guard, is read once."""
+        name = "templates" if path in self.templates else "builds"
+        guard = guard_of(path)
+        lines = include_part(self.number[path], name)
+        return [f"#ifndef {guard}", *lines, "#endif"] if guard else lines
 
     def write(self):
         """The lines of cylint_builds.h and of cylint_templates.h."""
-        builds = ["#if CYLINT_PART == 0"]
-        for header in self.headers:
-            builds.append(f"#ifdef {needs(header)}")
-            builds += self.text(header)
-            builds.append("#endif")
+        builds = ["#if 0"]
         templates = ["#if CYLINT_PART == 1"]
         templates += [f"#undef {name}" for name in self.macros()]
         for path, number in self.number.items():
-            to = builds if number in self.files else templates
+            to = templates if path in self.templates else builds
             to.append(f"#elif CYLINT_PART == {number}")
             to += self.text(path)
         return [*builds, "#endif"], [*templates, "#endif"]
 
     def macros(self):
-        lines = []
-        for path in [*self.headers, *self.number]:
-            lines += self.text(path)
-        return sorted((macros_in(lines) - {"CYLINT_PART"}) | set(map(needs, self.headers)))
+        lines = [line for path in self.number for line in self.text(path)]
+        return sorted(macros_in(lines) - {"CYLINT_PART"})
 
 
-def needs(header):
-    return "CYLINT_NEEDS_" + header.stem.upper()
+def include_part(number, name):
+    return [
+        "#undef CYLINT_PART",
+        f"#define CYLINT_PART {number}",
+        f'#include "cylint_{name}.h"',
+        "#undef CYLINT_PART",
+    ]
 
 
 def macros_in(lines):
@@ -272,10 +226,10 @@ class Section:
     def __init__(self, path, flags, cc, parts):
         self.path = path
         self.flags = flags.split()
-        self.number = parts.number.get(path)
+        self.is_part = path in parts.number
         self.lines = parts.text(path)
         private = private_files(path)
-        self.headers = [h for h in parts.headers if h in private]
+        self.headers = [h for h in private if guard_of(h)]
         defined = ["-DCYLINT_BUILDS_X86"] if flags else []
         self.names = names_of(cc, path, self.flags + defined, private)
         self.names |= names_in_text(self.lines)
@@ -284,7 +238,7 @@ class Section:
         self.names -= macros_in(self.lines)
 
     def is_private(self):
-        return bool(self.headers or self.number)
+        return bool(self.headers or self.is_part)
 
     def isa(self):
         """The instruction sets, as names of gcc.  Options with a value only
@@ -305,10 +259,10 @@ class Section:
         out.append(f"#define CYLINT_SECTION {number}")
         out += [f"#define {name} {value}" for name, value in defined]
         out += [f"#define {name} CYLINT_OWN({name})" for name in renamed]
-        out += parts.include(self.number) if self.number else self.lines
+        out += parts.include(self.path) if self.is_part else self.lines
         if self.is_private():
-            out += parts.include(1)
-        mine = [] if self.number else sorted(macros_in(self.lines))
+            out += include_part(1, "templates")
+        mine = [] if self.is_part else sorted(macros_in(self.lines))
         for name in [*mine, *renamed, *(d[0] for d in defined)]:
             out.append(f"#undef {name}")
         out.append("#undef CYLINT_SECTION")

@@ -22,7 +22,7 @@ check-amalgamation: $(one_file) ## run every test with that file for the library
 	  left_out='$(BUILD)/amalgamated/tests/bounds/test_arena tests/package/test_amalgamation.sh tests/package/test_install.sh' check
 
 %/amalgamation/cylint.o: %/amalgamation/cylint.c
-	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) $(threads) -fPIC -fvisibility=hidden -c -o $@ $<
+	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) $(threads) $(hidden) -c -o $@ $<
 
 # ---------------------------------------------- tarball, Debian, CMake --
 tarball = $(BUILD)/cylint-$(version).tar.gz

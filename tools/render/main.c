@@ -86,11 +86,10 @@ static int set_stage(struct job *job, const struct boxes *boxes)
         return EXIT_MEMORY;
     job->scene.keeps_labels = 0;
     labels_free(&job->scene.labels);
-    if (!view_of_scene(&job->view, &o->viewing, boxes)) {
-        complain(o->scene, "no shape is bounded, or the view is along --up; "
-                           "use --eye and --look-at");
-        return EXIT_BAD;
-    }
+    if (!view_of_scene(&job->view, &o->viewing, boxes))
+        return complain(EXIT_BAD, o->scene,
+                        "no shape is bounded, or the view is along --up; "
+                        "use --eye and --look-at");
     job->stage = (struct stage){.colours = job->colours,
                                 .has_solids = job->scene.solids.count > 0,
                                 .has_ground = o->ground && boxes->size > 0,

@@ -153,10 +153,6 @@ enum { OF_SURFACES = 1 /* an option for light and colour, not for X-rays */ };
 static const char *const shadings[] = {"light", "plain", "normal", NULL};
 static const char direction[] = "a direction X,Y,Z";
 
-#define COLOURINGS                                                       \
-    "number, label, kind, connected, radius, height, element, chain or " \
-    "#rrggbb"
-
 #define AT(member) offsetof(struct options, member)
 
 /* In the order of --help. */
@@ -182,11 +178,13 @@ static const struct option options_known[] = {
     {"ortho", 0, read_flag, AT(viewing.parallel), 0, 1, 0, "parallel rays"},
     {"zoom", "FACTOR", read_factor, AT(viewing.zoom), "a number above 0", 0, 0,
      "enlarge about the picture's centre"},
-    {"colour", "HOW", read_colouring, 0, COLOURINGS, 0, OF_SURFACES,
+    {"colour", "HOW", read_colouring, 0,
+     "number, label, kind, connected, radius, height, element, chain or "
+     "#rrggbb",
+     0, OF_SURFACES,
      "of shapes without a field #rrggbb in their records:\n"
      "number, label, kind, connected, radius, height,\nelement, chain or "
      "#rrggbb"},
-    {"color", "HOW", read_colouring, 0, COLOURINGS, 0, OF_SURFACES, no_help},
     {"shade", "HOW", read_word, AT(shading), shadings, 0, OF_SURFACES,
      "light (default), plain or normal"},
     {"light", "X,Y,Z", read_direction, AT(sun), direction, 0, OF_SURFACES,

@@ -1,5 +1,5 @@
-# cylint_atan2_turns() (src/embree/angle.h): y <= x, their sizes sorted, x scaled to
-# [1, 2]; T is the true tangent from pi / 8 and t what is computed.  The true
+# cylint_atan2_turns() (src/embree/float_filter_lanes.h): y <= x, their sizes sorted,
+# x scaled to [1, 2]; T is the true tangent from pi / 8 and t what is computed.  The true
 # angle of t, in turns, is its series less R, at most the first term left out,
 # 0.4142136^29 / (58 pi); that of T differs from it by at most |T - t| / (2 pi).
 # The sum shown rounds most.  Fused, everything is rounded less often.

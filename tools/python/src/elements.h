@@ -220,9 +220,6 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
                 const From &...from)
 {
     struct Worker {
-        explicit Worker(const Grid &g, const From &...f) : part(g), block{f...}
-        {
-        }
         Part part;
         Block block;
     };
@@ -234,7 +231,7 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
          [&](int number, size_t i) {
              auto &worker = workers[static_cast<size_t>(number)];
              if (!worker)
-                 worker = std::make_unique<Worker>(grid, from...);
+                 worker.reset(new Worker{Part(grid), Block{from...}});
              const size_t begin = i / rows * BLOCK;
              worker->part.locate(i % rows, begin,
                                  std::min<size_t>(BLOCK, grid.row() - begin));
