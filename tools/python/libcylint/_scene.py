@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import (
     Balls, BallsWithin, Doubles, Points, Progress, SceneLines, counted, integers,
-    takes, workers,
+    positive, takes, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
@@ -432,9 +432,7 @@ class Scene:
         >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
         Pieces(line=array([0, 0]), shape=array([0, 2]), depth=array([2, 1]), t0=array([ 4., 13.]), t1=array([ 7., 15.]))
         """
-        most = 0 if first is None else int(first)
-        if most < 0 or (first is not None and most == 0):
-            raise ValueError(f"first: expected a number above 0, found {first}")
+        most = 0 if first is None else positive("first", first)
         lines = SceneLines(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,
