@@ -295,7 +295,8 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
  *     that; where solids overlap, it may be greater.
  *
  * A shape without a surface, and a refused one, has no distance.  If the point is
- * invalid, or the radius is NaN, no shape is within the radius.  It may be HUGE_VAL.
+ * invalid, or the radius is NaN, no shape is within the radius.  It may be
+ * HUGE_VAL.
  */
 
 /* Gets shape `number`, which is within the radius, its distance and its flags, as

@@ -126,8 +126,8 @@ static bounded close_distance(const vnearest *n, const half_plane *m,
                : close_to_plane(s, point, top, m->size);
 }
 
-/* Whether the distance in pairs is certain, or that in triples, which then takes its
- * place. */
+/* Whether the distance in pairs is certain, or that in triples, which then takes
+ * its place. */
 ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
                         const double point[3])
 {

@@ -2,8 +2,8 @@
  * file.c - writes a scene to a file, and opens it
  *
  * A file is a header of 512 bytes and the arrays of the scene as they are in
- * memory, each from a multiple of 64 bytes on, with zeros between them.  Their order
- * is that of FILE_ARRAYS; the header has the bytes of each.
+ * memory, each from a multiple of 64 bytes on, with zeros between them.  Their
+ * order is that of FILE_ARRAYS; the header has the bytes of each.
  *
  * Section RANKS is empty in this version.
  */
