@@ -237,7 +237,8 @@ class Scene:
 
         `cylint -s` opens it, too, and cylint_scene_open() of C.  A file of about
         100 bytes a shape is written beside `path` and renamed, so who has opened
-        an older file keeps it.  Raises OSError if that fails.
+        an older file keeps it; a pipe or a device is written to.  Raises OSError
+        if that fails.
 
         >>> import os, tempfile
         >>> folder = tempfile.TemporaryDirectory()
