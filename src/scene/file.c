@@ -2,8 +2,8 @@
  * file.c - writes a scene to a file, and opens it
  *
  * A file is a header of 512 bytes and the arrays of the scene as they are in
- * memory, each from a multiple of 64 bytes on, with zeros between them.  The order
- * of the arrays is that of `section`; the header has the bytes of each.
+ * memory, each from a multiple of 64 bytes on, with zeros between them.  Their
+ * order is that of FILE_ARRAYS; the header has the bytes of each.
  *
  * Section RANKS is empty in this version.
  */
@@ -24,20 +24,23 @@
 #include "../numbers/bits.h"
 #include "scene.h"
 
-typedef enum {
-    RECORDS,
-    TAGS,
-    SEMI_AXES,
-    NODES,
-    LEAVES,
-    BOUNDED,
-    OTHERS,
-    LABEL_ENDS,
-    LABEL_TEXT,
-    SOLIDS,
-    RANKS,
-    SECTIONS
-} section;
+/* The arrays of the scene s, in the order of the file, and how many elements each
+ * has. */
+#define FILE_ARRAYS(X)                                     \
+    X(RECORDS, records.record, s->n)                       \
+    X(TAGS, records.tag, s->n)                             \
+    X(SEMI_AXES, records.semi_axes, s->records.n_elliptic) \
+    X(NODES, bvh.nodes, s->bvh.n_nodes)                    \
+    X(LEAVES, bvh.leaves, s->bvh.n_leaves)                 \
+    X(BOUNDED, bounded, s->bounded ? s->n_bounded : 0)     \
+    X(OTHERS, others, s->n_others)                         \
+    X(LABEL_ENDS, labels.end, s->labels.end ? s->n : 0)    \
+    X(LABEL_TEXT, labels.text, label_bytes(s))             \
+    X(SOLIDS, solids.given, s->solids.n_members)
+
+#define NAME(section, array, n) section,
+typedef enum { FILE_ARRAYS(NAME) RANKS, SECTIONS } section;
+#undef NAME
 
 enum { FILE_VERSION = 1, FILE_BLOCK = 64, HEADER_BYTES = 512 };
 
@@ -62,18 +65,10 @@ typedef struct {
 typedef char header_has_512_bytes[sizeof(file_header) == HEADER_BYTES ? 1 : -1];
 
 /* Bytes of an element. */
-static const uint64_t element_bytes[SECTIONS] = {
-    [RECORDS] = sizeof(cylint_record),
-    [TAGS] = 1,
-    [SEMI_AXES] = sizeof(cylint_semi_axes),
-    [NODES] = sizeof(cylint_node),
-    [LEAVES] = sizeof(cylint_leaf),
-    [BOUNDED] = sizeof(uint32_t),
-    [OTHERS] = sizeof(uint32_t),
-    [LABEL_ENDS] = sizeof(uint64_t),
-    [LABEL_TEXT] = 1,
-    [SOLIDS] = sizeof(cylint_membership),
-    [RANKS] = 1};
+#define BYTES(section, array, n) \
+    [section] = sizeof *((const cylint_scene *)NULL)->array,
+static const uint64_t element_bytes[SECTIONS] = {FILE_ARRAYS(BYTES)[RANKS] = 1};
+#undef BYTES
 
 static size_t elements_of(const file_header *h, section i)
 {
@@ -141,21 +136,16 @@ typedef struct {
     uint64_t n;
 } section_array;
 
+static uint64_t label_bytes(const cylint_scene *s)
+{
+    return s->labels.end && s->n > 0 ? s->labels.end[s->n - 1] : 0;
+}
+
 static section_array array_of(const cylint_scene *s, section i)
 {
-    const size_t labelled = s->labels.end ? s->n : 0;
-    const section_array arrays[SECTIONS] = {
-        [RECORDS] = {s->records.record, s->n},
-        [TAGS] = {s->records.tag, s->n},
-        [SEMI_AXES] = {s->records.semi_axes, s->records.n_elliptic},
-        [NODES] = {s->bvh.nodes, s->bvh.n_nodes},
-        [LEAVES] = {s->bvh.leaves, s->bvh.n_leaves},
-        [BOUNDED] = {s->bounded, s->bounded ? s->n_bounded : 0},
-        [OTHERS] = {s->others, s->n_others},
-        [LABEL_ENDS] = {s->labels.end, labelled},
-        [LABEL_TEXT] = {s->labels.text,
-                        labelled > 0 ? s->labels.end[labelled - 1] : 0},
-        [SOLIDS] = {s->solids.given, s->solids.n_members}};
+#define ARRAY(section, array, n) [section] = {s->array, n},
+    const section_array arrays[SECTIONS] = {FILE_ARRAYS(ARRAY)};
+#undef ARRAY
     return arrays[i];
 }
 
@@ -251,38 +241,50 @@ static FILE *create_beside(const char *path, char *beside, size_t bytes)
     return file;
 }
 
+static cylint_scene_status write_and_close(const cylint_scene *s, FILE *file)
+{
+    const cylint_scene_status status =
+        cylint_scene_write(s, write_to_file, file);
+    const int why = errno;
+    const int closed = fclose(file) == 0;
+    if (status == CYLINT_SCENE_OK)
+        return closed ? CYLINT_SCENE_OK : CYLINT_SCENE_EFILE;
+    errno = why;
+    return status == CYLINT_SCENE_ESTOPPED ? CYLINT_SCENE_EFILE : status;
+}
+
 /* Writes the file `beside` and renames it. */
 static cylint_scene_status save_beside(const cylint_scene *s, FILE *file,
                                        const char *path, const char *beside)
 {
-    cylint_scene_status status = cylint_scene_write(s, write_to_file, file);
-    const int why = errno;
-    if (fclose(file) != 0 && status == CYLINT_SCENE_OK)
-        status = CYLINT_SCENE_EFILE;
-    else if (status == CYLINT_SCENE_ESTOPPED)
-        errno = why;
+    cylint_scene_status status = write_and_close(s, file);
 #ifdef _WIN32
     if (status == CYLINT_SCENE_OK)
         remove(path); /* rename() does not replace a file */
 #endif
-    if (status == CYLINT_SCENE_OK && rename(beside, path) == 0)
-        return CYLINT_SCENE_OK;
-    const int failed = errno;
-    remove(beside);
-    errno = failed;
-    return status == CYLINT_SCENE_EUNFINISHED ? status : CYLINT_SCENE_EFILE;
+    if (status == CYLINT_SCENE_OK && rename(beside, path) != 0)
+        status = CYLINT_SCENE_EFILE;
+    const int why = errno;
+    if (status != CYLINT_SCENE_OK)
+        remove(beside);
+    errno = why;
+    return status;
 }
 
 cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                       const char *path)
 {
+    const int replaces = cylint_file_is_replaceable(path);
     const size_t bytes = strlen(path) + 32;
     char *beside = malloc(bytes);
     if (!beside)
         return CYLINT_SCENE_EMEMORY;
-    FILE *file = create_beside(path, beside, bytes);
+    FILE *file =
+        replaces ? create_beside(path, beside, bytes) : fopen(path, "wb");
     const cylint_scene_status status =
-        file ? save_beside(scene, file, path, beside) : CYLINT_SCENE_EFILE;
+        !file      ? CYLINT_SCENE_EFILE
+        : replaces ? save_beside(scene, file, path, beside)
+                   : write_and_close(scene, file);
     free(beside);
     return status;
 }
@@ -336,21 +338,14 @@ static void point_into_file(cylint_scene *s, const file_header *h)
     s->n_bounded = (size_t)h->n_bounded;
     s->n_others = elements_of(h, OTHERS);
     s->is_finished = 1;
-    s->records = (cylint_records){.record = (void *)data[RECORDS],
-                                  .tag = (void *)data[TAGS],
-                                  .semi_axes = (void *)data[SEMI_AXES],
-                                  .n = s->n,
-                                  .n_elliptic = elements_of(h, SEMI_AXES)};
-    s->bvh.nodes = (void *)data[NODES];
-    s->bvh.leaves = (void *)data[LEAVES];
+    s->records.n = s->n;
+    s->records.n_elliptic = elements_of(h, SEMI_AXES);
     s->bvh.n_nodes = elements_of(h, NODES);
     s->bvh.n_leaves = elements_of(h, LEAVES);
-    s->bounded = (void *)data[BOUNDED];
-    s->others = (void *)data[OTHERS];
-    s->labels.end = (void *)data[LABEL_ENDS];
-    s->labels.text = data[LABEL_TEXT];
-    s->solids.given = (void *)data[SOLIDS];
     s->solids.n_members = elements_of(h, SOLIDS);
+#define SET(section, array, n) s->array = (void *)data[section];
+    FILE_ARRAYS(SET)
+#undef SET
     s->own_bytes = sizeof *s;
     cylint_bvh_set_box(&s->bvh, &h->box, CYLINT_FRAME_ERROR);
 }

@@ -185,7 +185,7 @@ void bench_batch(void)
         for (int k = 0; k < 2 && is_wanted(kind_names[kind]); k++) {
             in.kind = (enum kind)kind;
             approach(share_of_hits, 32, shares[k].share);
-            in.formula = lean_line_of(&in.solid[0]);
+            in.formula = lean_lines[kind];
             for (size_t q = 0; q < sizeof asked / sizeof *asked; q++)
                 compete(&(struct contest){.subject = kind_names[kind],
                                           .question = asked[q].name,

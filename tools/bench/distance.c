@@ -132,7 +132,7 @@ void bench_distance(void)
             in.shape[i] = shape_of_solid(&in.solid[i]);
             lean_prepare_body(&in.lean[i], &in.solid[i]);
         }
-        in.formula = lean_distance_of(&in.solid[0]);
+        in.formula = lean_distances[kind];
         for (int family = 0; family < FAMILIES; family++)
             ask_family((enum family)family);
     }

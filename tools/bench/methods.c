@@ -65,7 +65,7 @@ static void draw_cases(int family, family_shape word, cylint_ends ends)
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &in.truth[n++]);
     }
     must(n == CASES, "methods: a family has too few cases");
-    in.formula = lean_line_of(&in.solid[0]);
+    in.formula = lean_lines[in.solid[0].kind];
 }
 
 /* ----------------------------------------------------------------- turns -- */

@@ -225,8 +225,8 @@ static void ask_kind(enum kind kind, int is_infinite)
         in.shape[i] = shape_of_solid(&in.solid[i]);
         lean_prepare(&in.lean[i], &in.solid[i]);
     }
-    in.both = lean_line_of(&in.solid[0]);
-    in.first = lean_normal_of(&in.solid[0]);
+    in.both = lean_lines[kind];
+    in.first = lean_normals[kind];
     /* An infinite shape is hard to miss. */
     for (int k = 0; k < 3; k++)
         if (fabs(approach(ordinary_rays, 64, shares[k].percent) -

@@ -38,11 +38,8 @@ def write_records(folder):
 
 def run(command, file):
     """Seconds of processor time."""
-    def pin():
-        os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[-1:])
-
     with open(file) as text, open(os.devnull, "w") as sink:
-        child = subprocess.Popen(command, stdin=text, stdout=sink, preexec_fn=pin)
+        child = subprocess.Popen(command, stdin=text, stdout=sink)
         _, child.returncode, used = os.wait4(child.pid, 0)
     if child.returncode:
         raise OSError(command)
@@ -81,6 +78,7 @@ def rivals(file):
 
 def main():
     print_header()
+    os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[-1:])
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         write_records(folder)

@@ -219,23 +219,11 @@ DEFINE(elliptic, elliptic_normal)
 DEFINE(sphere, ball_normal)
 DEFINE(hull, round_normal)
 
-static const struct {
-    lean_line *line;
-    lean_normal *normal;
-} formulas[KINDS] = {
-    {cylinder_line, cylinder_first}, {cone_line, cone_first},
-    {elliptic_line, elliptic_first}, {sphere_line, sphere_first},
-    {hull_line, hull_first},         {hull_line, hull_first}};
-
-lean_line *lean_line_of(const struct solid *s)
-{
-    return formulas[s->kind].line;
-}
-
-lean_normal *lean_normal_of(const struct solid *s)
-{
-    return formulas[s->kind].normal;
-}
+lean_line *const lean_lines[KINDS] = {cylinder_line, cone_line, elliptic_line,
+                                      sphere_line,   hull_line, hull_line};
+lean_normal *const lean_normals[KINDS] = {cylinder_first, cone_first,
+                                          elliptic_first, sphere_first,
+                                          hull_first,     hull_first};
 
 static void prepare_elliptic(struct lean *to, const struct solid *s)
 {

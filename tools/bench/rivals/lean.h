@@ -32,8 +32,8 @@ typedef int lean_normal(const struct lean *solid, const double o[3],
                         const double d[3], double *t, double normal[3]);
 
 void lean_prepare(struct lean *to, const struct solid *s);
-lean_line *lean_line_of(const struct solid *s);
-lean_normal *lean_normal_of(const struct solid *s);
+extern lean_line *const lean_lines[KINDS];
+extern lean_normal *const lean_normals[KINDS];
 
 /* The signed distance of a point from a prepared solid that is not elliptic
  * [Quilez, iquilezles.org/articles/distfunctions]. */
@@ -48,6 +48,6 @@ typedef double lean_distance(const struct lean_body *solid,
                              const double point[3]);
 
 void lean_prepare_body(struct lean_body *to, const struct solid *s);
-lean_distance *lean_distance_of(const struct solid *s);
+extern lean_distance *const lean_distances[KINDS]; /* elliptic: NULL */
 
 #endif

@@ -101,10 +101,6 @@ void lean_prepare_body(struct lean_body *to, const struct solid *s)
     to->inverse = 1 / (length * length + (is_capsule ? 0 : dr * dr));
 }
 
-lean_distance *lean_distance_of(const struct solid *s)
-{
-    static lean_distance *const formulas[KINDS] = {
-        cylinder_distance, cone_distance,    NULL,
-        sphere_distance,   capsule_distance, rcone_distance};
-    return formulas[s->kind];
-}
+lean_distance *const lean_distances[KINDS] = {
+    cylinder_distance, cone_distance,    NULL,
+    sphere_distance,   capsule_distance, rcone_distance};

@@ -237,7 +237,8 @@ class Scene:
 
         `cylint -s` opens it, too, and cylint_scene_open() of C.  A file of about
         100 bytes a shape is written beside `path` and renamed, so who has opened
-        an older file keeps it.  Raises OSError if that fails.
+        an older file keeps it; a pipe or a device is written to.  Raises OSError
+        if that fails.
 
         >>> import os, tempfile
         >>> folder = tempfile.TemporaryDirectory()
@@ -248,9 +249,7 @@ class Scene:
         >>> scene, scene.shapes.labels
         (<libcylint.Scene: 2 shapes>, array(['short', 'long'], dtype='<U5'))
         """
-        error = self._with_labels().save(_file_name(path))
-        if error:
-            raise OSError(error, os.strerror(error), os.fspath(path))
+        self._with_labels().save(*_file_name(path))
 
     @classmethod
     def open(
@@ -270,11 +269,7 @@ class Scene:
         Raises OSError if the file cannot be read, ValueError if it is no saved
         scene, damaged, or of another version or machine.
         """
-        made, error, text = _core.Scene.open(_file_name(path), read, trusted)
-        if error:
-            raise OSError(error, os.strerror(error), os.fspath(path))
-        if made is None:
-            raise ValueError(f"{os.fspath(path)}: {text}")
+        made = _core.Scene.open(*_file_name(path), read, trusted)
         return cls._opened(made, threads)
 
     @classmethod
@@ -391,21 +386,15 @@ class Scene:
         >>> scene.pieces([-5, 0, 3], [1, 0, 0])[3:]
         (array([3., 6.]), array([4., 7.]))
         """
-        given = np.broadcast_arrays(
-            integers("shape", shape), integers("solid", solid),
-            integers("clause", clause),
-        )
+        names = ("shape", "solid", "clause")
+        given = np.broadcast_arrays(*map(integers, names, (shape, solid, clause)))
         rows = np.column_stack([column.reshape(-1) for column in given])
-        for name, bad in (
-            ("shape", (rows[:, 0] < 0) | (rows[:, 0] >= len(self))),
-            ("solid", (rows[:, 1] < 0) | (rows[:, 1] >= len(rows))),
-            ("clause", (rows[:, 2] == 0) | (abs(rows[:, 2]) >= 2**31)),
-        ):
-            if bad.any():
-                row = int(np.argmax(bad))
-                raise ValueError(
-                    f"{name}[{row}]: {rows[row, ('shape', 'solid', 'clause').index(name)]} is not possible"
-                )
+        bad = (rows < [0, 0, 1 - 2**31]) | (rows >= [len(self), len(rows), 2**31])
+        bad[:, 2] |= rows[:, 2] == 0
+        for column, name in enumerate(names):
+            if bad[:, column].any():
+                row = int(np.argmax(bad[:, column]))
+                raise ValueError(f"{name}[{row}]: {rows[row, column]} is not possible")
         self._scene.set_solids(np.ascontiguousarray(rows, np.int64))
 
     @property
@@ -612,15 +601,13 @@ def _columns(shape: tuple[int, ...], kinds: str) -> list[NDArray[Any]]:
     ]
 
 
-def _file_name(path: str | os.PathLike[str]) -> bytes:
+def _file_name(path: str | os.PathLike[str]) -> tuple[bytes, str]:
+    """For the system, and for messages."""
     name = os.fsencode(path)
     if b"\0" in name:
         raise ValueError("embedded null byte")
-    return name
+    return name, os.fspath(path)
 
 
 def _restore(data: bytes, threads: int | None) -> Scene:
-    made, _, text = _core.Scene.open_bytes(data)
-    if made is None:
-        raise ValueError(f"pickled scene: {text}")
-    return Scene._opened(made, threads)
+    return Scene._opened(_core.Scene.open_bytes(data), threads)

@@ -17,12 +17,6 @@ enum { DISTANCE, PART, FEATURE, POINT, NORMAL };
 
 enum Query { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
 
-struct Source {
-    Query query;
-    ptrdiff_t step;               /* of coordinates */
-    const cylint_shape *numbered; /* shapes that are numbered, or nullptr */
-};
-
 /* A shape that was refused: it has no distance. */
 const cylint_shape none = {};
 
@@ -30,7 +24,8 @@ const cylint_shape none = {};
 class Block
 {
   public:
-    explicit Block(const Source &s) : source(s)
+    Block(Query asked, const Input &of, const cylint_shape *shapes)
+        : query(asked), step(coordinate_step(of)), numbered(shapes)
     {
     }
 
@@ -38,9 +33,9 @@ class Block
     {
         part = &p;
         for (int axis = 0; axis < 3; axis++)
-            part->read(xyz[axis], POINTS, axis * source.step);
+            part->read(xyz[axis], POINTS, axis * step);
         const ptrdiff_t stride = part->stride(SHAPES);
-        const bool singly = source.numbered || part->stride(ULPS) != 0;
+        const bool singly = numbered || part->stride(ULPS) != 0;
         if (!singly && stride == 0)
             ask(true, 0, part->size);
         else if (!singly && stride == sizeof(cylint_shape))
@@ -55,10 +50,10 @@ class Block
   private:
     const cylint_shape *shape(size_t i) const
     {
-        if (!source.numbered)
+        if (!numbered)
             return as_shape(part->at(SHAPES, i));
         const auto number = part->value<int64_t>(SHAPES, i);
-        return number < 0 ? &none : source.numbered + number;
+        return number < 0 ? &none : numbered + number;
     }
 
     /* Of count elements from element i, which have one shape or one each. */
@@ -66,7 +61,7 @@ class Block
     {
         const cylint_shape *s = shape(i);
         const cylint_points p = {count, {xyz[0] + i, xyz[1] + i, xyz[2] + i}};
-        switch (source.query) {
+        switch (query) {
         case CONTAINS:
             return (one_shape ? cylint_contains_points
                               : cylint_contains_pairs)(s, &p, small[PART] + i);
@@ -115,7 +110,9 @@ class Block
     }
 
     const Part *part = nullptr;
-    const Source source;
+    const Query query;
+    const ptrdiff_t step;         /* of coordinates */
+    const cylint_shape *numbered; /* shapes that are numbered, or nullptr */
     double xyz[3][BLOCK], distance[BLOCK], vector[2][3][BLOCK];
     signed char small[FEATURE + 1][BLOCK];
 };
@@ -138,9 +135,8 @@ void ask(Input shapes, std::optional<Input> index, Input points,
     for (size_t k = 0; k < columns.size(); k++)
         grid.add(columns[k], k >= POINT);
     grid.finish(false);
-    const Source source = {query, coordinate_step(points),
-                           index ? as_shape(shapes.data()) : nullptr};
-    each_block<Block>(grid, threads, progress, source);
+    each_block<Block>(grid, threads, progress, query, points,
+                      index ? as_shape(shapes.data()) : nullptr);
 }
 
 } // namespace

@@ -43,26 +43,24 @@ int copy_bytes(void *to, const void *from, size_t size)
     return 1;
 }
 
-void check(cylint_scene_status status)
+/* Raises the exception of a status; name: what it is about, error: errno. */
+void check(cylint_scene_status status, const nb::object &name = nb::none(),
+           int error = 0)
 {
+    const char *const text = cylint_scene_strerror(status);
+    if (status == CYLINT_SCENE_OK)
+        return;
     if (status == CYLINT_SCENE_EMEMORY)
         throw std::bad_alloc();
-    if (status != CYLINT_SCENE_OK)
-        throw nb::value_error(cylint_scene_strerror(status));
-}
-
-/* Returns (Scene or None, errno or 0, a message or None). */
-nb::tuple opened_or_not(cylint_scene *opened, cylint_scene_status status,
-                        int error, nb::object memory)
-{
-    if (opened) {
-        auto made = std::make_unique<Scene>(opened);
-        made->memory = std::move(memory);
-        return nb::make_tuple(nb::cast(std::move(made)), 0, nb::none());
-    }
-    check(status == CYLINT_SCENE_EMEMORY ? status : CYLINT_SCENE_OK);
-    return nb::make_tuple(nb::none(), status == CYLINT_SCENE_EFILE ? error : 0,
-                          nb::str(cylint_scene_strerror(status)));
+    if (name.is_none())
+        throw nb::value_error(text);
+    errno = error;
+    if (status == CYLINT_SCENE_EFILE && error != 0)
+        PyErr_SetFromErrnoWithFilenameObject(PyExc_OSError, name.ptr());
+    else
+        PyErr_SetObject(PyExc_ValueError,
+                        nb::str("{}: {}").format(name, text).ptr());
+    throw nb::python_error();
 }
 
 } // namespace
@@ -102,9 +100,10 @@ void Scene::finish(int threads, const Callback &progress)
     build.listener.end();
 }
 
-/* Opens a file, or the bytes of one.  Returns (Scene or None, errno or 0, a
- * message or None). */
-nb::tuple Scene::open(const nb::bytes &path, bool read, bool trusted)
+/* Opens a file.  name: of the path, in exceptions. */
+std::unique_ptr<Scene> Scene::open(const nb::bytes &path,
+                                   const nb::object &name, bool read,
+                                   bool trusted)
 {
     const unsigned flags =
         read * static_cast<unsigned>(CYLINT_SCENE_READ) |
@@ -117,10 +116,12 @@ nb::tuple Scene::open(const nb::bytes &path, bool read, bool trusted)
         opened = cylint_scene_open(path.c_str(), flags, &status);
         error = errno;
     }
-    return opened_or_not(opened, status, error, nb::object());
+    check(status, name, error);
+    return std::make_unique<Scene>(opened);
 }
 
-nb::tuple Scene::open_bytes(const nb::bytes &bytes)
+/* Opens the bytes of a file. */
+std::unique_ptr<Scene> Scene::open_bytes(const nb::bytes &bytes)
 {
     cylint_scene_status status;
     cylint_scene *opened;
@@ -129,14 +130,15 @@ nb::tuple Scene::open_bytes(const nb::bytes &bytes)
         opened =
             cylint_scene_open_memory(bytes.data(), bytes.size(), 0, &status);
     }
+    check(status, nb::str("pickled scene"));
+    auto made = std::make_unique<Scene>(opened);
     /* The library copies bytes at other addresses. */
-    const bool in_place = reinterpret_cast<uintptr_t>(bytes.data()) % 64 == 0;
-    return opened_or_not(opened, status, 0,
-                         in_place ? nb::object(bytes) : nb::object());
+    if (reinterpret_cast<uintptr_t>(bytes.data()) % 64 == 0)
+        made->memory = bytes;
+    return made;
 }
 
-/* Returns errno, or 0. */
-int Scene::save(const nb::bytes &path) const
+void Scene::save(const nb::bytes &path, const nb::object &name) const
 {
     cylint_scene_status status;
     int error;
@@ -145,10 +147,7 @@ int Scene::save(const nb::bytes &path) const
         status = cylint_scene_save(scene.get(), path.c_str());
         error = errno;
     }
-    if (status == CYLINT_SCENE_EFILE)
-        return error;
-    check(status);
-    return 0;
+    check(status, name, error);
 }
 
 /* The bytes of the file that save() writes. */

@@ -19,9 +19,11 @@ struct Scene {
 
     void add(Input shapes);
     void finish(int threads, const Callback &progress);
-    static nb::tuple open(const nb::bytes &path, bool read, bool trusted);
-    static nb::tuple open_bytes(const nb::bytes &bytes);
-    int save(const nb::bytes &path) const;
+    static std::unique_ptr<Scene> open(const nb::bytes &path,
+                                       const nb::object &name, bool read,
+                                       bool trusted);
+    static std::unique_ptr<Scene> open_bytes(const nb::bytes &bytes);
+    void save(const nb::bytes &path, const nb::object &name) const;
     nb::object to_bytes() const;
     void set_labels(const nb::list &labels);
     nb::object labels() const;
