@@ -180,8 +180,8 @@ enum {
 };
 
 /* Writes a finished scene to a file.  An existing file is replaced at once, when
- * all is written: before, PATH.NUMBER.new is written beside it.  EFILE: errno
- * says why; nothing is left behind. */
+ * all is written: before, PATH.NUMBER.new is written beside it.  A pipe or a device
+ * is written to.  EFILE: errno says why; no new file is left behind. */
 CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                                  const char *path);
 
