@@ -32,9 +32,9 @@ static int has_lanes(unsigned want, size_t n)
 }
 
 /* Of point i and shape number each * i. */
-static void write_all(const cylint_shape *shapes, size_t each,
-                      const cylint_points *points,
-                      const cylint_closest_columns *answers)
+static void write_rows(const cylint_shape *shapes, size_t each,
+                       const cylint_points *points,
+                       const cylint_closest_columns *answers)
 {
     const unsigned want = cylint_wanted_of_closest(answers);
     const int in_lanes =
@@ -60,14 +60,14 @@ void cylint_distance_points(const cylint_shape *shape,
                             const cylint_points *points,
                             const cylint_closest_columns *answers)
 {
-    write_all(shape, 0, points, answers);
+    write_rows(shape, 0, points, answers);
 }
 
 void cylint_distance_pairs(const cylint_shape *shapes,
                            const cylint_points *points,
                            const cylint_closest_columns *answers)
 {
-    write_all(shapes, 1, points, answers);
+    write_rows(shapes, 1, points, answers);
 }
 
 /*

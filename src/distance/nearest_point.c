@@ -140,7 +140,8 @@ static surd_quotient on_circle(meridian *m, const radial *d, int end, int i,
 }
 
 /* x - (y / u) w */
-static surd_quotient along_axis(meridian *m, exact x, exact y, exact u, int i)
+static surd_quotient shifted_by_axis(meridian *m, exact x, exact y, exact u,
+                                     int i)
 {
     return exact_quotient(
         m, EXACT_SUB(EXACT_MUL(u, x), EXACT_MUL(y, m->L->w[i])), u);
@@ -148,8 +149,8 @@ static surd_quotient along_axis(meridian *m, exact x, exact y, exact u, int i)
 
 static surd_quotient on_plane(meridian *m, int end, int i)
 {
-    return along_axis(m, cylint_exact_from(m->arena, m->point[i]),
-                      m->height[end], m->L->vv, i);
+    return shifted_by_axis(m, cylint_exact_from(m->arena, m->point[i]),
+                           m->height[end], m->L->vv, i);
 }
 
 /* The point is on a ball. */
@@ -174,7 +175,8 @@ static surd_quotient coordinate(meridian *m, const nearest *n, const radial *d,
         return on_plane(m, n->end, i);
     default:
         return !cylint_ends_are_planes(m->shape->ends)
-                   ? along_axis(m, centre(m, 0, i), m->L->r[0], m->L->dr, i)
+                   ? shifted_by_axis(m, centre(m, 0, i), m->L->r[0], m->L->dr,
+                                     i)
                : cylint_is_round(m->L->kind)
                    ? on_circle(m, d, n->end, i, m->L->vv, 1)
                    : on_circle(m, d, n->end, i, m->g, 0);

@@ -82,7 +82,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
 }
 
 /* The number of the shape that is tested. */
-static inline unsigned number_of(const ray_test *r)
+static inline unsigned tested_number(const ray_test *r)
 {
     return r->leaf ? r->data->number[r->rank] : r->rank;
 }
@@ -191,7 +191,7 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
  * on the same shape is its other hit. */
 static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 {
-    const unsigned number = number_of(r);
+    const unsigned number = tested_number(r);
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
@@ -234,7 +234,7 @@ static void write_floats(const ray_test *r)
 static void write_ids(const ray_test *r)
 {
     struct RTCHit *hit = r->hit;
-    hit->primID = number_of(r);
+    hit->primID = tested_number(r);
     hit->geomID = r->args->geomID;
     if (r->data->array) {
         const cylint_embree_array *from =
