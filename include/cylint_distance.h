@@ -135,9 +135,9 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  * and round kinds is at most 16 * 2^-52 (d + R) below d: some units in the last
  * place of the point's coordinates relative to the shape, not of d.  For
  * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where d is not
- * larger than this bound, and for cap0, cap1, nappe, angle cones and round kinds
- * that are not capped, the result is the double below d.  In other rounding
- * modes it is at most twice as far below.
+ * larger than this bound, where the bound is below the least double, and for cap0,
+ * cap1, nappe, angle cones and round kinds that are not capped, the result is the
+ * double below d.  In other rounding modes it is at most twice as far below.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);

@@ -180,8 +180,8 @@ enum {
 };
 
 /* Writes a finished scene to a file.  An existing file is replaced at once, when
- * all is written: before, PATH.NUMBER.new is written beside it.  EFILE: errno
- * says why; nothing is left behind. */
+ * all is written: before, PATH.NUMBER.new is written beside it.  A pipe or a device
+ * is written to.  EFILE: errno says why; no new file is left behind. */
 CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                                  const char *path);
 
@@ -295,7 +295,8 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
  *     that; where solids overlap, it may be greater.
  *
  * A shape without a surface, and a refused one, has no distance.  If the point is
- * invalid, or the radius is NaN, no shape is within the radius.  It may be HUGE_VAL.
+ * invalid, or the radius is NaN, no shape is within the radius.  It may be
+ * HUGE_VAL.
  */
 
 /* Gets shape `number`, which is within the radius, its distance and its flags, as

@@ -41,7 +41,7 @@ static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
     return !(balance > 1) ? 1 : (int)fmin(balance + 0.5, most);
 }
 
-static uint32_t number_of(const cylint_bvh_input *input, size_t i)
+static uint32_t given_number(const cylint_bvh_input *input, size_t i)
 {
     return input->numbers ? input->numbers[i] : (uint32_t)i;
 }
@@ -106,7 +106,7 @@ static cylint_bvh_status split_portion(const split_job *job, size_t k,
     for (size_t i = each * k; i < to; i++) {
         if (!cylint_watch_item(input->watch, i))
             return CYLINT_BVH_ESTOPPED;
-        s->refused = number_of(input, i);
+        s->refused = given_number(input, i);
         if (s->refused >= UINT32_MAX ||
             !cut(&shape, input->view, (uint32_t)s->refused))
             return CYLINT_BVH_ESHAPE;

@@ -19,12 +19,6 @@
 
 #include "pair_lanes.h"
 
-/* A number and the bound on its error. */
-typedef struct {
-    vpair v;
-    vd e;
-} bounded;
-
 /* The point and the normal, and where all their components are certain. */
 typedef struct {
     vd point[3], normal[3];

@@ -268,11 +268,6 @@ typedef struct {
     triple x, y, z, volume;
 } triple_numbers;
 
-static inline triple triple_of_lane(vpair x)
-{
-    return triple_sum(x.hi, x.lo, 0);
-}
-
 /* D.(u x v) */
 ASIDE triple triple_product(const triple D[3], const double u[3],
                             const double v[3])
@@ -280,8 +275,8 @@ ASIDE triple triple_product(const triple D[3], const double u[3],
     triple sum = triple_of(0);
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const triple x = triple_sub(triple_of_lane(v_two_prod(u[j], v[k])),
-                                    triple_of_lane(v_two_prod(u[k], v[j])));
+        const triple x = triple_sub(triple_of_pair(two_prod(u[j], v[k])),
+                                    triple_of_pair(two_prod(u[k], v[j])));
         sum = triple_add(sum, triple_mul(D[i], x));
     }
     return sum;
@@ -293,7 +288,7 @@ static inline void load_triples(triple_numbers *t, const elliptic_numbers *m,
     const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
     triple D[3], A[3];
     EACH(i, 3) {
-        D[i] = triple_of_lane(m->D[i].v);
+        D[i] = triple_of_pair(m->D[i].v);
         A[i] = triple_of(a[i]);
     }
     t->x = triple_product(D, b, h);
@@ -307,7 +302,7 @@ static inline triple height_in_triples(const triple_numbers *t,
                                        const cylint_shape *s,
                                        const direction_pair *e)
 {
-    const triple c = triple_of_lane(e->cos.v), d = triple_of_lane(e->sin.v);
+    const triple c = triple_of_pair(e->cos.v), d = triple_of_pair(e->sin.v);
     const triple more = triple_sub(
         triple_add(triple_mul(c, c), triple_mul(d, d)), triple_of(1));
     const triple turned = triple_add(triple_mul(c, t->x), triple_mul(d, t->y));
@@ -316,16 +311,16 @@ static inline triple height_in_triples(const triple_numbers *t,
     triple rho = t->volume;
     if (cylint_is_tapered(s->kind))
         rho = triple_add(
-            rho, triple_mul(triple_of_lane(v_two_sum(cylint_r1(s), -1)), t->z));
+            rho, triple_mul(triple_of_pair(v_two_sum(cylint_r1(s), -1)), t->z));
     return triple_sub(triple_add(turned, less), rho);
 }
 
 /* n in the place of that in pairs; sizes are those of its terms. */
-static inline bounded height_by_triples(const elliptic_question *q,
-                                        const elliptic_numbers *m,
-                                        const direction_pair *e,
-                                        const plane_in_pairs *t, double lost,
-                                        double more)
+ASIDE bounded height_by_triples(const elliptic_question *q,
+                                const elliptic_numbers *m,
+                                const direction_pair *e,
+                                const plane_in_pairs *t, double lost,
+                                double more)
 {
     triple_numbers x;
     load_triples(&x, m, q->shape);
@@ -447,8 +442,7 @@ static inline void answer_on_apex(elliptic_answer *to,
 {
     const cylint_shape *s = q->shape;
     const vpair k1 = v_two_sum(cylint_r1(s), -1);
-    const pair share = pair_div((pair){-1, 0}, (pair){k1.hi, k1.lo});
-    const sized by = sized_of((vpair){share.hi, share.lo});
+    const sized by = sized_of(pair_div((pair){-1, 0}, k1));
     sized F[3], h[3];
     vpair inverse;
     EACH(i, 3) {

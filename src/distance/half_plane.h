@@ -9,7 +9,6 @@
 #ifndef CYLINT_HALF_PLANE_H
 #define CYLINT_HALF_PLANE_H
 
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
 #include "error_bounds.h"

@@ -4,6 +4,7 @@
  */
 #include "lanes.h"
 
+#include "columns.h"
 #include "describe_nearest.h"
 #include "distance_types.h"
 
@@ -11,54 +12,66 @@
 #define CYLINT_DISTANCE_LANES cylint_distance_lanes_plain
 #endif
 
-/* The points from i on, the last one again where there are no more. */
-INLINE void load_points(vd x[3], const double *const xyz[3], int i, int n)
+/* The points from i on, the last of n one again where there are no more. */
+INLINE void load_points(vd x[3], const double *const xyz[3], size_t i, size_t n)
 {
     EACH(k, 3) {
+        const double *from = xyz[k] + i;
         double padded[LANES];
-        if (i + LANES <= n) {
-            x[k] = v_load(xyz[k] + i);
+        if (n >= LANES) {
+            x[k] = v_load(from);
             continue;
         }
-        for (int lane = 0; lane < LANES; lane++)
-            padded[lane] = xyz[k][i + lane < n ? i + lane : n - 1];
+        for (size_t lane = 0; lane < LANES; lane++)
+            padded[lane] = from[lane < n ? lane : n - 1];
         x[k] = v_load(padded);
     }
 }
 
-/* The shapes from i on, the last one again where there are no more.  Whether
- * the kernels serve them together. */
+/* The shapes, the last of n one again where there are no more.  Whether the kernels
+ * serve them together. */
 INLINE int find_shapes(const cylint_shape *at[LANES],
-                       const cylint_shape *shapes, int i, int n)
+                       const cylint_shape *shapes, size_t n)
 {
-    const int class_of_all = cylint_lane_class(shapes + i);
+    const int class_of_all = cylint_lane_class(shapes);
     int same = class_of_all != 0;
-    for (int lane = 0; lane < LANES; lane++) {
-        at[lane] = shapes + (i + lane < n ? i + lane : n - 1);
+    for (size_t lane = 0; lane < LANES; lane++) {
+        at[lane] = shapes + (lane < n ? lane : n - 1);
         same &= cylint_lane_class(at[lane]) == class_of_all;
     }
     return same;
 }
 
-/* Numbers of the lanes, of which the last block has fewer. */
-INLINE void store(double *to, int i, int n, vd x)
+ASIDE void store_first(double *to, size_t n, vd x)
 {
     double of_lane[LANES];
-    if (i + LANES <= n) {
-        v_store(to + i, x);
-        return;
-    }
     v_store(of_lane, x);
-    for (int lane = 0; i + lane < n; lane++)
-        to[i + lane] = of_lane[lane];
+    for (size_t lane = 0; lane < n; lane++)
+        to[lane] = of_lane[lane];
 }
 
-INLINE void store_feature(signed char *to, int i, int n, vd x)
+/* The first n numbers of the lanes, to elements i and on of a column that is
+ * wanted. */
+INLINE void store(double *to, size_t i, size_t n, vd x)
+{
+    if (to && n >= LANES)
+        v_store(to + i, x);
+    else if (to)
+        store_first(to + i, n, x);
+}
+
+ASIDE void store_feature(const cylint_closest_columns *to, size_t i, size_t n,
+                         const cylint_shape *const at[LANES], vd x)
 {
     double of_lane[LANES];
     v_store(of_lane, x);
-    for (int lane = 0; lane < LANES && i + lane < n; lane++)
-        to[i + lane] = (signed char)of_lane[lane];
+    for (size_t lane = 0; lane < LANES && lane < n; lane++) {
+        const int feature = cylint_stated_feature(at[lane], (int)of_lane[lane]);
+        if (to->feature)
+            to->feature[i + lane] = (signed char)feature;
+        if (to->part)
+            to->part[i + lane] = (signed char)cylint_feature_part(feature);
+    }
 }
 
 /* Where all numbers within the error round to the same double. */
@@ -67,23 +80,27 @@ INLINE vm is_certain(const vnearest *n)
     return m_and(v_le(n->d.high, n->d.low), n->known);
 }
 
-/* With heads and tails: the distance, and the feature if `to` has it. */
+/* With heads and tails: the distance, and the feature where it is wanted. */
 INLINE vm answer_distances(const cylint_shape *const at[LANES],
-                           const shape_lanes *s, const vd x[3], int i, int n,
-                           const cylint_lane_columns *to)
+                           const shape_lanes *s, const vd x[3], size_t i,
+                           size_t n, const cylint_closest_columns *to,
+                           unsigned want)
 {
+    const int parted = (want & CYLINT_WANT_PART) != 0;
     half_plane m;
     vnearest nearest;
-    head_tail_nearest(&nearest, &m, s, x, at[0]->kind, to->feature != NULL);
+    head_tail_nearest(&nearest, &m, s, x, at[0]->kind, parted);
     store(to->distance, i, n, nearest.d.low);
-    if (to->feature)
-        store_feature(to->feature, i, n, nearest.feature);
+    if (parted)
+        store_feature(to, i, n, at, nearest.feature);
     return is_certain(&nearest);
 }
 
 /* In pairs: also point and normal. */
-INLINE vm write_closest_lanes(const shape_lanes *s, const vd x[3], int i, int n,
-                              const cylint_lane_columns *to, int kind)
+INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
+                              const shape_lanes *s, const vd x[3], size_t i,
+                              size_t n, const cylint_closest_columns *to,
+                              unsigned want)
 {
     half_plane m;
     vnearest nearest;
@@ -93,28 +110,29 @@ INLINE vm write_closest_lanes(const shape_lanes *s, const vd x[3], int i, int n,
     vm certain = m_and(is_certain(&nearest), v_le(v_set(CYLINT_DISTANCE_LEAST),
                                                   v_abs(nearest.d.low)));
     store(to->distance, i, n, nearest.d.low);
-    if (to->feature)
-        store_feature(to->feature, i, n, nearest.feature);
-    if (to->point[0]) {
+    if (want & CYLINT_WANT_PART)
+        store_feature(to, i, n, at, nearest.feature);
+    if (want & CYLINT_WANT_POINT)
         certain = m_and(certain, members.point_known);
-        EACH(k, 3)
-            store(to->point[k], i, n, members.point[k]);
-    }
-    if (to->normal[0]) {
+    if (want & CYLINT_WANT_NORMAL)
         certain = m_and(certain, members.normal_known);
-        EACH(k, 3)
-            store(to->normal[k], i, n, members.normal[k]);
+    EACH(k, 3) {
+        store(to->point[k], i, n, members.point[k]);
+        store(to->normal[k], i, n, members.normal[k]);
     }
     return certain;
 }
 
 /* One text serves all kinds but the sphere, which has no axis. */
-INLINE vm describe_any(int kind, const shape_lanes *s, const vd x[3], int i,
-                       int n, const cylint_lane_columns *to)
+INLINE vm describe_any(const cylint_shape *const at[LANES],
+                       const shape_lanes *s, const vd x[3], size_t i, size_t n,
+                       const cylint_closest_columns *to, unsigned want)
 {
+    const int kind = at[0]->kind;
     return kind == CYLINT_KIND_SPHERE
-               ? write_closest_lanes(s, x, i, n, to, CYLINT_KIND_SPHERE)
-               : write_closest_lanes(s, x, i, n, to, kind);
+               ? write_closest_lanes(at, CYLINT_KIND_SPHERE, s, x, i, n, to,
+                                     want)
+               : write_closest_lanes(at, kind, s, x, i, n, to, want);
 }
 
 INLINE void load_shapes(shape_lanes *s, const cylint_shape *const at[LANES],
@@ -126,29 +144,36 @@ INLINE void load_shapes(shape_lanes *s, const cylint_shape *const at[LANES],
         head_tail_load_shapes(s, at);
 }
 
-int CYLINT_DISTANCE_LANES(const cylint_shape *shapes, int each,
-                          const double *const xyz[3], int n,
-                          const cylint_lane_columns *to, int *rest)
+size_t CYLINT_DISTANCE_LANES(const cylint_shape *shapes, size_t each,
+                             const cylint_points *points, size_t from,
+                             size_t end, const cylint_closest_columns *answers,
+                             size_t *rest)
 {
     const cylint_shape *at[LANES];
-    const int described = to->point[0] || to->normal[0];
+    const cylint_closest_columns to = *answers; /* may stay in registers */
+    const double *const xyz[3] = {points->xyz[0], points->xyz[1],
+                                  points->xyz[2]};
+    const unsigned want = cylint_wanted_of_closest(&to);
+    const int described =
+        (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) != 0;
     shape_lanes s;
-    int left = 0;
+    size_t left = 0;
     for (int lane = 0; lane < LANES; lane++)
         at[lane] = shapes;
     load_shapes(&s, at, described);
-    for (int i = 0; i < n; i += LANES) {
+    for (size_t i = from; i < end; i += LANES) {
+        const size_t n = end - i;
         vd x[3];
         unsigned certain = 0;
-        if (!each || find_shapes(at, shapes, i, n)) {
+        if (!each || find_shapes(at, shapes + i, n)) {
             if (each)
                 load_shapes(&s, at, described);
             load_points(x, xyz, i, n);
-            certain =
-                m_bits(described ? describe_any(at[0]->kind, &s, x, i, n, to)
-                                 : answer_distances(at, &s, x, i, n, to));
+            certain = m_bits(
+                described ? describe_any(at, &s, x, i, n, &to, want)
+                          : answer_distances(at, &s, x, i, n, &to, want));
         }
-        for (int lane = 0; lane < LANES && i + lane < n; lane++) {
+        for (size_t lane = 0; lane < LANES && lane < n; lane++) {
             rest[left] = i + lane;
             left += !(certain >> lane & 1);
         }

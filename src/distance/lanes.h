@@ -21,23 +21,18 @@ static inline int cylint_lane_class(const cylint_shape *s)
                : s->kind;
 }
 
-/* The arrays of a block; NULL: not wanted.  Of point and normal all three
- * coordinates or none. */
-typedef struct {
-    double *distance;
-    signed char *feature;
-    double *point[3], *normal[3];
-} cylint_lane_columns;
-
 /*
- * Writes the wanted members of n <= CYLINT_POINT_BLOCK points, where all of them
- * are certain, writes the numbers of the other points to `rest`, and returns how
- * many these are.  each = 0: from one shape that the kernels serve; 1: point i from
- * shape i, where LANES consecutive shapes of a class share lanes.
+ * Writes the wanted members of the points from `from` to end - 1, at most
+ * CYLINT_POINT_BLOCK, where all of them are certain.  Writes the numbers of the
+ * others to `rest`, and returns how many these are.  each = 0: from one shape that
+ * the kernels serve; 1: point i from shape i, where LANES consecutive shapes of a
+ * class share lanes.
  */
-typedef int cylint_distance_lanes(const cylint_shape *shapes, int each,
-                                  const double *const xyz[3], int n,
-                                  const cylint_lane_columns *to, int *rest);
+typedef size_t cylint_distance_lanes(const cylint_shape *shapes, size_t each,
+                                     const cylint_points *points, size_t from,
+                                     size_t end,
+                                     const cylint_closest_columns *answers,
+                                     size_t *rest);
 
 cylint_distance_lanes cylint_distance_lanes_plain, cylint_distance_lanes_avx2,
     cylint_distance_lanes_avx512;

@@ -16,14 +16,8 @@
 #ifndef CYLINT_NEAR_SURFACE_H
 #define CYLINT_NEAR_SURFACE_H
 
-#include "half_plane.h"
-#include "nearest.h"
+#include "distance_types.h"
 #include "triple_vector.h"
-
-static triple triple_of_pair(pair x)
-{
-    return (triple){x.hi, x.lo, 0};
-}
 
 static pair pair_of_triple(triple x)
 {
@@ -43,46 +37,31 @@ static void load_axis(triple w[3], const cylint_shape *s)
         w[i] = triple_of_pair(cylint_axis_pair(s, i));
 }
 
-/* A distance and the bound on its error. */
-typedef struct {
-    pair d;
-    double error;
-} close_distance;
-
 /* form / divisor, where the terms of the form divided by the divisor are at most
  * `size` and the divisor has the relative error `loss`. */
-static close_distance quotient_of_form(triple form, pair divisor, double size,
-                                       double loss)
+static bounded quotient_of_form(triple form, pair divisor, double size,
+                                double loss)
 {
     const pair d = pair_div(pair_of_triple(form), divisor);
-    return (close_distance){d, CYLINT_CLOSE_ERROR * size +
-                                   (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
+    return (bounded){d, CYLINT_CLOSE_ERROR * size +
+                            (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-/* What pairs computed.  size: at least |D|, the height and the radii.  error: of
- * rho, z and d. */
-typedef struct {
-    int feature;
-    pair rho, d;
-    double size, error;
-} distance_in_pairs;
-
-static close_distance close_to_plane(const cylint_shape *s,
-                                     const double point[3], int top,
-                                     double size)
+static bounded close_to_plane(const cylint_shape *s, const double point[3],
+                              int top, double size)
 {
     triple D[3], w[3];
     const pair length = cylint_number_pair(s, CYLINT_AT_HEIGHT);
     load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
-    close_distance to = quotient_of_form(triple_dot(D, w), length, size, 0);
+    bounded to = quotient_of_form(triple_dot(D, w), length, size, 0);
     if (!top)
-        to.d = pair_neg(to.d);
+        to.v = pair_neg(to.v);
     return to;
 }
 
-static close_distance close_to_ball(const double point[3],
-                                    const double center[3], double r)
+static bounded close_to_ball(const double point[3], const double center[3],
+                             double r)
 {
     triple D[3];
     load_difference(D, point, center);
@@ -94,9 +73,8 @@ static close_distance close_to_ball(const double point[3],
 }
 
 /* error: of rho. */
-static close_distance close_to_line(const cylint_shape *s,
-                                    const double point[3], pair rho,
-                                    double error, double size)
+static bounded close_to_line(const cylint_shape *s, const double point[3],
+                             pair rho, double error, double size)
 {
     triple D[3], w[3];
     load_difference(D, point, cylint_base(s));
@@ -121,68 +99,55 @@ static close_distance close_to_line(const cylint_shape *s,
     const triple form = triple_det(across, factor, T, T);
     const pair radius = pair_div(pair_of_triple(T), W2);
     const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
-    close_distance to =
-        quotient_of_form(form, pair_mul(pair_mul(W2, W2), sum),
-                         16 * size / sum.hi * size, error / sum.hi);
+    bounded to = quotient_of_form(form, pair_mul(pair_mul(W2, W2), sum),
+                                  16 * size / sum.hi * size, error / sum.hi);
     if (!round) {
-        to.d = pair_mul(to.d, C);
-        to.error *= cylint_cosine(s) * CYLINT_SLACK;
+        to.v = pair_mul(to.v, C);
+        to.e *= cylint_cosine(s) * CYLINT_SLACK;
     }
     if (!(radius.hi > 0)) /* beyond the apex: the other nappe can be nearer */
-        to.error = HUGE_VAL;
+        to.e = HUGE_VAL;
     return to;
 }
 
-/* A from the lateral line and B from the plane of the end, both positive outside:
- * with the slope S of the line, whose sign is that at the top, the distance from
- * the rim across the axis is (A + S B) / cosine. */
-static close_distance close_to_rim(const cylint_shape *s, const double point[3],
-                                   const distance_in_pairs *at, int top)
+/* Of a point near the surface: the distance from a feature that is no rim. */
+static bounded close_distance(const vnearest *n, const half_plane *m,
+                              const cylint_shape *s, const double point[3])
 {
-    const close_distance lateral =
-        close_to_line(s, point, at->rho, at->error, at->size);
-    const close_distance plane = close_to_plane(s, point, top, at->size);
-    const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
-    const pair sine = cylint_number_pair(s, CYLINT_AT_SINE);
-    const pair S = top ? sine : pair_neg(sine);
-    const pair across = pair_div(pair_add(lateral.d, pair_mul(S, plane.d)), C);
-    const pair d = pair_sqrt(
-        pair_add(pair_mul(across, across), pair_mul(plane.d, plane.d)));
-    return (close_distance){d, 4 * (lateral.error + plane.error) /
-                                       cylint_cosine(s) +
-                                   CYLINT_CLOSE_LOSS * d.hi};
+    const int feature = (int)n->feature, top = cylint_feature_end(feature);
+    if (s->kind == CYLINT_KIND_SPHERE ||
+        (cylint_is_round(s->kind) && feature != CYLINT_FEATURE_LATERAL))
+        return close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
+                             cylint_end_factor(s, top));
+    if (!(m->size < 2 * CYLINT_THINNEST * m->rho.hi))
+        return (bounded){{0, 0}, HUGE_VAL};
+    return feature == CYLINT_FEATURE_LATERAL
+               ? close_to_line(s, point, m->rho, m->error, m->size)
+               : close_to_plane(s, point, top, m->size);
 }
 
-/* Computes the distance of a point near the surface from the feature that is
- * nearest; whether it is certain. */
-ASIDE int is_certain_in_triples(distance_in_pairs *at, const cylint_shape *s,
-                                const double point[3])
+/* Whether the distance in pairs is certain, or that in triples, which then takes
+ * its place. */
+ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
+                        const double point[3])
 {
-    const double size = at->size;
-    const int feature = at->feature, round = cylint_is_round(s->kind);
-    const int top = cylint_feature_end(feature);
-    const int ball = s->kind == CYLINT_KIND_SPHERE ||
-                     (round && feature != CYLINT_FEATURE_LATERAL);
-    const int rim = feature >= CYLINT_FEATURE_RIM0;
-    if ((rim && (round || s->ends != CYLINT_ENDS_CAPPED)) ||
-        cylint_has_tangent(s->kind) ||
-        !(fabs(at->d.hi) <= CYLINT_CLOSE * size) ||
-        !(size <= CYLINT_CLOSE_MOST) ||
-        (!ball && !(size < 2 * CYLINT_THINNEST * at->rho.hi)))
+    const double size = fabs(whole(n->d.value));
+    const int certain =
+        /* untaken 1 of 4: no known distance of numbers in range is so small */
+        n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
+    /* untaken 1 of 4: the feature is known in every known case */
+    if (certain || !n->known || n->feature >= CYLINT_FEATURE_RIM0 ||
+        cylint_has_tangent(s->kind) || !(size <= CYLINT_CLOSE * m->size) ||
+        !(m->size <= CYLINT_CLOSE_MOST))
+        return certain;
+    const bounded close = close_distance(n, m, s, point);
+    const vdistance d = pairs_rounded(close.v, close.e + CYLINT_NEAREST_MARGIN *
+                                                             fabs(close.v.hi));
+    if (!(d.high <= d.low) || !(fabs(d.low) >= CYLINT_DISTANCE_LEAST))
         return 0;
-    const close_distance to =
-        ball  ? close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
-                              cylint_end_factor(s, top))
-        : rim ? close_to_rim(s, point, at, top)
-        : feature == CYLINT_FEATURE_LATERAL
-            ? close_to_line(s, point, at->rho, at->error, size)
-            : close_to_plane(s, point, top, size);
-    at->d = fast_two_sum(to.d.hi, to.d.lo);
-    at->error = to.error;
-    const double most = to.error + CYLINT_NEAREST_MARGIN * fabs(at->d.hi);
-    return (at->d.hi + (at->d.lo + most) == at->d.hi) &
-           (at->d.hi + (at->d.lo - most) == at->d.hi) &
-           (fabs(at->d.hi) >= CYLINT_DISTANCE_LEAST);
+    n->d = d;
+    n->d.error = close.e;
+    return 1;
 }
 
 #endif

@@ -126,45 +126,31 @@ static surd_quotient foot(meridian *m, const radial *d, int i)
     return (surd_quotient){{a, b, d->K}, EXACT_MUL(d->K, unit(m))};
 }
 
-static surd_quotient on_rim(meridian *m, const radial *d, int end, int i)
+/* centre + r (V / sqrt(K) - dr w) / u, where dr w counts for a circle of tangency
+ * only. */
+static surd_quotient on_circle(meridian *m, const radial *d, int end, int i,
+                               exact u, int is_tangency)
 {
-    const exact gK = EXACT_MUL(m->g, d->K);
-    return (surd_quotient){{EXACT_MUL(gK, centre(m, end, i)),
-                            EXACT_MUL(m->L->r[end], d->V[i]), d->K},
-                           gK};
+    const exact r = m->L->r[end];
+    exact a = EXACT_MUL(u, centre(m, end, i));
+    if (is_tangency)
+        a = EXACT_SUB(a, EXACT_MUL(r, slope(m, i)));
+    return (surd_quotient){{EXACT_MUL(d->K, a), EXACT_MUL(r, d->V[i]), d->K},
+                           EXACT_MUL(d->K, u)};
 }
 
-static surd_quotient on_tangency(meridian *m, const radial *d, int end, int i)
+/* x - (y / u) w */
+static surd_quotient shifted_by_axis(meridian *m, exact x, exact y, exact u,
+                                     int i)
 {
-    const cylint_terms_exact *L = m->L;
-    const exact r = L->r[end];
-    const exact along = EXACT_SUB(EXACT_MUL(L->vv, centre(m, end, i)),
-                                  EXACT_MUL(EXACT_MUL(r, m->dr), L->w[i]));
-    return (surd_quotient){
-        {EXACT_MUL(d->K, along), EXACT_MUL(r, d->V[i]), d->K},
-        EXACT_MUL(L->vv, d->K)};
-}
-
-static surd_quotient on_ball(meridian *m, const radial *d, int end, int i)
-{
-    return (surd_quotient){{EXACT_MUL(d->K, centre(m, end, i)),
-                            EXACT_MUL(m->L->r[end], d->V[i]), d->K},
-                           d->K};
+    return exact_quotient(
+        m, EXACT_SUB(EXACT_MUL(u, x), EXACT_MUL(y, m->L->w[i])), u);
 }
 
 static surd_quotient on_plane(meridian *m, int end, int i)
 {
-    const exact W = m->L->vv, x = cylint_exact_from(m->arena, m->point[i]);
-    return exact_quotient(
-        m, EXACT_SUB(EXACT_MUL(W, x), EXACT_MUL(m->height[end], m->L->w[i])),
-        W);
-}
-
-static surd_quotient at_apex(meridian *m, int i)
-{
-    const exact base = EXACT_MUL(m->L->dr, centre(m, 0, i));
-    return exact_quotient(m, EXACT_SUB(base, EXACT_MUL(m->L->r[0], m->L->w[i])),
-                          m->L->dr);
+    return shifted_by_axis(m, cylint_exact_from(m->arena, m->point[i]),
+                           m->height[end], m->L->vv, i);
 }
 
 /* The point is on a ball. */
@@ -178,7 +164,7 @@ static surd_quotient coordinate(meridian *m, const nearest *n, const radial *d,
                                 int i)
 {
     if (is_on_ball(m, n))
-        return on_ball(m, d, n->end, i);
+        return on_circle(m, d, n->end, i, m->L->one, 0);
     if (cylint_is_plane(m->L->kind))
         return on_plane(m, 0, i);
     switch (n->feature) {
@@ -188,9 +174,12 @@ static surd_quotient coordinate(meridian *m, const nearest *n, const radial *d,
     case CYLINT_FEATURE_CAP1:
         return on_plane(m, n->end, i);
     default:
-        return !cylint_ends_are_planes(m->shape->ends) ? at_apex(m, i)
-               : cylint_is_round(m->L->kind) ? on_tangency(m, d, n->end, i)
-                                             : on_rim(m, d, n->end, i);
+        return !cylint_ends_are_planes(m->shape->ends)
+                   ? shifted_by_axis(m, centre(m, 0, i), m->L->r[0], m->L->dr,
+                                     i)
+               : cylint_is_round(m->L->kind)
+                   ? on_circle(m, d, n->end, i, m->L->vv, 1)
+                   : on_circle(m, d, n->end, i, m->g, 0);
     }
 }
 

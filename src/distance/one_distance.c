@@ -44,28 +44,6 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
 
 /* ------------------------------------------------------ pairs and triples -- */
 
-/* Whether the distance is certain, in pairs or in triples. */
-ASIDE int find_distance(vnearest *n, const half_plane *m,
-                        const cylint_shape *shape, const double point[3])
-{
-    const vpair d = pairs_trimmed(n->d.value);
-    const int certain =
-        /* untaken 1 of 4: no known distance of numbers in range is so small */
-        n->d.high <= n->d.low && fabs(d.hi) >= CYLINT_DISTANCE_LEAST;
-    /* untaken 1 of 4: the feature is known in every known case */
-    if (certain || !n->known)
-        return certain;
-    distance_in_pairs at = {(int)n->feature,
-                            {m->rho.hi, m->rho.lo},
-                            {d.hi, d.lo},
-                            m->size,
-                            m->error};
-    if (!is_certain_in_triples(&at, shape, point))
-        return 0;
-    n->d = (vdistance){{at.d.hi, at.d.lo}, at.d.hi, at.d.hi, at.error};
-    return 1;
-}
-
 /* Writes the members of `want` that are certain; returns the others. */
 INLINE unsigned write_certain(vnearest *n, const half_plane *m,
                               const shape_lanes *s, const cylint_shape *shape,

@@ -19,6 +19,12 @@
 
 #include "half_plane.h"
 
+/* A number and the bound on its error. */
+typedef struct {
+    vpair v;
+    vd e;
+} bounded;
+
 INLINE vpair pairs_trimmed(vpair x)
 {
     const vd s = x.hi + x.lo;

@@ -24,6 +24,11 @@ static inline triple triple_of(double x)
     return (triple){x, 0, 0};
 }
 
+static inline triple triple_of_pair(pair x)
+{
+    return (triple){x.hi, x.lo, 0};
+}
+
 static inline triple triple_sum(double a, double b, double c)
 {
     const pair head = fast_two_sum(a, b), tail = fast_two_sum(head.lo, c);

@@ -343,13 +343,16 @@ INLINE void answer_questions(asked *const of[], int n)
         q.describes |= (unsigned)one->describes << i;
     }
     load_questions(&q);
-    if (m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0))) & 1) {
-        q.r0 = -q.r0;
-        q.dr = -q.dr;
-        answer_as(&q, 1);
-    } else {
+    const unsigned round =
+        q.used & m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0)));
+    q.used &= ~round;
+    if (q.used)
         answer_as(&q, 0);
-    }
+    q.used = round;
+    q.r0 = -q.r0;
+    q.dr = -q.dr;
+    if (q.used)
+        answer_as(&q, 1);
 }
 
 void CYLINT_FLOAT_FILTER(asked *const of[], int n)

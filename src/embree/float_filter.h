@@ -50,13 +50,6 @@ static inline float cylint_angle_as_float(double phi)
     return v < 1 ? v : 1 - FLT_EPSILON / 2;
 }
 
-/* Whether the shape is a sphere, capsule or rounded cone. */
-static inline int cylint_float_filter_is_round(
-    const cylint_float_filter_question *q)
-{
-    return q->record.r0 + q->record.r1 < 0;
-}
-
 /* Whether every number is 0 or at least 2^-149, the least float: so products of the
  * filter do not underflow. */
 static inline int cylint_filter_serves(const cylint_record *x)
@@ -67,7 +60,7 @@ static inline int cylint_filter_serves(const cylint_record *x)
     return !(tiny | cylint_is_small(x->r0, 149) | cylint_is_small(x->r1, 149));
 }
 
-/* Answers n questions.  All shapes are round or none is. */
+/* Answers n questions. */
 typedef void cylint_float_filter(cylint_float_filter_question *const of[],
                                  int n);
 

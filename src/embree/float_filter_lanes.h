@@ -67,8 +67,8 @@
 
 typedef cylint_float_filter_question asked;
 
-/* Q, whether the line certainly crosses its surface, and where: sqrt(G), reciprocals
- * of a and of that, errors. */
+/* Q, whether the line certainly crosses its surface, and where: sqrt(G),
+ * reciprocals of a and of that, errors. */
 typedef struct {
     vd a, b, root, per_a, per_root, e_a, e_G;
     vm is, uncertain; /* neither: certainly not */

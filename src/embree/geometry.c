@@ -156,7 +156,9 @@ static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
         if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
             (moved && !cylint_is_bounded(moved)))
             return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
-        if (moved && !cylint_can_move_into(shape, moved))
+        if (moved &&
+            (moved->ends != shape->ends ||
+             cylint_constructor_kind(moved) != cylint_constructor_kind(shape)))
             return refuse(problem, CYLINT_EMBREE_EMOTION, i);
         for (int step = 0; step <= moves; step++) {
             const cylint_extent box = box_of(shape, moved, step);

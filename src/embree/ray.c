@@ -16,9 +16,8 @@
  * for occlusion have rays alone. */
 typedef struct RTCIntersectFunctionNArguments call;
 
-#define SAME(ours, theirs)                                    \
-    (offsetof(struct RTCIntersectFunctionNArguments, ours) == \
-     offsetof(struct RTCOccludedFunctionNArguments, theirs))
+#define SAME(x, y) \
+    (offsetof(call, x) == offsetof(struct RTCOccludedFunctionNArguments, y))
 typedef char same_arguments
     [SAME(valid, valid) && SAME(geometryUserPtr, geometryUserPtr) &&
              SAME(primID, primID) && SAME(context, context) &&
@@ -28,7 +27,7 @@ typedef char same_arguments
 #undef SAME
 
 /* A ray, and the lane or primitive to test it against. */
-typedef struct cylint_ray_test {
+typedef struct {
     cylint_float_filter_question q; /* first: the filter's pointers are ours */
     const cylint_embree_data *data;
     const call *args;
@@ -39,9 +38,7 @@ typedef struct cylint_ray_test {
     int lane;
     unsigned rank; /* of the shape */
     int found;     /* a hit was recorded */
-} cylint_ray_test;
-
-typedef cylint_ray_test ray_test;
+} ray_test;
 
 static inline int is_bare(const ray_test *r)
 {
@@ -85,7 +82,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
 }
 
 /* The number of the shape that is tested. */
-static inline unsigned number_of(const ray_test *r)
+static inline unsigned tested_number(const ray_test *r)
 {
     return r->leaf ? r->data->number[r->rank] : r->rank;
 }
@@ -194,7 +191,7 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
  * on the same shape is its other hit. */
 static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 {
-    const unsigned number = number_of(r);
+    const unsigned number = tested_number(r);
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
@@ -237,7 +234,7 @@ static void write_floats(const ray_test *r)
 static void write_ids(const ray_test *r)
 {
     struct RTCHit *hit = r->hit;
-    hit->primID = number_of(r);
+    hit->primID = tested_number(r);
     hit->geomID = r->args->geomID;
     if (r->data->array) {
         const cylint_embree_array *from =
@@ -465,8 +462,6 @@ static void copy_words(void *to, unsigned step_to, const void *from,
                (const char *)from + 4 * k * step_from, 4);
 }
 
-typedef cylint_float_filter_question question;
-
 /* The rays of a packet that are traced together. */
 typedef struct {
     ray_test test[CYLINT_PACKET_MOST];
@@ -476,16 +471,6 @@ typedef struct {
 } packet_state;
 
 /* ------------------------------------------------------------- together -- */
-
-/* At most one question for each ray; all of round shapes or none of them. */
-static void test_batch(question *const asked[], int n,
-                       const cylint_embree_data *data)
-{
-    if (n > 0)
-        data->filter[n > 1](asked, n);
-    for (int i = 0; i < n; i++)
-        end_test((ray_test *)asked[i]);
-}
 
 /* Tests the lanes of all rays in turns, the nearest lane of each ray first.
  * Returns the rays (bits) that need no other hit. */
@@ -498,20 +483,18 @@ static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
         prefetch_shapes(p->test[0].data, hit->leaf, left[k]);
     }
     while (rays) {
-        question *asked[2][CYLINT_PACKET_MOST]; /* not round, and round */
-        int n[2] = {0, 0};
+        cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
+        int n = 0;
         EACH_RAY(k, rays) {
-            question *q = &p->test[k].q;
             if (left[k] && take_nearest_lane(&p->test[k], hit->leaf, &left[k],
-                                             hit->least[k])) {
-                const int is_round = cylint_float_filter_is_round(q);
-                asked[is_round][n[is_round]++] = q;
-            } else {
+                                             hit->least[k]))
+                asked[n++] = &p->test[k].q;
+            else
                 rays &= ~(1u << k);
-            }
         }
-        test_batch(asked[0], n[0], p->test[0].data);
-        test_batch(asked[1], n[1], p->test[0].data);
+        p->test[0].data->filter[n > 1](asked, n);
+        for (int i = 0; i < n; i++)
+            end_test((ray_test *)asked[i]);
         if (p->test[0].any)
             EACH_RAY(k, rays)
                 stopped |= (unsigned)(p->test[k].found != 0) << k;
@@ -606,29 +589,31 @@ static void trace_packet(const call *a, int any)
 
 /* -------------------------------------------------------------- callbacks -- */
 
-static void trace(const call *a, int any, struct RTCRay *ray,
-                  struct RTCHit *hit)
+CYLINT_INLINE void trace(const call *a, int any)
 {
-    ray_test one;
-    if (a->N > 1)
+    struct RTCRayHit *one =
+        (struct RTCRayHit *)a->rayhit; /* or the ray alone */
+    struct RTCHit none = {0};
+    ray_test r;
+    if (a->N > 1) {
         trace_packet(a, any);
-    else
-        set_valid(a->valid, 0,
-                  start_test(&one, a, any, ray, hit) && trace_single(&one));
+        return;
+    }
+    set_valid(a->valid, 0,
+              start_test(&r, a, any, &one->ray, any ? &none : &one->hit) &&
+                  trace_single(&r));
 }
 
 void cylint_embree_intersect_callback(
     const struct RTCIntersectFunctionNArguments *args)
 {
-    struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
-    trace(args, 0, &one->ray, &one->hit);
+    trace(args, 0);
 }
 
 void cylint_embree_occluded_callback(
     const struct RTCOccludedFunctionNArguments *args)
 {
-    struct RTCHit none = {0};
-    trace((const call *)args, 1, (struct RTCRay *)args->ray, &none);
+    trace((const call *)args, 1);
 }
 
 /* ------------------------------------------------------------ completion -- */

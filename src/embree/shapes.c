@@ -173,12 +173,6 @@ void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
 
 /* --------------------------------------------------------------- motion -- */
 
-int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
-{
-    return cylint_constructor_kind(at_0) == cylint_constructor_kind(at_1) &&
-           at_0->ends == at_1->ends;
-}
-
 /* Of n doubles, the members of a record or of semi-axes. */
 static void interpolate(void *to, const void *x, const void *y, size_t n,
                         double time)

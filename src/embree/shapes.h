@@ -81,9 +81,6 @@ void cylint_embree_moving_shape(const cylint_embree_shapes s[2], size_t at,
 void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
                                  double time, cylint_record *to);
 
-/* Whether the two states have the same constructor and the same ends. */
-int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1);
-
 /* The box at time 0 or 1 (step).  The boxes that Embree interpolates between the
  * two contain the shape at every time. */
 cylint_extent cylint_motion_box(const cylint_shape *at_0,

@@ -13,7 +13,6 @@
 #include <float.h>
 
 #include "../numbers/compiler.h"
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "../shapes/measure.h"

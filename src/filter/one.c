@@ -13,7 +13,6 @@
 #ifndef CYLINT_SIGN_AT_ORIGIN
 #define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
 #endif
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/simd.h"
 #include "filter.h"
 #include "plane.h"

@@ -24,6 +24,7 @@
 #include <string.h>
 
 #include "compiler.h"
+#include "double_double.h"
 #include "environment.h"
 
 #define INLINE CYLINT_INLINE
@@ -426,9 +427,13 @@ static inline void v_columns(const char *const row[LANES], size_t at,
     v_transpose(r, to);
 }
 
+#if LANES == 1
+typedef pair vpair;
+#else
 typedef struct {
     vd hi, lo;
 } vpair;
+#endif
 
 #define REAL vd
 #define PAIR vpair

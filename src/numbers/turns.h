@@ -14,7 +14,7 @@
 #define CYLINT_NUMBERS_TURNS_H
 
 #include "compiler.h"
-#include "double_double.h" /* before simd.h */
+#include "double_double.h"
 
 /* Of each node the cosine, hi and lo, and the sine, hi and lo. */
 extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;

@@ -7,7 +7,7 @@
 #define CYLINT_NUMBERS_TURNS_LANES_H
 
 #include "error_bounds.h"
-#include "turns.h" /* before simd.h */
+#include "turns.h"
 #include "simd.h"
 
 /* (atan(q) / q - 1) / (2 pi q^2) as a polynomial in z = q^2, the highest power

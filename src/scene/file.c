@@ -2,8 +2,8 @@
  * file.c - writes a scene to a file, and opens it
  *
  * A file is a header of 512 bytes and the arrays of the scene as they are in
- * memory, each from a multiple of 64 bytes on, with zeros between them.  Their order
- * is that of FILE_ARRAYS; the header has the bytes of each.
+ * memory, each from a multiple of 64 bytes on, with zeros between them.  Their
+ * order is that of FILE_ARRAYS; the header has the bytes of each.
  *
  * Section RANKS is empty in this version.
  */
@@ -241,38 +241,50 @@ static FILE *create_beside(const char *path, char *beside, size_t bytes)
     return file;
 }
 
+static cylint_scene_status write_and_close(const cylint_scene *s, FILE *file)
+{
+    const cylint_scene_status status =
+        cylint_scene_write(s, write_to_file, file);
+    const int why = errno;
+    const int closed = fclose(file) == 0;
+    if (status == CYLINT_SCENE_OK)
+        return closed ? CYLINT_SCENE_OK : CYLINT_SCENE_EFILE;
+    errno = why;
+    return status == CYLINT_SCENE_ESTOPPED ? CYLINT_SCENE_EFILE : status;
+}
+
 /* Writes the file `beside` and renames it. */
 static cylint_scene_status save_beside(const cylint_scene *s, FILE *file,
                                        const char *path, const char *beside)
 {
-    cylint_scene_status status = cylint_scene_write(s, write_to_file, file);
-    const int why = errno;
-    if (fclose(file) != 0 && status == CYLINT_SCENE_OK)
-        status = CYLINT_SCENE_EFILE;
-    else if (status == CYLINT_SCENE_ESTOPPED)
-        errno = why;
+    cylint_scene_status status = write_and_close(s, file);
 #ifdef _WIN32
     if (status == CYLINT_SCENE_OK)
         remove(path); /* rename() does not replace a file */
 #endif
-    if (status == CYLINT_SCENE_OK && rename(beside, path) == 0)
-        return CYLINT_SCENE_OK;
-    const int failed = errno;
-    remove(beside);
-    errno = failed;
-    return status == CYLINT_SCENE_EUNFINISHED ? status : CYLINT_SCENE_EFILE;
+    if (status == CYLINT_SCENE_OK && rename(beside, path) != 0)
+        status = CYLINT_SCENE_EFILE;
+    const int why = errno;
+    if (status != CYLINT_SCENE_OK)
+        remove(beside);
+    errno = why;
+    return status;
 }
 
 cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                       const char *path)
 {
+    const int replaces = cylint_file_is_replaceable(path);
     const size_t bytes = strlen(path) + 32;
     char *beside = malloc(bytes);
     if (!beside)
         return CYLINT_SCENE_EMEMORY;
-    FILE *file = create_beside(path, beside, bytes);
+    FILE *file =
+        replaces ? create_beside(path, beside, bytes) : fopen(path, "wb");
     const cylint_scene_status status =
-        file ? save_beside(scene, file, path, beside) : CYLINT_SCENE_EFILE;
+        !file      ? CYLINT_SCENE_EFILE
+        : replaces ? save_beside(scene, file, path, beside)
+                   : write_and_close(scene, file);
     free(beside);
     return status;
 }

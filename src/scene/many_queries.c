@@ -46,7 +46,7 @@ static void run(many_query *q, size_t n, int threads)
 
 /* -------------------------------------------------------------- lines --- */
 
-static cylint_line line_of(const many_query *q, size_t i)
+static cylint_line line_at(const many_query *q, size_t i)
 {
     cylint_line line;
     cylint_read_line(q->lines, i, &line);
@@ -87,7 +87,7 @@ static void write_hit_row(const cylint_hit_columns *to, size_t i,
 
 static void find_nearest(const many_query *q, size_t i)
 {
-    const cylint_line line = line_of(q, i);
+    const cylint_line line = line_at(q, i);
     cylint_hit hit = {.t = NAN,
                       .point = {NAN, NAN, NAN},
                       .normal = {NAN, NAN, NAN},
@@ -117,7 +117,7 @@ void cylint_scene_nearest_lines(const cylint_scene *scene,
 
 static void find_any(const many_query *q, size_t i)
 {
-    const cylint_line line = line_of(q, i);
+    const cylint_line line = line_at(q, i);
     q->any[i] =
         (signed char)cylint_scene_occluded(q->scene, &line, left_out(q, i));
 }
@@ -133,7 +133,7 @@ void cylint_scene_any_lines(const cylint_scene *scene,
 
 static void count_hits(const many_query *q, size_t i)
 {
-    const cylint_line line = line_of(q, i);
+    const cylint_line line = line_at(q, i);
     q->numbers[i] = cylint_scene_count(q->scene, &line, q->enough);
 }
 

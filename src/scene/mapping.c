@@ -1,5 +1,5 @@
 /*
- * mapping.c - the bytes of a file in memory
+ * mapping.c - files, and their bytes in memory
  */
 #ifdef __linux__
 #define _DEFAULT_SOURCE 1 /* fileno() and mmap() with -std=c99 */
@@ -80,9 +80,21 @@ static int map_file(cylint_memory *m, FILE *file, size_t least)
     return 1;
 }
 
+int cylint_file_is_replaceable(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) != 0 || S_ISREG(about.st_mode);
+}
+
 #else
 
 #define map_file(m, file, least) ((void)(least), 0)
+
+int cylint_file_is_replaceable(const char *path)
+{
+    (void)path;
+    return 1;
+}
 
 #endif
 

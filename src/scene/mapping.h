@@ -1,5 +1,5 @@
 /*
- * mapping.h - the bytes of a file in memory
+ * mapping.h - files, and their bytes in memory
  */
 #ifndef CYLINT_SCENE_MAPPING_H
 #define CYLINT_SCENE_MAPPING_H
@@ -17,5 +17,9 @@ cylint_scene_status cylint_mapping_open(cylint_memory *file, const char *path,
  * a cache line; then they must stay. */
 cylint_scene_status cylint_mapping_of_memory(cylint_memory *file,
                                              const void *data, size_t bytes);
+
+/* Whether another file can take the place of this one: not of a pipe, a device or a
+ * folder. */
+int cylint_file_is_replaceable(const char *path);
 
 #endif

@@ -48,10 +48,10 @@ typedef struct cylint_domain {
     const void *line;
 } cylint_domain;
 
-/* Makes the chords in solids of the n chords in shapes, which have no duplicates and
- * at which the workspace begins.  Returns how many there are, behind these and in no
- * order, or CYLINT_NO_ROOM.  *spare: as much memory as they take.  A scene without
- * solids has those of its shapes, and *spare stays. */
+/* Makes the chords in solids of the n chords in shapes, which have no duplicates
+ * and at which the workspace begins.  Returns how many there are, behind these and
+ * in no order, or CYLINT_NO_ROOM.  *spare: as much memory as they take.  A scene
+ * without solids has those of its shapes, and *spare stays. */
 size_t cylint_chords_of_solids(const cylint_scene *scene,
                                const cylint_domain *domain,
                                cylint_numbered_chord *of_shapes, size_t n,

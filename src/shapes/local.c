@@ -16,7 +16,6 @@
 #include <math.h>
 
 #include "../numbers/bits.h"
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "measure.h"

@@ -14,7 +14,6 @@
 #include <math.h>
 
 #include "../numbers/bits.h"
-#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "shape_facts.h"

@@ -289,7 +289,8 @@ INLINE coordinate least_of_equal(const real hi[4], const real lo[4],
 }
 
 /* The coordinate along which the axis of a shape is least, from which phi is
- * counted.  Which one is unpredictable, so there is no branch but for equal ones. */
+ * counted.  Which one is unpredictable, so there is no branch but for equal
+ * ones. */
 INLINE coordinate least_of_axis(const real hi[4], const real lo[4],
                                 const cylint_shape *s)
 {

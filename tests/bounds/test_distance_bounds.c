@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "check.h"
-#include "distance/exact_distance.h" /* before simd.h */
+#include "distance/exact_distance.h"
 #include "distance/distance_types.h"
 #include "distance_points.h"
 #include "shapes/layout.h"

@@ -11,7 +11,6 @@
  * Shapes and lines are those of the families.
  */
 #define CYLINT_NARROW
-#include "numbers/double_double.h" /* before simd.h */
 #include "numbers/simd.h"
 
 #if LANES == 2
@@ -355,7 +354,8 @@ TEST(every_number_has_its_bound)
             struct family_case c;
             family_case(24, family, i, &c);
             if (family_is_wild(family) || !cylint_prepared(&c.shape) ||
-                !c.line.in_range || has_tiny_numbers(&c.line))
+                !c.line.in_range ||
+                has_tiny_numbers(&(source){&c.shape, &c.line}))
                 continue;
             real_fixed(BITS);
             set_true_shape(&the.shape, &c.shape);

@@ -43,7 +43,7 @@ def test_threads_are_a_whole_number():
     for wrong in (1.5, "2", [1]):
         with refused("threads: expected an integer", TypeError):
             ask(*line, threads=wrong)
-    assert ask(*line, threads=np.int16(2))
+    assert ask(*line, threads=np.int16(2)) and ask(*line, threads=2**70)
 
 
 def test_threads_of_python_share_a_scene():

@@ -147,6 +147,8 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
     assert near.index.tolist() == [[1], [0], [1]]
     for error, message, origins, exclude in (
         (IndexError, "exclude: found 2, the scene has 2", [0, 0, 0], 2),
+        (IndexError, "exclude: found -2, the scene has 2", [0, 0, 0], -2),
+        (ValueError, "exclude: a number does not fit", [0, 0, 0], np.uint64(2**64 - 1)),
         (TypeError, "exclude: expected integers", [0, 0, 0], 1.0),
         (ValueError, r"broadcast: lines \(2,\), exclude \(3,\)", [[0, 0, 0]] * 2, [0, 1, 0]),
     ):

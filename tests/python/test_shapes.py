@@ -70,6 +70,19 @@ def test_a_bad_argument_is_named(make, given, error, message):
         getattr(cylint, make)(*given)
 
 
+def test_masked_elements_are_refused():
+    points = np.ma.masked_array(np.ones((2, 3)), mask=np.zeros((2, 3)))
+    ball = cylint.sphere([0, 0, 0], 1)
+    assert np.array_equal(ball.distance(points), ball.distance(points.data))
+    points[1, 2] = np.ma.masked
+    with refused("points: an element is masked"):
+        ball.distance(points)
+    with refused("exclude: an element is masked"):
+        cylint.Scene(ball).any(
+            [0, 0, 0], [1, 0, 0], exclude=np.ma.masked_array([0], mask=[1])
+        )
+
+
 @pytest.mark.skipif(np.longdouble(0).itemsize == 8, reason="longdouble is float64")
 def test_a_longdouble_is_named():
     with refused(r"r: float\d+ \(longdouble\) has digits", TypeError):

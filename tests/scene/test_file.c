@@ -243,6 +243,26 @@ TEST(a_named_pipe_is_read)
     free(b.memory);
 }
 
+TEST(a_named_pipe_is_written_to_and_not_replaced)
+{
+    int status = 1;
+    struct stat about;
+    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
+    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(mkfifo(path, 0600) == 0);
+    const pid_t child = fork();
+    if (child == 0)
+        _exit(cylint_scene_save(built, path) != CYLINT_SCENE_OK);
+    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    CHECK(opened && differences(built, opened, &of, 5) == 0);
+    CHECK(waitpid(child, &status, 0) == child && status == 0);
+    CHECK(stat(path, &about) == 0 && S_ISFIFO(about.st_mode));
+    cylint_scene_free(opened);
+    cylint_scene_free(built);
+    scene_release(&of);
+    remove(path);
+}
+
 /* The file is replaced while it is mapped: the mapping stays as it was. */
 TEST(two_processes_map_one_file)
 {

@@ -51,12 +51,19 @@ def takes(make: Callable[_P, _Made]) -> Callable[
 # ---------------------------------------------------------------- arrays --
 
 
+def _refuse_masked(name: str, value: ArrayLike) -> None:
+    """NumPy would take the numbers below a mask for data."""
+    if isinstance(value, np.ma.MaskedArray) and value.mask.any():
+        raise ValueError(f"{name}: an element is masked")
+
+
 def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     """An array of float64 (..., width), or (...) if width is 1.
 
     An aligned array of float64 is returned as it is, whatever its strides.  A
     new array is read-only, so that `owned` does not copy it.
     """
+    _refuse_masked(name, value)
     given = array = np.asarray(value)
     if given.dtype is not _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
@@ -78,9 +85,12 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
 
 def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """An array of int64 (...)."""
+    _refuse_masked(name, value)
     array = np.asarray(value)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: expected integers, found {array.dtype}")
+    if array.dtype == np.uint64 and np.any(array > np.iinfo(np.int64).max):
+        raise ValueError(f"{name}: a number does not fit 64 bits with a sign")
     return np.require(array, np.int64, "A")
 
 
@@ -128,19 +138,24 @@ def new_copy(array: Doubles, shape: tuple[int, ...]) -> Doubles | None:
 # --------------------------------------------------------------- calls --
 
 
+def positive(name: str, value: int) -> int:
+    """An integer from 1 on; numbers beyond 31 bits count as the largest."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: expected an integer, found {value!r}") from None
+    if number < 1:
+        raise ValueError(f"{name}: expected at least 1, found {number}")
+    return min(number, 2**31 - 1)
+
+
 def workers(threads: int | None) -> int:
     """The number of threads: None stands for one per processor."""
     if threads is None:
         if hasattr(os, "sched_getaffinity"):
             return len(os.sched_getaffinity(0))
         return os.cpu_count() or 1
-    try:
-        count = operator.index(threads)
-    except TypeError:
-        raise TypeError(f"threads: expected an integer, found {threads!r}") from None
-    if count < 1:
-        raise ValueError(f"threads: expected at least 1, found {count}")
-    return count
+    return positive("threads", threads)
 
 
 def counted(count: int | np.integer[Any], noun: str) -> str:
@@ -236,9 +251,11 @@ class SceneLines(Lines):
         """Lines for a scene with so many shapes."""
         if self.left_out is not _NONE:
             most = int(self.left_out.max(initial=-1))
-            if most >= shapes:
+            least = int(self.left_out.min(initial=-1))
+            if most >= shapes or least < -1:
+                wrong = most if most >= shapes else least
                 raise IndexError(
-                    f"exclude: found {most}, the scene has {shapes} shapes"
+                    f"exclude: found {wrong}, the scene has {shapes} shapes"
                 )
         return self.core()
 

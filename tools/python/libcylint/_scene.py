@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import (
     Balls, BallsWithin, Doubles, Points, Progress, SceneLines, counted, integers,
-    takes, workers,
+    positive, takes, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
@@ -237,7 +237,8 @@ class Scene:
 
         `cylint -s` opens it, too, and cylint_scene_open() of C.  A file of about
         100 bytes a shape is written beside `path` and renamed, so who has opened
-        an older file keeps it.  Raises OSError if that fails.
+        an older file keeps it; a pipe or a device is written to.  Raises OSError
+        if that fails.
 
         >>> import os, tempfile
         >>> folder = tempfile.TemporaryDirectory()
@@ -420,9 +421,7 @@ class Scene:
         >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
         Pieces(line=array([0, 0]), shape=array([0, 2]), depth=array([2, 1]), t0=array([ 4., 13.]), t1=array([ 7., 15.]))
         """
-        most = 0 if first is None else int(first)
-        if most < 0 or (first is not None and most == 0):
-            raise ValueError(f"first: expected a number above 0, found {first}")
+        most = 0 if first is None else positive("first", first)
         lines = SceneLines(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,

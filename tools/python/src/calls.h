@@ -40,8 +40,6 @@ struct Lines {
     using Element = Ray;
     /* Adds the arrays, which get these numbers, to an empty grid. */
     void add_to(Grid &grid) const;
-    /* The number of axes to which the arrays broadcast. */
-    size_t axes() const;
     /* Makes line i of a part.  Returns the status of its constructor. */
     int make(const Part &part, size_t i, Ray *ray) const;
 

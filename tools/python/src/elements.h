@@ -65,6 +65,11 @@ class Grid
      * longest to the front: the row.  in_order: elements stay in C order. */
     void finish(bool in_order);
 
+    /* The number of axes to which the arrays broadcast, before finish(). */
+    size_t ndim() const
+    {
+        return axes.size();
+    }
     size_t size() const
     {
         return count;

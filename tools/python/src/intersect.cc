@@ -17,12 +17,6 @@ void Lines::add_to(Grid &grid) const
     grid.add(left_out);
 }
 
-size_t Lines::axes() const
-{
-    return std::max({origins.ndim() - 1, directions.ndim() - 1, starts.ndim(),
-                     ends.ndim(), left_out.ndim()});
-}
-
 int Lines::make(const Part &part, size_t i, Ray *ray) const
 {
     double o[3], d[3];

@@ -143,23 +143,20 @@ Vector vector(const double (&v)[3])
 
 using Integers = std::optional<Input>; /* int32 for each shape, contiguous */
 
+const int *data_of(const Integers &given)
+{
+    return given ? static_cast<const int *>(given->data()) : nullptr;
+}
+
 /* What a query needs beside lines or points. */
 struct Rule {
-    const int *rank() const
-    {
-        return rank_of ? static_cast<const int *>(rank_of->data()) : nullptr;
-    }
-    const int *label() const
-    {
-        return label_of ? static_cast<const int *>(label_of->data()) : nullptr;
-    }
     cylint_piece_rule pieces() const
     {
-        return {static_cast<cylint_piece_mode>(mode), rank(), nullptr};
+        return {static_cast<cylint_piece_mode>(mode), data_of(rank), nullptr};
     }
 
     const int mode; /* of pieces */
-    const Integers rank_of, label_of;
+    const Integers rank, label;
     const size_t most; /* pieces, 0: all; or the number of labels */
     const bool flag;   /* signed distances; sums in the units of the scene */
 };
@@ -219,7 +216,7 @@ void count(const Asked &q, const Ray &ray, const Answer &put)
 void sums(const Asked &q, const Ray &ray, const Answer &put)
 {
     const cylint_piece_rule rule = q.rule.pieces();
-    if (cylint_scene_line_sums(q.scene, &ray.line, &rule, q.rule.label(),
+    if (cylint_scene_line_sums(q.scene, &ray.line, &rule, data_of(q.rule.label),
                                q.rule.most, q.rule.flag,
                                put.doubles()) != CYLINT_SCENE_OK)
         throw std::bad_alloc();
@@ -320,8 +317,8 @@ void contains(const Asked &q, const Ball &ball, const Answer &put)
 void depth(const Asked &q, const Ball &ball, const Answer &put)
 {
     size_t owner = q.n;
-    const size_t deep = checked(
-        depth_of_point(q.scene, ball.point, q.rule.rank(), &owner, &memory));
+    const size_t deep = checked(depth_of_point(
+        q.scene, ball.point, data_of(q.rule.rank), &owner, &memory));
     put(integer(deep), owner < q.n ? integer(owner) : -1);
 }
 
@@ -356,10 +353,6 @@ struct Balls {
         grid.add(points, 1);
         grid.add(radii);
     }
-    size_t axes() const
-    {
-        return std::max(points.ndim() - 1, radii.ndim());
-    }
     int make(const Part &part, size_t i, Ball *ball) const
     {
         part.read_vector(ball->point, POINTS, i, points);
@@ -381,8 +374,9 @@ nb::object ask(const Scene &scene, const From &from, const Rule &rule,
                      rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
     Grid grid;
     from.add_to(grid);
+    const size_t axes = grid.ndim();
     for (const auto &column : columns)
-        grid.add(column, column->ndim() - from.axes());
+        grid.add(column, column->ndim() - axes);
     grid.finish(Answers::in_order);
     Answers answers(grid);
     const auto one = [&](const Part &part, size_t i, const auto &asked) {
