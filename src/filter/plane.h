@@ -186,7 +186,6 @@ static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
         const plane_number x = {{n[i], 0}, 0};
         const plane_number unit = cylint_over_length(x, length);
         normal[i] = unit.v.hi + 0.0; /* no -0 */
-        /* untaken 1 of 4: no known component is so close to a tie */
         certain &= cylint_sign(n[i]) == 0 || cylint_is_rounded(unit);
     }
     return certain;
@@ -206,7 +205,6 @@ static inline unsigned cylint_plane_members(const cylint_shape *s,
         hit->z = 0;
     if (want & CYLINT_WANT_PHI)
         hit->phi = 0;
-    /* untaken 1 of 4: every known normal is certain */
     if ((left & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
         left &= ~(unsigned)CYLINT_WANT_NORMAL;
     if ((left & CYLINT_WANT_POINT) &&

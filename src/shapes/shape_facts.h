@@ -60,7 +60,6 @@ CYLINT_INLINE int cylint_is_plane(int kind)
 CYLINT_INLINE int cylint_is_tapered(int kind)
 {
     return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER &&
-           /* untaken 1 of 6: callers have no half-space */
            kind != CYLINT_KIND_SPHERE && kind != CYLINT_KIND_CAPSULE &&
            kind != CYLINT_KIND_HALFSPACE;
 }
