@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#define CHECK_OWN_MAIN /* it is in replay.c or libFuzzer */
 #include "columns.h"
 #include "fuzz.h"
 #include "../library/properties.h"
