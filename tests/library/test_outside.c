@@ -96,6 +96,20 @@ static void check_rays(const struct family_case *c, const cylint_shape *whole,
     }
 }
 
+/* A length that the section of an elliptic kind of factor 1 has in each direction,
+ * nearly. */
+static double thickness(const cylint_shape *s)
+{
+    const double of_a = length(cylint_a(s)), of_b = length(cylint_b(s));
+    double a[3], b[3], sine[3];
+    for (int i = 0; i < 3; i++) {
+        a[i] = cylint_a(s)[i] / of_a;
+        b[i] = cylint_b(s)[i] / of_b;
+    }
+    cross3(sine, a, b);
+    return length(sine) * fmin(of_a, of_b);
+}
+
 /* Whether the section at the hit is large beside the steps of the doubles.  At
  * an apex, and where a few doubles span the shape, the normal does not say which
  * rays point away. */
@@ -104,7 +118,7 @@ static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
     if (cylint_is_plane(s->kind))
         return 1;
     const double unit = cylint_is_elliptic(s->kind)
-                            ? fmin(length(cylint_a(s)), length(cylint_b(s)))
+                            ? thickness(s)
                             : cylint_radius_unit(s, length(cylint_axis(s)));
     const double z =
         cylint_is_round(s->kind) ? fmin(fmax(hit->z, 0), 1) : hit->z;
