@@ -123,8 +123,6 @@ direction cylint_correct_direction(const stationary *f, direction at)
     normalize(&at);
     double form = triple_value(form_at(f, &at));
     /* mutant '&&' -> '||': a step that reduces nothing ends the loop */
-    /* untaken 1 of 4: a correction below the last place ends the iteration
-     * before */
     for (int step = 0; step < MOST_CORRECTIONS && form != 0; step++) {
         const double by = -form / slope_at(f, &at);
         if (!(fabs(by) < 0.5))

@@ -135,7 +135,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
     const int certain =
         /* untaken 1 of 4: no known distance of numbers in range is so small */
         n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
-    /* untaken 1 of 4: the feature is known in every known case */
+    /* untaken 1 of 8: the feature is known in every known case */
     if (certain || !n->known || n->feature >= CYLINT_FEATURE_RIM0 ||
         cylint_has_tangent(s->kind) || !(size <= CYLINT_CLOSE * m->size) ||
         !(m->size <= CYLINT_CLOSE_MOST))
@@ -143,6 +143,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
     const bounded close = close_distance(n, m, s, point);
     const vdistance d = pairs_rounded(close.v, close.e + CYLINT_NEAREST_MARGIN *
                                                              fabs(close.v.hi));
+    /* untaken 1 of 4: no known distance of numbers in range is so small */
     if (!(d.high <= d.low) || !(fabs(d.low) >= CYLINT_DISTANCE_LEAST))
         return 0;
     n->d = d;

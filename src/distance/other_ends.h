@@ -131,6 +131,7 @@ INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
     pairs_load(m, s, point, 1);
     if (on != CYLINT_NO_FEATURE) {
         pairs_rho(m);
+        /* untaken 1 of 4: of an infinite cylinder the feature is known before */
         if (shape->ends == CYLINT_ENDS_INFINITE && cylint_is_tapered(kind))
             choose_nappe(n, m, s);
         return;

@@ -174,6 +174,7 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
             add_two_products(limb + i, two_limbs(x.limb + i), y.limb, y.n);
 #endif
     for (; i < x.n; i++)
+        /* untaken 1 of 2: after pairs of limbs only the highest, which is not 0 */
         if (x.limb[i] != 0)
             add_product(limb + i, x.limb[i], y.limb, y.n);
     return trimmed(arena, limb, x.n + y.n, x.exponent + y.exponent,

@@ -296,13 +296,10 @@ CYLINT_INLINE double cylint_end_factor(const cylint_shape *s, int end)
     return end ? cylint_r1(s) : cylint_r0(s);
 }
 
-/* Coordinate i of the centre of an end, rounded at most once. */
+/* Coordinate i of the centre of an end that is given. */
 CYLINT_INLINE double cylint_end_center(const cylint_shape *s, int end, int i)
 {
-    return !end ? cylint_base(s)[i]
-           : cylint_has_end_points(s->kind)
-               ? cylint_top(s)[i]
-               : cylint_base(s)[i] + cylint_axis(s)[i];
+    return end ? cylint_top(s)[i] : cylint_base(s)[i];
 }
 
 /* What the radius of a circular kind is a multiple of: an acone's tangent is

@@ -267,18 +267,29 @@ TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
     CHECK(found[0] > TUBES && found[1] > TUBES && found[2] > TUBES);
 }
 
-/* The axis (1, 0, 2), in multiples of the least double. */
-TEST(an_axis_of_the_least_doubles_keeps_its_digits)
+/* The axis (1, 0, 2), in multiples of the least double and of a double that its
+ * points' difference overflows. */
+TEST(an_axis_of_extreme_doubles_keeps_its_digits)
 {
-    static const double p0[3] = {0, 0, 0}, p1[3] = {0x1p-1074, 0, 0x1p-1073},
+    static const double p0[2][3] = {{0, 0, 0}, {-0x1p1022, 0, -0x1p1023}},
+                        p1[2][3] = {{0x1p-1074, 0, 0x1p-1073},
+                                    {0x1p1022, 0, 0x1p1023}},
                         radii[2] = {1, 1},
                         sector[2][3] = {{1, 0, 0}, {0, 1, 0}},
                         out[3] = {1, 0, 3}, in[3] = {1, 0, 1};
-    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
-    int clauses[CYLINT_TUBE_MEMBERS];
-    size_t n;
-    CHECK(cylint_tube(p0, p1, radii, NULL, sector, shapes, clauses, &n) ==
-          CYLINT_OK);
-    CHECK(n == 3 && cylint_contains(&shapes[2], out) == -1 &&
-          cylint_contains(&shapes[2], in) == 1);
+    for (int k = 0; k < 2; k++) {
+        cylint_shape shapes[CYLINT_TUBE_MEMBERS];
+        int clauses[CYLINT_TUBE_MEMBERS];
+        double outer[3], inner[3];
+        size_t n;
+        CHECK(cylint_tube(p0[k], p1[k], radii, NULL, sector, shapes, clauses,
+                          &n) == CYLINT_OK);
+        for (int i = 0; i < 3; i++) {
+            const double unit = k ? 0x1p1021 : 1;
+            outer[i] = p0[k][i] + out[i] * unit;
+            inner[i] = p0[k][i] + in[i] * unit;
+        }
+        CHECK(n == 3 && cylint_contains(&shapes[2], outer) == -1 &&
+              cylint_contains(&shapes[2], inner) == 1);
+    }
 }
