@@ -60,11 +60,12 @@ INLINE void store(double *to, size_t i, size_t n, vd x)
         store_first(to + i, n, x);
 }
 
-ASIDE void store_feature(const cylint_closest_columns *to, size_t i, size_t n,
-                         const cylint_shape *const at[LANES], vd x)
+/* Without a vector among its arguments: then compilers clear the upper halves of
+ * registers. */
+ASIDE void write_features(const cylint_closest_columns *to, size_t i, size_t n,
+                          const cylint_shape *const at[LANES],
+                          const double of_lane[LANES])
 {
-    double of_lane[LANES];
-    v_store(of_lane, x);
     for (size_t lane = 0; lane < LANES && lane < n; lane++) {
         const int feature = cylint_stated_feature(at[lane], (int)of_lane[lane]);
         if (to->feature)
@@ -72,6 +73,14 @@ ASIDE void store_feature(const cylint_closest_columns *to, size_t i, size_t n,
         if (to->part)
             to->part[i + lane] = (signed char)cylint_feature_part(feature);
     }
+}
+
+INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
+                           const cylint_shape *const at[LANES], vd x)
+{
+    double of_lane[LANES];
+    v_store(of_lane, x);
+    write_features(to, i, n, at, of_lane);
 }
 
 /* Where all numbers within the error round to the same double. */
@@ -92,7 +101,7 @@ INLINE vm answer_distances(const cylint_shape *const at[LANES],
     head_tail_nearest(&nearest, &m, s, x, at[0]->kind, parted);
     store(to->distance, i, n, nearest.d.low);
     if (parted)
-        store_feature(to, i, n, at, nearest.feature);
+        store_features(to, i, n, at, nearest.feature);
     return is_certain(&nearest);
 }
 
@@ -111,7 +120,7 @@ INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
                                                   v_abs(nearest.d.low)));
     store(to->distance, i, n, nearest.d.low);
     if (want & CYLINT_WANT_PART)
-        store_feature(to, i, n, at, nearest.feature);
+        store_features(to, i, n, at, nearest.feature);
     if (want & CYLINT_WANT_POINT)
         certain = m_and(certain, members.point_known);
     if (want & CYLINT_WANT_NORMAL)

@@ -6,7 +6,7 @@ cd "$scratch" || exit 1
 PATH=$build:$PATH
 
 # Records of all families, with tails, comments and directions without length.
-"$build/tests/package/records" 5 60000 | awk '
+"$build/tests/package/records" 5 80000 | awk '
     NR % 97 == 0 { print "# " NR }
     NR % 50 == 0 { $5 = $6 = $7 = 0 }
     { print $0 (NR % 2 ? "" : " r" NR) }' >all
@@ -23,7 +23,8 @@ same() { # NAME KINDS, then options
 }
 
 for line in line ray segment span; do
-    for shape in cylinder cone ecylinder econe acone sphere capsule rcone; do
+    for shape in cylinder cone ecylinder econe acone sphere capsule rcone \
+        halfspace; do
         grep -e '^#' -e "^$line .* $shape " all >worded
         sed "s/^$line//; s/ $shape / /" worded >bare
         same 'both hits' $line,$shape -f id,relation,n,t0,t1,part0,part1,chord -C

@@ -334,7 +334,7 @@ test_symbols()
     threads="sysconf $(printf 'pthread_%s ' create join mutex_lock mutex_unlock mutex_destroy \
         cond_wait cond_broadcast cond_destroy self)"
     # of a saved scene
-    files='fileno fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
+    files='fileno fstat stat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
         rename remove snprintf __errno_location'
     none "$(foreign_to libcylint-scene "$math $memory $others $heap $threads $files sqrtf")" \
         scenes_use_memory_threads_and_files_and_nothing_else
