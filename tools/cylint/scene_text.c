@@ -33,6 +33,7 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
                         cylint_surface(s) != CYLINT_PART_LATERAL;
     const int turned = is_ball && cylint_surface(s) == CYLINT_PART_CAP1;
     const int kind = is_ball ? CYLINT_KIND_RCONE : (int)s->kind;
+    /* lint: a shape of a scene has a kind */
     for (const char *p = made[kind].parts; *p; p++) {
         const int is_top = (*p == 't' || *p == 'R') != turned;
         const double *from = *p == 'a'                ? cylint_a(s)
