@@ -112,8 +112,8 @@ CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
 
 /*
  * Of a point that is far away, from the distance that is returned.  A point x of a
- * piece is at least (q - x).e = |q| - x.e away, where e is the unit vector of q, and
- * x.e is at most that of an end of the axis, plus r.  Axes are within 2^10 of
+ * piece is at least (q - x).e = |q| - x.e away, where e is the unit vector of q,
+ * and x.e is at most that of an end of the axis, plus r.  Axes are within 2^10 of
  * the centre, so this is less than the distance by at most 2^19 / |q| <= 4 steps,
  * and floats err by less than one.
  */
