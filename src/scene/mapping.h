@@ -8,8 +8,8 @@
 #include "cylint_scene.h"
 
 /* Maps a file of at least `least` bytes, or reads it: if is_read is not 0, if the
- * system cannot map it, or if it is shorter.  After a failure the memory is to be
- * freed too.  EFILE: errno is set. */
+ * system cannot map it, or if it is shorter.  *file must then stay at its address.
+ * After a failure the memory is to be freed too.  EFILE: errno is set. */
 cylint_scene_status cylint_mapping_open(cylint_memory *file, const char *path,
                                         size_t least, int is_read);
 

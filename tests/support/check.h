@@ -44,13 +44,18 @@ struct check_test {
     int line;
 };
 
-static struct check_test check_tests[40];
+enum { CHECK_MOST = 40 };
+static struct check_test check_tests[CHECK_MOST];
 static int check_count;
 
 /* Tests are added in any order, before main(). */
 static inline void check_add(void (*test)(void), const char *name, int line)
 {
     int i = check_count++;
+    if (i == CHECK_MOST) {
+        fputs("more tests than CHECK_MOST\n", stderr);
+        exit(1);
+    }
     for (; i > 0 && check_tests[i - 1].line > line; i--)
         check_tests[i] = check_tests[i - 1];
     check_tests[i] = (struct check_test){test, name, line};
