@@ -17,8 +17,8 @@ const char *cylint_embree_strerror(int status)
 {
     static const char *const text[] = {
         [CYLINT_EMBREE_OK] = "no error",
-        [CYLINT_EMBREE_ESHAPE] = "a shape is invalid, unbounded, or has a "
-                                 "coordinate of 1.844e18 or more",
+        [CYLINT_EMBREE_ESHAPE] = ("a shape is invalid, unbounded, or has a "
+                                  "coordinate of 1.844e18 or more"),
         [CYLINT_EMBREE_EMOTION] =
             "the two states of a shape differ in kind or ends",
         [CYLINT_EMBREE_EMEMORY] = "out of memory",

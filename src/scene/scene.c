@@ -29,8 +29,8 @@ const char *cylint_scene_strerror(int status)
         [CYLINT_SCENE_EOPENED] = "a scene that was opened does not change",
         [CYLINT_SCENE_EREPLACE] =
             "a shape cannot take the place of the one before: make a new scene",
-        [CYLINT_SCENE_ESOLID] = "a member of a solid has no clause, or two "
-                                "solids have the same number"};
+        [CYLINT_SCENE_ESOLID] = ("a member of a solid has no clause, or two "
+                                 "solids have the same number")};
     return status >= 0 && status <= CYLINT_SCENE_ESOLID ? texts[status]
                                                         : "unknown status";
 }

@@ -183,7 +183,7 @@ static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
     cylint_shape s;
     cylint_line l;
     make(kind, 0, &s, &l);
-    s.ends = ends;
+    s.ends = (int)ends;
     for (int feature = 0; feature <= CYLINT_FEATURE_APEX; feature++) {
         meridian m;
         cylint_closest answer;

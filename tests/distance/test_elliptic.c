@@ -99,7 +99,7 @@ TEST(no_point_of_the_surface_is_nearer)
             second += minima > 1;
             const double size = fabs(cylint_distance(&s, X, WANT, &got));
             if (!CHECK(size <= sqrt(least) * (1 + 0x1p-30) + 0x1p-40)) {
-                report_solid(&e, s.ends, X);
+                report_solid(&e, (cylint_ends)s.ends, X);
                 REPORT("%g, nearer: %g", size, sqrt(least));
             }
         }

@@ -303,7 +303,7 @@ TEST(the_sign_is_that_of_contains)
 static void check_signed(const struct family_case *c, const double p[3])
 {
     struct family_case closed = *c;
-    if (cylint_ends_are_planes(c->ends))
+    if (cylint_ends_are_planes((int)c->ends))
         closed.ends = CYLINT_ENDS_CAPPED;
     family_make(&closed);
     const cylint_closest a = answer_to(&c->shape, p, WANT | CYLINT_SIGNED);

@@ -381,8 +381,8 @@ TEST(every_status_has_its_text)
 {
     static const char *const texts[] = {
         [CYLINT_EMBREE_OK] = "no error",
-        [CYLINT_EMBREE_ESHAPE] = "a shape is invalid, unbounded, or has a "
-                                 "coordinate of 1.844e18 or more",
+        [CYLINT_EMBREE_ESHAPE] = ("a shape is invalid, unbounded, or has a "
+                                  "coordinate of 1.844e18 or more"),
         [CYLINT_EMBREE_EMOTION] =
             "the two states of a shape differ in kind or ends",
         [CYLINT_EMBREE_EMEMORY] = "out of memory",

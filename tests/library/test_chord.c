@@ -254,7 +254,7 @@ static void check_records(struct environment there)
 {
     for (int i = 0; i < count; i++) {
         const struct record *r = &records[i];
-        const int every = cylint_ends_are_planes(r->c.ends) &&
+        const int every = cylint_ends_are_planes((int)r->c.ends) &&
                           r->c.shape_word != FAMILY_SPHERE;
         for (int ends = 0; ends < (every ? 4 : 1); ends++) {
             struct family_case c = r->c;

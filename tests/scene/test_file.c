@@ -341,7 +341,7 @@ TEST(a_file_opens_in_every_environment)
  * Returns 0 after the last. */
 static int next_change(int change)
 {
-    if (check_setting("CYLINT_CASES", 0) >= 1e6)
+    if (check_setting("CYLINT_CASES", 0) >= 1000000)
         return (change + 1) % 256;
     return change == 0 ? 1 : change == 128 ? 255 : 2 * change % 510;
 }

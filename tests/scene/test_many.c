@@ -202,7 +202,7 @@ static void leave_out_nearest(void)
 static cylint_scene *new_scene(enum scene_kind kind, uint64_t seed,
                                struct scene_shapes *of)
 {
-    *of = scene_generate(kind, SHAPES, seed);
+    *of = scene_generate((int)kind, SHAPES, seed);
     return cylint_scene_new(of->shapes, of->n, 1, NULL);
 }
 
