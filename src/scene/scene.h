@@ -10,7 +10,6 @@
 #include "cylint_scene.h"
 #include "../bvh/traverse.h"
 #include "frame.h"
-#include "mapping.h"
 #include "records.h"
 #include "solids.h"
 
