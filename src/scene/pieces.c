@@ -1,5 +1,6 @@
 /*
- * pieces.c - the pieces of a line that are inside the solids of a scene
+ * pieces.c - the pieces of a line that are inside the solids of a scene, and which
+ * solids contain a point
  *
  * Chords are collected, sorted by t0, and swept: at each end of a chord the set of
  * solids that contain the line changes.  As a chord is one record, an entry without
@@ -12,8 +13,16 @@
 
 #include "pieces.h"
 
+/* By t0, then by number. */
+static int is_before(const cylint_numbered_chord *x,
+                     const cylint_numbered_chord *y)
+{
+    const int64_t a = cylint_rank(x->t0), b = cylint_rank(y->t0);
+    return a != b ? a < b : x->number < y->number;
+}
+
 #define SORTED cylint_numbered_chord
-#define IS_BEFORE(x, y) cylint_chord_is_before(x, y)
+#define IS_BEFORE(x, y) is_before(x, y)
 #define SORT sort_chords
 #include "../merge_sort_template.h"
 
@@ -26,6 +35,7 @@
 
 /* All chords that begin at `complete` or before are collected. */
 typedef struct {
+    const cylint_scene *scene;
     cylint_numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
@@ -77,9 +87,9 @@ static double keep_first_chord(void *context, size_t number,
         return c->complete;
     }
     size_t i = c->n;
-    while (i > 0 && cylint_chord_is_before(&x, &c->chord[i - 1]))
+    while (i > 0 && is_before(&x, &c->chord[i - 1]))
         i--;
-    if (i > 0 && !cylint_chord_is_before(&c->chord[i - 1], &x))
+    if (i > 0 && !is_before(&c->chord[i - 1], &x))
         return c->complete; /* found again */
     memmove(&c->chord[i + 1], &c->chord[i], (c->n++ - i) * sizeof x);
     c->chord[i] = x;
@@ -97,12 +107,19 @@ static size_t sort_and_unite(cylint_numbered_chord *chord, size_t n,
     size_t kept = 0;
     sort_chords(chord, n, spare);
     for (size_t i = 0; i < n; i++)
-        if (kept == 0 || cylint_chord_is_before(&chord[kept - 1], &chord[i]))
+        if (kept == 0 || is_before(&chord[kept - 1], &chord[i]))
             chord[kept++] = chord[i];
     return kept;
 }
 
 /* ------------------------------------------------------------ sweeping -- */
+
+/* Whether solid x owns a place that y contains too: it has the lesser rank, or the
+ * same rank and the lower number. */
+static int outranks(const int *rank, size_t x, size_t y)
+{
+    return rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y;
+}
 
 typedef struct {
     const cylint_piece_rule *rule;
@@ -117,16 +134,15 @@ typedef struct {
 } sweep;
 
 /* Whether chord x owns a place that both contain. */
-static int outranks(const sweep *s, uint32_t x, uint32_t y)
+static int owns(const sweep *s, uint32_t x, uint32_t y)
 {
-    return cylint_outranks(s->rule->rank, s->chord[x].number,
-                           s->chord[y].number);
+    return outranks(s->rule->rank, s->chord[x].number, s->chord[y].number);
 }
 
 static void push_chord(sweep *s, uint32_t x)
 {
     size_t i = s->open++;
-    for (; i > 0 && outranks(s, x, s->heap[(i - 1) / 2]); i = (i - 1) / 2)
+    for (; i > 0 && owns(s, x, s->heap[(i - 1) / 2]); i = (i - 1) / 2)
         s->heap[i] = s->heap[(i - 1) / 2];
     s->heap[i] = x;
 }
@@ -136,9 +152,9 @@ static void pop_chord(sweep *s)
     const uint32_t x = s->heap[--s->open];
     size_t i = 0, child;
     while ((child = 2 * i + 1) < s->open) {
-        child += child + 1 < s->open &&
-                 outranks(s, s->heap[child + 1], s->heap[child]);
-        if (!outranks(s, s->heap[child], x))
+        child +=
+            child + 1 < s->open && owns(s, s->heap[child + 1], s->heap[child]);
+        if (!owns(s, s->heap[child], x))
             break;
         s->heap[i] = s->heap[child];
         i = child;
@@ -233,7 +249,17 @@ static size_t write_swept_pieces(sweep *s, void *spare)
     return s->n_pieces;
 }
 
-/* ----------------------------------------------------------- the query -- */
+/* -------------------------------------------------------------- lines -- */
+
+/* Whether the workspace has memory at all; else writes how much to try. */
+static int has_room(cylint_workspace *work)
+{
+    enum { SOME = 16 * sizeof(cylint_numbered_chord) };
+    if (work->bytes >= SOME)
+        return 1;
+    work->wanted = SOME;
+    return 0;
+}
 
 static int chords_of_line(const void *line, const cylint_shape *shape,
                           cylint_interval chord[2])
@@ -243,15 +269,14 @@ static int chords_of_line(const void *line, const cylint_shape *shape,
 
 /* Writes the pieces of n chords in shapes, which c->capacity chords of spare memory
  * follow. */
-static size_t pieces_of_chords(const cylint_scene *scene,
-                               const cylint_line *line, const collector *c,
+static size_t pieces_of_chords(const cylint_line *line, const collector *c,
                                cylint_workspace *work, sweep *s)
 {
     const cylint_domain domain = {line->tmin, line->tmax, chords_of_line, line};
     cylint_numbered_chord *spare = c->chord + c->capacity, *of_solids;
     s->complete = c->complete;
     s->n = sort_and_unite(c->chord, c->n, spare);
-    s->n = cylint_chords_of_solids(scene, &domain, c->chord, s->n, work,
+    s->n = cylint_chords_of_solids(c->scene, &domain, c->chord, s->n, work,
                                    &of_solids, &spare);
     if (s->n == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
@@ -262,15 +287,15 @@ static size_t pieces_of_chords(const cylint_scene *scene,
 }
 
 /* Collects all chords, or enough for some pieces. */
-static void collect(const cylint_scene *scene, const cylint_line *line,
-                    size_t pieces, double floor, collector *c)
+static void collect(collector *c, const cylint_line *line, size_t pieces,
+                    double floor)
 {
     cylint_scene_chord *keep = pieces > 0 ? keep_first_chord : keep_chord;
     c->n = 0;
     c->complete = HUGE_VAL;
     c->pieces = pieces;
     c->floor = floor;
-    cylint_visit_chords(scene, line, pieces > 0, keep, c);
+    cylint_visit_chords(c->scene, line, pieces > 0, keep, c);
 }
 
 /* The most pieces for which the line is searched in order, and how often. */
@@ -278,18 +303,18 @@ enum { FEW_PIECES = 4, SEARCHES = 2 };
 
 /* Returns whether the wanted pieces are written, or all.  Each search is complete
  * up to farther on than the one before. */
-static int has_first_pieces(const cylint_scene *scene, const cylint_line *line,
-                            collector *c, cylint_workspace *work, sweep *s)
+static int has_first_pieces(const cylint_line *line, collector *c,
+                            cylint_workspace *work, sweep *s)
 {
     double floor = -HUGE_VAL;
     for (int i = 0; i < SEARCHES; i++) {
-        collect(scene, line, s->capacity, floor, c);
+        collect(c, line, s->capacity, floor);
         if (c->n > c->capacity)
             return 0;
         const int are_all = !cylint_less(c->complete, line->tmax);
         const double begin = c->n > 0 ? c->chord[0].t0 : 0,
                      end = end_of_last_piece(c);
-        const size_t n = pieces_of_chords(scene, line, c, work, s);
+        const size_t n = pieces_of_chords(line, c, work, s);
         if (n == CYLINT_NO_ROOM)
             return 0;
         if (n == s->capacity || are_all)
@@ -304,19 +329,67 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
                            size_t capacity, cylint_workspace *work)
 {
     sweep s = {.rule = rule, .pieces = pieces, .capacity = capacity};
-    collector c = {.chord = work->memory,
+    collector c = {.scene = scene,
+                   .chord = work->memory,
                    .capacity = work->bytes / (2 * sizeof *c.chord)};
     if (!line->valid || capacity == 0)
         return 0;
-    if (!cylint_has_room(work))
+    if (!has_room(work))
         return CYLINT_NO_ROOM;
     if (capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS &&
-        has_first_pieces(scene, line, &c, work, &s))
+        has_first_pieces(line, &c, work, &s))
         return s.n_pieces;
-    collect(scene, line, 0, 0, &c);
+    collect(&c, line, 0, 0);
     if (c.n > c.capacity) {
         work->wanted = c.n * 2 * sizeof *c.chord;
         return CYLINT_NO_ROOM;
     }
-    return pieces_of_chords(scene, line, &c, work, &s);
+    return pieces_of_chords(line, &c, work, &s);
+}
+
+/* -------------------------------------------------------------- points -- */
+
+/* A shape that contains the point has the chord [0, 1] of the domain [0, 1]. */
+static const cylint_interval whole_domain = {0, 1};
+
+static int chord_of_point(const void *point, const cylint_shape *shape,
+                          cylint_interval chord[2])
+{
+    chord[0] = whole_domain;
+    return cylint_contains(shape, point) >= 0;
+}
+
+static double keep_container(void *context, const cylint_found *found)
+{
+    const collector *c = context;
+    if (c->scene->solids.n == 0 ||
+        !cylint_is_late(c->scene, (uint32_t)found->number))
+        keep_chord(context, found->number, whole_domain);
+    return 0;
+}
+
+size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
+                          const int *rank, size_t *owner,
+                          cylint_workspace *work)
+{
+    const cylint_domain domain = {0, 1, chord_of_point, point};
+    collector c = {.scene = scene,
+                   .chord = work->memory,
+                   .capacity = work->bytes / sizeof *c.chord};
+    cylint_numbered_chord *chord, *spare;
+    *owner = scene->n;
+    if (!cylint_is_finite(point))
+        return 0;
+    if (!has_room(work))
+        return CYLINT_NO_ROOM;
+    cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
+    work->wanted = c.n * sizeof *c.chord;
+    if (c.n > c.capacity)
+        return CYLINT_NO_ROOM;
+    const size_t n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, work,
+                                             &chord, &spare);
+    for (size_t i = 0; n != CYLINT_NO_ROOM && i < n; i++)
+        if (i == 0 || outranks(rank, chord[i].number, *owner))
+            *owner = chord[i].number;
+    return n;
 }

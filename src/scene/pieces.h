@@ -12,31 +12,6 @@ typedef struct cylint_numbered_chord {
     uint32_t number;
 } cylint_numbered_chord;
 
-/* By t0, then by number. */
-static inline int cylint_chord_is_before(const cylint_numbered_chord *x,
-                                         const cylint_numbered_chord *y)
-{
-    const int64_t a = cylint_rank(x->t0), b = cylint_rank(y->t0);
-    return a != b ? a < b : x->number < y->number;
-}
-
-/* Whether solid x owns a place that y contains too: it has the lesser rank, or the
- * same rank and the lower number. */
-static inline int cylint_outranks(const int *rank, size_t x, size_t y)
-{
-    return rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y;
-}
-
-/* Whether the workspace has memory at all; else writes how much to try. */
-static inline int cylint_has_room(cylint_workspace *work)
-{
-    enum { SOME = 16 * sizeof(cylint_numbered_chord) };
-    if (work->bytes >= SOME)
-        return 1;
-    work->wanted = SOME;
-    return 0;
-}
-
 /* The chords of a shape, as cylint_chord() writes them, for a line or for what
  * stands for one. */
 typedef int cylint_chords_of_shape(const void *line, const cylint_shape *shape,
