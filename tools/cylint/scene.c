@@ -10,7 +10,9 @@
 #include "output.h"
 #include "scene.h"
 
-int scene_failed(cylint_scene_status status, const char *name, int exit_status)
+/* What it is for a status of the library.  name: of the file. */
+static int scene_failed(cylint_scene_status status, const char *name,
+                        int exit_status)
 {
     return status == CYLINT_SCENE_OK ? 0
            : status == CYLINT_SCENE_EMEMORY
@@ -47,11 +49,14 @@ int scene_build(struct scene *scene, int threads)
         return status;
     const cylint_scene_status finished =
         cylint_scene_finish(scene->shapes, threads, NULL, NULL);
+    const struct solids *s = &scene->solids;
     if (finished != CYLINT_SCENE_EFINISHED)
         status = scene_failed(finished, "-s", EXIT_USAGE);
-    return status == 0 && scene->solids.count > 0
-               ? solids_give(&scene->solids, scene->shapes)
-               : status;
+    if (status == 0 && s->count > 0)
+        status = scene_failed(
+            cylint_scene_set_solids(scene->shapes, s->member, s->count),
+            s->file, EXIT_BAD);
+    return status;
 }
 
 void scene_free(struct scene *scene)
@@ -123,8 +128,12 @@ int scene_read_text(struct scene *scene, const char *file, int ends,
                                .ends = ends,
                                .convert = converter_of(file)}};
     scene->solids.file = file;
-    return swc_is_name(file) ? swc_read(scene, file, ends, form)
-                             : read_lines(file, 0, read_shape, &reading);
+    if (swc_is_name(file))
+        return swc_read(scene, file, ends, form);
+    const int status = read_lines(file, 0, read_shape, &reading);
+    return status == 0 && scene->solids.count > 0
+               ? solids_complete(&scene->solids, scene->count)
+               : status;
 }
 
 /* --------------------------------------------------------- saved scenes -- */

@@ -22,9 +22,6 @@ struct scene {
 
 /* All return 0, or an exit status after a message. */
 
-/* What it is for a status of the library.  name: of the file. */
-int scene_failed(cylint_scene_status status, const char *name, int exit_status);
-
 /* Adds the shape of a record. */
 int scene_add(struct scene *scene, const struct record *record);
 

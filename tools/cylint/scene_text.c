@@ -229,7 +229,6 @@ int scene_write_text(struct scene *scene, const char *file, int digits,
     struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
     if (!t.data)
         return out_of_memory();
-    solids_complete(s);
     if (s->count > 0)
         qsort(s->member, s->count, sizeof *s->member, compare_members);
     const int status = put_records(scene, file, digits, out, &t);

@@ -33,12 +33,9 @@ int solids_read(struct solids *solids, size_t shape, struct string words,
  * after a message. */
 int solids_add(struct solids *solids, const cylint_member *member);
 
-/* Numbers the clauses of their own, when all members are added. */
-void solids_complete(struct solids *solids);
-
-/* Gives a finished scene its solids.  Returns 0, or an exit status after a
- * message. */
-int solids_give(struct solids *solids, cylint_scene *scene);
+/* Numbers the clauses of their own, when all members are added.  Returns 0, or an
+ * exit status after a message: EXIT_BAD if two solids have the same first shape. */
+int solids_complete(struct solids *solids, size_t shapes);
 
 void solids_free(struct solids *solids);
 

@@ -63,7 +63,6 @@ nb::tuple read_scene(const char *file, int ends, bool round)
         messages = &said;
         scene.keeps_labels = 1;
         status = scene_read(&scene, file, ends, round ? SWC_ROUND : SWC_CONES);
-        solids_complete(&scene.solids);
         messages = nullptr;
     }
     nb::object begun = nb::none(), labels = nb::none();
