@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "answer.h"
-#include "main.h"
 
 int task_make(struct task *task, struct job *job)
 {

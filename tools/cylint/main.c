@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include "answer.h"
-#include "main.h"
-#include "scene_text.h"
 
 const char *const program = "cylint";
 
@@ -25,12 +23,11 @@ static int load_shapes(struct job *job)
     const struct options *o = job->options;
     struct scene *scene = &job->scene;
     scene->keeps_labels = needs_labels(o);
-    const int status = scene_open(scene, o->scene, o->grammar.ends);
+    const int status = scene_open(scene);
     if (status != NOT_SAVED)
         return status;
     scene->keeps_labels |= o->save != NULL;
-    return scene_read_text(scene, o->scene, o->grammar.ends,
-                           (enum swc_form)o->swc);
+    return scene_read_text(scene);
 }
 
 /* No method needs the hierarchy. */
@@ -130,11 +127,10 @@ static int write_text(struct job *job)
 {
     const struct options *o = job->options;
     job->scene.keeps_labels = 1;
-    const int status = scene_read(&job->scene, o->scene, o->grammar.ends,
-                                  (enum swc_form)o->swc);
-    return status == 0 ? scene_write_text(&job->scene, o->scene,
-                                          o->style.digits, &job->out)
-                       : status;
+    const int status = scene_read(&job->scene);
+    return status == 0
+               ? scene_write_text(&job->scene, o->style.digits, &job->out)
+               : status;
 }
 
 static int answer(struct job *job)
@@ -175,6 +171,9 @@ int main(int argc, char **argv)
         return status;
     if (options.print)
         return print_about(options.print);
+    job.scene.file = options.scene;
+    job.scene.ends = options.grammar.ends;
+    job.scene.form = options.swc;
     status = options.save ? save(&job) : 0;
     if (status == 0 && !options.only_saves)
         status = answer(&job);

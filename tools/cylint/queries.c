@@ -9,7 +9,6 @@
 #include <stdio.h>
 
 #include "answer.h"
-#include "main.h"
 
 /* The fields of the present record's columns. */
 static const struct fields *fields_of(const struct task *task)

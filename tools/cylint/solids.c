@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "main.h"
-#include "solids.h"
+#include "scene.h"
 
 enum { NAME_SHOWN = 32 };
 
@@ -81,11 +80,11 @@ static void number_solids(const struct solids *s, size_t *number)
         }
 }
 
-static int refuse_number(const struct solids *s, size_t solid, size_t other,
-                         size_t number)
+static int refuse_number(const struct solids *s, const char *file, size_t solid,
+                         size_t other, size_t number)
 {
     char a[SHOWN_CAPACITY], b[SHOWN_CAPACITY];
-    return complain(EXIT_BAD, s->file,
+    return complain(EXIT_BAD, file,
                     "the solids '%s' and '%s' have the same first shape, "
                     "number %llu; write that shape twice, once for each solid",
                     escape(a, names_get(&s->names, solid), NAME_SHOWN),
@@ -93,7 +92,7 @@ static int refuse_number(const struct solids *s, size_t solid, size_t other,
                     (unsigned long long)number);
 }
 
-int solids_complete(struct solids *s, size_t shapes)
+int solids_complete(struct solids *s, size_t shapes, const char *file)
 {
     const size_t solids = s->names.texts.count;
     int status = 0;
@@ -108,7 +107,7 @@ int solids_complete(struct solids *s, size_t shapes)
     for (size_t i = 0; i < solids && status == 0; i++) {
         size_t *other = &solid_of[number[i]];
         if (*other > 0)
-            status = refuse_number(s, *other - 1, i, number[i]);
+            status = refuse_number(s, file, *other - 1, i, number[i]);
         *other = i + 1;
     }
     free(number);

@@ -1,7 +1,7 @@
 /*
  * scene.cc - builds, opens and saves scenes
  */
-#include "scene.h"
+#include "calls.h"
 
 #include <cerrno>
 #include <exception>
