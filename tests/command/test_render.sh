@@ -118,6 +118,29 @@ test_framing()
         $6 { n++; if ($1 < 3 || $1 > 196 || $2 < 3 || $2 > 146) out++ }
         END { exit !(n > 2000 && !out) }'
     verdict nothing_is_cut_off_in_perspective $?
+    # a slab as thin as the steps of the doubles; 1 / 49 times 49 is below 1
+    printf '%s\n' 'cylinder 0 0 0  0 0 1  1  #ff0000' \
+        'cylinder 0 0 1000  0 0 1000.0000000000001  1  #0000ff' > slab.scene
+    cylint-render slab.scene -o slab.png --ortho --from 0,0,49 --up 0,1,0 \
+        --size 3x3 --samples 1 --shade plain || return 1
+    brightest slab.png 1 1 3
+    verdict the_eye_is_before_the_scene_with_ortho $?
+    for power in 0 -1000 1000; do
+        sed "s/@/p$power/g" > power.scene << 'END'
+cylinder 0 0 0  0 0 0x2@  0x1@
+cone 0x4@ 0 0  0x1@  0x4@ 0 0x2@  0
+rcone 0x2@ 0x4@ 0  0x1@  0 0x5@ 0x2@  0x.8@
+END
+        for camera in --ortho --fov=30; do
+            cylint-render power.scene -o power.png "$camera" --size 60x40 --samples 1 \
+                --colour radius || return 1
+            pixels power.png > "size$power$camera"
+        done
+    done
+    for power in -1000 1000; do
+        cmp size0--ortho "size$power--ortho" && cmp size0--fov=30 "size$power--fov=30"
+        verdict "a_picture_does_not_depend_on_the_scenes_size_$power" $?
+    done
     cylint-render level.scene -o eye.png --eye 10,-2,0 --look-at 0,-2,0 \
         --size 100x100 --fov 20 --samples 1 --shade plain --background none || return 1
     # The upper rim's near point is at the angle atan(1/9), which is
