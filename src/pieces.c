@@ -148,8 +148,8 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
-/* Whether member i, which the line does not meet, leaves its clause without a point
- * of the line: no other member is in the clause, and it is no complement. */
+/* Whether no point of the line is in the clause of member i, which the line misses:
+ * no other member is in the clause, and member i is no complement. */
 static int is_empty_clause(const int *clause, const int32_t *number, size_t n,
                            size_t i)
 {

@@ -444,7 +444,7 @@ def test_half_of_the_points_are_near_a_stem(recipe, tmp_path):
     (tmp_path / "tree.csv").write_text("".join(table))
     (tmp_path / "cloud.txt").write_text("".join(cloud))
     assert recipe(display("lidar")) == (
-        "of 80 points are within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %\n"
+        "80 points: within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %\n"
         "-2 to -1 cm      0\n-1 to  0 cm      0\n 0 to  1 cm     40\n"
         " 1 to  2 cm      0\n 2 to  3 cm      0\n 3 to  4 cm      0\n"
         " 4 to  5 cm     40\n"
