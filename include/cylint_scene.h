@@ -366,9 +366,9 @@ typedef struct cylint_member {
  * The number of a solid, for ranks, pieces and labels, is that of its least shape
  * that is not a complement; if there is none, of its least shape.
  *
- * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is more
- * than n, or n is more than 2^28.  ESOLID: a clause is 0, or two solids have the
- * same number.  A failure changes nothing.
+ * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is n or
+ * more, or n is more than 2^28.  ESOLID: a clause is 0 or INT_MIN, or two solids
+ * have the same number.  A failure changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_set_solids(
     cylint_scene *scene, const cylint_member *members, size_t n);
