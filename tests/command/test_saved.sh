@@ -1,6 +1,6 @@
 #!/bin/sh
 # Floor command: a saved scene gives the bytes that its text gives, for every
-# query, and processes that open it share its memory.
+# query and any number of workers, and processes that open it share its memory.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH
@@ -44,23 +44,40 @@ BEGIN {
 sed 's/not=/&L/' records >labelled
 awk '{ print "point", $2, $3, $4 }' records | head -n 300 >points
 grep '^ray' records | sed 's/ not=[0-9]*//; s/ *id.*//; s/^ray *//' >numbers
+# Solids whose names do not follow each other, and more lines than a worker takes.
+head -n 400 scene | awk '{
+    n = NR - 1; s = int(n / 8); word = ""
+    if (n % 4 == 1) word = " in=s" s
+    if (n % 4 == 2) word = " out=s" s (n % 8 == 2 ? "" : "/3")
+    if (n % 16 == 3) word = " in=s" s "/3"
+    if (n % 64 == 7) word = word " out=s" s "/1"
+    if (!sub(/ L/, word " L")) $0 = $0 word
+    print
+} END { print "sphere 0 0 0 9 out=world space" }' >solids
+sed '/^point/d; s/ not=[0-9]*//' records >through
+for i in 1 2 3 4 5 6 7 8; do cat through through through; done >many
+printf 'L3 -7\nL11 2\nspace 9\n' >ranks
 printf '1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n3 3 0 5 20 1 2\n' >neuron.swc
 cylint --save saved -s scene
 verdict 'a scene is saved without a question' $?
 cylint --save neuron -s neuron.swc --swc round
 grep '^c[yo]' scene | sed 's/ends=[a-z]*//' >rods
 cylint --save tubes -s rods --ends open
+cylint --save saved.solids -s solids && cylint --save again -s saved.solids && cmp saved.solids again
+verdict 'solids are saved again' $?
 
-# same SAVED TEXT ARGUMENT...: the same bytes and messages from both scenes
+# same SAVED TEXT ARGUMENT...: the same bytes and messages as from the text by one worker
 same() {
     from=$1 text=$2
     shift 2
-    cylint -s $text "$@" >want 2>want.err
+    cylint -s $text -j 1 "$@" >want 2>want.err
     echo $? >>want.err
-    cylint -s $from "$@" >out 2>err
-    echo $? >>err
-    cmp want out && cmp want.err err
-    verdict "$text: the saved scene gives the same bytes: $*" $?
+    for other in "-s $from -j 1" "-s $from -j 4" "-s $text -j 8"; do
+        cylint $other "$@" >out 2>err
+        echo $? >>err
+        [ -s want ] && cmp want out && cmp want.err err
+        verdict "$other: the same bytes: $*" $?
+    done
 }
 long=shape,label,relation,t,part,side,x,ny,h,phi
 for query in nearest any count all; do
@@ -73,7 +90,13 @@ for query in nearest any count all; do
     same tubes 'rods --ends open' -q $query records
 done
 same saved scene -f $long --header records
-same saved scene -q all -f id,shape,label,t0,nx1,chord -j 1 records
+same saved scene -q all -f id,shape,label,t0,nx1,chord records
+for what in '-q first -f id,shape,label,t,part,side,x,nx,h,phi' '-q pieces' \
+    '-q pieces --union --header -f record,label,length' '-q pieces --pieces cells' \
+    '-q pieces --pieces chords --first 3' '-q pieces --sum label:t' \
+    '-q pieces --sum label --header --rank ranks' '-q pieces --binary-out --rank ranks'; do
+    same saved.solids solids $what many
+done
 same saved scene -f shape,label,distance,feature,x,nx points
 same saved scene --method quadratic records
 [ "$(cylint -s saved -q all -f label numbers -k ray | grep -c ' of ')" -gt 100 ]

@@ -282,21 +282,27 @@ def test_signed_distances_are_those_of_closed_solids():
     assert scene.contains([[np.nan, 0, 0], [0, np.inf, 0]]).tolist() == [0, 0]
 
 
-def test_20000_points_equal_the_command(command, tmp_path):
+@pytest.mark.parametrize("signed", [False, True])
+def test_20000_points_equal_the_command(command, tmp_path, signed):
     random, path, radius = np.random.default_rng(57), tmp_path / "scene", 0.03
     scene = cylint.Scene(rods_in_a_file(500, random, path))
     points = random.random((20_000, 3))
-    text = records("point", points)
-    near, every = scene.closest(points), scene.within(points, radius)
+    near = scene.closest(points, signed=signed)
+    every = scene.within(points, radius, signed=signed)
+    text, options = records("point", points), ["-s", path] + ["--signed"] * signed
     command(
-        text, "-s", path, shape=near.index + 1, part=near.part, feature=near.feature,
+        text, *options, shape=near.index + 1, part=near.part, feature=near.feature,
         distance=near.distance, x_y_z=near.point,
     )  # fmt: skip
+    options += ["--within", radius]
     assert 1000 < len(every.point)
     command(
-        text, "-s", path, "--within", radius, "-q", "all",
+        text, *options, "-q", "all",
         record=every.point + 1, shape=every.index + 1, distance=every.distance,
     )  # fmt: skip
+    counts = scene.within_count(points, radius, signed=signed)
+    command(text, *options, "-q", "count", count=counts)
+    command(text, *options, "-q", "any", any=counts > 0)
 
 
 def test_points_and_radii_of_several_axes():

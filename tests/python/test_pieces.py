@@ -194,6 +194,36 @@ def test_the_command_has_the_pieces_of_the_package(command, tmp_path, mode):
         assert same(command(text, *options, "--sum", what), sums)
 
 
+def test_the_command_has_the_boundaries_and_depths_of_the_package(command, tmp_path):
+    path, rng = tmp_path / "scene", np.random.default_rng(5)
+    path.write_text(SOLIDS)
+    scene, options = cylint.Scene.read(path), ["-s", path, "-q"]
+    o, d = whole_numbers(rng, 3, 500, 3), whole_numbers(rng, 3, 500, 3)
+    d[~d.any(1)] = 1
+    first, (depth, owner) = scene.first_boundary(o, d, -np.inf), scene.depth(o)
+    assert 0 < np.sum(first.index < 0) < 200 and set(depth) >= {0, 1, 2}
+    command(
+        records("line", o, d), *options, "first", shape=first.index + 1, t=first.t, part=first.part,
+        side=first.side, x_y_z=first.point, nx_ny_nz=first.normal,
+    )  # fmt: skip
+    command(records("point", o), *options, "inside", depth=depth, shape=owner + 1)
+
+
+@pytest.mark.parametrize("mode", ["union", "owner", "cells", "chords"])
+def test_a_line_may_have_more_pieces_than_are_found_at_once(command, tmp_path, mode):
+    i = np.arange(3000)
+    beads = cylint.sphere(np.c_[i * 0.75, 0 * i, 0 * i], np.where(i % 9, 0.25, 0.875))
+    cylint.write_scene(tmp_path / "scene", beads)
+    found = cylint.Scene(beads).pieces([-1, 0.125, 0], [1, 0, 0], mode=mode)
+    assert len(found.t0) > 1500
+    text, options = "ray -1 0.125 0  1 0 0", ["-s", tmp_path / "scene", "-q", "pieces"]
+    for most in (1, 3, 5, 256, 257, 1000, 10**6):
+        command(
+            text, *options, "--pieces", mode, "--first", most, t0_t1=np.c_[found.t0, found.t1][:most],
+            shape=found.shape[:most] + 1, depth=found.depth[:most],
+        )  # fmt: skip
+
+
 def test_a_hollow_solid_with_a_sector():
     tubes = cylint.cylinder([0, 0, -1], [0, 0, 1], [3, 2])
     planes = cylint.halfspace([0, 0, 0], [[0, -1, 0], [1, 0, 0]])  # y >= 0 and x <= 0

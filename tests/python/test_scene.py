@@ -137,6 +137,44 @@ def test_lines_leave_out_their_shapes(seed):
         assert same(every.line, line) and same(every.index, shape)
 
 
+@pytest.mark.parametrize("accel", ["auto", "none"])
+@pytest.mark.parametrize("leave_out", [None, "number", "label"])
+def test_the_command_finds_what_a_loop_finds(command, tmp_path, accel, leave_out):
+    """By every query.  The lines leave out the shapes of none, one or two of their first
+    hits.  Every shape is there twice, with one label."""
+    z = np.arange(600) / 8  # discs in a row
+    discs = np.c_[0 * z + 3, 0 * z, z]
+    row = cylint.cylinder(discs, discs + [0, 0, 0.06], 0.5)
+    shapes = cylint.concatenate([forest(500, 85)[:400], row])  # no method has round cones
+    number = np.repeat(np.arange(1000), 2)
+    labels = [f"L{i} stick" if i % 2 else f"L{i}" for i in number]
+    shapes = shapes[number].with_labels(labels)
+    cylint.write_scene(tmp_path / "scene", shapes)
+    o, d = rays(600, 86)
+    o[:2], d[:2] = [3, 0, -5], [[0, 0, 1], [0.05, 0, 1]]
+    hit = cylint.intersect(shapes[:, None], o, d, tmin=-np.inf)
+    t = np.where(hit.n > 0, hit.t[..., 0], np.inf)
+    assert (hit.n[:, 0] > 0).sum() == 1200
+    words, first = [""] * 600, t.argsort(axis=0, kind="stable")
+    for i in range(600 if leave_out else 0):
+        for j in first[: min(i % 3, (t[:, i] < np.inf).sum()), i]:
+            words[i] += f" not=L{number[j]}" if leave_out == "label" else f" not={j + 1}"
+            t[number == number[j] if leave_out == "label" else j, i] = np.inf
+    text = "".join(map("{} {}\n".format, records("line", o, d).splitlines(), words))
+    options = ["-s", tmp_path / "scene", "--accel", accel]
+    options += ["--not", leave_out] if leave_out else []
+    counts = (t < np.inf).sum(axis=0)
+    near = np.where(counts > 0, t.argmin(axis=0), -1)
+    command(text, *options, shape=near + 1, t=np.where(near < 0, np.nan, t.min(axis=0)))
+    command(text, *options, "-q", "count", count=counts)
+    command(text, *options, "-q", "any", any=counts > 0)
+    line, shape = np.nonzero((t < np.inf).T)
+    command(text, *options, "-q", "all", record=line + 1, shape=shape + 1, t0=t[shape, line])
+    if accel == "auto":  # a method visits the shapes one by one
+        by_formula = command(text, *options, "--method=quadratic")[:, 0]
+        assert (by_formula == near + 1).mean() > 0.99
+
+
 def test_numbers_that_are_left_out_broadcast_and_are_checked():
     scene = cylint.Scene(cylint.sphere([[0, 0, 2], [0, 0, 6]], 1))
     near = scene.nearest(*UNIT, exclude=[[-1], [0], [1]])

@@ -7,7 +7,8 @@
 The indented sentences below a line of tests are what these tests prove.  Each must
 stand in the document, letter for letter but for blanks and signs; of a manual the
 lines that begin with a dot do not count.  Each property must be one that its file
-runs.  Each function of a header must have a line `name()`.
+runs; of a file of transcripts it begins a line of text.  Each function of a header
+must have a line `name()`.
 """
 import functools
 import os
@@ -39,6 +40,8 @@ def is_run(test):
     path, _, name = test.partition(":")
     text = read("tests/" + path)
     pattern = r"(TEST|RUN|PROPERTY)\(%s\b" if path.endswith(".c") else r"(verdict|def) %s\b"
+    if path.endswith(".txt"):
+        pattern, name = r"(?m)^%s\b", name.replace("_", " ")
     return bool(text) and (not name or re.search(pattern % re.escape(name), text))
 
 

@@ -1,8 +1,8 @@
 # Transcripts of commands; a test sources this file after verdict.sh.
 #
-# A transcript is `$ command` and the expected output.  `! text` is a line of
-# standard error, `? N` the exit status (default 0), `!? text` the message and
-# status of a wrong command line, `(empty)` an empty line.  A blank line ends the
+# A transcript is `$ command`, `> more` lines of it, and the expected output.  `! text`
+# is a line of standard error, `? N` the exit status (default 0), `!? text` the message
+# and status of a wrong command line, `(empty)` an empty line.  A blank line ends the
 # transcript; text between transcripts is comment.  All commands run in the folder
 # $scratch/work.
 
@@ -30,6 +30,8 @@ run_transcripts() { # name; transcripts on standard input
     while IFS= read -r line; do
         case $line in
         '$ '*) finish; begin "${line#??}" ;;
+        '> '*) command="$command
+${line#??}" ;;
         '') finish ;;
         '!? '*)
             program=${command%% *}

@@ -34,7 +34,12 @@ def takes(make: Callable[_P, _Made]) -> Callable[
     ) -> Callable[Concatenate[_Self, _P], _Answer]:
         @wraps(function)
         def call(self: _Self, /, *args: _P.args, **named: _P.kwargs) -> _Answer:
-            return function(self, make(*args, **named))
+            try:
+                made = make(*args, **named)
+            except TypeError as error:  # of the arguments' names, too
+                text = str(error).replace(f"{make.__name__}.__init__", function.__name__)
+                raise TypeError(text) from None
+            return function(self, made)
 
         own = signature(function)
         first = next(iter(own.parameters.values()))
@@ -216,6 +221,7 @@ class Lines:
             owned(array) if copy is None else copy
             for array, copy in zip(self.arrays, (*copies, None, None), strict=True)
         )
+        self.progress = None
 
     def core(self) -> _core.Lines:
         return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
@@ -281,6 +287,7 @@ class Points:
     def keep(self) -> None:
         """Lets these points own their array, for members computed later."""
         self.array = owned(self.array)
+        self.progress = None
 
 
 class Balls(Points):
