@@ -102,9 +102,9 @@ static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
     return box;
 }
 
-/* Whether the corner and the steps serve the children that have moved, which have the
- * box `moved`: faces are at most 255 steps from the corner, and no step is more than
- * twice as long as the box of all children needs. */
+/* Whether the corner and the steps serve the children that have moved, whose box is
+ * `moved`: their faces are at most 255 steps from the corner, and no step is more
+ * than twice as long as the box of all children needs. */
 static int serves(const cylint_bvh *bvh, const cylint_node *node,
                   const cylint_extent *moved, const cylint_extent *all)
 {
