@@ -24,7 +24,7 @@ struct boxes {
     double size;          /* the diagonal of that box; 0: none is bounded */
 };
 
-/* Returns 0 or an exit status. */
+/* Sorts the members of solids.  Returns 0 or an exit status. */
 int boxes_make(struct boxes *boxes, const struct scene *scene);
 void boxes_free(struct boxes *boxes);
 
