@@ -10,7 +10,7 @@
 
 #include "cylint_scene.h"
 #include "grammar.h"
-#include "names.h"
+#include "text.h"
 
 /* The labels of shapes.  Zero it before use. */
 struct labels {

@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 
-#include "boxes.h"
+#include "view.h"
 #include "scene.h"
 
 static const struct box NOWHERE = {{{HUGE_VAL, HUGE_VAL, HUGE_VAL}},
