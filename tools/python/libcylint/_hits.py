@@ -116,7 +116,10 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     to: (..., 3), in place of directions: the lines are segments from origins to
     these points, 0 <= t <= 1, without the rounding of their difference.
 
-    threads: at most so many; None: one per processor.  The answer does not
+    Hits are on surfaces: a ray that begins inside a solid has no hit there.
+    `Scene.pieces` and `Scene.sums` compute how long lines are inside.
+
+    threads: at most this many; None: one per processor.  The answer does not
     depend on it.  progress: called with (done, total) several times a second
     and at the end.  A signal such as Ctrl-C ends the call.
 

@@ -404,7 +404,8 @@ class Scene:
         mode: "owner": each place belongs to the solid of least rank, of equal ranks
         to the lowest number; "union": maximal intervals inside any solid; "cells":
         divided wherever a solid begins or ends; "chords": of each solid, not merged.
-        rank: (len(scene),) integers.  first: so many pieces of each line.
+        rank: (len(scene),) integers.  first: at most this many pieces of each line,
+        the first ones.
 
         >>> balls = cylint.sphere([[0, 0, 0], [1, 0, 0], [9, 0, 0]], 1)
         >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
