@@ -31,7 +31,7 @@ static int has_lanes(unsigned want, size_t n)
              cylint_flushes_subnormals());
 }
 
-/* Of point i and shape number each * i. */
+/* Answer i is that of point i and shape number each * i. */
 static void write_rows(const cylint_shape *shapes, size_t each,
                        const cylint_points *points,
                        const cylint_closest_columns *answers)
