@@ -472,8 +472,7 @@ static void write_sides(const cylint_shape *shapes, size_t each,
                         const cylint_points *points, signed char *side)
 {
     const size_t n = points->n;
-    CYLINT_OF_BUILD(cylint_build_used(), cylint_sides_plain, cylint_sides_avx2,
-                    cylint_sides_avx512)
+    CYLINT_OF_BUILD(cylint_sides_plain, cylint_sides_avx2, cylint_sides_avx512)
     (shapes, each, points, side);
 #if CYLINT_IS_PARANOID
     for (size_t i = 0; i < n; i++)

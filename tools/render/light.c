@@ -2,9 +2,8 @@
  * light.c - the colour along a line
  *
  * Every surface is matt.  The sun, a disc, lights it with soft shadows, and so
- * does the visible part of the sky: one ray to each for every sample.  Whether a
- * ray hits the surface it begins on is decided without a tolerance, see
- * hits_again().
+ * does the visible part of the sky: one ray to each for every sample.  A ray begins
+ * at a point of cylint_outside(), so it does not hit again what it leaves.
  */
 #include "colours.h"
 #include "light.h"
