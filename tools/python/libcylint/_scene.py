@@ -139,7 +139,8 @@ class Scene:
 
     shapes: one axis, or several arrays of shapes, also from a generator, which are
     joined as by `concatenate`.  The scene copies what it needs, about 100 bytes a
-    shape, and keeps none of the arrays.  Their numbers are 0 to len(scene) - 1.
+    shape, and keeps none of the arrays.  They have the numbers 0
+    to len(scene) - 1, and there are at most 2**28.
     threads: of building the scene, and of all queries that do not say;
     None: one per processor.
     progress: called with (done, total) while the scene is built, several times a
