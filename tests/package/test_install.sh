@@ -358,8 +358,8 @@ test_symbols()
         hypot ilogb ldexp log log2 logb lrint modf nearbyint nextafter pow rint round scalbln
         scalbn sin sincos sinpi sqrt tan trunc'
     memory='memcpy memmove memset memcmp strlen strcmp __stack_chk_fail'
-    # __cpu_model: the compiler's record of the processor
-    others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model'
+    # __cpu_...: the compiler's record of the processor
+    others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model __cpu_indicator_init'
     [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
     none "$(foreign_to libcylint "$math $memory $others")" \
         the_library_uses_only_mathematics_and_memory
