@@ -34,12 +34,12 @@ typedef cylint_ray_test ray_test;
 
 static inline int is_bare(const ray_test *r)
 {
-    return (r->data->flags & CYLINT_EMBREE_BARE) != 0;
+    return (r->data->options.flags & CYLINT_EMBREE_BARE) != 0;
 }
 
 static inline int has_filters(const ray_test *r)
 {
-    return !(r->data->flags & CYLINT_EMBREE_NO_FILTERS);
+    return !(r->data->options.flags & CYLINT_EMBREE_NO_FILTERS);
 }
 
 /* Sets what all questions about the ray share.  Returns whether cylint_span()
@@ -110,11 +110,7 @@ static void intersect(const ray_test *r, size_t rank, double tmax,
                       unsigned want, exact_hits *x)
 {
     const cylint_float_filter_question *q = &r->q;
-    if (r->data->moved)
-        cylint_embree_moving_shape(r->data->shapes, rank, r->ray->time,
-                                   &x->shape);
-    else
-        cylint_embree_shape(r->data->shapes, rank, &x->shape);
+    cylint_embree_shape(r->data->shapes, rank, r->ray->time, &x->shape);
     x->n = cylint_span(&x->line, q->o, q->d, q->tmin, tmax) == CYLINT_OK
                ? cylint_intersect(&x->shape, &x->line, want, &x->answer)
                : 0;
@@ -248,7 +244,7 @@ static int filters_accept(const ray_test *r)
 {
     int valid = -1;
     struct RTCFilterFunctionNArguments filter = {&valid,
-                                                 r->data->user,
+                                                 r->data->options.user,
                                                  r->args->context,
                                                  (struct RTCRayN *)r->ray,
                                                  (struct RTCHitN *)r->hit,
@@ -259,7 +255,7 @@ static int filters_accept(const ray_test *r)
     else
         cylint_rtc_filter_hit(r->args, &filter);
     if (CYLINT_EMBREE == 4 && valid &&
-        r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
+        r->data->options.flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
             ((struct context_with_filter *)filter.context)->filter;
         if (also)
@@ -401,7 +397,7 @@ static void test_primitive(ray_test *r)
     const cylint_embree_shapes *s = r->data->shapes;
     r->rank = r->args->primID;
     set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
-    if (r->data->moved)
+    if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     filter_one(r);
     end_test(r);
@@ -518,6 +514,7 @@ static int octant_of(const struct RTCRay *ray)
 static void trace_packet(const call *a, int any)
 {
     const cylint_embree_data *data = a->geometryUserPtr;
+    const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
     const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
     float *const packet = (float *)a->rayhit;
     unsigned octant[8] = {0}, all = 0;
@@ -538,8 +535,7 @@ static void trace_packet(const call *a, int any)
         const unsigned together =
             data->traversal ? near_first(&p, octant[k], a->N) : 0;
         if (together)
-            data->trace_packet(&p, together,
-                               any && (data->flags & CYLINT_EMBREE_NO_FILTERS));
+            data->trace_packet(&p, together, certain);
         EACH_BIT(i, octant[k] & ~together)
             trace_single(&p.test[i]);
     }
