@@ -61,10 +61,10 @@ typedef struct {
     const cylint_view *from;
     const uint32_t *number;
     cylint_embree_shapes *to;
-    uint8_t *ends;
+    uint8_t *tag;
 } copying;
 
-/* In place of the ends of a shape that does not fit into a small record. */
+/* The tag of a shape that does not fit into a small record. */
 enum { TOO_LARGE = 255 };
 
 static const cylint_shape *source_of(const copying *c, size_t i,
@@ -81,10 +81,12 @@ static void copy_some(void *self, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
-        const int fits = cylint_embree_set_record(c->to, i, shape);
-        c->ends[i] = fits ? (uint8_t)shape->ends : TOO_LARGE;
-        if (!fits)
+        c->tag[i] = (uint8_t)(cylint_constructor_kind(shape) +
+                              shape->ends * CYLINT_TAG_ENDS);
+        if (!cylint_embree_set_record(c->to, i, shape)) {
+            c->tag[i] = TOO_LARGE;
             return;
+        }
     }
 }
 
@@ -97,10 +99,10 @@ static int copy_records(copying *c, size_t n, int threads,
         const size_t size = sizeof(cylint_record) / (to->small ? 2 : 1);
         if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
             return 0;
-        to->ends = c->ends = (uint8_t *)to->memory.data + n * size;
-        memset(c->ends, 0, n);
+        to->tag = c->tag = (uint8_t *)to->memory.data + n * size;
+        memset(c->tag, 0, n);
         cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
-        if (!to->small || !memchr(to->ends, TOO_LARGE, n))
+        if (!to->small || !memchr(to->tag, TOO_LARGE, n))
             return 1;
         cylint_memory_free(&to->memory);
     }
@@ -151,22 +153,17 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s)
 static void make_shape(const cylint_embree_shapes *s, size_t at,
                        cylint_shape *shape)
 {
+    const int tag = s->tag[at];
     cylint_record x;
-    int kind = CYLINT_KIND_CONE;
     cylint_embree_record(s, at, &x);
     if (x.r0 != x.r0) {
         *shape = s->whole[(size_t)x.p0[0]];
         return;
     }
-    if (x.r0 + x.r1 < 0) {
-        const int is_sphere = x.r0 == x.r1 && cylint_record_is_point(&x);
-        kind = is_sphere ? CYLINT_KIND_SPHERE : CYLINT_KIND_RCONE;
-        x.r0 = -x.r0;
-        x.r1 = -x.r1;
-    } else if (x.r0 < 0) {
-        kind = CYLINT_KIND_ACONE;
-    }
-    cylint_make_of_record(shape, kind, s->ends[at], &x, NULL);
+    x.r0 = fabs(x.r0);
+    x.r1 = fabs(x.r1);
+    cylint_make_of_record(shape, tag & CYLINT_TAG_KIND, tag / CYLINT_TAG_ENDS,
+                          &x, NULL);
 }
 
 /* --------------------------------------------------------------- motion -- */
@@ -203,7 +200,7 @@ void cylint_embree_shape(const cylint_embree_shapes s[2], size_t at,
 {
     cylint_shape at_1;
     make_shape(&s[0], at, shape);
-    if (!s[1].ends)
+    if (!s[1].tag)
         return;
     make_shape(&s[1], at, &at_1);
     cylint_embree_between(shape, &at_1, time, shape);

@@ -2,7 +2,7 @@
  * shapes.h - the shapes of a geometry: what their constructors got
  *
  * 32 or 64 bytes a shape, which are also what the float filter reads, and a byte
- * for the ends.  Shapes that the filter does not decide are kept whole.
+ * for kind and ends.  Shapes that the filter does not decide are kept whole.
  */
 #ifndef CYLINT_EMBREE_SHAPES_H
 #define CYLINT_EMBREE_SHAPES_H
@@ -17,10 +17,10 @@
 enum { CYLINT_RECORD_NUMBERS = sizeof(cylint_record) / sizeof(double) };
 
 typedef struct cylint_embree_shapes {
-    cylint_memory memory; /* the records, then `ends` */
+    cylint_memory memory; /* the records, then `tag` */
     cylint_memory whole_memory;
     int small; /* the numbers of records are floats, none of them subnormal */
-    const uint8_t *ends;
+    const uint8_t *tag;        /* with the kind of the constructor */
     const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
 
