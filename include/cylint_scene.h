@@ -273,7 +273,9 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
 
 /*
  * Distances of points.  The functions below return what a loop over all shapes
- * returns, bit for bit.  `want` decides which distances they compare.
+ * returns, bit for bit.  `want` decides which distances they compare.  An elliptic
+ * shape of whose distance only the sign is right, see cylint_distance(), may be left
+ * out if that distance is too small: the shape's boxes are right.
  *
  * Without CYLINT_SIGNED: the absolute values of the doubles that
  * cylint_distance() of cylint_distance.h returns: of the distance to the surface,
@@ -366,9 +368,9 @@ typedef struct cylint_member {
  * The number of a solid, for ranks, pieces and labels, is that of its least shape
  * that is not a complement; if there is none, of its least shape.
  *
- * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is more
- * than n, or n is more than 2^28.  ESOLID: a clause is 0, or two solids have the
- * same number.  A failure changes nothing.
+ * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is n or
+ * more, or n is more than 2^28.  ESOLID: a clause is 0 or INT_MIN, or two solids
+ * have the same number.  A failure changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_set_solids(
     cylint_scene *scene, const cylint_member *members, size_t n);

@@ -3,6 +3,7 @@
  */
 #include "cylint_pieces.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -127,13 +128,13 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
 /* -------------------------------------------------------------- solids -- */
 
 /* Numbers the clauses of n members from 1 in the order in which they come.  Returns
- * how many there are, or -1 if one is 0. */
+ * how many there are, or -1 if one is 0 or has no opposite. */
 static int number_clauses(const int *clause, size_t n, int32_t *number)
 {
     int clauses = 0;
     for (size_t i = 0; i < n; i++) {
         size_t j = 0;
-        if (clause[i] == 0)
+        if (clause[i] == 0 || clause[i] == INT_MIN)
             return -1;
         while (j < i && clause[j] != clause[i] && clause[j] != -clause[i])
             j++;

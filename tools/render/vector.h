@@ -15,6 +15,11 @@ static inline struct vector vector(double x, double y, double z)
     return (struct vector){{x, y, z}};
 }
 
+static inline struct vector vector_of(const double *v)
+{
+    return vector(v[0], v[1], v[2]);
+}
+
 /* a + s b */
 static inline struct vector plus(struct vector a, double s, struct vector b)
 {
@@ -56,14 +61,16 @@ static inline struct vector cross(struct vector a, struct vector b)
                   a.v[0] * b.v[1] - a.v[1] * b.v[0]);
 }
 
+/* dot(a, a) would under- or overflow for some scenes. */
 static inline double length(struct vector a)
 {
-    return sqrt(dot(a, a));
+    return hypot(hypot(a.v[0], a.v[1]), a.v[2]);
 }
 
 static inline struct vector unit(struct vector a)
 {
-    return times(1 / length(a), a);
+    const double size = length(a);
+    return vector(a.v[0] / size, a.v[1] / size, a.v[2] / size);
 }
 
 /* A unit vector perpendicular to the unit vector n: n times (cross product) the

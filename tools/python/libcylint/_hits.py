@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._arguments import Doubles, Lines, broadcast, counted, new_copy, takes, workers
 from ._described import Described, member
-from ._shapes import Shapes
+from ._shapes import Shapes, checked
 
 
 class DescribedHits(Described):
@@ -116,7 +116,10 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     to: (..., 3), in place of directions: the lines are segments from origins to
     these points, 0 <= t <= 1, without the rounding of their difference.
 
-    threads: at most so many; None: one per processor.  The answer does not
+    Hits are on surfaces: a ray that begins inside a solid has no hit there.
+    `Scene.pieces` and `Scene.sums` compute how long lines are inside.
+
+    threads: at most this many; None: one per processor.  The answer does not
     depend on it.  progress: called with (done, total) several times a second
     and at the end.  A signal such as Ctrl-C ends the call.
 
@@ -146,6 +149,7 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     >>> cylint.intersect(rod, rays, [0, 0, 1], errors="mask").relation
     array([ 3, -1], dtype=int8)
     """
+    (shapes,) = checked([shapes])
     kinds, shape = shapes.kind, lines.shape
     if kinds.ndim > 0 and kinds.shape != shape:
         shape = broadcast("shapes lines", kinds, np.broadcast_to(0, shape))
