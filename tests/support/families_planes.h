@@ -90,10 +90,4 @@ static void plane_whole(struct family_case *out)
         *x = stepped(*x, whole_between(-4, 4));
 }
 
-static void plane_wild(struct family_case *out)
-{
-    wild_numbers(out);
-    out->shape_word = FAMILY_HALFSPACE;
-}
-
 #endif
