@@ -116,7 +116,7 @@ isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traver
 isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
 isa.src/bvh/traverse_point-avx512    := $(avx512) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
-isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_TRAVERSE_PACKET=cylint_traverse_packet_avx2
+isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_PACKET_TRACE=cylint_packet_trace_avx2
 isa.src/embree/float_filter-fma      := $(avx2) -ffp-contract=fast -fno-math-errno -DCYLINT_ONE_LANE -DCYLINT_FLOAT_FILTER=cylint_float_filter_fma
 isa.src/embree/float_filter-avx2     := $(avx2) -ffp-contract=fast -DCYLINT_FLOAT_FILTER=cylint_float_filter_avx2
 isa.src/embree/float_filter-avx512   := $(avx512) -ffp-contract=fast -DCYLINT_FLOAT_FILTER=cylint_float_filter_avx512

@@ -31,6 +31,9 @@
  *     end points as real numbers; it is not rounded.
  *   - z is the axial coordinate of a shape: 0 in the plane of the base, 1 in
  *     the plane of the top, linear in between and beyond.
+ *   - A ruling is a straight line on the lateral surface of a cylinder or cone.
+ *     A rim is the circle or ellipse in which that surface ends, in the plane
+ *     z = 0 or z = 1.  A nappe is one of the two halves of a double cone.
  *   - Only the constructors of shapes and lines can fail.  They return a
  *     status.  Queries never fail: if a constructor refused the shape or the
  *     line, the relation is "miss" and CYLINT_FLAG_INVALID is set.
@@ -369,6 +372,10 @@ typedef struct cylint_answer {
  *
  * `want` is a sum of CYLINT_WANT_ values.
  *
+ * The part of the line inside the solid is not hit[0].t to hit[1].t if the line
+ * begins or ends inside, or a cap is missing: cylint_chord() of
+ * cylint_pieces.h computes it.
+ *
  * Accuracy.  Relation, n, part and side are exact.  t, each component of point
  * and normal, z and phi are the doubles nearest to the real numbers at the real
  * root, not at the rounded t.  Beyond the largest double they are infinite; 0 is
@@ -421,7 +428,7 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * cone.  Returns 0 and writes hit->point if none of these is on the side.  This
  * happens for side 1 if the solid is thinner than the steps of the doubles, and
  * if the shape was refused; for side -1 only between the nappes of a double cone,
- * if the space there is so thin.
+ * where they are nearer to each other than these steps.
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of

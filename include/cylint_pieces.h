@@ -77,8 +77,8 @@ enum {
  * longer than the domain and do not touch.  A refused shape contains no point; a
  * refused line has no pieces.
  *
- * Returns -1 if n is more than CYLINT_SOLID_MEMBERS, or a clause is 0; with n = 0
- * there is no piece.
+ * Returns -1 if n is more than CYLINT_SOLID_MEMBERS, or a clause is 0 or INT_MIN;
+ * with n = 0 there is no piece.
  */
 CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
                                    const int *clause, size_t n,

@@ -56,8 +56,9 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  * numbers are 0, 1, ... in the order in which they are added.  Until the scene is
  * finished, only one thread may use it, and queries must not be made.
  *
- * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: 20
- * bytes for a thick shape, about 60 for a thin one, which has several pieces.
+ * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
+ * 30 bytes for a thick shape, up to 90 for a thin one, which has several pieces,
+ * and up to 170 for a needle.
  */
 
 /* Returns an empty scene, or NULL if there is no memory.  expected: the number of
@@ -179,9 +180,9 @@ enum {
                                 this library saved and nobody else changes. */
 };
 
-/* Writes a finished scene to a file.  An existing file is replaced at once, when
- * all is written: before, PATH.NUMBER.new is written beside it.  A pipe or a device
- * is written to.  EFILE: errno says why; no new file is left behind. */
+/* Writes a finished scene to a file: writes PATH.NUMBER.new, which then takes the
+ * place of PATH.  A pipe or a device is written directly.  EFILE: errno has the
+ * reason, and PATH.NUMBER.new is removed. */
 CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                                  const char *path);
 
@@ -306,8 +307,8 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
 typedef double cylint_scene_near(void *context, size_t number, double distance,
                                  int flags);
 
-/* Calls back once for each shape within the radius, nearer ones rather first, in
- * an order that is the same each time.  `want` is 0 or CYLINT_SIGNED. */
+/* Calls back once for each shape within the radius, in an order that is the same
+ * each time; nearer shapes tend to come first.  `want` is 0 or CYLINT_SIGNED. */
 CYLINT_API void cylint_scene_visit_point(const cylint_scene *scene,
                                          const double point[3], double radius,
                                          unsigned want,
@@ -359,15 +360,15 @@ typedef struct cylint_member {
 /*
  * Sets the solids of a finished scene, in place of those before; n = 0: none.
  * Copies the members.  A solid with a clause of bounded shapes, none of them a
- * complement, is bounded: its other members cost nothing for lines that do not meet
- * it.
+ * complement, is bounded: its other members cost nothing for lines that miss these
+ * shapes.
  *
  * The number of a solid, for ranks, pieces and labels, is that of its least shape
  * that is not a complement; if there is none, of its least shape.
  *
- * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is more
- * than n, or n is more than 2^28.  ESOLID: a clause is 0, or two solids have the
- * same number.  A failure changes nothing.
+ * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is n or
+ * more, or n is more than 2^28.  ESOLID: a clause is 0 or INT_MIN, or two solids
+ * have the same number.  A failure changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_set_solids(
     cylint_scene *scene, const cylint_member *members, size_t n);
@@ -380,8 +381,8 @@ CYLINT_API void cylint_scene_member(const cylint_scene *scene, size_t i,
 
 /*
  * Pieces: the parts of a line's domain that are inside solids, in order.  They are
- * computed from the chords of the shapes, as cylint_chord() returns them; what
- * their ends are is said in cylint_pieces.h.  t0 < t1 always.
+ * computed from the chords of the shapes, as cylint_chord() returns them;
+ * cylint_pieces.h defines their ends.  t0 < t1 always.
  */
 typedef enum cylint_piece_mode {
     CYLINT_PIECES_UNION, /* maximal intervals inside at least one solid: disjoint,
@@ -445,10 +446,10 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  *
  * The shape is a member of the solid, and the point is on its surface; caps count
  * as present.  side: whether the line enters the solid.  The normal points out of
- * the
- * solid: on the surface of a bore it points into the bore.  Members are otherwise
- * those of cylint_intersect().  Where surfaces of several shapes have this t, it is
- * the shape with the lowest number that the line enters or leaves as the solid.
+ * the solid: on the surface of a bore it points into the bore.  Members are
+ * otherwise those of cylint_intersect().  Where surfaces of several shapes have
+ * this t, the shape is the one with the lowest number that the line enters or
+ * leaves as it does the solid.
  *
  * The workspace: as for cylint_scene_pieces().  If it does not suffice,
  * CYLINT_NO_ROOM.

@@ -44,7 +44,7 @@ static int choose_and_answer(const cylint_shape *shape, const cylint_line *line,
                              question);
 }
 
-/* The chosen build has refined it. */
+/* Nothing to do: choose_and_answer() runs all stages of the chosen build. */
 static int is_refined(cylint_question *question)
 {
     (void)question;

@@ -62,8 +62,8 @@ static int is_there(const search *s, const double p[3])
            (s->side > 0 || is_beyond_part(s, p));
 }
 
-/* p: the hit, or, in the coordinates of `mask`, `stepped`; bit i stands for
- * coordinate i. */
+/* Writes the hit's point to p, but from `stepped` the coordinates i whose bits i in
+ * `mask` are 1. */
 static void step_by(const search *s, const double stepped[3], unsigned mask,
                     double p[3])
 {

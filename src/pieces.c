@@ -3,6 +3,7 @@
  */
 #include "cylint_pieces.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -127,13 +128,13 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
 /* -------------------------------------------------------------- solids -- */
 
 /* Numbers the clauses of n members from 1 in the order in which they come.  Returns
- * how many there are, or -1 if one is 0. */
+ * how many there are, or -1 if one is 0 or has no opposite. */
 static int number_clauses(const int *clause, size_t n, int32_t *number)
 {
     int clauses = 0;
     for (size_t i = 0; i < n; i++) {
         size_t j = 0;
-        if (clause[i] == 0)
+        if (clause[i] == 0 || clause[i] == INT_MIN)
             return -1;
         while (j < i && clause[j] != clause[i] && clause[j] != -clause[i])
             j++;
@@ -147,8 +148,8 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
-/* Whether member i, which the line does not meet, leaves its clause without a point
- * of the line: no other member is in the clause, and it is no complement. */
+/* Whether no point of the line is in the clause of member i, which the line misses:
+ * no other member is in the clause, and member i is no complement. */
 static int is_empty_clause(const int *clause, const int32_t *number, size_t n,
                            size_t i)
 {

@@ -173,10 +173,11 @@ static void start_far_ray(ray_state *s, const cylint_bvh *bvh,
     start_line(s, bvh, o, d, ray->tnear, ray->tfar);
 }
 
-/* -0 has another key than 0. */
-static inline float last_of(float tfar)
+/* The key of -0 is not that of 0; nor is that of a subnormal number, which may be
+ * read as 0. */
+static inline float with_one_zero(float t)
 {
-    return tfar == 0 ? 0 : tfar;
+    return t == 0 ? 0 : t;
 }
 
 static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
@@ -191,14 +192,14 @@ static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
     }
     s->t0 = s->t0_error = 0;
     start(s, bvh, x, ray->d, 0);
-    s->first = ray->tnear;
-    s->last = last_of(ray->tfar);
+    s->first = with_one_zero(ray->tnear);
+    s->last = with_one_zero(ray->tfar);
 }
 
 /* After tfar was reduced. */
 static inline void shorten(ray_state *s, float tfar)
 {
-    s->last = s->t0_error > 0 ? local_above(s, tfar) : last_of(tfar);
+    s->last = s->t0_error > 0 ? local_above(s, tfar) : with_one_zero(tfar);
 }
 
 /* Whether the domain ends outside the box of all; S is its longest side. */

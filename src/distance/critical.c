@@ -21,7 +21,7 @@
 
 enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
-/* A smaller cos or sin may be 0, and is 0: it would underflow. */
+/* A cos or sin below UPRIGHT may be 0; one below TINY counts as 0. */
 #define UPRIGHT 0x1p-100
 #define TINY 0x1p-950
 
@@ -97,8 +97,8 @@ static void normalize(direction *d)
     d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
 }
 
-/* cos or sin, where it is nearly 0, is 0 if that is a zero of the form, but for
- * what underflows. */
+/* Sets a cos or sin that is nearly 0 to 0 if the form is 0 there, or if products of
+ * it underflow.  Returns whether it did. */
 static int is_upright(const stationary *f, direction *at)
 {
     const int level = fabs(at->sin.a) < fabs(at->cos.a);

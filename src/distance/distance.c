@@ -140,7 +140,7 @@ ASIDE double answer_beyond_doubles(const cylint_shape *shape,
 }
 
 #if CYLINT_IS_PARANOID
-/* The answer is not the exact one; of elliptic kinds, not that of triples. */
+/* Whether the answer differs from the exact one; of elliptic kinds, of triples. */
 static int contradicts(const cylint_shape *shape, const double point[3],
                        unsigned want, const cylint_closest *known)
 {

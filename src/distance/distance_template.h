@@ -151,8 +151,8 @@ INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
                  v_set(CYLINT_FEATURE_LATERAL));
 }
 
-/* A ball or the cone that touches both.  Where rho is small it is not known which
- * of them is nearest near their common circle. */
+/* A ball or the cone that touches both.  Where rho is small, it is uncertain which
+ * of them is nearest to a point near their common circle. */
 INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
                                int parted)
 {

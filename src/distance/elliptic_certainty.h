@@ -28,8 +28,8 @@
 
 #include "elliptic_angle.h"
 
-/* What the distance and the nearest point of an angle, and the angle itself, can
- * be wrong by. */
+/* Bounds on the errors of the distance and the nearest point of an angle, and of
+ * the angle itself. */
 typedef struct {
     double distance, away, turn;
 } uncertainty;
@@ -93,7 +93,7 @@ static inline double turn_of_normal(const tangent_plane *t)
     return sqrt(dot_of(x, x));
 }
 
-/* l: at most so large.  rho: at the foot.  The normals of the nearest point and
+/* l: an upper bound.  rho: at the foot.  The normals of the nearest point and
  * of the angle differ by 2 away / h at most, and (x, y) of the nearest point
  * and of the foot, which is l beside the direction of the angle, by away times
  * the norm. */
@@ -127,7 +127,7 @@ static inline uncertainty inside_lateral_surface(const tangent_plane *t,
     return (uncertainty){distance, distance + h * p->norm / size * turn, turn};
 }
 
-/* g: at most so large. */
+/* g: an upper bound. */
 static inline uncertainty of_rim(const rim_place *r, double g, double k)
 {
     const double d = sqrt(dot_of(r->R, r->R));

@@ -226,8 +226,8 @@ static inline bounded bounded_by(sized x, double more)
     return (bounded){x.v, CYLINT_SIZED_ERROR * x.size + more};
 }
 
-/* The unit normal, outward: N / |N| times `sign`.  turn: what the angle is wrong
- * by.  The distance is n / |N|. */
+/* The unit normal, outward: N / |N| times `sign`.  turn: the error of the
+ * angle.  The distance is n / |N|. */
 ASIDE void write_unit(bounded to[3], const sized N[3], vpair inverse,
                       double lost, const sized *slope, double turn, double sign)
 {

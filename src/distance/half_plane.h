@@ -74,7 +74,7 @@ INLINE vd whole(vpair a)
     return a.hi + a.lo;
 }
 
-/* NaN where b is. */
+/* The larger bounds, value and error of a; NaN where b is NaN. */
 INLINE vdistance larger_of(vdistance a, vdistance b)
 {
     return (vdistance){a.value, v_max(a.low, b.low), v_max(a.high, b.high),
@@ -90,7 +90,7 @@ INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
 
 /* ------------------------------------------------- features, in doubles -- */
 
-/* Feet on the lateral line: before it and after it; or neither is certain. */
+/* Where the foot on the lateral line certainly is: before it, on it, after it. */
 typedef struct {
     vm before, on, after;
 } vfoot;
@@ -113,7 +113,7 @@ typedef struct {
     vd z, above, a, x0, x1, before, after;
 } vsection;
 
-/* No decision in doubles is wrong about a number that is larger. */
+/* Doubles have the right sign of every number that is larger than this. */
 INLINE vd margin_of(const half_plane *m)
 {
     return v_sum_of(v_set(CYLINT_FEATURE_MARGIN), m->size, m->error);

@@ -134,7 +134,7 @@ INLINE vpair head_tail_turned(const shape_lanes *s, vpair x, vpair z)
     return (vpair){v_sum_of(C, x.hi, -(S * z.hi)), across - along};
 }
 
-/* In order of size, |lo| far below |hi| or not. */
+/* Unchanged: these operations allow a lo that is not small beside hi. */
 INLINE vpair head_tail_trimmed(vpair x)
 {
     return x;

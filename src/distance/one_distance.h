@@ -7,7 +7,7 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
-/* Besides the wanted members: the distance, and that it can be 0. */
+/* Bits beside those of wanted members: the distance; the distance can be 0. */
 enum {
     CYLINT_WANT_DISTANCE = CYLINT_WANT_T,
     CYLINT_ON_SURFACE = CYLINT_WANT_NEAREST,

@@ -26,7 +26,6 @@ enum { CYLINT_HIT_FLOATS = 5 };
  */
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;
-    double tmax; /* not read by the filter */
     /* of the shape; of a round kind with negative radii, of an angle cone with the
      * negative tangent as r0; NaN radii: the filter does not decide the shape */
     cylint_record record;

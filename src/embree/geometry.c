@@ -360,9 +360,9 @@ static cylint_embree_data *new_data(RTCDevice device,
         .user = with->user,
         .threads = with->threads > 1 ? with->threads : 1,
         .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
-        .traverse_packet = CYLINT_OF_KERNELS(cylint_traverse_packet_plain,
-                                             cylint_traverse_packet_avx2,
-                                             cylint_traverse_packet_avx2)};
+        .trace_packet = CYLINT_OF_KERNELS(cylint_packet_trace_plain,
+                                          cylint_packet_trace_avx2,
+                                          cylint_packet_trace_avx2)};
     if (is_merged || !(data->flags & CYLINT_EMBREE_SINGLE || data->moved))
         data->traversal = cylint_traversal_used();
     arrays[0] = (cylint_embree_array){.n = 0};

@@ -1,14 +1,14 @@
 /*
- * geometry.h - the data of a geometry, beside the caller's shapes
+ * geometry.h - the data of a geometry, beside the caller's shapes, and of the rays
+ * that are traced
  */
 #ifndef CYLINT_EMBREE_GEOMETRY_H
 #define CYLINT_EMBREE_GEOMETRY_H
 
 #include <stdint.h>
 
-#include "../bvh/bvh.h"
+#include "../bvh/traverse.h"
 #include "shapes.h"
-#include "packet_traverse.h"
 #include "api.h"
 #include "cylint_embree.h"
 
@@ -19,6 +19,13 @@ typedef struct cylint_embree_array {
     size_t first, n;
     unsigned geomID;
 } cylint_embree_array;
+
+/* Traces rays (bits) of a packet through a hierarchy that is not empty.  They go
+ * into the same octant: their d have the same signs, of zeros too.  certain: of a ray
+ * that certainly hits some shape only that is recorded. */
+struct cylint_packet;
+typedef void cylint_packet_trace(struct cylint_packet *p, unsigned rays,
+                                 int certain);
 
 /* The user data of the geometry. */
 typedef struct cylint_embree_data {
@@ -34,7 +41,7 @@ typedef struct cylint_embree_data {
     int threads;    /* to build the hierarchy */
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
     cylint_float_filter *filter[2];    /* for one question, and for several */
-    cylint_traverse_packet *traverse_packet;
+    cylint_packet_trace *trace_packet;
     cylint_bvh bvh; /* its box only, if each shape is a primitive */
     /* Leaves name shapes by rank, in the order in which leaves first name
      * them; `shapes` have the same order.  Without leaves, ranks are numbers. */
@@ -59,6 +66,54 @@ static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
     }
     return low;
 }
+
+/* cylint_float_ray has the layout of the first members of RTCRay. */
+static inline const cylint_float_ray *float_ray(const struct RTCRay *ray)
+{
+    return (const cylint_float_ray *)ray;
+}
+
+/* The arguments of both callbacks have the same members; in place of `rayhit` those
+ * for occlusion have rays alone. */
+typedef struct RTCIntersectFunctionNArguments cylint_embree_call;
+
+/* A ray, and the shape or piece to test it against. */
+typedef struct cylint_ray_test {
+    cylint_float_filter_question q; /* first: the filter's pointers are ours */
+    const cylint_embree_data *data;
+    const cylint_embree_call *args;
+    int any; /* the callback is that for occlusion */
+    struct RTCRay *ray;
+    struct RTCHit *hit; /* zeros if `any` */
+    unsigned rank;      /* of the shape */
+    int found;          /* a hit was recorded */
+} cylint_ray_test;
+
+enum { CYLINT_PACKET_MOST = 16 };
+
+/* Rays of a packet, and how they may hit a leaf: lanes (bits) and least[] as in
+ * cylint_ray_leaf_callback. */
+typedef struct cylint_packet {
+    struct RTCRayHit ray[CYLINT_PACKET_MOST];
+    cylint_ray_test test[CYLINT_PACKET_MOST];
+    unsigned lanes[CYLINT_PACKET_MOST];
+    float least[CYLINT_PACKET_MOST][CYLINT_LEAF_SIZE];
+} cylint_packet;
+
+/* Tests rays (bits) against the lanes that they may hit.  Returns the rays that
+ * need no other hit. */
+unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
+                            unsigned rays);
+
+/* Records a hit of a ray of which nothing else is wanted. */
+static inline void cylint_record_any(cylint_ray_test *r)
+{
+    r->ray->tfar = -HUGE_VALF;
+    r->found = 1;
+}
+
+/* All builds. */
+extern cylint_packet_trace cylint_packet_trace_plain, cylint_packet_trace_avx2;
 
 void cylint_embree_intersect_callback(
     const struct RTCIntersectFunctionNArguments *args);

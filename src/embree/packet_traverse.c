@@ -5,12 +5,12 @@
  * Boxes and cylinders are unpacked once for all rays, and all rays wait for the
  * same memory.
  */
-#include "packet_traverse.h"
+#include "geometry.h"
 
 #include "../bvh/ray.h"
 
-#ifndef CYLINT_TRAVERSE_PACKET
-#define CYLINT_TRAVERSE_PACKET cylint_traverse_packet_plain
+#ifndef CYLINT_PACKET_TRACE
+#define CYLINT_PACKET_TRACE cylint_packet_trace_plain
 #endif
 
 typedef struct {
@@ -29,13 +29,11 @@ typedef struct {
     int n;
     /* bits of rays: */
     unsigned active;  /* not stopped yet */
-    unsigned certain; /* certainly hit some shape */
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
+    const int *near_faces;
     ray_state state[CYLINT_PACKET_MOST];
     float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
-    const struct RTCRayHit *ray;
-    cylint_packet_leaf_callback *callback;
-    void *self;
+    cylint_packet *packet;
 } traversal;
 
 /* ----------------------------------------------------------------- nodes -- */
@@ -44,7 +42,7 @@ typedef struct {
 CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 {
     unsigned rays = 0;
-    EACH_RAY(k, e->rays & p->active) {
+    EACH_BIT(k, e->rays & p->active) {
         const uint32_t last = order_key(p->state[k].last);
         rays |= (unsigned)(e->key >> 32 <= last) << k;
     }
@@ -55,13 +53,12 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
                                     const cylint_node *node, child_hits *hits)
 {
-    const int *face = p->state[0].near_faces;
     unsigned hit = 0;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], first = f_set(HUGE_VALF);
         vi rays = i_set(0);
-        child_faces(node, i, face, enter, leave);
-        EACH_RAY(k, e->rays) {
+        child_faces(node, i, p->near_faces, enter, leave);
+        EACH_BIT(k, e->rays) {
             vf from;
             const vm is = hit_boxes(enter, leave, &p->state[k], &from);
             first = m_select(is, f_lower(from, first), first);
@@ -84,67 +81,65 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
 
 /* ---------------------------------------------------------------- leaves -- */
 
-/* Tests the rays against the leaf.  wanted: rays with a certain hit stop. */
-CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
-                             unsigned rays, int wanted, cylint_packet_leaf *hit)
+/* Tests rays against a leaf.  Returns those that may hit it.  certain: rays with a
+ * certain hit stop. */
+CYLINT_INLINE unsigned test_rays(traversal *t, const cylint_leaf *leaf,
+                                 unsigned rays, int certain)
 {
+    cylint_packet *const p = t->packet;
     cylinders all[CYLINT_LEAF_SIZE / WIDTH];
+    unsigned hit = 0, stopped = 0;
     for (int i = 0; i < CYLINT_LEAF_SIZE; i += WIDTH)
         all[i / WIDTH] = cylinders_of(leaf, i);
-    hit->leaf = leaf;
-    hit->rays = 0;
-    EACH_RAY(k, rays) {
-        unsigned certain = 0;
-        hit->lanes[k] = test_ray(leaf, all, float_ray(&p->ray[k].ray), p->E[k],
-                                 hit->least[k], wanted ? &certain : NULL);
-        if (certain && p->outside >> k & 1)
-            p->certain |= 1u << k;
+    EACH_BIT(k, rays) {
+        unsigned sure = 0;
+        p->lanes[k] = test_ray(leaf, all, float_ray(&p->ray[k].ray), t->E[k],
+                               p->least[k], certain ? &sure : NULL);
+        if (sure && t->outside >> k & 1)
+            stopped |= 1u << k;
         else
-            hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;
+            hit |= (unsigned)(p->lanes[k] != 0) << k;
     }
+    EACH_BIT(k, stopped)
+        cylint_record_any(&p->test[k]);
+    t->active &= ~stopped;
+    return hit;
 }
 
-static void traverse(traversal *p)
+static void traverse(traversal *t)
 {
+    cylint_packet *const p = t->packet;
     const cylint_leaf *leaf;
     entry at;
-    p->stack[0] = (entry){keyed_child(0, 0), p->active};
-    p->n = 1;
-    while ((leaf = next_leaf(p, &at))) {
-        cylint_packet_leaf hit;
-        if (p->outside && leaf->used & CYLINT_LEAF_SOLID)
-            test_rays(p, leaf, at.rays, 1, &hit);
-        else
-            test_rays(p, leaf, at.rays, 0, &hit);
-        p->active &= ~p->certain;
-        if (!hit.rays)
+    t->stack[0] = (entry){keyed_child(0, 0), t->active};
+    t->n = 1;
+    while ((leaf = next_leaf(t, &at))) {
+        const unsigned hit = t->outside && leaf->used & CYLINT_LEAF_SOLID
+                                 ? test_rays(t, leaf, at.rays, 1)
+                                 : test_rays(t, leaf, at.rays, 0);
+        if (!hit)
             continue;
-        p->active &= ~p->callback(p->self, &hit);
-        EACH_RAY(k, hit.rays)
-            shorten(&p->state[k], p->ray[k].ray.tfar);
+        t->active &= ~cylint_packet_test(p, leaf, hit);
+        EACH_BIT(k, hit)
+            shorten(&t->state[k], p->ray[k].ray.tfar);
     }
 }
 
-unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *bvh,
-                                const struct RTCRayHit ray[], int n,
-                                int certain,
-                                cylint_packet_leaf_callback *callback,
-                                void *self)
+void CYLINT_PACKET_TRACE(cylint_packet *p, unsigned rays, int certain)
 {
-    traversal p;
-    p.bvh = bvh;
-    p.ray = ray;
-    p.callback = callback;
-    p.self = self;
-    p.active = (1u << n) - 1;
-    p.certain = p.outside = 0;
-    for (int k = 0; k < n; k++) {
-        p.E[k] = size_of(float_ray(&ray[k].ray));
-        start_ray(&p.state[k], bvh, float_ray(&ray[k].ray));
+    const cylint_bvh *bvh = &p->test[cylint_lowest(rays)].data->bvh;
+    traversal t;
+    t.bvh = bvh;
+    t.packet = p;
+    t.active = rays;
+    t.outside = 0;
+    t.near_faces = t.state[cylint_lowest(rays)].near_faces;
+    EACH_BIT(k, rays) {
+        const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
+        t.E[k] = size_of(ray);
+        start_ray(&t.state[k], bvh, ray);
         if (certain)
-            p.outside |= (unsigned)ends_outside(bvh, float_ray(&ray[k].ray))
-                         << k;
+            t.outside |= (unsigned)ends_outside(bvh, ray) << k;
     }
-    traverse(&p);
-    return p.certain;
+    traverse(&t);
 }

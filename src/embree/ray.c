@@ -12,33 +12,25 @@
 #include "../numbers/compiler.h"
 #include "geometry.h"
 
-/* The arguments of both callbacks have the same members; in place of `rayhit` those
- * for occlusion have rays alone. */
-typedef struct RTCIntersectFunctionNArguments call;
-
-#define SAME(x, y) \
-    (offsetof(call, x) == offsetof(struct RTCOccludedFunctionNArguments, y))
-typedef char same_arguments
-    [SAME(valid, valid) && SAME(geometryUserPtr, geometryUserPtr) &&
-             SAME(primID, primID) && SAME(context, context) &&
-             SAME(rayhit, ray) && SAME(N, N) && SAME(geomID, geomID)
+/* The layouts that geometry.h states. */
+#define RAY(x, y) (offsetof(cylint_float_ray, x) == offsetof(struct RTCRay, y))
+#define CALL(x, y)                     \
+    (offsetof(cylint_embree_call, x) == \
+     offsetof(struct RTCOccludedFunctionNArguments, y))
+typedef char same_layouts
+    [RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
+             RAY(tnear, tnear) && RAY(d[0], dir_x) && RAY(d[1], dir_y) &&
+             RAY(d[2], dir_z) && RAY(tfar, tfar) && CALL(valid, valid) &&
+             CALL(geometryUserPtr, geometryUserPtr) && CALL(primID, primID) &&
+             CALL(context, context) && CALL(rayhit, ray) && CALL(N, N) &&
+             CALL(geomID, geomID)
          ? 1
          : -1];
-#undef SAME
+#undef RAY
+#undef CALL
 
-/* A ray, and the lane or primitive to test it against. */
-typedef struct {
-    cylint_float_filter_question q; /* first: the filter's pointers are ours */
-    const cylint_embree_data *data;
-    const call *args;
-    int any; /* the callback is that for occlusion */
-    struct RTCRay *ray;
-    struct RTCHit *hit;      /* zeros if `any` */
-    const cylint_leaf *leaf; /* NULL: each shape is a primitive */
-    int lane;
-    unsigned rank; /* of the shape */
-    int found;     /* a hit was recorded */
-} ray_test;
+typedef cylint_embree_call call;
+typedef cylint_ray_test ray_test;
 
 static inline int is_bare(const ray_test *r)
 {
@@ -64,7 +56,6 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->any = any;
     r->ray = ray;
     r->hit = hit;
-    r->leaf = NULL;
     EACH(j, 3) {
         r->q.o[j] = from->o[j];
         r->q.d[j] = from->d[j];
@@ -73,7 +64,6 @@ static inline int start_test(ray_test *r, const call *args, int any,
     }
     r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
-    r->q.tmax = from->tfar;
     /* whether the caller or a filter reads u, v and Ng */
     r->q.describes = !is_bare(r) && (!any || has_filters(r));
     r->found = 0;
@@ -84,7 +74,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
 /* The number of the shape that is tested. */
 static inline unsigned tested_number(const ray_test *r)
 {
-    return r->leaf ? r->data->number[r->rank] : r->rank;
+    return r->data->number ? r->data->number[r->rank] : r->rank;
 }
 
 /* Sets the question whether the ray hits a piece of the shape. */
@@ -116,8 +106,8 @@ typedef struct {
     int n; /* hits */
 } exact_hits;
 
-static void intersect(const ray_test *r, size_t rank, unsigned want,
-                      exact_hits *x)
+static void intersect(const ray_test *r, size_t rank, double tmax,
+                      unsigned want, exact_hits *x)
 {
     const cylint_float_filter_question *q = &r->q;
     if (r->data->moved)
@@ -125,7 +115,7 @@ static void intersect(const ray_test *r, size_t rank, unsigned want,
                                    &x->shape);
     else
         cylint_embree_shape(r->data->shapes, rank, &x->shape);
-    x->n = cylint_span(&x->line, q->o, q->d, q->tmin, q->tmax) == CYLINT_OK
+    x->n = cylint_span(&x->line, q->o, q->d, q->tmin, tmax) == CYLINT_OK
                ? cylint_intersect(&x->shape, &x->line, want, &x->answer)
                : 0;
 }
@@ -175,7 +165,8 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
 {
     const uint32_t *rank = r->data->rank;
     int found = -1;
-    intersect(r, rank ? rank[number] : number, want, x);
+    intersect(r, rank ? rank[number] : number, tmax_including(r->ray->tfar),
+              want, x);
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
@@ -282,8 +273,8 @@ static int filters_accept(const ray_test *r)
 static int record(ray_test *r)
 {
     if (r->any && !has_filters(r)) {
-        r->ray->tfar = -HUGE_VALF;
-        return r->found = 1;
+        cylint_record_any(r);
+        return 1;
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
@@ -298,26 +289,25 @@ static int record(ray_test *r)
     }
     if (r->any)
         r->ray->tfar = -HUGE_VALF;
-    r->q.tmax = r->ray->tfar;
     return r->found = 1;
 }
 
 /* ----------------------------------------------------- exact intersections -- */
 
-/* Tests the hits from number `first` on with cylint_intersect(); z decides which
- * piece owns them. */
-ASIDE void test_exactly(ray_test *r, int first)
+/* Tests the hits that the filter has not tested with cylint_intersect(); z decides
+ * which piece owns them. */
+ASIDE void test_exactly(ray_test *r)
 {
     const int whole = r->q.count == 1;
+    const int ties = !r->any && present_number(r) != r->data->n;
+    const float tfar = r->ray->tfar;
     exact_hits x;
-    if (!r->any && present_number(r) != r->data->n)
-        r->q.tmax = tmax_including(r->ray->tfar);
-    intersect(r, r->rank,
+    intersect(r, r->rank, ties ? tmax_including(tfar) : (double)tfar,
               CYLINT_WANT_T | CYLINT_WANT_PART | (whole ? 0 : CYLINT_WANT_Z),
               &x);
-    for (int i = first; i < x.n; i++) {
+    for (int i = r->q.exit_only; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
+        if (!whole && cylint_piece_at(at->z, r->q.count) != r->q.index)
             continue;
         if (!r->any && !is_nearer(r, &x.answer, i))
             return;
@@ -349,15 +339,15 @@ static void end_test(ray_test *r)
         filter_one(r);
     }
     if (r->q.is == CYLINT_FLOAT_FILTER_UNCERTAIN)
-        test_exactly(r, r->q.exit_only);
+        test_exactly(r);
 }
 
 CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
                                    const cylint_leaf *leaf, unsigned lanes)
 {
-    for (; lanes; lanes &= lanes - 1)
-        CYLINT_PREFETCH(cylint_embree_record_at(
-            &data->shapes[0], leaf->number[cylint_lowest(lanes)]));
+    EACH_BIT(lane, lanes)
+        CYLINT_PREFETCH(
+            cylint_embree_record_at(&data->shapes[0], leaf->number[lane]));
 }
 
 static inline int nearest_lane(unsigned lanes, const float *least)
@@ -379,8 +369,6 @@ CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     if (least[lane] > r->ray->tfar)
         return 0;
     *lanes &= ~(1u << lane);
-    r->leaf = leaf;
-    r->lane = lane;
     r->rank = leaf->number[lane];
     CYLINT_PREFETCH(r->data->number + r->rank);
     r->q.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
@@ -423,13 +411,11 @@ static void test_primitive(ray_test *r)
 static int trace_single(ray_test *r)
 {
     const cylint_traversal *traversal = r->data->traversal;
-    if (!traversal) {
+    if (!traversal)
         test_primitive(r);
-    } else if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
-                              r->any && !has_filters(r))) {
-        r->ray->tfar = -HUGE_VALF;
-        r->found = 1;
-    }
+    else if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
+                            r->any && !has_filters(r)))
+        cylint_record_any(r);
     return r->found;
 }
 
@@ -462,82 +448,36 @@ static void copy_words(void *to, unsigned step_to, const void *from,
                (const char *)from + 4 * k * step_from, 4);
 }
 
-/* The rays of a packet that are traced together. */
-typedef struct {
-    ray_test test[CYLINT_PACKET_MOST];
-    struct RTCRayHit ray[CYLINT_PACKET_MOST];
-    unsigned place[CYLINT_PACKET_MOST]; /* in the packet */
-    int n;
-} packet_state;
-
-/* ------------------------------------------------------------- together -- */
-
-/* Tests the lanes of all rays in turns, the nearest lane of each ray first.
- * Returns the rays (bits) that need no other hit. */
-static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
+/* Tests the lanes of all rays in turns, the nearest lane of each ray first. */
+unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
+                            unsigned rays)
 {
-    packet_state *p = self;
-    unsigned rays = hit->rays, stopped = 0, left[CYLINT_PACKET_MOST];
-    EACH_RAY(k, rays) {
-        left[k] = hit->lanes[k];
-        prefetch_shapes(p->test[0].data, hit->leaf, left[k]);
-    }
+    const ray_test *first = &p->test[cylint_lowest(rays)];
+    const cylint_embree_data *data = first->data;
+    const int any = first->any;
+    unsigned stopped = 0;
+    EACH_BIT(k, rays)
+        prefetch_shapes(data, leaf, p->lanes[k]);
     while (rays) {
         cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
         int n = 0;
-        EACH_RAY(k, rays) {
-            if (left[k] && take_nearest_lane(&p->test[k], hit->leaf, &left[k],
-                                             hit->least[k]))
+        EACH_BIT(k, rays) {
+            if (p->lanes[k] && take_nearest_lane(&p->test[k], leaf,
+                                                 &p->lanes[k], p->least[k]))
                 asked[n++] = &p->test[k].q;
             else
                 rays &= ~(1u << k);
         }
-        p->test[0].data->filter[n > 1](asked, n);
+        data->filter[n > 1](asked, n);
         for (int i = 0; i < n; i++)
             end_test((ray_test *)asked[i]);
-        if (p->test[0].any)
-            EACH_RAY(k, rays)
+        if (any)
+            EACH_BIT(k, rays)
                 stopped |= (unsigned)(p->test[k].found != 0) << k;
         rays &= ~stopped;
     }
     return stopped;
 }
-
-/* Traces rays (bits) together; they go into one octant.  An occlusion query has no
- * hits. */
-static void trace_rays(const call *a, int any, unsigned rays)
-{
-    const cylint_embree_data *data = a->geometryUserPtr;
-    const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
-    float *const packet = (float *)a->rayhit;
-    packet_state s;
-    unsigned certain = 0;
-    s.n = 0;
-    EACH_RAY(i, rays) {
-        struct RTCRayHit *one = &s.ray[s.n];
-        one->hit = (struct RTCHit){0};
-        copy_words(one, 1, packet + i, a->N, words);
-        set_valid(a->valid, (unsigned)i, 0);
-        if (start_test(&s.test[s.n], a, any, &one->ray, &one->hit))
-            s.place[s.n++] = (unsigned)i;
-    }
-    if (s.n == 1)
-        trace_single(&s.test[0]);
-    else if (s.n > 1)
-        certain = data->traverse_packet(&data->bvh, s.ray, s.n,
-                                        any && !has_filters(&s.test[0]),
-                                        test_lanes_in_order, &s);
-    for (int k = 0; k < s.n; k++) {
-        if (certain >> k & 1)
-            s.ray[k].ray.tfar = -HUGE_VALF;
-        else if (!s.test[k].found)
-            continue;
-        copy_words(packet + s.place[k], a->N, &s.ray[k], 1, words);
-        set_valid(a->valid, s.place[k], 1);
-    }
-}
-
-/* ------------------------------------------------- which rays go together -- */
 
 /* Fewer rays often share an octant by chance. */
 static int are_enough(unsigned rays, unsigned N)
@@ -550,40 +490,64 @@ static int are_enough(unsigned rays, unsigned N)
 
 /* Of rays of one octant those that begin near the first one, within 1/8 of the
  * longest side S of the shapes' box, if they are enough, or else none. */
-static unsigned near_first(const call *a, unsigned rays)
+static unsigned near_first(const cylint_packet *p, unsigned rays, unsigned N)
 {
-    const cylint_embree_data *data = a->geometryUserPtr;
-    const float *o = (const float *)a->rayhit,
-                S = data->bvh.near_distance / 256;
     unsigned near = 0;
-    if (!data->traversal || !are_enough(rays, a->N))
+    if (!are_enough(rays, N))
         return 0;
-    const float *first = o + cylint_lowest(rays);
-    EACH_RAY(i, rays) {
-        float far = 0;
-        for (unsigned j = 0; j < 3 * a->N; j += a->N)
-            far += fabsf(o[j + (unsigned)i] - first[j]);
-        near |= (unsigned)(far < S / 8) << i;
+    const ray_test *first = &p->test[cylint_lowest(rays)];
+    const float S = first->data->bvh.near_distance / 256;
+    EACH_BIT(k, rays) {
+        const struct RTCRay *x = &p->ray[k].ray, *y = first->ray;
+        const float far = fabsf(x->org_x - y->org_x) +
+                          fabsf(x->org_y - y->org_y) +
+                          fabsf(x->org_z - y->org_z);
+        near |= (unsigned)(far < S / 8) << k;
     }
-    return are_enough(near, a->N) ? near : 0;
+    return are_enough(near, N) ? near : 0;
 }
 
+static int octant_of(const struct RTCRay *ray)
+{
+    const int x = signbit(ray->dir_x) != 0, y = signbit(ray->dir_y) != 0,
+              z = signbit(ray->dir_z) != 0;
+    return x | y << 1 | z << 2;
+}
+
+/* An occlusion query has no hits. */
 static void trace_packet(const call *a, int any)
 {
-    const float *d =
-        (const float *)a->rayhit + offsetof(struct RTCRay, dir_x) / 4 * a->N;
-    unsigned octant[8] = {0};
+    const cylint_embree_data *data = a->geometryUserPtr;
+    const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
+    float *const packet = (float *)a->rayhit;
+    unsigned octant[8] = {0}, all = 0;
+    cylint_packet p;
     for (unsigned i = 0; i < a->N; i++) {
-        const unsigned x = signbit(d[i]) != 0, y = signbit(d[a->N + i]) != 0,
-                       z = signbit(d[2 * a->N + i]) != 0;
-        octant[x | y << 1 | z << 2] |= (unsigned)(a->valid[i] != 0) << i;
+        struct RTCRayHit *one = &p.ray[i];
+        if (!a->valid[i])
+            continue;
+        one->hit = (struct RTCHit){0};
+        copy_words(one, 1, packet + i, a->N, words);
+        set_valid(a->valid, i, 0);
+        if (start_test(&p.test[i], a, any, &one->ray, &one->hit)) {
+            octant[octant_of(&one->ray)] |= 1u << i;
+            all |= 1u << i;
+        }
     }
     for (int k = 0; k < 8; k++) {
-        const unsigned together = near_first(a, octant[k]);
+        const unsigned together =
+            data->traversal ? near_first(&p, octant[k], a->N) : 0;
         if (together)
-            trace_rays(a, any, together);
-        EACH_RAY(i, octant[k] & ~together)
-            trace_rays(a, any, 1u << i);
+            data->trace_packet(&p, together,
+                               any && (data->flags & CYLINT_EMBREE_NO_FILTERS));
+        EACH_BIT(i, octant[k] & ~together)
+            trace_single(&p.test[i]);
+    }
+    EACH_BIT(i, all) {
+        if (p.test[i].found) {
+            copy_words(packet + i, a->N, &p.ray[i], 1, words);
+            set_valid(a->valid, (unsigned)i, 1);
+        }
     }
 }
 
@@ -629,7 +593,6 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     if (number == data->n)
         return;
     start_test(&r, &args, 0, &rayhit->ray, &rayhit->hit);
-    r.q.tmax = tmax_including(rayhit->ray.tfar);
     const int i = find_present(
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
     if (i >= 0) {

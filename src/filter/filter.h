@@ -17,7 +17,7 @@ enum {
         CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI
 };
 
-/* What a stage knows of a question that it does not decide. */
+/* What a stage has computed of a question that it does not decide. */
 typedef enum {
     CYLINT_KNOWN_NOTHING, /* no signs; the next stage computes all in pairs */
     CYLINT_KNOWN_LINE,    /* `ends` and `exists`: only signs at an end of the

@@ -60,7 +60,7 @@ INLINE vm last_end(int k)
     return m_from(2);
 }
 
-/* Of the end at the top in lanes of `top`, in others of that at the base. */
+/* In lanes of `top` the x of the top, in others the x of the base. */
 INLINE vd at_end(vm top, const vd x[ENDS])
 {
     (void)top;
@@ -119,7 +119,7 @@ INLINE vm m_at_end(vm top, const vm x[ENDS])
 
 #endif
 
-/* x or y, as one condition of all lanes has it. */
+/* x or y, by one condition for all lanes. */
 INLINE vd v_if(int condition, vd x, vd y)
 {
     return condition ? x : y;

@@ -218,7 +218,7 @@ INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
         v->chord[k] = m_from(0);
     }
     if (!m_any(either_end(there))) {
-        /* not used; compilers find no value missing */
+        /* not used; without it compilers warn */
         v->ball.A = (bounded_value){v_set(0), v_set(0)};
         EACH(k, ENDS)
             v->ball.B[k] = v->ball.A;
@@ -332,7 +332,7 @@ typedef struct {
 
 static const point_signs no_point_signs;
 
-/* A larger |t| counts as infinite: no bounded solid is met there. */
+/* A larger |t| counts as infinite: no line hits a bounded solid there. */
 INLINE vd latest(int solid)
 {
     return v_set(cylint_solid_is_bounded(solid) ? CYLINT_LATE : DBL_MAX);

@@ -134,11 +134,11 @@ INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
     }
 }
 
-/* So many numbers the first pass finds at once where no answer can change it. */
+/* How many numbers the first pass finds at once if no answer can shorten it. */
 enum { AHEAD = 64 };
 
-/* The first pass takes so many lanes at a time, and it branches on all of their
- * outcomes together: those of one vector are hard to predict. */
+/* How many lanes the first pass tests at a time, with one branch for all of them:
+ * the outcomes of one vector are hard to predict. */
 enum { BLOCK = 16, VECTORS = BLOCK / LANES };
 
 INLINE local_line ball_at(const pass_columns *columns, size_t lane, mode m,

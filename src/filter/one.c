@@ -100,7 +100,7 @@ INLINE bounded_value test_of_G(const first_line *first, const source *from,
     return bounded_G(&f, &l, solid);
 }
 
-/* The test of G, whose values go on in registers: so a miss saves none. */
+/* The test of G.  Its values are passed in registers, so a miss saves none. */
 #define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
 #define VALUES a.p, a.v, a.from_base, a.w, a.Q, a.D, G.v, G.e
 #define KERNEL(name, signs, roots, solid)                                \
@@ -143,8 +143,8 @@ CYLINT_EACH_SOLID(REFINED)
 #undef REFINED
 #define REFINED(name, solid) [solid] = name##_refined,
 #else
-/* Without a fused multiply-add a product in pairs is long: the other solids
- * share what follows the test of G, and all share what these do not decide. */
+/* Without a fused multiply-add the code of a product in pairs is long: the other
+ * solids share the code after the test of G, and all solids share any_refined. */
 REST(any_signs, 0, cylint_prepared(shape))
 REST(any_roots, 1, cylint_prepared(shape))
 REFINE(any_refined, cylint_prepared(q->shape))

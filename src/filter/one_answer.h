@@ -9,7 +9,7 @@
 
 #include "describe.h"
 
-/* Zeros: where `solid` is not constant, compilers find no value missing. */
+/* Zeros, without which compilers warn where `solid` is not a constant. */
 static const local_line no_line;
 static const forms no_forms;
 static const verdict no_verdict;

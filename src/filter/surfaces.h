@@ -20,8 +20,8 @@ typedef struct {
     vd exits;
 } line_end;
 
-/* Lanes whose second end is the first in t: bounded, that the line goes down; of
- * a double cone with A < 0 the root at which it leaves. */
+/* Lanes whose second end is the first in t: of a bounded solid where the line goes
+ * down, of a double cone where A < 0: the line first leaves the cone. */
 INLINE vm is_backward(const local_line *l, const verdict *v, int solid)
 {
     if (solid == CYLINT_SOLID_DOUBLE_CONE)
@@ -33,7 +33,7 @@ INLINE vm is_backward(const local_line *l, const verdict *v, int solid)
                                         : down;
 }
 
-/* End k: wide the k-th in t, narrow in each lane one of both. */
+/* End k.  Wide: the k-th in t.  Narrow: each lane has one of both. */
 INLINE line_end end_number(const local_line *l, const verdict *v, int k,
                            int solid)
 {
@@ -57,7 +57,7 @@ INLINE line_end end_number(const local_line *l, const verdict *v, int k,
     return e;
 }
 
-/* Of the ball of an end: narrow the lane need not be that of the ball. */
+/* x of the end whose ball it is.  Narrow: this can be the end of the other lane. */
 INLINE vd of_ball(const line_end *e, const vd x[ENDS])
 {
     return v_select(e->top, of_end(x, 1), of_end(x, 0));
@@ -75,7 +75,7 @@ INLINE bounded_value choose(vm m, bounded_value x, bounded_value y)
     return (bounded_value){v_select(m, x.v, y.v), v_select(m, x.e, y.e)};
 }
 
-/* Of a bounded value of each end: that of the end's ball. */
+/* The same of a bounded value. */
 INLINE bounded_value bounded_of_ball(const line_end *e,
                                      const bounded_value x[ENDS])
 {

@@ -1,6 +1,6 @@
 /*
  * compiler.h - unrolled loops, inlining, prefetching, the larger of two doubles,
- * the lowest bit of a mask
+ * the bits of a mask
  */
 #ifndef CYLINT_COMPILER_H
 #define CYLINT_COMPILER_H
@@ -62,6 +62,12 @@ static inline int cylint_lowest(uint64_t bits)
     return k;
 #endif
 }
+
+/* For each bit k of a mask that is 1. */
+#define EACH_BIT(k, mask)                                    \
+    for (int k##_of = (int)(mask), k;                        \
+         k##_of && (k = cylint_lowest((unsigned)k##_of), 1); \
+         k##_of &= k##_of - 1)
 
 /* A function that is always inlined, so that the compiler specialises it for
  * constant arguments.  Without optimisation it is compiled once, so that

@@ -32,10 +32,9 @@
 #pragma clang fp reassociate(off)
 #endif
 
-/* Whether this thread rounds to nearest now, without which the sums of
- * double_double.h are not free of error and no rounding can be certified.  1
- * loses or
- * gains nothing by a tiny number then, and only then on both sides. */
+/* Whether this thread rounds to nearest now.  Otherwise the sums of
+ * double_double.h have errors, and no rounding can be certified.  Only in rounding
+ * to nearest are 1 plus and 1 minus a tiny number both 1. */
 static inline int cylint_rounds_to_nearest(void)
 {
     static volatile const double tiny = 0x1p-60; /* not for the compiler */

@@ -87,13 +87,13 @@
 #define CYLINT_POLISHED 0x1p-90
 
 /*
- * What operations on pairs lose is summed (signs/forms.h) in doubles.  A path of K
- * operations has at most 5 K + 8 roundings of that sum, of its factors and of high
- * parts.  CYLINT_SLACK covers them.  Proved.
+ * The errors of operations on pairs are summed (signs/forms.h) in doubles.  A path
+ * of K operations has at most 5 K + 8 roundings of that sum, of its factors and of
+ * high parts.  CYLINT_SLACK covers them.  Proved.
  *
  * If every datum is 0 or at least 2^-CYLINT_WHOLE_EXPONENT, it is a multiple of
- * that times 2^-52.  A number of degree k, its low part and what is lost with
- * it are multiples of the k-th power of this.  k is CYLINT_DEGREE at most
+ * that times 2^-52.  A number of degree k, its low part and its error
+ * are multiples of the k-th power of this.  k is CYLINT_DEGREE at most
  * (tests/bounds/test_form_depth.c), and that power is a normal number, so
  * nothing underflows.
  */
@@ -134,9 +134,9 @@
 
 /*
  * First-order errors of quotients and roots are added up where each divisor,
- * slope and radicand is known to CYLINT_FIRST_ORDER, relative.  What of second
- * order remains is below 0.2 %, and the roundings of the error itself are below
- * 2^-45 of it: CYLINT_ROOT_SLACK covers both.
+ * slope and radicand has a relative error of at most CYLINT_FIRST_ORDER.  The terms
+ * of second order are below 0.2 % of the sum, and its own roundings below 2^-45:
+ * CYLINT_ROOT_SLACK covers both.
  */
 #define CYLINT_FIRST_ORDER 0x1p-10
 
@@ -165,8 +165,8 @@
 #define CYLINT_SUM_EXPONENT 900
 #define CYLINT_LARGE_EXPONENT 1000
 
-/* Of two positive numbers one is so many times 2 smaller than the other that it
- * does not change the sum within CYLINT_PAIR_ADD. */
+/* If the exponents of two positive numbers differ by more than this, the smaller
+ * number does not change their sum by more than CYLINT_PAIR_ADD. */
 #define CYLINT_NEGLIGIBLE_EXPONENT 250
 
 /* Hits (roots/hit.c): from which quotient of two coordinates on, as an exponent,
@@ -277,7 +277,7 @@
  * The last term is for the square of the low parts.
  * tests/bounds/test_local_bounds.c computes both.
  *
- * A slope 2 s is known to one quarter: G is, because 4 G_error < G, and so is
+ * A slope 2 s has an error of at most a quarter: from G, since 4 G_error < G; from
  * A t + B, because |t| A_error + B_error <= s / 4.  For the root r next to t,
  * Q(t) = (t - r) (s' + A t + B), s' the true s.  Both terms have the sign of the
  * slope, so t is nearer to r than to the other root, and |t - r| is at most
@@ -285,7 +285,7 @@
  * terms of second order in the error of Newton's step.  CYLINT_LOCAL_NEWTON is
  * proved and is smaller.  A second step begins where the first ended if A times
  * the distance from the root is at most CYLINT_LOCAL_NEAR of the slope: then
- * A t + B is known to 1/16 s.
+ * the error of A t + B is at most 1/16 s.
  */
 #define CYLINT_LOCAL_RESIDUAL 16
 #define CYLINT_LOCAL_UNTRIMMED 0x1p-50

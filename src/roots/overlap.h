@@ -1,5 +1,5 @@
 /*
- * overlap.h - where a line and a shape begin and stop to overlap, from exact
+ * overlap.h - where the overlap of a line and a shape begins and ends, from exact
  * signs
  */
 #ifndef CYLINT_OVERLAP_H

@@ -299,7 +299,7 @@ static double in_scale(const cylint_query *q, double t)
 
 /* Where a root with a bounded error lies: 1 within the domain, -1 outside, 0 if
  * it is too near a limit.  In other rounding modes an operation on pairs is less
- * accurate, but far more than one on doubles. */
+ * accurate, but far more accurate than one on doubles. */
 static int placed(const cylint_query *q, number x)
 {
     const double from = in_scale(q, q->line->tmin);

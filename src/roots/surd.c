@@ -40,8 +40,8 @@ exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
     return cylint_leading(cylint_exact_add(arena, x, y));
 }
 
-/* 1 / sqrt(x) less or plus 2^-30 of itself, by integers, so that it is the same in
- * every rounding mode. */
+/* 1 / sqrt(x) with a relative error of at most 2^-30, by integers, so that it is
+ * the same in every rounding mode. */
 static exact first_inverse_root(cylint_arena *arena, exact x)
 {
     const uint64_t leading =
@@ -232,8 +232,8 @@ exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1)
     return cylint_exact_keep(arena, used, cylint_leading(value));
 }
 
-/* Two doubles next to each other are the only candidates: those of the value
- * less or plus its error. */
+/* Two doubles next to each other are the only candidates: those nearest to the
+ * value minus and plus its error. */
 double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
                          exact unit)
 {

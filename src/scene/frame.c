@@ -13,7 +13,7 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
     double half[3];
     int e, is_box = 1;
     for (int j = 0; j < 3; j++) {
-        is_box &= lo[j] <= hi[j]; /* else a NaN, in a file */
+        is_box &= lo[j] <= hi[j]; /* false for NaN, from a file */
         frame->lo[j] = lo[j];
         frame->hi[j] = hi[j];
         frame->center[j] = lo[j] / 2 + hi[j] / 2;

@@ -17,8 +17,8 @@ typedef struct cylint_membership {
     int32_t clause;
 } cylint_membership;
 
-/* The hierarchy finds all lines that meet a bounded solid.  Its members beside the
- * hierarchy that are in bounded solids only are late: those lines test them. */
+/* The hierarchy finds all lines that hit a bounded solid.  A member that is not in
+ * it is late if all its solids are bounded: only these lines test it. */
 typedef struct cylint_scene_solid {
     uint32_t number;             /* of the shape that stands for it */
     uint32_t clauses;            /* how many; 0: no member has this solid */

@@ -7,7 +7,7 @@
 # shape, t0, t1.  inside() is the other program's definition, written from its manual,
 # not from this library: negative inside, positive outside.  Along a line its sign must
 # change within 1e-7 (1 + |t|) of each end of a piece, and nowhere else.  There must be
-# at least so many solids, each met and missed by 20 lines and by so many in two pieces.
+# at least so many solids, each hit and missed by 20 lines and by so many in two pieces.
 
 function max(a, b) { return a > b ? a : b }
 function min(a, b) { return a < b ? a : b }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "embree_compare.h"
+#include "environment.h"
 #include "shapes/layout.h"
 
 /* A ray from outside to a point in the shape's box. */
@@ -142,6 +143,23 @@ TEST(a_domain_that_ends_at_negative_zero_has_its_end)
             rays_intersect(&r, w.scene, NULL);
             CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 0);
         }
+    }
+}
+
+TEST(a_subnormal_begin_of_a_domain_counts_as_zero_where_it_is_flushed)
+{
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 1  1");
+    const float o[3] = {0.25f, 0.5f, 0}, d[3] = {0, 0, 1};
+    if (!can_treat_subnormals(FLUSH | ZERO))
+        return;
+    EACH_WAY(w, &shape, 1) {
+        struct rays r;
+        rays_begin(&r, 1);
+        rays_add(&r, 0, o, d, FLT_MIN / 2, 0);
+        treat_subnormals(FLUSH | ZERO);
+        rays_intersect(&r, w.scene, NULL);
+        treat_subnormals(0);
+        CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 0);
     }
 }
 

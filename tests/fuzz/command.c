@@ -15,7 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../../tools/cylint/main.h"
+#include "../../tools/cylint/report.h"
 #include "fuzz.h"
 
 enum { PIPE_MOST = 1 << 15, ARGUMENTS_MOST = 64 };

@@ -3,7 +3,7 @@
  *
  * The library is compared with itself on changed input whose answer changes in
  * a known manner.  Each function returns whether its property holds for the
- * case; one that says nothing about the case returns 1.
+ * case, and 1 for a case that has no such property.
  */
 #ifndef CYLINT_TEST_PROPERTIES_H
 #define CYLINT_TEST_PROPERTIES_H

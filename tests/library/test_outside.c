@@ -2,7 +2,7 @@
  * test_outside.c - floor intersect: rays that leave a surface
  *
  * From every hit of the families cylint_outside() makes a point outside and a
- * point inside.  cylint_contains() must say so, and rays from the point outside
+ * point inside.  cylint_contains() must agree, and rays from the point outside
  * that point away from a convex solid must miss it; every ray from the point
  * inside a bounded solid must hit it once.  CYLINT_CASES is the number of cases
  * of each family, CYLINT_RAYS the number of rays from each point.

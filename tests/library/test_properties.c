@@ -1,7 +1,7 @@
 /*
  * test_properties.c - floor intersect: properties of answers, without an oracle
  *
- * properties.h has the properties; fuzz/shapes.c asks them of other cases.
+ * properties.h has the properties; fuzz/shapes.c tests them on other cases.
  * CYLINT_CASES is the number of cases of each family.
  */
 #include "check.h"

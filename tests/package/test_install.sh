@@ -215,8 +215,10 @@ test_manual_examples()
     for packages in cylint-embree 'cylint-embree cylint-scene' 'cylint-scene cylint-embree'; do
         example_of $packages
     done
-    show cylint_embree.3 1
-    example_of cylint-embree
+    for shown in 1 3; do
+        show cylint_embree.3 $shown
+        example_of cylint-embree
+    done
 }
 
 # example_of LIBRARY...: links with shared and with static libraries.

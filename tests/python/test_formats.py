@@ -285,11 +285,11 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
     "text, message",
     [
         ("radius,startX,startY\n1,2,3\n", ":1: the header names no column 'startz'"),
-        (HEAD + "7,1,2,3,4,5,6\n", "row 1 with 7 columns"),
+        (HEAD + "7,1,2,3,4,5,6\n", ":2: invalid column index 7 with 7 columns"),
         (HEAD.replace(",", ";") + "7;1;2;3;4;5;6;7\n8;0,5;2;3;4;5;6;7\n",
-         "could not convert string '0,5' to float64 at row 1"),
-        (HEAD + "7,-1,2,3,4,5,6,7\n", "row 0: negative radius"),
-        (HEAD + "7,1,2,3,4,5,6,nan\n", "cylinder 0: a number is not finite"),
+         ":3: could not convert string '0,5' to float64, column 2"),
+        (HEAD + "# 6\n\n7,-1,2,3,4,5,6,7\n", ":4: the radius is negative"),
+        (HEAD + "7,1,2,3,4,5,6,nan\n", ":2: a number is not finite"),
         ("", "expected a header line, found the end of the file"),
     ],
 )
@@ -444,7 +444,7 @@ def test_half_of_the_points_are_near_a_stem(recipe, tmp_path):
     (tmp_path / "tree.csv").write_text("".join(table))
     (tmp_path / "cloud.txt").write_text("".join(cloud))
     assert recipe(display("lidar")) == (
-        "of 80 points are within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %\n"
+        "80 points: within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %\n"
         "-2 to -1 cm      0\n-1 to  0 cm      0\n 0 to  1 cm     40\n"
         " 1 to  2 cm      0\n 2 to  3 cm      0\n 3 to  4 cm      0\n"
         " 4 to  5 cm     40\n"

@@ -1,5 +1,8 @@
 """intersect(): equal to the command, to single questions, for every layout."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 from conftest import (
@@ -143,6 +146,23 @@ def test_lazy_members_follow_the_layout():
         assert same(getattr(table, member)[7], getattr(one, member))
     assert table.point.shape == (40, 50, 2, 3) and table.z.shape == (40, 50, 2)
     assert table.point is table.point
+
+
+@pytest.mark.parametrize("again", [copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))])
+def test_pickled_answers_compute_the_same_members(again):
+    shapes, (o, d) = forest(40, 16), drawn(40, 17)
+    o, scene = o * 0.1 + 0.5, cylint.Scene(shapes)
+    lines = {"progress": lambda done, total: None, "threads": 2}
+    for ask in (
+        lambda: cylint.intersect(shapes[::2, None], o, d, **lines),
+        lambda: scene.nearest(o, d, exclude=3, **lines), lambda: scene.nearest(o, d, tmax=0),
+    ):
+        assert equal(again(ask()), ask(), "t", "part", *MEMBERS)
+    for ask in (
+        lambda: shapes[::2, None].closest(o, **lines), lambda: scene.closest(o, within=0.1),
+        lambda: scene.closest(o, signed=True, **lines), lambda: scene.closest(o, within=-1),
+    ):
+        assert equal(again(ask()), ask(), "distance", "part", "feature", "point", "normal")
 
 
 bounds_of_t = st.one_of(small, st.just(-np.inf), st.just(np.inf), number)

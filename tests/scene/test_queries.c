@@ -1,8 +1,8 @@
 /*
  * test_queries.c - floor scene: a scene returns what all its shapes return
  *
- * Every kind of line, and points of several families, are asked of every kind
- * of scene and of a loop over all shapes (answers.h).  An argument sets the
+ * Every kind of scene, and a loop over all shapes (answers.h), answer every kind
+ * of line and points of several families.  An argument sets the
  * number of lines of each kind for each scene (make check-scene).  CYLINT_SEED
  * changes all random numbers.
  */

@@ -72,6 +72,7 @@ static const struct {
     {CYLINT_SCENE_ESIZE, 2, {{1, 0, 1}, {SIZE_MAX, 0, 1}}},
     {CYLINT_SCENE_ESIZE, 1, {{((size_t)1 << 16) * 65536, 0, 1}}},
     {CYLINT_SCENE_ESIZE, 2, {{1, 0, 1}, {2, 3, 1}}},
+    {CYLINT_SCENE_ESIZE, 1, {{1, 1, 1}}},
     {CYLINT_SCENE_ESIZE, 1, {{1, SIZE_MAX, 1}}},
     {CYLINT_SCENE_ESIZE, ((size_t)1 << 28) + 1, {{1, 0, 1}}},
 };
@@ -418,6 +419,8 @@ TEST(bad_members_of_one_solid_are_refused)
     CHECK(cylint_solid_pieces(shape, clause, 2, &bad, piece, 9) == 0);
     clause[5] = 0;
     CHECK(cylint_solid_pieces(shape, clause, 6, &ray, piece, 9) == -1);
+    clause[5] = INT_MIN; /* it has no opposite */
+    CHECK(cylint_solid_pieces(shape, clause, 7, &ray, piece, 9) == -1);
     CHECK(piece[0].t0 == nothing.t0 && piece[0].t1 == nothing.t1);
     clause[5] = -6;
     CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS, &ray, piece,

@@ -33,6 +33,9 @@ static const struct {
 #ifdef CYLINT_EMBREE
     {"embree", "shapes in scenes of Embree", bench_embree},
 #endif
+#ifdef CYLINT_COUNT_STAGES
+    {"stages", "share of questions that reach each stage", bench_stages},
+#endif
 };
 enum { CASES = sizeof cases / sizeof *cases, ROUNDS = 3 };
 
@@ -196,7 +199,8 @@ void compete(struct contest *c)
 /* A field of a line, padded behind its comma. */
 static void print_text(const char *text, int width)
 {
-    const int n = printf("%s,", text);
+    const char *const quote = strchr(text, ',') ? "\"" : "";
+    const int n = printf("%s%s%s,", quote, text, quote);
     printf("%*s", n < width ? width - n : 1, "");
 }
 

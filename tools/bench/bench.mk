@@ -7,12 +7,10 @@ bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 # The program of all cases in C: `bench CASE...`.
 bench := $(BUILD)/tools/bench/bench
 $(bench): $(call bench_objects,bench inputs sticks single batch distance methods scene pieces rivals/lean rivals/lean_distance \
-	$(if $(EMBREE),embree rivals/embree_chords)) $(test_common) \
+	$(if $(findstring COUNT_STAGES,$(CPPFLAGS)),stages) $(if $(EMBREE),embree rivals/embree_chords)) $(test_common) \
 	$(if $(EMBREE),$(call archive,$(adapter)) $(BUILD)/libcylint.a,$(scene_library))
 $(bench): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
-$(BUILD)/tools/bench/stages: $(BUILD)/tools/bench/stages.o $(test_common) $(BUILD)/libcylint.a
-$(BUILD)/tools/bench/stages: libs := $(test_libs)
-$(bench) $(BUILD)/tools/bench/stages:
+$(bench):
 	$(link)
 
 # $(call run_bench,CASE...): the lines of output are also in $(BUILD)/bench-CASE.csv
@@ -60,10 +58,10 @@ bench-geant4: $(BUILD)/tools/bench/geant4.so $(rivals)/package ## hollow solids 
 	$(call rivals_of,geant4-pybind==0.1.3)
 	@$(rivals)/bin/python tools/bench/geant4.py $< $(or $(RAYS),$(if $(QUICK),400)) | tee $(BUILD)/bench-geant4.csv
 
-# A library that counts the stages of queries.
-count_stages: $(BUILD)/tools/bench/stages
-	$< $(CASES)
-stages: ## share of queries that reach each stage (pairs, exact digits), by family
-	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
+# With a library that counts the stages of queries.
+bench-stages: $(bench)
+	$(call run_bench,stages)
+stages: ## share of queries that reach each stage (pairs, exact digits), by family; QUICK=1; N=1e4 queries
+	$(MAKE) -s BUILD=$(BUILD)/stages EMBREE= CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' bench-stages
 
-.PHONY: bench gate bench-scene bench-pieces bench-embree bench-text bench-python bench-geant4 stages count_stages
+.PHONY: bench gate bench-scene bench-pieces bench-embree bench-text bench-python bench-geant4 bench-stages stages

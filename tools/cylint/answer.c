@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "answer.h"
-#include "main.h"
 
 int task_make(struct task *task, struct job *job)
 {
@@ -15,23 +14,21 @@ int task_make(struct task *task, struct job *job)
     const size_t longest = job->scene.labels.longest;
     const size_t lines = row_capacity(&o->fields, &o->style, longest);
     const size_t points = row_capacity(&o->point_fields, &o->style, longest);
-    const size_t row = o->sum           ? sums_capacity(&job->groups, &o->style)
-                       : lines > points ? lines
-                                        : points;
+    const size_t row = lines > points ? lines : points;
     memset(task, 0, sizeof *task);
     task->job = job;
     task->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
     if (o->sum)
-        task->sums = malloc(job->groups.columns * sizeof *task->sums);
+        task->row.sums = malloc(o->fields.count * sizeof *task->row.sums);
     return block_make(&task->block) && task->out.data &&
-           (task->sums || !o->sum);
+           (task->row.sums || !o->sum);
 }
 
 void task_free(struct task *task)
 {
     free(task->block.text);
     free(task->out.data);
-    free(task->sums);
+    free(task->row.sums);
     piece_memory_free(&task->pieces);
 }
 
@@ -71,12 +68,8 @@ int end_without_memory(struct task *task)
 static void put(struct task *task, int is_of_point, const struct row *row)
 {
     const struct options *o = task->job->options;
-    if (o->sum)
-        put_sums(&task->out, &task->job->groups, &o->style,
-                 row ? task->sums : NULL, row);
-    else
-        put_row(&task->out, is_of_point ? &o->point_fields : &o->fields,
-                &o->style, row);
+    put_row(&task->out, is_of_point ? &o->point_fields : &o->fields, &o->style,
+            row);
     deliver_if_full(task);
 }
 

@@ -17,7 +17,7 @@
  * start.  The second is for the worker that reads, the last for the one that
  * writes. */
 struct job {
-    const struct options *options;
+    struct options *options;
     struct scene scene;   /* without -s it has no shapes */
     struct groups groups; /* which records leave out; ranks; sums */
 
@@ -62,7 +62,6 @@ struct task {
     struct left_out left_out;
     struct row row;
     struct piece_memory pieces;
-    double *sums; /* NULL: no sums are wanted */
 };
 
 /* Allocates what a task needs.  Returns 0 if there is no memory. */

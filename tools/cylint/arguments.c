@@ -7,9 +7,7 @@
 #include <string.h>
 
 #include "arguments.h"
-#include "main.h"
 #include "numbers.h"
-#include "report.h"
 
 enum { VALUE_MOST = 64, HELP_COLUMN = 21 };
 

@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-#include "message.h"
+#include "report.h"
 
 struct option;
 

@@ -15,7 +15,8 @@ enum type {
     WORD,  /* an int: a word, or a whole number */
     CHORD, /* t1 - t0 */
     LENGTH,
-    LABEL
+    LABEL,
+    SUM /* of the group with the number of the column */
 };
 
 /* The row's answer has so many hits if the column has a value. */
@@ -200,6 +201,12 @@ const char *find_fields(struct fields *fields, const char *names, int query)
     }
 }
 
+void sum_fields(struct fields *fields, const struct groups *groups)
+{
+    fields->sums = groups;
+    fields->count = groups->columns;
+}
+
 void list_columns(void)
 {
     for (const struct column *c = columns; c->name; c++) {
@@ -230,13 +237,21 @@ static double member_of(const struct column *c, const struct row *row)
     return value;
 }
 
-/* The value of a column that is not missing and not a label. */
-static double value_of(const struct column *c, const struct row *row)
+/* The value of column number i that is not missing and not a label. */
+static double value_of(const struct column *c, size_t i, const struct row *row)
 {
     const cylint_hit *hit = row->answer.hit;
     return c->type == CHORD    ? hit[1].t - hit[0].t
            : c->type == LENGTH ? (hit[1].t - hit[0].t) * row->unit
+           : c->type == SUM    ? row->sums[i]
                                : member_of(c, row);
+}
+
+static const struct column *column_at(const struct fields *fields, size_t i)
+{
+    static const struct column sum = {"total", 0,      SUM, 0,
+                                      NULL,    ALWAYS, 0,   NULL};
+    return fields->sums ? &sum : fields->column[i];
 }
 
 static int is_missing(const struct column *c, const struct row *row)
@@ -251,26 +266,20 @@ static void put_missing(struct text *out, const struct style *style,
     put_word(out, style->missing ? style->missing : is_word ? "-" : "nan");
 }
 
-static void put_number(struct text *out, const struct style *style,
-                       double value)
-{
-    out->length +=
-        cylint_write_number(out->data + out->length, value, style->digits);
-}
-
 static void put_field(struct text *out, const struct style *style,
-                      const struct column *c, const struct row *row)
+                      const struct column *c, size_t i, const struct row *row)
 {
     if (is_missing(c, row))
         put_missing(out, style, c->words || c->type == LABEL);
     else if (c->type == LABEL)
         put_string(out, row->label);
     else if (c->words)
-        put_word(out, c->words[(int)value_of(c, row)]);
+        put_word(out, c->words[(int)value_of(c, i, row)]);
     else if (c->type == WHOLE || c->type == WORD)
-        put_whole(out, (unsigned long long)value_of(c, row));
+        put_whole(out, (unsigned long long)value_of(c, i, row));
     else
-        put_number(out, style, value_of(c, row));
+        out->length += cylint_write_number(out->data + out->length,
+                                           value_of(c, i, row), style->digits);
 }
 
 static void put_separator(struct text *out, const struct style *style, size_t i)
@@ -295,77 +304,34 @@ static void end_row(struct text *out, const struct style *style,
 void put_row(struct text *out, const struct fields *fields,
              const struct style *style, const struct row *row)
 {
-    for (int i = 0; i < fields->count; i++) {
-        const struct column *c = fields->column[i];
-        put_separator(out, style, (size_t)i);
+    for (size_t i = 0; i < fields->count; i++) {
+        const struct column *c = column_at(fields, i);
+        put_separator(out, style, i);
         if (style->binary)
-            put_little_endian(out, is_missing(c, row) ? NAN : value_of(c, row));
+            put_little_endian(out,
+                              is_missing(c, row) ? NAN : value_of(c, i, row));
         else if (!row && i == 0)
             put_word(out, "error");
         else
-            put_field(out, style, c, row);
+            put_field(out, style, c, i, row);
     }
     end_row(out, style, row);
+}
+
+/* That of a sum is the label of its group; it can be empty. */
+static struct string name_of(const struct fields *fields, size_t i)
+{
+    const struct groups *g = fields->sums;
+    if (!g || g->is_total)
+        return string_of(column_at(fields, i)->name);
+    return i < g->names.texts.count ? names_get(&g->names, i) : string_of("");
 }
 
 void put_header(struct text *out, const struct fields *fields,
                 const struct style *style)
 {
-    for (int i = 0; i < fields->count; i++) {
-        put_separator(out, style, (size_t)i);
-        put_word(out, fields->column[i]->name);
-    }
-    end_row(out, style, NULL);
-}
-
-static size_t widest(const struct style *style)
-{
-    const size_t missing = style->missing ? strlen(style->missing) : 0;
-    return missing > NUMBER_CAPACITY ? missing : NUMBER_CAPACITY;
-}
-
-/* Names and words are shorter than numbers; "error" fits into one field. */
-size_t row_capacity(const struct fields *fields, const struct style *style,
-                    size_t longest_label)
-{
-    return (size_t)(fields->count + 1) * (widest(style) + 1) +
-           (size_t)fields->labels * longest_label;
-}
-
-/* ------------------------------------------------------------------ sums -- */
-
-size_t sums_capacity(const struct groups *groups, const struct style *style)
-{
-    return (groups->columns + 1) * (widest(style) + 1) +
-           groups->names.texts.length;
-}
-
-void put_sums(struct text *out, const struct groups *groups,
-              const struct style *style, const double *sums,
-              const struct row *row)
-{
-    for (size_t i = 0; i < groups->columns; i++) {
-        put_separator(out, style, i);
-        if (style->binary)
-            put_little_endian(out, sums ? sums[i] : NAN);
-        else if (sums)
-            put_number(out, style, sums[i]);
-        else if (i == 0)
-            put_word(out, "error");
-        else
-            put_missing(out, style, 0);
-    }
-    end_row(out, style, sums ? row : NULL);
-}
-
-void put_sums_header(struct text *out, const struct groups *groups,
-                     const struct style *style)
-{
-    for (size_t i = 0; i < groups->columns; i++) {
-        const struct string name =
-            groups->is_total                ? (struct string){"total", 5}
-            : i < groups->names.texts.count ? names_get(&groups->names, i)
-                                            : (struct string){"", 0};
+    for (size_t i = 0; i < fields->count; i++) {
+        const struct string name = name_of(fields, i);
         put_separator(out, style, i);
         if (name.length > 0)
             put_string(out, name);
@@ -373,4 +339,15 @@ void put_sums_header(struct text *out, const struct groups *groups,
             put_missing(out, style, 1);
     }
     end_row(out, style, NULL);
+}
+
+/* Names and words are shorter than numbers; "error" fits into one field. */
+size_t row_capacity(const struct fields *fields, const struct style *style,
+                    size_t longest_label)
+{
+    const size_t missing = style->missing ? strlen(style->missing) : 0;
+    const size_t widest = missing > NUMBER_CAPACITY ? missing : NUMBER_CAPACITY;
+    return (fields->count + 1) * (widest + 1) +
+           (size_t)fields->labels * longest_label +
+           (fields->sums ? fields->sums->names.texts.length : 0);
 }

@@ -41,7 +41,9 @@ enum { MOST_FIELDS = 256 };
 /* The columns of a row, and what they need. */
 struct fields {
     const struct column *column[MOST_FIELDS];
-    int count;
+    size_t count;
+    const struct groups
+        *sums;     /* of --sum: in place of column[], a sum of each */
     int labels;    /* number of columns that are labels */
     int counts;    /* whether a column is a count */
     int solids;    /* of solids that hold a point */
@@ -62,7 +64,8 @@ struct row {
     double record, shape, count, depth; /* whole numbers */
     double distance;                    /* of a point */
     int feature;
-    double unit; /* the length of the line's direction */
+    double unit;  /* the length of the line's direction */
+    double *sums; /* of --sum */
     cylint_answer answer;
     struct string label; /* the shape's, if a column needs it */
     struct string tail;
@@ -76,24 +79,19 @@ const char *find_fields(struct fields *fields, const char *names, int query);
 /* The name of this query's column nearest to this one, or NULL. */
 const char *similar_field(struct string name, int query);
 
+/* Makes them the columns of --sum: one for each group of shapes, and at least one. */
+void sum_fields(struct fields *fields, const struct groups *groups);
+
 /* The largest length of a row or of the header in bytes, without the tail,
- * if no label is longer than this; the same of sums. */
+ * if no label is longer than this. */
 size_t row_capacity(const struct fields *fields, const struct style *style,
                     size_t longest_label);
-size_t sums_capacity(const struct groups *groups, const struct style *style);
 
-/* row or sums NULL: `error` and missing values, for a bad record. */
+/* row NULL: `error` and missing values, for a bad record. */
 void put_row(struct text *out, const struct fields *fields,
              const struct style *style, const struct row *row);
 void put_header(struct text *out, const struct fields *fields,
                 const struct style *style);
-
-/* Rows of --sum: a column for each group of shapes, and at least one. */
-void put_sums(struct text *out, const struct groups *groups,
-              const struct style *style, const double *sums,
-              const struct row *row);
-void put_sums_header(struct text *out, const struct groups *groups,
-                     const struct style *style);
 
 /* For --list=columns: name, TAB, the queries that have it, TAB, its meaning. */
 void list_columns(void);

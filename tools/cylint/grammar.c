@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "grammar.h"
-#include "main.h"
 #include "numbers.h"
 
 const struct kind line_kinds[] = {

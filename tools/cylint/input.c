@@ -15,7 +15,6 @@
 
 #include "grammar.h"
 #include "input.h"
-#include "main.h"
 #include "output.h"
 
 static int is_stdin(const char *file)

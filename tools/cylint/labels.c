@@ -7,7 +7,6 @@
 
 #include "input.h"
 #include "labels.h"
-#include "main.h"
 
 int labels_add(struct labels *labels, struct string label)
 {

@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include "answer.h"
-#include "main.h"
-#include "scene_text.h"
 
 const char *const program = "cylint";
 
@@ -25,12 +23,11 @@ static int load_shapes(struct job *job)
     const struct options *o = job->options;
     struct scene *scene = &job->scene;
     scene->keeps_labels = needs_labels(o);
-    const int status = scene_open(scene, o->scene, o->grammar.ends);
+    const int status = scene_open(scene);
     if (status != NOT_SAVED)
         return status;
     scene->keeps_labels |= o->save != NULL;
-    return scene_read_text(scene, o->scene, o->grammar.ends,
-                           (enum swc_form)o->swc);
+    return scene_read_text(scene);
 }
 
 /* No method needs the hierarchy. */
@@ -43,6 +40,8 @@ static int read_scene(struct job *job)
         status = groups_make(&job->groups, &job->scene.labels);
     if (o->sum >= SUM_TOTAL)
         groups_unite(&job->groups);
+    if (o->sum)
+        sum_fields(&job->options->fields, &job->groups);
     if (status == 0 && o->rank)
         status = groups_read_ranks(&job->groups, o->rank);
     if (status == 0 && (!o->method || o->save))
@@ -78,10 +77,7 @@ static int put_first_line(struct job *job)
     struct task task;
     int status = task_make(&task, job) ? 0 : out_of_memory();
     if (status == 0) {
-        if (o->sum)
-            put_sums_header(&task.out, &job->groups, &o->style);
-        else
-            put_header(&task.out, options_fields(o), &o->style);
+        put_header(&task.out, options_fields(o), &o->style);
         status = output_write(&job->out, task.out.data, task.out.length);
     }
     task_free(&task);
@@ -92,8 +88,8 @@ static int answer_input(struct job *job)
 {
     const struct options *o = job->options;
     int status = read_scene_if_needed(job);
-    if (o->sum && o->style.binary)
-        job->out.row = sizeof(double) * job->groups.columns;
+    if (o->style.binary)
+        job->out.row = sizeof(double) * options_fields(o)->count;
     if (status == 0 && o->header)
         status = put_first_line(job);
     if (status == 0 && is_terminal(o))
@@ -130,11 +126,10 @@ static int write_text(struct job *job)
 {
     const struct options *o = job->options;
     job->scene.keeps_labels = 1;
-    const int status = scene_read(&job->scene, o->scene, o->grammar.ends,
-                                  (enum swc_form)o->swc);
-    return status == 0 ? scene_write_text(&job->scene, o->scene,
-                                          o->style.digits, &job->out)
-                       : status;
+    const int status = scene_read(&job->scene);
+    return status == 0
+               ? scene_write_text(&job->scene, o->style.digits, &job->out)
+               : status;
 }
 
 static int answer(struct job *job)
@@ -143,7 +138,7 @@ static int answer(struct job *job)
     const size_t record =
         o->binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
     const size_t row =
-        o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
+        o->style.binary ? sizeof(double) * options_fields(o)->count : 0;
     if (o->output && is_read_too(o, o->output))
         return EXIT_IO;
     int status = output_open(&job->out, o->output, row);
@@ -175,6 +170,9 @@ int main(int argc, char **argv)
         return status;
     if (options.print)
         return print_about(options.print);
+    job.scene.file = options.scene;
+    job.scene.ends = options.grammar.ends;
+    job.scene.form = options.swc;
     status = options.save ? save(&job) : 0;
     if (status == 0 && !options.only_saves)
         status = answer(&job);

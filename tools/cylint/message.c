@@ -7,8 +7,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "main.h"
-#include "message.h"
+#include "report.h"
 
 /* lint: va_start() was called */
 void message(const char *format, ...)

@@ -83,14 +83,15 @@ static int refuse_value(char wrong[NPY_WRONG], const char *key,
     return 0;
 }
 
-/* Reads (ROWS, columns), perhaps with a comma at the end. */
+/* Reads (ROWS, columns), perhaps with a comma at the end.  Of up to 16 digits, so
+ * that the number of bytes has 64 bits. */
 static int read_shape(const char *shape, size_t columns,
                       unsigned long long *rows)
 {
     unsigned long long found;
     char last, bracket = 0;
     return shape &&
-           sscanf(shape, "(%18llu ,%18llu %c %c", rows, &found, &last,
+           sscanf(shape, "(%16llu ,%16llu %c %c", rows, &found, &last,
                   &bracket) >= 3 &&
            found == columns && (last == ')' || (last == ',' && bracket == ')'));
 }

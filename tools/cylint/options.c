@@ -10,10 +10,9 @@
 #include <string.h>
 
 #include "arguments.h"
-#include "main.h"
 #include "numbers.h"
 #include "options.h"
-#include "swc.h"
+#include "scene.h"
 
 /* --------------------------------------------------------------- values -- */
 

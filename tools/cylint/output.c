@@ -12,10 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "main.h"
+#include "report.h"
 #include "npy.h"
 #include "output.h"
-#include "report.h"
 
 enum { NAME_KEPT = 200, TRIES = 100 };
 

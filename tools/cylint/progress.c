@@ -1,11 +1,15 @@
 /*
- * progress.c - the progress of the work, on standard error
+ * progress.c - clocks, processors, and the progress of the work
  */
+#if defined(__linux__)
+#define _GNU_SOURCE
+#include <sched.h>
+#endif
 #include <stdio.h>
 #include <unistd.h>
 
-#include "main.h"
 #include "progress.h"
+#include "report.h"
 
 double seconds_of(clockid_t clock)
 {
@@ -13,6 +17,23 @@ double seconds_of(clockid_t clock)
     clock_gettime(clock, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
+
+/* Processors on line, unless the process is bound to fewer (taskset,
+ * cpusets). */
+int processors(void)
+{
+    long n = 0;
+#if defined(__linux__) && defined(CPU_COUNT)
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) == 0)
+        n = CPU_COUNT(&set);
+#endif
+    if (n == 0)
+        n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n > 1 ? (int)n : 1;
+}
+
+/* ------------------------------------------------------------ progress -- */
 
 void progress_start(struct progress *p, int wanted, const char *unit,
                     int in_bytes)

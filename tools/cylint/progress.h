@@ -1,7 +1,7 @@
 /*
- * progress.h - the progress of the work, on standard error
+ * progress.h - clocks, processors, and the progress of the work
  *
- * On a terminal it appears when the work has lasted a second.  With --progress
+ * The progress goes to standard error.  On a terminal it appears when the work has lasted a second.  With --progress
  * it is also written elsewhere, one line a second.
  */
 #ifndef CYLINT_PROGRESS_H
@@ -11,6 +11,9 @@
 
 /* Seconds of a clock. */
 double seconds_of(clockid_t clock);
+
+/* The number of processors that this process may use; at least 1. */
+int processors(void);
 
 struct progress {
     const char *unit;    /* what is counted, in the plural */

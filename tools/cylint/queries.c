@@ -9,7 +9,6 @@
 #include <stdio.h>
 
 #include "answer.h"
-#include "main.h"
 
 /* The fields of the present record's columns. */
 static const struct fields *fields_of(const struct task *task)
@@ -326,10 +325,10 @@ static int answer_sums(struct task *task)
             job->scene.shapes, &task->record.line, &rule,
             groups->is_total ? NULL : groups->of, groups->columns,
             job->options->sum == SUM_LENGTH || job->options->sum == SUM_TOTAL,
-            task->sums) != CYLINT_SCENE_OK)
+            task->row.sums) != CYLINT_SCENE_OK)
         return end_without_memory(task);
     for (size_t i = 0; i < groups->columns; i++)
-        is_hit |= task->sums[i] > 0;
+        is_hit |= task->row.sums[i] > 0;
     put_answer(task, is_hit);
     return 0;
 }

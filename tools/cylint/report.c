@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "main.h"
 #include "report.h"
 
 enum { FOUND_MOST = 32, COMPLAINT_CAPACITY = 512 };

@@ -1,5 +1,5 @@
 /*
- * report.h - messages about records, files and memory
+ * report.h - exit statuses, and messages about records, files and memory
  *
  * What is wrong with a record becomes a note of its block.  The notes are
  * printed when the block is delivered, so the messages are in the order of the
@@ -8,8 +8,28 @@
 #ifndef CYLINT_REPORT_H
 #define CYLINT_REPORT_H
 
-#include "message.h"
 #include "text.h"
+
+extern const char *const program; /* the name of the program, in messages */
+
+enum {
+    EXIT_ANSWERED = 0, /* all records; a miss is an answer */
+    EXIT_BAD = 1,      /* some records are bad, or a line of the scene */
+    EXIT_USAGE = 2,
+    EXIT_IO = 3, /* input or output failed */
+    EXIT_MEMORY = 4
+};
+
+/* The numbers of a function's arguments `format` and `...`. */
+#if defined(__GNUC__)
+#define LIKE_PRINTF(format_, first) \
+    __attribute__((format(printf, format_, first)))
+#else
+#define LIKE_PRINTF(format_, first)
+#endif
+
+/* Prints `PROGRAM: `, the text as printf() writes it, and a line feed. */
+void message(const char *format, ...) LIKE_PRINTF(1, 2);
 
 /* Messages about good records.  Each is printed for the first such record
  * only. */

@@ -6,11 +6,11 @@
 #include <sys/stat.h>
 
 #include "input.h"
-#include "main.h"
-#include "output.h"
 #include "scene.h"
 
-int scene_failed(cylint_scene_status status, const char *name, int exit_status)
+/* What it is for a status of the library.  name: of the file. */
+static int scene_failed(cylint_scene_status status, const char *name,
+                        int exit_status)
 {
     return status == CYLINT_SCENE_OK ? 0
            : status == CYLINT_SCENE_EMEMORY
@@ -47,11 +47,14 @@ int scene_build(struct scene *scene, int threads)
         return status;
     const cylint_scene_status finished =
         cylint_scene_finish(scene->shapes, threads, NULL, NULL);
+    const struct solids *s = &scene->solids;
     if (finished != CYLINT_SCENE_EFINISHED)
         status = scene_failed(finished, "-s", EXIT_USAGE);
-    return status == 0 && scene->solids.count > 0
-               ? solids_give(&scene->solids, scene->shapes)
-               : status;
+    if (status == 0 && s->count > 0)
+        status = scene_failed(
+            cylint_scene_set_solids(scene->shapes, s->member, s->count),
+            scene->file, EXIT_BAD);
+    return status;
 }
 
 void scene_free(struct scene *scene)
@@ -113,18 +116,21 @@ static const char *converter_of(const char *file)
     return NULL;
 }
 
-int scene_read_text(struct scene *scene, const char *file, int ends,
-                    enum swc_form form)
+int scene_read_text(struct scene *scene)
 {
+    const char *const file = scene->file;
     struct reading reading = {scene,
                               {.has_shape = 1,
                                .line = NOT_GIVEN,
                                .shape = NOT_GIVEN,
-                               .ends = ends,
+                               .ends = scene->ends,
                                .convert = converter_of(file)}};
-    scene->solids.file = file;
-    return swc_is_name(file) ? swc_read(scene, file, ends, form)
-                             : read_lines(file, 0, read_shape, &reading);
+    if (swc_is_name(file))
+        return swc_read(scene);
+    const int status = read_lines(file, 0, read_shape, &reading);
+    return status == 0 && scene->solids.count > 0
+               ? solids_complete(&scene->solids, scene->count, file)
+               : status;
 }
 
 /* --------------------------------------------------------- saved scenes -- */
@@ -136,14 +142,15 @@ static int is_regular(const char *file)
            S_ISREG(about.st_mode);
 }
 
-int scene_open(struct scene *scene, const char *file, int ends)
+int scene_open(struct scene *scene)
 {
+    const char *const file = scene->file;
     cylint_scene_status status = CYLINT_SCENE_EFORMAT;
     if (is_regular(file))
         scene->shapes = cylint_scene_open(file, 0, &status);
     if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE)
         return NOT_SAVED;
-    if (status == CYLINT_SCENE_OK && ends != NOT_GIVEN)
+    if (status == CYLINT_SCENE_OK && scene->ends != NOT_GIVEN)
         return complain(EXIT_USAGE, file,
                         "is a saved scene, whose shapes have their ends");
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
@@ -169,13 +176,12 @@ static int add_saved(struct scene *scene, const struct scene *saved)
     return status;
 }
 
-int scene_read(struct scene *scene, const char *file, int ends,
-               enum swc_form form)
+int scene_read(struct scene *scene)
 {
-    struct scene saved = {.keeps_labels = 1};
-    int status = scene_open(&saved, file, ends);
+    struct scene saved = {scene->file, scene->ends, .keeps_labels = 1};
+    int status = scene_open(&saved);
     if (status == NOT_SAVED)
-        status = scene_read_text(scene, file, ends, form);
+        status = scene_read_text(scene);
     else if (status == 0)
         status = add_saved(scene, &saved);
     scene_free(&saved);

@@ -1,6 +1,13 @@
 /*
  * scene.h - the shapes of a file: of text, of a neuron's nodes, or a saved
  * scene
+ *
+ * Words of a record make solids of shapes (solids.c):
+ *
+ *   in=NAME            the shape is a member of clause 1 of the solid
+ *   in=NAME/CLAUSE     of this clause, an integer from 1
+ *   out=NAME           its complement is a clause of its own
+ *   out=NAME/CLAUSE    its complement is a member of this clause
  */
 #ifndef CYLINT_COMMAND_SCENE_H
 #define CYLINT_COMMAND_SCENE_H
@@ -8,11 +15,49 @@
 #include "cylint_scene.h"
 #include "grammar.h"
 #include "labels.h"
-#include "solids.h"
-#include "swc.h"
+#include "output.h"
+
+enum { CLAUSE_MOST = 999999999 }; /* the largest number of a clause */
 
 /* Zero it before use. */
+struct solids {
+    struct names names;    /* of the solids */
+    cylint_member *member; /* clause 0: a clause of its own */
+    size_t count, capacity;
+    int last_clause; /* the largest number of a clause in the file */
+};
+
+/* Adds the members that a record's words in=NAME and out=NAME state. Returns 0;
+ * EXIT_BAD and writes a note; or another exit status after a message. */
+int solids_read(struct solids *solids, size_t shape, struct string words,
+                struct notes *notes);
+
+/* Adds a member without a name, of a saved scene.  Returns 0, or an exit status
+ * after a message. */
+int solids_add(struct solids *solids, const cylint_member *member);
+
+/* Numbers the clauses of their own, when all members of the file are added.
+ * Returns 0, or an exit status after a message: EXIT_BAD if two solids have the same
+ * first shape. */
+int solids_complete(struct solids *solids, size_t shapes, const char *file);
+
+void solids_free(struct solids *solids);
+
+/* -------------------------------------------------------------- scene -- */
+
+/* What the nodes become: frusta, or rounded cones and a sphere at each root. */
+enum swc_form { SWC_CONES, SWC_ROUND };
+
+extern const char *const swc_forms[]; /* their words, then NULL */
+
+/* Whether a file is SWC: its name ends in .swc or .SWC. */
+int swc_is_name(const char *file);
+
+/* Zero it before use, but for the first three members. */
 struct scene {
+    const char *file; /* where it is read from */
+    int ends; /* of shapes whose records do not state them, or NOT_GIVEN */
+    int form; /* enum swc_form, of a neuron */
     cylint_scene *shapes; /* NULL: none yet */
     size_t count;
     struct solids solids; /* that were read, for scene_build() */
@@ -22,29 +67,24 @@ struct scene {
 
 /* All return 0, or an exit status after a message. */
 
-/* What it is for a status of the library.  name: of the file. */
-int scene_failed(cylint_scene_status status, const char *name, int exit_status);
-
 /* Adds the shape of a record. */
 int scene_add(struct scene *scene, const struct record *record);
 
-/* Reads shapes, one a line, or a neuron's nodes (swc.h), which become shapes of
- * this form.  ends: of shapes whose records do not state them, or NOT_GIVEN.
- * Stops at the first bad line. */
-int scene_read_text(struct scene *scene, const char *file, int ends,
-                    enum swc_form form);
+/* Reads shapes, one a line, or a neuron's nodes.  Stops at the first bad line. */
+int scene_read_text(struct scene *scene);
+/* Reads a neuron's nodes. */
+int swc_read(struct scene *scene);
 
 enum { NOT_SAVED = -1 };
 
 /* Opens a saved scene.  Its file is mapped and checked.  Returns NOT_SAVED
  * if the file is something else, cannot be opened or is no regular file.
- * ends must be NOT_GIVEN, as the shapes have ends. */
-int scene_open(struct scene *scene, const char *file, int ends);
+ * `ends` must be NOT_GIVEN, as the shapes have ends. */
+int scene_open(struct scene *scene);
 
 /* As scene_read_text(), or adds the shapes of a saved scene, with their
  * labels as tails, and their solids. */
-int scene_read(struct scene *scene, const char *file, int ends,
-               enum swc_form form);
+int scene_read(struct scene *scene);
 
 /* Builds the scene by this number of threads, 0: one for each processor, unless
  * that was done, and sets its solids. */
@@ -54,5 +94,33 @@ int scene_build(struct scene *scene, int threads);
 int scene_save(struct scene *scene, const char *file);
 
 void scene_free(struct scene *scene);
+
+/* --------------------------------------------------------------- text -- */
+
+enum { RECORD_MOST = 512 }; /* bytes of a record without its solids and label */
+
+/* Writes the numbers of a shape, in the grammar's order; that of an acone is its
+ * tangent, not its angle.  Returns the enum shape_kind that made the shape: a round
+ * cone can be a ball. */
+int numbers_of_shape(const cylint_shape *shape, double number[13]);
+
+/* A record to write. */
+struct shape_record {
+    const cylint_shape *shape;
+    const struct solids *solids;
+    const cylint_member *member; /* those of this shape */
+    size_t members;
+    struct string label;
+};
+
+/* Appends the record and a line feed.  The text has space for LINE_MOST bytes and
+ * RECORD_MOST.  Returns NULL, or why text cannot hold the record; then the text is
+ * as before.  digits: as of cylint_write_number(). */
+const char *put_record(struct text *t, const struct shape_record *record,
+                       int digits);
+
+/* Writes all shapes of a scene that was read, with solids and labels.  Returns 0,
+ * or an exit status after a message. */
+int scene_write_text(struct scene *scene, int digits, struct output *out);
 
 #endif

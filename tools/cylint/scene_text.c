@@ -5,10 +5,8 @@
 #include <stdlib.h>
 
 #include "../../src/shapes/layout.h"
-#include "main.h"
 #include "numbers.h"
-#include "report.h"
-#include "scene_text.h"
+#include "scene.h"
 
 /* ------------------------------------------------------------- numbers -- */
 
@@ -196,7 +194,7 @@ static int compare_members(const void *a, const void *b)
                                   : abs(m->clause) - abs(n->clause);
 }
 
-static int put_records(const struct scene *scene, const char *file, int digits,
+static int put_records(const struct scene *scene, int digits,
                        struct output *out, struct text *t)
 {
     const struct solids *s = &scene->solids;
@@ -212,7 +210,7 @@ static int put_records(const struct scene *scene, const char *file, int digits,
             r.members++;
         const char *fault = put_record(t, &r, digits);
         if (fault)
-            return complain(EXIT_BAD, file, "shape %llu: %s",
+            return complain(EXIT_BAD, scene->file, "shape %llu: %s",
                             (unsigned long long)i + 1, fault);
         if (t->length >= TEXT_FULL || i + 1 == scene->count) {
             status = output_write(out, t->data, t->length);
@@ -222,17 +220,15 @@ static int put_records(const struct scene *scene, const char *file, int digits,
     return status;
 }
 
-int scene_write_text(struct scene *scene, const char *file, int digits,
-                     struct output *out)
+int scene_write_text(struct scene *scene, int digits, struct output *out)
 {
     struct solids *s = &scene->solids;
     struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
     if (!t.data)
         return out_of_memory();
-    solids_complete(s);
     if (s->count > 0)
         qsort(s->member, s->count, sizeof *s->member, compare_members);
-    const int status = put_records(scene, file, digits, out, &t);
+    const int status = put_records(scene, digits, out, &t);
     free(t.data);
     return status;
 }

@@ -1,13 +1,10 @@
 /*
  * solids.c - the solids of a scene that are made of shapes: in=NAME, out=NAME
  */
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "main.h"
 #include "scene.h"
-#include "solids.h"
 
 enum { NAME_SHOWN = 32 };
 
@@ -69,70 +66,50 @@ int solids_read(struct solids *s, size_t shape, struct string words,
     return status;
 }
 
-void solids_complete(struct solids *s)
-{
-    for (size_t i = 0; i < s->count; i++)
-        if (s->member[i].clause == 0)
-            s->member[i].clause = -++s->last_clause;
-}
+/* ------------------------------------------------------ equal numbers -- */
 
-/* ------------------------------------------------------- equal numbers -- */
-
-/* Writes the number that the library gives to each solid.  Shapes ascend. */
+/* Writes the number that the library gives to each solid, from 1: that of its
+ * first shape.  Shapes ascend. */
 static void number_solids(const struct solids *s, size_t *number)
 {
-    for (size_t i = 0; i < s->names.texts.count; i++)
-        number[i] = SIZE_MAX;
     for (int is_complement = 0; is_complement < 2; is_complement++)
         for (size_t i = 0; i < s->count; i++) {
             const cylint_member *m = &s->member[i];
-            if (number[m->solid] == SIZE_MAX &&
-                (m->clause < 0) == is_complement)
-                number[m->solid] = m->shape;
+            if (number[m->solid] == 0 && (m->clause < 0) == is_complement)
+                number[m->solid] = m->shape + 1;
         }
 }
 
-/* Names two solids that have the same number.  solid_at: of each number, the
- * solid from 1. */
-static int complain_of_numbers(const struct solids *s, const size_t *number,
-                               size_t *solid_at)
+static int refuse_number(const struct solids *s, const char *file, size_t solid,
+                         size_t other, size_t number)
 {
     char a[SHOWN_CAPACITY], b[SHOWN_CAPACITY];
-    for (size_t i = 0; i < s->names.texts.count; i++) {
-        const size_t other = solid_at[number[i]];
-        if (other > 0)
-            return complain(
-                EXIT_BAD, s->file,
-                "the solids '%s' and '%s' have the same first shape, "
-                "number %llu; write that shape twice, once for each solid",
-                escape(a, names_get(&s->names, other - 1), NAME_SHOWN),
-                escape(b, names_get(&s->names, i), NAME_SHOWN),
-                (unsigned long long)number[i] + 1);
-        solid_at[number[i]] = i + 1;
+    return complain(EXIT_BAD, file,
+                    "the solids '%s' and '%s' have the same first shape, "
+                    "number %llu; write that shape twice, once for each solid",
+                    escape(a, names_get(&s->names, solid), NAME_SHOWN),
+                    escape(b, names_get(&s->names, other), NAME_SHOWN),
+                    (unsigned long long)number);
+}
+
+int solids_complete(struct solids *s, size_t shapes, const char *file)
+{
+    const size_t solids = s->names.texts.count;
+    int status = 0;
+    for (size_t i = 0; i < s->count; i++)
+        if (s->member[i].clause == 0)
+            s->member[i].clause = -++s->last_clause;
+    size_t *number = calloc(solids + shapes + 1, sizeof *number);
+    if (!number)
+        return out_of_memory();
+    size_t *solid_of = number + solids; /* of each number, from 1 */
+    number_solids(s, number);
+    for (size_t i = 0; i < solids && status == 0; i++) {
+        size_t *other = &solid_of[number[i]];
+        if (*other > 0)
+            status = refuse_number(s, file, *other - 1, i, number[i]);
+        *other = i + 1;
     }
-    return EXIT_BAD;
-}
-
-static int refuse_numbers(const struct solids *s, size_t shapes)
-{
-    size_t *number = malloc((s->names.texts.count + 1) * sizeof *number);
-    size_t *solid_at = calloc(shapes + 1, sizeof *solid_at);
-    if (number && solid_at)
-        number_solids(s, number);
-    const int status = number && solid_at
-                           ? complain_of_numbers(s, number, solid_at)
-                           : out_of_memory();
     free(number);
-    free(solid_at);
     return status;
-}
-
-int solids_give(struct solids *s, cylint_scene *scene)
-{
-    solids_complete(s);
-    const cylint_scene_status status =
-        cylint_scene_set_solids(scene, s->member, s->count);
-    return status == CYLINT_SCENE_ESOLID
-               ? refuse_numbers(s, cylint_scene_size(scene))
-               : scene_failed(status, s->file, EXIT_BAD);
 }

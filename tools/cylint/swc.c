@@ -16,10 +16,8 @@
 #include <string.h>
 
 #include "input.h"
-#include "main.h"
 #include "numbers.h"
 #include "scene.h"
-#include "swc.h"
 
 #define NUMBER_MOST 999999999999999999u /* of a node: 18 digits */
 
@@ -38,10 +36,7 @@ struct swc_node {
 /* The nodes of a file, which become shapes of a scene. */
 struct swc {
     struct scene *scene;
-    enum swc_form form;
-    int ends;               /* NOT_GIVEN: capped */
-    const char *name;       /* of the file */
-    struct swc_node *nodes; /* in its order */
+    struct swc_node *nodes; /* in the order of the file */
     size_t count, capacity;
     size_t *places; /* a hash table of indices into nodes[], from 1 */
     int bits;       /* it has 2^bits entries */
@@ -209,7 +204,7 @@ static int refuse_cycle(const struct swc *swc, size_t index)
              node->up == index ? "node %llu is its own parent"
                                : "the parents of node %llu lead back to it",
              (unsigned long long)node->number);
-    return complain_at(swc->name, node->line, node->column, text);
+    return complain_at(swc->scene->file, node->line, node->column, text);
 }
 
 /* The node of the cycle through `start` that stands first in the file. */
@@ -277,7 +272,7 @@ static int is_ball(struct swc *swc, const struct swc_node *root)
 static int is_solid(struct swc *swc, const struct swc_node *node,
                     const struct swc_node *parent)
 {
-    if (swc->form == SWC_CONES && same_place(node->ball, parent->ball)) {
+    if (swc->scene->form == SWC_CONES && same_place(node->ball, parent->ball)) {
         swc->without_length++;
         return 0;
     }
@@ -296,16 +291,16 @@ static int add_shape(const struct swc *swc, const struct swc_node *node,
     struct text label = {digits, 0};
     struct record record;
     double number[8];
-    const int kind = !parent                  ? SHAPE_SPHERE
-                     : swc->form == SWC_ROUND ? SHAPE_RCONE
-                                              : SHAPE_CONE;
+    const int kind = !parent                         ? SHAPE_SPHERE
+                     : swc->scene->form == SWC_ROUND ? SHAPE_RCONE
+                                                     : SHAPE_CONE;
     memcpy(number, node->ball, sizeof node->ball);
     if (parent)
         memcpy(number + 4, parent->ball, sizeof parent->ball);
     const cylint_status status =
-        shape_of_numbers(kind, swc->ends, number, &record.shape);
+        shape_of_numbers(kind, swc->scene->ends, number, &record.shape);
     if (status != CYLINT_OK)
-        return complain_at(swc->name, node->line, 1,
+        return complain_at(swc->scene->file, node->line, 1,
                            cylint_strerror((int)status));
     put_whole(&label, node->number);
     record.tail = between(digits, digits + label.length);
@@ -316,8 +311,9 @@ static int convert_node(struct swc *swc, const struct swc_node *node)
 {
     const struct swc_node *parent =
         node->up > 0 ? &swc->nodes[node->up - 1] : NULL;
-    const int is_shape = parent ? is_solid(swc, node, parent)
-                                : swc->form == SWC_ROUND && is_ball(swc, node);
+    const int is_shape =
+        parent ? is_solid(swc, node, parent)
+               : swc->scene->form == SWC_ROUND && is_ball(swc, node);
     return is_shape ? add_shape(swc, node, parent) : 0;
 }
 
@@ -325,29 +321,30 @@ static int convert_node(struct swc *swc, const struct swc_node *node)
 static int add_shapes(struct swc *swc)
 {
     if (swc->count == 0)
-        return complain(EXIT_BAD, swc->name, "no node was found");
+        return complain(EXIT_BAD, swc->scene->file, "no node was found");
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc);
     for (size_t i = 0; i < swc->count && status == 0; i++)
         status = convert_node(swc, &swc->nodes[i]);
     if (status != 0)
         return status;
-    print_count(swc->name, missing, "node",
+    print_count(swc->scene->file, missing, "node",
                 missing == 1
                     ? "with a parent that is not in the file taken as a root"
                     : "with a parent that is not in the file taken as roots");
-    print_count(swc->name, swc->without_length, "edge", "of no length skipped");
-    print_count(swc->name, swc->without_radius, "edge", "of no radius skipped");
-    print_count(swc->name, swc->roots_without_radius, "root",
+    print_count(swc->scene->file, swc->without_length, "edge",
+                "of no length skipped");
+    print_count(swc->scene->file, swc->without_radius, "edge",
+                "of no radius skipped");
+    print_count(swc->scene->file, swc->roots_without_radius, "root",
                 "of no radius skipped");
     return 0;
 }
 
-int swc_read(struct scene *scene, const char *file, int ends,
-             enum swc_form form)
+int swc_read(struct scene *scene)
 {
-    struct swc swc = {.scene = scene, .form = form, .ends = ends, .name = file};
-    int status = read_lines(file, 1, read_line, &swc);
+    struct swc swc = {.scene = scene};
+    int status = read_lines(scene->file, 1, read_line, &swc);
     if (status == 0)
         status = add_shapes(&swc);
     free(swc.nodes);

@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include "answer.h"
-#include "main.h"
 
 /* ---------------------------------------------------------------- order -- */
 

@@ -1,7 +1,12 @@
 /*
  * atoms.c - colours of atoms and bonds by their labels
+ *
+ *   ATOM = chain:residue:name:atom[:element]     BOND = ATOM--ATOM
+ *
+ * Without an element it is the first letter of the atom's name; digits and quotes
+ * before it do not count.
  */
-#include "atoms.h"
+#include "colours.h"
 
 enum { FIELDS = 5, BOND = 0xb4b4b4, OTHER_ELEMENT = 0xff1493 };
 

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "boxes.h"
-#include "report.h"
 #include "scene.h"
 
 static const struct box NOWHERE = {{{HUGE_VAL, HUGE_VAL, HUGE_VAL}},

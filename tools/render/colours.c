@@ -6,11 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "atoms.h"
 #include "colours.h"
-#include "connected.h"
-#include "main.h"
-#include "report.h"
 #include "sampling.h"
 #include "../../src/shapes/layout.h"
 

@@ -40,4 +40,20 @@ int read_colour(struct string s, uint32_t *colour);
 struct vector light_of_colour(uint32_t colour);
 unsigned char byte_of_light(double light);
 
+/* -------------------------------------------------------- atoms, groups -- */
+
+/* Writes the colour of the element, 0xrrggbb; that of a bond is grey.  Returns 0 if
+ * the text is no label of an atom or bond. */
+int colour_of_element(struct string label, uint32_t *colour);
+
+/* Writes the number of the chain of an atom or a bond's first atom: A is 0, B is 1.
+ * Returns 0 likewise. */
+int number_of_chain(struct string label, size_t *number);
+
+/* Cylinders and cones are connected if ends of their axes are equal, to the last
+ * bit, or if other shapes connect them; every other shape is a group of its own.
+ * Groups are numbered from 0 in the order of their first shapes.  Returns 0 or an
+ * exit status. */
+int connected_groups(const struct scene *scene, uint32_t *group);
+
 #endif

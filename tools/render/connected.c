@@ -7,11 +7,7 @@
  */
 #include <stdlib.h>
 
-#include "connected.h"
-#include "names.h"
-#include "report.h"
-#include "scene.h"
-#include "vector.h"
+#include "colours.h"
 #include "../../src/shapes/layout.h"
 
 /* The root of i's tree; shortens the path to it. */

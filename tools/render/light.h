@@ -1,5 +1,5 @@
 /*
- * light.h - the colour along a line
+ * light.h - the colour along a line, and a picture of such lines
  */
 #ifndef CYLINT_LIGHT_H
 #define CYLINT_LIGHT_H
@@ -9,6 +9,7 @@
 
 #include "cylint.h"
 #include "cylint_scene.h"
+#include "picture.h"
 #include "pieces.h"
 #include "vector.h"
 
@@ -49,5 +50,15 @@ struct sample {
 /* Sample i of the pixel whose hash is `seed`. */
 struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
                            uint32_t i, uint32_t seed);
+
+/* The background, from the picture's upper edge to its lower one. */
+struct backdrop {
+    int transparent;
+    struct vector top, bottom;
+};
+
+/* Fills the picture, on several threads.  Returns 0 or an exit status. */
+int trace(const struct drawing *drawing, const struct stage *stage,
+          const struct backdrop *backdrop);
 
 #endif

@@ -7,10 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "main.h"
+#include "report.h"
 #include "options.h"
 #include "progress.h"
-#include "report.h"
 
 const char *const program = "cylint-render";
 
@@ -107,9 +106,8 @@ static int prepare(struct job *job)
 {
     const struct options *o = &job->options;
     struct boxes boxes;
-    job->scene.keeps_labels = 1;
-    int status =
-        scene_read(&job->scene, o->scene, o->ends, (enum swc_form)o->swc);
+    job->scene = (struct scene){o->scene, o->ends, o->swc, .keeps_labels = 1};
+    int status = scene_read(&job->scene);
     if (status != 0)
         return status;
     status = boxes_make(&boxes, &job->scene);

@@ -7,10 +7,8 @@
 #include <strings.h>
 
 #include "arguments.h"
-#include "main.h"
 #include "options.h"
-#include "report.h"
-#include "swc.h"
+#include "scene.h"
 
 enum { MOST_PIXELS = 1 << 16 /* of a side */ };
 

@@ -8,7 +8,6 @@
 
 #include "colours.h"
 #include "light.h"
-#include "trace.h"
 #include "view.h"
 #include "xray.h"
 

@@ -8,11 +8,11 @@
 #include <string.h>
 
 #include "colours.h"
-#include "main.h"
-#include "progress.h"
+#include "light.h"
 #include "report.h"
+#include "progress.h"
 #include "sampling.h"
-#include "trace.h"
+#include "view.h"
 
 struct work {
     const struct drawing *drawing;

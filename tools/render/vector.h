@@ -56,14 +56,16 @@ static inline struct vector cross(struct vector a, struct vector b)
                   a.v[0] * b.v[1] - a.v[1] * b.v[0]);
 }
 
+/* dot(a, a) would under- or overflow for some scenes. */
 static inline double length(struct vector a)
 {
-    return sqrt(dot(a, a));
+    return hypot(hypot(a.v[0], a.v[1]), a.v[2]);
 }
 
 static inline struct vector unit(struct vector a)
 {
-    return times(1 / length(a), a);
+    const double size = length(a);
+    return vector(a.v[0] / size, a.v[1] / size, a.v[2] / size);
 }
 
 /* A unit vector perpendicular to the unit vector n: n times (cross product) the

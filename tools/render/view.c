@@ -20,7 +20,8 @@ static const double ABOVE_FLAT = 32 * 0.017453292519943295;
 /* ------------------------------------------------- the default direction -- */
 
 /* Second moments of the middles of shapes, weighted by the lengths of their boxes,
- * along the horizontal directions u and v and the vertical one. */
+ * along the horizontal directions u and v and the vertical one.  The unit is the
+ * size of the scene. */
 struct spread {
     double uu, uv, vv, ww;
 };
@@ -31,9 +32,11 @@ static struct spread spread_of(const struct boxes *boxes, struct vector u,
     struct spread s = {0, 0, 0, 0};
     for (size_t i = 0; i < boxes->count; i++) {
         const struct box *box = &boxes->box[i];
-        const double weight = length(minus(box->high, box->low));
+        const double size = boxes->size;
+        const double weight = length(minus(box->high, box->low)) / size;
         const struct vector p = minus(box_middle(box), boxes->middle);
-        const double x = dot(p, u), y = dot(p, v), z = dot(p, w);
+        const double x = dot(p, u) / size, y = dot(p, v) / size;
+        const double z = dot(p, w) / size;
         s.uu += weight * x * x;
         s.uv += weight * x * y;
         s.vv += weight * y * y;
@@ -116,7 +119,8 @@ static void stand_back(struct view *view, const struct boxes *boxes)
         view->forward);
 }
 
-/* The eye is at the begin of the scene, and the picture as wide as the scene. */
+/* The picture is as wide as the scene.  The eye is the scene's size before it, so
+ * that rounding puts it behind no shape. */
 static void stand_aside(struct view *view, double aspect,
                         const struct boxes *boxes)
 {
@@ -129,7 +133,7 @@ static void stand_aside(struct view *view, double aspect,
     view->half_width = aspect * view->half_height;
     view->eye = plus(plus(times(0.5 * (right - left), view->right),
                           0.5 * (up - down), view->up),
-                     -back, view->forward);
+                     -(back + boxes->size), view->forward);
 }
 
 int view_of_scene(struct view *view, const struct viewing *camera,

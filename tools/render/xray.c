@@ -7,9 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "main.h"
-#include "progress.h"
 #include "report.h"
+#include "progress.h"
 #include "xray.h"
 
 static const double LN_2 = 0.6931471805599453;

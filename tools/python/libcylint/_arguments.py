@@ -216,6 +216,7 @@ class Lines:
             owned(array) if copy is None else copy
             for array, copy in zip(self.arrays, (*copies, None, None), strict=True)
         )
+        self.progress = None
 
     def core(self) -> _core.Lines:
         return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
@@ -281,6 +282,7 @@ class Points:
     def keep(self) -> None:
         """Lets these points own their array, for members computed later."""
         self.array = owned(self.array)
+        self.progress = None
 
 
 class Balls(Points):

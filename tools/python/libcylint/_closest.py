@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Doubles, Points, Progress, counted, workers
+from ._arguments import Doubles, Points, counted, workers
+from ._described import Described, member
 
 
-class ClosestPoints:
+class ClosestPoints(Described):
     """What `Shapes.closest` returns, for each shape and point.
 
     distance: (...), from the point to the surface, as `Shapes.distance`.
@@ -29,58 +29,32 @@ class ClosestPoints:
 
     distance: Doubles
 
-    def __init__(
-        self, kinds: NDArray[np.int32] | None, index: NDArray[np.int64] | None,
-        points: Points, distance: Doubles, threads: int | None,
-    ) -> None:
-        """kinds: of shapes.  index: the shapes' numbers, -1 for none; None: the
-        shapes broadcast with the points.  They and points must not change."""
-        self._source = (kinds, index, points.array, threads)
+    _columns = ("distance", "part", "feature", "point", "normal")
+
+    def __init__(self, asked: Points, distance: Doubles, threads: int | None) -> None:
+        super().__init__(asked, threads)
         self.distance = distance
 
-    @property
-    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64] | None]:
-        return self._source[:2]  # type: ignore[return-value]
+    def _axes(self) -> tuple[int, ...]:
+        return self.distance.shape
 
-    def _write(self, progress: Progress | None = None, **wanted: NDArray[Any]) -> None:
-        """Computes the arrays that are given."""
-        _, _, points, threads = self._source
-        kinds, index = self._shapes
-        names = ("distance", "part", "feature", "point", "normal")
-        columns = [wanted.get(name) for name in names]
-        _core.closest(kinds, index, points, None, columns, workers(threads), progress)
+    def _write(self, columns: list[NDArray[Any] | None]) -> None:
+        shapes, index = self._shapes
+        points, threads = self._asked.array, workers(self._threads)
+        _core.closest(shapes.kind, index, points, None, columns, threads, None)
 
-    @cached_property
-    def _where(self) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
-        shape = self.distance.shape
-        part, feature = np.empty(shape, np.int8), np.empty(shape, np.int8)
-        self._write(part=part, feature=feature)
-        feature[part < 0] = -1
-        return part, feature
-
-    @property
-    def part(self) -> NDArray[np.int8]:
-        """(...) int8, a value of `Part`; -1 for none."""
-        return self._where[0]
-
-    @property
-    def feature(self) -> NDArray[np.int8]:
-        """(...) int8, a value of `Feature`; -1 for none."""
-        return self._where[1]
-
-    @cached_property
-    def point(self) -> Doubles:
-        """(..., 3): the closest points of the surfaces; nan for none."""
-        point = np.empty((*self.distance.shape, 3))
-        self._write(point=point)
-        return point
-
-    @cached_property
-    def normal(self) -> Doubles:
-        """(..., 3): the outward unit normals there; nan for none."""
-        normal = np.empty((*self.distance.shape, 3))
-        self._write(normal=normal)
-        return normal
+    part: NDArray[np.int8] = member(
+        "part", "(...) int8, a value of `Part`; -1 for none.", kind=np.int8
+    )
+    feature: NDArray[np.int8] = member(
+        "feature", "(...) int8, a value of `Feature`; -1 for none.", kind=np.int8
+    )
+    point: Doubles = member(
+        "point", "(..., 3): the closest points of the surfaces; nan for none.", 3
+    )
+    normal: Doubles = member(
+        "normal", "(..., 3): the outward unit normals there; nan for none.", 3
+    )
 
     def __repr__(self) -> str:
         found = np.count_nonzero(np.isfinite(self.distance))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -10,63 +9,39 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import Doubles, Lines, broadcast, counted, new_copy, takes, workers
+from ._described import Described, member
 from ._shapes import Shapes
 
-_MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
-_POINTS = ("point", "normal", "outside", "inside")
 
-
-def _member(name: str, text: str) -> Any:
-    """A member that is computed when it is first used."""
-
-    def compute(hits: DescribedHits) -> NDArray[Any]:
-        return hits._describe(name)
-
-    compute.__doc__ = text
-    return cached_property(compute)
-
-
-class DescribedHits:
+class DescribedHits(Described):
     """Hits with their shapes and lines.  A member has the axes of t; points and
-    vectors have one axis more, of length 3.  Members are computed when they are
-    first used."""
+    vectors have one axis more, of length 3."""
 
     t: Doubles
 
-    def __init__(
-        self, kinds: NDArray[np.int32] | None, index: NDArray[np.int64] | None,
-        lines: Lines, threads: int | None,
-    ) -> None:
-        """kinds: of shapes.  index: the shapes' numbers, of the nearest hits; None:
-        two hits of each shape; they broadcast with the lines.  The arrays must not
-        change."""
-        self._source = (kinds, index, lines, threads)
+    _columns = ("point", "normal", "z", "phi", "side", "outside", "inside")
 
-    @property
-    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64] | None]:
-        return self._source[:2]  # type: ignore[return-value]
+    def _axes(self) -> tuple[int, ...]:
+        return self.t.shape
 
-    def _describe(self, member: str) -> NDArray[Any]:
-        _, _, lines, threads = self._source
-        kinds, index = self._shapes
-        axes = (*self.t.shape, 3) if member in _POINTS else self.t.shape
-        column = np.empty(axes, np.int8 if member == "side" else np.float64)
-        columns = [column if name == member else None for name in _MEMBERS]
-        _core.describe(kinds, index, lines.core(), columns, workers(threads), None)
-        return column
+    def _write(self, columns: list[NDArray[Any] | None]) -> None:
+        """Of shapes that are numbered the nearest hits, else two of each."""
+        shapes, index = self._shapes
+        lines, threads = self._asked.core(), workers(self._threads)
+        _core.describe(shapes.kind, index, lines, columns, threads, None)
 
-    point: Doubles = _member("point", "(..., 3): the points o + t d; nan for none.")
-    normal: Doubles = _member(
-        "normal", "(..., 3): the outward unit normals; nan for none."
+    point: Doubles = member("point", "(..., 3): the points o + t d; nan for none.", 3)
+    normal: Doubles = member(
+        "normal", "(..., 3): the outward unit normals; nan for none.", 3
     )
-    z: Doubles = _member("z", "(...): axial coordinates, 0 at the base, 1 at the top.")
-    phi: Doubles = _member(
+    z: Doubles = member("z", "(...): axial coordinates, 0 at the base, 1 at the top.")
+    phi: Doubles = member(
         "phi", "(...): angles about the axis divided by 2 pi, in [0, 1)."
     )
-    side: NDArray[np.int8] = _member(
-        "side", "(...) int8, a value of `Side`; -1 for none."
+    side: NDArray[np.int8] = member(
+        "side", "(...) int8, a value of `Side`; -1 for none.", kind=np.int8
     )
-    outside: Doubles = _member(
+    outside: Doubles = member(
         "outside",
         """(..., 3): points next to `point` that are outside the shape.
 
@@ -84,14 +59,16 @@ class DescribedHits:
         >>> int(cylint.intersect(ball, hit.outside[:, 0], d).n.sum())
         0
         """,
+        3,
     )
-    inside: Doubles = _member(
+    inside: Doubles = member(
         "inside",
         """(..., 3): points next to `point` that are inside the shape.
 
         A ray that starts there hits the surface of a bounded convex shape once.
         nan for none, and where the shape is thinner than the steps of float64.
         """,
+        3,
     )
 
 
@@ -114,13 +91,14 @@ class Hits(DescribedHits):
     part: NDArray[np.int8]
 
     def __init__(
-        self, kinds: NDArray[np.int32], lines: Lines, shape: tuple[int, ...]
+        self, shapes: Shapes, lines: Lines, shape: tuple[int, ...]
     ) -> None:
         self.relation = np.empty(shape, np.int8)
         self.n = np.empty(shape, np.int8)
         self.t = np.empty((*shape, 2))
         self.part = np.empty((*shape, 2), np.int8)
-        super().__init__(kinds, None, lines, lines.threads)
+        self._shapes = shapes, None
+        super().__init__(lines, lines.threads)
 
     def __repr__(self) -> str:
         hits = counted(int(self.n.sum()), "hit")
@@ -138,7 +116,10 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     to: (..., 3), in place of directions: the lines are segments from origins to
     these points, 0 <= t <= 1, without the rounding of their difference.
 
-    threads: at most so many; None: one per processor.  The answer does not
+    Hits are on surfaces: a ray that begins inside a solid has no hit there.
+    `Scene.pieces` and `Scene.sums` compute how long lines are inside.
+
+    threads: at most this many; None: one per processor.  The answer does not
     depend on it.  progress: called with (done, total) several times a second
     and at the end.  A signal such as Ctrl-C ends the call.
 
@@ -171,7 +152,7 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     kinds, shape = shapes.kind, lines.shape
     if kinds.ndim > 0 and kinds.shape != shape:
         shape = broadcast("shapes lines", kinds, np.broadcast_to(0, shape))
-    hits = Hits(kinds, lines, shape)
+    hits = Hits(shapes, lines, shape)
     o, d, _, _ = lines.arrays
     copies = new_copy(o, shape), new_copy(d, shape)
     if not _core.intersect(

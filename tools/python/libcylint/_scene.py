@@ -18,7 +18,11 @@ from ._arguments import (
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
 from ._hits import DescribedHits
-from ._shapes import Shapes, all_shapes, checked, joined_labels, kinds_at
+from ._shapes import Shapes, all_shapes, checked, joined_labels, shapes_at
+
+
+def _shapes_of(answers: Any) -> tuple[Shapes, NDArray[np.int64]]:
+    return shapes_at(*answers._scene)
 
 
 class NearestHits(DescribedHits):
@@ -40,12 +44,10 @@ class NearestHits(DescribedHits):
         self, scene: _core.Scene, lines: SceneLines, columns: Any, threads: int | None
     ) -> None:
         self.index, self.t, self.part = columns
-        self._scene = scene
-        super().__init__(None, self.index.copy(), lines, threads)
+        self._scene = scene, self.index.copy(), False
+        super().__init__(lines, threads)
 
-    @cached_property
-    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        return kinds_at(self._scene, self._source[1], False)
+    _shapes = cached_property(_shapes_of)
 
     def __repr__(self) -> str:
         hits = counted(np.count_nonzero(self.index >= 0), "hit")
@@ -69,13 +71,10 @@ class ClosestShapes(ClosestPoints):
         self, scene: _core.Scene, around: Balls, columns: Any, threads: int | None
     ) -> None:
         self.index, distance = columns
-        super().__init__(None, self.index.copy(), around, distance, threads)
-        self._scene = scene
-        self._signed = around.signed
+        self._scene = scene, self.index.copy(), around.signed
+        super().__init__(around, distance, threads)
 
-    @cached_property
-    def _shapes(self) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        return kinds_at(self._scene, self._source[1], self._signed)
+    _shapes = cached_property(_shapes_of)
 
 
 class AllHits(NamedTuple):
@@ -317,8 +316,8 @@ class Scene:
         >>> int(first.index), int(second.index), float(second.t)
         (0, 1, 8.0)
         """
-        lines.keep()
         columns = self._ask(_core.Scene.nearest, lines, "itb")
+        lines.keep()
         chosen = self._choose(lines.threads)
         return NearestHits(self._scene, lines, columns, chosen)
 
@@ -415,7 +414,8 @@ class Scene:
         mode: "owner": each place belongs to the solid of least rank, of equal ranks
         to the lowest number; "union": maximal intervals inside any solid; "cells":
         divided wherever a solid begins or ends; "chords": of each solid, not merged.
-        rank: (len(scene),) integers.  first: so many pieces of each line.
+        rank: (len(scene),) integers.  first: at most this many pieces of each line,
+        the first ones.
 
         >>> balls = cylint.sphere([[0, 0, 0], [1, 0, 0], [9, 0, 0]], 1)
         >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
@@ -542,8 +542,8 @@ class Scene:
         >>> chain.closest([2.25, 0, 0.75], signed=True).distance
         array(-0.25)
         """
-        around.keep()
         columns = self._ask(_core.Scene.closest, around, "it", _signed(around))
+        around.keep()
         chosen = self._choose(around.threads)
         return ClosestShapes(self._scene, around, columns, chosen)
 

@@ -69,15 +69,15 @@ def all_shapes(scene: _core.Scene, labels: NDArray[np.object_] | None) -> Shapes
     return Shapes(records, labels)
 
 
-def kinds_at(
-    scene: _core.Scene, index: Any, closed: bool
-) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-    """The kinds of the shapes of a scene with these numbers, each once, and an index
-    into them for each number; -1 stays.  closed: as closed solids."""
-    numbers, places = np.unique(index, return_inverse=True)
-    kinds = kinds_of(np.empty(len(numbers), _record))
-    scene.take(numbers, kinds, closed)
-    return kinds, np.where(index < 0, -1, places.reshape(index.shape))
+def shapes_at(
+    scene: _core.Scene, index: NDArray[np.int64], closed: bool
+) -> tuple[Shapes, NDArray[np.int64]]:
+    """The shapes of a scene with these numbers, each once, and an index into them for
+    each number; -1 stays.  closed: as closed solids."""
+    numbers = np.unique(index[index >= 0])
+    records = np.empty(len(numbers), _record)
+    scene.take(numbers, kinds_of(records), closed)
+    return Shapes(records), np.where(index < 0, -1, np.searchsorted(numbers, index))
 
 
 class Shapes:
@@ -338,9 +338,11 @@ class Shapes:
         >>> cylint.Feature(near.feature), cylint.Part(near.part)
         (<Feature.RIM0: 3>, <Part.LATERAL: 0>)
         """
-        points.keep()
         distance = self._ask(_core.closest, points, np.float64, 0)
-        return ClosestPoints(self.kind, None, points, distance, points.threads)
+        points.keep()
+        answers = ClosestPoints(points, distance, points.threads)
+        answers._shapes = self, None
+        return answers
 
     @takes(Points)
     def safety(self, points: Points) -> Doubles:

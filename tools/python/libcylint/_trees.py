@@ -45,11 +45,10 @@ def read_qsm(
     lines = contents(name).decode("utf-8-sig", "surrogateescape").splitlines()
     if treeqsm:
         names, separator = _TREEQSM.split(), None
-        if lines and re.match(r'\s*"?radius', lines[0], re.IGNORECASE):
-            del lines[0]
+        has_header = bool(lines and re.match(r'\s*"?radius', lines[0], re.IGNORECASE))
     elif lines:
         separator = next((s for s in ";\t" if s in lines[0]), ",")
-        names = [_plain(field) for field in lines.pop(0).split(separator)]
+        names, has_header = [_plain(field) for field in lines[0].split(separator)], True
     else:
         raise ValueError(f"{name}: expected a header line, found the end of the file")
     ended = "endx" in names
@@ -59,23 +58,41 @@ def read_qsm(
         if column not in names:
             raise ValueError(f"{name}:1: the header names no column {column!r}")
 
-    def read(columns: list[str], kind: Any) -> Any:
-        with warnings.catch_warnings():  # of tables without rows, and of comments
+    rows = [
+        (number, line) for number, line in enumerate(lines, 1)
+        if number > has_header and line.partition("#")[0].strip()
+    ]
+
+    def load(some: list[tuple[int, str]], columns: list[str], kind: Any) -> Any:
+        with warnings.catch_warnings():  # of tables without rows
             warnings.simplefilter("ignore")
-            try:
-                return np.loadtxt(
-                    lines, kind, delimiter=separator, quotechar='"', ndmin=2,
-                    usecols=[names.index(column) for column in columns],
-                )
-            except ValueError as error:
-                raise ValueError(f"{name}: {error}") from None
+            return np.loadtxt(
+                [line for _, line in some], kind, delimiter=separator, quotechar='"',
+                usecols=[names.index(column) for column in columns], ndmin=2,
+            )
+
+    def read(columns: list[str], kind: Any) -> Any:
+        try:
+            return load(rows, columns, kind)
+        except ValueError:
+            for row in rows:
+                try:
+                    load([row], columns, kind)
+                except ValueError as error:
+                    text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
+                    raise ValueError(f"{name}:{row[0]}: {text}") from None
+            raise
 
     numbers = read(wanted, float)
     r, p0, p1 = numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7]
     if not ended:
         p1 = p0 + numbers[:, 7:] * p1
-    if (r < 0).any():
-        raise ValueError(f"{name}: row {np.argmax(r < 0)}: negative radius")
+    for wrong, text in (
+        (~np.isfinite(numbers).all(axis=1), "a number is not finite"),
+        (r < 0, "the radius is negative"),
+    ):
+        if wrong.any():
+            raise ValueError(f"{name}:{rows[np.argmax(wrong)][0]}: {text}")
     labels = np.arange(1, len(r) + 1).astype(str)
     if "id" in names and len(r) > 0:
         labels = np.char.strip(read(["id"], str)[:, 0])

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <string>
 
 #include "cylint_scene.h"
 #include "elements.h"
@@ -73,6 +74,50 @@ bool each(const Grid &grid, const From &from, int threads,
                                             function);
 }
 
+/* A scene with the memory that it needs. */
+struct Scene {
+    /* expected: the number of shapes, if it is known; else 0 */
+    explicit Scene(size_t expected) : Scene(cylint_scene_begin(expected))
+    {
+    }
+    /* Takes a scene that was begun or opened. */
+    explicit Scene(cylint_scene *begun);
+
+    void add(Input shapes);
+    void finish(int threads, const Callback &progress);
+    static std::unique_ptr<Scene> open(const nb::bytes &path,
+                                       const nb::object &name, bool read,
+                                       bool trusted);
+    static std::unique_ptr<Scene> open_bytes(const nb::bytes &bytes);
+    void save(const nb::bytes &path, const nb::object &name) const;
+    nb::object to_bytes() const;
+    void set_labels(const nb::list &labels);
+    nb::object labels() const;
+    void take(std::optional<Input> numbers, Output shapes, bool closed) const;
+    void set_solids(Input members);
+    nb::list solids() const;
+    size_t size() const
+    {
+        return n;
+    }
+    size_t bytes() const
+    {
+        return cylint_scene_bytes(scene.get());
+    }
+
+    struct Free {
+        void operator()(cylint_scene *p) const
+        {
+            cylint_scene_free(p);
+        }
+    };
+    nb::object memory; /* of the scene, if it was opened there */
+    std::vector<uint64_t> label_ends;
+    std::string label_text;
+    std::unique_ptr<cylint_scene, Free> scene;
+    size_t n;
+};
+
 /* shapes.cc */
 nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
                     Output clauses);
@@ -89,8 +134,9 @@ void describe(Input shapes, std::optional<Input> index, const Lines &lines,
               Outputs columns, int threads, const Callback &progress);
 nb::tuple first_bad_line(const Lines &lines);
 
-/* points.cc, scene.cc, text.cc */
+/* points.cc, queries.cc, scene.cc, text.cc */
 void register_points(nb::module_ &module);
+void register_queries(nb::module_ &module, nb::class_<Scene> &scene);
 void register_scene(nb::module_ &module);
 nb::tuple read_scene(const char *file, int ends, bool round);
 nb::bytes write_scene(Input shapes, size_t first,

@@ -89,7 +89,8 @@ class Block
     {
         cylint_closest_columns to{};
         to.distance = is_wanted(DISTANCE) ? distance + i : nullptr;
-        to.part = is_wanted(PART) ? small[PART] + i : nullptr;
+        to.part = is_wanted(PART) || is_wanted(FEATURE) ? small[PART] + i
+                                                        : nullptr;
         to.feature = is_wanted(FEATURE) ? small[FEATURE] + i : nullptr;
         for (int axis = 0; axis < 3; axis++) {
             to.point[axis] = is_wanted(POINT) ? vector[0][axis] + i : nullptr;
@@ -98,8 +99,12 @@ class Block
         return to;
     }
 
-    void write() const
+    /* Where there is no part, there is no feature. */
+    void write()
     {
+        for (size_t i = 0; i < part->size && is_wanted(FEATURE); i++)
+            if (small[PART][i] < 0)
+                small[FEATURE][i] = -1;
         part->write(distance, COLUMNS + DISTANCE);
         part->write(small[PART], COLUMNS + PART);
         part->write(small[FEATURE], COLUMNS + FEATURE);
@@ -136,7 +141,9 @@ void ask(Input shapes, std::optional<Input> index, Input points,
         grid.add(columns[k], k >= POINT);
     grid.finish(false);
     each_block<Block>(grid, threads, progress, query, points,
-                      index ? as_shape(shapes.data()) : nullptr);
+                      !index               ? nullptr
+                      : shapes.size() == 0 ? &none
+                                           : as_shape(shapes.data()));
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include <array>
 #include <new>
 
-#include "scene.h"
+#include "calls.h"
 
 extern "C" {
 #include "pieces.h"

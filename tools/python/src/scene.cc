@@ -1,7 +1,7 @@
 /*
  * scene.cc - builds, opens and saves scenes
  */
-#include "scene.h"
+#include "calls.h"
 
 #include <cerrno>
 #include <exception>
@@ -190,9 +190,8 @@ nb::object Scene::labels() const
     return all ? label_texts(all->end, all->text, n) : nb::none();
 }
 
-/* Writes the shapes with these numbers (int64, contiguous), -1 for a shape
- * that nothing hits, or all shapes if numbers is None.  closed: as closed
- * solids. */
+/* Writes the shapes with these numbers (int64, contiguous), or all shapes if
+ * numbers is None.  closed: as closed solids. */
 void Scene::take(std::optional<Input> numbers, Output shapes, bool closed) const
 {
     auto *const shape = static_cast<cylint_shape *>(shapes.data());
@@ -200,11 +199,8 @@ void Scene::take(std::optional<Input> numbers, Output shapes, bool closed) const
         numbers ? static_cast<const int64_t *>(numbers->data()) : nullptr;
     nb::gil_scoped_release released;
     for (size_t i = 0; i < shapes.shape(0); i++) {
-        const int64_t at = number ? number[i] : static_cast<int64_t>(i);
-        if (at < 0)
-            shape[i] = cylint_shape{};
-        else
-            cylint_scene_shape(scene.get(), static_cast<size_t>(at), &shape[i]);
+        const size_t at = number ? static_cast<size_t>(number[i]) : i;
+        cylint_scene_shape(scene.get(), at, &shape[i]);
         if (closed && shape[i].ends < CYLINT_ENDS_INFINITE)
             shape[i].ends = CYLINT_ENDS_CAPPED;
     }

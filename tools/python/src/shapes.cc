@@ -4,8 +4,7 @@
 #include "calls.h"
 
 extern "C" {
-#include "grammar.h"
-#include "scene_text.h"
+#include "scene.h"
 }
 
 /* The rows of an array of doubles (n, k), contiguous. */

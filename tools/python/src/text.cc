@@ -13,9 +13,8 @@
 #include "calls.h"
 
 extern "C" {
-#include "message.h"
 #include "numbers.h"
-#include "scene_text.h"
+#include "scene.h"
 
 extern const char *const program;
 const char *const program = "cylint";
@@ -61,9 +60,11 @@ nb::tuple read_scene(const char *file, int ends, bool round)
     {
         nb::gil_scoped_release released;
         messages = &said;
+        scene.file = file;
+        scene.ends = ends;
+        scene.form = round ? SWC_ROUND : SWC_CONES;
         scene.keeps_labels = 1;
-        status = scene_read(&scene, file, ends, round ? SWC_ROUND : SWC_CONES);
-        solids_complete(&scene.solids);
+        status = scene_read(&scene);
         messages = nullptr;
     }
     nb::object begun = nb::none(), labels = nb::none();
