@@ -22,18 +22,11 @@
 #include "check.h"
 #include "columns.h"
 #include "cylint_scene.h"
+#include "draw.h"
 #include "environment.h"
-#include "random.h"
 #include "ulps.h"
 
 enum { GROUP = 8, GROUPS = 8, EXTREME_GROUPS = 3 };
-
-static uint64_t stream;
-
-static int whole(int low, int high)
-{
-    return low + random_int(&stream, high - low + 1);
-}
 
 /* ------------------------------------------------------------- a group -- */
 
@@ -129,7 +122,7 @@ static void expect_hit(const cylint_hit *got, int i, size_t j, const char *path,
 
 static unsigned any_want(void)
 {
-    return (unsigned)whole(0, EVERY_WANT);
+    return (unsigned)whole_between(0, EVERY_WANT);
 }
 
 /* The statuses and the hits of each line with each shape; of its own shape with
@@ -200,7 +193,8 @@ static char memory[1 << 14];
 /* The columns of some of the members. */
 static void some_columns(void *p[COLUMNS], cylint_columns *to)
 {
-    const int wanted = whole(0, 3) ? whole(0, ALL_COLUMNS) : ALL_COLUMNS;
+    const int wanted =
+        whole_between(0, 3) ? whole_between(0, ALL_COLUMNS) : ALL_COLUMNS;
     for (int c = 0; c < COLUMNS; c++)
         p[c] = !(wanted >> c & 1)    ? NULL
                : column_size(c) == 1 ? (void *)words[c]
@@ -351,12 +345,13 @@ static void limit_domains(void)
     for (int i = 0; i < GROUP; i++) {
         const cylint_answer *a = &g.all[i][i];
         cylint_line *line = &g.c[i].line;
-        if (a->n == 0 || line->segment || whole(0, 1))
+        if (a->n == 0 || line->segment || whole_between(0, 1))
             continue;
         for (int end = 0; end < 2; end++) {
             const double t = a->hit[end * (a->n - 1)].t;
-            if (fabs(t) < DBL_MAX && whole(0, 2))
-                *(end ? &line->tmax : &line->tmin) = stepped(t, whole(-1, 1));
+            if (fabs(t) < DBL_MAX && whole_between(0, 2))
+                *(end ? &line->tmax : &line->tmin) =
+                    stepped(t, whole_between(-1, 1));
         }
         if (!(line->tmin <= line->tmax)) {
             const double tmin = line->tmax;
@@ -495,7 +490,7 @@ TEST(extreme_exponents_have_the_same_answers)
 
 static double units(int most)
 {
-    return whole(-most, most) * 0x1p-1074;
+    return whole_between(-most, most) * 0x1p-1074;
 }
 
 /* Lines along z and discs that they hit at a few units; lines of a few units, whose
@@ -511,14 +506,15 @@ static void subnormal_case(int discs, struct family_case *c)
         {3, 0, 0, 0x1p-1057, 0, 0, 0, 0x1p-1057, 0, 0, 0, 1, DBL_MAX},
         {3, 0, 0, 0x1p-600, 0, 0, 0, 0x1p-600, 0, 0, 0, 1, 0x1p600},
         {3, 0, 0, 0x1p-500, 0, 0, 0, 0x1p-500, 0, 0, 0, 1, 0x1p500}};
-    const double unit = whole(0, 2) ? 0x1p-1074 : 0x1p-1030;
-    const double disc[7] = {0, 0, units(9), 0, 0, 1, 1 + 0.01 * whole(0, 9)};
+    const double unit = whole_between(0, 2) ? 0x1p-1074 : 0x1p-1030;
+    const double disc[7] = {
+        0, 0, units(9), 0, 0, 1, 1 + 0.01 * whole_between(0, 9)};
     const double across[8] = {3, -5, 0.5, 0, 1, 0, 0, HUGE_VAL};
     double line[8] = {0, 0, 0, 0, 0, 1, -1, 1};
-    const int kind = whole(0, 6);
+    const int kind = whole_between(0, 6);
     for (int i = 0; i < 6 && !discs; i++)
-        line[i] = whole(-5, 5) * unit;
-    if (whole(0, 1)) {
+        line[i] = whole_between(-5, 5) * unit;
+    if (whole_between(0, 1)) {
         line[6] = units(4);
         line[7] = line[6] + units(3);
     }

@@ -111,7 +111,7 @@ static void integer_grid(struct family_case *out)
 {
     double p[3], d[3];
     whole_shape(out);
-    set3(p, whole_between(-6, 6), whole_between(-6, 6), whole_between(-6, 6));
+    whole_point(p, 6);
     whole_vector(d, chance(0.5) ? 1 : 3);
     write_line(out, p, d);
     if (out->line_word == FAMILY_SPAN) {

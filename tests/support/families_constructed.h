@@ -27,12 +27,6 @@ static void along_coordinate(double v[3], int i, double size)
     v[i] = size;
 }
 
-static void whole_components(double v[3])
-{
-    for (int i = 0; i < 3; i++)
-        v[i] = whole_between(-3, 3);
-}
-
 static double triple_product(const exact_frame *f)
 {
     const double *a = f->a, *b = f->b, *h = f->h;
@@ -54,11 +48,11 @@ static void any_exact_frame(exact_frame *f, family_shape word)
     f->r = t[2];
     f->rho0 = 1;
     f->slope = 0;
-    whole_components(f->c);
+    whole_point(f->c, 3);
     do {
-        whole_components(f->a);
-        whole_components(f->b);
-        whole_components(f->h);
+        whole_point(f->a, 3);
+        whole_point(f->b, 3);
+        whole_point(f->h, 3);
     } while (triple_product(f) == 0);
     if (word <= FAMILY_ACONE) {
         along_coordinate(f->a, (i + 1) % 3, 1);

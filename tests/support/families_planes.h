@@ -21,7 +21,7 @@ static void write_plane(struct family_case *out, const double p[3],
 static void simple_plane(struct family_case *out, double p[3], double n[3])
 {
     double along[3], normal[3];
-    set3(p, between(-1, 1), between(-1, 1), between(-1, 1));
+    random_vector(p, 1);
     random_direction(n);
     copy3(normal, n);
     scale3(normal, power(-1, 1));
@@ -63,7 +63,7 @@ static void plane_grazing(struct family_case *out)
 static void plane_whole(struct family_case *out)
 {
     double p[3], n[3], d[3], u[3], along[3];
-    set3(p, whole_between(-6, 6), whole_between(-6, 6), whole_between(-6, 6));
+    whole_point(p, 6);
     whole_vector(n, 3);
     if (chance(0.4)) {
         set3(n, 0, 0, 0);
