@@ -212,7 +212,7 @@ CYLINT_INLINE void nearest_of_lane(const cylint_filter_group *g, int lane,
     }
 }
 
-/* Of lanes that the filter decided and that cross: as fill_columns(). */
+/* fill_columns() for lanes that the filter decided and that cross. */
 static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
                        unsigned lanes)
 {
@@ -472,8 +472,7 @@ static void write_sides(const cylint_shape *shapes, size_t each,
                         const cylint_points *points, signed char *side)
 {
     const size_t n = points->n;
-    CYLINT_OF_BUILD(cylint_build_used(), cylint_sides_plain, cylint_sides_avx2,
-                    cylint_sides_avx512)
+    CYLINT_OF_BUILD(cylint_sides_plain, cylint_sides_avx2, cylint_sides_avx512)
     (shapes, each, points, side);
 #if CYLINT_IS_PARANOID
     for (size_t i = 0; i < n; i++)

@@ -23,81 +23,20 @@ static int runs(int build)
     return build == CYLINT_BUILD_PLAIN;
 }
 
-/* untaken: it depends on the processor */
-static int best(void)
+cylint_build cylint_build_used = CYLINT_BUILD_PLAIN;
+const cylint_one_kernels *cylint_one_used = &cylint_one_plain;
+
+#ifdef CYLINT_BUILDS_X86
+__attribute__((constructor)) static void choose_best(void)
 {
-    int build = CYLINT_BUILDS - 1;
-    while (!runs(build))
-        build--;
-    return build;
+    __builtin_cpu_init(); /* another constructor may run before libgcc's */
+    cylint_use_kernels(NULL);
 }
-
-/* All threads choose the same build. */
-cylint_build cylint_build_chosen = CYLINT_BUILDS;
-
-static int choose_and_answer(const cylint_shape *shape, const cylint_line *line,
-                             unsigned want, cylint_answer *answer,
-                             cylint_question *question)
-{
-    cylint_choose_build();
-    return cylint_filter_one(cylint_one_used(), shape, line, want, answer,
-                             question);
-}
-
-/* Nothing to do: choose_and_answer() runs all stages of the chosen build. */
-static int is_refined(cylint_question *question)
-{
-    (void)question;
-    return CYLINT_UNDECIDED;
-}
-
-static int choose_and_contain(const cylint_shape *shape, const double point[3])
-{
-    cylint_choose_build();
-    return cylint_one_used()->contains[cylint_prepared(shape)](shape, point);
-}
-
-/* untaken never called: an answer comes before its members */
-static unsigned choose_and_describe(const cylint_shape *shape,
-                                    const cylint_line *line, unsigned want,
-                                    const cylint_hit *known, cylint_hit *hit)
-{
-    cylint_choose_build();
-    return cylint_one_used()->describe(shape, line, want, known, hit);
-}
-
-#define ONE(name, solid) [solid] = choose_and_answer,
-#define SIDE(name, solid) [solid] = choose_and_contain,
-static const cylint_one_kernels choosing = {
-    {ONE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(ONE)},
-    is_refined,
-    {SIDE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(SIDE)},
-    choose_and_describe};
-const cylint_one_kernels *cylint_one_chosen = &choosing;
-
-#ifdef __GNUC__
-#define STORE(x, v) __atomic_store_n(&(x), v, __ATOMIC_RELAXED)
-#else
-#define STORE(x, v) ((x) = (v))
 #endif
-
-static cylint_build choose(int build)
-{
-    const cylint_one_kernels *one = CYLINT_OF_BUILD(
-        build, &cylint_one_plain, &cylint_one_fma, &cylint_one_fma);
-    STORE(cylint_one_chosen, one);
-    STORE(cylint_build_chosen, (cylint_build)build);
-    return (cylint_build)build;
-}
-
-cylint_build cylint_choose_build(void)
-{
-    return choose(best());
-}
 
 const char *cylint_kernels_in_use(void)
 {
-    return names[cylint_build_used()];
+    return names[cylint_build_used];
 }
 
 /* untaken: it depends on the processor */
@@ -112,12 +51,13 @@ const char *cylint_kernels_name(int number)
 /* untaken: it depends on the processor */
 int cylint_use_kernels(const char *name)
 {
-    for (int build = CYLINT_BUILDS - 1; build >= 0; build--)
-        if (name ? strcmp(name, names[build]) == 0 : runs(build)) {
-            if (!runs(build))
-                return 0;
-            choose(build);
-            return 1;
-        }
-    return 0;
+    int build = CYLINT_BUILDS - 1;
+    while (build >= 0 &&
+           !(runs(build) && (!name || strcmp(name, names[build]) == 0)))
+        build--;
+    if (build < 0)
+        return 0;
+    cylint_build_used = (cylint_build)build;
+    cylint_one_used = CYLINT_OF_FMA(cylint_one);
+    return 1;
 }

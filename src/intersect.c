@@ -42,7 +42,7 @@ static unsigned describe_in_pairs(const cylint_shape *shape,
     const unsigned left = want & CYLINT_WANT_BESIDE_T;
     /* the root of a touch is double, or the apex */
     return left && known->side != CYLINT_SIDE_BOTH
-               ? cylint_one_used()->describe(shape, line, left, known, hit)
+               ? cylint_one_used->describe(shape, line, left, known, hit)
                : left;
 }
 
@@ -164,7 +164,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
     cylint_answer known;
     cylint_question question;
     question.described = answer;
-    const int n = cylint_filter_one(cylint_one_used(), shape, line,
+    const int n = cylint_filter_one(cylint_one_used, shape, line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
                                     &known, &question);
     if (n == CYLINT_UNDECIDED)
@@ -199,7 +199,7 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_question q;
     const int n =
-        cylint_filter_one(cylint_one_used(), shape, line, want, answer, &q);
+        cylint_filter_one(cylint_one_used, shape, line, want, answer, &q);
     if (n == CYLINT_UNDECIDED)
         return cylint_intersect_by_signs(q.shape, q.line, q.want, q.answer);
     return n;
@@ -264,8 +264,8 @@ int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
     cylint_local_in_doubles(&shape, kind, ends, p0, r0, p1, r1);
     const unsigned solid =
         (unsigned)cylint_prepared(&shape) & -(unsigned)line->in_range;
-    return cylint_one_used()->by_solid[solid](&shape, line, CYLINT_WANT_NEAREST,
-                                              &answer, &question);
+    return cylint_one_used->by_solid[solid](&shape, line, CYLINT_WANT_NEAREST,
+                                            &answer, &question);
 }
 
 /* Without the filter. */
@@ -298,7 +298,7 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
 {
     const int side =
         cylint_largest(point) <= CYLINT_FAR
-            ? cylint_one_used()->contains[cylint_prepared(shape)](shape, point)
+            ? cylint_one_used->contains[cylint_prepared(shape)](shape, point)
             : CYLINT_SIDE_UNDECIDED;
     /* mutant '!' -> '': slower, exact arithmetic decides */
     if (side != CYLINT_SIDE_UNDECIDED && !CYLINT_IS_PARANOID)

@@ -59,8 +59,8 @@ static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 /* The local coordinates by the build for this processor. */
 static void measure_local(cylint_shape *shape)
 {
-    CYLINT_OF_BUILD(cylint_build_used(), cylint_measure_local,
-                    cylint_measure_local_fma, cylint_measure_local_fma)
+    CYLINT_OF_BUILD(cylint_measure_local, cylint_measure_local_fma,
+                    cylint_measure_local_fma)
     (shape);
 }
 

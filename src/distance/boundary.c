@@ -10,8 +10,7 @@
 static int is_on(const cylint_shape *shape, const cylint_line *line,
                  int surface)
 {
-    return CYLINT_OF_BUILD(cylint_build_used(), cylint_sign_at_origin,
-                           cylint_sign_at_origin_fma,
+    return CYLINT_OF_BUILD(cylint_sign_at_origin, cylint_sign_at_origin_fma,
                            cylint_sign_at_origin_fma)(shape, line, surface) ==
            0;
 }

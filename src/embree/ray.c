@@ -14,18 +14,19 @@
 
 /* The layouts that geometry.h states. */
 #define RAY(x, y) (offsetof(cylint_float_ray, x) == offsetof(struct RTCRay, y))
-#define CALL(x, y)                     \
+#define CALL(x, y)                      \
     (offsetof(cylint_embree_call, x) == \
      offsetof(struct RTCOccludedFunctionNArguments, y))
-typedef char same_layouts
-    [RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
-             RAY(tnear, tnear) && RAY(d[0], dir_x) && RAY(d[1], dir_y) &&
-             RAY(d[2], dir_z) && RAY(tfar, tfar) && CALL(valid, valid) &&
-             CALL(geometryUserPtr, geometryUserPtr) && CALL(primID, primID) &&
-             CALL(context, context) && CALL(rayhit, ray) && CALL(N, N) &&
-             CALL(geomID, geomID)
-         ? 1
-         : -1];
+typedef char
+    same_layouts[RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
+                         RAY(tnear, tnear) && RAY(d[0], dir_x) &&
+                         RAY(d[1], dir_y) && RAY(d[2], dir_z) &&
+                         RAY(tfar, tfar) && CALL(valid, valid) &&
+                         CALL(geometryUserPtr, geometryUserPtr) &&
+                         CALL(primID, primID) && CALL(context, context) &&
+                         CALL(rayhit, ray) && CALL(N, N) && CALL(geomID, geomID)
+                     ? 1
+                     : -1];
 #undef RAY
 #undef CALL
 
@@ -237,7 +238,7 @@ static void write_ids(const ray_test *r)
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
 }
 
-/* Of Embree 4, see CYLINT_EMBREE_CONTEXT_FILTER. */
+/* A context of Embree 4 with CYLINT_EMBREE_CONTEXT_FILTER. */
 struct context_with_filter {
     cylint_rtc_context context;
     RTCFilterFunctionN filter;
@@ -462,8 +463,8 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
         cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
         int n = 0;
         EACH_BIT(k, rays) {
-            if (p->lanes[k] && take_nearest_lane(&p->test[k], leaf,
-                                                 &p->lanes[k], p->least[k]))
+            if (p->lanes[k] &&
+                take_nearest_lane(&p->test[k], leaf, &p->lanes[k], p->least[k]))
                 asked[n++] = &p->test[k].q;
             else
                 rays &= ~(1u << k);

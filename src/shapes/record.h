@@ -30,7 +30,7 @@ static inline int cylint_record_is_point(const cylint_record *x)
     return x->p0[0] == x->p1[0] && x->p0[1] == x->p1[1] && x->p0[2] == x->p1[2];
 }
 
-/* Of an elliptic shape. */
+/* The semi-axes of an elliptic shape. */
 typedef struct cylint_semi_axes {
     double a[3], b[3];
 } cylint_semi_axes;

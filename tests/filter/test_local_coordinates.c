@@ -237,7 +237,7 @@ static int compare(const cylint_shape *s, const cylint_line *l,
     cylint_intersect_by_signs(s, l, all, &exact[0]);
     cylint_intersect_by_signs(s, l, all | CYLINT_WANT_NEAREST, &exact[1]);
     return compare_build(&cylint_one_plain, s, l, exact) +
-           compare_build(cylint_one_used(), s, l, exact);
+           compare_build(cylint_one_used, s, l, exact);
 }
 
 /* x moved by up to two ulps. */

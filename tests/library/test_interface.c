@@ -13,24 +13,12 @@
 static const double origin[3] = {0, 0, 0}, axis_x[3] = {1, 0, 0};
 static const double axis_z[3] = {0, 0, 1};
 
-/* Before the first call no build is chosen. */
-TEST(any_function_can_be_the_first_call)
+TEST(a_program_begins_with_the_best_kernels)
 {
-    const cylint_one_kernels *const at_the_start = cylint_one_chosen;
-    static const double inside[3] = {0.5, 0, 1}, outside[3] = {2, 0, 1};
-    cylint_shape s;
-    cylint_line line;
-    cylint_answer a;
-    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_INFINITE);
-    cylint_ray(&line, outside, axis_x);
-    cylint_one_chosen = at_the_start;
-    CHECK(cylint_contains(&s, inside) == 1 &&
-          cylint_one_chosen != at_the_start);
-    cylint_one_chosen = at_the_start;
-    CHECK(cylint_contains(&s, outside) == -1);
-    cylint_one_chosen = at_the_start;
-    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 0 &&
-          cylint_one_chosen != at_the_start);
+    const char *used = cylint_kernels_in_use();
+    CHECK(strcmp(used, cylint_kernels_name(0)) == 0);
+    CHECK((strcmp(used, "plain") == 0) ==
+          (cylint_one_used == &cylint_one_plain));
 }
 
 /* For every set of faults, the bits of `faults`, a constructor returns the

@@ -222,7 +222,7 @@ static lanes_build builds[] = {
 static size_t build_count(void)
 {
 #ifdef CYLINT_BUILDS_X86
-    return CYLINT_OF_BUILD(cylint_build_used(), 2, 4, 5);
+    return CYLINT_OF_BUILD(2, 4, 5);
 #else
     return 1;
 #endif

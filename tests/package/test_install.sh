@@ -199,6 +199,22 @@ test_manual_examples()
     [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
     verdict the_header_begins_with_an_example $?
     example the_headers_example static $cc -std=c99
+    {
+        cat << 'END'
+#include <cylint_pieces.h>
+#include <stdio.h>
+int main(void)
+{
+    const double p0[3] = {0, 0, -20}, p1[3] = {0, 0, 20}, o[3] = {-50, 0, 0}, d[3] = {2, 0, 0};
+    cylint_line line;
+    int n;
+    cylint_ray(&line, o, d);
+END
+        sed -n '/cylint_interval wall/,/cylint_solid_pieces/s/^ \*     //p' include/cylint_pieces.h
+        echo 'for (int i = 0; i < n; i++) printf("%g %g ", wall[i].t0, wall[i].t1); }'
+    } > "$scratch/example.c"
+    printf '20 20.5 29.5 30 ' > "$scratch/example.said"
+    example the_example_of_cylint_pieces_h static $cc -std=c99
     for shown in cylint,1 cylint,3 cylint,5 cylint,7 cylint_methods,1 cylint_distance,1 \
         cylint_distance,3 cylint_distance,5 cylint_pieces,1 cylint_pieces,3 cylint_pieces,5; do
         show ${shown%,*}.3 ${shown#*,}
