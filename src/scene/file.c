@@ -364,8 +364,8 @@ static cylint_scene_status read_file(cylint_memory *m, FILE *file)
 
 /* Maps the file, or reads it: if is_read is not 0, if the system cannot map it, or
  * if it is shorter than a header.  *m must then stay at its address.  After a
- * failure the memory is to be freed too.  The file is opened once: a pipe's writer
- * must not see it closed. */
+ * failure the memory is to be freed too.  The file is opened once: to close a pipe
+ * would end its writer. */
 static cylint_scene_status map_or_read(cylint_memory *m, const char *path,
                                        int is_read)
 {

@@ -119,8 +119,8 @@ static size_t sort_and_unite(numbered_chord *chord, size_t n,
 
 /* ----------------------------------------------------- chords of solids -- */
 
-/* The chords of a shape, as cylint_chord() writes them, for a line or for what
- * stands for one. */
+/* The chords of a shape, as cylint_chord() writes them, for a line or for a point
+ * ([0, 1] for a shape that contains it). */
 typedef int chords_of_shape(const void *line, const cylint_shape *shape,
                             cylint_interval chord[2]);
 
