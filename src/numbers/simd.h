@@ -455,7 +455,6 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
  * vq: a vector for the first and one for the second numbers.  Narrow, with
  * AVX2, one register of four lanes, which can also be (x, y, z, any).
  * q_sum_of(): x y + z, rounded once or twice.  q_product_error(): of p = x y.
- * q_sum3() adds the first three numbers, q_sums3() those of x and those of y.
  */
 #if defined(CYLINT_NARROW) && defined(__AVX2__) && defined(__FMA__)
 typedef __m256d vq;
@@ -488,11 +487,6 @@ static inline vq q_spread(vd x) /* (x[0], x[0], x[1], x[1]) */
 static inline vq q_firsts(vq x) { return _mm256_permute4x64_pd(x, 0x00); }
 static inline vq q_seconds(vq x) { return _mm256_permute4x64_pd(x, 0x55); }
 static inline vq q_thirds(vq x) { return _mm256_permute4x64_pd(x, 0xAA); }
-static inline vd q_sums3(vq x, vq y)
-{
-    const vq even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
-    return (q_low(even) + q_low(odd)) + q_high(even);
-}
 #else
 typedef struct {
     vd low, high;
@@ -554,20 +548,7 @@ static inline vq q_spread(vd x)
 static inline vq q_firsts(vq x) { return q_spread(v_firsts(x.low, x.low)); }
 static inline vq q_seconds(vq x) { return q_spread(v_seconds(x.low, x.low)); }
 static inline vq q_thirds(vq x) { return q_spread(v_firsts(x.high, x.high)); }
-static inline vd q_sums3(vq x, vq y)
-{
-    return (v_firsts(x.low, y.low) + v_seconds(x.low, y.low)) +
-           v_firsts(x.high, y.high);
-}
 #endif
-#endif
-
-#if defined(CYLINT_NARROW) && LANES == 2
-static inline double q_sum3(vq x) /* the fourth is 0 */
-{
-    const vd sum = q_low(x) + q_high(x);
-    return v_first(sum + v_turned(sum));
-}
 #endif
 
 typedef struct {
