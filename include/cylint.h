@@ -390,7 +390,7 @@ CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 cylint_answer *answer);
 
 /* Writes the wanted members beside t, part and side of a hit, of which these
- * three are known from a query about the same shape and line:
+ * three come from a query about the same shape and line:
  * cylint_intersect(), cylint_nearest() or a query of a scene.  Other members
  * keep their values.  The bits are those of cylint_intersect().  So a program
  * describes only the hit that it uses.  If no hit of the line has this t, part

@@ -196,7 +196,7 @@ static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
     s->last = with_one_zero(ray->tfar);
 }
 
-/* After tfar was reduced. */
+/* Reduces the domain after tfar was reduced. */
 static inline void shorten(ray_state *s, float tfar)
 {
     s->last = s->t0_error > 0 ? local_above(s, tfar) : with_one_zero(tfar);

@@ -34,7 +34,7 @@ typedef struct cylint_shape_piece {
 } cylint_shape_piece;
 
 /* Shapes in coordinates (x - center) scale, where scale is a power of two.
- * line_error: the most by which a line's points are wrong, in these
+ * line_error: the largest error of a line's points, in these
  * coordinates. */
 typedef struct cylint_view {
     const cylint_shape *shapes;

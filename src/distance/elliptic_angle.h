@@ -35,8 +35,8 @@ typedef struct {
     double cos, sin;
 } angle;
 
-/* Newton's iterations end after a step so small that the error, about its square,
- * is of no account, or after so many steps: the angle is then of no use. */
+/* Newton's iterations end after a step below this: the error is about its square.
+ * After the most steps they end, too; then the angle is not used. */
 #define CYLINT_ANGLE_STEP 0x1p-20
 #define CYLINT_SECULAR_STEP 0x1p-10
 
@@ -208,7 +208,7 @@ static inline angle highest_of(const principal_axes *axes, angle e,
     return best;
 }
 
-/* From half a turn on. */
+/* Whether the angle is half a turn or more. */
 CYLINT_INLINE int is_second(angle at)
 {
     /* untaken 1 of 6: half a turn itself is never the higher one in a known case */

@@ -28,7 +28,7 @@ typedef struct {
     double entry, per_t;
 } cylint_frame_ray;
 
-/* The most by which points of such a ray, in doubles, are wrong. */
+/* The largest error of the points of such a ray, in doubles. */
 #define CYLINT_FRAME_ERROR 0x1p-50
 
 typedef enum {

@@ -89,7 +89,7 @@ static int add_pieces(const pieces_query *q, const cylint_line *line,
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
                     const piece_block *b);
 
-/* Of sums, the pieces of one line are kept at a time. */
+/* Finds the pieces of lines; for sums it keeps those of one line at a time. */
 static int find_each(const pieces_query *q, size_t from, size_t to,
                      piece_block *b)
 {

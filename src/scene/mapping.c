@@ -98,7 +98,7 @@ int cylint_file_is_replaceable(const char *path)
 
 #endif
 
-/* The file is opened once: a pipe's writer must not see it closed. */
+/* The file is opened once: to close a pipe would end its writer. */
 cylint_scene_status cylint_mapping_open(cylint_memory *m, const char *path,
                                         size_t least, int is_read)
 {

@@ -37,8 +37,8 @@ static inline int cylint_has_room(cylint_workspace *work)
     return 0;
 }
 
-/* The chords of a shape, as cylint_chord() writes them, for a line or for what
- * stands for one. */
+/* The chords of a shape, as cylint_chord() writes them, for a line or for a point
+ * (boundary.c: [0, 1] for a shape that contains it). */
 typedef int cylint_chords_of_shape(const void *line, const cylint_shape *shape,
                                    cylint_interval chord[2]);
 

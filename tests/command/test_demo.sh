@@ -69,7 +69,7 @@ if [ -x "$build/cylint-render" ]; then
     cp "$build/cylint-render" "$scratch/bin"
     demo pictured && tail -n 1 "$scratch/output" | grep -q "$scan/forest.png" &&
         [ "$(head -c 4 "$scan/forest.png" | tail -c 3)" = PNG ] &&
-        grep -q 'foliage #' "$scan/painted.scene"
+        grep -q 'foliage #' "$scan/forest.scene"
     verdict the_demo_makes_a_picture $?
     rm "$scratch/bin/cylint-render"
 else

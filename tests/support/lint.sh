@@ -113,10 +113,8 @@ if installed actionlint 'the workflows'; then # go install github.com/rhysd/acti
 fi
 
 if installed mandoc mandoc; then
-    # The name of cylint(1) is a question.  Manuals that are not installed are
-    # referenced.
+    # Manuals that are not installed are referenced.
     mandoc -T lint -W style $pages 2>&1 | grep -v \
-        -e 'Nd where does a line meet a cylinder or a cone?' \
         -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
         -e 'outdated mandoc\.db' >"$work/found"
     result mandoc

@@ -59,7 +59,7 @@ static void draw_input(double radius)
             d[c] = at[c] - o[c];
         }
         normalise(d);
-        must(cylint_ray(&in.line[i], o, d) == CYLINT_OK, "a ray was refused");
+        make_ray(&in.line[i], o, d);
         in.line[i + N] = in.line[i];
         for (int c = 0; c < 3; c++) {
             in.column[c][i] = in.column[c][i + N] = o[c];

@@ -12,7 +12,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "sticks.h"
+#include "inputs.h"
 
 enum { RAYS = 160 * 160, LANES = 16 };
 enum { CURVES = -1, MERGED = -2 }; /* in place of the adapter's flags */

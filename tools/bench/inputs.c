@@ -1,5 +1,5 @@
 /*
- * inputs.c - random solids
+ * inputs.c - random solids and rays, and scenes of sticks
  */
 #include "inputs.h"
 
@@ -102,4 +102,148 @@ cylint_shape shape_of_solid(const struct solid *s)
     }
     must(status == CYLINT_OK, "a shape was refused");
     return shape;
+}
+
+void make_ray(cylint_line *ray, const double o[3], const double d[3])
+{
+    must(cylint_ray(ray, o, d) == CYLINT_OK, "a ray was refused");
+}
+
+/* -------------------------------------------------------------- sticks -- */
+
+const struct stick_kind thin_sticks = {"thin sticks", 1, 1.0 / 20},
+                        fat_sticks = {"fat sticks", 1, 1.0 / 3},
+                        thin = {"thin", 3, 1.0 / 20},
+                        fat = {"fat", 1.2, 1.0 / 3},
+                        fibres = {"fibres", 10, 1.0 / 500};
+
+static void draw_stick(uint64_t *random, const double low[3], double width,
+                       double length, double radius, size_t i, struct sticks *s)
+{
+    double d[3], p[2][3];
+    draw_direction(random, d);
+    for (int j = 0; j < 3; j++) {
+        const double middle = low[j] + width * random_unit(random);
+        for (int k = 0; k < 2; k++)
+            p[k][j] = s->end[i][k][j] =
+                (float)(middle + (k - 0.5) * length * d[j]);
+    }
+    for (int k = 0; k < 2; k++)
+        s->radius[i][k] =
+            (float)(radius * (s->is_round ? between(random, 0.5, 1) : 1));
+    const double r0 = s->radius[i][0], r1 = s->radius[i][1];
+    cylint_shape *to = &s->shapes[i];
+    must((s->is_round
+              ? cylint_round_cone(to, p[0], r0, p[1], r1, CYLINT_ENDS_CAPPED)
+              : cylint_cylinder(to, p[0], p[1], r0, CYLINT_ENDS_CAPPED)) ==
+             CYLINT_OK,
+         "a shape was refused");
+}
+
+static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
+{
+    uint64_t random = 1;
+    const size_t n = to->n, side = to->side;
+    const double length = kind->length / cbrt((double)n);
+    const double width = 1 / (double)side;
+    const size_t cells = side * side * side;
+    to->end = need(n * sizeof *to->end);
+    to->radius = need(n * sizeof *to->radius);
+    to->shapes = need(n * sizeof *to->shapes);
+    for (size_t cell = 0; cell < cells; cell++) {
+        const double low[3] = {width * (double)(cell % side),
+                               width * (double)(cell / side % side),
+                               width * (double)(cell / side / side)};
+        for (size_t i = cell * n / cells; i < (cell + 1) * n / cells; i++)
+            draw_stick(&random, low, width, length, length * kind->radius, i,
+                       to);
+    }
+}
+
+void with_sticks(const struct stick_kind *kind, double n, int is_round,
+                 size_t side, void (*ask)(const struct sticks *s))
+{
+    struct sticks s = {.n = (size_t)n, .side = side, .is_round = is_round};
+    snprintf(s.name, sizeof s.name, "%.0e %s%s", n, is_round ? "round " : "",
+             kind->name);
+    if (n > largest(1e6) || !is_wanted(s.name))
+        return;
+    draw_sticks(kind, &s);
+    ask(&s);
+    free(s.end);
+    free(s.radius);
+    free(s.shapes);
+}
+
+static void set_ray(float ray[2][3], const double o[3], double d[3])
+{
+    normalise(d);
+    for (int j = 0; j < 3; j++) {
+        ray[0][j] = (float)o[j];
+        ray[1][j] = (float)d[j];
+    }
+}
+
+void draw_incoherent(int n, float (*ray)[2][3])
+{
+    uint64_t random = 2;
+    for (int i = 0; i < n; i++) {
+        double o[3], d[3];
+        draw_direction(&random, d);
+        for (int j = 0; j < 3; j++)
+            o[j] = random_unit(&random);
+        set_ray(ray[i], o, d);
+    }
+}
+
+/* The bits of a ray's number in its tile are those of y x y x. */
+void draw_coherent(int n, float (*ray)[2][3])
+{
+    const int side = (int)sqrt(n), across = side / 4;
+    for (int i = 0; i < n; i++) {
+        const int tile = i / 16;
+        const int x = tile % across * 4 + (i & 1) + (i >> 2 & 1) * 2;
+        const int y = tile / across * 4 + (i >> 1 & 1) + (i >> 3 & 1) * 2;
+        const double o[3] = {0.5, 0.5, -1};
+        double d[3] = {(x + 0.5) / side - 0.5, (y + 0.5) / side - 0.5, 1};
+        set_ray(ray[i], o, d);
+    }
+}
+
+void draw_lines(draw_rays *draw, int n, cylint_line *line)
+{
+    float(*ray)[2][3] = need((size_t)n * sizeof *ray);
+    draw(n, ray);
+    for (int i = 0; i < n; i++) {
+        double end[2][3];
+        for (int j = 0; j < 6; j++)
+            end[j / 3][j % 3] = ray[i][j / 3][j % 3];
+        make_ray(&line[i], end[0], end[1]);
+    }
+    free(ray);
+}
+
+/* ---------------------------------------------------------------- scenes -- */
+
+static cylint_scene *scenes[KERNELS_MOST];
+
+void make_scenes(const struct sticks *s)
+{
+    for (int k = 0; use_kernels(k); k++) {
+        scenes[k] = cylint_scene_new(s->shapes, s->n, 1, NULL);
+        must(scenes[k] != NULL, "out of memory");
+    }
+}
+
+const cylint_scene *scene_in_use(void)
+{
+    return scenes[kernels_in_use()];
+}
+
+void free_scenes(void)
+{
+    for (int k = 0; k < KERNELS_MOST; k++) {
+        cylint_scene_free(scenes[k]);
+        scenes[k] = NULL;
+    }
 }

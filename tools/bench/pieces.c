@@ -5,7 +5,7 @@
  * Embree: a user geometry that collects chords (rivals/embree_chords.c).  Times
  * are per hit.
  */
-#include "sticks.h"
+#include "inputs.h"
 #ifdef CYLINT_EMBREE
 #include "embree.h"
 #endif

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cylint_distance.h"
-#include "sticks.h"
+#include "inputs.h"
 
 enum { RAYS = 4096, ROOM = 256 };
 

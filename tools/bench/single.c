@@ -26,11 +26,6 @@ static struct {
 
 /* ------------------------------------------------------------------ rays -- */
 
-static void make_ray(int i, const double o[3], const double d[3])
-{
-    must(cylint_ray(&in.line[i], o, d) == CYLINT_OK, "a ray was refused");
-}
-
 /* From a cube of 12 about the shape to a cube of 2 spread about its middle. */
 static void ordinary_ray(int i, double spread)
 {
@@ -41,7 +36,7 @@ static void ordinary_ray(int i, double spread)
         d[c] = middle[c] + between(&in.random, -spread, spread) - o[c];
     }
     normalise(d);
-    make_ray(i, o, d);
+    make_ray(&in.line[i], o, d);
 }
 
 /* Draws all rays.  Returns the percentage of hits. */
@@ -84,7 +79,7 @@ static void grazing_ray(int i)
     cross3(d, w, x);
     for (int c = 0; c < 3; c++)
         o[c] = s->middle[c] + (x[c] + n[c] * excess) * radius - 6 * d[c];
-    make_ray(i, o, d);
+    make_ray(&in.line[i], o, d);
 }
 
 static void parallel_ray(int i)
@@ -98,7 +93,7 @@ static void parallel_ray(int i)
         d[c] = s->axis[c] + tilt * y[c];
         o[c] = s->middle[c] + 0.25 * (s->r0 + s->r1) * x[c] - 6 * s->axis[c];
     }
-    make_ray(i, o, d);
+    make_ray(&in.line[i], o, d);
 }
 
 static void far_ray(int i)
@@ -109,7 +104,7 @@ static void far_ray(int i)
     for (int c = 0; c < 3; c++)
         o[c] = in.solid[i].middle[c] + between(&in.random, -0.1, 0.1) -
                away * d[c];
-    make_ray(i, o, d);
+    make_ray(&in.line[i], o, d);
 }
 
 /* From where an ordinary ray enters, reflected. */
@@ -124,7 +119,7 @@ static void surface_ray(int i)
     const double along = 2 * dot3(in.line[i].d, a.hit[0].normal);
     for (int c = 0; c < 3; c++)
         d[c] = in.line[i].d[c] - along * a.hit[0].normal[c];
-    make_ray(i, a.hit[0].point, d);
+    make_ray(&in.line[i], a.hit[0].point, d);
 }
 
 /* ----------------------------------------------------------------- turns -- */

@@ -9,9 +9,8 @@
 #include "input.h"
 #include "options.h"
 #include "output.h"
-#include "pieces.h"
-#include "progress.h"
 #include "scene.h"
+#include "report.h"
 
 /* The data shared by all workers.  The first group is constant when they
  * start.  The second is for the worker that reads, the last for the one that

@@ -64,6 +64,8 @@ static const char *const sides[] = {[CYLINT_SIDE_ENTERING] = "entering",
                                     [CYLINT_SIDE_LEAVING] = "leaving",
                                     [CYLINT_SIDE_BOTH] = "both"};
 
+#define OF_POINTS(queries) ((queries) << QUERIES)
+
 enum {
     PAIRS = 1 << QUERY_PAIRS,
     NEAREST = 1 << QUERY_NEAREST,
@@ -72,17 +74,12 @@ enum {
     ALL = 1 << QUERY_ALL,
     FIRST = 1 << QUERY_FIRST,
     PIECES = 1 << QUERY_PIECES,
-    POINT = PAIRS << QUERIES,
-    POINT_NEAREST = NEAREST << QUERIES,
-    POINT_ANY = ANY << QUERIES,
-    POINT_COUNT = COUNT << QUERIES,
-    POINT_ALL = ALL << QUERIES,
-    POINT_INSIDE = 1 << (QUERY_INSIDE + QUERIES),
-    POINTS = POINT | POINT_NEAREST | POINT_ALL,
-    OF_SHAPES = NEAREST | ALL | FIRST | PIECES | POINT_NEAREST | POINT_ALL |
-                POINT_INSIDE,
-    EVERY = PAIRS | NEAREST | ANY | COUNT | ALL | FIRST | PIECES | POINTS |
-            POINT_ANY | POINT_COUNT | POINT_INSIDE
+    INSIDE = 1 << QUERY_INSIDE,
+    POINTS = OF_POINTS(PAIRS | NEAREST | ALL),
+    OF_SHAPES =
+        NEAREST | ALL | FIRST | PIECES | OF_POINTS(NEAREST | ALL | INSIDE),
+    EVERY = PAIRS | NEAREST | ANY | COUNT | ALL | FIRST | PIECES |
+            OF_POINTS(PAIRS | NEAREST | ANY | COUNT | ALL | INSIDE)
 };
 
 #define AT(member) offsetof(struct row, member)
@@ -138,19 +135,19 @@ static const struct column columns[] = {
      "number of the shape in the scene, from 1; 0 for none"},
     {"label", OF_SHAPES, LABEL, 0, NULL, ALWAYS, 0,
      "the tail of the shape's line in the scene"},
-    {"depth", PIECES | POINT_INSIDE, WHOLE, AT(depth), NULL, ALWAYS, 0,
+    {"depth", PIECES | OF_POINTS(INSIDE), WHOLE, AT(depth), NULL, ALWAYS, 0,
      "number of solids that contain the piece or the point"},
     {"length", PIECES, LENGTH, 0, NULL, ALWAYS, 0,
      "t1 - t0, times the length of the direction"},
-    {"any", ANY | POINT_ANY, WHOLE, AT(count), NULL, ALWAYS, 0,
+    {"any", ANY | OF_POINTS(ANY), WHOLE, AT(count), NULL, ALWAYS, 0,
      "1 if a shape is hit or within the radius, else 0"},
-    {"count", COUNT | POINT_COUNT | POINT_INSIDE, WHOLE, AT(count), NULL,
-     ALWAYS, 0,
+    {"count", COUNT | OF_POINTS(COUNT | INSIDE), WHOLE, AT(count), NULL, ALWAYS,
+     0,
      "number of shapes that are hit, are within the radius or hold the point"},
     {"id", EVERY, WHOLE, AT(record), NULL, ALWAYS, 0,
      "number of the record, from 1"},
-    {"record", ALL | PIECES | POINT_ALL, WHOLE, AT(record), NULL, ALWAYS, 0,
-     "the same as id"},
+    {"record", ALL | PIECES | OF_POINTS(ALL), WHOLE, AT(record), NULL, ALWAYS,
+     0, "the same as id"},
     {NULL, 0, REAL, 0, NULL, ALWAYS, 0, NULL}};
 
 /* -------------------------------------------------------------- choosing -- */

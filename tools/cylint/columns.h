@@ -58,7 +58,7 @@ struct style {
     const char *missing; /* NULL: nan for a number, - for a word */
 };
 
-/* The values of a row.  answer.n tells which are missing: -1: there is no
+/* The values of a row.  answer.n gives which are missing: -1: there is no
  * answer.  A point has one hit, a piece of a line two. */
 struct row {
     double record, shape, count, depth; /* whole numbers */

@@ -57,7 +57,7 @@ static struct string name_of_shape(const struct labels *labels, size_t shape)
     return between(label.text, field_end(label.text, end_of(label)));
 }
 
-int groups_make(struct groups *g, const struct labels *labels)
+int groups_make(struct groups *g, const struct labels *labels, int is_total)
 {
     size_t group;
     g->of = malloc((g->shapes + 1) * sizeof *g->of);
@@ -68,14 +68,9 @@ int groups_make(struct groups *g, const struct labels *labels)
             return out_of_memory();
         g->of[i] = (int)group;
     }
-    g->columns = g->shapes > 0 ? g->names.texts.count : 1;
+    g->is_total = is_total;
+    g->columns = g->shapes > 0 && !is_total ? g->names.texts.count : 1;
     return 0;
-}
-
-void groups_unite(struct groups *g)
-{
-    g->is_total = 1;
-    g->columns = 1;
 }
 
 void groups_free(struct groups *g)

@@ -10,7 +10,7 @@
 
 #include "cylint_scene.h"
 #include "grammar.h"
-#include "names.h"
+#include "text.h"
 
 /* The labels of shapes.  Zero it before use. */
 struct labels {
@@ -44,9 +44,8 @@ struct groups {
 };
 
 /* Groups the shapes by label.  Returns 0, or an exit status after a message. */
-int groups_make(struct groups *groups, const struct labels *labels);
-/* Sums have one column then. */
-void groups_unite(struct groups *groups);
+int groups_make(struct groups *groups, const struct labels *labels,
+                int is_total);
 /* Reads the ranks of groups from a file. */
 int groups_read_ranks(struct groups *groups, const char *file);
 void groups_free(struct groups *groups);

@@ -37,9 +37,8 @@ static int read_scene(struct job *job)
     int status = load_shapes(job);
     job->groups.shapes = job->scene.count;
     if (status == 0 && (o->not_label || o->rank || o->sum))
-        status = groups_make(&job->groups, &job->scene.labels);
-    if (o->sum >= SUM_TOTAL)
-        groups_unite(&job->groups);
+        status =
+            groups_make(&job->groups, &job->scene.labels, o->sum >= SUM_TOTAL);
     if (o->sum)
         sum_fields(&job->options->fields, &job->groups);
     if (status == 0 && o->rank)

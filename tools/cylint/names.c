@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "names.h"
+#include "text.h"
 
 void *grown(void *array, size_t count, size_t *capacity, size_t size)
 {

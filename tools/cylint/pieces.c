@@ -4,8 +4,7 @@
  */
 #include <stdlib.h>
 
-#include "names.h"
-#include "pieces.h"
+#include "scene.h"
 
 enum { WORK_FIRST = 1 << 14 };
 

@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "progress.h"
 #include "report.h"
 
 double seconds_of(clockid_t clock)

@@ -1,5 +1,5 @@
 /*
- * report.h - exit statuses, and messages about records, files and memory
+ * report.h - exit statuses, messages about records, files and memory, and progress
  *
  * What is wrong with a record becomes a note of its block.  The notes are
  * printed when the block is delivered, so the messages are in the order of the
@@ -7,6 +7,8 @@
  */
 #ifndef CYLINT_REPORT_H
 #define CYLINT_REPORT_H
+
+#include <time.h>
 
 #include "text.h"
 
@@ -115,5 +117,35 @@ int complain(int status, const char *name, const char *format, ...)
 int complain_errno(const char *name);
 /* EXIT_MEMORY */
 int out_of_memory(void);
+
+/* -------------------------------------------------------------- progress -- */
+
+/* Seconds of a clock. */
+double seconds_of(clockid_t clock);
+
+/* The number of processors that this process may use; at least 1. */
+int processors(void);
+
+/* On a terminal the progress appears when the work has lasted a second.  With
+ * --progress it is also written elsewhere, one line a second. */
+struct progress {
+    const char *unit;    /* what is counted, in the plural */
+    int in_bytes;        /* `done` and `total` are bytes */
+    int shown, terminal; /* shown: whether anything is written */
+    double start, last;  /* seconds */
+    int dirty;           /* the terminal has a progress line */
+    unsigned long long count;
+};
+
+void progress_start(struct progress *p, int wanted, const char *unit,
+                    int in_bytes);
+
+/* Adds `count` to the number done.  The work is at `done` of `total`; 0: the
+ * total is unknown. */
+void progress_add(struct progress *p, unsigned long long count, double done,
+                  double total);
+
+/* Clears the terminal's line, or prints the last figure. */
+void progress_end(struct progress *p);
 
 #endif

@@ -52,8 +52,7 @@ $awk -v columns=$columns -v rows=$rows -v wide=4 -v high=2 \
 
 # A picture in colours, if cylint-render was built.
 [ -x "$build/cylint-render" ] || exit 0
-$awk -f "$here/paint.awk" "$out/forest.scene" > "$out/painted.scene"
-"$build/cylint-render" "$out/painted.scene" -o "$out/forest.png" \
+"$build/cylint-render" "$out/forest.scene" -o "$out/forest.png" \
     --eye -18,-6,9 --look-at 12,0,4.6 --fov 44 --light -0.6,1,1.1 \
     --size 800x400
 echo

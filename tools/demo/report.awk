@@ -1,8 +1,8 @@
 # report.awk - shows a scan: some answers, the range image as text, and the totals
 #
-# Reads a scene, the answers of `cylint -f shape,t,part,z` with labels `column row`,
-# and the same answers sorted by t.  Prints the first hit on each part of each kind of
-# shape; then an image, whose characters show the nearest hit of wide x high rays: a
+# Reads a scene of forest.awk, the answers of `cylint -f shape,t,part,z` with labels
+# `column row`, and the same answers sorted by t.  Prints the first hit on each part of
+# each kind of shape; then an image, whose characters show the nearest hit of wide x high rays: a
 # tree by its range, near to far in `shades`, the ground as a dot, the sky as a blank.
 # `seconds` is the time of the command, 0 if the clock is too coarse.
 
@@ -16,8 +16,8 @@ BEGIN {
 FNR == 1 { files++ }
 
 files == 1 && !/^#/ {
-    label[++shapes] = $NF
-    shapes_of[kind_of($NF)]++
+    label[++shapes] = $(NF - 1) # before the colour
+    shapes_of[kind_of(label[shapes])]++
 }
 
 files == 2 { rays++ }

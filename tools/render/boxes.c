@@ -1,10 +1,9 @@
 /*
  * boxes.c - the boxes of a scene's bounded solids
  */
-#include <stdint.h>
 #include <stdlib.h>
 
-#include "boxes.h"
+#include "view.h"
 #include "scene.h"
 
 static const struct box NOWHERE = {{{HUGE_VAL, HUGE_VAL, HUGE_VAL}},
@@ -108,22 +107,20 @@ static void add_solids(struct boxes *boxes, const struct scene *scene,
 
 /* A box for each solid, and for each shape that is in no solid. */
 static void add_all(struct boxes *boxes, const struct scene *scene,
-                    cylint_member *m, char *is_member)
+                    char *is_member)
 {
-    const size_t count = scene->solids.count;
-    for (size_t i = 0; i < count; i++) {
-        m[i] = scene->solids.member[i];
-        is_member[m[i].shape] = 1;
-    }
+    const struct solids *s = &scene->solids;
+    for (size_t i = 0; i < s->count; i++)
+        is_member[s->member[i].shape] = 1;
     for (size_t i = 0; i < scene->count; i++) {
         if (!is_member[i]) {
             const struct box box = box_of_shape(scene, i);
             add_box(boxes, &box);
         }
     }
-    if (count > 0) {
-        qsort(m, count, sizeof *m, compare_members);
-        add_solids(boxes, scene, m, count);
+    if (s->count > 0) {
+        qsort(s->member, s->count, sizeof *s->member, compare_members);
+        add_solids(boxes, scene, s->member, s->count);
     }
     if (boxes->count > 0)
         measure_all(boxes);
@@ -131,17 +128,12 @@ static void add_all(struct boxes *boxes, const struct scene *scene,
 
 int boxes_make(struct boxes *boxes, const struct scene *scene)
 {
-    const size_t members = scene->solids.count;
-    const size_t most = scene->count + members + 1;
-    cylint_member *m = malloc((members + 1) * sizeof *m);
+    const size_t most = scene->count + scene->solids.count + 1;
     char *is_member = calloc(scene->count + 1, 1);
-    *boxes = (struct boxes){NULL, 0, {{0, 0, 0}}, 0};
-    if (most <= SIZE_MAX / sizeof *boxes->box)
-        boxes->box = malloc(most * sizeof *boxes->box);
-    const int has_memory = m && is_member && boxes->box;
+    *boxes = (struct boxes){.box = calloc(most, sizeof *boxes->box)};
+    const int has_memory = is_member && boxes->box;
     if (has_memory)
-        add_all(boxes, scene, m, is_member);
-    free(m);
+        add_all(boxes, scene, is_member);
     free(is_member);
     return has_memory ? 0 : out_of_memory();
 }

@@ -8,7 +8,7 @@
 
 #include "colours.h"
 #include "sampling.h"
-#include "../../src/shapes/layout.h"
+#include "../../src/shapes/shape_facts.h"
 
 const char *const colouring_words[] = {"number",    "label",  "kind",
                                        "connected", "radius", "height",
@@ -151,22 +151,18 @@ static void read_tails(struct colours *c)
 /* The radius of an elliptic shape: that of a circle with the same area. */
 static double radius_of(const cylint_shape *s)
 {
-    if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE) {
-        const struct vector a =
-            vector(cylint_a(s)[0], cylint_a(s)[1], cylint_a(s)[2]);
-        const struct vector b =
-            vector(cylint_b(s)[0], cylint_b(s)[1], cylint_b(s)[2]);
-        return sqrt(length(cross(a, b))) * fmax(cylint_r0(s), cylint_r1(s));
-    }
-    return fmax(cylint_r0(s), cylint_r1(s));
+    double radius = fmax(cylint_r0(s), cylint_r1(s));
+    if (cylint_is_elliptic(s->kind))
+        radius *=
+            sqrt(length(cross(vector_of(cylint_a(s)), vector_of(cylint_b(s)))));
+    return radius;
 }
 
 /* The middle of the axis. */
 static double height_of(const cylint_shape *s, struct vector up)
 {
-    return up.v[0] * (cylint_base(s)[0] + 0.5 * cylint_axis(s)[0]) +
-           up.v[1] * (cylint_base(s)[1] + 0.5 * cylint_axis(s)[1]) +
-           up.v[2] * (cylint_base(s)[2] + 0.5 * cylint_axis(s)[2]);
+    return dot(up,
+               plus(vector_of(cylint_base(s)), 0.5, vector_of(cylint_axis(s))));
 }
 
 static double measure(const struct colours *c, size_t i)

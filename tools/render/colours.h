@@ -21,7 +21,7 @@ enum colouring {
     COLOUR_CONNECTED, /* one colour for shapes connected by common end points */
     COLOUR_RADIUS,    /* from thin to thick */
     COLOUR_HEIGHT,    /* from low to high */
-    COLOUR_ELEMENT,   /* atoms by their elements (atoms.h) */
+    COLOUR_ELEMENT,   /* atoms by their elements (atoms.c) */
     COLOUR_CHAIN      /* atoms and bonds by their chains */
 };
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "colours.h"
-#include "../../src/shapes/layout.h"
+#include "../../src/shapes/shape_facts.h"
 
 /* The root of i's tree; shortens the path to it. */
 static uint32_t root_of(uint32_t *parent, uint32_t i)
@@ -27,14 +27,6 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
     parent[a < b ? b : a] = a < b ? a : b;
 }
 
-/* Whether the shape is made of two points. */
-static int has_ends(const cylint_shape *s)
-{
-    return s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE ||
-           s->kind == CYLINT_KIND_SPHERE || s->kind == CYLINT_KIND_CAPSULE ||
-           s->kind == CYLINT_KIND_RCONE;
-}
-
 /* The end points so far, and the first shape of each. */
 struct ends {
     struct names points;
@@ -46,8 +38,7 @@ struct ends {
 static int join_end(struct ends *ends, uint32_t *parent, uint32_t i,
                     const double *p)
 {
-    const struct vector point =
-        plus(vector(0, 0, 0), 1, vector(p[0], p[1], p[2]));
+    const struct vector point = plus(vector(0, 0, 0), 1, vector_of(p));
     const struct string bits = {(const char *)point.v, sizeof point.v};
     const size_t known = ends->points.texts.count;
     size_t number;
@@ -66,7 +57,7 @@ static int join_shapes(struct ends *ends, const struct scene *scene,
     for (uint32_t i = 0; i < scene->count && has_memory; i++) {
         cylint_shape shape;
         cylint_scene_shape(scene->shapes, i, &shape);
-        if (has_ends(&shape))
+        if (cylint_has_end_points(shape.kind))
             has_memory = join_end(ends, parent, i, cylint_base(&shape)) &&
                          join_end(ends, parent, i, cylint_top(&shape));
     }

@@ -2,9 +2,8 @@
  * light.c - the colour along a line
  *
  * Every surface is matt.  The sun, a disc, lights it with soft shadows, and so
- * does the visible part of the sky: one ray to each for every sample.  Whether a
- * ray hits the surface it begins on is decided without a tolerance, see
- * hits_again().
+ * does the visible part of the sky: one ray to each for every sample.  A ray begins
+ * at a point of cylint_outside(), so it does not hit again what it leaves.
  */
 #include "colours.h"
 #include "light.h"
@@ -52,8 +51,7 @@ static void make_hit_of_shape(cylint_shape *shape, const cylint_line *ray,
                               unsigned want, cylint_hit *hit)
 {
     cylint_answer answer;
-    if (shape->ends == CYLINT_ENDS_OPEN || shape->ends == CYLINT_ENDS_CAP0 ||
-        shape->ends == CYLINT_ENDS_CAP1)
+    if (shape->ends < CYLINT_ENDS_INFINITE)
         shape->ends = CYLINT_ENDS_CAPPED;
     const double t = hit->t;
     cylint_intersect(shape, ray, want, &answer);
@@ -125,7 +123,7 @@ static struct vector shaded(struct tracer *tracer, const struct place *at,
                             const cylint_line *ray, struct vector colour,
                             uint32_t i, uint32_t seed)
 {
-    const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
+    const struct vector d = vector_of(ray->d);
     switch (tracer->stage->shading) {
     case SHADE_NORMAL:
         return plus(vector(0.5, 0.5, 0.5), 0.5, at->facing);
@@ -168,9 +166,8 @@ struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
     cylint_scene_shape(stage->scene, shape, &hit_shape);
     if (stage->has_solids)
         make_hit_of_shape(&hit_shape, ray, want, &hit);
-    const struct vector normal =
-        vector(hit.normal[0], hit.normal[1], hit.normal[2]);
-    const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
+    const struct vector normal = vector_of(hit.normal);
+    const struct vector d = vector_of(ray->d);
     const int inside = dot(normal, d) > 0;
     struct place at = {shape, vector(0, 0, 0),
                        inside ? times(-1, normal) : normal,

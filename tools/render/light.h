@@ -10,7 +10,7 @@
 #include "cylint.h"
 #include "cylint_scene.h"
 #include "picture.h"
-#include "pieces.h"
+#include "scene.h"
 #include "vector.h"
 
 enum shading {

@@ -9,7 +9,6 @@
 
 #include "report.h"
 #include "options.h"
-#include "progress.h"
 
 const char *const program = "cylint-render";
 

@@ -50,15 +50,13 @@ static int read_positive(const char *p, double *value)
     return p && *p == '\0' && *value > 0;
 }
 
+/* A number above 0, and below o->number unless that is 0. */
 static int read_factor(const struct option *o, const char *value, void *place)
 {
-    return check_value(o, value, read_positive(value, place));
-}
-
-static int read_angle(const struct option *o, const char *value, void *place)
-{
-    const double *angle = place;
-    return check_value(o, value, read_positive(value, place) && *angle < 180);
+    const double *factor = place;
+    return check_value(o, value,
+                       read_positive(value, place) &&
+                           (o->number == 0 || *factor < o->number));
 }
 
 /* WxH */
@@ -171,8 +169,8 @@ static const struct option options_known[] = {
      "only the direction to the camera"},
     {"up", "X,Y,Z", read_direction, AT(viewing.up), direction, 0, 0,
      "the upward direction, default 0,0,1"},
-    {"fov", "DEGREES", read_angle, AT(viewing.fov),
-     "degrees above 0 and below 180", 0, 0, "from bottom to top, default 30"},
+    {"fov", "DEGREES", read_factor, AT(viewing.fov),
+     "degrees above 0 and below 180", 180, 0, "from bottom to top, default 30"},
     {"ortho", 0, read_flag, AT(viewing.parallel), 0, 1, 0, "parallel rays"},
     {"zoom", "FACTOR", read_factor, AT(viewing.zoom), "a number above 0", 0, 0,
      "enlarge about the picture's centre"},

@@ -10,7 +10,6 @@
 #include "colours.h"
 #include "light.h"
 #include "report.h"
-#include "progress.h"
 #include "sampling.h"
 #include "view.h"
 

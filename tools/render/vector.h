@@ -15,6 +15,11 @@ static inline struct vector vector(double x, double y, double z)
     return (struct vector){{x, y, z}};
 }
 
+static inline struct vector vector_of(const double *v)
+{
+    return vector(v[0], v[1], v[2]);
+}
+
 /* a + s b */
 static inline struct vector plus(struct vector a, double s, struct vector b)
 {

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 
 #include "report.h"
-#include "progress.h"
 #include "xray.h"
 
 static const double LN_2 = 0.6931471805599453;

@@ -34,7 +34,12 @@ def takes(make: Callable[_P, _Made]) -> Callable[
     ) -> Callable[Concatenate[_Self, _P], _Answer]:
         @wraps(function)
         def call(self: _Self, /, *args: _P.args, **named: _P.kwargs) -> _Answer:
-            return function(self, make(*args, **named))
+            try:
+                made = make(*args, **named)
+            except TypeError as error:  # of the arguments' names, too
+                text = str(error).replace(f"{make.__name__}.__init__", function.__name__)
+                raise TypeError(text) from None
+            return function(self, made)
 
         own = signature(function)
         first = next(iter(own.parameters.values()))

@@ -26,7 +26,11 @@ NONE: the line was refused.
 """
 
 Part = _Word("Part", "NONE LATERAL CAP0 CAP1", start=-1)
-Part.__doc__ = "The part of the surface where a hit lies."
+Part.__doc__ = """The part of the surface where a hit lies.
+
+LATERAL is the side of the shape, with its rims and apex; CAP0 and CAP1 are the caps,
+or the round ends, at the base and at the top.
+"""
 
 Feature = _Word("Feature", "NONE LATERAL CAP0 CAP1 RIM0 RIM1 APEX", start=-1)
 Feature.__doc__ = """Where the closest point of a surface lies.
@@ -36,4 +40,7 @@ the circles where it touches its balls.
 """
 
 Side = _Word("Side", "NONE ENTERING LEAVING BOTH", start=-1)
-Side.__doc__ = "Whether the line enters or leaves the solid at a hit, as t grows."
+Side.__doc__ = """Whether the line enters or leaves the solid at a hit, as t grows.
+
+BOTH: a touch, or the apex of a double cone.
+"""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._arguments import Doubles, Lines, broadcast, counted, new_copy, takes, workers
 from ._described import Described, member
-from ._shapes import Shapes
+from ._shapes import Shapes, checked
 
 
 class DescribedHits(Described):
@@ -149,6 +149,7 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     >>> cylint.intersect(rod, rays, [0, 0, 1], errors="mask").relation
     array([ 3, -1], dtype=int8)
     """
+    (shapes,) = checked([shapes])
     kinds, shape = shapes.kind, lines.shape
     if kinds.ndim > 0 and kinds.shape != shape:
         shape = broadcast("shapes lines", kinds, np.broadcast_to(0, shape))

@@ -139,7 +139,8 @@ class Scene:
 
     shapes: one axis, or several arrays of shapes, also from a generator, which are
     joined as by `concatenate`.  The scene copies what it needs, about 100 bytes a
-    shape, and keeps none of the arrays.  Their numbers are 0 to len(scene) - 1.
+    shape, and keeps none of the arrays.  They have the numbers 0
+    to len(scene) - 1, and there are at most 2**28.
     threads: of building the scene, and of all queries that do not say;
     None: one per processor.
     progress: called with (done, total) while the scene is built, several times a
@@ -181,9 +182,10 @@ class Scene:
         threads: int | None, progress: Progress | None,
     ) -> None:
         self._scene = begun
-        self._labels = labels  # in place of the cached property
         self._threads = threads
         begun.finish(workers(threads), progress)
+        if labels is not None:
+            begun.set_labels([x.encode("utf-8", "surrogateescape") for x in labels])
 
     @classmethod
     def read(
@@ -204,7 +206,10 @@ class Scene:
     @property
     def shapes(self) -> Shapes:
         """The shapes, in their order: a copy, of 400 bytes a shape."""
-        return all_shapes(self._scene, self._labels)
+        labels = self._scene.labels()
+        return all_shapes(
+            self._scene, None if labels is None else np.array(labels, np.object_)
+        )
 
     @property
     def nbytes(self) -> int:
@@ -216,20 +221,6 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<libcylint.Scene: {counted(len(self), 'shape')}>"
-
-    @cached_property
-    def _labels(self) -> NDArray[np.object_] | None:
-        """Those in the file of a scene that was opened."""
-        labels = self._scene.labels()
-        return None if labels is None else np.array(labels, np.object_)
-
-    def _with_labels(self) -> _core.Scene:
-        """The scene, which then holds its labels as bytes."""
-        labels = self.__dict__.get("_labels")
-        if labels is not None:
-            encoded = [x.encode("utf-8", "surrogateescape") for x in labels]
-            self._scene.set_labels(encoded)
-        return self._scene
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Saves the scene with its labels in a file, for `open`.
@@ -248,7 +239,7 @@ class Scene:
         >>> scene, scene.shapes.labels
         (<libcylint.Scene: 2 shapes>, array(['short', 'long'], dtype='<U5'))
         """
-        self._with_labels().save(*_file_name(path))
+        self._scene.save(*_file_name(path))
 
     @classmethod
     def open(
@@ -280,7 +271,7 @@ class Scene:
         return scene
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restore, (self._with_labels().to_bytes(), self._threads)
+        return _restore, (self._scene.to_bytes(), self._threads)
 
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads

@@ -48,12 +48,13 @@ struct Lines {
     const bool segments, masked;
 };
 
-/* Makes the elements of a part, and calls function(part, i, element) for each. */
-template <class From, class Function> struct Each {
-    const From &from;
-    const Function &function;
-    bool run(const Part &part) const
-    {
+/* Makes the elements of a grid, and calls function(part, i, element) for each.
+ * Returns false, and stops, if an element is refused and not masked. */
+template <class From, class Function>
+bool each(const Grid &grid, const From &from, int threads,
+          const Callback &progress, const Function &function)
+{
+    const auto block = [&](const Part &part) {
         for (size_t i = 0; i < part.size; i++) {
             typename From::Element element;
             if (from.make(part, i, &element) != CYLINT_OK && !from.masked)
@@ -61,17 +62,8 @@ template <class From, class Function> struct Each {
             function(part, i, element);
         }
         return true;
-    }
-};
-
-/* Does so for all parts of a grid.  Returns false, and stops, if an element is
- * refused and not masked. */
-template <class From, class Function>
-bool each(const Grid &grid, const From &from, int threads,
-          const Callback &progress, const Function &function)
-{
-    return each_block<Each<From, Function>>(grid, threads, progress, from,
-                                            function);
+    };
+    return each_block(grid, threads, progress, [&] { return block; });
 }
 
 /* A scene with the memory that it needs. */

@@ -215,18 +215,18 @@ inline size_t blocks_of(const Grid &grid)
 }
 
 /*
- * Calls block.run(part) for all blocks of a grid.  Each thread has a Block of its
- * own, Block{from...}.  Parts of different rows that begin at the same element come
- * one after the other: they often have the same shapes or points.  A block that
- * returns false ends the call, which then returns false.
+ * Calls block(part) for all blocks of a grid.  Each thread has a block of its own,
+ * make().  Parts of different rows that begin at the same element come one after
+ * the other: they often have the same shapes or points.  A block that returns false
+ * ends the call, which then returns false.
  */
-template <class Block, class... From>
+template <class Make>
 bool each_block(const Grid &grid, int threads, const Callback &progress,
-                const From &...from)
+                const Make &make)
 {
     struct Worker {
         Part part;
-        Block block;
+        decltype(make()) block;
     };
     std::vector<std::unique_ptr<Worker>> workers(
         static_cast<size_t>(std::max(threads, 1)));
@@ -236,11 +236,11 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
          [&](int number, size_t i) {
              auto &worker = workers[static_cast<size_t>(number)];
              if (!worker)
-                 worker.reset(new Worker{Part(grid), Block{from...}});
+                 worker.reset(new Worker{Part(grid), make()});
              const size_t begin = i / rows * BLOCK;
              worker->part.locate(i % rows, begin,
                                  std::min<size_t>(BLOCK, grid.row() - begin));
-             if (!worker->block.run(worker->part))
+             if (!worker->block(worker->part))
                  good = false;
              return good.load();
          });

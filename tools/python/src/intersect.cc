@@ -45,7 +45,7 @@ class Block
     explicit Block(const Lines &l) : source(l)
     {
     }
-    bool run(const Part &p)
+    bool operator()(const Part &p)
     {
         part = &p;
         gather();
@@ -227,7 +227,7 @@ bool intersect(Input shapes, const Lines &lines, Outputs columns, int threads,
     for (size_t k = 0; k < columns.size(); k++)
         grid.add(columns[k], inner[k]);
     grid.finish(false);
-    return each_block<Block>(grid, threads, progress, lines);
+    return each_block(grid, threads, progress, [&] { return Block(lines); });
 }
 
 namespace

@@ -29,7 +29,7 @@ class Block
     {
     }
 
-    bool run(const Part &p)
+    bool operator()(const Part &p)
     {
         part = &p;
         for (int axis = 0; axis < 3; axis++)
@@ -89,8 +89,8 @@ class Block
     {
         cylint_closest_columns to{};
         to.distance = is_wanted(DISTANCE) ? distance + i : nullptr;
-        to.part = is_wanted(PART) || is_wanted(FEATURE) ? small[PART] + i
-                                                        : nullptr;
+        to.part =
+            is_wanted(PART) || is_wanted(FEATURE) ? small[PART] + i : nullptr;
         to.feature = is_wanted(FEATURE) ? small[FEATURE] + i : nullptr;
         for (int axis = 0; axis < 3; axis++) {
             to.point[axis] = is_wanted(POINT) ? vector[0][axis] + i : nullptr;
@@ -140,10 +140,12 @@ void ask(Input shapes, std::optional<Input> index, Input points,
     for (size_t k = 0; k < columns.size(); k++)
         grid.add(columns[k], k >= POINT);
     grid.finish(false);
-    each_block<Block>(grid, threads, progress, query, points,
-                      !index               ? nullptr
-                      : shapes.size() == 0 ? &none
-                                           : as_shape(shapes.data()));
+    const cylint_shape *numbered = !index ? nullptr
+                                   : shapes.size() == 0
+                                       ? &none
+                                       : as_shape(shapes.data());
+    each_block(grid, threads, progress,
+               [&] { return Block(query, points, numbered); });
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 #include "calls.h"
 
 extern "C" {
-#include "pieces.h"
+#include "scene.h"
 }
 
 namespace
@@ -87,7 +87,7 @@ struct Memory : piece_memory {
 };
 thread_local Memory memory;
 
-/* What a function of pieces.h returns, unless there was no memory. */
+/* What a function of pieces.c returns, unless there was no memory. */
 size_t checked(size_t answer)
 {
     if (answer == CYLINT_NO_ROOM)

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <exception>
 #include <new>
-#include <utility>
 
 #include <nanobind/stl/unique_ptr.h>
 
@@ -165,20 +164,14 @@ nb::object Scene::to_bytes() const
     return bytes;
 }
 
-/* Gives a finished scene its labels, a list of bytes, once. */
+/* Gives a finished scene its labels, a list of bytes. */
 void Scene::set_labels(const nb::list &labels)
 {
-    if (cylint_scene_get_labels(scene.get()))
-        return;
-    std::vector<uint64_t> ends;
-    std::string text;
     for (nb::handle label : labels) {
         const auto bytes = nb::cast<nb::bytes>(label);
-        text.append(bytes.c_str(), bytes.size());
-        ends.push_back(text.size());
+        label_text.append(bytes.c_str(), bytes.size());
+        label_ends.push_back(label_text.size());
     }
-    label_ends = std::move(ends);
-    label_text = std::move(text);
     const cylint_scene_labels all{label_ends.data(), label_text.data()};
     cylint_scene_set_labels(scene.get(), &all);
 }
