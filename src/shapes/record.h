@@ -24,6 +24,9 @@ typedef struct cylint_record {
     double p0[3], r0, p1[3], r1;
 } cylint_record;
 
+/* A tag: a cylint_kind and, times CYLINT_TAG_ENDS, a cylint_ends. */
+enum { CYLINT_TAG_KIND = 15, CYLINT_TAG_ENDS = 16 };
+
 /* Whether the two points are one. */
 static inline int cylint_record_is_point(const cylint_record *x)
 {
