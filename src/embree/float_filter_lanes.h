@@ -269,7 +269,7 @@ INLINE void load_axis(questions *q, int is_round)
  * Products have at most ten lengths as factors.  If none of these is less than
  * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
  * and along a coordinate none is flushed, since coordinates and radii are 0 or at
- * least 2^-149 (filter_serves() of shapes.c).  An overflow gives an infinite bound or
+ * least 2^-149 (filter_serves(), shapes.c).  An overflow gives an infinite bound or
  * NaN, and then nothing is certain, but for those of 1 / ww and of G:
  * cross_shape() and cross_surface() test them.
  */

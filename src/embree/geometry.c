@@ -164,8 +164,9 @@ static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
 }
 
 /* Ranks the shapes in the order in which leaves first name them: so records of
- * shapes that are together in leaves are together in memory.  Replaces the numbers in
- * the leaves, which no query uses yet, by ranks.  Returns 0 if memory is refused. */
+ * shapes that are together in leaves are together in memory.  Replaces the numbers
+ * in the leaves, which no query uses yet, by ranks.  Returns 0 if memory is
+ * refused. */
 static int rank_by_leaves(cylint_embree_data *data)
 {
     const size_t n = data->n;
