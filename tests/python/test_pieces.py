@@ -325,6 +325,8 @@ def test_bad_arguments(world):
             call()
     with refused("first: expected an integer", TypeError):
         scene.pieces(o, d, first=1.5)
+    with refused("integer", TypeError):
+        scene.sums(o, d, columns=2.5)
     assert len(scene.pieces(o, d, first=2**70).t0) == len(scene.pieces(o, d).t0)
     assert (scene.pieces(*spoiled, errors="mask").line == 0).all()
     assert len(scene.solids) == 0

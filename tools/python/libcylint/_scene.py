@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Iterable
 from functools import cached_property
@@ -459,7 +460,7 @@ class Scene:
         if label is not None:
             width = int(label.max(initial=-1)) + 1
         if columns is not None:
-            width = int(columns)
+            width = operator.index(columns)
         if width < 0:
             raise ValueError(f"columns: found {width}")
         rule = _core.Scene.Rule(
