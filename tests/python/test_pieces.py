@@ -261,6 +261,18 @@ def test_tubes(sector, clauses, ends):
     assert ends_of(scene.pieces([-5, 0, 3], [1, 0, 0])) == ends
 
 
+def test_solids_are_not_set_during_a_query():
+    scene = cylint.Scene(cylint.sphere([[0, 0, 0], [1, 0, 0]], 1))
+
+    def change(*_):
+        scene.set_solids([0, 1], 0, [1, -2])
+
+    with refused("during a query"):
+        scene.sums([-5, 0, 0], [1, 0, 0], progress=change)
+    change()
+    assert scene.sums([-5, 0, 0], [1, 0, 0]) == 1
+
+
 def test_tubes_that_are_refused():
     cone, clauses = cylint.tube([0, 0, 0], [0, 0, 9], [2, 1])
     assert (cone.kind.tolist(), clauses.tolist()) == ([cylint.Kind.CONE], [1])

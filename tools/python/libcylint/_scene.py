@@ -369,7 +369,7 @@ class Scene:
         of a solid is that of its first shape that is not a complement.
 
         `pieces`, `sums`, `depth` and `first_boundary` are about solids, all others
-        about shapes.
+        about shapes.  Raises ValueError during a query of another thread.
 
         >>> pipe = cylint.cylinder([0, 0, 0], [0, 0, 9], [2, 1])
         >>> scene = cylint.Scene(pipe)
