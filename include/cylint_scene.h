@@ -2,6 +2,12 @@
  * cylint_scene - lines or points against very many shapes, by a hierarchy of
  * boxes
  *
+ *     cylint_scene *scene = cylint_scene_new(shapes, n, 0, NULL);
+ *     size_t first = cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit);
+ *     if (first < n)
+ *         printf("shape %zu at t = %g\n", first, hit.t);
+ *     cylint_scene_free(scene);
+ *
  * A scene returns what cylint_nearest() and cylint_count() of cylint.h return
  * for all its shapes, bit for bit: the hierarchy only rejects shapes that the
  * line certainly does not hit.  That holds for every line and every shape,
@@ -273,7 +279,9 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
 
 /*
  * Distances of points.  The functions below return what a loop over all shapes
- * returns, bit for bit.  `want` decides which distances they compare.
+ * returns, bit for bit.  `want` decides which distances they compare.  An elliptic
+ * shape of whose distance only the sign is right, see cylint_distance(), may be left
+ * out if that distance is too small: the shape's boxes are right.
  *
  * Without CYLINT_SIGNED: the absolute values of the doubles that
  * cylint_distance() of cylint_distance.h returns: of the distance to the surface,

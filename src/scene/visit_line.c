@@ -91,7 +91,11 @@ static int visit_chords_at(line_visit *v, size_t number)
     cylint_shape shape;
     cylint_interval chord[2];
     cylint_record_shape(&v->scene->records, number, &shape);
-    const int n = cylint_chord(&shape, v->domain, chord);
+    int n = cylint_chord(&shape, v->domain, chord);
+    if (n == 2 && !cylint_less(chord[0].t1, chord[1].t0)) {
+        chord[0].t1 = chord[1].t1; /* the gap is shorter than the roundings */
+        n = 1;
+    }
     for (int i = 0; i < n; i++)
         shorten_line(v, v->chord(v->context, number, chord[i]));
     return n > 0;

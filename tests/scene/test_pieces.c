@@ -85,14 +85,46 @@ static void check_worlds(long worlds, int with_solids)
 
 TEST(pieces_of_shapes_are_those_of_a_loop)
 {
-    rng = 1;
+    stream = 1;
     check_worlds((long)check_setting("CYLINT_CASES", 100), 0);
 }
 
 TEST(pieces_of_solids_are_those_of_a_loop)
 {
-    rng = 2;
+    stream = 2;
     check_worlds((long)check_setting("CYLINT_CASES", 100), 1);
+}
+
+/* ----------------------------------------------------------- double cone -- */
+
+/* The line passes the apex at 1, and comes from 2^60. */
+TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
+{
+    const double apex[3] = {0, 0, 0}, axis[3] = {0, 0, 1};
+    const double o[3] = {1, 0, -0x1p60}, d[3] = {0, 0, 1};
+    const cylint_member own = {0, 0, 1};
+    cylint_shape cone;
+    cylint_line line;
+    cylint_interval chord[2];
+    cylint_tangent_cone(&cone, apex, axis, 1, CYLINT_ENDS_INFINITE);
+    cylint_whole_line(&line, o, d);
+    CHECK(cylint_chord(&cone, &line, chord) == 2 && chord[0].t1 == 0x1p60 &&
+          chord[1].t0 == 0x1p60);
+    cylint_scene *scene = cylint_scene_new(&cone, 1, 1, NULL);
+    for (int with_solid = 0; with_solid < 2; with_solid++) {
+        CHECK(cylint_scene_set_solids(scene, &own, (size_t)with_solid) ==
+              CYLINT_SCENE_OK);
+        for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
+            const cylint_piece_rule rule = {(cylint_piece_mode)mode, NULL,
+                                            NULL};
+            cylint_workspace work = {workspace, sizeof workspace, 0};
+            cylint_piece piece[2];
+            CHECK(cylint_scene_pieces(scene, &line, &rule, piece, 2, &work) ==
+                      1 &&
+                  piece[0].t0 == -HUGE_VAL && piece[0].t1 == HUGE_VAL);
+        }
+    }
+    cylint_scene_free(scene);
 }
 
 /* --------------------------------------------------------- environment -- */
@@ -132,7 +164,7 @@ static void answer_there(struct environment there)
 {
     static scene_answers expected, got;
     cylint_line line;
-    rng = 3;
+    stream = 3;
     for (int i = 0; i < 400; i++) {
         const double size = i % 2 ? 0x1p1021 : 1;
         if (i % 40 == 0) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The reasons that stand beside lines of the sources (tests/support/reasons.py) concern
 # mutants and branches that these lines have; what the headers and the manuals promise
-# has its tests (tests/promises.txt).
+# has its tests (tests/promises.txt); comments and pages name what exists.
 . "$(dirname "$0")/../support/verdict.sh"
 command -v python3 > /dev/null || skip_all 'no python3'
 PYTHONDONTWRITEBYTECODE=1
@@ -9,6 +9,9 @@ export PYTHONDONTWRITEBYTECODE
 
 python3 tests/support/promises.py
 verdict every_promise_stands_in_its_document_and_has_tests $?
+
+python3 tests/support/references.py
+verdict comments_and_pages_name_what_exists $?
 
 python3 tests/support/mutants.py --check
 verdict every_reason_concerns_its_line $?
