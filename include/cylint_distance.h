@@ -1,6 +1,11 @@
 /*
  * cylint_distance - how far points are from the surfaces of shapes
  *
+ *     cylint_closest near;
+ *     cylint_distance(&shape, point, CYLINT_WANT_POINT, &near);
+ *     printf("%g from %g %g %g\n", near.distance, near.point[0], near.point[1],
+ *            near.point[2]);
+ *
  * The conventions of cylint.h apply.  Each double stands for exactly one real
  * number, and nothing depends on a tolerance.  The functions may run in any
  * number of threads at once.

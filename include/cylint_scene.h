@@ -2,6 +2,12 @@
  * cylint_scene - lines or points against very many shapes, by a hierarchy of
  * boxes
  *
+ *     cylint_scene *scene = cylint_scene_new(shapes, n, 0, NULL);
+ *     size_t first = cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit);
+ *     if (first < n)
+ *         printf("shape %zu at t = %g\n", first, hit.t);
+ *     cylint_scene_free(scene);
+ *
  * A scene returns what cylint_nearest() and cylint_count() of cylint.h return
  * for all its shapes, bit for bit: the hierarchy only rejects shapes that the
  * line certainly does not hit.  That holds for every line and every shape,

@@ -212,7 +212,7 @@ CYLINT_INLINE void nearest_of_lane(const cylint_filter_group *g, int lane,
     }
 }
 
-/* Of lanes that the filter decided and that cross: as fill_columns(). */
+/* fill_columns() for lanes that the filter decided and that cross. */
 static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
                        unsigned lanes)
 {

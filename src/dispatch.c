@@ -29,6 +29,7 @@ const cylint_one_kernels *cylint_one_used = &cylint_one_plain;
 #ifdef CYLINT_BUILDS_X86
 __attribute__((constructor)) static void choose_best(void)
 {
+    __builtin_cpu_init(); /* another constructor may run before libgcc's */
     cylint_use_kernels(NULL);
 }
 #endif

@@ -324,7 +324,7 @@ typedef struct {
     const task *now;   /* tasks that threads share */
     cylint_mutex lock; /* protects the members below */
     task next[MOST_TASKS];
-    size_t n_next, n_nodes;
+    size_t n_next;
 } builder;
 
 /* Among parts of more than a leaf, the one with the largest box or, if `evenly`,
@@ -357,51 +357,16 @@ static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
     return n;
 }
 
-/* Steps from the node's corner to a face, rounded outward.  The distance and the
- * quotient have errors of at most 2^-52 of themselves. */
-static uint8_t steps_below(double distance, double step)
-{
-    return (uint8_t)(distance / step * (1 - 0x1p-50));
-}
-
-static uint8_t steps_above(double distance, double step)
-{
-    return (uint8_t)ceil(distance / step * (1 + 0x1p-50));
-}
-
-/* The distances of a box from the node's corner. */
-typedef struct {
-    double from[3], to[3];
-} offset_box;
-
-static offset_box offset_of(const cylint_node *node, const cylint_extent *box,
-                            const float center[3])
-{
-    offset_box o;
-    for (int j = 0; j < 3; j++) {
-        const double c = (double)node->corner[j] + (double)center[j];
-        o.from[j] = (double)box->lower[j] - c;
-        o.to[j] = (double)box->upper[j] - c;
-    }
-    return o;
-}
-
-/* Whether the faces are at most 255 steps from the corner. */
-static int fits(const cylint_node *node, const offset_box *o)
-{
-    int fits = 1;
-    for (int j = 0; j < 3; j++)
-        fits &= o->from[j] >= 0 &&
-                o->to[j] * (1 + 0x1p-50) <= 255 * (double)node->step[j];
-    return fits;
-}
-
-static void place_child(cylint_node *node, int child, const offset_box *o)
+/* The distances and the quotients have errors of at most 2^-52 of themselves. */
+void cylint_node_place_child(cylint_node *node, int child,
+                             const cylint_extent *box, const float center[3])
 {
     for (int j = 0; j < 3; j++) {
-        const double step = node->step[j];
-        node->face[0][j][child] = steps_below(o->from[j], step);
-        node->face[1][j][child] = steps_above(o->to[j], step);
+        const double corner = (double)node->corner[j] + (double)center[j];
+        const double from = (double)box->lower[j] - corner,
+                     to = (double)box->upper[j] - corner, step = node->step[j];
+        node->face[0][j][child] = (uint8_t)(from / step * (1 - 0x1p-50));
+        node->face[1][j][child] = (uint8_t)ceil(to / step * (1 + 0x1p-50));
     }
 }
 
@@ -430,24 +395,8 @@ void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
         node->corner[j] = corner;
         node->step[j] = step > least_step ? step : least_step;
     }
-    for (int i = 0; i < n; i++) {
-        const offset_box o = offset_of(node, &boxes[i], center);
-        place_child(node, i, &o);
-    }
-}
-
-int cylint_node_replace(cylint_node *node, const cylint_extent *boxes, int n,
-                        const float center[3])
-{
-    for (int i = 0; i < n; i++) {
-        const offset_box o = offset_of(node, &boxes[i], center);
-        if (boxes[i].lower[0] > boxes[i].upper[0])
-            continue;
-        if (!fits(node, &o))
-            return 0;
-        place_child(node, i, &o);
-    }
-    return 1;
+    for (int i = 0; i < n; i++)
+        cylint_node_place_child(node, i, &boxes[i], center);
 }
 
 /* From this depth on, ranges are split into halves: that bounds the depth. */
@@ -474,17 +423,17 @@ static void post(builder *b, const task *t)
     cylint_mutex_unlock(&b->lock);
 }
 
-/* Builds the node and the nodes below it, except those it posts as tasks.
- * Returns the number of nodes built; 0 if the build is to stop. */
-static size_t make_nodes(builder *b, const task *t)
+/* Builds the node and the nodes below it, except those it posts as tasks.  If the
+ * build is to stop, some are missing. */
+static void make_nodes(builder *b, const task *t)
 {
     range parts[CYLINT_CHILDREN] = {t->all};
     cylint_node *node = &b->nodes[t->number];
-    size_t made = 1, number = t->number + 1;
+    size_t number = t->number + 1;
     memset(node, 0, sizeof *node);
     const int n = split_up(b, parts, t->depth >= EVEN_DEPTH);
     if (n == 0)
-        return 0;
+        return;
     node->children = (uint8_t)((1u << n) - 1);
     cylint_extent boxes[CYLINT_CHILDREN];
     for (int i = 0; i < n; i++)
@@ -504,22 +453,32 @@ static size_t make_nodes(builder *b, const task *t)
         if (part->n > b->task_size)
             post(b, &child);
         else
-            made += make_nodes(b, &child);
+            make_nodes(b, &child);
         if (part->n < CYLINT_WATCHED && t->all.n >= CYLINT_WATCHED)
             cylint_watch_add(b->watch, part->n);
     }
-    return made;
 }
 
 static void do_tasks(void *self, size_t from, size_t to)
 {
     builder *b = self;
-    for (; from < to; from++) {
-        const size_t made = make_nodes(b, &b->now[from]);
-        cylint_mutex_lock(&b->lock);
-        b->n_nodes += made;
-        cylint_mutex_unlock(&b->lock);
+    for (; from < to; from++)
+        make_nodes(b, &b->now[from]);
+}
+
+/* Moves the node and those below it to the first places that are free, and returns
+ * the place of the node.  Nodes are visited in the order of their places, so a
+ * place that is written was read before. */
+static uint32_t move_below(cylint_node *nodes, uint32_t *n, uint32_t number)
+{
+    const uint32_t place = (*n)++;
+    nodes[place] = nodes[number];
+    for (unsigned i = 0; nodes[place].children >> i; i++) {
+        const uint32_t child = nodes[place].child[i];
+        if (!(child & CYLINT_LEAF_FLAG))
+            nodes[place].child[i] = move_below(nodes, n, child);
     }
+    return place;
 }
 
 /* First the root, then the tasks that it posts, then those that these post. */
@@ -547,26 +506,9 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
         cylint_threads_share(threads, tasks, 1, 1, do_tasks, &b);
     }
     cylint_mutex_destroy(&b.lock);
-    return b.n_nodes;
-}
-
-/* Moves the node and those below it to the first places that are free, and returns
- * the place of the node.  Nodes are visited in the order of their places, so a
- * place that is written was read before. */
-static uint32_t move_below(cylint_node *nodes, uint32_t *n, uint32_t number)
-{
-    const uint32_t place = (*n)++;
-    nodes[place] = nodes[number];
-    for (unsigned i = 0; nodes[place].children >> i; i++) {
-        const uint32_t child = nodes[place].child[i];
-        if (!(child & CYLINT_LEAF_FLAG))
-            nodes[place].child[i] = move_below(nodes, n, child);
-    }
-    return place;
-}
-
-void cylint_build_compact(cylint_node *nodes)
-{
-    uint32_t n = 0;
-    move_below(nodes, &n, 0);
+    if (!cylint_watch_add(watch, 0))
+        return 0;
+    uint32_t n_nodes = 0;
+    move_below(nodes, &n_nodes, 0);
+    return n_nodes;
 }

@@ -54,26 +54,22 @@ size_t cylint_build_most_nodes(size_t leaves);
  * last, and writes the nodes above them, the root first.  It splits from the
  * top down where the sum of area times number of leaves is least.  Bins, and
  * for many boxes a sample, approximate that place, which is then moved to the
- * next multiple of 8.  Returns the number of nodes, between which there are
- * gaps.  The result does not depend on the number of threads.  If the watch
- * stops it, the nodes are not complete.
+ * next multiple of 8.  Returns the number of nodes, each of which stands before
+ * its children, or 0 if the watch stops it.  The result does not depend on the
+ * number of threads.
  */
 size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
                           size_t n, const float center[3], int threads,
                           cylint_watch *watch);
-
-/* Closes the gaps.  Each node stays before its children. */
-void cylint_build_compact(cylint_node *nodes);
 
 /* Writes the corner, the steps and the faces of n children with these boxes, which
  * are relative to the centre of the hierarchy. */
 void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
                        const float center[3], float least_step);
 
-/* Writes the faces of those children whose boxes are not empty; the others keep
- * theirs.  Returns 0, with any faces, if the corner and the steps do not serve. */
-int cylint_node_replace(cylint_node *node, const cylint_extent *boxes, int n,
-                        const float center[3]);
+/* Writes the faces of a child, rounded outward to whole steps from the corner. */
+void cylint_node_place_child(cylint_node *node, int child,
+                             const cylint_extent *box, const float center[3]);
 
 /* The least step of nodes in the hierarchy's box. */
 float cylint_node_least_step(const cylint_extent *all);

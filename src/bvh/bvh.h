@@ -8,8 +8,8 @@
 #include <stddef.h>
 
 #include "leaf.h"
-#include "split.h"
 #include "memory.h"
+#include "watch.h"
 
 typedef struct cylint_bvh {
     cylint_memory node_memory, leaf_memory;
@@ -22,6 +22,26 @@ typedef struct cylint_bvh {
                                   of the distance of the line's origin */
     float near_distance;       /* origins within it are near the centre */
 } cylint_bvh;
+
+/* The n shapes with the given numbers (NULL: numbers 0 to n - 1), the number of
+ * threads that build the hierarchy, the source of its memory, and its watch,
+ * NULL for none. */
+typedef struct cylint_bvh_input {
+    const cylint_view *view;
+    const uint32_t *numbers;
+    size_t n;
+    int threads;
+    const cylint_memory_source *source;
+    cylint_watch *watch;
+} cylint_bvh_input;
+
+typedef enum cylint_bvh_status {
+    CYLINT_BVH_OK,
+    CYLINT_BVH_ESHAPE,  /* a shape is unbounded, its box is invalid, or its
+                          number is 2^32 - 1 */
+    CYLINT_BVH_EMEMORY, /* out of memory */
+    CYLINT_BVH_ESTOPPED /* by the watch */
+} cylint_bvh_status;
 
 /*
  * Builds a hierarchy on as many threads as cylint_threads_for() allows; the

@@ -114,4 +114,13 @@ static inline void cylint_extent_include(cylint_extent *box,
                            by->upper[j]);
 }
 
+/* Half the area of the box. */
+static inline double cylint_half_area(const cylint_extent *box)
+{
+    const double x = (double)box->upper[0] - (double)box->lower[0],
+                 y = (double)box->upper[1] - (double)box->lower[1],
+                 z = (double)box->upper[2] - (double)box->lower[2];
+    return x * y + y * z + z * x;
+}
+
 #endif

@@ -44,6 +44,17 @@ enum {
 /* All pieces belong to cylinders with both caps; all to round shapes. */
 enum { CYLINT_LEAF_SOLID = 0x80, CYLINT_LEAF_ROUND = 0x40 };
 
+static inline cylint_boxed_piece cylint_boxed(const cylint_extent *box,
+                                              uint32_t number,
+                                              cylint_shape_piece piece)
+{
+    return (cylint_boxed_piece){{box->lower[0], box->lower[1], box->lower[2]},
+                                number,
+                                {box->upper[0], box->upper[1], box->upper[2]},
+                                (uint16_t)piece.index,
+                                (uint16_t)piece.count};
+}
+
 /* Fills a leaf with `used` pieces, 1 to 8; discs[i] is the swept disc of the shape
  * of boxes[i].  line_error as in cylint_view. */
 void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,

@@ -59,28 +59,24 @@ int cylint_memory_allocate(cylint_memory *memory,
     return 1;
 }
 
-static int copy_to_source(cylint_memory *memory,
-                          const cylint_memory_source *source, size_t bytes)
-{
-    cylint_memory less;
-    if (!cylint_memory_allocate(&less, source, bytes))
-        return 0;
-    memcpy(less.data, memory->data, bytes);
-    cylint_memory_free(memory);
-    *memory = less;
-    return 1;
-}
-
-int cylint_memory_reduce(cylint_memory *memory,
+int cylint_memory_resize(cylint_memory *memory,
                          const cylint_memory_source *source, size_t bytes)
 {
-    if (source)
-        return copy_to_source(memory, source, bytes);
+    const size_t kept = bytes < memory->bytes ? bytes : memory->bytes;
+    if (source) {
+        cylint_memory other;
+        if (!cylint_memory_allocate(&other, source, bytes))
+            return 0;
+        memcpy(other.data, memory->data, kept);
+        cylint_memory_free(memory);
+        *memory = other;
+        return 1;
+    }
     const ptrdiff_t at = (char *)memory->data - (char *)memory->handle;
     char *handle = realloc(memory->handle, bytes + CACHE_LINE);
     if (!handle)
-        return 1;
-    memmove(whole_line(handle), handle + at, bytes);
+        return bytes == kept; /* then the memory is longer than it need be */
+    memmove(whole_line(handle), handle + at, kept);
     *memory = (cylint_memory){whole_line(handle), bytes, handle, free};
     return 1;
 }

@@ -26,10 +26,9 @@ typedef struct cylint_memory {
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes);
 
-/* Reduces the memory to its first `bytes` bytes, which may move.  Returns 0,
- * and the memory stays as it is, if the source refuses memory to copy them
- * to. */
-int cylint_memory_reduce(cylint_memory *memory,
+/* Makes the memory `bytes` bytes long, with the first bytes of before; it may move.
+ * Returns 0, and the memory stays as it is, if the source refuses memory. */
+int cylint_memory_resize(cylint_memory *memory,
                          const cylint_memory_source *source, size_t bytes);
 
 /* realloc() of n elements, which may be none.  Returns NULL, and the array stays,

@@ -11,7 +11,17 @@
 
 #include "leaf_test.h"
 
-typedef cylint_ray_state ray_state;
+/*
+ * The line x + t d, where x is relative to the centre of the hierarchy, and
+ * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
+ * into boxes and exits from them.
+ */
+typedef struct {
+    float r[3], near[3], far[3];
+    int near_faces[3];   /* where it enters boxes: 0 or 1 */
+    float first, last;   /* the domain; its t is the line's t ... */
+    double t0, t0_error; /* ... minus t0, with this error */
+} ray_state;
 
 /* ---------------------------------------------------------------- boxes -- */
 
@@ -196,7 +206,7 @@ static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
     s->last = with_one_zero(ray->tfar);
 }
 
-/* After tfar was reduced. */
+/* Reduces the domain after tfar was reduced. */
 static inline void shorten(ray_state *s, float tfar)
 {
     s->last = s->t0_error > 0 ? local_above(s, tfar) : with_one_zero(tfar);

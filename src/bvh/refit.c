@@ -102,16 +102,24 @@ static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
     return box;
 }
 
-/* Whether the steps are more than twice as long as the box needs. */
-static int has_long_steps(const cylint_node *node, const cylint_extent *box,
-                          float least_step)
+/* Whether the corner and the steps serve the children that have moved, whose box is
+ * `moved`: their faces are at most 255 steps from the corner, and no step is more
+ * than twice as long as the box of all children needs. */
+static int serves(const cylint_bvh *bvh, const cylint_node *node,
+                  const cylint_extent *moved, const cylint_extent *all)
 {
-    int has = 0;
-    for (int j = 0; j < 3; j++)
-        has |= node->step[j] > least_step &&
-               2 * ((double)box->upper[j] - (double)box->lower[j]) <
-                   255 * (double)node->step[j];
-    return has;
+    const float least_step = cylint_node_least_step(&bvh->box);
+    int serves = 1;
+    for (int j = 0; j < 3; j++) {
+        const double corner = (double)node->corner[j] + (double)bvh->center[j];
+        const double to = (double)moved->upper[j] - corner;
+        const double side = (double)all->upper[j] - (double)all->lower[j];
+        const double most = 255 * (double)node->step[j];
+        serves &= (double)moved->lower[j] >= corner &&
+                  to * (1 + 0x1p-50) <= most &&
+                  (node->step[j] <= least_step || 2 * side >= most);
+    }
+    return serves;
 }
 
 /* The children that have not moved keep their faces, if the corner and the steps
@@ -120,14 +128,20 @@ static int has_long_steps(const cylint_node *node, const cylint_extent *box,
 static int keep_faces(const cylint_bvh *bvh, cylint_node *node,
                       const cylint_extent *box, int n, cylint_extent *all)
 {
-    if (!cylint_node_replace(node, box, n, bvh->center))
-        return 0;
+    cylint_extent moved = cylint_extent_empty();
+    *all = moved;
     for (int i = 0; i < n; i++) {
         const cylint_extent b =
             has_moved(&box[i]) ? box[i] : child_box(bvh, node, i);
+        cylint_extent_include(&moved, &box[i]);
         cylint_extent_include(all, &b);
     }
-    return !has_long_steps(node, all, cylint_node_least_step(&bvh->box));
+    if (!serves(bvh, node, &moved, all))
+        return 0;
+    for (int i = 0; i < n; i++)
+        if (has_moved(&box[i]))
+            cylint_node_place_child(node, i, &box[i], bvh->center);
+    return 1;
 }
 
 /* Bounds a node again, where a child has moved.  Returns the box of its
@@ -137,7 +151,7 @@ static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
                                 cylint_extent box[CYLINT_CHILDREN])
 {
     int n = 0, moved = 0;
-    cylint_extent all = cylint_extent_empty();
+    cylint_extent all;
     for (; n < CYLINT_CHILDREN && node->children >> n; n++)
         moved += has_moved(&box[n]);
     if (moved < n && keep_faces(bvh, node, box, n, &all))
@@ -179,14 +193,6 @@ size_t cylint_bvh_extents(const cylint_bvh *bvh)
     return bvh->n_leaves + bvh->n_nodes;
 }
 
-static double half_area(const cylint_extent *box)
-{
-    const double x = (double)box->upper[0] - (double)box->lower[0],
-                 y = (double)box->upper[1] - (double)box->lower[1],
-                 z = (double)box->upper[2] - (double)box->lower[2];
-    return x * y + y * z + z * x;
-}
-
 double cylint_bvh_cost(const cylint_bvh *bvh)
 {
     double sum = 0, root = 0;
@@ -196,10 +202,10 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
         for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
             const cylint_extent box = child_box(bvh, node, k);
             cylint_extent_include(&all, &box);
-            sum += half_area(&box);
+            sum += cylint_half_area(&box);
         }
         if (i == 0)
-            root = half_area(&all);
+            root = cylint_half_area(&all);
     }
     return root > 0 ? sum / root : 0;
 }

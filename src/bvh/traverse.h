@@ -60,18 +60,6 @@ typedef void cylint_traverse_point(const cylint_bvh *bvh, const double point[3],
 
 #define CYLINT_POINT_MOST 0x1p60
 
-/*
- * The line x + t d, where x is relative to the centre of the hierarchy, and
- * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
- * into boxes and exits from them.
- */
-typedef struct cylint_ray_state {
-    float r[3], near[3], far[3];
-    int near_faces[3];   /* where it enters boxes: 0 or 1 */
-    float first, last;   /* the domain; its t is the line's t ... */
-    double t0, t0_error; /* ... minus t0, with this error */
-} cylint_ray_state;
-
 typedef struct cylint_traversal {
     cylint_traverse_ray *ray;
     cylint_traverse_line *line;

@@ -208,7 +208,7 @@ static inline angle highest_of(const principal_axes *axes, angle e,
     return best;
 }
 
-/* From half a turn on. */
+/* Whether the angle is half a turn or more. */
 CYLINT_INLINE int is_second(angle at)
 {
     /* untaken 1 of 6: half a turn itself is never the higher one in a known case */

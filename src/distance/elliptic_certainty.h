@@ -53,7 +53,7 @@ static inline double lost_of_normal(const tangent_plane *t,
     return 4 * p->relative * p->norm / sqrt(t->q);
 }
 
-/* Of tangent planes, for a point on the inner side of all. */
+/* k for tangent planes and a point on the inner side of all. */
 static inline double inner_curvature(const tangent_plane *t,
                                      const elliptic_place *p)
 {

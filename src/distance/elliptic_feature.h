@@ -61,7 +61,7 @@ static inline double rho_at_foot(const elliptic_question *q)
            fabs(q->at.slope) * foot.error;
 }
 
-/* From the largest l. */
+/* The uncertainty for all l up to this one. */
 ASIDE uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
 {
     return q->inside

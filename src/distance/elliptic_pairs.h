@@ -95,7 +95,7 @@ static inline void turn_numbers_about_apex(elliptic_numbers *m)
     m->outward = -m->outward;
 }
 
-/* Of (x, y)^2 - rho^2. */
+/* The sign of (x, y)^2 - rho^2, or 0. */
 static inline int side_in_pairs(const elliptic_question *q,
                                 const elliptic_numbers *m)
 {
@@ -416,7 +416,7 @@ static inline void answer_on_cap(elliptic_answer *to,
     keep_level(to, q, m, point, end);
 }
 
-/* From the centre of an end. */
+/* The vector from the centre of an end to the point. */
 static inline void load_from_end(sized F[3], const elliptic_numbers *m,
                                  const cylint_shape *s, int end)
 {

@@ -31,7 +31,7 @@ static int has_lanes(unsigned want, size_t n)
              cylint_flushes_subnormals());
 }
 
-/* Of point i and shape number each * i. */
+/* Answer i is that of point i and shape number each * i. */
 static void write_rows(const cylint_shape *shapes, size_t each,
                        const cylint_points *points,
                        const cylint_closest_columns *answers)
@@ -74,8 +74,8 @@ void cylint_distance_pairs(const cylint_shape *shapes,
  * Whether the surface and the solid of a shape are certainly farther away than
  * `least`, because the ball about the shape is.  Where that is negative, whether
  * the point is outside.  The slack covers the roundings of both
- * squares, eight at most each.  If the smaller one overflows, to infinity or to
- * the largest double, they are equal.  2^-400 covers what underflows.
+ * squares, eight at most each.  The square of a `most` below 2^511 does not
+ * overflow.  2^-400 covers what underflows.
  */
 static int is_farther(const cylint_shape *s, const double point[3],
                       double least)
@@ -88,7 +88,7 @@ static int is_farther(const cylint_shape *s, const double point[3],
                  Z = point[2] - center[2];
     const double most =
         (cylint_larger(least, 0) + radius) * CYLINT_SLACK + 0x1p-400;
-    return X * X + Y * Y + Z * Z > most * most;
+    return most < 0x1p511 && X * X + Y * Y + Z * Z > most * most;
 }
 
 size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,

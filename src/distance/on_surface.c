@@ -49,7 +49,7 @@ int cylint_on_surface(const cylint_shape *shape, const double point[3],
 /* Points of a block. */
 enum { BLOCK = 256 };
 
-/* Of point i and shape number each * i. */
+/* Answer i is that of point i and shape number each * i. */
 static void write_on_surface(const cylint_shape *shapes, size_t each,
                              const cylint_points *points, double ulps,
                              signed char *on)

@@ -73,7 +73,7 @@ INLINE position locate(const cylint_shape *s, const double point[3])
                       sum_of_lanes(xy * xy)};
 }
 
-/* From the planes of base and top, positive outside. */
+/* The distances from the planes of base and top, positive outside. */
 INLINE vd from_planes(const cylint_shape *s, double z)
 {
     return v_two(-z, z - cylint_height(s));
@@ -262,7 +262,7 @@ double cylint_safety(const cylint_shape *shape, const double point[3])
 
 #endif
 
-/* Of point i and shape number each * i. */
+/* Answer i is that of point i and shape number each * i. */
 static void write_safety(const cylint_shape *shapes, size_t each,
                          const cylint_points *points, double *safety)
 {

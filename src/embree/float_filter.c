@@ -10,7 +10,6 @@
 #endif
 
 #include "../bvh/float_bounds.h"
-#include "../bvh/swept_disc.h"
 
 #include "float_filter_lanes.h"
 
@@ -34,11 +33,12 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
         return CYLINT_FLOAT_FILTER_UNCERTAIN;
     if (above > of->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
-    if (of->count > 1) {
-        const int piece = cylint_piece_at(z - z_error, of->count);
-        if (piece != cylint_piece_at(z + z_error, of->count))
+    const int count = of->piece.count;
+    if (count > 1) {
+        const int index = cylint_piece_at(z - z_error, count);
+        if (index != cylint_piece_at(z + z_error, count))
             return CYLINT_FLOAT_FILTER_UNCERTAIN;
-        if (piece != of->index)
+        if (index != of->piece.index)
             return CYLINT_FLOAT_FILTER_MISS;
     }
     return above < of->tfar ? CYLINT_FLOAT_FILTER_HIT
@@ -99,18 +99,6 @@ INLINE void lateral_direction(const questions *q, const vd c[3], vd e_c,
     a->e[2] = (x + y) * e_c;
     a->per_length = q->per_ww / where_or_one(v_lt(v_set(0), q->r0), q->r0);
     a->e_length = eps(3);
-}
-
-/* N / |N|. */
-INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
-{
-    vm certain = m_not(m_none());
-    EACH(j, 3) {
-        const vd x = a->N[j] * a->per_length;
-        const vd e = a->e[j] * a->per_length + v_abs(x) * a->e_length;
-        certain = m_and(certain, to_float(x, v_set(1.1) * e, &unit[j]));
-    }
-    return certain;
 }
 
 /*
@@ -187,13 +175,8 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
                  to_float(turn, e, phi));
 }
 
-/* |x| < |y|, both with what their roundings lost, and with their signs. */
-INLINE vm is_less(vd x, vd x_lost, vd y, vd y_lost)
-{
-    return m_or(v_lt(x, y), m_and(v_eq(x, y), v_lt(x_lost, y_lost)));
-}
-
-/* least[j]: the axis is least along coordinate j, the first such. */
+/* least[j]: the axis is least along coordinate j, the first such.  lost: what their
+ * roundings lost, needed where two of them are equal. */
 INLINE void find_least(const questions *q, vm least[3])
 {
     const vd zero = v_set(0), x = v_abs(q->w[0]), y = v_abs(q->w[1]),
@@ -205,11 +188,12 @@ INLINE void find_least(const questions *q, vm least[3])
         EACH(j, 3)
             lost[j] = v_select(q->is_angle, zero,
                                v_like(v_set(1), q->w[j]) *
-                                   difference_error(top[j], base[j], q->w[j]));
+                                   v_two_sum(top[j], -base[j]).lo);
     }
-    const vm y_less = is_less(y, lost[1], x, lost[0]);
-    least[2] = is_less(z, lost[2], v_select(y_less, y, x),
-                       v_select(y_less, lost[1], lost[0]));
+    const vm y_less = v_lt((y - x) + (lost[1] - lost[0]), zero);
+    const vd xy = v_select(y_less, y, x);
+    const vd xy_lost = v_select(y_less, lost[1], lost[0]);
+    least[2] = v_lt((z - xy) + (lost[2] - xy_lost), zero);
     least[1] = m_and_not(y_less, least[2]);
     least[0] = m_not(m_or(least[1], least[2]));
 }
@@ -220,18 +204,23 @@ INLINE vd along_least(const vd x[3], const vm least[3])
     return v_select(least[1], x[1], v_select(least[2], x[2], x[0]));
 }
 
-/* The unit normal, from *a, that of lateral_direction(). */
+/* The unit normal N / |N|, from *a, that of lateral_direction(). */
 INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
                           bounded_vector *a, vd normal[3])
 {
-    const vm at_end = is_round ? is_on_end(q, at) : at->capped;
+    const vm at_end = is_on_end(q, at);
     const vm lateral = m_not(at_end);
     vm certain = at_end;
     if (m_any(lateral))
         certain = m_or(at_end, lean_on_cone(q, at, lateral, a));
     if (m_any(at_end))
         set_end_normal(q, at, is_round, at_end, a);
-    return m_and(certain, unit_floats(a, normal));
+    EACH(j, 3) {
+        const vd x = a->N[j] * a->per_length;
+        const vd e = a->e[j] * a->per_length + v_abs(x) * a->e_length;
+        certain = m_and(certain, to_float(x, v_set(1.1) * e, &normal[j]));
+    }
+    return certain;
 }
 
 /* Writes the floats of hits; returns the lanes in which they are certain. */
@@ -296,7 +285,7 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
         unsigned here = end ? left : left & ~q->exit_only, unsure;
         if (!here)
             continue;
-        hit at = is_round ? end_on_round(q, end) : end_on_discs(q, end);
+        hit at = end_on_shape(q, is_round, end);
         *uncertain |= m_bits(at.uncertain) & here;
         left &= ~here | m_bits(at.is);
         here &= m_bits(at.is);

@@ -9,6 +9,7 @@
 
 #include <float.h>
 
+#include "../bvh/swept_disc.h"
 #include "../shapes/record.h"
 
 typedef enum {
@@ -30,9 +31,10 @@ typedef struct cylint_float_filter_question {
      * negative tangent as r0; NaN radii: the filter does not decide the shape */
     cylint_record record;
     float tfar;
-    int ends, index, count; /* ends: the shape's */
-    int exit_only;          /* only where the line leaves the shape */
-    int describes;          /* `floats` are wanted */
+    int ends; /* the shape's */
+    cylint_shape_piece piece;
+    int exit_only; /* only where the line leaves the shape */
+    int describes; /* `floats` are wanted */
     /* the answer; of a HIT: t rounded up to a float, whether the line leaves the
      * shape there, and the floats if they are wanted: the normal, z and phi, equal
      * to the library's doubles rounded to floats */

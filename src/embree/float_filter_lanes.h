@@ -142,12 +142,6 @@ INLINE void select_hit(hit *at, vm where, const hit *other)
     at->top = m_if(where, other->top, at->top);
 }
 
-INLINE vd difference_error(vd x, vd y, vd difference)
-{
-    const vd minus_y = difference - x;
-    return (x - (difference - minus_y)) - (y + minus_y);
-}
-
 INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
 {
     const vm known = v_le(v_abs(near), v_set((double)FLT_MAX));
@@ -156,14 +150,20 @@ INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
     return v_select(known, near, v_float(-dot(D0, d) / dot(d, d)));
 }
 
-/* Base and r0, top and r1; of an angle cone v and -k, u and k. */
-INLINE void load_ends(const questions *q, vd base[4], vd top[4])
+/* Four numbers of each question, from `at` bytes on. */
+INLINE void load_columns(const questions *q, size_t at, vd to[4])
 {
     const char *row[LANES];
     for (int i = 0; i < LANES; i++)
-        row[i] = (const char *)&q->of[i]->record;
-    v_columns(row, offsetof(cylint_record, p0), base);
-    v_columns(row, offsetof(cylint_record, p1), top);
+        row[i] = (const char *)q->of[i];
+    v_columns(row, at, to);
+}
+
+/* Base and r0, top and r1; of an angle cone v and -k, u and k. */
+INLINE void load_ends(const questions *q, vd base[4], vd top[4])
+{
+    load_columns(q, offsetof(asked, record.p0), base);
+    load_columns(q, offsetof(asked, record.p1), top);
 }
 
 /*
@@ -176,14 +176,11 @@ INLINE void load_ends(const questions *q, vd base[4], vd top[4])
  */
 INLINE void load_questions(questions *q)
 {
-    const char *row[LANES];
     const vd zero = v_set(0);
     vd x[8], base[4], top[4], D0[3];
-    for (int i = 0; i < LANES; i++)
-        row[i] = (const char *)q->of[i];
     load_ends(q, base, top);
-    v_columns(row, offsetof(asked, o), x);
-    v_columns(row, offsetof(asked, d[1]), x + 4);
+    load_columns(q, offsetof(asked, o), x);
+    load_columns(q, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
     q->is_angle = v_lt(base[3] * top[3], zero);
@@ -200,8 +197,7 @@ INLINE void load_questions(questions *q)
     }
     q->from = origin_shift(x[7], D0, q->u);
     EACH(j, 3)
-        q->D[j] = (D0[j] + q->from * q->u[j]) +
-                  difference_error(x[j], base[j], D0[j]);
+        q->D[j] = (D0[j] + q->from * q->u[j]) + v_two_sum(x[j], -base[j]).lo;
     q->uu = dot(q->u, q->u);
     q->Du = dot(q->D, q->u);
     q->DD = dot(q->D, q->D);
@@ -354,39 +350,25 @@ INLINE hit lateral_end(const questions *q, int end)
     return at;
 }
 
-/*
- * Where the line enters (end 0) or leaves the closed shape: where its chord begins
- * or ends, or, if that is beyond a cap and the chord's other end is not, on that
- * cap.  `out`: how far z is beyond the nearer cap.
- */
-INLINE hit end_on_discs(const questions *q, int end)
+/* Where the line enters (end 0) or leaves the solid on a cap, to which the lateral
+ * end is beyond.  It does if the chord's other end is not beyond. */
+INLINE hit end_on_cap(const questions *q, int top, int end)
 {
     const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
-    hit at = lateral_end(q, end);
-    const vm top = v_lt(v_set(0.5), at.z);
-    const vd out = v_select(top, at.z - one, -at.z);
-    const vd margin = at.z_error + eps(1);
-    at.is = v_lt(out, -margin);
-    at.uncertain = m_not(at.is);
-    if (!m_any(at.uncertain))
+    hit at = lateral_end(q, 1 - end);
+    const vd plane = v_set(top), margin = at.z_error + eps(1);
+    const vd rise = plane - q->z0, out = top ? at.z - plane : plane - at.z;
+    at.is = m_and(v_lt(out, -margin), v_lt(eps(16) * q->U * q->per_W, dz));
+    at.uncertain = m_not(m_or(at.is, v_lt(margin, out)));
+    if (!m_any(at.is))
         return at;
-    const vm beyond = v_lt(margin, out);
-    const hit other = lateral_end(q, 1 - end);
-    const vd other_out = v_select(top, other.z - one, -other.z);
-    const vd other_margin = other.z_error + eps(1);
-    const vm stays = m_and(beyond, v_lt(other_margin, other_out));
-    const vm comes = m_and(m_and(beyond, v_lt(other_out, -other_margin)),
-                           v_lt(eps(16) * q->U * q->per_W, dz));
-    at.is = m_or(at.is, comes);
-    at.uncertain = m_not(m_or(at.is, stays));
-    if (m_any(comes)) {
-        const vd per_dz = one / where_or_one(comes, dz);
-        const vd z = v_select(top, one, zero), rise = z - q->z0;
-        const vd s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
-        const vd e = eps(4) * (one + size_at(q, s) * q->per_W) * per_dz;
-        const hit cap = {s, e, z, zero, at.is, at.uncertain, comes, top};
-        select_hit(&at, comes, &cap);
-    }
+    const vd per_dz = one / where_or_one(at.is, dz);
+    at.z = plane;
+    at.z_error = zero;
+    at.s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
+    at.s_error = eps(4) * (one + size_at(q, at.s) * q->per_W) * per_dz;
+    at.capped = m_not(m_none());
+    at.top = top ? at.capped : m_none();
     return at;
 }
 
@@ -417,33 +399,44 @@ INLINE hit end_on_ball(const questions *q, int top, int end)
 }
 
 /*
- * Where the line enters or leaves the solid.  A sphere's only surface is ball 0.
- * Beyond the balls' circles the cone decides which ball is hit or, if it is
- * flatter than the line (`apart`), that it is the one which is entered first.
+ * Where the line enters or leaves the closed solid: where its chord begins or ends
+ * or, if that is beyond an end, on the cap or ball of that.  Beyond the balls' circles
+ * the cone decides which ball is hit or, if it is flatter than the line (`apart`), that
+ * it is the one which is entered first.  A sphere's only surface is ball 0.
  */
-INLINE hit end_on_round(const questions *q, int end)
+INLINE hit end_on_shape(const questions *q, int is_round, int end)
 {
-    hit at = chord_end(&q->cone, q, end);
-    const vd y = q->y0 + at.s * q->dz, e = at.z_error + eps(3);
+    hit at = is_round ? chord_end(&q->cone, q, end) : lateral_end(q, end);
+    vd y = at.z;
+    if (is_round)
+        y = q->y0 + at.s * q->dz;
+    const vd e = at.z_error + eps(is_round ? 3 : 1);
+    const vm crosses = at.is;
+    at.is = m_and(crosses, m_and(v_lt(e, y), v_lt(y, q->S - e)));
+    at.uncertain = m_not(at.is);
+    if (!m_any(at.uncertain))
+        return at;
     const vm below = v_lt(y, -e), above = v_lt(q->S + e, y);
-    const vm beyond = m_and(at.is, m_or(below, above));
-    const vm mine[2] = {m_or(m_and(beyond, m_or(below, q->apart)), q->is_ball),
-                        m_and(beyond, m_or(above, q->apart))};
-    at.is = m_and(at.is, m_and(v_lt(e, y), v_lt(y, q->S - e)));
-    at.uncertain = m_not(m_or(m_or(at.is, beyond), q->is_ball));
+    const vm beyond = m_and(crosses, m_or(below, above));
+    const vm both_ends = is_round ? q->apart : m_none();
+    const vm mine[2] = {m_or(m_and(beyond, m_or(below, both_ends)), q->is_ball),
+                        m_and(beyond, m_or(above, both_ends))};
+    at.uncertain = m_and_not(at.uncertain, m_or(beyond, q->is_ball));
     for (int top = 0; top < 2; top++) {
         if (!m_any(mine[top]))
             continue;
-        const hit ball = end_on_ball(q, top, end);
-        const vd before = end ? ball.s - at.s : at.s - ball.s;
-        const vd error = ball.s_error + at.s_error;
-        const vm is = m_and(mine[top], ball.is), both = m_and(is, at.is);
+        const hit on =
+            is_round ? end_on_ball(q, top, end) : end_on_cap(q, top, end);
+        const vd before = end ? on.s - at.s : at.s - on.s;
+        const vd error = on.s_error + at.s_error;
+        const vm is = m_and(mine[top], on.is);
+        const vm both = is_round ? m_and(is, at.is) : m_none();
         const vm comes =
             m_or(m_and_not(is, at.is), m_and(both, v_lt(error, before)));
         at.uncertain = m_or(at.uncertain,
-                            m_or(m_and(mine[top], ball.uncertain),
+                            m_or(m_and(mine[top], on.uncertain),
                                  m_and_not(both, v_lt(error, v_abs(before)))));
-        select_hit(&at, comes, &ball);
+        select_hit(&at, comes, &on);
         at.is = m_or(at.is, is);
     }
     at.is = m_and_not(at.is, at.uncertain);

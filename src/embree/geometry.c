@@ -79,25 +79,17 @@ static struct RTCBounds padded_box(const cylint_extent *box, double pad)
         wider.upper[0], wider.upper[1], wider.upper[2], 0};
 }
 
-/* The box of a shape; moved: its state at time 1, or NULL. */
-static cylint_extent box_of(const cylint_shape *shape,
-                            const cylint_shape *moved, int step)
-{
-    const cylint_view view = cylint_plain_view(shape);
-    return moved ? cylint_motion_box(shape, moved, step)
-                 : cylint_swept_disc_box(&view, 0);
-}
-
 static void write_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
+    const int moves = data->options.moved != NULL;
     cylint_extent box = data->bvh.box;
     if (!data->traversal) {
         cylint_shape shape[2];
-        const int moves = data->moved != NULL;
         for (int i = 0; i <= moves; i++)
-            cylint_embree_shape(&data->shapes[i], args->primID, &shape[i]);
-        box = box_of(shape, moves ? shape + 1 : NULL, (int)args->timeStep);
+            cylint_embree_shape(data->shapes, args->primID, i, &shape[i]);
+        box = cylint_embree_box(&shape[0], moves ? &shape[1] : NULL,
+                                (int)args->timeStep);
     }
     *args->bounds_o = padded_box(&box, data->pad);
 }
@@ -107,10 +99,12 @@ static void write_bounds(const struct RTCBoundsFunctionArguments *args)
  * padding would cost too much there. */
 enum { NEAR_SIZES = 3, FAR_SIZES = 4095 };
 
-static int refuse(cylint_embree_problem *problem, int status, size_t shape)
+/* Writes *problem, unless that is NULL.  Returns the status. */
+static int report(cylint_embree_problem *problem, int status, size_t shape)
 {
-    *problem = (cylint_embree_problem){status, shape};
-    return 0;
+    if (problem)
+        *problem = (cylint_embree_problem){status, shape};
+    return status;
 }
 
 static void write_numbered_shape(const void *owner, uint32_t number,
@@ -124,60 +118,66 @@ static void write_numbered_shape(const void *owner, uint32_t number,
 
 static cylint_view view_of(const cylint_embree_data *data, int time)
 {
-    cylint_view view =
-        cylint_plain_view(time ? data->moved : data->arrays->shapes);
-    if (data->n_arrays > 1) {
+    cylint_view view = cylint_plain_view(time ? data->options.moved
+                                              : data->arrays->shapes);
+    if (data->n_arrays > 1)
         view.shapes = NULL;
-        view.write_shape = write_numbered_shape;
-        view.owner = data;
-    }
+    view.write_shape = write_numbered_shape;
+    view.owner = data;
     return view;
 }
 
-/* Whether the numbers of merged arrays ascend. */
+/* The numbers of merged arrays ascend. */
 static int check_arrays(const cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
     for (size_t i = 1; i < data->n_arrays; i++)
         if (data->arrays[i].geomID <= data->arrays[i - 1].geomID)
-            return refuse(problem, CYLINT_EMBREE_EPART, i);
-    return 1;
+            return report(problem, CYLINT_EMBREE_EPART, i);
+    return CYLINT_EMBREE_OK;
 }
 
-/* Writes the box of all shapes, if each of them can be a primitive. */
+/* Writes the box of all shapes, each of which can be a primitive. */
 static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
                         cylint_embree_problem *problem)
 {
-    const int moves = data->moved != NULL;
+    const int moves = data->options.moved != NULL;
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
         const cylint_shape *shape = data->arrays->shapes + i;
-        const cylint_shape *moved = moves ? data->moved + i : NULL;
+        const cylint_shape *moved = moves ? data->options.moved + i : NULL;
         if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
             (moved && !cylint_is_bounded(moved)))
-            return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
+            return report(problem, CYLINT_EMBREE_ESHAPE, i);
         if (moved &&
             (moved->ends != shape->ends ||
              cylint_constructor_kind(moved) != cylint_constructor_kind(shape)))
-            return refuse(problem, CYLINT_EMBREE_EMOTION, i);
+            return report(problem, CYLINT_EMBREE_EMOTION, i);
         for (int step = 0; step <= moves; step++) {
-            const cylint_extent box = box_of(shape, moved, step);
+            const cylint_extent box = cylint_embree_box(shape, moved, step);
             if (!cylint_extent_is_valid(&box))
-                return refuse(problem, CYLINT_EMBREE_ESHAPE, i);
+                return report(problem, CYLINT_EMBREE_ESHAPE, i);
             cylint_extent_include(all, &box);
         }
     }
-    return 1;
+    return CYLINT_EMBREE_OK;
 }
 
-/* Ranks the shapes in the order in which leaves first name them, writes their
- * numbers in that order, and replaces the numbers in the leaves by ranks.  No
- * query uses the leaves yet.  All ranks are UINT32_MAX before. */
-static void rank_shapes(const cylint_bvh *bvh, uint32_t *rank, uint32_t *number)
+/* Ranks the shapes in the order in which leaves first name them: so records of shapes
+ * that are together in leaves are together in memory.  Replaces the numbers in the
+ * leaves, which no query uses yet, by ranks.  Returns 0 if memory is refused. */
+static int rank_by_leaves(cylint_embree_data *data)
 {
-    uint32_t next = 0;
-    for (size_t i = 0; i < bvh->n_leaves; i++) {
-        cylint_leaf *leaf = (cylint_leaf *)&bvh->leaves[i];
+    const size_t n = data->n;
+    if (!cylint_memory_allocate(&data->order_memory, &data->source,
+                                (data->is_merged ? 3 : 2) * n *
+                                    sizeof(uint32_t)))
+        return 0;
+    uint32_t *number = data->order_memory.data, *rank = number + n, next = 0;
+    uint32_t *array = data->is_merged ? rank + n : NULL;
+    memset(rank, 0xff, n * sizeof *rank); /* UINT32_MAX: none yet */
+    for (size_t i = 0; i < data->bvh.n_leaves; i++) {
+        cylint_leaf *leaf = (cylint_leaf *)&data->bvh.leaves[i];
         for (int lane = 0; lane < cylint_leaf_used(leaf); lane++) {
             uint32_t *here = &rank[leaf->number[lane]];
             if (*here == UINT32_MAX) {
@@ -187,22 +187,6 @@ static void rank_shapes(const cylint_bvh *bvh, uint32_t *rank, uint32_t *number)
             leaf->number[lane] = *here;
         }
     }
-}
-
-/* Shapes that are together in leaves get neighbouring ranks, so that their records
- * are together in memory.  Writes numbers, then ranks, then the arrays of a merged
- * geometry.  Returns 0 if memory is refused. */
-static int rank_by_leaves(cylint_embree_data *data)
-{
-    const size_t n = data->n;
-    if (!cylint_memory_allocate(&data->order_memory, &data->source,
-                                (data->is_merged ? 3 : 2) * n *
-                                    sizeof(uint32_t)))
-        return 0;
-    uint32_t *number = data->order_memory.data, *rank = number + n;
-    uint32_t *array = data->is_merged ? rank + n : NULL;
-    memset(rank, 0xff, n * sizeof *rank);
-    rank_shapes(&data->bvh, rank, number);
     for (size_t i = 0; i < n && array; i++)
         array[i] = (uint32_t)cylint_embree_array_at(data, 0, number[i]);
     data->number = number;
@@ -215,10 +199,11 @@ static int rank_by_leaves(cylint_embree_data *data)
  * refused. */
 static int copy_shapes(cylint_embree_data *data)
 {
-    for (int i = 0; i <= (data->moved != NULL); i++) {
+    for (int i = 0; i <= (data->options.moved != NULL); i++) {
         const cylint_view from = view_of(data, i);
         if (!cylint_embree_shapes_copy(&data->shapes[i], &from, data->number,
-                                       data->n, data->threads, &data->source))
+                                       data->n, data->options.threads,
+                                       &data->source))
             return 0;
     }
     return 1;
@@ -227,19 +212,17 @@ static int copy_shapes(cylint_embree_data *data)
 static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
 {
     const cylint_view view = view_of(data, 0);
-    size_t shape;
+    size_t shape = 0;
     const cylint_bvh_input input = {.view = &view,
                                     .n = data->n,
-                                    .threads = data->threads,
+                                    .threads = data->options.threads,
                                     .source = &data->source};
-    switch (cylint_bvh_build(&data->bvh, &input, &shape)) {
-    case CYLINT_BVH_OK:
-        return 1;
-    case CYLINT_BVH_ESHAPE:
-        return refuse(problem, CYLINT_EMBREE_ESHAPE, shape);
-    default:
-        return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
-    }
+    const int status = cylint_bvh_build(&data->bvh, &input, &shape);
+    return report(problem,
+                  status == CYLINT_BVH_OK       ? CYLINT_EMBREE_OK
+                  : status == CYLINT_BVH_ESHAPE ? CYLINT_EMBREE_ESHAPE
+                                                : CYLINT_EMBREE_EMEMORY,
+                  shape);
 }
 
 /* What follows from the shapes. */
@@ -251,57 +234,55 @@ static void free_state(cylint_embree_data *data)
     cylint_memory_free(&data->order_memory);
 }
 
-/* Loads the present state of the shapes.  On failure the old one stays. */
+/* Loads the present state of the shapes.  On failure the old one stays.  Returns the
+ * status. */
 static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
 {
     cylint_embree_data next = *data;
     next.bvh = (cylint_bvh){0};
     next.order_memory = (cylint_memory){0};
     next.shapes[0] = next.shapes[1] = (cylint_embree_shapes){0};
-    if (!check_arrays(data, problem) ||
-        !(data->traversal ? build_bvh(&next, problem)
-                          : check_shapes(data, &next.bvh.box, problem)))
-        return 0;
-    if (data->n > 0 &&
-        ((data->traversal && !rank_by_leaves(&next)) || !copy_shapes(&next))) {
+    int status = check_arrays(data, problem);
+    if (status == CYLINT_EMBREE_OK)
+        status = data->traversal
+                     ? build_bvh(&next, problem)
+                     : check_shapes(data, &next.bvh.box, problem);
+    if (status == CYLINT_EMBREE_OK && data->n > 0 &&
+        ((data->traversal && !rank_by_leaves(&next)) || !copy_shapes(&next)))
+        status = report(problem, CYLINT_EMBREE_EMEMORY, 0);
+    if (status != CYLINT_EMBREE_OK) {
         free_state(&next);
-        return refuse(problem, CYLINT_EMBREE_EMEMORY, 0);
+        return status;
     }
     next.pad = box_pad(&next.bvh.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
     free_state(data);
     *data = next;
-    return 1;
-}
-
-/* Embree has no function that reports an error to its device.  This call with a
- * null handle makes it report RTC_ERROR_INVALID_ARGUMENT. */
-static void raise_device_error(RTCGeometry geometry)
-{
-    rtcSetGeometryInstancedScene(geometry, NULL);
+    return report(problem, CYLINT_EMBREE_OK, 0);
 }
 
 /* --------------------------------------------------------------- making -- */
 
-/* Loads the shapes and commits the geometry. */
+/* Loads the shapes and commits the geometry.  Returns the status. */
 static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
                          cylint_embree_problem *problem)
 {
-    if (!load_state(data, problem)) {
-        if (problem->status != CYLINT_EMBREE_EMEMORY)
-            raise_device_error(geometry);
-        return 0;
-    }
-    problem->status = CYLINT_EMBREE_OK;
+    const int status = load_state(data, problem);
+    /* Embree has no function that reports an error to its device.  This call makes
+     * it report RTC_ERROR_INVALID_ARGUMENT. */
+    if (status != CYLINT_EMBREE_OK && status != CYLINT_EMBREE_EMEMORY)
+        rtcSetGeometryInstancedScene(geometry, NULL);
+    if (status != CYLINT_EMBREE_OK)
+        return status;
     rtcSetGeometryUserPrimitiveCount(
         geometry, data->traversal ? data->bvh.n_leaves > 0 : (unsigned)data->n);
     rtcCommitGeometry(geometry);
-    return 1;
+    return status;
 }
 
 static void attach(RTCGeometry geometry, cylint_embree_data *data)
 {
     rtcSetGeometryUserData(geometry, data);
-    rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
+    rtcSetGeometryTimeStepCount(geometry, data->options.moved ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
@@ -337,7 +318,6 @@ static cylint_embree_data *new_data(RTCDevice device,
                                     int is_merged,
                                     const cylint_embree_options *options)
 {
-    const cylint_embree_options none = {0}, *with = options ? options : &none;
     const cylint_memory_source source = {device, allocate_buffer,
                                          release_buffer};
     const size_t size = sizeof(cylint_embree_array);
@@ -355,15 +335,18 @@ static cylint_embree_data *new_data(RTCDevice device,
         .arrays = arrays,
         .n_arrays = n_arrays,
         .is_merged = is_merged,
-        .moved = is_merged ? NULL : with->moved,
-        .flags = with->flags,
-        .user = with->user,
-        .threads = with->threads > 1 ? with->threads : 1,
         .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
         .trace_packet = CYLINT_OF_KERNELS(cylint_packet_trace_plain,
                                           cylint_packet_trace_avx2,
                                           cylint_packet_trace_avx2)};
-    if (is_merged || !(data->flags & CYLINT_EMBREE_SINGLE || data->moved))
+    if (options)
+        data->options = *options;
+    if (is_merged)
+        data->options.moved = NULL;
+    if (data->options.threads < 1)
+        data->options.threads = 1;
+    if (is_merged ||
+        !(data->options.flags & CYLINT_EMBREE_SINGLE || data->options.moved))
         data->traversal = cylint_traversal_used();
     arrays[0] = (cylint_embree_array){.n = 0};
     for (size_t i = 0; i < n; data->n += parts[i++].n)
@@ -372,38 +355,27 @@ static cylint_embree_data *new_data(RTCDevice device,
     return data;
 }
 
-static void free_data(cylint_embree_data *data)
-{
-    cylint_memory self = data->self;
-    free_state(data);
-    cylint_memory_free(&self);
-}
-
 static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
                         size_t n, int is_merged,
                         const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
-    cylint_embree_problem unread;
-    if (!problem)
-        problem = &unread;
-    *problem = (cylint_embree_problem){CYLINT_EMBREE_EVERSION, 0};
+    report(problem, CYLINT_EMBREE_EVERSION, 0);
     if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION_MAJOR) !=
         CYLINT_EMBREE)
         return NULL;
-    problem->status = CYLINT_EMBREE_EDEVICE;
+    report(problem, CYLINT_EMBREE_EDEVICE, 0);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     if (!geometry)
         return NULL;
-    problem->status = CYLINT_EMBREE_EMEMORY;
+    report(problem, CYLINT_EMBREE_EMEMORY, 0);
     cylint_embree_data *data = new_data(device, parts, n, is_merged, options);
     if (data) {
         attach(geometry, data);
-        if (load_geometry(geometry, data, problem))
+        if (load_geometry(geometry, data, problem) == CYLINT_EMBREE_OK)
             return geometry;
-        free_data(data);
     }
-    rtcReleaseGeometry(geometry);
+    cylint_embree_release(geometry);
     return NULL;
 }
 
@@ -426,19 +398,19 @@ RTCGeometry cylint_embree_merge(RTCDevice device,
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)
 {
-    cylint_embree_problem unread;
-    if (!problem)
-        problem = &unread;
-    *problem = (cylint_embree_problem){CYLINT_EMBREE_OK, 0};
-    load_geometry(geometry, rtcGetGeometryUserData(geometry), problem);
-    return problem->status;
+    return load_geometry(geometry, rtcGetGeometryUserData(geometry), problem);
 }
 
 void cylint_embree_release(RTCGeometry geometry)
 {
     if (!geometry)
         return;
-    free_data(rtcGetGeometryUserData(geometry));
+    cylint_embree_data *data = rtcGetGeometryUserData(geometry);
+    if (data) { /* not where memory for it was refused */
+        cylint_memory self = data->self;
+        free_state(data);
+        cylint_memory_free(&self);
+    }
     rtcReleaseGeometry(geometry);
 }
 

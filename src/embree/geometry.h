@@ -34,14 +34,11 @@ typedef struct cylint_embree_data {
     const cylint_embree_array *arrays; /* behind this struct; at least one */
     size_t n_arrays, n; /* n: the shapes of all; several arrays are merged */
     int is_merged;
-    const cylint_shape *moved; /* at time 1; NULL: the shapes do not move */
-    double pad;     /* added to each side of Embree's boxes: box_pad() */
-    unsigned flags; /* CYLINT_EMBREE_SINGLE, ... */
-    void *user;     /* for filter functions */
-    int threads;    /* to build the hierarchy */
+    cylint_embree_options options;
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
     cylint_float_filter *filter[2];    /* for one question, and for several */
     cylint_packet_trace *trace_packet;
+    double pad;     /* added to each side of Embree's boxes: box_pad() */
     cylint_bvh bvh; /* its box only, if each shape is a primitive */
     /* Leaves name shapes by rank, in the order in which leaves first name
      * them; `shapes` have the same order.  Without leaves, ranks are numbers. */

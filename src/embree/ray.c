@@ -14,32 +14,28 @@
 
 /* The layouts that geometry.h states. */
 #define RAY(x, y) (offsetof(cylint_float_ray, x) == offsetof(struct RTCRay, y))
-#define CALL(x, y)                     \
+#define CALL(x, y)                      \
     (offsetof(cylint_embree_call, x) == \
      offsetof(struct RTCOccludedFunctionNArguments, y))
-typedef char same_layouts
-    [RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
-             RAY(tnear, tnear) && RAY(d[0], dir_x) && RAY(d[1], dir_y) &&
-             RAY(d[2], dir_z) && RAY(tfar, tfar) && CALL(valid, valid) &&
-             CALL(geometryUserPtr, geometryUserPtr) && CALL(primID, primID) &&
-             CALL(context, context) && CALL(rayhit, ray) && CALL(N, N) &&
-             CALL(geomID, geomID)
-         ? 1
-         : -1];
+typedef char
+    same_layouts[RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
+                         RAY(tnear, tnear) && RAY(d[0], dir_x) &&
+                         RAY(d[1], dir_y) && RAY(d[2], dir_z) &&
+                         RAY(tfar, tfar) && CALL(valid, valid) &&
+                         CALL(geometryUserPtr, geometryUserPtr) &&
+                         CALL(primID, primID) && CALL(context, context) &&
+                         CALL(rayhit, ray) && CALL(N, N) && CALL(geomID, geomID)
+                     ? 1
+                     : -1];
 #undef RAY
 #undef CALL
 
 typedef cylint_embree_call call;
 typedef cylint_ray_test ray_test;
 
-static inline int is_bare(const ray_test *r)
+static inline int has_flag(const ray_test *r, unsigned flag)
 {
-    return (r->data->flags & CYLINT_EMBREE_BARE) != 0;
-}
-
-static inline int has_filters(const ray_test *r)
-{
-    return !(r->data->flags & CYLINT_EMBREE_NO_FILTERS);
+    return (r->data->options.flags & flag) != 0;
 }
 
 /* Sets what all questions about the ray share.  Returns whether cylint_span()
@@ -65,7 +61,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
     /* whether the caller or a filter reads u, v and Ng */
-    r->q.describes = !is_bare(r) && (!any || has_filters(r));
+    r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) && (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
     r->found = 0;
     return (direction > 0) & (all + direction < HUGE_VAL) &
            (from->tnear <= from->tfar);
@@ -83,22 +79,14 @@ CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
     cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
     r->q.tfar = r->ray->tfar;
     r->q.ends = ends;
-    r->q.index = piece.index;
-    r->q.count = piece.count;
+    r->q.piece = piece;
     r->q.exit_only = 0;
 }
 
 /* ------------------------------------------------------- exact answers -- */
 
-/* The domain's end that still includes every root whose t, rounded to a double,
- * is tfar. */
-static double tmax_including(float tfar)
-{
-    return nextafter((double)tfar, HUGE_VAL);
-}
-
-/* A shape, and the library's answer to the ray's line; 0 hits for a line that it
- * refuses. */
+/* A shape, and the library's answer to the ray's line up to tfar; 0 hits for a line
+ * that it refuses. */
 typedef struct {
     cylint_shape shape;
     cylint_line line;
@@ -106,15 +94,14 @@ typedef struct {
     int n; /* hits */
 } exact_hits;
 
-static void intersect(const ray_test *r, size_t rank, double tmax,
-                      unsigned want, exact_hits *x)
+/* ties: every root whose t, rounded to a double, is tfar counts. */
+static void intersect(const ray_test *r, size_t rank, int ties, unsigned want,
+                      exact_hits *x)
 {
     const cylint_float_filter_question *q = &r->q;
-    if (r->data->moved)
-        cylint_embree_moving_shape(r->data->shapes, rank, r->ray->time,
-                                   &x->shape);
-    else
-        cylint_embree_shape(r->data->shapes, rank, &x->shape);
+    const double tfar = r->ray->tfar;
+    const double tmax = ties ? nextafter(tfar, HUGE_VAL) : tfar;
+    cylint_embree_shape(r->data->shapes, rank, r->ray->time, &x->shape);
     x->n = cylint_span(&x->line, q->o, q->d, q->tmin, tmax) == CYLINT_OK
                ? cylint_intersect(&x->shape, &x->line, want, &x->answer)
                : 0;
@@ -165,12 +152,11 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
 {
     const uint32_t *rank = r->data->rank;
     int found = -1;
-    intersect(r, rank ? rank[number] : number, tmax_including(r->ray->tfar),
-              want, x);
+    intersect(r, rank ? rank[number] : number, 1, want, x);
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
-            (found < 0 || is_bare(r) || (float)at->z == r->hit->u))
+            (found < 0 || has_flag(r, CYLINT_EMBREE_BARE) || (float)at->z == r->hit->u))
             found = i;
     }
     return found;
@@ -216,12 +202,6 @@ static void describe(ray_test *r, exact_hits *x, int i)
     r->q.floats[4] = cylint_angle_as_float(at->phi);
 }
 
-/* Ng, u and v are the first members of a hit. */
-static void write_floats(const ray_test *r)
-{
-    memcpy(r->hit, r->q.floats, sizeof r->q.floats);
-}
-
 static void write_ids(const ray_test *r)
 {
     struct RTCHit *hit = r->hit;
@@ -237,7 +217,7 @@ static void write_ids(const ray_test *r)
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
 }
 
-/* Of Embree 4, see CYLINT_EMBREE_CONTEXT_FILTER. */
+/* A context of Embree 4 with CYLINT_EMBREE_CONTEXT_FILTER. */
 struct context_with_filter {
     cylint_rtc_context context;
     RTCFilterFunctionN filter;
@@ -248,7 +228,7 @@ static int filters_accept(const ray_test *r)
 {
     int valid = -1;
     struct RTCFilterFunctionNArguments filter = {&valid,
-                                                 r->data->user,
+                                                 r->data->options.user,
                                                  r->args->context,
                                                  (struct RTCRayN *)r->ray,
                                                  (struct RTCHitN *)r->hit,
@@ -259,7 +239,7 @@ static int filters_accept(const ray_test *r)
     else
         cylint_rtc_filter_hit(r->args, &filter);
     if (CYLINT_EMBREE == 4 && valid &&
-        r->data->flags & CYLINT_EMBREE_CONTEXT_FILTER) {
+        r->data->options.flags & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
             ((struct context_with_filter *)filter.context)->filter;
         if (also)
@@ -272,17 +252,17 @@ static int filters_accept(const ray_test *r)
  * hit is written in its final place, which saves a copy. */
 static int record(ray_test *r)
 {
-    if (r->any && !has_filters(r)) {
+    if (r->any && has_flag(r, CYLINT_EMBREE_NO_FILTERS)) {
         cylint_record_any(r);
         return 1;
     }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
-    if (r->q.describes)
-        write_floats(r);
+    if (r->q.describes) /* Ng, u and v, the first members of a hit */
+        memcpy(r->hit, r->q.floats, sizeof r->q.floats);
     write_ids(r);
     r->ray->tfar = r->q.t;
-    if (has_filters(r) && !filters_accept(r)) {
+    if (!has_flag(r, CYLINT_EMBREE_NO_FILTERS) && !filters_accept(r)) {
         r->ray->tfar = tfar;
         *r->hit = old;
         return 0;
@@ -298,16 +278,16 @@ static int record(ray_test *r)
  * which piece owns them. */
 ASIDE void test_exactly(ray_test *r)
 {
-    const int whole = r->q.count == 1;
+    const cylint_shape_piece piece = r->q.piece;
+    const int whole = piece.count == 1;
     const int ties = !r->any && present_number(r) != r->data->n;
-    const float tfar = r->ray->tfar;
     exact_hits x;
-    intersect(r, r->rank, ties ? tmax_including(tfar) : (double)tfar,
+    intersect(r, r->rank, ties,
               CYLINT_WANT_T | CYLINT_WANT_PART | (whole ? 0 : CYLINT_WANT_Z),
               &x);
     for (int i = r->q.exit_only; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        if (!whole && cylint_piece_at(at->z, r->q.count) != r->q.index)
+        if (!whole && cylint_piece_at(at->z, piece.count) != piece.index)
             continue;
         if (!r->any && !is_nearer(r, &x.answer, i))
             return;
@@ -400,8 +380,9 @@ static void test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
     r->rank = r->args->primID;
-    set_question(r, s->ends[r->rank], (cylint_shape_piece){0, 1});
-    if (r->data->moved)
+    set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS,
+                 (cylint_shape_piece){0, 1});
+    if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     filter_one(r);
     end_test(r);
@@ -414,7 +395,7 @@ static int trace_single(ray_test *r)
     if (!traversal)
         test_primitive(r);
     else if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
-                            r->any && !has_filters(r)))
+                            r->any && has_flag(r, CYLINT_EMBREE_NO_FILTERS)))
         cylint_record_any(r);
     return r->found;
 }
@@ -462,8 +443,8 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
         cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
         int n = 0;
         EACH_BIT(k, rays) {
-            if (p->lanes[k] && take_nearest_lane(&p->test[k], leaf,
-                                                 &p->lanes[k], p->least[k]))
+            if (p->lanes[k] &&
+                take_nearest_lane(&p->test[k], leaf, &p->lanes[k], p->least[k]))
                 asked[n++] = &p->test[k].q;
             else
                 rays &= ~(1u << k);
@@ -479,21 +460,13 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
     return stopped;
 }
 
-/* Fewer rays often share an octant by chance. */
-static int are_enough(unsigned rays, unsigned N)
-{
-    unsigned n = 0;
-    for (; rays; rays &= rays - 1)
-        n++;
-    return n > N / 4 + 1;
-}
-
 /* Of rays of one octant those that begin near the first one, within 1/8 of the
- * longest side S of the shapes' box, if they are enough, or else none. */
+ * longest side S of the shapes' box, if they are enough, or else none: fewer often
+ * share an octant by chance. */
 static unsigned near_first(const cylint_packet *p, unsigned rays, unsigned N)
 {
-    unsigned near = 0;
-    if (!are_enough(rays, N))
+    unsigned near = 0, n = 0;
+    if (!rays)
         return 0;
     const ray_test *first = &p->test[cylint_lowest(rays)];
     const float S = first->data->bvh.near_distance / 256;
@@ -503,8 +476,9 @@ static unsigned near_first(const cylint_packet *p, unsigned rays, unsigned N)
                           fabsf(x->org_y - y->org_y) +
                           fabsf(x->org_z - y->org_z);
         near |= (unsigned)(far < S / 8) << k;
+        n += far < S / 8;
     }
-    return are_enough(near, N) ? near : 0;
+    return n > N / 4 + 1 ? near : 0;
 }
 
 static int octant_of(const struct RTCRay *ray)
@@ -518,6 +492,7 @@ static int octant_of(const struct RTCRay *ray)
 static void trace_packet(const call *a, int any)
 {
     const cylint_embree_data *data = a->geometryUserPtr;
+    const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
     const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
     float *const packet = (float *)a->rayhit;
     unsigned octant[8] = {0}, all = 0;
@@ -538,8 +513,7 @@ static void trace_packet(const call *a, int any)
         const unsigned together =
             data->traversal ? near_first(&p, octant[k], a->N) : 0;
         if (together)
-            data->trace_packet(&p, together,
-                               any && (data->flags & CYLINT_EMBREE_NO_FILTERS));
+            data->trace_packet(&p, together, certain);
         EACH_BIT(i, octant[k] & ~together)
             trace_single(&p.test[i]);
     }
@@ -597,6 +571,6 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
         &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
     if (i >= 0) {
         describe(&r, &x, i);
-        write_floats(&r);
+        memcpy(&rayhit->hit, r.q.floats, sizeof r.q.floats);
     }
 }

@@ -41,14 +41,17 @@ static int is_float(double x, float *to)
            (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
 }
 
-int cylint_small_record_of(cylint_small_record *to, const cylint_shape *s)
+int cylint_embree_set_record(const cylint_embree_shapes *s, size_t at,
+                             const cylint_shape *shape)
 {
-    cylint_record large;
-    cylint_filter_record_of(&large, s);
-    int is = is_float(large.r0, &to->r0) & is_float(large.r1, &to->r1);
-    EACH(j, 3)
-        is &= is_float(large.p0[j], &to->p0[j]) &
-              is_float(large.p1[j], &to->p1[j]);
+    cylint_record x, *to = (cylint_record *)cylint_embree_record_at(s, at);
+    float *small = (float *)to;
+    int is = 1;
+    cylint_filter_record_of(&x, shape);
+    if (!s->small)
+        *to = x;
+    for (int j = 0; j < CYLINT_RECORD_NUMBERS && s->small; j++)
+        is &= is_float((&x.p0[0])[j], &small[j]);
     return is;
 }
 
@@ -58,10 +61,10 @@ typedef struct {
     const cylint_view *from;
     const uint32_t *number;
     cylint_embree_shapes *to;
-    uint8_t *ends;
+    uint8_t *tag;
 } copying;
 
-/* In place of the ends of a shape that does not fit into a small record. */
+/* The tag of a shape that does not fit into a small record. */
 enum { TOO_LARGE = 255 };
 
 static const cylint_shape *source_of(const copying *c, size_t i,
@@ -71,39 +74,35 @@ static const cylint_shape *source_of(const copying *c, size_t i,
                              spare);
 }
 
+/* Of small records only up to the first shape that does not fit. */
 static void copy_some(void *self, size_t from, size_t to)
 {
     copying *c = self;
-    cylint_small_record *floats = c->to->memory.data;
-    cylint_record *doubles = c->to->memory.data;
     for (size_t i = from; i < to; i++) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
-        c->ends[i] = (uint8_t)shape->ends;
-        if (!c->to->small)
-            cylint_filter_record_of(&doubles[i], shape);
-        else if (!cylint_small_record_of(&floats[i], shape))
-            c->ends[i] = TOO_LARGE;
+        c->tag[i] = (uint8_t)(cylint_constructor_kind(shape) +
+                              shape->ends * CYLINT_TAG_ENDS);
+        if (!cylint_embree_set_record(c->to, i, shape)) {
+            c->tag[i] = TOO_LARGE;
+            return;
+        }
     }
 }
 
-/* Makes small records or, if a shape does not fit, large ones; usually the first
- * shape decides. */
+/* Makes small records or, if a shape does not fit, large ones. */
 static int copy_records(copying *c, size_t n, int threads,
                         const cylint_memory_source *source)
 {
     cylint_embree_shapes *to = c->to;
-    cylint_small_record first;
-    cylint_shape spare;
-    to->small = cylint_small_record_of(&first, source_of(c, 0, &spare));
-    for (;; to->small = 0) {
-        const size_t size =
-            to->small ? sizeof(cylint_small_record) : sizeof(cylint_record);
+    for (to->small = 1;; to->small = 0) {
+        const size_t size = sizeof(cylint_record) / (to->small ? 2 : 1);
         if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
             return 0;
-        to->ends = c->ends = (uint8_t *)to->memory.data + n * size;
+        to->tag = c->tag = (uint8_t *)to->memory.data + n * size;
+        memset(c->tag, 0, n);
         cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
-        if (!to->small || !memchr(to->ends, TOO_LARGE, n))
+        if (!to->small || !memchr(to->tag, TOO_LARGE, n))
             return 1;
         cylint_memory_free(&to->memory);
     }
@@ -150,57 +149,61 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s)
 
 /* --------------------------------------------------------------- reading -- */
 
-void cylint_embree_shape(const cylint_embree_shapes *s, size_t at,
-                         cylint_shape *shape)
+/* The shape of one time. */
+static void make_shape(const cylint_embree_shapes *s, size_t at,
+                       cylint_shape *shape)
 {
+    const int tag = s->tag[at];
     cylint_record x;
-    int kind = CYLINT_KIND_CONE;
     cylint_embree_record(s, at, &x);
     if (x.r0 != x.r0) {
         *shape = s->whole[(size_t)x.p0[0]];
         return;
     }
-    if (x.r0 + x.r1 < 0) {
-        const int is_sphere = x.r0 == x.r1 && cylint_record_is_point(&x);
-        kind = is_sphere ? CYLINT_KIND_SPHERE : CYLINT_KIND_RCONE;
-        x.r0 = -x.r0;
-        x.r1 = -x.r1;
-    } else if (x.r0 < 0) {
-        kind = CYLINT_KIND_ACONE;
-    }
-    cylint_make_of_record(shape, kind, s->ends[at], &x, NULL);
+    x.r0 = fabs(x.r0);
+    x.r1 = fabs(x.r1);
+    cylint_make_of_record(shape, tag & CYLINT_TAG_KIND, tag / CYLINT_TAG_ENDS,
+                          &x, NULL);
 }
 
 /* --------------------------------------------------------------- motion -- */
 
-/* Of n doubles, the members of a record or of semi-axes. */
-static void interpolate(void *to, const void *x, const void *y, size_t n,
-                        double time)
+/* x becomes (1 - time) x + time y, n doubles. */
+static void interpolate(void *x, const void *y, size_t n, double time)
 {
-    const double *at_0 = x, *at_1 = y;
+    double *at_0 = x;
+    const double *at_1 = y;
     for (size_t i = 0; i < n; i++)
-        ((double *)to)[i] = (1 - time) * at_0[i] + time * at_1[i];
+        at_0[i] = (1 - time) * at_0[i] + time * at_1[i];
 }
-
-enum {
-    RECORD_NUMBERS = sizeof(cylint_record) / sizeof(double),
-    AXES_NUMBERS = sizeof(cylint_semi_axes) / sizeof(double)
-};
 
 cylint_status cylint_embree_between(const cylint_shape *at_0,
                                     const cylint_shape *at_1, double time,
                                     cylint_shape *shape)
 {
-    cylint_record x, y;
-    cylint_semi_axes x_axes, y_axes;
-    cylint_set_record(&x, at_0);
-    cylint_set_record(&y, at_1);
-    cylint_set_semi_axes(&x_axes, at_0);
-    cylint_set_semi_axes(&y_axes, at_1);
-    interpolate(&x, &x, &y, RECORD_NUMBERS, time);
-    interpolate(&x_axes, &x_axes, &y_axes, AXES_NUMBERS, time);
+    const cylint_shape *const at[2] = {at_0, at_1};
+    struct {
+        cylint_record record;
+        cylint_semi_axes axes;
+    } x[2];
+    for (int i = 0; i < 2; i++) {
+        cylint_set_record(&x[i].record, at[i]);
+        cylint_set_semi_axes(&x[i].axes, at[i]);
+    }
+    interpolate(&x[0], &x[1], sizeof x[0] / sizeof(double), time);
     return cylint_make_of_record(shape, cylint_constructor_kind(at_0),
-                                 at_0->ends, &x, &x_axes);
+                                 at_0->ends, &x[0].record, &x[0].axes);
+}
+
+void cylint_embree_shape(const cylint_embree_shapes s[2], size_t at,
+                         double time, cylint_shape *shape)
+{
+    cylint_shape at_1;
+    make_shape(&s[0], at, shape);
+    if (!s[1].tag)
+        return;
+    make_shape(&s[1], at, &at_1);
+    cylint_embree_between(shape, &at_1, time, shape);
 }
 
 /* A rounded cone may become a ball on the way; the filter serves only balls that
@@ -208,23 +211,13 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
 void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
                                  double time, cylint_record *to)
 {
-    cylint_record x, y;
-    cylint_embree_record(&s[0], at, &x);
+    cylint_record y;
+    cylint_embree_record(&s[0], at, to);
     cylint_embree_record(&s[1], at, &y);
-    interpolate(to, &x, &y, RECORD_NUMBERS, time);
-    if (!cylint_filter_serves(to) ||
-        (cylint_record_is_point(to) &&
-         !(cylint_record_is_point(&x) && cylint_record_is_point(&y))))
+    const int stays = cylint_record_is_point(to) && cylint_record_is_point(&y);
+    interpolate(to, &y, CYLINT_RECORD_NUMBERS, time);
+    if (!cylint_filter_serves(to) || (cylint_record_is_point(to) && !stays))
         to->r0 = NAN;
-}
-
-void cylint_embree_moving_shape(const cylint_embree_shapes s[2], size_t at,
-                                double time, cylint_shape *shape)
-{
-    cylint_shape x, y;
-    cylint_embree_shape(&s[0], at, &x);
-    cylint_embree_shape(&s[1], at, &y);
-    cylint_embree_between(&x, &y, time, shape);
 }
 
 /*
@@ -268,10 +261,13 @@ static cylint_extent box_of_discs(const cylint_shape *s, double g[3])
  * total of 5 2^-24 M; the rest covers doubles, those of cylint_embree_between()
  * too.
  */
-cylint_extent cylint_motion_box(const cylint_shape *at_0,
+cylint_extent cylint_embree_box(const cylint_shape *at_0,
                                 const cylint_shape *at_1, int step)
 {
     double g[2][3], lo[3], hi[3];
+    const cylint_view view = cylint_plain_view(at_0);
+    if (!at_1)
+        return cylint_swept_disc_box(&view, 0);
     const cylint_extent box[2] = {box_of_discs(at_0, g[0]),
                                   box_of_discs(at_1, g[1])};
     const double dk = cylint_r1(at_1) - cylint_r1(at_0);

@@ -34,8 +34,8 @@ static void members_of(cylint_hit_lanes *to, const source *from,
         to->certain = 0;
 }
 
-/* Writes the wanted members of the hits, in lanes from `lane` on, and what is left
- * of them. */
+/* Writes the wanted members of the hits, in lanes from `lane` on, and to q->left
+ * those that are not certain. */
 ASIDE void describe_roots(cylint_question *q, const pair_line *in,
                           const hit_root *at, int n, int lane)
 {

@@ -25,7 +25,7 @@
 
 #define ENDS 1
 
-/* Of end i, in all lanes. */
+/* x of end i, in all lanes. */
 INLINE vd of_end(const vd x[ENDS], int i)
 {
     return i ? v_seconds(x[0], x[0]) : v_firsts(x[0], x[0]);
@@ -131,7 +131,7 @@ INLINE vpair pairs_of_ends(vpair of_base, vpair of_top, int k)
                    ends_of(of_base.lo, of_top.lo, k)};
 }
 
-/* Of end i, in all lanes. */
+/* x of end i, in all lanes. */
 INLINE vpair pairs_of_end(const vpair x[ENDS], int i)
 {
     vd hi[ENDS], lo[ENDS];
@@ -262,7 +262,7 @@ typedef struct {
 /* The numbers of shapes up to CYLINT_AT_ERROR, in their order, in fours. */
 enum { MEMBERS = (CYLINT_AT_ERROR + 4) / 4 * 4 };
 
-/* The masks after cap: what members of hits take (shape_facts.h, measure.h). */
+/* The masks after cap: members of hits read them (shape_facts.h, measure.h). */
 typedef struct {
     vd of[MEMBERS];
     vm cap[2]; /* present */

@@ -21,7 +21,7 @@ INLINE place place_of_point(point_signs *at, int solid)
     return place_of(at, &v, v_set(0), solid);
 }
 
-/* After load_place(). */
+/* Call load_place() before. */
 INLINE place place_in_doubles(const local_line *l, int solid)
 {
     point_signs at = no_point_signs;

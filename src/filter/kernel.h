@@ -47,11 +47,6 @@ INLINE signs reversed(signs x)
     return (signs){x.negative, x.positive};
 }
 
-INLINE signs signs_of_end(const end_signs *x, int i)
-{
-    return (signs){m_of_end(x->positive, i), m_of_end(x->negative, i)};
-}
-
 /* ------------------------------------------------------------- forms ---- */
 
 /* The values of the forms of a line; of a sphere G, A, B are those of the ball. */
@@ -128,7 +123,7 @@ INLINE bounded_value bounded_B(vd B, const local_line *l, vd taper)
                                   (taper * l->Q) * (taper * l->D)};
 }
 
-/* Of T and N. */
+/* The bound of T and N. */
 INLINE vd cubic_error(const local_line *l)
 {
     return v_set(CYLINT_LOCAL_FORM) * l->unit * l->Q * l->D * l->D * l->taper;
@@ -297,7 +292,7 @@ INLINE void judge_unbounded(verdict *v, const forms *f, const local_line *l,
     }
 }
 
-/* Of lines that G does not reject; v->G is set. */
+/* The verdict on lines that G does not reject; v->G is set. */
 INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
 {
     v->A = bounded_A(f->A, l, l->taper);

@@ -333,7 +333,7 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     return total(&Q);
 }
 
-/* Of the ball about an end. */
+/* The residual of the ball about an end. */
 INLINE double ball_residual_in_levels(const cylint_shape *shape,
                                       const cylint_line *line, double t,
                                       int top)

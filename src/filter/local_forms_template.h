@@ -127,7 +127,7 @@ INLINE NUM FORM(B)(const FORM(line) *l, int tapered)
     return SUM_OF(NEGATED(growth), SUM_OF(l->slope, l->z, l->r), l->pv);
 }
 
-/* Of the ball of radius r about the point at z of the axis. */
+/* A, B and g of the ball of radius r about the point at z of the axis. */
 INLINE NUM FORM(ball_A)(const FORM(line) *l)
 {
     return SUM_OF(l->w, l->w, l->vv);

@@ -195,7 +195,7 @@ INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r)
     }
 }
 
-/* Of a normal: x X + y Y + z Z. */
+/* A normal, x X + y Y + z Z. */
 typedef struct {
     bounded_pairs x, y, z;
 } combination;

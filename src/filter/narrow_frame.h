@@ -60,7 +60,7 @@ INLINE void load_point(first_line *to, const double o[3],
         v_sum_of(size, v_set(cylint_norm(shape)), v_set(cylint_reach(shape)));
 }
 
-/* What G takes. */
+/* The numbers that G reads. */
 INLINE first_line load_first(const source *from, int solid)
 {
     const double *d = from->line->d;
@@ -104,7 +104,7 @@ INLINE void load_place(local_line *l, const double o[3],
     set_ends(l, &from, solid);
 }
 
-/* What the stages in pairs take of the line in doubles. */
+/* The numbers of the line in doubles that the stages in pairs read. */
 INLINE void set_sizes(local_line *l, const cylint_shape *shape,
                       const cylint_line *line, double Q, double D, int solid)
 {

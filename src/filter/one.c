@@ -57,7 +57,7 @@ INLINE int is_grazing(const verdict *v, int solid)
                                        v->G.e)))) != 0;
 }
 
-/* Of lines that G does not reject. */
+/* The answer to lines that G does not reject. */
 INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
                        int roots, int solid)
 {

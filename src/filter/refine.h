@@ -99,7 +99,7 @@ INLINE void count_all_roundings(verdict *v, int solid)
     count_roundings(&v->ball.B[0], 1);
 }
 
-/* Of A t + B, which are rounded. */
+/* The signs of A t + B, whose A and B are rounded. */
 INLINE signs rounded_slope(bounded_value A, bounded_value B, vd t)
 {
     const vd At = A.v * t;

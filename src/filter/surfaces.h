@@ -87,7 +87,7 @@ INLINE bounded_value bounded_of_ball(const line_end *e,
     return (bounded_value){of_ball(e, v), of_ball(e, error)};
 }
 
-/* After compute_balls(). */
+/* Call compute_balls() before. */
 INLINE quadratic quadratic_of_end(const verdict *v, const line_end *e,
                                   int solid)
 {

@@ -48,7 +48,7 @@ INLINE void gather_numbers(frames *to, const cylint_shape *const shape[LANES],
                        : CYLINT_AT_COLUMNS + CYLINT_LOW);
 }
 
-/* The same and the caps, and then what roots read: the low parts. */
+/* The same and the caps.  gather_pairs(): the low parts, which roots read. */
 INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
                           int solid)
 {
@@ -70,7 +70,7 @@ INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
         gather_members(to, shape, CYLINT_AT_COLUMNS + CYLINT_LOW, MEMBERS);
 }
 
-/* What members of hits take of the kinds. */
+/* The masks of kinds that members of hits read. */
 INLINE void gather_kinds(frames *to, const cylint_shape *const shape[LANES])
 {
     unsigned skew = 0, elliptic = 0, no_axis = 0;
@@ -96,7 +96,7 @@ INLINE vd row_of(const frames *f, int row, const vd x[3])
                              x[0] * f->of[CYLINT_AT_COLUMNS + row]));
 }
 
-/* The line's origin, and what of the shape G takes. */
+/* The line's origin, and the numbers of the shape that G reads. */
 INLINE void load_point(local_line *l, const vd o[3], const source *from,
                        int solid)
 {

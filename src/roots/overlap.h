@@ -19,16 +19,16 @@ typedef struct {
     cylint_stop at[2];
 } cylint_overlap;
 
-/* Of all kinds but the round ones, and of these. */
+/* The overlap with all kinds but the round ones, and with these. */
 cylint_overlap cylint_overlap_of(cylint_query *q);
 cylint_overlap cylint_round_overlap(cylint_query *q);
 
-/* Of a round kind and the origin of the line: 1 inside, 0 on the boundary, -1
- * outside. */
+/* Where the origin of the line lies to a round kind: 1 inside, 0 on the boundary,
+ * -1 outside. */
 int cylint_round_contains(cylint_query *q);
 
-/* Of Q <= 0, where that is one interval between its roots: a chord, a point or
- * nothing. */
+/* The overlap with Q <= 0, where that is one interval between its roots: a chord, a
+ * point or nothing. */
 cylint_overlap cylint_chord_overlap(cylint_query *q, int relation, int apex);
 
 int cylint_radius_is_zero(const cylint_query *q, int end);

@@ -1,6 +1,5 @@
 /*
- * boundary.c - where a line first enters or leaves the solids of a scene, and which
- * solids contain a point
+ * boundary.c - where a line first enters or leaves the solids of a scene
  */
 #include "../numbers/bits.h"
 
@@ -9,9 +8,7 @@
 
 #include "../intersect.h"
 #include "../shapes/shape_facts.h"
-#include "pieces.h"
-
-/* ------------------------------------------------------ first boundary -- */
+#include "visit.h"
 
 /* Of the shapes on whose surface the line is at t. */
 typedef struct {
@@ -144,70 +141,4 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
     cylint_visit_chords(scene, line, 0, consider_chord, &q);
     describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
     return q.number;
-}
-
-/* ------------------------------------------------------------- a point -- */
-
-/* A shape that contains the point has the chord [0, 1] of the domain [0, 1]. */
-static const cylint_interval whole_domain = {0, 1};
-
-static int chord_of_point(const void *point, const cylint_shape *shape,
-                          cylint_interval chord[2])
-{
-    chord[0] = whole_domain;
-    return cylint_contains(shape, point) >= 0;
-}
-
-typedef struct {
-    const cylint_scene *scene;
-    cylint_numbered_chord *chord;
-    size_t n, capacity; /* n counts those without room too */
-} containers;
-
-static double keep_container(void *context, const cylint_found *found)
-{
-    containers *c = context;
-    const uint32_t number = (uint32_t)found->number;
-    if (c->scene->solids.n > 0 && cylint_is_late(c->scene, number))
-        return 0;
-    if (c->n < c->capacity)
-        c->chord[c->n] = (cylint_numbered_chord){0, 1, number};
-    c->n++;
-    return 0;
-}
-
-/* The number that outranks all others; or n_shapes. */
-static size_t best_container(const cylint_numbered_chord *chord, size_t n,
-                             const int *rank, size_t n_shapes)
-{
-    size_t best = n_shapes;
-    for (size_t i = 0; i < n; i++)
-        if (i == 0 || cylint_outranks(rank, chord[i].number, best))
-            best = chord[i].number;
-    return best;
-}
-
-size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
-                          const int *rank, size_t *owner,
-                          cylint_workspace *work)
-{
-    const cylint_domain domain = {0, 1, chord_of_point, point};
-    containers c = {.scene = scene,
-                    .chord = work->memory,
-                    .capacity = work->bytes / sizeof *c.chord};
-    cylint_numbered_chord *chord, *spare;
-    *owner = scene->n;
-    if (!cylint_is_finite(point))
-        return 0;
-    if (!cylint_has_room(work))
-        return CYLINT_NO_ROOM;
-    cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
-    work->wanted = c.n * sizeof *c.chord;
-    if (c.n > c.capacity)
-        return CYLINT_NO_ROOM;
-    const size_t n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, work,
-                                             &chord, &spare);
-    if (n != CYLINT_NO_ROOM)
-        *owner = best_container(chord, n, rank, scene->n);
-    return n;
 }

@@ -8,15 +8,16 @@
  * Section RANKS is empty in this version.
  */
 #ifdef __linux__
-#define _DEFAULT_SOURCE 1 /* getpid() with -std=c99 */
+#define _DEFAULT_SOURCE 1 /* fileno(), getpid() and mmap() with -std=c99 */
 #endif
 #if defined(__unix__) || defined(__APPLE__)
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
-#else
-#define getpid() 0
 #endif
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,6 +75,48 @@ static size_t elements_of(const file_header *h, section i)
 {
     return (size_t)(h->bytes[i] / element_bytes[i]);
 }
+
+/* ----------------------------------------------------------- the system -- */
+
+#if defined(__unix__) || defined(__APPLE__)
+
+/* Whether another file can take the place of this one: not of a pipe, a device or a
+ * folder. */
+static int is_replaceable(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) != 0 || S_ISREG(about.st_mode);
+}
+
+static void unmap_file(void *memory)
+{
+    const cylint_memory *m = memory;
+    munmap(m->data, m->bytes);
+}
+
+/* Returns 0 if the file cannot be mapped. */
+static int map_file(cylint_memory *m, FILE *file)
+{
+    struct stat about;
+    if (fstat(fileno(file), &about) != 0 || !S_ISREG(about.st_mode) ||
+        (uintmax_t)about.st_size < HEADER_BYTES ||
+        (uintmax_t)about.st_size > SIZE_MAX)
+        return 0;
+    void *data = mmap(NULL, (size_t)about.st_size, PROT_READ, MAP_SHARED,
+                      fileno(file), 0);
+    if (data == MAP_FAILED)
+        return 0;
+    *m = (cylint_memory){data, (size_t)about.st_size, m, unmap_file};
+    return 1;
+}
+
+#else
+
+#define getpid() 0
+#define is_replaceable(path) ((void)(path), 1)
+#define map_file(m, file) 0
+
+#endif
 
 /* ------------------------------------------------------------ checksum -- */
 
@@ -274,7 +317,7 @@ static cylint_scene_status save_beside(const cylint_scene *s, FILE *file,
 cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                       const char *path)
 {
-    const int replaces = cylint_file_is_replaceable(path);
+    const int replaces = is_replaceable(path);
     const size_t bytes = strlen(path) + 32;
     char *beside = malloc(bytes);
     if (!beside)
@@ -287,6 +330,73 @@ cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                    : write_and_close(scene, file);
     free(beside);
     return status;
+}
+
+/* ------------------------------------------------------------- reading -- */
+
+enum { FIRST_BYTES = 1 << 16 };
+
+/* Bytes of memory for the file, with one to read beyond its end. */
+static size_t bytes_for(FILE *file)
+{
+    const long size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    rewind(file);
+    return size >= 0 && size < LONG_MAX ? (size_t)size + 1 : FIRST_BYTES;
+}
+
+/* Reads to the end, of a pipe too. */
+static cylint_scene_status read_file(cylint_memory *m, FILE *file)
+{
+    size_t bytes = 0;
+    if (!cylint_memory_allocate(m, NULL, bytes_for(file)))
+        return CYLINT_SCENE_EMEMORY;
+    for (;;) {
+        bytes += fread((char *)m->data + bytes, 1, m->bytes - bytes, file);
+        if (bytes < m->bytes)
+            break;
+        if (m->bytes > SIZE_MAX / 2 ||
+            !cylint_memory_resize(m, NULL, 2 * m->bytes))
+            return CYLINT_SCENE_EMEMORY;
+    }
+    m->bytes = bytes;
+    return ferror(file) ? CYLINT_SCENE_EFILE : CYLINT_SCENE_OK;
+}
+
+/* Maps the file, or reads it: if is_read is not 0, if the system cannot map it, or
+ * if it is shorter than a header.  *m must then stay at its address.  After a
+ * failure the memory is to be freed too.  The file is opened once: to close a pipe
+ * would end its writer. */
+static cylint_scene_status map_or_read(cylint_memory *m, const char *path,
+                                       int is_read)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return CYLINT_SCENE_EFILE;
+    const cylint_scene_status status =
+        !is_read && map_file(m, file) ? CYLINT_SCENE_OK : read_file(m, file);
+    fclose(file);
+    return status;
+}
+
+/* Releases nothing: the bytes are those of the caller. */
+static void leave(void *handle)
+{
+    (void)handle;
+}
+
+/* The same for bytes in memory, which are copied unless they lie at the begin of a
+ * cache line. */
+static cylint_scene_status use_memory(cylint_memory *m, const void *data,
+                                      size_t bytes)
+{
+    if ((uintptr_t)data % FILE_BLOCK == 0) {
+        *m = (cylint_memory){(void *)(uintptr_t)data, bytes, NULL, leave};
+        return CYLINT_SCENE_OK;
+    }
+    if (!cylint_memory_allocate(m, NULL, bytes))
+        return CYLINT_SCENE_EMEMORY;
+    memcpy(m->data, data, bytes);
+    return CYLINT_SCENE_OK;
 }
 
 /* ------------------------------------------------------------- opening -- */
@@ -392,14 +502,10 @@ static cylint_scene_status open_file(cylint_scene *s, unsigned flags)
         return CYLINT_SCENE_EDAMAGED;
     if (!cylint_scene_complete(s))
         return CYLINT_SCENE_EMEMORY;
-    switch (cylint_solids_make(&s->solids, s)) {
-    case CYLINT_SCENE_OK:
-        return CYLINT_SCENE_OK;
-    case CYLINT_SCENE_EMEMORY:
-        return CYLINT_SCENE_EMEMORY;
-    default:
-        return CYLINT_SCENE_EDAMAGED;
-    }
+    const cylint_scene_status made = cylint_solids_make(&s->solids, s);
+    return made == CYLINT_SCENE_OK || made == CYLINT_SCENE_EMEMORY
+               ? made
+               : CYLINT_SCENE_EDAMAGED;
 }
 
 /* The scene of a file that has been mapped, or not. */
@@ -414,11 +520,11 @@ cylint_scene *cylint_scene_open(const char *path, unsigned flags,
                                 cylint_scene_status *status)
 {
     cylint_scene *s = calloc(1, sizeof *s);
-    return opened(s,
-                  s ? cylint_mapping_open(&s->file, path, HEADER_BYTES,
-                                          (flags & CYLINT_SCENE_READ) != 0)
-                    : CYLINT_SCENE_EMEMORY,
-                  flags, status);
+    return opened(
+        s,
+        s ? map_or_read(&s->file, path, (flags & CYLINT_SCENE_READ) != 0)
+          : CYLINT_SCENE_EMEMORY,
+        flags, status);
 }
 
 cylint_scene *cylint_scene_open_memory(const void *data, size_t bytes,
@@ -427,7 +533,6 @@ cylint_scene *cylint_scene_open_memory(const void *data, size_t bytes,
 {
     cylint_scene *s = calloc(1, sizeof *s);
     return opened(s,
-                  s ? cylint_mapping_of_memory(&s->file, data, bytes)
-                    : CYLINT_SCENE_EMEMORY,
+                  s ? use_memory(&s->file, data, bytes) : CYLINT_SCENE_EMEMORY,
                   flags, status);
 }

@@ -89,7 +89,7 @@ static int add_pieces(const pieces_query *q, const cylint_line *line,
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
                     const piece_block *b);
 
-/* Of sums, the pieces of one line are kept at a time. */
+/* Finds the pieces of lines; for sums it keeps those of one line at a time. */
 static int find_each(const pieces_query *q, size_t from, size_t to,
                      piece_block *b)
 {
@@ -260,21 +260,27 @@ static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
     return 1;
 }
 
+static cylint_scene_status answer_sums(pieces_query q,
+                                       const cylint_piece_rule *rule,
+                                       const int *label, size_t labels,
+                                       int in_units, int threads, double *sums)
+{
+    q.rule = *rule;
+    q.label = label;
+    q.labels = labels;
+    q.in_units = in_units;
+    q.sums = sums;
+    return answer_query(&q, threads, NULL);
+}
+
 cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
                                       const cylint_lines *lines,
                                       const cylint_piece_rule *rule,
                                       const int *label, size_t labels,
                                       int in_units, int threads, double *sums)
 {
-    pieces_query q = {.scene = scene,
-                      .n = lines->n,
-                      .lines = lines,
-                      .rule = *rule,
-                      .label = label,
-                      .labels = labels,
-                      .in_units = in_units,
-                      .sums = sums};
-    return answer_query(&q, threads, NULL);
+    const pieces_query q = {.scene = scene, .n = lines->n, .lines = lines};
+    return answer_sums(q, rule, label, labels, in_units, threads, sums);
 }
 
 cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
@@ -283,13 +289,6 @@ cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
                                            const int *label, size_t labels,
                                            int in_units, double *sums)
 {
-    pieces_query q = {.scene = scene,
-                      .n = 1,
-                      .line = line,
-                      .rule = *rule,
-                      .label = label,
-                      .labels = labels,
-                      .in_units = in_units,
-                      .sums = sums};
-    return answer_query(&q, 1, NULL);
+    const pieces_query q = {.scene = scene, .n = 1, .line = line};
+    return answer_sums(q, rule, label, labels, in_units, 1, sums);
 }

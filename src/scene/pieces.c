@@ -1,5 +1,6 @@
 /*
- * pieces.c - the pieces of a line that are inside the solids of a scene
+ * pieces.c - the pieces of a line that are inside the solids of a scene, and which
+ * solids contain a point
  *
  * Chords are collected, sorted by t0, and swept: at each end of a chord the set of
  * solids that contain the line changes.  As a chord is one record, an entry without
@@ -10,10 +11,24 @@
 #include <math.h>
 #include <string.h>
 
-#include "pieces.h"
+#include "../solid_sweep.h"
+#include "visit.h"
 
-#define SORTED cylint_numbered_chord
-#define IS_BEFORE(x, y) cylint_chord_is_before(x, y)
+/* A chord in a shape, or a piece in a solid. */
+typedef struct {
+    double t0, t1;
+    uint32_t number;
+} numbered_chord;
+
+/* By t0, then by number. */
+static int is_before(const numbered_chord *x, const numbered_chord *y)
+{
+    const int64_t a = cylint_rank(x->t0), b = cylint_rank(y->t0);
+    return a != b ? a < b : x->number < y->number;
+}
+
+#define SORTED numbered_chord
+#define IS_BEFORE(x, y) is_before(x, y)
 #define SORT sort_chords
 #include "../merge_sort_template.h"
 
@@ -26,7 +41,8 @@
 
 /* All chords that begin at `complete` or before are collected. */
 typedef struct {
-    cylint_numbered_chord *chord;
+    const cylint_scene *scene;
+    numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
     /* a search for the first pieces; the chords are sorted */
@@ -38,8 +54,7 @@ static double keep_chord(void *context, size_t number, cylint_interval chord)
 {
     collector *c = context;
     if (c->n < c->capacity)
-        c->chord[c->n] =
-            (cylint_numbered_chord){chord.t0, chord.t1, (uint32_t)number};
+        c->chord[c->n] = (numbered_chord){chord.t0, chord.t1, (uint32_t)number};
     c->n++;
     return HUGE_VAL;
 }
@@ -50,7 +65,7 @@ static double end_of_last_piece(const collector *c)
     size_t pieces = 0;
     double end = -HUGE_VAL;
     for (size_t i = 0; i < c->n; i++) {
-        const cylint_numbered_chord *x = &c->chord[i];
+        const numbered_chord *x = &c->chord[i];
         if (pieces == 0 || cylint_less(end, x->t0)) {
             if (pieces++ == c->pieces)
                 return end;
@@ -71,15 +86,15 @@ static double keep_first_chord(void *context, size_t number,
                                cylint_interval chord)
 {
     collector *c = context;
-    const cylint_numbered_chord x = {chord.t0, chord.t1, (uint32_t)number};
+    const numbered_chord x = {chord.t0, chord.t1, (uint32_t)number};
     if (c->n >= c->capacity || c->n >= SORTED_CHORDS) {
         keep_chord(c, number, chord);
         return c->complete;
     }
     size_t i = c->n;
-    while (i > 0 && cylint_chord_is_before(&x, &c->chord[i - 1]))
+    while (i > 0 && is_before(&x, &c->chord[i - 1]))
         i--;
-    if (i > 0 && !cylint_chord_is_before(&c->chord[i - 1], &x))
+    if (i > 0 && !is_before(&c->chord[i - 1], &x))
         return c->complete; /* found again */
     memmove(&c->chord[i + 1], &c->chord[i], (c->n++ - i) * sizeof x);
     c->chord[i] = x;
@@ -91,22 +106,190 @@ static double keep_first_chord(void *context, size_t number,
 }
 
 /* Sorts the chords and removes those that were found several times. */
-static size_t sort_and_unite(cylint_numbered_chord *chord, size_t n,
-                             cylint_numbered_chord *spare)
+static size_t sort_and_unite(numbered_chord *chord, size_t n,
+                             numbered_chord *spare)
 {
     size_t kept = 0;
     sort_chords(chord, n, spare);
     for (size_t i = 0; i < n; i++)
-        if (kept == 0 || cylint_chord_is_before(&chord[kept - 1], &chord[i]))
+        if (kept == 0 || is_before(&chord[kept - 1], &chord[i]))
             chord[kept++] = chord[i];
     return kept;
 }
 
+/* ----------------------------------------------------- chords of solids -- */
+
+/* The chords of a shape, as cylint_chord() writes them, for a line or for a point
+ * ([0, 1] for a shape that contains it). */
+typedef int chords_of_shape(const void *line, const cylint_shape *shape,
+                            cylint_interval chord[2]);
+
+typedef struct {
+    double tmin, tmax;
+    chords_of_shape *chords;
+    const void *line;
+} chord_domain;
+
+/* Each chord of a member gives two events.  These are sorted by solid and t; a
+ * sweep over those of a solid gives its chords. */
+typedef struct {
+    const cylint_scene *scene;
+    const chord_domain *domain;
+    cylint_event *event, *spare;
+    size_t n_events;
+    int32_t *holding;
+    numbered_chord *chord;
+    size_t n;
+    uint32_t number; /* of the solid of a sweep */
+} assembly;
+
+static int add_solid_chord(void *self, double t0, double t1)
+{
+    assembly *a = self;
+    a->chord[a->n++] = (numbered_chord){t0, t1, a->number};
+    return 1;
+}
+
+/* Adds the events of a chord for each membership of its shape.  A shape in no solid
+ * is its own. */
+static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
+{
+    const cylint_solids *s = &a->scene->solids;
+    const uint32_t first = s->first_of_shape[chord->number],
+                   end = s->first_of_shape[chord->number + 1];
+    if (first == end)
+        a->chord[a->n++] = *chord;
+    for (uint32_t i = first; i < end; i++, a->n_events += 2)
+        cylint_add_events(a->event + a->n_events,
+                          (cylint_interval){chord->t0, chord->t1},
+                          s->of_shapes[i].solid, s->of_shapes[i].clause);
+}
+
+static void add_late_member(assembly *a, const cylint_membership *member)
+{
+    cylint_shape shape;
+    cylint_interval chord[2];
+    cylint_record_shape(&a->scene->records, member->shape, &shape);
+    const int n = a->domain->chords(a->domain->line, &shape, chord);
+    for (int i = 0; i < n; i++, a->n_events += 2)
+        cylint_add_events(a->event + a->n_events, chord[i], member->solid,
+                          member->clause);
+}
+
+/* Adds the events of members beside the hierarchy, of the bounded solids that have
+ * events. */
+static void add_late_members(assembly *a)
+{
+    const cylint_solids *s = &a->scene->solids;
+    const size_t n = a->n_events;
+    for (size_t i = 0; i < n; i++) {
+        const cylint_scene_solid *solid = &s->solid[a->event[i].solid];
+        if (i > 0 && a->event[i].solid == a->event[i - 1].solid)
+            continue;
+        for (uint32_t j = 0; j < solid->n_late; j++)
+            add_late_member(a, &s->late[solid->first_late + j]);
+    }
+    if (a->n_events > n)
+        cylint_sort_events(a->event, a->n_events, a->spare);
+}
+
+/* Adds the chords of a solid, which has n events. */
+static void sweep_events(assembly *a, uint32_t solid, const cylint_event *event,
+                         size_t n)
+{
+    const cylint_solids *s = &a->scene->solids;
+    const cylint_scene_solid *of = &s->solid[solid];
+    for (size_t i = 0; i < n; i++) {
+        const int32_t c = event[i].clause;
+        const size_t clause = (size_t)(c < 0 ? -c : c) - 1;
+        a->holding[clause] = s->complements[of->first_clause + clause];
+    }
+    a->number = of->number;
+    cylint_sweep_solid(event, n, a->holding, of->failing, a->domain->tmin,
+                       a->domain->tmax, add_solid_chord, a);
+}
+
+/* In the order of solids: those with events, and those that contain all points
+ * outside their shapes. */
+static void sweep_solids(assembly *a)
+{
+    const cylint_solids *s = &a->scene->solids;
+    size_t next = 0, n;
+    for (size_t i = 0; i < a->n_events; i += n) {
+        const uint32_t solid = a->event[i].solid;
+        for (n = 1; i + n < a->n_events && a->event[i + n].solid == solid;)
+            n++;
+        for (; next < s->n_holding && s->holding[next] < solid; next++)
+            sweep_events(a, s->holding[next], NULL, 0);
+        next += next < s->n_holding && s->holding[next] == solid;
+        sweep_events(a, solid, a->event + i, n);
+    }
+    for (; next < s->n_holding; next++)
+        sweep_events(a, s->holding[next], NULL, 0);
+}
+
+/* Not less than the numbers of events and of chords. */
+static void count_events(const collector *c, size_t *events, size_t *chords)
+{
+    const cylint_solids *s = &c->scene->solids;
+    *events = 0;
+    *chords = s->n_holding;
+    for (size_t i = 0; i < c->n; i++) {
+        const uint32_t first = s->first_of_shape[c->chord[i].number],
+                       end = s->first_of_shape[c->chord[i].number + 1];
+        *chords += first == end;
+        for (uint32_t j = first; j < end; j++)
+            *events += 2 + 4 * (size_t)s->solid[s->of_shapes[j].solid].n_late;
+    }
+    *chords += *events;
+}
+
+/* Makes the chords in solids of those in shapes, which have no duplicates and at
+ * which the workspace begins.  Returns how many there are, behind these and in no
+ * order, or CYLINT_NO_ROOM.  *spare: as much memory as they take.  A scene without
+ * solids has those of its shapes, and *spare stays. */
+static size_t chords_of_solids(const collector *c, const chord_domain *domain,
+                               cylint_workspace *work,
+                               numbered_chord **of_solids,
+                               numbered_chord **spare)
+{
+    const cylint_solids *s = &c->scene->solids;
+    const size_t used = c->n * sizeof *c->chord;
+    cylint_room room = {(char *)(c->chord + c->n), work->bytes - used, used};
+    assembly a = {.scene = c->scene, .domain = domain};
+    size_t events, chords;
+    *of_solids = c->chord;
+    if (s->n == 0)
+        return c->n;
+    count_events(c, &events, &chords);
+    a.event = cylint_take_room(&room, events, sizeof *a.event);
+    a.spare = cylint_take_room(&room, events, sizeof *a.spare);
+    a.holding = cylint_take_room(&room, s->most_clauses, sizeof *a.holding);
+    *of_solids = a.chord = cylint_take_room(&room, chords, sizeof *a.chord);
+    *spare = cylint_take_room(&room, chords, sizeof **spare);
+    work->wanted = room.wanted;
+    if (!a.event || !a.spare || !a.holding || !a.chord || !*spare)
+        return CYLINT_NO_ROOM;
+    for (size_t i = 0; i < c->n; i++)
+        add_chord_of_shape(&a, &c->chord[i]);
+    cylint_sort_events(a.event, a.n_events, a.spare);
+    add_late_members(&a);
+    sweep_solids(&a);
+    return a.n;
+}
+
 /* ------------------------------------------------------------ sweeping -- */
+
+/* Whether solid x owns a place that y contains too: it has the lesser rank, or the
+ * same rank and the lower number. */
+static int outranks(const int *rank, size_t x, size_t y)
+{
+    return rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y;
+}
 
 typedef struct {
     const cylint_piece_rule *rule;
-    const cylint_numbered_chord *chord; /* sorted */
+    const numbered_chord *chord; /* sorted */
     size_t n;
     double complete; /* pieces that end later are not certain */
     double *end;     /* of all chords, sorted */
@@ -117,16 +300,15 @@ typedef struct {
 } sweep;
 
 /* Whether chord x owns a place that both contain. */
-static int outranks(const sweep *s, uint32_t x, uint32_t y)
+static int owns(const sweep *s, uint32_t x, uint32_t y)
 {
-    return cylint_outranks(s->rule->rank, s->chord[x].number,
-                           s->chord[y].number);
+    return outranks(s->rule->rank, s->chord[x].number, s->chord[y].number);
 }
 
 static void push_chord(sweep *s, uint32_t x)
 {
     size_t i = s->open++;
-    for (; i > 0 && outranks(s, x, s->heap[(i - 1) / 2]); i = (i - 1) / 2)
+    for (; i > 0 && owns(s, x, s->heap[(i - 1) / 2]); i = (i - 1) / 2)
         s->heap[i] = s->heap[(i - 1) / 2];
     s->heap[i] = x;
 }
@@ -136,9 +318,9 @@ static void pop_chord(sweep *s)
     const uint32_t x = s->heap[--s->open];
     size_t i = 0, child;
     while ((child = 2 * i + 1) < s->open) {
-        child += child + 1 < s->open &&
-                 outranks(s, s->heap[child + 1], s->heap[child]);
-        if (!outranks(s, s->heap[child], x))
+        child +=
+            child + 1 < s->open && owns(s, s->heap[child + 1], s->heap[child]);
+        if (!owns(s, s->heap[child], x))
             break;
         s->heap[i] = s->heap[child];
         i = child;
@@ -204,7 +386,7 @@ static void list_chords(sweep *s)
 {
     const cylint_piece *after = s->rule->after;
     for (size_t i = 0; i < s->n && s->n_pieces < s->capacity; i++) {
-        const cylint_numbered_chord *x = &s->chord[i];
+        const numbered_chord *x = &s->chord[i];
         if (after &&
             (cylint_less(x->t0, after->t0) ||
              (!cylint_less(after->t0, x->t0) && x->number <= after->shape)))
@@ -233,7 +415,17 @@ static size_t write_swept_pieces(sweep *s, void *spare)
     return s->n_pieces;
 }
 
-/* ----------------------------------------------------------- the query -- */
+/* -------------------------------------------------------------- lines -- */
+
+/* Whether the workspace has memory at all; else writes how much to try. */
+static int has_room(cylint_workspace *work)
+{
+    enum { SOME = 16 * sizeof(numbered_chord) };
+    if (work->bytes >= SOME)
+        return 1;
+    work->wanted = SOME;
+    return 0;
+}
 
 static int chords_of_line(const void *line, const cylint_shape *shape,
                           cylint_interval chord[2])
@@ -243,16 +435,14 @@ static int chords_of_line(const void *line, const cylint_shape *shape,
 
 /* Writes the pieces of n chords in shapes, which c->capacity chords of spare memory
  * follow. */
-static size_t pieces_of_chords(const cylint_scene *scene,
-                               const cylint_line *line, const collector *c,
+static size_t pieces_of_chords(const cylint_line *line, collector *c,
                                cylint_workspace *work, sweep *s)
 {
-    const cylint_domain domain = {line->tmin, line->tmax, chords_of_line, line};
-    cylint_numbered_chord *spare = c->chord + c->capacity, *of_solids;
+    const chord_domain domain = {line->tmin, line->tmax, chords_of_line, line};
+    numbered_chord *spare = c->chord + c->capacity, *of_solids;
     s->complete = c->complete;
-    s->n = sort_and_unite(c->chord, c->n, spare);
-    s->n = cylint_chords_of_solids(scene, &domain, c->chord, s->n, work,
-                                   &of_solids, &spare);
+    c->n = sort_and_unite(c->chord, c->n, spare);
+    s->n = chords_of_solids(c, &domain, work, &of_solids, &spare);
     if (s->n == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
     if (of_solids != c->chord)
@@ -262,15 +452,15 @@ static size_t pieces_of_chords(const cylint_scene *scene,
 }
 
 /* Collects all chords, or enough for some pieces. */
-static void collect(const cylint_scene *scene, const cylint_line *line,
-                    size_t pieces, double floor, collector *c)
+static void collect(collector *c, const cylint_line *line, size_t pieces,
+                    double floor)
 {
     cylint_scene_chord *keep = pieces > 0 ? keep_first_chord : keep_chord;
     c->n = 0;
     c->complete = HUGE_VAL;
     c->pieces = pieces;
     c->floor = floor;
-    cylint_visit_chords(scene, line, pieces > 0, keep, c);
+    cylint_visit_chords(c->scene, line, pieces > 0, keep, c);
 }
 
 /* The most pieces for which the line is searched in order, and how often. */
@@ -278,18 +468,18 @@ enum { FEW_PIECES = 4, SEARCHES = 2 };
 
 /* Returns whether the wanted pieces are written, or all.  Each search is complete
  * up to farther on than the one before. */
-static int has_first_pieces(const cylint_scene *scene, const cylint_line *line,
-                            collector *c, cylint_workspace *work, sweep *s)
+static int has_first_pieces(const cylint_line *line, collector *c,
+                            cylint_workspace *work, sweep *s)
 {
     double floor = -HUGE_VAL;
     for (int i = 0; i < SEARCHES; i++) {
-        collect(scene, line, s->capacity, floor, c);
+        collect(c, line, s->capacity, floor);
         if (c->n > c->capacity)
             return 0;
         const int are_all = !cylint_less(c->complete, line->tmax);
         const double begin = c->n > 0 ? c->chord[0].t0 : 0,
                      end = end_of_last_piece(c);
-        const size_t n = pieces_of_chords(scene, line, c, work, s);
+        const size_t n = pieces_of_chords(line, c, work, s);
         if (n == CYLINT_NO_ROOM)
             return 0;
         if (n == s->capacity || are_all)
@@ -304,19 +494,66 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
                            size_t capacity, cylint_workspace *work)
 {
     sweep s = {.rule = rule, .pieces = pieces, .capacity = capacity};
-    collector c = {.chord = work->memory,
+    collector c = {.scene = scene,
+                   .chord = work->memory,
                    .capacity = work->bytes / (2 * sizeof *c.chord)};
     if (!line->valid || capacity == 0)
         return 0;
-    if (!cylint_has_room(work))
+    if (!has_room(work))
         return CYLINT_NO_ROOM;
     if (capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS &&
-        has_first_pieces(scene, line, &c, work, &s))
+        has_first_pieces(line, &c, work, &s))
         return s.n_pieces;
-    collect(scene, line, 0, 0, &c);
+    collect(&c, line, 0, 0);
     if (c.n > c.capacity) {
         work->wanted = c.n * 2 * sizeof *c.chord;
         return CYLINT_NO_ROOM;
     }
-    return pieces_of_chords(scene, line, &c, work, &s);
+    return pieces_of_chords(line, &c, work, &s);
+}
+
+/* -------------------------------------------------------------- points -- */
+
+/* A shape that contains the point has the chord [0, 1] of the domain [0, 1]. */
+static const cylint_interval whole_domain = {0, 1};
+
+static int chord_of_point(const void *point, const cylint_shape *shape,
+                          cylint_interval chord[2])
+{
+    chord[0] = whole_domain;
+    return cylint_contains(shape, point) >= 0;
+}
+
+static double keep_container(void *context, const cylint_found *found)
+{
+    const collector *c = context;
+    if (c->scene->solids.n == 0 ||
+        !cylint_is_late(c->scene, (uint32_t)found->number))
+        keep_chord(context, found->number, whole_domain);
+    return 0;
+}
+
+size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
+                          const int *rank, size_t *owner,
+                          cylint_workspace *work)
+{
+    const chord_domain domain = {0, 1, chord_of_point, point};
+    collector c = {.scene = scene,
+                   .chord = work->memory,
+                   .capacity = work->bytes / sizeof *c.chord};
+    numbered_chord *chord, *spare;
+    *owner = scene->n;
+    if (!cylint_is_finite(point))
+        return 0;
+    if (!has_room(work))
+        return CYLINT_NO_ROOM;
+    cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
+    work->wanted = c.n * sizeof *c.chord;
+    if (c.n > c.capacity)
+        return CYLINT_NO_ROOM;
+    const size_t n = chords_of_solids(&c, &domain, work, &chord, &spare);
+    for (size_t i = 0; n != CYLINT_NO_ROOM && i < n; i++)
+        if (i == 0 || outranks(rank, chord[i].number, *owner))
+            *owner = chord[i].number;
+    return n;
 }

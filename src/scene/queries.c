@@ -172,30 +172,35 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
     return cylint_scene_nearest_other(scene, line, scene->n, want, hit);
 }
 
-size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
-                          size_t enough)
+/* The shapes beside the hierarchy are counted together, unless one is left out. */
+static size_t count_except(const cylint_scene *scene, const cylint_line *line,
+                           size_t except, size_t enough)
 {
-    const cylint_visit_options options = {.except = scene->n,
+    const int together = except >= scene->n;
+    const cylint_visit_options options = {.except = except,
                                           .often = enough == 1,
                                           .in_no_order = enough == 0,
-                                          .first_other = scene->n_others};
-    const size_t others =
-        scene->n_others > 0 ? cylint_count(&scene->pack, line, enough) : 0;
+                                          .first_other =
+                                              together ? scene->n_others : 0};
+    const size_t others = together && scene->n_others > 0
+                              ? cylint_count(&scene->pack, line, enough)
+                              : 0;
     shape_counter q = {others, enough, HUGE_VAL};
     if (enough == 0 || q.count < enough)
         cylint_visit_line(scene, line, &options, HUGE_VAL, count_one, &q);
     return q.count;
 }
 
+size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
+                          size_t enough)
+{
+    return count_except(scene, line, scene->n, enough);
+}
+
 int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
                           size_t except)
 {
-    const cylint_visit_options options = {.except = except, .often = 1};
-    shape_counter q = {0, 1, HUGE_VAL};
-    if (except >= scene->n)
-        return cylint_scene_count(scene, line, 1) > 0;
-    cylint_visit_line(scene, line, &options, HUGE_VAL, count_one, &q);
-    return q.count > 0;
+    return count_except(scene, line, except, 1) > 0;
 }
 
 size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,

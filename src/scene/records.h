@@ -15,9 +15,8 @@
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
-/* A tag: a cylint_kind, a cylint_ends times CYLINT_TAG_ENDS, and CYLINT_TAG_PLAIN
- * if cylint_local_in_doubles() serves the shape. */
-enum { CYLINT_TAG_KIND = 15, CYLINT_TAG_ENDS = 16, CYLINT_TAG_PLAIN = 128 };
+/* In a tag if cylint_local_in_doubles() serves the shape. */
+enum { CYLINT_TAG_PLAIN = 128 };
 
 /* r0 of an elliptic shape's record is the index of its semi-axes. */
 typedef struct cylint_records {

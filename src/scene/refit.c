@@ -17,17 +17,15 @@ typedef struct {
 static int measure_all(replacement *r)
 {
     const cylint_scene *s = r->scene;
-    for (size_t i = 0; i < r->n; i++)
-        if (!cylint_record_takes(&s->records, r->first + i, &r->shapes[i]))
+    for (size_t i = 0; i < r->n; i++) {
+        const cylint_shape *shape = &r->shapes[i];
+        if (!cylint_record_takes(&s->records, r->first + i, shape))
             return 0;
-    size_t i = r->first;
-    if (s->bounded)
-        i = cylint_first_not_below(s->bounded, s->n_bounded, r->first);
-    for (; i < s->n_bounded && cylint_bounded_number(s, i) - r->first < r->n;
-         i++)
-        if (!cylint_extend_by_shape(
-                &r->box, &r->shapes[cylint_bounded_number(s, i) - r->first]))
+        if (shape->kind != CYLINT_KIND_NONE &&
+            !cylint_is_other(s, r->first + i) &&
+            !cylint_extend_by_shape(&r->box, shape))
             return 0;
+    }
     return 1;
 }
 

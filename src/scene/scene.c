@@ -131,20 +131,6 @@ static void write_data(const void *owner, uint32_t number, cylint_shape *shape)
     cylint_record_data(&s->records, number, shape);
 }
 
-static void sort_into_lists(const cylint_scene *s, uint32_t *bounded,
-                            uint32_t *others, cylint_watch *watch)
-{
-    cylint_shapes_box box = CYLINT_NO_BOX; /* not used */
-    for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
-        cylint_shape shape;
-        cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && cylint_extend_by_shape(&box, &shape))
-            *bounded++ = (uint32_t)i;
-        else if (shape.kind != CYLINT_KIND_NONE)
-            *others++ = (uint32_t)i;
-    }
-}
-
 /* Lists the numbers of bounded shapes, unless all are bounded, and those of the
  * others.  A refused shape is in neither list: no line hits it. */
 static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
@@ -157,7 +143,15 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
     s->others = others;
     if (!bounded || !others)
         return CYLINT_SCENE_EMEMORY;
-    sort_into_lists(s, bounded, others, watch);
+    for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
+        cylint_shapes_box unread = CYLINT_NO_BOX;
+        cylint_shape shape;
+        cylint_record_data(&s->records, i, &shape);
+        if (s->n_bounded > 0 && cylint_extend_by_shape(&unread, &shape))
+            *bounded++ = (uint32_t)i;
+        else if (shape.kind != CYLINT_KIND_NONE)
+            *others++ = (uint32_t)i;
+    }
     return cylint_watch_add(watch, 0) ? CYLINT_SCENE_OK : CYLINT_SCENE_ESTOPPED;
 }
 
@@ -199,14 +193,11 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,
                                       .n = s->n_bounded,
                                       .threads = threads,
                                       .watch = watch};
-    switch (cylint_bvh_build(&s->bvh, &members, &refused)) {
-    case CYLINT_BVH_OK:
-        return CYLINT_SCENE_OK;
-    case CYLINT_BVH_ESTOPPED:
-        return CYLINT_SCENE_ESTOPPED;
-    default:
-        return CYLINT_SCENE_EMEMORY;
-    }
+    const cylint_bvh_status status =
+        cylint_bvh_build(&s->bvh, &members, &refused);
+    return status == CYLINT_BVH_OK         ? CYLINT_SCENE_OK
+           : status == CYLINT_BVH_ESTOPPED ? CYLINT_SCENE_ESTOPPED
+                                           : CYLINT_SCENE_EMEMORY;
 }
 
 static cylint_scene_status build(cylint_scene *s, int threads,

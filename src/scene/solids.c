@@ -1,12 +1,10 @@
 /*
  * solids.c - the solids of a scene that are made of shapes
  */
-#include "solids.h"
+#include "scene.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#include "scene.h"
 
 /* A sort by these in turn: solid, clause, shape. */
 static int is_before_in_solid(const cylint_membership *x,
@@ -34,12 +32,17 @@ void cylint_solids_free(cylint_solids *s)
     s->memory = NULL;
 }
 
-/* Whether a shape is beside the hierarchy. */
-static int is_other(const cylint_scene *scene, uint32_t shape)
+int cylint_is_other(const cylint_scene *s, size_t number)
 {
-    const size_t i =
-        cylint_first_not_below(scene->others, scene->n_others, shape);
-    return i < scene->n_others && scene->others[i] == shape;
+    size_t from = 0, to = s->n_others;
+    while (from < to) {
+        const size_t middle = from + (to - from) / 2;
+        if (s->others[middle] < number)
+            from = middle + 1;
+        else
+            to = middle;
+    }
+    return from < s->n_others && s->others[from] == number;
 }
 
 /* Divides the memory of the arrays.  Without memory, only counts its bytes. */
@@ -127,8 +130,8 @@ static int has_bounded_clause(const cylint_scene *scene,
         const int32_t clause = abs(member[i].clause);
         int is_bounded = 1;
         for (; i < n && abs(member[i].clause) == clause; i++)
-            is_bounded &=
-                member[i].clause > 0 && !is_other(scene, member[i].shape);
+            is_bounded &= member[i].clause > 0 &&
+                          !cylint_is_other(scene, member[i].shape);
         if (is_bounded)
             return 1;
     }
@@ -196,7 +199,8 @@ static int is_always_tested(const cylint_solids *s, uint32_t shape)
 
 int cylint_is_late(const cylint_scene *scene, uint32_t shape)
 {
-    return is_other(scene, shape) && !is_always_tested(&scene->solids, shape);
+    return cylint_is_other(scene, shape) &&
+           !is_always_tested(&scene->solids, shape);
 }
 
 /* Keeps the late members only: those that not all lines test. */
@@ -206,7 +210,7 @@ static void choose_late(cylint_solids *s, const cylint_scene *scene)
     for (size_t i = 0; i < s->n_members; i++) {
         const cylint_membership m = s->late[i];
         cylint_scene_solid *solid = &s->solid[m.solid];
-        if (!is_other(scene, m.shape) || is_always_tested(s, m.shape))
+        if (!cylint_is_other(scene, m.shape) || is_always_tested(s, m.shape))
             continue;
         if (solid->n_late++ == 0)
             solid->first_late = (uint32_t)n;

@@ -55,7 +55,7 @@ typedef enum cylint_nearness {
                             is 0, and the callback gets no distance */
 } cylint_nearness;
 
-/* Of the `want` of a query. */
+/* The nearness that the `want` of a query selects. */
 static inline cylint_nearness cylint_nearness_of(unsigned want)
 {
     return want & CYLINT_SIGNED ? CYLINT_NEAR_SOLID : CYLINT_NEAR_SURFACE;

@@ -56,7 +56,7 @@ static double disc_reach(const cylint_shape *s)
            r * (fabs(dot3(a, w)) + fabs(dot3(b, w)));
 }
 
-/* Of a ball about the middle that holds a bounded shape. */
+/* The radius of a ball about the middle that holds a bounded shape. */
 static double radius_about(const cylint_shape *s)
 {
     const double ww = dot3(cylint_axis(s), cylint_axis(s));

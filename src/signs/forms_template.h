@@ -127,7 +127,7 @@ INLINE const NUM *FORM(axial)(const FORM(terms) *L)
     return FORM(elliptic)(L) ? L->e : L->w;
 }
 
-/* After the data: what the line's direction is not needed for. */
+/* Sets the terms, from the data, that do not depend on the line's direction. */
 INLINE void FORM(prepare_shape)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {

@@ -121,10 +121,10 @@ TEST(the_errors_of_cones_and_balls_are_within_their_bounds)
  * one. */
 static int is_kept_small(const cylint_shape *shape, cylint_record *read)
 {
-    cylint_small_record small;
+    float small[CYLINT_RECORD_NUMBERS];
     cylint_record large;
-    const cylint_embree_shapes one = {.memory = {.data = &small}, .small = 1};
-    if (!cylint_small_record_of(&small, shape))
+    const cylint_embree_shapes one = {.memory = {.data = small}, .small = 1};
+    if (!cylint_embree_set_record(&one, 0, shape))
         return 0;
     cylint_filter_record_of(&large, shape);
     cylint_embree_record(&one, 0, read);

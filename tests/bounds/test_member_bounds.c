@@ -21,22 +21,10 @@
 #include "check.h"
 #include "families.h"
 #include "filter/describe.h"
-#include "random.h"
+#include "draw.h"
 #include "true_shape.h"
 
 enum { BITS = 448, ROOTS = 12 };
-
-static uint64_t stream = 24;
-
-static double unit(void) /* in [-1, 1) */
-{
-    return 2 * random_unit(&stream) - 1;
-}
-
-static int below(int n)
-{
-    return random_int(&stream, n);
-}
 
 /* --------------------------------------------------------------- truth -- */
 
@@ -77,9 +65,9 @@ static surface any_surface(int solid)
 {
     const int ball = cylint_solid_is_ball(solid);
     surface f = {0, 0, ball};
-    if (!ball && cylint_solid_is_bounded(solid) && below(2)) {
+    if (!ball && cylint_solid_is_bounded(solid) && one_of(2)) {
         f.on_end = 1;
-        f.top = below(2);
+        f.top = one_of(2);
         f.ball = cylint_solid_is_round(solid);
     }
     return f;
@@ -295,16 +283,16 @@ static void judge_members(const source *from, const pair_line *in,
 static hit_root any_root(const surface *f)
 {
     double t = mpfr_get_d(the.t->x, RND);
-    if (below(4) == 0) /* an end of step_from() */
-        t = nextafter(t, below(2) ? HUGE_VAL : -HUGE_VAL);
+    if (one_of(4) == 0) /* an end of step_from() */
+        t = nextafter(t, one_of(2) ? HUGE_VAL : -HUGE_VAL);
     const real rest = minus(the.t, real_of(t));
     double tail = mpfr_get_d(rest->x, RND);
-    const double error = below(4) ? ldexp(t, -54 - below(60)) : 0;
-    tail += below(3) ? (below(2) ? error : -error) : error * unit();
+    const double error = one_of(4) ? ldexp(t, -54 - one_of(60)) : 0;
+    tail += one_of(3) ? (one_of(2) ? error : -error) : error * between(-1, 1);
     const double most = off_by(rest, tail, 0);
     root_is_pair = error == 0;
     return (hit_root){v_set(t), v_set(tail),
-                      v_set(below(2) ? most : fmax(most, fabs(error))),
+                      v_set(one_of(2) ? most : fmax(most, fabs(error))),
                       m_from(f->on_end ? 3 : 0), m_from(f->top ? 3 : 0)};
 }
 
@@ -331,7 +319,7 @@ static int judge_line(const cylint_shape *s, const cylint_line *line)
     const int solid = cylint_prepared(s);
     const source from = {s, line};
     const surface f = any_surface(solid);
-    if (!set_true_root(&f, solid, below(2)))
+    if (!set_true_root(&f, solid, one_of(2)))
         return 0;
     set_true_hit(s, line, &f);
     shape_now = s;

@@ -11,29 +11,23 @@ cylint_traverse_point CYLINT_TRAVERSE_POINT;
 #include "bvh/traverse_point.c"
 
 #include "check.h"
-#include "random.h"
-#include "vectors.h"
+#include "draw.h"
 
 enum { ROUNDS = 4000 };
-
-static double between(uint64_t *stream, double low, double high)
-{
-    return low + (high - low) * random_unit(stream);
-}
 
 /* ---------------------------------------------------------------- boxes -- */
 
 /* A hierarchy of one node: its boxes lie in the box of all, which has sides of
  * up to 2 and a centre of floats. */
-static void draw_node(uint64_t *stream, cylint_bvh *bvh, cylint_node *node)
+static void draw_node(cylint_bvh *bvh, cylint_node *node)
 {
     memset(bvh, 0, sizeof *bvh);
     memset(node, 0, sizeof *node);
     bvh->nodes = node;
     node->children = 0xff;
     for (int j = 0; j < 3; j++) {
-        const float half = (float)pow(2, between(stream, -8, -0.01));
-        bvh->center[j] = (float)between(stream, -0.9, 0.9) * (1 - half);
+        const float half = (float)pow(2, between(-8, -0.01));
+        bvh->center[j] = (float)between(-0.9, 0.9) * (1 - half);
         bvh->box.lower[j] =
             cylint_float_below((double)bvh->center[j] - (double)half);
         bvh->box.upper[j] =
@@ -41,7 +35,7 @@ static void draw_node(uint64_t *stream, cylint_bvh *bvh, cylint_node *node)
         node->corner[j] = -half;
         node->step[j] = half / 128;
         for (int i = 0; i < CYLINT_CHILDREN; i++) {
-            const int x = random_int(stream, 256), y = random_int(stream, 256);
+            const int x = one_of(256), y = one_of(256);
             node->face[0][j][i] = (uint8_t)(x < y ? x : y);
             node->face[1][j][i] = (uint8_t)(x < y ? y : x);
         }
@@ -83,16 +77,16 @@ static double most_lacking(const traversal *t, double distance)
     return 8 * t->error + 4 * t->box_error + 0x1p-17 * (distance - t->nearest);
 }
 
-static void check_boxes(uint64_t *stream, double far)
+static void check_boxes(double far)
 {
     cylint_bvh bvh;
     cylint_node node;
     traversal t;
     double point[3], distance = 0;
-    draw_node(stream, &bvh, &node);
+    draw_node(&bvh, &node);
     for (int j = 0; j < 3; j++) {
         const double half = (double)(bvh.box.upper[j] - bvh.box.lower[j]);
-        point[j] = (double)bvh.center[j] + between(stream, -far, far) * half;
+        point[j] = (double)bvh.center[j] + between(-far, far) * half;
     }
     start_point(&t, &bvh, point, &distance);
     for (int child = 0; child < CYLINT_CHILDREN; child++) {
@@ -108,35 +102,34 @@ static void check_boxes(uint64_t *stream, double far)
 
 TEST(boxes_are_visited_within_their_distance_only)
 {
-    uint64_t stream = check_setting("CYLINT_SEED", 1);
+    stream = check_setting("CYLINT_SEED", 1);
     for (int round = 0; round < ROUNDS; round++) {
-        check_boxes(&stream, between(&stream, 0, 1));
-        check_boxes(&stream, between(&stream, 1, 100));
-        check_boxes(&stream, pow(2, between(&stream, 8, 59)));
+        check_boxes(between(0, 1));
+        check_boxes(between(1, 100));
+        check_boxes(pow(2, between(8, 59)));
     }
 }
 
 /* --------------------------------------------------------------- leaves -- */
 
-static void draw_leaf(uint64_t *stream, cylint_leaf *b)
+static void draw_leaf(cylint_leaf *b)
 {
     memset(b, 0, sizeof *b);
     b->used = CYLINT_LEAF_SIZE;
-    b->steps = cylint_half_below(pow(2, between(stream, 6, 20)));
+    b->steps = cylint_half_below(pow(2, between(6, 20)));
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
-        const int spread = 1 << random_int(stream, 11);
+        const int spread = 1 << one_of(11);
         for (int j = 0; j < 3; j++) {
-            const int at = random_int(stream, 1024);
-            int top = at + random_int(stream, 2 * spread + 1) - spread;
+            const int at = one_of(1024);
+            int top = at + one_of(2 * spread + 1) - spread;
             top = top < 0 ? 0 : top > 1023 ? 1023 : top;
             b->p[0][lane] |= (uint32_t)at << j * CYLINT_LEAF_P_BITS;
             b->p[1][lane] |= (uint32_t)top << j * CYLINT_LEAF_P_BITS;
         }
-        b->r[lane] =
-            (uint16_t)(random_int(stream, 4) ? random_int(stream, 1024) : 0);
+        b->r[lane] = (uint16_t)(one_of(4) ? one_of(1024) : 0);
     }
     for (int j = 0; j < 3; j++)
-        b->center[j] = (float)between(stream, -1, 1);
+        b->center[j] = (float)between(-1, 1);
 }
 
 /* In steps, from the points within r of a lane's axis; q from the centre. */
@@ -161,13 +154,11 @@ static long double distance_to_lane(const cylint_leaf *b, int lane,
 }
 
 /* A point at which the nearest point of lane 0 is inside its axis, in steps. */
-static void draw_beside(uint64_t *stream, const cylint_leaf *b, double far,
-                        double q[3])
+static void draw_beside(const cylint_leaf *b, double far, double q[3])
 {
     double p[3], w[3], side[3], size = 0;
-    const double any[3] = {between(stream, -1, 1), between(stream, -1, 1),
-                           between(stream, -1, 1)};
-    const double z = random_unit(stream);
+    const double any[3] = {between(-1, 1), between(-1, 1), between(-1, 1)};
+    const double z = between(0, 1);
     for (int j = 0; j < 3; j++) {
         const int shift = j * CYLINT_LEAF_P_BITS;
         p[j] = (double)(b->p[0][0] >> shift & CYLINT_LEAF_P_MASK);
@@ -182,25 +173,25 @@ static void draw_beside(uint64_t *stream, const cylint_leaf *b, double far,
 }
 
 /* far: the distance from the centre in steps, about. */
-static void check_lanes(uint64_t *stream, double far)
+static void check_lanes(double far)
 {
     cylint_leaf b;
     traversal t = {.error = 0};
     double least[CYLINT_LEAF_SIZE];
     long double q[3], K = (long double)CYLINDER_REACH;
-    draw_leaf(stream, &b);
+    draw_leaf(&b);
     const double steps = (double)cylint_leaf_steps(&b);
-    t.error = random_int(stream, 2) ? 0x1p-30 : 0;
-    double from[3] = {between(stream, -far, far), between(stream, -far, far),
-                      between(stream, -far, far)};
-    if (random_int(stream, 2))
-        draw_beside(stream, &b, far, from);
+    t.error = one_of(2) ? 0x1p-30 : 0;
+    double from[3] = {between(-far, far), between(-far, far),
+                      between(-far, far)};
+    if (one_of(2))
+        draw_beside(&b, far, from);
     for (int j = 0; j < 3; j++) {
         t.x[j] = (double)b.center[j] + from[j] / steps;
         q[j] = ((long double)t.x[j] - b.center[j]) * steps;
         K += fabsl(q[j]);
     }
-    b.always = random_int(stream, 4) ? 0 : 1;
+    b.always = one_of(4) ? 0 : 1;
     test_lanes_of(&t, &b, least);
     const long double coarse =
         K < (long double)FAR_LIMIT ? 0x1p-18 * K : 0x1p-47 * K + 2 + 0x1p20 / K;
@@ -219,12 +210,12 @@ static void check_lanes(uint64_t *stream, double far)
 
 TEST(bounds_of_lanes_are_below_their_distances)
 {
-    uint64_t stream = check_setting("CYLINT_SEED", 1) + 1;
+    stream = check_setting("CYLINT_SEED", 1) + 1;
     for (int round = 0; round < ROUNDS; round++) {
-        check_lanes(&stream, between(&stream, 0, 3));
-        check_lanes(&stream, between(&stream, 0, 2000));
-        check_lanes(&stream, pow(2, between(&stream, 10, 16)));
-        check_lanes(&stream, pow(2, between(&stream, 17, 21)));
-        check_lanes(&stream, pow(2, between(&stream, 16, 70)));
+        check_lanes(between(0, 3));
+        check_lanes(between(0, 2000));
+        check_lanes(pow(2, between(10, 16)));
+        check_lanes(pow(2, between(17, 21)));
+        check_lanes(pow(2, between(16, 70)));
     }
 }

@@ -184,43 +184,44 @@ static const struct layout usual = {0, 1, ALL, 0};
 static const struct layout without_members = {0, 1, ALL & ~MEMBERS, 3};
 
 /* Points of the cases; some coordinates are not finite, or extreme. */
-static void draw_points(size_t n, uint64_t stream)
+static void draw_points(size_t n, uint64_t seed)
 {
     static const double odd[] = {NAN,     HUGE_VAL,  -HUGE_VAL, DBL_MAX,
                                  0x1p101, 0x1p-1074, -0.0};
+    stream = seed;
     for (size_t i = 0; i < n; i++) {
         double *p = place_of_case[i];
-        draw_point(&drawn[i], &stream, p);
-        if (random_int(&stream, 12) == 0)
-            p[random_int(&stream, 3)] = odd[random_int(&stream, 7)];
+        draw_point(&drawn[i], p);
+        if (one_of(12) == 0)
+            p[one_of(3)] = odd[one_of(7)];
     }
 }
 
 /* Points about the first case, with its shape in front. */
 static void draw_points_about(const struct family_case *c, size_t n,
-                              uint64_t stream)
+                              uint64_t seed)
 {
     for (size_t i = 0; i < n; i++)
         drawn[i] = *c;
-    draw_points(n, stream);
+    draw_points(n, seed);
 }
 
 /* All families in turn, with all ends, any exponents, and refused shapes. */
 static void draw_mixed(size_t n)
 {
-    uint64_t stream = 43;
+    stream = 43;
     for (size_t i = 0; i < n; i++) {
         struct family_case *c = &drawn[i];
         family_case(42, (int)(i % (size_t)family_count()), i, c);
         if (!cylint_is_round(c->shape.kind))
-            c->ends = (cylint_ends)random_int(&stream, 6);
+            c->ends = (cylint_ends)one_of(6);
         family_make(c);
     }
     draw_points(n, 44);
     for (size_t i = 0; i < n; i += 7) {
         drawn[i].shape_data[0] = NAN;
         if (i % 2)
-            draw_far_case(&drawn[i], &stream, place_of_case[i]);
+            draw_far_case(&drawn[i], place_of_case[i]);
         else
             family_make(&drawn[i]);
     }

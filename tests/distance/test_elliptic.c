@@ -39,8 +39,7 @@ TEST(far_from_a_cylinder_point_and_normal_are_right)
 /* Oblique, sometimes thin or nearly flat; its sizes differ by 10^3 at most. */
 static void draw_shape(struct solid *e)
 {
-    const double thin = pow(10, between(-1.5, 0)),
-                 flat = pow(10, between(-1.5, 1));
+    const double thin = power(-1.5, 0), flat = power(-1.5, 1);
     const double lean[2] = {between(-2, 2), between(-2, 2)};
     for (int i = 0; i < 3; i++) {
         e->c[i] = between(-1, 1);
@@ -48,7 +47,7 @@ static void draw_shape(struct solid *e)
         e->b[i] = thin * between(-1, 1);
         e->h[i] = flat * between(-1, 1) + lean[0] * e->a[i] + lean[1] * e->b[i];
     }
-    e->k = random_int(&solid_stream, 3) ? between(0, 2) : 1;
+    e->k = one_of(3) ? between(0, 2) : 1;
 }
 
 /* The square of the distance of X from the segment on the ruling of an
@@ -78,7 +77,7 @@ TEST(no_point_of_the_surface_is_nearer)
         struct solid e;
         cylint_shape s;
         draw_shape(&e);
-        const int bounded = random_int(&solid_stream, 3) != 0;
+        const int bounded = one_of(3) != 0;
         if (!make_solid(&s, &e,
                         bounded ? CYLINT_ENDS_OPEN : CYLINT_ENDS_INFINITE))
             continue;

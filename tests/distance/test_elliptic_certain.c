@@ -144,52 +144,48 @@ TEST(the_safety_is_close_to_the_distance)
         }
 }
 
-static uint64_t stream = 25;
-
 /* Small integers, decimals, zeros, or of any exponent up to 2^20. */
 static double draw_number(int mode)
 {
     switch (mode) {
     case 0:
-        return random_int(&stream, 9) - 4;
+        return one_of(9) - 4;
     case 1:
-        return 0.1 * (random_int(&stream, 9) - 4);
+        return 0.1 * (one_of(9) - 4);
     case 2:
-        return random_int(&stream, 3) ? 0 : random_int(&stream, 9) - 4;
+        return one_of(3) ? 0 : one_of(9) - 4;
     case 3:
-        return 2 * random_unit(&stream) - 1;
+        return between(-1, 1);
     default:
-        return ldexp(2 * random_unit(&stream) - 1,
-                     random_int(&stream, 40) - 20);
+        return ldexp(between(-1, 1), one_of(40) - 20);
     }
 }
 
 static void draw_mixed(struct solid *e, int mode)
 {
     double *const v[4] = {e->c, e->a, e->b, e->h};
-    const int aligned = random_int(&stream, 3) == 0;
+    const int aligned = one_of(3) == 0;
     for (int i = 0; i < 12; i++)
         v[i / 3][i % 3] =
             aligned && i >= 3 && i % 3 != i / 3 - 1 ? 0 : draw_number(mode);
-    e->k = random_int(&stream, 3) ? fabs(draw_number(mode))
-                                  : random_int(&stream, 2);
+    e->k = one_of(3) ? fabs(draw_number(mode)) : one_of(2);
 }
 
 /* On the axis, a plane of symmetry, the plane of an end, the lateral surface, or
  * anywhere. */
 static void draw_mixed_place(const struct solid *e, int mode, double p[3])
 {
-    const int where = random_int(&stream, 6);
+    const int where = one_of(6);
     double x = draw_number(mode), y = draw_number(mode), z = draw_number(mode);
     if (where == 0)
         x = y = 0;
     if (where == 1)
         y = 0;
     if (where == 2)
-        z = random_int(&stream, 2);
+        z = one_of(2);
     if (where == 3) {
-        const double turn = 6.3 * random_unit(&stream);
-        const double off = pow(10, -random_int(&stream, 17));
+        const double turn = between(0, 6.3);
+        const double off = pow(10, -one_of(17));
         x = (1 + (e->k - 1) * z) * (1 + off) * cos(turn);
         y = (1 + (e->k - 1) * z) * (1 + off) * sin(turn);
     }
@@ -203,12 +199,12 @@ TEST(coincidences_have_one_answer)
     const uint64_t cases = check_setting("CYLINT_MIXED", MIXED);
     struct tally sum = {0, 0, 0, 0, 1};
     for (uint64_t i = 0; i < cases; i++) {
-        const int mode = random_int(&stream, 5);
+        const int mode = one_of(5);
         struct solid e;
         double p[3];
         draw_mixed(&e, mode);
         draw_mixed_place(&e, mode, p);
-        check_point(&e, every_ends[random_int(&stream, ENDS)], p, 0, &sum);
+        check_point(&e, every_ends[one_of(ENDS)], p, 0, &sum);
     }
     CHECK(sum.left < sum.n / 2);
 }

@@ -255,23 +255,23 @@ static void lean_axis(double *x, double lean, int both)
 
 /* Makes an elliptic shape longer, thinner, more oblique or nearly a cylinder.
  * is_promised() leaves out what becomes too flat. */
-static void strain(struct family_case *c, uint64_t *stream)
+static void strain(struct family_case *c)
 {
     double *x = c->shape_data;
-    const int mode = random_int(stream, 6), both = random_int(stream, 2);
+    const int mode = one_of(6), both = one_of(2);
     if (mode == 0)
-        lean_axis(x, draw(stream, -3, 3), both);
+        lean_axis(x, between(-3, 3), both);
     if (mode == 1 || mode == 2)
-        lean_axis(x, pow(10, draw(stream, 0, LEAN)), both);
+        lean_axis(x, power(0, LEAN), both);
     for (int v = 3; v < 12 && (mode == 2 || mode == 3); v += 3) {
-        const double by = pow(10, draw(stream, -STRAIN, STRAIN));
+        const double by = power(-STRAIN, STRAIN);
         for (int i = 0; i < 3; i++)
             x[v + i] *= by;
     }
     if (mode == 4 && c->shape_word == FAMILY_ECONE)
-        x[12] = 1 + draw_small(stream);
+        x[12] = 1 + draw_small();
     if (mode == 5 && c->shape_word == FAMILY_ECONE)
-        x[12] = pow(10, draw(stream, -STRAIN, STRAIN));
+        x[12] = power(-STRAIN, STRAIN);
     family_make(c);
 }
 
@@ -330,14 +330,14 @@ static void over_families(int wild, int elliptic)
             continue;
         if (cylint_is_elliptic(c.shape.kind) != elliptic)
             continue;
-        uint64_t stream = seed + number * 64 + (uint64_t)family;
+        stream = seed + number * 64 + (uint64_t)family;
         if (elliptic)
-            strain(&c, &stream);
+            strain(&c);
         if (c.shape.kind == CYLINT_KIND_NONE)
             continue;
         for (int k = 0; k < POINTS; k++) {
             double p[3];
-            const enum place place = draw_point(&c, &stream, p);
+            const enum place place = draw_point(&c, p);
             if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
                 (elliptic && !is_promised(&c.shape, p)))
                 continue;
@@ -365,12 +365,12 @@ TEST(elliptic_distances_are_those_of_the_oracle)
 
 static void check_any_exponents(int elliptic, uint64_t cases)
 {
-    uint64_t stream = check_setting("CYLINT_SEED", 16);
+    stream = check_setting("CYLINT_SEED", 16);
     struct tally sum = {.safety = 1};
     for (uint64_t i = 0; i < cases;) {
         struct family_case c;
         double p[3];
-        if (!draw_far_case(&c, &stream, p) ||
+        if (!draw_far_case(&c, p) ||
             cylint_is_elliptic(c.shape.kind) != elliptic ||
             (elliptic && !is_promised(&c.shape, p)))
             continue;

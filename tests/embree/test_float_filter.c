@@ -75,8 +75,7 @@ static void set_piece(struct scene_query *x, uint64_t i)
     const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
     x->q.tfar = HUGE_VALF;
     x->q.ends = x->shape->ends;
-    x->q.index = (int)(i / 48) % count;
-    x->q.count = count;
+    x->q.piece = (cylint_shape_piece){(int)(i / 48) % count, count};
     x->q.exit_only = i % 11 == 0;
     x->q.describes = i % 7 != 0;
     const double t = x->answer.hit[i / 4 % 2 && x->n ? x->n - 1 : 0].t;
@@ -134,7 +133,8 @@ struct crowd {
 static const cylint_hit *hit_on_piece(const struct scene_query *x)
 {
     for (int i = 0; i < x->n; i++)
-        if (cylint_piece_at(x->answer.hit[i].z, x->q.count) == x->q.index &&
+        if (cylint_piece_at(x->answer.hit[i].z, x->q.piece.count) ==
+                x->q.piece.index &&
             (!x->q.exit_only || x->answer.hit[i].side == CYLINT_SIDE_LEAVING))
             return &x->answer.hit[i];
     return NULL;

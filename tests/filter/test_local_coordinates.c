@@ -18,7 +18,7 @@
 #include "dispatch.h"
 #include "intersect.h"
 #include "numbers/error_bounds.h"
-#include "random.h"
+#include "draw.h"
 #include "same.h"
 #include "shapes/local.h"
 #include "shapes/measure.h"
@@ -26,28 +26,10 @@
 
 enum { CASES = 200, BITS = 700 };
 
-static uint64_t stream = 1;
-
-static double between(double a, double b)
-{
-    return a + (b - a) * random_unit(&stream);
-}
-
 /* 2^x, x between a and b. */
-static double power(double a, double b)
+static double binary(double a, double b)
 {
     return exp2(between(a, b));
-}
-
-static int one_of(int n)
-{
-    return random_int(&stream, n);
-}
-
-static void any_vector(double v[3], double size)
-{
-    for (int i = 0; i < 3; i++)
-        v[i] = size * between(-1, 1);
 }
 
 /* ------------------------------------------------------- the matrix ----- */
@@ -127,10 +109,10 @@ TEST(the_matrix_is_as_accurate_as_it_states)
 /* Half of them with one ball that nearly holds the other. */
 static void any_round_cone(cylint_shape *s, const double h[3])
 {
-    const double zero[3] = {0, 0, 0}, r0 = power(-60, 50);
+    const double zero[3] = {0, 0, 0}, r0 = binary(-60, 50);
     const double length = hypot(hypot(h[0], h[1]), h[2]);
     const double r1 =
-        one_of(2) ? power(-60, 50) : r0 + length * (1 - power(-50, -1));
+        one_of(2) ? binary(-60, 50) : r0 + length * (1 - binary(-50, -1));
     cylint_round_cone(s, zero, r0, h, r1, (cylint_ends)one_of(4));
 }
 
@@ -142,32 +124,32 @@ static void any_shape(cylint_shape *s)
     const cylint_ends ends = (cylint_ends)one_of(6);
     double h[3], a[3], b[3];
     do {
-        any_vector(h, one_of(3) ? 1 : power(-600, 50));
-        any_vector(a, one_of(3) ? 1 : power(-600, 50));
-        any_vector(b, one_of(3) ? 1 : power(-40, 5));
+        random_vector(h, one_of(3) ? 1 : binary(-600, 50));
+        random_vector(a, one_of(3) ? 1 : binary(-600, 50));
+        random_vector(b, one_of(3) ? 1 : binary(-40, 5));
         if (one_of(3) == 0) {
-            const double off = power(-30, -1);
+            const double off = binary(-30, -1);
             for (int i = 0; i < 3; i++) /* nearly in a plane with others */
                 b[i] = a[i] + off * b[i];
         }
         switch (one_of(6)) {
         case 4:
-            cylint_capsule(s, zero, h, power(-60, 50), (cylint_ends)one_of(4));
+            cylint_capsule(s, zero, h, binary(-60, 50), (cylint_ends)one_of(4));
             break;
         case 5:
             any_round_cone(s, h);
             break;
         case 0:
-            cylint_cylinder(s, zero, h, power(-60, 50), ends);
+            cylint_cylinder(s, zero, h, binary(-60, 50), ends);
             break;
         case 1:
-            cylint_cone(s, zero, power(-60, 50), h, power(-60, 50), ends);
+            cylint_cone(s, zero, binary(-60, 50), h, binary(-60, 50), ends);
             break;
         case 2:
-            cylint_tangent_cone(s, zero, h, power(-60, 50), ends);
+            cylint_tangent_cone(s, zero, h, binary(-60, 50), ends);
             break;
         default:
-            cylint_elliptic_cone(s, zero, a, b, h, power(-60, 50), ends);
+            cylint_elliptic_cone(s, zero, a, b, h, binary(-60, 50), ends);
         }
     } while (s->kind == CYLINT_KIND_NONE);
 }
@@ -303,14 +285,14 @@ TEST(questions_along_thin_cones_are_exact)
     const uint64_t cases = 100 * check_setting("CYLINT_CASES", CASES);
     stream = check_setting("CYLINT_SEED", 1);
     for (uint64_t i = 0; i < cases; i++) {
-        const double r = power(-50, 0), zero[3] = {0, 0, 0};
+        const double r = binary(-50, 0), zero[3] = {0, 0, 0};
         double h[3], o[3], d[3], across[3], off[3];
         cylint_shape s;
         cylint_line line;
-        any_vector(h, 1);
-        any_vector(across, r * power(-40, 1));
-        any_vector(off, r * power(-40, 1));
-        const double back = one_of(2) ? between(0, 2) : power(0, 30);
+        random_vector(h, 1);
+        random_vector(across, r * binary(-40, 1));
+        random_vector(off, r * binary(-40, 1));
+        const double back = one_of(2) ? between(0, 2) : binary(0, 30);
         for (int k = 0; k < 3; k++) {
             d[k] = h[k] + across[k];
             o[k] = h[k] * one_of(2) + off[k] - back * d[k];
@@ -331,8 +313,8 @@ TEST(questions_of_extreme_shapes_are_exact)
         cylint_shape s;
         cylint_line line;
         any_shape(&s);
-        any_vector(o, one_of(2) ? 1 : power(-60, 20));
-        any_vector(d, one_of(2) ? 1 : power(-60, 50));
+        random_vector(o, one_of(2) ? 1 : binary(-60, 20));
+        random_vector(d, one_of(2) ? 1 : binary(-60, 50));
         if (cylint_whole_line(&line, o, d) == CYLINT_OK)
             compare_domains(&s, &line);
     }
@@ -351,8 +333,8 @@ TEST(a_disc_of_almost_no_height_is_exact)
             double o[3], d[3];
             cylint_shape s;
             cylint_line line;
-            any_vector(o, 0.4);
-            any_vector(d, 1);
+            random_vector(o, 0.4);
+            random_vector(d, 1);
             cylint_cylinder(&s, zero, h, 1, CYLINT_ENDS_CAPPED);
             cylint_whole_line(&line, o, d);
             compare_domains(&s, &line);

@@ -13,7 +13,7 @@
 #include "cylint_pieces.h"
 #include "environment.h"
 #include "families.h"
-#include "random.h"
+#include "draw.h"
 #include "records.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
@@ -23,13 +23,6 @@
 #endif
 
 enum { MOST = 100 }; /* records */
-
-static uint64_t rng;
-
-static int choice(int n)
-{
-    return random_int(&rng, n);
-}
 
 static int same_chords(int n, const cylint_interval *x, int m,
                        const cylint_interval *y)
@@ -91,12 +84,12 @@ static void limit(struct family_case *c)
     whole.tmin = -HUGE_VAL;
     whole.tmax = HUGE_VAL;
     cylint_intersect(&c->shape, &whole, CYLINT_WANT_T, &a);
-    if (a.n == 0 || choice(2))
+    if (a.n == 0 || one_of(2))
         return;
-    const double t = a.hit[choice(a.n)].t;
+    const double t = a.hit[one_of(a.n)].t;
     if (fabs(t) < DBL_MAX)
-        *(choice(2) ? &c->line.tmin : &c->line.tmax) =
-            stepped(t, choice(3) - 1);
+        *(one_of(2) ? &c->line.tmin : &c->line.tmax) =
+            stepped(t, one_of(3) - 1);
     if (!(c->line.tmin <= c->line.tmax))
         c->line.tmin = c->line.tmax;
 }
@@ -137,7 +130,7 @@ static void compare_many(struct environment there, uint64_t cases)
 
 TEST(chords_are_those_of_the_oracle)
 {
-    rng = 1;
+    stream = 1;
     compared = with_chords = 0;
     compare_many(environment_of(0), check_setting("CYLINT_CASES", 800));
     CHECK(with_chords > compared / 20);
@@ -151,7 +144,7 @@ static void compare_there(struct environment there)
 
 TEST(chords_are_the_same_in_every_environment)
 {
-    rng = 4;
+    stream = 4;
     everywhere(compare_there);
 }
 
@@ -160,8 +153,8 @@ TEST(chords_are_the_same_in_every_environment)
 static double any_double(int least, int most)
 {
     const double x =
-        ldexp(random_mantissa(&rng), least + choice(most - least + 1));
-    return choice(8) == 0 ? 0 : choice(2) ? x : -x;
+        ldexp(random_mantissa(&stream), least + one_of(most - least + 1));
+    return one_of(8) == 0 ? 0 : one_of(2) ? x : -x;
 }
 
 /* |d| minus the length that the library returns, in its units in the last
@@ -190,10 +183,10 @@ TEST(a_length_is_within_0501_units)
 {
     const long cases = 60 * (long)check_setting("CYLINT_CASES", 800);
     double worst = 0;
-    rng = 5;
+    stream = 5;
     for (long i = 0; i < cases; i++) {
-        const int family = choice(3);
-        const int e = family == 0 ? choice(2047) - 1074 : -1074;
+        const int family = one_of(3);
+        const int e = family == 0 ? one_of(2047) - 1074 : -1074;
         const int top = family == 0 && e < 1023 - 60 ? e + 60
                         : family == 1                ? -1021
                                                      : 1023;
@@ -201,7 +194,7 @@ TEST(a_length_is_within_0501_units)
         cylint_line line;
         for (int j = 0; j < 3; j++) {
             o[j] = any_double(e, top);
-            d[j] = i % 7 == 0 ? choice(9) - 4 : any_double(e, top);
+            d[j] = i % 7 == 0 ? one_of(9) - 4 : any_double(e, top);
         }
         if ((i % 2 ? cylint_segment(&line, o, d)
                    : cylint_whole_line(&line, o, d)) != CYLINT_OK)

@@ -11,38 +11,18 @@
 #include <string.h>
 
 #include "check.h"
+#include "draw.h"
 #include "families.h"
-#include "random.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
-#include "vectors.h"
 
 enum { CASES = 300, RAYS = 8 };
-
-static uint64_t stream = 20261122;
 
 /* Of points outside, and of points inside. */
 static struct tally {
     long points, none, rays;
     double moved; /* at most, in units in the last place of a coordinate */
 } tally[2];
-
-static void random_direction(double d[3])
-{
-    double size;
-    do {
-        size = 0;
-        for (int i = 0; i < 3; i++) {
-            d[i] = 2 * random_unit(&stream) - 1;
-            size += d[i] * d[i];
-        }
-    } while (size > 1 || size < 0.01);
-}
-
-static double length(const double x[3])
-{
-    return sqrt(dot3(x, x));
-}
 
 static int is_convex(const cylint_shape *s)
 {
@@ -100,14 +80,14 @@ static void check_rays(const struct family_case *c, const cylint_shape *whole,
  * nearly. */
 static double thickness(const cylint_shape *s)
 {
-    const double of_a = length(cylint_a(s)), of_b = length(cylint_b(s));
+    const double of_a = length3(cylint_a(s)), of_b = length3(cylint_b(s));
     double a[3], b[3], sine[3];
     for (int i = 0; i < 3; i++) {
         a[i] = cylint_a(s)[i] / of_a;
         b[i] = cylint_b(s)[i] / of_b;
     }
     cross3(sine, a, b);
-    return length(sine) * fmin(of_a, of_b);
+    return length3(sine) * fmin(of_a, of_b);
 }
 
 /* Whether the section at the hit is large beside the steps of the doubles.  At
@@ -119,7 +99,7 @@ static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
         return 1;
     const double unit = cylint_is_elliptic(s->kind)
                             ? thickness(s)
-                            : cylint_radius_unit(s, length(cylint_axis(s)));
+                            : cylint_radius_unit(s, length3(cylint_axis(s)));
     const double z =
         cylint_is_round(s->kind) ? fmin(fmax(hit->z, 0), 1) : hit->z;
     const double r = s->kind == CYLINT_KIND_SPHERE

@@ -8,23 +8,9 @@
 
 #include "check.h"
 #include "cylint_pieces.h"
-#include "random.h"
-#include "vectors.h"
+#include "draw.h"
 
 enum { TUBES = 2000, LINES = 20, POINTS = 20 };
-
-static uint64_t rng;
-
-static double within(double from, double to)
-{
-    return from + (to - from) * random_unit(&rng);
-}
-
-static void random_vector(double x[3])
-{
-    for (int i = 0; i < 3; i++)
-        x[i] = within(-1, 1);
-}
 
 static struct {
     double p0[3], p1[3], outer[2], inner[2], sector[2][3];
@@ -36,14 +22,14 @@ static struct {
 
 static cylint_status make_tube(void)
 {
-    tube.is_hollow = random_int(&rng, 2);
-    tube.has_sector = random_int(&rng, 4) > 0;
-    random_vector(tube.p0);
-    random_vector(tube.p1);
+    tube.is_hollow = one_of(2);
+    tube.has_sector = one_of(4) > 0;
+    random_vector(tube.p0, 1);
+    random_vector(tube.p1, 1);
     for (int i = 0; i < 2; i++) {
-        tube.outer[i] = within(0.2, 1);
-        tube.inner[i] = tube.is_hollow ? within(0, tube.outer[i]) : 0;
-        random_vector(tube.sector[i]);
+        tube.outer[i] = between(0.2, 1);
+        tube.inner[i] = tube.is_hollow ? between(0, tube.outer[i]) : 0;
+        random_vector(tube.sector[i], 1);
     }
     return cylint_tube(tube.p0, tube.p1, tube.outer, tube.inner,
                        tube.has_sector ? (const double(*)[3])tube.sector : NULL,
@@ -100,14 +86,14 @@ static void check_line(void)
     double o[3], d[3];
     cylint_interval piece[CYLINT_SOLID_PIECES];
     cylint_line line;
-    random_vector(o);
-    random_vector(d);
+    random_vector(o, 1);
+    random_vector(d, 1);
     if (cylint_span(&line, o, d, -3, 3) != CYLINT_OK)
         return;
     const int n = cylint_solid_pieces(tube.shapes, tube.clauses, tube.n, &line,
                                       piece, CYLINT_SOLID_PIECES);
     for (int i = 0; i < POINTS; i++) {
-        const double t = within(-1.5, 1.5);
+        const double t = between(-1.5, 1.5);
         double point[3];
         int is = 0;
         for (int j = 0; j < 3; j++)
@@ -124,7 +110,7 @@ static void check_line(void)
 
 TEST(pieces_are_where_radius_height_and_angle_say)
 {
-    rng = 1;
+    stream = 1;
     points_inside = 0;
     for (int i = 0; i < TUBES; i++) {
         if (!CHECK(make_tube() == CYLINT_OK))
@@ -169,7 +155,7 @@ TEST(sectors_of_simple_directions_are_exact)
 /* The planes contain their directions exactly. */
 TEST(sectors_about_a_coordinate_are_exact)
 {
-    rng = 3;
+    stream = 3;
     for (int i = 0; i < TUBES; i++) {
         const int axis = i % 3;
         const double p0[3] = {0, 0, 0}, outer[2] = {2, 3};
@@ -177,9 +163,9 @@ TEST(sectors_about_a_coordinate_are_exact)
         cylint_shape s[CYLINT_TUBE_MEMBERS];
         int clauses[CYLINT_TUBE_MEMBERS];
         size_t n;
-        p1[axis] = within(-3, 3);
-        random_vector(sector[0]);
-        random_vector(sector[1]);
+        p1[axis] = between(-3, 3);
+        random_vector(sector[0], 1);
+        random_vector(sector[1], 1);
         if (cylint_tube(p0, p1, outer, NULL, (const double(*)[3])sector, s,
                         clauses, &n) != CYLINT_OK)
             continue;
@@ -240,17 +226,17 @@ TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
 {
     const double p0[3] = {0, 0, 0}, outer[2] = {1, 1};
     int found[3] = {0};
-    rng = 4;
+    stream = 4;
     for (int i = 0; i < 100 * TUBES; i++) {
-        const int k = random_int(&rng, 3), move = random_int(&rng, 3) - 1;
+        const int k = one_of(3), move = one_of(3) - 1;
         int64_t axis[3], x[3];
         double p1[3], sector[2][3];
         cylint_shape s[CYLINT_TUBE_MEMBERS];
         int clauses[CYLINT_TUBE_MEMBERS];
         size_t n;
         for (int j = 0; j < 3; j++) {
-            axis[j] = random_int(&rng, 1 << 30) - (1 << 29);
-            x[j] = random_int(&rng, 1 << 30) - (1 << 29);
+            axis[j] = one_of(1 << 30) - (1 << 29);
+            x[j] = one_of(1 << 30) - (1 << 29);
             p1[j] = (double)axis[j];
             sector[0][j] = (double)x[j];
             sector[1][j] = 0x1p22 * sector[0][j] + (j == k ? move : 0);

@@ -16,23 +16,12 @@
 #include "dispatch.h"
 #include "numbers/error_bounds.h"
 #include "numbers/turns_lanes.h"
-#include "random.h"
+#include "draw.h"
 #include "turn_points.h"
 
 enum { BITS = 220, BLOCK = 8192 };
 
-static uint64_t stream = 24;
 static mpfr_t X, Y, angle, turn_in_radians;
-
-static double unit(void) /* in [-1, 1) */
-{
-    return 2 * random_unit(&stream) - 1;
-}
-
-static int below(int n)
-{
-    return random_int(&stream, n);
-}
 
 static void set(mpfr_t to, pair a)
 {
@@ -117,38 +106,38 @@ TEST(the_series_has_its_error)
 /* lo is up to eight units in the last place of hi. */
 static pair untrimmed(double hi)
 {
-    return (pair){hi, below(4) ? unit() * hi * 0x1p-50 : 0};
+    return (pair){hi, one_of(4) ? between(-1, 1) * hi * 0x1p-50 : 0};
 }
 
 /* Near a multiple of 1/512 turns: a node, between two, an axis, a diagonal. */
 static void near_a_node(double *x, double *y)
 {
-    const double a = below(512) * mpfr_get_d(turn_in_radians, MPFR_RNDN) / 512;
-    const double off = below(8) ? unit() * ldexp(1, -below(60)) : 0;
+    const double a = one_of(512) * mpfr_get_d(turn_in_radians, MPFR_RNDN) / 512;
+    const double off = one_of(8) ? between(-1, 1) * ldexp(1, -one_of(60)) : 0;
     *x = cos(a) - off * sin(a);
     *y = sin(a) + off * cos(a);
 }
 
 static void near_an_axis(double *x, double *y)
 {
-    *x = below(2) ? unit() : -1;
-    *y = below(8) ? unit() * ldexp(1, -below(400)) : 0;
+    *x = one_of(2) ? between(-1, 1) : -1;
+    *y = one_of(8) ? between(-1, 1) * ldexp(1, -one_of(400)) : 0;
 }
 
 static turn_point any_point(void)
 {
     double x, y;
-    switch (below(8)) {
+    switch (one_of(8)) {
     case 0:
     case 1:
-        x = unit(), y = unit();
+        x = between(-1, 1), y = between(-1, 1);
         break;
     case 2: /* a diagonal */
-        x = unit(), y = below(2) ? x : -x;
-        y *= 1 + below(3) * 0x1p-52;
+        x = between(-1, 1), y = one_of(2) ? x : -x;
+        y *= 1 + one_of(3) * 0x1p-52;
         break;
     case 3:
-        x = below(41) - 20, y = below(41) - 20;
+        x = one_of(41) - 20, y = one_of(41) - 20;
         break;
     case 4:
         near_an_axis(&x, &y);
@@ -158,7 +147,7 @@ static turn_point any_point(void)
     }
     if (x == 0 && y == 0)
         x = 1;
-    const int swap = below(2), far = below(4) ? 0 : below(2) ? 390 : -390;
+    const int swap = one_of(2), far = one_of(4) ? 0 : one_of(2) ? 390 : -390;
     x = fabs(x) < 0x1p-400 ? 0 : ldexp(x, far > 0 || fabs(x) > 0.1 ? far : 0);
     y = fabs(y) < 0x1p-400 ? 0 : ldexp(y, far > 0 || fabs(y) > 0.1 ? far : 0);
     return (turn_point){untrimmed(swap ? y : x), untrimmed(swap ? x : y), 0, 0};
@@ -195,8 +184,8 @@ static double error_of(pair turn, const true_turn *t)
 /* Moves x by at most `size`, and *e to how far it is moved. */
 static pair moved(pair x, double size, double *e)
 {
-    const double by = below(3) ? size : size * unit();
-    const pair to = two_sum(x.hi, x.lo + (below(2) ? by : -by));
+    const double by = one_of(3) ? size : size * between(-1, 1);
+    const pair to = two_sum(x.hi, x.lo + (one_of(2) ? by : -by));
     *e = fabs((to.hi - x.hi) + (to.lo - x.lo)) * (1 + 0x1p-50);
     return *e < 0x1p-500 ? (*e = 0, x) : to;
 }
@@ -204,12 +193,12 @@ static pair moved(pair x, double size, double *e)
 /* Inexact in one coordinate or both, relative to it or to the other. */
 static turn_point inexact(turn_point p)
 {
-    const double far = hypot(p.x.hi, p.y.hi), most = ldexp(far, -below(110));
+    const double far = hypot(p.x.hi, p.y.hi), most = ldexp(far, -one_of(110));
     turn_point q = p;
-    if (below(4))
-        q.x = moved(p.x, below(2) ? most : most * fabs(p.x.hi) / far, &q.ex);
-    if (below(4))
-        q.y = moved(p.y, below(2) ? most : most * fabs(p.y.hi) / far, &q.ey);
+    if (one_of(4))
+        q.x = moved(p.x, one_of(2) ? most : most * fabs(p.x.hi) / far, &q.ex);
+    if (one_of(4))
+        q.y = moved(p.y, one_of(2) ? most : most * fabs(p.y.hi) / far, &q.ey);
     return q.x.hi == 0 && q.y.hi == 0 ? p : q;
 }
 
@@ -287,7 +276,7 @@ static void judge_pairs(void)
         const turn_point *p = exact_points + i;
         int e;
         frexp(fmax(fabs(p->x.hi), fabs(p->y.hi)), &e);
-        const int scale = 1 - e + below(2) - below(2);
+        const int scale = 1 - e + one_of(2) - one_of(2);
         const pair x = scaled(p->x, scale), y = scaled(p->y, scale);
         if ((x.hi != 0 && fabs(x.hi) < 0x1p-200) ||
             (y.hi != 0 && fabs(y.hi) < 0x1p-200))

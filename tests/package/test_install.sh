@@ -190,6 +190,32 @@ show()
     verdict "${page}_has_example_$2" $?
 }
 
+# head_example NAME OUTPUT [CODE]: the example at the head of cylint_NAME.h, and CODE.
+head_example()
+{
+    {
+        printf '#include <cylint_%s.h>\n' "$1"
+        cat << 'END'
+#include <stdio.h>
+int main(void)
+{
+    const double p0[3] = {0, 0, -20}, p1[3] = {0, 0, 20}, point[3] = {-50, 0, 0}, d[3] = {2, 0, 0};
+    size_t n = 1;
+    cylint_line line;
+    cylint_hit hit = {0};
+    cylint_shape shapes[1], shape;
+    cylint_whole_line(&line, point, d);
+    cylint_cylinder(&shape, p0, p1, 10, CYLINT_ENDS_CAPPED);
+    shapes[0] = shape;
+    (void)hit, (void)shapes, (void)n;
+END
+        sed -n '1,/\*\//s/^ \*     //p' "include/cylint_$1.h"
+        printf '%s }\n' "$3"
+    } > "$scratch/example.c"
+    echo "$2" > "$scratch/example.said"
+    example "the_example_of_cylint_$1_h" static $cc -std=c99
+}
+
 test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
@@ -199,22 +225,11 @@ test_manual_examples()
     [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
     verdict the_header_begins_with_an_example $?
     example the_headers_example static $cc -std=c99
-    {
-        cat << 'END'
-#include <cylint_pieces.h>
-#include <stdio.h>
-int main(void)
-{
-    const double p0[3] = {0, 0, -20}, p1[3] = {0, 0, 20}, o[3] = {-50, 0, 0}, d[3] = {2, 0, 0};
-    cylint_line line;
-    int n;
-    cylint_ray(&line, o, d);
-END
-        sed -n '/cylint_interval wall/,/cylint_solid_pieces/s/^ \*     //p' include/cylint_pieces.h
-        echo 'for (int i = 0; i < n; i++) printf("%g %g ", wall[i].t0, wall[i].t1); }'
-    } > "$scratch/example.c"
-    printf '20 20.5 29.5 30 ' > "$scratch/example.said"
-    example the_example_of_cylint_pieces_h static $cc -std=c99
+    head_example pieces '20 20.5' 'printf("%g %g\n", wall[0].t0, wall[0].t1);'
+    head_example distance '40 from -10 0 0'
+    packages=cylint-scene
+    head_example scene 'shape 0 at t = 20'
+    packages=
     for shown in cylint,1 cylint,3 cylint,5 cylint,7 cylint_methods,1 cylint_distance,1 \
         cylint_distance,3 cylint_distance,5 cylint_pieces,1 cylint_pieces,3 cylint_pieces,5; do
         show ${shown%,*}.3 ${shown#*,}
@@ -343,8 +358,8 @@ test_symbols()
         hypot ilogb ldexp log log2 logb lrint modf nearbyint nextafter pow rint round scalbln
         scalbn sin sincos sinpi sqrt tan trunc'
     memory='memcpy memmove memset memcmp strlen strcmp __stack_chk_fail'
-    # __cpu_model: the compiler's record of the processor
-    others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model'
+    # __cpu_...: the compiler's record of the processor
+    others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model __cpu_indicator_init'
     [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
     none "$(foreign_to libcylint "$math $memory $others")" \
         the_library_uses_only_mathematics_and_memory

@@ -17,7 +17,7 @@
 #include "check.h"
 #include "families.h"
 #include "numbers/double_double.h"
-#include "random.h"
+#include "draw.h"
 #include "ulps.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
@@ -36,13 +36,6 @@ struct plan {
     double m, c;
     int f, e, side, sign, axis, other; /* other: further choices */
 };
-
-static uint64_t stream = 1;
-
-static int one_of(int n)
-{
-    return random_int(&stream, n);
-}
 
 /* ------------------------------------------------------------ building -- */
 

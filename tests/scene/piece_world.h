@@ -95,7 +95,7 @@ static inline void find_chords(const cylint_line *line)
     world.end[world.ends++] = line->tmin;
     world.end[world.ends++] = line->tmax;
     for (size_t i = 0; i < world.n; i++) {
-        world.chords[i] = cylint_chord(&world.shape[i], line, world.chord[i]);
+        world.chords[i] = joined_chords(&world.shape[i], line, world.chord[i]);
         for (int j = 0; j < world.chords[i]; j++) {
             world.end[world.ends++] = world.chord[i][j].t0;
             world.end[world.ends++] = world.chord[i][j].t1;
@@ -203,7 +203,7 @@ static double workspace[1 << 16];
 /* At first too small, or large. */
 static inline cylint_workspace any_workspace(void)
 {
-    return (cylint_workspace){workspace, (size_t)choice(2) * sizeof workspace,
+    return (cylint_workspace){workspace, (size_t)one_of(2) * sizeof workspace,
                               0};
 }
 
@@ -236,14 +236,14 @@ static inline void make_shapes(void)
 {
     world.n = 0;
     while (world.n < SHAPES)
-        if (choice(8) == 0 && world.n > 0) {
-            world.shape[world.n] = world.shape[choice((int)world.n)];
+        if (one_of(8) == 0 && world.n > 0) {
+            world.shape[world.n] = world.shape[one_of((int)world.n)];
             world.n++;
         } else if (any_shape(&world.shape[world.n]) == CYLINT_OK) {
             world.n++;
         }
     for (size_t i = 0; i < world.n; i++)
-        world.rank[i] = choice(3);
+        world.rank[i] = one_of(3);
     world.scene = cylint_scene_new(world.shape, world.n, 1, NULL);
     world.members = world.solids = 0;
 }
@@ -253,12 +253,12 @@ static inline void make_solids(void)
 {
     do {
         world.members = 0;
-        world.solids = 1 + (size_t)choice(4);
+        world.solids = 1 + (size_t)one_of(4);
         for (size_t i = 0; i < world.solids; i++)
-            for (int n = 1 + choice(8); n > 0; n--)
+            for (int n = 1 + one_of(8); n > 0; n--)
                 world.member[world.members++] =
-                    (cylint_member){(size_t)choice(SHAPES), i,
-                                    (1 + choice(4)) * (choice(3) ? 1 : -1)};
+                    (cylint_member){(size_t)one_of(SHAPES), i,
+                                    (1 + one_of(4)) * (one_of(3) ? 1 : -1)};
     } while (cylint_scene_set_solids(world.scene, world.member,
                                      world.members) != CYLINT_SCENE_OK);
 }

@@ -139,14 +139,14 @@ static void check_boundary(void)
 static void begin_world(void)
 {
     make_shapes();
-    if (choice(4))
+    if (one_of(4))
         make_solids();
 }
 
 TEST(the_first_boundary_is_that_of_a_loop)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 300);
-    rng = 3;
+    stream = 3;
     boundaries = in_bores = 0;
     for (long i = 0; i < worlds; i++) {
         begin_world();
@@ -169,7 +169,7 @@ TEST(an_invalid_line_has_no_boundary)
     cylint_workspace work = {NULL, 0, 0};
     const double o[3] = {0, 0, 0};
     cylint_hit hit;
-    rng = 4;
+    stream = 4;
     begin_world();
     CHECK(cylint_whole_line(&world.line, o, o) != CYLINT_OK);
     CHECK(cylint_scene_first_boundary(world.scene, &world.line, CYLINT_WANT_ALL,
@@ -194,16 +194,16 @@ TEST(the_depth_is_that_of_a_loop)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 300);
     long inside = 0;
-    rng = 5;
+    stream = 5;
     for (long i = 0; i < worlds; i++) {
         begin_world();
         for (int j = 0; j < 50; j++) {
-            const int *rank = choice(2) ? world.rank : NULL;
+            const int *rank = one_of(2) ? world.rank : NULL;
             cylint_workspace work = any_workspace();
             double point[3];
             size_t owner, expected, n;
-            point_of_integers(point, 7);
-            point[choice(3)] /= choice(2) + 1;
+            whole_point(point, 7);
+            point[one_of(3)] /= one_of(2) + 1;
             do
                 n = cylint_scene_depth(world.scene, point, rank, &owner, &work);
             while (needs_more(n, &work));
@@ -226,14 +226,14 @@ TEST(the_boundary_belongs_to_the_solid)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 300) / 4;
     long on = 0, positive = 0;
-    rng = 9;
+    stream = 9;
     for (long i = 0; i < worlds; i++) {
         begin_world();
         for (int j = 0; j < 50; j++) {
             cylint_closest solid, surface;
             double point[3];
             size_t holding = 0, inside = 0;
-            point_of_integers(point, 7);
+            whole_point(point, 7);
             for (size_t k = 0; k < world.n; k++) {
                 const int side = cylint_contains(&world.shape[k], point);
                 holding += side >= 0;
@@ -265,7 +265,7 @@ TEST(no_solid_contains_an_infinite_point)
     const double point[3] = {0, HUGE_VAL, 0};
     cylint_workspace work = {NULL, 0, 0};
     size_t owner = 0;
-    rng = 6;
+    stream = 6;
     begin_world();
     CHECK(cylint_scene_depth(world.scene, point, NULL, &owner, &work) == 0 &&
           owner == world.n);
@@ -288,8 +288,8 @@ static cylint_lines many_lines(void)
         column[6][i] = each[i].segment ? 0 : each[i].tmin;
         column[7][i] = each[i].segment ? 1 : each[i].tmax;
         for (int j = 0; j < 3; j++) {
-            column[j][i] = each[i].o[j] = choice(13) - 6;
-            column[3 + j][i] = each[i].d[j] = choice(5) - 2;
+            column[j][i] = each[i].o[j] = one_of(13) - 6;
+            column[3 + j][i] = each[i].d[j] = one_of(5) - 2;
         }
         cylint_span(&each[i], each[i].o, each[i].d, column[6][i], column[7][i]);
     }
@@ -329,15 +329,15 @@ TEST(pieces_of_many_lines_are_those_of_each)
 {
     static const int threads[] = {1, 2, 5};
     const long worlds = (long)check_setting("CYLINT_CASES", 8);
-    rng = 7;
+    stream = 7;
     for (long i = 0; i < worlds; i++) {
         begin_world();
         cylint_lines lines = many_lines();
         for (int k = 0; k < 3; k++) {
             const cylint_piece_rule rule = {
-                .mode = (cylint_piece_mode)choice(4),
-                .rank = choice(2) ? world.rank : NULL};
-            check_rows(&lines, &rule, (size_t)choice(4), threads[k]);
+                .mode = (cylint_piece_mode)one_of(4),
+                .rank = one_of(2) ? world.rank : NULL};
+            check_rows(&lines, &rule, (size_t)one_of(4), threads[k]);
         }
         lines.n = 0;
         const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
@@ -389,16 +389,16 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
     static const int threads[] = {1, 2, 5};
     static double sums[3][MANY * LABELS];
     const long worlds = (long)check_setting("CYLINT_CASES", 8);
-    rng = 8;
+    stream = 8;
     for (long i = 0; i < worlds; i++) {
         int label[SHAPES];
         begin_world();
         const cylint_lines lines = many_lines();
-        const cylint_piece_rule rule = {.mode = (cylint_piece_mode)choice(4),
-                                        .rank = choice(2) ? world.rank : NULL};
-        const int in_units = choice(2), *labels = choice(4) ? label : NULL;
+        const cylint_piece_rule rule = {.mode = (cylint_piece_mode)one_of(4),
+                                        .rank = one_of(2) ? world.rank : NULL};
+        const int in_units = one_of(2), *labels = one_of(4) ? label : NULL;
         for (int j = 0; j < SHAPES; j++)
-            label[j] = choice(LABELS + 2) - 1; /* -1 and 5 do not count */
+            label[j] = one_of(LABELS + 2) - 1; /* -1 and 5 do not count */
         for (int k = 0; k < 3; k++) {
             memset(sums[k], 0x5a, sizeof sums[k]);
             CHECK(cylint_scene_sums(world.scene, &lines, &rule, labels, LABELS,

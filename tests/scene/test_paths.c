@@ -22,18 +22,11 @@
 #include "check.h"
 #include "columns.h"
 #include "cylint_scene.h"
+#include "draw.h"
 #include "environment.h"
-#include "random.h"
 #include "ulps.h"
 
-enum { GROUP = 8, GROUPS = 8, EXTREME_GROUPS = 8 };
-
-static uint64_t stream;
-
-static int whole(int low, int high)
-{
-    return low + random_int(&stream, high - low + 1);
-}
+enum { GROUP = 8, GROUPS = 8, EXTREME_GROUPS = 3 };
 
 /* ------------------------------------------------------------- a group -- */
 
@@ -129,7 +122,7 @@ static void expect_hit(const cylint_hit *got, int i, size_t j, const char *path,
 
 static unsigned any_want(void)
 {
-    return (unsigned)whole(0, EVERY_WANT);
+    return (unsigned)whole_between(0, EVERY_WANT);
 }
 
 /* The statuses and the hits of each line with each shape; of its own shape with
@@ -200,7 +193,8 @@ static char memory[1 << 14];
 /* The columns of some of the members. */
 static void some_columns(void *p[COLUMNS], cylint_columns *to)
 {
-    const int wanted = whole(0, 3) ? whole(0, ALL_COLUMNS) : ALL_COLUMNS;
+    const int wanted =
+        whole_between(0, 3) ? whole_between(0, ALL_COLUMNS) : ALL_COLUMNS;
     for (int c = 0; c < COLUMNS; c++)
         p[c] = !(wanted >> c & 1)    ? NULL
                : column_size(c) == 1 ? (void *)words[c]
@@ -351,12 +345,13 @@ static void limit_domains(void)
     for (int i = 0; i < GROUP; i++) {
         const cylint_answer *a = &g.all[i][i];
         cylint_line *line = &g.c[i].line;
-        if (a->n == 0 || line->segment || whole(0, 1))
+        if (a->n == 0 || line->segment || whole_between(0, 1))
             continue;
         for (int end = 0; end < 2; end++) {
             const double t = a->hit[end * (a->n - 1)].t;
-            if (fabs(t) < DBL_MAX && whole(0, 2))
-                *(end ? &line->tmax : &line->tmin) = stepped(t, whole(-1, 1));
+            if (fabs(t) < DBL_MAX && whole_between(0, 2))
+                *(end ? &line->tmax : &line->tmin) =
+                    stepped(t, whole_between(-1, 1));
         }
         if (!(line->tmin <= line->tmax)) {
             const double tmin = line->tmax;
@@ -423,18 +418,24 @@ static void begin_group(uint64_t kind, uint64_t number)
     stream = random_bits(&stream) + number;
 }
 
+/* each: in each environment. */
+static void test_family(int family, uint64_t n_groups, int each)
+{
+    for (uint64_t k = 0; k < n_groups; k++) {
+        begin_group((uint64_t)family, k);
+        for (uint64_t i = 0; i < GROUP; i++)
+            family_case(seed(), family, k * GROUP + i, &g.c[i]);
+        snprintf(g.name, sizeof g.name, "family %s, group %d",
+                 family_name(family), (int)k);
+        test_group((uint64_t)family + 5 * k, each);
+    }
+}
+
 TEST(families_have_the_same_answers)
 {
     for (int family = 0; family < family_count(); family++)
-        for (uint64_t k = 0;
-             k < groups(family_is_wild(family) ? GROUPS / 4 : GROUPS); k++) {
-            begin_group((uint64_t)family, k);
-            for (uint64_t i = 0; i < GROUP; i++)
-                family_case(seed(), family, k * GROUP + i, &g.c[i]);
-            snprintf(g.name, sizeof g.name, "family %s, group %d",
-                     family_name(family), (int)k);
-            test_group((uint64_t)family + 5 * k, 0);
-        }
+        test_family(family,
+                    groups(family_is_wild(family) ? GROUPS / 4 : GROUPS), 0);
 }
 
 /* All lanes of a batch are of one kind with the same ends; the families in turn. */
@@ -477,113 +478,19 @@ TEST(coincidences_have_the_same_answers)
     }
 }
 
-/* ----------------------------------------------------- extreme exponents -- */
-
-/* The exponents of the numbers of a group. */
-typedef enum { ANY_DIGITS, FEW_DIGITS, SCALED, SORTS } sort;
-
-struct sizes {
-    sort sort;
-    int about[2]; /* exponents of lengths, or of lengths and directions */
-};
-
-static double power(int e)
-{
-    return ldexp(1, e < -1074 ? -1074 : e > 1023 ? 1023 : e);
-}
-
-static double few_digits(const struct sizes *s)
-{
-    static const double extreme[] = {1, DBL_MAX, DBL_MIN, 0x1p-1074,
-                                     DBL_MIN / 2};
-    const int where = whole(0, 19);
-    const double sign = whole(0, 1) ? 1 : -1;
-    if (where < 8)
-        return where < 5 ? sign * extreme[where] : 0;
-    const int e = where == 8 ? whole(-1074, 1020) : s->about[where % 2];
-    return fmax(-DBL_MAX, fmin(DBL_MAX, sign * whole(1, 7) * 0.5 * power(e)));
-}
-
-static double any_digits(const struct sizes *s)
-{
-    const int where = whole(0, 9);
-    const int e = where == 0 ? whole(-1074, 1023)
-                             : s->about[where < 6 ? 0 : 1] + whole(-8, 8);
-    const double x = random_mantissa(&stream) * power(e);
-    return whole(0, 7) == 0 ? 0
-           : x > DBL_MAX    ? -DBL_MAX
-                            : (whole(0, 1) ? x : -x);
-}
-
-static void scale(double *x, int n, int e)
-{
-    for (int i = 0; i < n; i++) {
-        const double y = ldexp(x[i], e);
-        x[i] = fabs(y) <= DBL_MAX ? y : copysign(DBL_MAX, y);
-    }
-}
-
-/* An exact coincidence, or a neighbour of one, scaled to another size. */
-static void scaled_case(const struct sizes *s, struct family_case *c)
-{
-    const int e = s->about[0], f = s->about[1];
-    family_case(random_bits(&stream), family_named("constructed"), 0, c);
-    const int segment = c->line_word == FAMILY_SEGMENT;
-    scale(c->line_data, 3, e);
-    scale(c->line_data + 3, 3, segment ? e : f);
-    scale(c->line_data + 6, 2, e - f);
-    scale(c->shape_data, family_lengths(c->shape_word), e);
-}
-
-static void extreme_case(const struct sizes *s, struct family_case *c)
-{
-    double *x = c->shape_data;
-    memset(c, 0, sizeof *c);
-    if (s->sort == SCALED) {
-        scaled_case(s, c);
-        return;
-    }
-    c->line_word = (family_line)whole(0, 3);
-    c->shape_word = (family_shape)whole(0, FAMILY_SHAPES - 1);
-    c->ends = (cylint_ends)(whole(0, 1) ? 0 : whole(0, 5));
-    for (int i = 0; i < 19; i++)
-        *(i < 6 ? &c->line_data[i] : &x[i - 6]) =
-            s->sort == FEW_DIGITS ? few_digits(s) : any_digits(s);
-    for (int i = 3; i < 13; i++)
-        if (family_is_size(c->shape_word, i))
-            x[i] = c->shape_word == FAMILY_ACONE ? fmod(fabs(x[i]), 90)
-                                                 : fabs(x[i]);
-    c->line_data[6] = -HUGE_VAL;
-    c->line_data[7] = HUGE_VAL;
-}
-
 TEST(extreme_exponents_have_the_same_answers)
 {
-    for (uint64_t k = 0; k < groups(EXTREME_GROUPS); k++) {
-        struct sizes s;
-        begin_group(300, k);
-        s.sort = (sort)whole(0, SORTS - 1);
-        for (int i = 0; i < 2; i++) {
-            const int where = whole(0, 3); /* subnormal, huge, any, ordinary */
-            s.about[i] = where == 0   ? whole(-1074, -1015)
-                         : where == 1 ? whole(940, 1020)
-                         : where == 2 ? whole(-1074, 1020)
-                                      : whole(-3, 3);
-        }
-        for (int i = 0; i < GROUP; i++)
-            do
-                extreme_case(&s, &g.c[i]);
-            while (!family_make(&g.c[i]) && whole(0, 9));
-        snprintf(g.name, sizeof g.name, "extreme exponents %d", (int)k);
-        test_group(k, 1);
-    }
+    static const char *const names[] = {"wild", "extreme, few digits",
+                                        "constructed, any exponents"};
+    for (int i = 0; i < 3; i++)
+        test_family(family_named(names[i]), groups(EXTREME_GROUPS), 1);
 }
 
 /* --------------------------------------------------- subnormal numbers -- */
 
 static double units(int most)
 {
-    return whole(-most, most) * 0x1p-1074;
+    return whole_between(-most, most) * 0x1p-1074;
 }
 
 /* Lines along z and discs that they hit at a few units; lines of a few units, whose
@@ -599,14 +506,15 @@ static void subnormal_case(int discs, struct family_case *c)
         {3, 0, 0, 0x1p-1057, 0, 0, 0, 0x1p-1057, 0, 0, 0, 1, DBL_MAX},
         {3, 0, 0, 0x1p-600, 0, 0, 0, 0x1p-600, 0, 0, 0, 1, 0x1p600},
         {3, 0, 0, 0x1p-500, 0, 0, 0, 0x1p-500, 0, 0, 0, 1, 0x1p500}};
-    const double unit = whole(0, 2) ? 0x1p-1074 : 0x1p-1030;
-    const double disc[7] = {0, 0, units(9), 0, 0, 1, 1 + 0.01 * whole(0, 9)};
+    const double unit = whole_between(0, 2) ? 0x1p-1074 : 0x1p-1030;
+    const double disc[7] = {
+        0, 0, units(9), 0, 0, 1, 1 + 0.01 * whole_between(0, 9)};
     const double across[8] = {3, -5, 0.5, 0, 1, 0, 0, HUGE_VAL};
     double line[8] = {0, 0, 0, 0, 0, 1, -1, 1};
-    const int kind = whole(0, 6);
+    const int kind = whole_between(0, 6);
     for (int i = 0; i < 6 && !discs; i++)
-        line[i] = whole(-5, 5) * unit;
-    if (whole(0, 1)) {
+        line[i] = whole_between(-5, 5) * unit;
+    if (whole_between(0, 1)) {
         line[6] = units(4);
         line[7] = line[6] + units(3);
     }

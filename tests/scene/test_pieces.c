@@ -85,13 +85,13 @@ static void check_worlds(long worlds, int with_solids)
 
 TEST(pieces_of_shapes_are_those_of_a_loop)
 {
-    rng = 1;
+    stream = 1;
     check_worlds((long)check_setting("CYLINT_CASES", 100), 0);
 }
 
 TEST(pieces_of_solids_are_those_of_a_loop)
 {
-    rng = 2;
+    stream = 2;
     check_worlds((long)check_setting("CYLINT_CASES", 100), 1);
 }
 
@@ -164,7 +164,7 @@ static void answer_there(struct environment there)
 {
     static scene_answers expected, got;
     cylint_line line;
-    rng = 3;
+    stream = 3;
     for (int i = 0; i < 400; i++) {
         const double size = i % 2 ? 0x1p1021 : 1;
         if (i % 40 == 0) {

@@ -79,7 +79,7 @@ static const struct {
 
 TEST(a_refused_solid_changes_nothing)
 {
-    rng = 1;
+    stream = 1;
     for (int with = 0; with < 2; with++) {
         make_shapes();
         if (with)
@@ -117,7 +117,7 @@ TEST(an_unfinished_scene_has_no_solids)
 /* Also that no members remove all solids, and that the members are copied. */
 TEST(solids_replace_those_before)
 {
-    rng = 2;
+    stream = 2;
     make_shapes();
     draw_lines();
     cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
@@ -164,7 +164,7 @@ static size_t begin_of_solids(const struct bytes *b)
 /* Draws a world and lines, and writes its file. */
 static void begin_saved_world(uint64_t seed, struct bytes *b)
 {
-    rng = seed;
+    stream = seed;
     *b = (struct bytes){NULL, NULL, 0, 0};
     make_shapes();
     make_solids();
@@ -181,10 +181,10 @@ static void end_saved_world(struct bytes *b)
 TEST(saved_solids_are_the_same)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 100);
-    rng = 3;
+    stream = 3;
     for (long i = 0; i < worlds; i++) {
         struct bytes b;
-        begin_saved_world(rng, &b);
+        begin_saved_world(stream, &b);
         for (unsigned flags = 0; flags < 2; flags++) {
             cylint_scene *opened = cylint_scene_open_memory(
                 b.data, b.n, flags ? CYLINT_SCENE_TRUSTED : 0, NULL);
@@ -330,7 +330,7 @@ static void check_sizes(int query, int of)
 TEST(workspaces_of_every_size_are_kept)
 {
     const int worlds = (int)check_setting("CYLINT_CASES", 6);
-    rng = 7;
+    stream = 7;
     for (int i = 0; i < worlds; i++) {
         make_shapes();
         if (i % 3)
@@ -349,17 +349,17 @@ TEST(workspaces_of_every_size_are_kept)
 static void make_one_solid(int clause[SHAPES])
 {
     const double p[3] = {0, 0, 0};
-    const int clauses = 1 + choice(5);
-    world.n = world.members = 1 + (size_t)choice(choice(3) ? 6 : SHAPES);
+    const int clauses = 1 + one_of(5);
+    world.n = world.members = 1 + (size_t)one_of(one_of(3) ? 6 : SHAPES);
     world.solids = 1;
     for (size_t i = 0; i < world.n; i++) {
         cylint_shape *s = &world.shape[i];
-        if (choice(16) == 0)
+        if (one_of(16) == 0)
             cylint_cylinder(s, p, p, 1, CYLINT_ENDS_CAPPED);
         else
             while (any_shape(s) != CYLINT_OK) {
             }
-        clause[i] = (1 + choice(clauses)) * (choice(3) ? 100 : -100);
+        clause[i] = (1 + one_of(clauses)) * (one_of(3) ? 100 : -100);
         world.member[i] = (cylint_member){i, 0, clause[i]};
     }
 }
@@ -369,7 +369,7 @@ TEST(pieces_of_one_solid_are_those_of_a_loop)
     static cylint_piece expected[MOST];
     static const size_t capacities[] = {1, 2, 3, CYLINT_SOLID_PIECES};
     long found = 0;
-    rng = 8;
+    stream = 8;
     for (int i = 0; i < 50000; i++) {
         int clause[SHAPES];
         cylint_line of;
@@ -378,7 +378,7 @@ TEST(pieces_of_one_solid_are_those_of_a_loop)
             continue;
         find_chords(&of);
         const size_t n = expected_chords(expected),
-                     most = capacities[choice(4)];
+                     most = capacities[one_of(4)];
         size_t m = 0;
         int more;
         do {

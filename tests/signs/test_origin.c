@@ -12,7 +12,7 @@
 #include "check.h"
 #include "cylint.h"
 #include "environment.h"
-#include "random.h"
+#include "draw.h"
 #include "same.h"
 #include "signs/sign.h"
 
@@ -20,49 +20,37 @@ enum { CASES = 4000, VERDICT = CYLINT_WANT_T | CYLINT_WANT_PART };
 
 #define ONE 0x1.0d6f3a19c5e27p0
 
-static uint64_t stream = 7;
-
-static int whole(int n)
-{
-    return 1 + random_int(&stream, n);
-}
-
 static int either_sign(void)
 {
-    return random_int(&stream, 2) ? 1 : -1;
+    return one_of(2) ? 1 : -1;
 }
 
 /* A point of the circle of radius 5 k. */
 static void on_circle(int k, double *x, double *y)
 {
     static const int points[][2] = {{3, 4}, {4, 3}, {5, 0}, {0, 5}};
-    const int i = random_int(&stream, 4);
+    const int i = one_of(4);
     *x = either_sign() * k * points[i][0];
     *y = either_sign() * k * points[i][1];
 }
 
 static cylint_ends any_ends(void)
 {
-    return (cylint_ends)random_int(&stream, CYLINT_ENDS_NAPPE + 1);
-}
-
-static double within(double size)
-{
-    return size * random_unit(&stream);
+    return (cylint_ends)one_of(CYLINT_ENDS_NAPPE + 1);
 }
 
 /* An upright shape of one of several kinds and a point of its mantle, or of its
  * plane z = 0 inside the disc. */
 static void upright(cylint_shape *shape, double point[3])
 {
-    const int k = whole(3), m = whole(3), h = 2 * whole(4),
-              on_cap = whole(2) - 1;
+    const int k = whole_between(1, 3), m = whole_between(1, 3),
+              h = 2 * whole_between(1, 4), on_cap = whole_between(1, 2) - 1;
     const cylint_ends ends = any_ends();
     const double base[3] = {0, 0, 0}, top[3] = {0, 0, h};
     const double a[3] = {5 * k, 0, 0}, b[3] = {0, 10 * k, 0};
     int r = k;
-    point[2] = within(h);
-    switch (random_int(&stream, 4)) {
+    point[2] = between(0, h);
+    switch (one_of(4)) {
     case 0:
         cylint_cylinder(shape, base, top, 5 * k, ends);
         break;
@@ -84,8 +72,8 @@ static void upright(cylint_shape *shape, double point[3])
         point[1] *= 2;
     if (on_cap && shape->kind != CYLINT_KIND_SPHERE &&
         ends < CYLINT_ENDS_INFINITE) {
-        point[0] = within(3 * k);
-        point[1] = within(3 * k);
+        point[0] = between(0, 3 * k);
+        point[1] = between(0, 3 * k);
         point[2] = 0;
     }
 }
@@ -94,17 +82,17 @@ static void upright(cylint_shape *shape, double point[3])
  * first cap: x (-4, 3, 0) has the length 5 x. */
 static void tilted(cylint_shape *shape, double point[3])
 {
-    const int k = whole(4), m = whole(4);
-    int i = random_int(&stream, m + 1);
+    const int k = whole_between(1, 4), m = whole_between(1, 4);
+    int i = one_of(m + 1);
     const double base[3] = {0, 0, 0}, top[3] = {3 * m, 4 * m, 0};
     double x, z;
     cylint_cylinder(shape, base, top, 25 * k, any_ends());
     on_circle(5 * k, &x, &z);
     x /= 5;
-    if (shape->ends < CYLINT_ENDS_INFINITE && random_int(&stream, 2)) {
+    if (shape->ends < CYLINT_ENDS_INFINITE && one_of(2)) {
         i = 0;
-        x = random_int(&stream, 2 * k);
-        z = within(9 * k);
+        x = one_of(2 * k);
+        z = between(0, 9 * k);
     }
     point[0] = 3 * i - 4 * x;
     point[1] = 4 * i + 3 * x;
@@ -113,11 +101,10 @@ static void tilted(cylint_shape *shape, double point[3])
 
 static void make_direction(double d[3])
 {
-    const int is_whole = random_int(&stream, 3) == 0;
+    const int is_whole = one_of(3) == 0;
     do
         for (int i = 0; i < 3; i++)
-            d[i] = is_whole ? random_int(&stream, 9) - 4
-                            : either_sign() * within(1);
+            d[i] = is_whole ? one_of(9) - 4 : either_sign() * between(0, 1);
     while (d[0] == 0 && d[1] == 0 && d[2] == 0);
 }
 
@@ -214,11 +201,11 @@ TEST(hits_of_a_domain_are_those_of_the_whole_line)
 TEST(a_line_that_begins_beside_a_surface_has_no_hit_at_0)
 {
     for (int i = 0; i < CASES; i++) {
-        const int k = whole(3), e = 40 + random_int(&stream, 200);
+        const int k = whole_between(1, 3), e = 40 + one_of(200);
         const double base[3] = {0, 0, 0}, top[3] = {0, 0, 8};
         const double off = either_sign() * ldexp(1, -e);
-        const double beside_mantle[3] = {5 * k, off, 1 + within(4)};
-        const double beside_cap[3] = {within(k), within(k), off};
+        const double beside_mantle[3] = {5 * k, off, 1 + between(0, 4)};
+        const double beside_cap[3] = {between(0, k), between(0, k), off};
         cylint_shape shape;
         cylint_cylinder(&shape, base, top, 5 * k, CYLINT_ENDS_CAPPED);
         check_point(&shape, i % 2 ? beside_mantle : beside_cap, 0);
@@ -231,8 +218,8 @@ TEST(a_point_beside_a_mantle_is_outside)
 {
     for (int i = 0; i < CASES; i++) {
         const double base[3] = {0, 0, 0}, top[3] = {0, 0, 8};
-        const double off = ldexp(1, -500 - random_int(&stream, 520));
-        const double point[3] = {5, either_sign() * off, 1 + within(4)};
+        const double off = ldexp(1, -500 - one_of(520));
+        const double point[3] = {5, either_sign() * off, 1 + between(0, 4)};
         cylint_shape shape;
         cylint_cylinder(&shape, base, top, 5, CYLINT_ENDS_CAPPED);
         CHECK(cylint_contains(&shape, point) == -1);
@@ -243,7 +230,7 @@ TEST(a_point_beside_a_mantle_is_outside)
 
 static double tenths(int n)
 {
-    return 0.1 * whole(n);
+    return 0.1 * whole_between(1, n);
 }
 
 /* The sign of a form is 0, and neither it nor those before it in q were computed in
@@ -258,11 +245,12 @@ static void check_zero(cylint_query *q, cylint_form f, int end)
 /* From a point of the mantle, or of a rim, whose last coordinate is any number. */
 static void check_mantle(int kind)
 {
-    const int k = whole(3), cone = kind == CYLINT_KIND_CONE;
+    const int k = whole_between(1, 3), cone = kind == CYLINT_KIND_CONE;
     const double base[3] = {0, 0, 0}, top[3] = {0, 0, 4};
     const double on_rim[3] = {3 * k, -4 * k, 0};
-    const double point[3] = {3 * k, 4 * k, cone ? 2 : 1 + within(2)};
-    const double towards[3] = {whole(9), whole(9), whole(9)};
+    const double point[3] = {3 * k, 4 * k, cone ? 2 : 1 + between(0, 2)};
+    const double towards[3] = {whole_between(1, 9), whole_between(1, 9),
+                               whole_between(1, 9)};
     cylint_shape shape;
     cylint_line line;
     cylint_query q;
@@ -290,8 +278,8 @@ static void check_tenths(void)
     const double r = tenths(90), z = tenths(30);
     const double base[3] = {0, 0, z}, top[3] = {0, 0, z + tenths(50)};
     const double on_mantle[3] = {0, -r, tenths(90)};
-    const double on_base[3] = {within(1), within(1), z};
-    const double tangent[3] = {1, 0, random_int(&stream, 2)};
+    const double on_base[3] = {between(0, 1), between(0, 1), z};
+    const double tangent[3] = {1, 0, one_of(2)};
     cylint_shape shape;
     cylint_line line;
     cylint_query q;

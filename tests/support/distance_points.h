@@ -11,10 +11,9 @@
 
 #include <math.h>
 
+#include "draw.h"
 #include "families.h"
-#include "random.h"
 #include "shapes/shape_facts.h"
-#include "vectors.h"
 
 enum place {
     PLACE_ORIGIN,   /* of the case's line */
@@ -34,23 +33,18 @@ static const char *const place_names[PLACES] = {
     "line's origin", "hit", "axis",    "rim",   "bisector",
     "far",           "box", "lateral", "whole", "apex"};
 
-static double draw(uint64_t *stream, double low, double high)
-{
-    return low + (high - low) * random_unit(stream);
-}
-
 /* 0, or either sign and 10^-17 to 10^-1. */
-static double draw_small(uint64_t *stream)
+static double draw_small(void)
 {
-    const double x = pow(10, draw(stream, -17, -1));
-    const int what = random_int(stream, 5);
+    const double x = power(-17, -1);
+    const int what = one_of(5);
     return what == 0 ? 0 : what % 2 ? x : -x;
 }
 
-static double draw_step(uint64_t *stream, double x)
+static double draw_step(double x)
 {
-    for (int n = random_int(stream, 4); n > 1; n--)
-        x = nextafter(x, random_int(stream, 2) ? HUGE_VAL : -HUGE_VAL);
+    for (int n = one_of(4); n > 1; n--)
+        x = nextafter(x, one_of(2) ? HUGE_VAL : -HUGE_VAL);
     return x;
 }
 
@@ -61,8 +55,7 @@ struct point_frame {
     double a[3], b[3], h[3], length, unit;
 };
 
-static void make_point_frame(struct point_frame *f, const cylint_shape *s,
-                             uint64_t *stream)
+static void make_point_frame(struct point_frame *f, const cylint_shape *s)
 {
     double across = 0, size = 0, unit[3];
     f->shape = s;
@@ -73,7 +66,8 @@ static void make_point_frame(struct point_frame *f, const cylint_shape *s,
         size = fmax(size, fabs(cylint_axis(s)[i]));
     }
     for (int i = 0; i < 3; i++)
-        unit[i] = size > 0 ? cylint_axis(s)[i] / size : i == 2;
+        unit[i] =
+            size > 0 && isfinite(size) ? cylint_axis(s)[i] / size : i == 2;
     const double norm = sqrt(dot3(unit, unit));
     f->length = norm * size;
     f->unit = cylint_radius_unit(s, f->length);
@@ -81,8 +75,7 @@ static void make_point_frame(struct point_frame *f, const cylint_shape *s,
         return;
     while (!(across > 0.1)) {
         double any[3];
-        for (int i = 0; i < 3; i++)
-            any[i] = draw(stream, -1, 1);
+        random_vector(any, 1);
         cross3(f->a, unit, any);
         across = sqrt(dot3(f->a, f->a));
     }
@@ -102,10 +95,9 @@ static double rho_at(const struct point_frame *f, double z)
     return fabs(cylint_r0(s) + (cylint_r1(s) - cylint_r0(s)) * z) * f->unit;
 }
 
-static void put(const struct point_frame *f, uint64_t *stream, double rho,
-                double z, double p[3])
+static void put(const struct point_frame *f, double rho, double z, double p[3])
 {
-    const double turn = draw(stream, 0, 6.283185307179586);
+    const double turn = between(0, 6.283185307179586);
     for (int i = 0; i < 3; i++)
         p[i] = cylint_base(f->shape)[i] + z * f->h[i] +
                rho * (cos(turn) * f->a[i] + sin(turn) * f->b[i]);
@@ -113,46 +105,41 @@ static void put(const struct point_frame *f, uint64_t *stream, double rho,
 
 /* As far below the cap at `end` as inside the lateral surface, nearly; often
  * near the point of the axis that is. */
-static void put_on_bisector(const struct point_frame *f, uint64_t *stream,
-                            double p[3])
+static void put_on_bisector(const struct point_frame *f, double p[3])
 {
     const cylint_shape *s = f->shape;
-    const int end = random_int(stream, 2);
+    const int end = one_of(2);
     const double grows =
         (end ? cylint_r0(s) - cylint_r1(s) : cylint_r1(s) - cylint_r0(s)) *
         f->unit;
     const double tan = grows / f->length;
     const double slant = f->length * sqrt(1 + tan * tan);
     const double on_axis = rho_at(f, end) / (slant - grows);
-    double z = draw(stream, 0, 1) * draw(stream, 0, 1);
-    if (random_int(stream, 2) && on_axis < 1)
-        z = on_axis * (1 - fabs(draw_small(stream)));
+    double z = between(0, 1) * between(0, 1);
+    if (one_of(2) && on_axis < 1)
+        z = on_axis * (1 - fabs(draw_small()));
     const double at = end ? 1 - z : z;
-    put(f, stream,
-        fabs(rho_at(f, at) - z * slant) * (1 + draw_small(stream) * 0.01), at,
-        p);
+    put(f, fabs(rho_at(f, at) - z * slant) * (1 + draw_small() * 0.01), at, p);
 }
 
-static double any_z_of(uint64_t *stream)
+static double any_z_of(void)
 {
     static const double special[] = {0, 1, 0.5, 0.25};
-    return random_int(stream, 3) ? draw(stream, -0.3, 1.3)
-                                 : special[random_int(stream, 4)];
+    return one_of(3) ? between(-0.3, 1.3) : special[one_of(4)];
 }
 
-static void put_whole(const struct family_case *c, uint64_t *stream,
-                      double p[3])
+static void put_whole(const struct family_case *c, double p[3])
 {
-    const int at_end = random_int(stream, 8) == 0;
+    const int at_end = one_of(8) == 0;
     for (int i = 0; i < 3; i++)
-        p[i] = cylint_base(&c->shape)[i] +
-               (at_end ? 0 : 0.5 * (random_int(stream, 25) - 12));
-    if (random_int(stream, 3) == 0)
+        p[i] =
+            cylint_base(&c->shape)[i] + (at_end ? 0 : 0.5 * (one_of(25) - 12));
+    if (one_of(3) == 0)
         for (int i = 0; i < 3; i++)
             p[i] = floor(p[i]);
 }
 
-static void put_hit(const struct family_case *c, uint64_t *stream, double p[3])
+static void put_hit(const struct family_case *c, double p[3])
 {
     cylint_answer a;
     cylint_line line = c->line;
@@ -161,70 +148,65 @@ static void put_hit(const struct family_case *c, uint64_t *stream, double p[3])
     const int n = cylint_intersect(&c->shape, &line,
                                    CYLINT_WANT_T | CYLINT_WANT_POINT, &a);
     for (int i = 0; i < 3; i++)
-        p[i] = n > 0 ? draw_step(stream, a.hit[n - 1].point[i])
+        p[i] = n > 0 ? draw_step(a.hit[n - 1].point[i])
                      : c->line.o[i] + c->line.d[i];
 }
 
-static void put_near_apex(const struct point_frame *f, uint64_t *stream,
-                          double p[3])
+static void put_near_apex(const struct point_frame *f, double p[3])
 {
     const cylint_shape *s = f->shape;
     const double apex = cylint_r0(s) == cylint_r1(s)
                             ? 0.5
                             : cylint_r0(s) / (cylint_r0(s) - cylint_r1(s));
     const double big = fmax(rho_at(f, 0), rho_at(f, 1));
-    const int plane = random_int(stream, 3) == 0;
-    put(f, stream, plane ? big * draw(stream, 0, 2) : big * draw_small(stream),
-        apex + (random_int(stream, 2) ? draw_small(stream) : 0), p);
+    const int plane = one_of(3) == 0;
+    put(f, plane ? big * between(0, 2) : big * draw_small(),
+        apex + (one_of(2) ? draw_small() : 0), p);
 }
 
 /* Writes a point for the case; returns its place. */
-static enum place draw_point(const struct family_case *c, uint64_t *stream,
-                             double p[3])
+static enum place draw_point(const struct family_case *c, double p[3])
 {
-    const enum place place = (enum place)random_int(stream, PLACES);
+    const enum place place = (enum place)one_of(PLACES);
     struct point_frame f;
-    make_point_frame(&f, &c->shape, stream);
+    make_point_frame(&f, &c->shape);
     const double big = fmax(rho_at(&f, 0), rho_at(&f, 1));
-    const double z = any_z_of(stream);
+    const double z = any_z_of();
     switch (place) {
     case PLACE_ORIGIN:
         for (int i = 0; i < 3; i++)
             p[i] = c->line.o[i];
         break;
     case PLACE_HIT:
-        put_hit(c, stream, p);
+        put_hit(c, p);
         break;
     case PLACE_AXIS:
-        put(&f, stream, random_int(stream, 2) ? 0 : big * draw_small(stream), z,
-            p);
+        put(&f, one_of(2) ? 0 : big * draw_small(), z, p);
         break;
     case PLACE_RIM: {
-        const int end = random_int(stream, 2);
-        put(&f, stream, rho_at(&f, end) + big * draw_small(stream),
-            end + draw_small(stream), p);
+        const int end = one_of(2);
+        put(&f, rho_at(&f, end) + big * draw_small(), end + draw_small(), p);
         break;
     }
     case PLACE_BISECTOR:
-        put_on_bisector(&f, stream, p);
+        put_on_bisector(&f, p);
         break;
     case PLACE_FAR: {
-        const double far = pow(10, draw(stream, 0, 8));
-        put(&f, stream, big * far * draw(stream, 0, 1),
-            far * draw(stream, -1, 1), p);
+        const double far = power(0, 8);
+        put(&f, big * far * between(0, 1), far * between(-1, 1), p);
         break;
     }
     case PLACE_LATERAL:
-        put(&f, stream, rho_at(&f, z), z, p);
+        put(&f, rho_at(&f, z), z, p);
         break;
     case PLACE_WHOLE:
-        put_whole(c, stream, p);
+        put_whole(c, p);
         break;
     case PLACE_APEX:
-        put_near_apex(&f, stream, p);
+        put_near_apex(&f, p);
         break;
     default:
-        put(&f, stream, big * draw(stream, 0, 3), draw(stream, -2, 3), p);
+        put(&f, big * between(0, 3), between(-2, 3), p);
         break;
     }
     return place;
@@ -242,16 +224,16 @@ enum reach {
     REACHES
 };
 
-static inline int draw_exponent(uint64_t *stream)
+static inline int draw_exponent(void)
 {
-    return random_int(stream, 1024 + 1074) - 1074;
+    return one_of(1024 + 1074) - 1074;
 }
 
 /* Any double but 0. */
-static inline double draw_any(uint64_t *stream)
+static inline double draw_any(void)
 {
-    const double x = ldexp(random_mantissa(stream), draw_exponent(stream));
-    return random_int(stream, 2) ? x : -x;
+    const double x = ldexp(random_mantissa(&stream), draw_exponent());
+    return one_of(2) ? x : -x;
 }
 
 static inline void scale_case(struct family_case *c, double p[3], int e)
@@ -263,58 +245,54 @@ static inline void scale_case(struct family_case *c, double p[3], int e)
 }
 
 /* Replaces lengths other than 0 and keeps their signs. */
-static inline void draw_lengths(struct family_case *c, uint64_t *stream,
-                                int subnormal)
+static inline void draw_lengths(struct family_case *c, int subnormal)
 {
     for (int i = 0; i < family_lengths(c->shape_word); i++) {
-        const double x = subnormal ? 0x1p-1074 * (1 + random_int(stream, 4000))
-                                   : draw_any(stream);
-        if (c->shape_data[i] != 0 && random_int(stream, 2))
+        const double x =
+            subnormal ? 0x1p-1074 * (1 + one_of(4000)) : draw_any();
+        if (c->shape_data[i] != 0 && one_of(2))
             c->shape_data[i] = copysign(x, c->shape_data[i]);
     }
 }
 
-static inline void draw_coordinates(enum reach reach, uint64_t *stream,
-                                    double p[3])
+static inline void draw_coordinates(enum reach reach, double p[3])
 {
-    const int e = draw_exponent(stream);
+    const int e = draw_exponent();
     for (int i = 0; i < 3; i++) {
-        const int chosen = random_int(stream, 4);
+        const int chosen = one_of(4);
         if (reach == REACH_FAR)
-            p[i] = ldexp(draw(stream, -1, 1), e + 1);
+            p[i] = ldexp(between(-1, 1), e + 1);
         else if (reach == REACH_ALONG && chosen < 2)
-            p[i] = ldexp(draw(stream, 1, 2), e);
+            p[i] = ldexp(between(1, 2), e);
         else if (reach == REACH_MIXED || reach == REACH_WILD)
-            p[i] = chosen ? draw_any(stream) : 0;
+            p[i] = chosen ? draw_any() : 0;
     }
 }
 
 /* Moves shape and point to any exponents.  Returns 0 where the numbers are no
  * shape, or no point. */
-static inline int draw_reach(struct family_case *c, uint64_t *stream,
-                             double p[3])
+static inline int draw_reach(struct family_case *c, double p[3])
 {
-    const enum reach reach = (enum reach)random_int(stream, REACHES);
+    const enum reach reach = (enum reach)one_of(REACHES);
     if (reach == REACH_SUBNORMAL || reach == REACH_WILD)
-        draw_lengths(c, stream, reach == REACH_SUBNORMAL);
-    else if (reach == REACH_SCALED || random_int(stream, 2))
-        scale_case(c, p, draw_exponent(stream));
-    draw_coordinates(reach, stream, p);
+        draw_lengths(c, reach == REACH_SUBNORMAL);
+    else if (reach == REACH_SCALED || one_of(2))
+        scale_case(c, p, draw_exponent());
+    draw_coordinates(reach, p);
     family_make(c);
     return c->shape.kind != CYLINT_KIND_NONE && isfinite(p[0]) &&
            isfinite(p[1]) && isfinite(p[2]);
 }
 
 /* A case of any family and of any ends, with a point, of any exponents. */
-static inline int draw_far_case(struct family_case *c, uint64_t *stream,
-                                double p[3])
+static inline int draw_far_case(struct family_case *c, double p[3])
 {
-    family_case(random_bits(stream), random_int(stream, family_count()),
-                random_below(stream, 1000), c);
+    family_case(random_bits(&stream), one_of(family_count()),
+                random_below(&stream, 1000), c);
     if (!cylint_is_round(c->shape.kind))
-        c->ends = (cylint_ends)random_int(stream, 6);
-    draw_point(c, stream, p);
-    return draw_reach(c, stream, p);
+        c->ends = (cylint_ends)one_of(6);
+    draw_point(c, p);
+    return draw_reach(c, p);
 }
 
 #endif

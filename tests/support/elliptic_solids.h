@@ -10,8 +10,7 @@
 
 #include "check.h"
 #include "cylint.h"
-#include "random.h"
-#include "vectors.h"
+#include "draw.h"
 
 enum form { OBLIQUE, UPRIGHT, THIN, NEEDLE, FORMS };
 enum where { NEAR, INSIDE, FAR, BESIDE, PLACES };
@@ -20,13 +19,6 @@ static const char *const form_names[] = {"oblique", "upright", "thin",
                                          "needle"};
 static const char *const place_names[] = {"near", "inside", "up to 1e6 away",
                                           "1e-9 from the surface"};
-
-static uint64_t solid_stream = 1622;
-
-static inline double between(double low, double high)
-{
-    return low + (high - low) * random_unit(&solid_stream);
-}
 
 struct solid {
     double c[3], a[3], b[3], h[3], k;
@@ -57,37 +49,25 @@ static inline void place_in_solid(const struct solid *e, double x, double y,
         p[i] = e->c[i] + x * e->a[i] + y * e->b[i] + z * e->h[i];
 }
 
-static inline void normalise(double v[3])
-{
-    const double size = sqrt(dot3(v, v));
-    for (int i = 0; i < 3; i++)
-        v[i] /= size;
-}
-
 /* Any vectors; or perpendicular ones, of which b is up to 3 times, 1000 times
  * (thin) or 1e6 times (needle) shorter than a. */
 static inline void draw_solid(struct solid *e, enum form form, int is_cone)
 {
-    for (int i = 0; i < 3; i++) {
-        e->c[i] = between(-1, 1);
-        e->a[i] = between(-1, 1);
-        e->b[i] = between(-1, 1);
-        e->h[i] = between(-1, 1);
-    }
+    random_vector(e->c, 1);
+    random_vector(e->a, 1);
+    random_vector(e->b, 1);
+    random_vector(e->h, 1);
     e->k = is_cone ? between(0, 1.5) : 1;
     if (form == OBLIQUE)
         return;
     const double least = form == UPRIGHT ? -0.5 : form == THIN ? -3 : -6;
-    const double thin = pow(10, between(least, 0)),
-                 tall = pow(10, between(-1, 1));
-    normalise(e->a);
+    const double thin = power(least, 0), tall = power(-1, 1);
+    scale3(e->a, 1 / length3(e->a));
     cross3(e->h, e->a, e->b);
-    normalise(e->h);
+    scale3(e->h, 1 / length3(e->h));
     cross3(e->b, e->h, e->a);
-    for (int i = 0; i < 3; i++) {
-        e->b[i] *= thin;
-        e->h[i] *= tall;
-    }
+    scale3(e->b, thin);
+    scale3(e->h, tall);
 }
 
 static inline void draw_place(const struct solid *e, enum where where,
@@ -95,7 +75,7 @@ static inline void draw_place(const struct solid *e, enum where where,
 {
     double z = between(0, 1), x, y;
     if (where == NEAR || where == FAR) {
-        const double by = where == FAR ? pow(10, between(0, 6)) : 1;
+        const double by = where == FAR ? power(0, 6) : 1;
         x = by * between(-3, 3);
         y = by * between(-3, 3);
         z = by * between(-1, 2);

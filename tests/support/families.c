@@ -111,7 +111,7 @@ static void integer_grid(struct family_case *out)
 {
     double p[3], d[3];
     whole_shape(out);
-    set3(p, whole_between(-6, 6), whole_between(-6, 6), whole_between(-6, 6));
+    whole_point(p, 6);
     whole_vector(d, chance(0.5) ? 1 : 3);
     write_line(out, p, d);
     if (out->line_word == FAMILY_SPAN) {
@@ -138,45 +138,6 @@ static void exactly_parallel(struct family_case *out)
         const int i = one_of(6);
         out->line_data[i] = stepped(out->line_data[i], whole_between(-4, 4));
     }
-}
-
-/*
- * Exact tangents in whole numbers.  (p, q, r) is a Pythagorean triple in the
- * plane of two coordinates, r the radius, and the axis is along the third.  The
- * line through axis + (p, q) along (-q, p), plus any whole multiple of the axis
- * direction, touches the cylinder.  For a cone with dr = -r and h = 1 the
- * ruling (-p, -q, 1) may be added to the direction.
- */
-static void pythagorean(struct family_case *out)
-{
-    static const int triples[][3] = {{3, 4, 5},   {5, 12, 13},  {8, 15, 17},
-                                     {7, 24, 25}, {20, 21, 29}, {1, 0, 1}};
-    const int *t = triples[one_of(6)];
-    const int i = one_of(3), j = (i + 1) % 3, k = (i + 2) % 3;
-    double *x = out->shape_data, p[3] = {0, 0, 0}, d[3] = {0, 0, 0};
-    const int cone = chance(0.5), along = whole_between(-3, 3);
-    memset(x, 0, 13 * sizeof *x);
-    out->shape_word = cone ? FAMILY_CONE : FAMILY_CYLINDER;
-    x[cone ? 3 : 6] = t[2];
-    x[(cone ? 4 : 3) + k] = 1;
-    p[i] = t[0];
-    p[j] = t[1];
-    d[i] = -t[1] - (cone ? along * t[0] : 0);
-    d[j] = t[0] - (cone ? along * t[1] : 0);
-    d[k] = along;
-    const double back = whole_between(-3, 3), up = cone ? 0 : between(0, 1);
-    p[k] = floor(up * 4) / 4;
-    write_line_from(out, p, d, back);
-    double v[3] = {whole_between(-9, 9), whole_between(-9, 9),
-                   whole_between(-9, 9)};
-    translate(out, v);
-    if (chance(0.6)) {
-        const int n = one_of(6 + family_shape_size(out->shape_word));
-        double *moved = n < 6 ? &out->line_data[n] : &x[n - 6];
-        if (*moved != 0)
-            *moved = stepped(*moved, whole_between(-4, 4));
-    }
-    out->ends = any_ends();
 }
 
 /* ----- scales ----------------------------------------------------------- */
@@ -376,36 +337,6 @@ static void narrow_or_wide(struct family_case *out)
     aim(out, &f, 1.5);
 }
 
-/* Exactly through the apex, sometimes moved by a few ulp. */
-static void through_the_apex(struct family_case *out)
-{
-    double d[3], apex[3], h[3];
-    do {
-        whole_shape(out);
-    } while (out->shape_word == FAMILY_CYLINDER ||
-             out->shape_word == FAMILY_ECYLINDER);
-    axis_of(out, h);
-    double z = 0;
-    if (out->shape_word == FAMILY_CONE) {
-        const int beyond = chance(0.5); /* the apex at z = 1, or at -r0 */
-        const int r0 = whole_between(beyond, 3);
-        out->shape_data[3] = r0;
-        out->shape_data[7] = beyond ? 0 : r0 + 1;
-        z = beyond ? 1 : -r0;
-    } else if (out->shape_word == FAMILY_ECONE) {
-        out->shape_data[12] = chance(0.5) ? 0 : 0.5;
-        z = out->shape_data[12] == 0 ? 1 : 2;
-    }
-    for (int i = 0; i < 3; i++)
-        apex[i] = out->shape_data[i] + z * h[i];
-    whole_vector(d, 5);
-    write_line_from(out, apex, d, whole_between(-4, 4));
-    if (chance(0.4)) {
-        const int i = one_of(6);
-        out->line_data[i] = stepped(out->line_data[i], whole_between(-4, 4));
-    }
-}
-
 /* So steep that the line meets both nappes. */
 static void both_nappes(struct family_case *out)
 {
@@ -523,7 +454,7 @@ static const struct {
     {"nearly parallel", nearly_parallel, NULL, NULL, 0, 0},
     {"exactly parallel", exactly_parallel, NULL, NULL, 0, 0},
     {"integer grid", integer_grid, NULL, NULL, 0, 0},
-    {"pythagorean tangents", pythagorean, NULL, NULL, 0, 0},
+    {"pythagorean tangents", exact_tangent, NULL, NULL, 0, 0},
     {"scaled", ordinary, NULL, scale, 0, 0},
     {"scaled apart", scaled_apart, NULL, NULL, 1, 0},
     {"radius 1e+-12", wild_radius, NULL, NULL, 0, 0},
@@ -563,9 +494,11 @@ static const struct {
      1},
     {"round, any exponents", round_whole, round_ordinary, scale_anyhow, 1, 1},
     {"constructed", constructed, NULL, NULL, 0, 0},
+    {"constructed, any exponents", constructed, NULL, scale_anyhow, 1, 0},
     {"plain", plain, NULL, NULL, 0, 0},
     {"plain, one odd number", plain, NULL, add_odd_number, 1, 0},
     {"wild", wild_numbers, NULL, NULL, 1, 0},
+    {"extreme, few digits", few_digits, NULL, NULL, 1, 0},
     {"half-space", plane_ordinary, NULL, NULL, 0, 0},
     {"half-space, far origin", plane_far_origin, NULL, NULL, 0, 0},
     {"half-space, translated", plane_ordinary, NULL, translate_far, 0, 0},
@@ -579,7 +512,6 @@ static const struct {
      begin_anywhere, 1, 0},
     {"half-space, any exponents", plane_whole, plane_ordinary, scale_anyhow, 1,
      0},
-    {"half-space, wild", plane_wild, NULL, NULL, 1, 0},
 };
 
 int family_count(void)

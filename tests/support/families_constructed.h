@@ -27,12 +27,6 @@ static void along_coordinate(double v[3], int i, double size)
     v[i] = size;
 }
 
-static void whole_components(double v[3])
-{
-    for (int i = 0; i < 3; i++)
-        v[i] = whole_between(-3, 3);
-}
-
 static double triple_product(const exact_frame *f)
 {
     const double *a = f->a, *b = f->b, *h = f->h;
@@ -54,11 +48,11 @@ static void any_exact_frame(exact_frame *f, family_shape word)
     f->r = t[2];
     f->rho0 = 1;
     f->slope = 0;
-    whole_components(f->c);
+    whole_point(f->c, 3);
     do {
-        whole_components(f->a);
-        whole_components(f->b);
-        whole_components(f->h);
+        whole_point(f->a, 3);
+        whole_point(f->b, 3);
+        whole_point(f->h, 3);
     } while (triple_product(f) == 0);
     if (word <= FAMILY_ACONE) {
         along_coordinate(f->a, (i + 1) % 3, 1);
@@ -105,12 +99,13 @@ static void write_exact_shape(struct family_case *c, family_shape word,
         x[12] = 1 + f->slope;
 }
 
+typedef enum { TANGENT, RIM, RULING, APEX, COINCIDENCES } coincidence;
+
 /* A line through a point of the surface, of its plane z, or the apex.  Quarters
  * of the tangent vectors keep all numbers exact. */
-static void write_exact_line(struct family_case *c, const exact_frame *f)
+static void write_exact_line(struct family_case *c, const exact_frame *f,
+                             coincidence what)
 {
-    enum { TANGENT, RIM, RULING, APEX, KINDS };
-    const int what = one_of(KINDS);
     double z = what == RIM || one_of(3) == 0 ? whole_between(0, 1)
                                              : whole_between(-1, 5) / 4.;
     if (what == APEX && f->slope != 0)
@@ -138,13 +133,13 @@ static void write_exact_line(struct family_case *c, const exact_frame *f)
 }
 
 /* In half of the cases one number is moved by up to 4 ulp. */
-static void constructed(struct family_case *out)
+static void construct(struct family_case *out, family_shape word,
+                      coincidence what)
 {
     exact_frame f;
-    const family_shape word = any_word();
     any_exact_frame(&f, word);
     write_exact_shape(out, word, &f);
-    write_exact_line(out, &f);
+    write_exact_line(out, &f, what);
     out->ends = (cylint_ends)(one_of(2) ? 0 : one_of(6));
     const int of_line = family_line_size(out->line_word);
     const int n = one_of(of_line + family_shape_size(word));
@@ -154,7 +149,32 @@ static void constructed(struct family_case *out)
         *moved = stepped(*moved, whole_between(-4, 4));
 }
 
-/* ---------------------------------------------------------------- wild -- */
+static void constructed(struct family_case *out)
+{
+    construct(out, any_word(), (coincidence)one_of(COINCIDENCES));
+}
+
+static void exact_tangent(struct family_case *out)
+{
+    construct(out, any_word(), TANGENT);
+}
+
+static void through_the_apex(struct family_case *out)
+{
+    construct(out, cone_word(), APEX);
+}
+
+/* ------------------------------------------------------ any exponents --- */
+
+/* Subnormal, huge, any, or ordinary. */
+static int any_exponent(void)
+{
+    const int where = one_of(4);
+    return where == 0   ? whole_between(-1074, -1015)
+           : where == 1 ? whole_between(940, 1020)
+           : where == 2 ? whole_between(-1074, 1020)
+                        : whole_between(-3, 3);
+}
 
 /* Usually near one of two sizes, so that line and shape are near each other;
  * otherwise any exponent. */
@@ -169,24 +189,50 @@ static double any_double(const int about[2])
     return one_of(8) == 0 ? 0 : one_of(2) ? x : -x;
 }
 
-/* Every number has its own exponent in -1074 ... 1023. */
-static void wild_numbers(struct family_case *out)
+/* The same of few digits, or at an end of the doubles. */
+static double any_short_double(const int about[2])
+{
+    static const double extreme[] = {1, 0x1.fffffffffffffp1023, 0x1p-1022,
+                                     0x1p-1074, 0x1p-1023};
+    const int where = one_of(20), e = whole_between(-1074, 1020);
+    const double x = where < 5 ? extreme[where]
+                     : where < 8
+                         ? 0
+                         : whole_between(1, 7) *
+                               ldexp(0.5, where == 8 ? e : about[where % 2]);
+    return one_of(2) ? x : -x;
+}
+
+/* Of any kind. */
+static void draw_numbers(struct family_case *out, double draw(const int[2]))
 {
     double *x = out->shape_data;
-    const int about[2] = {whole_between(-1074, 1023),
-                          whole_between(-1074, 1023)};
-    out->line_word = (family_line)one_of(3);
-    out->shape_word = any_word();
-    out->ends = (cylint_ends)one_of(6);
+    const int about[2] = {any_exponent(), any_exponent()};
+    out->line_word = (family_line)one_of(4);
+    out->shape_word = (family_shape)one_of(FAMILY_SHAPES);
+    out->ends = (cylint_ends)(chance(0.5) ? 0 : one_of(6));
     for (int i = 0; i < 6; i++)
-        out->line_data[i] = any_double(about);
+        out->line_data[i] = draw(about);
+    out->line_data[6] = -HUGE_VAL;
+    out->line_data[7] = HUGE_VAL;
     for (int i = 0; i < 13; i++) {
-        x[i] = any_double(about);
+        x[i] = draw(about);
         if (family_is_size(out->shape_word, i))
             x[i] = fabs(x[i]);
     }
     if (out->shape_word == FAMILY_ACONE)
         x[6] = fmod(x[6], 90);
+}
+
+/* Every number has its own exponent. */
+static void wild_numbers(struct family_case *out)
+{
+    draw_numbers(out, any_double);
+}
+
+static void few_digits(struct family_case *out)
+{
+    draw_numbers(out, any_short_double);
 }
 
 /* --------------------------------------------------------------- plain -- */

@@ -1,5 +1,5 @@
 /*
- * families_draw.h - random numbers, vectors, shapes and lines for families.c
+ * families_draw.h - random shapes and lines for families.c
  */
 #ifndef CYLINT_FAMILIES_DRAW_H
 #define CYLINT_FAMILIES_DRAW_H
@@ -7,85 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "draw.h"
 #include "families.h"
-#include "random.h"
 #include "ulps.h"
-#include "vectors.h"
-
-/* ------------------------------------------------------ random numbers -- */
-
-static uint64_t stream; /* of the present case */
-
-static double between(double low, double high)
-{
-    return low + (high - low) * random_unit(&stream);
-}
-
-static int one_of(int n)
-{
-    return random_int(&stream, n);
-}
-
-static int chance(double p)
-{
-    return random_unit(&stream) < p;
-}
-
-static int whole_between(int low, int high)
-{
-    return low + one_of(high - low + 1);
-}
-
-/* 10^x with x uniform in [low, high] */
-static double power(double low, double high)
-{
-    return pow(10, between(low, high));
-}
-
-/* a small number of either sign, or 0 */
-static double small(double low, double high)
-{
-    return chance(0.1) ? 0 : (chance(0.5) ? 1 : -1) * power(low, high);
-}
-
-/* -------------------------------------------------------- little vectors -- */
-
-static void set3(double to[3], double x, double y, double z)
-{
-    to[0] = x;
-    to[1] = y;
-    to[2] = z;
-}
-
-static void copy3(double to[3], const double from[3])
-{
-    set3(to, from[0], from[1], from[2]);
-}
-
-static double length3(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-/* to += by v */
-static void add3(double to[3], double by, const double v[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] += by * v[i];
-}
-
-static void scale3(double v[3], double by)
-{
-    set3(v, v[0] * by, v[1] * by, v[2] * by);
-}
-
-static void random_direction(double d[3])
-{
-    do {
-        set3(d, between(-1, 1), between(-1, 1), between(-1, 1));
-    } while (!(length3(d) < 1 && length3(d) > 0.1));
-    scale3(d, 1 / length3(d));
-}
 
 /* ------------------------------------------------ shapes by their frame -- */
 
@@ -131,7 +55,7 @@ static family_shape cone_word(void)
 static void make_frame(frame *f, family_shape word, double r, double h)
 {
     double other[3];
-    set3(f->c, between(-1, 1), between(-1, 1), between(-1, 1));
+    random_vector(f->c, 1);
     random_direction(f->h);
     random_direction(other);
     cross3(f->a, f->h, other);
@@ -256,8 +180,7 @@ static void surface_point(const frame *f, double z, double factor, double p[3])
 static void whole_vector(double v[3], int most)
 {
     do {
-        set3(v, whole_between(-most, most), whole_between(-most, most),
-             whole_between(-most, most));
+        whole_point(v, most);
     } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
 }
 
@@ -266,7 +189,7 @@ static void whole_shape(struct family_case *out)
 {
     double *x = out->shape_data, h[3];
     out->shape_word = any_word();
-    set3(x, whole_between(-3, 3), whole_between(-3, 3), whole_between(-3, 3));
+    whole_point(x, 3);
     whole_vector(h, 3);
     if (chance(0.6)) {
         set3(h, 0, 0, 0);

@@ -21,7 +21,7 @@ static void write_plane(struct family_case *out, const double p[3],
 static void simple_plane(struct family_case *out, double p[3], double n[3])
 {
     double along[3], normal[3];
-    set3(p, between(-1, 1), between(-1, 1), between(-1, 1));
+    random_vector(p, 1);
     random_direction(n);
     copy3(normal, n);
     scale3(normal, power(-1, 1));
@@ -63,7 +63,7 @@ static void plane_grazing(struct family_case *out)
 static void plane_whole(struct family_case *out)
 {
     double p[3], n[3], d[3], u[3], along[3];
-    set3(p, whole_between(-6, 6), whole_between(-6, 6), whole_between(-6, 6));
+    whole_point(p, 6);
     whole_vector(n, 3);
     if (chance(0.4)) {
         set3(n, 0, 0, 0);
@@ -88,12 +88,6 @@ static void plane_whole(struct family_case *out)
     double *x = i < 6 ? &out->line_data[i] : &out->shape_data[i - 6];
     if (chance(0.3) && *x != 0)
         *x = stepped(*x, whole_between(-4, 4));
-}
-
-static void plane_wild(struct family_case *out)
-{
-    wild_numbers(out);
-    out->shape_word = FAMILY_HALFSPACE;
 }
 
 #endif

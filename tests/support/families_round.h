@@ -46,7 +46,7 @@ static void make_hull(hull *h, double r, double length)
 {
     double w[3];
     const int form = one_of(6);
-    set3(h->p[0], between(-1, 1), between(-1, 1), between(-1, 1));
+    random_vector(h->p[0], 1);
     random_direction(w);
     h->r[0] = h->r[1] = r;
     if (form >= 2)
@@ -255,8 +255,7 @@ static void round_inside(struct family_case *out)
     const int k = one_of(5), n = one_of(3);
     hull h;
     double d[3];
-    set3(h.p[0], whole_between(-3, 3), whole_between(-3, 3),
-         whole_between(-3, 3));
+    whole_point(h.p[0], 3);
     for (int i = 0; i < 3; i++)
         h.p[1][i] = h.p[0][i] + pythagorean[k][(i + n) % 3];
     h.r[1] = chance(0.3) ? 0 : whole_between(1, 4);
@@ -290,8 +289,7 @@ static void round_whole(struct family_case *out)
 {
     hull h;
     double p[3], d[3];
-    set3(h.p[0], whole_between(-3, 3), whole_between(-3, 3),
-         whole_between(-3, 3));
+    whole_point(h.p[0], 3);
     set3(h.p[1], h.p[0][0], h.p[0][1], h.p[0][2]);
     if (chance(0.9)) {
         if (chance(0.6)) {
@@ -313,7 +311,7 @@ static void round_whole(struct family_case *out)
         set3(d, 0, 0, 0);
         d[one_of(3)] = chance(0.5) ? 1 : -1;
     }
-    set3(p, whole_between(-6, 6), whole_between(-6, 6), whole_between(-6, 6));
+    whole_point(p, 6);
     write_line(out, p, d);
 }
 
@@ -327,8 +325,7 @@ static void round_ruling(struct family_case *out)
     const double way = chance(0.5) ? 1 : -1;
     hull h;
     double p[3], d[3] = {0, 0, 0}, n[3] = {0, 0, 0};
-    set3(h.p[0], whole_between(-9, 9), whole_between(-9, 9),
-         whole_between(-9, 9));
+    whole_point(h.p[0], 9);
     copy3(h.p[1], h.p[0]);
     const double size = 25;
     h.p[1][i] += way * 25 * size;

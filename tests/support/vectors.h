@@ -1,8 +1,10 @@
 /*
- * vectors.h - products of vectors in doubles, for tests and benchmarks
+ * vectors.h - vectors of doubles, for tests and benchmarks
  */
 #ifndef CYLINT_TEST_VECTORS_H
 #define CYLINT_TEST_VECTORS_H
+
+#include <math.h>
 
 static inline double dot3(const double u[3], const double v[3])
 {
@@ -16,6 +18,35 @@ static inline void cross3(double to[3], const double u[3], const double v[3])
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         to[i] = u[j] * v[k] - u[k] * v[j];
     }
+}
+
+static inline double length3(const double v[3])
+{
+    return sqrt(dot3(v, v));
+}
+
+static inline void set3(double to[3], double x, double y, double z)
+{
+    to[0] = x;
+    to[1] = y;
+    to[2] = z;
+}
+
+static inline void copy3(double to[3], const double from[3])
+{
+    set3(to, from[0], from[1], from[2]);
+}
+
+/* to += by v */
+static inline void add3(double to[3], double by, const double v[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] += by * v[i];
+}
+
+static inline void scale3(double v[3], double by)
+{
+    set3(v, v[0] * by, v[1] * by, v[2] * by);
 }
 
 #endif
