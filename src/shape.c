@@ -10,30 +10,19 @@
 
 const char *cylint_strerror(int status)
 {
-    switch (status) {
-    case CYLINT_OK:
-        return "no error";
-    case CYLINT_ENONFINITE:
-        return "a number is not finite";
-    case CYLINT_EAXIS:
-        return "the axis has no length";
-    case CYLINT_EDEGENERATE:
-        return "the vectors a, b, h are linearly dependent";
-    case CYLINT_ERADIUS:
-        return "a radius is negative, or all radii are zero";
-    case CYLINT_EANGLE:
-        return "the half angle is not between 0 and 90 degrees";
-    case CYLINT_EENDS:
-        return "this kind of shape has no such ends";
-    case CYLINT_EDIRECTION:
-        return "the direction has no length";
-    case CYLINT_EDOMAIN:
-        return "the domain is empty or not a number";
-    case CYLINT_EMETHOD:
-        return "this method does not support such a shape";
-    default:
-        return "unknown status";
-    }
+    static const char *const text[] = {
+        [CYLINT_OK] = "no error",
+        [CYLINT_ENONFINITE] = "a number is not finite",
+        [CYLINT_EAXIS] = "the axis has no length",
+        [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
+        [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
+        [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees",
+        [CYLINT_EENDS] = "this kind of shape has no such ends",
+        [CYLINT_EDIRECTION] = "the direction has no length",
+        [CYLINT_EDOMAIN] = "the domain is empty or not a number",
+        [CYLINT_EMETHOD] = "this method does not support such a shape"};
+    return status >= 0 && status <= CYLINT_EMETHOD ? text[status]
+                                                   : "unknown status";
 }
 
 static int equal3(const double x[3], const double y[3])
