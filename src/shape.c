@@ -45,14 +45,6 @@ static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
     return why;
 }
 
-/* The local coordinates by the build for this processor. */
-static void measure_local(cylint_shape *shape)
-{
-    CYLINT_OF_BUILD(cylint_measure_local, cylint_measure_local_fma,
-                    cylint_measure_local_fma)
-    (shape);
-}
-
 static const double none[3] = {0, 0, 0};
 
 /* Writes each member of a valid shape once: to clear the struct first would cost
@@ -76,7 +68,7 @@ static void write_shape(cylint_shape *shape, int kind, cylint_ends ends,
     flag[CYLINT_AT_LEFT_HANDED] = 0;
     flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
     flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(shape);
-    measure_local(shape);
+    CYLINT_OF_FMA(cylint_measure_local)(shape);
 }
 
 void cylint_make_again(cylint_shape *shape, int kind, int ends,
@@ -153,7 +145,7 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
         (equal3(p0, p1) || sign_of_S(shape) <= 0)) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
-        measure_local(shape);
+        CYLINT_OF_FMA(cylint_measure_local)(shape);
     }
     return status;
 }
