@@ -240,19 +240,13 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-#if CYLINT_IS_PARANOID
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
-    return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
+    return CYLINT_IS_PARANOID
+               ? cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer)
+               : answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
 }
-#else
-int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
-{
-    cylint_answer answer;
-    return answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
-}
-#endif
 
 int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
                                double r0, const double p1[3], double r1,

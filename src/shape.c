@@ -10,30 +10,19 @@
 
 const char *cylint_strerror(int status)
 {
-    switch (status) {
-    case CYLINT_OK:
-        return "no error";
-    case CYLINT_ENONFINITE:
-        return "a number is not finite";
-    case CYLINT_EAXIS:
-        return "the axis has no length";
-    case CYLINT_EDEGENERATE:
-        return "the vectors a, b, h are linearly dependent";
-    case CYLINT_ERADIUS:
-        return "a radius is negative, or all radii are zero";
-    case CYLINT_EANGLE:
-        return "the half angle is not between 0 and 90 degrees";
-    case CYLINT_EENDS:
-        return "this kind of shape has no such ends";
-    case CYLINT_EDIRECTION:
-        return "the direction has no length";
-    case CYLINT_EDOMAIN:
-        return "the domain is empty or not a number";
-    case CYLINT_EMETHOD:
-        return "this method does not support such a shape";
-    default:
-        return "unknown status";
-    }
+    static const char *const text[] = {
+        [CYLINT_OK] = "no error",
+        [CYLINT_ENONFINITE] = "a number is not finite",
+        [CYLINT_EAXIS] = "the axis has no length",
+        [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
+        [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
+        [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees",
+        [CYLINT_EENDS] = "this kind of shape has no such ends",
+        [CYLINT_EDIRECTION] = "the direction has no length",
+        [CYLINT_EDOMAIN] = "the domain is empty or not a number",
+        [CYLINT_EMETHOD] = "this method does not support such a shape"};
+    return status >= 0 && status <= CYLINT_EMETHOD ? text[status]
+                                                   : "unknown status";
 }
 
 static int equal3(const double x[3], const double y[3])
@@ -54,14 +43,6 @@ static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 {
     memset(shape, 0, sizeof *shape);
     return why;
-}
-
-/* The local coordinates by the build for this processor. */
-static void measure_local(cylint_shape *shape)
-{
-    CYLINT_OF_BUILD(cylint_measure_local, cylint_measure_local_fma,
-                    cylint_measure_local_fma)
-    (shape);
 }
 
 static const double none[3] = {0, 0, 0};
@@ -87,7 +68,7 @@ static void write_shape(cylint_shape *shape, int kind, cylint_ends ends,
     flag[CYLINT_AT_LEFT_HANDED] = 0;
     flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
     flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(shape);
-    measure_local(shape);
+    CYLINT_OF_FMA(cylint_measure_local)(shape);
 }
 
 void cylint_make_again(cylint_shape *shape, int kind, int ends,
@@ -164,7 +145,7 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
         (equal3(p0, p1) || sign_of_S(shape) <= 0)) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
-        measure_local(shape);
+        CYLINT_OF_FMA(cylint_measure_local)(shape);
     }
     return status;
 }

@@ -5,7 +5,7 @@
 
 #include "numbers/bits.h"
 #include "numbers/double_double.h"
-#include "numbers/exact.h"
+#include "shapes/layout.h"
 
 /* x divided by a power of two, so that products neither over- nor underflow.  Of n
  * numbers. */
@@ -58,26 +58,16 @@ static pair dot_product(const double x[3], const double y[3])
 }
 
 /* The sign of axis . (x cross y), exact: that of the sine of the angle from x to
- * y. */
+ * y.  It is that of an elliptic shape's a.(b x h). */
 static int turn_sign(const double axis[3], const double x[3], const double y[3])
 {
-    cylint_arena arena;
-    cylint_arena_open(&arena);
-    exact sum = cylint_exact_from(&arena, 0);
-    for (int i = 0; i < 3; i++) {
-        exact product[2];
-        for (int k = 0; k < 2; k++)
-            product[k] = cylint_exact_mul(
-                &arena, cylint_exact_from(&arena, x[(i + 1 + k) % 3]),
-                cylint_exact_from(&arena, y[(i + 2 - k) % 3]));
-        const exact component =
-            cylint_exact_add(&arena, product[0], cylint_exact_neg(product[1]));
-        sum = cylint_exact_add(
-            &arena, sum,
-            cylint_exact_mul(&arena, cylint_exact_from(&arena, axis[i]),
-                             component));
-    }
-    return sum.sign;
+    static const double center[3] = {0, 0, 0};
+    cylint_shape s;
+    return cylint_elliptic_cylinder(&s, center, axis, x, y,
+                                    CYLINT_ENDS_CAPPED) != CYLINT_OK
+               ? 0
+           : cylint_left_handed(&s) ? -1
+                                    : 1;
 }
 
 /* Writes the two half-spaces of a sector, and their clauses from 3 on. */

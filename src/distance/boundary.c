@@ -10,9 +10,7 @@
 static int is_on(const cylint_shape *shape, const cylint_line *line,
                  int surface)
 {
-    return CYLINT_OF_BUILD(cylint_sign_at_origin, cylint_sign_at_origin_fma,
-                           cylint_sign_at_origin_fma)(shape, line, surface) ==
-           0;
+    return CYLINT_OF_FMA(cylint_sign_at_origin)(shape, line, surface) == 0;
 }
 
 static int is_apex(const cylint_shape *shape, const cylint_line *line)

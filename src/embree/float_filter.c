@@ -271,22 +271,18 @@ INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 
 /* ------------------------------------------------------------- answering -- */
 
-/* The first hits.  *uncertain: the undecided lanes; *leaves: those in which the
- * line leaves the shape.  Returns the lanes with a hit. */
-INLINE unsigned find_hits(questions *q, int is_round, hit *first,
-                          unsigned *uncertain, unsigned *leaves)
+INLINE void answer_as(questions *q, int is_round)
 {
-    unsigned hits = 0;
+    hit first;
+    unsigned hits = 0, leaves = 0, unsure;
     cross_shape(q, is_round);
-    unsigned left = m_bits(q->may) & q->used;
-    *uncertain = m_bits(q->uncertain);
-    *leaves = 0;
+    unsigned left = m_bits(q->may) & q->used, uncertain = m_bits(q->uncertain);
     for (int end = 0; end < 2; end++) {
-        unsigned here = end ? left : left & ~q->exit_only, unsure;
+        unsigned here = end ? left : left & ~q->exit_only;
         if (!here)
             continue;
         hit at = end_on_shape(q, is_round, end);
-        *uncertain |= m_bits(at.uncertain) & here;
+        uncertain |= m_bits(at.uncertain) & here;
         left &= ~here | m_bits(at.is);
         here &= m_bits(at.is);
         const unsigned inexact = here & need_step(q, &at, is_round);
@@ -294,25 +290,17 @@ INLINE unsigned find_hits(questions *q, int is_round, hit *first,
             step_on_cone(q, end, m_from(inexact), &at);
         const unsigned accepted = accept_hits(q, &at, here, &unsure);
         if (LANES == 1 || !hits)
-            *first = at;
+            first = at;
         else
-            select_hit(first, m_from(accepted), &at);
-        *uncertain |= unsure;
-        *leaves |= end ? accepted : 0;
+            select_hit(&first, m_from(accepted), &at);
+        uncertain |= unsure;
+        leaves |= end ? accepted : 0;
         hits |= accepted;
         left &= ~(accepted | unsure);
     }
-    return hits;
-}
-
-INLINE void answer_as(questions *q, int is_round)
-{
-    hit at;
-    unsigned uncertain, leaves;
-    const unsigned hits = find_hits(q, is_round, &at, &uncertain, &leaves);
     const unsigned wanted = hits & q->describes;
     if (wanted)
-        uncertain |= wanted & ~describe_hits(q, &at, wanted, is_round);
+        uncertain |= wanted & ~describe_hits(q, &first, wanted, is_round);
     EACH_LANE(i, q->used) {
         q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
                        : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT

@@ -51,16 +51,6 @@ static inline float cylint_angle_as_float(double phi)
     return v < 1 ? v : 1 - FLT_EPSILON / 2;
 }
 
-/* Whether every number is 0 or at least 2^-149, the least float: so products of the
- * filter do not underflow. */
-static inline int cylint_filter_serves(const cylint_record *x)
-{
-    int tiny = 0;
-    for (int j = 0; j < 3; j++)
-        tiny |= cylint_is_small(x->p0[j], 149) | cylint_is_small(x->p1[j], 149);
-    return !(tiny | cylint_is_small(x->r0, 149) | cylint_is_small(x->r1, 149));
-}
-
 /* Answers n questions. */
 typedef void cylint_float_filter(cylint_float_filter_question *const of[],
                                  int n);

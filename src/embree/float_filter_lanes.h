@@ -269,7 +269,7 @@ INLINE void load_axis(questions *q, int is_round)
  * Products have at most ten lengths as factors.  If none of these is less than
  * 2^-90, a product flushed to zero is negligible beside the shape.  Near an apex
  * and along a coordinate none is flushed, since coordinates and radii are 0 or at
- * least 2^-149: cylint_filter_serves().  An overflow gives an infinite bound or
+ * least 2^-149 (filter_serves(), shapes.c).  An overflow gives an infinite bound or
  * NaN, and then nothing is certain, but for those of 1 / ww and of G:
  * cross_shape() and cross_surface() test them.
  */
@@ -400,9 +400,10 @@ INLINE hit end_on_ball(const questions *q, int top, int end)
 
 /*
  * Where the line enters or leaves the closed solid: where its chord begins or ends
- * or, if that is beyond an end, on the cap or ball of that.  Beyond the balls' circles
- * the cone decides which ball is hit or, if it is flatter than the line (`apart`), that
- * it is the one which is entered first.  A sphere's only surface is ball 0.
+ * or, if that is beyond an end, on the cap or ball of that.  Beyond the balls'
+ * circles the cone decides which ball is hit or, if it is flatter than the line
+ * (`apart`), that it is the one which is entered first.  A sphere's only surface is
+ * ball 0.
  */
 INLINE hit end_on_shape(const questions *q, int is_round, int end)
 {

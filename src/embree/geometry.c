@@ -118,8 +118,8 @@ static void write_numbered_shape(const void *owner, uint32_t number,
 
 static cylint_view view_of(const cylint_embree_data *data, int time)
 {
-    cylint_view view = cylint_plain_view(time ? data->options.moved
-                                              : data->arrays->shapes);
+    cylint_view view =
+        cylint_plain_view(time ? data->options.moved : data->arrays->shapes);
     if (data->n_arrays > 1)
         view.shapes = NULL;
     view.write_shape = write_numbered_shape;
@@ -163,9 +163,10 @@ static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
     return CYLINT_EMBREE_OK;
 }
 
-/* Ranks the shapes in the order in which leaves first name them: so records of shapes
- * that are together in leaves are together in memory.  Replaces the numbers in the
- * leaves, which no query uses yet, by ranks.  Returns 0 if memory is refused. */
+/* Ranks the shapes in the order in which leaves first name them: so records of
+ * shapes that are together in leaves are together in memory.  Replaces the numbers
+ * in the leaves, which no query uses yet, by ranks.  Returns 0 if memory is
+ * refused. */
 static int rank_by_leaves(cylint_embree_data *data)
 {
     const size_t n = data->n;
@@ -234,8 +235,8 @@ static void free_state(cylint_embree_data *data)
     cylint_memory_free(&data->order_memory);
 }
 
-/* Loads the present state of the shapes.  On failure the old one stays.  Returns the
- * status. */
+/* Loads the present state of the shapes.  On failure the old one stays.  Returns
+ * the status. */
 static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
 {
     cylint_embree_data next = *data;
@@ -244,9 +245,8 @@ static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
     next.shapes[0] = next.shapes[1] = (cylint_embree_shapes){0};
     int status = check_arrays(data, problem);
     if (status == CYLINT_EMBREE_OK)
-        status = data->traversal
-                     ? build_bvh(&next, problem)
-                     : check_shapes(data, &next.bvh.box, problem);
+        status = data->traversal ? build_bvh(&next, problem)
+                                 : check_shapes(data, &next.bvh.box, problem);
     if (status == CYLINT_EMBREE_OK && data->n > 0 &&
         ((data->traversal && !rank_by_leaves(&next)) || !copy_shapes(&next)))
         status = report(problem, CYLINT_EMBREE_EMEMORY, 0);

@@ -5,12 +5,57 @@
 #ifndef CYLINT_EMBREE_GEOMETRY_H
 #define CYLINT_EMBREE_GEOMETRY_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "../bvh/traverse.h"
 #include "shapes.h"
-#include "api.h"
 #include "cylint_embree.h"
+
+/* -------------------------- one interface to Embree 3 and 4 -- */
+
+/* The Makefile defines CYLINT_EMBREE, the major version. */
+#if CYLINT_EMBREE == 4
+
+#include <embree4/rtcore.h>
+
+typedef struct RTCRayQueryContext cylint_rtc_context;
+
+#define cylint_rtc_filter_hit(args, filter) \
+    rtcInvokeIntersectFilterFromGeometry(args, filter)
+#define cylint_rtc_filter_occluded(args, filter) \
+    rtcInvokeOccludedFilterFromGeometry(args, filter)
+
+#else
+
+#include <embree3/rtcore.h>
+
+typedef struct RTCIntersectContext cylint_rtc_context;
+
+#define cylint_rtc_filter_hit(args, filter) rtcFilterIntersection(args, filter)
+#define cylint_rtc_filter_occluded(args, filter) \
+    rtcFilterOcclusion(args, filter)
+
+#endif
+
+/* The ids of instances in hits and contexts: instID and, behind it, instPrimID if
+ * there are arrays of instances. */
+#ifdef RTC_GEOMETRY_INSTANCE_ARRAY
+enum { CYLINT_INSTANCE_BYTES = 2 * 4 * RTC_MAX_INSTANCE_LEVEL_COUNT };
+#else
+enum { CYLINT_INSTANCE_BYTES = 4 * RTC_MAX_INSTANCE_LEVEL_COUNT };
+#endif
+
+static inline const void *cylint_rtc_instance(const cylint_rtc_context *context)
+{
+    return (const char *)context + offsetof(cylint_rtc_context, instID);
+}
+
+#if RTC_VERSION_MAJOR != CYLINT_EMBREE
+#error "rtcore.h is of another major version of Embree than CYLINT_EMBREE"
+#endif
+
+/* ------------------------------------------------- geometries -- */
 
 /* An array of the caller's; `first`: the number of its first shape.  Of a merged
  * geometry, hits name its shapes by this geomID. */
@@ -21,8 +66,8 @@ typedef struct cylint_embree_array {
 } cylint_embree_array;
 
 /* Traces rays (bits) of a packet through a hierarchy that is not empty.  They go
- * into the same octant: their d have the same signs, of zeros too.  certain: of a ray
- * that certainly hits some shape only that is recorded. */
+ * into the same octant: their d have the same signs, of zeros too.  certain: of a
+ * ray that certainly hits some shape only that is recorded. */
 struct cylint_packet;
 typedef void cylint_packet_trace(struct cylint_packet *p, unsigned rays,
                                  int certain);
@@ -63,6 +108,8 @@ static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
     }
     return low;
 }
+
+/* ------------------------------------------------------- rays -- */
 
 /* cylint_float_ray has the layout of the first members of RTCRay. */
 static inline const cylint_float_ray *float_ray(const struct RTCRay *ray)

@@ -61,7 +61,8 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->q.tmin = from->tnear;
     r->q.near = HUGE_VAL;
     /* whether the caller or a filter reads u, v and Ng */
-    r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) && (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
+    r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) &&
+                     (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
     r->found = 0;
     return (direction > 0) & (all + direction < HUGE_VAL) &
            (from->tnear <= from->tfar);
@@ -156,7 +157,8 @@ static int find_present(const ray_test *r, size_t number, unsigned want,
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
-            (found < 0 || has_flag(r, CYLINT_EMBREE_BARE) || (float)at->z == r->hit->u))
+            (found < 0 || has_flag(r, CYLINT_EMBREE_BARE) ||
+             (float)at->z == r->hit->u))
             found = i;
     }
     return found;

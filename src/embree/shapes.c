@@ -24,10 +24,20 @@ static double radii_sign(const cylint_shape *s)
                : NAN;
 }
 
+/* Whether every number is 0 or at least 2^-149, the least float: so products of the
+ * filter do not underflow. */
+static int filter_serves(const cylint_record *x)
+{
+    int tiny = 0;
+    EACH(j, CYLINT_RECORD_NUMBERS)
+        tiny |= cylint_is_small((&x->p0[0])[j], 149);
+    return !tiny;
+}
+
 void cylint_filter_record_of(cylint_record *to, const cylint_shape *s)
 {
     cylint_set_record(to, s);
-    const double sign = cylint_filter_serves(to) ? radii_sign(s) : NAN;
+    const double sign = filter_serves(to) ? radii_sign(s) : NAN;
     to->r0 = cylint_has_tangent(s->kind) ? -to->r1 : to->r0;
     to->r0 *= sign;
     to->r1 *= sign;
@@ -50,8 +60,9 @@ int cylint_embree_set_record(const cylint_embree_shapes *s, size_t at,
     cylint_filter_record_of(&x, shape);
     if (!s->small)
         *to = x;
-    for (int j = 0; j < CYLINT_RECORD_NUMBERS && s->small; j++)
-        is &= is_float((&x.p0[0])[j], &small[j]);
+    else
+        EACH(j, CYLINT_RECORD_NUMBERS)
+            is &= is_float((&x.p0[0])[j], &small[j]);
     return is;
 }
 
@@ -60,8 +71,9 @@ int cylint_embree_set_record(const cylint_embree_shapes *s, size_t at,
 typedef struct {
     const cylint_view *from;
     const uint32_t *number;
+    size_t n;
+    const cylint_memory_source *source;
     cylint_embree_shapes *to;
-    uint8_t *tag;
 } copying;
 
 /* The tag of a shape that does not fit into a small record. */
@@ -81,26 +93,26 @@ static void copy_some(void *self, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         cylint_shape spare;
         const cylint_shape *shape = source_of(c, i, &spare);
-        c->tag[i] = (uint8_t)(cylint_constructor_kind(shape) +
-                              shape->ends * CYLINT_TAG_ENDS);
+        c->to->tag[i] = (uint8_t)(cylint_constructor_kind(shape) +
+                                  shape->ends * CYLINT_TAG_ENDS);
         if (!cylint_embree_set_record(c->to, i, shape)) {
-            c->tag[i] = TOO_LARGE;
+            c->to->tag[i] = TOO_LARGE;
             return;
         }
     }
 }
 
 /* Makes small records or, if a shape does not fit, large ones. */
-static int copy_records(copying *c, size_t n, int threads,
-                        const cylint_memory_source *source)
+static int copy_records(copying *c, int threads)
 {
+    const size_t n = c->n;
     cylint_embree_shapes *to = c->to;
     for (to->small = 1;; to->small = 0) {
         const size_t size = sizeof(cylint_record) / (to->small ? 2 : 1);
-        if (!cylint_memory_allocate(&to->memory, source, n * (size + 1)))
+        if (!cylint_memory_allocate(&to->memory, c->source, n * (size + 1)))
             return 0;
-        to->tag = c->tag = (uint8_t *)to->memory.data + n * size;
-        memset(c->tag, 0, n);
+        to->tag = (uint8_t *)to->memory.data + n * size;
+        memset(to->tag, 0, n);
         cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
         if (!to->small || !memchr(to->tag, TOO_LARGE, n))
             return 1;
@@ -108,21 +120,21 @@ static int copy_records(copying *c, size_t n, int threads,
     }
 }
 
-static int keep_whole(copying *c, size_t n, const cylint_memory_source *source)
+static int keep_whole(const copying *c)
 {
     cylint_embree_shapes *to = c->to;
     cylint_record *records = to->memory.data;
     cylint_shape *whole;
     size_t next = 0, n_whole = 0;
-    for (size_t i = 0; i < n && !to->small; i++)
+    for (size_t i = 0; i < c->n && !to->small; i++)
         n_whole += records[i].r0 != records[i].r0;
     if (n_whole == 0)
         return 1;
-    if (!cylint_memory_allocate(&to->whole_memory, source,
+    if (!cylint_memory_allocate(&to->whole_memory, c->source,
                                 n_whole * sizeof *whole))
         return 0;
     to->whole = whole = to->whole_memory.data;
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < c->n; i++)
         if (records[i].r0 != records[i].r0) {
             records[i].p0[0] = (double)next;
             const cylint_shape *shape = source_of(c, i, &whole[next]);
@@ -137,8 +149,8 @@ int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source)
 {
-    copying c = {.from = from, .number = number, .to = to};
-    return copy_records(&c, n, threads, source) && keep_whole(&c, n, source);
+    copying c = {from, number, n, source, to};
+    return copy_records(&c, threads) && keep_whole(&c);
 }
 
 void cylint_embree_shapes_free(cylint_embree_shapes *s)
@@ -216,7 +228,7 @@ void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
     cylint_embree_record(&s[1], at, &y);
     const int stays = cylint_record_is_point(to) && cylint_record_is_point(&y);
     interpolate(to, &y, CYLINT_RECORD_NUMBERS, time);
-    if (!cylint_filter_serves(to) || (cylint_record_is_point(to) && !stays))
+    if (!filter_serves(to) || (cylint_record_is_point(to) && !stays))
         to->r0 = NAN;
 }
 

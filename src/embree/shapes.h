@@ -20,7 +20,7 @@ typedef struct cylint_embree_shapes {
     cylint_memory memory; /* the records, then `tag` */
     cylint_memory whole_memory;
     int small; /* the numbers of records are floats, none of them subnormal */
-    const uint8_t *tag;        /* with the kind of the constructor */
+    uint8_t *tag;              /* with the kind of the constructor */
     const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
 
@@ -64,8 +64,8 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s);
 
 /* ------------------------------------- the shapes of times 0 and 1 -- */
 
-/* Makes the shape at a time by its constructor.  Without shapes of time 1 it does not
- * move. */
+/* Makes the shape at a time by its constructor.  Without shapes of time 1 it does
+ * not move. */
 void cylint_embree_shape(const cylint_embree_shapes s[2], size_t at,
                          double time, cylint_shape *shape);
 

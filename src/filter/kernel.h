@@ -47,11 +47,6 @@ INLINE signs reversed(signs x)
     return (signs){x.negative, x.positive};
 }
 
-INLINE signs signs_of_end(const end_signs *x, int i)
-{
-    return (signs){m_of_end(x->positive, i), m_of_end(x->negative, i)};
-}
-
 /* ------------------------------------------------------------- forms ---- */
 
 /* The values of the forms of a line; of a sphere G, A, B are those of the ball. */

@@ -11,7 +11,7 @@
 #define CYLINT_ONE cylint_one_plain
 #endif
 #ifndef CYLINT_SIGN_AT_ORIGIN
-#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
+#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin_plain
 #endif
 #include "../numbers/simd.h"
 #include "filter.h"

@@ -148,86 +148,49 @@ static inline vm m_from(unsigned bits)
 #define V_HAS_FMA 0
 #endif
 
-#elif defined(__aarch64__)
+#elif defined(__aarch64__) || (defined(CYLINT_NARROW) && defined(__GNUC__))
 
-#include <arm_neon.h>
+/* By GNU's vectors, also for processors without intrinsics here. */
 #define LANES 2
+#ifdef __aarch64__
+#include <arm_neon.h>
 typedef float64x2_t vd;
-typedef uint64x2_t vm;
+typedef int64x2_t vm;
 static inline vd v_set(double x) { return vdupq_n_f64(x); }
-static inline vd v_load(const double *x) { return vld1q_f64(x); }
-static inline void v_store(double *x, vd v) { vst1q_f64(x, v); }
 static inline vd v_abs(vd x) { return vabsq_f64(x); }
-static inline vd v_max(vd x, vd y) { return vbslq_f64(vcgtq_f64(x, y), x, y); }
 static inline vd v_sqrt(vd x) { return vsqrtq_f64(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return vfmaq_f64(z, x, y); }
 static inline vd v_float(vd x) { return vcvt_f64_f32(vcvt_f32_f64(x)); }
-static inline vd v_like(vd x, vd y)
-{
-    return vbslq_f64(vdupq_n_u64((uint64_t)1 << 63), y, x);
-}
-static inline vm v_lt(vd x, vd y) { return vcltq_f64(x, y); }
-static inline vm v_le(vd x, vd y) { return vcleq_f64(x, y); }
-static inline vm v_eq(vd x, vd y) { return vceqq_f64(x, y); }
-static inline vd v_select(vm m, vd x, vd y) { return vbslq_f64(m, x, y); }
-static inline vd v_two(double x, double y)
-{
-    return vsetq_lane_f64(y, vdupq_n_f64(x), 1);
-}
-static inline vd v_firsts(vd x, vd y) { return vzip1q_f64(x, y); }
-static inline vd v_seconds(vd x, vd y) { return vzip2q_f64(x, y); }
-static inline vd v_turned(vd x) { return vextq_f64(x, x, 1); }
-static inline double v_first(vd x) { return vgetq_lane_f64(x, 0); }
-static inline vm m_not(vm m)
-{
-    return veorq_u64(m, vdupq_n_u64(~(uint64_t)0));
-}
-static inline vm m_and(vm a, vm b) { return vandq_u64(a, b); }
-static inline vm m_or(vm a, vm b) { return vorrq_u64(a, b); }
-static inline vm m_and_not(vm a, vm b) { return vbicq_u64(a, b); }
-static inline vm m_if(vm m, vm a, vm b) { return vbslq_u64(m, a, b); }
-static inline vm m_turned(vm m) { return vextq_u64(m, m, 1); }
-static inline vm m_firsts(vm m) { return vzip1q_u64(m, m); }
-static inline vm m_seconds(vm m) { return vzip2q_u64(m, m); }
-static inline unsigned m_bits(vm m)
-{
-    return (unsigned)(vgetq_lane_u64(m, 0) & 1) |
-           (unsigned)(vgetq_lane_u64(m, 1) & 2);
-}
-static inline vm m_from(unsigned bits)
-{
-    return vsetq_lane_u64(-(uint64_t)(bits >> 1 & 1),
-                          vdupq_n_u64(-(uint64_t)(bits & 1)), 1);
-}
 #define V_HAS_FMA 1
-
-#elif defined(CYLINT_NARROW) && defined(__GNUC__)
-
-/* Two lanes by GNU's vectors, for processors without intrinsics here. */
-#define LANES 2
+#else
 typedef double vd __attribute__((vector_size(16)));
 typedef int64_t vm __attribute__((vector_size(16)));
 static inline vd v_set(double x) { return (vd){x, x}; }
-static inline vd v_load(const double *x) { return (vd){x[0], x[1]}; }
-static inline void v_store(double *x, vd v)
-{
-    x[0] = v[0];
-    x[1] = v[1];
-}
 static inline vd v_abs(vd x) { return (vd){fabs(x[0]), fabs(x[1])}; }
 static inline vd v_sqrt(vd x) { return (vd){sqrt(x[0]), sqrt(x[1])}; }
-static inline vd v_like(vd x, vd y)
+#define V_HAS_FMA 0
+#endif
+static inline vd v_load(const double *x)
 {
-    return (vd){copysign(x[0], y[0]), copysign(x[1], y[1])};
+    vd v;
+    memcpy(&v, x, sizeof v);
+    return v;
 }
-static inline vm v_lt(vd x, vd y) { return x < y; }
-static inline vm v_le(vd x, vd y) { return x <= y; }
-static inline vm v_eq(vd x, vd y) { return x == y; }
+static inline void v_store(double *x, vd v) { memcpy(x, &v, sizeof v); }
+static inline vm v_lt(vd x, vd y) { return (vm)(x < y); }
+static inline vm v_le(vd x, vd y) { return (vm)(x <= y); }
+static inline vm v_eq(vd x, vd y) { return (vm)(x == y); }
+static inline vm m_if(vm m, vm a, vm b) { return (m & a) | (~m & b); }
 static inline vd v_select(vm m, vd x, vd y)
 {
-    return (vd)((m & (vm)x) | (~m & (vm)y));
+    return (vd)m_if(m, (vm)x, (vm)y);
 }
-static inline vd v_max(vd x, vd y) { return v_select(x > y, x, y); }
+static inline vd v_max(vd x, vd y) { return v_select(v_lt(y, x), x, y); }
+static inline vd v_like(vd x, vd y)
+{
+    const vm sign = {INT64_MIN, INT64_MIN};
+    return v_select(sign, y, x);
+}
 static inline vd v_two(double x, double y) { return (vd){x, y}; }
 static inline vd v_firsts(vd x, vd y) { return (vd){x[0], y[0]}; }
 static inline vd v_seconds(vd x, vd y) { return (vd){x[1], y[1]}; }
@@ -237,7 +200,6 @@ static inline vm m_not(vm m) { return ~m; }
 static inline vm m_and(vm a, vm b) { return a & b; }
 static inline vm m_or(vm a, vm b) { return a | b; }
 static inline vm m_and_not(vm a, vm b) { return a & ~b; }
-static inline vm m_if(vm m, vm a, vm b) { return (m & a) | (~m & b); }
 static inline vm m_turned(vm m) { return (vm){m[1], m[0]}; }
 static inline vm m_firsts(vm m) { return (vm){m[0], m[0]}; }
 static inline vm m_seconds(vm m) { return (vm){m[1], m[1]}; }
@@ -249,7 +211,6 @@ static inline vm m_from(unsigned bits)
 {
     return (vm){-(int64_t)(bits & 1), -(int64_t)(bits >> 1 & 1)};
 }
-#define V_HAS_FMA 0
 
 #else
 
@@ -494,7 +455,6 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
  * vq: a vector for the first and one for the second numbers.  Narrow, with
  * AVX2, one register of four lanes, which can also be (x, y, z, any).
  * q_sum_of(): x y + z, rounded once or twice.  q_product_error(): of p = x y.
- * q_sum3() adds the first three numbers, q_sums3() those of x and those of y.
  */
 #if defined(CYLINT_NARROW) && defined(__AVX2__) && defined(__FMA__)
 typedef __m256d vq;
@@ -527,11 +487,6 @@ static inline vq q_spread(vd x) /* (x[0], x[0], x[1], x[1]) */
 static inline vq q_firsts(vq x) { return _mm256_permute4x64_pd(x, 0x00); }
 static inline vq q_seconds(vq x) { return _mm256_permute4x64_pd(x, 0x55); }
 static inline vq q_thirds(vq x) { return _mm256_permute4x64_pd(x, 0xAA); }
-static inline vd q_sums3(vq x, vq y)
-{
-    const vq even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
-    return (q_low(even) + q_low(odd)) + q_high(even);
-}
 #else
 typedef struct {
     vd low, high;
@@ -593,20 +548,7 @@ static inline vq q_spread(vd x)
 static inline vq q_firsts(vq x) { return q_spread(v_firsts(x.low, x.low)); }
 static inline vq q_seconds(vq x) { return q_spread(v_seconds(x.low, x.low)); }
 static inline vq q_thirds(vq x) { return q_spread(v_firsts(x.high, x.high)); }
-static inline vd q_sums3(vq x, vq y)
-{
-    return (v_firsts(x.low, y.low) + v_seconds(x.low, y.low)) +
-           v_firsts(x.high, y.high);
-}
 #endif
-#endif
-
-#if defined(CYLINT_NARROW) && LANES == 2
-static inline double q_sum3(vq x) /* the fourth is 0 */
-{
-    const vd sum = q_low(x) + q_high(x);
-    return v_first(sum + v_turned(sum));
-}
 #endif
 
 typedef struct {

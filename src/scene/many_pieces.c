@@ -234,6 +234,12 @@ static double sum_of_lengths(const labelled_piece *p, size_t n)
     return cylint_sum_rounded(&sum);
 }
 
+/* Of two numbers above 0.  The thread may read the lesser one as 0. */
+static double product(double x, double y)
+{
+    return x > DBL_MAX || y > DBL_MAX ? HUGE_VAL : x * y;
+}
+
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
                     const piece_block *b)
 {
@@ -248,7 +254,7 @@ static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
         for (m = 1; j + m < n && p[j + m].label == p[j].label;)
             m++;
         const double sum = sum_of_lengths(p + j, m);
-        to[p[j].label] = q->in_units ? sum * cylint_line_length(line) : sum;
+        to[p[j].label] = q->in_units ? product(sum, cylint_line_length(line)) : sum;
     }
     free(p);
     return 1;

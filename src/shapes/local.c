@@ -23,7 +23,7 @@
 #include "upright_template.h"
 
 #ifndef CYLINT_MEASURE_LOCAL
-#define CYLINT_MEASURE_LOCAL cylint_measure_local
+#define CYLINT_MEASURE_LOCAL cylint_measure_local_plain
 #endif
 
 /* x cross y. */

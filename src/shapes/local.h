@@ -46,7 +46,7 @@ static inline int cylint_is_long_enough(const double x[3])
 /* Writes the local coordinates (layout.h) and whether they are accurate.  Where
  * they are not, they mean nothing, but the height of a round shape is 0.  _fma: for
  * processors with AVX2 and a fused multiply-add. */
-void cylint_measure_local(cylint_shape *shape);
+void cylint_measure_local_plain(cylint_shape *shape);
 void cylint_measure_local_fma(cylint_shape *shape);
 
 #endif

@@ -246,12 +246,6 @@ CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
     return cylint_surface(s) == CYLINT_PART_CAP1;
 }
 
-/* The end of the members of a shape that lies at z = `end`. */
-CYLINT_INLINE int cylint_end_at(const cylint_shape *s, int end)
-{
-    return cylint_is_reversed(s) ? !end : end;
-}
-
 /* The kind whose constructor makes this shape and all shapes between it and
  * others of that kind. */
 CYLINT_INLINE int cylint_constructor_kind(const cylint_shape *s)

@@ -36,9 +36,7 @@ static double nearest_double(pair x, int e)
 {
     cylint_arena arena;
     cylint_arena_open(&arena);
-    const exact hi = cylint_exact_from(&arena, x.hi);
-    const exact lo = cylint_exact_from(&arena, x.lo);
-    return cylint_exact_nearest(cylint_exact_add(&arena, hi, lo), e);
+    return cylint_nearest_of_pair(&arena, x, e);
 }
 
 double cylint_tangent(double degrees)

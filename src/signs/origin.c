@@ -9,7 +9,7 @@
 #include "sign.h"
 
 #ifndef CYLINT_SIGN_AT_ORIGIN
-#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
+#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin_plain
 #endif
 
 #define INLINE static inline

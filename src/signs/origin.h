@@ -11,8 +11,8 @@ enum { CYLINT_LATERAL_SURFACE = -1 };
 
 /* The sign of z from the plane of cap 0 or 1, or of the lateral quadric, which is
  * negative within. */
-int cylint_sign_at_origin(const cylint_shape *shape, const cylint_line *line,
-                          int surface);
+int cylint_sign_at_origin_plain(const cylint_shape *shape,
+                                const cylint_line *line, int surface);
 int cylint_sign_at_origin_fma(const cylint_shape *shape,
                               const cylint_line *line, int surface);
 

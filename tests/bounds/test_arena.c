@@ -13,21 +13,15 @@
  * as the position of its first limb, and positions add.
  */
 #include "check.h"
+#include "draw.h"
 #include "distance/exact_distance.h"
 #include "families.h"
-#include "random.h"
 #include "roots/roots.h"
 #include "shapes/layout.h"
 
 /* The limbs of doubles (exact.c): 2^-1074 is in limb -34, 2^1023 in limb 31,
  * and cylint_exact_from() uses one more. */
 enum { LOWEST = -34, LEAF = 67 };
-
-static uint64_t below(uint64_t n)
-{
-    static uint64_t stream = 1;
-    return random_below(&stream, n);
-}
 
 static int highest_degree;
 

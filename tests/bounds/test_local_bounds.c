@@ -185,17 +185,39 @@ static void judge(constant *c, const char *of)
     judge_in(c, of, in_pairs ? "pairs" : "doubles");
 }
 
-typedef void cell(double r, double more_r, double s, double more_s);
+/* Radii from r to more_r and slopes from s to more_s, and the line of these. */
+typedef struct {
+    double r, more_r, s, more_s;
+    line_bounds l;
+} cell;
 
-/* Calls `at` for all cells of radius and slope. */
-static void over_cells(cell *at)
+typedef void bound_of_cell(cell *c);
+
+static void at_cell(bound_of_cell *of, double r, double more_r, double s,
+                    double more_s)
 {
-    for (int i = 0; i < 40; i++) {
-        const double r = i / 40.0, more_r = (i + 1) / 40.0;
-        at(r, more_r, 0, FIRST_SLOPE);
-        for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
-            at(r, more_r, s, s * SLOPE_STEP);
-    }
+    cell c = {.r = r, .more_r = more_r, .s = s, .more_s = more_s};
+    load(&c.l, more_r, more_s);
+    of(&c);
+}
+
+static void over_slopes(bound_of_cell *of, double r, double more_r, double step)
+{
+    at_cell(of, r, more_r, 0, FIRST_SLOPE);
+    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= step)
+        at_cell(of, r, more_r, s, s * step);
+}
+
+static void over_cells(bound_of_cell *of)
+{
+    for (int i = 0; i < 40; i++)
+        over_slopes(of, i / 40.0, (i + 1) / 40.0, SLOPE_STEP);
+}
+
+/* All slopes with the greatest radius. */
+static void over_cones(bound_of_cell *of)
+{
+    over_slopes(of, 0, 1, 1.1);
 }
 
 /* In doubles where the matrix has no low parts: the roundings of which
@@ -239,55 +261,39 @@ static void in_each_arithmetic(void (*test)(void))
 
 /* ------------------------------------------------------------ forms ----- */
 
-static void position_cell(double r, double more_r, double s, double more_s)
+static void position_cell(cell *c)
 {
-    line_bounds l;
-    (void)r;
-    (void)s;
-    load(&l, more_r, more_s);
-    need(l.p[0].off, u);
+    need(c->l.p[0].off, u);
     need(top_z.off, u);
-    need(l.w.off, u); /* the slope of a cap's residual, with D for Q */
+    need(c->l.w.off, u); /* the slope of a cap'c->s residual, with D for Q */
     /* is_ahead(): z w against 2 POSITION u Q D */
-    need(product(top_z, l.w).off, 2 * u);
+    need(product(top_z, c->l.w).off, 2 * u);
 }
 
-static void a_cell(double r, double more_r, double s, double more_s)
+static void a_cell(cell *c)
 {
-    line_bounds l;
-    load(&l, more_r, more_s);
-    (void)r;
-    const number A = A_bounds(&l, 1);
+    const number A = A_bounds(&c->l, 1);
     /* The estimate of a root rounds A t three times, and A itself. */
-    need(A.off + (in_pairs ? 0 : 4 * 0x1p-53 * A.size), u * square(1 + s));
+    need(A.off + (in_pairs ? 0 : 4 * 0x1p-53 * A.size), u * square(1 + c->s));
 }
 
-static void b_cell(double r, double more_r, double s, double more_s)
+static void b_cell(cell *c)
 {
-    line_bounds l;
-    load(&l, more_r, more_s);
-    (void)r;
-    l.r = at_most(l.r, 1);
-    need(B_bounds(&l, 1).off, u * square(1 + s));
+    c->l.r = at_most(c->l.r, 1);
+    need(B_bounds(&c->l, 1).off, u * square(1 + c->s));
 }
 
-static void n_cell(double r, double more_r, double s, double more_s)
+static void n_cell(cell *c)
 {
-    line_bounds l;
-    load(&l, more_r, more_s);
-    (void)r;
-    need(N_bounds(&l, top_z, top_r, 1).off, u * (1 + s));
+    need(N_bounds(&c->l, top_z, top_r, 1).off, u * (1 + c->s));
 }
 
 /* T, of which |v| |Y| may be as large as k. */
-static void t_cell(double r, double more_r, double s, double more_s)
+static void t_cell(cell *c)
 {
-    line_bounds l;
-    load(&l, more_r, more_s);
-    (void)r;
     number Y[2];
-    set_Y_bounds(&l, Y);
-    need(T_bounds(&l, Y).off, u * (1 + s));
+    set_Y_bounds(&c->l, Y);
+    need(T_bounds(&c->l, Y).off, u * (1 + c->s));
 }
 
 /*
@@ -298,34 +304,27 @@ static void t_cell(double r, double more_r, double s, double more_s)
  * greatest if both components are equal.  G of a straight shape: a = r |v|,
  * b = |p x v|.
  */
-static void e_cell(double r, double more_r, double s, double more_s)
+static void e_cell(cell *c)
 {
-    line_bounds l;
-    (void)s;
-    (void)more_s;
-    load(&l, more_r, 0);
-    cap = more_r / sqrt(2);
-    need(E_bounds(&l, top_z, top_r).off, u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = c->more_r / sqrt(2);
+    need(E_bounds(&c->l, top_z, top_r).off,
+         u * (c->r + CYLINT_LOCAL_SECOND * u));
     cap = HUGE_VAL;
 }
 
-static void straight_g_cell(double r, double more_r, double s, double more_s)
+static void straight_g_cell(cell *c)
 {
-    line_bounds l;
-    (void)s;
-    (void)more_s;
-    load(&l, more_r, 0);
-    cap = more_r * sqrt(2);
-    need(G_bounds(&l, 0, NULL).off, u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = c->more_r * sqrt(2);
+    need(G_bounds(&c->l, 0, NULL).off, u * (c->r + CYLINT_LOCAL_SECOND * u));
     cap = HUGE_VAL;
 }
 
 /* The same for r near 0, where the second term decides. */
-static void over_radii(cell *at)
+static void over_radii(bound_of_cell *of)
 {
-    at(0, u / 16, 0, 0);
+    at_cell(of, 0, u / 16, 0, 0);
     for (double r = u / 16; r < 1; r *= SLOPE_STEP)
-        at(r, fmin(r * SLOPE_STEP, 1), 0, 0);
+        at_cell(of, r, fmin(r * SLOPE_STEP, 1), 0, 0);
 }
 
 /*
@@ -333,15 +332,12 @@ static void over_radii(cell *at)
  * 2 off (|Y| + off), off = FORM / 2 u k Q D, where |Y|, the sum of the computed
  * components, is at least y less the error.
  */
-static void tapered_g_cell(double r, double more_r, double s, double more_s)
+static void tapered_g_cell(cell *c)
 {
-    line_bounds l;
-    load(&l, more_r, more_s);
-    (void)r;
     number Y[2];
-    set_Y_bounds(&l, Y);
-    const double k = 1 + s, off = CYLINT_LOCAL_FORM / 2 * u * k;
-    const double most = 2 * sqrt(2) * (1 + more_s);
+    set_Y_bounds(&c->l, Y);
+    const double k = 1 + c->s, off = CYLINT_LOCAL_FORM / 2 * u * k;
+    const double most = 2 * sqrt(2) * (1 + c->more_s);
     const double lost = sqrt(2) * fmax(Y[0].off, Y[1].off);
     const double cells[] = {0, u * k / 64};
     double y = cells[0], more_y = cells[1];
@@ -353,7 +349,7 @@ static void tapered_g_cell(double r, double more_r, double s, double more_s)
         if (in_pairs)
             for (int i = 0; i < 2; i++)
                 there[i].lo = 0x1p-53 * (more_y + there[i].off);
-        need(G_bounds(&l, 1, there).off,
+        need(G_bounds(&c->l, 1, there).off,
              2 * off * (fmax(y - lost, 0) + off) / CYLINT_LOCAL_FORM);
         y = more_y;
         more_y *= SLOPE_STEP;
@@ -363,44 +359,36 @@ static void tapered_g_cell(double r, double more_r, double s, double more_s)
 
 static void forms(void)
 {
-    over_cells(position_cell);
-    judge(&POSITION, "");
-    over_cells(a_cell);
-    judge(&A, "");
-    over_cells(b_cell);
-    judge(&FORM_ERROR, "of B");
-    over_cells(n_cell);
-    judge(&FORM_ERROR, "of N");
-    over_cells(t_cell);
-    judge(&FORM_ERROR, "of T");
-    over_radii(e_cell);
-    judge(&FORM_ERROR, "of E");
-    over_radii(straight_g_cell);
-    judge(&FORM_ERROR, "of G, straight");
+    static const struct {
+        void (*over)(bound_of_cell *);
+        bound_of_cell *of;
+        constant *constant;
+        const char *name;
+    } all[] = {{over_cells, position_cell, &POSITION, ""},
+               {over_cells, a_cell, &A, ""},
+               {over_cells, b_cell, &FORM_ERROR, "of B"},
+               {over_cells, n_cell, &FORM_ERROR, "of N"},
+               {over_cells, t_cell, &FORM_ERROR, "of T"},
+               {over_radii, e_cell, &FORM_ERROR, "of E"},
+               {over_radii, straight_g_cell, &FORM_ERROR, "of G, straight"},
+               {over_cones, tapered_g_cell, &FORM_ERROR, "of G, tapered"}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        all[i].over(all[i].of);
+        judge(all[i].constant, all[i].name);
+    }
+}
+
+/* Of straight and of rounded cones. */
+static void of_both(void (*in)(void (*)(void)), void (*test)(void))
+{
+    for (is_round = 1; is_round >= 0; is_round--)
+        in(test);
+    is_round = 0;
 }
 
 TEST(the_constants_cover_the_errors_of_the_forms)
 {
-    in_each_arithmetic(forms);
-    is_round = 1;
-    in_each_arithmetic(forms);
-    is_round = 0;
-}
-
-static void tapered(void)
-{
-    tapered_g_cell(0, 1, 0, FIRST_SLOPE);
-    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= 1.1)
-        tapered_g_cell(0, 1, s, s * 1.1);
-    judge(&FORM_ERROR, "of G, tapered");
-}
-
-TEST(the_bound_of_a_cone_covers_the_error_of_its_G)
-{
-    in_each_arithmetic(tapered);
-    is_round = 1;
-    in_each_arithmetic(tapered);
-    is_round = 0;
+    of_both(in_each_arithmetic, forms);
 }
 
 /*
@@ -408,16 +396,12 @@ TEST(the_bound_of_a_cone_covers_the_error_of_its_G)
  * |d| is at most sqrt(3) D.  If m and both components of X have the same error,
  * that of g is greatest if all three are equal, and then they are r D at most.
  */
-static void ball_g_cell(double r, double more_r, double s, double more_s)
+static void ball_g_cell(cell *c)
 {
-    line_bounds l;
-    (void)s;
-    (void)more_s;
-    load(&l, more_r, 0);
-    cap = more_r;
-    least_off = fmax(moment_bounds(&l).off, X_bounds(&l, top_z, 0).off);
-    need(ball_g_bounds(&l, top_z, top_r).off,
-         u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = c->more_r;
+    least_off = fmax(moment_bounds(&c->l).off, X_bounds(&c->l, top_z, 0).off);
+    need(ball_g_bounds(&c->l, top_z, top_r).off,
+         u * (c->r + CYLINT_LOCAL_SECOND * u));
     cap = HUGE_VAL;
     least_off = 0;
 }
@@ -457,40 +441,31 @@ static number at_t(number p, number v)
     return at_most(most, 1);
 }
 
-static void point_cell(double r, double more_r, double s, double more_s)
+static void point_cell(cell *c)
 {
-    line_bounds l;
-    (void)r;
-    load(&l, more_r, more_s);
-    need(at_t(l.p[0], l.v[0]).off, u);
-    need(at_t(top_z, l.w).off, u);
-    const number z = at_t(l.z, l.w);
-    need(sum(product(l.slope, z), l.r).off, u * (1 + s));
+    need(at_t(c->l.p[0], c->l.v[0]).off, u);
+    need(at_t(top_z, c->l.w).off, u);
+    const number z = at_t(c->l.z, c->l.w);
+    need(sum(product(c->l.slope, z), c->l.r).off, u * (1 + c->s));
 }
 
 /* The side of the vertex: A t + B against 2 FORM. */
-static void vertex_cell(double r, double more_r, double s, double more_s)
+static void vertex_cell(cell *c)
 {
-    line_bounds l;
-    (void)r;
-    load(&l, more_r, more_s);
-    need(sum(product(known(1), A_bounds(&l, 1)), B_bounds(&l, 1)).off,
-         2 * u * square(1 + s));
+    need(sum(product(known(1), A_bounds(&c->l, 1)), B_bounds(&c->l, 1)).off,
+         2 * u * square(1 + c->s));
 }
 
 /* C = |p|^2 - rho^2 against 4 eP (widest + eP), eP = POSITION u k, for
  * |p| = |rho| <= widest. */
-static void point_C_cell(double r, double more_r, double s, double more_s)
+static void point_C_cell(cell *c)
 {
-    line_bounds l;
-    (void)r;
-    load(&l, more_r, more_s);
-    const number p = at_t(l.p[0], l.v[0]);
-    const number z = at_t(l.z, l.w);
-    const number rho = sum(product(l.slope, z), l.r);
-    const double eP = u * (1 + s);
+    const number p = at_t(c->l.p[0], c->l.v[0]);
+    const number z = at_t(c->l.z, c->l.w);
+    const number rho = sum(product(c->l.slope, z), c->l.r);
+    const double eP = u * (1 + c->s);
     double least = 0, most = u / 16;
-    while (least < 1 + more_s) {
+    while (least < 1 + c->more_s) {
         const number x = at_most(p, most / sqrt(2)), y = at_most(rho, most);
         const number C = sum(product(y, y), sum(product(x, x), product(x, x)));
         need(C.off, 4 * eP * (least + CYLINT_LOCAL_POSITION * eP));
@@ -524,18 +499,11 @@ static void ball_at_t(void)
     judge(&FORM_ERROR, "of A t + B");
 }
 
-static void point_C_cells(void)
-{
-    point_C_cell(0, 1, 0, FIRST_SLOPE);
-    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
-        point_C_cell(0, 1, s, s * SLOPE_STEP);
-}
-
 static void at_points(void)
 {
     over_cells(point_cell);
     judge(&POSITION, is_round ? "at t, round" : "at t");
-    point_C_cells();
+    over_cones(point_C_cell);
     judge(&POSITION, is_round ? "of C, round" : "of C at t");
     if (is_round)
         return;
@@ -546,10 +514,7 @@ static void at_points(void)
 TEST(the_signs_at_a_point_have_their_bounds)
 {
     in_doubles(ball_at_t);
-    in_doubles(at_points);
-    is_round = 1;
-    in_doubles(at_points);
-    is_round = 0;
+    of_both(in_doubles, at_points);
 }
 
 /* ----------------------------------------------------------- residuals -- */
@@ -581,28 +546,27 @@ static double square_off(number x, number rho)
     return xx.off + square.off + 0x1p-53 * 8 * low;
 }
 
-static void residual_cell(double r, double more_r, double s, double more_s)
+static void residual_cell(cell *c)
 {
     const number p = row_times(given(1, 0)), x = at_t(p, p);
     const number top = sum(p, relative(1)), z = at_t(top, p);
-    const number slope = is_round ? of_angle(more_s) : relative(more_s);
+    const number slope = is_round ? of_angle(c->more_s) : relative(c->more_s);
     const number circle =
-        is_round ? at_most(product(of_angle(1), known(more_r)), more_r)
-                 : known(more_r);
+        is_round ? at_most(product(of_angle(1), known(c->more_r)), c->more_r)
+                 : known(c->more_r);
     const number plane = is_round ? at_most(sum(p, circle), 1) : p;
     const number rho =
         at_t(sum(circle, product(slope, plane)), product(slope, p));
     const number none = {0, x.lo, x.off}, no_rho = {0, rho.lo, rho.off};
     double least = 0, most = u;
-    (void)r;
-    while (least < 2 + more_s) {
-        const double off = CYLINT_LOCAL_RESIDUAL * u * (1 + s);
-        const double unit =
-            u * (1 + s) * (CYLINT_LOCAL_UNTRIMMED * (1 + s) + least + off);
+    while (least < 2 + c->more_s) {
+        const double off = CYLINT_LOCAL_RESIDUAL * u * (1 + c->s);
+        const double unit = u * (1 + c->s) *
+                            (CYLINT_LOCAL_UNTRIMMED * (1 + c->s) + least + off);
         need(square_off(at_most(x, most), no_rho), unit);
         need(square_off(none, at_most(rho, most)), unit);
         need(square_off(at_most(x, most), known(2 * most)), unit);
-        if (s == 0) /* a ball */
+        if (c->s == 0) /* a ball */
             need(square_off(at_most(z, most), known(2 * most)), unit);
         least = most;
         most *= 1.1;
@@ -613,7 +577,7 @@ static void residual_cell(double r, double more_r, double s, double more_s)
         const number height = at_t(at_most(sum(top, circle), 1), p);
         need(height.off + 0x1p-53 * height.lo, u);
     }
-    need(rho.off + 0x1p-53 * rho.lo, u * (1 + s));
+    need(rho.off + 0x1p-53 * rho.lo, u * (1 + c->s));
 }
 
 static void residuals(void)
@@ -626,10 +590,7 @@ static void residuals(void)
 
 TEST(a_residual_in_pairs_has_its_bound)
 {
-    in_each_arithmetic(residuals);
-    is_round = 1;
-    in_each_arithmetic(residuals);
-    is_round = 0;
+    of_both(in_each_arithmetic, residuals);
 }
 
 TEST(no_constant_is_four_times_too_large)

@@ -227,37 +227,34 @@ unchanged() { # WHAT
     [ "$(ls kept)" = old ] || wrong="$wrong $1: $(echo $(ls kept));"
 }
 
+fails() { # FAULTS STATUS MESSAGE COMMAND...: it stops so, and no file changes
+    faults=$1 expected=$2 message=$3
+    shift 3
+    CYLINT_FAULTS="$faults leaks=1" "$@" 2>err
+    stopped $? $expected "$message" "$faults: $*"
+    unchanged "$faults: $*"
+}
+
 mkdir kept
 echo old >kept/old
 for j in $WORKERS; do
     for name in old new; do
         for fault in write=0 write=100000 fsync=1 rename=1; do
-            CYLINT_FAULTS="$fault leaks=1" answer "$faulty" pairs -j $j \
-                -o kept/$name <pairs 2>err
-            stopped $? 3 "kept/$name: No space left on device" "$fault $name -j $j"
-            unchanged "$fault $name -j $j"
+            fails $fault 3 "kept/$name: No space left on device" \
+                answer "$faulty" pairs -j $j -o kept/$name <pairs
         done
-        CYLINT_FAULTS='read=100000' answer "$faulty" pairs -j $j -o kept/$name <pairs 2>err
-        stopped $? 3 'stdin: Input/output error' "read $name -j $j"
-        unchanged "read $name -j $j"
-        CYLINT_FAULTS='alloc=1' answer "$faulty" pairs -j $j -o kept/$name <pairs 2>err
-        stopped $? 4 'out of memory' "alloc $name -j $j"
-        unchanged "alloc $name -j $j"
+        for fault in write=0 write=10000 fsync=1 rename=1; do
+            fails $fault 3 "kept/$name: No space left on device" \
+                "$faulty" -j $j --save kept/$name -s shapes
+        done
+        fails read=100000 3 'stdin: Input/output error' \
+            answer "$faulty" pairs -j $j -o kept/$name <pairs
+        fails alloc=1 4 'out of memory' answer "$faulty" pairs -j $j -o kept/$name <pairs
     done
     # The first close is that of the old file.
-    CYLINT_FAULTS='close=2' answer "$faulty" pairs -j $j -o kept/old <few 2>err
-    stopped $? 3 'kept/old: Input/output error' "close -j $j"
-    unchanged "close -j $j"
-    CYLINT_FAULTS='write=4000' answer "$faulty" binary -j $j --npy -o kept/old <doubles 2>err
-    stopped $? 3 'kept/old: No space left on device' "npy -j $j"
-    unchanged "npy -j $j"
-    for name in old new; do
-        for fault in write=0 write=10000 fsync=1 rename=1; do
-            CYLINT_FAULTS="$fault leaks=1" "$faulty" -j $j --save kept/$name -s shapes 2>err
-            stopped $? 3 "kept/$name: No space left on device" "$fault --save $name -j $j"
-            unchanged "$fault --save $name -j $j"
-        done
-    done
+    fails close=2 3 'kept/old: Input/output error' answer "$faulty" pairs -j $j -o kept/old <few
+    fails write=4000 3 'kept/old: No space left on device' \
+        answer "$faulty" binary -j $j --npy -o kept/old <doubles
     n=1
     while [ $n -lt 300 ] &&
         ! CYLINT_FAULTS="alloc=$n leaks=1" "$faulty" -j $j --save kept/new -s shapes 2>err; do

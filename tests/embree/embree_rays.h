@@ -11,7 +11,7 @@
 
 #include "cylint.h"
 #include "cylint_embree.h"
-#include "embree/api.h"
+#include "embree/geometry.h"
 
 enum ray_member {
     RAY_ORG = 0, /* x, y, z */

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "random.h"
+#include "draw.h"
 #include "real.h"
 
 #undef __FMA__
@@ -46,12 +46,6 @@
 #undef pair_sqrt
 
 enum { CASES = 60000, BITS = 1200 };
-
-static uint64_t below(uint64_t n)
-{
-    static uint64_t stream = 1;
-    return random_below(&stream, n);
-}
 
 /* A double in [1, 2) with a random mantissa, a sparse one, or one at an end. */
 static double mantissa(void)

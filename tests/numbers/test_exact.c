@@ -6,9 +6,9 @@
 #include <math.h>
 
 #include "check.h"
+#include "draw.h"
 #include "environment.h"
 #include "numbers/exact_sum.h"
-#include "random.h"
 #include "real.h"
 #include "roots/roots.h"
 
@@ -17,12 +17,6 @@ enum { BITS = 4400 }; /* sums and products of two sums have no error */
 static int cases(void)
 {
     return (int)check_setting("CYLINT_CASES", 20000);
-}
-
-static uint64_t below(uint64_t n)
-{
-    static uint64_t stream = 1;
-    return random_below(&stream, n);
 }
 
 static double from_bits(uint64_t bits)
@@ -282,7 +276,7 @@ TEST(totals_are_rounded_once)
                                       {DBL_MAX, DBL_MAX, 0, HUGE_VAL},
                                       {DBL_MAX, 0x1p970, 0, HUGE_VAL},
                                       {DBL_MAX, 0x1p970, -0x1p-1074, DBL_MAX}};
-    uint64_t stream = 5;
+    stream = 5;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         cylint_exact_sum sum = {{0}};
         for (int k = 0; k < 3; k++)
@@ -290,13 +284,13 @@ TEST(totals_are_rounded_once)
         CHECK(cylint_sum_rounded(&sum) == known[i][3]);
     }
     for (int i = 0; i < cases() / 10; i++) {
-        const int spread = 1 + random_int(&stream, 1000);
-        const int middle = random_int(&stream, 1500) - 1000;
+        const int spread = 1 + one_of(1000);
+        const int middle = one_of(1500) - 1000;
         cylint_exact_sum sum = {{0}};
         real_fixed(BITS);
         real all = real_of(0);
-        for (int n = random_int(&stream, 40); n > 0; n--) {
-            const int e = middle + random_int(&stream, spread) - spread / 2;
+        for (int n = one_of(40); n > 0; n--) {
+            const int e = middle + one_of(spread) - spread / 2;
             const double size = ldexp(random_mantissa(&stream), e);
             const double x = mpfr_cmp_d(all->x, size) < 0 ? size : -size;
             all = plus(all, real_of(x));

@@ -261,6 +261,18 @@ def test_tubes(sector, clauses, ends):
     assert ends_of(scene.pieces([-5, 0, 3], [1, 0, 0])) == ends
 
 
+def test_solids_are_not_set_during_a_query():
+    scene = cylint.Scene(cylint.sphere([[0, 0, 0], [1, 0, 0]], 1))
+
+    def change(*_):
+        scene.set_solids([0, 1], 0, [1, -2])
+
+    with refused("during a query"):
+        scene.sums([-5, 0, 0], [1, 0, 0], progress=change)
+    change()
+    assert scene.sums([-5, 0, 0], [1, 0, 0]) == 1
+
+
 def test_tubes_that_are_refused():
     cone, clauses = cylint.tube([0, 0, 0], [0, 0, 9], [2, 1])
     assert (cone.kind.tolist(), clauses.tolist()) == ([cylint.Kind.CONE], [1])
@@ -325,6 +337,8 @@ def test_bad_arguments(world):
             call()
     with refused("first: expected an integer", TypeError):
         scene.pieces(o, d, first=1.5)
+    with refused("integer", TypeError):
+        scene.sums(o, d, columns=2.5)
     assert len(scene.pieces(o, d, first=2**70).t0) == len(scene.pieces(o, d).t0)
     assert (scene.pieces(*spoiled, errors="mask").line == 0).all()
     assert len(scene.solids) == 0

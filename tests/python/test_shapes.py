@@ -42,9 +42,13 @@ def test_ends_are_words_numbers_or_arrays():
     words = ["capped", "open", "cap0", "cap1", "infinite", "nappe"]
     for ends in (words, list(cylint.Ends)):
         assert cylint.cylinder(*UNIT, 1, ends=ends).ends.tolist() == list(range(6))
-    for ends, message in (("lid", "found 'lid'"), (9, "no such ends")):
+    for ends, message in (
+        ("lid", "found 'lid'"), *((code, "no such ends") for code in (9, -1, 258)),
+    ):
         with refused(message):
             cylint.cylinder(*UNIT, 1, ends=ends)
+    with refused("ends: expected integers", TypeError):
+        cylint.cylinder(*UNIT, 1, ends=2.9)
 
 
 @pytest.mark.parametrize(

@@ -95,7 +95,7 @@ static inline void find_chords(const cylint_line *line)
     world.end[world.ends++] = line->tmin;
     world.end[world.ends++] = line->tmax;
     for (size_t i = 0; i < world.n; i++) {
-        world.chords[i] = cylint_chord(&world.shape[i], line, world.chord[i]);
+        world.chords[i] = joined_chords(&world.shape[i], line, world.chord[i]);
         for (int j = 0; j < world.chords[i]; j++) {
             world.end[world.ends++] = world.chord[i][j].t0;
             world.end[world.ends++] = world.chord[i][j].t1;

@@ -16,6 +16,7 @@
 
 #include "check.h"
 #include "cylint_scene.h"
+#include "environment.h"
 #include "piece_world.h"
 
 /* ------------------------------------------------------ first boundary -- */
@@ -411,3 +412,22 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
     }
 }
 #endif
+
+/* The product of both would be NaN. */
+TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
+{
+    const double p[3] = {0, 0, 0}, d[3] = {0, 0, 0x1p-1074}, axis[3] = {0, 0, 1};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    cylint_shape shape;
+    cylint_line line;
+    double sum = 0;
+    cylint_cylinder(&shape, p, axis, 1, CYLINT_ENDS_INFINITE);
+    cylint_ray(&line, p, d);
+    cylint_scene *scene = cylint_scene_new(&shape, 1, 1, NULL);
+    treat_subnormals(FLUSH | ZERO);
+    CHECK(cylint_scene_line_sums(scene, &line, &rule, NULL, 1, 1, &sum) ==
+          CYLINT_SCENE_OK);
+    treat_subnormals(0);
+    CHECK(sum == HUGE_VAL);
+    cylint_scene_free(scene);
+}

@@ -22,6 +22,12 @@ static inline int one_of(int n)
     return random_int(&stream, n);
 }
 
+/* The same for n up to 2^53. */
+static inline uint64_t below(uint64_t n)
+{
+    return random_below(&stream, n);
+}
+
 static inline int chance(double p)
 {
     return random_unit(&stream) < p;

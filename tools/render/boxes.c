@@ -52,7 +52,7 @@ static void measure_all(struct boxes *boxes)
 
 static struct box box_of_shape(const struct scene *scene, size_t number)
 {
-    struct box box;
+    struct box box = NOWHERE;
     cylint_shape shape;
     cylint_scene_shape(scene->shapes, number, &shape);
     cylint_bounds(&shape, box.low.v, box.high.v);

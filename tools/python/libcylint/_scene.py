@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Iterable
 from functools import cached_property
@@ -368,7 +369,7 @@ class Scene:
         of a solid is that of its first shape that is not a complement.
 
         `pieces`, `sums`, `depth` and `first_boundary` are about solids, all others
-        about shapes.
+        about shapes.  Raises ValueError during a query of another thread.
 
         >>> pipe = cylint.cylinder([0, 0, 0], [0, 0, 9], [2, 1])
         >>> scene = cylint.Scene(pipe)
@@ -459,7 +460,7 @@ class Scene:
         if label is not None:
             width = int(label.max(initial=-1)) + 1
         if columns is not None:
-            width = int(columns)
+            width = operator.index(columns)
         if width < 0:
             raise ValueError(f"columns: found {width}")
         rule = _core.Scene.Rule(

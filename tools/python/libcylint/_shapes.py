@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
-    Doubles, Points, Progress, broadcast, counted, doubles, place, takes, workers,
+    Doubles, Points, Progress, broadcast, counted, doubles, integers, place, takes, workers,
 )
 from ._closest import ClosestPoints
 from ._enums import Ends, Kind
@@ -449,7 +449,9 @@ def codes_of(ends: str | int | ArrayLike) -> NDArray[np.int8]:
         return _ENDS[ends]
     words = np.asarray(ends)
     if words.dtype.kind not in "US":
-        return words.astype(np.int8)
+        numbers = integers("ends", words)
+        wrong = (numbers < 0) | (numbers >= len(_ENDS))
+        return np.where(wrong, len(_ENDS), numbers).astype(np.int8)
     codes = np.empty(words.shape, np.int8)
     for word in np.unique(words):
         if str(word).lower() not in _ENDS:

@@ -103,6 +103,8 @@ struct Scene {
             cylint_scene_free(p);
         }
     };
+    /* Calls that read the scene without Python's lock hold it, too. */
+    std::shared_ptr<char> use = std::make_shared<char>();
     nb::object memory; /* of the scene, if it was opened there */
     std::vector<uint64_t> label_ends;
     std::string label_text;

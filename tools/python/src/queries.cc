@@ -372,6 +372,7 @@ nb::object ask(const Scene &scene, const From &from, const Rule &rule,
 {
     const Asked q = {scene.scene.get(), scene.n, rule,
                      rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
+    const auto held = scene.use;
     Grid grid;
     from.add_to(grid);
     const size_t axes = grid.ndim();

@@ -139,6 +139,7 @@ std::unique_ptr<Scene> Scene::open_bytes(const nb::bytes &bytes)
 
 void Scene::save(const nb::bytes &path, const nb::object &name) const
 {
+    const auto held = use;
     cylint_scene_status status;
     int error;
     {
@@ -159,6 +160,7 @@ nb::object Scene::to_bytes() const
     if (!bytes.is_valid())
         throw std::bad_alloc();
     char *to = PyBytes_AsString(bytes.ptr());
+    const auto held = use;
     nb::gil_scoped_release released;
     cylint_scene_write(scene.get(), copy_bytes, &to);
     return bytes;
@@ -208,6 +210,8 @@ void Scene::set_solids(Input members)
         all.push_back({static_cast<size_t>(row[3 * i]),
                        static_cast<size_t>(row[3 * i + 1]),
                        static_cast<int>(row[3 * i + 2])});
+    if (use.use_count() > 1)
+        throw nb::value_error("solids cannot be set during a query");
     check(cylint_scene_set_solids(scene.get(), all.data(), all.size()));
 }
 
