@@ -254,7 +254,8 @@ static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
         for (m = 1; j + m < n && p[j + m].label == p[j].label;)
             m++;
         const double sum = sum_of_lengths(p + j, m);
-        to[p[j].label] = q->in_units ? product(sum, cylint_line_length(line)) : sum;
+        to[p[j].label] =
+            q->in_units ? product(sum, cylint_line_length(line)) : sum;
     }
     free(p);
     return 1;
