@@ -29,7 +29,7 @@ static double radii_sign(const cylint_shape *s)
 static int filter_serves(const cylint_record *x)
 {
     int tiny = 0;
-    for (int j = 0; j < CYLINT_RECORD_NUMBERS; j++)
+    EACH(j, CYLINT_RECORD_NUMBERS)
         tiny |= cylint_is_small((&x->p0[0])[j], 149);
     return !tiny;
 }
@@ -60,8 +60,9 @@ int cylint_embree_set_record(const cylint_embree_shapes *s, size_t at,
     cylint_filter_record_of(&x, shape);
     if (!s->small)
         *to = x;
-    for (int j = 0; j < CYLINT_RECORD_NUMBERS && s->small; j++)
-        is &= is_float((&x.p0[0])[j], &small[j]);
+    else
+        EACH(j, CYLINT_RECORD_NUMBERS)
+            is &= is_float((&x.p0[0])[j], &small[j]);
     return is;
 }
 

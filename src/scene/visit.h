@@ -40,7 +40,7 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
 typedef double cylint_scene_chord(void *context, size_t number,
                                   cylint_interval chord);
 
-/* Calls back for the chords of all shapes but late members (solids.h).  in_order:
+/* Calls back for the chords of all shapes but late members (scene.h).  in_order:
  * nearer shapes tend to come first, and chords that begin beyond the t that the
  * callback returned last are not wanted. */
 void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,

@@ -62,25 +62,13 @@ found() {
 }
 
 printf '#include <stdint.h>\nint probe(void) { return 0; }\n' >"$scratch/probe.c" # -m32 may lack headers
-cat >"$scratch/main.c" <<'END'
-#include <cylint.h>
-#include <stdio.h>
-
-int main(void)
-{
-    return printf("%d\n", cylint_selftest()) < 0;
+program() { # EXPRESSION: a program that prints its value
+    printf '#include <cylint.h>\n#include <stdio.h>\nint main(void)\n'
+    printf '{ return printf("%%d\\n", %s) < 0; }\n' "$1"
 }
-END
+program 'cylint_selftest()' >"$scratch/main.c"
 bit() { # NAME: the value of CYLINT_SELFTEST_NAME
-    cat >"$scratch/bit.c" <<END
-#include <cylint.h>
-#include <stdio.h>
-
-int main(void)
-{
-    return printf("%d\n", CYLINT_SELFTEST_$1) < 0;
-}
-END
+    program "CYLINT_SELFTEST_$1" >"$scratch/bit.c"
     $cc $flags -o "$scratch/bit" "$scratch/bit.c" && "$scratch/bit"
 }
 

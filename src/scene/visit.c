@@ -1,0 +1,630 @@
+/*
+ * visit.c - the shapes of a scene that a line hits, or that are near a point or
+ * hold it
+ *
+ * The hierarchy finds a shape of several pieces several times.  A direct-mapped
+ * cache of the shapes that were tested last saves repeated tests.  A hash table
+ * with open addressing has those that were visited; if it is full, the piece that
+ * contains the first hit or the nearest point decides.
+ */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "../numbers/bits.h"
+#include "../intersect.h"
+#include "../shapes/shape_facts.h"
+#include "visit.h"
+
+/* -------------------------------------------- the shapes of a leaf, once -- */
+
+enum { RECENT = 16, SET_SIZE = 256, SET_MOST = 192 };
+
+/* No shape has this number. */
+#define NO_SHAPE UINT32_MAX
+
+typedef struct {
+    int often; /* a shape may be visited more than once: without the table */
+    int visited;
+    uint32_t recent[RECENT], slot[SET_SIZE];
+} tested_shapes;
+
+static inline void begin_tests(tested_shapes *s, int often)
+{
+    s->often = often;
+    s->visited = 0;
+    memset(s->recent, 0xff, sizeof s->recent); /* NO_SHAPE */
+    if (!often)
+        memset(s->slot, 0xff, sizeof s->slot);
+}
+
+/* Whether the shape is in the cache, in which it is afterwards. */
+static inline int was_tested(tested_shapes *s, uint32_t number)
+{
+    uint32_t *recent = &s->recent[number % RECENT];
+    const int was = *recent == number;
+    *recent = number;
+    return was;
+}
+
+/* The slot of the table that has the number or is free for it. */
+static inline uint32_t *slot_of(tested_shapes *s, uint32_t number)
+{
+    uint32_t at = number * UINT32_C(2654435769) >> 24;
+    while (s->slot[at] != number && s->slot[at] != NO_SHAPE)
+        at = (at + 1) % SET_SIZE;
+    return &s->slot[at];
+}
+
+/* Tests a shape and calls back for it.  Returns whether it did. */
+typedef int shape_test(void *visit, size_t number);
+
+/* Whether the lane's piece contains the first hit or the nearest point of its
+ * shape. */
+typedef int owner_test(const void *visit, const cylint_leaf *leaf, int lane);
+
+/* Tests the shape of a lane, unless it was tested. */
+CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
+                             int lane, shape_test *test, owner_test *owns,
+                             void *visit)
+{
+    const uint32_t number = leaf->number[lane];
+    if (cylint_leaf_piece(leaf, lane).count == 1) {
+        test(visit, number);
+        return;
+    }
+    if (s->often) {
+        if (!was_tested(s, number))
+            test(visit, number);
+        return;
+    }
+    uint32_t *slot = slot_of(s, number);
+    if (*slot == number)
+        return;
+    if (s->visited == SET_MOST) {
+        if (owns(visit, leaf, lane))
+            test(visit, number);
+    } else if (!was_tested(s, number) && test(visit, number)) {
+        *slot = number;
+        s->visited++;
+    }
+}
+
+/* The lane with the least bound. */
+static inline int first_lane(unsigned lanes,
+                             const double least[CYLINT_LEAF_SIZE])
+{
+    int first = cylint_lowest(lanes);
+    while (lanes &= lanes - 1)
+        if (least[cylint_lowest(lanes)] < least[first])
+            first = cylint_lowest(lanes);
+    return first;
+}
+
+/* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a
+ * function which only prefetches. */
+CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
+                                   const cylint_leaf *leaf, unsigned lanes)
+{
+    const cylint_records *r = &scene->records;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t number = leaf->number[cylint_lowest(lanes)];
+        CYLINT_PREFETCH(&r->record[number]);
+        CYLINT_PREFETCH(&r->record[number].r1); /* in another line */
+        CYLINT_PREFETCH(&r->tag[number]);
+    }
+}
+
+/* ---------------------------------------------------- a line and a shape -- */
+
+/*
+ * A hierarchy over pieces of shapes (bvh.h) rejects shapes that the line
+ * certainly does not hit, or hits beyond the last t that is wanted
+ * (traverse.h).  Of the others local coordinates in doubles reject nearly all
+ * that the line does not hit; cylint_intersect() tests the rest.
+ */
+
+/* The most lanes that wait while their shapes are loaded; fewer chords than these
+ * take less time one by one. */
+enum { LATER = CYLINT_MOST_RECORDS, FEW_CHORDS = 3 };
+
+typedef struct {
+    const cylint_scene *scene;
+    cylint_line line;          /* its tmax decreases with `last` */
+    const cylint_line *domain; /* of chords */
+    cylint_frame_ray ray;      /* its length does too */
+    double last;               /* the last t that is wanted */
+    size_t except;
+    unsigned want;
+    int stopped;
+    cylint_use_found *callback; /* NULL: a visit of chords */
+    cylint_scene_chord *chord;
+    void *context;
+    tested_shapes tested;
+    struct {
+        const cylint_leaf *leaf;
+        int lane;
+    } later[LATER];
+    int n_later;
+} line_visit;
+
+/* Whether the line hits the shape: 0, 1, or CYLINT_UNDECIDED. */
+static int is_hit_in_doubles(const line_visit *v, size_t number)
+{
+    const cylint_records *r = &v->scene->records;
+    const cylint_record *at = &r->record[number];
+    return r->tag[number] & CYLINT_TAG_PLAIN
+               ? cylint_occluded_in_doubles(cylint_record_kind(r, number),
+                                            cylint_record_ends(r, number),
+                                            at->p0, at->r0, at->p1, at->r1,
+                                            &v->line)
+               : CYLINT_UNDECIDED;
+}
+
+/* Whether the line hits the shape; writes the wanted members. */
+static int line_hits(const line_visit *v, size_t number, unsigned want,
+                     cylint_hit *hit)
+{
+    cylint_shape shape;
+    cylint_answer answer;
+    const int is = is_hit_in_doubles(v, number);
+    if (is == 0 || (is == 1 && want == 0))
+        return is;
+    cylint_record_shape(&v->scene->records, number, &shape);
+    if (want == 0)
+        return cylint_occluded(&shape, &v->line);
+    if (!cylint_intersect(&shape, &v->line, want | CYLINT_WANT_NEAREST,
+                          &answer))
+        return 0;
+    *hit = answer.hit[0];
+    return 1;
+}
+
+/* Sets the last t that is wanted.  A root that rounds to t is less than the double
+ * above t, so that this bounds the domain. */
+static void shorten_line(line_visit *v, double t)
+{
+    v->stopped = t != t;
+    if (v->stopped || !cylint_less(t, v->last))
+        return;
+    v->last = t;
+    v->line.tmax = cylint_next_above(t);
+}
+
+/* lint: cylint_chord() wrote n chords */
+/* Returns whether the shape has chords. */
+static int visit_chords_at(line_visit *v, size_t number)
+{
+    cylint_shape shape;
+    cylint_interval chord[2];
+    cylint_record_shape(&v->scene->records, number, &shape);
+    int n = cylint_chord(&shape, v->domain, chord);
+    if (n == 2 && !cylint_less(chord[0].t1, chord[1].t0)) {
+        chord[0].t1 = chord[1].t1; /* the gap is shorter than the roundings */
+        n = 1;
+    }
+    for (int i = 0; i < n; i++)
+        shorten_line(v, v->chord(v->context, number, chord[i]));
+    return n > 0;
+}
+
+/* Returns whether the line hits the shape. */
+static int test_line_at(void *self, size_t number)
+{
+    line_visit *v = self;
+    cylint_hit hit;
+    if (!v->callback)
+        return visit_chords_at(v, number);
+    if (number == v->except || !line_hits(v, number, v->want, &hit))
+        return 0;
+    const cylint_found found = {.number = number,
+                                .at = v->want & CYLINT_WANT_T ? hit.t : 0,
+                                .hit = v->want ? &hit : NULL};
+    shorten_line(v, v->callback(v->context, &found));
+    return 1;
+}
+
+/* ----------------------------------------------------- a line and leaves -- */
+
+/* Whether the lane's piece contains the shape's first hit.  The traversal finds
+ * that piece, and no other piece contains the hit. */
+static int owns_first_hit(const void *self, const cylint_leaf *leaf, int lane)
+{
+    cylint_hit hit;
+    return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
+           cylint_leaf_owns(leaf, lane, hit.z);
+}
+
+static void test_line_lane(line_visit *v, const cylint_leaf *leaf, int lane)
+{
+    test_lane(&v->tested, leaf, lane, test_line_at, owns_first_hit, v);
+}
+
+static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                          const double least[CYLINT_LEAF_SIZE])
+{
+    line_visit *v = self;
+    if (v->want == 0)
+        prefetch_shapes(v->scene, leaf, lanes);
+    while (lanes && !v->stopped) {
+        const int lane =
+            v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
+        const double last = v->last;
+        if (least[lane] > v->ray.length)
+            break;
+        lanes &= ~(1u << lane);
+        test_line_lane(v, leaf, lane);
+        if (v->last < last)
+            v->ray.length =
+                fmin(v->ray.length, cylint_frame_reach(&v->ray, v->last));
+    }
+    return v->stopped;
+}
+
+/* lint: all n counts are written, and a chord where its count is 1 */
+/* The chords of the shapes that wait and of which constructors made records of this
+ * kind. */
+static void visit_chords_of_kind(line_visit *v, int kind,
+                                 const uint32_t *number, size_t n)
+{
+    cylint_interval chord[LATER];
+    signed char count[LATER];
+    if (n < FEW_CHORDS) {
+        for (size_t i = 0; i < n; i++)
+            visit_chords_at(v, number[i]);
+        return;
+    }
+    cylint_chords_of_records(v->scene->records.record,
+                             cylint_solid(kind, CYLINT_ENDS_CAPPED), number, n,
+                             v->domain, chord, count);
+    for (size_t i = 0; i < n; i++)
+        if (count[i] > 0)
+            v->chord(v->context, number[i], chord[i]);
+        else if (count[i] < 0)
+            visit_chords_at(v, number[i]);
+}
+
+static void visit_later_chords(line_visit *v)
+{
+    const cylint_records *r = &v->scene->records;
+    uint32_t number[CYLINT_KINDS][LATER];
+    size_t n[CYLINT_KINDS] = {0};
+    for (int i = 0; i < v->n_later; i++) {
+        const cylint_leaf *leaf = v->later[i].leaf;
+        const int lane = v->later[i].lane;
+        const uint32_t at = leaf->number[lane];
+        if (cylint_leaf_piece(leaf, lane).count > 1 &&
+            was_tested(&v->tested, at))
+            continue;
+        const int kind = cylint_record_kind(r, at);
+        if (r->tag[at] & CYLINT_TAG_PLAIN)
+            number[kind][n[kind]++] = at;
+        else
+            visit_chords_at(v, at);
+    }
+    for (int kind = 0; kind < CYLINT_KINDS; kind++)
+        visit_chords_of_kind(v, kind, number[kind], n[kind]);
+}
+
+static int test_later(line_visit *v)
+{
+    if (!v->callback)
+        visit_later_chords(v);
+    else
+        for (int i = 0; i < v->n_later && !v->stopped; i++)
+            test_line_lane(v, v->later[i].leaf, v->later[i].lane);
+    v->n_later = 0;
+    return v->stopped;
+}
+
+static int keep_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                          const double least[CYLINT_LEAF_SIZE])
+{
+    line_visit *v = self;
+    (void)least;
+    prefetch_shapes(v->scene, leaf, lanes);
+    for (; lanes; lanes &= lanes - 1) {
+        v->later[v->n_later].leaf = leaf;
+        v->later[v->n_later++].lane = cylint_lowest(lanes);
+    }
+    return v->n_later > LATER - CYLINT_LEAF_SIZE && test_later(v);
+}
+
+/* ------------------------------------------------------- visits of lines -- */
+
+/* Traverses the hierarchy or, where the frame cannot hold the line, tests every
+ * shape in it. */
+static void traverse_lines(line_visit *v, int in_no_order)
+{
+    const cylint_scene *s = v->scene;
+    if (s->n_bounded == 0 || v->stopped)
+        return;
+    switch (cylint_frame_line(&s->frame, &v->line, &v->ray)) {
+    case CYLINT_FRAME_MISSED:
+        return;
+    case CYLINT_FRAME_ENTERED:
+        if (in_no_order) {
+            s->traversal->all(&s->bvh, v->ray.o, v->ray.d, &v->ray.length,
+                              keep_line_leaf, v);
+            test_later(v);
+            return;
+        }
+        s->traversal->line(&s->bvh, v->ray.o, v->ray.d, &v->ray.length,
+                           test_line_leaf, v);
+        return;
+    default:
+        for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
+            test_line_at(v, cylint_bounded_number(s, i));
+    }
+}
+
+static void begin_visit(line_visit *v, const cylint_scene *scene,
+                        const cylint_line *line, int often, void *context)
+{
+    v->scene = scene;
+    v->line = *line;
+    v->domain = line;
+    v->last = line->tmax;
+    v->stopped = v->n_later = 0;
+    v->context = context;
+    begin_tests(&v->tested, often);
+}
+
+void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
+                       const cylint_visit_options *options, double last,
+                       cylint_use_found *callback, void *context)
+{
+    line_visit v;
+    begin_visit(&v, scene, line, options->often, context);
+    v.except = options->except;
+    v.want = options->want;
+    v.callback = callback;
+    shorten_line(&v, last);
+    for (size_t i = options->first_other; i < scene->n_others && !v.stopped;
+         i++)
+        test_line_at(&v, scene->others[i]);
+    traverse_lines(&v, options->in_no_order);
+}
+
+void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
+                         int in_order, cylint_scene_chord *callback,
+                         void *context)
+{
+    const int has_solids = scene->solids.n > 0;
+    const uint32_t *others = has_solids ? scene->solids.always : scene->others;
+    const size_t n = has_solids ? scene->solids.n_always : scene->n_others;
+    line_visit v;
+    begin_visit(&v, scene, line, 1, context);
+    v.want = CYLINT_WANT_T;
+    v.callback = NULL;
+    v.chord = callback;
+    for (size_t i = 0; i < n; i++)
+        visit_chords_at(&v, others[i]);
+    traverse_lines(&v, !in_order);
+}
+
+/* --------------------------------------------------- a point and a shape -- */
+
+/*
+ * The hierarchy rejects shapes that are certainly farther than the radius
+ * (traverse_point.c), and cylint_safety() rejects others.  cylint_distance()
+ * computes the distances to the rest.
+ *
+ * The box of a piece contains the surface and the solid of the piece, whatever
+ * its ends: a piece is the convex hull of two sections (leaf.c), and the pieces
+ * of a shape cover its solid.  The distance to a box is 0 for a point inside.  So
+ * it is a lower bound of the distance to the surface, and of the distance to the
+ * closed solid, which is 0 inside.  A traversal with the radius 0 therefore finds
+ * a piece of each solid that holds the point: the bounds of traverse_point.c are
+ * lower by more than their roundings, so they are 0 for such a piece.  Solids
+ * deeper than a negative radius hold the point, so that they are found too.
+ */
+
+typedef struct {
+    const cylint_scene *scene;
+    const double *point;
+    double radius; /* no larger distance is wanted; negative: no lesser depth */
+    double reject; /* a lower bound of a distance above this is too far */
+    double reach;  /* the same in the frame */
+    double x[3];   /* the point in the frame */
+    int to_nearest; /* doubles are rounded to nearest */
+    cylint_nearness nearness;
+    int stopped;
+    cylint_use_found *callback;
+    void *context;
+    tested_shapes tested;
+} point_visit;
+
+/* More than the error of cylint_distance(). */
+#define SLACK (1 + 0x1p-40)
+
+/* Whether no shape can be within the radius. */
+static int is_no_radius(cylint_nearness nearness, double radius)
+{
+    return nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
+}
+
+static void set_point_radius(point_visit *v, double radius)
+{
+    const double outside = cylint_larger(radius, 0);
+    v->radius = radius;
+    v->reject = outside * SLACK + DBL_MIN;
+    v->reach = v->reject * v->scene->frame.scale * SLACK + 0x1p-400;
+    v->stopped = is_no_radius(v->nearness, radius);
+}
+
+/* Makes the shape, or its closed solid. */
+static void make_tested(const point_visit *v, size_t number,
+                        cylint_shape *shape)
+{
+    cylint_record_shape(&v->scene->records, number, shape);
+    if (v->nearness != CYLINT_NEAR_SURFACE)
+        shape->ends = cylint_closed_ends(shape->ends);
+}
+
+/* Whether cylint_safety() shows that the shape is beyond the radius.  It pays for
+ * elliptic shapes only.  It is positive inside a solid too. */
+static int is_safely_far(const point_visit *v, const cylint_shape *shape)
+{
+    return cylint_is_elliptic(shape->kind) && v->to_nearest &&
+           cylint_safety(shape, v->point) > v->reject &&
+           (v->nearness == CYLINT_NEAR_SURFACE ||
+            cylint_contains(shape, v->point) < 0);
+}
+
+/* The distance that is compared. */
+static double compared(const point_visit *v, const cylint_closest *answer)
+{
+    return v->nearness == CYLINT_NEAR_SURFACE ? fabs(answer->distance)
+                                              : answer->distance;
+}
+
+/* Whether the shape's surface or solid is at most v->radius away.  Writes distance
+ * and flags.  cylint_contains() takes less time than the distance, and decides
+ * about shapes that must hold the point. */
+static int point_is_near(const point_visit *v, size_t number,
+                         cylint_closest *answer)
+{
+    cylint_shape shape;
+    make_tested(v, number, &shape);
+    answer->distance = answer->flags = 0;
+    if (v->nearness != CYLINT_NEAR_SURFACE && cylint_sign(v->radius) <= 0 &&
+        cylint_contains(&shape, v->point) < 0)
+        return 0;
+    if (v->nearness == CYLINT_HOLDING)
+        return 1;
+    if (is_safely_far(v, &shape))
+        return 0;
+    answer->part = 0; /* written only if there is no surface */
+    cylint_distance(&shape, v->point, 0, answer);
+    return answer->part >= 0 && !cylint_less(v->radius, compared(v, answer));
+}
+
+/* Returns whether the shape is near. */
+static int test_point_at(void *self, size_t number)
+{
+    point_visit *v = self;
+    cylint_closest answer;
+    if (!point_is_near(v, number, &answer))
+        return 0;
+    const cylint_found found = {
+        .number = number, .at = compared(v, &answer), .closest = &answer};
+    const double radius = v->callback(v->context, &found);
+    if (!(radius >= v->radius))
+        set_point_radius(v, radius);
+    return 1;
+}
+
+/* ---------------------------------------------------- a point and leaves -- */
+
+/* The axial coordinate of a point in the frame; 0 for a shape whose axis is lost to
+ * underflow, all lanes of which are tested always. */
+static double axial_of(const cylint_swept_disc *disc, const double x[3])
+{
+    double across[3], zz = 0, zx = 0;
+    for (int j = 0; j < 3; j++) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3;
+        across[j] = disc->elliptic
+                        ? disc->a[k] * disc->b[l] - disc->a[l] * disc->b[k]
+                        : disc->axis[j];
+        zz += across[j] * disc->axis[j];
+        zx += across[j] * (x[j] - disc->base[j]);
+    }
+    return fabs(zz) > 0 ? zx / zz : 0;
+}
+
+/*
+ * Whether the lane's piece contains the nearest point of the surface or solid,
+ * computed in doubles; of a solid that holds the point it is the point.  That
+ * piece is within v->radius, but for an error that is less than the bounds of
+ * traverse_point.c allow for, so its lane is never rejected; and it is the same
+ * piece whenever the shape is tested.
+ */
+static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
+                              int lane)
+{
+    const point_visit *v = self;
+    const cylint_frame *frame = &v->scene->frame;
+    cylint_shape shape;
+    cylint_swept_disc disc;
+    cylint_closest answer;
+    double x[3];
+    make_tested(v, leaf->number[lane], &shape);
+    cylint_distance(&shape, v->point, CYLINT_WANT_POINT, &answer);
+    const int is_point =
+        v->nearness != CYLINT_NEAR_SURFACE && answer.distance < 0;
+    const double *nearest = is_point ? v->point : answer.point;
+    for (int j = 0; j < 3; j++)
+        x[j] = (nearest[j] - frame->center[j]) * frame->scale;
+    cylint_swept_disc_of(&disc, &v->scene->view, &shape);
+    return cylint_leaf_owns(leaf, lane, axial_of(&disc, x));
+}
+
+static int test_point_leaf(void *self, const cylint_leaf *leaf,
+                           const double least[CYLINT_LEAF_SIZE])
+{
+    point_visit *v = self;
+    unsigned lanes = (1u << cylint_leaf_used(leaf)) - 1;
+    if (!v->tested.often) { /* then most shapes within reach are tested */
+        for (int lane = 0; lane < cylint_leaf_used(leaf); lane++)
+            lanes &= ~((unsigned)(least[lane] > v->reach) << lane);
+        prefetch_shapes(v->scene, leaf, lanes);
+    }
+    while (lanes && !v->stopped) {
+        const int lane = first_lane(lanes, least);
+        if (least[lane] > v->reach)
+            break;
+        lanes &= ~(1u << lane);
+        test_lane(&v->tested, leaf, lane, test_point_at, owns_nearest_point, v);
+    }
+    return v->stopped;
+}
+
+/* ------------------------------------------------------ visits of points -- */
+
+/* Writes the point in the frame.  Returns 0 if it is too far away. */
+static int point_to_frame(point_visit *v)
+{
+    const cylint_frame *frame = &v->scene->frame;
+    int fits = v->to_nearest;
+    for (int j = 0; j < 3; j++) {
+        v->x[j] = (v->point[j] - frame->center[j]) * frame->scale;
+        fits &= fabs(v->x[j]) <= CYLINT_POINT_MOST;
+    }
+    return fits;
+}
+
+/* Traverses the hierarchy or, where the frame cannot hold the point, tests every
+ * shape in it. */
+static void traverse_points(point_visit *v)
+{
+    const cylint_scene *s = v->scene;
+    if (s->n_bounded == 0 || v->stopped)
+        return;
+    if (point_to_frame(v)) {
+        s->traversal->point(&s->bvh, v->x, &v->reach, test_point_leaf, v);
+        return;
+    }
+    for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
+        test_point_at(v, cylint_bounded_number(s, i));
+}
+
+void cylint_visit_point(const cylint_scene *scene, const double point[3],
+                        double radius, cylint_nearness nearness, int often,
+                        cylint_use_found *callback, void *context)
+{
+    point_visit v;
+    if (is_no_radius(nearness, radius) || !cylint_is_finite(point))
+        return;
+    v.scene = scene;
+    v.point = point;
+    v.to_nearest = cylint_rounds_to_nearest();
+    v.nearness = nearness;
+    v.callback = callback;
+    v.context = context;
+    begin_tests(&v.tested, often);
+    set_point_radius(&v, radius);
+    for (size_t i = 0; i < scene->n_others && !v.stopped; i++)
+        test_point_at(&v, scene->others[i]);
+    traverse_points(&v);
+}
