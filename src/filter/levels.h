@@ -197,7 +197,7 @@ INLINE vqpair axis_of(const cylint_shape *shape)
     return q_two_diff(q_load(cylint_top(shape)), q_load(cylint_base(shape)));
 }
 
-/* F in lanes 0, 1 and 2. */
+/* F in lanes 0, 1 and 2.  A number follows each vector of the shape. */
 INLINE vq_levels distance_from(const near_point *near,
                                const cylint_shape *shape,
                                const cylint_line *line, double t, int elliptic)
@@ -206,7 +206,7 @@ INLINE vq_levels distance_from(const near_point *near,
     vq_levels F = distance_from_center(cylint_base(shape), line, t);
     if (elliptic) {
         q_add_product_to_a(&F, q_set(-near->x), q_load(cylint_a(shape)));
-        q_add_product_to_a(&F, q_set(-near->y), q_load3(cylint_b(shape)));
+        q_add_product_to_a(&F, q_set(-near->y), q_load(cylint_b(shape)));
     }
     if (elliptic) {
         q_add_product_to_a(&F, s, q_load(cylint_axis(shape)));

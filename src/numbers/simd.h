@@ -475,10 +475,6 @@ static inline vq q_abs(vq x)
 }
 static inline vq q_set(double x) { return _mm256_set1_pd(x); }
 static inline vq q_load(const double *x) { return _mm256_loadu_pd(x); }
-static inline vq q_load3(const double *x) /* and 0 */
-{
-    return _mm256_maskload_pd(x, _mm256_set_epi64x(0, -1, -1, -1));
-}
 static inline void q_store(double *x, vq v) { _mm256_storeu_pd(x, v); }
 static inline vq q_spread(vd x) /* (x[0], x[0], x[1], x[1]) */
 {
@@ -531,10 +527,6 @@ static inline vq q_set(double x) { return q_join(v_set(x), v_set(x)); }
 static inline vq q_load(const double *x)
 {
     return q_join(v_load(x), v_load(x + 2));
-}
-static inline vq q_load3(const double *x)
-{
-    return q_join(v_load(x), v_two(x[2], 0));
 }
 static inline void q_store(double *x, vq v)
 {
