@@ -8,20 +8,14 @@
  */
 #include "methods.h"
 
-static cylint_affine affine(double at, double slope)
-{
-    const cylint_affine f = {at, slope};
-    return f;
-}
-
 cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line)
 {
     const double scale = dot(cylint_axis(shape), cylint_axis(shape));
     double D[3];
 
     minus(line->o, cylint_base(shape), D);
-    return affine(dot(D, cylint_axis(shape)) / scale,
-                  dot(line->d, cylint_axis(shape)) / scale);
+    return (cylint_affine){dot(D, cylint_axis(shape)) / scale,
+                           dot(line->d, cylint_axis(shape)) / scale};
 }
 
 /*
@@ -66,7 +60,8 @@ void cylint_chord_ends(cylint_method_chord *chord, const cylint_shape *shape,
     if (cylint_r0(shape) != 0)
         cylint_chord_clip(chord, z, CYLINT_PART_CAP0);
     if (cylint_r1(shape) != 0)
-        cylint_chord_clip(chord, affine(1 - z.at, -z.slope), CYLINT_PART_CAP1);
+        cylint_chord_clip(chord, (cylint_affine){1 - z.at, -z.slope},
+                          CYLINT_PART_CAP1);
 }
 
 /*

@@ -65,8 +65,7 @@ cylint_status cylint_gullotti(const cylint_shape *shape,
         p[i] = dot(row[i], line->o) - dot(row[i], cylint_base(shape));
         v[i] = dot(row[i], line->d);
     }
-    const cylint_affine z = {p[2], v[2]};
     cylint_method_chord chord = gullotti_chord(p, v);
-    cylint_chord_ends(&chord, shape, z);
+    cylint_chord_ends(&chord, shape, (cylint_affine){p[2], v[2]});
     return cylint_method_report(shape, line, want, &chord, answer);
 }

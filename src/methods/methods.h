@@ -84,15 +84,13 @@ typedef struct cylint_method_chord {
 
 static inline cylint_method_chord no_chord(void)
 {
-    const cylint_method_chord none = {CYLINT_RELATION_MISS, 0, {0, 0}, {0, 0}};
-    return none;
+    return (cylint_method_chord){.relation = CYLINT_RELATION_MISS};
 }
 
 static inline cylint_method_chord chord_between(int relation, double t0,
                                                 double t1)
 {
-    const cylint_method_chord chord = {relation, 0, {t0, t1}, {0, 0}};
-    return chord;
+    return (cylint_method_chord){relation, 0, {t0, t1}, {0, 0}};
 }
 
 /* The chord of a line parallel to a cylinder's axis.  `excess` has the sign
