@@ -324,8 +324,8 @@ static void end_test(ray_test *r)
         test_exactly(r);
 }
 
-CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
-                                   const cylint_leaf *leaf, unsigned lanes)
+CYLINT_INLINE void prefetch_records(const cylint_embree_data *data,
+                                    const cylint_leaf *leaf, unsigned lanes)
 {
     EACH_BIT(lane, lanes)
         CYLINT_PREFETCH(
@@ -368,7 +368,7 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 {
     ray_test *r = self;
     if (lanes & (lanes - 1))
-        prefetch_shapes(r->data, leaf, lanes);
+        prefetch_records(r->data, leaf, lanes);
     while (lanes && take_nearest_lane(r, leaf, &lanes, least)) {
         filter_one(r);
         end_test(r);
@@ -440,7 +440,7 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
     const int any = first->any;
     unsigned stopped = 0;
     EACH_BIT(k, rays)
-        prefetch_shapes(data, leaf, p->lanes[k]);
+        prefetch_records(data, leaf, p->lanes[k]);
     while (rays) {
         cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
         int n = 0;

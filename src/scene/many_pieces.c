@@ -235,7 +235,7 @@ static double sum_of_lengths(const labelled_piece *p, size_t n)
 }
 
 /* Of two numbers above 0.  The thread may read the lesser one as 0. */
-static double product(double x, double y)
+static double product_of_lengths(double x, double y)
 {
     return x > DBL_MAX || y > DBL_MAX ? HUGE_VAL : x * y;
 }
@@ -254,8 +254,9 @@ static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
         for (m = 1; j + m < n && p[j + m].label == p[j].label;)
             m++;
         const double sum = sum_of_lengths(p + j, m);
-        to[p[j].label] =
-            q->in_units ? product(sum, cylint_line_length(line)) : sum;
+        to[p[j].label] = q->in_units
+                             ? product_of_lengths(sum, cylint_line_length(line))
+                             : sum;
     }
     free(p);
     return 1;

@@ -21,14 +21,14 @@ typedef struct {
 } numbered_chord;
 
 /* By t0, then by number. */
-static int is_before(const numbered_chord *x, const numbered_chord *y)
+static int begins_before(const numbered_chord *x, const numbered_chord *y)
 {
     const int64_t a = cylint_rank(x->t0), b = cylint_rank(y->t0);
     return a != b ? a < b : x->number < y->number;
 }
 
 #define SORTED numbered_chord
-#define IS_BEFORE(x, y) is_before(x, y)
+#define IS_BEFORE(x, y) begins_before(x, y)
 #define SORT sort_chords
 #include "../merge_sort_template.h"
 
@@ -92,9 +92,9 @@ static double keep_first_chord(void *context, size_t number,
         return c->complete;
     }
     size_t i = c->n;
-    while (i > 0 && is_before(&x, &c->chord[i - 1]))
+    while (i > 0 && begins_before(&x, &c->chord[i - 1]))
         i--;
-    if (i > 0 && !is_before(&c->chord[i - 1], &x))
+    if (i > 0 && !begins_before(&c->chord[i - 1], &x))
         return c->complete; /* found again */
     memmove(&c->chord[i + 1], &c->chord[i], (c->n++ - i) * sizeof x);
     c->chord[i] = x;
@@ -112,7 +112,7 @@ static size_t sort_and_unite(numbered_chord *chord, size_t n,
     size_t kept = 0;
     sort_chords(chord, n, spare);
     for (size_t i = 0; i < n; i++)
-        if (kept == 0 || is_before(&chord[kept - 1], &chord[i]))
+        if (kept == 0 || begins_before(&chord[kept - 1], &chord[i]))
             chord[kept++] = chord[i];
     return kept;
 }
