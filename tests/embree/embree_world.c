@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "families.h"
 #include "random.h"
 
 /* -------------------------------------------------------------- device -- */
@@ -261,34 +262,23 @@ void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
         const int l = (k + 1) % 3, m = (k + 2) % 3;
         b[k] = (a[l] * axis[m] - a[m] * axis[l]) / 2 + sqrt(size) * axis[k] / 4;
     }
-    switch (kind) {
-    case CYLINT_KIND_CYLINDER:
-        cylint_cylinder(shape, c, top, radius, ends);
-        break;
-    case CYLINT_KIND_CONE:
-        cylint_cone(shape, c, radius, top,
-                    radius * floor(4 * world_uniform(state)) / 2, ends);
-        break;
-    case CYLINT_KIND_ACONE:
-        cylint_tangent_cone(shape, c, h, radius / length, ends);
-        break;
-    case CYLINT_KIND_ECYLINDER:
-        cylint_elliptic_cylinder(shape, c, a, b, h, ends);
-        break;
-    case CYLINT_KIND_SPHERE:
-        cylint_sphere(shape, c, radius, CYLINT_ENDS_CAPPED);
-        break;
-    case CYLINT_KIND_CAPSULE:
-        cylint_capsule(shape, c, top, radius, ends);
-        break;
-    case CYLINT_KIND_RCONE:
-        cylint_round_cone(shape, c, radius, top, radius * 0.5, ends);
-        break;
-    default:
-        cylint_elliptic_cone(shape, c, a, b, h,
-                             floor(4 * world_uniform(state)) / 2, ends);
-        break;
-    }
+    const family_shape word = (family_shape)(kind - CYLINT_KIND_CYLINDER);
+    struct family_case made = {.line_data = {0, 0, 0, 1}, .ends = ends};
+    double last = radius;
+    if (word == FAMILY_CONE || word == FAMILY_ECONE)
+        last = floor(4 * world_uniform(state)) / 2;
+    if (word == FAMILY_CONE)
+        last *= radius;
+    if (word == FAMILY_ACONE)
+        last = atan(radius / length) * 45 / atan(1);
+    if (word == FAMILY_SPHERE)
+        made.ends = CYLINT_ENDS_CAPPED;
+    if (word == FAMILY_RCONE)
+        last = radius / 2;
+    family_set_shape(&made, word, c, a, b, family_has_points(word) ? top : h,
+                     radius, last);
+    family_make(&made);
+    *shape = made.shape;
 }
 
 const int world_scenes[WORLD_SCENES] = {

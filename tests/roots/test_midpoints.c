@@ -162,39 +162,27 @@ static void apex_tie(const struct plan *p, struct scene *s)
 static int write_case(const struct plan *p, const struct scene *s,
                       struct family_case *c)
 {
-    double *x = c->shape_data;
-    const int h = p->word == FAMILY_CONE        ? 4
-                  : p->word >= FAMILY_ECYLINDER ? 9
-                                                : 3;
-    c->shape_word = p->word;
+    double at[3], a[3], b[3], to[3];
     c->ends = s->ends;
     for (int j = 0; j < 3; j++) {
         const int i = (j + p->axis + 1) % 3;
-        const double lean = j < 2 ? s->lean[j] : s->high - s->low;
-        const double base = s->place[j] + (j < 2 ? 0 : s->low);
-        const double top = s->place[j] + (j < 2 ? 0 : s->high);
+        const double low = j < 2 ? 0 : s->low, high = j < 2 ? 0 : s->high;
+        const double lean = j == 2                    ? high - low
+                            : p->word == FAMILY_ACONE ? 0
+                                                      : s->lean[j];
         c->line_data[i] = ldexp(s->o[j], p->e);
         c->line_data[3 + i] = p->sign * ldexp(s->d[j], p->e - p->f);
-        x[i] = ldexp(base, p->e);
-        if (p->word <= FAMILY_CONE)
-            x[h + i] = ldexp(top, p->e);
-        else
-            x[h + i] = ldexp(p->word == FAMILY_ACONE && j < 2 ? 0 : lean, p->e);
-        if (p->word >= FAMILY_ECYLINDER) {
-            x[3 + i] = j == 0 ? ldexp(s->a, p->e) : 0;
-            x[6 + i] = j == 1 ? ldexp(s->b, p->e) : 0;
-        }
+        at[i] = ldexp(s->place[j] + low, p->e);
+        to[i] =
+            ldexp(family_has_points(p->word) ? s->place[j] + high : lean, p->e);
+        a[i] = j == 0 ? ldexp(s->a, p->e) : 0;
+        b[i] = j == 1 ? ldexp(s->b, p->e) : 0;
     }
-    if (p->word == FAMILY_CYLINDER)
-        x[6] = ldexp(s->r0, p->e);
-    if (p->word == FAMILY_CONE) {
-        x[3] = ldexp(s->r0, p->e);
-        x[7] = ldexp(s->r1, p->e);
-    }
-    if (p->word == FAMILY_ACONE)
-        x[6] = 45;
-    if (p->word == FAMILY_ECONE)
-        x[12] = s->k;
+    family_set_shape(c, p->word, at, a, b, to, ldexp(s->r0, p->e),
+                     p->word == FAMILY_ACONE   ? 45
+                     : p->word == FAMILY_ECONE ? s->k
+                     : p->word == FAMILY_CONE  ? ldexp(s->r1, p->e)
+                                               : ldexp(s->r0, p->e));
     return family_make(c);
 }
 
@@ -268,13 +256,13 @@ static int move_shape(const struct plan *p, int ulps, struct family_case *c)
 {
     const int along = p->where == CAP ? 2 : 0;
     const int i = (along + p->axis + 1) % 3;
-    const int top = p->word == FAMILY_CONE ? 4 : 3;
-    const int two_points = p->word <= FAMILY_CONE;
+    const int two_points = family_has_points(p->word);
+    const int to = family_axis(p->word);
     double *x = c->shape_data;
     if (p->where != CAP || !two_points || !(p->other & 1))
         x[i] = stepped(x[i], ulps);
     if (two_points && (p->where != CAP || p->other & 1))
-        x[top + i] = stepped(x[top + i], ulps);
+        x[to + i] = stepped(x[to + i], ulps);
     return family_make(c);
 }
 

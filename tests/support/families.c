@@ -57,26 +57,15 @@ static void far_origin(struct family_case *out)
     write_line_from(out, p, d, power(3, 8));
 }
 
-static int is_point(const struct family_case *c, int i)
-{
-    const family_shape word = c->shape_word;
-    const int two_points = word == FAMILY_CYLINDER || word == FAMILY_CAPSULE;
-    const int radius_between = word == FAMILY_CONE || word == FAMILY_RCONE;
-    return i < 3 || (two_points && i < 6) ||
-           (radius_between && i >= 4 && i < 7);
-}
-
 /* Moves line and shape by v. */
 static void translate(struct family_case *c, const double v[3])
 {
-    for (int i = 0; i < family_shape_size(c->shape_word); i++) {
-        if (is_point(c, i)) {
-            const int after_radius = i >= 4 && is_point(c, 6);
-            c->shape_data[i] += v[(after_radius ? i - 1 : i) % 3];
-        }
-    }
-    for (int i = 0; i < (c->line_word == FAMILY_SEGMENT ? 6 : 3); i++)
-        c->line_data[i] += v[i % 3];
+    add3(c->shape_data, 1, v);
+    if (family_has_points(c->shape_word))
+        add3(c->shape_data + family_axis(c->shape_word), 1, v);
+    add3(c->line_data, 1, v);
+    if (c->line_word == FAMILY_SEGMENT)
+        add3(c->line_data + 3, 1, v);
 }
 
 static void grazing(struct family_case *out)

@@ -95,6 +95,18 @@ int family_lengths(family_shape word);
 /* Whether number i is a radius, an angle or a factor. */
 int family_is_size(family_shape word, int i);
 
+/* Whether a shape has two points; others have one and an axis, a sphere has one.
+ * The number of the first component of the second point, or of the axis. */
+int family_has_points(family_shape word);
+int family_axis(family_shape word);
+
+/* Writes the numbers of a shape: its point, the vectors a and b of an elliptic one,
+ * its second point or its axis, its first radius if it has two, and its last number
+ * if that is a radius, an angle or a factor. */
+void family_set_shape(struct family_case *c, family_shape word,
+                      const double at[3], const double a[3], const double b[3],
+                      const double to[3], double r0, double last);
+
 /* Prints the case as a record of the command, in hexadecimal, without a
  * newline. */
 void family_print(FILE *to, const struct family_case *c);

@@ -23,16 +23,15 @@ typedef struct {
 
 static void along_coordinate(double v[3], int i, double size)
 {
-    v[0] = v[1] = v[2] = 0;
+    set3(v, 0, 0, 0);
     v[i] = size;
 }
 
 static double triple_product(const exact_frame *f)
 {
-    const double *a = f->a, *b = f->b, *h = f->h;
-    return a[0] * (b[1] * h[2] - b[2] * h[1]) +
-           a[1] * (b[2] * h[0] - b[0] * h[2]) +
-           a[2] * (b[0] * h[1] - b[1] * h[0]);
+    double across[3];
+    cross3(across, f->b, f->h);
+    return dot3(f->a, across);
 }
 
 static void any_exact_frame(exact_frame *f, family_shape word)
@@ -75,28 +74,16 @@ static void any_exact_frame(exact_frame *f, family_shape word)
 static void write_exact_shape(struct family_case *c, family_shape word,
                               const exact_frame *f)
 {
-    double *x = c->shape_data;
-    c->shape_word = word;
-    for (int i = 0; i < 3; i++) {
-        x[i] = f->c[i];
-        x[(word == FAMILY_CONE ? 4 : 3) + i] =
-            word == FAMILY_ACONE ? f->h[i] : f->c[i] + f->h[i];
-        if (word >= FAMILY_ECYLINDER) {
-            x[3 + i] = f->r * f->a[i];
-            x[6 + i] = f->r * f->b[i];
-            x[9 + i] = f->h[i];
-        }
-    }
-    if (word == FAMILY_CYLINDER)
-        x[6] = f->r;
-    if (word == FAMILY_CONE) {
-        x[3] = f->rho0 * f->r;
-        x[7] = (f->rho0 + f->slope) * f->r;
-    }
-    if (word == FAMILY_ACONE)
-        x[6] = 45;
-    if (word == FAMILY_ECONE)
-        x[12] = 1 + f->slope;
+    double a[3], b[3], to[3];
+    copy3(a, f->a);
+    copy3(b, f->b);
+    scale3(a, f->r);
+    scale3(b, f->r);
+    end_of(word, f->c, f->h, to);
+    family_set_shape(c, word, f->c, a, b, to, f->rho0 * f->r,
+                     word == FAMILY_ACONE   ? 45
+                     : word == FAMILY_ECONE ? 1 + f->slope
+                                            : (f->rho0 + f->slope) * f->r);
 }
 
 typedef enum { TANGENT, RIM, RULING, APEX, COINCIDENCES } coincidence;
@@ -263,10 +250,9 @@ static void plain_shape(struct family_case *c, int most, int tenths)
         x[7] = fabs(plain_number(most, tenths));
     }
     if (c->shape_word <= FAMILY_ACONE && one_of(2)) /* along a coordinate */
-        for (int i = 1; i < 3; i++) {
-            const int from = c->shape_word == FAMILY_CONE ? 4 : 3;
-            x[from + i] = c->shape_word == FAMILY_ACONE ? 0 : x[i];
-        }
+        for (int i = 1; i < 3; i++)
+            x[family_axis(c->shape_word) + i] =
+                c->shape_word == FAMILY_ACONE ? 0 : x[i];
     if (c->shape_word == FAMILY_CYLINDER)
         x[6] = fabs(plain_number(most, tenths));
     if (c->shape_word == FAMILY_ACONE)

@@ -76,45 +76,32 @@ static void make_frame(frame *f, family_shape word, double r, double h)
     scale3(f->h, h);
 }
 
+/* The second point of a record, or its axis. */
+static void end_of(family_shape word, const double at[3], const double h[3],
+                   double to[3])
+{
+    copy3(to, h);
+    if (family_has_points(word))
+        add3(to, 1, at);
+}
+
 static void write_shape(struct family_case *out, family_shape word,
                         const frame *f)
 {
     const double degree = 57.29577951308232; /* 180 / pi */
-    double *x = out->shape_data;
     const double r = length3(f->a);
-    out->shape_word = word;
-    copy3(x, f->c);
-    switch (word) {
-    case FAMILY_CYLINDER:
-        place(f, 0, 0, 1, x + 3);
-        x[6] = r;
-        break;
-    case FAMILY_CONE:
-        x[3] = r;
-        place(f, 0, 0, 1, x + 4);
-        x[7] = r * f->k;
-        if (chance(0.5)) { /* exchanges the ends */
-            double p[4];
-            memcpy(p, x, sizeof p);
-            memcpy(x, x + 4, sizeof p);
-            memcpy(x + 4, p, sizeof p);
-            if (x[3] == 0 && x[7] == 0)
-                x[3] = r;
-        }
-        break;
-    case FAMILY_ACONE:
-        copy3(x + 3, f->h);
-        x[6] = atan(r / length3(f->h)) * degree;
-        break;
-    case FAMILY_ECONE:
-        x[12] = f->k; /* fall through */
-    case FAMILY_ECYLINDER:
-        copy3(x + 3, f->a);
-        copy3(x + 6, f->b);
-        copy3(x + 9, f->h);
-        break;
-    default: /* others: families_round.h, families_planes.h */
-        break;
+    double *x = out->shape_data, to[3], p[4];
+    end_of(word, f->c, f->h, to);
+    family_set_shape(out, word, f->c, f->a, f->b, to, r,
+                     word == FAMILY_ACONE   ? atan(r / length3(f->h)) * degree
+                     : word == FAMILY_ECONE ? f->k
+                                            : r * f->k);
+    if (word == FAMILY_CONE && chance(0.5)) { /* exchanges the ends */
+        memcpy(p, x, sizeof p);
+        memcpy(x, x + 4, sizeof p);
+        memcpy(x + 4, p, sizeof p);
+        if (x[3] == 0 && x[7] == 0)
+            x[3] = r;
     }
 }
 
@@ -187,68 +174,46 @@ static void whole_vector(double v[3], int most)
 /* A shape of small whole numbers, usually with its axis along a coordinate. */
 static void whole_shape(struct family_case *out)
 {
-    double *x = out->shape_data, h[3];
-    out->shape_word = any_word();
-    whole_point(x, 3);
+    const family_shape word = any_word();
+    double at[3], a[3], b[3], h[3], to[3], r0 = 0, last = 0;
+    whole_point(at, 3);
     whole_vector(h, 3);
     if (chance(0.6)) {
         set3(h, 0, 0, 0);
         h[one_of(3)] = whole_between(1, 4);
     }
-    switch (out->shape_word) {
-    case FAMILY_CYLINDER:
-        set3(x + 3, x[0] + h[0], x[1] + h[1], x[2] + h[2]);
-        x[6] = whole_between(1, 5);
-        break;
-    case FAMILY_CONE:
-        x[3] = whole_between(0, 5);
-        set3(x + 4, x[0] + h[0], x[1] + h[1], x[2] + h[2]);
-        x[7] = x[3] == 0 ? whole_between(1, 5) : whole_between(0, 5);
-        break;
-    case FAMILY_ACONE:
-        copy3(x + 3, h);
-        x[6] = chance(0.8) ? 45 : whole_between(1, 89);
-        break;
-    case FAMILY_ECONE:
-        x[12] = chance(0.5) ? 0 : 0.5 * whole_between(0, 4); /* fall through */
-    case FAMILY_ECYLINDER:
-        whole_vector(x + 3, 3);
-        whole_vector(x + 6, 3);
-        copy3(x + 9, h);
+    end_of(word, at, h, to);
+    if (word == FAMILY_CONE)
+        r0 = whole_between(0, 5);
+    if (word <= FAMILY_CONE)
+        last = whole_between(r0 == 0, 5);
+    if (word == FAMILY_ACONE)
+        last = chance(0.8) ? 45 : whole_between(1, 89);
+    if (word == FAMILY_ECONE)
+        last = chance(0.5) ? 0 : 0.5 * whole_between(0, 4);
+    if (word >= FAMILY_ECYLINDER) {
+        whole_vector(a, 3);
+        whole_vector(b, 3);
         if (chance(0.5)) { /* axes along coordinates */
             const int i = one_of(3);
-            set3(x + 3, 0, 0, 0);
-            set3(x + 6, 0, 0, 0);
-            set3(x + 9, 0, 0, 0);
-            x[3 + i] = whole_between(1, 4);
-            x[6 + (i + 1) % 3] = whole_between(1, 4);
-            x[9 + (i + 2) % 3] = whole_between(1, 4);
+            set3(a, 0, 0, 0);
+            set3(b, 0, 0, 0);
+            set3(to, 0, 0, 0);
+            a[i] = whole_between(1, 4);
+            b[(i + 1) % 3] = whole_between(1, 4);
+            to[(i + 2) % 3] = whole_between(1, 4);
         }
-        break;
-    default:
-        break;
     }
+    family_set_shape(out, word, at, a, b, to, r0, last);
     out->ends = any_ends();
 }
 
 /* The axis of a case's shape, from its record. */
 static void axis_of(const struct family_case *c, double h[3])
 {
-    const double *x = c->shape_data;
-    switch (c->shape_word) {
-    case FAMILY_CYLINDER:
-        set3(h, x[3] - x[0], x[4] - x[1], x[5] - x[2]);
-        break;
-    case FAMILY_CONE:
-        set3(h, x[4] - x[0], x[5] - x[1], x[6] - x[2]);
-        break;
-    case FAMILY_ACONE:
-        copy3(h, x + 3);
-        break;
-    default:
-        copy3(h, x + 9);
-        break;
-    }
+    copy3(h, c->shape_data + family_axis(c->shape_word));
+    if (family_has_points(c->shape_word))
+        add3(h, -1, c->shape_data);
 }
 
 #endif

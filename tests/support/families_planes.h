@@ -11,9 +11,7 @@
 static void write_plane(struct family_case *out, const double p[3],
                         const double n[3])
 {
-    out->shape_word = FAMILY_HALFSPACE;
-    copy3(out->shape_data, p);
-    copy3(out->shape_data + 3, n);
+    family_set_shape(out, FAMILY_HALFSPACE, p, NULL, NULL, n, 0, 0);
 }
 
 /* A half-space, the unit vector n along its normal, and another point p of its

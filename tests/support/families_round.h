@@ -21,23 +21,14 @@ static cylint_ends round_ends(family_shape word)
 
 static void write_hull(struct family_case *out, const hull *h)
 {
-    double *x = out->shape_data;
     const int end = chance(0.5);
-    copy3(x, h->p[end]);
-    out->shape_word = h->r[0] == h->r[1] ? FAMILY_CAPSULE : FAMILY_RCONE;
+    family_shape word = h->r[0] == h->r[1] ? FAMILY_CAPSULE : FAMILY_RCONE;
     if (h->p[0][0] == h->p[1][0] && h->p[0][1] == h->p[1][1] &&
-        h->p[0][2] == h->p[1][2] && h->r[0] == h->r[1] && chance(0.9)) {
-        out->shape_word = FAMILY_SPHERE;
-        x[3] = h->r[0];
-    } else if (out->shape_word == FAMILY_CAPSULE) {
-        copy3(x + 3, h->p[1 - end]);
-        x[6] = h->r[0];
-    } else {
-        x[3] = h->r[end];
-        copy3(x + 4, h->p[1 - end]);
-        x[7] = h->r[1 - end];
-    }
-    out->ends = round_ends(out->shape_word);
+        h->p[0][2] == h->p[1][2] && h->r[0] == h->r[1] && chance(0.9))
+        word = FAMILY_SPHERE;
+    family_set_shape(out, word, h->p[end], NULL, NULL, h->p[1 - end], h->r[end],
+                     h->r[1 - end]);
+    out->ends = round_ends(word);
 }
 
 /* Radius and length as given, one of: sphere, capsule, rounded cone, ball and

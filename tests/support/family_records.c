@@ -38,6 +38,40 @@ int family_is_size(family_shape word, int i)
            (i == family_shape_size(word) - 1 || (two && i == 3));
 }
 
+int family_has_points(family_shape word)
+{
+    return word <= FAMILY_CONE || word == FAMILY_CAPSULE ||
+           word == FAMILY_RCONE;
+}
+
+int family_axis(family_shape word)
+{
+    static const int numbers[] = {3, 4, 3, 9, 9, 0, 3, 4, 3};
+    return numbers[word];
+}
+
+void family_set_shape(struct family_case *c, family_shape word,
+                      const double at[3], const double a[3], const double b[3],
+                      const double to[3], double r0, double last)
+{
+    const int elliptic = word == FAMILY_ECYLINDER || word == FAMILY_ECONE;
+    const int n = family_shape_size(word);
+    double *x = c->shape_data;
+    c->shape_word = word;
+    for (int i = 0; i < 3; i++) {
+        x[family_axis(word) + i] = to[i]; /* of a sphere: overwritten */
+        x[i] = at[i];
+        if (elliptic) {
+            x[3 + i] = a[i];
+            x[6 + i] = b[i];
+        }
+    }
+    if (family_is_size(word, 3))
+        x[3] = r0;
+    if (family_is_size(word, n - 1))
+        x[n - 1] = last;
+}
+
 static void make_line(struct family_case *c)
 {
     const double *x = c->line_data;
