@@ -6,7 +6,7 @@
  * (1 + m S) Y = Q for some number m.  By Cramer's rule Y = y / det with
  * polynomials y and det in m, so y.Sy - t det^2 = 0: degree 4 in m.  All real
  * zeros are isolated by those of the derivatives, with MPFR.  A rim is the same
- * in its plane.
+ * of the upright cylinder through it, and of the point's foot in its plane.
  *
  * Where Q is on a plane of symmetry, m can be such that 1 + m S is singular.
  * So the point is moved by 2^-MOVED or less of the largest length.  The
@@ -25,16 +25,22 @@
 
 enum { BITS = 1600, MOVED = 240 };
 
-static struct {
+/* The surface Y.SY = t and the point Q, from one origin. */
+typedef struct {
     int cone;
+    vector Q, gx, gy, gz; /* dual vectors of a, b and the axis */
+    vector y[3];          /* y = y[0] + y[1] m + y[2] m^2 */
+    real det[4];
+} surface;
+
+static struct {
     int has_twin; /* of the candidate: another point of the rim is as far */
     long moved;
     long exponent; /* lengths are divided by 2^exponent */
-    vector Q, a, b, h, w, gx, gy, gz, base, E, foot, normal;
-    vector y[3]; /* y = y[0] + y[1] m + y[2] m^2 */
-    real k1, det[4], scale, longest, best;
-    real flat[2], S2[3]; /* of a rim: the point and S in its plane */
-    vector plane[3], normals[6];
+    surface side, rim;
+    vector a, b, h, w, base, foot, normal, normals[6];
+    vector E, across; /* of a rim: the point from its centre; a unit normal */
+    real k1, scale, longest, best;
 } e;
 
 /* -------------------------------------------------------- the surface --- */
@@ -57,13 +63,13 @@ static real larger(real x, real y)
 }
 
 /* to = S v */
-static void apply_S(vector to, vector v)
+static void apply_S(vector to, surface *of, vector v)
 {
     vector sum = {real_of(0), real_of(0), real_of(0)};
-    add_scaled(sum, dot(e.gx, v), e.gx);
-    add_scaled(sum, dot(e.gy, v), e.gy);
-    if (e.cone)
-        add_scaled(sum, negated(dot(e.gz, v)), e.gz);
+    add_scaled(sum, dot(of->gx, v), of->gx);
+    add_scaled(sum, dot(of->gy, v), of->gy);
+    if (of->cone)
+        add_scaled(sum, negated(dot(of->gz, v)), of->gz);
     memcpy(to, sum, sizeof sum);
 }
 
@@ -88,47 +94,52 @@ static void start(const cylint_shape *shape, const double point[3])
     real_fixed(BITS + 16 * range);
 }
 
-/* Q from the apex or the base; the dual vectors of a, b and the axis w. */
+static void load_dual(surface *of, vector a, vector b, vector w)
+{
+    cross(of->gx, b, w);
+    cross(of->gy, w, a);
+    cross(of->gz, a, b);
+    const real det = dot(a, of->gx);
+    divide(of->gx, of->gx, det);
+    divide(of->gy, of->gy, det);
+    divide(of->gz, of->gz, det);
+}
+
+/* The lateral surface; Q from the apex or the base. */
 static void load(const cylint_shape *shape, const double point[3])
 {
     static const double aside[3] = {1, -0.7, 0.3};
     start(shape, point);
-    set_scaled(e.Q, point);
+    set_scaled(e.side.Q, point);
     set_scaled(e.base, cylint_base(shape));
     set_scaled(e.a, cylint_a(shape));
     set_scaled(e.b, cylint_b(shape));
     set_scaled(e.h, cylint_axis(shape));
-    subtract(e.Q, e.Q, e.base);
+    subtract(e.side.Q, e.side.Q, e.base);
     e.longest = larger(larger(norm(e.a), norm(e.b)), norm(e.h));
-    e.scale = larger(norm(e.Q), e.longest);
+    e.scale = larger(norm(e.side.Q), e.longest);
     vector direction;
     set(direction, aside);
-    add_scaled(e.Q, times(e.scale, power_of_two(-e.moved)), direction);
+    add_scaled(e.side.Q, times(e.scale, power_of_two(-e.moved)), direction);
     e.k1 = minus(real_of(cylint_r1(shape)), real_of(1));
-    e.cone = sgn(e.k1) != 0;
+    e.side.cone = sgn(e.k1) != 0;
     memcpy(e.w, e.h, sizeof e.w);
-    if (e.cone) {
+    if (e.side.cone) {
         divide(e.w, e.w, e.k1);
-        add_scaled(e.Q, real_of(1), e.w);
+        add_scaled(e.side.Q, real_of(1), e.w);
         subtract(e.base, e.base, e.w);
     }
-    cross(e.gx, e.b, e.w);
-    cross(e.gy, e.w, e.a);
-    cross(e.gz, e.a, e.b);
-    const real det = dot(e.a, e.gx);
-    divide(e.gx, e.gx, det);
-    divide(e.gy, e.gy, det);
-    divide(e.gz, e.gz, det);
+    load_dual(&e.side, e.a, e.b, e.w);
 }
 
 /* det: 1, the trace of S, that of S^2, and the determinant, by products of dual
  * vectors. */
-static void load_determinant(void)
+static void load_determinant(surface *of)
 {
-    vector *const dual[] = {&e.gx, &e.gy, &e.gz}, c;
-    real *const trace = &e.det[1], *const minor = &e.det[2];
-    const int n = e.cone ? 3 : 2, sign[3] = {1, 1, -1};
-    e.det[0] = real_of(1);
+    vector *const dual[] = {&of->gx, &of->gy, &of->gz}, c;
+    real *const trace = &of->det[1], *const minor = &of->det[2];
+    const int n = of->cone ? 3 : 2, sign[3] = {1, 1, -1};
+    of->det[0] = real_of(1);
     *trace = *minor = real_of(0);
     for (int i = 0; i < n; i++) {
         const real ii = dot(*dual[i], *dual[i]);
@@ -139,51 +150,52 @@ static void load_determinant(void)
             *minor = plus(*minor, times(real_of(sign[i] * sign[j]), square));
         }
     }
-    cross(c, e.gy, e.gz);
-    e.det[3] = times(real_of(e.cone ? -1 : 0), square_of(dot(c, e.gx)));
+    cross(c, of->gy, of->gz);
+    of->det[3] = times(real_of(of->cone ? -1 : 0), square_of(dot(c, of->gx)));
 }
 
 /* y = Q + m (T - S) Q + m^2 (C - T S + S^2) Q */
-static void load_y(void)
+static void load_y(surface *of)
 {
     vector SQ;
-    apply_S(SQ, e.Q);
-    apply_S(e.y[2], SQ);
-    memcpy(e.y[0], e.Q, sizeof e.Q);
-    scale(e.y[1], e.det[1], e.Q);
-    subtract(e.y[1], e.y[1], SQ);
-    add_scaled(e.y[2], negated(e.det[1]), SQ);
-    add_scaled(e.y[2], e.det[2], e.Q);
+    apply_S(SQ, of, of->Q);
+    apply_S(of->y[2], of, SQ);
+    memcpy(of->y[0], of->Q, sizeof of->Q);
+    scale(of->y[1], of->det[1], of->Q);
+    subtract(of->y[1], of->y[1], SQ);
+    add_scaled(of->y[2], negated(of->det[1]), SQ);
+    add_scaled(of->y[2], of->det[2], of->Q);
 }
 
-static void clear(polynomial p)
+/* p = y.Sy - t det^2 */
+static void load_polynomial(surface *of, polynomial p)
 {
+    const int terms = of->cone ? 3 : 2; /* of a cylinder: S y[2] = 0 */
+    load_determinant(of);
+    load_y(of);
     for (int i = 0; i <= MOST_DEGREE; i++)
         p[i] = real_of(0);
-}
-
-/* p -= (det of degree 2)^2 */
-static void subtract_det_squared(polynomial p)
-{
-    for (int i = 0; i <= 2; i++)
-        for (int j = 0; j <= 2; j++)
-            p[i + j] = minus(p[i + j], times(e.det[i], e.det[j]));
-}
-
-static void lateral_polynomial(polynomial p)
-{
-    const int terms = e.cone ? 3 : 2; /* of a cylinder: S y[2] = 0 */
-    clear(p);
-    load_determinant();
-    load_y();
     for (int j = 0; j < terms; j++) {
         vector Sy;
-        apply_S(Sy, e.y[j]);
+        apply_S(Sy, of, of->y[j]);
         for (int i = 0; i < 3 && i + j < 2 * terms - 1; i++)
-            p[i + j] = plus(p[i + j], dot(e.y[i], Sy));
+            p[i + j] = plus(p[i + j], dot(of->y[i], Sy));
     }
-    if (!e.cone)
-        subtract_det_squared(p);
+    for (int i = 0; i <= 2 && !of->cone; i++)
+        for (int j = 0; j <= 2; j++)
+            p[i + j] = minus(p[i + j], times(of->det[i], of->det[j]));
+}
+
+/* Y = y / det at a zero m.  Returns whether det is not 0. */
+static int load_stationary(surface *of, real m, vector Y)
+{
+    real slope, det = value_of(of->det, 3, m, &slope);
+    memcpy(Y, of->y[1], sizeof(vector));
+    add_scaled(Y, m, of->y[2]);
+    scale(Y, m, Y);
+    add_scaled(Y, real_of(1), of->y[0]);
+    divide(Y, Y, det);
+    return sgn(det) != 0;
 }
 
 /* ---------------------------------------------------------- candidates -- */
@@ -205,7 +217,7 @@ static void offer(struct oracle_closest *expected, int part, int feature,
     const real size = norm(R);
     offer_by_feature(expected, feature, R, N);
     if (expected->part >= 0) {
-        const int same = feature == expected->feature && !e.cone;
+        const int same = feature == expected->feature && !e.side.cone;
         const long equal = mpfr_get_exp(e.scale->x) - e.moved + 20;
         const long tie = mpfr_get_exp((same ? e.longest : e.scale)->x) - 113;
         const real nearer = minus(e.best, size);
@@ -221,7 +233,7 @@ static void offer(struct oracle_closest *expected, int part, int feature,
     expected->part = part;
     expected->feature = feature;
     e.best = size;
-    subtract(e.foot, e.Q, R);
+    subtract(e.foot, e.side.Q, R);
     divide(e.normal, N, norm(N));
 }
 
@@ -237,23 +249,17 @@ static void try_lateral(const cylint_shape *shape,
 {
     const real one = real_of(1);
     vector Y, R, N;
-    real slope, det = value_of(e.det, 3, m, &slope);
-    if (sgn(det) == 0)
+    if (!load_stationary(&e.side, m, Y))
         return;
-    memcpy(Y, e.y[1], sizeof Y);
-    add_scaled(Y, m, e.y[2]);
-    scale(Y, m, Y);
-    add_scaled(Y, one, e.y[0]);
-    divide(Y, Y, det);
-    real rho = one, z = dot(e.gz, Y);
-    if (e.cone) {
+    real rho = one, z = dot(e.side.gz, Y);
+    if (e.side.cone) {
         rho = z;
         z = over(minus(z, one), e.k1);
     }
     if (sgn(rho) != nappe)
         return;
-    subtract(R, e.Q, Y);
-    apply_S(N, Y);
+    subtract(R, e.side.Q, Y);
+    apply_S(N, &e.side, Y);
     if (shape->ends < CYLINT_ENDS_INFINITE &&
         !(sgn(z) > 0 && compare(z, one) < 0)) {
         if (is_next_to_end(z))
@@ -267,7 +273,7 @@ static void lateral(const cylint_shape *shape, struct oracle_closest *expected)
 {
     polynomial p;
     real zero[MOST_ZEROS];
-    lateral_polynomial(p);
+    load_polynomial(&e.side, p);
     const int n = real_zeros(p, zero);
     for (int i = 0; i < n; i++)
         try_lateral(shape, expected, zero[i], 1);
@@ -281,75 +287,36 @@ static void apex(const cylint_shape *shape, struct oracle_closest *expected)
     const int is_double = shape->ends == CYLINT_ENDS_INFINITE;
     vector N; /* away from the solid; towards the base */
     scale(N, real_of(grows == is_double ? 1 : -1), e.h);
-    offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX, e.Q, N);
+    offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX, e.side.Q, N);
 }
 
-/* An orthonormal system with the third vector perpendicular to the rim's plane; E,
- * the point from the centre; S2 = s00, s01, s11 with v.S2 v = 1 on the rim of the
- * factor. */
-static void load_plane(int end, real factor)
+/* The upright cylinder through a rim with this factor, and the point's foot. */
+static void load_rim(int end, real factor)
 {
-    real in[2][2];
-    memcpy(e.E, e.Q, sizeof e.E);
-    if (e.cone)
+    vector a, b;
+    memcpy(e.E, e.side.Q, sizeof e.E);
+    if (e.side.cone)
         subtract(e.E, e.E, e.w);
     if (end)
         subtract(e.E, e.E, e.h);
-    memcpy(e.plane[0], e.a, sizeof e.a);
-    cross(e.plane[2], e.a, e.b);
-    cross(e.plane[1], e.plane[2], e.a);
-    for (int k = 0; k < 3; k++)
-        divide(e.plane[k], e.plane[k], norm(e.plane[k]));
-    for (int k = 0; k < 2; k++) {
-        in[k][0] = dot(e.plane[k], e.a);
-        in[k][1] = dot(e.plane[k], e.b);
-        e.flat[k] = dot(e.plane[k], e.E);
-    }
-    /* the matrix in = [p r; 0 q], its inverse [1/p -r/(pq); 0 1/q] */
-    const real p = over(real_of(1), in[0][0]), q = over(real_of(1), in[1][1]);
-    const real r = negated(times(times(in[0][1], p), q));
-    e.S2[0] = square_of(p);
-    e.S2[1] = times(p, r);
-    e.S2[2] = plus(square_of(r), square_of(q));
-    for (int i = 0; i < 3; i++)
-        e.S2[i] = over(e.S2[i], square_of(factor));
+    scale(a, factor, e.a);
+    scale(b, factor, e.b);
+    cross(e.across, e.a, e.b);
+    divide(e.across, e.across, norm(e.across));
+    load_dual(&e.rim, a, b, e.across);
+    memcpy(e.rim.Q, e.E, sizeof e.E);
+    add_scaled(e.rim.Q, negated(dot(e.across, e.E)), e.across);
 }
 
-/* v.S2 u */
-static real form2(const real *u, const real *v)
-{
-    const real straight = plus(times(e.S2[0], times(u[0], v[0])),
-                               times(e.S2[2], times(u[1], v[1])));
-    return plus(straight,
-                times(e.S2[1], plus(times(u[0], v[1]), times(u[1], v[0]))));
-}
-
-/* y = flat + m (T - S2) flat */
-static void rim_polynomial(polynomial p, real y[2][2])
-{
-    clear(p);
-    e.det[0] = real_of(1);
-    e.det[1] = plus(e.S2[0], e.S2[2]);
-    e.det[2] = minus(times(e.S2[0], e.S2[2]), square_of(e.S2[1]));
-    for (int k = 0; k < 2; k++) {
-        y[0][k] = e.flat[k];
-        y[1][k] = minus(times(e.S2[2 - 2 * k], e.flat[k]),
-                        times(e.S2[1], e.flat[1 - k]));
-    }
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++)
-            p[i + j] = plus(p[i + j], form2(y[i], y[j]));
-    subtract_det_squared(p);
-}
-
-/* At the nearest point of the rim 1 + m S2 is positive semidefinite: m is at least
- * -1 / s, s the larger eigenvalue of S2, 2 s = T + sqrt(T^2 - 4 det).  There
+/* At the nearest point of the rim 1 + m S is positive semidefinite: m is at least
+ * -1 / s, s the larger eigenvalue of S, 2 s = T + sqrt(T^2 - 4 det).  There
  * p / det^2 falls from +infinity to -1.  m is larger by at least 2^-moved / s,
  * because the point is moved. */
 static int nearest_of_rim(const real *p, real *zero)
 {
-    const real D = minus(square_of(e.det[1]), times(real_of(4), e.det[2]));
-    real low = over(real_of(-2), plus(root_of(D), e.det[1]));
+    const real D =
+        minus(square_of(e.rim.det[1]), times(real_of(4), e.rim.det[2]));
+    real low = over(real_of(-2), plus(root_of(D), e.rim.det[1]));
     low = minus(low, times(low, power_of_two(-e.moved - 50)));
     if (!zero_above(p, low, zero))
         return real_zeros(p, zero);
@@ -357,20 +324,14 @@ static int nearest_of_rim(const real *p, real *zero)
     return 1;
 }
 
-static void try_rim(struct oracle_closest *expected, real y[2][2], real m,
-                    int end)
+static void try_rim(struct oracle_closest *expected, real m, int end)
 {
     vector R, Y, N;
-    real slope, det = value_of(e.det, 2, m, &slope);
-    if (sgn(det) == 0)
+    if (!load_stationary(&e.rim, m, Y))
         return;
-    memcpy(R, e.E, sizeof R);
-    for (int k = 0; k < 2; k++) {
-        const real share = over(plus(times(y[1][k], m), y[0][k]), det);
-        add_scaled(R, negated(share), e.plane[k]);
-    }
-    subtract(Y, e.Q, R);
-    apply_S(N, Y);
+    subtract(R, e.E, Y);
+    subtract(Y, e.side.Q, R);
+    apply_S(N, &e.side, Y);
     offer(expected, CYLINT_PART_LATERAL,
           end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, R, N);
 }
@@ -378,13 +339,14 @@ static void try_rim(struct oracle_closest *expected, real y[2][2], real m,
 static void cap(struct oracle_closest *expected, int end)
 {
     const int feature = end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
-    const int upward = sgn(dot(e.plane[2], e.h)) > 0;
-    vector R, N;
-    scale(N, real_of(upward == end ? 1 : -1), e.plane[2]);
+    const int upward = sgn(dot(e.across, e.h)) > 0;
+    vector R, N, SQ;
+    scale(N, real_of(upward == end ? 1 : -1), e.across);
     memcpy(e.normals[feature], N, sizeof N);
-    if (compare(form2(e.flat, e.flat), real_of(1)) >= 0)
+    apply_S(SQ, &e.rim, e.rim.Q);
+    if (compare(dot(e.rim.Q, SQ), real_of(1)) >= 0)
         return;
-    scale(R, dot(e.plane[2], e.E), e.plane[2]);
+    scale(R, dot(e.across, e.E), e.across);
     offer(expected, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0, feature, R, N);
 }
 
@@ -396,15 +358,15 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
             shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
         const real factor = real_of(end ? cylint_r1(shape) : 1);
         polynomial p;
-        real y[2][2], zero[MOST_ZEROS];
+        real zero[MOST_ZEROS];
         if (sgn(factor) == 0) {
             apex(shape, expected);
             continue;
         }
-        load_plane(end, factor);
-        rim_polynomial(p, y);
+        load_rim(end, factor);
+        load_polynomial(&e.rim, p);
         for (int i = 0, n = nearest_of_rim(p, zero); i < n; i++)
-            try_rim(expected, y, zero[i], end);
+            try_rim(expected, zero[i], end);
         e.has_twin = 0;
         if (is_cap)
             cap(expected, end);
@@ -423,10 +385,10 @@ static int feature_on_surface(const cylint_shape *shape)
     const int cap0 = ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
     const int cap1 = ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
     if (on.lateral)
-        return e.cone && on.apex ? CYLINT_FEATURE_APEX
-               : base            ? CYLINT_FEATURE_RIM0
-               : top             ? CYLINT_FEATURE_RIM1
-                                 : CYLINT_FEATURE_LATERAL;
+        return e.side.cone && on.apex ? CYLINT_FEATURE_APEX
+               : base                 ? CYLINT_FEATURE_RIM0
+               : top                  ? CYLINT_FEATURE_RIM1
+                                      : CYLINT_FEATURE_LATERAL;
     return base && cap0  ? CYLINT_FEATURE_CAP0
            : top && cap1 ? CYLINT_FEATURE_CAP1
                          : -1;
@@ -473,7 +435,7 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
     lateral(shape, expected);
     if (shape->ends < CYLINT_ENDS_INFINITE)
         ends(shape, expected);
-    else if (e.cone)
+    else if (e.side.cone)
         apex(shape, expected);
     const int on = side == 0 ? feature_on_surface(shape) : -1;
     const int is_on = on >= 0;
