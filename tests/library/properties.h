@@ -200,15 +200,6 @@ static inline int is_elliptic_word(family_shape word)
     return word == FAMILY_ECYLINDER || word == FAMILY_ECONE;
 }
 
-/* The index of each vector in a shape's record, up to four; -1: no more. */
-static inline const int *vectors_of(family_shape word)
-{
-    static const int where[][5] = {
-        {0, 3, -1}, {0, 4, -1}, {0, 3, -1}, {0, 3, 6, 9, -1}, {0, 3, 6, 9, -1},
-        {0, -1},    {0, 3, -1}, {0, 4, -1}, {0, 3, -1}};
-    return where[word];
-}
-
 /* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes
  * the signs by the bits of `flip`. */
 static inline void turn3(double v[3], int round, int flip)
@@ -221,8 +212,11 @@ static inline void turn3(double v[3], int round, int flip)
 static inline int is_moved(const struct family_case *given, int round, int flip)
 {
     struct family_case c = *given;
-    for (const int *at = vectors_of(c.shape_word); *at >= 0; at++)
-        turn3(c.shape_data + *at, round, flip);
+    const int axis = family_axis(c.shape_word), /* after 1 or 3 vectors */
+        step = is_elliptic_word(c.shape_word) ? 3 : axis;
+    for (int at = 0; at < axis; at += step)
+        turn3(c.shape_data + at, round, flip);
+    turn3(c.shape_data + axis, round, flip);
     turn3(c.line_data, round, flip);
     turn3(c.line_data + 3, round, flip);
     family_make(&c);
@@ -295,13 +289,11 @@ static inline int is_turned_round(const struct family_case *given)
     static const int other[] = {CYLINT_PART_LATERAL, CYLINT_PART_CAP1,
                                 CYLINT_PART_CAP0};
     struct family_case c = *given;
-    const family_shape word = c.shape_word;
-    const int n = word == FAMILY_CONE || word == FAMILY_RCONE ? 4 : 3;
+    const int n = family_axis(c.shape_word);
     const double *p = c.shape_data, *q = p + n;
     const int equal = /* equal balls: always cap 0 */
         p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-    if (word == FAMILY_ACONE || is_elliptic_word(word) ||
-        word == FAMILY_SPHERE || word == FAMILY_HALFSPACE || equal)
+    if (!family_has_points(c.shape_word) || equal)
         return 1;
     memcpy(c.shape_data, given->shape_data + n, (size_t)n * sizeof(double));
     memcpy(c.shape_data + n, given->shape_data, (size_t)n * sizeof(double));
@@ -356,23 +348,17 @@ static inline int is_elliptic_with_equal_axes(const struct family_case *given)
 {
     static const double factors[] = {0, 0.5, 1, 2};
     for (int k = 0; k < 4; k++) {
-        struct family_case c = *given, e;
-        const int up = k % 3;
-        double *x = c.shape_data, *y = e.shape_data, p[3];
-        for (int i = 0; i < 3; i++) /* p1 - p0 is h exactly */
+        struct family_case c = *given, e = *given;
+        double p[3], q[3], a[3] = {0}, b[3] = {0}, h[3] = {0};
+        a[(k + 1) % 3] = b[(k + 2) % 3] = 1.25;
+        h[k % 3] = 2;
+        for (int i = 0; i < 3; i++) { /* q - p is h exactly */
             p[i] = floor(fmod(given->shape_data[i], 64));
-        memset(x, 0, sizeof c.shape_data);
-        memcpy(x, p, sizeof p);
-        e = c;
-        c.shape_word = FAMILY_CONE;
-        x[3] = 1.25;
-        memcpy(x + 4, p, sizeof p);
-        x[4 + up] += 2;
-        x[7] = 1.25 * factors[k];
-        e.shape_word = FAMILY_ECONE;
-        y[3 + (up + 1) % 3] = y[6 + (up + 2) % 3] = 1.25;
-        y[9 + up] = 2;
-        y[12] = factors[k];
+            q[i] = p[i] + h[i];
+        }
+        family_set_shape(&c, FAMILY_CONE, p, NULL, NULL, q, 1.25,
+                         1.25 * factors[k]);
+        family_set_shape(&e, FAMILY_ECONE, p, a, b, h, 0, factors[k]);
         family_make(&c);
         family_make(&e);
         if (!has_same_verdict(&c, &e))
