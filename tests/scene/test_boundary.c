@@ -416,7 +416,8 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
 /* The product of both would be NaN. */
 TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
 {
-    const double p[3] = {0, 0, 0}, d[3] = {0, 0, 0x1p-1074}, axis[3] = {0, 0, 1};
+    const double p[3] = {0, 0, 0}, d[3] = {0, 0, 0x1p-1074},
+                 axis[3] = {0, 0, 1};
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
     cylint_shape shape;
     cylint_line line;

@@ -79,7 +79,8 @@ const char *find_fields(struct fields *fields, const char *names, int query);
 /* The name of this query's column nearest to this one, or NULL. */
 const char *similar_field(struct string name, int query);
 
-/* Makes them the columns of --sum: one for each group of shapes, and at least one. */
+/* Makes them the columns of --sum: one for each group of shapes, and at least
+ * one. */
 void sum_fields(struct fields *fields, const struct groups *groups);
 
 /* The largest length of a row or of the header in bytes, without the tail,

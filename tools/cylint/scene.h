@@ -37,8 +37,8 @@ int solids_read(struct solids *solids, size_t shape, struct string words,
 int solids_add(struct solids *solids, const cylint_member *member);
 
 /* Numbers the clauses of their own, when all members of the file are added.
- * Returns 0, or an exit status after a message: EXIT_BAD if two solids have the same
- * first shape. */
+ * Returns 0, or an exit status after a message: EXIT_BAD if two solids have the
+ * same first shape. */
 int solids_complete(struct solids *solids, size_t shapes, const char *file);
 
 void solids_free(struct solids *solids);
