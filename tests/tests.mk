@@ -27,11 +27,11 @@ $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_li
 $(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
 $(embree_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
 	$(call archive,$(adapter)) $(BUILD)/libcylint.a
-$(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o
+$(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o $(scene_library)
 
 $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
-$(BUILD)/tests/command/pixels: libs := -lpng
+$(BUILD)/tests/command/pixels: libs := -lpng $(threads_link)
 
 # Without MPFR these programs only say so.
 needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds distance/test_oracle filter/test_local_coordinates \

@@ -3,6 +3,7 @@
  *
  *   pixels FILE X Y   red green blue opacity of one pixel
  *   pixels FILE       x y red green blue opacity of all, a line each
+ *   pixels FILE save  saves a scene whose first shape was refused: no text has one
  *
  * Of a file of 16 bits, an X-ray, it prints one number, the grey.
  */
@@ -10,6 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "cylint_scene.h"
 
 static void print_pixel(const png_image *image, const void *pixels, unsigned x,
                         unsigned y)
@@ -23,8 +26,26 @@ static void print_pixel(const png_image *image, const void *pixels, unsigned x,
         printf("%d %d %d %d\n", p[0], p[1], p[2], p[3]);
 }
 
+static int save_refused(const char *file)
+{
+    static const double p[2][2][3] = {{{0, 0, 0}, {0, 0, 2}},
+                                      {{2, 0, 0}, {2, 0, 2}}};
+    cylint_shape shape[3];
+    cylint_cylinder(&shape[0], p[0][0], p[0][0], 1, CYLINT_ENDS_CAPPED);
+    for (int i = 0; i < 2; i++)
+        cylint_cylinder(&shape[1 + i], p[i][0], p[i][1], 0.5,
+                        CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
+    const int saved =
+        scene && cylint_scene_save(scene, file) == CYLINT_SCENE_OK;
+    cylint_scene_free(scene);
+    return saved ? 0 : 2;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 3)
+        return save_refused(argv[1]);
     png_image image;
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
