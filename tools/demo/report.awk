@@ -2,9 +2,9 @@
 #
 # Reads a scene of forest.awk, the answers of `cylint -f shape,t,part,z` with labels
 # `column row`, and the same answers sorted by t.  Prints the first hit on each part of
-# each kind of shape; then an image, whose characters show the nearest hit of wide x high rays: a
-# tree by its range, near to far in `shades`, the ground as a dot, the sky as a blank.
-# `seconds` is the time of the command, 0 if the clock is too coarse.
+# each kind of shape; then an image, whose characters show the nearest hit of wide x
+# high rays: a tree by its range, near to far in `shades`, the ground as a dot, the sky
+# as a blank.  `seconds` is the time of the command, 0 if the clock is too coarse.
 
 BEGIN {
     shades = "@#%*+=-:"
