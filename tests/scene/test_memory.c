@@ -3,7 +3,7 @@
  * and refused threads do not change answers
  *
  * A scene allocates with malloc(), calloc() and realloc(), which the linker
- * replaces by the functions below.  Each allocation is refused in turn.  Where
+ * replaces by the functions of heap.h.  Each allocation is refused in turn.  Where
  * memory that is not needed cannot be returned, the scene keeps it.
  */
 #include <errno.h>
@@ -29,63 +29,9 @@ int main(void)
 
 #else
 
+#include "heap.h"
+
 enum { SHAPES = 300, ENOUGH = 1000, LINES = 6000 };
-
-static struct {
-    int watched;
-    int requested, refuse; /* allocations; the number of the one that fails */
-    int kept;              /* realloc() of existing memory was refused */
-    int held;              /* allocations not freed yet */
-    size_t bytes;          /* of malloc() and calloc() */
-} heap;
-
-void *__real_malloc(size_t);
-void *__real_calloc(size_t, size_t);
-void *__real_realloc(void *, size_t);
-void __real_free(void *);
-void *__wrap_malloc(size_t);
-void *__wrap_calloc(size_t, size_t);
-void *__wrap_realloc(void *, size_t);
-void __wrap_free(void *);
-
-static int heap_refuses(void)
-{
-    return heap.watched && ++heap.requested == heap.refuse;
-}
-
-static void *heap_hold(void *p)
-{
-    heap.held += heap.watched && p != NULL;
-    return p;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    heap.bytes += size;
-    return heap_refuses() ? NULL : heap_hold(__real_malloc(size));
-}
-
-void *__wrap_calloc(size_t n, size_t size)
-{
-    heap.bytes += n * size;
-    return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
-}
-
-void *__wrap_realloc(void *p, size_t size)
-{
-    if (heap_refuses()) {
-        heap.kept = p != NULL;
-        return NULL;
-    }
-    void *q = __real_realloc(p, size);
-    return p ? q : heap_hold(q);
-}
-
-void __wrap_free(void *p)
-{
-    heap.held -= heap.watched && p != NULL;
-    __real_free(p);
-}
 
 /* Threads are started until so many are; NO_LIMIT: all are. */
 enum { NO_LIMIT = 1000 };
@@ -107,10 +53,9 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
 
 static void watch_heap(int refuse)
 {
-    heap.requested = heap.held = heap.kept = 0;
-    heap.bytes = 0;
+    heap.requested = heap.held = heap.bytes = heap.kept = 0;
     heap.refuse = refuse;
-    heap.watched = 1;
+    heap.unwatched = 0;
 }
 
 /* A call that allocates, and then frees what it returned. */
@@ -124,7 +69,7 @@ static int refuse_each(allocating_call *call, void *self)
     for (;; refused++) {
         watch_heap(refused + 1);
         const cylint_scene_status status = call(self);
-        heap.watched = 0;
+        heap.unwatched = 1;
         const int is_refused = heap.requested > refused;
         CHECK(status == CYLINT_SCENE_EMEMORY
                   ? is_refused
@@ -173,7 +118,7 @@ TEST(a_scene_that_is_stopped_frees_all_memory)
             of.shapes, of.n, 1, stop_at_last, &calls, &status);
         CHECK(scene || status == CYLINT_SCENE_ESTOPPED);
         cylint_scene_free(scene);
-        heap.watched = 0;
+        heap.unwatched = 1;
         CHECK(heap.held == 0);
         if (scene) {
             CHECK(call > 5);
@@ -224,7 +169,7 @@ TEST(a_refused_refit_changes_nothing)
         watch_heap(k < 3);
         CHECK(cylint_scene_refit(scene, 0, SHAPES, shapes) ==
               (k < 3 ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK));
-        heap.watched = 0;
+        heap.unwatched = 1;
         CHECK(heap.held == 0);
         CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) ==
               (k < 3 ? 3 : SHAPES));
@@ -279,7 +224,8 @@ TEST(refused_solids_change_nothing)
     c.before = cylint_scene_bytes(c.scene);
     CHECK(refuse_each(set_solids, &c) >= 3);
     const size_t held = cylint_scene_bytes(c.scene) - c.before;
-    CHECK(held <= heap.bytes && held + spare + 64 > heap.bytes);
+    const size_t bytes = (size_t)heap.bytes;
+    CHECK(held <= bytes && held + spare + 64 > bytes);
     cylint_scene_free(c.scene);
 }
 
@@ -343,7 +289,7 @@ TEST(refused_pieces_free_all_memory)
 static int has_threads = 1; /* the library was built with them */
 
 /* Many lines with at most `most` threads beside the caller's.  The library calls
- * none of the functions above; a thread's stack is not counted. */
+ * none of these functions; a thread's stack is not counted. */
 static void check_refused_threads(const cylint_scene *scene,
                                   const cylint_lines *lines, int most,
                                   const size_t *expected)
@@ -367,7 +313,7 @@ static void check_refused_threads(const cylint_scene *scene,
     }
     CHECK(wrong == 0);
     cylint_scene_closest_points(scene, &points, NULL, 5, numbers, NULL);
-    heap.watched = 0;
+    heap.unwatched = 1;
     CHECK(heap.requested == 0 && heap.held == 0);
     most_threads = NO_LIMIT;
 }
