@@ -133,13 +133,11 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
     const size_t shapes = (size_t)check_setting("CYLINT_SHAPES", 200);
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s = scene_generate(world_scenes[i], shapes, seed());
-        struct world w = made(s.shapes, s.n, how);
+        OWN_SHAPES s = scene_generate(world_scenes[i], shapes, seed());
+        OWN_WORLD w = made(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
             compare_lines(&w, &s, (enum scene_lines)kind, seed(),
                           1 + rays / (2 * WORLD_SCENES * LINES_KINDS), &n);
-        world_free(&w);
-        scene_release(&s);
     }
     CHECK(n.rays >= rays / 2 && n.hits > n.rays / 4 &&
           n.hits < n.rays - n.rays / 100);
@@ -172,11 +170,9 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
 {
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
-        struct scene_shapes s = scene_generate(SCENE_LENGTHS, 300, turn);
-        struct world w = made(s.shapes, s.n, 0);
+        OWN_SHAPES s = scene_generate(SCENE_LENGTHS, 300, turn);
+        OWN_WORLD w = made(s.shapes, s.n, 0);
         compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
-        world_free(&w);
-        scene_release(&s);
     }
     CHECK(n.hits > n.rays / 4);
 }
@@ -227,7 +223,7 @@ TEST(rays_that_barely_miss_are_not_occluded)
             cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
                             cylint_r0(&was), CYLINT_ENDS_CAPPED);
         }
-        struct world w = made(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
+        OWN_WORLD w = made(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
         for (int turn = 0; turn < TURNS; turn++) {
             struct rays r;
             rays_begin(&r, 1);
@@ -239,7 +235,6 @@ TEST(rays_that_barely_miss_are_not_occluded)
             if (!CHECK(rays_shadowed(&r, 0) == expected))
                 world_show(&w, &r, 0);
         }
-        world_free(&w);
     }
     CHECK(hits > TURNS / 4 && hits < 2 * TURNS - TURNS / 4);
 }

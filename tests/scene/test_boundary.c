@@ -424,11 +424,10 @@ TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
     double sum = 0;
     cylint_cylinder(&shape, p, axis, 1, CYLINT_ENDS_INFINITE);
     cylint_ray(&line, p, d);
-    cylint_scene *scene = cylint_scene_new(&shape, 1, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
     treat_subnormals(FLUSH | ZERO);
     CHECK(cylint_scene_line_sums(scene, &line, &rule, NULL, 1, 1, &sum) ==
           CYLINT_SCENE_OK);
     treat_subnormals(0);
     CHECK(sum == HUGE_VAL);
-    cylint_scene_free(scene);
 }

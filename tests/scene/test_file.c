@@ -38,11 +38,11 @@ TEST(an_opened_scene_answers_as_the_saved_one)
                                      CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         cylint_scene_status status = CYLINT_SCENE_EFILE;
-        struct scene_shapes of = scene_generate(kind, SHAPES, 7);
-        cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        OWN_SHAPES of = scene_generate(kind, SHAPES, 7);
+        OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
         for (int i = 0; i < 4; i++) {
-            cylint_scene *opened = cylint_scene_open(path, flags[i], &status);
+            OWN_SCENE *opened = cylint_scene_open(path, flags[i], &status);
             if (!CHECK(opened && status == CYLINT_SCENE_OK))
                 continue;
             const int wrong = differences(built, opened, &of, 11);
@@ -51,10 +51,7 @@ TEST(an_opened_scene_answers_as_the_saved_one)
             CHECK(cylint_scene_bytes(opened) >= 65 * of.n);
             CHECK(cylint_scene_add(opened, of.shapes, 1) ==
                   CYLINT_SCENE_EFINISHED);
-            cylint_scene_free(opened);
         }
-        cylint_scene_free(built);
-        scene_release(&of);
     }
     remove(path);
 }
@@ -64,17 +61,14 @@ TEST(an_opened_scene_saves_the_same_bytes)
     struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
     for (int kind = 0; kind < SCENE_KINDS; kind++)
         for (size_t n = 1; n <= 16; n *= 4) {
-            struct scene_shapes of = scene_generate(kind, n, 5);
-            cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
+            OWN_SHAPES of = scene_generate(kind, n, 5);
+            OWN_SCENE *built = cylint_scene_new(of.shapes, n, 1, NULL);
             scene_file_write(built, &first);
-            cylint_scene *opened =
+            OWN_SCENE *opened =
                 cylint_scene_open_memory(first.data, first.n, 0, NULL);
             scene_file_write(opened, &again);
             CHECK(first.n == again.n &&
                   memcmp(first.data, again.data, first.n) == 0);
-            cylint_scene_free(opened);
-            cylint_scene_free(built);
-            scene_release(&of);
         }
     free(first.memory);
     free(again.memory);
@@ -97,18 +91,17 @@ static void write_small(struct bytes *b)
     cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
     cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
     CHECK(cylint_scene_set_solids(scene, members, 5) == CYLINT_SCENE_OK);
     scene_file_write(scene, b);
-    cylint_scene_free(scene);
 }
 
 TEST(bytes_in_memory_open_at_every_address)
 {
     struct bytes b = {NULL, NULL, 0, 0};
-    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 3);
-    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 3);
+    OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(built, &b);
     for (size_t shift = 0; shift < 80; shift += 8) {
         char *copy = malloc(b.n + shift);
@@ -120,8 +113,6 @@ TEST(bytes_in_memory_open_at_every_address)
         free(copy);
     }
     free(b.memory);
-    cylint_scene_free(built);
-    scene_release(&of);
 }
 
 TEST(an_empty_scene_can_be_saved)
@@ -149,18 +140,16 @@ TEST(labels_are_saved)
         cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
     for (int k = 0; k < 2; k++) {
         const cylint_scene_labels labels = {ends[k], text};
-        cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
+        OWN_SCENE *scene = cylint_scene_new(shape, 3, 1, NULL);
         CHECK(!cylint_scene_get_labels(scene));
         cylint_scene_set_labels(scene, &labels);
         scene_file_write(scene, &b);
-        cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+        OWN_SCENE *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
         const cylint_scene_labels *got = cylint_scene_get_labels(opened);
         CHECK(got && memcmp(got->end, ends[k], sizeof ends[k]) == 0 &&
               (ends[k][2] == 0 || memcmp(got->text, text, 9) == 0));
         cylint_scene_set_labels(opened, NULL);
         CHECK(!cylint_scene_get_labels(opened));
-        cylint_scene_free(opened);
-        cylint_scene_free(scene);
     }
     free(b.memory);
 }
@@ -177,8 +166,8 @@ TEST(a_failure_leaves_the_old_file)
 {
     char missing[96];
     cylint_scene_status status = CYLINT_SCENE_OK;
-    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
-    cylint_scene *scene = cylint_scene_begin(0);
+    OWN_SHAPES of = scene_generate(SCENE_FAT, SMALL, 3);
+    OWN_SCENE *scene = cylint_scene_begin(0);
     CHECK(cylint_scene_add(scene, of.shapes, of.n) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_save(scene, path) == CYLINT_SCENE_EUNFINISHED);
     CHECK(!cylint_scene_open(path, 0, &status) &&
@@ -203,8 +192,6 @@ TEST(a_failure_leaves_the_old_file)
     CHECK(access(missing, F_OK) != 0);
     CHECK(!cylint_scene_open("/", 0, &status) && status == CYLINT_SCENE_EFILE);
 #endif
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 #ifdef HAS_PROCESSES
@@ -213,14 +200,13 @@ TEST(a_failure_leaves_the_old_file)
 TEST(a_file_beside_the_new_one_is_not_written)
 {
     char beside[96], target[96];
-    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
     snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
     snprintf(target, sizeof target, "%s.target", path);
     CHECK(symlink(target, beside) == 0);
     CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
     CHECK(access(target, F_OK) != 0 && access(path, F_OK) == 0);
     CHECK(remove(beside) == 0 && remove(path) == 0);
-    cylint_scene_free(empty);
 }
 
 /* Such a file has one reader, who must not close and open it again. */
@@ -247,19 +233,16 @@ TEST(a_named_pipe_is_written_to_and_not_replaced)
 {
     int status = 1;
     struct stat about;
-    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
-    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_FAT, SMALL, 3);
+    OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(mkfifo(path, 0600) == 0);
     const pid_t child = fork();
     if (child == 0)
         _exit(cylint_scene_save(built, path) != CYLINT_SCENE_OK);
-    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     CHECK(opened && differences(built, opened, &of, 5) == 0);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
     CHECK(stat(path, &about) == 0 && S_ISFIFO(about.st_mode));
-    cylint_scene_free(opened);
-    cylint_scene_free(built);
-    scene_release(&of);
     remove(path);
 }
 
@@ -267,10 +250,10 @@ TEST(a_named_pipe_is_written_to_and_not_replaced)
 TEST(two_processes_map_one_file)
 {
     int status = 1;
-    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 3);
-    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_THIN, SHAPES, 3);
+    OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
-    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     const pid_t child = fork();
     if (child == 0) {
         cylint_scene *again = cylint_scene_open(path, 0, NULL);
@@ -278,13 +261,9 @@ TEST(two_processes_map_one_file)
     }
     CHECK(differences(built, opened, &of, 5) == 0);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
-    cylint_scene *other = cylint_scene_new(of.shapes, 3, 1, NULL);
+    OWN_SCENE *other = cylint_scene_new(of.shapes, 3, 1, NULL);
     CHECK(cylint_scene_save(other, path) == CYLINT_SCENE_OK);
     CHECK(differences(built, opened, &of, 6) == 0);
-    cylint_scene_free(other);
-    cylint_scene_free(opened);
-    cylint_scene_free(built);
-    scene_release(&of);
     remove(path);
 }
 
@@ -319,12 +298,10 @@ static void saved_anywhere(struct environment there)
         if (!can_treat_subnormals(other.tiny))
             continue;
         environment_set(other);
-        cylint_scene *opened =
-            cylint_scene_open_memory(b.data, b.n, 0, &status);
+        OWN_SCENE *opened = cylint_scene_open_memory(b.data, b.n, 0, &status);
         environment_reset();
         if (!CHECK(opened && same_shapes(built, opened)))
             REPORT("in environment %d: status %d", i, (int)status);
-        cylint_scene_free(opened);
     }
     cylint_scene_free(built);
     free(b.memory);
@@ -455,12 +432,10 @@ TEST(no_changed_numbers_make_a_query_fail)
     int opened = 0;
     for (int i = 0; i < cases; i++) {
         if (i % 1000 == 0) {
-            struct scene_shapes of =
+            OWN_SHAPES of =
                 scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i);
-            cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+            OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
             scene_file_write(scene, &b);
-            cylint_scene_free(scene);
-            scene_release(&of);
         }
         memcpy(c.data, b.data, b.n);
         const int changes = 1 + (int)(random_bits(&random) % 3);

@@ -94,9 +94,8 @@ TEST(a_scene_frees_all_memory)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED};
     for (int i = 0; i < 2; i++) {
-        struct scene_shapes of = scene_generate(kinds[i], SHAPES, 5);
+        OWN_SHAPES of = scene_generate(kinds[i], SHAPES, 5);
         CHECK(refuse_each(make_scene, &of) > 5);
-        scene_release(&of);
     }
 }
 
@@ -109,7 +108,7 @@ static int stop_at_last(void *context, double part)
 
 TEST(a_scene_that_is_stopped_frees_all_memory)
 {
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5);
     for (int call = 1; call < ENOUGH; call++) {
         int calls = call;
         cylint_scene_status status;
@@ -125,7 +124,6 @@ TEST(a_scene_that_is_stopped_frees_all_memory)
             break;
         }
     }
-    scene_release(&of);
 }
 
 static cylint_scene_status open_unaligned(void *self)
@@ -141,14 +139,13 @@ static cylint_scene_status open_unaligned(void *self)
 TEST(an_opened_scene_frees_all_memory)
 {
     struct bytes file = {NULL, NULL, 0, 0};
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(scene, &file);
     memmove(file.data + 1, file.data, file.n);
     CHECK(refuse_each(open_unaligned, &file) >= 4);
     cylint_scene_free(scene);
     free(file.memory);
-    scene_release(&of);
 }
 
 /* The same failure again and again changes nothing; then the shapes move. */
@@ -160,7 +157,7 @@ TEST(a_refused_refit_changes_nothing)
     for (size_t i = 0; i < SHAPES; i++)
         cylint_sphere(&shapes[i], (double[]){(double)i, 0, 0}, 0.25,
                       CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     for (size_t i = 0; i < SHAPES; i++)
         cylint_sphere(&shapes[i], (double[]){(double)i, 0, 1}, 0.25,
                       CYLINT_ENDS_CAPPED);
@@ -174,7 +171,6 @@ TEST(a_refused_refit_changes_nothing)
         CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) ==
               (k < 3 ? 3 : SHAPES));
     }
-    cylint_scene_free(scene);
 }
 
 /* -------------------------------------------------------------- solids -- */
@@ -270,7 +266,7 @@ TEST(refused_pieces_free_all_memory)
                                       PIPES / 4.0};
     double x[6][FEW];
     cylint_member members[SHAPES];
-    cylint_scene *scene = scene_of_pipes(members);
+    OWN_SCENE *scene = scene_of_pipes(members);
     struct pieces_call c = {
         .scene = scene,
         .lines = {.n = FEW, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}}};
@@ -283,7 +279,6 @@ TEST(refused_pieces_free_all_memory)
         CHECK(refuse_each(find_pieces, &c) > 3);
         CHECK(c.found == expected[c.query]);
     }
-    cylint_scene_free(scene);
 }
 
 static int has_threads = 1; /* the library was built with them */
@@ -324,8 +319,8 @@ TEST(many_lines_need_no_memory_and_no_threads)
     static size_t expected[LINES], counts[LINES];
     const cylint_lines lines = {
         .n = LINES, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}};
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     for (uint64_t i = 0; i < LINES; i++) {
         cylint_line line;
         cylint_hit hit;
@@ -340,8 +335,6 @@ TEST(many_lines_need_no_memory_and_no_threads)
     has_threads = threads_started > 0;
     for (int most = 0; most < 5; most++)
         check_refused_threads(scene, &lines, most, expected);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 #endif

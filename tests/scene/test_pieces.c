@@ -110,7 +110,7 @@ TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
     cylint_whole_line(&line, o, d);
     CHECK(cylint_chord(&cone, &line, chord) == 2 && chord[0].t1 == 0x1p60 &&
           chord[1].t0 == 0x1p60);
-    cylint_scene *scene = cylint_scene_new(&cone, 1, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(&cone, 1, 1, NULL);
     for (int with_solid = 0; with_solid < 2; with_solid++) {
         CHECK(cylint_scene_set_solids(scene, &own, (size_t)with_solid) ==
               CYLINT_SCENE_OK);
@@ -124,7 +124,6 @@ TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
                   piece[0].t0 == -HUGE_VAL && piece[0].t1 == HUGE_VAL);
         }
     }
-    cylint_scene_free(scene);
 }
 
 /* --------------------------------------------------------- environment -- */

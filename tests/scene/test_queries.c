@@ -231,14 +231,13 @@ static void check_lines(const struct scene_shapes *of, uint64_t number)
 static void check_points(const struct scene_shapes *of, uint64_t number)
 {
     uint64_t random = seed() + number;
-    cylint_scene *scene = open_scene(of, 1);
+    OWN_SCENE *scene = open_scene(of, 1);
     for (int family = 0; scene && family < FAMILIES; family++)
         for (size_t i = 0; i < points_of_a_family; i++) {
             double point[3];
             point_of(of, (enum family)family, &random, point);
             check_point(of, scene, point, &random);
         }
-    cylint_scene_free(scene);
 }
 
 /* A loop takes far longer where doubles cannot decide, and for points. */
@@ -264,10 +263,9 @@ TEST(small_scenes_answer_as_a_loop)
     points_of_a_family = 1;
     for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
         for (int kind = 0; kind < SCENE_KINDS; kind++) {
-            struct scene_shapes of = scene_generate(kind, n, seed());
+            OWN_SHAPES of = scene_generate(kind, n, seed());
             check_lines(&of, n);
             check_points(&of, n);
-            scene_release(&of);
         }
     lines_of_a_kind = lines;
     points_of_a_family = points;
@@ -328,7 +326,7 @@ TEST(shapes_of_many_pieces_count_once)
     for (int k = 0; k < 18; k++) {
         static const double widths[] = {0.002, 0.05, 0.0005};
         fill_bundle(&of, &random, widths[k % 3] * (1 + k / 3));
-        cylint_scene *scene = open_scene(&of, 1);
+        OWN_SCENE *scene = open_scene(&of, 1);
         for (int i = 0; i < 15; i++) {
             cylint_line line;
             double p[3], q[3];
@@ -349,7 +347,6 @@ TEST(shapes_of_many_pieces_count_once)
                 check_radius(&of, scene, p, m == 3 ? -0.001 : 0.2 * m,
                              m == 2 ? 0 : CYLINT_SIGNED);
         }
-        cylint_scene_free(scene);
     }
     CHECK(most_found > 250);
 }
@@ -367,14 +364,13 @@ TEST(equal_shapes_are_found_in_order)
     size_t numbers[4];
     for (int i = 0; i < COPIES; i++)
         cylint_cylinder(&shapes[i], base, top, 0.25, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = open_scene(&of, 1);
+    OWN_SCENE *scene = open_scene(&of, 1);
     for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
         check_point(&of, scene, points[i], &random);
         CHECK(cylint_scene_within(scene, points[i], HUGE_VAL, 0, 290, numbers,
                                   NULL, 4) == 4 &&
               numbers[0] == 290 && numbers[3] == 293);
     }
-    cylint_scene_free(scene);
 }
 
 /* ------------------------------------------------------------ contracts -- */
@@ -383,7 +379,7 @@ TEST(an_empty_scene_has_no_answers)
 {
     const struct scene_shapes none = {.name = "empty"};
     const double o[3] = {0, 0, 0}, d[3] = {1, 2, 3};
-    cylint_scene *scene = open_scene(&none, 1);
+    OWN_SCENE *scene = open_scene(&none, 1);
     cylint_line line;
     cylint_ray(&line, o, d);
     check_line(&none, scene, &line);
@@ -392,7 +388,6 @@ TEST(an_empty_scene_has_no_answers)
         check_radius(&none, scene, d, HUGE_VAL, i ? CYLINT_SIGNED : 0);
     check_contains(&none, scene, d);
     CHECK(cylint_scene_bytes(scene) > 0);
-    cylint_scene_free(scene);
     cylint_scene_free(NULL);
 }
 
@@ -404,8 +399,8 @@ TEST(a_bad_point_or_radius_has_no_shape)
     cylint_closest a;
     size_t number;
     double distance;
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 100, seed());
-    cylint_scene *scene = open_scene(&of, 1);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 100, seed());
+    OWN_SCENE *scene = open_scene(&of, 1);
     for (int i = 0; i < 26; i++) {
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
         double p[3] = {0, 0, 0}, radius = HUGE_VAL;
@@ -422,8 +417,6 @@ TEST(a_bad_point_or_radius_has_no_shape)
         CHECK(i >= 18 || cylint_scene_contains(scene, p, 0) == 0);
     }
     CHECK(cylint_scene_within(scene, good, HUGE_VAL, 0, 0, NULL, NULL, 0) == 0);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 /* The case of cylint_scene(3), section Overlapping shapes. */
@@ -433,7 +426,7 @@ TEST(the_nearest_surface_may_lie_inside_another_shape)
                                     shape_of("capsule 0 0 0  30 0 0  1")};
     const double p[3] = {0, 3, 0};
     cylint_closest near;
-    cylint_scene *scene = cylint_scene_new(shapes, 2, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, 2, 1, NULL);
     CHECK(cylint_scene_closest(scene, p, HUGE_VAL, 0, &near) == 1 &&
           near.distance == 2);
     CHECK(cylint_contains(&shapes[0], p) == 1 &&
@@ -441,7 +434,6 @@ TEST(the_nearest_surface_may_lie_inside_another_shape)
     CHECK(cylint_scene_closest(scene, p, HUGE_VAL, CYLINT_SIGNED, &near) == 0 &&
           near.distance == -7);
     CHECK(cylint_scene_contains(scene, p, 0) == 1);
-    cylint_scene_free(scene);
 }
 
 /* Ends a visit after some calls, or asks for less than before. */
@@ -482,8 +474,8 @@ static double query_again(void *context, size_t number, const cylint_hit *hit)
 
 TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
-    struct scene_shapes of = scene_generate(SCENE_STRANDS, SHAPES, seed());
-    cylint_scene *scene = open_scene(&of, 1);
+    OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, seed());
+    OWN_SCENE *scene = open_scene(&of, 1);
     int visited = 0;
     for (uint64_t i = 0; i < 200; i++) {
         struct ender all = {.bound = HUGE_VAL, .least = HUGE_VAL},
@@ -514,8 +506,6 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         visited++;
     }
     CHECK(visited > 20);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */
@@ -526,8 +516,8 @@ static void answer_points_there(struct environment there)
     uint64_t random = seed() + 200;
     for (int k = 0; k < 3 * FAMILIES; k++) {
         double point[3];
-        struct scene_shapes of = scene_generate(kinds[k % 3], 40, seed());
-        cylint_scene *scene = open_scene(&of, 1);
+        OWN_SHAPES of = scene_generate(kinds[k % 3], 40, seed());
+        OWN_SCENE *scene = open_scene(&of, 1);
         point_of(&of, (enum family)(k / 3), &random, point);
         for (int i = 0; i < 2; i++) {
             const unsigned members = i ? 0 : CYLINT_SIGNED;
@@ -546,8 +536,6 @@ static void answer_points_there(struct environment there)
                 REPORT("point %a %a %a  # scene %s", point[0], point[1],
                        point[2], of.name);
         }
-        cylint_scene_free(scene);
-        scene_release(&of);
     }
 }
 
@@ -603,8 +591,8 @@ static void *answer_part(void *argument)
 TEST(threads_share_a_scene_with_the_same_answers)
 {
     struct part parts[THREADS];
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
-    cylint_scene *scene = open_scene(&of, 2);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
+    OWN_SCENE *scene = open_scene(&of, 2);
     for (uint64_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
         scene_line(&of, (enum scene_lines)(i % LINES_KINDS), seed(), i,
                    &drawn[i]);
@@ -617,8 +605,6 @@ TEST(threads_share_a_scene_with_the_same_answers)
         pthread_join(parts[i].thread, NULL);
     for (int i = 1; i < THREADS; i++)
         CHECK(parts[i].sum == parts[0].sum);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 TEST(every_status_has_its_text)

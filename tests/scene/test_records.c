@@ -14,6 +14,7 @@
 #include "families.h"
 #include "intersect.h"
 #include "same.h"
+#include "scenes.h"
 #include "scene/records.h"
 #include "shapes/shape_facts.h"
 
@@ -25,7 +26,7 @@ TEST(a_scene_returns_its_shapes)
     for (int family = 0; family < family_count(); family++) {
         static cylint_shape shapes[BLOCK];
         cylint_shape back;
-        cylint_scene *scene = cylint_scene_begin(0);
+        OWN_SCENE *scene = cylint_scene_begin(0);
         for (int block = 0; block < 2; block++) {
             for (int i = 0; i < BLOCK; i++) {
                 struct family_case c;
@@ -41,7 +42,6 @@ TEST(a_scene_returns_its_shapes)
             if (!CHECK(same_bytes(&back, &shapes[i], sizeof back)))
                 REPORT("family %s, shape %d", family_name(family), i);
         }
-        cylint_scene_free(scene);
     }
 }
 
@@ -54,18 +54,17 @@ TEST(a_ball_of_a_hull_keeps_its_part)
                  back;
     CHECK(cylint_cylinder(&shapes[3], p, p, 1, CYLINT_ENDS_CAPPED) ==
           CYLINT_EAXIS);
-    cylint_scene *scene = cylint_scene_new(shapes, 4, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, 4, 1, NULL);
     for (size_t i = 0; i < 4; i++) {
         cylint_scene_shape(scene, i, &back);
         CHECK(same_bytes(&back, &shapes[i], sizeof back));
     }
-    cylint_scene_free(scene);
 }
 
 TEST(a_finished_scene_takes_no_shape)
 {
     const cylint_shape shape = shape_of("sphere 0 0 0 1");
-    cylint_scene *scene = cylint_scene_begin(1);
+    OWN_SCENE *scene = cylint_scene_begin(1);
     CHECK(cylint_scene_add(scene, NULL, 0) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);
     CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_OK);
@@ -73,7 +72,6 @@ TEST(a_finished_scene_takes_no_shape)
     CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_EFINISHED);
     CHECK(cylint_scene_finish(scene, 0, NULL, NULL) == CYLINT_SCENE_EFINISHED);
     CHECK(cylint_scene_size(scene) == 1);
-    cylint_scene_free(scene);
 }
 
 /* Totals over all lines and shapes. */

@@ -53,15 +53,14 @@ static void check_moves(int kind, uint64_t seed, long moves)
 {
     uint64_t random = seed;
     cylint_scene_status status;
-    struct scene_shapes of = scene_generate(kind, SHAPES, seed);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(kind, SHAPES, seed);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_worsening(scene) == 1);
     for (long k = 0; k < moves; k++) {
         /* sometimes of another kind, size and place */
         const int other =
             random_int(&random, 4) ? kind : random_int(&random, SCENE_KINDS);
-        struct scene_shapes by =
-            scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
+        OWN_SHAPES by = scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
         const size_t first = (size_t)random_below(&random, of.n),
                      most = of.n - first;
         const size_t n = random_int(&random, 4)
@@ -72,14 +71,10 @@ static void check_moves(int kind, uint64_t seed, long moves)
         status = all ? cylint_scene_refit(scene, 0, of.n, of.shapes)
                      : cylint_scene_refit(scene, first, n, of.shapes + first);
         CHECK(status == CYLINT_SCENE_OK);
-        cylint_scene *expected = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        OWN_SCENE *expected = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(differences(expected, scene, &of, seed + (uint64_t)k) == 0);
         CHECK(cylint_scene_worsening(scene) > 0);
-        cylint_scene_free(expected);
-        scene_release(&by);
     }
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 TEST(a_scene_that_moved_answers_as_a_new_one)
@@ -112,7 +107,7 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     static cylint_shape shapes[SHAPES];
     double forth = 0, back = 0;
     fill_row(shapes, SHAPES, 1);
-    cylint_scene *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     for (int k = 0; k < 20; k++) {
         fill_row(shapes, SHAPES, 7);
         forth = move_each(scene, shapes, SHAPES);
@@ -121,7 +116,6 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     }
     CHECK(forth > 3); /* neighbours in a leaf are far from each other */
     CHECK(back < 1.05);
-    cylint_scene_free(scene);
 }
 
 TEST(what_is_refused_changes_nothing)
@@ -133,7 +127,7 @@ TEST(what_is_refused_changes_nothing)
     cylint_hit hit;
     fill_row(shapes, SHAPES, 1);
     fill_row(moved, SHAPES, 7);
-    cylint_scene *scene = cylint_scene_begin(0);
+    OWN_SCENE *scene = cylint_scene_begin(0);
     cylint_scene_add(scene, shapes, SHAPES);
     CHECK(cylint_scene_refit(scene, 0, 1, moved) == CYLINT_SCENE_EUNFINISHED);
     cylint_scene_finish(scene, 1, NULL, NULL);
@@ -153,14 +147,13 @@ TEST(what_is_refused_changes_nothing)
     CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == 3 &&
           hit.t < 1);
     CHECK(cylint_scene_worsening(scene) == 1);
-    cylint_scene_free(scene);
 }
 
 TEST(a_scene_that_moved_is_saved)
 {
     struct bytes file = {NULL, NULL, 0, 0};
-    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 7);
-    struct scene_shapes by = scene_generate(SCENE_MIXED, SHAPES, 8);
+    OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 7);
+    OWN_SHAPES by = scene_generate(SCENE_MIXED, SHAPES, 8);
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     replace(&of, &by, 50, 100);
     CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
@@ -172,6 +165,4 @@ TEST(a_scene_that_moved_is_saved)
     cylint_scene_free(opened);
     cylint_scene_free(scene);
     free(file.memory);
-    scene_release(&of);
-    scene_release(&by);
 }

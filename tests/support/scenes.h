@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#include "cylint.h"
+#include "cylint_scene.h"
 
 struct scene_shapes {
     const char *name;
@@ -45,6 +45,15 @@ int scene_from(const char *name, const char *command,
                struct scene_shapes *scene);
 
 void scene_release(struct scene_shapes *scene);
+
+/* Shapes, or a scene, that are freed at the end of their block. */
+#define OWN_SHAPES __attribute__((cleanup(scene_release))) struct scene_shapes
+#define OWN_SCENE __attribute__((cleanup(scene_free))) cylint_scene
+
+static inline void scene_free(cylint_scene **scene)
+{
+    cylint_scene_free(*scene);
+}
 
 enum scene_lines {
     LINES_CAMERA,   /* from one eye */
