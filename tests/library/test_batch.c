@@ -259,22 +259,7 @@ static void slide(const struct family_case *one, size_t n)
 
 /* ----------------------------------------------------------------- tests -- */
 
-static void kernels_are_chosen_by_name(void)
-{
-    int n = 0;
-    while (cylint_kernels_name(n))
-        n++;
-    CHECK(n > 0 && !cylint_kernels_name(-1));
-    CHECK(strcmp(cylint_kernels_name(n - 1), "plain") == 0);
-    CHECK(!cylint_use_kernels("no such kernels"));
-    CHECK(cylint_use_kernels("plain"));
-    CHECK(!cylint_use_kernels(""));
-    CHECK(strcmp(cylint_kernels_in_use(), "plain") == 0);
-    CHECK(cylint_use_kernels(NULL));
-    CHECK(strcmp(cylint_kernels_in_use(), cylint_kernels_name(0)) == 0);
-}
-
-static void batches_answer_as_single_questions(void)
+TEST(batches_answer_as_single_questions)
 {
     const size_t lines = lines_per_family(), n = lines < 12 ? 50 * lines : MOST;
     for (int family = 0; family <= family_count(); family++) {
@@ -305,7 +290,7 @@ static void check_batches(size_t n, const struct layout *at)
 }
 
 /* Shapes of one kind with the same ends, so that all lanes are of one run. */
-static void runs_of_one_kind_answer_as_single_questions(void)
+TEST(runs_of_one_kind_answer_as_single_questions)
 {
     enum { N = 120 };
     uint64_t index = 5000;
@@ -333,7 +318,7 @@ static void draw_around(int family)
     slide(&drawn[0], MOST);
 }
 
-static void every_length_has_its_answers(void)
+TEST(every_length_has_its_answers)
 {
     static const size_t longer[] = {31,  255, 256, 257, 263,
                                     264, 511, 513, MOST};
@@ -347,7 +332,7 @@ static void every_length_has_its_answers(void)
         check_batches(longer[i], &usual);
 }
 
-static void every_address_has_its_answers(void)
+TEST(every_address_has_its_answers)
 {
     for (int family = 0; family < 2; family++) {
         draw_around(family);
@@ -358,7 +343,7 @@ static void every_address_has_its_answers(void)
     }
 }
 
-static void only_wanted_columns_are_written(void)
+TEST(only_wanted_columns_are_written)
 {
     draw_around(0);
     for (int i = 0; i <= WITHOUT_MEMBERS + COLUMNS; i++) {
@@ -369,7 +354,7 @@ static void only_wanted_columns_are_written(void)
     }
 }
 
-static void without_a_domain_lines_are_rays(void)
+TEST(without_a_domain_lines_are_rays)
 {
     draw_around(0);
     for (int domain = 0; domain < 4; domain++) {
@@ -379,7 +364,7 @@ static void without_a_domain_lines_are_rays(void)
     }
 }
 
-static void segments_keep_the_low_parts_of_their_directions(void)
+TEST(segments_keep_the_low_parts_of_their_directions)
 {
     int n_drawn = 0;
     draw_mixed(100);
@@ -403,7 +388,7 @@ static struct family_case easy(void)
 }
 
 /* Among them one whose tmin is just above tmax, near every hit. */
-static void an_invalid_line_misses(void)
+TEST(an_invalid_line_misses)
 {
     static const double wrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
     enum { N = 40 };
@@ -436,7 +421,7 @@ static void an_invalid_line_misses(void)
 }
 
 /* The hard line, or shape, is in every lane in turn, among easy ones. */
-static void a_hard_lane_does_not_disturb_its_neighbours(void)
+TEST(a_hard_lane_does_not_disturb_its_neighbours)
 {
     static const double hard[][6] = {
         {1, -3, 1, 0, 1, 0},        /* touches: x = 1 */
@@ -470,7 +455,7 @@ static void a_hard_lane_does_not_disturb_its_neighbours(void)
 }
 
 /* The same cylinder in four forms, after some that are missed or hit later. */
-static void the_lower_number_is_nearest_for_equal_t(void)
+TEST(the_lower_number_is_nearest_for_equal_t)
 {
     static const char *const forms[4] = {"cylinder 0 0 0  0 0 4  1",
                                          "cone 0 0 0 1  0 0 4 1",
@@ -519,7 +504,7 @@ static void *query_all(void *at)
     return NULL;
 }
 
-static void threads_share_a_pack(void)
+TEST(threads_share_a_pack)
 {
     static struct share of[2];
     pthread_t thread[2];
@@ -534,22 +519,26 @@ static void threads_share_a_pack(void)
     CHECK(same_bytes(&of[0], &of[1], sizeof of[0]));
 }
 
+/* The last test: the best kernels are in use then. */
+TEST(kernels_are_chosen_by_name)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    CHECK(n > 0 && !cylint_kernels_name(-1));
+    CHECK(strcmp(cylint_kernels_name(n - 1), "plain") == 0);
+    CHECK(!cylint_use_kernels("no such kernels"));
+    CHECK(cylint_use_kernels("plain"));
+    CHECK(!cylint_use_kernels(""));
+    CHECK(strcmp(cylint_kernels_in_use(), "plain") == 0);
+    CHECK(cylint_use_kernels(NULL));
+    CHECK(strcmp(cylint_kernels_in_use(), cylint_kernels_name(0)) == 0);
+}
+
 int main(void)
 {
     allocate_pages();
-    RUN(kernels_are_chosen_by_name);
-    RUN(threads_share_a_pack);
-    EACH_KERNELS(k) {
-        RUN(batches_answer_as_single_questions);
-        RUN(runs_of_one_kind_answer_as_single_questions);
-        RUN(every_length_has_its_answers);
-        RUN(every_address_has_its_answers);
-        RUN(only_wanted_columns_are_written);
-        RUN(without_a_domain_lines_are_rays);
-        RUN(segments_keep_the_low_parts_of_their_directions);
-        RUN(an_invalid_line_misses);
-        RUN(a_hard_lane_does_not_disturb_its_neighbours);
-        RUN(the_lower_number_is_nearest_for_equal_t);
-    }
+    EACH_KERNELS(k)
+        check_each();
     return check_end();
 }

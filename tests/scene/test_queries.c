@@ -558,6 +558,8 @@ TEST(points_have_the_same_answers_in_every_environment)
 
 /* -------------------------------------------------------------- threads -- */
 
+static cylint_line drawn[3 * LINES * LINES_KINDS];
+
 struct part {
     const struct scene_shapes *of;
     const cylint_scene *scene;
@@ -577,13 +579,11 @@ static void *answer_part(void *argument)
     struct part *p = argument;
     uint64_t random = 5;
     for (int i = 0; i < 3 * LINES * LINES_KINDS; i++) {
-        cylint_line line;
+        const cylint_line line = drawn[i];
         cylint_hit hit = {0};
         cylint_closest near = {0};
         size_t numbers[16];
         double point[3], distances[16];
-        scene_line(p->of, (enum scene_lines)(i % LINES_KINDS), seed(),
-                   (uint64_t)i, &line);
         add_answer(p,
                    cylint_scene_nearest(p->scene, &line, CYLINT_WANT_T, &hit),
                    hit.t);
@@ -605,6 +605,9 @@ TEST(threads_share_a_scene_with_the_same_answers)
     struct part parts[THREADS];
     struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
     cylint_scene *scene = open_scene(&of, 2);
+    for (uint64_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+        scene_line(&of, (enum scene_lines)(i % LINES_KINDS), seed(), i,
+                   &drawn[i]);
     for (int i = 0; i < THREADS; i++) {
         parts[i] = (struct part){.of = &of, .scene = scene};
         if (pthread_create(&parts[i].thread, NULL, answer_part, &parts[i]))

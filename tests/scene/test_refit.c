@@ -13,13 +13,9 @@
 #include "random.h"
 #include "answers.h"
 #include "scene_file.h"
+#include "shapes/shape_facts.h"
 
 enum { SHAPES = 300, MOVES = 4 };
-
-static int is_elliptic(const cylint_shape *s)
-{
-    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
-}
 
 static int is_finite_shape(const cylint_shape *s)
 {
@@ -34,7 +30,7 @@ static int is_finite_shape(const cylint_shape *s)
 /* Whether a shape may take the place of another, by the words of the header. */
 static int may_replace(const cylint_shape *x, const cylint_shape *y)
 {
-    return is_elliptic(x) == is_elliptic(y) &&
+    return cylint_is_elliptic(x->kind) == cylint_is_elliptic(y->kind) &&
            (x->kind == CYLINT_KIND_NONE) == (y->kind == CYLINT_KIND_NONE) &&
            (is_finite_shape(x) || !is_finite_shape(y));
 }

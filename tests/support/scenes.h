@@ -1,8 +1,8 @@
 /*
  * scenes.h - many shapes, and lines that are hard for a hierarchy of them
  *
- * Input of the tests and benchmarks of cylint_scene.  The seed determines scene
- * and line; no library is needed.
+ * Input of the tests of cylint_scene and of the adapter for Embree.  The seed
+ * determines scene and line.  Threads may not draw at the same time.
  */
 #ifndef CYLINT_SCENES_H
 #define CYLINT_SCENES_H
