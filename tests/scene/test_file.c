@@ -58,7 +58,7 @@ TEST(an_opened_scene_answers_as_the_saved_one)
 
 TEST(an_opened_scene_saves_the_same_bytes)
 {
-    struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
+    OWN_BYTES first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
     for (int kind = 0; kind < SCENE_KINDS; kind++)
         for (size_t n = 1; n <= 16; n *= 4) {
             OWN_SHAPES of = scene_generate(kind, n, 5);
@@ -70,8 +70,6 @@ TEST(an_opened_scene_saves_the_same_bytes)
             CHECK(first.n == again.n &&
                   memcmp(first.data, again.data, first.n) == 0);
         }
-    free(first.memory);
-    free(again.memory);
 }
 
 /* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
@@ -99,7 +97,7 @@ static void write_small(struct bytes *b)
 
 TEST(bytes_in_memory_open_at_every_address)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 3);
     OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(built, &b);
@@ -112,21 +110,17 @@ TEST(bytes_in_memory_open_at_every_address)
         cylint_scene_free(opened);
         free(copy);
     }
-    free(b.memory);
 }
 
 TEST(an_empty_scene_can_be_saved)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
-    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
     scene_file_write(empty, &b);
     CHECK(b.n == 512);
-    cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
     CHECK(opened && cylint_scene_size(opened) == 0 &&
           !cylint_scene_get_labels(opened));
-    cylint_scene_free(opened);
-    cylint_scene_free(empty);
-    free(b.memory);
 }
 
 TEST(labels_are_saved)
@@ -135,7 +129,7 @@ TEST(labels_are_saved)
     static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
     const double p[3] = {0, 0, 0}, q[3] = {0, 0, 1};
     cylint_shape shape[3];
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     for (int i = 0; i < 3; i++)
         cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
     for (int k = 0; k < 2; k++) {
@@ -151,7 +145,6 @@ TEST(labels_are_saved)
         cylint_scene_set_labels(opened, NULL);
         CHECK(!cylint_scene_get_labels(opened));
     }
-    free(b.memory);
 }
 
 static int write_few(void *context, const void *data, size_t n)
@@ -212,7 +205,7 @@ TEST(a_file_beside_the_new_one_is_not_written)
 /* Such a file has one reader, who must not close and open it again. */
 TEST(a_named_pipe_is_read)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     int status = 1;
     write_small(&b);
     CHECK(mkfifo(path, 0600) == 0);
@@ -221,12 +214,10 @@ TEST(a_named_pipe_is_read)
         FILE *to = fopen(path, "wb");
         _exit(!to || fwrite(b.data, 1, b.n, to) != b.n || fclose(to) != 0);
     }
-    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     CHECK(opened && cylint_scene_size(opened) == SMALL);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
-    cylint_scene_free(opened);
     remove(path);
-    free(b.memory);
 }
 
 TEST(a_named_pipe_is_written_to_and_not_replaced)
@@ -274,7 +265,7 @@ TEST(two_processes_map_one_file)
 static void saved_anywhere(struct environment there)
 {
     static const double tiny[] = {0, 0x1p-1074, 0x1p-1023, 0x1p-1021, 0x1p-400};
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     cylint_shape shape[4 * 5];
     for (int i = 0; i < 20; i++) {
         const double x = tiny[i / 4], y = i % 2 ? x : 0;
@@ -289,7 +280,7 @@ static void saved_anywhere(struct environment there)
             cylint_sphere(&shape[i], p, x > 0 ? x : 1, CYLINT_ENDS_CAPPED);
     }
     environment_set(there);
-    cylint_scene *built = cylint_scene_new(shape, 20, 1, NULL);
+    OWN_SCENE *built = cylint_scene_new(shape, 20, 1, NULL);
     scene_file_write(built, &b);
     environment_reset();
     for (int i = 0; i < ENVIRONMENTS; i++) {
@@ -303,8 +294,6 @@ static void saved_anywhere(struct environment there)
         if (!CHECK(opened && same_shapes(built, opened)))
             REPORT("in environment %d: status %d", i, (int)status);
     }
-    cylint_scene_free(built);
-    free(b.memory);
 }
 
 TEST(a_file_opens_in_every_environment)
@@ -325,7 +314,7 @@ static int next_change(int change)
 
 TEST(every_changed_byte_is_refused)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     write_small(&b);
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
     for (size_t i = 0; i < b.n; i++)
@@ -340,12 +329,11 @@ TEST(every_changed_byte_is_refused)
                   status == CYLINT_SCENE_EVERSION);
             b.data[i] = (char)(b.data[i] ^ change);
         }
-    free(b.memory);
 }
 
 TEST(every_shorter_file_is_refused)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     write_small(&b);
     for (size_t n = 0; n < b.n; n++) {
         char *copy = malloc(n + 1); /* so that a read beyond it is found */
@@ -356,13 +344,12 @@ TEST(every_shorter_file_is_refused)
     }
     b.n += 64;
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
-    free(b.memory);
 }
 
 /* With the checksum made right, each byte in turn changes. */
 TEST(no_changed_byte_makes_a_query_fail)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     int opened = 0;
     write_small(&b);
     for (size_t i = 0; i < b.n; i++)
@@ -373,7 +360,6 @@ TEST(no_changed_byte_makes_a_query_fail)
             b.data[i] = (char)(b.data[i] ^ change);
         }
     CHECK(opened > 100);
-    free(b.memory);
 }
 
 /* Opens a file of rounded cones, cylinders and a cone after number `at`, counted in
@@ -381,7 +367,7 @@ TEST(no_changed_byte_makes_a_query_fail)
 static cylint_scene_status status_with(size_t at, double x)
 {
     const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     cylint_shape shape[4];
     cylint_round_cone(&shape[0], p, 1, q, 1.5, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&shape[1], p, q, 1, CYLINT_ENDS_CAPPED);
@@ -393,7 +379,6 @@ static cylint_scene_status status_with(size_t at, double x)
     memcpy(b.data + at * sizeof x, &x, sizeof x);
     scene_file_repair(b.data, b.n);
     const cylint_scene_status status = scene_file_try(b.data, b.n);
-    free(b.memory);
     return status;
 }
 
@@ -427,7 +412,7 @@ TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
     uint64_t random = 17;
-    struct bytes b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
     bytes_reserve(&c, SCENE_FILE_MOST);
     int opened = 0;
     for (int i = 0; i < cases; i++) {
@@ -461,8 +446,6 @@ TEST(no_changed_numbers_make_a_query_fail)
     }
     CHECK(opened > cases / 10);
     CHECK(opened < cases);
-    free(b.memory);
-    free(c.memory);
 }
 
 int main(void)

@@ -138,14 +138,12 @@ static cylint_scene_status open_unaligned(void *self)
 /* Unaligned bytes are copied. */
 TEST(an_opened_scene_frees_all_memory)
 {
-    struct bytes file = {NULL, NULL, 0, 0};
+    OWN_BYTES file = {NULL, NULL, 0, 0};
     OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(scene, &file);
     memmove(file.data + 1, file.data, file.n);
     CHECK(refuse_each(open_unaligned, &file) >= 4);
-    cylint_scene_free(scene);
-    free(file.memory);
 }
 
 /* The same failure again and again changes nothing; then the shapes move. */

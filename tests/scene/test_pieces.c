@@ -77,7 +77,6 @@ static void check_worlds(long worlds, int with_solids)
             make_solids();
         for (int j = 0; j < LINES; j++)
             check_line();
-        cylint_scene_free(world.scene);
     }
     CHECK(pieces_compared > 100 * worlds);
     fprintf(stderr, "%ld pieces\n", pieces_compared);
@@ -183,8 +182,6 @@ static void answer_there(struct environment there)
             const double t = expected.piece[0][0].t0;
             subnormal_ends += t > 0 && t < DBL_MIN;
         }
-        if (i % 40 == 39)
-            cylint_scene_free(world.scene);
     }
 }
 

@@ -151,18 +151,15 @@ TEST(what_is_refused_changes_nothing)
 
 TEST(a_scene_that_moved_is_saved)
 {
-    struct bytes file = {NULL, NULL, 0, 0};
+    OWN_BYTES file = {NULL, NULL, 0, 0};
     OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 7);
     OWN_SHAPES by = scene_generate(SCENE_MIXED, SHAPES, 8);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     replace(&of, &by, 50, 100);
     CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
           CYLINT_SCENE_OK);
     scene_file_write(scene, &file);
-    cylint_scene *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
     CHECK(opened && differences(scene, opened, &of, 9) == 0);
     CHECK(cylint_scene_refit(opened, 0, 1, of.shapes) == CYLINT_SCENE_EOPENED);
-    cylint_scene_free(opened);
-    cylint_scene_free(scene);
-    free(file.memory);
 }

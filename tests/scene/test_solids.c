@@ -85,7 +85,7 @@ TEST(a_refused_solid_changes_nothing)
         if (with)
             make_solids();
         draw_lines();
-        cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
+        OWN_SCENE *same = cylint_scene_new(world.shape, world.n, 1, NULL);
         cylint_scene_set_solids(same, world.member, world.members);
         for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
             const cylint_scene_status status = cylint_scene_set_solids(
@@ -94,8 +94,6 @@ TEST(a_refused_solid_changes_nothing)
                 REPORT("case %zu: status %d", i, (int)status);
             CHECK(same_solids(world.scene, same));
         }
-        cylint_scene_free(same);
-        cylint_scene_free(world.scene);
     }
 }
 
@@ -119,7 +117,7 @@ TEST(solids_replace_those_before)
     stream = 2;
     make_shapes();
     draw_lines();
-    cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
+    OWN_SCENE *same = cylint_scene_new(world.shape, world.n, 1, NULL);
     for (int i = 0; i < 10; i++) {
         make_solids();
         CHECK(cylint_scene_set_solids(same, NULL, 0) == CYLINT_SCENE_OK &&
@@ -131,12 +129,9 @@ TEST(solids_replace_those_before)
         memset(copy, 0xff, sizeof copy);
         CHECK(same_solids(world.scene, same));
     }
-    cylint_scene *plain = cylint_scene_new(world.shape, world.n, 1, NULL);
+    OWN_SCENE *plain = cylint_scene_new(world.shape, world.n, 1, NULL);
     cylint_scene_set_solids(same, NULL, 0);
     CHECK(same_solids(plain, same));
-    cylint_scene_free(plain);
-    cylint_scene_free(same);
-    cylint_scene_free(world.scene);
 }
 
 /* -------------------------------------------------------- saved scenes -- */
@@ -171,18 +166,12 @@ static void begin_saved_world(uint64_t seed, struct bytes *b)
     scene_file_write(world.scene, b);
 }
 
-static void end_saved_world(struct bytes *b)
-{
-    free(b->memory);
-    cylint_scene_free(world.scene);
-}
-
 TEST(saved_solids_are_the_same)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 100);
     stream = 3;
     for (long i = 0; i < worlds; i++) {
-        struct bytes b;
+        OWN_BYTES b;
         begin_saved_world(stream, &b);
         for (unsigned flags = 0; flags < 2; flags++) {
             OWN_SCENE *opened = cylint_scene_open_memory(
@@ -197,7 +186,6 @@ TEST(saved_solids_are_the_same)
             CHECK(same_solids(world.scene, opened));
         }
         CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
-        end_saved_world(&b);
     }
 }
 
@@ -216,7 +204,7 @@ static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
 
 TEST(damaged_members_are_refused)
 {
-    struct bytes b;
+    OWN_BYTES b;
     begin_saved_world(4, &b);
     CHECK(bytes_of_section(&b, SECTION_OF_SOLIDS) == 12 * world.members);
     for (size_t i = 0; i < world.members; i++) {
@@ -231,14 +219,13 @@ TEST(damaged_members_are_refused)
         CHECK(status_with(&b, 3 * i + 2, UINT32_C(1) << 31) ==
               CYLINT_SCENE_EDAMAGED);
     }
-    end_saved_world(&b);
 }
 
 /* The sizes of the sections of solids and of ranks, which this version does not
  * have. */
 TEST(damaged_sizes_are_refused)
 {
-    struct bytes b;
+    OWN_BYTES b;
     begin_saved_world(5, &b);
     for (int i = SECTION_OF_SOLIDS; i < SECTIONS; i++) {
         char *const size = b.data + BYTES_OF_SECTIONS + 8 * i;
@@ -251,7 +238,6 @@ TEST(damaged_sizes_are_refused)
             *size = (char)(*size ^ change);
         }
     }
-    end_saved_world(&b);
 }
 
 /* ----------------------------------------------------------- workspaces -- */
@@ -337,7 +323,6 @@ TEST(workspaces_of_every_size_are_kept)
         for (int query = 0; query < QUERIES; query++)
             for (int of = 0; of < 4; of++)
                 check_sizes(query, of);
-        cylint_scene_free(world.scene);
     }
 }
 
