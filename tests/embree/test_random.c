@@ -18,11 +18,6 @@
 #include "embree_compare.h"
 #include "vectors.h"
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 struct tally {
     long rays, hits, shadows;
     long far, far_missed, far_other; /* from farther than `sizes` */
@@ -133,10 +128,10 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
     const size_t shapes = (size_t)check_setting("CYLINT_SHAPES", 200);
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
-        OWN_SHAPES s = scene_generate(world_scenes[i], shapes, seed());
+        OWN_SHAPES s = scene_generate(world_scenes[i], shapes, check_seed());
         OWN_WORLD w = made(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
-            compare_lines(&w, &s, (enum scene_lines)kind, seed(),
+            compare_lines(&w, &s, (enum scene_lines)kind, check_seed(),
                           1 + rays / (2 * WORLD_SCENES * LINES_KINDS), &n);
     }
     CHECK(n.rays >= rays / 2 && n.hits > n.rays / 4 &&
@@ -213,7 +208,7 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
 TEST(rays_that_barely_miss_are_not_occluded)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
-    uint64_t state = seed();
+    uint64_t state = check_seed();
     long hits = 0;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];

@@ -23,11 +23,6 @@ enum {
 };
 enum { WITHOUT_MEMBERS = 63 };
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 static size_t lines_per_family(void)
 {
     return (size_t)check_setting("CYLINT_CASES", 12);
@@ -118,7 +113,7 @@ static void show(const struct family_case *line,
     struct family_case record = *shape;
     record.line_word = line->line_word;
     memcpy(record.line_data, line->line_data, sizeof record.line_data);
-    REPORT("seed %llu, kernels %s", (unsigned long long)seed(),
+    REPORT("seed %llu, kernels %s", (unsigned long long)check_seed(),
            cylint_kernels_in_use());
     REPORT_CASE(&record);
 }
@@ -226,7 +221,7 @@ static struct family_case drawn[MOST], lined[MOST];
 static void draw(int family, uint64_t first, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        family_case(seed(), family, first + i, &drawn[i]);
+        family_case(check_seed(), family, first + i, &drawn[i]);
 }
 
 /* All families in turn, with all kinds and ends and some invalid cases. */
@@ -234,7 +229,7 @@ static void draw_mixed(size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         struct family_case *c = &drawn[i];
-        family_case(seed() + 7, (int)(i % (size_t)family_count()), i, c);
+        family_case(check_seed() + 7, (int)(i % (size_t)family_count()), i, c);
         if (i % 50 == 49) {
             c->shape_data[6] = -1;
             c->shape_data[0] = i % 100 == 99 ? NAN : 0;
@@ -298,8 +293,8 @@ TEST(runs_of_one_kind_answer_as_single_questions)
         for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             for (size_t n = 0; n < N; index++) {
                 struct family_case *c = &drawn[n];
-                family_case(seed(), (int)(index % (uint64_t)family_count()),
-                            index, c);
+                family_case(check_seed(),
+                            (int)(index % (uint64_t)family_count()), index, c);
                 c->ends = (cylint_ends)(kind == FAMILY_SPHERE  ? 0
                                         : kind > FAMILY_SPHERE ? ends % 4
                                                                : ends);
@@ -314,7 +309,7 @@ TEST(runs_of_one_kind_answer_as_single_questions)
 static void draw_around(int family)
 {
     draw_mixed(MOST);
-    family_case(seed(), family, 0, &drawn[0]);
+    family_case(check_seed(), family, 0, &drawn[0]);
     slide(&drawn[0], MOST);
 }
 
@@ -370,7 +365,7 @@ TEST(segments_keep_the_low_parts_of_their_directions)
     draw_mixed(100);
     for (uint64_t i = 0; n_drawn < 60 && i < 100000; i++) {
         struct family_case c;
-        family_case(seed(), (int)(i % (uint64_t)family_count()), i, &c);
+        family_case(check_seed(), (int)(i % (uint64_t)family_count()), i, &c);
         if (c.line_word != FAMILY_SEGMENT ||
             (c.line.d_lo[0] == 0 && c.line.d_lo[1] == 0 && c.line.d_lo[2] == 0))
             continue;

@@ -22,6 +22,8 @@ enum { CALLS = 18 }; /* with each size and number of threads */
 
 /* The input: lines of all kinds, some of them invalid, and points. */
 static double input[8][MOST], radii[MOST];
+static double *const array[8] = {input[0], input[1], input[2], input[3],
+                                 input[4], input[5], input[6], input[7]};
 static size_t except[MOST];
 
 /* Arrays of answers, with one element more that is not written: the numbers of
@@ -65,9 +67,6 @@ static void poison(void)
 
 static void fill_lines(const struct scene_shapes *of)
 {
-    double *array[8];
-    for (int k = 0; k < 8; k++)
-        array[k] = input[k];
     for (size_t i = 0; i < MOST; i++) {
         cylint_line line;
         memset(&line, 0, sizeof line);
@@ -90,9 +89,6 @@ static void fill_lines(const struct scene_shapes *of)
 
 static cylint_lines lines_now(size_t n, int domain)
 {
-    double *array[8];
-    for (int k = 0; k < 8; k++)
-        array[k] = input[k];
     return lines_of(array, n, domain);
 }
 

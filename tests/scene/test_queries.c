@@ -23,11 +23,6 @@ enum { SHAPES = 1200, NEAR = 150, LINES = 20, POINTS = 1, THREADS = 8 };
 static size_t lines_of_a_kind = LINES, points_of_a_family = POINTS;
 static size_t n_lines, n_hit, n_points, n_near, n_inside, most_found;
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
 {
     cylint_scene_status status;
@@ -47,7 +42,7 @@ static void check_line(const struct scene_shapes *of, const cylint_scene *scene,
     if (!CHECK(same_line_answers(&got, &want))) {
         REPORT("scene %s, seed %llu: nearest %zu %zu %zu, not %zu %zu %zu; %zu "
                "hit, not %zu; %zu chords, not %zu",
-               of->name, (unsigned long long)seed(), got.nearest[0],
+               of->name, (unsigned long long)check_seed(), got.nearest[0],
                got.nearest[1], got.nearest[2], want.nearest[0], want.nearest[1],
                want.nearest[2], got.hit.n, want.hit.n, got.chords, want.chords);
         REPORT("span %a %a %a  %a %a %a  %a %a", line->o[0], line->o[1],
@@ -220,7 +215,8 @@ static void check_lines(const struct scene_shapes *of, uint64_t number)
             kind == LINES_WILD || of->hi[0] > 0x1p300 || of->hi[0] < 0x1p-300;
         for (uint64_t i = 0; i <= lines_of_a_kind / (slow ? 20 : 1); i++) {
             cylint_line line;
-            scene_line(of, (enum scene_lines)kind, seed(), number + i, &line);
+            scene_line(of, (enum scene_lines)kind, check_seed(), number + i,
+                       &line);
             check_line(of, scene, &line);
         }
     }
@@ -230,7 +226,7 @@ static void check_lines(const struct scene_shapes *of, uint64_t number)
 
 static void check_points(const struct scene_shapes *of, uint64_t number)
 {
-    uint64_t random = seed() + number;
+    uint64_t random = check_seed() + number;
     OWN_SCENE *scene = open_scene(of, 1);
     for (int family = 0; scene && family < FAMILIES; family++)
         for (size_t i = 0; i < points_of_a_family; i++) {
@@ -246,10 +242,10 @@ TEST(generated_scenes_answer_as_a_loop)
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
         struct scene_shapes of =
-            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, seed());
+            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, check_seed());
         check_lines(&of, (uint64_t)kind);
         scene_release(&of);
-        of = scene_generate(kind, NEAR, seed());
+        of = scene_generate(kind, NEAR, check_seed());
         check_points(&of, (uint64_t)kind);
         scene_release(&of);
     }
@@ -263,7 +259,7 @@ TEST(small_scenes_answer_as_a_loop)
     points_of_a_family = 1;
     for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
         for (int kind = 0; kind < SCENE_KINDS; kind++) {
-            OWN_SHAPES of = scene_generate(kind, n, seed());
+            OWN_SHAPES of = scene_generate(kind, n, check_seed());
             check_lines(&of, n);
             check_points(&of, n);
         }
@@ -281,13 +277,12 @@ TEST(real_scenes_answer_as_a_loop)
                  "$6, $10 }' ../shared/data/tree_archi.csv 2>/dev/null"},
     };
     for (size_t i = 0; i < sizeof real / sizeof *real; i++) {
-        struct scene_shapes of;
+        OWN_SHAPES of;
         if (!scene_from(real[i][0], real[i][1], &of)) {
             printf("note: no %s in ../shared/data\n", real[i][0]);
             continue;
         }
         check_lines(&of, i);
-        scene_release(&of);
     }
 }
 
@@ -399,7 +394,7 @@ TEST(a_bad_point_or_radius_has_no_shape)
     cylint_closest a;
     size_t number;
     double distance;
-    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 100, seed());
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 100, check_seed());
     OWN_SCENE *scene = open_scene(&of, 1);
     for (int i = 0; i < 26; i++) {
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
@@ -474,7 +469,7 @@ static double query_again(void *context, size_t number, const cylint_hit *hit)
 
 TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
-    OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, seed());
+    OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, check_seed());
     OWN_SCENE *scene = open_scene(&of, 1);
     int visited = 0;
     for (uint64_t i = 0; i < 200; i++) {
@@ -484,7 +479,7 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         cylint_line line;
         cylint_hit hit;
         cylint_closest near;
-        scene_line(&of, LINES_RANDOM, seed(), i, &line);
+        scene_line(&of, LINES_RANDOM, check_seed(), i, &line);
         if (cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == of.n)
             continue;
         less.bound = hit.t;
@@ -513,10 +508,10 @@ static void answer_points_there(struct environment there)
 {
     static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
     static struct point_answers want, got;
-    uint64_t random = seed() + 200;
+    uint64_t random = check_seed() + 200;
     for (int k = 0; k < 3 * FAMILIES; k++) {
         double point[3];
-        OWN_SHAPES of = scene_generate(kinds[k % 3], 40, seed());
+        OWN_SHAPES of = scene_generate(kinds[k % 3], 40, check_seed());
         OWN_SCENE *scene = open_scene(&of, 1);
         point_of(&of, (enum family)(k / 3), &random, point);
         for (int i = 0; i < 2; i++) {
@@ -591,10 +586,10 @@ static void *answer_part(void *argument)
 TEST(threads_share_a_scene_with_the_same_answers)
 {
     struct part parts[THREADS];
-    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, check_seed());
     OWN_SCENE *scene = open_scene(&of, 2);
     for (uint64_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
-        scene_line(&of, (enum scene_lines)(i % LINES_KINDS), seed(), i,
+        scene_line(&of, (enum scene_lines)(i % LINES_KINDS), check_seed(), i,
                    &drawn[i]);
     for (int i = 0; i < THREADS; i++) {
         parts[i] = (struct part){.of = &of, .scene = scene};
