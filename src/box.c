@@ -72,7 +72,6 @@ static double scaled_outward(double x, int e, int up)
 {
     if (e == 0 || fabs(x) < cylint_power_of_two(1024 - e))
         return cylint_scaled(x, e);
-    /* untaken 2 of 6: no box lies as a whole beyond the largest double */
     return x > 0 ? (up ? HUGE_VAL : DBL_MAX) : (up ? -DBL_MAX : -HUGE_VAL);
 }
 

@@ -436,7 +436,6 @@ static void search_bounded(search *s, int side)
     if (side < 0 && has_outward(s))
         return;
     search_lateral(s);
-    /* untaken 1 of 8: inside of every known shape the lateral surface has a foot */
     if (side < 0 ? has_outward(s) : s->inside && s->has_lateral)
         return;
     search_ends(s);

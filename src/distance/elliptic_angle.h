@@ -237,6 +237,7 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
         is_second(*at) == !p->is_turned) /* the other one has the least phi */
         *at = (angle){-at->cos, -at->sin};
     double by = 1;
+    /* untaken 1 of 2: the tests have no case that takes all steps */
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);
         if (fabs(by) <= CYLINT_ANGLE_STEP)
@@ -286,7 +287,6 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
                                   axes.gap / axes.least, rough);
     double by = 1;
     *at = turned_back(&axes, e.cos, e.sin);
-    /* untaken 1 of 2: no known case takes all steps */
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_rim_place(r, s, *at);
         if (fabs(by) <= CYLINT_ANGLE_STEP)

@@ -218,6 +218,12 @@ void cylint_embree_shape(const cylint_embree_shapes s[2], size_t at,
     cylint_embree_between(shape, &at_1, time, shape);
 }
 
+/* Whether the two points are one. */
+static int is_point(const cylint_record *x)
+{
+    return x->p0[0] == x->p1[0] && x->p0[1] == x->p1[1] && x->p0[2] == x->p1[2];
+}
+
 /* A rounded cone may become a ball on the way; the filter serves only balls that
  * stay balls. */
 void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
@@ -226,9 +232,9 @@ void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
     cylint_record y;
     cylint_embree_record(&s[0], at, to);
     cylint_embree_record(&s[1], at, &y);
-    const int stays = cylint_record_is_point(to) && cylint_record_is_point(&y);
+    const int stays = is_point(to) && is_point(&y);
     interpolate(to, &y, CYLINT_RECORD_NUMBERS, time);
-    if (!filter_serves(to) || (cylint_record_is_point(to) && !stays))
+    if (!filter_serves(to) || (is_point(to) && !stays))
         to->r0 = NAN;
 }
 

@@ -106,7 +106,6 @@ static inline int cylint_less(double x, double y)
 /* The least double above x, computed from the bits; infinity for infinity. */
 static inline double cylint_next_above(double x)
 {
-    /* untaken 1 of 2: callers pass finite numbers */
     if (x > DBL_MAX)
         return x;
     const int64_t rank = cylint_rank(x) + 1;

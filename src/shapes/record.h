@@ -27,12 +27,6 @@ typedef struct cylint_record {
 /* A tag: a cylint_kind and, times CYLINT_TAG_ENDS, a cylint_ends. */
 enum { CYLINT_TAG_KIND = 15, CYLINT_TAG_ENDS = 16 };
 
-/* Whether the two points are one. */
-static inline int cylint_record_is_point(const cylint_record *x)
-{
-    return x->p0[0] == x->p1[0] && x->p0[1] == x->p1[1] && x->p0[2] == x->p1[2];
-}
-
 /* The semi-axes of an elliptic shape. */
 typedef struct cylint_semi_axes {
     double a[3], b[3];

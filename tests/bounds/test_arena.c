@@ -104,18 +104,10 @@ pair cylint_exact_round(exact x, int *e)
 static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
 {
     static const double line[6] = {0.3, -5, 0.4, 0.1, 1, 0.2};
-    static const double shape[CYLINT_KIND_RCONE + 1][13] = {
-        [CYLINT_KIND_CYLINDER] = {0, 0, 0, 0, 0, 1, 1},
-        [CYLINT_KIND_CONE] = {0, 0, 0, 1, 0, 0, 1, 2},
-        [CYLINT_KIND_ACONE] = {0, 0, 0, 0, 0, 1, 1},
-        [CYLINT_KIND_ECYLINDER] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
-        [CYLINT_KIND_ECONE] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2},
-        [CYLINT_KIND_SPHERE] = {0, 0, 0, 1},
-        [CYLINT_KIND_CAPSULE] = {0, 0, 0, 0, 0, 1, 1},
-        [CYLINT_KIND_RCONE] = {0, 0, 0, 1, 0, 0, 1, 1.5}};
     struct family_case c =
-        family_of(segment ? FAMILY_SEGMENT : FAMILY_LINE, line,
-                  (family_shape)(kind - CYLINT_KIND_CYLINDER), shape[kind]);
+        family_example((family_shape)(kind - CYLINT_KIND_CYLINDER));
+    c.line_word = segment ? FAMILY_SEGMENT : FAMILY_LINE;
+    memcpy(c.line_data, line, sizeof line);
     family_make(&c);
     *l = c.line;
     *s = c.shape;

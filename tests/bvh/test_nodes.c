@@ -83,9 +83,8 @@ TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
                                 SCENE_LENGTHS};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-            struct scene_shapes of = scene_generate(kinds[k], sizes[i], 3);
+            OWN_SHAPES of = scene_generate(kinds[k], sizes[i], 3);
             check_nodes(&of);
-            scene_release(&of);
         }
 }
 
@@ -117,7 +116,7 @@ TEST(any_number_of_threads_builds_the_same_bytes)
     static const int threads[] = {2, 3, 5, 100, 0};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         cylint_bvh alone, other;
-        struct scene_shapes of = scene_generate(kinds[k], 23000, 4);
+        OWN_SHAPES of = scene_generate(kinds[k], 23000, 4);
         if (!make(&alone, &of, 1))
             return;
         for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
@@ -129,14 +128,13 @@ TEST(any_number_of_threads_builds_the_same_bytes)
             cylint_bvh_free(&other);
         }
         cylint_bvh_free(&alone);
-        scene_release(&of);
     }
 }
 
 /* The lowest number, whichever thread finds it. */
 TEST(the_first_refused_shape_is_reported)
 {
-    struct scene_shapes of = scene_generate(SCENE_THIN, 23000, 5);
+    OWN_SHAPES of = scene_generate(SCENE_THIN, 23000, 5);
     const cylint_view view = cylint_plain_view(of.shapes);
     static const size_t bad[] = {22999, 12000, 11999, 300};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
@@ -150,21 +148,17 @@ TEST(the_first_refused_shape_is_reported)
                   CYLINT_BVH_ESHAPE);
             CHECK(refused == bad[i]);
         }
-    scene_release(&of);
 }
 
 TEST(scenes_of_several_threads_answer_as_those_of_one)
 {
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 12000, 6);
-    cylint_scene *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
-    cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 12000, 6);
+    OWN_SCENE *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SCENE *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
     if (CHECK(one && four)) {
         CHECK(cylint_scene_bytes(one) == cylint_scene_bytes(four));
         CHECK(differences(one, four, &of, 6) == 0);
     }
-    cylint_scene_free(one);
-    cylint_scene_free(four);
-    scene_release(&of);
 }
 
 /* ------------------------------------------------------------- progress -- */
@@ -203,18 +197,15 @@ TEST(progress_grows_and_does_not_change_the_scene)
     for (int i = 0; i < 2 * REPORTED; i++) {
         struct progress seen;
         cylint_scene_status status;
-        struct scene_shapes of = scene_generate(reported[i / 2], 40000, 7);
+        OWN_SHAPES of = scene_generate(reported[i / 2], 40000, 7);
         const int threads = i % 2 ? 4 : 1;
-        cylint_scene *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
-        cylint_scene *made = make_reported(&of, threads, &seen, 0, &status);
+        OWN_SCENE *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        OWN_SCENE *made = make_reported(&of, threads, &seen, 0, &status);
         if (CHECK(plain && made && status == CYLINT_SCENE_OK)) {
             CHECK(are_equal(&plain->bvh, &made->bvh));
             CHECK(cylint_scene_bytes(plain) == cylint_scene_bytes(made));
             CHECK(seen.part > 0.9 && seen.calls > 20);
         }
-        cylint_scene_free(plain);
-        cylint_scene_free(made);
-        scene_release(&of);
     }
 }
 
@@ -224,7 +215,7 @@ TEST(a_build_stops_when_its_caller_stops_it)
         struct progress seen;
         cylint_scene_status status;
         const int threads = i % 2 ? 4 : 1;
-        struct scene_shapes of = scene_generate(reported[i / 2], 20000, 8);
+        OWN_SHAPES of = scene_generate(reported[i / 2], 20000, 8);
         for (long stop = 1; stop < 1000; stop += 1 + stop / 8) {
             cylint_scene *made =
                 make_reported(&of, threads, &seen, stop, &status);
@@ -235,7 +226,6 @@ TEST(a_build_stops_when_its_caller_stops_it)
                 break;
         }
         CHECK(seen.calls > 10);
-        scene_release(&of);
     }
 }
 

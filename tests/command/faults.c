@@ -42,12 +42,11 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#define ADD(counter, n) __atomic_add_fetch(&(counter), (n), __ATOMIC_SEQ_CST)
+#include "../support/heap.h"
 
 static long long partly, eintr, again, waits, storm, nonblock,
     read_most = -1, write_most = -1, close_nth, fsync_nth, rename_nth,
-    alloc_nth, alloc_from, thread_from, pipes, calls_most, rss_most, leaks,
-    count_allocations;
+    thread_from, pipes, calls_most, rss_most, leaks, count_allocations;
 
 static const struct {
     const char *name;
@@ -64,8 +63,8 @@ static const struct {
     {"close", &close_nth},
     {"fsync", &fsync_nth},
     {"rename", &rename_nth},
-    {"alloc", &alloc_nth},
-    {"allocs", &alloc_from},
+    {"alloc", &heap.refuse},
+    {"allocs", &heap.refuse_from},
     {"thread", &thread_from},
     {"pipe", &pipes},
     {"calls", &calls_most},
@@ -74,8 +73,8 @@ static const struct {
     {"count", &count_allocations},
 };
 
-static long long draws, calls, allocations, alive, closes, fsyncs, renames,
-    threads, bytes_read, bytes_written;
+static long long draws, calls, closes, fsyncs, renames, threads, bytes_read,
+    bytes_written;
 
 /* ---------------------------------------------------------- beginning -- */
 
@@ -135,13 +134,13 @@ __attribute__((destructor)) static void end(void)
 {
     struct rusage used;
     if (count_allocations)
-        fprintf(stderr, "faults: %lld allocations\n", allocations);
+        fprintf(stderr, "faults: %lld allocations\n", heap.requested);
     getrusage(RUSAGE_SELF, &used);
     if (rss_most && used.ru_maxrss > rss_most) {
         fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);
         fail_and_exit("too much memory");
     }
-    if (leaks && alive)
+    if (leaks && heap.held)
         fail_and_exit("memory was not freed");
 }
 
@@ -287,57 +286,4 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
     if (thread_from && ADD(threads, 1) >= thread_from)
         return EAGAIN;
     return __real_pthread_create(thread, attr, start, argument);
-}
-
-static int is_denied(void)
-{
-    const long long n = ADD(allocations, 1);
-    if (n == alloc_nth || (alloc_from && n >= alloc_from)) {
-        errno = ENOMEM;
-        return 1;
-    }
-    return 0;
-}
-
-static void *counted(void *memory)
-{
-    ADD(alive, memory != NULL);
-    return memory;
-}
-
-void *__real_malloc(size_t n);
-void *__wrap_malloc(size_t n)
-{
-    return is_denied() ? NULL : counted(__real_malloc(n));
-}
-
-void *__real_calloc(size_t n, size_t size);
-void *__wrap_calloc(size_t n, size_t size)
-{
-    return is_denied() ? NULL : counted(__real_calloc(n, size));
-}
-
-void *__real_realloc(void *old, size_t n);
-void *__wrap_realloc(void *old, size_t n)
-{
-    if (is_denied())
-        return NULL;
-    return old ? __real_realloc(old, n) : counted(__real_realloc(old, n));
-}
-
-int __real_posix_memalign(void **memory, size_t alignment, size_t n);
-int __wrap_posix_memalign(void **memory, size_t alignment, size_t n)
-{
-    if (is_denied())
-        return ENOMEM;
-    const int status = __real_posix_memalign(memory, alignment, n);
-    ADD(alive, status == 0);
-    return status;
-}
-
-void __real_free(void *memory);
-void __wrap_free(void *memory)
-{
-    ADD(alive, -(memory != NULL));
-    __real_free(memory);
 }

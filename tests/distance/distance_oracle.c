@@ -203,12 +203,6 @@ static void add_end(enum form form, int end, int part, int feature)
     p->n = planar_of(real_of(end ? 1 : -1), g.zero);
 }
 
-static int has_cap(const cylint_shape *shape, int end)
-{
-    return shape->ends == CYLINT_ENDS_CAPPED ||
-           shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
-}
-
 static void add_caps(const cylint_shape *shape, enum form form)
 {
     for (int end = 0; end < 2; end++)

@@ -353,9 +353,6 @@ static void cap(struct oracle_closest *expected, int end)
 static void ends(const cylint_shape *shape, struct oracle_closest *expected)
 {
     for (int end = 0; end < 2; end++) {
-        const int is_cap =
-            shape->ends == CYLINT_ENDS_CAPPED ||
-            shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
         const real factor = real_of(end ? cylint_r1(shape) : 1);
         polynomial p;
         real zero[MOST_ZEROS];
@@ -368,7 +365,7 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
         for (int i = 0, n = nearest_of_rim(p, zero); i < n; i++)
             try_rim(expected, zero[i], end);
         e.has_twin = 0;
-        if (is_cap)
+        if (has_cap(shape, end))
             cap(expected, end);
     }
 }
@@ -380,18 +377,16 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
 static int feature_on_surface(const cylint_shape *shape)
 {
     const struct oracle_place on = oracle_place();
-    const int bounded = shape->ends < CYLINT_ENDS_INFINITE, ends = shape->ends;
+    const int bounded = shape->ends < CYLINT_ENDS_INFINITE;
     const int base = bounded && on.base, top = bounded && on.top;
-    const int cap0 = ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
-    const int cap1 = ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
     if (on.lateral)
         return e.side.cone && on.apex ? CYLINT_FEATURE_APEX
                : base                 ? CYLINT_FEATURE_RIM0
                : top                  ? CYLINT_FEATURE_RIM1
                                       : CYLINT_FEATURE_LATERAL;
-    return base && cap0  ? CYLINT_FEATURE_CAP0
-           : top && cap1 ? CYLINT_FEATURE_CAP1
-                         : -1;
+    return base && has_cap(shape, 0)  ? CYLINT_FEATURE_CAP0
+           : top && has_cap(shape, 1) ? CYLINT_FEATURE_CAP1
+                                      : -1;
 }
 
 /* The normal of the moved point's foot.  If that is beyond a rim, it is the

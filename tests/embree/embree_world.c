@@ -288,7 +288,6 @@ const int world_scenes[WORLD_SCENES] = {
 
 void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n)
 {
-    struct scene_shapes scene = scene_generate(kind, n, (*state)++);
+    OWN_SHAPES scene = scene_generate(kind, n, (*state)++);
     memcpy(shapes, scene.shapes, n * sizeof *shapes);
-    scene_release(&scene);
 }

@@ -45,6 +45,9 @@ struct world world_made(const cylint_shape *shapes, size_t n,
                         const cylint_embree_options *options);
 void world_free(struct world *w);
 
+/* A world that is freed at the end of its block. */
+#define OWN_WORLD __attribute__((cleanup(world_free))) struct world
+
 /* Commits the scene with this filter of the geometry, or with the shapes as they
  * are now.  Returns the status of the update. */
 void world_filter(struct world *w, RTCFilterFunctionN filter);

@@ -502,8 +502,7 @@ TEST(bare_hits_are_completed_later)
     int hits = 0;
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
     for (int how = 0; how < 2; how++) {
-        struct world w =
-            made(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
+        OWN_WORLD w = made(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
         for (int i = 0; i < 500; i++) {
             struct rays r;
             aim_all(&state, &r, 1);
@@ -519,7 +518,6 @@ TEST(bare_hits_are_completed_later)
             agrees(&w, &r);
             hits++;
         }
-        world_free(&w);
     }
     CHECK(hits > 100);
 }

@@ -266,7 +266,7 @@ static void with_filters(unsigned how, int kind)
         .flags = how | CYLINT_EMBREE_CONTEXT_FILTER, .user = &user_word};
     uint64_t state = 11;
     world_shapes(&state, kind, shapes, SOME);
-    struct world w = world_made(shapes, SOME, &options);
+    OWN_WORLD w = world_made(shapes, SOME, &options);
     for (int geometry = ACCEPT; geometry < RULES; geometry++) {
         world_filter(&w, geometry == ACCEPT ? NULL : geometry_filter);
         for (int context = ACCEPT; context < RULES; context++)
@@ -275,7 +275,6 @@ static void with_filters(unsigned how, int kind)
                               rays_sizes[i / 2 % 4], i & 1,
                               (how & CYLINT_EMBREE_BARE) != 0);
     }
-    world_free(&w);
 }
 
 TEST(filters_get_each_hit_once_from_leaves)

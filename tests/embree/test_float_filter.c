@@ -54,9 +54,7 @@ struct scene_query {
 
 static int circular(struct family_case *c, uint64_t index)
 {
-    static const cylint_ends bounded[4] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
-                                           CYLINT_ENDS_CAP0, CYLINT_ENDS_CAP1};
-    c->ends = bounded[index % 4];
+    c->ends = (cylint_ends)(index % 4); /* planes */
     return family_make(c);
 }
 

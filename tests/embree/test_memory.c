@@ -156,7 +156,7 @@ TEST(queries_do_not_read_the_callers_shapes)
         const cylint_embree_options options = {
             .flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0,
             .moved = how == 2 ? copy : NULL};
-        struct world w = made(shapes, SHAPES, 0);
+        OWN_WORLD w = made(shapes, SHAPES, 0);
         memcpy(copy, shapes, sizeof copy);
         cylint_embree_release(w.geometry);
         rtcDetachGeometry(w.scene, 0);
@@ -166,6 +166,5 @@ TEST(queries_do_not_read_the_callers_shapes)
         rtcAttachGeometry(w.scene, w.geometry);
         rtcCommitScene(w.scene);
         query_some(&w, &state);
-        world_free(&w);
     }
 }

@@ -125,8 +125,8 @@ TEST(hits_have_the_numbers_of_the_parts)
         world_shapes(&state, i % 2 ? SCENE_LATTICE : SCENE_MIXED, shapes,
                      SHAPES);
         cut(shapes);
-        struct world one = world_made(shapes, SHAPES, &options);
-        struct world merged = world_made(shapes, SHAPES, &options);
+        OWN_WORLD one = world_made(shapes, SHAPES, &options);
+        OWN_WORLD merged = world_made(shapes, SHAPES, &options);
         merge(&merged, &options);
         if (i == 3) {
             world_filter(&one, reject_some);
@@ -139,8 +139,6 @@ TEST(hits_have_the_numbers_of_the_parts)
         compare(&one, &merged, &state, i == 1);
         CHECK(cylint_embree_bytes(merged.geometry) >
               cylint_embree_bytes(one.geometry));
-        world_free(&one);
-        world_free(&merged);
     }
 }
 

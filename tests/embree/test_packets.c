@@ -175,12 +175,10 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
 static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s = scene_generate(world_scenes[i], SHAPES, 7);
-        struct world w = made(s.shapes, s.n, how);
+        OWN_SHAPES s = scene_generate(world_scenes[i], SHAPES, 7);
+        OWN_WORLD w = made(s.shapes, s.n, how);
         world_filter(&w, filter);
         query_scene(&w, &s, how, MANNERS * PACKETS);
-        world_free(&w);
-        scene_release(&s);
     }
 }
 
@@ -237,8 +235,8 @@ TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
     uint64_t state = 3;
     int hits = 0;
-    struct scene_shapes s = scene_generate(SCENE_FAT, SHAPES, 3);
-    struct world w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
+    OWN_SHAPES s = scene_generate(SCENE_FAT, SHAPES, 3);
+    OWN_WORLD w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         const struct aim a = draw_aim(&state, &s, EYE);
         const float bad[4] = {NAN, HUGE_VALF, -HUGE_VALF, 0};
@@ -275,8 +273,6 @@ TEST(rays_that_are_no_lines_do_not_disturb_others)
         }
     }
     CHECK(hits > 2000);
-    world_free(&w);
-    scene_release(&s);
 }
 
 /* ------------------------------------------- what Embree's packets skip --- */
@@ -327,7 +323,7 @@ TEST(a_domain_of_one_point_is_answered_or_skipped)
     cylint_shape shapes[64];
     uint64_t state = 11;
     stand_on_a_plane(&state, shapes, 64);
-    struct world w = made(shapes, 64, CYLINT_EMBREE_NO_FILTERS);
+    OWN_WORLD w = made(shapes, 64, CYLINT_EMBREE_NO_FILTERS);
     int hits = 0;
     for (int turn = 0; turn < 600; turn++) {
         const float t = turn & 1 ? 0 : 2;
@@ -346,7 +342,6 @@ TEST(a_domain_of_one_point_is_answered_or_skipped)
             CHECK(!rays_hit(&r, i) || world_agrees(&w, &r, i, 1));
     }
     CHECK(hits > 2000);
-    world_free(&w);
 }
 
 TEST(of_hits_at_tnear_the_lower_number_is_reported)

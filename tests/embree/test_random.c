@@ -18,11 +18,6 @@
 #include "embree_compare.h"
 #include "vectors.h"
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 struct tally {
     long rays, hits, shadows;
     long far, far_missed, far_other; /* from farther than `sizes` */
@@ -133,13 +128,11 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
     const size_t shapes = (size_t)check_setting("CYLINT_SHAPES", 200);
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
-        struct scene_shapes s = scene_generate(world_scenes[i], shapes, seed());
-        struct world w = made(s.shapes, s.n, how);
+        OWN_SHAPES s = scene_generate(world_scenes[i], shapes, check_seed());
+        OWN_WORLD w = made(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
-            compare_lines(&w, &s, (enum scene_lines)kind, seed(),
+            compare_lines(&w, &s, (enum scene_lines)kind, check_seed(),
                           1 + rays / (2 * WORLD_SCENES * LINES_KINDS), &n);
-        world_free(&w);
-        scene_release(&s);
     }
     CHECK(n.rays >= rays / 2 && n.hits > n.rays / 4 &&
           n.hits < n.rays - n.rays / 100);
@@ -172,11 +165,9 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
 {
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
-        struct scene_shapes s = scene_generate(SCENE_LENGTHS, 300, turn);
-        struct world w = made(s.shapes, s.n, 0);
+        OWN_SHAPES s = scene_generate(SCENE_LENGTHS, 300, turn);
+        OWN_WORLD w = made(s.shapes, s.n, 0);
         compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
-        world_free(&w);
-        scene_release(&s);
     }
     CHECK(n.hits > n.rays / 4);
 }
@@ -217,7 +208,7 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
 TEST(rays_that_barely_miss_are_not_occluded)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
-    uint64_t state = seed();
+    uint64_t state = check_seed();
     long hits = 0;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];
@@ -227,7 +218,7 @@ TEST(rays_that_barely_miss_are_not_occluded)
             cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
                             cylint_r0(&was), CYLINT_ENDS_CAPPED);
         }
-        struct world w = made(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
+        OWN_WORLD w = made(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
         for (int turn = 0; turn < TURNS; turn++) {
             struct rays r;
             rays_begin(&r, 1);
@@ -239,7 +230,6 @@ TEST(rays_that_barely_miss_are_not_occluded)
             if (!CHECK(rays_shadowed(&r, 0) == expected))
                 world_show(&w, &r, 0);
         }
-        world_free(&w);
     }
     CHECK(hits > TURNS / 4 && hits < 2 * TURNS - TURNS / 4);
 }

@@ -143,7 +143,7 @@ TEST(an_update_reads_the_changed_shapes)
     for (int how = 0; how < 2; how++) {
         cylint_embree_problem problem;
         world_shapes(&state, SCENE_THIN, shapes, SOME);
-        struct world w = made(shapes, SOME, both_ways[how]);
+        OWN_WORLD w = made(shapes, SOME, both_ways[how]);
         query_some(&w, &state);
         const long long bytes = world_memory.bytes;
         for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
@@ -169,7 +169,6 @@ TEST(an_update_reads_the_changed_shapes)
         shapes[17] = kept;
         CHECK(world_update(&w) == CYLINT_EMBREE_OK);
         query_some(&w, &state);
-        world_free(&w);
     }
 }
 

@@ -48,18 +48,16 @@ static struct bytes make_file(int kind, size_t n)
     struct bytes file = {NULL, NULL, 0, 0};
     uint64_t end[36];
     const cylint_scene_labels labels = {end, text};
-    struct scene_shapes of = scene_generate(kind, n > 0 ? n : 1, n);
+    OWN_SHAPES of = scene_generate(kind, n > 0 ? n : 1, n);
     for (size_t i = 0; i < n; i++)
         end[i] = (i + 1) / 2;
-    cylint_scene *scene = cylint_scene_new(of.shapes, n, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, n, 1, NULL);
     MUST(scene);
     if (n % 2 == 1)
         cylint_scene_set_labels(scene, &labels);
     if (n % 3 == 2)
         set_solids(scene, n);
     scene_file_write(scene, &file);
-    cylint_scene_free(scene);
-    scene_release(&of);
     return file;
 }
 

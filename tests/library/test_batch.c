@@ -23,11 +23,6 @@ enum {
 };
 enum { WITHOUT_MEMBERS = 63 };
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 static size_t lines_per_family(void)
 {
     return (size_t)check_setting("CYLINT_CASES", 12);
@@ -118,7 +113,7 @@ static void show(const struct family_case *line,
     struct family_case record = *shape;
     record.line_word = line->line_word;
     memcpy(record.line_data, line->line_data, sizeof record.line_data);
-    REPORT("seed %llu, kernels %s", (unsigned long long)seed(),
+    REPORT("seed %llu, kernels %s", (unsigned long long)check_seed(),
            cylint_kernels_in_use());
     REPORT_CASE(&record);
 }
@@ -226,7 +221,7 @@ static struct family_case drawn[MOST], lined[MOST];
 static void draw(int family, uint64_t first, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        family_case(seed(), family, first + i, &drawn[i]);
+        family_case(check_seed(), family, first + i, &drawn[i]);
 }
 
 /* All families in turn, with all kinds and ends and some invalid cases. */
@@ -234,7 +229,7 @@ static void draw_mixed(size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         struct family_case *c = &drawn[i];
-        family_case(seed() + 7, (int)(i % (size_t)family_count()), i, c);
+        family_case(check_seed() + 7, (int)(i % (size_t)family_count()), i, c);
         if (i % 50 == 49) {
             c->shape_data[6] = -1;
             c->shape_data[0] = i % 100 == 99 ? NAN : 0;
@@ -259,22 +254,7 @@ static void slide(const struct family_case *one, size_t n)
 
 /* ----------------------------------------------------------------- tests -- */
 
-static void kernels_are_chosen_by_name(void)
-{
-    int n = 0;
-    while (cylint_kernels_name(n))
-        n++;
-    CHECK(n > 0 && !cylint_kernels_name(-1));
-    CHECK(strcmp(cylint_kernels_name(n - 1), "plain") == 0);
-    CHECK(!cylint_use_kernels("no such kernels"));
-    CHECK(cylint_use_kernels("plain"));
-    CHECK(!cylint_use_kernels(""));
-    CHECK(strcmp(cylint_kernels_in_use(), "plain") == 0);
-    CHECK(cylint_use_kernels(NULL));
-    CHECK(strcmp(cylint_kernels_in_use(), cylint_kernels_name(0)) == 0);
-}
-
-static void batches_answer_as_single_questions(void)
+TEST(batches_answer_as_single_questions)
 {
     const size_t lines = lines_per_family(), n = lines < 12 ? 50 * lines : MOST;
     for (int family = 0; family <= family_count(); family++) {
@@ -305,7 +285,7 @@ static void check_batches(size_t n, const struct layout *at)
 }
 
 /* Shapes of one kind with the same ends, so that all lanes are of one run. */
-static void runs_of_one_kind_answer_as_single_questions(void)
+TEST(runs_of_one_kind_answer_as_single_questions)
 {
     enum { N = 120 };
     uint64_t index = 5000;
@@ -313,8 +293,8 @@ static void runs_of_one_kind_answer_as_single_questions(void)
         for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             for (size_t n = 0; n < N; index++) {
                 struct family_case *c = &drawn[n];
-                family_case(seed(), (int)(index % (uint64_t)family_count()),
-                            index, c);
+                family_case(check_seed(),
+                            (int)(index % (uint64_t)family_count()), index, c);
                 c->ends = (cylint_ends)(kind == FAMILY_SPHERE  ? 0
                                         : kind > FAMILY_SPHERE ? ends % 4
                                                                : ends);
@@ -329,11 +309,11 @@ static void runs_of_one_kind_answer_as_single_questions(void)
 static void draw_around(int family)
 {
     draw_mixed(MOST);
-    family_case(seed(), family, 0, &drawn[0]);
+    family_case(check_seed(), family, 0, &drawn[0]);
     slide(&drawn[0], MOST);
 }
 
-static void every_length_has_its_answers(void)
+TEST(every_length_has_its_answers)
 {
     static const size_t longer[] = {31,  255, 256, 257, 263,
                                     264, 511, 513, MOST};
@@ -347,7 +327,7 @@ static void every_length_has_its_answers(void)
         check_batches(longer[i], &usual);
 }
 
-static void every_address_has_its_answers(void)
+TEST(every_address_has_its_answers)
 {
     for (int family = 0; family < 2; family++) {
         draw_around(family);
@@ -358,7 +338,7 @@ static void every_address_has_its_answers(void)
     }
 }
 
-static void only_wanted_columns_are_written(void)
+TEST(only_wanted_columns_are_written)
 {
     draw_around(0);
     for (int i = 0; i <= WITHOUT_MEMBERS + COLUMNS; i++) {
@@ -369,7 +349,7 @@ static void only_wanted_columns_are_written(void)
     }
 }
 
-static void without_a_domain_lines_are_rays(void)
+TEST(without_a_domain_lines_are_rays)
 {
     draw_around(0);
     for (int domain = 0; domain < 4; domain++) {
@@ -379,13 +359,13 @@ static void without_a_domain_lines_are_rays(void)
     }
 }
 
-static void segments_keep_the_low_parts_of_their_directions(void)
+TEST(segments_keep_the_low_parts_of_their_directions)
 {
     int n_drawn = 0;
     draw_mixed(100);
     for (uint64_t i = 0; n_drawn < 60 && i < 100000; i++) {
         struct family_case c;
-        family_case(seed(), (int)(i % (uint64_t)family_count()), i, &c);
+        family_case(check_seed(), (int)(i % (uint64_t)family_count()), i, &c);
         if (c.line_word != FAMILY_SEGMENT ||
             (c.line.d_lo[0] == 0 && c.line.d_lo[1] == 0 && c.line.d_lo[2] == 0))
             continue;
@@ -403,7 +383,7 @@ static struct family_case easy(void)
 }
 
 /* Among them one whose tmin is just above tmax, near every hit. */
-static void an_invalid_line_misses(void)
+TEST(an_invalid_line_misses)
 {
     static const double wrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
     enum { N = 40 };
@@ -436,7 +416,7 @@ static void an_invalid_line_misses(void)
 }
 
 /* The hard line, or shape, is in every lane in turn, among easy ones. */
-static void a_hard_lane_does_not_disturb_its_neighbours(void)
+TEST(a_hard_lane_does_not_disturb_its_neighbours)
 {
     static const double hard[][6] = {
         {1, -3, 1, 0, 1, 0},        /* touches: x = 1 */
@@ -470,7 +450,7 @@ static void a_hard_lane_does_not_disturb_its_neighbours(void)
 }
 
 /* The same cylinder in four forms, after some that are missed or hit later. */
-static void the_lower_number_is_nearest_for_equal_t(void)
+TEST(the_lower_number_is_nearest_for_equal_t)
 {
     static const char *const forms[4] = {"cylinder 0 0 0  0 0 4  1",
                                          "cone 0 0 0 1  0 0 4 1",
@@ -519,7 +499,7 @@ static void *query_all(void *at)
     return NULL;
 }
 
-static void threads_share_a_pack(void)
+TEST(threads_share_a_pack)
 {
     static struct share of[2];
     pthread_t thread[2];
@@ -534,22 +514,26 @@ static void threads_share_a_pack(void)
     CHECK(same_bytes(&of[0], &of[1], sizeof of[0]));
 }
 
+/* The last test: the best kernels are in use then. */
+TEST(kernels_are_chosen_by_name)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    CHECK(n > 0 && !cylint_kernels_name(-1));
+    CHECK(strcmp(cylint_kernels_name(n - 1), "plain") == 0);
+    CHECK(!cylint_use_kernels("no such kernels"));
+    CHECK(cylint_use_kernels("plain"));
+    CHECK(!cylint_use_kernels(""));
+    CHECK(strcmp(cylint_kernels_in_use(), "plain") == 0);
+    CHECK(cylint_use_kernels(NULL));
+    CHECK(strcmp(cylint_kernels_in_use(), cylint_kernels_name(0)) == 0);
+}
+
 int main(void)
 {
     allocate_pages();
-    RUN(kernels_are_chosen_by_name);
-    RUN(threads_share_a_pack);
-    EACH_KERNELS(k) {
-        RUN(batches_answer_as_single_questions);
-        RUN(runs_of_one_kind_answer_as_single_questions);
-        RUN(every_length_has_its_answers);
-        RUN(every_address_has_its_answers);
-        RUN(only_wanted_columns_are_written);
-        RUN(without_a_domain_lines_are_rays);
-        RUN(segments_keep_the_low_parts_of_their_directions);
-        RUN(an_invalid_line_misses);
-        RUN(a_hard_lane_does_not_disturb_its_neighbours);
-        RUN(the_lower_number_is_nearest_for_equal_t);
-    }
+    EACH_KERNELS(k)
+        check_each();
     return check_end();
 }

@@ -24,11 +24,6 @@ struct tally {
     double off[MEASURES]; /* worst */
 };
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 static uint64_t cases(void)
 {
     return check_setting("CYLINT_CASES", CASES);
@@ -66,7 +61,7 @@ static void run_family(int family)
     for (uint64_t i = 0; i < n; i++) {
         struct family_case c;
         cylint_answer got, want;
-        family_case(seed(), family, i, &c);
+        family_case(check_seed(), family, i, &c);
         memset(&got, 0, sizeof got);
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
@@ -87,7 +82,7 @@ TEST(library_and_oracle_agree)
     int bad = 0;
     printf(
         "note: seed %llu; cases, hits; worst t, point, normal, z, phi in ulp\n",
-        (unsigned long long)seed());
+        (unsigned long long)check_seed());
     for (int family = 0; family < family_count(); family++) {
         if (only < 0 || family == only) {
             check_bad = 0; /* each family prints its first failures */
@@ -114,7 +109,7 @@ TEST(oracle_agrees_with_points_sampled_along_the_line)
     for (uint64_t i = 0; i < cases(); i++) {
         struct family_case c;
         cylint_answer answer;
-        family_case(seed(), 0, i, &c);
+        family_case(check_seed(), 0, i, &c);
         if (c.line_word == FAMILY_SEGMENT)
             continue; /* its d is rounded */
         c.line.tmin = -HUGE_VAL;
@@ -137,7 +132,7 @@ TEST(oracle_agrees_with_points_sampled_along_the_line)
 
 TEST(occluded_agrees_with_the_oracle)
 {
-    EACH_CASE(c, seed() + 1, cases() / 10) {
+    EACH_CASE(c, check_seed() + 1, cases() / 10) {
         cylint_answer want;
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
         if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
@@ -163,7 +158,7 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
 /* The exact root may lie on either side of the end. */
 TEST(a_domain_may_end_where_a_hit_is_rounded)
 {
-    EACH_CASE(c, seed() + 3, cases() / 10) {
+    EACH_CASE(c, check_seed() + 3, cases() / 10) {
         cylint_answer a;
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a);
         for (int k = 0; k < a.n && !c.line.segment; k++) {
@@ -176,7 +171,7 @@ TEST(a_domain_may_end_where_a_hit_is_rounded)
 
 TEST(contains_is_exact)
 {
-    EACH_CASE(c, seed() + 2, cases() / 4) {
+    EACH_CASE(c, check_seed() + 2, cases() / 4) {
         const double *o = c.line.o;
         const int want = oracle_contains(&c.shape, o);
         if (!CHECK(cylint_contains(&c.shape, o) == want)) {

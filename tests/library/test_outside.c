@@ -208,6 +208,24 @@ TEST(a_point_on_the_wanted_side_is_not_moved)
     CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == nextafter(1, 0));
 }
 
+/* A point above the cap and nearer to the axis than the hit's part is not taken. */
+TEST(beside_a_rim_the_point_is_beyond_the_part_of_the_hit)
+{
+    static const char *const shapes[] = {"cylinder 0 0 0  0 0 1  1",
+                                         "cone 0 0 0  1  0 0 1  1.5"};
+    for (int i = 0; i < 2; i++) {
+        const cylint_shape s = shape_of(shapes[i]);
+        const double r = i ? 1.5 : 1;
+        const cylint_hit hit = {.point = {nextafter(r, 0), 0, nextafter(1, 2)},
+                                .normal = {1, 0, 0},
+                                .part = CYLINT_PART_LATERAL};
+        double p[3];
+        CHECK(cylint_contains(&s, hit.point) == -1);
+        CHECK(cylint_outside(&s, &hit, -1, p) == 1 &&
+              cylint_contains(&s, p) == -1 && p[0] > r && p[1] == 0);
+    }
+}
+
 /* A shape and its hit, scaled by a power of two, have the scaled point, also where
  * the squares of steps overflow or underflow. */
 TEST(the_nearest_neighbour_is_chosen_at_all_sizes)

@@ -61,6 +61,10 @@ static const double origin[3] = {0, 0, 0};
 static const double along_x[3] = {1, 0, 0}, along_y[3] = {0, 1, 0};
 static const double along_z[3] = {0, 0, 1};
 
+/* A whole cylinder of radius 1 about the z axis, and one from z = 0 to 2. */
+#define ROD "  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+#define SOLID "  cylinder 0 0 0 0 0 2 1 => "
+
 /* ------------------------------------------------- Shene, Gems IV and V -- */
 
 /* "two intersections if r < |d|, one if r = |d|, none otherwise" */
@@ -73,12 +77,10 @@ TEST(shene_prints_two_hits_where_the_line_passes_outside)
 {
     CHECK(shene_count_as_printed(1, 0.5) == 0);
     corrected(cylint_shene_cylinder,
-              "line -3 0.5 0 1 0 0  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "line -3 0.5 0 1 0 0" ROD
               "cross 2  ~2.13397459621556 0 ~3.86602540378444 0");
     CHECK(shene_count_as_printed(1, 2) == 2);
-    corrected(cylint_shene_cylinder,
-              "line -3 2 0 1 0 0  cylinder 0 0 0 0 0 1 1 ends=infinite => "
-              "miss 0");
+    corrected(cylint_shene_cylinder, "line -3 2 0 1 0 0" ROD "miss 0");
 }
 
 /* "if the distance of B from l is r, l lies on it; else no intersection" */
@@ -90,9 +92,7 @@ static int shene_parallel_as_printed(double r, double distance)
 TEST(shene_prints_that_a_parallel_line_inside_does_not_intersect)
 {
     CHECK(shene_parallel_as_printed(1, 0.5) == CYLINT_RELATION_MISS);
-    corrected(cylint_shene_cylinder,
-              "line 0.5 0 0 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => "
-              "cross 0");
+    corrected(cylint_shene_cylinder, "line 0.5 0 0 0 0 1" ROD "cross 0");
 }
 
 /* The formula of t_P is cut off in print.  Read as (D x v).w, without the
@@ -110,7 +110,7 @@ TEST(shenes_foot_halves_the_chord_of_an_oblique_line)
     CHECK(!is(dot3(Dv, w), 5));
     CHECK(is(dot3(Dv, uv) / dot3(uv, uv), 5)); /* the foot: x = 0 */
     corrected(cylint_shene_cylinder,           /* 1 - 0.8 / 3 and 1 + 0.8 / 3 */
-              "line -3 0.6 0 3 0 4  cylinder 0 0 0 0 0 1 1 ends=infinite => "
+              "line -3 0.6 0 3 0 4" ROD
               "cross 2  ~0.73333333333333 0 ~1.26666666666667 0");
 }
 
@@ -184,8 +184,9 @@ TEST(a_line_through_the_apex_has_no_plane)
     /* on a ruling of 45 degrees: |d.v| is cos a */
     unit(on, u);
     CHECK(!shene_cone_without_exceptions(u[2], on, u, t) || isnan(t[0]));
-    corrected(cylint_shene_cone, "line 1 0 1 1 0 1  cone 0 0 0 0 0 0 1 1 "
-                                 "ends=infinite => along 0");
+    corrected(
+        cylint_shene_cone,
+        "line 1 0 1 1 0 1  cone 0 0 0 0 0 0 1 1 ends=infinite => along 0");
 }
 
 TEST(a_plane_perpendicular_to_the_axis_cuts_the_apex_only)
@@ -225,13 +226,9 @@ enum { PARALLELS = 3 };
 static const struct {
     double o[3];
     const char *record;
-} parallels[PARALLELS] = {
-    {{0.5, 0, -2},
-     "line 0.5 0 -2 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => cross 0"},
-    {{1, 0, -2},
-     "line 1 0 -2 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => along 0"},
-    {{7, 0, -2},
-     "line 7 0 -2 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => miss 0"}};
+} parallels[PARALLELS] = {{{0.5, 0, -2}, "line 0.5 0 -2 0 0 1" ROD "cross 0"},
+                          {{1, 0, -2}, "line 1 0 -2 0 0 1" ROD "along 0"},
+                          {{7, 0, -2}, "line 7 0 -2 0 0 1" ROD "miss 0"}};
 
 /* ------------------------------------------------------------ Gullotti -- */
 
@@ -261,8 +258,7 @@ TEST(gullottis_parallel_lines_never_reach_the_caps)
     const double a = 0, b = 0, disc = 0; /* of every parallel line */
 
     CHECK(isnan((-b - sqrt(disc)) / (2 * a)));
-    corrected(cylint_gullotti, "line 0.5 0 -2 0 0 1  cylinder 0 0 0 0 0 2 1 "
-                               "=> cross 2  2 1 4 2");
+    corrected(cylint_gullotti, "line 0.5 0 -2 0 0 1" SOLID "cross 2  2 1 4 2");
 }
 
 /* "accept the hit if 0 <= P.h <= 1" with P in world space, h = (0, 0, 1) */
@@ -279,8 +275,9 @@ TEST(gullottis_axial_test_in_world_space_loses_hits)
     corrected(cylint_gullotti, "line -3 0 12 1 0 0  cylinder 0 0 10 0 0 15 1 "
                                "ends=open => cross 2  2 0 4 0");
     CHECK(gullotti_accepts_as_printed(no_hit));
-    corrected(cylint_gullotti, "line -3 0 0.5 1 0 0  cylinder 0 0 10 0 0 15 1 "
-                               "ends=open => miss 0");
+    corrected(
+        cylint_gullotti,
+        "line -3 0 0.5 1 0 0  cylinder 0 0 10 0 0 15 1 ends=open => miss 0");
 }
 
 TEST(gullottis_leading_coefficient_cancels)
@@ -327,8 +324,7 @@ TEST(closest_points_lose_a_nearly_parallel_line)
 
     CHECK(!(delta_as_printed(d, along_z, 1, 0) < HUGE_VAL));
     corrected(cylint_closest_points,
-              "line 0 0 0 1e-9 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => "
-              "cross 2  ~-1e9 0 ~1e9 0");
+              "line 0 0 0 1e-9 0 1" ROD "cross 2  ~-1e9 0 ~1e9 0");
 }
 
 TEST(closest_points_have_no_answer_for_a_parallel_line)
@@ -343,10 +339,9 @@ TEST(closest_points_have_no_answer_for_a_parallel_line)
 TEST(closest_points_leave_out_the_ends)
 {
     CHECK(delta_as_printed(along_x, along_z, 1, 0) == 1); /* a hit */
+    corrected(cylint_closest_points, "line -3 0 5 1 0 0" SOLID "miss 0");
     corrected(cylint_closest_points,
-              "line -3 0 5 1 0 0  cylinder 0 0 0 0 0 2 1 => miss 0");
-    corrected(cylint_closest_points, "line -3 0 -1 1 0 1  cylinder 0 0 0 0 0 2 "
-                                     "1 => cross 2  ~2 0 ~3 2");
+              "line -3 0 -1 1 0 1" SOLID "cross 2  ~2 0 ~3 2");
 }
 
 /* The print leaves out t_c, where the connecting line is perpendicular to both
@@ -409,12 +404,12 @@ TEST(clipobj_rejects_tangents_and_lines_in_a_caps_plane)
 
     CHECK(!clipobj_as_printed(0, -1, &in, &out)); /* tangent: in = out */
     corrected(cylint_cychosz_waggenspack,
-              "line 1 -3 1 0 1 0  cylinder 0 0 0 0 0 2 1 => touch 1  3 0");
+              "line 1 -3 1 0 1 0" SOLID "touch 1  3 0");
     in = 2;
     out = 4;
     CHECK(!clipobj_as_printed(0, 0, &in, &out)); /* dw = 0: in the plane */
     corrected(cylint_cychosz_waggenspack,
-              "line -3 0 2 1 0 0  cylinder 0 0 0 0 0 2 1 => along 2  2 0 4 0");
+              "line -3 0 2 1 0 0" SOLID "along 2  2 0 4 0");
 }
 
 TEST(intcyls_infinity_is_neither_far_enough_nor_a_hit)
@@ -423,9 +418,7 @@ TEST(intcyls_infinity_is_neither_far_enough_nor_a_hit)
 
     CHECK(!clipobj_as_printed(-1, 1e22, &in, &out)); /* the base's plane */
     corrected(cylint_cychosz_waggenspack,
-              "line 0.5 0 -1e22 0 0 1  cylinder 0 0 0 0 0 1e22 1 => "
-              "cross 2  ~1e22 1 ~2e22 2");
-    corrected(cylint_cychosz_waggenspack,
-              "line 0.5 0 0 0 0 1  cylinder 0 0 0 0 0 1 1 ends=infinite => "
-              "cross 0");
+              "line 0.5 0 -1e22 0 0 1  cylinder 0 0 0 0 0 1e22 1 => cross 2  "
+              "~1e22 1 ~2e22 2");
+    corrected(cylint_cychosz_waggenspack, "line 0.5 0 0 0 0 1" ROD "cross 0");
 }

@@ -188,23 +188,12 @@ static int write_case(const struct plan *p, const struct scene *s,
 
 static int build(const struct plan *p, struct family_case *c)
 {
+    static void (*const ties[PLACES])(const struct plan *, struct scene *) = {
+        cap_tie, side_tie, side_tie, ruling_tie, apex_tie};
     struct scene s;
     memset(&s, 0, sizeof s);
     memset(c, 0, sizeof *c);
-    switch (p->where) {
-    case CAP:
-        cap_tie(p, &s);
-        break;
-    case SIDE:
-    case TANGENT:
-        side_tie(p, &s);
-        break;
-    case ALONG_A_RULING:
-        ruling_tie(p, &s);
-        break;
-    default:
-        apex_tie(p, &s);
-    }
+    ties[p->where](p, &s);
     return write_case(p, &s, c);
 }
 

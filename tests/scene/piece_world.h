@@ -232,8 +232,10 @@ static inline size_t pieces_in_world(const cylint_line *line,
 
 /* ------------------------------------------------------ random scenes -- */
 
+/* Makes a new scene in place of the one before. */
 static inline void make_shapes(void)
 {
+    cylint_scene_free(world.scene);
     world.n = 0;
     while (world.n < SHAPES)
         if (one_of(8) == 0 && world.n > 0) {

@@ -157,7 +157,6 @@ TEST(the_first_boundary_is_that_of_a_loop)
             find_chords(&line);
             check_boundary();
         }
-        cylint_scene_free(world.scene);
     }
     CHECK(boundaries > 10 * worlds && in_bores > worlds / 10);
     fprintf(stderr, "%ld boundaries, %ld of them in bores\n", boundaries,
@@ -174,7 +173,6 @@ TEST(an_invalid_line_has_no_boundary)
     CHECK(cylint_whole_line(&world.line, o, o) != CYLINT_OK);
     CHECK(cylint_scene_first_boundary(world.scene, &world.line, CYLINT_WANT_ALL,
                                       &hit, &work) == world.n);
-    cylint_scene_free(world.scene);
 }
 
 /* --------------------------------------------------------------- depth -- */
@@ -213,7 +211,6 @@ TEST(the_depth_is_that_of_a_loop)
                 REPORT("point %g %g %g: depth %zu, owner %zu, not %zu",
                        point[0], point[1], point[2], n, owner, expected);
         }
-        cylint_scene_free(world.scene);
     }
     CHECK(inside > worlds);
     fprintf(stderr, "%ld points in solids\n", inside);
@@ -253,7 +250,6 @@ TEST(the_boundary_belongs_to_the_solid)
             on += d == 0;
             positive += holding > 0 && surface.distance > 0;
         }
-        cylint_scene_free(world.scene);
     }
     CHECK(on > worlds / 4 && positive > worlds);
     printf("note: %ld points on boundaries, %ld outside the nearest surface\n",
@@ -269,7 +265,6 @@ TEST(no_solid_contains_an_infinite_point)
     begin_world();
     CHECK(cylint_scene_depth(world.scene, point, NULL, &owner, &work) == 0 &&
           owner == world.n);
-    cylint_scene_free(world.scene);
 }
 
 /* ---------------------------------------------------------- many lines -- */
@@ -342,7 +337,6 @@ TEST(pieces_of_many_lines_are_those_of_each)
         lines.n = 0;
         const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
         check_rows(&lines, &rule, 0, 2);
-        cylint_scene_free(world.scene);
     }
 }
 
@@ -408,7 +402,6 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
         CHECK(memcmp(sums[0], sums[1], sizeof sums[0]) == 0 &&
               memcmp(sums[0], sums[2], sizeof sums[0]) == 0);
         check_sums(&lines, &rule, labels, in_units, sums[0]);
-        cylint_scene_free(world.scene);
     }
 }
 #endif
@@ -424,11 +417,10 @@ TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
     double sum = 0;
     cylint_cylinder(&shape, p, axis, 1, CYLINT_ENDS_INFINITE);
     cylint_ray(&line, p, d);
-    cylint_scene *scene = cylint_scene_new(&shape, 1, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
     treat_subnormals(FLUSH | ZERO);
     CHECK(cylint_scene_line_sums(scene, &line, &rule, NULL, 1, 1, &sum) ==
           CYLINT_SCENE_OK);
     treat_subnormals(0);
     CHECK(sum == HUGE_VAL);
-    cylint_scene_free(scene);
 }

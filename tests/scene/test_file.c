@@ -38,11 +38,11 @@ TEST(an_opened_scene_answers_as_the_saved_one)
                                      CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         cylint_scene_status status = CYLINT_SCENE_EFILE;
-        struct scene_shapes of = scene_generate(kind, SHAPES, 7);
-        cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        OWN_SHAPES of = scene_generate(kind, SHAPES, 7);
+        OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
         for (int i = 0; i < 4; i++) {
-            cylint_scene *opened = cylint_scene_open(path, flags[i], &status);
+            OWN_SCENE *opened = cylint_scene_open(path, flags[i], &status);
             if (!CHECK(opened && status == CYLINT_SCENE_OK))
                 continue;
             const int wrong = differences(built, opened, &of, 11);
@@ -51,33 +51,25 @@ TEST(an_opened_scene_answers_as_the_saved_one)
             CHECK(cylint_scene_bytes(opened) >= 65 * of.n);
             CHECK(cylint_scene_add(opened, of.shapes, 1) ==
                   CYLINT_SCENE_EFINISHED);
-            cylint_scene_free(opened);
         }
-        cylint_scene_free(built);
-        scene_release(&of);
     }
     remove(path);
 }
 
 TEST(an_opened_scene_saves_the_same_bytes)
 {
-    struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
+    OWN_BYTES first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
     for (int kind = 0; kind < SCENE_KINDS; kind++)
         for (size_t n = 1; n <= 16; n *= 4) {
-            struct scene_shapes of = scene_generate(kind, n, 5);
-            cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
+            OWN_SHAPES of = scene_generate(kind, n, 5);
+            OWN_SCENE *built = cylint_scene_new(of.shapes, n, 1, NULL);
             scene_file_write(built, &first);
-            cylint_scene *opened =
+            OWN_SCENE *opened =
                 cylint_scene_open_memory(first.data, first.n, 0, NULL);
             scene_file_write(opened, &again);
             CHECK(first.n == again.n &&
                   memcmp(first.data, again.data, first.n) == 0);
-            cylint_scene_free(opened);
-            cylint_scene_free(built);
-            scene_release(&of);
         }
-    free(first.memory);
-    free(again.memory);
 }
 
 /* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
@@ -97,18 +89,17 @@ static void write_small(struct bytes *b)
     cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
     cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
     CHECK(cylint_scene_set_solids(scene, members, 5) == CYLINT_SCENE_OK);
     scene_file_write(scene, b);
-    cylint_scene_free(scene);
 }
 
 TEST(bytes_in_memory_open_at_every_address)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
-    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 3);
-    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 3);
+    OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(built, &b);
     for (size_t shift = 0; shift < 80; shift += 8) {
         char *copy = malloc(b.n + shift);
@@ -119,23 +110,17 @@ TEST(bytes_in_memory_open_at_every_address)
         cylint_scene_free(opened);
         free(copy);
     }
-    free(b.memory);
-    cylint_scene_free(built);
-    scene_release(&of);
 }
 
 TEST(an_empty_scene_can_be_saved)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
-    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
     scene_file_write(empty, &b);
     CHECK(b.n == 512);
-    cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
     CHECK(opened && cylint_scene_size(opened) == 0 &&
           !cylint_scene_get_labels(opened));
-    cylint_scene_free(opened);
-    cylint_scene_free(empty);
-    free(b.memory);
 }
 
 TEST(labels_are_saved)
@@ -144,25 +129,22 @@ TEST(labels_are_saved)
     static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
     const double p[3] = {0, 0, 0}, q[3] = {0, 0, 1};
     cylint_shape shape[3];
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     for (int i = 0; i < 3; i++)
         cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
     for (int k = 0; k < 2; k++) {
         const cylint_scene_labels labels = {ends[k], text};
-        cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
+        OWN_SCENE *scene = cylint_scene_new(shape, 3, 1, NULL);
         CHECK(!cylint_scene_get_labels(scene));
         cylint_scene_set_labels(scene, &labels);
         scene_file_write(scene, &b);
-        cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+        OWN_SCENE *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
         const cylint_scene_labels *got = cylint_scene_get_labels(opened);
         CHECK(got && memcmp(got->end, ends[k], sizeof ends[k]) == 0 &&
               (ends[k][2] == 0 || memcmp(got->text, text, 9) == 0));
         cylint_scene_set_labels(opened, NULL);
         CHECK(!cylint_scene_get_labels(opened));
-        cylint_scene_free(opened);
-        cylint_scene_free(scene);
     }
-    free(b.memory);
 }
 
 static int write_few(void *context, const void *data, size_t n)
@@ -177,8 +159,8 @@ TEST(a_failure_leaves_the_old_file)
 {
     char missing[96];
     cylint_scene_status status = CYLINT_SCENE_OK;
-    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
-    cylint_scene *scene = cylint_scene_begin(0);
+    OWN_SHAPES of = scene_generate(SCENE_FAT, SMALL, 3);
+    OWN_SCENE *scene = cylint_scene_begin(0);
     CHECK(cylint_scene_add(scene, of.shapes, of.n) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_save(scene, path) == CYLINT_SCENE_EUNFINISHED);
     CHECK(!cylint_scene_open(path, 0, &status) &&
@@ -203,8 +185,6 @@ TEST(a_failure_leaves_the_old_file)
     CHECK(access(missing, F_OK) != 0);
     CHECK(!cylint_scene_open("/", 0, &status) && status == CYLINT_SCENE_EFILE);
 #endif
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 #ifdef HAS_PROCESSES
@@ -213,20 +193,19 @@ TEST(a_failure_leaves_the_old_file)
 TEST(a_file_beside_the_new_one_is_not_written)
 {
     char beside[96], target[96];
-    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
     snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
     snprintf(target, sizeof target, "%s.target", path);
     CHECK(symlink(target, beside) == 0);
     CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
     CHECK(access(target, F_OK) != 0 && access(path, F_OK) == 0);
     CHECK(remove(beside) == 0 && remove(path) == 0);
-    cylint_scene_free(empty);
 }
 
 /* Such a file has one reader, who must not close and open it again. */
 TEST(a_named_pipe_is_read)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     int status = 1;
     write_small(&b);
     CHECK(mkfifo(path, 0600) == 0);
@@ -235,31 +214,26 @@ TEST(a_named_pipe_is_read)
         FILE *to = fopen(path, "wb");
         _exit(!to || fwrite(b.data, 1, b.n, to) != b.n || fclose(to) != 0);
     }
-    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     CHECK(opened && cylint_scene_size(opened) == SMALL);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
-    cylint_scene_free(opened);
     remove(path);
-    free(b.memory);
 }
 
 TEST(a_named_pipe_is_written_to_and_not_replaced)
 {
     int status = 1;
     struct stat about;
-    struct scene_shapes of = scene_generate(SCENE_FAT, SMALL, 3);
-    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_FAT, SMALL, 3);
+    OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(mkfifo(path, 0600) == 0);
     const pid_t child = fork();
     if (child == 0)
         _exit(cylint_scene_save(built, path) != CYLINT_SCENE_OK);
-    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     CHECK(opened && differences(built, opened, &of, 5) == 0);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
     CHECK(stat(path, &about) == 0 && S_ISFIFO(about.st_mode));
-    cylint_scene_free(opened);
-    cylint_scene_free(built);
-    scene_release(&of);
     remove(path);
 }
 
@@ -267,10 +241,10 @@ TEST(a_named_pipe_is_written_to_and_not_replaced)
 TEST(two_processes_map_one_file)
 {
     int status = 1;
-    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 3);
-    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_THIN, SHAPES, 3);
+    OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
-    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     const pid_t child = fork();
     if (child == 0) {
         cylint_scene *again = cylint_scene_open(path, 0, NULL);
@@ -278,13 +252,9 @@ TEST(two_processes_map_one_file)
     }
     CHECK(differences(built, opened, &of, 5) == 0);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
-    cylint_scene *other = cylint_scene_new(of.shapes, 3, 1, NULL);
+    OWN_SCENE *other = cylint_scene_new(of.shapes, 3, 1, NULL);
     CHECK(cylint_scene_save(other, path) == CYLINT_SCENE_OK);
     CHECK(differences(built, opened, &of, 6) == 0);
-    cylint_scene_free(other);
-    cylint_scene_free(opened);
-    cylint_scene_free(built);
-    scene_release(&of);
     remove(path);
 }
 
@@ -295,7 +265,7 @@ TEST(two_processes_map_one_file)
 static void saved_anywhere(struct environment there)
 {
     static const double tiny[] = {0, 0x1p-1074, 0x1p-1023, 0x1p-1021, 0x1p-400};
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     cylint_shape shape[4 * 5];
     for (int i = 0; i < 20; i++) {
         const double x = tiny[i / 4], y = i % 2 ? x : 0;
@@ -310,7 +280,7 @@ static void saved_anywhere(struct environment there)
             cylint_sphere(&shape[i], p, x > 0 ? x : 1, CYLINT_ENDS_CAPPED);
     }
     environment_set(there);
-    cylint_scene *built = cylint_scene_new(shape, 20, 1, NULL);
+    OWN_SCENE *built = cylint_scene_new(shape, 20, 1, NULL);
     scene_file_write(built, &b);
     environment_reset();
     for (int i = 0; i < ENVIRONMENTS; i++) {
@@ -319,15 +289,11 @@ static void saved_anywhere(struct environment there)
         if (!can_treat_subnormals(other.tiny))
             continue;
         environment_set(other);
-        cylint_scene *opened =
-            cylint_scene_open_memory(b.data, b.n, 0, &status);
+        OWN_SCENE *opened = cylint_scene_open_memory(b.data, b.n, 0, &status);
         environment_reset();
         if (!CHECK(opened && same_shapes(built, opened)))
             REPORT("in environment %d: status %d", i, (int)status);
-        cylint_scene_free(opened);
     }
-    cylint_scene_free(built);
-    free(b.memory);
 }
 
 TEST(a_file_opens_in_every_environment)
@@ -348,7 +314,7 @@ static int next_change(int change)
 
 TEST(every_changed_byte_is_refused)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     write_small(&b);
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
     for (size_t i = 0; i < b.n; i++)
@@ -363,12 +329,11 @@ TEST(every_changed_byte_is_refused)
                   status == CYLINT_SCENE_EVERSION);
             b.data[i] = (char)(b.data[i] ^ change);
         }
-    free(b.memory);
 }
 
 TEST(every_shorter_file_is_refused)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     write_small(&b);
     for (size_t n = 0; n < b.n; n++) {
         char *copy = malloc(n + 1); /* so that a read beyond it is found */
@@ -379,13 +344,12 @@ TEST(every_shorter_file_is_refused)
     }
     b.n += 64;
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
-    free(b.memory);
 }
 
 /* With the checksum made right, each byte in turn changes. */
 TEST(no_changed_byte_makes_a_query_fail)
 {
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     int opened = 0;
     write_small(&b);
     for (size_t i = 0; i < b.n; i++)
@@ -396,7 +360,6 @@ TEST(no_changed_byte_makes_a_query_fail)
             b.data[i] = (char)(b.data[i] ^ change);
         }
     CHECK(opened > 100);
-    free(b.memory);
 }
 
 /* Opens a file of rounded cones, cylinders and a cone after number `at`, counted in
@@ -404,7 +367,7 @@ TEST(no_changed_byte_makes_a_query_fail)
 static cylint_scene_status status_with(size_t at, double x)
 {
     const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
-    struct bytes b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0};
     cylint_shape shape[4];
     cylint_round_cone(&shape[0], p, 1, q, 1.5, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&shape[1], p, q, 1, CYLINT_ENDS_CAPPED);
@@ -416,7 +379,6 @@ static cylint_scene_status status_with(size_t at, double x)
     memcpy(b.data + at * sizeof x, &x, sizeof x);
     scene_file_repair(b.data, b.n);
     const cylint_scene_status status = scene_file_try(b.data, b.n);
-    free(b.memory);
     return status;
 }
 
@@ -450,17 +412,15 @@ TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
     uint64_t random = 17;
-    struct bytes b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
     bytes_reserve(&c, SCENE_FILE_MOST);
     int opened = 0;
     for (int i = 0; i < cases; i++) {
         if (i % 1000 == 0) {
-            struct scene_shapes of =
+            OWN_SHAPES of =
                 scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i);
-            cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+            OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
             scene_file_write(scene, &b);
-            cylint_scene_free(scene);
-            scene_release(&of);
         }
         memcpy(c.data, b.data, b.n);
         const int changes = 1 + (int)(random_bits(&random) % 3);
@@ -486,8 +446,6 @@ TEST(no_changed_numbers_make_a_query_fail)
     }
     CHECK(opened > cases / 10);
     CHECK(opened < cases);
-    free(b.memory);
-    free(c.memory);
 }
 
 int main(void)

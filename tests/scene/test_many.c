@@ -22,6 +22,8 @@ enum { CALLS = 18 }; /* with each size and number of threads */
 
 /* The input: lines of all kinds, some of them invalid, and points. */
 static double input[8][MOST], radii[MOST];
+static double *const array[8] = {input[0], input[1], input[2], input[3],
+                                 input[4], input[5], input[6], input[7]};
 static size_t except[MOST];
 
 /* Arrays of answers, with one element more that is not written: the numbers of
@@ -65,9 +67,6 @@ static void poison(void)
 
 static void fill_lines(const struct scene_shapes *of)
 {
-    double *array[8];
-    for (int k = 0; k < 8; k++)
-        array[k] = input[k];
     for (size_t i = 0; i < MOST; i++) {
         cylint_line line;
         memset(&line, 0, sizeof line);
@@ -90,9 +89,6 @@ static void fill_lines(const struct scene_shapes *of)
 
 static cylint_lines lines_now(size_t n, int domain)
 {
-    double *array[8];
-    for (int k = 0; k < 8; k++)
-        array[k] = input[k];
     return lines_of(array, n, domain);
 }
 
@@ -211,21 +207,19 @@ TEST(nearest_hits_are_those_of_single_lines)
     static const enum scene_kind kinds[] = {SCENE_MIXED, SCENE_UNBOUNDED,
                                             SCENE_STRANDS};
     for (int k = 0; k < 3; k++) {
-        struct scene_shapes of;
-        cylint_scene *scene = new_scene(kinds[k], 3, &of);
+        OWN_SHAPES of;
+        OWN_SCENE *scene = new_scene(kinds[k], 3, &of);
         fill_lines(&of);
         check_all_nearest(scene, NULL);
         leave_out_nearest();
         check_all_nearest(scene, except);
-        cylint_scene_free(scene);
-        scene_release(&of);
     }
 }
 
 TEST(only_wanted_columns_are_written)
 {
-    struct scene_shapes of;
-    cylint_scene *scene = new_scene(SCENE_MIXED, 4, &of);
+    OWN_SHAPES of;
+    OWN_SCENE *scene = new_scene(SCENE_MIXED, 4, &of);
     const cylint_lines lines = lines_now(300, 3);
     fill_lines(&of);
     expect_hits(scene, NULL, 1);
@@ -238,8 +232,6 @@ TEST(only_wanted_columns_are_written)
     cylint_scene_count_lines(scene, &lines, 0, 2, NULL);
     expect_hits(scene, NULL, 0);
     check_nearest(scene, NULL, 300, 1, all, 0);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 /* --------------------------------------------------------- any, count --- */
@@ -266,15 +258,13 @@ static void check_any_and_count(const cylint_scene *scene,
 
 TEST(any_and_count_are_those_of_single_lines)
 {
-    struct scene_shapes of;
-    cylint_scene *scene = new_scene(SCENE_UNBOUNDED, 5, &of);
+    OWN_SHAPES of;
+    OWN_SCENE *scene = new_scene(SCENE_UNBOUNDED, 5, &of);
     fill_lines(&of);
     expect_hits(scene, NULL, 1);
     leave_out_nearest();
     check_any_and_count(scene, NULL, 0);
     check_any_and_count(scene, except, 3);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 /* ------------------------------------------------------------ closest --- */
@@ -326,22 +316,20 @@ TEST(closest_shapes_are_those_of_single_points)
 {
     static const enum scene_kind kinds[] = {SCENE_ROUND, SCENE_UNBOUNDED};
     for (int k = 0; k < 2; k++) {
-        struct scene_shapes of;
-        cylint_scene *scene = new_scene(kinds[k], 6, &of);
+        OWN_SHAPES of;
+        OWN_SCENE *scene = new_scene(kinds[k], 6, &of);
         fill_points(&of);
         check_all_closest(scene, radii);
         check_all_closest(scene, NULL);
-        cylint_scene_free(scene);
-        scene_release(&of);
     }
 }
 
 TEST(an_empty_scene_answers_none)
 {
-    cylint_scene *scene = cylint_scene_new(NULL, 0, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(NULL, 0, 1, NULL);
     const cylint_lines lines = lines_now(MOST, 3);
     const cylint_hit_columns hits = wanted_hits(all);
-    struct scene_shapes of = scene_generate(SCENE_THIN, SHAPES, 7);
+    OWN_SHAPES of = scene_generate(SCENE_THIN, SHAPES, 7);
     fill_lines(&of);
     poison();
     cylint_scene_nearest_lines(scene, &lines, NULL, 3, found.number, &hits);
@@ -349,6 +337,4 @@ TEST(an_empty_scene_answers_none)
     for (size_t i = 0; i < MOST; i++)
         CHECK(found.number[i] == 0 && found.small[0][i] == -1 &&
               found.small[1][i] == 0 && isnan(found.value[8][i]));
-    cylint_scene_free(scene);
-    scene_release(&of);
 }

@@ -3,7 +3,7 @@
  * and refused threads do not change answers
  *
  * A scene allocates with malloc(), calloc() and realloc(), which the linker
- * replaces by the functions below.  Each allocation is refused in turn.  Where
+ * replaces by the functions of heap.h.  Each allocation is refused in turn.  Where
  * memory that is not needed cannot be returned, the scene keeps it.
  */
 #include <errno.h>
@@ -29,63 +29,9 @@ int main(void)
 
 #else
 
+#include "heap.h"
+
 enum { SHAPES = 300, ENOUGH = 1000, LINES = 6000 };
-
-static struct {
-    int watched;
-    int requested, refuse; /* allocations; the number of the one that fails */
-    int kept;              /* realloc() of existing memory was refused */
-    int held;              /* allocations not freed yet */
-    size_t bytes;          /* of malloc() and calloc() */
-} heap;
-
-void *__real_malloc(size_t);
-void *__real_calloc(size_t, size_t);
-void *__real_realloc(void *, size_t);
-void __real_free(void *);
-void *__wrap_malloc(size_t);
-void *__wrap_calloc(size_t, size_t);
-void *__wrap_realloc(void *, size_t);
-void __wrap_free(void *);
-
-static int heap_refuses(void)
-{
-    return heap.watched && ++heap.requested == heap.refuse;
-}
-
-static void *heap_hold(void *p)
-{
-    heap.held += heap.watched && p != NULL;
-    return p;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    heap.bytes += size;
-    return heap_refuses() ? NULL : heap_hold(__real_malloc(size));
-}
-
-void *__wrap_calloc(size_t n, size_t size)
-{
-    heap.bytes += n * size;
-    return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
-}
-
-void *__wrap_realloc(void *p, size_t size)
-{
-    if (heap_refuses()) {
-        heap.kept = p != NULL;
-        return NULL;
-    }
-    void *q = __real_realloc(p, size);
-    return p ? q : heap_hold(q);
-}
-
-void __wrap_free(void *p)
-{
-    heap.held -= heap.watched && p != NULL;
-    __real_free(p);
-}
 
 /* Threads are started until so many are; NO_LIMIT: all are. */
 enum { NO_LIMIT = 1000 };
@@ -107,10 +53,9 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
 
 static void watch_heap(int refuse)
 {
-    heap.requested = heap.held = heap.kept = 0;
-    heap.bytes = 0;
+    heap.requested = heap.held = heap.bytes = heap.kept = 0;
     heap.refuse = refuse;
-    heap.watched = 1;
+    heap.unwatched = 0;
 }
 
 /* A call that allocates, and then frees what it returned. */
@@ -124,7 +69,7 @@ static int refuse_each(allocating_call *call, void *self)
     for (;; refused++) {
         watch_heap(refused + 1);
         const cylint_scene_status status = call(self);
-        heap.watched = 0;
+        heap.unwatched = 1;
         const int is_refused = heap.requested > refused;
         CHECK(status == CYLINT_SCENE_EMEMORY
                   ? is_refused
@@ -149,9 +94,8 @@ TEST(a_scene_frees_all_memory)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED};
     for (int i = 0; i < 2; i++) {
-        struct scene_shapes of = scene_generate(kinds[i], SHAPES, 5);
+        OWN_SHAPES of = scene_generate(kinds[i], SHAPES, 5);
         CHECK(refuse_each(make_scene, &of) > 5);
-        scene_release(&of);
     }
 }
 
@@ -164,7 +108,7 @@ static int stop_at_last(void *context, double part)
 
 TEST(a_scene_that_is_stopped_frees_all_memory)
 {
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5);
     for (int call = 1; call < ENOUGH; call++) {
         int calls = call;
         cylint_scene_status status;
@@ -173,14 +117,13 @@ TEST(a_scene_that_is_stopped_frees_all_memory)
             of.shapes, of.n, 1, stop_at_last, &calls, &status);
         CHECK(scene || status == CYLINT_SCENE_ESTOPPED);
         cylint_scene_free(scene);
-        heap.watched = 0;
+        heap.unwatched = 1;
         CHECK(heap.held == 0);
         if (scene) {
             CHECK(call > 5);
             break;
         }
     }
-    scene_release(&of);
 }
 
 static cylint_scene_status open_unaligned(void *self)
@@ -195,15 +138,12 @@ static cylint_scene_status open_unaligned(void *self)
 /* Unaligned bytes are copied. */
 TEST(an_opened_scene_frees_all_memory)
 {
-    struct bytes file = {NULL, NULL, 0, 0};
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_BYTES file = {NULL, NULL, 0, 0};
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(scene, &file);
     memmove(file.data + 1, file.data, file.n);
     CHECK(refuse_each(open_unaligned, &file) >= 4);
-    cylint_scene_free(scene);
-    free(file.memory);
-    scene_release(&of);
 }
 
 /* The same failure again and again changes nothing; then the shapes move. */
@@ -215,7 +155,7 @@ TEST(a_refused_refit_changes_nothing)
     for (size_t i = 0; i < SHAPES; i++)
         cylint_sphere(&shapes[i], (double[]){(double)i, 0, 0}, 0.25,
                       CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     for (size_t i = 0; i < SHAPES; i++)
         cylint_sphere(&shapes[i], (double[]){(double)i, 0, 1}, 0.25,
                       CYLINT_ENDS_CAPPED);
@@ -224,12 +164,11 @@ TEST(a_refused_refit_changes_nothing)
         watch_heap(k < 3);
         CHECK(cylint_scene_refit(scene, 0, SHAPES, shapes) ==
               (k < 3 ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK));
-        heap.watched = 0;
+        heap.unwatched = 1;
         CHECK(heap.held == 0);
         CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) ==
               (k < 3 ? 3 : SHAPES));
     }
-    cylint_scene_free(scene);
 }
 
 /* -------------------------------------------------------------- solids -- */
@@ -279,7 +218,8 @@ TEST(refused_solids_change_nothing)
     c.before = cylint_scene_bytes(c.scene);
     CHECK(refuse_each(set_solids, &c) >= 3);
     const size_t held = cylint_scene_bytes(c.scene) - c.before;
-    CHECK(held <= heap.bytes && held + spare + 64 > heap.bytes);
+    const size_t bytes = (size_t)heap.bytes;
+    CHECK(held <= bytes && held + spare + 64 > bytes);
     cylint_scene_free(c.scene);
 }
 
@@ -324,7 +264,7 @@ TEST(refused_pieces_free_all_memory)
                                       PIPES / 4.0};
     double x[6][FEW];
     cylint_member members[SHAPES];
-    cylint_scene *scene = scene_of_pipes(members);
+    OWN_SCENE *scene = scene_of_pipes(members);
     struct pieces_call c = {
         .scene = scene,
         .lines = {.n = FEW, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}}};
@@ -337,13 +277,12 @@ TEST(refused_pieces_free_all_memory)
         CHECK(refuse_each(find_pieces, &c) > 3);
         CHECK(c.found == expected[c.query]);
     }
-    cylint_scene_free(scene);
 }
 
 static int has_threads = 1; /* the library was built with them */
 
 /* Many lines with at most `most` threads beside the caller's.  The library calls
- * none of the functions above; a thread's stack is not counted. */
+ * none of these functions; a thread's stack is not counted. */
 static void check_refused_threads(const cylint_scene *scene,
                                   const cylint_lines *lines, int most,
                                   const size_t *expected)
@@ -367,7 +306,7 @@ static void check_refused_threads(const cylint_scene *scene,
     }
     CHECK(wrong == 0);
     cylint_scene_closest_points(scene, &points, NULL, 5, numbers, NULL);
-    heap.watched = 0;
+    heap.unwatched = 1;
     CHECK(heap.requested == 0 && heap.held == 0);
     most_threads = NO_LIMIT;
 }
@@ -378,8 +317,8 @@ TEST(many_lines_need_no_memory_and_no_threads)
     static size_t expected[LINES], counts[LINES];
     const cylint_lines lines = {
         .n = LINES, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}};
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     for (uint64_t i = 0; i < LINES; i++) {
         cylint_line line;
         cylint_hit hit;
@@ -394,8 +333,6 @@ TEST(many_lines_need_no_memory_and_no_threads)
     has_threads = threads_started > 0;
     for (int most = 0; most < 5; most++)
         check_refused_threads(scene, &lines, most, expected);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 #endif

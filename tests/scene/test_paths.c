@@ -402,11 +402,6 @@ static void test_group(uint64_t number, int each)
     cylint_scene_free(g.scene);
 }
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 static uint64_t groups(uint64_t usual)
 {
     return check_setting("CYLINT_CASES", usual);
@@ -414,7 +409,7 @@ static uint64_t groups(uint64_t usual)
 
 static void begin_group(uint64_t kind, uint64_t number)
 {
-    stream = seed() + kind * UINT64_C(0x9e3779b97f4a7c15);
+    stream = check_seed() + kind * UINT64_C(0x9e3779b97f4a7c15);
     stream = random_bits(&stream) + number;
 }
 
@@ -424,7 +419,7 @@ static void test_family(int family, uint64_t n_groups, int each)
     for (uint64_t k = 0; k < n_groups; k++) {
         begin_group((uint64_t)family, k);
         for (uint64_t i = 0; i < GROUP; i++)
-            family_case(seed(), family, k * GROUP + i, &g.c[i]);
+            family_case(check_seed(), family, k * GROUP + i, &g.c[i]);
         snprintf(g.name, sizeof g.name, "family %s, group %d",
                  family_name(family), (int)k);
         test_group((uint64_t)family + 5 * k, each);
@@ -451,8 +446,9 @@ TEST(runs_of_one_kind_have_the_same_answers)
                     continue;
                 begin_group(100 + (uint64_t)kind, k);
                 for (int i = 0; n < GROUP && i < 20000; i++, index++) {
-                    family_case(seed(), (int)(index % (uint64_t)family_count()),
-                                index, &g.c[n]);
+                    family_case(check_seed(),
+                                (int)(index % (uint64_t)family_count()), index,
+                                &g.c[n]);
                     if ((int)g.c[n].shape_word != kind)
                         continue;
                     g.c[n].ends = kind == FAMILY_SPHERE ? CYLINT_ENDS_CAPPED
@@ -471,7 +467,8 @@ TEST(coincidences_have_the_same_answers)
         begin_group(200, k);
         for (uint64_t i = 0; i < GROUP; i++) {
             const char *family = i % 4 == 3 ? "plain" : "constructed";
-            family_case(seed(), family_named(family), k * GROUP + i, &g.c[i]);
+            family_case(check_seed(), family_named(family), k * GROUP + i,
+                        &g.c[i]);
         }
         snprintf(g.name, sizeof g.name, "coincidences %d", (int)k);
         test_group(k, 0);

@@ -23,11 +23,6 @@ enum { SHAPES = 1200, NEAR = 150, LINES = 20, POINTS = 1, THREADS = 8 };
 static size_t lines_of_a_kind = LINES, points_of_a_family = POINTS;
 static size_t n_lines, n_hit, n_points, n_near, n_inside, most_found;
 
-static uint64_t seed(void)
-{
-    return check_setting("CYLINT_SEED", 1);
-}
-
 static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
 {
     cylint_scene_status status;
@@ -47,7 +42,7 @@ static void check_line(const struct scene_shapes *of, const cylint_scene *scene,
     if (!CHECK(same_line_answers(&got, &want))) {
         REPORT("scene %s, seed %llu: nearest %zu %zu %zu, not %zu %zu %zu; %zu "
                "hit, not %zu; %zu chords, not %zu",
-               of->name, (unsigned long long)seed(), got.nearest[0],
+               of->name, (unsigned long long)check_seed(), got.nearest[0],
                got.nearest[1], got.nearest[2], want.nearest[0], want.nearest[1],
                want.nearest[2], got.hit.n, want.hit.n, got.chords, want.chords);
         REPORT("span %a %a %a  %a %a %a  %a %a", line->o[0], line->o[1],
@@ -220,7 +215,8 @@ static void check_lines(const struct scene_shapes *of, uint64_t number)
             kind == LINES_WILD || of->hi[0] > 0x1p300 || of->hi[0] < 0x1p-300;
         for (uint64_t i = 0; i <= lines_of_a_kind / (slow ? 20 : 1); i++) {
             cylint_line line;
-            scene_line(of, (enum scene_lines)kind, seed(), number + i, &line);
+            scene_line(of, (enum scene_lines)kind, check_seed(), number + i,
+                       &line);
             check_line(of, scene, &line);
         }
     }
@@ -230,15 +226,14 @@ static void check_lines(const struct scene_shapes *of, uint64_t number)
 
 static void check_points(const struct scene_shapes *of, uint64_t number)
 {
-    uint64_t random = seed() + number;
-    cylint_scene *scene = open_scene(of, 1);
+    uint64_t random = check_seed() + number;
+    OWN_SCENE *scene = open_scene(of, 1);
     for (int family = 0; scene && family < FAMILIES; family++)
         for (size_t i = 0; i < points_of_a_family; i++) {
             double point[3];
             point_of(of, (enum family)family, &random, point);
             check_point(of, scene, point, &random);
         }
-    cylint_scene_free(scene);
 }
 
 /* A loop takes far longer where doubles cannot decide, and for points. */
@@ -247,10 +242,10 @@ TEST(generated_scenes_answer_as_a_loop)
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
         struct scene_shapes of =
-            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, seed());
+            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, check_seed());
         check_lines(&of, (uint64_t)kind);
         scene_release(&of);
-        of = scene_generate(kind, NEAR, seed());
+        of = scene_generate(kind, NEAR, check_seed());
         check_points(&of, (uint64_t)kind);
         scene_release(&of);
     }
@@ -264,10 +259,9 @@ TEST(small_scenes_answer_as_a_loop)
     points_of_a_family = 1;
     for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
         for (int kind = 0; kind < SCENE_KINDS; kind++) {
-            struct scene_shapes of = scene_generate(kind, n, seed());
+            OWN_SHAPES of = scene_generate(kind, n, check_seed());
             check_lines(&of, n);
             check_points(&of, n);
-            scene_release(&of);
         }
     lines_of_a_kind = lines;
     points_of_a_family = points;
@@ -283,13 +277,12 @@ TEST(real_scenes_answer_as_a_loop)
                  "$6, $10 }' ../shared/data/tree_archi.csv 2>/dev/null"},
     };
     for (size_t i = 0; i < sizeof real / sizeof *real; i++) {
-        struct scene_shapes of;
+        OWN_SHAPES of;
         if (!scene_from(real[i][0], real[i][1], &of)) {
             printf("note: no %s in ../shared/data\n", real[i][0]);
             continue;
         }
         check_lines(&of, i);
-        scene_release(&of);
     }
 }
 
@@ -328,7 +321,7 @@ TEST(shapes_of_many_pieces_count_once)
     for (int k = 0; k < 18; k++) {
         static const double widths[] = {0.002, 0.05, 0.0005};
         fill_bundle(&of, &random, widths[k % 3] * (1 + k / 3));
-        cylint_scene *scene = open_scene(&of, 1);
+        OWN_SCENE *scene = open_scene(&of, 1);
         for (int i = 0; i < 15; i++) {
             cylint_line line;
             double p[3], q[3];
@@ -349,7 +342,6 @@ TEST(shapes_of_many_pieces_count_once)
                 check_radius(&of, scene, p, m == 3 ? -0.001 : 0.2 * m,
                              m == 2 ? 0 : CYLINT_SIGNED);
         }
-        cylint_scene_free(scene);
     }
     CHECK(most_found > 250);
 }
@@ -367,14 +359,13 @@ TEST(equal_shapes_are_found_in_order)
     size_t numbers[4];
     for (int i = 0; i < COPIES; i++)
         cylint_cylinder(&shapes[i], base, top, 0.25, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = open_scene(&of, 1);
+    OWN_SCENE *scene = open_scene(&of, 1);
     for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
         check_point(&of, scene, points[i], &random);
         CHECK(cylint_scene_within(scene, points[i], HUGE_VAL, 0, 290, numbers,
                                   NULL, 4) == 4 &&
               numbers[0] == 290 && numbers[3] == 293);
     }
-    cylint_scene_free(scene);
 }
 
 /* ------------------------------------------------------------ contracts -- */
@@ -383,7 +374,7 @@ TEST(an_empty_scene_has_no_answers)
 {
     const struct scene_shapes none = {.name = "empty"};
     const double o[3] = {0, 0, 0}, d[3] = {1, 2, 3};
-    cylint_scene *scene = open_scene(&none, 1);
+    OWN_SCENE *scene = open_scene(&none, 1);
     cylint_line line;
     cylint_ray(&line, o, d);
     check_line(&none, scene, &line);
@@ -392,7 +383,6 @@ TEST(an_empty_scene_has_no_answers)
         check_radius(&none, scene, d, HUGE_VAL, i ? CYLINT_SIGNED : 0);
     check_contains(&none, scene, d);
     CHECK(cylint_scene_bytes(scene) > 0);
-    cylint_scene_free(scene);
     cylint_scene_free(NULL);
 }
 
@@ -404,8 +394,8 @@ TEST(a_bad_point_or_radius_has_no_shape)
     cylint_closest a;
     size_t number;
     double distance;
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, 100, seed());
-    cylint_scene *scene = open_scene(&of, 1);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 100, check_seed());
+    OWN_SCENE *scene = open_scene(&of, 1);
     for (int i = 0; i < 26; i++) {
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
         double p[3] = {0, 0, 0}, radius = HUGE_VAL;
@@ -422,8 +412,6 @@ TEST(a_bad_point_or_radius_has_no_shape)
         CHECK(i >= 18 || cylint_scene_contains(scene, p, 0) == 0);
     }
     CHECK(cylint_scene_within(scene, good, HUGE_VAL, 0, 0, NULL, NULL, 0) == 0);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 /* The case of cylint_scene(3), section Overlapping shapes. */
@@ -433,7 +421,7 @@ TEST(the_nearest_surface_may_lie_inside_another_shape)
                                     shape_of("capsule 0 0 0  30 0 0  1")};
     const double p[3] = {0, 3, 0};
     cylint_closest near;
-    cylint_scene *scene = cylint_scene_new(shapes, 2, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, 2, 1, NULL);
     CHECK(cylint_scene_closest(scene, p, HUGE_VAL, 0, &near) == 1 &&
           near.distance == 2);
     CHECK(cylint_contains(&shapes[0], p) == 1 &&
@@ -441,7 +429,6 @@ TEST(the_nearest_surface_may_lie_inside_another_shape)
     CHECK(cylint_scene_closest(scene, p, HUGE_VAL, CYLINT_SIGNED, &near) == 0 &&
           near.distance == -7);
     CHECK(cylint_scene_contains(scene, p, 0) == 1);
-    cylint_scene_free(scene);
 }
 
 /* Ends a visit after some calls, or asks for less than before. */
@@ -482,8 +469,8 @@ static double query_again(void *context, size_t number, const cylint_hit *hit)
 
 TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
-    struct scene_shapes of = scene_generate(SCENE_STRANDS, SHAPES, seed());
-    cylint_scene *scene = open_scene(&of, 1);
+    OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, check_seed());
+    OWN_SCENE *scene = open_scene(&of, 1);
     int visited = 0;
     for (uint64_t i = 0; i < 200; i++) {
         struct ender all = {.bound = HUGE_VAL, .least = HUGE_VAL},
@@ -492,7 +479,7 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         cylint_line line;
         cylint_hit hit;
         cylint_closest near;
-        scene_line(&of, LINES_RANDOM, seed(), i, &line);
+        scene_line(&of, LINES_RANDOM, check_seed(), i, &line);
         if (cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == of.n)
             continue;
         less.bound = hit.t;
@@ -514,8 +501,6 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         visited++;
     }
     CHECK(visited > 20);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */
@@ -523,11 +508,11 @@ static void answer_points_there(struct environment there)
 {
     static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
     static struct point_answers want, got;
-    uint64_t random = seed() + 200;
+    uint64_t random = check_seed() + 200;
     for (int k = 0; k < 3 * FAMILIES; k++) {
         double point[3];
-        struct scene_shapes of = scene_generate(kinds[k % 3], 40, seed());
-        cylint_scene *scene = open_scene(&of, 1);
+        OWN_SHAPES of = scene_generate(kinds[k % 3], 40, check_seed());
+        OWN_SCENE *scene = open_scene(&of, 1);
         point_of(&of, (enum family)(k / 3), &random, point);
         for (int i = 0; i < 2; i++) {
             const unsigned members = i ? 0 : CYLINT_SIGNED;
@@ -546,8 +531,6 @@ static void answer_points_there(struct environment there)
                 REPORT("point %a %a %a  # scene %s", point[0], point[1],
                        point[2], of.name);
         }
-        cylint_scene_free(scene);
-        scene_release(&of);
     }
 }
 
@@ -557,6 +540,8 @@ TEST(points_have_the_same_answers_in_every_environment)
 }
 
 /* -------------------------------------------------------------- threads -- */
+
+static cylint_line drawn[3 * LINES * LINES_KINDS];
 
 struct part {
     const struct scene_shapes *of;
@@ -577,13 +562,11 @@ static void *answer_part(void *argument)
     struct part *p = argument;
     uint64_t random = 5;
     for (int i = 0; i < 3 * LINES * LINES_KINDS; i++) {
-        cylint_line line;
+        const cylint_line line = drawn[i];
         cylint_hit hit = {0};
         cylint_closest near = {0};
         size_t numbers[16];
         double point[3], distances[16];
-        scene_line(p->of, (enum scene_lines)(i % LINES_KINDS), seed(),
-                   (uint64_t)i, &line);
         add_answer(p,
                    cylint_scene_nearest(p->scene, &line, CYLINT_WANT_T, &hit),
                    hit.t);
@@ -603,8 +586,11 @@ static void *answer_part(void *argument)
 TEST(threads_share_a_scene_with_the_same_answers)
 {
     struct part parts[THREADS];
-    struct scene_shapes of = scene_generate(SCENE_UNBOUNDED, SHAPES, seed());
-    cylint_scene *scene = open_scene(&of, 2);
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, check_seed());
+    OWN_SCENE *scene = open_scene(&of, 2);
+    for (uint64_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+        scene_line(&of, (enum scene_lines)(i % LINES_KINDS), check_seed(), i,
+                   &drawn[i]);
     for (int i = 0; i < THREADS; i++) {
         parts[i] = (struct part){.of = &of, .scene = scene};
         if (pthread_create(&parts[i].thread, NULL, answer_part, &parts[i]))
@@ -614,8 +600,6 @@ TEST(threads_share_a_scene_with_the_same_answers)
         pthread_join(parts[i].thread, NULL);
     for (int i = 1; i < THREADS; i++)
         CHECK(parts[i].sum == parts[0].sum);
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 TEST(every_status_has_its_text)

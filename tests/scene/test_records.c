@@ -13,31 +13,12 @@
 #include "cylint_scene.h"
 #include "families.h"
 #include "intersect.h"
-#include "random.h"
+#include "same.h"
+#include "scenes.h"
 #include "scene/records.h"
 #include "shapes/shape_facts.h"
 
 enum { CASES = 2000, BLOCK = 64 };
-
-static long cases_of_family(void)
-{
-    const char *text = getenv("CYLINT_CASES");
-    return text ? strtol(text, NULL, 10) : CASES;
-}
-
-static void case_number(int family, long i, struct family_case *c)
-{
-    static const cylint_ends ends[] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
-                                       CYLINT_ENDS_CAP0, CYLINT_ENDS_CAP1};
-    family_case(31, family, (uint64_t)i, c);
-    c->ends = ends[i % 4];
-    family_make(c);
-}
-
-static int is_shape_of(const cylint_shape *x, const cylint_shape *y)
-{
-    return memcmp(x, y, sizeof *x) == 0;
-}
 
 /* Refused shapes too; hulls of two balls of which one holds the other too. */
 TEST(a_scene_returns_its_shapes)
@@ -45,7 +26,7 @@ TEST(a_scene_returns_its_shapes)
     for (int family = 0; family < family_count(); family++) {
         static cylint_shape shapes[BLOCK];
         cylint_shape back;
-        cylint_scene *scene = cylint_scene_begin(0);
+        OWN_SCENE *scene = cylint_scene_begin(0);
         for (int block = 0; block < 2; block++) {
             for (int i = 0; i < BLOCK; i++) {
                 struct family_case c;
@@ -58,10 +39,9 @@ TEST(a_scene_returns_its_shapes)
         CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
         for (int i = 0; i < BLOCK; i++) {
             cylint_scene_shape(scene, (size_t)(BLOCK + i), &back);
-            if (!CHECK(is_shape_of(&back, &shapes[i])))
+            if (!CHECK(same_bytes(&back, &shapes[i], sizeof back)))
                 REPORT("family %s, shape %d", family_name(family), i);
         }
-        cylint_scene_free(scene);
     }
 }
 
@@ -74,18 +54,17 @@ TEST(a_ball_of_a_hull_keeps_its_part)
                  back;
     CHECK(cylint_cylinder(&shapes[3], p, p, 1, CYLINT_ENDS_CAPPED) ==
           CYLINT_EAXIS);
-    cylint_scene *scene = cylint_scene_new(shapes, 4, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, 4, 1, NULL);
     for (size_t i = 0; i < 4; i++) {
         cylint_scene_shape(scene, i, &back);
-        CHECK(is_shape_of(&back, &shapes[i]));
+        CHECK(same_bytes(&back, &shapes[i], sizeof back));
     }
-    cylint_scene_free(scene);
 }
 
 TEST(a_finished_scene_takes_no_shape)
 {
     const cylint_shape shape = shape_of("sphere 0 0 0 1");
-    cylint_scene *scene = cylint_scene_begin(1);
+    OWN_SCENE *scene = cylint_scene_begin(1);
     CHECK(cylint_scene_add(scene, NULL, 0) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);
     CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_OK);
@@ -93,7 +72,6 @@ TEST(a_finished_scene_takes_no_shape)
     CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_EFINISHED);
     CHECK(cylint_scene_finish(scene, 0, NULL, NULL) == CYLINT_SCENE_EFINISHED);
     CHECK(cylint_scene_size(scene) == 1);
-    cylint_scene_free(scene);
 }
 
 /* Totals over all lines and shapes. */
@@ -123,18 +101,17 @@ TEST(local_coordinates_in_doubles_decide_right_or_not_at_all)
 {
     static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
                                 FE_TOWARDZERO};
-    const long cases = cases_of_family();
-    for (int family = 0; family < family_count(); family++)
-        for (long i = 0; i < cases; i++) {
-            struct family_case c;
-            cylint_records records = {.n = 0};
-            case_number(family, i, &c);
-            CHECK(cylint_records_add(&records, &c.shape, 1));
-            if (records.tag[0] & CYLINT_TAG_PLAIN)
-                for (int m = 0; m < 4; m++)
-                    check_decision(&records, &c, modes[m]);
-            cylint_records_free(&records);
-        }
+    const long cases = (long)check_setting("CYLINT_CASES", CASES);
+    EACH_CASE(c, 31, cases) {
+        cylint_records records = {.n = 0};
+        c.ends = (cylint_ends)(number % 4); /* planes */
+        family_make(&c);
+        CHECK(cylint_records_add(&records, &c.shape, 1));
+        if (records.tag[0] & CYLINT_TAG_PLAIN)
+            for (int m = 0; m < 4; m++)
+                check_decision(&records, &c, modes[m]);
+        cylint_records_free(&records);
+    }
     CHECK(total.decided > 10 * cases && total.undecided > 0);
     printf("note: %ld decisions, %ld undecided\n", total.decided,
            total.undecided);

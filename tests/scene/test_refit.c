@@ -13,13 +13,9 @@
 #include "random.h"
 #include "answers.h"
 #include "scene_file.h"
+#include "shapes/shape_facts.h"
 
 enum { SHAPES = 300, MOVES = 4 };
-
-static int is_elliptic(const cylint_shape *s)
-{
-    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
-}
 
 static int is_finite_shape(const cylint_shape *s)
 {
@@ -34,7 +30,7 @@ static int is_finite_shape(const cylint_shape *s)
 /* Whether a shape may take the place of another, by the words of the header. */
 static int may_replace(const cylint_shape *x, const cylint_shape *y)
 {
-    return is_elliptic(x) == is_elliptic(y) &&
+    return cylint_is_elliptic(x->kind) == cylint_is_elliptic(y->kind) &&
            (x->kind == CYLINT_KIND_NONE) == (y->kind == CYLINT_KIND_NONE) &&
            (is_finite_shape(x) || !is_finite_shape(y));
 }
@@ -57,15 +53,14 @@ static void check_moves(int kind, uint64_t seed, long moves)
 {
     uint64_t random = seed;
     cylint_scene_status status;
-    struct scene_shapes of = scene_generate(kind, SHAPES, seed);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SHAPES of = scene_generate(kind, SHAPES, seed);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_worsening(scene) == 1);
     for (long k = 0; k < moves; k++) {
         /* sometimes of another kind, size and place */
         const int other =
             random_int(&random, 4) ? kind : random_int(&random, SCENE_KINDS);
-        struct scene_shapes by =
-            scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
+        OWN_SHAPES by = scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
         const size_t first = (size_t)random_below(&random, of.n),
                      most = of.n - first;
         const size_t n = random_int(&random, 4)
@@ -76,14 +71,10 @@ static void check_moves(int kind, uint64_t seed, long moves)
         status = all ? cylint_scene_refit(scene, 0, of.n, of.shapes)
                      : cylint_scene_refit(scene, first, n, of.shapes + first);
         CHECK(status == CYLINT_SCENE_OK);
-        cylint_scene *expected = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        OWN_SCENE *expected = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(differences(expected, scene, &of, seed + (uint64_t)k) == 0);
         CHECK(cylint_scene_worsening(scene) > 0);
-        cylint_scene_free(expected);
-        scene_release(&by);
     }
-    cylint_scene_free(scene);
-    scene_release(&of);
 }
 
 TEST(a_scene_that_moved_answers_as_a_new_one)
@@ -116,7 +107,7 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     static cylint_shape shapes[SHAPES];
     double forth = 0, back = 0;
     fill_row(shapes, SHAPES, 1);
-    cylint_scene *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     for (int k = 0; k < 20; k++) {
         fill_row(shapes, SHAPES, 7);
         forth = move_each(scene, shapes, SHAPES);
@@ -125,7 +116,6 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     }
     CHECK(forth > 3); /* neighbours in a leaf are far from each other */
     CHECK(back < 1.05);
-    cylint_scene_free(scene);
 }
 
 TEST(what_is_refused_changes_nothing)
@@ -137,7 +127,7 @@ TEST(what_is_refused_changes_nothing)
     cylint_hit hit;
     fill_row(shapes, SHAPES, 1);
     fill_row(moved, SHAPES, 7);
-    cylint_scene *scene = cylint_scene_begin(0);
+    OWN_SCENE *scene = cylint_scene_begin(0);
     cylint_scene_add(scene, shapes, SHAPES);
     CHECK(cylint_scene_refit(scene, 0, 1, moved) == CYLINT_SCENE_EUNFINISHED);
     cylint_scene_finish(scene, 1, NULL, NULL);
@@ -157,25 +147,19 @@ TEST(what_is_refused_changes_nothing)
     CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == 3 &&
           hit.t < 1);
     CHECK(cylint_scene_worsening(scene) == 1);
-    cylint_scene_free(scene);
 }
 
 TEST(a_scene_that_moved_is_saved)
 {
-    struct bytes file = {NULL, NULL, 0, 0};
-    struct scene_shapes of = scene_generate(SCENE_MIXED, SHAPES, 7);
-    struct scene_shapes by = scene_generate(SCENE_MIXED, SHAPES, 8);
-    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_BYTES file = {NULL, NULL, 0, 0};
+    OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 7);
+    OWN_SHAPES by = scene_generate(SCENE_MIXED, SHAPES, 8);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     replace(&of, &by, 50, 100);
     CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
           CYLINT_SCENE_OK);
     scene_file_write(scene, &file);
-    cylint_scene *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
+    OWN_SCENE *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
     CHECK(opened && differences(scene, opened, &of, 9) == 0);
     CHECK(cylint_scene_refit(opened, 0, 1, of.shapes) == CYLINT_SCENE_EOPENED);
-    cylint_scene_free(opened);
-    cylint_scene_free(scene);
-    free(file.memory);
-    scene_release(&of);
-    scene_release(&by);
 }

@@ -85,7 +85,7 @@ TEST(a_refused_solid_changes_nothing)
         if (with)
             make_solids();
         draw_lines();
-        cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
+        OWN_SCENE *same = cylint_scene_new(world.shape, world.n, 1, NULL);
         cylint_scene_set_solids(same, world.member, world.members);
         for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
             const cylint_scene_status status = cylint_scene_set_solids(
@@ -94,8 +94,6 @@ TEST(a_refused_solid_changes_nothing)
                 REPORT("case %zu: status %d", i, (int)status);
             CHECK(same_solids(world.scene, same));
         }
-        cylint_scene_free(same);
-        cylint_scene_free(world.scene);
     }
 }
 
@@ -103,7 +101,7 @@ TEST(an_unfinished_scene_has_no_solids)
 {
     const cylint_member member = {0, 0, 1};
     const cylint_shape shape = shape_of("sphere 0 0 0 1");
-    cylint_scene *scene = cylint_scene_begin(0);
+    OWN_SCENE *scene = cylint_scene_begin(0);
     cylint_scene_add(scene, &shape, 1);
     CHECK(cylint_scene_set_solids(scene, &member, 1) ==
           CYLINT_SCENE_EUNFINISHED);
@@ -111,7 +109,6 @@ TEST(an_unfinished_scene_has_no_solids)
     CHECK(cylint_scene_members(scene) == 0);
     CHECK(cylint_scene_set_solids(scene, &member, 1) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_members(scene) == 1);
-    cylint_scene_free(scene);
 }
 
 /* Also that no members remove all solids, and that the members are copied. */
@@ -120,7 +117,7 @@ TEST(solids_replace_those_before)
     stream = 2;
     make_shapes();
     draw_lines();
-    cylint_scene *same = cylint_scene_new(world.shape, world.n, 1, NULL);
+    OWN_SCENE *same = cylint_scene_new(world.shape, world.n, 1, NULL);
     for (int i = 0; i < 10; i++) {
         make_solids();
         CHECK(cylint_scene_set_solids(same, NULL, 0) == CYLINT_SCENE_OK &&
@@ -132,12 +129,9 @@ TEST(solids_replace_those_before)
         memset(copy, 0xff, sizeof copy);
         CHECK(same_solids(world.scene, same));
     }
-    cylint_scene *plain = cylint_scene_new(world.shape, world.n, 1, NULL);
+    OWN_SCENE *plain = cylint_scene_new(world.shape, world.n, 1, NULL);
     cylint_scene_set_solids(same, NULL, 0);
     CHECK(same_solids(plain, same));
-    cylint_scene_free(plain);
-    cylint_scene_free(same);
-    cylint_scene_free(world.scene);
 }
 
 /* -------------------------------------------------------- saved scenes -- */
@@ -172,21 +166,15 @@ static void begin_saved_world(uint64_t seed, struct bytes *b)
     scene_file_write(world.scene, b);
 }
 
-static void end_saved_world(struct bytes *b)
-{
-    free(b->memory);
-    cylint_scene_free(world.scene);
-}
-
 TEST(saved_solids_are_the_same)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 100);
     stream = 3;
     for (long i = 0; i < worlds; i++) {
-        struct bytes b;
+        OWN_BYTES b;
         begin_saved_world(stream, &b);
         for (unsigned flags = 0; flags < 2; flags++) {
-            cylint_scene *opened = cylint_scene_open_memory(
+            OWN_SCENE *opened = cylint_scene_open_memory(
                 b.data, b.n, flags ? CYLINT_SCENE_TRUSTED : 0, NULL);
             if (CHECK(opened))
                 CHECK(same_solids(world.scene, opened));
@@ -196,10 +184,8 @@ TEST(saved_solids_are_the_same)
             CHECK(cylint_scene_set_solids(opened, world.member,
                                           world.members) == CYLINT_SCENE_OK);
             CHECK(same_solids(world.scene, opened));
-            cylint_scene_free(opened);
         }
         CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
-        end_saved_world(&b);
     }
 }
 
@@ -218,7 +204,7 @@ static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
 
 TEST(damaged_members_are_refused)
 {
-    struct bytes b;
+    OWN_BYTES b;
     begin_saved_world(4, &b);
     CHECK(bytes_of_section(&b, SECTION_OF_SOLIDS) == 12 * world.members);
     for (size_t i = 0; i < world.members; i++) {
@@ -233,14 +219,13 @@ TEST(damaged_members_are_refused)
         CHECK(status_with(&b, 3 * i + 2, UINT32_C(1) << 31) ==
               CYLINT_SCENE_EDAMAGED);
     }
-    end_saved_world(&b);
 }
 
 /* The sizes of the sections of solids and of ranks, which this version does not
  * have. */
 TEST(damaged_sizes_are_refused)
 {
-    struct bytes b;
+    OWN_BYTES b;
     begin_saved_world(5, &b);
     for (int i = SECTION_OF_SOLIDS; i < SECTIONS; i++) {
         char *const size = b.data + BYTES_OF_SECTIONS + 8 * i;
@@ -253,7 +238,6 @@ TEST(damaged_sizes_are_refused)
             *size = (char)(*size ^ change);
         }
     }
-    end_saved_world(&b);
 }
 
 /* ----------------------------------------------------------- workspaces -- */
@@ -339,7 +323,6 @@ TEST(workspaces_of_every_size_are_kept)
         for (int query = 0; query < QUERIES; query++)
             for (int of = 0; of < 4; of++)
                 check_sizes(query, of);
-        cylint_scene_free(world.scene);
     }
 }
 
@@ -461,7 +444,7 @@ TEST(solids_with_a_common_face_have_whole_chords)
         cylint_cylinder(&rod[i], p, q, 0.5, CYLINT_ENDS_CAPPED);
     }
     for (size_t n = 2; n < 8; n++) {
-        cylint_scene *scene = cylint_scene_new(rod, n, 1, NULL);
+        OWN_SCENE *scene = cylint_scene_new(rod, n, 1, NULL);
         CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_UNION, piece) == 1);
         const double end = piece[0].t1;
         CHECK(piece[0].t0 == 1 && piece[0].depth == 1);
@@ -472,7 +455,6 @@ TEST(solids_with_a_common_face_have_whole_chords)
         }
         CHECK(piece[n - 1].t1 == end);
         CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_CHORDS, piece) == n);
-        cylint_scene_free(scene);
     }
 }
 
@@ -486,7 +468,7 @@ TEST(the_sum_over_materials_is_the_whole_length)
     cylint_shape rod[4];
     for (int i = 0; i < 4; i++)
         cylint_cylinder(&rod[i], p0, p1, i + 1, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(rod, 4, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(rod, 4, 1, NULL);
     for (int i = -40; i <= 40; i++) {
         const double x = -8, y = i / 8.0, z = i % 4, d[3] = {2, 0, 0};
         const double tmin = 0, tmax = HUGE_VAL;
@@ -502,7 +484,6 @@ TEST(the_sum_over_materials_is_the_whole_length)
         CHECK(fabs(sum - all) <= 4e-15 * all && fabs(all - half) <= 8e-15);
         CHECK(sums[0] >= 0 && sums[1] >= 0 && (fabs(y) < 1) == (sums[0] > 0));
     }
-    cylint_scene_free(scene);
 }
 
 /* McCode, issues 2502 and 997: a hollow cylinder, a ray from 64 m along a
@@ -519,7 +500,7 @@ TEST(a_hollow_sample_far_away_has_two_pieces)
     cylint_piece piece[8];
     CHECK(cylint_solid_pieces(rod, clause, 2, &c.line, wall,
                               CYLINT_SOLID_PIECES) == 2);
-    cylint_scene *scene = cylint_scene_new(rod, 2, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(rod, 2, 1, NULL);
     CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);
     CHECK(pieces_along_x(scene, -64, CYLINT_PIECES_UNION, piece) == 2);
     for (int i = 0; i < 2; i++) {
@@ -529,5 +510,4 @@ TEST(a_hollow_sample_far_away_has_two_pieces)
         CHECK(wall[i].t0 == piece[i].t0 && wall[i].t1 == piece[i].t1);
         CHECK(piece[i].shape == 0 && piece[i].depth == 1);
     }
-    cylint_scene_free(scene);
 }

@@ -81,9 +81,6 @@ static inline void check_run(void (*test)(void), const char *name)
     }
 }
 
-/* Runs a test that TEST() does not add: it runs several times. */
-#define RUN(test) check_run(test, #test)
-
 /* The texts of the statuses 0 to n - 1 are these, all others are unknown. */
 static inline void check_texts(const char *(*text_of)(int status),
                                const char *const *texts, int n)
@@ -102,10 +99,15 @@ static inline int check_end(void)
     return check_failed != 0;
 }
 
-static inline int check_all(void)
+static inline void check_each(void)
 {
     for (int i = 0; i < check_count; i++)
         check_run(check_tests[i].test, check_tests[i].name);
+}
+
+static inline int check_all(void)
+{
+    check_each();
     return check_end();
 }
 

@@ -85,6 +85,9 @@ int family_make(struct family_case *c);
 struct family_case family_of(family_line line, const double *line_data,
                              family_shape shape, const double *shape_data);
 
+/* A line along z and a valid shape of this word, which are not made yet. */
+struct family_case family_example(family_shape word);
+
 /* The number of numbers in a record of the shape or line. */
 int family_shape_size(family_shape word);
 int family_line_size(family_line word);

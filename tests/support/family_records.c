@@ -105,6 +105,22 @@ struct family_case family_of(family_line line, const double *line_data,
     return c;
 }
 
+struct family_case family_example(family_shape word)
+{
+    static const double line[] = {0, 0, -1, 0, 0, 1};
+    static const double shapes[FAMILY_SHAPES][13] = {
+        {0, 0, 0, 0, 0, 1, 1},
+        {0, 0, 0, 1, 0, 0, 1, 0.5},
+        {0, 0, 0, 0, 0, 1, 30},
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5},
+        {0, 0, 0, 1},
+        {0, 0, 0, 0, 0, 1, 1},
+        {0, 0, 0, 1, 0, 0, 1, 0.5},
+        {0, 0, 0, 0, 0, 1}};
+    return family_of(FAMILY_LINE, line, word, shapes[word]);
+}
+
 int family_make(struct family_case *c)
 {
     const double *x = c->shape_data;

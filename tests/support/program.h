@@ -15,7 +15,12 @@ static inline uint64_t check_setting(const char *name, uint64_t otherwise)
     return text ? strtoull(text, NULL, 10) : otherwise;
 }
 
-/* The same for numbers such as 1e8 and 0.5. */
+static inline uint64_t check_seed(void)
+{
+    return check_setting("CYLINT_SEED", 1);
+}
+
+/* The environment variable as a number such as 1e8 or 0.5. */
 static inline double check_number(const char *name, double otherwise)
 {
     const char *text = getenv(name);

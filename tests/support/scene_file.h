@@ -33,6 +33,14 @@ static inline void bytes_reserve(struct bytes *b, size_t capacity)
     b->n = 0;
 }
 
+static inline void bytes_free(struct bytes *b)
+{
+    free(b->memory);
+}
+
+/* Bytes that are freed at the end of their block. */
+#define OWN_BYTES __attribute__((cleanup(bytes_free))) struct bytes
+
 static inline int bytes_append(void *context, const void *data, size_t n)
 {
     struct bytes *b = context;
@@ -223,7 +231,7 @@ static inline void scene_file_read_labels(const cylint_scene *scene)
 static inline void scene_file_save_again(const cylint_scene *scene,
                                          size_t bytes)
 {
-    struct bytes first = {NULL, NULL, 0, 0}, second = first;
+    OWN_BYTES first = {NULL, NULL, 0, 0}, second = first;
     scene_file_write(scene, &first);
     cylint_scene *again =
         cylint_scene_open_memory(first.data, first.n, 0, NULL);
@@ -231,8 +239,6 @@ static inline void scene_file_save_again(const cylint_scene *scene,
     scene_file_write(again, &second);
     MUST(second.n == bytes && memcmp(first.data, second.data, bytes) == 0);
     cylint_scene_free(again);
-    free(first.memory);
-    free(second.memory);
 }
 
 /* Opens the bytes and makes some queries.  Returns the status. */

@@ -7,59 +7,43 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw.h"
 #include "families.h"
-#include "random.h"
 #include "scenes.h"
-#include "vectors.h"
 #include "shapes/layout.h"
 
 /* ------------------------------------------------------ random numbers -- */
 
-typedef struct {
-    uint64_t state;
-} dice;
-
-static uint64_t bits(dice *r)
+/* Begins the stream of a scene, or of a line. */
+static void begin(uint64_t seed, uint64_t kind, uint64_t index)
 {
-    return random_bits(&r->state);
+    stream = seed;
+    stream = random_bits(&stream) + kind;
+    stream = random_bits(&stream) + index;
 }
 
-static dice dice_of(uint64_t seed, uint64_t kind, uint64_t index)
+static uint64_t bits(void)
 {
-    dice r = {seed};
-    r.state = bits(&r) + kind;
-    r.state = bits(&r) + index;
-    return r;
+    return random_bits(&stream);
 }
 
-static double between(dice *r, double low, double high)
+/* 0 to n - 1 */
+static size_t any_of(size_t n)
 {
-    return low + (high - low) * random_unit(&r->state);
-}
-
-static size_t one_of(dice *r, size_t n)
-{
-    return (size_t)(bits(r) % n);
-}
-
-static double power(dice *r, double low, double high)
-{
-    return pow(10, between(r, low, high));
+    return (size_t)(bits() % n);
 }
 
 /* At most 1 in size, never 0. */
-static void direction(dice *r, double d[3])
+static void direction(double d[3])
 {
     do
-        for (int j = 0; j < 3; j++)
-            d[j] = between(r, -1, 1);
-    while (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > 1 ||
-           (d[0] == 0 && d[1] == 0 && d[2] == 0));
+        random_vector(d, 1);
+    while (dot3(d, d) > 1 || dot3(d, d) == 0);
 }
 
 static void unit(double d[3])
 {
-    const double length = sqrt(dot3(d, d));
+    const double length = length3(d);
     for (int j = 0; j < 3; j++)
         d[j] /= length;
 }
@@ -80,152 +64,146 @@ static const char *const scene_names[SCENE_KINDS] = {
 static const double proportions[SCENE_KINDS][2] = {
     {3, 0.15}, {1.2, 0.4}, {10, 0.02}, {30, 3e-5}, {0.003, 1}};
 
-static cylint_status stick(dice *r, const double at[3], double length,
-                           double radius, cylint_shape *shape)
+static cylint_status stick(const double at[3], double length, double radius,
+                           cylint_shape *shape)
 {
     double d[3], top[3];
-    const cylint_ends ends = (cylint_ends)one_of(r, 4);
-    direction(r, d);
+    const cylint_ends ends = (cylint_ends)any_of(4);
+    direction(d);
     unit(d);
     along(top, at, length, d);
-    if (bits(r) % 4 == 0)
-        return cylint_cone(shape, at, radius, top, radius * between(r, 0, 1),
+    if (bits() % 4 == 0)
+        return cylint_cone(shape, at, radius, top, radius * between(0, 1),
                            ends);
     return cylint_cylinder(shape, at, top, radius, ends);
 }
 
 /* Any kind of shape, of about this size, some of them pointed. */
-static cylint_status any_shape(dice *r, const double at[3], double size,
+static cylint_status any_shape(const double at[3], double size,
                                cylint_ends ends, cylint_shape *shape)
 {
     double d[3], a[3], b[3], top[3];
-    direction(r, d);
-    direction(r, a);
-    direction(r, b);
-    for (int j = 0; j < 3; j++) {
-        d[j] *= size;
-        a[j] *= size / 3;
-        b[j] *= size / 5;
-        top[j] = at[j] + d[j];
-    }
-    switch (bits(r) % 6) {
+    direction(d);
+    direction(a);
+    direction(b);
+    scale3(d, size);
+    scale3(a, size / 3);
+    scale3(b, size / 5);
+    along(top, at, 1, d);
+    switch (bits() % 6) {
     case 0:
         return cylint_cylinder(shape, at, top, size * 0.2, ends);
     case 1:
         return cylint_cone(shape, at, size * 0.3, top,
-                           bits(r) % 2 ? 0 : size * 0.1, ends);
+                           bits() % 2 ? 0 : size * 0.1, ends);
     case 2:
         return cylint_cone(shape, at, 0, top, size * 0.2, ends);
     case 3:
-        return cylint_angle_cone(shape, at, d, between(r, 5, 60), ends);
+        return cylint_angle_cone(shape, at, d, between(5, 60), ends);
     case 4:
         return cylint_elliptic_cylinder(shape, at, a, b, d, ends);
     default:
-        return cylint_elliptic_cone(shape, at, a, b, d, between(r, 0, 2), ends);
+        return cylint_elliptic_cone(shape, at, a, b, d, between(0, 2), ends);
     }
 }
 
 /* Whole numbers: neighbours share caps, rims and tangents, and some shapes
  * occur twice. */
-static cylint_status lattice_shape(dice *r, size_t n, cylint_shape *shape)
+static cylint_status lattice_shape(size_t n, cylint_shape *shape)
 {
     const size_t side = (size_t)cbrt((double)n) + 1;
     double at[3], top[3];
     for (int j = 0; j < 3; j++)
-        top[j] = at[j] = (double)one_of(r, side);
-    top[one_of(r, 3)] += 1;
-    if (bits(r) % 3 == 0)
-        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)one_of(r, 4),
-                           (cylint_ends)one_of(r, 4));
-    return cylint_cylinder(shape, at, top, 0.5, (cylint_ends)one_of(r, 4));
+        top[j] = at[j] = (double)any_of(side);
+    top[any_of(3)] += 1;
+    if (bits() % 3 == 0)
+        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4),
+                           (cylint_ends)any_of(4));
+    return cylint_cylinder(shape, at, top, 0.5, (cylint_ends)any_of(4));
 }
 
 /* A capsule, rounded cone or sphere; some are pointed, of some one ball holds the
  * other. */
-static cylint_status round_shape(dice *r, const double at[3], double length,
+static cylint_status round_shape(const double at[3], double length,
                                  double radius, cylint_shape *shape)
 {
     double d[3], top[3];
     const cylint_ends ends =
-        bits(r) % 2 ? CYLINT_ENDS_CAPPED : (cylint_ends)one_of(r, 4);
-    direction(r, d);
+        bits() % 2 ? CYLINT_ENDS_CAPPED : (cylint_ends)any_of(4);
+    direction(d);
     unit(d);
     along(top, at, length, d);
-    switch (bits(r) % 6) {
+    switch (bits() % 6) {
     case 0:
         return cylint_sphere(shape, at, radius, CYLINT_ENDS_CAPPED);
     case 1:
         return cylint_round_cone(shape, at, radius, top, 0, ends);
     case 2:
-        along(top, at, radius * between(r, 0, 1), d);
-        return cylint_round_cone(shape, at, radius * between(r, 0, 1), top,
-                                 radius, ends);
+        along(top, at, radius * between(0, 1), d);
+        return cylint_round_cone(shape, at, radius * between(0, 1), top, radius,
+                                 ends);
     case 3:
-        return cylint_round_cone(shape, at, radius * between(r, 0, 1), top,
-                                 radius, ends);
+        return cylint_round_cone(shape, at, radius * between(0, 1), top, radius,
+                                 ends);
     default:
         return cylint_capsule(shape, at, top, radius, ends);
     }
 }
 
-static cylint_status round_lattice_shape(dice *r, size_t n, cylint_shape *shape)
+static cylint_status round_lattice_shape(size_t n, cylint_shape *shape)
 {
     const size_t side = (size_t)cbrt((double)n) + 1;
     double at[3], top[3];
     for (int j = 0; j < 3; j++)
-        top[j] = at[j] = (double)one_of(r, side);
-    if (bits(r) % 4)
-        top[one_of(r, 3)] += 1;
-    return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)one_of(r, 4),
-                             (cylint_ends)one_of(r, 4));
+        top[j] = at[j] = (double)any_of(side);
+    if (bits() % 4)
+        top[any_of(3)] += 1;
+    return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4),
+                             (cylint_ends)any_of(4));
 }
 
 /* In a cube of side cbrt(n), so that neighbours are about 1 apart. */
-static cylint_status draw_shape(dice *r, enum scene_kind kind, size_t n,
+static cylint_status draw_shape(enum scene_kind kind, size_t n,
                                 cylint_shape *shape)
 {
     const double side = cbrt((double)n);
     double at[3];
-    for (int j = 0; j < 3; j++)
-        at[j] = between(r, -side / 2, side / 2);
+    random_vector(at, side / 2);
     switch (kind) {
     case SCENE_MIXED:
-        return any_shape(r, at, 1, (cylint_ends)one_of(r, 4), shape);
+        return any_shape(at, 1, (cylint_ends)any_of(4), shape);
     case SCENE_UNBOUNDED: /* and some that are refused */
-        if (bits(r) % 64 == 0)
+        if (bits() % 64 == 0)
             at[1] = NAN;
-        return any_shape(
-            r, at, 1,
-            (cylint_ends)(bits(r) % 16 ? one_of(r, 4) : 4 + one_of(r, 2)),
-            shape);
+        return any_shape(at, 1,
+                         (cylint_ends)(bits() % 16 ? any_of(4) : 4 + any_of(2)),
+                         shape);
     case SCENE_DISTANT:
         for (int j = 0; j < 3; j++)
             at[j] += 1e6 * side * (j - 0.7);
-        return any_shape(r, at, 2, (cylint_ends)one_of(r, 4), shape);
+        return any_shape(at, 2, (cylint_ends)any_of(4), shape);
     case SCENE_LENGTHS: {
-        const double length = power(r, -6, 7);
+        const double length = power(-6, 7);
         for (int j = 0; j < 3; j++)
-            at[j] = between(r, -1e7, 1e7) * power(r, -9, 0);
-        return stick(r, at, length, length * power(r, -2, 0), shape);
+            at[j] = between(-1e7, 1e7) * power(-9, 0);
+        return stick(at, length, length * power(-2, 0), shape);
     }
     case SCENE_LATTICE:
-        return lattice_shape(r, n, shape);
+        return lattice_shape(n, shape);
     case SCENE_SMALL:
-        for (int j = 0; j < 3; j++)
-            at[j] *= 1e-130;
-        return any_shape(r, at, 2e-130, (cylint_ends)one_of(r, 4), shape);
+        scale3(at, 1e-130);
+        return any_shape(at, 2e-130, (cylint_ends)any_of(4), shape);
     case SCENE_HUGE: /* some beyond what a frame holds */
-        for (int j = 0; j < 3; j++)
-            at[j] *= 1e110;
-        return any_shape(r, at, bits(r) % 32 ? 2e110 : 1e150,
-                         (cylint_ends)one_of(r, 4), shape);
+        scale3(at, 1e110);
+        return any_shape(at, bits() % 32 ? 2e110 : 1e150,
+                         (cylint_ends)any_of(4), shape);
     case SCENE_ROUND:
-        return bits(r) % 4 ? round_shape(r, at, 1.5, 0.3, shape)
-                           : round_lattice_shape(r, n, shape);
+        return bits() % 4 ? round_shape(at, 1.5, 0.3, shape)
+                          : round_lattice_shape(n, shape);
     case SCENE_STRANDS:
-        return round_shape(r, at, 10, 0.02, shape);
+        return round_shape(at, 10, 0.02, shape);
     default:
-        return stick(r, at, proportions[kind][0], proportions[kind][1], shape);
+        return stick(at, proportions[kind][0], proportions[kind][1], shape);
     }
 }
 
@@ -264,9 +242,9 @@ struct scene_shapes scene_generate(int kind, size_t n, uint64_t seed)
 {
     struct scene_shapes scene = {
         .name = scene_names[kind], .n = n, .shapes = allocate(n)};
-    dice r = dice_of(seed, (uint64_t)kind, 0);
+    begin(seed, (uint64_t)kind, 0);
     for (size_t i = 0; i < n; i++) /* refused shapes stay */
-        draw_shape(&r, (enum scene_kind)kind, n, &scene.shapes[i]);
+        draw_shape((enum scene_kind)kind, n, &scene.shapes[i]);
     measure(&scene);
     return scene;
 }
@@ -320,23 +298,23 @@ static double size_of(const struct scene_shapes *s)
     return size;
 }
 
-static void point_in(dice *r, const struct scene_shapes *s, double to[3])
+static void point_in(const struct scene_shapes *s, double to[3])
 {
     for (int j = 0; j < 3; j++)
-        to[j] = between(r, s->lo[j], s->hi[j]);
+        to[j] = between(s->lo[j], s->hi[j]);
 }
 
-static const cylint_shape *some_shape(dice *r, const struct scene_shapes *s)
+static const cylint_shape *some_shape(const struct scene_shapes *s)
 {
-    return &s->shapes[one_of(r, s->n)];
+    return &s->shapes[any_of(s->n)];
 }
 
 /* A point of the shape or near it. */
-static void point_near(dice *r, const cylint_shape *shape, double to[3])
+static void point_near(const cylint_shape *shape, double to[3])
 {
-    along(to, cylint_base(shape), between(r, 0, 1), cylint_axis(shape));
+    along(to, cylint_base(shape), between(0, 1), cylint_axis(shape));
     for (int j = 0; j < 3; j++)
-        to[j] += between(r, -1, 1) * cylint_r0(shape) *
+        to[j] += between(-1, 1) * cylint_r0(shape) *
                  (shape->kind >= CYLINT_KIND_ACONE ? 0 : 0.6);
 }
 
@@ -344,21 +322,21 @@ static cylint_status ray_to(const double from[3], const double to[3],
                             double scale, cylint_line *line)
 {
     double d[3];
-    for (int j = 0; j < 3; j++)
-        d[j] = (to[j] - from[j]) * scale;
+    along(d, to, -1, from);
+    scale3(d, scale);
     return cylint_ray(line, from, d);
 }
 
 /* A ray that is likely to hit some shape, and its nearest hit of that one:
  * 0 if there is none. */
-static int some_hit(dice *r, const struct scene_shapes *s, cylint_line *line,
+static int some_hit(const struct scene_shapes *s, cylint_line *line,
                     cylint_hit *hit)
 {
-    const cylint_shape *shape = some_shape(r, s);
+    const cylint_shape *shape = some_shape(s);
     double from[3], to[3];
     cylint_answer answer;
-    point_in(r, s, from);
-    point_near(r, shape, to);
+    point_in(s, from);
+    point_near(shape, to);
     if (ray_to(from, to, 1, line) != CYLINT_OK ||
         !cylint_intersect(shape, line, CYLINT_WANT_ALL | CYLINT_WANT_NEAREST,
                           &answer))
@@ -367,123 +345,116 @@ static int some_hit(dice *r, const struct scene_shapes *s, cylint_line *line,
     return 1;
 }
 
-static cylint_status camera_line(dice *r, const struct scene_shapes *s,
+static cylint_status camera_line(const struct scene_shapes *s,
                                  cylint_line *line)
 {
     double to[3];
     const double size = size_of(s),
                  eye[3] = {s->lo[0] - 0.7 * size, s->lo[1] - 0.4 * size,
                            s->hi[2] + 0.3 * size};
-    point_in(r, s, to);
+    point_in(s, to);
     return ray_to(eye, to, 1 / size, line);
 }
 
-static cylint_status random_line(dice *r, const struct scene_shapes *s,
+static cylint_status random_line(const struct scene_shapes *s,
                                  cylint_line *line)
 {
     double from[3], to[3];
-    point_in(r, s, from);
-    point_in(r, s, to);
-    return ray_to(from, to, power(r, -8, 8), line);
+    point_in(s, from);
+    point_in(s, to);
+    return ray_to(from, to, power(-8, 8), line);
 }
 
-static cylint_status grazing_line(dice *r, const struct scene_shapes *s,
+static cylint_status grazing_line(const struct scene_shapes *s,
                                   cylint_line *line)
 {
     cylint_hit hit;
     double other[3], d[3], o[3], at[3];
-    if (!some_hit(r, s, line, &hit))
-        return random_line(r, s, line);
-    direction(r, other);
+    if (!some_hit(s, line, &hit))
+        return random_line(s, line);
+    direction(other);
     cross3(d, hit.normal, other);
     const double size = size_of(s);
-    const double off = bits(r) % 3 == 0
-                           ? 0
-                           : (bits(r) % 2 ? 1 : -1) * power(r, -18, -8) * size;
+    const double off =
+        bits() % 3 == 0 ? 0 : (bits() % 2 ? 1 : -1) * power(-18, -8) * size;
     along(at, hit.point, off, hit.normal);
-    along(o, at, -between(r, 0, 1) * size, d);
+    along(o, at, -between(0, 1) * size, d);
     return cylint_ray(line, o, d);
 }
 
-static cylint_status axis_line(dice *r, const struct scene_shapes *s,
-                               cylint_line *line)
+static cylint_status axis_line(const struct scene_shapes *s, cylint_line *line)
 {
-    const cylint_shape *shape = some_shape(r, s);
+    const cylint_shape *shape = some_shape(s);
     double d[3], o[3], off[3];
-    direction(r, off);
-    for (int j = 0; j < 3; j++)
-        d[j] = cylint_axis(shape)[j];
-    if (bits(r) % 2 == 0)
-        along(d, d, power(r, -14, -3) * sqrt(dot3(d, d)), off);
-    direction(r, off);
+    direction(off);
+    copy3(d, cylint_axis(shape));
+    if (bits() % 2 == 0)
+        along(d, d, power(-14, -3) * sqrt(dot3(d, d)), off);
+    direction(off);
     along(o, cylint_base(shape), 0.5 * cylint_r0(shape), off);
-    along(o, o, -between(r, 0, 5), d);
+    along(o, o, -between(0, 5), d);
     for (int j = 0; j < 3; j++)
-        d[j] *= bits(r) % 4096 ? 1 : -1;
+        d[j] *= bits() % 4096 ? 1 : -1;
     return cylint_ray(line, o, d);
 }
 
-static cylint_status far_line(dice *r, const struct scene_shapes *s,
-                              cylint_line *line)
+static cylint_status far_line(const struct scene_shapes *s, cylint_line *line)
 {
     double to[3], d[3], o[3];
-    const double size = size_of(s), away = power(r, 3, bits(r) % 4 ? 6.5 : 16);
-    point_near(r, some_shape(r, s), to);
-    direction(r, d);
-    for (int j = 0; j < 3; j++)
-        d[j] *= size;
+    const double size = size_of(s), away = power(3, bits() % 4 ? 6.5 : 16);
+    point_near(some_shape(s), to);
+    direction(d);
+    scale3(d, size);
     along(o, to, -away, d);
     return cylint_ray(line, o, d);
 }
 
-static cylint_status shadow_line(dice *r, const struct scene_shapes *s,
+static cylint_status shadow_line(const struct scene_shapes *s,
                                  cylint_line *line)
 {
     cylint_hit hit;
-    if (!some_hit(r, s, line, &hit))
-        return random_line(r, s, line);
+    if (!some_hit(s, line, &hit))
+        return random_line(s, line);
     const double size = size_of(s),
                  light[3] = {s->hi[0] + size, s->hi[1] + 2 * size,
                              s->hi[2] + 3 * size};
-    return bits(r) % 2 ? cylint_segment(line, hit.point, light)
-                       : ray_to(hit.point, light, 1 / size, line);
+    return bits() % 2 ? cylint_segment(line, hit.point, light)
+                      : ray_to(hit.point, light, 1 / size, line);
 }
 
-static cylint_status beyond_line(dice *r, const struct scene_shapes *s,
+static cylint_status beyond_line(const struct scene_shapes *s,
                                  cylint_line *line)
 {
     cylint_hit hit;
-    if (!some_hit(r, s, line, &hit))
-        return random_line(r, s, line);
-    const double o[3] = {line->o[0], line->o[1], line->o[2]};
-    const double d[3] = {line->d[0], line->d[1], line->d[2]};
-    return cylint_span(line, o, d, nextafter(hit.t, HUGE_VAL), HUGE_VAL);
+    if (!some_hit(s, line, &hit))
+        return random_line(s, line);
+    const cylint_line was = *line;
+    return cylint_span(line, was.o, was.d, nextafter(hit.t, HUGE_VAL),
+                       HUGE_VAL);
 }
 
-static cylint_status segment_line(dice *r, const struct scene_shapes *s,
+static cylint_status segment_line(const struct scene_shapes *s,
                                   cylint_line *line)
 {
     double from[3], to[3];
-    point_in(r, s, from);
-    point_in(r, s, to);
-    if (bits(r) % 2 == 0) { /* a short one, or one that begins far away */
-        const double k = power(r, -4, bits(r) % 2 ? 0 : 13);
+    point_in(s, from);
+    point_in(s, to);
+    if (bits() % 2 == 0) { /* a short one, or one that begins far away */
+        const double k = power(-4, bits() % 2 ? 0 : 13);
         for (int j = 0; j < 3; j++)
             from[j] = to[j] + k * (from[j] - to[j]);
     }
     return cylint_segment(line, from, to);
 }
 
-static cylint_status span_line(dice *r, const struct scene_shapes *s,
-                               cylint_line *line)
+static cylint_status span_line(const struct scene_shapes *s, cylint_line *line)
 {
     double from[3], to[3], d[3];
-    point_in(r, s, from);
-    point_in(r, s, to);
-    for (int j = 0; j < 3; j++)
-        d[j] = to[j] - from[j];
-    const double tmin = between(r, -2, 2), length = between(r, 0, 2);
-    switch (bits(r) % 4) {
+    point_in(s, from);
+    point_in(s, to);
+    along(d, to, -1, from);
+    const double tmin = between(-2, 2), length = between(0, 2);
+    switch (bits() % 4) {
     case 0:
         return cylint_whole_line(line, from, d);
     case 1:
@@ -493,65 +464,57 @@ static cylint_status span_line(dice *r, const struct scene_shapes *s,
     }
 }
 
-static cylint_status parallel_line(dice *r, const struct scene_shapes *s,
+static cylint_status parallel_line(const struct scene_shapes *s,
                                    cylint_line *line)
 {
     double o[3], d[3] = {0, 0, 0};
-    point_in(r, s, o);
-    if (bits(r) % 2 == 0)
+    point_in(s, o);
+    if (bits() % 2 == 0)
         for (int j = 0; j < 3; j++)
-            o[j] = bits(r) % 4   ? floor(o[j]) + 0.5 * (double)one_of(r, 3)
-                   : bits(r) % 2 ? s->lo[j]
-                                 : s->hi[j];
+            o[j] = bits() % 4   ? floor(o[j]) + 0.5 * (double)any_of(3)
+                   : bits() % 2 ? s->lo[j]
+                                : s->hi[j];
     for (int j = 0; j < 3; j++)
-        d[j] = bits(r) % 2 ? 0.0 : -0.0;
-    d[one_of(r, 3)] = bits(r) % 2 ? 1 : -3;
-    if (bits(r) % 4 == 0)
-        d[one_of(r, 3)] = bits(r) % 2 ? 2 : -5;
+        d[j] = bits() % 2 ? 0.0 : -0.0;
+    d[any_of(3)] = bits() % 2 ? 1 : -3;
+    if (bits() % 4 == 0)
+        d[any_of(3)] = bits() % 2 ? 2 : -5;
     return cylint_whole_line(line, o, d);
 }
 
-static cylint_status wild_line(dice *r, const struct scene_shapes *s,
-                               cylint_line *line)
+static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
 {
     double o[3], to[3], d[3];
-    point_in(r, s, o);
-    point_near(r, some_shape(r, s), to);
-    for (int j = 0; j < 3; j++)
-        d[j] = to[j] - o[j];
+    point_in(s, o);
+    point_near(some_shape(s), to);
+    along(d, to, -1, o);
     const double size = size_of(s);
-    switch (bits(r) % 8) {
+    double u[3] = {d[0] / size, d[1] / size, d[2] / size};
+    switch (bits() % 8) {
     case 0: /* no directions but subnormal ones */
-        for (int j = 0; j < 3; j++)
-            d[j] = d[j] / size * 0x1p-1060;
-        return cylint_ray(line, o, d);
+        scale3(u, 0x1p-1060);
+        return cylint_ray(line, o, u);
     case 1:
-        for (int j = 0; j < 3; j++)
-            d[j] = d[j] / size * 0x1p1000;
-        return cylint_ray(line, o, d);
+        scale3(u, 0x1p1000);
+        return cylint_ray(line, o, u);
     case 2: /* one component next to nothing */
-        d[one_of(r, 3)] = bits(r) % 2 ? 0x1p-1070 : -0x1p-300;
+        d[any_of(3)] = bits() % 2 ? 0x1p-1070 : -0x1p-300;
         return cylint_ray(line, o, d);
     case 3:
-        for (int j = 0; j < 3; j++)
-            o[j] = to[j] - d[j] / size * 0x1p1010;
+        along(o, to, -0x1p1010, u);
         return ray_to(o, to, 1, line);
-    case 4: { /* a segment whose difference overflows */
-        double end[3];
-        for (int j = 0; j < 3; j++) {
-            o[j] = -d[j] / size * DBL_MAX;
-            end[j] = d[j] / size * DBL_MAX;
-        }
-        return cylint_segment(line, o, end);
-    }
+    case 4: /* a segment whose difference overflows */
+        scale3(u, DBL_MAX);
+        set3(o, -u[0], -u[1], -u[2]);
+        return cylint_segment(line, o, u);
     case 5: /* refused */
-        d[one_of(r, 3)] = bits(r) % 2 ? NAN : HUGE_VAL;
+        d[any_of(3)] = bits() % 2 ? NAN : HUGE_VAL;
         return cylint_ray(line, o, d);
     case 6: /* where the line begins, t is in the millions */
         return cylint_span(line, o, d, 0x1p-1074,
-                           between(r, 0, 1) < 0.5 ? 0x1p-1040 : 1e300);
+                           between(0, 1) < 0.5 ? 0x1p-1040 : 1e300);
     default: { /* domain far from the origin, origin far from the scene */
-        const double far = power(r, 3, 14);
+        const double far = power(3, 14);
         double from[3];
         along(from, o, -far, d);
         return cylint_span(line, from, d, far - 1, far + 1);
@@ -562,11 +525,11 @@ static cylint_status wild_line(dice *r, const struct scene_shapes *s,
 cylint_status scene_line(const struct scene_shapes *s, enum scene_lines kind,
                          uint64_t seed, uint64_t index, cylint_line *line)
 {
-    static cylint_status (*const make[LINES_KINDS])(
-        dice *, const struct scene_shapes *, cylint_line *) = {
+    static cylint_status (*const make[LINES_KINDS])(const struct scene_shapes *,
+                                                    cylint_line *) = {
         camera_line, random_line,   grazing_line, axis_line,
         far_line,    shadow_line,   beyond_line,  segment_line,
         span_line,   parallel_line, wild_line};
-    dice r = dice_of(seed, 100 + (uint64_t)kind, index);
-    return make[kind](&r, s, line);
+    begin(seed, 100 + (uint64_t)kind, index);
+    return make[kind](s, line);
 }

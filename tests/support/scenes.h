@@ -1,15 +1,15 @@
 /*
  * scenes.h - many shapes, and lines that are hard for a hierarchy of them
  *
- * Input of the tests and benchmarks of cylint_scene.  The seed determines scene
- * and line; no library is needed.
+ * Input of the tests of cylint_scene and of the adapter for Embree.  The seed
+ * determines scene and line.  Threads may not draw at the same time.
  */
 #ifndef CYLINT_SCENES_H
 #define CYLINT_SCENES_H
 
 #include <stdint.h>
 
-#include "cylint.h"
+#include "cylint_scene.h"
 
 struct scene_shapes {
     const char *name;
@@ -45,6 +45,15 @@ int scene_from(const char *name, const char *command,
                struct scene_shapes *scene);
 
 void scene_release(struct scene_shapes *scene);
+
+/* Shapes, or a scene, that are freed at the end of their block. */
+#define OWN_SHAPES __attribute__((cleanup(scene_release))) struct scene_shapes
+#define OWN_SCENE __attribute__((cleanup(scene_free))) cylint_scene
+
+static inline void scene_free(cylint_scene **scene)
+{
+    cylint_scene_free(*scene);
+}
 
 enum scene_lines {
     LINES_CAMERA,   /* from one eye */
