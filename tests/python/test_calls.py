@@ -3,6 +3,7 @@
 import contextlib
 import gc
 import os
+import resource
 import signal
 import sys
 import threading
@@ -43,7 +44,10 @@ def test_threads_are_a_whole_number():
     for wrong in (1.5, "2", [1]):
         with refused("threads: expected an integer", TypeError):
             ask(*line, threads=wrong)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     assert ask(*line, threads=np.int16(2)) and ask(*line, threads=2**70)
+    after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    assert after - before < 10_000  # kB: nothing for threads without work
 
 
 def test_threads_of_python_share_a_scene():

@@ -97,12 +97,16 @@ void Listener::end() const
         (*progress)(total, total);
 }
 
-void work(size_t blocks, size_t total, int threads, const Callback &progress,
+int workers_for(size_t blocks, int threads)
+{
+    return static_cast<int>(
+        std::min(blocks / blocks_a_thread + 1,
+                 static_cast<size_t>(std::max(threads, 1))));
+}
+
+void work(size_t blocks, size_t total, int workers, const Callback &progress,
           const std::function<bool(int, size_t)> &task)
 {
-    const int most =
-        static_cast<int>(std::min(blocks / blocks_a_thread + 1,
-                                  static_cast<size_t>(std::max(threads, 1))));
     Listener listener(progress, total);
     std::atomic<size_t> next{0}, done{0};
     std::atomic<bool> stopped{false};
@@ -128,7 +132,7 @@ void work(size_t blocks, size_t total, int threads, const Callback &progress,
         nb::gil_scoped_release released;
         std::vector<std::thread> started;
         try {
-            for (int i = 1; i < most; i++)
+            for (int i = 1; i < workers; i++)
                 started.emplace_back(loop, i);
         } catch (const std::system_error &) {
             /* fewer threads do the same work */

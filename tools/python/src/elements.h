@@ -196,15 +196,18 @@ class Listener
     Clock::time_point due;
 };
 
+/* The number of threads for so many blocks, 1 to `threads`. */
+int workers_for(size_t blocks, int threads);
+
 /*
- * Calls task(worker, block) for all blocks, in their order, from at most
- * `threads` threads; worker is below `threads`.  Python's lock is released.  The
+ * Calls task(worker, block) for all blocks, in their order, from `workers`
+ * threads at most; worker is below `workers`.  Python's lock is released.  The
  * calling thread works too, and it listens: done counts elements, of which a
  * block has total / blocks on average.  The last call of progress has done =
  * total.  An exception of Python or of a task ends the work and is passed on.  A
  * task that returns false ends it, too.
  */
-void work(size_t blocks, size_t total, int threads, const Callback &progress,
+void work(size_t blocks, size_t total, int workers, const Callback &progress,
           const std::function<bool(int worker, size_t block)> &task);
 
 /* The number of blocks. */
@@ -228,22 +231,22 @@ bool each_block(const Grid &grid, int threads, const Callback &progress,
         Part part;
         decltype(make()) block;
     };
-    std::vector<std::unique_ptr<Worker>> workers(
-        static_cast<size_t>(std::max(threads, 1)));
+    const size_t blocks = blocks_of(grid);
+    const int n = workers_for(blocks, threads);
+    std::vector<std::unique_ptr<Worker>> workers(static_cast<size_t>(n));
     std::atomic<bool> good{true};
     const size_t rows = grid.size() > 0 ? grid.size() / grid.row() : 0;
-    work(blocks_of(grid), grid.size(), threads, progress,
-         [&](int number, size_t i) {
-             auto &worker = workers[static_cast<size_t>(number)];
-             if (!worker)
-                 worker.reset(new Worker{Part(grid), make()});
-             const size_t begin = i / rows * BLOCK;
-             worker->part.locate(i % rows, begin,
-                                 std::min<size_t>(BLOCK, grid.row() - begin));
-             if (!worker->block(worker->part))
-                 good = false;
-             return good.load();
-         });
+    work(blocks, grid.size(), n, progress, [&](int number, size_t i) {
+        auto &worker = workers[static_cast<size_t>(number)];
+        if (!worker)
+            worker.reset(new Worker{Part(grid), make()});
+        const size_t begin = i / rows * BLOCK;
+        worker->part.locate(i % rows, begin,
+                            std::min<size_t>(BLOCK, grid.row() - begin));
+        if (!worker->block(worker->part))
+            good = false;
+        return good.load();
+    });
     return good;
 }
 
