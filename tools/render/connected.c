@@ -57,8 +57,7 @@ static int join_shapes(struct ends *ends, const struct scene *scene,
     for (uint32_t i = 0; i < scene->count && has_memory; i++) {
         cylint_shape shape;
         cylint_scene_shape(scene->shapes, i, &shape);
-        if (shape.kind != CYLINT_KIND_NONE &&
-            cylint_has_end_points(shape.kind))
+        if (shape.kind != CYLINT_KIND_NONE && cylint_has_end_points(shape.kind))
             has_memory = join_end(ends, parent, i, cylint_base(&shape)) &&
                          join_end(ends, parent, i, cylint_top(&shape));
     }
