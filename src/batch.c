@@ -218,8 +218,7 @@ static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
 {
     const cylint_columns *to = job->columns;
     const int most = job->want & CYLINT_WANT_NEAREST ? 1 : 2;
-    for (unsigned left = lanes; left; left &= left - 1) {
-        const int lane = cylint_lowest(left);
+    EACH_BIT(lane, lanes) {
         const size_t i = g->number[lane];
         const int hit[2] = {(int)(g->hit[0] >> lane & 1),
                             (int)(g->hit[1] >> lane & 1)};
@@ -257,8 +256,7 @@ static int use_group(void *self, cylint_filter_batch *from,
         fill_lanes(job, g, all & ~g->undecided);
         all &= g->undecided;
     }
-    for (unsigned found = all; found; found &= found - 1) {
-        const int lane = cylint_lowest(found);
+    EACH_BIT(lane, all) {
         const size_t number = g->number[lane];
         cylint_answer answer;
         int enough;

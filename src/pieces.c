@@ -82,8 +82,7 @@ static int keep_group(void *self, cylint_filter_batch *from,
 {
     const record_chords *to = self;
     const size_t first = (size_t)(g->number - from->list);
-    for (unsigned found = g->found; found; found &= found - 1) {
-        const int lane = cylint_lowest(found);
+    EACH_BIT(lane, g->found) {
         const size_t i = first + (size_t)lane;
         to->count[i] =
             (signed char)(g->undecided >> lane & 1

@@ -107,8 +107,8 @@ CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
                                    const cylint_leaf *leaf, unsigned lanes)
 {
     const cylint_records *r = &scene->records;
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t number = leaf->number[cylint_lowest(lanes)];
+    EACH_BIT(lane, lanes) {
+        const uint32_t number = leaf->number[lane];
         CYLINT_PREFETCH(&r->record[number]);
         CYLINT_PREFETCH(&r->record[number].r1); /* in another line */
         CYLINT_PREFETCH(&r->tag[number]);
@@ -323,9 +323,9 @@ static int keep_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
     line_visit *v = self;
     (void)least;
     prefetch_shapes(v->scene, leaf, lanes);
-    for (; lanes; lanes &= lanes - 1) {
+    EACH_BIT(lane, lanes) {
         v->later[v->n_later].leaf = leaf;
-        v->later[v->n_later++].lane = cylint_lowest(lanes);
+        v->later[v->n_later++].lane = lane;
     }
     return v->n_later > LATER - CYLINT_LEAF_SIZE && test_later(v);
 }
