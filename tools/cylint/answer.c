@@ -102,17 +102,14 @@ static int read_left_out(struct task *task)
                          task->record.words, &task->notes);
 }
 
-/* status: of reading the record.  Remarks on what was read stay if a method does
- * not support a shape. */
+/* status: of reading the record. */
 static void answer_or_mark(struct task *task, int status)
 {
     task->row.tail = task->record.tail;
     if (status == 0)
         status = read_left_out(task);
-    if (status == 0) {
-        keep_remarks(&task->notes);
+    if (status == 0)
         status = answer_record(task);
-    }
     if (status != 0)
         mark_bad(task);
     task->row.record++;
