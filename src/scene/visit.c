@@ -95,9 +95,9 @@ static inline int first_lane(unsigned lanes,
                              const double least[CYLINT_LEAF_SIZE])
 {
     int first = cylint_lowest(lanes);
-    while (lanes &= lanes - 1)
-        if (least[cylint_lowest(lanes)] < least[first])
-            first = cylint_lowest(lanes);
+    EACH_BIT(lane, lanes & (lanes - 1))
+        if (least[lane] < least[first])
+            first = lane;
     return first;
 }
 
