@@ -1,5 +1,6 @@
 """Shapes: constructors, members, indexing, boxes, points inside, files."""
 
+import os
 import pickle
 
 import numpy as np
@@ -204,6 +205,10 @@ def test_labels_follow_their_shapes():
     assert square[:, None].labels.shape == (2, 1, 2)
     assert np.array_equal(pickle.loads(pickle.dumps(square)).labels, square.labels)
     assert "labels" in named.to_dict() and "labels" not in rods.to_dict()
+    surrogate = rods.with_labels(["a", "b", "\ud800", "d"])
+    for use in (cylint.Scene, lambda shapes: cylint.write_scene(os.devnull, shapes)):
+        with refused(r"^shape 2: the label '\\ud800' has no encoding in UTF-8$"):
+            use(surrogate)
     with refused("labels: expected str, found 3", TypeError):
         rods.with_labels(["a", "b", "c", 3])
     with refused("broadcast"):

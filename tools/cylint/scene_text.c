@@ -144,19 +144,6 @@ static void put_member(struct text *t, const struct solids *s,
     put_whole(t, (unsigned long long)abs(m->clause));
 }
 
-/* The bytes of the words that put_member() writes, at most. */
-static size_t bytes_of_solids(const struct shape_record *r)
-{
-    size_t bytes = 0;
-    for (size_t i = 0; i < r->members; i++) {
-        const size_t solid = r->member[i].solid;
-        bytes += 48 + (solid < r->solids->names.texts.count
-                           ? names_get(&r->solids->names, solid).length
-                           : 0);
-    }
-    return bytes;
-}
-
 const char *put_record(struct text *t, const struct shape_record *r, int digits)
 {
     double number[13];
@@ -168,20 +155,19 @@ const char *put_record(struct text *t, const struct shape_record *r, int digits)
     if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0)
         return "text has angles, and no angle in degrees has its tangent";
     put_shape(t, r, kind, number, digits);
-    if (bytes_of_solids(r) + r->label.length <= LINE_MOST) {
-        for (size_t i = 0; i < r->members; i++)
-            put_member(t, r->solids, &r->member[i]);
-        if (r->label.length > 0) {
-            /* The first comma after a field separates. */
-            put_word(t, r->label.text[0] == ',' ? " ," : " ");
-            put_string(t, r->label);
-        }
-        put_char(t, '\n');
-        if (t->length - begin - 1 <= LINE_MOST)
-            return NULL;
+    for (size_t i = 0; i < r->members && t->length - begin <= LINE_MOST; i++)
+        put_member(t, r->solids, &r->member[i]);
+    if (r->label.length > 0 && r->label.length <= LINE_MOST) {
+        /* The first comma after a field separates. */
+        put_word(t, r->label.text[0] == ',' ? " ," : " ");
+        put_string(t, r->label);
     }
-    t->length = begin;
-    return "the line would be longer than 1 MiB";
+    if (r->label.length > LINE_MOST || t->length - begin > LINE_MOST) {
+        t->length = begin;
+        return "the line would be longer than 1 MiB";
+    }
+    put_char(t, '\n');
+    return NULL;
 }
 
 /* --------------------------------------------------------------- scene -- */
@@ -223,7 +209,7 @@ static int put_records(const struct scene *scene, int digits,
 int scene_write_text(struct scene *scene, int digits, struct output *out)
 {
     struct solids *s = &scene->solids;
-    struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
+    struct text t = {malloc(TEXT_FULL + RECORD_MOST), 0};
     if (!t.data)
         return out_of_memory();
     if (s->count > 0)

@@ -59,7 +59,10 @@ static int add_ground(struct job *job, const struct boxes *all)
     const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
-    cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
+    if (cylint_cylinder(&record.shape, base.v, top.v, radius,
+                        CYLINT_ENDS_CAPPED) != CYLINT_OK)
+        return complain(EXIT_BAD, job->options.scene,
+                        "the scene is too large for --ground");
     read_colour(string_of(job->options.ground),
                 &job->colours[job->scene.count]);
     return scene_add(&job->scene, &record);
@@ -84,10 +87,9 @@ static int set_stage(struct job *job, const struct boxes *boxes)
         return EXIT_MEMORY;
     job->scene.keeps_labels = 0;
     labels_free(&job->scene.labels);
-    if (!view_of_scene(&job->view, &o->viewing, boxes))
-        return complain(EXIT_BAD, o->scene,
-                        "no shape is bounded, or the view is along --up; "
-                        "use --eye and --look-at");
+    const char *fault = view_of_scene(&job->view, &o->viewing, boxes);
+    if (fault)
+        return complain(EXIT_BAD, o->scene, "%s", fault);
     job->stage = (struct stage){.colours = job->colours,
                                 .has_solids = job->scene.solids.count > 0,
                                 .has_ground = o->ground && boxes->size > 0,

@@ -19,7 +19,7 @@ from ._arguments import (
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
 from ._hits import DescribedHits
-from ._shapes import Shapes, all_shapes, checked, joined_labels, shapes_at
+from ._shapes import Shapes, all_shapes, checked, encoded, joined_labels, shapes_at
 
 
 def _shapes_of(answers: Any) -> tuple[Shapes, NDArray[np.int64]]:
@@ -184,9 +184,10 @@ class Scene:
     ) -> None:
         self._scene = begun
         self._threads = threads
+        names = encoded(labels)
         begun.finish(workers(threads), progress)
-        if labels is not None:
-            begun.set_labels([x.encode("utf-8", "surrogateescape") for x in labels])
+        if names is not None:
+            begun.set_labels(names)
 
     @classmethod
     def read(

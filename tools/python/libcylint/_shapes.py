@@ -709,3 +709,16 @@ def joined_labels(parts: list[Any]) -> NDArray[np.object_] | None:
     return np.concatenate(
         [np.broadcast_to(none if x is None else x, shape) for shape, x in parts]
     )
+
+
+def encoded(labels: NDArray[np.object_] | None) -> list[bytes] | None:
+    """Labels of shapes with one axis, in UTF-8 or as the bytes that were read."""
+    if labels is None:
+        return None
+    try:
+        return [label.encode("utf-8", "surrogateescape") for label in labels]
+    except UnicodeEncodeError as error:
+        number = labels.tolist().index(error.object)
+        raise ValueError(
+            f"shape {number}: the label {error.object!r} has no encoding in UTF-8"
+        ) from None
