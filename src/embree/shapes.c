@@ -113,7 +113,8 @@ static int copy_records(copying *c, int threads)
             return 0;
         to->tag = (uint8_t *)to->memory.data + n * size;
         memset(to->tag, 0, n);
-        cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
+        cylint_threads_share(threads, n, CYLINT_THREADS_LEAST_SHAPES,
+                             CYLINT_THREADS_LEAST_SHAPES, copy_some, c);
         if (!to->small || !memchr(to->tag, TOO_LARGE, n))
             return 1;
         cylint_memory_free(&to->memory);
