@@ -134,7 +134,7 @@ static cylint_bvh_status split_all(split_job *job, size_t *refused)
     cylint_watch_step(input->watch,
                       job->box ? CYLINT_STEP_SPLIT : CYLINT_STEP_COUNT,
                       input->n);
-    cylint_threads_run(input->threads, threads, split_portions, job);
+    cylint_threads_share(input->threads, threads, 1, 1, split_portions, job);
     for (size_t i = 0; i < threads; i++)
         if (job->portion[i].status != CYLINT_BVH_OK) {
             *refused = job->portion[i].refused;
@@ -218,8 +218,9 @@ static cylint_bvh_status store_nodes(cylint_bvh *bvh,
  * (Prefetching them had no effect where every address needs a translation.) */
 enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
-/* Groups of TOGETHER pieces that one thread stores before others begin. */
-enum { FIRST_GROUPS = 1024 };
+/* Groups of TOGETHER pieces: how many a thread takes at a time, and how many one
+ * thread stores before others begin. */
+enum { GROUPS = 128, FIRST_GROUPS = 1024 };
 
 /* Pieces to be stored in leaves, in the same memory. */
 typedef struct {
@@ -238,12 +239,8 @@ static void fill_group(const leaf_job *job, size_t first)
     const size_t left = job->n - first;
     const int n = left < TOGETHER ? (int)left : TOGETHER;
     memcpy(box, job->box + first, (size_t)n * sizeof *box);
-    for (int i = 0; i < n; i++) {
-        cylint_shape spare;
-        cylint_swept_disc_of(
-            &disc[i], job->view,
-            cylint_view_shape(job->view, box[i].number, &spare));
-    }
+    for (int i = 0; i < n; i++)
+        cylint_swept_disc_at(&disc[i], job->view, box[i].number);
     for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
         cylint_leaf_fill(job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE,
                          disc + i, box + i,
@@ -276,7 +273,7 @@ static void fill_all_leaves(leaf_job *job, int threads)
         to = groups;
     for (int using = 1; from < groups; using = threads) {
         job->first_group = from;
-        cylint_threads_run(using, to - from, fill_leaves, job);
+        cylint_threads_share(using, to - from, GROUPS, 1, fill_leaves, job);
         from = to;
         to = groups - from < from ? groups : 2 * from;
     }
@@ -312,7 +309,8 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
     *bvh = (cylint_bvh){.box = cylint_extent_empty()};
     if (in.n == 0)
         return CYLINT_BVH_OK;
-    in.threads = cylint_threads_for(in.n, in.threads);
+    in.threads =
+        cylint_threads_for(in.n, CYLINT_THREADS_LEAST_SHAPES, in.threads);
     cylint_bvh_status status = split_shapes(bvh, &in, &pieces, refused);
     if (status == CYLINT_BVH_OK)
         status = store_nodes(bvh, &in, pieces);

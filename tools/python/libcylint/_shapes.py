@@ -274,7 +274,7 @@ class Shapes:
         _core.bounds(kinds_of(self._records.reshape(-1)), boxes)
         return boxes.reshape(*self.shape, 2, 3)
 
-    def _ask(
+    def _answer(
         self, query: Any, points: Points, answer: Any, column: int, ulps: Any = None
     ) -> NDArray[Any]:
         """Calls a function of _core for shapes and points, broadcast, which writes
@@ -300,7 +300,7 @@ class Shapes:
         ...     [[0, 0, 1], [1, 0, 1], [0, 0, 3]])
         array([ 1,  0, -1], dtype=int8)
         """
-        return self._ask(_core.contains, points, np.int8, 1)
+        return self._answer(_core.contains, points, np.int8, 1)
 
     @takes(Points)
     def distance(self, points: Points) -> Doubles:
@@ -324,7 +324,7 @@ class Shapes:
         >>> tube.distance([[4, 0, -4], [0.5, 0, 1], [1, 0, 1], [np.nan, 0, 0]])
         array([ 5. , -0.5,  0. ,  inf])
         """
-        return self._ask(_core.closest, points, np.float64, 0)
+        return self._answer(_core.closest, points, np.float64, 0)
 
     @takes(Points)
     def closest(self, points: Points) -> ClosestPoints:
@@ -338,7 +338,7 @@ class Shapes:
         >>> cylint.Feature(near.feature), cylint.Part(near.part)
         (<Feature.RIM0: 3>, <Part.LATERAL: 0>)
         """
-        distance = self._ask(_core.closest, points, np.float64, 0)
+        distance = self._answer(_core.closest, points, np.float64, 0)
         points.keep()
         answers = ClosestPoints(points, distance, points.threads)
         answers._shapes = self, None
@@ -356,7 +356,7 @@ class Shapes:
         >>> bool(3.999 < step <= 4)
         True
         """
-        return self._ask(_core.safety, points, np.float64, 0)
+        return self._answer(_core.safety, points, np.float64, 0)
 
     def on_surface(
         self, points: ArrayLike, ulps: ArrayLike = 0.0, *, threads: int | None = None,
@@ -373,9 +373,9 @@ class Shapes:
         >>> ball.on_surface(points), ball.on_surface(points, 1)
         (array([ True, False]), array([ True,  True]))
         """
-        asked = Points(points, threads=threads, progress=progress)
+        given = Points(points, threads=threads, progress=progress)
         most = doubles("ulps", ulps)
-        return self._ask(_core.on_surface, asked, np.bool_, 1, most)
+        return self._answer(_core.on_surface, given, np.bool_, 1, most)
 
     def __reduce__(self) -> tuple[Any, ...]:
         kinds, numbers = self.reshape(self.size)._read()
