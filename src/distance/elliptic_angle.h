@@ -55,9 +55,6 @@ typedef struct {
     double relative;               /* the error of the length of a row */
     double norm, z_norm; /* x, y and rho, and z change by no more along a unit
                             vector */
-    int is_turned;
-    int is_central; /* x and y are 0, and z is across x and y: angles half a turn
-                       apart are equal */
 } elliptic_place;
 
 CYLINT_INLINE double dot_of(const double u[3], const double v[3])
@@ -74,7 +71,6 @@ CYLINT_INLINE double sum_of_sizes(const double v[3])
 /* What follows from the rows of the matrix. */
 static inline void load_norms(elliptic_place *p, const cylint_shape *s)
 {
-    p->is_turned = 0;
     p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
     p->z_norm = sqrt(dot_of(p->Z, p->Z));
     p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
@@ -208,13 +204,6 @@ static inline angle highest_of(const principal_axes *axes, angle e,
     return best;
 }
 
-/* Whether the angle is half a turn or more. */
-CYLINT_INLINE int is_second(angle at)
-{
-    /* untaken 1 of 6: half a turn itself is never the higher one in a known case */
-    return at.sin < 0 || (at.sin == 0 && at.cos < 0);
-}
-
 /* lint: the analyzer takes three rounds of EACH for one */
 /* Writes the angle, and its tangent plane.  rough: an angle with an error of
  * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
@@ -233,9 +222,6 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
     const angle e = secular_angle(ratio * long_way / r, short_way / r,
                                   axes.gap / axes.least, rough);
     *at = highest_of(&axes, e, p);
-    if (p->is_central &&
-        is_second(*at) == !p->is_turned) /* the other one has the least phi */
-        *at = (angle){-at->cos, -at->sin};
     double by = 1;
     /* untaken 1 of 2: the tests have no case that takes all steps */
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {

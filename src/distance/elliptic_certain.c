@@ -20,12 +20,8 @@
 static int rounds_to(const bounded from[3], double to[3])
 {
     int known = 1;
-    double x[3];
     EACH(i, 3)
-        known &= m_any(rounds(from[i], &x[i]));
-    if (known)
-        EACH(i, 3)
-            to[i] = x[i];
+        known &= m_any(rounds(from[i], &to[i]));
     return known;
 }
 
@@ -44,47 +40,36 @@ static int has_tiny(const cylint_shape *s, const double point[3])
 }
 
 static unsigned elliptic_in_pairs(const cylint_shape *shape,
-                                  const double point[3], int on, unsigned want,
+                                  const double point[3], unsigned want,
                                   cylint_closest *answer)
 {
     elliptic_question q;
     elliptic_numbers m;
     elliptic_answer a;
     double d;
-    if (want & CYLINT_WANT_DISTANCE)
-        want |= CYLINT_ON_SURFACE;
-    if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
-        return want;
-    q.feature = find_in_pairs(&q, &m, shape, point, on);
+    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known;
+    const unsigned all = want | CYLINT_ON_SURFACE;
+    if (exactly && has_tiny(shape, point))
+        return all;
+    q.feature = find_in_pairs(&q, &m, shape, point);
     if (q.feature == CYLINT_NO_FEATURE)
-        return want;
-    const int on_ruling = on == CYLINT_FEATURE_LATERAL ||
-                          on == CYLINT_FEATURE_RIM0 ||
-                          on == CYLINT_FEATURE_RIM1;
-    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known = 0;
-    if (on_ruling)
-        normal_of_ruling(a.normal, &m, cylint_is_tapered(shape->kind));
-    else
-        do {
-            answer_in_pairs(&a, &q, &m, point, exactly);
-            known = m_any(rounds(a.distance, &d));
-        } while (want & CYLINT_WANT_DISTANCE && !known && ++exactly <= 2);
+        return all;
+    do {
+        answer_in_pairs(&a, &q, &m, point, exactly);
+        known = m_any(rounds(a.distance, &d));
+    } while (!known && exactly++ == 0);
     /* untaken 1 of 6: a known distance has the sign of the side in every known
      * case */
-    if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
-        answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
-        want &= ~(unsigned)(CYLINT_WANT_DISTANCE | CYLINT_ON_SURFACE);
-    }
+    if (!known || (d < 0) != q.inside || !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
+        (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
+        (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))
+        return all;
+    answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
     if (want & CYLINT_WANT_PART) {
         answer->feature = q.feature;
         answer->part = cylint_feature_part(q.feature);
-        want &= ~(unsigned)CYLINT_WANT_PART;
     }
-    if (want & CYLINT_WANT_POINT && rounds_to(a.point, answer->point))
-        want &= ~(unsigned)CYLINT_WANT_POINT;
-    if (want & CYLINT_WANT_NORMAL && rounds_to(a.normal, answer->normal))
-        want &= ~(unsigned)CYLINT_WANT_NORMAL;
-    return want;
+    return 0;
 }
 
 /* --------------------------------------------------------------- safety -- */
@@ -113,7 +98,6 @@ static void locate_in_doubles(elliptic_place *p, const cylint_shape *s,
         u * cylint_norm(s) * (1 + fabs(p->slope) * unit) * sum_of_sizes(p->D) +
         u * (1 + fabs(p->x) + fabs(p->y) + fabs(p->rho));
     p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
-    p->is_central = 0;
 }
 
 /* n / |N|, less the errors of both. */
@@ -161,7 +145,7 @@ static double elliptic_safety(const cylint_shape *shape, const double point[3])
     q.rough = 1;
     locate_in_doubles(&q.at, shape, point);
     turn_about_apex(&q);
-    q.feature = find_feature_of(&q, side_of_lateral(&q.at));
+    q.feature = find_feature_of(&q);
     return q.feature == CYLINT_NO_FEATURE ? 0 : distance_in_doubles(&q);
 }
 

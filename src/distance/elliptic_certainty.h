@@ -63,8 +63,6 @@ static inline double inner_curvature(const tangent_plane *t,
     const double of_N = hh * p->norm * p->norm;
     const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
                          16 * lost_of_normal(t, p) * of_N;
-    if (p->is_central) /* n^2 - h^2 N.N is 0 at both angles: k of its sin^2 */
-        return 4 * hh * (dot_of(t->U, t->U) - dot_of(t->V, t->V)) - error;
     return least_curvature(2 * (hh * dot_of(t->N, t->U) - t->n * a),
                            b * b - hh * dot_of(t->V, t->V),
                            2 * (hh * dot_of(t->U, t->V) - a * b),

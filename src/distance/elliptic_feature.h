@@ -272,7 +272,6 @@ static inline void turn_place(elliptic_place *p)
     p->x = -p->x;
     p->y = -p->y;
     p->rho = -p->rho;
-    p->is_turned = !p->is_turned;
 }
 
 /* Whether the other nappe of a double cone is farther: above one of its tangent
@@ -337,19 +336,14 @@ static inline int turn_about_apex(elliptic_question *q)
     return 1;
 }
 
-/* -1 within the lateral surface without ends, 1 outside, 0 uncertain. */
-static inline int side_of_lateral(const elliptic_place *p)
+/* Of a point within the lateral surface without ends, or certainly outside. */
+static inline int find_feature_of(elliptic_question *q)
 {
+    const elliptic_place *p = &q->at;
     const double r = sqrt(p->x * p->x + p->y * p->y);
-    return r < p->rho - p->error ? -1 : r > p->rho + p->error;
-}
-
-/* side: side_of_lateral(). */
-static inline int find_feature_of(elliptic_question *q, int side)
-{
-    return side < 0   ? feature_within(q)
-           : side > 0 ? feature_outside(q)
-                      : CYLINT_NO_FEATURE;
+    return r < p->rho - p->error   ? feature_within(q)
+           : r > p->rho + p->error ? feature_outside(q)
+                                   : CYLINT_NO_FEATURE;
 }
 
 #endif

@@ -81,7 +81,7 @@ test_same_shapes()
     is_plain swc_numbers_may_be_decimal_fields_have_commas_and_lines_end_in_cr
     random_neuron 1 3000 | grep -v '0 ' | head -2000 | tee "$scratch/plain" > "$native"
     is_plain swc_parents_may_be_missing
-    grep -q 'with a parent that is not in the file taken as roots' "$scratch/messages"
+    grep -q 'whose parent is not in the file are roots' "$scratch/messages"
     verdict swc_missing_parents_are_counted $?
     awk 'BEGIN { for (n = 0; n < 4000; n++)
         print n * 4096, 0, n % 20, n / 7, n, 2, n ? (n - 1) * 4096 : -1 }' |

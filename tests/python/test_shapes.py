@@ -330,7 +330,7 @@ def test_angles_in_text_keep_the_tangent(tmp_path):
     cones = cylint.angle_cone(*UNIT, degrees)
     cylint.write_scene(tmp_path / "scene", cones)
     assert (cylint.read_scene(tmp_path / "scene") == cones).all()
-    with refused("shape 1: text has angles, and no ang"):
+    with refused("shape 1: text cannot hold a cone whose tangent"):
         cylint.write_scene(tmp_path / "scene", cylint.tangent_cone(*UNIT, [0.5, 1e300]))
 
 
@@ -339,9 +339,9 @@ def test_what_text_cannot_hold_is_refused(tmp_path):
     path.write_text("as it was")
     rods = cylint.cylinder(*UNIT, [1, 2])
     for why, *labels in (
-        ("text has no line feed and no NUL", "two\nlines", "nul\0"),
-        ("text has no blanks around", " blank", "blank\t", "return\r"),
-        ("text has no labels that begin with in= or out=", "in=a", "out="),
+        ("text cannot hold a label with a line feed or NUL", "two\nlines", "nul\0"),
+        ("text cannot hold a label with blanks around", " blank", "blank\t", "return\r"),
+        ("text cannot hold a label that begins with in= or out=", "in=a", "out="),
         ("the line would be longer than 1 MiB", "x" * 2**20),
     ):
         for label in labels:

@@ -125,13 +125,10 @@ static int draw_picture(struct job *job, struct output *out)
         (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
-    /* More builders than processors are not faster. */
-    const int processors_here = processors();
-    const int workers = o->workers > 0 ? o->workers : processors_here;
-    const int builders = workers < processors_here ? workers : processors_here;
+    const int workers = o->workers > 0 ? o->workers : processors();
     const struct drawing drawing = {&picture, &job->view, o->samples, workers,
                                     o->progress};
-    int status = scene_build(&job->scene, builders);
+    int status = scene_build(&job->scene, workers);
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;
