@@ -60,8 +60,8 @@
 #include <float.h>
 #include <stddef.h>
 
-#include "float_filter.h"
 #include "../numbers/simd.h"
+#include "shapes.h"
 
 /* ------------------------------------------------------------ questions -- */
 
@@ -77,7 +77,7 @@ typedef struct {
 /* The questions of the lanes; those that are not used repeat the first. */
 typedef struct {
     asked *of[LANES];
-    unsigned used, exit_only, describes; /* bits of lanes */
+    unsigned used; /* bits of lanes */
     /* the line from the shape's base on: t = from + s */
     vd u[3], D[3], w[3], r0, dr, from;
     vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */

@@ -96,9 +96,9 @@ typedef struct {
 } exact_hits;
 
 /* ties: every root whose t, rounded to a double, is tfar counts. */
-static void intersect(const ray_test *r, size_t rank, int ties, unsigned want,
-                      exact_hits *x)
+static void intersect(const ray_test *r, size_t rank, int ties, exact_hits *x)
 {
+    const unsigned want = CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART;
     const cylint_float_filter_question *q = &r->q;
     const double tfar = r->ray->tfar;
     const double tmax = ties ? nextafter(tfar, HUGE_VAL) : tfar;
@@ -148,12 +148,11 @@ static size_t present_number(const ray_test *r)
  * library's.  If both hits of the shape round to tfar, u distinguishes them.  Bare
  * hits have no u: then it is the first hit, the one that is or will be the ray's
  * without filters.  -1 if the caller or a filter changed tfar. */
-static int find_present(const ray_test *r, size_t number, unsigned want,
-                        exact_hits *x)
+static int find_present(const ray_test *r, size_t number, exact_hits *x)
 {
     const uint32_t *rank = r->data->rank;
     int found = -1;
-    intersect(r, rank ? rank[number] : number, 1, want, x);
+    intersect(r, rank ? rank[number] : number, 1, x);
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
@@ -182,8 +181,7 @@ static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
     if (number == other)
         return i == 0;
     exact_hits x;
-    const int present =
-        find_present(r, other, CYLINT_WANT_T | CYLINT_WANT_Z, &x);
+    const int present = find_present(r, other, &x);
     if (present < 0)
         return 1;
     const double present_t = x.answer.hit[present].t;
@@ -281,15 +279,12 @@ static int record(ray_test *r)
 ASIDE void test_exactly(ray_test *r)
 {
     const cylint_shape_piece piece = r->q.piece;
-    const int whole = piece.count == 1;
     const int ties = !r->any && present_number(r) != r->data->n;
     exact_hits x;
-    intersect(r, r->rank, ties,
-              CYLINT_WANT_T | CYLINT_WANT_PART | (whole ? 0 : CYLINT_WANT_Z),
-              &x);
+    intersect(r, r->rank, ties, &x);
     for (int i = r->q.exit_only; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        if (!whole && cylint_piece_at(at->z, piece.count) != piece.index)
+        if (cylint_piece_at(at->z, piece.count) != piece.index)
             continue;
         if (!r->any && !is_nearer(r, &x.answer, i))
             return;
@@ -569,8 +564,7 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     if (number == data->n)
         return;
     start_test(&r, &args, 0, &rayhit->ray, &rayhit->hit);
-    const int i = find_present(
-        &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
+    const int i = find_present(&r, number, &x);
     if (i >= 0) {
         describe(&r, &x, i);
         memcpy(&rayhit->hit, r.q.floats, sizeof r.q.floats);

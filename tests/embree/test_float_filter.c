@@ -152,6 +152,8 @@ static void gather(struct crowd *c, int family, int other, family_shape last,
             !make_query(x, &from->shape, from->line.o, from->line.d, *i))
             continue;
         c->asked[n] = &x->q;
+        x->q.exit_only = c->asked[0]->exit_only;
+        x->q.describes = c->asked[0]->describes;
         c->n++;
     }
 }

@@ -330,8 +330,21 @@ def test_angles_in_text_keep_the_tangent(tmp_path):
     cones = cylint.angle_cone(*UNIT, degrees)
     cylint.write_scene(tmp_path / "scene", cones)
     assert (cylint.read_scene(tmp_path / "scene") == cones).all()
-    with refused("shape 1: text has angles, and no ang"):
+    with refused("shape 1: text cannot hold a cone whose tangent"):
         cylint.write_scene(tmp_path / "scene", cylint.tangent_cone(*UNIT, [0.5, 1e300]))
+
+
+def test_refused_shapes_have_no_kind(tmp_path):
+    # Only a scene that a program in C saved has some.
+    rod = cylint.cylinder(*UNIT, 1)
+    none = cylint.Shapes(np.zeros(1, rod._records.dtype))
+    both = cylint.concatenate([none, rod])
+    assert both.to_dict()["kind"].tolist() == ["none", "cylinder"]
+    assert np.isnan(both.r[0]) and both.r[1] == 1
+    assert (both == both).all() and not (none == rod).any()
+    assert (pickle.loads(pickle.dumps(both)) == both).all()
+    with refused("shape 0: text cannot hold a refused shape"):
+        cylint.write_scene(tmp_path / "scene", both)
 
 
 def test_what_text_cannot_hold_is_refused(tmp_path):
@@ -339,9 +352,9 @@ def test_what_text_cannot_hold_is_refused(tmp_path):
     path.write_text("as it was")
     rods = cylint.cylinder(*UNIT, [1, 2])
     for why, *labels in (
-        ("text has no line feed and no NUL", "two\nlines", "nul\0"),
-        ("text has no blanks around", " blank", "blank\t", "return\r"),
-        ("text has no labels that begin with in= or out=", "in=a", "out="),
+        ("text cannot hold a label with a line feed or NUL", "two\nlines", "nul\0"),
+        ("text cannot hold a label with blanks around", " blank", "blank\t", "return\r"),
+        ("text cannot hold a label that begins with in= or out=", "in=a", "out="),
         ("the line would be longer than 1 MiB", "x" * 2**20),
     ):
         for label in labels:

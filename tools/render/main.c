@@ -125,13 +125,10 @@ static int draw_picture(struct job *job, struct output *out)
         (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
-    /* More builders than processors are not faster. */
-    const int processors_here = processors();
-    const int workers = o->workers > 0 ? o->workers : processors_here;
-    const int builders = workers < processors_here ? workers : processors_here;
+    const int workers = o->workers > 0 ? o->workers : processors();
     const struct drawing drawing = {&picture, &job->view, o->samples, workers,
                                     o->progress};
-    int status = scene_build(&job->scene, builders);
+    int status = scene_build(&job->scene, workers);
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;
@@ -162,8 +159,10 @@ int main(int argc, char **argv)
     if (status != 0 || o->print)
         return status != 0 ? status : print_about(o->print);
     stages_start(&job.stages, o->progress);
-    status =
-        output_open(&out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
+    status = output_is_input(o->output, o->scene)
+                 ? EXIT_IO
+                 : output_open(
+                       &out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
     if (status != 0)
         return status;
     status = prepare(&job);
