@@ -279,16 +279,6 @@ static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
     return status;
 }
 
-static void attach(RTCGeometry geometry, cylint_embree_data *data)
-{
-    rtcSetGeometryUserData(geometry, data);
-    rtcSetGeometryTimeStepCount(geometry, data->options.moved ? 2 : 1);
-    rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-    rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
-    rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
-    rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
-}
-
 /* Memory in buffers of the device. */
 static void *allocate_buffer(void *device, size_t bytes, void **handle)
 {
@@ -370,11 +360,14 @@ static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
         return NULL;
     report(problem, CYLINT_EMBREE_EMEMORY, 0);
     cylint_embree_data *data = new_data(device, parts, n, is_merged, options);
-    if (data) {
-        attach(geometry, data);
-        if (load_geometry(geometry, data, problem) == CYLINT_EMBREE_OK)
-            return geometry;
-    }
+    rtcSetGeometryUserData(geometry, data);
+    rtcSetGeometryTimeStepCount(geometry, data && data->options.moved ? 2 : 1);
+    rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
+    rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
+    rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
+    if (data && load_geometry(geometry, data, problem) == CYLINT_EMBREE_OK)
+        return geometry;
     cylint_embree_release(geometry);
     return NULL;
 }
