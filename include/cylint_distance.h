@@ -106,7 +106,8 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * components are 0 or at least 2^-100, and |a.(b x h)| is at least 2^-40 of its
  * largest term.  It is not proved for a point whose distances from two features,
  * inside also from two points of the lateral surface, differ by no more than
- * rounding errors of doubles, and for many points inside open ends.
+ * rounding errors of doubles, and for many points inside open ends and within 1e-10
+ * of the surface.
  *
  * Other answers are measured, not proved.  The lateral surface and each rim have at
  * most four stationary points.  All of them are computed in sums of three doubles,

@@ -248,14 +248,13 @@ int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
                : answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
 }
 
-int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
-                               double r0, const double p1[3], double r1,
+int cylint_occluded_in_doubles(int kind, int ends, const cylint_record *from,
                                const cylint_line *line)
 {
     cylint_shape shape;
     cylint_answer answer;
     cylint_question question;
-    cylint_local_in_doubles(&shape, kind, ends, p0, r0, p1, r1);
+    cylint_local_in_doubles(&shape, kind, ends, from);
     const unsigned solid =
         (unsigned)cylint_prepared(&shape) & -(unsigned)line->in_range;
     return cylint_one_used->by_solid[solid](&shape, line, CYLINT_WANT_NEAREST,

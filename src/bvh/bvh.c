@@ -134,7 +134,7 @@ static cylint_bvh_status split_all(split_job *job, size_t *refused)
     cylint_watch_step(input->watch,
                       job->box ? CYLINT_STEP_SPLIT : CYLINT_STEP_COUNT,
                       input->n);
-    cylint_threads_run(input->threads, threads, split_portions, job);
+    cylint_threads_share(input->threads, threads, 1, 1, split_portions, job);
     for (size_t i = 0; i < threads; i++)
         if (job->portion[i].status != CYLINT_BVH_OK) {
             *refused = job->portion[i].refused;
@@ -218,18 +218,19 @@ static cylint_bvh_status store_nodes(cylint_bvh *bvh,
  * (Prefetching them had no effect where every address needs a translation.) */
 enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
-/* Groups of TOGETHER pieces that one thread stores before others begin. */
-enum { FIRST_GROUPS = 1024 };
-
 /* Pieces to be stored in leaves, in the same memory. */
 typedef struct {
-    const cylint_boxed_piece *box;
+    cylint_boxed_piece *box;
     size_t n;
-    cylint_leaf *leaves;
     const cylint_view *view;
     cylint_watch *watch;
-    size_t first_group; /* of a round */
 } leaf_job;
+
+/* The leaf of the pieces from `first` on, over their boxes. */
+static cylint_leaf *leaf_over(const leaf_job *job, size_t first)
+{
+    return (cylint_leaf *)(void *)(job->box + first);
+}
 
 static void fill_group(const leaf_job *job, size_t first)
 {
@@ -238,63 +239,39 @@ static void fill_group(const leaf_job *job, size_t first)
     const size_t left = job->n - first;
     const int n = left < TOGETHER ? (int)left : TOGETHER;
     memcpy(box, job->box + first, (size_t)n * sizeof *box);
-    for (int i = 0; i < n; i++) {
-        cylint_shape spare;
-        cylint_swept_disc_of(
-            &disc[i], job->view,
-            cylint_view_shape(job->view, box[i].number, &spare));
-    }
+    for (int i = 0; i < n; i++)
+        cylint_swept_disc_at(&disc[i], job->view, box[i].number);
     for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
-        cylint_leaf_fill(job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE,
-                         disc + i, box + i,
+        cylint_leaf_fill(leaf_over(job, first + (size_t)i), disc + i, box + i,
                          n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
                          job->view->line_error);
 }
 
-/* Fills the leaves of groups [from, to), counted from the first of the round. */
+/* Fills the leaves of pieces [from, to). */
 static void fill_leaves(void *self, size_t from, size_t to)
 {
     const leaf_job *job = self;
-    for (; from < to; from++) {
-        const size_t first = (job->first_group + from) * TOGETHER;
-        if (!cylint_watch_item(job->watch, first))
-            return;
-        fill_group(job, first);
-    }
+    for (; from < to && cylint_watch_item(job->watch, from); from += TOGETHER)
+        fill_group(job, from);
 }
 
-/*
- * Stores the leaves over the boxes.  A leaf has the size of 4 boxes and is made of
- * 8, so those of groups [m, 2 m) are stored over the boxes of [m / 2, m), which
- * are not needed any more after the round before.
- */
-static void fill_all_leaves(leaf_job *job, int threads)
-{
-    const size_t groups = (job->n + TOGETHER - 1) / TOGETHER;
-    size_t from = 0, to = FIRST_GROUPS;
-    if (threads == 1 || groups < to)
-        to = groups;
-    for (int using = 1; from < groups; using = threads) {
-        job->first_group = from;
-        cylint_threads_run(using, to - from, fill_leaves, job);
-        from = to;
-        to = groups - from < from ? groups : 2 * from;
-    }
-}
-
-/* Stores the leaves over the boxes of their pieces, and returns the memory that
- * they do not need. */
+/* Stores the leaves over the boxes of their pieces, joins them, and returns the
+ * memory that they do not need. */
 static cylint_bvh_status store_leaves(cylint_bvh *bvh,
                                       const cylint_bvh_input *input,
                                       size_t pieces)
 {
+    cylint_leaf *leaves = bvh->leaf_memory.data;
     leaf_job job = {.box = bvh->leaf_memory.data,
                     .n = pieces,
-                    .leaves = bvh->leaf_memory.data,
                     .view = input->view,
                     .watch = input->watch};
-    cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, pieces);
-    fill_all_leaves(&job, input->threads);
+    cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, 2 * pieces);
+    cylint_threads_share(input->threads, pieces, CYLINT_WATCHED, 1, fill_leaves,
+                         &job);
+    for (size_t i = 0; i < pieces && cylint_watch_item(input->watch, i);
+         i += CYLINT_LEAF_SIZE)
+        memmove(leaves++, leaf_over(&job, i), sizeof *leaves);
     if (!cylint_memory_resize(&bvh->leaf_memory, input->source,
                               bvh->n_leaves * sizeof *bvh->leaves))
         return CYLINT_BVH_EMEMORY;
@@ -312,7 +289,8 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
     *bvh = (cylint_bvh){.box = cylint_extent_empty()};
     if (in.n == 0)
         return CYLINT_BVH_OK;
-    in.threads = cylint_threads_for(in.n, in.threads);
+    in.threads =
+        cylint_threads_for(in.n, CYLINT_THREADS_LEAST_SHAPES, in.threads);
     cylint_bvh_status status = split_shapes(bvh, &in, &pieces, refused);
     if (status == CYLINT_BVH_OK)
         status = store_nodes(bvh, &in, pieces);

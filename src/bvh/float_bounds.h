@@ -99,19 +99,14 @@ static inline cylint_extent cylint_extent_empty(void)
                            {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
 }
 
-static inline void cylint_extend_side(float *lower, float *upper, float lo,
-                                      float hi) /* fminf() is a call */
-{
-    *lower = lo < *lower ? lo : *lower;
-    *upper = hi > *upper ? hi : *upper;
-}
-
 static inline void cylint_extent_include(cylint_extent *box,
                                          const cylint_extent *by)
 {
-    EACH(j, 3)
-        cylint_extend_side(&box->lower[j], &box->upper[j], by->lower[j],
-                           by->upper[j]);
+    EACH(j, 3) { /* fminf() is a call */
+        const float lower = by->lower[j], upper = by->upper[j];
+        box->lower[j] = lower < box->lower[j] ? lower : box->lower[j];
+        box->upper[j] = upper > box->upper[j] ? upper : box->upper[j];
+    }
 }
 
 /* Half the area of the box. */

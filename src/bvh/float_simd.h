@@ -198,8 +198,8 @@ static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
 static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
 {
     int n = 0;
-    for (; bits; bits &= bits - 1)
-        to[n++] = x[cylint_lowest(bits)];
+    EACH_BIT(i, bits)
+        to[n++] = x[i];
     to[n] = to[n + 1] = 0;
     return n;
 }

@@ -27,15 +27,15 @@ static void set_center(cylint_leaf *leaf, const cylint_boxed_piece *boxes,
 {
     double most = 0;
     for (int j = 0; j < 3; j++) {
-        float lower = boxes[0].lower[j], upper = boxes[0].upper[j];
+        double lower = boxes[0].lower[j], upper = boxes[0].upper[j];
         for (int lane = 1; lane < used; lane++) {
-            cylint_extend_side(&lower, &upper, boxes[lane].lower[j],
-                               boxes[lane].upper[j]);
+            lower = cylint_smaller(lower, boxes[lane].lower[j]);
+            upper = cylint_larger(upper, boxes[lane].upper[j]);
         }
-        const float c = (float)(((double)lower + (double)upper) / 2);
+        const float c = (float)((lower + upper) / 2);
         leaf->center[j] = c;
-        most = cylint_larger(most, cylint_larger((double)upper - (double)c,
-                                                 (double)c - (double)lower));
+        most = cylint_larger(
+            most, cylint_larger(upper - (double)c, (double)c - lower));
     }
     leaf->steps = steps_per_unit(most);
 }

@@ -261,8 +261,7 @@ static inline void write_least(const cylint_leaf *b, unsigned hit,
                                const float *s, double before, double per_length,
                                double tmin, double *least)
 {
-    for (; hit; hit &= hit - 1) {
-        const int lane = cylint_lowest(hit);
+    EACH_BIT(lane, hit) {
         const double t = ((double)s[lane] - before) * per_length;
         least[lane] = t > tmin && !(b->always >> lane & 1) ? t : tmin;
     }
@@ -357,9 +356,8 @@ ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     double t[CYLINT_LEAF_SIZE];
     const unsigned hit = test_far_line(b, o, d, ray->tnear, ray->tfar, t);
-    for (int lane = 0; lane < cylint_leaf_used(b); lane++)
-        if (hit >> lane & 1)
-            least[lane] = cylint_float_below(t[lane]);
+    EACH_BIT(lane, hit)
+        least[lane] = cylint_float_below(t[lane]);
     return hit;
 }
 
@@ -404,8 +402,8 @@ CYLINT_INLINE unsigned test_ray(const cylint_leaf *b, const cylinders *all,
         return test_far_ray(b, ray, least);
     }
     const unsigned hit = test_cylinders(b, all, &l, least, certain);
-    for (unsigned lanes = hit & b->always; lanes; lanes &= lanes - 1)
-        least[cylint_lowest(lanes)] = -HUGE_VALF;
+    EACH_BIT(lane, hit & b->always)
+        least[lane] = -HUGE_VALF;
     return hit;
 }
 

@@ -25,11 +25,8 @@ static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
 {
     const int used = cylint_leaf_used(leaf);
     to->box = cylint_extent_empty();
-    for (int i = 0; i < used; i++) {
-        cylint_shape spare;
-        cylint_swept_disc_of(&to->disc[i], view,
-                             cylint_view_shape(view, leaf->number[i], &spare));
-    }
+    for (int i = 0; i < used; i++)
+        cylint_swept_disc_at(&to->disc[i], view, leaf->number[i]);
     for (int i = 0; i < used; i++) {
         const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
         double reach[3];

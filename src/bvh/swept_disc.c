@@ -154,9 +154,8 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
 cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
 {
     cylint_swept_disc disc;
-    cylint_shape spare;
     double reach[3];
-    cylint_swept_disc_of(&disc, view, cylint_view_shape(view, number, &spare));
+    cylint_swept_disc_at(&disc, view, number);
     cylint_swept_disc_reach(&disc, reach);
     return cylint_piece_box(&disc, reach, (cylint_shape_piece){0, 1});
 }

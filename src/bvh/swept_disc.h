@@ -66,6 +66,14 @@ static inline const cylint_shape *cylint_view_shape(const cylint_view *view,
 void cylint_swept_disc_of(cylint_swept_disc *disc, const cylint_view *view,
                           const cylint_shape *shape);
 
+static inline void cylint_swept_disc_at(cylint_swept_disc *disc,
+                                        const cylint_view *view,
+                                        uint32_t number)
+{
+    cylint_shape spare;
+    cylint_swept_disc_of(disc, view, cylint_view_shape(view, number, &spare));
+}
+
 /* Writes reach[j]: the section at z reaches k(z) reach[j] from its centre along
  * coordinate j; of a round shape a disc across the axis does. */
 void cylint_swept_disc_reach(const cylint_swept_disc *disc, double reach[3]);

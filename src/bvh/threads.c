@@ -27,8 +27,7 @@ static long smaller(long x, long y)
     return x < y ? x : y;
 }
 
-/* The number of threads, each with at least `least` of n items. */
-static int threads_for(size_t n, size_t least, int wanted)
+int cylint_threads_for(size_t n, size_t least, int wanted)
 {
     const long most = wanted > 0 ? wanted : processors();
     const size_t busy = n / least;
@@ -36,15 +35,6 @@ static int threads_for(size_t n, size_t least, int wanted)
         smaller(smaller(most, CYLINT_THREADS_MOST),
                 busy < CYLINT_THREADS_MOST ? (long)busy : CYLINT_THREADS_MOST);
     return threads > 1 ? (int)threads : 1;
-}
-
-/* The least number of shapes for a thread.  They take 3 ms, far more than
- * starting the thread. */
-enum { LEAST_SHAPES = 4096 };
-
-int cylint_threads_for(size_t n, int wanted)
-{
-    return threads_for(n, LEAST_SHAPES, wanted);
 }
 
 /* Work of which each thread takes the next block. */
@@ -74,8 +64,8 @@ static void *do_blocks(void *argument)
 }
 
 /* If the system refuses a thread, the others do its blocks. */
-static void share(int threads, size_t n, size_t block, cylint_thread_work *work,
-                  void *self)
+void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
+                          cylint_thread_work *work, void *self)
 {
     shared_work w = {.mutex = CYLINT_MUTEX_INITIALIZER,
                      .n = n,
@@ -84,8 +74,9 @@ static void share(int threads, size_t n, size_t block, cylint_thread_work *work,
                      .self = self};
 #ifdef CYLINT_THREADS
     pthread_t thread[CYLINT_THREADS_MOST];
+    const int most = cylint_threads_for(n, least, threads);
     int started = 1; /* with the caller's */
-    while (started < threads &&
+    while (started < most &&
            pthread_create(&thread[started], NULL, do_blocks, &w) == 0)
         started++;
     do_blocks(&w);
@@ -93,19 +84,8 @@ static void share(int threads, size_t n, size_t block, cylint_thread_work *work,
         pthread_join(thread[started], NULL);
 #else
     (void)threads;
+    (void)least;
     do_blocks(&w);
 #endif
     cylint_mutex_destroy(&w.mutex);
-}
-
-void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
-                        void *self)
-{
-    share(threads, n, (n + (size_t)threads - 1) / (size_t)threads, work, self);
-}
-
-void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
-                          cylint_thread_work *work, void *self)
-{
-    share(threads_for(n, least, threads), n, block, work, self);
 }

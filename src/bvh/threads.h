@@ -11,21 +11,21 @@
 
 enum { CYLINT_THREADS_MOST = 64 };
 
-/* The number of threads to use for n shapes, at most `wanted` and at most
- * CYLINT_THREADS_MOST.  wanted = 0: one for every processor. */
-int cylint_threads_for(size_t n, int wanted);
+/* The least number of shapes for a thread.  They take 3 ms, far more than starting
+ * the thread. */
+enum { CYLINT_THREADS_LEAST_SHAPES = 4096 };
+
+/* The number of threads, each with at least `least` of n items, at most `wanted` and
+ * at most CYLINT_THREADS_MOST.  wanted = 0: one for every processor. */
+int cylint_threads_for(size_t n, size_t least, int wanted);
 
 /* Does items [from, to) of the work. */
 typedef void cylint_thread_work(void *self, size_t from, size_t to);
 
-/* Calls `work` for n items, each once, in as many equal parts, on this number of
- * threads, the caller's included.  Uses fewer if the system refuses threads. */
-void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
-                        void *self);
-
-/* The same in blocks of at most `block` items.  A thread takes the next block when
- * it has done one, so items may differ in cost.  Each thread gets at least `least`
- * items on average; threads: at most, as for cylint_threads_for(). */
+/* Calls `work` for n items, each once, in blocks of at most `block` items.  A thread
+ * takes the next block when it has done one, so items may differ in cost.  Each
+ * thread, the caller's included, gets at least `least` items on average; threads: at
+ * most, as for cylint_threads_for().  Uses fewer if the system refuses threads. */
 void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
                           cylint_thread_work *work, void *self);
 

@@ -61,8 +61,8 @@ CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
     traversal t;
     start_ray(&state, bvh, ray);
     push_start(&t, bvh, &state);
-    leaf_ahead next = first_leaf(&t);
-    while ((leaf = take_leaf(&t, &next))) {
+    leaf_ahead ahead = {NULL, {0}};
+    while ((leaf = take_leaf(&t, &ahead))) {
         unsigned certain_lanes = 0;
         const unsigned lanes = test_ray(leaf, NULL, ray, E, least,
                                         certain ? &certain_lanes : NULL);
@@ -95,8 +95,8 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     traversal t;
     start_line(&state, bvh, o, d, 0, *tmax);
     push_start(&t, bvh, &state);
-    leaf_ahead next = first_leaf(&t);
-    while ((leaf = take_leaf(&t, &next))) {
+    leaf_ahead ahead = {NULL, {0}};
+    while ((leaf = take_leaf(&t, &ahead))) {
         const unsigned lanes = test_line(leaf, o, d, 0, *tmax, least);
         if (!lanes)
             continue;

@@ -195,8 +195,8 @@ void CYLINT_TRAVERSE_POINT(const cylint_bvh *bvh, const double point[3],
     double least[CYLINT_LEAF_SIZE];
     traversal t;
     start_point(&t, bvh, point, distance);
-    leaf_ahead next = first_leaf(&t);
-    while ((leaf = take_leaf(&t, &next))) {
+    leaf_ahead ahead = {NULL, {0}};
+    while ((leaf = take_leaf(&t, &ahead))) {
         test_lanes_of(&t, leaf, least);
         if (callback(self, leaf, least))
             return;

@@ -67,29 +67,29 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
     return NULL;
 }
 
-/* The leaf after the present one.  It is computed before the present one is tested:
- * so its data arrive meanwhile.  By then it may no longer be needed. */
+/* Of a hierarchy that the processor's caches do not hold, the leaf after the present
+ * one.  It is computed before the present one is tested: so its data arrive
+ * meanwhile.  By then it may no longer be needed. */
 typedef struct {
     const cylint_leaf *leaf; /* or NULL */
     entry at;
 } leaf_ahead;
 
-CYLINT_INLINE leaf_ahead first_leaf(traversal *t)
-{
-    leaf_ahead next = {NULL, {0}};
-    next.leaf = next_leaf(t, &next.at);
-    return next;
-}
+/* The most leaves for which nothing is computed ahead. */
+enum { CYLINT_CACHED_LEAVES = 2048 };
 
-/* The present leaf, or NULL; *next becomes the one after it. */
-CYLINT_INLINE const cylint_leaf *take_leaf(traversal *t, leaf_ahead *next)
+/* The next leaf, or NULL.  *ahead has no leaf before the first. */
+CYLINT_INLINE const cylint_leaf *take_leaf(traversal *t, leaf_ahead *ahead)
 {
-    const cylint_leaf *leaf;
-    int needed;
+    leaf_ahead next;
     do {
-        leaf = next->leaf;
-        needed = is_needed(t, &next->at);
-        next->leaf = next_leaf(t, &next->at);
-    } while (leaf && !needed);
-    return leaf;
+        leaf_ahead found = {NULL, {0}};
+        found.leaf = next_leaf(t, &found.at);
+        next = found;
+        if (t->bvh->n_leaves > CYLINT_CACHED_LEAVES) {
+            next = *ahead;
+            *ahead = found;
+        }
+    } while (next.leaf ? !is_needed(t, &next.at) : ahead->leaf != NULL);
+    return next.leaf;
 }

@@ -13,13 +13,6 @@ size_t cylint_sizeof_closest(void)
     return sizeof(cylint_closest);
 }
 
-static cylint_in_pairs *pairs_of(const cylint_shape *shape)
-{
-    return cylint_is_elliptic(shape->kind)
-               ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
-               : CYLINT_OF_FMA(cylint_one_distances)->pairs;
-}
-
 /* There is no surface. */
 static double nowhere(cylint_closest *answer)
 {
@@ -46,12 +39,12 @@ ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
-/* Whether the processor flushes subnormal numbers, and a coordinate of the point or
- * of an end can be one. */
-static int flushes_a_coordinate(const cylint_shape *shape,
-                                const double point[3])
+/* Whether the processor flushes subnormal numbers, and a radius or a coordinate of
+ * the point or of an end can be one. */
+static int flushes_a_number(const cylint_shape *shape, const double point[3])
 {
-    int small = 0;
+    int small =
+        cylint_too_small(cylint_r0(shape)) | cylint_too_small(cylint_r1(shape));
     EACH(i, 3)
         small |= cylint_too_small(point[i]) |
                  cylint_too_small(cylint_base(shape)[i]) |
@@ -83,10 +76,7 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
             answer->part = cylint_feature_part(feature);
             answer->feature = feature;
         }
-        left = want & CYLINT_WANT_NORMAL
-                   ? pairs_of(shape)(shape, point, feature, CYLINT_WANT_NORMAL,
-                                     answer)
-                   : 0;
+        left = want;
     }
     answer->distance = 0;
     if (want & CYLINT_WANT_POINT)
@@ -107,10 +97,13 @@ static unsigned left_by_doubles(const cylint_shape *shape,
         k->head_tail[shape->kind][parted](shape, point, answer))
         return 0;
     if (!cylint_rounds_to_nearest() ||
-        (want & CYLINT_WANT_GEOMETRY && flushes_a_coordinate(shape, point)))
+        (want & CYLINT_WANT_GEOMETRY && flushes_a_number(shape, point)))
         return want;
-    const unsigned left =
-        pairs_of(shape)(shape, point, CYLINT_NO_FEATURE, want, answer);
+    cylint_in_pairs *const in_pairs =
+        cylint_is_elliptic(shape->kind)
+            ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
+            : k->pairs;
+    const unsigned left = in_pairs(shape, point, want, answer);
     return left & CYLINT_ON_SURFACE && cylint_contains(shape, point) == 0
                ? answer_on_boundary(shape, point, want, left, answer)
                : left;

@@ -11,8 +11,9 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
-/* pairs: of a prepared shape.  safety: a lower bound of the absolute distance from
- * it, in doubles, in any rounding mode; 0 or less, or NaN, where there is none. */
+/* pairs: of a prepared shape, all members or none.  safety: a lower bound of the
+ * absolute distance from it, in doubles, in any rounding mode; 0 or less, or NaN,
+ * where there is none. */
 typedef struct {
     cylint_in_pairs *pairs;
     double (*safety)(const cylint_shape *shape, const double point[3]);

@@ -55,9 +55,6 @@ typedef struct {
     double relative;               /* the error of the length of a row */
     double norm, z_norm; /* x, y and rho, and z change by no more along a unit
                             vector */
-    int is_turned;
-    int is_central; /* x and y are 0, and z is across x and y: angles half a turn
-                       apart are equal */
 } elliptic_place;
 
 CYLINT_INLINE double dot_of(const double u[3], const double v[3])
@@ -71,14 +68,32 @@ CYLINT_INLINE double sum_of_sizes(const double v[3])
     return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
-/* What follows from the rows of the matrix. */
-static inline void load_norms(elliptic_place *p, const cylint_shape *s)
+/* From the matrix of the shape, whose error u is relative to its norm. */
+static inline void locate(elliptic_place *p, const cylint_shape *s,
+                          const double point[3], double u)
 {
-    p->is_turned = 0;
+    const double unit = 1 / cylint_height(s);
+    EACH(i, 3) {
+        p->D[i] = point[i] - cylint_base(s)[i];
+        p->X[i] = cylint_column(s, i)[0];
+        p->Y[i] = cylint_column(s, i)[1];
+        p->Z[i] = cylint_column(s, i)[2] * unit;
+    }
     p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    p->x = dot_of(p->D, p->X);
+    p->y = dot_of(p->D, p->Y);
+    p->z = dot_of(p->D, p->Z);
+    p->rho = 1 + p->slope * p->z;
+    const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y);
     p->z_norm = sqrt(dot_of(p->Z, p->Z));
-    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
-              fabs(p->slope) * p->z_norm;
+    p->norm = sqrt(x + y) + fabs(p->slope) * p->z_norm;
+    const double least =
+        cylint_smaller(sqrt(cylint_smaller(x, y)), p->z_norm / unit);
+    p->relative = u + u * cylint_norm(s) / least;
+    p->error =
+        u * cylint_norm(s) * (1 + fabs(p->slope) * unit) * sum_of_sizes(p->D) +
+        u * (1 + fabs(p->x) + fabs(p->y) + fabs(p->rho));
+    p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
 }
 
 /* ------------------------------------------------ a point and an ellipse -- */
@@ -208,13 +223,6 @@ static inline angle highest_of(const principal_axes *axes, angle e,
     return best;
 }
 
-/* Whether the angle is half a turn or more. */
-CYLINT_INLINE int is_second(angle at)
-{
-    /* untaken 1 of 6: half a turn itself is never the higher one in a known case */
-    return at.sin < 0 || (at.sin == 0 && at.cos < 0);
-}
-
 /* lint: the analyzer takes three rounds of EACH for one */
 /* Writes the angle, and its tangent plane.  rough: an angle with an error of
  * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
@@ -233,9 +241,6 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
     const angle e = secular_angle(ratio * long_way / r, short_way / r,
                                   axes.gap / axes.least, rough);
     *at = highest_of(&axes, e, p);
-    if (p->is_central &&
-        is_second(*at) == !p->is_turned) /* the other one has the least phi */
-        *at = (angle){-at->cos, -at->sin};
     double by = 1;
     /* untaken 1 of 2: the tests have no case that takes all steps */
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {

@@ -20,12 +20,8 @@
 static int rounds_to(const bounded from[3], double to[3])
 {
     int known = 1;
-    double x[3];
     EACH(i, 3)
-        known &= m_any(rounds(from[i], &x[i]));
-    if (known)
-        EACH(i, 3)
-            to[i] = x[i];
+        known &= m_any(rounds(from[i], &to[i]));
     return known;
 }
 
@@ -44,77 +40,38 @@ static int has_tiny(const cylint_shape *s, const double point[3])
 }
 
 static unsigned elliptic_in_pairs(const cylint_shape *shape,
-                                  const double point[3], int on, unsigned want,
+                                  const double point[3], unsigned want,
                                   cylint_closest *answer)
 {
     elliptic_question q;
     elliptic_numbers m;
     elliptic_answer a;
     double d;
-    if (want & CYLINT_WANT_DISTANCE)
-        want |= CYLINT_ON_SURFACE;
-    if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
-        return want;
-    q.feature = find_in_pairs(&q, &m, shape, point, on);
-    if (q.feature == CYLINT_NO_FEATURE)
-        return want;
-    const int on_ruling = on == CYLINT_FEATURE_LATERAL ||
-                          on == CYLINT_FEATURE_RIM0 ||
-                          on == CYLINT_FEATURE_RIM1;
-    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known = 0;
-    if (on_ruling)
-        normal_of_ruling(a.normal, &m, cylint_is_tapered(shape->kind));
-    else
-        do {
-            answer_in_pairs(&a, &q, &m, point, exactly);
-            known = m_any(rounds(a.distance, &d));
-        } while (want & CYLINT_WANT_DISTANCE && !known && ++exactly <= 2);
+    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known;
+    const unsigned all = want | CYLINT_ON_SURFACE;
+    if (exactly && has_tiny(shape, point))
+        return all;
+    if (find_in_pairs(&q, &m, shape, point) == CYLINT_NO_FEATURE)
+        return all;
+    do {
+        answer_in_pairs(&a, &q, &m, point, exactly);
+        known = m_any(rounds(a.distance, &d));
+    } while (!known && exactly++ == 0);
     /* untaken 1 of 6: a known distance has the sign of the side in every known
      * case */
-    if (known && (d < 0) == q.inside && fabs(d) >= CYLINT_DISTANCE_LEAST) {
-        answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
-        want &= ~(unsigned)(CYLINT_WANT_DISTANCE | CYLINT_ON_SURFACE);
-    }
+    if (!known || (d < 0) != q.inside || !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
+        (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
+        (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))
+        return all;
+    answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
     if (want & CYLINT_WANT_PART) {
         answer->feature = q.feature;
         answer->part = cylint_feature_part(q.feature);
-        want &= ~(unsigned)CYLINT_WANT_PART;
     }
-    if (want & CYLINT_WANT_POINT && rounds_to(a.point, answer->point))
-        want &= ~(unsigned)CYLINT_WANT_POINT;
-    if (want & CYLINT_WANT_NORMAL && rounds_to(a.normal, answer->normal))
-        want &= ~(unsigned)CYLINT_WANT_NORMAL;
-    return want;
+    return 0;
 }
 
 /* --------------------------------------------------------------- safety -- */
-
-/* From the matrix of the shape, whose error is relative to its norm. */
-static void locate_in_doubles(elliptic_place *p, const cylint_shape *s,
-                              const double point[3])
-{
-    const double unit = 1 / cylint_height(s), u = CYLINT_ELLIPTIC_SAFETY_ERROR;
-    EACH(i, 3) {
-        p->D[i] = point[i] - cylint_base(s)[i];
-        p->X[i] = cylint_column(s, i)[0];
-        p->Y[i] = cylint_column(s, i)[1];
-        p->Z[i] = cylint_column(s, i)[2] * unit;
-    }
-    load_norms(p, s);
-    p->x = dot_of(p->D, p->X);
-    p->y = dot_of(p->D, p->Y);
-    p->z = dot_of(p->D, p->Z);
-    p->rho = 1 + p->slope * p->z;
-    const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y),
-                 z = p->z_norm / unit;
-    const double least = cylint_smaller(sqrt(cylint_smaller(x, y)), z);
-    p->relative = u + u * cylint_norm(s) / least;
-    p->error =
-        u * cylint_norm(s) * (1 + fabs(p->slope) * unit) * sum_of_sizes(p->D) +
-        u * (1 + fabs(p->x) + fabs(p->y) + fabs(p->rho));
-    p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
-    p->is_central = 0;
-}
 
 /* n / |N|, less the errors of both. */
 static double height_less(double n, double error, double size, double lost)
@@ -155,14 +112,9 @@ static double distance_in_doubles(const elliptic_question *q)
 static double elliptic_safety(const cylint_shape *shape, const double point[3])
 {
     elliptic_question q;
-    if (!is_ordinary_question(shape, point))
-        return 0;
-    q.shape = shape;
-    q.rough = 1;
-    locate_in_doubles(&q.at, shape, point);
-    turn_about_apex(&q);
-    q.feature = find_feature_of(&q, side_of_lateral(&q.at));
-    return q.feature == CYLINT_NO_FEATURE ? 0 : distance_in_doubles(&q);
+    return find_feature_of(&q, shape, point, 1) == CYLINT_NO_FEATURE
+               ? 0
+               : distance_in_doubles(&q);
 }
 
 const cylint_elliptic_kernels CYLINT_ELLIPTIC_KERNELS = {elliptic_in_pairs,

@@ -4,9 +4,9 @@
  *
  * The distance is computed once: its error by that of the angle is of the
  * second order.  The point and the normal, and a distance that is not certain
- * by then, need the angle in pairs: one more step of Newton's iteration.  Near
- * the surface n is computed in triples.  With U = b x h, V = h x a and W = a x
- * b, which are the rows of the inverse matrix times a.(b x h),
+ * by then, need the angle in pairs: one more step of Newton's iteration.  With
+ * U = b x h, V = h x a and W = a x b, which are the rows of the inverse matrix
+ * times a.(b x h),
  *     n = cos D.U + sin D.V - (a.(b x h) + (k - 1) D.W)
  *     N = cos U + sin V - (k - 1) W.
  */
@@ -17,7 +17,6 @@
 #include "describe_nearest.h"
 #include "elliptic_feature.h"
 #include "sized_pair.h"
-#include "triple_vector.h"
 
 /* A question in pairs; a double cone whose other nappe is nearer is turned about
  * its apex. */
@@ -55,38 +54,6 @@ ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
     }
 }
 
-/* Of a number times `unit`, whose relative error is that of the volume. */
-static inline double error_of(sized x, double unit)
-{
-    return unit * (CYLINT_SIZED_ERROR * x.size +
-                   16 * CYLINT_ROUNDING * fabs(whole(x.v)));
-}
-
-static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
-                                   const cylint_shape *s)
-{
-    const double unit = m->unit, inverse = m->volume.v.hi < 0 ? -unit : unit;
-    EACH(i, 3) {
-        p->D[i] = whole(m->D[i].v);
-        p->X[i] = whole(m->U[i].v) * inverse;
-        p->Y[i] = whole(m->V[i].v) * inverse;
-        p->Z[i] = whole(m->W[i].v) * inverse;
-    }
-    load_norms(p, s);
-    p->x = whole(m->x.v) * inverse;
-    p->y = whole(m->y.v) * inverse;
-    p->z = whole(m->z.v) * inverse;
-    p->rho = whole(m->rho.v) * inverse;
-    p->error =
-        error_of(m->x, unit) + error_of(m->y, unit) + error_of(m->rho, unit);
-    p->z_error = error_of(m->z, unit);
-    p->relative = 16 * CYLINT_ROUNDING;
-    const int across =
-        !cylint_is_tapered(s->kind) ||
-        (sized_dot(m->U, m->W).size == 0 && sized_dot(m->V, m->W).size == 0);
-    p->is_central = m->x.size == 0 && m->y.size == 0 && across;
-}
-
 static inline void turn_numbers_about_apex(elliptic_numbers *m)
 {
     sized *const turned[3] = {&m->x, &m->y, &m->rho};
@@ -95,29 +62,12 @@ static inline void turn_numbers_about_apex(elliptic_numbers *m)
     m->outward = -m->outward;
 }
 
-/* The sign of (x, y)^2 - rho^2, or 0. */
-static inline int side_in_pairs(const elliptic_question *q,
-                                const elliptic_numbers *m)
-{
-    const int side = side_of_lateral(&q->at);
-    const sized f =
-        sized_difference(sized_sum(sized_square(m->x), sized_square(m->y)),
-                         sized_square(m->rho));
-    const double error = CYLINT_SIZED_ERROR * f.size;
-    return side != 0 || q->at.rho < q->at.error ? side
-           : whole(f.v) < -error                ? -1
-                                                : whole(f.v) > error;
-}
-
-/* on: the feature on which the point lies, or CYLINT_NO_FEATURE. */
+/* CYLINT_NO_FEATURE: also of a shape too flat for pairs. */
 static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
-                                const cylint_shape *s, const double point[3],
-                                int on)
+                                const cylint_shape *s, const double point[3])
 {
-    if (!is_ordinary_question(s, point))
+    if (find_feature_of(q, s, point, 0) == CYLINT_NO_FEATURE)
         return CYLINT_NO_FEATURE;
-    q->shape = s;
-    q->rough = 0;
     load_numbers(m, s, point);
     const double volume = fabs(m->volume.v.hi),
                  error = CYLINT_SIZED_ERROR * m->volume.size;
@@ -125,12 +75,9 @@ static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
     /* untaken 2 of 4: no known ordinary shape is so flat */
     if (flat || !(volume >= CYLINT_DISTANCE_LEAST))
         return CYLINT_NO_FEATURE;
-    locate_by_pairs(&q->at, m, s);
-    if (turn_about_apex(q))
+    if (q->is_turned)
         turn_numbers_about_apex(m);
-    q->inside = 0;
-    return on == CYLINT_NO_FEATURE ? find_feature_of(q, side_in_pairs(q, m))
-                                   : on;
+    return q->feature;
 }
 
 /* ------------------------------------------------------------- in pairs -- */
@@ -263,74 +210,6 @@ static inline void write_foot(bounded to[3], const double point[3], bounded d,
         to[i] = step_along(point[i], back, n[i]);
 }
 
-/* x, y, z and a.(b x h) of a point in triples. */
-typedef struct {
-    triple x, y, z, volume;
-} triple_numbers;
-
-/* D.(u x v) */
-ASIDE triple triple_product(const triple D[3], const double u[3],
-                            const double v[3])
-{
-    triple sum = triple_of(0);
-    EACH(i, 3) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const triple x = triple_sub(triple_of_pair(two_prod(u[j], v[k])),
-                                    triple_of_pair(two_prod(u[k], v[j])));
-        sum = triple_add(sum, triple_mul(D[i], x));
-    }
-    return sum;
-}
-
-static inline void load_triples(triple_numbers *t, const elliptic_numbers *m,
-                                const cylint_shape *s)
-{
-    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
-    triple D[3], A[3];
-    EACH(i, 3) {
-        D[i] = triple_of_pair(m->D[i].v);
-        A[i] = triple_of(a[i]);
-    }
-    t->x = triple_product(D, b, h);
-    t->y = triple_product(D, h, a);
-    t->z = triple_product(D, a, b);
-    t->volume = triple_product(A, b, h);
-}
-
-/* n of an angle, whose length is brought to 1 in triples. */
-static inline triple height_in_triples(const triple_numbers *t,
-                                       const cylint_shape *s,
-                                       const direction_pair *e)
-{
-    const triple c = triple_of_pair(e->cos.v), d = triple_of_pair(e->sin.v);
-    const triple more = triple_sub(
-        triple_add(triple_mul(c, c), triple_mul(d, d)), triple_of(1));
-    const triple turned = triple_add(triple_mul(c, t->x), triple_mul(d, t->y));
-    const triple less =
-        triple_mul(turned, triple_of(-0.5 * triple_value(more)));
-    triple rho = t->volume;
-    if (cylint_is_tapered(s->kind))
-        rho = triple_add(
-            rho, triple_mul(triple_of_pair(v_two_sum(cylint_r1(s), -1)), t->z));
-    return triple_sub(triple_add(turned, less), rho);
-}
-
-/* n in the place of that in pairs; sizes are those of its terms. */
-ASIDE bounded height_by_triples(const elliptic_question *q,
-                                const elliptic_numbers *m,
-                                const direction_pair *e,
-                                const plane_in_pairs *t, double lost,
-                                double more)
-{
-    triple_numbers x;
-    load_triples(&x, m, q->shape);
-    const triple height = height_in_triples(&x, q->shape, e);
-    const triple n = q->at.is_turned ? triple_neg(height) : height;
-    const vpair d = pairs_product(v_two_sum(n.a, n.b + n.c), t->inverse);
-    return (bounded){d, CYLINT_CLOSE_ERROR * t->n.size * t->inverse.hi +
-                            fabs(d.hi) * lost + more};
-}
-
 static inline void answer_on_lateral(elliptic_answer *to,
                                      const elliptic_question *q,
                                      const elliptic_numbers *m,
@@ -346,39 +225,13 @@ static inline void answer_on_lateral(elliptic_answer *to,
     const double ratio = q->at.norm / sqrt(q->plane.q);
     const double sign = m->volume.v.hi < 0 ? -1 : 1;
     const double lost = lost_by_root(&t.q, 0);
-    const bounded d = exactly > 1
-                          ? height_by_triples(q, m, &e, &t, lost, by.distance)
-                          : quotient_by_size(t.n, t.inverse, lost, by.distance);
+    const bounded d = quotient_by_size(t.n, t.inverse, lost, by.distance);
     to->distance = (bounded){{sign * d.v.hi, sign * d.v.lo}, d.e};
     if (!exactly)
         return;
     write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
                t.slope_of_N, by.turn, m->outward);
     write_foot(to->point, point, to->distance, to->normal);
-}
-
-/* The normal at a point of the lateral surface or of a rim: the ruling is that of
- * the point, so its angle is (x, y) over their length. */
-static inline void normal_of_ruling(bounded to[3], const elliptic_numbers *m,
-                                    int tapered)
-{
-    plane_in_pairs t;
-    vpair inverse;
-    double ratio = 0;
-    const sized square = sized_sum(sized_square(m->x), sized_square(m->y));
-    pairs_root(square.v, &inverse);
-    if (m->volume.v.hi < 0)
-        inverse = opposite(inverse);
-    const direction_pair e = direction_of(pairs_product(m->x.v, inverse),
-                                          pairs_product(m->y.v, inverse));
-    const double turn = 4 * CYLINT_SIZED_ERROR * fabs(inverse.hi) *
-                        (e.cos.size * m->y.size + e.sin.size * m->x.size);
-    load_plane(&t, m, &e, tapered);
-    load_slope(&t, m, &e);
-    EACH(i, 3)
-        ratio += t.slope_of_N[i].size * t.inverse.hi;
-    write_unit(to, t.N, t.inverse, lost_by_root(&t.q, ratio * turn),
-               t.slope_of_N, turn, m->outward);
 }
 
 /* The coordinate of a plane that runs along the others. */

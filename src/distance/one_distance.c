@@ -82,7 +82,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
 
 /* kind: of the shape; a constant for spheres, which have no axis. */
 INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
-                                const double point[3], int on, unsigned want,
+                                const double point[3], unsigned want,
                                 cylint_closest *answer)
 {
     const int tangent = cylint_has_tangent(kind);
@@ -90,7 +90,7 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     shape_lanes s;
     half_plane m;
     vnearest n;
-    find_nearest(&n, &m, &s, point, shape, straight, tangent, on);
+    find_nearest(&n, &m, &s, point, shape, straight, tangent);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
@@ -102,13 +102,12 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
 }
 
 static unsigned in_pairs(const cylint_shape *shape, const double point[3],
-                         int on, unsigned want, cylint_closest *answer)
+                         unsigned want, cylint_closest *answer)
 {
     if (shape->kind != CYLINT_KIND_SPHERE)
-        return answer_in_pairs(shape, shape->kind, point, on, want, answer);
+        return answer_in_pairs(shape, shape->kind, point, want, answer);
     return cylint_part_is_present(shape->ends, cylint_surface(shape))
-               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point,
-                                 CYLINT_NO_FEATURE, want, answer)
+               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point, want, answer)
                : want; /* no surface */
 }
 

@@ -24,14 +24,13 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
 /* Writes the members of `want` that are certain, and returns the others, in pairs,
  * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
  * is left and the point can be on the surface: other members are then right if it
- * is and the surface is whole.  on: CYLINT_NO_FEATURE, or the feature on which the
- * point lies: then only its normal may be wanted. */
+ * is and the surface is whole.  want: CYLINT_WANT_DISTANCE too. */
 typedef unsigned cylint_in_pairs(const cylint_shape *shape,
-                                 const double point[3], int on, unsigned want,
+                                 const double point[3], unsigned want,
                                  cylint_closest *answer);
 
 /* By kind, without and with the feature; NULL: none.  `pairs` serves all
- * prepared shapes that are not elliptic, and features of cylinders and cones. */
+ * prepared shapes that are not elliptic. */
 typedef struct {
     cylint_head_tail_distance *head_tail[CYLINT_KINDS][2];
     cylint_in_pairs *pairs;

@@ -111,32 +111,22 @@ static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
         pairs_rounded(pairs_turned(s, vpair_sub(rho, s->r[0]), m->z), m->error);
 }
 
-/* Of a shape of any kind and ends; the kind of an angle cone is that of a cone.
- * on: the feature on which the point lies, or CYLINT_NO_FEATURE. */
+/* Of a shape of any kind and ends; the kind of an angle cone is that of a cone. */
 INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
                          const double point[3], const cylint_shape *shape,
-                         int kind, int tangent, int on)
+                         int kind, int tangent)
 {
     const cylint_shape *const at[1] = {shape};
     if (tangent)
         load_angle_cone(s, shape);
     else
         pairs_load_shapes(s, at);
-    if (on == CYLINT_NO_FEATURE &&
-        (shape->ends == CYLINT_ENDS_CAPPED || kind == CYLINT_KIND_SPHERE)) {
+    if (shape->ends == CYLINT_ENDS_CAPPED || kind == CYLINT_KIND_SPHERE) {
         pairs_nearest(n, m, s, point, kind, 1);
         return;
     }
-    *n = (vnearest){{{0, 0}, 0, 0, 0}, on, 1};
+    *n = (vnearest){{{0, 0}, 0, 0, 0}, CYLINT_FEATURE_LATERAL, 1};
     pairs_load(m, s, point, 1);
-    if (on != CYLINT_NO_FEATURE) {
-        pairs_rho(m);
-        /* untaken 1 of 4: of an infinite cylinder the feature is known before */
-        if (shape->ends == CYLINT_ENDS_INFINITE && cylint_is_tapered(kind))
-            choose_nappe(n, m, s);
-        return;
-    }
-    n->feature = CYLINT_FEATURE_LATERAL;
     if (cylint_ends_are_planes(shape->ends))
         nearest_to_open(n, m, s, cylint_caps_present(shape->ends), kind);
     else

@@ -277,18 +277,14 @@ INLINE void answer_as(questions *q, int is_round)
     unsigned hits = 0, leaves = 0, unsure;
     cross_shape(q, is_round);
     unsigned left = m_bits(q->may) & q->used, uncertain = m_bits(q->uncertain);
-    for (int end = 0; end < 2; end++) {
-        unsigned here = end ? left : left & ~q->exit_only;
-        if (!here)
-            continue;
+    for (int end = q->of[0]->exit_only; end < 2 && left; end++) {
         hit at = end_on_shape(q, is_round, end);
-        uncertain |= m_bits(at.uncertain) & here;
-        left &= ~here | m_bits(at.is);
-        here &= m_bits(at.is);
-        const unsigned inexact = here & need_step(q, &at, is_round);
+        uncertain |= m_bits(at.uncertain) & left;
+        left &= m_bits(at.is);
+        const unsigned inexact = left & need_step(q, &at, is_round);
         if (inexact)
             step_on_cone(q, end, m_from(inexact), &at);
-        const unsigned accepted = accept_hits(q, &at, here, &unsure);
+        const unsigned accepted = accept_hits(q, &at, left, &unsure);
         if (LANES == 1 || !hits)
             first = at;
         else
@@ -298,9 +294,8 @@ INLINE void answer_as(questions *q, int is_round)
         hits |= accepted;
         left &= ~(accepted | unsure);
     }
-    const unsigned wanted = hits & q->describes;
-    if (wanted)
-        uncertain |= wanted & ~describe_hits(q, &first, wanted, is_round);
+    if (hits && q->of[0]->describes)
+        uncertain |= hits & ~describe_hits(q, &first, hits, is_round);
     EACH_LANE(i, q->used) {
         q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
                        : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
@@ -309,31 +304,25 @@ INLINE void answer_as(questions *q, int is_round)
     }
 }
 
-INLINE void answer_questions(asked *const of[], int n)
-{
-    questions q;
-    q.used = q.exit_only = q.describes = 0;
-    for (int i = 0; i < LANES; i++) {
-        asked *one = q.of[i] = of[i < n ? i : 0];
-        q.used |= (unsigned)(i < n) << i;
-        q.exit_only |= (unsigned)one->exit_only << i;
-        q.describes |= (unsigned)one->describes << i;
-    }
-    load_questions(&q);
-    const unsigned round =
-        q.used & m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0)));
-    q.used &= ~round;
-    if (q.used)
-        answer_as(&q, 0);
-    q.used = round;
-    q.r0 = -q.r0;
-    q.dr = -q.dr;
-    if (q.used)
-        answer_as(&q, 1);
-}
-
 void CYLINT_FLOAT_FILTER(asked *const of[], int n)
 {
-    for (int from = 0; from < n; from += LANES)
-        answer_questions(of + from, n - from);
+    for (int from = 0; from < n; from += LANES) {
+        questions q;
+        q.used = 0;
+        for (int i = 0; i < LANES; i++) {
+            q.of[i] = of[from + i < n ? from + i : from];
+            q.used |= (unsigned)(from + i < n) << i;
+        }
+        load_questions(&q);
+        const unsigned round =
+            q.used & m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0)));
+        q.used &= ~round;
+        if (q.used)
+            answer_as(&q, 0);
+        q.used = round;
+        q.r0 = -q.r0;
+        q.dr = -q.dr;
+        if (q.used)
+            answer_as(&q, 1);
+    }
 }

@@ -16,26 +16,15 @@
 
 /* The Makefile defines CYLINT_EMBREE, the major version. */
 #if CYLINT_EMBREE == 4
-
 #include <embree4/rtcore.h>
-
 typedef struct RTCRayQueryContext cylint_rtc_context;
-
-#define cylint_rtc_filter_hit(args, filter) \
-    rtcInvokeIntersectFilterFromGeometry(args, filter)
-#define cylint_rtc_filter_occluded(args, filter) \
-    rtcInvokeOccludedFilterFromGeometry(args, filter)
-
+#define cylint_rtc_filter_hit rtcInvokeIntersectFilterFromGeometry
+#define cylint_rtc_filter_occluded rtcInvokeOccludedFilterFromGeometry
 #else
-
 #include <embree3/rtcore.h>
-
 typedef struct RTCIntersectContext cylint_rtc_context;
-
-#define cylint_rtc_filter_hit(args, filter) rtcFilterIntersection(args, filter)
-#define cylint_rtc_filter_occluded(args, filter) \
-    rtcFilterOcclusion(args, filter)
-
+#define cylint_rtc_filter_hit rtcFilterIntersection
+#define cylint_rtc_filter_occluded rtcFilterOcclusion
 #endif
 
 /* The ids of instances in hits and contexts: instID and, behind it, instPrimID if

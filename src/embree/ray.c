@@ -18,9 +18,8 @@
     (offsetof(cylint_embree_call, x) == \
      offsetof(struct RTCOccludedFunctionNArguments, y))
 typedef char
-    same_layouts[RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
-                         RAY(tnear, tnear) && RAY(d[0], dir_x) &&
-                         RAY(d[1], dir_y) && RAY(d[2], dir_z) &&
+    same_layouts[RAY(o[0], org_x) && RAY(o[2], org_z) && RAY(tnear, tnear) &&
+                         RAY(d[0], dir_x) && RAY(d[2], dir_z) &&
                          RAY(tfar, tfar) && CALL(valid, valid) &&
                          CALL(geometryUserPtr, geometryUserPtr) &&
                          CALL(primID, primID) && CALL(context, context) &&
@@ -59,7 +58,6 @@ static inline int start_test(ray_test *r, const call *args, int any,
         all += fabs(r->q.o[j]);
     }
     r->q.tmin = from->tnear;
-    r->q.near = HUGE_VAL;
     /* whether the caller or a filter reads u, v and Ng */
     r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) &&
                      (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
@@ -96,9 +94,9 @@ typedef struct {
 } exact_hits;
 
 /* ties: every root whose t, rounded to a double, is tfar counts. */
-static void intersect(const ray_test *r, size_t rank, int ties, unsigned want,
-                      exact_hits *x)
+static void intersect(const ray_test *r, size_t rank, int ties, exact_hits *x)
 {
+    const unsigned want = CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART;
     const cylint_float_filter_question *q = &r->q;
     const double tfar = r->ray->tfar;
     const double tmax = ties ? nextafter(tfar, HUGE_VAL) : tfar;
@@ -148,12 +146,11 @@ static size_t present_number(const ray_test *r)
  * library's.  If both hits of the shape round to tfar, u distinguishes them.  Bare
  * hits have no u: then it is the first hit, the one that is or will be the ray's
  * without filters.  -1 if the caller or a filter changed tfar. */
-static int find_present(const ray_test *r, size_t number, unsigned want,
-                        exact_hits *x)
+static int find_present(const ray_test *r, size_t number, exact_hits *x)
 {
     const uint32_t *rank = r->data->rank;
     int found = -1;
-    intersect(r, rank ? rank[number] : number, 1, want, x);
+    intersect(r, rank ? rank[number] : number, 1, x);
     for (int i = x->n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
@@ -182,8 +179,7 @@ static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
     if (number == other)
         return i == 0;
     exact_hits x;
-    const int present =
-        find_present(r, other, CYLINT_WANT_T | CYLINT_WANT_Z, &x);
+    const int present = find_present(r, other, &x);
     if (present < 0)
         return 1;
     const double present_t = x.answer.hit[present].t;
@@ -281,15 +277,12 @@ static int record(ray_test *r)
 ASIDE void test_exactly(ray_test *r)
 {
     const cylint_shape_piece piece = r->q.piece;
-    const int whole = piece.count == 1;
     const int ties = !r->any && present_number(r) != r->data->n;
     exact_hits x;
-    intersect(r, r->rank, ties,
-              CYLINT_WANT_T | CYLINT_WANT_PART | (whole ? 0 : CYLINT_WANT_Z),
-              &x);
+    intersect(r, r->rank, ties, &x);
     for (int i = r->q.exit_only; i < x.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        if (!whole && cylint_piece_at(at->z, piece.count) != piece.index)
+        if (cylint_piece_at(at->z, piece.count) != piece.index)
             continue;
         if (!r->any && !is_nearer(r, &x.answer, i))
             return;
@@ -381,11 +374,17 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 static void test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
+    double along = 0, dd = 0;
     r->rank = r->args->primID;
     set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS,
                  (cylint_shape_piece){0, 1});
     if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
+    EACH(j, 3) {
+        along += (r->q.record.p0[j] - r->q.o[j]) * r->q.d[j];
+        dd += r->q.d[j] * r->q.d[j];
+    }
+    r->q.near = (double)(float)(along / dd);
     filter_one(r);
     end_test(r);
 }
@@ -462,32 +461,32 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
     return stopped;
 }
 
-/* Of rays of one octant those that begin near the first one, within 1/8 of the
- * longest side S of the shapes' box, if they are enough, or else none: fewer often
- * share an octant by chance. */
+static int octant_of(const struct RTCRay *ray)
+{
+    return (signbit(ray->dir_x) != 0) | (signbit(ray->dir_y) != 0) << 1 |
+           (signbit(ray->dir_z) != 0) << 2;
+}
+
+/* Of the rays those that go into the octant of the first one and begin near it,
+ * within 1/8 of the longest side S of the hierarchy's box, if they are enough, or
+ * else none: fewer often share an octant by chance.  Without a hierarchy S is 0. */
 static unsigned near_first(const cylint_packet *p, unsigned rays, unsigned N)
 {
     unsigned near = 0, n = 0;
     if (!rays)
         return 0;
-    const ray_test *first = &p->test[cylint_lowest(rays)];
-    const float S = first->data->bvh.near_distance / 256;
+    const struct RTCRay *first = &p->ray[cylint_lowest(rays)].ray;
+    const float S = p->test[cylint_lowest(rays)].data->bvh.near_distance / 256;
     EACH_BIT(k, rays) {
-        const struct RTCRay *x = &p->ray[k].ray, *y = first->ray;
-        const float far = fabsf(x->org_x - y->org_x) +
-                          fabsf(x->org_y - y->org_y) +
-                          fabsf(x->org_z - y->org_z);
-        near |= (unsigned)(far < S / 8) << k;
-        n += far < S / 8;
+        const struct RTCRay *x = &p->ray[k].ray;
+        const float far = fabsf(x->org_x - first->org_x) +
+                          fabsf(x->org_y - first->org_y) +
+                          fabsf(x->org_z - first->org_z);
+        const int is = (far < S / 8) & (octant_of(x) == octant_of(first));
+        near |= (unsigned)is << k;
+        n += (unsigned)is;
     }
     return n > N / 4 + 1 ? near : 0;
-}
-
-static int octant_of(const struct RTCRay *ray)
-{
-    const int x = signbit(ray->dir_x) != 0, y = signbit(ray->dir_y) != 0,
-              z = signbit(ray->dir_z) != 0;
-    return x | y << 1 | z << 2;
 }
 
 /* An occlusion query has no hits. */
@@ -497,7 +496,7 @@ static void trace_packet(const call *a, int any)
     const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
     const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
     float *const packet = (float *)a->rayhit;
-    unsigned octant[8] = {0}, all = 0;
+    unsigned all = 0, left, together;
     cylint_packet p;
     for (unsigned i = 0; i < a->N; i++) {
         struct RTCRayHit *one = &p.ray[i];
@@ -506,19 +505,13 @@ static void trace_packet(const call *a, int any)
         one->hit = (struct RTCHit){0};
         copy_words(one, 1, packet + i, a->N, words);
         set_valid(a->valid, i, 0);
-        if (start_test(&p.test[i], a, any, &one->ray, &one->hit)) {
-            octant[octant_of(&one->ray)] |= 1u << i;
+        if (start_test(&p.test[i], a, any, &one->ray, &one->hit))
             all |= 1u << i;
-        }
     }
-    for (int k = 0; k < 8; k++) {
-        const unsigned together =
-            data->traversal ? near_first(&p, octant[k], a->N) : 0;
-        if (together)
-            data->trace_packet(&p, together, certain);
-        EACH_BIT(i, octant[k] & ~together)
-            trace_single(&p.test[i]);
-    }
+    for (left = all; (together = near_first(&p, left, a->N)); left &= ~together)
+        data->trace_packet(&p, together, certain);
+    EACH_BIT(i, left)
+        trace_single(&p.test[i]);
     EACH_BIT(i, all) {
         if (p.test[i].found) {
             copy_words(packet + i, a->N, &p.ray[i], 1, words);
@@ -569,8 +562,7 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
     if (number == data->n)
         return;
     start_test(&r, &args, 0, &rayhit->ray, &rayhit->hit);
-    const int i = find_present(
-        &r, number, CYLINT_WANT_T | CYLINT_WANT_Z | CYLINT_WANT_PART, &x);
+    const int i = find_present(&r, number, &x);
     if (i >= 0) {
         describe(&r, &x, i);
         memcpy(&rayhit->hit, r.q.floats, sizeof r.q.floats);

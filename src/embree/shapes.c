@@ -51,8 +51,9 @@ static int is_float(double x, float *to)
            (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
 }
 
-int cylint_embree_set_record(const cylint_embree_shapes *s, size_t at,
-                             const cylint_shape *shape)
+/* Writes the record of a shape.  Returns 0 if it does not fit. */
+static int set_record(const cylint_embree_shapes *s, size_t at,
+                      const cylint_shape *shape)
 {
     cylint_record x, *to = (cylint_record *)cylint_embree_record_at(s, at);
     float *small = (float *)to;
@@ -95,7 +96,7 @@ static void copy_some(void *self, size_t from, size_t to)
         const cylint_shape *shape = source_of(c, i, &spare);
         c->to->tag[i] = (uint8_t)(cylint_constructor_kind(shape) +
                                   shape->ends * CYLINT_TAG_ENDS);
-        if (!cylint_embree_set_record(c->to, i, shape)) {
+        if (!set_record(c->to, i, shape)) {
             c->to->tag[i] = TOO_LARGE;
             return;
         }
@@ -113,7 +114,8 @@ static int copy_records(copying *c, int threads)
             return 0;
         to->tag = (uint8_t *)to->memory.data + n * size;
         memset(to->tag, 0, n);
-        cylint_threads_run(cylint_threads_for(n, threads), n, copy_some, c);
+        cylint_threads_share(threads, n, CYLINT_THREADS_LEAST_SHAPES,
+                             CYLINT_THREADS_LEAST_SHAPES, copy_some, c);
         if (!to->small || !memchr(to->tag, TOO_LARGE, n))
             return 1;
         cylint_memory_free(&to->memory);
@@ -136,11 +138,9 @@ static int keep_whole(const copying *c)
     to->whole = whole = to->whole_memory.data;
     for (size_t i = 0; i < c->n; i++)
         if (records[i].r0 != records[i].r0) {
+            cylint_shape spare;
             records[i].p0[0] = (double)next;
-            const cylint_shape *shape = source_of(c, i, &whole[next]);
-            if (shape != &whole[next])
-                whole[next] = *shape;
-            next++;
+            whole[next++] = *source_of(c, i, &spare);
         }
     return 1;
 }

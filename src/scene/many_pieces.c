@@ -87,7 +87,7 @@ static int add_pieces(const pieces_query *q, const cylint_line *line,
 }
 
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
-                    const piece_block *b);
+                    piece_block *b);
 
 /* Finds the pieces of lines; for sums it keeps those of one line at a time. */
 static int find_each(const pieces_query *q, size_t from, size_t to,
@@ -196,33 +196,31 @@ void cylint_piece_rows_free(cylint_piece_rows *rows)
 
 /* ---------------------------------------------------------------- sums -- */
 
-/* A piece and its label. */
-typedef struct {
-    double t0, t1;
-    int label;
-} labelled_piece;
-
-#define SORTED labelled_piece
-#define IS_BEFORE(x, y) ((x)->label < (y)->label)
+#define SORTED cylint_piece
+#define IS_BEFORE(x, y) ((x)->shape < (y)->shape)
 #define SORT sort_by_label
 #include "../merge_sort_template.h"
 
-/* The pieces that have a label, sorted by it. */
-static size_t label_pieces(const pieces_query *q, const piece_block *from,
-                           labelled_piece *to)
+/* Keeps the pieces that have a label, as `shape`, sorted by it.  Returns 0 if there
+ * is no memory. */
+static int label_pieces(const pieces_query *q, piece_block *b)
 {
+    const size_t bytes = b->n * sizeof *b->pieces;
     size_t n = 0;
-    for (size_t i = 0; i < from->n; i++) {
-        const cylint_piece *p = &from->pieces[i];
-        const int label = q->label ? q->label[p->shape] : 0;
-        if (label >= 0 && (size_t)label < q->labels)
-            to[n++] = (labelled_piece){p->t0, p->t1, label};
+    for (size_t i = 0; i < b->n; i++) {
+        const int label = q->label ? q->label[b->pieces[i].shape] : 0;
+        b->pieces[n] = b->pieces[i];
+        b->pieces[n].shape = (size_t)label;
+        n += label >= 0 && (size_t)label < q->labels;
     }
-    sort_by_label(to, n, to + n);
-    return n;
+    b->n = n;
+    if (bytes > b->work.bytes && !grow_workspace(&b->work, bytes))
+        return 0;
+    sort_by_label(b->pieces, n, b->work.memory);
+    return 1;
 }
 
-static double sum_of_lengths(const labelled_piece *p, size_t n)
+static double sum_of_lengths(const cylint_piece *p, size_t n)
 {
     cylint_exact_sum sum = {{0}};
     for (size_t i = 0; i < n; i++) {
@@ -241,24 +239,22 @@ static double product_of_lengths(double x, double y)
 }
 
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
-                    const piece_block *b)
+                    piece_block *b)
 {
     double *to = q->sums + i * q->labels;
-    labelled_piece *p = cylint_resized(NULL, 2 * b->n, sizeof *p);
-    if (!p)
+    if (!label_pieces(q, b))
         return 0;
-    const size_t n = label_pieces(q, b, p);
     for (size_t j = 0; j < q->labels; j++)
         to[j] = 0;
-    for (size_t j = 0, m; j < n; j += m) {
-        for (m = 1; j + m < n && p[j + m].label == p[j].label;)
+    const cylint_piece *p = b->pieces;
+    for (size_t j = 0, m; j < b->n; j += m) {
+        for (m = 1; j + m < b->n && p[j + m].shape == p[j].shape;)
             m++;
         const double sum = sum_of_lengths(p + j, m);
-        to[p[j].label] = q->in_units
+        to[p[j].shape] = q->in_units
                              ? product_of_lengths(sum, cylint_line_length(line))
                              : sum;
     }
-    free(p);
     return 1;
 }
 

@@ -37,7 +37,7 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-static void extend(cylint_shapes_box *box, const cylint_shapes_box *by)
+void cylint_extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
 {
     for (int j = 0; j < 3; j++) {
         box->lo[j] = fmin(box->lo[j], by->lo[j]);
@@ -49,13 +49,13 @@ static void extend(cylint_shapes_box *box, const cylint_shapes_box *by)
 /* Each number has at most 6 roundings and errors of its data.  Squares of lengths
  * may underflow later; multiplied by a larger factor, the lost part would
  * matter. */
-int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
+int cylint_box_of_shape(cylint_shapes_box *box, const cylint_shape *s)
 {
-    cylint_shapes_box own = {.n = 1};
     const int has_factors = cylint_has_factors(s->kind);
     if (!cylint_is_bounded(s) ||
         (has_factors && cylint_r1(s) > CYLINT_FRAME_MOST))
         return 0;
+    box->n = 1;
     for (int j = 0; j < 3; j++) {
         const double bottom = cylint_rough_reach(s, 0, j),
                      top = cylint_rough_reach(s, 1, j);
@@ -63,13 +63,12 @@ int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
         const double more =
             DBL_MIN +
             0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
-        own.lo[j] = fmin(base - bottom, end - top) - more;
-        own.hi[j] = fmax(base + bottom, end + top) + more;
-        if (!(own.lo[j] >= -CYLINT_FRAME_MOST &&
-              own.hi[j] <= CYLINT_FRAME_MOST))
+        box->lo[j] = fmin(base - bottom, end - top) - more;
+        box->hi[j] = fmax(base + bottom, end + top) + more;
+        if (!(box->lo[j] >= -CYLINT_FRAME_MOST &&
+              box->hi[j] <= CYLINT_FRAME_MOST))
             return 0;
     }
-    extend(box, &own);
     return 1;
 }
 
@@ -94,16 +93,17 @@ typedef struct {
 static void count_shapes(void *self, size_t from, size_t to)
 {
     totals *sum = self;
-    cylint_shapes_box box = CYLINT_NO_BOX;
+    cylint_shapes_box own, box = CYLINT_NO_BOX;
     size_t valid = 0;
     for (size_t i = from; i < to && cylint_watch_item(sum->watch, i); i++) {
         cylint_shape shape;
         cylint_record_data(sum->records, i, &shape);
         valid += shape.kind != CYLINT_KIND_NONE;
-        cylint_extend_by_shape(&box, &shape);
+        if (cylint_box_of_shape(&own, &shape))
+            cylint_extend_box(&box, &own);
     }
     cylint_mutex_lock(&sum->mutex);
-    extend(&sum->box, &box);
+    cylint_extend_box(&sum->box, &box);
     sum->valid += valid;
     cylint_mutex_unlock(&sum->mutex);
 }
@@ -117,8 +117,8 @@ static void choose_frame(cylint_scene *s, int threads, cylint_watch *watch)
                   .mutex = CYLINT_MUTEX_INITIALIZER,
                   .box = CYLINT_NO_BOX};
     cylint_watch_step(watch, CYLINT_STEP_BOXES, s->n);
-    cylint_threads_run(cylint_threads_for(s->n, threads), s->n, count_shapes,
-                       &sum);
+    cylint_threads_share(threads, s->n, CYLINT_WATCHED,
+                         CYLINT_THREADS_LEAST_SHAPES, count_shapes, &sum);
     cylint_mutex_destroy(&sum.mutex);
     if (sum.box.n > 0 && cylint_frame_make(&s->frame, sum.box.lo, sum.box.hi))
         s->n_bounded = sum.box.n;
@@ -144,10 +144,10 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
     if (!bounded || !others)
         return CYLINT_SCENE_EMEMORY;
     for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
-        cylint_shapes_box unread = CYLINT_NO_BOX;
+        cylint_shapes_box box; /* not read */
         cylint_shape shape;
         cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && cylint_extend_by_shape(&unread, &shape))
+        if (s->n_bounded > 0 && cylint_box_of_shape(&box, &shape))
             *bounded++ = (uint32_t)i;
         else if (shape.kind != CYLINT_KIND_NONE)
             *others++ = (uint32_t)i;

@@ -95,9 +95,9 @@ static inline int first_lane(unsigned lanes,
                              const double least[CYLINT_LEAF_SIZE])
 {
     int first = cylint_lowest(lanes);
-    while (lanes &= lanes - 1)
-        if (least[cylint_lowest(lanes)] < least[first])
-            first = cylint_lowest(lanes);
+    EACH_BIT(lane, lanes & (lanes - 1))
+        if (least[lane] < least[first])
+            first = lane;
     return first;
 }
 
@@ -152,12 +152,10 @@ typedef struct {
 static int is_hit_in_doubles(const line_visit *v, size_t number)
 {
     const cylint_records *r = &v->scene->records;
-    const cylint_record *at = &r->record[number];
     return r->tag[number] & CYLINT_TAG_PLAIN
                ? cylint_occluded_in_doubles(cylint_record_kind(r, number),
                                             cylint_record_ends(r, number),
-                                            at->p0, at->r0, at->p1, at->r1,
-                                            &v->line)
+                                            &r->record[number], &v->line)
                : CYLINT_UNDECIDED;
 }
 

@@ -96,11 +96,10 @@ INLINE void store_angle(double *number, upright is, double dr)
 }
 
 void cylint_local_in_doubles(cylint_shape *s, int kind, int ends,
-                             const double p0[3], double r0, const double p1[3],
-                             double r1)
+                             const cylint_record *from)
 {
     double *x = s->library.number;
-    const double dr = r1 - r0;
+    const double *p0 = from->p0, r0 = from->r0, r1 = from->r1, dr = r1 - r0;
     s->kind = kind;
     s->ends = ends;
     s->library.flag[CYLINT_AT_IN_RANGE] = 1;
@@ -109,7 +108,7 @@ void cylint_local_in_doubles(cylint_shape *s, int kind, int ends,
     store_two(x + CYLINT_AT_BASE, p0[0], p0[1]);
     x[CYLINT_AT_BASE + 2] = p0[2];
     store_two(x + CYLINT_AT_R0, r0, r1);
-    const upright is = store_rows_in_doubles(x, p0, p1, dr);
+    const upright is = store_rows_in_doubles(x, p0, from->p1, dr);
     x[CYLINT_AT_HEIGHT] = is.height;
     x[CYLINT_AT_SLOPE] = is.slope;
     x[CYLINT_AT_UNIT] = CYLINT_LOCAL_DOUBLES * CYLINT_ROUNDING;

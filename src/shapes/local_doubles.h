@@ -4,16 +4,15 @@
 #ifndef CYLINT_LOCAL_DOUBLES_H
 #define CYLINT_LOCAL_DOUBLES_H
 
-#include "cylint.h"
+#include "record.h"
 
 /*
  * Writes a shape for the kernels that decide by signs (filter.h), and for nothing
  * else: without low parts and without the members that hits take.  The kind is
  * cylinder, cone, capsule or rounded cone.  A constructor has made this shape of
- * the same points and radii, and its local coordinates were accurate.
+ * the record, and its local coordinates were accurate.
  */
 void cylint_local_in_doubles(cylint_shape *shape, int kind, int ends,
-                             const double p0[3], double r0, const double p1[3],
-                             double r1);
+                             const cylint_record *from);
 
 #endif

@@ -9,11 +9,56 @@
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "distance/elliptic_pairs.h"
+#include "distance/triple_vector.h"
 #include "elliptic_solids.h"
 
 enum { CASES = 3000 };
 
 static double most_in_pairs, most_in_doubles;
+
+/* x, y, z and a.(b x h) of a point in triples. */
+typedef struct {
+    triple x, y, z, volume;
+} triple_numbers;
+
+/* D.(u x v) */
+static triple triple_product(const triple D[3], const double u[3],
+                             const double v[3])
+{
+    triple x[3], U[3], V[3];
+    for (int i = 0; i < 3; i++) {
+        U[i] = triple_of(u[i]);
+        V[i] = triple_of(v[i]);
+    }
+    triple_cross(x, U, V);
+    return triple_dot(D, x);
+}
+
+static void load_triples(triple_numbers *t, const double point[3],
+                         const cylint_shape *s)
+{
+    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
+    triple D[3], A[3];
+    for (int i = 0; i < 3; i++) {
+        D[i] = triple_of_pair(two_diff(point[i], cylint_base(s)[i]));
+        A[i] = triple_of(a[i]);
+    }
+    t->x = triple_product(D, b, h);
+    t->y = triple_product(D, h, a);
+    t->z = triple_product(D, a, b);
+    t->volume = triple_product(A, b, h);
+}
+
+/* n of an angle, whose length is brought to 1 in triples. */
+static triple height_in_triples(const triple_numbers *t, triple rho,
+                                const direction_pair *e)
+{
+    const triple c = triple_of_pair(e->cos.v), d = triple_of_pair(e->sin.v);
+    const triple more = triple_sub(triple_mul2(c, c, d, d), triple_of(1));
+    const triple turned = triple_mul2(c, t->x, d, t->y);
+    const triple less = triple_times(turned, -0.5 * triple_value(more));
+    return triple_sub(triple_add(turned, less), rho);
+}
 
 /* The size of x - y. */
 static double difference(vpair x, triple y)
@@ -66,8 +111,8 @@ static void check_solid(const struct solid *e, const double point[3])
     if (!make_solid(&s, e, CYLINT_ENDS_CAPPED))
         return;
     load_numbers(&m, &s, point);
-    locate_by_pairs(&p, &m, &s);
-    load_triples(&t, &m, &s);
+    locate(&p, &s, point, CYLINT_ELLIPTIC_ERROR);
+    load_triples(&t, point, &s);
     const triple rho = triple_add(
         t.volume, triple_mul(triple_add(triple_of(e->k), triple_of(-1)), t.z));
     check_place(&m, &t, &p, rho);
@@ -75,7 +120,7 @@ static void check_solid(const struct solid *e, const double point[3])
     const direction_pair at =
         direction_of((vpair){cos(turn), 0}, (vpair){sin(turn), 0});
     load_plane(&plane, &m, &at, cylint_is_tapered(s.kind));
-    CHECK(is_exact(plane.n, height_in_triples(&t, &s, &at)));
+    CHECK(is_exact(plane.n, height_in_triples(&t, rho, &at)));
 }
 
 TEST(errors_are_below_their_bounds)

@@ -9,9 +9,9 @@
 #include "../scene/answers.h"
 #include "check.h"
 #include "cylint_scene.h"
+#include "draw.h"
 #include "bvh/bvh.h"
 #include "bvh/leaf_test.h"
-#include "random.h"
 #include "scene/scene.h"
 #include "scenes.h"
 #include "shapes/layout.h"
@@ -232,16 +232,16 @@ TEST(a_build_stops_when_its_caller_stops_it)
 /* --------------------------------------------------------------- pieces -- */
 
 /* A cone or rounded cone of any taper, 1 to 30 times as long as thick. */
-static void draw_tapered(uint64_t *state, int round, cylint_shape *shape)
+static void draw_tapered(int round, cylint_shape *shape)
 {
     double p[2][3], r[2];
-    const double length = exp(3.4 * random_unit(state)),
-                 taper = random_unit(state) < 0.3 ? 0 : random_unit(state);
-    const int end = random_unit(state) < 0.5;
+    const double length = exp(between(0, 3.4)),
+                 taper = chance(0.3) ? 0 : between(0, 1);
+    const int end = chance(0.5);
     double w[3], ww = 0;
     for (int j = 0; j < 3; j++) {
-        p[0][j] = random_unit(state);
-        w[j] = random_unit(state) - 0.5;
+        p[0][j] = between(0, 1);
+        w[j] = between(-0.5, 0.5);
         ww += w[j] * w[j];
     }
     for (int j = 0; j < 3; j++)
@@ -285,19 +285,18 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
 
 TEST(pieces_contain_the_hits_that_they_own)
 {
-    uint64_t state = 15;
     long hits = 0;
     for (int i = 0; i < 20000; i++) {
         cylint_shape shape;
         cylint_line line;
         double o[3], d[3];
-        draw_tapered(&state, i % 4 > 0, &shape);
-        const double z = random_unit(&state);
+        draw_tapered(i % 4 > 0, &shape);
+        const double z = between(0, 1);
         for (int j = 0; j < 3; j++) {
             const double along =
                 cylint_base(&shape)[j] + z * cylint_axis(&shape)[j];
-            o[j] = along + (i % 3 ? 30 : 3e5) * (random_unit(&state) - 0.5);
-            d[j] = along + 1.6 * (random_unit(&state) - 0.5) - o[j];
+            o[j] = along + (i % 3 ? 30 : 3e5) * between(-0.5, 0.5);
+            d[j] = along + between(-0.8, 0.8) - o[j];
         }
         CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
         hits += check_pieces(&shape, &line, 1 + i % 8);

@@ -22,6 +22,17 @@ static inline cylint_closest answer_to(const cylint_shape *s, const double p[3],
     return a;
 }
 
+/* All bits.  Members that were not written are equal because both answers were
+ * cleared before. */
+static inline int same(const cylint_closest *x, const cylint_closest *y)
+{
+    return memcmp(&x->distance, &y->distance, sizeof x->distance) == 0 &&
+           x->part == y->part && x->feature == y->feature &&
+           x->flags == y->flags &&
+           memcmp(x->point, y->point, sizeof x->point) == 0 &&
+           memcmp(x->normal, y->normal, sizeof x->normal) == 0;
+}
+
 static inline int is_negative_zero(double x)
 {
     return x == 0 && signbit(x);

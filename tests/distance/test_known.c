@@ -274,13 +274,6 @@ static void over_exponents(property *check, int elliptic)
     }
 }
 
-/* All bits.  Members that were not written are equal because both answers were
- * cleared before. */
-static int same(const cylint_closest *x, const cylint_closest *y)
-{
-    return memcmp(x, y, sizeof *x) == 0;
-}
-
 static void check_sign(const struct family_case *c, const double p[3])
 {
     const cylint_shape *s = &c->shape;
@@ -327,8 +320,8 @@ TEST(signed_distances_are_those_of_the_closed_solid)
 static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
                               unsigned want, cylint_closest *answer)
 {
-    return cylint_one_distances_plain.pairs(
-        s, p, CYLINT_NO_FEATURE, want | CYLINT_WANT_DISTANCE, answer);
+    return cylint_one_distances_plain.pairs(s, p, want | CYLINT_WANT_DISTANCE,
+                                            answer);
 }
 
 /* The distance does not need the direction from the axis to the point. */

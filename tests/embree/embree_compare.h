@@ -28,29 +28,44 @@ static inline struct world made(const cylint_shape *shapes, size_t n,
         for (struct world w = made(shapes, n, both_ways[way]); w.scene; \
              world_free(&w))
 
+/* A shape of a kind with these ends, near the origin and about 1 large. */
+static inline cylint_shape any_shape(int kind, cylint_ends ends)
+{
+    const int family =
+        family_named(kind < CYLINT_KIND_SPHERE ? "ordinary" : "round");
+    struct family_case c;
+    do
+        family_case(random_bits(&stream), family, 0, &c);
+    while (c.shape.kind != kind ||
+           (int)c.shape_word != kind - CYLINT_KIND_CYLINDER);
+    c.ends = kind == CYLINT_KIND_SPHERE ? CYLINT_ENDS_CAPPED : ends;
+    family_make(&c);
+    return c.shape;
+}
+
 enum { SOME = 200 };
 
 /* A ray to a point among SOME shapes, from up to three sides of their cube
  * away, with a direction of a length from 1e-3 to 1e3; some rays begin
  * inside. */
-static inline void aim(uint64_t *state, struct rays *r, int i)
+static inline void aim(struct rays *r, int i)
 {
     float o[3], d[3];
-    const double side = cbrt(SOME), far = 3 * world_uniform(state);
-    const double length = pow(10, 6 * world_uniform(state) - 3);
-    world_direction(state, d);
+    const double side = cbrt(SOME), far = between(0, 3);
+    const double length = power(-3, 3);
+    world_direction(d);
     for (int k = 0; k < 3; k++) {
-        o[k] = (float)(side * (world_uniform(state) - 0.5 - far * d[k]));
+        o[k] = (float)(side * (between(-0.5, 0.5) - far * d[k]));
         d[k] = (float)(length * d[k]);
     }
     rays_add(r, i, o, d, 0, HUGE_VALF);
 }
 
-static inline void aim_all(uint64_t *state, struct rays *r, int n)
+static inline void aim_all(struct rays *r, int n)
 {
     rays_begin(r, n);
     for (int i = 0; i < n; i++)
-        aim(state, r, i);
+        aim(r, i);
 }
 
 static inline int shadow_expected(const struct world *w, const struct rays *r,
@@ -68,11 +83,11 @@ static inline void agrees(const struct world *w, struct rays *r)
     CHECK(rays_strayed(r, 0) == 0);
 }
 
-static inline void query_some(const struct world *w, uint64_t *state)
+static inline void query_some(const struct world *w)
 {
     for (int i = 0; i < 100; i++) {
         struct rays r;
-        aim_all(state, &r, rays_sizes[i % 4]);
+        aim_all(&r, rays_sizes[i % 4]);
         rays_intersect(&r, w->scene, NULL);
         agrees(w, &r);
     }

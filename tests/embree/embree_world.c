@@ -6,9 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "families.h"
-#include "random.h"
-
 /* -------------------------------------------------------------- device -- */
 
 struct world_memory world_memory;
@@ -223,71 +220,7 @@ void world_show(const struct world *w, struct rays *r, int i)
             r->word[(HIT_NG + 2) * r->n + i].f);
 }
 
-/* --------------------------------------------------- drawing at random -- */
-
-double world_uniform(uint64_t *state)
-{
-    return (double)(random_bits(state) >> 40) / 16777216;
-}
-
-/* By the height and the longitude, which are uniform on a sphere. */
-void world_direction(uint64_t *state, float d[3])
-{
-    const double z = 2 * world_uniform(state) - 1;
-    const double angle = 8 * atan(1) * world_uniform(state);
-    const double r = sqrt(1 - z * z);
-    d[0] = (float)(r * cos(angle));
-    d[1] = (float)(r * sin(angle));
-    d[2] = (float)z;
-}
-
-void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
-                 double length, double radius, cylint_shape *shape)
-{
-    float axis[3], across[3];
-    double h[3], top[3], a[3], b[3], size = 0;
-    world_direction(state, axis);
-    world_direction(state, across);
-    for (int k = 0; k < 3; k++) {
-        h[k] = length * axis[k];
-        top[k] = c[k] + h[k];
-    }
-    /* a is perpendicular to the axis, b leans along it: oblique */
-    for (int k = 0; k < 3; k++) {
-        const int l = (k + 1) % 3, m = (k + 2) % 3;
-        a[k] = radius * (axis[l] * across[m] - axis[m] * across[l]);
-        size += a[k] * a[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        const int l = (k + 1) % 3, m = (k + 2) % 3;
-        b[k] = (a[l] * axis[m] - a[m] * axis[l]) / 2 + sqrt(size) * axis[k] / 4;
-    }
-    const family_shape word = (family_shape)(kind - CYLINT_KIND_CYLINDER);
-    struct family_case made = {.line_data = {0, 0, 0, 1}, .ends = ends};
-    double last = radius;
-    if (word == FAMILY_CONE || word == FAMILY_ECONE)
-        last = floor(4 * world_uniform(state)) / 2;
-    if (word == FAMILY_CONE)
-        last *= radius;
-    if (word == FAMILY_ACONE)
-        last = atan(radius / length) * 45 / atan(1);
-    if (word == FAMILY_SPHERE)
-        made.ends = CYLINT_ENDS_CAPPED;
-    if (word == FAMILY_RCONE)
-        last = radius / 2;
-    family_set_shape(&made, word, c, a, b, family_has_points(word) ? top : h,
-                     radius, last);
-    family_make(&made);
-    *shape = made.shape;
-}
-
 const int world_scenes[WORLD_SCENES] = {
     SCENE_THIN,    SCENE_FAT,   SCENE_FIBRES,  SCENE_NEEDLES,
     SCENE_DISCS,   SCENE_MIXED, SCENE_DISTANT, SCENE_LENGTHS,
     SCENE_LATTICE, SCENE_ROUND, SCENE_STRANDS};
-
-void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n)
-{
-    OWN_SHAPES scene = scene_generate(kind, n, (*state)++);
-    memcpy(shapes, scene.shapes, n * sizeof *shapes);
-}

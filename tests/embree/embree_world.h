@@ -5,8 +5,9 @@
 #ifndef CYLINT_EMBREE_WORLD_H
 #define CYLINT_EMBREE_WORLD_H
 
-#include <stdint.h>
+#include <string.h>
 
+#include "draw.h"
 #include "embree_rays.h"
 #include "scenes.h"
 
@@ -73,21 +74,25 @@ void world_show(const struct world *w, struct rays *r, int i);
 
 /* ------------------------------------------------------ drawing at random */
 
-/* Numbers from a seed, the same everywhere. */
-double world_uniform(uint64_t *state); /* in [0, 1), 24 bits: a float */
-void world_direction(uint64_t *state, float d[3]); /* near unit length */
-
 /* Kinds of scenes that differ most. */
 enum { WORLD_SCENES = 11 };
 extern const int world_scenes[WORLD_SCENES];
 
+/* A unit vector, but for rounding. */
+static inline void world_direction(float d[3])
+{
+    double u[3];
+    random_direction(u);
+    for (int k = 0; k < 3; k++)
+        d[k] = (float)u[k];
+}
+
 /* Another n shapes of one of the kinds of scenes that all have a box: up to
  * SCENE_MIXED, or SCENE_LATTICE. */
-void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n);
-
-/* A shape of a kind (CYLINT_KIND_CYLINDER ...) about c, of a length and a
- * radius, its axis in some direction. */
-void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
-                 double length, double radius, cylint_shape *shape);
+static inline void world_shapes(int kind, cylint_shape *shapes, size_t n)
+{
+    OWN_SHAPES scene = scene_generate(kind, n, random_bits(&stream));
+    memcpy(shapes, scene.shapes, n * sizeof *shapes);
+}
 
 #endif

@@ -209,26 +209,25 @@ static void check_answers(struct record *q, int occlusion)
 }
 
 /* Half of the packets are coherent. */
-static void add_rays(uint64_t *state, struct rays *r)
+static void add_rays(struct rays *r)
 {
-    const double spread = world_uniform(state) < 0.5 ? 1 : 0.05;
+    const double spread = chance(0.5) ? 1 : 0.05;
     float all[3];
-    world_direction(state, all);
+    world_direction(all);
     for (int i = 0; i < r->n; i++) {
         float o[3], d[3];
-        world_direction(state, d);
+        world_direction(d);
         for (int k = 0; k < 3; k++) {
             d[k] = (float)((1 - spread) * all[k] + spread * d[k]);
-            o[k] = (float)(cbrt(SOME) *
-                           (spread * (world_uniform(state) - 0.5) - d[k]));
+            o[k] = (float)(cbrt(SOME) * (spread * between(-0.5, 0.5) - d[k]));
         }
-        if (r->n == 1 || world_uniform(state) < 0.8)
-            rays_add(r, i, o, d, 5 * (float)world_uniform(state), HUGE_VALF);
+        if (r->n == 1 || chance(0.8))
+            rays_add(r, i, o, d, 5 * (float)between(0, 1), HUGE_VALF);
     }
 }
 
-static void query_packets(struct world *w, uint64_t *state, rule geometry,
-                          rule context, int n, int occlusion, int bare)
+static void query_packets(struct world *w, rule geometry, rule context, int n,
+                          int occlusion, int bare)
 {
     static struct record q;
     struct rays r;
@@ -243,7 +242,7 @@ static void query_packets(struct world *w, uint64_t *state, rule geometry,
     query.user = &q;
     query.filter = context == ACCEPT ? NULL : context_filter;
     rays_begin(&r, n);
-    add_rays(state, &r);
+    add_rays(&r);
     if (occlusion)
         rays_occluded(&r, w->scene, &query);
     else
@@ -264,14 +263,13 @@ static void with_filters(unsigned how, int kind)
     cylint_shape shapes[SOME];
     const cylint_embree_options options = {
         .flags = how | CYLINT_EMBREE_CONTEXT_FILTER, .user = &user_word};
-    uint64_t state = 11;
-    world_shapes(&state, kind, shapes, SOME);
+    world_shapes(kind, shapes, SOME);
     OWN_WORLD w = world_made(shapes, SOME, &options);
     for (int geometry = ACCEPT; geometry < RULES; geometry++) {
         world_filter(&w, geometry == ACCEPT ? NULL : geometry_filter);
         for (int context = ACCEPT; context < RULES; context++)
             for (int i = 0; i < 40; i++)
-                query_packets(&w, &state, (rule)geometry, (rule)context,
+                query_packets(&w, (rule)geometry, (rule)context,
                               rays_sizes[i / 2 % 4], i & 1,
                               (how & CYLINT_EMBREE_BARE) != 0);
     }

@@ -62,16 +62,16 @@ static void as_of_one(struct rays *r)
         }
 }
 
-static void draw_rays(struct rays *r, uint64_t *state)
+static void draw_rays(struct rays *r)
 {
-    rays_begin(r, rays_sizes[*state % 4]);
+    rays_begin(r, rays_sizes[one_of(4)]);
     for (int i = 0; i < r->n; i++) {
         float o[3], d[3];
-        world_direction(state, o);
-        world_direction(state, d);
+        world_direction(o);
+        world_direction(d);
         for (int k = 0; k < 3; k++) /* on a lattice: hits at equal t */
             o[k] = floorf(8 * o[k]) / 4;
-        if (*state % 3 == 0)
+        if (one_of(3) == 0)
             memcpy(d, (float[]){0, 0, 1}, sizeof d);
         rays_add(r, i, o, d, 0, 1e9f);
     }
@@ -88,13 +88,12 @@ static void reject_some(const struct RTCFilterFunctionNArguments *args)
     CHECK(number < SHAPES);
 }
 
-static void compare(struct world *one, struct world *merged, uint64_t *state,
-                    int bare)
+static void compare(struct world *one, struct world *merged, int bare)
 {
     int hits = 0;
     for (int n = 0; n < 2000; n++) {
         struct rays r, s;
-        draw_rays(&r, state);
+        draw_rays(&r);
         s = r;
         rays_intersect(&r, one->scene, NULL);
         rays_intersect(&s, merged->scene, NULL);
@@ -105,7 +104,7 @@ static void compare(struct world *one, struct world *merged, uint64_t *state,
         hits += rays_hit(&r, 0);
         as_of_one(&s);
         CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);
-        draw_rays(&r, state);
+        draw_rays(&r);
         s = r;
         rays_occluded(&r, one->scene, NULL);
         rays_occluded(&s, merged->scene, NULL);
@@ -121,9 +120,7 @@ TEST(hits_have_the_numbers_of_the_parts)
     for (int i = 0; i < 4; i++) {
         cylint_embree_options options = {.flags = flags[i], .threads = 2};
         cylint_shape shapes[SHAPES];
-        uint64_t state = 11 + (uint64_t)i;
-        world_shapes(&state, i % 2 ? SCENE_LATTICE : SCENE_MIXED, shapes,
-                     SHAPES);
+        world_shapes(i % 2 ? SCENE_LATTICE : SCENE_MIXED, shapes, SHAPES);
         cut(shapes);
         OWN_WORLD one = world_made(shapes, SHAPES, &options);
         OWN_WORLD merged = world_made(shapes, SHAPES, &options);
@@ -132,11 +129,11 @@ TEST(hits_have_the_numbers_of_the_parts)
             world_filter(&one, reject_some);
             world_filter(&merged, reject_some);
         }
-        compare(&one, &merged, &state, i == 1);
-        world_shapes(&state, SCENE_MIXED, shapes, SHAPES);
+        compare(&one, &merged, i == 1);
+        world_shapes(SCENE_MIXED, shapes, SHAPES);
         CHECK(world_update(&one) == CYLINT_EMBREE_OK &&
               world_update(&merged) == CYLINT_EMBREE_OK);
-        compare(&one, &merged, &state, i == 1);
+        compare(&one, &merged, i == 1);
         CHECK(cylint_embree_bytes(merged.geometry) >
               cylint_embree_bytes(one.geometry));
     }
@@ -146,9 +143,8 @@ TEST(parts_whose_numbers_do_not_ascend_are_refused)
 {
     const long long bytes = world_memory.bytes;
     cylint_shape shapes[SHAPES];
-    uint64_t state = 4;
     cylint_embree_problem problem;
-    world_shapes(&state, SCENE_MIXED, shapes, SHAPES);
+    world_shapes(SCENE_MIXED, shapes, SHAPES);
     cut(shapes);
     parts[9].geomID = parts[8].geomID;
     world_errors();

@@ -33,46 +33,43 @@ struct aim {
     double eye[3], at[3], spread;
 };
 
-static void point(uint64_t *state, const struct aim *a, double p[3])
+static void point(const struct aim *a, double p[3])
 {
     for (int k = 0; k < 3; k++)
-        p[k] = a->lo[k] + a->size[k] * world_uniform(state);
+        p[k] = a->lo[k] + a->size[k] * between(0, 1);
 }
 
-static struct aim draw_aim(uint64_t *state, const struct scene_shapes *s,
-                           enum manner manner)
+static struct aim draw_aim(const struct scene_shapes *s, enum manner manner)
 {
     struct aim a;
     double lo[3], hi[3];
     float away[3];
-    const double far = manner == AFAR    ? pow(10, 2 + 4 * world_uniform(state))
+    const double far = manner == AFAR    ? power(2, 6)
                        : manner == SPANS ? 0
-                                         : 2 * world_uniform(state);
+                                         : between(0, 2);
     for (int k = 0; k < 3; k++) {
         a.lo[k] = s->lo[k];
         a.size[k] = s->hi[k] - s->lo[k];
     }
-    world_direction(state, away);
-    cylint_bounds(&s->shapes[(size_t)(world_uniform(state) * (double)s->n)], lo,
-                  hi);
+    world_direction(away);
+    cylint_bounds(&s->shapes[(size_t)(between(0, 1) * (double)s->n)], lo, hi);
     for (int k = 0; k < 3; k++)
         a.at[k] = (lo[k] + hi[k]) / 2;
-    point(state, &a, a.eye);
+    point(&a, a.eye);
     for (int k = 0; k < 3; k++)
         a.eye[k] += far * a.size[k] * away[k];
-    a.spread = pow(10, -4 * world_uniform(state));
+    a.spread = power(-4, 0);
     return a;
 }
 
 /* A ray of the packet, with a random length. */
-static void add(uint64_t *state, const struct aim *a, enum manner manner,
-                struct rays *r, int i)
+static void add(const struct aim *a, enum manner manner, struct rays *r, int i)
 {
     const int anywhere = manner == ANYHOW || (manner == MIXED && i % 3 == 0);
     double from[3], to[3];
     float o[3], d[3], tnear = 0, tfar = HUGE_VALF;
-    point(state, a, from);
-    point(state, a, to);
+    point(a, from);
+    point(a, to);
     for (int k = 0; k < 3; k++) {
         const double sign = a->at[k] < a->eye[k] ? -1 : 1;
         if (manner == OCTANT)
@@ -84,16 +81,16 @@ static void add(uint64_t *state, const struct aim *a, enum manner manner,
                           : a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
         }
     }
-    const double length = 1e-2 + world_uniform(state);
+    const double length = between(0.01, 1.01);
     for (int k = 0; k < 3; k++) {
         o[k] = (float)from[k];
         d[k] = (float)((to[k] - (double)o[k]) * length);
         if (manner == ALONG && k < 2)
-            d[k] = world_uniform(state) < 0.5 ? 0 : -0.0f;
+            d[k] = chance(0.5) ? 0 : -0.0f;
     }
     if (manner == SPANS) {
-        tnear = (float)(world_uniform(state) / length);
-        tfar = tnear + (float)(world_uniform(state) / length);
+        tnear = (float)(between(0, 1) / length);
+        tfar = tnear + (float)(between(0, 1) / length);
     }
     rays_add(r, i, o, d, tnear, tfar);
 }
@@ -153,17 +150,16 @@ static int compare_packet(const struct world *w, struct rays *r, int coherent,
 static void query_scene(const struct world *w, const struct scene_shapes *s,
                         unsigned how, int turns)
 {
-    uint64_t state = how + 1;
     int hits = 0;
     for (int turn = 0; turn < turns; turn++) {
         const enum manner manner = (enum manner)(turn % MANNERS);
-        const struct aim a = draw_aim(&state, s, manner);
-        const double share = turn % 2 ? 1 : world_uniform(&state);
+        const struct aim a = draw_aim(s, manner);
+        const double share = turn % 2 ? 1 : between(0, 1);
         struct rays r;
         rays_begin(&r, rays_sizes[1 + turn / MANNERS % 3]);
         for (int i = 0; i < r.n; i++)
-            if (world_uniform(&state) <= share)
-                add(&state, &a, manner, &r, i);
+            if (chance(share))
+                add(&a, manner, &r, i);
             else
                 r.valid[i] = 0;
         hits += compare_packet(w, &r, turn / 2 % 2, how);
@@ -233,21 +229,20 @@ static void call(const struct world *w, struct rays *r)
 
 TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
-    uint64_t state = 3;
     int hits = 0;
     OWN_SHAPES s = scene_generate(SCENE_FAT, SHAPES, 3);
     OWN_WORLD w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
-        const struct aim a = draw_aim(&state, &s, EYE);
+        const struct aim a = draw_aim(&s, EYE);
         const float bad[4] = {NAN, HUGE_VALF, -HUGE_VALF, 0};
         struct rays r;
         int is_bad[RAYS_MOST], valid[RAYS_MOST];
         rays_begin(&r, rays_sizes[1 + turn % 3]);
         for (int i = 0; i < r.n; i++) {
-            const double kind = 8 * world_uniform(&state);
-            const int k = (int)(3 * world_uniform(&state));
-            const float x = bad[(int)(4 * world_uniform(&state))];
-            add(&state, &a, EYE, &r, i);
+            const double kind = between(0, 8);
+            const int k = one_of(3);
+            const float x = bad[one_of(4)];
+            add(&a, EYE, &r, i);
             is_bad[i] = kind < 4 && (x != 0 || kind >= 2);
             if (kind < 2 && is_bad[i])
                 r.word[((kind < 1 ? RAY_ORG : RAY_DIR) + k) * r.n + i].f = x;
@@ -277,29 +272,26 @@ TEST(rays_that_are_no_lines_do_not_disturb_others)
 
 /* ------------------------------------------- what Embree's packets skip --- */
 
-/* Cylinders that stand on the plane z = 0 and overlap. */
-static void stand_on_a_plane(uint64_t *state, cylint_shape *shapes, int n)
+/* Cylinders that stand on the plane z = 0 and overlap, made of floats. */
+static void stand_on_a_plane(cylint_shape *shapes, int n)
 {
     for (int i = 0; i < n; i++) {
-        const double x = 4 * world_uniform(state);
-        const double y = 4 * world_uniform(state);
-        const double p0[3] = {x, y, 0};
-        const double p1[3] = {x, y, 0.25 + world_uniform(state)};
-        cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(state),
+        const float x = (float)between(0, 4), y = (float)between(0, 4),
+                    z = (float)between(0.25, 1.25);
+        const double p0[3] = {x, y, 0}, p1[3] = {x, y, z};
+        cylint_cylinder(&shapes[i], p0, p1, (float)between(0.5, 1.5),
                         CYLINT_ENDS_CAPPED);
     }
 }
 
 /* Rays that hit the plane z = 0 exactly at `tnear`, a power of two. */
-static struct rays rays_that_hit_at(uint64_t *state, int n, float tnear,
-                                    float tfar)
+static struct rays rays_that_hit_at(int n, float tnear, float tfar)
 {
     struct rays r;
     rays_begin(&r, n);
     for (int i = 0; i < n; i++) {
         const float d[3] = {0, 0, 1};
-        const float o[3] = {(float)(4 * world_uniform(state)),
-                            (float)(4 * world_uniform(state)), -tnear};
+        const float o[3] = {(float)between(0, 4), (float)between(0, 4), -tnear};
         rays_add(&r, i, o, d, tnear, tfar);
     }
     return r;
@@ -321,14 +313,12 @@ static double library_t(const struct world *w, struct rays *r, int i)
 TEST(a_domain_of_one_point_is_answered_or_skipped)
 {
     cylint_shape shapes[64];
-    uint64_t state = 11;
-    stand_on_a_plane(&state, shapes, 64);
+    stand_on_a_plane(shapes, 64);
     OWN_WORLD w = made(shapes, 64, CYLINT_EMBREE_NO_FILTERS);
     int hits = 0;
     for (int turn = 0; turn < 600; turn++) {
         const float t = turn & 1 ? 0 : 2;
-        struct rays r =
-            rays_that_hit_at(&state, rays_sizes[1 + turn % 3], t, t);
+        struct rays r = rays_that_hit_at(rays_sizes[1 + turn % 3], t, t);
         const struct rays_query query = {.coherent = turn / 2 % 2};
         call(&w, &r);
         for (int i = 0; i < r.n; i++) {
@@ -347,13 +337,12 @@ TEST(a_domain_of_one_point_is_answered_or_skipped)
 TEST(of_hits_at_tnear_the_lower_number_is_reported)
 {
     cylint_shape shapes[64];
-    uint64_t state = 12;
-    stand_on_a_plane(&state, shapes, 64);
+    stand_on_a_plane(shapes, 64);
     EACH_WAY(w, shapes, 64)
         for (int turn = 0; turn < 800; turn++) {
             const float t = turn & 1 ? 0 : 2;
             struct rays r =
-                rays_that_hit_at(&state, rays_sizes[turn % 4], t, HUGE_VALF);
+                rays_that_hit_at(rays_sizes[turn % 4], t, HUGE_VALF);
             const struct rays_query query = {.coherent = turn / 4 % 2};
             const int exception = way == 1 && r.n > 1;
             rays_intersect(&r, w.scene, &query);

@@ -172,22 +172,16 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
     CHECK(n.hits > n.rays / 4);
 }
 
-static double between(uint64_t *state, double from, double to)
-{
-    return from + (to - from) * world_uniform(state);
-}
-
 /* A ray that nearly touches the shape: at its lateral surface, at a rim, or
  * with an end of its domain. */
-static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
-                            uint64_t *state)
+static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s)
 {
-    const double z = between(state, -0.1, 1.1), L = between(state, 0.3, 3);
-    const double away = between(state, 0.8, 1.2);
+    const double z = between(-0.1, 1.1), L = between(0.3, 3);
+    const double away = between(0.8, 1.2);
     double v[3], out[3], along[3], size = 0;
     float o[3], d[3];
     for (int k = 0; k < 3; k++)
-        v[k] = between(state, -1, 1);
+        v[k] = between(-1, 1);
     cross3(out, cylint_axis(s), v);
     for (int k = 0; k < 3; k++)
         size += out[k] * out[k];
@@ -195,24 +189,22 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
     for (int k = 0; k < 3; k++) {
         const double radial = cylint_r0(s) * away * out[k] / sqrt(size);
         d[k] = (float)(along[k] / sqrt(size) +
-                       between(state, -0.3, 0.3) * cylint_axis(s)[k]);
+                       between(-0.3, 0.3) * cylint_axis(s)[k]);
         o[k] = (float)(cylint_base(s)[k] + z * cylint_axis(s)[k] + radial -
                        L * (double)d[k]);
     }
     rays_add(r, i, o, d, 0,
-             between(state, 0, 1) < 0.3
-                 ? HUGE_VALF
-                 : (float)(L + between(state, -0.2, 0.2)));
+             chance(0.3) ? HUGE_VALF : (float)(L + between(-0.2, 0.2)));
 }
 
 TEST(rays_that_barely_miss_are_not_occluded)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
-    uint64_t state = check_seed();
+    stream = check_seed();
     long hits = 0;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];
-        world_shapes(&state, scene, shapes, SOLIDS);
+        world_shapes(scene, shapes, SOLIDS);
         for (int i = 0; i < SOLIDS; i++) {
             const cylint_shape was = shapes[i];
             cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
@@ -222,7 +214,7 @@ TEST(rays_that_barely_miss_are_not_occluded)
         for (int turn = 0; turn < TURNS; turn++) {
             struct rays r;
             rays_begin(&r, 1);
-            add_grazing_ray(&r, 0, &shapes[turn % SOLIDS], &state);
+            add_grazing_ray(&r, 0, &shapes[turn % SOLIDS]);
             rays_occluded(&r, w.scene, NULL);
             const cylint_line line = rays_line(&r, 0);
             const int expected = cylint_count(&w.pack, &line, 1) != 0;

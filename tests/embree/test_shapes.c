@@ -12,8 +12,7 @@
 
 /* Traces SOME shapes that move, with packets and rays of four times, beside the
  * library's shapes of those times.  Returns the number of hits of single rays. */
-static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
-                        uint64_t *state)
+static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved)
 {
     static const float times[4] = {0, 0.25f, 0.5f, 1};
     cylint_shape now[SOME];
@@ -29,7 +28,7 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
         at.shapes = now;
         for (int i = 0; i < 500; i++) {
             struct rays r;
-            aim_all(state, &r, rays_sizes[i % 4]);
+            aim_all(&r, rays_sizes[i % 4]);
             for (int k = 0; k < r.n; k++)
                 rays_at(&r, RAY_TIME, k)->f = times[turn];
             hits += both_agree(&at, &r, NULL);
@@ -43,16 +42,10 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
 TEST(moving_shapes_are_hit_where_they_are_at_the_rays_time)
 {
     cylint_shape shapes[SOME], moved[SOME];
-    uint64_t state = 5;
-    world_shapes(&state, SCENE_MIXED, shapes, SOME);
-    for (int i = 0; i < SOME; i++) {
-        double c[3];
-        for (int k = 0; k < 3; k++)
-            c[k] = world_uniform(&state);
-        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c, 0.3,
-                    0.05, &moved[i]);
-    }
-    CHECK(trace_moving(shapes, moved, &state) > 100);
+    world_shapes(SCENE_MIXED, shapes, SOME);
+    for (int i = 0; i < SOME; i++)
+        moved[i] = any_shape(shapes[i].kind, (cylint_ends)shapes[i].ends);
+    CHECK(trace_moving(shapes, moved) > 100);
 }
 
 /* Round cones that are two balls about one centre at time 0: of these the larger
@@ -60,14 +53,13 @@ TEST(moving_shapes_are_hit_where_they_are_at_the_rays_time)
 TEST(a_ball_that_becomes_a_round_cone_is_hit_where_it_is)
 {
     cylint_shape shapes[SOME], moved[SOME];
-    uint64_t state = 6;
     for (int i = 0; i < SOME; i++) {
         const double radius[3] = {0.25, 0.5, 0.25};
         double c[3], top[3];
         float d[3];
-        world_direction(&state, d);
+        world_direction(d);
         for (int k = 0; k < 3; k++) {
-            c[k] = cbrt(SOME) * (world_uniform(&state) - 0.5);
+            c[k] = cbrt(SOME) * between(-0.5, 0.5);
             top[k] = c[k] + 2 * (double)d[k];
         }
         CHECK(!cylint_round_cone(&shapes[i], c, radius[i % 2], c,
@@ -75,7 +67,7 @@ TEST(a_ball_that_becomes_a_round_cone_is_hit_where_it_is)
               !cylint_round_cone(&moved[i], c, 0.5, top, radius[i % 2 + 1],
                                  CYLINT_ENDS_CAPPED));
     }
-    CHECK(trace_moving(shapes, moved, &state) > 100);
+    CHECK(trace_moving(shapes, moved) > 100);
 }
 
 static void check_halfway(cylint_shape a, cylint_shape b, cylint_shape expected)
@@ -139,20 +131,19 @@ TEST(between_moves_the_constructors_numbers)
 TEST(an_update_reads_the_changed_shapes)
 {
     cylint_shape shapes[SOME];
-    uint64_t state = 6;
     for (int how = 0; how < 2; how++) {
         cylint_embree_problem problem;
-        world_shapes(&state, SCENE_THIN, shapes, SOME);
+        world_shapes(SCENE_THIN, shapes, SOME);
         OWN_WORLD w = made(shapes, SOME, both_ways[how]);
-        query_some(&w, &state);
+        query_some(&w);
         const long long bytes = world_memory.bytes;
         for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
-            world_shapes(&state, kind, shapes, SOME);
+            world_shapes(kind, shapes, SOME);
             CHECK(world_update(&w) == CYLINT_EMBREE_OK);
-            query_some(&w, &state);
+            query_some(&w);
         }
         /* a later scene needs no more memory than the first */
-        world_shapes(&state, SCENE_THIN, shapes, SOME);
+        world_shapes(SCENE_THIN, shapes, SOME);
         for (int i = 0; i < 50; i++)
             CHECK(world_update(&w) == CYLINT_EMBREE_OK);
         CHECK(world_memory.bytes < 2 * bytes);
@@ -168,7 +159,7 @@ TEST(an_update_reads_the_changed_shapes)
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         shapes[17] = kept;
         CHECK(world_update(&w) == CYLINT_EMBREE_OK);
-        query_some(&w, &state);
+        query_some(&w);
     }
 }
 
@@ -179,10 +170,9 @@ TEST(an_update_reads_the_changed_shapes)
 TEST(the_scenes_box_is_the_padded_box_of_the_shapes)
 {
     cylint_shape shapes[SOME];
-    uint64_t state = 7;
     for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
         for (int n = 1; n <= SOME; n += 33) {
-            world_shapes(&state, kind, shapes, (size_t)n);
+            world_shapes(kind, shapes, (size_t)n);
             EACH_WAY(w, shapes, (size_t)n) {
                 double lo[3], hi[3], least[3], most[3];
                 double size = 0, most_of_all = 0;
@@ -241,8 +231,7 @@ enum { ROW = 30 };
 static void refused(const cylint_shape *bad, size_t first, int status)
 {
     cylint_shape shapes[ROW];
-    uint64_t state = 8;
-    world_shapes(&state, SCENE_FAT, shapes, ROW);
+    world_shapes(SCENE_FAT, shapes, ROW);
     shapes[first] = shapes[ROW - 1] = *bad;
     for (int how = 0; how < 2; how++) {
         const cylint_embree_options options = {.flags = both_ways[how]};
@@ -295,8 +284,8 @@ TEST(impossible_motion_is_refused_by_number)
     cylint_embree_problem problem;
     const long long bytes = world_memory.bytes;
     const double p[3] = {0, 0, 0};
-    uint64_t state = 9;
-    world_shapes(&state, SCENE_FAT, shapes, ROW);
+    world_shapes(SCENE_FAT, shapes, ROW);
+    shapes[11] = shape_of("cylinder 0 0 0  1 0 0  1");
     memcpy(moved, shapes, sizeof moved);
     options.moved = moved;
     moved[11] = shape_of("cylinder 0 0 0  1 0 0  1 ends=open"); /* other ends */
@@ -327,9 +316,8 @@ TEST(five_threads_make_a_geometry_that_answers_the_same)
     const long long bytes = world_memory.bytes;
     const double side = cbrt(MANY);
     const cylint_embree_options options = {.threads = 5};
-    uint64_t state = 12;
     int hits = 0;
-    world_shapes(&state, SCENE_FIBRES, shapes, MANY);
+    world_shapes(SCENE_FIBRES, shapes, MANY);
     struct world one = made(shapes, MANY, 0);
     struct world five = world_made(shapes, MANY, &options);
     CHECK(cylint_embree_bytes(one.geometry) ==
@@ -338,9 +326,9 @@ TEST(five_threads_make_a_geometry_that_answers_the_same)
     for (int i = 0; i < 300; i++) {
         struct rays r, s;
         float o[3], d[3];
-        world_direction(&state, d);
+        world_direction(d);
         for (int k = 0; k < 3; k++)
-            o[k] = (float)(side * (world_uniform(&state) - 0.5));
+            o[k] = (float)(side * between(-0.5, 0.5));
         rays_begin(&r, 1);
         rays_add(&r, 0, o, d, 0, HUGE_VALF);
         s = r;

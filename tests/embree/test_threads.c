@@ -12,13 +12,10 @@
 #include <pthread.h>
 #include <string.h>
 
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
-
 #include "check.h"
 #include "cylint_scene.h"
 #include "embree_world.h"
+#include "environment.h"
 
 enum { THREADS = 8, SHAPES = 500, MOST = 1 << 16 };
 
@@ -49,9 +46,11 @@ static void answer_question(int number, struct answer *a)
     rays_begin(&r, n);
     for (int i = 0; i < n; i++) {
         float o[3], d[3];
-        world_direction(&state, d);
         for (int k = 0; k < 3; k++)
-            o[k] = (float)(side * (world_uniform(&state) - 0.5 - d[k]));
+            d[k] = (float)(random_unit(&state) - 0.5);
+        for (int k = 0; k < 3; k++)
+            o[k] =
+                (float)(side * (random_unit(&state) - 0.5 - 2 * (double)d[k]));
         rays_add(&r, i, o, d, 0, HUGE_VALF);
     }
     rays_intersect(&r, w.scene, NULL);
@@ -67,21 +66,10 @@ static void answer_question(int number, struct answer *a)
     a->count = (unsigned long)cylint_scene_count(scene, &line, 0);
 }
 
-/* 0 to 3: flush subnormal results, flush subnormal operands. */
-static void choose_subnormals(int mode)
-{
-#if defined(__SSE2__)
-    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (mode & 1 ? 0x8000u : 0) |
-               (mode & 2 ? 0x40u : 0));
-#else
-    (void)mode;
-#endif
-}
-
 static void *work(void *p)
 {
     const int thread = *(const int *)p;
-    choose_subnormals(thread & 3);
+    treat_subnormals(thread & 3);
     for (int i = 0; i < n_questions; i++) {
         const int number = (i + thread * (n_questions / THREADS)) % n_questions;
         answer_question(number, &answers[thread][number]);
@@ -94,9 +82,8 @@ TEST(eight_threads_get_the_answers_of_one)
     static cylint_shape shapes[SHAPES];
     pthread_t thread[THREADS];
     int number[THREADS + 1];
-    uint64_t seed = 21;
     long hits = 0;
-    world_shapes(&seed, SCENE_MIXED, shapes, SHAPES);
+    world_shapes(SCENE_MIXED, shapes, SHAPES);
     scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     w = world_made(shapes, SHAPES, NULL);
     n_questions = (int)check_setting("CYLINT_RAYS", 2000);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "cylint_scene.h"
-#include "random.h"
+#include "draw.h"
 #include "same.h"
 #include "scenes.h"
 
@@ -311,12 +311,10 @@ static inline void point_in_scene(const cylint_scene *scene,
 }
 
 /* Of points in the box of a scene and around it. */
-static inline void point_about(const struct scene_shapes *of, uint64_t *random,
-                               double point[3])
+static inline void point_about(const struct scene_shapes *of, double point[3])
 {
     for (int j = 0; j < 3; j++)
-        point[j] = of->lo[j] +
-                   (of->hi[j] - of->lo[j]) * (1.5 * random_unit(random) - 0.25);
+        point[j] = of->lo[j] + (of->hi[j] - of->lo[j]) * between(-0.25, 1.25);
 }
 
 static inline double size_about(const struct scene_shapes *of)
@@ -349,7 +347,6 @@ static inline int differences(const cylint_scene *x, const cylint_scene *y,
     enum { LINES_OF_A_KIND = 3, POINTS = 8 };
     static struct line_answers line_x, line_y;
     static struct point_answers point_x, point_y;
-    uint64_t random = seed;
     int wrong = !same_shapes(x, y);
     for (int i = 0; i < LINES_KINDS * LINES_OF_A_KIND; i++) {
         cylint_line line;
@@ -363,7 +360,7 @@ static inline int differences(const cylint_scene *x, const cylint_scene *y,
     }
     for (int i = 0; i < POINTS; i++) {
         double point[3];
-        point_about(of, &random, point);
+        point_about(of, point);
         const double radius = 0.2 * size_about(of);
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
         point_in_scene(x, point, radius, want, &point_x);

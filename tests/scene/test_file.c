@@ -411,7 +411,6 @@ TEST(a_rounded_cone_that_is_a_ball_is_refused)
 TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
-    uint64_t random = 17;
     OWN_BYTES b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
     bytes_reserve(&c, SCENE_FILE_MOST);
     int opened = 0;
@@ -423,14 +422,14 @@ TEST(no_changed_numbers_make_a_query_fail)
             scene_file_write(scene, &b);
         }
         memcpy(c.data, b.data, b.n);
-        const int changes = 1 + (int)(random_bits(&random) % 3);
+        const int changes = 1 + (int)(random_bits(&stream) % 3);
         for (int k = 0; k < changes; k++) {
-            const size_t bytes = (size_t)1 << random_bits(&random) % 4;
-            const size_t at = random_bits(&random) % (b.n / bytes) * bytes;
-            const size_t from = random_bits(&random) % (b.n / bytes) * bytes;
-            const uint64_t any = random_bits(&random);
+            const size_t bytes = (size_t)1 << random_bits(&stream) % 4;
+            const size_t at = random_bits(&stream) % (b.n / bytes) * bytes;
+            const size_t from = random_bits(&stream) % (b.n / bytes) * bytes;
+            const uint64_t any = random_bits(&stream);
             /* any bits, a number from elsewhere, or a number near this one */
-            switch (random_bits(&random) % 3) {
+            switch (random_bits(&stream) % 3) {
             case 0:
                 memcpy(c.data + at, &any, bytes);
                 break;

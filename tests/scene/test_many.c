@@ -10,7 +10,7 @@
 #include "check.h"
 #include "columns.h"
 #include "cylint_scene.h"
-#include "random.h"
+#include "draw.h"
 #include "scenes.h"
 
 /* MOST: blocks of 256, threads share blocks from 1024 on. */
@@ -95,14 +95,13 @@ static cylint_lines lines_now(size_t n, int domain)
 /* Points in the box and around it, and some that are invalid. */
 static void fill_points(const struct scene_shapes *of)
 {
-    uint64_t random = 2;
     for (size_t i = 0; i < MOST; i++) {
         for (int j = 0; j < 3; j++)
-            input[j][i] = of->lo[j] + (of->hi[j] - of->lo[j]) *
-                                          (2 * random_unit(&random) - 0.5);
+            input[j][i] =
+                of->lo[j] + (of->hi[j] - of->lo[j]) * between(-0.5, 1.5);
         radii[i] = i % 10 == 0    ? HUGE_VAL
                    : i % 100 == 1 ? (double)NAN
-                                  : 3 * random_unit(&random) - 0.1;
+                                  : between(-0.1, 2.9);
         if (i % 100 == 2)
             input[i / 100 % 3][i] = i % 200 == 2 ? (double)NAN : HUGE_VAL;
     }

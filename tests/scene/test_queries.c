@@ -131,8 +131,7 @@ static void begin_point(const struct scene_shapes *of, const double point[3])
 /* Radii about the least distance and about that of another shape, where a step
  * of the doubles decides. */
 static void check_point(const struct scene_shapes *of,
-                        const cylint_scene *scene, const double point[3],
-                        uint64_t *random)
+                        const cylint_scene *scene, const double point[3])
 {
     begin_point(of, point);
     check_contains(of, scene, point);
@@ -140,7 +139,7 @@ static void check_point(const struct scene_shapes *of,
         const unsigned want = i ? CYLINT_SIGNED : 0;
         double radii[8] = {HUGE_VAL, 0, -0.001}, least = NAN;
         int n = 3;
-        const double other = distance[i][random_below(random, of->n)];
+        const double other = distance[i][below(of->n)];
         for (size_t k = 0; k < of->n; k++)
             least = fmin(least, distance[i][k]);
         if (least <= DBL_MAX) {
@@ -154,24 +153,23 @@ static void check_point(const struct scene_shapes *of,
         }
         for (int k = 0; k < n; k++)
             check_radius(of, scene, point, radii[k], want);
-        check_array(of, point, radii[random_below(random, (uint64_t)n)], want);
+        check_array(of, point, radii[below((uint64_t)n)], want);
     }
 }
 
 enum family { IN_BOX, ON_SHAPE, AT_CENTER, LATTICE, FAR, WILD, FAMILIES };
 
 /* On the surface of a shape but for roundings, or on its axis. */
-static void point_on(const struct scene_shapes *of, uint64_t *random,
-                     int on_axis, double point[3])
+static void point_on(const struct scene_shapes *of, int on_axis,
+                     double point[3])
 {
-    const cylint_shape *s = &of->shapes[random_below(random, of->n)];
-    const double z =
-        on_axis ? 0.5 * (double)random_below(random, 3) : random_unit(random);
+    const cylint_shape *s = &of->shapes[below(of->n)];
+    const double z = on_axis ? 0.5 * (double)below(3) : between(0, 1);
     cylint_closest a = {.part = -1};
     for (int j = 0; j < 3; j++) {
         point[j] = cylint_base(s)[j] + z * cylint_axis(s)[j];
         if (!on_axis)
-            point[j] += cylint_axis_size(s) * (random_unit(random) - 0.5);
+            point[j] += cylint_axis_size(s) * between(-0.5, 0.5);
     }
     if (!on_axis)
         cylint_distance(s, point, CYLINT_WANT_POINT, &a);
@@ -180,25 +178,23 @@ static void point_on(const struct scene_shapes *of, uint64_t *random,
 }
 
 static void point_of(const struct scene_shapes *of, enum family family,
-                     uint64_t *random, double point[3])
+                     double point[3])
 {
     static const double wild[] = {0,        -0.0,    5e-324, DBL_MIN,
                                   DBL_MAX,  1e300,   -1e200, 1e-200,
                                   HUGE_VAL, -1e-310, NAN,    0x1p60};
-    const double far = pow(10, 3 + 17 * random_unit(random));
+    const double far = power(3, 20);
     if (family == ON_SHAPE || family == AT_CENTER) {
-        point_on(of, random, family == AT_CENTER, point);
+        point_on(of, family == AT_CENTER, point);
         return;
     }
     for (int j = 0; j < 3; j++) {
-        const double in =
-            of->lo[j] + (of->hi[j] - of->lo[j]) * random_unit(random);
+        const double in = between(of->lo[j], of->hi[j]);
         point[j] = family == LATTICE ? floor(2 * in) / 2
                    : family == FAR
-                       ? in + size_about(of) * far * (random_unit(random) - 0.5)
-                   : family == WILD
-                       ? wild[random_below(random, sizeof wild / sizeof *wild)]
-                       : in;
+                       ? in + size_about(of) * far * between(-0.5, 0.5)
+                   : family == WILD ? wild[below(sizeof wild / sizeof *wild)]
+                                    : in;
     }
 }
 
@@ -226,13 +222,13 @@ static void check_lines(const struct scene_shapes *of, uint64_t number)
 
 static void check_points(const struct scene_shapes *of, uint64_t number)
 {
-    uint64_t random = check_seed() + number;
+    stream = check_seed() + number;
     OWN_SCENE *scene = open_scene(of, 1);
     for (int family = 0; scene && family < FAMILIES; family++)
         for (size_t i = 0; i < points_of_a_family; i++) {
             double point[3];
-            point_of(of, (enum family)family, &random, point);
-            check_point(of, scene, point, &random);
+            point_of(of, (enum family)family, point);
+            check_point(of, scene, point);
         }
 }
 
@@ -288,14 +284,14 @@ TEST(real_scenes_answer_as_a_loop)
 
 /* Nearly parallel shapes of the length 1 that begin within `width` of 0: each has
  * several boxes, and more of them are found than the set of a query holds. */
-static void fill_bundle(struct scene_shapes *of, uint64_t *random, double width)
+static void fill_bundle(struct scene_shapes *of, double width)
 {
     for (size_t i = 0; i < of->n; i++) {
-        const double r = 0.002 + 0.004 * random_unit(random);
+        const double r = between(0.002, 0.006);
         double p[3], q[3], h[3], a[3] = {r, 0, 0.3 * r}, b[3] = {0, 2 * r, 0};
         for (int j = 0; j < 3; j++) {
-            p[j] = width * (random_unit(random) - 0.5);
-            h[j] = 0.6 + 0.1 * random_unit(random);
+            p[j] = width * between(-0.5, 0.5);
+            h[j] = between(0.6, 0.7);
             q[j] = p[j] + h[j];
         }
         cylint_shape *s = &of->shapes[i];
@@ -316,26 +312,25 @@ TEST(shapes_of_many_pieces_count_once)
 {
     static cylint_shape shapes[BUNDLED];
     struct scene_shapes of = {.name = "bundle", .shapes = shapes, .n = BUNDLED};
-    uint64_t random = 3;
     most_found = 0;
     for (int k = 0; k < 18; k++) {
         static const double widths[] = {0.002, 0.05, 0.0005};
-        fill_bundle(&of, &random, widths[k % 3] * (1 + k / 3));
+        fill_bundle(&of, widths[k % 3] * (1 + k / 3));
         OWN_SCENE *scene = open_scene(&of, 1);
         for (int i = 0; i < 15; i++) {
             cylint_line line;
             double p[3], q[3];
-            const double along = random_unit(&random);
+            const double along = between(0, 1);
             for (int j = 0; j < 3; j++) {
-                p[j] = 0.2 * along + 0.01 * (random_unit(&random) - 0.5);
-                q[j] = random_unit(&random) - 0.5;
+                p[j] = 0.2 * along + between(-0.005, 0.005);
+                q[j] = between(-0.5, 0.5);
                 q[j] = i % 2 ? q[j] : 0.65 + 0.1 * q[j];
             }
             CHECK(cylint_whole_line(&line, p, q) == CYLINT_OK);
             check_line(&of, scene, &line);
             for (int j = 0; j < 3; j++)
-                p[j] = 0.65 * along * (i % 4 ? 0.1 : 1) +
-                       0.002 * (random_unit(&random) - 0.5);
+                p[j] =
+                    0.65 * along * (i % 4 ? 0.1 : 1) + between(-0.001, 0.001);
             begin_point(&of, p);
             check_contains(&of, scene, p);
             for (int m = 0; m < 4 && i % 4 == 0; m++)
@@ -355,13 +350,12 @@ TEST(equal_shapes_are_found_in_order)
     static const double base[3] = {0, 0, 0}, top[3] = {80, 80, 80};
     static const double points[][3] = {
         {40, 40, 41}, {0, 0, 1}, {-3, 0, 0}, {20, 20, 20}, {90, 0, 0}};
-    uint64_t random = 1;
     size_t numbers[4];
     for (int i = 0; i < COPIES; i++)
         cylint_cylinder(&shapes[i], base, top, 0.25, CYLINT_ENDS_CAPPED);
     OWN_SCENE *scene = open_scene(&of, 1);
     for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
-        check_point(&of, scene, points[i], &random);
+        check_point(&of, scene, points[i]);
         CHECK(cylint_scene_within(scene, points[i], HUGE_VAL, 0, 290, numbers,
                                   NULL, 4) == 4 &&
               numbers[0] == 290 && numbers[3] == 293);
@@ -508,12 +502,11 @@ static void answer_points_there(struct environment there)
 {
     static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
     static struct point_answers want, got;
-    uint64_t random = check_seed() + 200;
     for (int k = 0; k < 3 * FAMILIES; k++) {
         double point[3];
         OWN_SHAPES of = scene_generate(kinds[k % 3], 40, check_seed());
         OWN_SCENE *scene = open_scene(&of, 1);
-        point_of(&of, (enum family)(k / 3), &random, point);
+        point_of(&of, (enum family)(k / 3), point);
         for (int i = 0; i < 2; i++) {
             const unsigned members = i ? 0 : CYLINT_SIGNED;
             point_in_scene(scene, point, 2, members, &want);
@@ -541,65 +534,60 @@ TEST(points_have_the_same_answers_in_every_environment)
 
 /* -------------------------------------------------------------- threads -- */
 
-static cylint_line drawn[3 * LINES * LINES_KINDS];
+enum { QUESTIONS = 3 * LINES * LINES_KINDS };
 
-struct part {
-    const struct scene_shapes *of;
-    const cylint_scene *scene;
-    uint64_t sum; /* checksum of all answers */
+static cylint_line drawn[QUESTIONS];
+
+/* What one thread found, of lines and of their origins. */
+static struct part {
     pthread_t thread;
-};
-
-static void add_answer(struct part *p, size_t number, double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    p->sum = (p->sum * 31 + number) * 31 + bits;
-}
+    const cylint_scene *scene;
+    struct {
+        size_t nearest, count, all, closest, within;
+        double t, distance;
+    } found[QUESTIONS];
+} parts[THREADS];
 
 static void *answer_part(void *argument)
 {
     struct part *p = argument;
-    uint64_t random = 5;
-    for (int i = 0; i < 3 * LINES * LINES_KINDS; i++) {
-        const cylint_line line = drawn[i];
+    for (int i = 0; i < QUESTIONS; i++) {
+        const cylint_line *line = &drawn[i];
         cylint_hit hit = {0};
         cylint_closest near = {0};
         size_t numbers[16];
-        double point[3], distances[16];
-        add_answer(p,
-                   cylint_scene_nearest(p->scene, &line, CYLINT_WANT_T, &hit),
-                   hit.t);
-        add_answer(p, cylint_scene_count(p->scene, &line, 2), 0);
-        add_answer(p, cylint_scene_all(p->scene, &line, 0, numbers, 16), 0);
-        point_of(p->of, (enum family)(i % FAR), &random, point);
-        add_answer(p, cylint_scene_closest(p->scene, point, HUGE_VAL, 0, &near),
-                   near.distance);
-        add_answer(p,
-                   cylint_scene_within(p->scene, point, 2 * fabs(near.distance),
-                                       0, 0, numbers, distances, 16),
-                   0);
+        p->found[i].nearest =
+            cylint_scene_nearest(p->scene, line, CYLINT_WANT_T, &hit);
+        p->found[i].count = cylint_scene_count(p->scene, line, 2);
+        p->found[i].all = cylint_scene_all(p->scene, line, 0, numbers, 16);
+        p->found[i].closest =
+            cylint_scene_closest(p->scene, line->o, HUGE_VAL, 0, &near);
+        p->found[i].within =
+            cylint_scene_within(p->scene, line->o, 2 * fabs(near.distance), 0,
+                                0, numbers, NULL, 16);
+        p->found[i].t = hit.t;
+        p->found[i].distance = near.distance;
     }
     return NULL;
 }
 
 TEST(threads_share_a_scene_with_the_same_answers)
 {
-    struct part parts[THREADS];
     OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, check_seed());
     OWN_SCENE *scene = open_scene(&of, 2);
-    for (uint64_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+    for (uint64_t i = 0; i < QUESTIONS; i++)
         scene_line(&of, (enum scene_lines)(i % LINES_KINDS), check_seed(), i,
                    &drawn[i]);
     for (int i = 0; i < THREADS; i++) {
-        parts[i] = (struct part){.of = &of, .scene = scene};
+        parts[i].scene = scene;
         if (pthread_create(&parts[i].thread, NULL, answer_part, &parts[i]))
             abort();
     }
-    for (int i = 0; i < THREADS; i++)
+    for (int i = 0; i < THREADS; i++) {
         pthread_join(parts[i].thread, NULL);
-    for (int i = 1; i < THREADS; i++)
-        CHECK(parts[i].sum == parts[0].sum);
+        CHECK(
+            same_bytes(parts[i].found, parts[0].found, sizeof parts[0].found));
+    }
 }
 
 TEST(every_status_has_its_text)

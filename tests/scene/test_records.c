@@ -82,12 +82,11 @@ static struct {
 static void check_decision(const cylint_records *records,
                            const struct family_case *c, int mode)
 {
-    const cylint_record *r = &records->record[0];
     const int hit = cylint_occluded(&c->shape, &c->line);
     fesetround(mode);
     const int is =
         cylint_occluded_in_doubles(cylint_record_kind(records, 0), (int)c->ends,
-                                   r->p0, r->r0, r->p1, r->r1, &c->line);
+                                   &records->record[0], &c->line);
     fesetround(FE_TONEAREST);
     total.decided += is != CYLINT_UNDECIDED;
     total.undecided += is == CYLINT_UNDECIDED;

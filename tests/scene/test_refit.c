@@ -10,7 +10,6 @@
 
 #include "check.h"
 #include "cylint_scene.h"
-#include "random.h"
 #include "answers.h"
 #include "scene_file.h"
 #include "shapes/shape_facts.h"
@@ -51,22 +50,18 @@ static void replace(struct scene_shapes *of, const struct scene_shapes *by,
 
 static void check_moves(int kind, uint64_t seed, long moves)
 {
-    uint64_t random = seed;
+    stream = seed;
     cylint_scene_status status;
     OWN_SHAPES of = scene_generate(kind, SHAPES, seed);
     OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_worsening(scene) == 1);
     for (long k = 0; k < moves; k++) {
         /* sometimes of another kind, size and place */
-        const int other =
-            random_int(&random, 4) ? kind : random_int(&random, SCENE_KINDS);
+        const int other = one_of(4) ? kind : one_of(SCENE_KINDS);
         OWN_SHAPES by = scene_generate(other, SHAPES, seed + 1 + (uint64_t)k);
-        const size_t first = (size_t)random_below(&random, of.n),
-                     most = of.n - first;
-        const size_t n = random_int(&random, 4)
-                             ? 1 + (size_t)random_below(&random, most)
-                             : 1;
-        const int all = random_int(&random, 5) == 0;
+        const size_t first = (size_t)below(of.n), most = of.n - first;
+        const size_t n = one_of(4) ? 1 + (size_t)below(most) : 1;
+        const int all = one_of(5) == 0;
         replace(&of, &by, all ? 0 : first, all ? of.n : n);
         status = all ? cylint_scene_refit(scene, 0, of.n, of.shapes)
                      : cylint_scene_refit(scene, first, n, of.shapes + first);

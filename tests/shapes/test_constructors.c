@@ -7,9 +7,9 @@
 
 #include "check.h"
 #include "cylint.h"
+#include "draw.h"
 #include "environment.h"
 #include "families.h"
-#include "random.h"
 #include "records.h"
 #include "shapes/shape_facts.h"
 #ifdef HAVE_MPFR
@@ -265,18 +265,15 @@ static void add_square(double sum[2], double x, int sign)
 /* |w|^2 <= dr^2 decides which kind it is; here w = p1 and dr are exact. */
 TEST(the_kind_is_decided_exactly)
 {
-    uint64_t stream = 15;
     long balls = 0, cones = 0;
     for (int i = 0; i < 100000; i++) {
         double w[3], sum[8];
-        const double scale = ldexp(1, random_int(&stream, 200) - 100);
+        const double scale = ldexp(1, one_of(200) - 100);
         for (int j = 0; j < 3; j++)
-            w[j] =
-                scale * (random_int(&stream, 2) ? random_int(&stream, 40) - 20
-                                                : random_unit(&stream));
+            w[j] = scale * (one_of(2) ? one_of(40) - 20 : between(0, 1));
         double r = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-        for (int k = random_int(&stream, 3); k > 0; k--)
-            r = nextafter(r, random_int(&stream, 2) ? HUGE_VAL : 0);
+        for (int k = one_of(3); k > 0; k--)
+            r = nextafter(r, one_of(2) ? HUGE_VAL : 0);
         for (int j = 0; j < 3; j++)
             add_square(sum + 2 * j, w[j], 1);
         add_square(sum + 6, r, -1);
@@ -284,7 +281,7 @@ TEST(the_kind_is_decided_exactly)
         cylint_shape s;
         if (r == 0)
             continue;
-        const int end = random_int(&stream, 2);
+        const int end = one_of(2);
         CHECK(cylint_round_cone(&s, origin, end ? r : 0, w, end ? 0 : r,
                                 CYLINT_ENDS_CAPPED) == CYLINT_OK);
         if (!CHECK(s.kind ==

@@ -8,20 +8,25 @@
 
 #include "answer.h"
 
-int task_make(struct task *task, struct job *job)
+struct task *task_make(struct job *job)
 {
     const struct options *o = job->options;
     const size_t longest = job->scene.labels.longest;
     const size_t lines = row_capacity(&o->fields, &o->style, longest);
     const size_t points = row_capacity(&o->point_fields, &o->style, longest);
     const size_t row = lines > points ? lines : points;
-    memset(task, 0, sizeof *task);
+    struct task *task = calloc(1, sizeof *task);
+    if (!task)
+        return NULL;
     task->job = job;
     task->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
     if (o->sum)
         task->row.sums = malloc(o->fields.count * sizeof *task->row.sums);
-    return block_make(&task->block) && task->out.data &&
-           (task->row.sums || !o->sum);
+    if (block_make(&task->block) && task->out.data &&
+        (task->row.sums || !o->sum))
+        return task;
+    task_free(task);
+    return NULL;
 }
 
 void task_free(struct task *task)
@@ -30,6 +35,7 @@ void task_free(struct task *task)
     free(task->out.data);
     free(task->row.sums);
     piece_memory_free(&task->pieces);
+    free(task);
 }
 
 /* ------------------------------------------------------------- delivery -- */
@@ -102,17 +108,14 @@ static int read_left_out(struct task *task)
                          task->record.words, &task->notes);
 }
 
-/* status: of reading the record.  Remarks on what was read stay if a method does
- * not support a shape. */
+/* status: of reading the record. */
 static void answer_or_mark(struct task *task, int status)
 {
     task->row.tail = task->record.tail;
     if (status == 0)
         status = read_left_out(task);
-    if (status == 0) {
-        keep_remarks(&task->notes);
+    if (status == 0)
         status = answer_record(task);
-    }
     if (status != 0)
         mark_bad(task);
     task->row.record++;
@@ -176,8 +179,8 @@ static enum answered finish_block(struct task *task)
     struct job *job = task->job;
     const struct block *b = &task->block;
     progress_add(&job->progress, b->records, (double)b->input, job->in.total);
-    if (b->failure != 0)
-        job->status = input_complain(b);
+    if (b->fault[0])
+        job->status = complain(EXIT_IO, b->name, "%s", b->fault);
     return b->length == 0 || task->stopped ? ANSWERED_LAST : ANSWERED;
 }
 

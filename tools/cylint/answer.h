@@ -24,7 +24,7 @@ struct job {
     struct input in;
     unsigned long long tickets; /* of the next block */
     int most, workers;          /* at most; now */
-    struct worker *others;      /* all but the first */
+    struct task *others;        /* of all workers but the first */
     /* A pipe, closed when the work ends: this wakes a worker that waits for
      * input.  It is opened before the second worker starts; until then -1. */
     int ending[2];
@@ -46,9 +46,12 @@ enum answered {
     OVERTAKEN      /* the work ended before its ticket was the next */
 };
 
-/* A block of records, and what changes while they are answered. */
+/* What a worker does: a block of records, and what changes while they are
+ * answered. */
 struct task {
     struct job *job;
+    struct task *next; /* of another worker */
+    pthread_t thread;
     struct block block;
     unsigned long long ticket; /* blocks are written in this order */
 
@@ -63,8 +66,8 @@ struct task {
     struct piece_memory pieces;
 };
 
-/* Allocates what a task needs.  Returns 0 if there is no memory. */
-int task_make(struct task *task, struct job *job);
+/* Allocates a task and what it needs.  Returns NULL if there is no memory. */
+struct task *task_make(struct job *job);
 void task_free(struct task *task);
 
 /* Answers all records of its block, and delivers the answers in the order of
@@ -79,8 +82,8 @@ int end_without_memory(struct task *task);
 /* Answers the present record.  Returns 0, or EXIT_BAD and writes a note. */
 int answer_record(struct task *task);
 
-/* Answers all input with at most `most` workers, the caller included.  Returns
- * the exit status of the work. */
+/* Writes the header line, if it is wanted, and answers all input with at most
+ * `most` workers, the caller included.  Returns the exit status of the work. */
 int workers_run(struct job *job, int most);
 
 /* Waits until the ticket is the next.  Returns 0 if the work has ended. */

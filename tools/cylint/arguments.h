@@ -29,7 +29,7 @@ struct option {
      * expect, a const char * */
     const void *extra;
     int number;       /* what read_flag sets; the most of read_count */
-    int needs;        /* what it is for, by the caller's enumeration */
+    int needs;        /* what must be there, by the caller's enumeration */
     const char *help; /* of it and of those before it that have none */
 };
 

@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -65,12 +66,10 @@ void input_close(struct input *in)
     in->carry = NULL;
 }
 
-/* Records a failure of the input.  Returns 0. */
-static int fail(struct block *b, const char *what, int error)
+/* Records why the input failed.  Returns 0. */
+static int fail(struct block *b, const char *why)
 {
-    b->failure = EXIT_IO;
-    b->what = what;
-    b->error = error;
+    snprintf(b->fault, sizeof b->fault, "%s", why);
     b->length = 0;
     return 0;
 }
@@ -81,7 +80,7 @@ static int open_next(struct input *in, struct block *b)
     in->name = b->name = is_stdin(file) ? "stdin" : file;
     in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY, 0);
     if (in->fd < 0)
-        return fail(b, NULL, errno);
+        return fail(b, strerror(errno));
     struct stat s;
     in->regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
     in->line = 1;
@@ -243,19 +242,17 @@ static int skip_npy_header(struct input *in, struct block *b)
 {
     if (!read_until(in, b, NPY_PREFIX) || !npy_begins(b->text, b->length)) {
         return !npy_is_damaged(b->text, b->length) ||
-               fail(b, ".npy header: magic: expected \\x93NUMPY", 0);
+               fail(b, ".npy header: magic: expected \\x93NUMPY");
     }
-    const size_t length = npy_length(b->text, in->npy_wrong);
+    char wrong[NPY_WRONG];
+    const size_t length = npy_length(b->text, wrong);
     unsigned long long rows = 0;
-    if (length == 0)
-        return fail(b, in->npy_wrong, 0);
-    if (!read_until(in, b, length)) {
-        return fail(b, ".npy header: length: the file ends within the header",
-                    0);
-    }
-    if (!npy_read(b->text, length, in->record_size / sizeof(double), &rows,
-                  in->npy_wrong))
-        return fail(b, in->npy_wrong, 0);
+    if (length > 0 && !read_until(in, b, length))
+        return fail(b, ".npy header: length: the file ends within the header");
+    if (length == 0 ||
+        !npy_read(b->text, length, in->record_size / sizeof(double), &rows,
+                  wrong))
+        return fail(b, wrong);
     drop_front(b, length);
     in->promised = 1;
     in->bytes_promised = rows * in->record_size;
@@ -270,10 +267,9 @@ static int finish_file(struct input *in, struct block *b)
     close_file(in);
     b->name = in->name;
     if (in->error)
-        return fail(b, NULL, in->error);
+        return fail(b, strerror(in->error));
     return kept ||
-           fail(b, "the .npy header has another number of rows than the file",
-                0);
+           fail(b, "the .npy header has another number of rows than the file");
 }
 
 /* Closes the present file, if one is open, and opens the next.  Returns 0 if
@@ -292,10 +288,10 @@ int input_is_empty(struct input *in)
     b.text = in->carry;
     b.length = 0;
     while (b.length == 0 && !in->error) {
-        b.failure = 0;
+        b.fault[0] = '\0';
         if (!change_file(in, &b)) {
-            in->next -= b.failure != 0;
-            return b.failure == 0;
+            in->next -= b.fault[0] != '\0';
+            return b.fault[0] == '\0';
         }
         read_more(in, &b);
     }
@@ -344,7 +340,7 @@ static void fill_block(struct input *in, struct block *b)
             return;
         const size_t whole = gather(in, b);
         if (is_compressed(in, b)) {
-            fail(b, "is compressed by gzip; pipe it through zcat", 0);
+            fail(b, "is compressed by gzip; pipe it through zcat");
             return;
         }
         cut_block(in, b, whole);
@@ -357,15 +353,9 @@ void input_read(struct input *in, struct block *b)
     b->length = 0;
     b->records = 0;
     b->full = 0;
-    b->failure = 0;
+    b->fault[0] = '\0';
     fill_block(in, b);
     b->input = in->bytes;
-}
-
-int input_complain(const struct block *b)
-{
-    return complain(b->failure, b->name, "%s",
-                    b->what ? b->what : strerror(b->error));
 }
 
 int block_make(struct block *block)
@@ -408,8 +398,8 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
         in.cr_ends_lines = cr_ends_lines;
         do {
             input_read(&in, &block);
-            status = block.failure != 0
-                         ? input_complain(&block)
+            status = block.fault[0]
+                         ? complain(EXIT_IO, block.name, "%s", block.fault)
                          : read_block(&block, &notes, handle, context);
         } while (status == 0 && block.length > 0);
         input_close(&in);

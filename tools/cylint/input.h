@@ -20,9 +20,7 @@ struct block {
     unsigned long long records; /* number of records */
     unsigned long long input;   /* bytes of all input read so far */
 
-    int failure;      /* exit status; 0: none */
-    const char *what; /* its message; NULL: the text for `error` */
-    int error;        /* errno */
+    char fault[NPY_WRONG]; /* why the input failed, or "" */
 };
 
 struct input {
@@ -40,9 +38,8 @@ struct input {
     size_t carried;
     unsigned long long line, record; /* numbers of the next line and record */
 
-    int fresh;                 /* no block has bytes of this file yet */
-    char npy_wrong[NPY_WRONG]; /* a message about a .npy header */
-    int promised;              /* a .npy header states the number of rows */
+    int fresh;    /* no block has bytes of this file yet */
+    int promised; /* a .npy header states the number of rows */
     unsigned long long bytes_promised, bytes_given;
     int error;  /* errno of a read: reported after the records before it */
     int ending; /* a descriptor: its end of file ends the waiting for input; -1:
@@ -58,11 +55,9 @@ int input_open(struct input *in, char *const *files, int count,
 /* Waits for the first byte, before the first block.  Returns whether there is
  * none: all files are empty. */
 int input_is_empty(struct input *in);
-/* Reads the next block.  Its length is 0 at the end of all input and if
- * block->failure is set. */
+/* Reads the next block.  Its length is 0 at the end of all input and at a
+ * fault. */
 void input_read(struct input *in, struct block *block);
-/* Prints the failure.  Returns its exit status. */
-int input_complain(const struct block *block);
 void input_close(struct input *in);
 
 /* Allocates a block's text.  Returns 0 if there is no memory. */

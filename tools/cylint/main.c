@@ -69,34 +69,18 @@ static int read_scene_if_needed(struct job *job)
                : 0;
 }
 
-/* Writes the header line, before the workers start. */
-static int put_first_line(struct job *job)
-{
-    const struct options *o = job->options;
-    struct task task;
-    int status = task_make(&task, job) ? 0 : out_of_memory();
-    if (status == 0) {
-        put_header(&task.out, options_fields(o), &o->style);
-        status = output_write(&job->out, task.out.data, task.out.length);
-    }
-    task_free(&task);
-    return status;
-}
-
 static int answer_input(struct job *job)
 {
     const struct options *o = job->options;
     int status = read_scene_if_needed(job);
+    if (status != 0)
+        return status;
     if (o->style.binary)
         job->out.row = sizeof(double) * options_fields(o)->count;
-    if (status == 0 && o->header)
-        status = put_first_line(job);
-    if (status == 0 && is_terminal(o))
+    if (is_terminal(o))
         message("waiting for records from the terminal, %s, one a line (see "
                 "--help); Ctrl-D ends them",
                 o->scene ? "LINE" : "LINE SHAPE");
-    if (status != 0)
-        return status;
     progress_start(&job->progress, o->progress, "records", 1);
     status = workers_run(job, o->workers > 0 ? o->workers : processors());
     progress_end(&job->progress);

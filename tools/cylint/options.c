@@ -378,11 +378,11 @@ static int settle_binary(struct options *o)
          "binary input needs the kinds, -k LINE,SHAPE"},
         {in && o->grammar.line == NOT_GIVEN,
          "binary input needs the kinds, -k LINE"},
-        {out && o->header, "--header: binary output has none"},
+        {out && o->header, "--header: binary output has no header"},
         {out && options_fields(o)->labels > 0,
          "-f label: binary output has numbers only"},
         {out && o->style.missing,
-         "--miss: in binary output what is missing is NaN"},
+         "--miss: in binary output a missing value is NaN"},
         {(in || out) && o->comments, "-C: only text has comments"},
         {0, NULL}};
     return check(rules);

@@ -111,68 +111,59 @@ static int answer_pair(struct task *task)
 
 /* --------------------------------------------------------------- visits -- */
 
-/* What a visit finds: the shape with the least t or distance, and how many. */
+/* A visit of the shapes that a line hits or that are near a point, and what it
+ * finds. */
 struct search {
     struct task *task;
-    size_t shape; /* from 1; 0: none */
+    /* Takes one of them; key: t or distance.  Returns as cylint_scene_hit(). */
+    double (*take)(struct search *search, size_t number, double key);
+    size_t shape; /* the one with the least key, from 1; 0: none */
     double least;
     size_t count, most; /* most: the visit ends; 0: it does not */
 };
 
 static double keep_nearest(struct search *s, size_t number, double key)
 {
-    if (!is_left_out(s->task, number) &&
-        (s->shape == 0 || key < s->least ||
-         (!(key > s->least) && number + 1 < s->shape))) {
+    if (s->shape == 0 || key < s->least ||
+        (!(key > s->least) && number + 1 < s->shape)) {
         s->shape = number + 1;
         s->least = key;
     }
-    return s->shape > 0 ? s->least : HUGE_VAL;
+    return s->least;
 }
 
-static double count_one(struct search *s, size_t number)
+static double count_one(struct search *s, size_t number, double key)
 {
-    s->count += !is_left_out(s->task, number);
-    return s->count == s->most && s->most > 0 ? (double)NAN : HUGE_VAL;
+    (void)number;
+    (void)key;
+    return ++s->count == s->most ? (double)NAN : HUGE_VAL;
 }
 
-static double keep_nearest_hit(void *search, size_t number,
-                               const cylint_hit *hit)
+static double put_one(struct search *s, size_t number, double key)
 {
-    return keep_nearest(search, number, hit->t);
-}
-
-static double count_hit(void *search, size_t number, const cylint_hit *hit)
-{
-    (void)hit;
-    return count_one(search, number);
-}
-
-static double put_hit(void *search, size_t number, const cylint_hit *hit)
-{
-    struct search *s = search;
-    (void)hit;
-    if (!is_left_out(s->task, number))
-        put_shape(s->task, number + 1);
+    (void)key;
+    put_shape(s->task, number + 1);
     return s->task->status == ANSWERED ? HUGE_VAL : (double)NAN;
 }
 
-static double keep_closest(void *search, size_t number, double distance,
-                           int flags)
+static double take(struct search *s, size_t number, double key)
+{
+    if (!is_left_out(s->task, number))
+        return s->take(s, number, key);
+    return s->shape > 0 ? s->least : HUGE_VAL;
+}
+
+static double take_hit(void *search, size_t number, const cylint_hit *hit)
+{
+    return take(search, number, hit ? hit->t : 0);
+}
+
+static double take_near(void *search, size_t number, double distance, int flags)
 {
     const struct search *s = search;
     (void)flags;
-    return keep_nearest(search, number,
-                        s->task->job->options->is_signed ? distance
-                                                         : fabs(distance));
-}
-
-static double count_near(void *search, size_t number, double distance,
-                         int flags)
-{
-    (void)distance;
-    (void)flags;
-    return count_one(search, number);
+    return take(search, number,
+                s->task->job->options->is_signed ? distance : fabs(distance));
 }
 
 static int is_one_by_one(const struct options *o)
@@ -180,16 +171,15 @@ static int is_one_by_one(const struct options *o)
     return o->method || o->accel == ACCEL_NONE;
 }
 
-/* As cylint_scene_visit().  Returns EXIT_BAD and writes a note if the method
+/* want: of the hits' members.  Returns EXIT_BAD and writes a note if the method
  * does not support a shape. */
-static int visit_line(struct search *s, unsigned want,
-                      cylint_scene_hit *callback)
+static int visit_line(struct search *s, unsigned want)
 {
     const struct scene *scene = &s->task->job->scene;
     cylint_shape shape;
     cylint_answer answer;
     if (!is_one_by_one(s->task->job->options)) {
-        cylint_scene_visit(scene->shapes, &s->task->record.line, want, callback,
+        cylint_scene_visit(scene->shapes, &s->task->record.line, want, take_hit,
                            s);
         return 0;
     }
@@ -199,26 +189,25 @@ static int visit_line(struct search *s, unsigned want,
         cylint_scene_shape(scene->shapes, i, &shape);
         if (solve(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST, &answer))
             return EXIT_BAD;
-        if (answer.n > 0 && isnan(callback(s, i, &answer.hit[0])))
+        if (answer.n > 0 && isnan(take_hit(s, i, want ? &answer.hit[0] : NULL)))
             break;
     }
     return 0;
 }
 
-static void visit_point(struct search *s, double radius, unsigned want,
-                        cylint_scene_near *callback)
+static void visit_point(struct search *s, double radius, unsigned want)
 {
     cylint_scene_visit_point(s->task->job->scene.shapes, s->task->record.point,
-                             radius, want, callback, s);
+                             radius, want, take_near, s);
 }
 
 static int answer_nearest(struct task *task)
 {
     const struct options *o = task->job->options;
-    struct search s = {.task = task};
+    struct search s = {.task = task, .take = keep_nearest};
     if (task->record.is_point)
-        visit_point(&s, o->radius, signed_of(o), keep_closest);
-    else if (visit_line(&s, CYLINT_WANT_T, keep_nearest_hit))
+        visit_point(&s, o->radius, signed_of(o));
+    else if (visit_line(&s, CYLINT_WANT_T))
         return EXIT_BAD;
     put_shape(task, s.shape);
     return 0;
@@ -228,13 +217,13 @@ static int answer_nearest(struct task *task)
 static int answer_up_to(struct task *task, size_t most)
 {
     const struct options *o = task->job->options;
-    struct search s = {.task = task, .most = most};
+    struct search s = {.task = task, .take = count_one, .most = most};
     if (task->record.is_point)
-        visit_point(&s, o->radius, signed_of(o), count_near);
+        visit_point(&s, o->radius, signed_of(o));
     else if (!is_one_by_one(o) && task->left_out.count == 0)
         s.count = cylint_scene_count(task->job->scene.shapes,
                                      &task->record.line, most);
-    else if (visit_line(&s, 0, count_hit))
+    else if (visit_line(&s, 0))
         return EXIT_BAD;
     task->row.count = (double)s.count;
     put_answer(task, s.count > 0);
@@ -257,8 +246,11 @@ enum { FOUND_AT_ONCE = 256 };
  * record has no partial answer. */
 static int answer_all_one_by_one(struct task *task)
 {
-    struct search s = {.task = task};
-    return visit_line(&s, 0, count_hit) || visit_line(&s, 0, put_hit);
+    struct search s = {.task = task, .take = count_one};
+    if (visit_line(&s, 0))
+        return EXIT_BAD;
+    s.take = put_one;
+    return visit_line(&s, 0);
 }
 
 static int answer_all(struct task *task)
@@ -363,10 +355,10 @@ static int answer_inside(struct task *task)
 {
     const struct fields *fields = fields_of(task);
     const struct job *job = task->job;
-    struct search s = {.task = task};
+    struct search s = {.task = task, .take = count_one};
     size_t owner = job->scene.count, depth = 0;
     if (fields->counts)
-        visit_point(&s, 0, CYLINT_SIGNED, count_near);
+        visit_point(&s, 0, CYLINT_SIGNED);
     if (fields->solids)
         depth = depth_of_point(job->scene.shapes, task->record.point,
                                job->groups.rank, &owner, &task->pieces);

@@ -32,7 +32,7 @@ int refuse(struct notes *notes, const char *at, const char *format, ...)
     note->record = notes->record;
     note->column = at ? (unsigned long long)(at - notes->text) + 1 : 1;
     note->remark = REMARK_NONE;
-    note->is_advised = 0;
+    note->is_advised = note->looks_binary = 0;
     va_start(list, format);
     vsnprintf(note->text, NOTE_CAPACITY, format, list);
     va_end(list);
@@ -94,11 +94,6 @@ void make_remark(struct notes *notes, enum remark remark)
     notes->kept++;
 }
 
-void keep_remarks(struct notes *notes)
-{
-    notes->begun = notes->kept;
-}
-
 /* In text, control characters other than tabs and line ends are rare; in
  * random bytes every ninth is one.  A file looks binary if they are more than
  * one in 20 of its first 512 bytes.  A few of them may be typing errors. */
@@ -115,23 +110,18 @@ static int looks_binary(const char *text, const char *end)
     return control > SLIPS && control > looked_at / ONE_IN;
 }
 
-/* Removes the remarks on a record that is bad.  With advice the text does not
- * depend on how much of a pipe was read. */
+/* With advice the text does not depend on how much of a pipe was read. */
 void count_bad(struct notes *notes)
 {
-    struct note *note = &notes->note[notes->begun];
-    for (int i = notes->begun; i < notes->kept; i++)
-        notes->wanted |= 1u << notes->note[i].remark;
+    struct note *note = present(notes);
     notes->bad++;
     notes->may_remark = 0;
     if (notes->kept_bad < NOTES_MOST) {
-        *note = *present(notes);
         note->looks_binary =
             !note->is_advised && looks_binary(notes->text, notes->end);
         notes->kept_bad++;
-        notes->begun++;
+        notes->kept++;
     }
-    notes->kept = notes->begun;
 }
 
 /* ------------------------------------------------------------ printing -- */
@@ -209,7 +199,7 @@ void report_notes(struct report *report, struct notes *notes, const char *name)
         if (must_print(report, &notes->note[i], name))
             print_note(&notes->note[i], name);
     report->bad += notes->bad;
-    notes->kept = notes->kept_bad = notes->begun = 0;
+    notes->kept = notes->kept_bad = 0;
     notes->bad = 0;
 }
 

@@ -62,7 +62,6 @@ struct notes {
     int may_remark;  /* the next note may become a remark */
     struct note note[NOTES_MOST + REMARKS + 1];
     int kept, kept_bad;     /* of these, and how many are about bad records */
-    int begun;              /* those before the present record */
     unsigned long long bad; /* bad records in all */
 };
 
@@ -86,13 +85,12 @@ int refuse_other(struct notes *notes, const char *expected, struct string text);
 void advise(struct notes *notes, const char *advice);
 void suggest(struct notes *notes, struct words words, struct string text);
 
-/* Whether to test the present record for a remark. */
+/* Whether to test the present record for a remark.  If so, the caller writes it
+ * as if the record were bad; make_remark() then makes it this remark, which stays
+ * whatever follows. */
 int wants_remark(struct notes *notes, enum remark remark);
-/* The note, just written as if the record were bad, is this remark. */
 void make_remark(struct notes *notes, enum remark remark);
 
-/* The remarks on the present record stay, whatever follows. */
-void keep_remarks(struct notes *notes);
 /* The present record is bad, as the note says. */
 void count_bad(struct notes *notes);
 

@@ -8,7 +8,8 @@
 #include "input.h"
 #include "scene.h"
 
-/* What it is for a status of the library.  name: of the file. */
+/* Returns the exit status for a status of the library, after a message if it is a
+ * fault.  name: of the file. */
 static int scene_failed(cylint_scene_status status, const char *name,
                         int exit_status)
 {
@@ -151,8 +152,9 @@ int scene_open(struct scene *scene)
     if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE)
         return NOT_SAVED;
     if (status == CYLINT_SCENE_OK && scene->ends != NOT_GIVEN)
-        return complain(EXIT_USAGE, file,
-                        "is a saved scene, whose shapes have their ends");
+        return complain(
+            EXIT_USAGE, file,
+            "is a saved scene, whose shapes have their ends already");
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
     return status == CYLINT_SCENE_OK && scene->keeps_labels
                ? labels_take(&scene->labels, scene->shapes, file)

@@ -97,11 +97,13 @@ void scene_free(struct scene *scene);
 
 /* --------------------------------------------------------------- text -- */
 
-enum { RECORD_MOST = 512 }; /* bytes of a record without its solids and label */
+/* Bytes of a record: numbers, solids of a line, one more, which makes it too long,
+ * and a label. */
+enum { RECORD_MOST = 512 + 3 * LINE_MOST };
 
 /* Writes the numbers of a shape, in the grammar's order; that of an acone is its
  * tangent, not its angle.  Returns the enum shape_kind that made the shape: a round
- * cone can be a ball. */
+ * cone can be a ball.  Of a refused shape it returns NOT_GIVEN. */
 int numbers_of_shape(const cylint_shape *shape, double number[13]);
 
 /* A record to write. */
@@ -113,9 +115,9 @@ struct shape_record {
     struct string label;
 };
 
-/* Appends the record and a line feed.  The text has space for LINE_MOST bytes and
- * RECORD_MOST.  Returns NULL, or why text cannot hold the record; then the text is
- * as before.  digits: as of cylint_write_number(). */
+/* Appends the record and a line feed.  The text has space for RECORD_MOST bytes.
+ * Returns NULL, or why text cannot hold the record; then the text is as before.
+ * digits: as of cylint_write_number(). */
 const char *put_record(struct text *t, const struct shape_record *record,
                        int digits);
 

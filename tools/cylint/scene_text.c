@@ -17,7 +17,8 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
     static const struct {
         int kind;
         const char *parts;
-    } made[] = {[CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "ptr"},
+    } made[] = {[CYLINT_KIND_NONE] = {NOT_GIVEN, ""},
+                [CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "ptr"},
                 [CYLINT_KIND_CONE] = {SHAPE_CONE, "prtR"},
                 [CYLINT_KIND_ACONE] = {SHAPE_ACONE, "phR"},
                 [CYLINT_KIND_ECYLINDER] = {SHAPE_ECYLINDER, "pabh"},
@@ -31,7 +32,6 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
                         cylint_surface(s) != CYLINT_PART_LATERAL;
     const int turned = is_ball && cylint_surface(s) == CYLINT_PART_CAP1;
     const int kind = is_ball ? CYLINT_KIND_RCONE : (int)s->kind;
-    /* lint: a shape of a scene has a kind */
     for (const char *p = made[kind].parts; *p; p++) {
         const int is_top = (*p == 't' || *p == 'R') != turned;
         const double *from = *p == 'a'                ? cylint_a(s)
@@ -93,7 +93,7 @@ static const char *fault_of(const struct shape_record *r)
 {
     for (size_t i = 0; i < r->members; i++)
         if (abs(r->member[i].clause) > CLAUSE_MOST)
-            return "text has clauses up to 999999999";
+            return "text cannot hold a clause above 999999999";
     const struct string *label = &r->label;
     const char *const text = label->text;
     if (label->length == 0)
@@ -101,13 +101,13 @@ static const char *fault_of(const struct shape_record *r)
     const char last = text[label->length - 1];
     return memchr(text, '\n', label->length) ||
                    memchr(text, '\0', label->length)
-               ? "text has no line feed and no NUL in labels"
+               ? "text cannot hold a label with a line feed or NUL"
            : is_blank(text[0]) || is_blank(last) || last == '\r'
-               ? "text has no blanks around labels"
+               ? "text cannot hold a label with blanks around it"
            : begins_with(label, IN_WORD) || begins_with(label, OUT_WORD)
-               ? "text has no labels that begin with in= or out="
+               ? "text cannot hold a label that begins with in= or out="
            : r->members > 0 && begins_with(label, "ends=")
-               ? "text has no label that begins with ends= in a solid"
+               ? "text cannot hold a label that begins with ends= in a solid"
                : NULL;
 }
 
@@ -144,44 +144,31 @@ static void put_member(struct text *t, const struct solids *s,
     put_whole(t, (unsigned long long)abs(m->clause));
 }
 
-/* The bytes of the words that put_member() writes, at most. */
-static size_t bytes_of_solids(const struct shape_record *r)
-{
-    size_t bytes = 0;
-    for (size_t i = 0; i < r->members; i++) {
-        const size_t solid = r->member[i].solid;
-        bytes += 48 + (solid < r->solids->names.texts.count
-                           ? names_get(&r->solids->names, solid).length
-                           : 0);
-    }
-    return bytes;
-}
-
 const char *put_record(struct text *t, const struct shape_record *r, int digits)
 {
     double number[13];
-    const int kind = numbers_of_shape(r->shape, number);
     const size_t begin = t->length;
-    const char *fault = fault_of(r);
+    const int kind = numbers_of_shape(r->shape, number);
+    const char *fault =
+        kind == NOT_GIVEN ? "text cannot hold a refused shape" : fault_of(r);
     if (fault)
         return fault;
     if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0)
-        return "text has angles, and no angle in degrees has its tangent";
+        return "text cannot hold a cone whose tangent no angle in degrees has";
     put_shape(t, r, kind, number, digits);
-    if (bytes_of_solids(r) + r->label.length <= LINE_MOST) {
-        for (size_t i = 0; i < r->members; i++)
-            put_member(t, r->solids, &r->member[i]);
-        if (r->label.length > 0) {
-            /* The first comma after a field separates. */
-            put_word(t, r->label.text[0] == ',' ? " ," : " ");
-            put_string(t, r->label);
-        }
-        put_char(t, '\n');
-        if (t->length - begin - 1 <= LINE_MOST)
-            return NULL;
+    for (size_t i = 0; i < r->members && t->length - begin <= LINE_MOST; i++)
+        put_member(t, r->solids, &r->member[i]);
+    if (r->label.length > 0 && r->label.length <= LINE_MOST) {
+        /* The first comma after a field separates. */
+        put_word(t, r->label.text[0] == ',' ? " ," : " ");
+        put_string(t, r->label);
     }
-    t->length = begin;
-    return "the line would be longer than 1 MiB";
+    if (r->label.length > LINE_MOST || t->length - begin > LINE_MOST) {
+        t->length = begin;
+        return "the line would be longer than 1 MiB";
+    }
+    put_char(t, '\n');
+    return NULL;
 }
 
 /* --------------------------------------------------------------- scene -- */
@@ -223,7 +210,7 @@ static int put_records(const struct scene *scene, int digits,
 int scene_write_text(struct scene *scene, int digits, struct output *out)
 {
     struct solids *s = &scene->solids;
-    struct text t = {malloc(TEXT_FULL + LINE_MOST + RECORD_MOST), 0};
+    struct text t = {malloc(TEXT_FULL + RECORD_MOST), 0};
     if (!t.data)
         return out_of_memory();
     if (s->count > 0)

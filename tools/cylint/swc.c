@@ -38,11 +38,13 @@ struct swc {
     struct scene *scene;
     struct swc_node *nodes; /* in the order of the file */
     size_t count, capacity;
-    size_t *places; /* a hash table of indices into nodes[], from 1 */
-    int bits;       /* it has 2^bits entries */
-    /* of what bounds nothing */
-    size_t without_length, without_radius, roots_without_radius;
+    size_t *places;    /* a hash table of indices into nodes[], from 1 */
+    int bits;          /* it has 2^bits entries */
+    size_t skipped[3]; /* of each, by enum skip */
 };
+
+/* What bounds no shape. */
+enum skip { NO_LENGTH, NO_RADIUS, ROOT_OF_NO_RADIUS };
 
 const char *const swc_forms[] = {
     [SWC_CONES] = "cones", [SWC_ROUND] = "round", NULL};
@@ -202,7 +204,7 @@ static int refuse_cycle(const struct swc *swc, size_t index)
     char text[80];
     snprintf(text, sizeof text,
              node->up == index ? "node %llu is its own parent"
-                               : "the parents of node %llu lead back to it",
+                               : "the parents of node %llu form a cycle",
              (unsigned long long)node->number);
     return complain_at(swc->scene->file, node->line, node->column, text);
 }
@@ -260,27 +262,17 @@ static int same_place(const double a[3], const double b[3])
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Whether a root bounds a ball; counts it if not. */
-static int is_ball(struct swc *swc, const struct swc_node *root)
+/* Returns the counter of what bounds no shape, or NULL if the node gives one.  A
+ * rounded cone without length is a ball.  parent: NULL for a root. */
+static size_t *skipped_by(struct swc *swc, const struct swc_node *node,
+                          const struct swc_node *parent)
 {
-    swc->roots_without_radius += root->ball[3] == 0;
-    return root->ball[3] > 0;
-}
-
-/* Whether an edge bounds a shape; counts it if not.  A rounded cone without
- * length is a ball. */
-static int is_solid(struct swc *swc, const struct swc_node *node,
-                    const struct swc_node *parent)
-{
-    if (swc->scene->form == SWC_CONES && same_place(node->ball, parent->ball)) {
-        swc->without_length++;
-        return 0;
-    }
-    if (node->ball[3] == 0 && parent->ball[3] == 0) {
-        swc->without_radius++;
-        return 0;
-    }
-    return 1;
+    if (parent && swc->scene->form == SWC_CONES &&
+        same_place(node->ball, parent->ball))
+        return &swc->skipped[NO_LENGTH];
+    if (node->ball[3] > 0 || (parent && parent->ball[3] > 0))
+        return NULL;
+    return &swc->skipped[parent ? NO_RADIUS : ROOT_OF_NO_RADIUS];
 }
 
 /* parent: NULL for a root. */
@@ -311,10 +303,13 @@ static int convert_node(struct swc *swc, const struct swc_node *node)
 {
     const struct swc_node *parent =
         node->up > 0 ? &swc->nodes[node->up - 1] : NULL;
-    const int is_shape =
-        parent ? is_solid(swc, node, parent)
-               : swc->scene->form == SWC_ROUND && is_ball(swc, node);
-    return is_shape ? add_shape(swc, node, parent) : 0;
+    if (!parent && swc->scene->form == SWC_CONES)
+        return 0;
+    size_t *skipped = skipped_by(swc, node, parent);
+    if (!skipped)
+        return add_shape(swc, node, parent);
+    ++*skipped;
+    return 0;
 }
 
 /* After all nodes were read. */
@@ -329,15 +324,13 @@ static int add_shapes(struct swc *swc)
     if (status != 0)
         return status;
     print_count(swc->scene->file, missing, "node",
-                missing == 1
-                    ? "with a parent that is not in the file taken as a root"
-                    : "with a parent that is not in the file taken as roots");
-    print_count(swc->scene->file, swc->without_length, "edge",
-                "of no length skipped");
-    print_count(swc->scene->file, swc->without_radius, "edge",
-                "of no radius skipped");
-    print_count(swc->scene->file, swc->roots_without_radius, "root",
-                "of no radius skipped");
+                missing == 1 ? "whose parent is not in the file is a root"
+                             : "whose parent is not in the file are roots");
+    for (int i = 0; i < 3; i++)
+        print_count(swc->scene->file, swc->skipped[i],
+                    i == ROOT_OF_NO_RADIUS ? "root" : "edge",
+                    i == NO_LENGTH ? "of no length skipped"
+                                   : "of no radius skipped");
     return 0;
 }
 

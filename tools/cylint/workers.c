@@ -45,29 +45,7 @@ static int has_ended(struct job *job)
 
 /* -------------------------------------------------------------- workers -- */
 
-struct worker {
-    struct task task;
-    pthread_t thread;
-    struct worker *next;
-};
-
-static void *work(void *worker);
-
-static void free_worker(struct worker *w)
-{
-    task_free(&w->task);
-    free(w);
-}
-
-static struct worker *make_worker(struct job *job)
-{
-    struct worker *w = malloc(sizeof *w);
-    if (w && task_make(&w->task, job))
-        return w;
-    if (w)
-        free_worker(w);
-    return NULL;
-}
+static void *work(void *task);
 
 static int has_ending(struct job *job)
 {
@@ -83,13 +61,14 @@ static int has_ending(struct job *job)
  * asked for more. */
 enum { STACK_BYTES = 1 << 20 };
 
-static int start_thread(struct worker *w)
+static int start_thread(struct task *task)
 {
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0)
         return 0;
     pthread_attr_setstacksize(&attributes, STACK_BYTES);
-    const int started = pthread_create(&w->thread, &attributes, work, w) == 0;
+    const int started =
+        pthread_create(&task->thread, &attributes, work, task) == 0;
     pthread_attr_destroy(&attributes);
     return started;
 }
@@ -97,15 +76,15 @@ static int start_thread(struct worker *w)
 /* If memory, threads or descriptors are short, the present workers continue. */
 static void start_worker(struct job *job)
 {
-    struct worker *w = has_ending(job) ? make_worker(job) : NULL;
-    if (w && start_thread(w)) {
-        w->next = job->others;
-        job->others = w;
+    struct task *task = has_ending(job) ? task_make(job) : NULL;
+    if (task && start_thread(task)) {
+        task->next = job->others;
+        job->others = task;
         job->workers++;
         return;
     }
-    if (w)
-        free_worker(w);
+    if (task)
+        task_free(task);
     job->most = job->workers;
 }
 
@@ -131,9 +110,9 @@ static void close_end(int fd)
         close(fd);
 }
 
-static void *work(void *worker)
+static void *work(void *context)
 {
-    struct task *task = &((struct worker *)worker)->task;
+    struct task *task = context;
     struct job *job = task->job;
     while (read_block(task)) {
         const enum answered status = answer_block(task);
@@ -149,27 +128,40 @@ static void *work(void *worker)
 static void join_workers(struct job *job)
 {
     pthread_mutex_lock(&job->reading);
-    struct worker *w = job->others;
+    struct task *task = job->others;
     pthread_mutex_unlock(&job->reading);
-    while (w) {
-        struct worker *next = w->next;
-        pthread_join(w->thread, NULL);
-        free_worker(w);
-        w = next;
+    while (task) {
+        struct task *next = task->next;
+        pthread_join(task->thread, NULL);
+        task_free(task);
+        task = next;
     }
     close_end(job->ending[0]);
 }
 
+static int put_first_line(struct task *task)
+{
+    struct job *job = task->job;
+    const struct options *o = job->options;
+    put_header(&task->out, options_fields(o), &o->style);
+    const size_t length = task->out.length;
+    task->out.length = 0;
+    return output_write(&job->out, task->out.data, length);
+}
+
 int workers_run(struct job *job, int most)
 {
-    struct worker *first = make_worker(job);
+    struct task *first = task_make(job);
     job->most = most;
     job->workers = 1;
     job->ending[0] = job->ending[1] = -1;
     if (!first)
         return out_of_memory();
-    work(first);
-    join_workers(job);
-    free_worker(first);
+    job->status = job->options->header ? put_first_line(first) : 0;
+    if (job->status == 0) {
+        work(first);
+        join_workers(job);
+    }
+    task_free(first);
     return job->status;
 }

@@ -215,46 +215,45 @@ static uint32_t colour_of_shape(const struct colours *c, size_t i)
     }
 }
 
-/* lint: each solid's number is below `solids` */
-/* Writes for each shape the first one of its solid that is not a complement;
- * shapes that are in no solid stand for themselves.  Returns NULL if there is no
+/* Writes for each shape the first one of its solid that is not a complement; of
+ * several solids that of the first, since members are sorted by solid
+ * (boxes_make()).  Other shapes stand for themselves.  Returns NULL if there is no
  * memory. */
 static size_t *first_of_solids(const struct scene *scene)
 {
     const cylint_member *m = scene->solids.member;
     const size_t n = scene->solids.count;
-    size_t solids = 0, *stand, *first;
-    for (size_t i = 0; i < n; i++)
-        solids = m[i].solid < solids ? solids : m[i].solid + 1;
-    stand = malloc((scene->count + solids + 1) * sizeof *stand);
-    if (!stand)
-        return NULL;
-    first = stand + scene->count;
-    for (size_t i = 0; i < scene->count + solids; i++)
-        stand[i] = i < scene->count ? i : scene->count;
-    for (size_t i = 0; i < n; i++)
-        if (m[i].clause > 0 && m[i].shape < first[m[i].solid])
-            first[m[i].solid] = m[i].shape;
-    for (size_t i = 0; i < n; i++)
-        if (stand[m[i].shape] == m[i].shape && first[m[i].solid] < scene->count)
-            stand[m[i].shape] = first[m[i].solid];
+    size_t *stand = malloc((scene->count + 1) * sizeof *stand);
+    for (size_t i = 0; i < scene->count && stand; i++)
+        stand[i] = scene->count;
+    for (size_t i = 0, end = 0; i < n && stand; i = end) {
+        size_t first = scene->count;
+        for (; end < n && m[end].solid == m[i].solid; end++)
+            if (m[end].clause > 0 && m[end].shape < first)
+                first = m[end].shape;
+        for (size_t k = i; k < end; k++)
+            if (stand[m[k].shape] == scene->count)
+                stand[m[k].shape] = first;
+    }
+    for (size_t i = 0; i < scene->count && stand; i++)
+        if (stand[i] == scene->count)
+            stand[i] = i;
     return stand;
 }
 
-/* lint: stand[] has a number for each shape */
-/* Members of a solid without a colour of their own have that of its first one. */
+/* Members of a solid without a colour of their own have that of its first one,
+ * which can be a member of an earlier solid. */
 static int colour_others(struct colours *c)
 {
     size_t *stand = first_of_solids(c->scene);
     if (!stand)
         return out_of_memory();
-    for (int members = 0; members < 2; members++) {
-        for (size_t i = 0; i < c->scene->count; i++) {
-            if (c->of[i] == NO_COLOUR && members)
-                c->of[i] = c->of[stand[i]];
-            else if (c->of[i] == NO_COLOUR && stand[i] == i)
-                c->of[i] = colour_of_shape(c, i);
-        }
+    for (size_t i = 0; i < c->scene->count; i++) {
+        size_t from = i;
+        while (c->of[from] == NO_COLOUR && stand[from] != from)
+            from = stand[from];
+        c->of[i] =
+            c->of[from] == NO_COLOUR ? colour_of_shape(c, from) : c->of[from];
     }
     free(stand);
     return 0;

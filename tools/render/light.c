@@ -26,7 +26,7 @@ enum { FOR_SUN = 1, FOR_SKY = 2 }; /* the purpose of samples */
 struct place {
     size_t number;
     struct vector point, facing;
-    int leaves; /* a convex solid, from outside */
+    int leaves; /* rays from here leave the shape, which is convex */
 };
 
 /* ------------------------------------------------------------ surfaces -- */

@@ -59,7 +59,10 @@ static int add_ground(struct job *job, const struct boxes *all)
     const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
-    cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
+    if (cylint_cylinder(&record.shape, base.v, top.v, radius,
+                        CYLINT_ENDS_CAPPED) != CYLINT_OK)
+        return complain(EXIT_BAD, job->options.scene,
+                        "the scene is too large for --ground");
     read_colour(string_of(job->options.ground),
                 &job->colours[job->scene.count]);
     return scene_add(&job->scene, &record);
@@ -84,10 +87,9 @@ static int set_stage(struct job *job, const struct boxes *boxes)
         return EXIT_MEMORY;
     job->scene.keeps_labels = 0;
     labels_free(&job->scene.labels);
-    if (!view_of_scene(&job->view, &o->viewing, boxes))
-        return complain(EXIT_BAD, o->scene,
-                        "no shape is bounded, or the view is along --up; "
-                        "use --eye and --look-at");
+    const char *fault = view_of_scene(&job->view, &o->viewing, boxes);
+    if (fault)
+        return complain(EXIT_BAD, o->scene, "%s", fault);
     job->stage = (struct stage){.colours = job->colours,
                                 .has_solids = job->scene.solids.count > 0,
                                 .has_ground = o->ground && boxes->size > 0,
@@ -123,13 +125,10 @@ static int draw_picture(struct job *job, struct output *out)
         (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
-    /* More builders than processors are not faster. */
-    const int processors_here = processors();
-    const int workers = o->workers > 0 ? o->workers : processors_here;
-    const int builders = workers < processors_here ? workers : processors_here;
+    const int workers = o->workers > 0 ? o->workers : processors();
     const struct drawing drawing = {&picture, &job->view, o->samples, workers,
                                     o->progress};
-    int status = scene_build(&job->scene, builders);
+    int status = scene_build(&job->scene, workers);
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;
@@ -160,8 +159,10 @@ int main(int argc, char **argv)
     if (status != 0 || o->print)
         return status != 0 ? status : print_about(o->print);
     stages_start(&job.stages, o->progress);
-    status =
-        output_open(&out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
+    status = output_is_input(o->output, o->scene)
+                 ? EXIT_IO
+                 : output_open(
+                       &out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
     if (status != 0)
         return status;
     status = prepare(&job);

@@ -1,12 +1,11 @@
 /*
  * trace.c - traces the rows of a picture on several threads
  *
- * A worker takes the next free row; a pixel depends on its place only.
+ * A pixel depends on its place only.
  */
 #include <pthread.h>
-#include <stdlib.h>
-#include <string.h>
 
+#include "../../src/bvh/threads.h"
 #include "colours.h"
 #include "light.h"
 #include "report.h"
@@ -19,7 +18,8 @@ struct work {
     const struct backdrop *backdrop;
 
     pthread_mutex_t lock; /* protects the members below */
-    int next_row, rows_done, status;
+    int has_failed;
+    size_t rows_done;
     struct progress progress;
 };
 
@@ -74,31 +74,22 @@ static void trace_row(const struct work *w, struct tracer *tracer, int y)
         put_pixel(w, y, pixel_of_samples(w, tracer, x, y), bytes);
 }
 
-static void *take_rows(void *context)
+/* Each row is traced by one thread, which begins without memory for pieces. */
+static void trace_rows(void *work, size_t from, size_t to)
 {
-    struct work *w = context;
-    const int rows = w->drawing->picture->height;
-    struct tracer tracer;
-    memset(&tracer, 0, sizeof tracer);
-    tracer.stage = w->stage;
+    struct work *w = work;
+    struct tracer tracer = {.stage = w->stage};
+    for (size_t y = from; y < to && !tracer.has_failed; y++)
+        trace_row(w, &tracer, (int)y);
     pthread_mutex_lock(&w->lock);
-    while (w->next_row < rows && w->status == 0) {
-        const int y = w->next_row++;
-        pthread_mutex_unlock(&w->lock);
-        trace_row(w, &tracer, y);
-        pthread_mutex_lock(&w->lock);
-        if (tracer.has_failed && w->status == 0)
-            w->status = out_of_memory();
-        w->rows_done++;
-        progress_add(&w->progress, 1, w->rows_done, rows);
-    }
+    w->has_failed |= tracer.has_failed;
+    w->rows_done += to - from;
+    progress_add(&w->progress, to - from, (double)w->rows_done,
+                 w->drawing->picture->height);
     pthread_mutex_unlock(&w->lock);
     piece_memory_free(&tracer.memory);
-    return NULL;
 }
 
-/* The caller is the first worker.  If the system refuses threads, there are
- * fewer. */
 int trace(const struct drawing *d, const struct stage *stage,
           const struct backdrop *backdrop)
 {
@@ -106,20 +97,9 @@ int trace(const struct drawing *d, const struct stage *stage,
                      .stage = stage,
                      .backdrop = backdrop,
                      .lock = PTHREAD_MUTEX_INITIALIZER};
-    const int rows = d->picture->height;
-    const int most = d->workers < rows ? d->workers : rows;
-    pthread_t *others = malloc((size_t)most * sizeof *others);
-    int started = 0;
-    if (!others)
-        return out_of_memory();
     progress_start(&w.progress, d->progress, "rows", 0);
-    while (started < most - 1 &&
-           pthread_create(&others[started], NULL, take_rows, &w) == 0)
-        started++;
-    take_rows(&w);
-    while (started > 0)
-        pthread_join(others[--started], NULL);
+    cylint_threads_share(d->workers, (size_t)d->picture->height, 1, 1,
+                         trace_rows, &w);
     progress_end(&w.progress);
-    free(others);
-    return w.status;
+    return w.has_failed ? out_of_memory() : 0;
 }

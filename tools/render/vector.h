@@ -61,6 +61,12 @@ static inline struct vector cross(struct vector a, struct vector b)
                   a.v[0] * b.v[1] - a.v[1] * b.v[0]);
 }
 
+/* 0 times infinity is not 0. */
+static inline int is_finite(struct vector a)
+{
+    return dot(a, vector(0, 0, 0)) == 0;
+}
+
 /* dot(a, a) would under- or overflow for some scenes. */
 static inline double length(struct vector a)
 {

@@ -60,16 +60,24 @@ static struct vector default_side(const struct boxes *boxes, struct vector up)
 
 /* ------------------------------------------------------------ framing -- */
 
-static int look_along(struct view *view, struct vector forward,
-                      struct vector up)
+static const char TOO_LARGE[] =
+    "the scene is too large or too far from the camera for a picture";
+
+/* Returns NULL, or why it is no direction of view. */
+static const char *look_along(struct view *view, struct vector forward,
+                              struct vector up)
 {
+    if (length(forward) == 0)
+        return "--eye and --look-at are the same point";
+    if (!(length(forward) < HUGE_VAL))
+        return TOO_LARGE;
     view->forward = unit(forward);
     view->right = cross(view->forward, up);
-    if (!(length(view->right) > 0) || !(length(forward) > 0))
-        return 0;
+    if (length(view->right) == 0)
+        return "the view is along --up; choose another --up";
     view->right = unit(view->right);
     view->up = cross(view->right, view->forward);
-    return 1;
+    return NULL;
 }
 
 /*
@@ -136,12 +144,14 @@ static void stand_aside(struct view *view, double aspect,
                      -(back + boxes->size), view->forward);
 }
 
-int view_of_scene(struct view *view, const struct viewing *camera,
-                  const struct boxes *boxes)
+const char *view_of_scene(struct view *view, const struct viewing *camera,
+                          const struct boxes *boxes)
 {
-    if (boxes->size == 0 &&
-        !(camera->has_eye && camera->has_target && !camera->parallel))
-        return 0;
+    const int is_placed = camera->has_eye && !camera->parallel;
+    if (boxes->size == 0 && !(is_placed && camera->has_target))
+        return "no shape is bounded; use --eye and --look-at";
+    if (!is_placed && !(boxes->size < HUGE_VAL))
+        return TOO_LARGE;
     const struct vector up = unit(camera->up);
     const struct vector target =
         camera->has_target ? camera->target : boxes->middle;
@@ -151,8 +161,9 @@ int view_of_scene(struct view *view, const struct viewing *camera,
     view->parallel = camera->parallel;
     view->half_height = tan(0.5 * DEGREE * camera->fov);
     view->half_width = camera->aspect * view->half_height;
-    if (!look_along(view, times(-1, backward), up))
-        return 0;
+    const char *fault = look_along(view, times(-1, backward), up);
+    if (fault)
+        return fault;
     if (camera->parallel)
         stand_aside(view, camera->aspect, boxes);
     else if (!camera->has_eye)
@@ -161,7 +172,8 @@ int view_of_scene(struct view *view, const struct viewing *camera,
         view->eye = camera->eye;
     view->half_width /= camera->zoom;
     view->half_height /= camera->zoom;
-    return 1;
+    return is_finite(view->eye) && view->half_width < HUGE_VAL ? NULL
+                                                               : TOO_LARGE;
 }
 
 void view_sample(const struct view *view, int width, int height, int x, int y,

@@ -56,10 +56,10 @@ struct view {
     int parallel;
 };
 
-/* Fits the scene into the picture if no eye is given.  Returns 0 if no shape is
- * bounded, or if up is the direction of view. */
-int view_of_scene(struct view *view, const struct viewing *camera,
-                  const struct boxes *boxes);
+/* Fits the scene into the picture if no eye is given.  Returns NULL, or why there
+ * is no view. */
+const char *view_of_scene(struct view *view, const struct viewing *camera,
+                          const struct boxes *boxes);
 
 /* Ray i of `samples` through pixel x, y of a picture of this size; y is counted
  * from the top.  One ray goes through the pixel's middle.  Samples have the same

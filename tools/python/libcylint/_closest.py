@@ -31,8 +31,8 @@ class ClosestPoints(Described):
 
     _columns = ("distance", "part", "feature", "point", "normal")
 
-    def __init__(self, asked: Points, distance: Doubles, threads: int | None) -> None:
-        super().__init__(asked, threads)
+    def __init__(self, given: Points, distance: Doubles, threads: int | None) -> None:
+        super().__init__(given, threads)
         self.distance = distance
 
     def _axes(self) -> tuple[int, ...]:
@@ -40,7 +40,7 @@ class ClosestPoints(Described):
 
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
         shapes, index = self._shapes
-        points, threads = self._asked.array, workers(self._threads)
+        points, threads = self._given.array, workers(self._threads)
         _core.closest(shapes.kind, index, points, None, columns, threads, None)
 
     part: NDArray[np.int8] = member(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 
 class Described:
-    """Answers with their shapes and what was asked: lines or points.  They are
+    """Answers with their shapes and what was given: lines or points.  They are
     pickled with those shapes alone that they are about."""
 
     _columns: tuple[str, ...]  # the members, in the order of _write
@@ -18,8 +18,8 @@ class Described:
     """An array of shapes, and the numbers of the shapes in it, -1 for none; None: they
     broadcast with the lines or points.  The arrays must not change."""
 
-    def __init__(self, asked: Any, threads: int | None) -> None:
-        self._asked = asked
+    def __init__(self, given: Any, threads: int | None) -> None:
+        self._given = given
         self._threads = threads
 
     def __getstate__(self) -> dict[str, Any]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._shapes import Shapes, all_shapes, codes_of
+from ._shapes import Shapes, all_shapes, codes_of, encoded
 
 _NOT_GIVEN = -1
 _BAD, _USAGE, _MEMORY = 1, 2, 4
@@ -112,9 +112,7 @@ def write_scene(
 def scene_text(shapes: Shapes) -> Iterator[bytes]:
     """The text of a scene, in parts.  Raises ValueError for what text cannot hold."""
     row = shapes._in_a_row()
-    labels = None
-    if row._labels is not None:
-        labels = [x.encode("utf-8", "surrogateescape") for x in row._labels]
+    labels = encoded(row._labels)
     for i in range(0, len(row), _AT_ONCE):
         some = labels and labels[i : i + _AT_ONCE]
         yield _core.write_scene(row.kind[i : i + _AT_ONCE], i, some)

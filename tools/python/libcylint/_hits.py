@@ -27,7 +27,7 @@ class DescribedHits(Described):
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
         """Of shapes that are numbered the nearest hits, else two of each."""
         shapes, index = self._shapes
-        lines, threads = self._asked.core(), workers(self._threads)
+        lines, threads = self._given.core(), workers(self._threads)
         _core.describe(shapes.kind, index, lines, columns, threads, None)
 
     point: Doubles = member("point", "(..., 3): the points o + t d; nan for none.", 3)

@@ -19,7 +19,7 @@ from ._arguments import (
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
 from ._hits import DescribedHits
-from ._shapes import Shapes, all_shapes, checked, joined_labels, shapes_at
+from ._shapes import Shapes, all_shapes, checked, encoded, joined_labels, shapes_at
 
 
 def _shapes_of(answers: Any) -> tuple[Shapes, NDArray[np.int64]]:
@@ -184,9 +184,10 @@ class Scene:
     ) -> None:
         self._scene = begun
         self._threads = threads
+        names = encoded(labels)
         begun.finish(workers(threads), progress)
-        if labels is not None:
-            begun.set_labels([x.encode("utf-8", "surrogateescape") for x in labels])
+        if names is not None:
+            begun.set_labels(names)
 
     @classmethod
     def read(
@@ -277,20 +278,20 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    def _ask(
-        self, query: Any, asked: Any, columns: str | list[NDArray[Any]], rule: Any = None
+    def _answer(
+        self, query: Any, given: Any, columns: str | list[NDArray[Any]], rule: Any = None
     ) -> Any:
         """Calls a function of _core for lines or points, which writes the columns, or
         columns of these types: i index, t number, b byte, ? bool, v vector; "": it
         returns flat arrays."""
         if isinstance(columns, str):
-            columns = _columns(asked.shape, columns)
+            columns = _columns(given.shape, columns)
         found = query(
-            self._scene, asked.core_of(len(self)), rule or _PLAIN, columns,
-            workers(self._choose(asked.threads)), asked.progress,
+            self._scene, given.core_of(len(self)), rule or _PLAIN, columns,
+            workers(self._choose(given.threads)), given.progress,
         )
         if not found:
-            raise asked.refuse()
+            raise given.refuse()
         return columns or found
 
     @takes(SceneLines)
@@ -308,7 +309,7 @@ class Scene:
         >>> int(first.index), int(second.index), float(second.t)
         (0, 1, 8.0)
         """
-        columns = self._ask(_core.Scene.nearest, lines, "itb")
+        columns = self._answer(_core.Scene.nearest, lines, "itb")
         lines.keep()
         chosen = self._choose(lines.threads)
         return NearestHits(self._scene, lines, columns, chosen)
@@ -319,7 +320,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        return self._ask(_core.Scene.any, lines, "?")[0]
+        return self._answer(_core.Scene.any, lines, "?")[0]
 
     @takes(SceneLines)
     def count(self, lines: SceneLines) -> NDArray[np.int64]:
@@ -327,7 +328,7 @@ class Scene:
 
         Arguments as of `nearest`.
         """
-        return self._ask(_core.Scene.count, lines, "i")[0]
+        return self._answer(_core.Scene.count, lines, "i")[0]
 
     @takes(SceneLines)
     def all(self, lines: SceneLines) -> AllHits:
@@ -341,7 +342,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        return AllHits(*self._ask(_core.Scene.all, lines, ""))
+        return AllHits(*self._answer(_core.Scene.all, lines, ""))
 
     def _integers(
         self, name: str, values: ArrayLike | None
@@ -421,7 +422,7 @@ class Scene:
         rule = _core.Scene.Rule(
             _mode(mode), self._integers("rank", rank), None, most, False
         )
-        return Pieces(*self._ask(_core.Scene.pieces, lines, "", rule))
+        return Pieces(*self._answer(_core.Scene.pieces, lines, "", rule))
 
     def sums(
         self, origins: ArrayLike, directions: ArrayLike | None = None,
@@ -467,7 +468,7 @@ class Scene:
             _mode(mode), self._integers("rank", rank), label, width, units == "length"
         )
         sums = np.empty((*lines.shape, width))
-        self._ask(_core.Scene.sums, lines, [sums], rule)
+        self._answer(_core.Scene.sums, lines, [sums], rule)
         return sums[..., 0] if labels is None and columns is None else sums
 
     def depth(
@@ -484,9 +485,9 @@ class Scene:
         >>> cylint.Scene(balls).depth([[0.5, 0, 0], [1.5, 0, 0], [3, 0, 0]])
         (array([2, 1, 0]), array([ 0,  1, -1]))
         """
-        asked = Points(points, threads=threads, progress=progress)
+        given = Points(points, threads=threads, progress=progress)
         rule = _core.Scene.Rule(0, self._integers("rank", rank), None, 0, False)
-        deep, index = self._ask(_core.Scene.depth, asked, "ii", rule)
+        deep, index = self._answer(_core.Scene.depth, given, "ii", rule)
         return deep, index
 
     @takes(SceneLines)
@@ -501,7 +502,7 @@ class Scene:
         >>> wall.index, wall.t, wall.normal[1]
         (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
         """
-        found = self._ask(_core.Scene.first_boundary, lines, "itbbvv")
+        found = self._answer(_core.Scene.first_boundary, lines, "itbbvv")
         index, t, part, side, point, normal = found
         return Boundaries(index, t, point, normal, side, part)
 
@@ -534,7 +535,7 @@ class Scene:
         >>> chain.closest([2.25, 0, 0.75], signed=True).distance
         array(-0.25)
         """
-        columns = self._ask(_core.Scene.closest, around, "it", _signed(around))
+        columns = self._answer(_core.Scene.closest, around, "it", _signed(around))
         around.keep()
         chosen = self._choose(around.threads)
         return ClosestShapes(self._scene, around, columns, chosen)
@@ -552,7 +553,7 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        found = self._ask(_core.Scene.within, around, "", _signed(around))
+        found = self._answer(_core.Scene.within, around, "", _signed(around))
         return ShapesWithin(*found)
 
     @takes(Balls)
@@ -562,7 +563,7 @@ class Scene:
         Arguments as of `within`.
         """
         query = _core.Scene.within_count
-        return self._ask(query, around, "i", _signed(around))[0]
+        return self._answer(query, around, "i", _signed(around))[0]
 
     @takes(Points)
     def contains(self, points: Points) -> NDArray[np.int64]:
@@ -575,7 +576,7 @@ class Scene:
         >>> cylint.Scene(posts).contains([[2, 0, 0.5], [5, 0, 1], [9, 0, 0]])
         array([2, 1, 0])
         """
-        return self._ask(_core.Scene.contains, points, "i")[0]
+        return self._answer(_core.Scene.contains, points, "i")[0]
 
 
 _PLAIN = _core.Scene.Rule(0, None, None, 0, False)

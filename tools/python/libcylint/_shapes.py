@@ -186,7 +186,10 @@ class Shapes:
         return equal if equal is NotImplemented else ~equal
 
     def _read(self) -> tuple[NDArray[np.int8], Doubles]:
-        """For each shape the row of its constructor, and its arguments."""
+        """For each shape the row of its constructor, and its arguments.
+
+        The row is -1 for a refused shape, of a scene that another program saved.
+        """
         kinds = np.empty(self.size, np.int8)
         numbers = np.zeros((self.size, _MOST_NUMBERS))
         _core.read_shapes(kinds_of(self._records.reshape(-1)), kinds, numbers)
@@ -218,10 +221,10 @@ class Shapes:
         """
         kinds, numbers = self._read()
         table: dict[str, NDArray[Any]] = {
-            "kind": np.asarray(np.array(_NAMES)[kinds]),
+            "kind": np.asarray(np.array([*_NAMES, "none"])[kinds]),
             "ends": np.asarray(np.array(list(_ENDS))[self.ends]),
         }
-        for kind in np.unique(kinds):
+        for kind in np.unique(kinds[kinds >= 0]):
             for name in _PLACES[_NAMES[kind]]:
                 if name not in table:
                     table[name] = self._member(name, kinds, numbers)
@@ -274,7 +277,7 @@ class Shapes:
         _core.bounds(kinds_of(self._records.reshape(-1)), boxes)
         return boxes.reshape(*self.shape, 2, 3)
 
-    def _ask(
+    def _answer(
         self, query: Any, points: Points, answer: Any, column: int, ulps: Any = None
     ) -> NDArray[Any]:
         """Calls a function of _core for shapes and points, broadcast, which writes
@@ -300,7 +303,7 @@ class Shapes:
         ...     [[0, 0, 1], [1, 0, 1], [0, 0, 3]])
         array([ 1,  0, -1], dtype=int8)
         """
-        return self._ask(_core.contains, points, np.int8, 1)
+        return self._answer(_core.contains, points, np.int8, 1)
 
     @takes(Points)
     def distance(self, points: Points) -> Doubles:
@@ -324,7 +327,7 @@ class Shapes:
         >>> tube.distance([[4, 0, -4], [0.5, 0, 1], [1, 0, 1], [np.nan, 0, 0]])
         array([ 5. , -0.5,  0. ,  inf])
         """
-        return self._ask(_core.closest, points, np.float64, 0)
+        return self._answer(_core.closest, points, np.float64, 0)
 
     @takes(Points)
     def closest(self, points: Points) -> ClosestPoints:
@@ -338,7 +341,7 @@ class Shapes:
         >>> cylint.Feature(near.feature), cylint.Part(near.part)
         (<Feature.RIM0: 3>, <Part.LATERAL: 0>)
         """
-        distance = self._ask(_core.closest, points, np.float64, 0)
+        distance = self._answer(_core.closest, points, np.float64, 0)
         points.keep()
         answers = ClosestPoints(points, distance, points.threads)
         answers._shapes = self, None
@@ -356,7 +359,7 @@ class Shapes:
         >>> bool(3.999 < step <= 4)
         True
         """
-        return self._ask(_core.safety, points, np.float64, 0)
+        return self._answer(_core.safety, points, np.float64, 0)
 
     def on_surface(
         self, points: ArrayLike, ulps: ArrayLike = 0.0, *, threads: int | None = None,
@@ -373,13 +376,13 @@ class Shapes:
         >>> ball.on_surface(points), ball.on_surface(points, 1)
         (array([ True, False]), array([ True,  True]))
         """
-        asked = Points(points, threads=threads, progress=progress)
+        given = Points(points, threads=threads, progress=progress)
         most = doubles("ulps", ulps)
-        return self._ask(_core.on_surface, asked, np.bool_, 1, most)
+        return self._answer(_core.on_surface, given, np.bool_, 1, most)
 
     def __reduce__(self) -> tuple[Any, ...]:
         kinds, numbers = self.reshape(self.size)._read()
-        used = {_NAMES[k]: kinds == k for k in np.unique(kinds)}
+        used = {_NAMES[k]: kinds == k for k in np.unique(kinds[kinds >= 0])}
         parts = {
             name: numbers[rows, : sum(_CONSTRUCTORS[name].values())]
             for name, rows in used.items()
@@ -709,3 +712,16 @@ def joined_labels(parts: list[Any]) -> NDArray[np.object_] | None:
     return np.concatenate(
         [np.broadcast_to(none if x is None else x, shape) for shape, x in parts]
     )
+
+
+def encoded(labels: NDArray[np.object_] | None) -> list[bytes] | None:
+    """Labels of shapes with one axis, in UTF-8 or as the bytes that were read."""
+    if labels is None:
+        return None
+    try:
+        return [label.encode("utf-8", "surrogateescape") for label in labels]
+    except UnicodeEncodeError as error:
+        number = labels.tolist().index(error.object)
+        raise ValueError(
+            f"shape {number}: the label {error.object!r} has no encoding in UTF-8"
+        ) from None

@@ -24,8 +24,8 @@ const cylint_shape none = {};
 class Block
 {
   public:
-    Block(Query asked, const Input &of, const cylint_shape *shapes)
-        : query(asked), step(coordinate_step(of)), numbered(shapes)
+    Block(Query q, const Input &of, const cylint_shape *shapes)
+        : query(q), step(coordinate_step(of)), numbered(shapes)
     {
     }
 
@@ -37,12 +37,12 @@ class Block
         const ptrdiff_t stride = part->stride(SHAPES);
         const bool singly = numbered || part->stride(ULPS) != 0;
         if (!singly && stride == 0)
-            ask(true, 0, part->size);
+            answer(true, 0, part->size);
         else if (!singly && stride == sizeof(cylint_shape))
-            ask(false, 0, part->size);
+            answer(false, 0, part->size);
         else
             for (size_t i = 0; i < part->size; i++)
-                ask(true, i, 1);
+                answer(true, i, 1);
         write();
         return true;
     }
@@ -57,7 +57,7 @@ class Block
     }
 
     /* Of count elements from element i, which have one shape or one each. */
-    void ask(bool one_shape, size_t i, size_t count)
+    void answer(bool one_shape, size_t i, size_t count)
     {
         const cylint_shape *s = shape(i);
         const cylint_points p = {count, {xyz[0] + i, xyz[1] + i, xyz[2] + i}};
@@ -128,9 +128,9 @@ class Block
  * `index` the shapes are numbered by it, and -1 stands for a refused shape.
  */
 template <Query query>
-void ask(Input shapes, std::optional<Input> index, Input points,
-         std::optional<Input> ulps, Outputs columns, int threads,
-         const Callback &progress)
+void answer(Input shapes, std::optional<Input> index, Input points,
+            std::optional<Input> ulps, Outputs columns, int threads,
+            const Callback &progress)
 {
     Grid grid;
     grid.add(points, 1);
@@ -152,8 +152,8 @@ void ask(Input shapes, std::optional<Input> index, Input points,
 
 void register_points(nb::module_ &module)
 {
-    module.def("closest", &ask<CLOSEST>);
-    module.def("contains", &ask<CONTAINS>);
-    module.def("safety", &ask<SAFETY>);
-    module.def("on_surface", &ask<ON_SURFACE>);
+    module.def("closest", &answer<CLOSEST>);
+    module.def("contains", &answer<CONTAINS>);
+    module.def("safety", &answer<SAFETY>);
+    module.def("on_surface", &answer<ON_SURFACE>);
 }

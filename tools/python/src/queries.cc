@@ -162,7 +162,7 @@ struct Rule {
 };
 
 /* A scene and the rule of a call. */
-struct Asked {
+struct Question {
     const cylint_scene *scene;
     size_t n;
     const Rule &rule;
@@ -182,7 +182,7 @@ struct Ball {
 /* ---------------------------------------------------- one line, columns -- */
 
 /* index, t, part */
-void nearest(const Asked &q, const Ray &ray, const Answer &put)
+void nearest(const Question &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
     const size_t found =
@@ -195,13 +195,13 @@ void nearest(const Asked &q, const Ray &ray, const Answer &put)
 }
 
 /* bool */
-void any(const Asked &q, const Ray &ray, const Answer &put)
+void any(const Question &q, const Ray &ray, const Answer &put)
 {
     put(cylint_scene_occluded(q.scene, &ray.line, q.except(ray)) != 0);
 }
 
 /* int64 */
-void count(const Asked &q, const Ray &ray, const Answer &put)
+void count(const Question &q, const Ray &ray, const Answer &put)
 {
     cylint_shape shape;
     size_t hits = cylint_scene_count(q.scene, &ray.line, 0);
@@ -213,7 +213,7 @@ void count(const Asked &q, const Ray &ray, const Answer &put)
 }
 
 /* sums (..., labels), the last axis contiguous */
-void sums(const Asked &q, const Ray &ray, const Answer &put)
+void sums(const Question &q, const Ray &ray, const Answer &put)
 {
     const cylint_piece_rule rule = q.rule.pieces();
     if (cylint_scene_line_sums(q.scene, &ray.line, &rule, data_of(q.rule.label),
@@ -223,7 +223,7 @@ void sums(const Asked &q, const Ray &ray, const Answer &put)
 }
 
 /* index, t, part, side, point (..., 3), normal (..., 3) */
-void boundary(const Asked &q, const Ray &ray, const Answer &put)
+void boundary(const Question &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
     const size_t found = checked(
@@ -252,7 +252,7 @@ void each_found(const Query &query, const Write &write)
 }
 
 using Hit = Rows<2, 2, true>; /* line, index, both t */
-void all(const Asked &q, const Ray &ray, int64_t number,
+void all(const Question &q, const Ray &ray, int64_t number,
          std::vector<Hit::Row> &to)
 {
     const auto query = [&](size_t from, size_t *numbers) {
@@ -273,7 +273,7 @@ void all(const Asked &q, const Ray &ray, int64_t number,
 }
 
 using Piece = Rows<3, 2>; /* line, shape, depth, t0, t1 */
-void pieces(const Asked &q, const Ray &ray, int64_t number,
+void pieces(const Question &q, const Ray &ray, int64_t number,
             std::vector<Piece::Row> &to)
 {
     const cylint_piece_rule rule = q.rule.pieces();
@@ -289,7 +289,7 @@ void pieces(const Asked &q, const Ray &ray, int64_t number,
 /* ------------------------------------------------- one point, a radius -- */
 
 /* index, distance */
-void closest(const Asked &q, const Ball &ball, const Answer &put)
+void closest(const Question &q, const Ball &ball, const Answer &put)
 {
     cylint_closest answer;
     const size_t found = cylint_scene_closest(q.scene, ball.point, ball.radius,
@@ -301,20 +301,20 @@ void closest(const Asked &q, const Ball &ball, const Answer &put)
 }
 
 /* int64 */
-void within_count(const Asked &q, const Ball &ball, const Answer &put)
+void within_count(const Question &q, const Ball &ball, const Answer &put)
 {
     put(integer(cylint_scene_within_count(q.scene, ball.point, ball.radius,
                                           q.want_of_points, 0)));
 }
 
 /* int64; the radius has no effect */
-void contains(const Asked &q, const Ball &ball, const Answer &put)
+void contains(const Question &q, const Ball &ball, const Answer &put)
 {
     put(integer(cylint_scene_contains(q.scene, ball.point, 0)));
 }
 
 /* depth, index; the radius has no effect */
-void depth(const Asked &q, const Ball &ball, const Answer &put)
+void depth(const Question &q, const Ball &ball, const Answer &put)
 {
     size_t owner = q.n;
     const size_t deep = checked(depth_of_point(
@@ -323,7 +323,7 @@ void depth(const Asked &q, const Ball &ball, const Answer &put)
 }
 
 using Near = Rows<2, 1>; /* point, index, distance */
-void within(const Asked &q, const Ball &ball, int64_t number,
+void within(const Question &q, const Ball &ball, int64_t number,
             std::vector<Near::Row> &to)
 {
     const auto query = [&](size_t from, size_t *numbers) {
@@ -363,15 +363,15 @@ struct Balls {
     const Input points, radii;
 };
 
-/* Asks about lines or points.  columns: for the answers, unless these are rows,
+/* Answers lines or points.  columns: for the answers, unless these are rows,
  * which are in the order of the lines or points.  Returns True or the arrays of
  * rows; None if a line is refused. */
 template <class From, class Answers, auto query>
-nb::object ask(const Scene &scene, const From &from, const Rule &rule,
-               Outputs columns, int threads, const Callback &progress)
+nb::object answer(const Scene &scene, const From &from, const Rule &rule,
+                  Outputs columns, int threads, const Callback &progress)
 {
-    const Asked q = {scene.scene.get(), scene.n, rule,
-                     rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
+    const Question q = {scene.scene.get(), scene.n, rule,
+                        rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
     const auto held = scene.use;
     Grid grid;
     from.add_to(grid);
@@ -380,12 +380,12 @@ nb::object ask(const Scene &scene, const From &from, const Rule &rule,
         grid.add(column, column->ndim() - axes);
     grid.finish(Answers::in_order);
     Answers answers(grid);
-    const auto one = [&](const Part &part, size_t i, const auto &asked) {
+    const auto one = [&](const Part &part, size_t i, const auto &element) {
         if constexpr (Answers::in_order)
-            query(q, asked, integer(part.number + i),
+            query(q, element, integer(part.number + i),
                   answers.blocks[part.block]);
         else
-            query(q, asked, Answer{part, i, From::ARRAYS});
+            query(q, element, Answer{part, i, From::ARRAYS});
     };
     if (!each(grid, from, threads, progress, one))
         return nb::none();
@@ -399,16 +399,16 @@ void register_queries(nb::module_ &module, nb::class_<Scene> &scene)
     nb::class_<Balls>(module, "Balls").def(nb::init<Input, Input>());
     nb::class_<Rule>(scene, "Rule")
         .def(nb::init<int, Integers, Integers, size_t, bool>());
-    scene.def("nearest", &ask<Lines, Columns, nearest>)
-        .def("any", &ask<Lines, Columns, any>)
-        .def("count", &ask<Lines, Columns, count>)
-        .def("sums", &ask<Lines, Columns, sums>)
-        .def("first_boundary", &ask<Lines, Columns, boundary>)
-        .def("all", &ask<Lines, Hit, all>)
-        .def("pieces", &ask<Lines, Piece, pieces>)
-        .def("closest", &ask<Balls, Columns, closest>)
-        .def("within_count", &ask<Balls, Columns, within_count>)
-        .def("contains", &ask<Balls, Columns, contains>)
-        .def("depth", &ask<Balls, Columns, depth>)
-        .def("within", &ask<Balls, Near, within>);
+    scene.def("nearest", &answer<Lines, Columns, nearest>)
+        .def("any", &answer<Lines, Columns, any>)
+        .def("count", &answer<Lines, Columns, count>)
+        .def("sums", &answer<Lines, Columns, sums>)
+        .def("first_boundary", &answer<Lines, Columns, boundary>)
+        .def("all", &answer<Lines, Hit, all>)
+        .def("pieces", &answer<Lines, Piece, pieces>)
+        .def("closest", &answer<Balls, Columns, closest>)
+        .def("within_count", &answer<Balls, Columns, within_count>)
+        .def("contains", &answer<Balls, Columns, contains>)
+        .def("depth", &answer<Balls, Columns, depth>)
+        .def("within", &answer<Balls, Near, within>);
 }

@@ -90,7 +90,7 @@ nb::bytes write_scene(Input shapes, size_t first,
                       std::optional<nb::list> labels)
 {
     std::string text;
-    std::vector<char> line(LINE_MOST + RECORD_MOST);
+    std::vector<char> line(RECORD_MOST);
     const auto *const from = static_cast<const char *>(shapes.data());
     const struct solids none = {};
     for (size_t i = 0; i < shapes.shape(0); i++) {
