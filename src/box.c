@@ -67,19 +67,140 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     return cylint_next(cylint_next(moved, up), up);
 }
 
-/* x 2^e; if that overflows, rounded outward. */
-static double scaled_outward(double x, int e, int up)
+/* ----------------------------------------------------- by exact numbers -- */
+
+/* Whether pairs serve for a side of these terms: their sums are exact, or within
+ * CYLINT_BOX_ERROR, only where rounding is to nearest, and nothing is flushed to zero
+ * or overflows. */
+static int pairs_serve(double center, double offset, double reach)
 {
-    if (e == 0 || fabs(x) < cylint_power_of_two(1024 - e))
-        return cylint_scaled(x, e);
-    return x > 0 ? (up ? HUGE_VAL : DBL_MAX) : (up ? -DBL_MAX : -HUGE_VAL);
+    const double most =
+        cylint_larger(cylint_larger(fabs(center), fabs(offset)), fabs(reach));
+    const int tiny = cylint_too_small(center) | cylint_too_small(offset) |
+                     cylint_too_small(reach);
+    return most <= cylint_power_of_two(CYLINT_LARGE_EXPONENT) &&
+           cylint_rounds_to_nearest() && !(tiny && cylint_flushes_subnormals());
 }
 
-/* Extends the box by the disc of a cap.  The sum of two of the three terms may
- * overflow although the sum of all does not: the terms are scaled down first. */
+/* x 2^e, and not 0 where that is flushed; for pairs_serve(). */
+static double size_of(pair scaled, pair x)
+{
+    return cylint_sign(scaled.hi) == cylint_sign(x.hi) ? scaled.hi : DBL_MIN;
+}
+
+/* The number middle / unit + sqrt(square / by), where unit > 0 and by > 0, and unit
+ * is 1 unless square is 0. */
+typedef struct {
+    cylint_arena *arena;
+    exact middle, unit, square, by;
+} exact_side;
+
+/* Whether a double is at least this number. */
+static int is_beyond(const exact_side *q, double x)
+{
+    cylint_arena *m = q->arena;
+    const int used = m->used;
+    const exact reach = cylint_exact_add(
+        m, cylint_exact_mul(m, cylint_exact_from(m, x), q->unit),
+        cylint_exact_neg(q->middle));
+    const exact square =
+        cylint_exact_mul(m, cylint_exact_mul(m, reach, reach), q->by);
+    const int sign =
+        cylint_exact_add(m, square, cylint_exact_neg(q->square)).sign;
+    m->used = used;
+    return reach.sign >= 0 && sign >= 0;
+}
+
+/* The least double that is_beyond(), infinite if none is; `guess` only saves time. */
+static double least_beyond(const exact_side *q, double guess)
+{
+    int64_t out = cylint_rank(HUGE_VAL), in = -out, step = 1;
+    int64_t at = fabs(guess) <= DBL_MAX ? cylint_rank(guess) : 0;
+    while (in + 1 < out) {
+        if (at <= in || at >= out)
+            at = in + (int64_t)(((uint64_t)out - (uint64_t)in) / 2);
+        if (is_beyond(q, cylint_from_rank(at)))
+            at = (out = at) - step;
+        else
+            at = (in = at) + step;
+        step = step < INT64_MAX / 4 ? 2 * step : step;
+    }
+    return cylint_from_rank(out);
+}
+
+/* The greatest double that is not above middle / unit - sqrt(square / by), or the
+ * least one that is not below it (up). */
+static double exactly_outward(exact_side *q, double guess, int up)
+{
+    if (!up)
+        q->middle = cylint_exact_neg(q->middle);
+    return up ? least_beyond(q, guess) : -least_beyond(q, -guess);
+}
+
+/* A side of the disc or ball at an end. */
+ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
+                               double guess, int up)
+{
+    cylint_line line;
+    cylint_query q;
+    cylint_open_at(&q, s, &line, cylint_base(s));
+    const cylint_terms_exact *L = cylint_load_exact(&q, FORM_ALPHA, 0);
+    cylint_arena *m = &q.arena;
+    const int has_points = cylint_has_end_points(s->kind);
+    exact middle = cylint_exact_from(m, end && has_points ? cylint_top(s)[j]
+                                                          : cylint_base(s)[j]);
+    if (end && !has_points)
+        middle = cylint_exact_add(m, middle, L->w[j]);
+    exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
+    exact_side side = {m, middle, L->one, square, L->one};
+    if (!cylint_is_round(s->kind)) {
+        const exact w2 = cylint_exact_mul(m, L->w[j], L->w[j]);
+        const exact across =
+            cylint_is_elliptic(s->kind)
+                ? cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
+                                   cylint_exact_mul(m, L->b[j], L->b[j]))
+                : cylint_exact_add(m, L->vv, cylint_exact_neg(w2));
+        side.square = cylint_exact_mul(m, square, across);
+        side.by = has_points ? L->vv : L->one;
+    }
+    return exactly_outward(&side, guess, up);
+}
+
+/* A coordinate of the apex: base - w r0 / dr. */
+static double exact_side_of_apex(cylint_query *q, int j, double guess, int up)
+{
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
+    cylint_arena *m = &q->arena;
+    const exact base = cylint_exact_from(m, cylint_base(q->shape)[j]);
+    const exact middle = cylint_exact_add(
+        m, cylint_exact_mul(m, base, L->dr),
+        cylint_exact_neg(cylint_exact_mul(m, L->w[j], L->r[0])));
+    const int is_positive = L->dr.sign > 0;
+    exact_side side = {m, is_positive ? middle : cylint_exact_neg(middle),
+                       is_positive ? L->dr : cylint_exact_neg(L->dr),
+                       cylint_exact_from(m, 0), L->one};
+    return exactly_outward(&side, guess, up);
+}
+
+/* ---------------------------------------------------------------- boxes -- */
+
+/* Extends the box by the sides center + offset -+ reach. */
+static void add_end(const cylint_shape *s, int end, int j, double center,
+                    pair offset, pair reach, int is_exact, int serves,
+                    double lo[3], double hi[3])
+{
+    double side[2];
+    for (int up = 0; up < 2; up++) {
+        side[up] = outward(center, offset, reach, is_exact, up);
+        if (!serves)
+            side[up] = exact_side_of_end(s, end, j, side[up], up);
+    }
+    extend_side(lo, hi, j, side[0], side[1]);
+}
+
+/* Extends the box by the disc of a cap. */
 static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
 {
-    enum { SMALLER = 4 };
     const long_axis k = axis_of(s);
     const double r = cylint_end_factor(s, cap);
     int er;
@@ -96,21 +217,12 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
             center = cylint_top(s)[j];
         else if (cap)
             offset = cylint_axis(s)[j];
-        const double most = cylint_larger(fabs(center), fabs(offset));
-        const int down = most > cylint_power_of_two(CYLINT_LARGE_EXPONENT) ||
-                                 e + er > CYLINT_LARGE_EXPONENT
-                             ? SMALLER
-                             : 0;
-        const pair reach = cylint_scaled_pair(product, e + er - down);
+        const pair reach = cylint_scaled_pair(product, e + er);
         /* a reach that rounds to 0 */
         is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
-        const pair along = {cylint_scaled(offset, -down), 0};
-        center = cylint_scaled(center, -down);
-        const double low =
-            scaled_outward(outward(center, along, reach, is_exact, 0), down, 0);
-        const double high =
-            scaled_outward(outward(center, along, reach, is_exact, 1), down, 1);
-        extend_side(lo, hi, j, low, high);
+        const int serves = pairs_serve(center, offset, size_of(reach, product));
+        add_end(s, cap, j, center, (pair){offset, 0}, reach, is_exact, serves,
+                lo, hi);
     }
 }
 
@@ -120,8 +232,7 @@ static void add_ball(const cylint_shape *s, int end, double lo[3], double hi[3])
     const pair none = {0, 0}, r = {cylint_end_factor(s, end), 0};
     for (int j = 0; j < 3; j++) {
         const double c = cylint_end_center(s, end, j);
-        extend_side(lo, hi, j, outward(c, none, r, 1, 0),
-                    outward(c, none, r, 1, 1));
+        add_end(s, end, j, c, none, r, 1, pairs_serve(c, 0, r.hi), lo, hi);
     }
 }
 
@@ -169,18 +280,20 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
         if (!leans_inward(&q, j))
             continue;
         /* the apex: p0 - w r0 / dr */
-        pair offset = {0, 0};
+        pair quotient = {0, 0};
         const int ew = cylint_exponent(k.axis[j].hi);
         const int at_base = cylint_sign(cylint_r0(s)) == 0;
         if (!at_base)
-            offset = pair_neg(cylint_scaled_pair(
-                pair_div(pair_mul(cylint_scaled_pair(k.axis[j], -ew), r0), dr),
-                k.e + ew + er - ed));
+            quotient = pair_neg(
+                pair_div(pair_mul(cylint_scaled_pair(k.axis[j], -ew), r0), dr));
+        const pair offset = cylint_scaled_pair(quotient, k.e + ew + er - ed);
         const int widens = cylint_sign(k.axis[j].hi) * cylint_sign(growth.hi);
         /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
         const int up = widens < 0;
-        const double apex =
-            outward(cylint_base(s)[j], offset, (pair){0, 0}, at_base, up);
+        const double base = cylint_base(s)[j];
+        double apex = outward(base, offset, (pair){0, 0}, at_base, up);
+        if (!pairs_serve(base, size_of(offset, quotient), 0))
+            apex = exact_side_of_apex(&q, j, apex, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }
 }

@@ -203,10 +203,8 @@ int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
 static double nearest_to(pair x, int e)
 {
     cylint_arena arena;
-    if (cylint_exponent(x.hi) + e >= DBL_MIN_EXP - 1)
-        return cylint_scaled(x.hi, e);
     cylint_arena_open(&arena);
-    return cylint_nearest_of_pair(&arena, x, e);
+    return cylint_double_of_pair(&arena, x, e);
 }
 
 double cylint_line_length(const cylint_line *line)

@@ -39,12 +39,12 @@ ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
-/* Whether the processor flushes subnormal numbers, and a coordinate of the point or
- * of an end can be one. */
-static int flushes_a_coordinate(const cylint_shape *shape,
-                                const double point[3])
+/* Whether the processor flushes subnormal numbers, and a radius or a coordinate of
+ * the point or of an end can be one. */
+static int flushes_a_number(const cylint_shape *shape, const double point[3])
 {
-    int small = 0;
+    int small =
+        cylint_too_small(cylint_r0(shape)) | cylint_too_small(cylint_r1(shape));
     EACH(i, 3)
         small |= cylint_too_small(point[i]) |
                  cylint_too_small(cylint_base(shape)[i]) |
@@ -97,7 +97,7 @@ static unsigned left_by_doubles(const cylint_shape *shape,
         k->head_tail[shape->kind][parted](shape, point, answer))
         return 0;
     if (!cylint_rounds_to_nearest() ||
-        (want & CYLINT_WANT_GEOMETRY && flushes_a_coordinate(shape, point)))
+        (want & CYLINT_WANT_GEOMETRY && flushes_a_number(shape, point)))
         return want;
     cylint_in_pairs *const in_pairs =
         cylint_is_elliptic(shape->kind)

@@ -183,14 +183,18 @@ static surd_quotient coordinate(meridian *m, const nearest *n, const radial *d,
     }
 }
 
+static double double_of(meridian *m, floating x)
+{
+    return cylint_positive_zero(cylint_double_of_pair(m->arena, x.v, x.e));
+}
+
 static void write_nearest_point(meridian *m, const nearest *n, const radial *d,
                                 double point[3])
 {
     for (int i = 0; i < 3; i++) {
         const int used = m->arena->used;
         const surd_quotient x = coordinate(m, n, d, i);
-        const floating value = cylint_surd_quotient_value(m->arena, &x);
-        point[i] = cylint_positive_zero(cylint_scaled(value.v.hi, value.e));
+        point[i] = double_of(m, cylint_surd_quotient_value(m->arena, &x));
         m->arena->used = used;
     }
 }
@@ -209,7 +213,7 @@ static floating lateral_normal(meridian *m, const radial *d, int i)
 }
 
 /* x / |x|, rounded from a quotient of pairs. */
-static void normalise(const floating x[3], int sign, double to[3])
+static void normalise(meridian *m, const floating x[3], int sign, double to[3])
 {
     pair sum = {0, 0};
     int e = INT_MIN / 2; /* below all exponents, and can be negated */
@@ -223,7 +227,8 @@ static void normalise(const floating x[3], int sign, double to[3])
     const floating size = {pair_sqrt(sum), e};
     for (int i = 0; i < 3; i++) {
         const floating n = floating_div(x[i], size);
-        to[i] = cylint_positive_zero(sign * cylint_scaled(n.v.hi, n.e));
+        const pair v = sign < 0 ? pair_neg(n.v) : n.v;
+        to[i] = double_of(m, (floating){v, n.e});
     }
 }
 
@@ -242,7 +247,7 @@ static void write_nearest_normal(meridian *m, const nearest *n, const radial *d,
     const int sign = is_apex  ? cylint_apex_normal_sign(m->shape, 0)
                      : is_cap ? (n->end ? 1 : -1)
                               : 1;
-    normalise(x, sign, normal);
+    normalise(m, x, sign, normal);
 }
 
 void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,

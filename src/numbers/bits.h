@@ -97,6 +97,13 @@ static inline int64_t cylint_rank(double x)
     return bits >> 63 ? -size : size;
 }
 
+/* The double of a rank. */
+static inline double cylint_from_rank(int64_t rank)
+{
+    return cylint_from_bits(rank < 0 ? (uint64_t)-rank | (uint64_t)1 << 63
+                                     : (uint64_t)rank);
+}
+
 /* x < y, computed from the bits.  Neither is NaN. */
 static inline int cylint_less(double x, double y)
 {
@@ -108,9 +115,7 @@ static inline double cylint_next_above(double x)
 {
     if (x > DBL_MAX)
         return x;
-    const int64_t rank = cylint_rank(x) + 1;
-    return cylint_from_bits(rank < 0 ? (uint64_t)-rank | (uint64_t)1 << 63
-                                     : (uint64_t)rank);
+    return cylint_from_rank(cylint_rank(x) + 1);
 }
 
 /* The next double above or below x. */

@@ -83,6 +83,15 @@ static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
         e);
 }
 
+/* The same in threads that flush subnormal numbers, but hi 2^e for a number that is
+ * not subnormal. */
+static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
+{
+    return cylint_exponent(x.hi) + e >= DBL_MIN_EXP - 1
+               ? cylint_scaled(x.hi, e)
+               : cylint_nearest_of_pair(arena, x, e);
+}
+
 /* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative
  * error is below CYLINT_EXACT_ROUNDING (error_bounds.h).  x is not zero. */
 pair cylint_exact_round(exact x, int *e);

@@ -60,6 +60,49 @@ TEST(an_infinite_distance_is_on_no_surface)
     CHECK(cylint_on_surface(&s, far, 0x1p53 - 1));
 }
 
+/* Nearest to the surface, rims and balls.  Radii are subnormal, so that coordinates of
+ * nearest points are. */
+static cylint_status make_tiny(int i, cylint_shape *s, double p[3])
+{
+    static const double top[3] = {0, 0, 1}, tiny[3] = {0, 0, 3 * 0x1p-1074};
+    const double r = 0x1.8p-1060, z[] = {0.5, 2, 2, 3, -1, 2};
+    p[0] = 3;
+    p[1] = -4;
+    p[2] = i < 6 ? z[i] : 0;
+    return i < 2    ? cylint_cylinder(s, origin, top, r, CYLINT_ENDS_CAPPED)
+           : i == 2 ? cylint_cone(s, origin, 0, top, r, CYLINT_ENDS_CAPPED)
+           : i < 5
+               ? cylint_round_cone(s, origin, 2 * r, top, r, CYLINT_ENDS_CAPPED)
+           : i == 5 ? cylint_cylinder(s, origin, tiny, r, CYLINT_ENDS_CAPPED)
+                    : cylint_sphere(s, origin, r, CYLINT_ENDS_CAPPED);
+}
+
+static void check_tiny_members(struct environment e)
+{
+    for (int i = 0; i < 7; i++) {
+        double p[3];
+        cylint_shape s;
+        CHECK(make_tiny(i, &s, p) == CYLINT_OK);
+        const cylint_closest known = answer_to(&s, p, WANT);
+        environment_set(e);
+        const cylint_closest a = answer_to(&s, p, WANT);
+        environment_reset();
+        const double ulps = e.rounding == FE_TONEAREST ? 0 : 4;
+        if (!CHECK(a.distance == known.distance && a.feature == known.feature &&
+                   are_within(a.point, known.point, ulps, 0) &&
+                   are_within(a.normal, known.normal, ulps, 0)))
+            REPORT("case %d, rounding %d, subnormals %d: point %a %a %a, "
+                   "normal %a %a %a",
+                   i, e.rounding, e.tiny, a.point[0], a.point[1], a.point[2],
+                   a.normal[0], a.normal[1], a.normal[2]);
+    }
+}
+
+TEST(subnormal_numbers_of_nearest_points_and_normals_are_not_flushed)
+{
+    everywhere(check_tiny_members);
+}
+
 /* Squares of the coordinates overflow, and rounding downward and toward zero an
  * overflow is the largest double. */
 static void check_safety_beyond_all_squares(struct environment e)
