@@ -271,7 +271,7 @@ def test_faults_of_files_are_raised(tmp_path):
             with refused(message, error):
                 read(path, **named)
     orphan = written("orphan.swc", "1 1 0 0 0 2 7\n2 3 0 0 10 1 1\n")
-    with pytest.warns(UserWarning, match="1 node with a parent that is not in"):
+    with pytest.warns(UserWarning, match="1 node whose parent is not in"):
         assert len(cylint.read_scene(orphan)) == 1
     assert cylint.read_scene(tube, ends="open").ends.tolist() == [cylint.Ends.OPEN]
 

@@ -334,6 +334,19 @@ def test_angles_in_text_keep_the_tangent(tmp_path):
         cylint.write_scene(tmp_path / "scene", cylint.tangent_cone(*UNIT, [0.5, 1e300]))
 
 
+def test_refused_shapes_have_no_kind(tmp_path):
+    # Only a scene that a program in C saved has some.
+    rod = cylint.cylinder(*UNIT, 1)
+    none = cylint.Shapes(np.zeros(1, rod._records.dtype))
+    both = cylint.concatenate([none, rod])
+    assert both.to_dict()["kind"].tolist() == ["none", "cylinder"]
+    assert np.isnan(both.r[0]) and both.r[1] == 1
+    assert (both == both).all() and not (none == rod).any()
+    assert (pickle.loads(pickle.dumps(both)) == both).all()
+    with refused("shape 0: text cannot hold a refused shape"):
+        cylint.write_scene(tmp_path / "scene", both)
+
+
 def test_what_text_cannot_hold_is_refused(tmp_path):
     path = tmp_path / "scene"
     path.write_text("as it was")

@@ -17,7 +17,8 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
     static const struct {
         int kind;
         const char *parts;
-    } made[] = {[CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "ptr"},
+    } made[] = {[CYLINT_KIND_NONE] = {NOT_GIVEN, ""},
+                [CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "ptr"},
                 [CYLINT_KIND_CONE] = {SHAPE_CONE, "prtR"},
                 [CYLINT_KIND_ACONE] = {SHAPE_ACONE, "phR"},
                 [CYLINT_KIND_ECYLINDER] = {SHAPE_ECYLINDER, "pabh"},
@@ -31,7 +32,6 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
                         cylint_surface(s) != CYLINT_PART_LATERAL;
     const int turned = is_ball && cylint_surface(s) == CYLINT_PART_CAP1;
     const int kind = is_ball ? CYLINT_KIND_RCONE : (int)s->kind;
-    /* lint: a shape of a scene has a kind */
     for (const char *p = made[kind].parts; *p; p++) {
         const int is_top = (*p == 't' || *p == 'R') != turned;
         const double *from = *p == 'a'                ? cylint_a(s)
@@ -147,9 +147,10 @@ static void put_member(struct text *t, const struct solids *s,
 const char *put_record(struct text *t, const struct shape_record *r, int digits)
 {
     double number[13];
-    const int kind = numbers_of_shape(r->shape, number);
     const size_t begin = t->length;
-    const char *fault = fault_of(r);
+    const int kind = numbers_of_shape(r->shape, number);
+    const char *fault =
+        kind == NOT_GIVEN ? "text cannot hold a refused shape" : fault_of(r);
     if (fault)
         return fault;
     if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0)

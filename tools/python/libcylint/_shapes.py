@@ -186,7 +186,10 @@ class Shapes:
         return equal if equal is NotImplemented else ~equal
 
     def _read(self) -> tuple[NDArray[np.int8], Doubles]:
-        """For each shape the row of its constructor, and its arguments."""
+        """For each shape the row of its constructor, and its arguments.
+
+        The row is -1 for a refused shape, of a scene that another program saved.
+        """
         kinds = np.empty(self.size, np.int8)
         numbers = np.zeros((self.size, _MOST_NUMBERS))
         _core.read_shapes(kinds_of(self._records.reshape(-1)), kinds, numbers)
@@ -218,10 +221,10 @@ class Shapes:
         """
         kinds, numbers = self._read()
         table: dict[str, NDArray[Any]] = {
-            "kind": np.asarray(np.array(_NAMES)[kinds]),
+            "kind": np.asarray(np.array([*_NAMES, "none"])[kinds]),
             "ends": np.asarray(np.array(list(_ENDS))[self.ends]),
         }
-        for kind in np.unique(kinds):
+        for kind in np.unique(kinds[kinds >= 0]):
             for name in _PLACES[_NAMES[kind]]:
                 if name not in table:
                     table[name] = self._member(name, kinds, numbers)
@@ -379,7 +382,7 @@ class Shapes:
 
     def __reduce__(self) -> tuple[Any, ...]:
         kinds, numbers = self.reshape(self.size)._read()
-        used = {_NAMES[k]: kinds == k for k in np.unique(kinds)}
+        used = {_NAMES[k]: kinds == k for k in np.unique(kinds[kinds >= 0])}
         parts = {
             name: numbers[rows, : sum(_CONSTRUCTORS[name].values())]
             for name, rows in used.items()
