@@ -107,24 +107,21 @@ static int report(cylint_embree_problem *problem, int status, size_t shape)
     return status;
 }
 
-static void write_numbered_shape(const void *owner, uint32_t number,
-                                 cylint_shape *shape)
+static const cylint_shape *numbered_shape(const void *owner, uint32_t number,
+                                          cylint_shape *spare)
 {
     const cylint_embree_data *data = owner;
     const cylint_embree_array *from =
         data->arrays + cylint_embree_array_at(data, 0, number);
-    *shape = from->shapes[number - from->first];
+    (void)spare;
+    return &from->shapes[number - from->first];
 }
 
 static cylint_view view_of(const cylint_embree_data *data, int time)
 {
-    cylint_view view =
-        cylint_plain_view(time ? data->options.moved : data->arrays->shapes);
-    if (data->n_arrays > 1)
-        view.shapes = NULL;
-    view.write_shape = write_numbered_shape;
-    view.owner = data;
-    return view;
+    return time ? cylint_plain_view(data->options.moved)
+                : (cylint_view){
+                      .scale = 1, .shape_at = numbered_shape, .owner = data};
 }
 
 /* The numbers of merged arrays ascend. */

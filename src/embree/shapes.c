@@ -79,8 +79,8 @@ enum { TOO_LARGE = 255 };
 static const cylint_shape *source_of(const copying *c, size_t i,
                                      cylint_shape *spare)
 {
-    return cylint_view_shape(c->from, c->number ? c->number[i] : (uint32_t)i,
-                             spare);
+    return c->from->shape_at(c->from->owner,
+                             c->number ? c->number[i] : (uint32_t)i, spare);
 }
 
 /* Of small records only up to the first shape that does not fit. */
