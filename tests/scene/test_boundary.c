@@ -271,14 +271,13 @@ TEST(no_solid_contains_an_infinite_point)
 enum { MANY = 1500, LABELS = 5 };
 
 static double column[8][MANY];
+static double *const array[8] = {column[0], column[1], column[2], column[3],
+                                 column[4], column[5], column[6], column[7]};
 static cylint_line each[MANY];
 
 /* Some of them invalid. */
 static cylint_lines many_lines(void)
 {
-    double *array[8];
-    for (int k = 0; k < 8; k++)
-        array[k] = column[k];
     for (size_t i = 0; i < MANY; i++) {
         cylint_line line = any_line();
         if (one_of(100) == 0)
