@@ -37,6 +37,28 @@ int cylint_threads_for(size_t n, size_t least, int wanted)
     return threads > 1 ? (int)threads : 1;
 }
 
+#ifdef CYLINT_THREADS
+
+enum { LEAST_STACK = 1 << 20 };
+
+int cylint_thread_start(cylint_thread *thread, void *(*work)(void *),
+                        void *argument)
+{
+    pthread_attr_t attributes;
+    size_t stack;
+    if (pthread_attr_init(&attributes) != 0)
+        return 0;
+    if (pthread_attr_getstacksize(&attributes, &stack) == 0 &&
+        stack < LEAST_STACK)
+        pthread_attr_setstacksize(&attributes, LEAST_STACK);
+    const int is_started =
+        pthread_create(thread, &attributes, work, argument) == 0;
+    pthread_attr_destroy(&attributes);
+    return is_started;
+}
+
+#endif
+
 /* Work of which each thread takes the next block. */
 typedef struct {
     cylint_mutex mutex; /* protects `next` */
@@ -63,29 +85,6 @@ static void *do_blocks(void *argument)
     return NULL;
 }
 
-#ifdef CYLINT_THREADS
-
-/* Exact numbers take up to 200 kB of the stack; threads of musl have 128 kB unless
- * more is asked for. */
-enum { LEAST_STACK = 1 << 20 };
-
-static int start_thread(pthread_t *thread, shared_work *w)
-{
-    pthread_attr_t attributes;
-    size_t stack;
-    if (pthread_attr_init(&attributes) != 0)
-        return 0;
-    if (pthread_attr_getstacksize(&attributes, &stack) == 0 &&
-        stack < LEAST_STACK)
-        pthread_attr_setstacksize(&attributes, LEAST_STACK);
-    const int is_started =
-        pthread_create(thread, &attributes, do_blocks, w) == 0;
-    pthread_attr_destroy(&attributes);
-    return is_started;
-}
-
-#endif
-
 /* If the system refuses a thread, the others do its blocks. */
 void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
                           cylint_thread_work *work, void *self)
@@ -99,7 +98,8 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
     pthread_t thread[CYLINT_THREADS_MOST];
     const int most = cylint_threads_for(n, least, threads);
     int started = 1; /* with the caller's */
-    while (started < most && start_thread(&thread[started], &w))
+    while (started < most &&
+           cylint_thread_start(&thread[started], do_blocks, &w))
         started++;
     do_blocks(&w);
     while (--started > 0)
