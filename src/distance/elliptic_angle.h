@@ -68,13 +68,32 @@ CYLINT_INLINE double sum_of_sizes(const double v[3])
     return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
-/* What follows from the rows of the matrix. */
-static inline void load_norms(elliptic_place *p, const cylint_shape *s)
+/* From the matrix of the shape, whose error u is relative to its norm. */
+static inline void locate(elliptic_place *p, const cylint_shape *s,
+                          const double point[3], double u)
 {
+    const double unit = 1 / cylint_height(s);
+    EACH(i, 3) {
+        p->D[i] = point[i] - cylint_base(s)[i];
+        p->X[i] = cylint_column(s, i)[0];
+        p->Y[i] = cylint_column(s, i)[1];
+        p->Z[i] = cylint_column(s, i)[2] * unit;
+    }
     p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    p->x = dot_of(p->D, p->X);
+    p->y = dot_of(p->D, p->Y);
+    p->z = dot_of(p->D, p->Z);
+    p->rho = 1 + p->slope * p->z;
+    const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y);
     p->z_norm = sqrt(dot_of(p->Z, p->Z));
-    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
-              fabs(p->slope) * p->z_norm;
+    p->norm = sqrt(x + y) + fabs(p->slope) * p->z_norm;
+    const double least =
+        cylint_smaller(sqrt(cylint_smaller(x, y)), p->z_norm / unit);
+    p->relative = u + u * cylint_norm(s) / least;
+    p->error =
+        u * cylint_norm(s) * (1 + fabs(p->slope) * unit) * sum_of_sizes(p->D) +
+        u * (1 + fabs(p->x) + fabs(p->y) + fabs(p->rho));
+    p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
 }
 
 /* ------------------------------------------------ a point and an ellipse -- */

@@ -51,8 +51,7 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     const unsigned all = want | CYLINT_ON_SURFACE;
     if (exactly && has_tiny(shape, point))
         return all;
-    q.feature = find_in_pairs(&q, &m, shape, point);
-    if (q.feature == CYLINT_NO_FEATURE)
+    if (find_in_pairs(&q, &m, shape, point) == CYLINT_NO_FEATURE)
         return all;
     do {
         answer_in_pairs(&a, &q, &m, point, exactly);
@@ -73,32 +72,6 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
 }
 
 /* --------------------------------------------------------------- safety -- */
-
-/* From the matrix of the shape, whose error is relative to its norm. */
-static void locate_in_doubles(elliptic_place *p, const cylint_shape *s,
-                              const double point[3])
-{
-    const double unit = 1 / cylint_height(s), u = CYLINT_ELLIPTIC_SAFETY_ERROR;
-    EACH(i, 3) {
-        p->D[i] = point[i] - cylint_base(s)[i];
-        p->X[i] = cylint_column(s, i)[0];
-        p->Y[i] = cylint_column(s, i)[1];
-        p->Z[i] = cylint_column(s, i)[2] * unit;
-    }
-    load_norms(p, s);
-    p->x = dot_of(p->D, p->X);
-    p->y = dot_of(p->D, p->Y);
-    p->z = dot_of(p->D, p->Z);
-    p->rho = 1 + p->slope * p->z;
-    const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y),
-                 z = p->z_norm / unit;
-    const double least = cylint_smaller(sqrt(cylint_smaller(x, y)), z);
-    p->relative = u + u * cylint_norm(s) / least;
-    p->error =
-        u * cylint_norm(s) * (1 + fabs(p->slope) * unit) * sum_of_sizes(p->D) +
-        u * (1 + fabs(p->x) + fabs(p->y) + fabs(p->rho));
-    p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
-}
 
 /* n / |N|, less the errors of both. */
 static double height_less(double n, double error, double size, double lost)
@@ -139,14 +112,9 @@ static double distance_in_doubles(const elliptic_question *q)
 static double elliptic_safety(const cylint_shape *shape, const double point[3])
 {
     elliptic_question q;
-    if (!is_ordinary_question(shape, point))
-        return 0;
-    q.shape = shape;
-    q.rough = 1;
-    locate_in_doubles(&q.at, shape, point);
-    turn_about_apex(&q);
-    q.feature = find_feature_of(&q);
-    return q.feature == CYLINT_NO_FEATURE ? 0 : distance_in_doubles(&q);
+    return find_feature_of(&q, shape, point, 1) == CYLINT_NO_FEATURE
+               ? 0
+               : distance_in_doubles(&q);
 }
 
 const cylint_elliptic_kernels CYLINT_ELLIPTIC_KERNELS = {elliptic_in_pairs,

@@ -53,16 +53,18 @@ static inline double lost_of_normal(const tangent_plane *t,
     return 4 * p->relative * p->norm / sqrt(t->q);
 }
 
-/* k for tangent planes and a point on the inner side of all. */
+/* k for tangent planes and a point on the inner side of all.  lost: the error of the
+ * place, or 0 where a lower bound of the distance loses it at the end. */
 static inline double inner_curvature(const tangent_plane *t,
-                                     const elliptic_place *p)
+                                     const elliptic_place *p, double lost)
 {
     const double a = t->n + p->rho, b = t->slope_of_n;
     const double hh = t->n * t->n / t->q;
     const double size = fabs(p->x) + fabs(p->y) + fabs(p->rho);
     const double of_N = hh * p->norm * p->norm;
     const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
-                         16 * lost_of_normal(t, p) * of_N;
+                         16 * lost_of_normal(t, p) * of_N +
+                         64 * lost * (size + of_N / fabs(t->n));
     return least_curvature(2 * (hh * dot_of(t->N, t->U) - t->n * a),
                            b * b - hh * dot_of(t->V, t->V),
                            2 * (hh * dot_of(t->U, t->V) - a * b),

@@ -19,7 +19,7 @@
 typedef struct {
     const cylint_shape *shape;
     elliptic_place at;
-    int feature, inside;
+    int feature, inside, is_turned;
     int rough; /* a rough angle is enough */
     angle e;
     tangent_plane plane;
@@ -93,7 +93,8 @@ static inline int find_on_lateral(elliptic_question *q)
     const tangent_plane *t = &q->plane;
     const double l =
         fabs(t->slope_of_n - t->n * t->half_q / t->q) + loss_of_plane(q);
-    q->curvature = q->inside ? inner_curvature(t, &q->at) : 0;
+    q->curvature =
+        q->inside ? inner_curvature(t, &q->at, q->rough ? 0 : q->at.error) : 0;
     q->by = uncertainty_of_plane(q, l);
     return lost_of_normal(&q->plane, &q->at) < 0x1p-10 &&
            (q->inside ? q->curvature > 0 : rho_at_foot(q) > 0);
@@ -328,22 +329,27 @@ static inline int is_ordinary_question(const cylint_shape *s,
            CYLINT_ELLIPTIC_MOST;
 }
 
-static inline int turn_about_apex(elliptic_question *q)
-{
-    if (q->shape->ends != CYLINT_ENDS_INFINITE || !(q->at.rho < 0))
-        return 0;
-    turn_place(&q->at);
-    return 1;
-}
-
 /* Of a point within the lateral surface without ends, or certainly outside. */
-static inline int find_feature_of(elliptic_question *q)
+static inline int find_feature_of(elliptic_question *q, const cylint_shape *s,
+                                  const double point[3], int rough)
 {
-    const elliptic_place *p = &q->at;
+    elliptic_place *p = &q->at;
+    q->feature = CYLINT_NO_FEATURE;
+    if (!is_ordinary_question(s, point))
+        return q->feature;
+    q->shape = s;
+    q->rough = rough;
+    locate(p, s, point,
+           rough ? CYLINT_ELLIPTIC_SAFETY_ERROR : CYLINT_ELLIPTIC_ERROR);
+    q->is_turned = s->ends == CYLINT_ENDS_INFINITE && p->rho < 0;
+    if (q->is_turned)
+        turn_place(p);
     const double r = sqrt(p->x * p->x + p->y * p->y);
-    return r < p->rho - p->error   ? feature_within(q)
-           : r > p->rho + p->error ? feature_outside(q)
-                                   : CYLINT_NO_FEATURE;
+    if (r < p->rho - p->error)
+        q->feature = feature_within(q);
+    else if (r > p->rho + p->error)
+        q->feature = feature_outside(q);
+    return q->feature;
 }
 
 #endif

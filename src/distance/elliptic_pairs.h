@@ -54,34 +54,6 @@ ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
     }
 }
 
-/* Of a number times `unit`, whose relative error is that of the volume. */
-static inline double error_of(sized x, double unit)
-{
-    return unit * (CYLINT_SIZED_ERROR * x.size +
-                   16 * CYLINT_ROUNDING * fabs(whole(x.v)));
-}
-
-static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
-                                   const cylint_shape *s)
-{
-    const double unit = m->unit, inverse = m->volume.v.hi < 0 ? -unit : unit;
-    EACH(i, 3) {
-        p->D[i] = whole(m->D[i].v);
-        p->X[i] = whole(m->U[i].v) * inverse;
-        p->Y[i] = whole(m->V[i].v) * inverse;
-        p->Z[i] = whole(m->W[i].v) * inverse;
-    }
-    load_norms(p, s);
-    p->x = whole(m->x.v) * inverse;
-    p->y = whole(m->y.v) * inverse;
-    p->z = whole(m->z.v) * inverse;
-    p->rho = whole(m->rho.v) * inverse;
-    p->error =
-        error_of(m->x, unit) + error_of(m->y, unit) + error_of(m->rho, unit);
-    p->z_error = error_of(m->z, unit);
-    p->relative = 16 * CYLINT_ROUNDING;
-}
-
 static inline void turn_numbers_about_apex(elliptic_numbers *m)
 {
     sized *const turned[3] = {&m->x, &m->y, &m->rho};
@@ -90,13 +62,12 @@ static inline void turn_numbers_about_apex(elliptic_numbers *m)
     m->outward = -m->outward;
 }
 
+/* CYLINT_NO_FEATURE: also of a shape too flat for pairs. */
 static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
                                 const cylint_shape *s, const double point[3])
 {
-    if (!is_ordinary_question(s, point))
+    if (find_feature_of(q, s, point, 0) == CYLINT_NO_FEATURE)
         return CYLINT_NO_FEATURE;
-    q->shape = s;
-    q->rough = 0;
     load_numbers(m, s, point);
     const double volume = fabs(m->volume.v.hi),
                  error = CYLINT_SIZED_ERROR * m->volume.size;
@@ -104,10 +75,9 @@ static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
     /* untaken 2 of 4: no known ordinary shape is so flat */
     if (flat || !(volume >= CYLINT_DISTANCE_LEAST))
         return CYLINT_NO_FEATURE;
-    locate_by_pairs(&q->at, m, s);
-    if (turn_about_apex(q))
+    if (q->is_turned)
         turn_numbers_about_apex(m);
-    return find_feature_of(q);
+    return q->feature;
 }
 
 /* ------------------------------------------------------------- in pairs -- */

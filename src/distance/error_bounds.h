@@ -150,11 +150,14 @@
  *                           product and two sums: 5 roundings; (x, y).e - rho has
  *                           three of them, one times the slope, and 4 more; N and a
  *                           root 8
+ *   CYLINT_ELLIPTIC_ERROR   the same in rounding to nearest: each rounding is half
+ *                           as large
  *
  * No length is above CYLINT_ELLIPTIC_MOST, and where points and normals are wanted
  * components are 0 or at least CYLINT_ELLIPTIC_LEAST: no term over- or underflows.
  */
 #define CYLINT_ELLIPTIC_SAFETY_ERROR (64 * CYLINT_ROUNDING)
+#define CYLINT_ELLIPTIC_ERROR (16 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SIZED_ERROR 0x1p-94
 #define CYLINT_CURVATURE_ERROR 0x1p-40
 #define CYLINT_ELLIPTIC_LEAST 0x1p-100

@@ -138,11 +138,9 @@ static int keep_whole(const copying *c)
     to->whole = whole = to->whole_memory.data;
     for (size_t i = 0; i < c->n; i++)
         if (records[i].r0 != records[i].r0) {
+            cylint_shape spare;
             records[i].p0[0] = (double)next;
-            const cylint_shape *shape = source_of(c, i, &whole[next]);
-            if (shape != &whole[next])
-                whole[next] = *shape;
-            next++;
+            whole[next++] = *source_of(c, i, &spare);
         }
     return 1;
 }

@@ -111,7 +111,7 @@ static void check_solid(const struct solid *e, const double point[3])
     if (!make_solid(&s, e, CYLINT_ENDS_CAPPED))
         return;
     load_numbers(&m, &s, point);
-    locate_by_pairs(&p, &m, &s);
+    locate(&p, &s, point, CYLINT_ELLIPTIC_ERROR);
     load_triples(&t, point, &s);
     const triple rho = triple_add(
         t.volume, triple_mul(triple_add(triple_of(e->k), triple_of(-1)), t.z));

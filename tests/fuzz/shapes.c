@@ -12,6 +12,7 @@
 #define CHECK_OWN_MAIN /* it is in replay.c or libFuzzer */
 #include "columns.h"
 #include "fuzz.h"
+#include "ulps.h"
 #include "../library/properties.h"
 
 enum { SHAPES_MOST = 9, LINES = 5 };
@@ -27,13 +28,6 @@ struct bytes {
 static unsigned next(struct bytes *b)
 {
     return b->p < b->end ? *b->p++ : 0;
-}
-
-static double neighbour(double x, int steps)
-{
-    for (int i = 0; i < abs(steps); i++)
-        x = nextafter(x, steps > 0 ? HUGE_VAL : -HUGE_VAL);
-    return x;
 }
 
 static double raw(struct bytes *b)
@@ -56,7 +50,7 @@ static double draw(struct bytes *b)
            : kind < 160 ? ((int)kind - 144) / 16.0
            : kind < 176 ? b->last[kind % 8]
            : kind < 192 ? -b->last[kind % 8]
-           : kind < 216 ? neighbour(b->last[kind % 8], (int)(kind / 8 % 8) - 3)
+           : kind < 216 ? stepped(b->last[kind % 8], (int)(kind / 8 % 8) - 3)
            : kind < 224 ? ldexp(1 + (kind & 1), (int)next(b) * 9 - 1074)
                         : raw(b);
 }

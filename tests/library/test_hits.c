@@ -16,7 +16,6 @@
 #include "same.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
-#include "ulps.h"
 #endif
 
 enum { MOST = 200 };
