@@ -184,7 +184,8 @@ INLINE void find_least(const questions *q, vm least[3])
     vd lost[3] = {zero, zero, zero};
     if (m_any(v_eq((x - y) * (y - z) * (z - x), zero))) {
         vd base[4], top[4];
-        load_ends(q, base, top);
+        load_columns(q, offsetof(asked, record.p0), base);
+        load_columns(q, offsetof(asked, record.p1), top);
         EACH(j, 3)
             lost[j] = v_select(q->is_angle, zero,
                                v_like(v_set(1), q->w[j]) *

@@ -146,13 +146,6 @@ INLINE void load_columns(const questions *q, size_t at, vd to[4])
     v_columns(row, at, to);
 }
 
-/* Base and r0, top and r1; of an angle cone v and -k, u and k. */
-INLINE void load_ends(const questions *q, vd base[4], vd top[4])
-{
-    load_columns(q, offsetof(asked, record.p0), base);
-    load_columns(q, offsetof(asked, record.p1), top);
-}
-
 /*
  * Loads the shapes and the lines.  Moves the origin by from * u to `near`, so that
  * the errors are relative to the shape's size, wherever the ray begins.  u and
@@ -164,7 +157,9 @@ INLINE void load_questions(questions *q)
 {
     const vd zero = v_set(0);
     vd x[8], base[4], top[4], D0[3];
-    load_ends(q, base, top);
+    /* base and r0, top and r1; of an angle cone v and -k, u and k */
+    load_columns(q, offsetof(asked, record.p0), base);
+    load_columns(q, offsetof(asked, record.p1), top);
     load_columns(q, offsetof(asked, o), x);
     load_columns(q, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];

@@ -202,16 +202,12 @@ static void describe(ray_test *r, exact_hits *x, int i)
 
 static void write_ids(const ray_test *r)
 {
-    struct RTCHit *hit = r->hit;
-    hit->primID = tested_number(r);
-    hit->geomID = r->args->geomID;
-    if (r->data->array) {
-        const cylint_embree_array *from =
-            &r->data->arrays[r->data->array[r->rank]];
-        hit->primID -= (unsigned)from->first;
-        hit->geomID = from->geomID;
-    }
-    memcpy((char *)hit + offsetof(struct RTCHit, instID),
+    const uint32_t *array = r->data->array;
+    const cylint_embree_array *at =
+        r->data->arrays + (array ? array[r->rank] : 0);
+    r->hit->primID = tested_number(r) - (unsigned)at->first;
+    r->hit->geomID = array ? at->geomID : r->args->geomID;
+    memcpy((char *)r->hit + offsetof(struct RTCHit, instID),
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
 }
 
@@ -270,7 +266,7 @@ static int record(ray_test *r)
     return r->found = 1;
 }
 
-/* ----------------------------------------------------- exact intersections -- */
+/* -------------------------------------------------------- testing shapes -- */
 
 /* Tests the hits that the filter has not tested with cylint_intersect(); z decides
  * which piece owns them. */
@@ -293,8 +289,6 @@ ASIDE void test_exactly(ray_test *r)
             return;
     }
 }
-
-/* -------------------------------------------------------- testing shapes -- */
 
 CYLINT_INLINE void filter_one(ray_test *r)
 {
@@ -520,21 +514,19 @@ static void trace_packet(const call *a, int any)
     }
 }
 
-/* -------------------------------------------------------------- callbacks -- */
+/* ---------------------------------------------- callbacks, completion -- */
 
 CYLINT_INLINE void trace(const call *a, int any)
 {
-    struct RTCRayHit *one =
-        (struct RTCRayHit *)a->rayhit; /* or the ray alone */
+    struct RTCRayHit *one = (void *)a->rayhit; /* or the ray alone */
     struct RTCHit none = {0};
     ray_test r;
-    if (a->N > 1) {
+    if (a->N > 1)
         trace_packet(a, any);
-        return;
-    }
-    set_valid(a->valid, 0,
-              start_test(&r, a, any, &one->ray, any ? &none : &one->hit) &&
-                  trace_single(&r));
+    else
+        set_valid(a->valid, 0,
+                  start_test(&r, a, any, &one->ray, any ? &none : &one->hit) &&
+                      trace_single(&r));
 }
 
 void cylint_embree_intersect_callback(
@@ -548,8 +540,6 @@ void cylint_embree_occluded_callback(
 {
     trace((const call *)args, 1);
 }
-
-/* ------------------------------------------------------------ completion -- */
 
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)
