@@ -67,9 +67,9 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
     return NULL;
 }
 
-/* Of a hierarchy that the processor's caches do not hold, the leaf after the present
- * one.  It is computed before the present one is tested: so its data arrive
- * meanwhile.  By then it may no longer be needed. */
+/* The leaf after the present one, of a hierarchy that is larger than the caches.
+ * It is computed before the present one is tested: so its data arrive meanwhile.
+ * By then it may no longer be needed. */
 typedef struct {
     const cylint_leaf *leaf; /* or NULL */
     entry at;
