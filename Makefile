@@ -92,7 +92,7 @@ $(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point r
 # The builds for x86 processors without AVX2.
 $(if $(X86),$(call of,src/filter/one.o src/signs/origin.o src/distance/one_distance.o src/distance/elliptic_certain.o)): extra += $(small)
 $(if $(X86),$(call of,src/distance/elliptic_certain.o)): extra += -DCYLINT_LOOPS
-$(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
+$(BUILD)/tools/%: extra := $(floats) $(posix) $(threads) $(static) -Itools/cylint
 # The Python module has the command's readers.
 $(BUILD)/tools/cylint/%: extra += $(hidden)
 

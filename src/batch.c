@@ -217,12 +217,11 @@ static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
                        unsigned lanes)
 {
     const cylint_columns *to = job->columns;
-    const int most = job->want & CYLINT_WANT_NEAREST ? 1 : 2;
     EACH_BIT(lane, lanes) {
         const size_t i = g->number[lane];
         const int hit[2] = {(int)(g->hit[0] >> lane & 1),
                             (int)(g->hit[1] >> lane & 1)};
-        const int first = !hit[0], both = (hit[0] & hit[1]) & (most == 2);
+        const int first = !hit[0], both = hit[0] & hit[1];
         if (to->relation)
             to->relation[i] = CYLINT_RELATION_CROSS;
         if (!(hit[0] | hit[1]))

@@ -121,33 +121,30 @@ static int try_neighbours(const search *s, int steps, double p[3])
     return best != 0;
 }
 
-/* Points from + x towards, x doubling, from `least` to 1 or, `beyond`, on. */
-static int try_line(const search *s, double least, int beyond, double p[3])
+/* Points from + x d of n directions d, x doubling from `least` on, below `most`. */
+static int try_directions(const search *s, double d[][3], int n, double least,
+                          double most, double p[3])
 {
     double x = least;
-    for (int k = 0; k < MOST_DOUBLINGS && (beyond || x < 1); k++, x *= 2) {
-        for (int i = 0; i < 3; i++)
-            p[i] = s->from[i] + x * s->towards[i];
-        if (is_there(s, p))
-            return 1;
-    }
-    return 0;
-}
-
-/* Along the diagonals; x doubles. */
-static int try_diagonals(const search *s, double least, double p[3])
-{
-    double x = least;
-    for (int k = 0; k < MOST_DOUBLINGS; k++, x *= 2)
-        for (int diagonal = 0; diagonal < 27; diagonal++) {
-            const int steps[3] = {diagonal % 3 - 1, diagonal / 3 % 3 - 1,
-                                  diagonal / 9 - 1};
+    for (int k = 0; k < MOST_DOUBLINGS && x < most; k++, x *= 2)
+        for (int j = 0; j < n; j++) {
             for (int i = 0; i < 3; i++)
-                p[i] = s->from[i] + x * steps[i];
+                p[i] = s->from[i] + x * d[j][i];
             if (is_there(s, p))
                 return 1;
         }
     return 0;
+}
+
+/* Along the diagonals. */
+static int try_diagonals(const search *s, double least, double p[3])
+{
+    enum { DIAGONALS = 27 };
+    double d[DIAGONALS][3];
+    for (int j = 0; j < DIAGONALS; j++)
+        for (int i = 0, rest = j; i < 3; i++, rest /= 3)
+            d[j][i] = rest % 3 - 1;
+    return try_directions(s, d, DIAGONALS, least, HUGE_VAL, p);
 }
 
 /* The largest step of the doubles at the hit. */
@@ -174,14 +171,14 @@ int cylint_outside(const cylint_shape *shape, const cylint_hit *hit, int side,
     for (int steps = 1; steps <= NEAR; steps++)
         if (try_neighbours(&s, steps, point))
             return 1;
-    if (try_line(&s, largest_step(&s), 1, point))
+    if (try_directions(&s, &s.towards, 1, largest_step(&s), HUGE_VAL, point))
         return 1;
     if (side > 0 && cylint_is_bounded(shape)) {
         double center[3];
         cylint_ball_about(shape, center);
         for (int i = 0; i < 3; i++)
             s.towards[i] = center[i] - s.from[i];
-        if (try_line(&s, 0x1p-52, 0, point))
+        if (try_directions(&s, &s.towards, 1, 0x1p-52, 1, point))
             return 1;
     }
     if (try_diagonals(&s, largest_step(&s), point))

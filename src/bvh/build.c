@@ -126,16 +126,6 @@ static scale scale_of(const range *r)
     return s;
 }
 
-static int widest_axis(const scale *s)
-{
-    const float *x = s->per_bin;
-    int widest = 0;
-    for (int j = 1; j < 3; j++)
-        if (x[j] > 0 && (x[widest] <= 0 || x[j] < x[widest]))
-            widest = j;
-    return widest;
-}
-
 /* Counted in bins, from the first. */
 static inline float place_of(const cylint_boxed_piece *b, const scale *s,
                              int axis)
@@ -292,9 +282,13 @@ ASIDE size_t divide(const range *r)
 /* Splits into halves, in the order of the centres along the widest side. */
 static size_t halve(const range *r)
 {
-    const scale s = scale_of(r);
+    const cylint_extent e = extent_of(r->centers);
     const size_t k = whole_leaves(r->n / 2, r->n);
-    select_nth(r->boxes, r->n, k, widest_axis(&s));
+    int widest = 0;
+    for (int j = 1; j < 3; j++)
+        if (e.upper[j] - e.lower[j] > e.upper[widest] - e.lower[widest])
+            widest = j;
+    select_nth(r->boxes, r->n, k, widest);
     return k;
 }
 

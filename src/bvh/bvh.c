@@ -56,7 +56,7 @@ typedef struct {
 static int cut(cut_shape *to, const cylint_view *view, uint32_t number)
 {
     cylint_shape spare;
-    const cylint_shape *shape = cylint_view_shape(view, number, &spare);
+    const cylint_shape *shape = view->shape_at(view->owner, number, &spare);
     if (!cylint_is_bounded(shape))
         return 0;
     cylint_swept_disc_of(&to->disc, view, shape);

@@ -45,30 +45,41 @@ typedef struct {
     double p[2][3], r;
 } step_cylinder;
 
-/* The distance by which rounding to whole steps moves an end. */
-static double rounding_shift(const double p[3])
+/* The nearest whole number, in every rounding mode.  rint() is none: gcc computes it
+ * from the size of x. */
+static long whole(double x)
+{
+    const long n = lrint(x);
+    return n + (x - (double)n > 0.5) - ((double)n - x > 0.5);
+}
+
+/* Rounds an end to whole steps.  Returns the distance by which that moves it, or -1
+ * if no leaf has the steps. */
+static double round_end(const double p[3], long to[3])
 {
     double square = 0;
-    for (int j = 0; j < 3; j++)
-        square += (p[j] - rint(p[j])) * (p[j] - rint(p[j]));
+    for (int j = 0; j < 3; j++) {
+        if (!(fabs(p[j]) < LARGEST_P))
+            return -1;
+        to[j] = whole(p[j]);
+        const double shift = p[j] - (double)to[j];
+        square += shift * shift;
+    }
     return sqrt(square);
 }
 
 static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
 {
-    const double r = ceil(
-        h->r + cylint_larger(rounding_shift(h->p[0]), rounding_shift(h->p[1])));
-    for (int end = 0; end < 2; end++)
-        for (int j = 0; j < 3; j++)
-            if (!(fabs(h->p[end][j]) < LARGEST_P))
-                return 0;
-    if (!(r <= LARGEST_R))
+    long p[2][3];
+    const double shift[2] = {round_end(h->p[0], p[0]),
+                             round_end(h->p[1], p[1])};
+    const double r = ceil(h->r + cylint_larger(shift[0], shift[1]));
+    if (shift[0] < 0 || shift[1] < 0 || !(r <= LARGEST_R))
         return 0;
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
-            leaf->p[end][lane] |=
-                (uint32_t)(CYLINT_LEAF_MIDDLE + lrint(h->p[end][j]))
-                << j * CYLINT_LEAF_P_BITS;
+            leaf->p[end][lane] |= (uint32_t)(CYLINT_LEAF_MIDDLE + p[end][j])
+                                  << j * CYLINT_LEAF_P_BITS;
     leaf->r[lane] = (uint16_t)(leaf->r[lane] | (int)r);
     return 1;
 }

@@ -100,7 +100,7 @@ void *cylint_take_room(cylint_room *room, size_t n, size_t size)
 
 void cylint_memory_free(cylint_memory *memory)
 {
-    if (memory->data)
+    if (memory->release)
         memory->release(memory->handle);
     *memory = (cylint_memory){0};
 }

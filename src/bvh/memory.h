@@ -18,7 +18,7 @@ typedef struct cylint_memory {
     void *data; /* at the begin of a cache line; NULL: no memory */
     size_t bytes;
     void *handle;
-    void (*release)(void *handle);
+    void (*release)(void *handle); /* NULL: the data are the caller's */
 } cylint_memory;
 
 /* Allocates bytes without initialising them, by malloc() if `source` is

@@ -37,30 +37,27 @@ typedef struct cylint_shape_piece {
  * line_error: the largest error of a line's points, in these
  * coordinates. */
 typedef struct cylint_view {
-    const cylint_shape *shapes;
     double center[3], scale, line_error;
-    /* where `shapes` is NULL: writes kind, ends and the data of a shape; its local
-     * coordinates need not be written */
-    void (*write_shape)(const void *owner, uint32_t number,
-                        cylint_shape *shape);
+    /* Returns a shape, which it may write to *spare: kind, ends and data; local
+     * coordinates need not be written. */
+    const cylint_shape *(*shape_at)(const void *owner, uint32_t number,
+                                    cylint_shape *spare);
     const void *owner;
 } cylint_view;
 
-/* The shapes in their own coordinates. */
-static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
+static inline const cylint_shape *cylint_shape_of_array(const void *shapes,
+                                                        uint32_t number,
+                                                        cylint_shape *spare)
 {
-    return (cylint_view){.shapes = shapes, .scale = 1};
+    (void)spare;
+    return (const cylint_shape *)shapes + number;
 }
 
-/* A shape, written to *spare if it is not in memory. */
-static inline const cylint_shape *cylint_view_shape(const cylint_view *view,
-                                                    uint32_t number,
-                                                    cylint_shape *spare)
+/* The shapes of an array in their own coordinates. */
+static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
 {
-    if (view->shapes)
-        return view->shapes + number;
-    view->write_shape(view->owner, number, spare);
-    return spare;
+    return (cylint_view){
+        .scale = 1, .shape_at = cylint_shape_of_array, .owner = shapes};
 }
 
 void cylint_swept_disc_of(cylint_swept_disc *disc, const cylint_view *view,
@@ -71,7 +68,8 @@ static inline void cylint_swept_disc_at(cylint_swept_disc *disc,
                                         uint32_t number)
 {
     cylint_shape spare;
-    cylint_swept_disc_of(disc, view, cylint_view_shape(view, number, &spare));
+    cylint_swept_disc_of(disc, view,
+                         view->shape_at(view->owner, number, &spare));
 }
 
 /* Writes reach[j]: the section at z reaches k(z) reach[j] from its centre along

@@ -37,6 +37,28 @@ int cylint_threads_for(size_t n, size_t least, int wanted)
     return threads > 1 ? (int)threads : 1;
 }
 
+#ifdef CYLINT_THREADS
+
+enum { LEAST_STACK = 1 << 20 };
+
+int cylint_thread_start(cylint_thread *thread, void *(*work)(void *),
+                        void *argument)
+{
+    pthread_attr_t attributes;
+    size_t stack;
+    if (pthread_attr_init(&attributes) != 0)
+        return 0;
+    if (pthread_attr_getstacksize(&attributes, &stack) == 0 &&
+        stack < LEAST_STACK)
+        pthread_attr_setstacksize(&attributes, LEAST_STACK);
+    const int is_started =
+        pthread_create(thread, &attributes, work, argument) == 0;
+    pthread_attr_destroy(&attributes);
+    return is_started;
+}
+
+#endif
+
 /* Work of which each thread takes the next block. */
 typedef struct {
     cylint_mutex mutex; /* protects `next` */
@@ -77,7 +99,7 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
     const int most = cylint_threads_for(n, least, threads);
     int started = 1; /* with the caller's */
     while (started < most &&
-           pthread_create(&thread[started], NULL, do_blocks, &w) == 0)
+           cylint_thread_start(&thread[started], do_blocks, &w))
         started++;
     do_blocks(&w);
     while (--started > 0)

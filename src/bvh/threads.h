@@ -47,6 +47,12 @@ typedef pthread_mutex_t cylint_mutex;
 #define cylint_mutex_unlock(m) pthread_mutex_unlock(m)
 #define cylint_mutex_destroy(m) pthread_mutex_destroy(m)
 
+/* Starts a thread, or returns 0 if the system refuses it.  The stack has space for
+ * exact numbers, which take up to 200 kB; threads of musl have 128 kB unless more is
+ * asked for. */
+int cylint_thread_start(cylint_thread *thread, void *(*work)(void *),
+                        void *argument);
+
 #else
 
 typedef char cylint_thread, cylint_mutex;

@@ -184,7 +184,8 @@ INLINE void find_least(const questions *q, vm least[3])
     vd lost[3] = {zero, zero, zero};
     if (m_any(v_eq((x - y) * (y - z) * (z - x), zero))) {
         vd base[4], top[4];
-        load_ends(q, base, top);
+        load_columns(q, offsetof(asked, record.p0), base);
+        load_columns(q, offsetof(asked, record.p1), top);
         EACH(j, 3)
             lost[j] = v_select(q->is_angle, zero,
                                v_like(v_set(1), q->w[j]) *
@@ -304,29 +305,25 @@ INLINE void answer_as(questions *q, int is_round)
     }
 }
 
-INLINE void answer_questions(asked *const of[], int n)
-{
-    questions q;
-    q.used = 0;
-    for (int i = 0; i < LANES; i++) {
-        q.of[i] = of[i < n ? i : 0];
-        q.used |= (unsigned)(i < n) << i;
-    }
-    load_questions(&q);
-    const unsigned round =
-        q.used & m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0)));
-    q.used &= ~round;
-    if (q.used)
-        answer_as(&q, 0);
-    q.used = round;
-    q.r0 = -q.r0;
-    q.dr = -q.dr;
-    if (q.used)
-        answer_as(&q, 1);
-}
-
 void CYLINT_FLOAT_FILTER(asked *const of[], int n)
 {
-    for (int from = 0; from < n; from += LANES)
-        answer_questions(of + from, n - from);
+    for (int from = 0; from < n; from += LANES) {
+        questions q;
+        q.used = 0;
+        for (int i = 0; i < LANES; i++) {
+            q.of[i] = of[from + i < n ? from + i : from];
+            q.used |= (unsigned)(from + i < n) << i;
+        }
+        load_questions(&q);
+        const unsigned round =
+            q.used & m_bits(v_lt(q.r0 + (q.r0 + q.dr), v_set(0)));
+        q.used &= ~round;
+        if (q.used)
+            answer_as(&q, 0);
+        q.used = round;
+        q.r0 = -q.r0;
+        q.dr = -q.dr;
+        if (q.used)
+            answer_as(&q, 1);
+    }
 }

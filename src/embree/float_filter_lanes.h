@@ -121,11 +121,6 @@ INLINE void cross(vd to[3], const vd x[3], const vd y[3])
     to[2] = x[0] * y[1] - x[1] * y[0];
 }
 
-INLINE vm m_none(void)
-{
-    return m_from(0);
-}
-
 INLINE vd where_or_one(vm where, vd x)
 {
     return v_select(where, x, v_set(1));
@@ -142,14 +137,6 @@ INLINE void select_hit(hit *at, vm where, const hit *other)
     at->top = m_if(where, other->top, at->top);
 }
 
-INLINE vd origin_shift(vd near, const vd D0[3], const vd d[3])
-{
-    const vm known = v_le(v_abs(near), v_set((double)FLT_MAX));
-    if (!m_any(m_not(known)))
-        return near;
-    return v_select(known, near, v_float(-dot(D0, d) / dot(d, d)));
-}
-
 /* Four numbers of each question, from `at` bytes on. */
 INLINE void load_columns(const questions *q, size_t at, vd to[4])
 {
@@ -159,17 +146,9 @@ INLINE void load_columns(const questions *q, size_t at, vd to[4])
     v_columns(row, at, to);
 }
 
-/* Base and r0, top and r1; of an angle cone v and -k, u and k. */
-INLINE void load_ends(const questions *q, vd base[4], vd top[4])
-{
-    load_columns(q, offsetof(asked, record.p0), base);
-    load_columns(q, offsetof(asked, record.p1), top);
-}
-
 /*
- * Loads the shapes and the lines.  Moves the origin by from * u to a point near the
- * shape, so that the errors are relative to the shape's size, wherever the ray
- * begins: to `near` if it is known, else to the point nearest to the base.  u and
+ * Loads the shapes and the lines.  Moves the origin by from * u to `near`, so that
+ * the errors are relative to the shape's size, wherever the ray begins.  u and
  * `from` have 24 bits each, so their product is exact.  The rounding error of
  * o - base is added again [Moller 1965, Knuth].  So D has no error but its own
  * roundings.
@@ -178,7 +157,9 @@ INLINE void load_questions(questions *q)
 {
     const vd zero = v_set(0);
     vd x[8], base[4], top[4], D0[3];
-    load_ends(q, base, top);
+    /* base and r0, top and r1; of an angle cone v and -k, u and k */
+    load_columns(q, offsetof(asked, record.p0), base);
+    load_columns(q, offsetof(asked, record.p1), top);
     load_columns(q, offsetof(asked, o), x);
     load_columns(q, offsetof(asked, d[1]), x + 4);
     q->r0 = base[3];
@@ -195,7 +176,7 @@ INLINE void load_questions(questions *q)
         q->r0 = v_select(q->is_angle, zero, q->r0);
         q->dr = v_select(q->is_angle, top[3] * v_sqrt(dot(q->w, q->w)), q->dr);
     }
-    q->from = origin_shift(x[7], D0, q->u);
+    q->from = x[7];
     EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) + v_two_sum(x[j], -base[j]).lo;
     q->uu = dot(q->u, q->u);
@@ -245,7 +226,7 @@ INLINE void cross_surface(quadratic *c, vd G, vm known)
 INLINE void load_axis(questions *q, int is_round)
 {
     const vd one = v_set(1);
-    q->is_ball = is_round ? m_not(v_lt(v_set(0), size(q->w))) : m_none();
+    q->is_ball = is_round ? m_not(v_lt(v_set(0), size(q->w))) : m_from(0);
     q->per_ww = one / v_select(q->is_ball, one, q->ww);
     q->per_W = q->W * q->per_ww;
     q->alpha = dot(q->D, q->w);
@@ -329,7 +310,7 @@ INLINE hit chord_end(const quadratic *c, const questions *q, int end)
         (c->e_G * c->per_root + v_abs(at.s) * c->e_a) * v_abs(c->per_a);
     at.is = c->is;
     at.uncertain = c->uncertain;
-    at.capped = at.top = m_none();
+    at.capped = at.top = m_from(0);
     set_z(q, &at);
     return at;
 }
@@ -367,8 +348,6 @@ INLINE hit end_on_cap(const questions *q, int top, int end)
     at.z_error = zero;
     at.s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
     at.s_error = eps(4) * (one + size_at(q, at.s) * q->per_W) * per_dz;
-    at.capped = m_not(m_none());
-    at.top = top ? at.capped : m_none();
     return at;
 }
 
@@ -391,11 +370,8 @@ INLINE hit end_on_ball(const questions *q, int top, int end)
     c.a = q->uu;
     c.e_G = eps(6) * q->uu * (K * K);
     c.e_a = eps(1) * q->uu;
-    cross_surface(&c, ball_G(q->uu, c.b, DD, r), m_not(m_none()));
-    hit at = chord_end(&c, q, end);
-    at.capped = m_not(q->is_ball);
-    at.top = top ? at.capped : m_none();
-    return at;
+    cross_surface(&c, ball_G(q->uu, c.b, DD, r), m_not(m_from(0)));
+    return chord_end(&c, q, end);
 }
 
 /*
@@ -419,19 +395,20 @@ INLINE hit end_on_shape(const questions *q, int is_round, int end)
         return at;
     const vm below = v_lt(y, -e), above = v_lt(q->S + e, y);
     const vm beyond = m_and(crosses, m_or(below, above));
-    const vm both_ends = is_round ? q->apart : m_none();
+    const vm both_ends = is_round ? q->apart : m_from(0);
     const vm mine[2] = {m_or(m_and(beyond, m_or(below, both_ends)), q->is_ball),
                         m_and(beyond, m_or(above, both_ends))};
     at.uncertain = m_and_not(at.uncertain, m_or(beyond, q->is_ball));
     for (int top = 0; top < 2; top++) {
         if (!m_any(mine[top]))
             continue;
-        const hit on =
-            is_round ? end_on_ball(q, top, end) : end_on_cap(q, top, end);
+        hit on = is_round ? end_on_ball(q, top, end) : end_on_cap(q, top, end);
+        on.capped = m_not(q->is_ball);
+        on.top = top ? on.capped : m_from(0);
         const vd before = end ? on.s - at.s : at.s - on.s;
         const vd error = on.s_error + at.s_error;
         const vm is = m_and(mine[top], on.is);
-        const vm both = is_round ? m_and(is, at.is) : m_none();
+        const vm both = is_round ? m_and(is, at.is) : m_from(0);
         const vm comes =
             m_or(m_and_not(is, at.is), m_and(both, v_lt(error, before)));
         at.uncertain = m_or(at.uncertain,

@@ -107,24 +107,21 @@ static int report(cylint_embree_problem *problem, int status, size_t shape)
     return status;
 }
 
-static void write_numbered_shape(const void *owner, uint32_t number,
-                                 cylint_shape *shape)
+static const cylint_shape *numbered_shape(const void *owner, uint32_t number,
+                                          cylint_shape *spare)
 {
     const cylint_embree_data *data = owner;
     const cylint_embree_array *from =
         data->arrays + cylint_embree_array_at(data, 0, number);
-    *shape = from->shapes[number - from->first];
+    (void)spare;
+    return &from->shapes[number - from->first];
 }
 
 static cylint_view view_of(const cylint_embree_data *data, int time)
 {
-    cylint_view view =
-        cylint_plain_view(time ? data->options.moved : data->arrays->shapes);
-    if (data->n_arrays > 1)
-        view.shapes = NULL;
-    view.write_shape = write_numbered_shape;
-    view.owner = data;
-    return view;
+    return time ? cylint_plain_view(data->options.moved)
+                : (cylint_view){
+                      .scale = 1, .shape_at = numbered_shape, .owner = data};
 }
 
 /* The numbers of merged arrays ascend. */
@@ -279,16 +276,6 @@ static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
     return status;
 }
 
-static void attach(RTCGeometry geometry, cylint_embree_data *data)
-{
-    rtcSetGeometryUserData(geometry, data);
-    rtcSetGeometryTimeStepCount(geometry, data->options.moved ? 2 : 1);
-    rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-    rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
-    rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
-    rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
-}
-
 /* Memory in buffers of the device. */
 static void *allocate_buffer(void *device, size_t bytes, void **handle)
 {
@@ -370,11 +357,14 @@ static RTCGeometry make(RTCDevice device, const cylint_embree_part *parts,
         return NULL;
     report(problem, CYLINT_EMBREE_EMEMORY, 0);
     cylint_embree_data *data = new_data(device, parts, n, is_merged, options);
-    if (data) {
-        attach(geometry, data);
-        if (load_geometry(geometry, data, problem) == CYLINT_EMBREE_OK)
-            return geometry;
-    }
+    rtcSetGeometryUserData(geometry, data);
+    rtcSetGeometryTimeStepCount(geometry, data && data->options.moved ? 2 : 1);
+    rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
+    rtcSetGeometryBoundsFunction(geometry, write_bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
+    rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
+    if (data && load_geometry(geometry, data, problem) == CYLINT_EMBREE_OK)
+        return geometry;
     cylint_embree_release(geometry);
     return NULL;
 }

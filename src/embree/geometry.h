@@ -86,14 +86,11 @@ typedef struct cylint_embree_data {
 static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
                                             int by_geomID, size_t x)
 {
-    size_t low = 0, high = data->n_arrays;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        const cylint_embree_array *at = &data->arrays[middle];
-        if ((by_geomID ? at->geomID : at->first) <= x)
-            low = middle;
-        else
-            high = middle;
+    size_t low = 0, half;
+    for (size_t n = data->n_arrays; n > 1; n -= half) {
+        half = n / 2;
+        const cylint_embree_array *at = &data->arrays[low + half];
+        low += (by_geomID ? at->geomID : at->first) <= x ? half : 0;
     }
     return low;
 }

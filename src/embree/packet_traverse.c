@@ -30,7 +30,6 @@ typedef struct {
     /* bits of rays: */
     unsigned active;  /* not stopped yet */
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
-    const int *near_faces;
     ray_state state[CYLINT_PACKET_MOST];
     float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
     cylint_packet *packet;
@@ -53,11 +52,12 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
                                     const cylint_node *node, child_hits *hits)
 {
+    const int *near_faces = p->state[cylint_lowest(e->rays)].near_faces;
     unsigned hit = 0;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], first = f_set(HUGE_VALF);
         vi rays = i_set(0);
-        child_faces(node, i, p->near_faces, enter, leave);
+        child_faces(node, i, near_faces, enter, leave);
         EACH_BIT(k, e->rays) {
             vf from;
             const vm is = hit_boxes(enter, leave, &p->state[k], &from);
@@ -133,7 +133,6 @@ void CYLINT_PACKET_TRACE(cylint_packet *p, unsigned rays, int certain)
     t.packet = p;
     t.active = rays;
     t.outside = 0;
-    t.near_faces = t.state[cylint_lowest(rays)].near_faces;
     EACH_BIT(k, rays) {
         const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
         t.E[k] = size_of(ray);

@@ -18,9 +18,8 @@
     (offsetof(cylint_embree_call, x) == \
      offsetof(struct RTCOccludedFunctionNArguments, y))
 typedef char
-    same_layouts[RAY(o[0], org_x) && RAY(o[1], org_y) && RAY(o[2], org_z) &&
-                         RAY(tnear, tnear) && RAY(d[0], dir_x) &&
-                         RAY(d[1], dir_y) && RAY(d[2], dir_z) &&
+    same_layouts[RAY(o[0], org_x) && RAY(o[2], org_z) && RAY(tnear, tnear) &&
+                         RAY(d[0], dir_x) && RAY(d[2], dir_z) &&
                          RAY(tfar, tfar) && CALL(valid, valid) &&
                          CALL(geometryUserPtr, geometryUserPtr) &&
                          CALL(primID, primID) && CALL(context, context) &&
@@ -59,7 +58,6 @@ static inline int start_test(ray_test *r, const call *args, int any,
         all += fabs(r->q.o[j]);
     }
     r->q.tmin = from->tnear;
-    r->q.near = HUGE_VAL;
     /* whether the caller or a filter reads u, v and Ng */
     r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) &&
                      (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
@@ -204,16 +202,12 @@ static void describe(ray_test *r, exact_hits *x, int i)
 
 static void write_ids(const ray_test *r)
 {
-    struct RTCHit *hit = r->hit;
-    hit->primID = tested_number(r);
-    hit->geomID = r->args->geomID;
-    if (r->data->array) {
-        const cylint_embree_array *from =
-            &r->data->arrays[r->data->array[r->rank]];
-        hit->primID -= (unsigned)from->first;
-        hit->geomID = from->geomID;
-    }
-    memcpy((char *)hit + offsetof(struct RTCHit, instID),
+    const uint32_t *array = r->data->array;
+    const cylint_embree_array *at =
+        r->data->arrays + (array ? array[r->rank] : 0);
+    r->hit->primID = tested_number(r) - (unsigned)at->first;
+    r->hit->geomID = array ? at->geomID : r->args->geomID;
+    memcpy((char *)r->hit + offsetof(struct RTCHit, instID),
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
 }
 
@@ -272,7 +266,7 @@ static int record(ray_test *r)
     return r->found = 1;
 }
 
-/* ----------------------------------------------------- exact intersections -- */
+/* -------------------------------------------------------- testing shapes -- */
 
 /* Tests the hits that the filter has not tested with cylint_intersect(); z decides
  * which piece owns them. */
@@ -295,8 +289,6 @@ ASIDE void test_exactly(ray_test *r)
             return;
     }
 }
-
-/* -------------------------------------------------------- testing shapes -- */
 
 CYLINT_INLINE void filter_one(ray_test *r)
 {
@@ -376,11 +368,17 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
 static void test_primitive(ray_test *r)
 {
     const cylint_embree_shapes *s = r->data->shapes;
+    double along = 0, dd = 0;
     r->rank = r->args->primID;
     set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS,
                  (cylint_shape_piece){0, 1});
     if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
+    EACH(j, 3) {
+        along += (r->q.record.p0[j] - r->q.o[j]) * r->q.d[j];
+        dd += r->q.d[j] * r->q.d[j];
+    }
+    r->q.near = (double)(float)(along / dd);
     filter_one(r);
     end_test(r);
 }
@@ -457,32 +455,32 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
     return stopped;
 }
 
-/* Of rays of one octant those that begin near the first one, within 1/8 of the
- * longest side S of the shapes' box, if they are enough, or else none: fewer often
- * share an octant by chance. */
+static int octant_of(const struct RTCRay *ray)
+{
+    return (signbit(ray->dir_x) != 0) | (signbit(ray->dir_y) != 0) << 1 |
+           (signbit(ray->dir_z) != 0) << 2;
+}
+
+/* Of the rays those that go into the octant of the first one and begin near it,
+ * within 1/8 of the longest side S of the hierarchy's box, if they are enough, or
+ * else none: fewer often share an octant by chance.  Without a hierarchy S is 0. */
 static unsigned near_first(const cylint_packet *p, unsigned rays, unsigned N)
 {
     unsigned near = 0, n = 0;
     if (!rays)
         return 0;
-    const ray_test *first = &p->test[cylint_lowest(rays)];
-    const float S = first->data->bvh.near_distance / 256;
+    const struct RTCRay *first = &p->ray[cylint_lowest(rays)].ray;
+    const float S = p->test[cylint_lowest(rays)].data->bvh.near_distance / 256;
     EACH_BIT(k, rays) {
-        const struct RTCRay *x = &p->ray[k].ray, *y = first->ray;
-        const float far = fabsf(x->org_x - y->org_x) +
-                          fabsf(x->org_y - y->org_y) +
-                          fabsf(x->org_z - y->org_z);
-        near |= (unsigned)(far < S / 8) << k;
-        n += far < S / 8;
+        const struct RTCRay *x = &p->ray[k].ray;
+        const float far = fabsf(x->org_x - first->org_x) +
+                          fabsf(x->org_y - first->org_y) +
+                          fabsf(x->org_z - first->org_z);
+        const int is = (far < S / 8) & (octant_of(x) == octant_of(first));
+        near |= (unsigned)is << k;
+        n += (unsigned)is;
     }
     return n > N / 4 + 1 ? near : 0;
-}
-
-static int octant_of(const struct RTCRay *ray)
-{
-    const int x = signbit(ray->dir_x) != 0, y = signbit(ray->dir_y) != 0,
-              z = signbit(ray->dir_z) != 0;
-    return x | y << 1 | z << 2;
 }
 
 /* An occlusion query has no hits. */
@@ -492,7 +490,7 @@ static void trace_packet(const call *a, int any)
     const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
     const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
     float *const packet = (float *)a->rayhit;
-    unsigned octant[8] = {0}, all = 0;
+    unsigned all = 0, left, together;
     cylint_packet p;
     for (unsigned i = 0; i < a->N; i++) {
         struct RTCRayHit *one = &p.ray[i];
@@ -501,19 +499,13 @@ static void trace_packet(const call *a, int any)
         one->hit = (struct RTCHit){0};
         copy_words(one, 1, packet + i, a->N, words);
         set_valid(a->valid, i, 0);
-        if (start_test(&p.test[i], a, any, &one->ray, &one->hit)) {
-            octant[octant_of(&one->ray)] |= 1u << i;
+        if (start_test(&p.test[i], a, any, &one->ray, &one->hit))
             all |= 1u << i;
-        }
     }
-    for (int k = 0; k < 8; k++) {
-        const unsigned together =
-            data->traversal ? near_first(&p, octant[k], a->N) : 0;
-        if (together)
-            data->trace_packet(&p, together, certain);
-        EACH_BIT(i, octant[k] & ~together)
-            trace_single(&p.test[i]);
-    }
+    for (left = all; (together = near_first(&p, left, a->N)); left &= ~together)
+        data->trace_packet(&p, together, certain);
+    EACH_BIT(i, left)
+        trace_single(&p.test[i]);
     EACH_BIT(i, all) {
         if (p.test[i].found) {
             copy_words(packet + i, a->N, &p.ray[i], 1, words);
@@ -522,21 +514,19 @@ static void trace_packet(const call *a, int any)
     }
 }
 
-/* -------------------------------------------------------------- callbacks -- */
+/* ---------------------------------------------- callbacks, completion -- */
 
 CYLINT_INLINE void trace(const call *a, int any)
 {
-    struct RTCRayHit *one =
-        (struct RTCRayHit *)a->rayhit; /* or the ray alone */
+    struct RTCRayHit *one = (void *)a->rayhit; /* or the ray alone */
     struct RTCHit none = {0};
     ray_test r;
-    if (a->N > 1) {
+    if (a->N > 1)
         trace_packet(a, any);
-        return;
-    }
-    set_valid(a->valid, 0,
-              start_test(&r, a, any, &one->ray, any ? &none : &one->hit) &&
-                  trace_single(&r));
+    else
+        set_valid(a->valid, 0,
+                  start_test(&r, a, any, &one->ray, any ? &none : &one->hit) &&
+                      trace_single(&r));
 }
 
 void cylint_embree_intersect_callback(
@@ -550,8 +540,6 @@ void cylint_embree_occluded_callback(
 {
     trace((const call *)args, 1);
 }
-
-/* ------------------------------------------------------------ completion -- */
 
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)

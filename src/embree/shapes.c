@@ -43,14 +43,6 @@ void cylint_filter_record_of(cylint_record *to, const cylint_shape *s)
     to->r1 *= sign;
 }
 
-/* Whether x is a float and not subnormal. */
-static int is_float(double x, float *to)
-{
-    *to = (float)x;
-    return (double)*to == x &&
-           (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
-}
-
 /* Writes the record of a shape.  Returns 0 if it does not fit. */
 static int set_record(const cylint_embree_shapes *s, size_t at,
                       const cylint_shape *shape)
@@ -59,11 +51,15 @@ static int set_record(const cylint_embree_shapes *s, size_t at,
     float *small = (float *)to;
     int is = 1;
     cylint_filter_record_of(&x, shape);
-    if (!s->small)
+    if (s->size != CYLINT_SMALL_RECORD)
         *to = x;
     else
-        EACH(j, CYLINT_RECORD_NUMBERS)
-            is &= is_float((&x.p0[0])[j], &small[j]);
+        EACH(j, CYLINT_RECORD_NUMBERS) {
+            const double number = (&x.p0[0])[j];
+            small[j] = (float)number;
+            is &= (double)small[j] == number &&
+                  (fabs(number) >= (double)FLT_MIN || cylint_sign(number) == 0);
+        }
     return is;
 }
 
@@ -83,8 +79,8 @@ enum { TOO_LARGE = 255 };
 static const cylint_shape *source_of(const copying *c, size_t i,
                                      cylint_shape *spare)
 {
-    return cylint_view_shape(c->from, c->number ? c->number[i] : (uint32_t)i,
-                             spare);
+    return c->from->shape_at(c->from->owner,
+                             c->number ? c->number[i] : (uint32_t)i, spare);
 }
 
 /* Of small records only up to the first shape that does not fit. */
@@ -108,15 +104,14 @@ static int copy_records(copying *c, int threads)
 {
     const size_t n = c->n;
     cylint_embree_shapes *to = c->to;
-    for (to->small = 1;; to->small = 0) {
-        const size_t size = sizeof(cylint_record) / (to->small ? 2 : 1);
-        if (!cylint_memory_allocate(&to->memory, c->source, n * (size + 1)))
+    for (to->size = CYLINT_SMALL_RECORD;; to->size = sizeof(cylint_record)) {
+        if (!cylint_memory_allocate(&to->memory, c->source, n * (to->size + 1)))
             return 0;
-        to->tag = (uint8_t *)to->memory.data + n * size;
+        to->tag = (uint8_t *)to->memory.data + n * to->size;
         memset(to->tag, 0, n);
         cylint_threads_share(threads, n, CYLINT_THREADS_LEAST_SHAPES,
                              CYLINT_THREADS_LEAST_SHAPES, copy_some, c);
-        if (!to->small || !memchr(to->tag, TOO_LARGE, n))
+        if (to->size != CYLINT_SMALL_RECORD || !memchr(to->tag, TOO_LARGE, n))
             return 1;
         cylint_memory_free(&to->memory);
     }
@@ -128,7 +123,7 @@ static int keep_whole(const copying *c)
     cylint_record *records = to->memory.data;
     cylint_shape *whole;
     size_t next = 0, n_whole = 0;
-    for (size_t i = 0; i < c->n && !to->small; i++)
+    for (size_t i = 0; i < c->n && to->size != CYLINT_SMALL_RECORD; i++)
         n_whole += records[i].r0 != records[i].r0;
     if (n_whole == 0)
         return 1;
@@ -138,11 +133,9 @@ static int keep_whole(const copying *c)
     to->whole = whole = to->whole_memory.data;
     for (size_t i = 0; i < c->n; i++)
         if (records[i].r0 != records[i].r0) {
+            cylint_shape spare;
             records[i].p0[0] = (double)next;
-            const cylint_shape *shape = source_of(c, i, &whole[next]);
-            if (shape != &whole[next])
-                whole[next] = *shape;
-            next++;
+            whole[next++] = *source_of(c, i, &spare);
         }
     return 1;
 }
@@ -161,7 +154,7 @@ void cylint_embree_shapes_free(cylint_embree_shapes *s)
     cylint_memory_free(&s->whole_memory);
 }
 
-/* --------------------------------------------------------------- reading -- */
+/* --------------------------------------------------- reading, motion -- */
 
 /* The shape of one time. */
 static void make_shape(const cylint_embree_shapes *s, size_t at,
@@ -179,8 +172,6 @@ static void make_shape(const cylint_embree_shapes *s, size_t at,
     cylint_make_of_record(shape, tag & CYLINT_TAG_KIND, tag / CYLINT_TAG_ENDS,
                           &x, NULL);
 }
-
-/* --------------------------------------------------------------- motion -- */
 
 /* x becomes (1 - time) x + time y, n doubles. */
 static void interpolate(void *x, const void *y, size_t n, double time)

@@ -1,9 +1,8 @@
 /*
  * shapes.h - the shapes of a geometry, and the float filter of hits on them
  *
- * What their constructors got: 32 or 64 bytes a shape, which are also what the float
- * filter reads, and a byte for kind and ends.  Shapes that the filter does not decide
- * are kept whole.
+ * Of a shape what its constructor got: 32 or 64 bytes, which the filter reads, too,
+ * and a byte for kind and ends.  Shapes that it does not decide are kept whole.
  */
 #ifndef CYLINT_EMBREE_SHAPES_H
 #define CYLINT_EMBREE_SHAPES_H
@@ -16,12 +15,16 @@
 #include "../shapes/record.h"
 #include "cylint_embree.h"
 
-enum { CYLINT_RECORD_NUMBERS = sizeof(cylint_record) / sizeof(double) };
+/* The numbers of small records are floats, none of them subnormal. */
+enum {
+    CYLINT_RECORD_NUMBERS = sizeof(cylint_record) / sizeof(double),
+    CYLINT_SMALL_RECORD = CYLINT_RECORD_NUMBERS * sizeof(float)
+};
 
 typedef struct cylint_embree_shapes {
     cylint_memory memory; /* the records, then `tag` */
     cylint_memory whole_memory;
-    int small; /* the numbers of records are floats, none of them subnormal */
+    size_t size;               /* of a record */
     uint8_t *tag;              /* with the kind of the constructor */
     const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
@@ -32,9 +35,7 @@ void cylint_filter_record_of(cylint_record *to, const cylint_shape *shape);
 static inline const void *cylint_embree_record_at(const cylint_embree_shapes *s,
                                                   size_t at)
 {
-    return (const char *)s->memory.data +
-           at * (s->small ? sizeof(float) : sizeof(double)) *
-               CYLINT_RECORD_NUMBERS;
+    return (const char *)s->memory.data + at * s->size;
 }
 
 /* Writes the record of a shape in doubles. */
@@ -44,7 +45,7 @@ static inline void cylint_embree_record(const cylint_embree_shapes *s,
     const void *from = cylint_embree_record_at(s, at);
     const float *small = from;
     double *number = to->p0;
-    if (!s->small) {
+    if (s->size != CYLINT_SMALL_RECORD) {
         *to = *(const cylint_record *)from;
         return;
     }
@@ -59,8 +60,6 @@ int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
                               const uint32_t *number, size_t n, int threads,
                               const cylint_memory_source *source);
 void cylint_embree_shapes_free(cylint_embree_shapes *s);
-
-/* ------------------------------------- the shapes of times 0 and 1 -- */
 
 /* Makes the shape at a time by its constructor.  Without shapes of time 1 it does
  * not move. */
@@ -91,8 +90,7 @@ enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
  * A ray, the question which is its first hit on a piece of a shape, and the
- * answer.  o, d and near are floats, not checked yet.  near: a t near the shape, or
- * not finite if none is known.
+ * answer.  o, d and near are floats, not checked yet.  near: a t near the shape.
  */
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;

@@ -214,6 +214,23 @@ INLINE vpair moved(vpair z, vpair w, vd t)
 
 /* ------------------------------------------------- the shape and line -- */
 
+/* What shapes of one solid differ in.  Members of hits read those after the caps. */
+enum { CAP0, CAP1, SKEW_ROWS, ELLIPTIC, NO_AXIS, FACTS };
+
+INLINE int has_fact(const cylint_shape *shape, int fact)
+{
+    switch (fact) {
+    case SKEW_ROWS:
+        return cylint_has_skew_rows(shape->kind);
+    case ELLIPTIC:
+        return cylint_is_elliptic(shape->kind);
+    case NO_AXIS:
+        return cylint_has_no_axis(shape);
+    default:
+        return cylint_caps_present(shape->ends) >> fact & 1;
+    }
+}
+
 #ifdef CYLINT_NARROW
 
 typedef struct {
@@ -236,19 +253,9 @@ INLINE vpair direction_at(const source *from, int i)
     return twice(from->line->d[i], from->line->d_lo[i]);
 }
 
-INLINE vm is_skew(const source *from)
+INLINE vm fact_of(const source *from, int fact)
 {
-    return m_from(cylint_has_skew_rows(from->shape->kind) ? 3 : 0);
-}
-
-INLINE vm is_elliptic(const source *from)
-{
-    return m_from(cylint_is_elliptic(from->shape->kind) ? 3 : 0);
-}
-
-INLINE vm has_no_axis(const source *from)
-{
-    return m_from(cylint_has_no_axis(from->shape) ? 3 : 0);
+    return m_from(has_fact(from->shape, fact) ? 3 : 0);
 }
 
 #else
@@ -262,11 +269,9 @@ typedef struct {
 /* The numbers of shapes up to CYLINT_AT_ERROR, in their order, in fours. */
 enum { MEMBERS = (CYLINT_AT_ERROR + 4) / 4 * 4 };
 
-/* The masks after cap: members of hits read them (shape_facts.h, measure.h). */
 typedef struct {
     vd of[MEMBERS];
-    vm cap[2]; /* present */
-    vm skew, elliptic, no_axis;
+    vm fact[FACTS];
 } frames;
 
 typedef struct {
@@ -289,19 +294,9 @@ INLINE vpair direction_at(const source *from, int i)
     return (vpair){from->line->d[i], from->line->d_lo[i]};
 }
 
-INLINE vm is_skew(const source *from)
+INLINE vm fact_of(const source *from, int fact)
 {
-    return from->frame->skew;
-}
-
-INLINE vm is_elliptic(const source *from)
-{
-    return from->frame->elliptic;
-}
-
-INLINE vm has_no_axis(const source *from)
-{
-    return from->frame->no_axis;
+    return from->frame->fact[fact];
 }
 
 #endif

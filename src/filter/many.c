@@ -312,7 +312,8 @@ INLINE void lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
     if (x->shape)
         gather_pairs(&x->frame, x->shape, solid);
     if (x->shape && want & CYLINT_WANT_BESIDE_T)
-        gather_kinds(&x->frame, x->shape);
+        EACH(i, 3)
+            gather_fact(&x->frame, x->shape, SKEW_ROWS + i);
     load_pairs(to, &from, solid);
 }
 

@@ -51,7 +51,7 @@ INLINE vpair entry_at(const source *from, int row, int j)
  * have cancelled, the norm; an entry 0 is exact. */
 INLINE void set_entry_sizes(vd size[3][3], const source *from)
 {
-    const vm elliptic = is_elliptic(from);
+    const vm elliptic = fact_of(from, ELLIPTIC);
     EACH(row, 3)
         EACH(j, 3)
             size[row][j] = v_abs(entry_at(from, row, j).hi);
@@ -195,11 +195,6 @@ INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r)
     }
 }
 
-/* A normal, x X + y Y + z Z. */
-typedef struct {
-    bounded_pairs x, y, z;
-} combination;
-
 INLINE bounded_pairs negated_where(vm m, bounded_pairs x)
 {
     return (bounded_pairs){
@@ -245,12 +240,12 @@ INLINE vm on_ball(const hit_root *r, int solid)
                                           : m_from(0);
 }
 
-/* On the lateral surface or on a ball, of a shape whose rows have length 1.
- * The bounds are of first order in the relative error of rho, `lost`: each is
- * at least `lost` of its term, so no sum of terms is certain where `lost` is
- * not small. */
-INLINE combination unit_normal(const local_hit *h, const hit_root *r,
-                               const source *from, int solid)
+/* x, y and z of the normal x X + y Y + z Z on the lateral surface or on a ball, of
+ * a shape whose rows have length 1.  The bounds are of first order in the relative
+ * error of rho, `lost`: each is at least `lost` of its term, so no sum of terms is
+ * certain where `lost` is not small. */
+INLINE void unit_normal(bounded_pairs n[3], const local_hit *h,
+                        const hit_root *r, const source *from, int solid)
 {
     const int tapered = cylint_solid_is_tapered(solid);
     const vm inside_out = v_lt(h->rho.v.hi, v_set(0));
@@ -282,33 +277,29 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
     if (cylint_solid_is_round(solid))
         z = choose_pairs(on_ball(r, solid),
                          product(from_center(h, r, from, solid), by, lost), z);
-    return (combination){product(h->x, by, lost), product(h->y, by, lost), z};
+    n[0] = product(h->x, by, lost);
+    n[1] = product(h->y, by, lost);
+    n[2] = z;
 }
 
-/* On the lateral surface, not of length 1. */
-INLINE combination gradient(const local_hit *h, const source *from, int solid)
+/* The same on the lateral surface, not of length 1. */
+INLINE void gradient(bounded_pairs n[3], const local_hit *h, const source *from,
+                     int solid)
 {
     const vpair one = {v_set(1), v_set(0)};
-    bounded_pairs z = zero_pairs();
+    n[0] = product(h->x, one, h->unit);
+    n[1] = product(h->y, one, h->unit);
+    n[2] = zero_pairs();
     if (cylint_solid_is_tapered(solid)) {
         const vpair slope = pair_at(from, CYLINT_AT_SLOPE);
-        z = product(h->rho, (vpair){-slope.hi, -slope.lo}, h->unit);
+        n[2] = product(h->rho, (vpair){-slope.hi, -slope.lo}, h->unit);
     }
-    return (combination){product(h->x, one, h->unit),
-                         product(h->y, one, h->unit), z};
-}
-
-INLINE combination choose_combination(vm m, combination x, combination y)
-{
-    return (combination){choose_pairs(m, x.x, y.x), choose_pairs(m, x.y, y.y),
-                         choose_pairs(m, x.z, y.z)};
 }
 
 /* Component i of x X + y Y, and of z Z if the solid has slopes along the axis. */
-INLINE bounded_pairs component_of(const combination *c, const local_hit *h,
+INLINE bounded_pairs component_of(const bounded_pairs x[3], const local_hit *h,
                                   const source *from, int i, int solid)
 {
-    const bounded_pairs *const of[3] = {&c->x, &c->y, &c->z};
     const int terms =
         cylint_solid_is_tapered(solid) || cylint_solid_is_round(solid) ? 3 : 2;
     bounded_pairs sum = zero_pairs();
@@ -316,9 +307,9 @@ INLINE bounded_pairs component_of(const combination *c, const local_hit *h,
         if (k == terms)
             break;
         const vpair entry = entry_at(from, k, i);
-        const vpair p = vpair_mul(entry, of[k]->v);
+        const vpair p = vpair_mul(entry, x[k].v);
         sum.v = k == 0 ? p : vpair_add(sum.v, p);
-        sum.e = v_sum_of(h->entry_size[k][i], of[k]->e, sum.e);
+        sum.e = v_sum_of(h->entry_size[k][i], x[k].e, sum.e);
     }
     return sum;
 }
@@ -354,14 +345,18 @@ INLINE void normalise(bounded_pairs n[3], vd unit, vm lanes)
 INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
                       const source *from, const hit_root *r, int solid)
 {
-    const vm skew = is_skew(from);
-    const int ball = cylint_solid_is_ball(solid);
-    combination c = unit_normal(h, r, from, solid);
-    if (m_any(skew))
-        c = choose_combination(skew, gradient(h, from, solid), c);
-    n[0] = ball ? c.x : component_of(&c, h, from, 0, solid);
-    n[1] = ball ? c.y : component_of(&c, h, from, 1, solid);
-    n[2] = ball ? c.z : component_of(&c, h, from, 2, solid);
+    const vm skew = fact_of(from, SKEW_ROWS);
+    bounded_pairs local[3], inclined[3];
+    unit_normal(local, h, r, from, solid);
+    if (m_any(skew)) {
+        gradient(inclined, h, from, solid);
+        EACH(i, 3)
+            local[i] = choose_pairs(skew, inclined[i], local[i]);
+    }
+    EACH(i, 3)
+        n[i] = cylint_solid_is_ball(solid)
+                   ? local[i]
+                   : component_of(local, h, from, i, solid);
     if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid))
         EACH(i, 3)
             n[i] =
@@ -401,7 +396,7 @@ INLINE vd in_turns(vd bound)
  * axis, that is -x (local.c). */
 INLINE bounded_pairs angle_of(const local_hit *h, const source *from)
 {
-    const vm circular = m_not(is_elliptic(from));
+    const vm circular = m_not(fact_of(from, ELLIPTIC));
     const bounded_pairs x = negated_where(circular, h->x),
                         y = negated_where(circular, h->y);
     vd error;
@@ -443,8 +438,8 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
     if (ball) {
         v_store(to->number[CYLINT_AT_Z], v_set(0));
         v_store(to->number[CYLINT_AT_PHI], v_set(0));
-        certain |= of_member(CYLINT_MEMBER_Z, has_no_axis(from)) |
-                   of_member(CYLINT_MEMBER_PHI, has_no_axis(from));
+        certain |= of_member(CYLINT_MEMBER_Z, fact_of(from, NO_AXIS)) |
+                   of_member(CYLINT_MEMBER_PHI, fact_of(from, NO_AXIS));
     }
     to->certain = certain;
     if (!((want & CYLINT_WANT_NORMAL) | axial))

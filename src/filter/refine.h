@@ -52,7 +52,6 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
 {
     const int tapered = cylint_solid_is_tapered(solid);
     const int ball = cylint_solid_is_ball(solid);
-    const vpair ball_r = {l->ball_r[0], v_set(0)};
     vpair z[1], r[1], Y[2] = {twice(0, 0), twice(0, 0)};
     line_pairs x;
     set_planes(z, r, in, shape, solid);
@@ -60,24 +59,29 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
     l->z[0] = rounded(z[0]);
     l->in.w = rounded(x.w);
     l->in.slope = x.slope.hi;
+    if (cylint_solid_is_round(solid)) {
+        const vpair center = ball ? x.z : in->z[0];
+        const vpair radius = {l->ball_r[0], v_set(0)};
+        f->A = rounded(ball_A_pairs(&x));
+        f->B = rounded(ball_B_pairs(&x, center));
+        f->G = rounded(ball_g_pairs(&x, center, radius));
+        if (ball)
+            return;
+        set_balls(b, l, f->A, &f->B, &f->G);
+    }
     if (tapered)
         set_Y_pairs(&x, Y);
     EACH(i, 2)
         f->Y[i] = v_if(tapered, rounded(Y[i]), v_set(0));
-    f->G = rounded(ball ? ball_g_pairs(&x, x.z, x.r) : G_pairs(&x, tapered, Y));
-    f->A = rounded(ball ? ball_A_pairs(&x) : A_pairs(&x, tapered));
-    f->B = rounded(ball ? ball_B_pairs(&x, x.z) : B_pairs(&x, tapered));
+    f->G = rounded(G_pairs(&x, tapered, Y));
+    f->A = rounded(A_pairs(&x, tapered));
+    f->B = rounded(B_pairs(&x, tapered));
     if (cylint_solid_is_nappe(solid))
         f->T = rounded(T_pairs(&x, Y));
-    if (!cylint_solid_is_bounded(solid) || ball)
+    if (!cylint_solid_is_bounded(solid))
         return;
     f->E[0] = rounded(E_pairs(&x, z[0], r[0]));
     f->N[0] = rounded(N_pairs(&x, z[0], r[0], tapered));
-    if (!cylint_solid_is_round(solid))
-        return;
-    const vd g = rounded(ball_g_pairs(&x, in->z[0], ball_r));
-    const vd B = rounded(ball_B_pairs(&x, in->z[0]));
-    set_balls(b, l, rounded(ball_A_pairs(&x)), &B, &g);
 }
 
 /* What the values lost when they were rounded, and A t as well where t is

@@ -16,14 +16,10 @@ INLINE vm m_if_all(int condition)
 /* The same shape in all lanes. */
 INLINE void broadcast_shape(frames *to, const cylint_shape *shape)
 {
-    const unsigned caps = cylint_caps_present(shape->ends);
     for (int i = 0; i < MEMBERS; i++)
         to->of[i] = v_set(shape->library.number[i]);
-    to->cap[0] = m_if_all(caps & 1);
-    to->cap[1] = m_if_all(caps & 2);
-    to->skew = m_if_all(cylint_has_skew_rows(shape->kind));
-    to->elliptic = m_if_all(cylint_is_elliptic(shape->kind));
-    to->no_axis = m_if_all(cylint_has_no_axis(shape));
+    for (int i = 0; i < FACTS; i++)
+        to->fact[i] = m_if_all(has_fact(shape, i));
 }
 
 /* Reads members of the shapes, each at shape[lane], from `first` to before `end`
@@ -48,7 +44,16 @@ INLINE void gather_numbers(frames *to, const cylint_shape *const shape[LANES],
                        : CYLINT_AT_COLUMNS + CYLINT_LOW);
 }
 
-/* The same and the caps.  gather_pairs(): the low parts, which roots read. */
+INLINE void gather_fact(frames *to, const cylint_shape *const shape[LANES],
+                        int fact)
+{
+    unsigned bits = 0;
+    for (int i = 0; i < LANES; i++)
+        bits |= (unsigned)has_fact(shape[i], fact) << i;
+    to->fact[fact] = m_from(bits);
+}
+
+/* The numbers and the caps.  gather_pairs(): the low parts, which roots read. */
 INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
                           int solid)
 {
@@ -58,8 +63,8 @@ INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
         caps[0] |= (present & 1) << i;
         caps[1] |= (present >> 1) << i;
     }
-    to->cap[0] = m_from(caps[0]);
-    to->cap[1] = m_from(caps[1]);
+    to->fact[CAP0] = m_from(caps[0]);
+    to->fact[CAP1] = m_from(caps[1]);
     gather_numbers(to, shape, solid);
 }
 
@@ -68,20 +73,6 @@ INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
 {
     if (!cylint_solid_is_ball(solid))
         gather_members(to, shape, CYLINT_AT_COLUMNS + CYLINT_LOW, MEMBERS);
-}
-
-/* The masks of kinds that members of hits read. */
-INLINE void gather_kinds(frames *to, const cylint_shape *const shape[LANES])
-{
-    unsigned skew = 0, elliptic = 0, no_axis = 0;
-    for (int i = 0; i < LANES; i++) {
-        skew |= (unsigned)cylint_has_skew_rows(shape[i]->kind) << i;
-        elliptic |= (unsigned)cylint_is_elliptic(shape[i]->kind) << i;
-        no_axis |= (unsigned)cylint_has_no_axis(shape[i]) << i;
-    }
-    to->skew = m_from(skew);
-    to->elliptic = m_from(elliptic);
-    to->no_axis = m_from(no_axis);
 }
 
 INLINE vd v_largest(const vd x[3])
@@ -138,7 +129,7 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
 {
     EACH(k, 2) {
         l->limit[k] = from->line->limit[k];
-        l->cap[k] = from->frame->cap[k];
+        l->cap[k] = fact_of(from, k);
     }
     set_ends(l, from, solid);
 }

@@ -378,19 +378,13 @@ static cylint_scene_status map_or_read(cylint_memory *m, const char *path,
     return status;
 }
 
-/* Releases nothing: the bytes are those of the caller. */
-static void leave(void *handle)
-{
-    (void)handle;
-}
-
 /* The same for bytes in memory, which are copied unless they lie at the begin of a
  * cache line. */
 static cylint_scene_status use_memory(cylint_memory *m, const void *data,
                                       size_t bytes)
 {
     if ((uintptr_t)data % FILE_BLOCK == 0) {
-        *m = (cylint_memory){(void *)(uintptr_t)data, bytes, NULL, leave};
+        *m = (cylint_memory){(void *)(uintptr_t)data, bytes, NULL, NULL};
         return CYLINT_SCENE_OK;
     }
     if (!cylint_memory_allocate(m, NULL, bytes))

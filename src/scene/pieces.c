@@ -135,8 +135,9 @@ typedef struct {
 typedef struct {
     const cylint_scene *scene;
     const chord_domain *domain;
-    cylint_event *event, *spare;
+    cylint_event *event;
     size_t n_events;
+    void *spare; /* memory for as many chords as there can be, or events */
     int32_t *holding;
     numbered_chord *chord;
     size_t n;
@@ -263,12 +264,11 @@ static size_t chords_of_solids(const collector *c, const chord_domain *domain,
         return c->n;
     count_events(c, &events, &chords);
     a.event = cylint_take_room(&room, events, sizeof *a.event);
-    a.spare = cylint_take_room(&room, events, sizeof *a.spare);
     a.holding = cylint_take_room(&room, s->most_clauses, sizeof *a.holding);
     *of_solids = a.chord = cylint_take_room(&room, chords, sizeof *a.chord);
-    *spare = cylint_take_room(&room, chords, sizeof **spare);
+    *spare = a.spare = cylint_take_room(&room, chords, sizeof **spare);
     work->wanted = room.wanted;
-    if (!a.event || !a.spare || !a.holding || !a.chord || !*spare)
+    if (!a.event || !a.holding || !a.chord || !*spare)
         return CYLINT_NO_ROOM;
     for (size_t i = 0; i < c->n; i++)
         add_chord_of_shape(&a, &c->chord[i]);

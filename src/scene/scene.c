@@ -125,10 +125,12 @@ static void choose_frame(cylint_scene *s, int threads, cylint_watch *watch)
     s->n_others = sum.valid - s->n_bounded;
 }
 
-static void write_data(const void *owner, uint32_t number, cylint_shape *shape)
+static const cylint_shape *data_at(const void *owner, uint32_t number,
+                                   cylint_shape *shape)
 {
     const cylint_scene *s = owner;
     cylint_record_data(&s->records, number, shape);
+    return shape;
 }
 
 /* Lists the numbers of bounded shapes, unless all are bounded, and those of the
@@ -168,7 +170,7 @@ void cylint_scene_set_view(cylint_scene *s)
         .center = {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
         .scale = s->frame.scale,
         .line_error = CYLINT_FRAME_ERROR,
-        .write_shape = write_data,
+        .shape_at = data_at,
         .owner = s};
 }
 

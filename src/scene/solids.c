@@ -21,11 +21,6 @@ static int is_before_in_solid(const cylint_membership *x,
 #define SORT sort_by_solid
 #include "../merge_sort_template.h"
 
-#define SORTED cylint_membership
-#define IS_BEFORE(x, y) ((x)->shape < (y)->shape)
-#define SORT sort_by_shape
-#include "../merge_sort_template.h"
-
 void cylint_solids_free(cylint_solids *s)
 {
     free(s->memory);
@@ -171,18 +166,17 @@ static int have_own_numbers(cylint_solids *s)
     return are_own;
 }
 
-/* Sorts the members by shape.  `late` has them all, with numbered clauses. */
-static void list_by_shape(cylint_solids *s, size_t shapes,
-                          cylint_membership *spare)
+/* Sorts the members by shape: counts those of each, adds up where they end, and
+ * stores them from behind.  `late` has them all, with numbered clauses. */
+static void list_by_shape(cylint_solids *s, size_t shapes)
 {
-    size_t i = 0;
-    memcpy(s->of_shapes, s->late, s->n_members * sizeof *s->late);
-    sort_by_shape(s->of_shapes, s->n_members, spare);
-    for (size_t shape = 0; shape <= shapes; shape++) {
-        while (i < s->n_members && s->of_shapes[i].shape < shape)
-            i++;
-        s->first_of_shape[shape] = (uint32_t)i;
-    }
+    uint32_t *first = s->first_of_shape, end = 0;
+    for (size_t i = 0; i < s->n_members; i++)
+        first[s->late[i].shape]++;
+    for (size_t shape = 0; shape <= shapes; shape++)
+        first[shape] = end += first[shape];
+    for (size_t i = s->n_members; i-- > 0;)
+        s->of_shapes[--first[s->late[i].shape]] = s->late[i];
 }
 
 /* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a
@@ -233,26 +227,20 @@ static void list_always(cylint_solids *s, const cylint_scene *scene)
 cylint_scene_status cylint_solids_make(cylint_solids *s,
                                        const cylint_scene *scene)
 {
-    cylint_scene_status status = check_members(s, scene->n);
+    const cylint_scene_status status = check_members(s, scene->n);
     if (status != CYLINT_SCENE_OK || s->n == 0)
         return status;
-    cylint_membership *spare = malloc(s->n_members * sizeof *spare);
-    if (!spare || !allocate_solids(s, scene)) {
-        free(spare);
+    if (!allocate_solids(s, scene))
         return CYLINT_SCENE_EMEMORY;
-    }
     memcpy(s->late, s->given, s->n_members * sizeof *s->late);
-    sort_by_solid(s->late, s->n_members, spare);
+    sort_by_solid(s->late, s->n_members, s->of_shapes); /* not used yet */
     make_each_solid(s, scene);
-    if (have_own_numbers(s)) {
-        list_by_shape(s, scene->n, spare);
-        choose_late(s, scene);
-        list_always(s, scene);
-    } else {
-        status = CYLINT_SCENE_ESOLID;
-    }
-    free(spare);
-    return status;
+    if (!have_own_numbers(s))
+        return CYLINT_SCENE_ESOLID;
+    list_by_shape(s, scene->n);
+    choose_late(s, scene);
+    list_always(s, scene);
+    return CYLINT_SCENE_OK;
 }
 
 /* ------------------------------------------------------ of the caller -- */

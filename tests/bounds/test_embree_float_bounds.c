@@ -122,13 +122,14 @@ TEST(the_errors_of_cones_and_balls_are_within_their_bounds)
 static int is_kept_small(const cylint_shape *shape, cylint_record *read)
 {
     const cylint_view view = cylint_plain_view(shape);
-    cylint_embree_shapes one = {.small = 0};
+    cylint_embree_shapes one = {.size = 0};
     cylint_record large;
     CHECK(cylint_embree_shapes_copy(&one, &view, NULL, 1, 1, NULL));
     cylint_filter_record_of(&large, shape);
     cylint_embree_record(&one, 0, read);
     cylint_embree_shapes_free(&one);
-    return one.small && CHECK(memcmp(&large, read, sizeof large) == 0);
+    return one.size == CYLINT_SMALL_RECORD &&
+           CHECK(memcmp(&large, read, sizeof large) == 0);
 }
 
 TEST(small_records_keep_round_kinds)

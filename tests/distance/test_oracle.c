@@ -64,12 +64,22 @@ static int sign(double x)
     return (x > 0) - (x < 0);
 }
 
+/* Of a number, in units in the last place; infinite for -0, NaN, and a wrong 0. */
+static double ulps_from(double got, double want)
+{
+    if ((got == 0 && signbit(got)) || (want == 0 && got != 0))
+        return HUGE_VAL;
+    const double half = want > 1 ? 0.5 : 1; /* avoids overflow and underflow */
+    const double off = fabs(half * got - half * want) / ulp(want) / half;
+    return isnan(off) ? HUGE_VAL : off;
+}
+
 /* Smaller numbers than `least` are equal. */
 static double error_of(const double got[3], const double want[3], double least)
 {
     double worst = 0;
     for (int i = 0; i < 3; i++) {
-        const double off = ulps_member(got[i], want[i]);
+        const double off = ulps_from(got[i], want[i]);
         if (!isinf(want[i]) && fmax(fabs(got[i]), fabs(want[i])) >= least)
             worst = fmax(worst, off);
     }

@@ -1,6 +1,9 @@
 /*
- * piece_world.h - a scene of integer shapes and random solids, and its pieces
- * by a loop over all cells
+ * piece_world.h - a scene of shapes and random solids, and its pieces by a loop
+ * over all cells
+ *
+ * Coordinates are small whole numbers: such shapes touch, share faces, lie in each
+ * other and are the same, and lines run along rulings, caps and through apexes.
  */
 #ifndef CYLINT_PIECE_WORLD_H
 #define CYLINT_PIECE_WORLD_H
@@ -10,7 +13,6 @@
 #include "cylint_scene.h"
 #include "answers.h"
 #include "check.h"
-#include "integer_shapes.h"
 
 enum { SHAPES = 24, MEMBERS = 48, SOLIDS = 8, MOST = 4096, LINES = 40 };
 
@@ -232,18 +234,34 @@ static inline size_t pieces_in_world(const cylint_line *line,
 
 /* ------------------------------------------------------ random scenes -- */
 
+static inline struct family_case whole_case(void)
+{
+    static const char *const names[] = {"integer grid", "round, whole numbers",
+                                        "half-space, whole numbers"};
+    const int n = one_of(16);
+    struct family_case c;
+    return *family_case(random_bits(&stream),
+                        family_named(names[n < 10 ? 0 : n < 15 ? 1 : 2]), 0, &c);
+}
+
+static inline cylint_shape any_shape(void)
+{
+    return whole_case().shape;
+}
+
+static inline cylint_line any_line(void)
+{
+    return whole_case().line;
+}
+
 /* Makes a new scene in place of the one before. */
 static inline void make_shapes(void)
 {
     cylint_scene_free(world.scene);
-    world.n = 0;
-    while (world.n < SHAPES)
-        if (one_of(8) == 0 && world.n > 0) {
-            world.shape[world.n] = world.shape[one_of((int)world.n)];
-            world.n++;
-        } else if (any_shape(&world.shape[world.n]) == CYLINT_OK) {
-            world.n++;
-        }
+    for (world.n = 0; world.n < SHAPES; world.n++)
+        world.shape[world.n] = one_of(8) == 0 && world.n > 0
+                                   ? world.shape[one_of((int)world.n)]
+                                   : any_shape();
     for (size_t i = 0; i < world.n; i++)
         world.rank[i] = one_of(3);
     world.scene = cylint_scene_new(world.shape, world.n, 1, NULL);

@@ -15,6 +15,7 @@
 #endif
 
 #include "check.h"
+#include "columns.h"
 #include "cylint_scene.h"
 #include "environment.h"
 #include "piece_world.h"
@@ -151,9 +152,7 @@ TEST(the_first_boundary_is_that_of_a_loop)
     for (long i = 0; i < worlds; i++) {
         begin_world();
         for (int j = 0; j < LINES; j++) {
-            cylint_line line;
-            if (any_line(&line) != CYLINT_OK)
-                continue;
+            const cylint_line line = any_line();
             find_chords(&line);
             check_boundary();
         }
@@ -272,27 +271,21 @@ TEST(no_solid_contains_an_infinite_point)
 enum { MANY = 1500, LABELS = 5 };
 
 static double column[8][MANY];
+static double *const array[8] = {column[0], column[1], column[2], column[3],
+                                 column[4], column[5], column[6], column[7]};
 static cylint_line each[MANY];
 
+/* Some of them invalid. */
 static cylint_lines many_lines(void)
 {
-    cylint_lines lines = {.n = MANY, .tmin = column[6], .tmax = column[7]};
     for (size_t i = 0; i < MANY; i++) {
-        if (any_line(&each[i]) != CYLINT_OK)
-            cylint_whole_line(&each[i], each[i].o, each[i].d);
-        column[6][i] = each[i].segment ? 0 : each[i].tmin;
-        column[7][i] = each[i].segment ? 1 : each[i].tmax;
-        for (int j = 0; j < 3; j++) {
-            column[j][i] = each[i].o[j] = one_of(13) - 6;
-            column[3 + j][i] = each[i].d[j] = one_of(5) - 2;
-        }
-        cylint_span(&each[i], each[i].o, each[i].d, column[6][i], column[7][i]);
+        cylint_line line = any_line();
+        if (one_of(100) == 0)
+            memset(line.d, 0, sizeof line.d);
+        set_columns(&line, array, i);
+        each[i] = column_line(&line, 3);
     }
-    for (int j = 0; j < 3; j++) {
-        lines.o[j] = column[j];
-        lines.d[j] = column[3 + j];
-    }
-    return lines;
+    return lines_of(array, MANY, 3);
 }
 
 static size_t pieces_of(size_t i, const cylint_piece_rule *rule, size_t most,

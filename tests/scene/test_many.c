@@ -87,11 +87,6 @@ static void fill_lines(const struct scene_shapes *of)
     }
 }
 
-static cylint_lines lines_now(size_t n, int domain)
-{
-    return lines_of(array, n, domain);
-}
-
 /* Points in the box and around it, and some that are invalid. */
 static void fill_points(const struct scene_shapes *of)
 {
@@ -170,7 +165,7 @@ static const unsigned all = (1u << ARRAYS) - 1;
 static void check_nearest(const cylint_scene *scene, const size_t *without,
                           size_t n, int workers, unsigned mask, int domain)
 {
-    const cylint_lines lines = lines_now(n, domain ? 3 : 0);
+    const cylint_lines lines = lines_of(array, n, domain ? 3 : 0);
     const cylint_hit_columns hits = wanted_hits(mask);
     poison();
     cylint_scene_nearest_lines(scene, &lines, without, workers,
@@ -219,7 +214,7 @@ TEST(only_wanted_columns_are_written)
 {
     OWN_SHAPES of;
     OWN_SCENE *scene = new_scene(SCENE_MIXED, 4, &of);
-    const cylint_lines lines = lines_now(300, 3);
+    const cylint_lines lines = lines_of(array, 300, 3);
     fill_lines(&of);
     expect_hits(scene, NULL, 1);
     for (int k = 0; k < ARRAYS; k++) {
@@ -245,7 +240,7 @@ static void check_any_and_count(const cylint_scene *scene,
         expected.number[i] = cylint_scene_count(scene, &line, enough);
     }
     for (size_t k = 0; k < CALLS; k++) {
-        const cylint_lines lines = lines_now(sizes[k / 3], 3);
+        const cylint_lines lines = lines_of(array, sizes[k / 3], 3);
         poison();
         cylint_scene_any_lines(scene, &lines, without, threads[k % 3],
                                found.small[0]);
@@ -326,7 +321,7 @@ TEST(closest_shapes_are_those_of_single_points)
 TEST(an_empty_scene_answers_none)
 {
     OWN_SCENE *scene = cylint_scene_new(NULL, 0, 1, NULL);
-    const cylint_lines lines = lines_now(MOST, 3);
+    const cylint_lines lines = lines_of(array, MOST, 3);
     const cylint_hit_columns hits = wanted_hits(all);
     OWN_SHAPES of = scene_generate(SCENE_THIN, SHAPES, 7);
     fill_lines(&of);

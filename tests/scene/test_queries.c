@@ -532,6 +532,47 @@ TEST(points_have_the_same_answers_in_every_environment)
     everywhere(answer_points_there);
 }
 
+/* Round needles of which an end is thinner than a leaf's step, in every octant. */
+static void make_needles(cylint_shape shape[8], double tip)
+{
+    for (int i = 0; i < 8; i++) {
+        const double p0[3] = {i, 0, 0};
+        const double p1[3] = {i + (i & 1 ? tip : -tip), i & 2 ? tip : -tip,
+                              i & 4 ? tip : -tip};
+        cylint_round_cone(&shape[i], p0, 0.25, p1, 0, CYLINT_ENDS_CAPPED);
+    }
+}
+
+static void check_needles_made_there(struct environment there)
+{
+    for (double tip = 0x1p7; tip < 0x1p60; tip *= 0x1p3) {
+        cylint_shape shape[8];
+        make_needles(shape, tip);
+        environment_set(there);
+        OWN_SCENE *scene = cylint_scene_new(shape, 8, 1, NULL);
+        environment_reset();
+        for (int i = 0; i < 64; i++) {
+            const double angle = 0.1 * i, o[3] = {i / 8, 0, 0};
+            const double to[3] = {0.2 * cos(angle), 0.2 * sin(angle),
+                                  i % 3 ? 0.01 : -0.1};
+            const double from[3] = {o[0] + 3 * to[0], 3 * to[1], 3 * to[2]};
+            const double d[3] = {-to[0], -to[1], -to[2]};
+            size_t hit = 0;
+            cylint_line line;
+            cylint_span(&line, from, d, 0, 3);
+            for (int k = 0; k < 8; k++)
+                hit += cylint_occluded(&shape[k], &line) != 0;
+            if (!CHECK(cylint_scene_count(scene, &line, 0) == hit))
+                REPORT("tip %a, line %d", tip, i);
+        }
+    }
+}
+
+TEST(a_scene_made_in_any_environment_finds_its_shapes)
+{
+    everywhere(check_needles_made_there);
+}
+
 /* -------------------------------------------------------------- threads -- */
 
 enum { QUESTIONS = 3 * LINES * LINES_KINDS };

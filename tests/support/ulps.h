@@ -24,22 +24,4 @@ static inline double stepped(double x, int ulps)
     return x;
 }
 
-/* |x - y| in ulp of `size`; infinite for NaN. */
-static inline double ulps_apart(double x, double y, double size)
-{
-    if (x == y)
-        return 0;
-    const double half = size > 1 ? 0.5 : 1; /* avoids overflow and underflow */
-    const double off = fabs(half * x - half * y) / ulp(size) / half;
-    return off == off ? off : HUGE_VAL;
-}
-
-/* The difference of a member of a hit; infinite if only one of them is 0. */
-static inline double ulps_member(double got, double want)
-{
-    if (got == 0 && signbit(got))
-        return HUGE_VAL;
-    return want == 0 && got != 0 ? HUGE_VAL : ulps_apart(got, want, want);
-}
-
 #endif

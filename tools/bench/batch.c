@@ -166,7 +166,7 @@ static const struct {
     const char *name;
     bench_turn *theirs, *ours;
     const enum arrangement *input;
-} asked[] = {
+} questions[] = {
     {"nearest of 512", lean_nearest, nearest, NULL},
     {"any of 512", lean_any, any, NULL},
     {"both t of 512 shapes", lean_both, both, &all_shapes},
@@ -186,14 +186,14 @@ void bench_batch(void)
             in.kind = (enum kind)kind;
             approach(share_of_hits, 32, shares[k].share);
             in.formula = lean_lines[kind];
-            for (size_t q = 0; q < sizeof asked / sizeof *asked; q++)
+            for (size_t q = 0; q < sizeof questions / sizeof *questions; q++)
                 compete(&(struct contest){.subject = kind_names[kind],
-                                          .question = asked[q].name,
+                                          .question = questions[q].name,
                                           .setup = shares[k].setup,
                                           .rival = "prepared quadratic",
-                                          .theirs = asked[q].theirs,
-                                          .ours = asked[q].ours,
-                                          .input = asked[q].input,
+                                          .theirs = questions[q].theirs,
+                                          .ours = questions[q].ours,
+                                          .input = questions[q].input,
                                           .questions = N,
                                           .units = N});
         }

@@ -89,8 +89,8 @@ static const unsigned only_distance = 0, everything = CYLINT_WANT_POINT |
                                                       CYLINT_WANT_NORMAL |
                                                       CYLINT_WANT_PART;
 
-static void ask(const char *name, enum family family, bench_turn *ours,
-                const void *input)
+static void compare(const char *name, enum family family, bench_turn *ours,
+                    const void *input)
 {
     const int is_batch = ours == batch;
     compete(&(struct contest){.subject = kind_names[in.solid[0].kind],
@@ -104,13 +104,13 @@ static void ask(const char *name, enum family family, bench_turn *ours,
                               .shuffled = !is_batch});
 }
 
-static void ask_family(enum family family)
+static void compare_family(enum family family)
 {
     for (int i = 0; i < PAIRS; i++)
         draw_point(i, family, in.point[i]);
-    ask("distance", family, distance, &only_distance);
-    ask("distance + point + normal", family, distance, &everything);
-    ask("safety", family, safety, NULL);
+    compare("distance", family, distance, &only_distance);
+    compare("distance + point + normal", family, distance, &everything);
+    compare("safety", family, safety, NULL);
     if (family == FAR || family == SURFACE)
         return;
     for (int i = 0; i < PAIRS; i++) {
@@ -118,7 +118,7 @@ static void ask_family(enum family family)
         for (int c = 0; c < 3; c++)
             in.column[c][i] = in.point[i][c];
     }
-    ask("batch of points", family, batch, NULL);
+    compare("batch of points", family, batch, NULL);
 }
 
 void bench_distance(void)
@@ -134,6 +134,6 @@ void bench_distance(void)
         }
         in.formula = lean_distances[kind];
         for (int family = 0; family < FAMILIES; family++)
-            ask_family((enum family)family);
+            compare_family((enum family)family);
     }
 }

@@ -217,9 +217,9 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
 
 /* -------------------------------------------------------------- contests -- */
 
-static void ask(const struct sticks *s, const char *question, const char *setup,
-                bench_turn *turn, bench_turn *of_curves,
-                const struct world *ours)
+static void compare(const struct sticks *s, const char *question,
+                    const char *setup, bench_turn *turn, bench_turn *of_curves,
+                    const struct world *ours)
 {
     compete(&(struct contest){.subject = s->name,
                               .question = question,
@@ -246,45 +246,45 @@ static double percent_wrong(void)
     return 100.0 * wrong / RAYS;
 }
 
-static void ask_scene(const struct sticks *s)
+static void compare_scene(const struct sticks *s)
 {
     draw_incoherent(RAYS, in.ray);
-    ask(s, "nearest; incoherent", NULL, nearest, nearest, in.ours);
+    compare(s, "nearest; incoherent", NULL, nearest, nearest, in.ours);
     print_figure(s->name, "wrong; incoherent", NULL, "curves", "%",
                  percent_wrong(), 0);
-    ask(s, "any; incoherent", NULL, any, any, in.ours);
-    ask(s, "any; incoherent; no filters", NULL, any, any, in.bare);
+    compare(s, "any; incoherent", NULL, any, any, in.ours);
+    compare(s, "any; incoherent; no filters", NULL, any, any, in.bare);
     draw_coherent(RAYS, in.ray);
-    ask(s, "nearest; camera", NULL, nearest, nearest, in.ours);
-    ask(s, "nearest; camera; bare", NULL, nearest, nearest, in.bare);
-    ask(s, "nearest; camera; packets; curves alone", NULL, nearest_in_packets,
-        nearest, in.ours);
-    ask(s, "nearest; camera; packets", NULL, nearest_in_packets,
-        nearest_in_packets, in.ours);
+    compare(s, "nearest; camera", NULL, nearest, nearest, in.ours);
+    compare(s, "nearest; camera; bare", NULL, nearest, nearest, in.bare);
+    compare(s, "nearest; camera; packets; curves alone", NULL,
+            nearest_in_packets, nearest, in.ours);
+    compare(s, "nearest; camera; packets", NULL, nearest_in_packets,
+            nearest_in_packets, in.ours);
     print_figure(s->name, "a shape", NULL, "curves", "bytes",
                  in.curves.bytes / (double)s->n,
                  in.ours[0].bytes / (double)s->n);
 }
 
 /* A geometry for each cell, or all merged. */
-static void ask_parts(const struct sticks *s)
+static void compare_parts(const struct sticks *s)
 {
     static const struct {
         const char *question;
         draw_rays *draw;
-    } asked[] = {{"nearest; incoherent", draw_incoherent},
-                 {"nearest; camera", draw_coherent}};
+    } questions[] = {{"nearest; incoherent", draw_incoherent},
+                     {"nearest; camera", draw_coherent}};
     char alone[32], merged[32];
     snprintf(alone, sizeof alone, "%zu parts", parts_of(s));
     snprintf(merged, sizeof merged, "%zu parts merged", parts_of(s));
     for (int k = 0; k < 2; k++) {
-        asked[k].draw(RAYS, in.ray);
-        ask(s, asked[k].question, alone, nearest, nearest, in.ours);
-        ask(s, asked[k].question, merged, nearest, nearest, in.bare);
+        questions[k].draw(RAYS, in.ray);
+        compare(s, questions[k].question, alone, nearest, nearest, in.ours);
+        compare(s, questions[k].question, merged, nearest, nearest, in.bare);
     }
 }
 
-static void ask_sticks(const struct sticks *s)
+static void compare_sticks(const struct sticks *s)
 {
     build(&in.curves, s, CURVES);
     for (int k = 0; use_kernels(k); k++) {
@@ -293,7 +293,7 @@ static void ask_sticks(const struct sticks *s)
               s->side > 1 ? MERGED
                           : CYLINT_EMBREE_NO_FILTERS | CYLINT_EMBREE_BARE);
     }
-    (s->side > 1 ? ask_parts : ask_scene)(s);
+    (s->side > 1 ? compare_parts : compare_scene)(s);
     release(&in.curves, 0);
     for (int k = 0; k < KERNELS_MOST; k++) {
         release(&in.ours[k], 1);
@@ -320,5 +320,5 @@ void bench_embree(void)
 #endif
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
         with_sticks(scenes[i].kind, scenes[i].n, scenes[i].is_round,
-                    scenes[i].side, ask_sticks);
+                    scenes[i].side, compare_sticks);
 }

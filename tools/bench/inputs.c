@@ -161,7 +161,7 @@ static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
 }
 
 void with_sticks(const struct stick_kind *kind, double n, int is_round,
-                 size_t side, void (*ask)(const struct sticks *s))
+                 size_t side, void (*measure)(const struct sticks *s))
 {
     struct sticks s = {.n = (size_t)n, .side = side, .is_round = is_round};
     snprintf(s.name, sizeof s.name, "%.0e %s%s", n, is_round ? "round " : "",
@@ -169,7 +169,7 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
     if (n > largest(1e6) || !is_wanted(s.name))
         return;
     draw_sticks(kind, &s);
-    ask(&s);
+    measure(&s);
     free(s.end);
     free(s.radius);
     free(s.shapes);

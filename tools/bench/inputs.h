@@ -65,9 +65,9 @@ struct sticks {
     cylint_shape *shapes;
 };
 
-/* Draws n sticks and calls ask(), if the user wants so many and their name. */
+/* Draws n sticks and calls measure(), if the user wants so many and their name. */
 void with_sticks(const struct stick_kind *kind, double n, int is_round,
-                 size_t side, void (*ask)(const struct sticks *s));
+                 size_t side, void (*measure)(const struct sticks *s));
 
 /* From random points of the cube in random directions; or from one eye in front
  * of the cube, sixteen in a tile of 4 x 4 pixels.  n: the square of a multiple

@@ -122,7 +122,7 @@ static void print_errors(const char *subject, const char *family,
                  in.error[n * 99 / 100], 0);
 }
 
-static void ask_methods(const char *subject, const char *family)
+static void compare_methods(const char *subject, const char *family)
 {
     static const cylint_method lean = {"prepared quadratic", "", "", NULL};
     const cylint_method *method = cylint_methods();
@@ -162,6 +162,6 @@ void bench_methods(void)
             for (int family = 0; family < family_count(); family++)
                 if (!strcmp(family_name(family), families[f])) {
                     draw_cases(family, subjects[s].word, subjects[s].ends);
-                    ask_methods(subjects[s].name, families[f]);
+                    compare_methods(subjects[s].name, families[f]);
                 }
 }

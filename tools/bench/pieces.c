@@ -76,7 +76,7 @@ BENCH_TURN(first_of_union, SCENE,
 BENCH_TURN(by_embree, , embree_chords_union(input, &in.line[i]))
 #endif
 
-static void ask_scene(const struct sticks *s)
+static void compare_scene(const struct sticks *s)
 {
     size_t hits = 0;
     in.shapes = s->shapes;
@@ -120,5 +120,5 @@ void bench_pieces(void)
     static const struct stick_kind *const kinds[] = {&thin, &fat};
     for (double n = 1e4; n <= largest(1e6); n *= 10)
         for (int k = 0; k < 2; k++)
-            with_sticks(kinds[k], n, 0, 1, ask_scene);
+            with_sticks(kinds[k], n, 0, 1, compare_scene);
 }

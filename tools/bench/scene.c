@@ -106,26 +106,26 @@ static void measure_queries(const struct sticks *s)
     const struct {
         const char *name;
         bench_turn *ours;
-    } asked[] = {{"nearest; random rays", nearest},
-                 {"any; random rays", any},
-                 {"count; random rays", count},
-                 {"all; random rays", all},
-                 {"closest to points", closest},
-                 {"count within half of a distance", within},
-                 {"nearest; rays of a camera", nearest}};
+    } questions[] = {{"nearest; random rays", nearest},
+                     {"any; random rays", any},
+                     {"count; random rays", count},
+                     {"all; random rays", all},
+                     {"closest to points", closest},
+                     {"count within half of a distance", within},
+                     {"nearest; rays of a camera", nearest}};
     make_scenes(s);
-    for (size_t q = 0; q < sizeof asked / sizeof *asked; q++) {
+    for (size_t q = 0; q < sizeof questions / sizeof *questions; q++) {
         draw_lines(q < 6 ? draw_incoherent : draw_coherent, RAYS, in.line);
         compete(&(struct contest){.subject = s->name,
-                                  .question = asked[q].name,
-                                  .ours = asked[q].ours,
+                                  .question = questions[q].name,
+                                  .ours = questions[q].ours,
                                   .input = &half,
                                   .questions = RAYS});
     }
     free_scenes();
 }
 
-static void ask_scene(const struct sticks *s)
+static void compare_scene(const struct sticks *s)
 {
     measure_queries(s);
     measure_building(s);
@@ -137,5 +137,5 @@ void bench_scene(void)
     const double sizes[] = {1e4, 1e6, largest(1e6)};
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < (sizes[2] > 1e6 ? 3 : 2); i++)
-            with_sticks(kinds[k], sizes[i], 0, 1, ask_scene);
+            with_sticks(kinds[k], sizes[i], 0, 1, compare_scene);
 }

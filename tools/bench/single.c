@@ -167,26 +167,27 @@ BENCH_TURN(nearest_and_normal, , sum_of_nearest(i))
 
 /* -------------------------------------------------------------- contests -- */
 
-static void ask(const char *subject, const char *setup)
+static void compare(const char *subject, const char *setup)
 {
     static const struct {
         const char *name;
         bench_turn *theirs, *ours;
-    } asked[] = {{"verdict", lean_both, verdicts},
-                 {"both t", lean_both, both_t},
-                 {"nearest t and normal", lean_nearest, nearest_and_normal}};
+    } questions[] = {
+        {"verdict", lean_both, verdicts},
+        {"both t", lean_both, both_t},
+        {"nearest t and normal", lean_nearest, nearest_and_normal}};
     for (int k = 0; k < 3; k++)
         compete(&(struct contest){.subject = subject,
-                                  .question = asked[k].name,
+                                  .question = questions[k].name,
                                   .setup = setup,
                                   .rival = "prepared quadratic",
-                                  .theirs = asked[k].theirs,
-                                  .ours = asked[k].ours,
+                                  .theirs = questions[k].theirs,
+                                  .ours = questions[k].ours,
                                   .questions = PAIRS,
                                   .shuffled = 1});
 }
 
-static void ask_hard(const char *subject)
+static void compare_hard(const char *subject)
 {
     static void (*const make[FAMILIES])(int) = {NULL, far_ray, grazing_ray,
                                                 parallel_ray, surface_ray};
@@ -198,11 +199,11 @@ static void ask_hard(const char *subject)
         in.random = 12;
         for (int i = 0; i < PAIRS; i++)
             make[family](i);
-        ask(subject, family_names[family]);
+        compare(subject, family_names[family]);
     }
 }
 
-static void ask_kind(enum kind kind, int is_infinite)
+static void compare_kind(enum kind kind, int is_infinite)
 {
     static const struct {
         int percent;
@@ -226,14 +227,14 @@ static void ask_kind(enum kind kind, int is_infinite)
     for (int k = 0; k < 3; k++)
         if (fabs(approach(ordinary_rays, 64, shares[k].percent) -
                  shares[k].percent) <= 3)
-            ask(subject, shares[k].setup);
-    ask_hard(subject);
+            compare(subject, shares[k].setup);
+    compare_hard(subject);
 }
 
 void bench_single(void)
 {
     for (int kind = 0; kind < KINDS; kind++)
-        ask_kind((enum kind)kind, 0);
-    ask_kind(CYLINDER, 1);
-    ask_kind(CONE, 1);
+        compare_kind((enum kind)kind, 0);
+    compare_kind(CYLINDER, 1);
+    compare_kind(CONE, 1);
 }

@@ -112,7 +112,7 @@ static const struct option options_known[] = {
      "this number (default) or those with this label"},
     {"within", "R", read_radius, AT(radius), "a radius", 0, A_SCENE,
      "with -s: of points, shapes up to R away"},
-    {"signed", 0, read_flag, AT(is_signed), 0, 1, 0,
+    {"signed", 0, read_flag, AT(signed_flag), 0, CYLINT_SIGNED, 0,
      "of points: distances from closed solids"},
     {"f", "LIST", read_text, AT(columns), 0, 0, 0,
      "output columns, see --list=columns"},
@@ -284,7 +284,7 @@ static int settle_pieces(struct options *o)
          "-f and --sum exclude each other: the columns of --sum are labels"},
         {is_given(o, "within") && o->query == QUERY_INSIDE,
          "--within: the query inside has no radius"},
-        {o->radius < 0 && !o->is_signed,
+        {o->radius < 0 && !o->signed_flag,
          "--within: a radius below 0 needs --signed"},
         {0, NULL}};
     return check(rules);
@@ -297,7 +297,7 @@ static int settle_records(struct options *o)
     const struct query_kind *q = &query_kinds[o->query];
     g->no_lines = is_given(o, "within")   ? "the option --within is for points"
                   : q->no_lines           ? q->no_lines
-                  : o->is_signed          ? "the option --signed is for points"
+                  : o->signed_flag        ? "the option --signed is for points"
                   : g->line == LINE_POINT ? ""
                                           : NULL;
     g->no_points = q->no_points ? q->no_points

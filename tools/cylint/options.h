@@ -41,7 +41,7 @@ struct options {
     const char *rank;                   /* the file of --rank, or NULL */
     struct fields fields, point_fields; /* of lines, of points */
     double radius;                      /* of points, by --within */
-    int is_signed;                      /* of points, by --signed */
+    unsigned signed_flag;               /* of points: CYLINT_SIGNED or 0 */
     int binary, binary_in, array; /* -b; records are doubles; a .npy header */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */

@@ -17,11 +17,6 @@ static const struct fields *fields_of(const struct task *task)
     return task->record.is_point ? &o->point_fields : &o->fields;
 }
 
-static unsigned signed_of(const struct options *o)
-{
-    return o->is_signed ? CYLINT_SIGNED : 0;
-}
-
 static int is_left_out(const struct task *task, size_t shape)
 {
     const struct job *job = task->job;
@@ -40,7 +35,7 @@ static void measure(struct task *task, const cylint_shape *shape)
     cylint_closest closest = {.part = 0};
     row->distance = cylint_distance(
         shape, task->record.point,
-        fields_of(task)->want | signed_of(task->job->options), &closest);
+        fields_of(task)->want | task->job->options->signed_flag, &closest);
     row->answer.n = closest.part >= 0;
     row->answer.hit[0].part = closest.part;
     row->feature = closest.feature;
@@ -163,26 +158,20 @@ static double take_near(void *search, size_t number, double distance, int flags)
     const struct search *s = search;
     (void)flags;
     return take(search, number,
-                s->task->job->options->is_signed ? distance : fabs(distance));
+                s->task->job->options->signed_flag ? distance : fabs(distance));
 }
 
-static int is_one_by_one(const struct options *o)
+static int is_one_by_one(const struct task *task)
 {
-    return o->method || o->accel == ACCEL_NONE;
+    const struct options *o = task->job->options;
+    return !task->record.is_point && (o->method || o->accel == ACCEL_NONE);
 }
 
-/* want: of the hits' members.  Returns EXIT_BAD and writes a note if the method
- * does not support a shape. */
-static int visit_line(struct search *s, unsigned want)
+static int visit_one_by_one(struct search *s, unsigned want)
 {
     const struct scene *scene = &s->task->job->scene;
     cylint_shape shape;
     cylint_answer answer;
-    if (!is_one_by_one(s->task->job->options)) {
-        cylint_scene_visit(scene->shapes, &s->task->record.line, want, take_hit,
-                           s);
-        return 0;
-    }
     for (size_t i = 0; i < scene->count; i++) {
         if (is_left_out(s->task, i))
             continue;
@@ -195,49 +184,45 @@ static int visit_line(struct search *s, unsigned want)
     return 0;
 }
 
-static void visit_point(struct search *s, double radius, unsigned want)
+/* want: of the hits' members.  Returns EXIT_BAD and writes a note if the method
+ * does not support a shape. */
+static int visit(struct search *s, unsigned want)
 {
-    cylint_scene_visit_point(s->task->job->scene.shapes, s->task->record.point,
-                             radius, want, take_near, s);
+    const struct record *r = &s->task->record;
+    const struct options *o = s->task->job->options;
+    const cylint_scene *scene = s->task->job->scene.shapes;
+    if (is_one_by_one(s->task))
+        return visit_one_by_one(s, want);
+    if (r->is_point)
+        cylint_scene_visit_point(scene, r->point, o->radius, o->signed_flag,
+                                 take_near, s);
+    else
+        cylint_scene_visit(scene, &r->line, want, take_hit, s);
+    return 0;
 }
 
 static int answer_nearest(struct task *task)
 {
-    const struct options *o = task->job->options;
     struct search s = {.task = task, .take = keep_nearest};
-    if (task->record.is_point)
-        visit_point(&s, o->radius, signed_of(o));
-    else if (visit_line(&s, CYLINT_WANT_T))
+    if (visit(&s, CYLINT_WANT_T))
         return EXIT_BAD;
     put_shape(task, s.shape);
     return 0;
 }
 
-/* Counts up to `most` shapes; 0: all. */
-static int answer_up_to(struct task *task, size_t most)
+/* Counts the shapes, or whether there is one. */
+static int answer_count(struct task *task)
 {
-    const struct options *o = task->job->options;
+    const struct record *r = &task->record;
+    const size_t most = task->job->options->query == QUERY_ANY;
     struct search s = {.task = task, .take = count_one, .most = most};
-    if (task->record.is_point)
-        visit_point(&s, o->radius, signed_of(o));
-    else if (!is_one_by_one(o) && task->left_out.count == 0)
-        s.count = cylint_scene_count(task->job->scene.shapes,
-                                     &task->record.line, most);
-    else if (visit_line(&s, 0))
+    if (!r->is_point && !is_one_by_one(task) && task->left_out.count == 0)
+        s.count = cylint_scene_count(task->job->scene.shapes, &r->line, most);
+    else if (visit(&s, 0))
         return EXIT_BAD;
     task->row.count = (double)s.count;
     put_answer(task, s.count > 0);
     return 0;
-}
-
-static int answer_any(struct task *task)
-{
-    return answer_up_to(task, 1);
-}
-
-static int answer_count(struct task *task)
-{
-    return answer_up_to(task, 0);
 }
 
 enum { FOUND_AT_ONCE = 256 };
@@ -247,10 +232,10 @@ enum { FOUND_AT_ONCE = 256 };
 static int answer_all_one_by_one(struct task *task)
 {
     struct search s = {.task = task, .take = count_one};
-    if (visit_line(&s, 0))
+    if (visit(&s, 0))
         return EXIT_BAD;
     s.take = put_one;
-    return visit_line(&s, 0);
+    return visit(&s, 0);
 }
 
 static int answer_all(struct task *task)
@@ -259,11 +244,11 @@ static int answer_all(struct task *task)
     const cylint_scene *scene = task->job->scene.shapes;
     const struct record *r = &task->record;
     size_t number[FOUND_AT_ONCE], found, first = 0;
-    if (!r->is_point && is_one_by_one(o))
+    if (is_one_by_one(task))
         return answer_all_one_by_one(task);
     do {
         found = r->is_point ? cylint_scene_within(scene, r->point, o->radius,
-                                                  signed_of(o), first, number,
+                                                  o->signed_flag, first, number,
                                                   NULL, FOUND_AT_ONCE)
                             : cylint_scene_all(scene, &r->line, first, number,
                                                FOUND_AT_ONCE);
@@ -358,7 +343,8 @@ static int answer_inside(struct task *task)
     struct search s = {.task = task, .take = count_one};
     size_t owner = job->scene.count, depth = 0;
     if (fields->counts)
-        visit_point(&s, 0, CYLINT_SIGNED);
+        cylint_scene_visit_point(job->scene.shapes, task->record.point, 0,
+                                 CYLINT_SIGNED, take_near, &s);
     if (fields->solids)
         depth = depth_of_point(job->scene.shapes, task->record.point,
                                job->groups.rank, &owner, &task->pieces);
@@ -375,7 +361,7 @@ int answer_record(struct task *task)
 {
     static int (*const answers[])(struct task *) = {
         [QUERY_PAIRS] = answer_pair,    [QUERY_NEAREST] = answer_nearest,
-        [QUERY_ANY] = answer_any,       [QUERY_COUNT] = answer_count,
+        [QUERY_ANY] = answer_count,     [QUERY_COUNT] = answer_count,
         [QUERY_ALL] = answer_all,       [QUERY_FIRST] = answer_first,
         [QUERY_PIECES] = answer_pieces, [QUERY_INSIDE] = answer_inside};
     return answers[task->job->options->query](task);

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "../../src/bvh/threads.h"
 #include "answer.h"
 
 /* ---------------------------------------------------------------- order -- */
@@ -57,27 +58,11 @@ static int has_ending(struct job *job)
     return job->ending[0] >= 0;
 }
 
-/* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless
- * asked for more. */
-enum { STACK_BYTES = 1 << 20 };
-
-static int start_thread(struct task *task)
-{
-    pthread_attr_t attributes;
-    if (pthread_attr_init(&attributes) != 0)
-        return 0;
-    pthread_attr_setstacksize(&attributes, STACK_BYTES);
-    const int started =
-        pthread_create(&task->thread, &attributes, work, task) == 0;
-    pthread_attr_destroy(&attributes);
-    return started;
-}
-
 /* If memory, threads or descriptors are short, the present workers continue. */
 static void start_worker(struct job *job)
 {
     struct task *task = has_ending(job) ? task_make(job) : NULL;
-    if (task && start_thread(task)) {
+    if (task && cylint_thread_start(&task->thread, work, task)) {
         task->next = job->others;
         job->others = task;
         job->workers++;

@@ -19,6 +19,12 @@ enum shading {
     SHADE_NORMAL /* the normal's coordinates as red, green and blue */
 };
 
+/* The background, from the picture's upper edge to its lower one. */
+struct backdrop {
+    int transparent;
+    struct vector top, bottom;
+};
+
 /* The scene and its light. */
 struct stage {
     const cylint_scene *scene;
@@ -31,6 +37,7 @@ struct stage {
     enum shading shading;
     struct vector sun; /* unit vector towards it */
     struct vector up;  /* unit vector */
+    const struct backdrop *backdrop;
 };
 
 /* The stage as one thread traces it.  Its memory is zero before use. */
@@ -51,14 +58,7 @@ struct sample {
 struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
                            uint32_t i, uint32_t seed);
 
-/* The background, from the picture's upper edge to its lower one. */
-struct backdrop {
-    int transparent;
-    struct vector top, bottom;
-};
-
 /* Fills the picture, on several threads.  Returns 0 or an exit status. */
-int trace(const struct drawing *drawing, const struct stage *stage,
-          const struct backdrop *backdrop);
+int trace(const struct drawing *drawing, const struct stage *stage);
 
 #endif

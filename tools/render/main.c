@@ -97,7 +97,8 @@ static int set_stage(struct job *job, const struct boxes *boxes)
                                 .size = boxes->size,
                                 .shading = (enum shading)o->shading,
                                 .sun = sun_of(o, &job->view),
-                                .up = up};
+                                .up = up,
+                                .backdrop = &o->backdrop};
     const int status = job->stage.has_ground ? add_ground(job, boxes) : 0;
     job->stage.count = job->scene.count;
     return status;
@@ -140,7 +141,7 @@ static int draw_picture(struct job *job, struct output *out)
                                                     : 3);
     if (status == 0)
         status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
-                         : trace(&drawing, &job->stage, &o->backdrop);
+                         : trace(&drawing, &job->stage);
     stages_end(&job->stages, "traced", pixels, "pixels");
     if (status == 0)
         status = picture_write(&picture, out);

@@ -15,7 +15,6 @@
 struct work {
     const struct drawing *drawing;
     const struct stage *stage;
-    const struct backdrop *backdrop;
 
     pthread_mutex_t lock; /* protects the members below */
     int has_failed;
@@ -50,7 +49,7 @@ static double exposed(double light)
 static void put_pixel(const struct work *w, int y, struct sample mean,
                       unsigned char *bytes)
 {
-    const struct backdrop *b = w->backdrop;
+    const struct backdrop *b = w->stage->backdrop;
     const double down = (y + 0.5) / w->drawing->picture->height;
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {
@@ -90,13 +89,10 @@ static void trace_rows(void *work, size_t from, size_t to)
     piece_memory_free(&tracer.memory);
 }
 
-int trace(const struct drawing *d, const struct stage *stage,
-          const struct backdrop *backdrop)
+int trace(const struct drawing *d, const struct stage *stage)
 {
-    struct work w = {.drawing = d,
-                     .stage = stage,
-                     .backdrop = backdrop,
-                     .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct work w = {
+        .drawing = d, .stage = stage, .lock = PTHREAD_MUTEX_INITIALIZER};
     progress_start(&w.progress, d->progress, "rows", 0);
     cylint_threads_share(d->workers, (size_t)d->picture->height, 1, 1,
                          trace_rows, &w);

@@ -5,8 +5,11 @@
 
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
+
+#define CYLINT_THREADS
+extern "C" {
+#include "bvh/threads.h"
+}
 
 int Grid::add_none(size_t outer)
 {
@@ -130,16 +133,28 @@ void work(size_t blocks, size_t total, int workers, const Callback &progress,
     };
     {
         nb::gil_scoped_release released;
-        std::vector<std::thread> started;
-        try {
-            for (int i = 1; i < workers; i++)
-                started.emplace_back(loop, i);
-        } catch (const std::system_error &) {
-            /* fewer threads do the same work */
+        struct Other {
+            const decltype(loop) *function;
+            int worker;
+            cylint_thread thread;
+        };
+        const auto run = [](void *context) -> void * {
+            const auto *other = static_cast<Other *>(context);
+            (*other->function)(other->worker);
+            return nullptr;
+        };
+        std::vector<Other> others(static_cast<size_t>(workers));
+        int started = 1; /* fewer threads do the same work */
+        for (; started < workers; started++) {
+            Other &other = others[static_cast<size_t>(started)];
+            other.function = &loop;
+            other.worker = started;
+            if (!cylint_thread_start(&other.thread, run, &other))
+                break;
         }
         loop(0);
-        for (std::thread &thread : started)
-            thread.join();
+        while (--started > 0)
+            pthread_join(others[static_cast<size_t>(started)].thread, nullptr);
     }
     if (failure)
         std::rethrow_exception(failure);
