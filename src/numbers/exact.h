@@ -83,11 +83,12 @@ static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
         e);
 }
 
-/* The same in threads that flush subnormal numbers, but hi 2^e for a number that is
- * not subnormal. */
+/* The same, but hi 2^e for a number that is neither subnormal, which the processor may
+ * flush, nor near the largest double, where a directed hi may be infinite. */
 static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
 {
-    return cylint_exponent(x.hi) + e >= DBL_MIN_EXP - 1
+    const int exponent = cylint_exponent(x.hi) + e;
+    return exponent >= DBL_MIN_EXP - 1 && exponent < DBL_MAX_EXP - 1
                ? cylint_scaled(x.hi, e)
                : cylint_nearest_of_pair(arena, x, e);
 }

@@ -103,6 +103,23 @@ TEST(subnormal_numbers_of_nearest_points_and_normals_are_not_flushed)
     everywhere(check_tiny_members);
 }
 
+static void check_huge_point(struct environment e)
+{
+    static const double apex[3] = {0x1p450, 0, 0x1.fffffffffffffp1023};
+    static const double axis[3] = {-1, 3, 0x1.2p271}, p[3] = {0, 0, -2};
+    cylint_shape s;
+    cylint_tangent_cone(&s, apex, axis, 1, CYLINT_ENDS_CAPPED);
+    environment_set(e);
+    const cylint_closest a = answer_to(&s, p, WANT);
+    environment_reset();
+    CHECK(a.feature == CYLINT_FEATURE_APEX && a.point[2] == apex[2]);
+}
+
+TEST(a_point_at_the_largest_double_is_finite_in_every_rounding_mode)
+{
+    everywhere(check_huge_point);
+}
+
 /* Squares of the coordinates overflow, and rounding downward and toward zero an
  * overflow is the largest double. */
 static void check_safety_beyond_all_squares(struct environment e)

@@ -75,7 +75,7 @@ DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
             ("bounds/test_distance_bounds", {"CYLINT_CASES": "10"}),
             ("distance/test_batch", {"CYLINT_CASES": "3"}),
             ("distance/test_oracle", {"CYLINT_CASES": "2"}),
-            ("distance/test_elliptic", {}), ("distance/test_elliptic_certain", {}),
+            ("distance/test_elliptic", {}),
             ("bounds/test_elliptic_bounds", {})]
 POINTS = [("bounds/test_scene_point_bounds", {}), ("scene/test_queries", {})]
 SCENE = [("scene/test_many", {}), ("scene/test_pieces", {"CYLINT_CASES": "10"}),
