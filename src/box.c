@@ -82,8 +82,8 @@ static int pairs_serve(double center, double offset, double reach)
            cylint_rounds_to_nearest() && !(tiny && cylint_flushes_subnormals());
 }
 
-/* x 2^e, and not 0 where that is flushed; for pairs_serve(). */
-static double size_of(pair scaled, pair x)
+/* x 2^e for pairs_serve(): DBL_MIN where that is flushed to 0. */
+static double not_flushed(pair scaled, pair x)
 {
     return cylint_sign(scaled.hi) == cylint_sign(x.hi) ? scaled.hi : DBL_MIN;
 }
@@ -220,7 +220,8 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
         const pair reach = cylint_scaled_pair(product, e + er);
         /* a reach that rounds to 0 */
         is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
-        const int serves = pairs_serve(center, offset, size_of(reach, product));
+        const int serves =
+            pairs_serve(center, offset, not_flushed(reach, product));
         add_end(s, cap, j, center, (pair){offset, 0}, reach, is_exact, serves,
                 lo, hi);
     }
@@ -292,7 +293,7 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
         const int up = widens < 0;
         const double base = cylint_base(s)[j];
         double apex = outward(base, offset, (pair){0, 0}, at_base, up);
-        if (!pairs_serve(base, size_of(offset, quotient), 0))
+        if (!pairs_serve(base, not_flushed(offset, quotient), 0))
             apex = exact_side_of_apex(&q, j, apex, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }

@@ -214,7 +214,8 @@ INLINE vpair moved(vpair z, vpair w, vd t)
 
 /* ------------------------------------------------- the shape and line -- */
 
-/* What shapes of one solid differ in.  Members of hits read those after the caps. */
+/* What shapes of one solid differ in.  The caps are present; members of hits read
+ * the others. */
 enum { CAP0, CAP1, SKEW_ROWS, ELLIPTIC, NO_AXIS, FACTS };
 
 INLINE int has_fact(const cylint_shape *shape, int fact)

@@ -137,7 +137,7 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
         between = m_not(m_or(at->above[0].negative, at->above[1].positive));
     }
     if (cylint_solid_is_round(solid))
-        EACH(i, 2) {
+        EACH_FUSED(i, 2) {
             const vm within = i ? at->above[1].negative : at->above[0].positive;
             if (!cylint_solid_is_ball(solid) && !m_any(m_not(within)))
                 continue;

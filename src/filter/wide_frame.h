@@ -173,7 +173,7 @@ INLINE void load_pairs(pair_line *to, const source *from, int solid)
         x[i] = v_two_sum(from->line->o[i], -f->of[CYLINT_AT_BASE + i]);
         d[i] = direction_at(from, i);
     }
-    EACH(i, 3) {
+    EACH_FUSED(i, 3) {
         p[i] = ball ? x[i] : row_in_pairs(f, i, x, 0);
         v[i] = ball ? d[i] : row_in_pairs(f, i, d, exact);
     }

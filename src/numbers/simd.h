@@ -278,6 +278,14 @@ static inline int m_any(vm m)
     return m_bits(m) != 0;
 }
 
+/* EACH() where the error of a product is one operation.  Elsewhere the code of a
+ * product is long, and this is a loop. */
+#if V_HAS_FMA
+#define EACH_FUSED(i, n) EACH(i, n)
+#else
+#define EACH_FUSED(i, n) for (int i = 0; i < (n); i++)
+#endif
+
 /* x[at[0]], x[at[1]], ... */
 static inline vd v_pick(const double *x, const size_t *at)
 {
