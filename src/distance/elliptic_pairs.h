@@ -37,11 +37,11 @@ ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
     sized_cross(m->W, a, b);
     EACH(i, 3) {
         m->D[i] = sized_of(v_two_sum(point[i], -cylint_base(s)[i]));
-        A[i] = sized_of((vpair){a[i], 0});
+        A[i] = sized_double(a[i]);
     }
     m->volume = sized_trimmed(sized_dot(A, m->U));
     m->unit = 1 / fabs(m->volume.v.hi);
-    m->outward = m->volume.v.hi < 0 ? -1 : 1;
+    m->outward = copysign(1, m->volume.v.hi);
     m->x = sized_trimmed(sized_dot(m->D, m->U));
     m->y = sized_trimmed(sized_dot(m->D, m->V));
     m->z = sized_trimmed(sized_dot(m->D, m->W));
@@ -89,7 +89,7 @@ typedef struct {
 
 typedef struct {
     sized n, slope_of_n, N[3], slope_of_N[3], q;
-    vpair size, inverse; /* of N */
+    vpair inverse; /* of the length of N */
 } plane_in_pairs;
 
 /* What is written, but for the sign of the distance. */
@@ -129,14 +129,14 @@ ASIDE void load_plane(plane_in_pairs *t, const elliptic_numbers *m,
     }
     t->n = sized_difference(sized_sum2(e->cos, m->x, e->sin, m->y), m->rho);
     t->q = sized_dot(t->N, t->N);
-    t->size = pairs_root(t->q.v, &t->inverse);
+    pairs_root(t->q.v, &t->inverse);
 }
 
 /* n' - n N.V / N.N, at most. */
 ASIDE sized load_slope(plane_in_pairs *t, const elliptic_numbers *m,
                        const direction_pair *e)
 {
-    const sized minus = {opposite(e->sin.v), e->sin.size};
+    const sized minus = sized_opposite(e->sin);
     EACH(i, 3)
         t->slope_of_N[i] = sized_sum2(e->cos, m->V[i], minus, m->U[i]);
     t->slope_of_n = sized_sum2(e->cos, m->y, minus, m->x);
@@ -158,7 +158,7 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const double slope = slope_of_height(&q->plane, &q->at);
     const double cube = m->unit * m->unit * m->unit;
     const sized before = load_slope(t, m, e);
-    const double sign = m->volume.v.hi < 0 ? -1 : 1;
+    const double sign = copysign(1, m->volume.v.hi);
     *by = uncertain_angle;
     /* untaken 1 of 2: every known step is small enough */
     if (!turn_direction(e, -sign * whole(before.v) * cube / slope))
@@ -173,32 +173,32 @@ static inline bounded bounded_by(sized x, double more)
     return (bounded){x.v, CYLINT_SIZED_ERROR * x.size + more};
 }
 
-/* The unit normal, outward: N / |N| times `sign`.  turn: the error of the
- * angle.  The distance is n / |N|. */
-ASIDE void write_unit(bounded to[3], const sized N[3], vpair inverse,
-                      double lost, const sized *slope, double turn, double sign)
-{
-    EACH(i, 3) {
-        const vpair n = pairs_product(N[i].v, inverse);
-        const double e =
-            CYLINT_SIZED_ERROR * N[i].size + (slope ? slope[i].size * turn : 0);
-        to[i] = (bounded){{sign * n.hi, sign * n.lo},
-                          e * inverse.hi + fabs(n.hi) * lost};
-    }
-}
-
 /* The relative error of |N|. */
 static inline double lost_by_root(const sized *q, double turn_of_size)
 {
     return CYLINT_SIZED_ERROR * (q->size / q->v.hi + 1) + turn_of_size;
 }
 
-static inline bounded quotient_by_size(sized n, vpair inverse, double lost,
-                                       double more)
+/* n / |N| times `sign`; lost: the relative error of |N|. */
+ASIDE bounded quotient_by_size(sized n, vpair inverse, double lost, double more,
+                               double sign)
 {
     const vpair d = pairs_product(n.v, inverse);
-    return (bounded){d, CYLINT_SIZED_ERROR * n.size * inverse.hi +
-                            fabs(d.hi) * lost + more};
+    return (bounded){{sign * d.hi, sign * d.lo},
+                     CYLINT_SIZED_ERROR * n.size * inverse.hi +
+                         fabs(d.hi) * lost + more};
+}
+
+/* The unit normal, outward.  turn: the error of the angle, by which N changes as
+ * `slope`. */
+static inline void write_unit(bounded to[3], const sized N[3], vpair inverse,
+                              double lost, const sized *slope, double turn,
+                              double sign)
+{
+    EACH(i, 3)
+        to[i] = quotient_by_size(N[i], inverse, lost,
+                                 slope ? slope[i].size * turn * inverse.hi : 0,
+                                 sign);
 }
 
 /* x - d n */
@@ -223,10 +223,8 @@ static inline void answer_on_lateral(elliptic_answer *to,
     if (exactly)
         correct_plane(&t, &e, &by, m, q, tapered);
     const double ratio = q->at.norm / sqrt(q->plane.q);
-    const double sign = m->volume.v.hi < 0 ? -1 : 1;
-    const double lost = lost_by_root(&t.q, 0);
-    const bounded d = quotient_by_size(t.n, t.inverse, lost, by.distance);
-    to->distance = (bounded){{sign * d.v.hi, sign * d.v.lo}, d.e};
+    to->distance = quotient_by_size(t.n, t.inverse, lost_by_root(&t.q, 0),
+                                    by.distance, copysign(1, m->volume.v.hi));
     if (!exactly)
         return;
     write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
@@ -262,8 +260,7 @@ static inline void answer_on_cap(elliptic_answer *to,
     pairs_root(square.v, &inverse);
     const double lost = lost_by_root(&square, 0);
     const double sign = (m->volume.v.hi < 0) != !end ? -1 : 1;
-    const bounded d = quotient_by_size(above, inverse, lost, 0);
-    to->distance = (bounded){{sign * d.v.hi, sign * d.v.lo}, d.e};
+    to->distance = quotient_by_size(above, inverse, lost, 0, sign);
     write_unit(to->normal, m->W, inverse, lost, NULL, 0, sign);
     write_foot(to->point, point, to->distance, to->normal);
     keep_level(to, q, m, point, end);
@@ -274,8 +271,7 @@ static inline void load_from_end(sized F[3], const elliptic_numbers *m,
                                  const cylint_shape *s, int end)
 {
     EACH(i, 3)
-        F[i] = end ? sized_difference(m->D[i],
-                                      sized_of((vpair){cylint_axis(s)[i], 0}))
+        F[i] = end ? sized_difference(m->D[i], sized_double(cylint_axis(s)[i]))
                    : m->D[i];
 }
 
@@ -300,7 +296,7 @@ static inline void answer_on_apex(elliptic_answer *to,
     vpair inverse;
     EACH(i, 3) {
         const double base = cylint_base(s)[i];
-        h[i] = sized_of((vpair){cylint_axis(s)[i], 0});
+        h[i] = sized_double(cylint_axis(s)[i]);
         const sized step = sized_product(by, h[i]);
         F[i] = sized_difference(m->D[i], step);
         to->point[i] =
@@ -323,11 +319,10 @@ ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
                              const sized F[3], double f,
                              const direction_pair *e)
 {
-    const sized minus = {opposite(e->sin.v), e->sin.size};
-    const sized factor = sized_of((vpair){f, 0});
+    const sized minus = sized_opposite(e->sin), factor = sized_double(f);
     EACH(i, 3) {
-        const sized a = sized_of((vpair){cylint_a(s)[i], 0}),
-                    b = sized_of((vpair){cylint_b(s)[i], 0});
+        const sized a = sized_double(cylint_a(s)[i]),
+                    b = sized_double(cylint_b(s)[i]);
         r->u[i] = sized_sum2(e->cos, a, e->sin, b);
         r->v[i] = sized_sum2(e->cos, b, minus, a);
         if (f != 1) {

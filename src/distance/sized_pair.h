@@ -20,11 +20,6 @@ INLINE sized sized_product(sized x, sized y)
     return (sized){pairs_product(x.v, y.v), x.size * y.size};
 }
 
-INLINE sized sized_square(sized x)
-{
-    return (sized){pairs_square(x.v), x.size * x.size};
-}
-
 INLINE sized sized_sum(sized x, sized y)
 {
     return (sized){vpair_add(x.v, y.v), x.size + y.size};
@@ -50,6 +45,16 @@ INLINE sized sized_trimmed(sized x)
 INLINE sized sized_of(vpair v)
 {
     return (sized){v, v_abs(v.hi)};
+}
+
+INLINE sized sized_double(double x)
+{
+    return sized_of((vpair){v_set(x), v_set(0)});
+}
+
+INLINE sized sized_opposite(sized x)
+{
+    return (sized){opposite(x.v), x.size};
 }
 
 INLINE sized sized_dot(const sized x[3], const sized y[3])
