@@ -55,7 +55,7 @@
  * before the entry hit if they lie in different boxes.
  *
  * Packets.  The answers are those to the rays alone, bit for bit.  Embree
- * makes three exceptions.  In a packet it skips a box unless a ray enters the
+ * makes four exceptions.  In a packet it skips a box unless a ray enters the
  * box below tfar, and Embree 3 traces packets that are wider than the
  * processor's vectors as streams of rays.
  *   - A ray with tnear = tfar may report a miss.
@@ -66,6 +66,8 @@
  *   - Where every shape is a primitive of its own (CYLINT_EMBREE_SINGLE and
  *     moving shapes) and several shapes are hit at t = tnear, primID may be
  *     any of them instead of the lowest.  t is right.
+ *   - In a query with the flag for coherent rays, where a component of dir is
+ *     below 0 and above -1e-18, all rays of the packet may miss what they hit.
  * Trace such rays one by one.  Rays that begin near each other and go into the
  * same octant cost less in packets, least in packets of 16; other rays cost a
  * little more than alone.
