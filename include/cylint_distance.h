@@ -203,8 +203,9 @@ CYLINT_API void cylint_on_surface_pairs(const cylint_shape *shapes,
  * cylint_distance() does.  Returns n, and writes nothing, if there is none.
  * Compares the doubles that cylint_distance() returns.  An elliptic shape of whose
  * distance only the sign is right may be left out if that distance is too small.
- * `point` must not be a member of *answer.  Where shapes overlap, the nearest surface
- * may lie inside another shape: cylint_scene(3), section Overlapping shapes. */
+ * `point` must not be a member of *answer.  Where shapes overlap, the nearest
+ * surface may lie inside another shape: cylint_scene(3), section Overlapping
+ * shapes. */
 CYLINT_API size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
                                        const double point[3], double within,
                                        unsigned want, cylint_closest *answer);

@@ -70,8 +70,8 @@ static double outward(double center, pair offset, pair reach, int is_exact,
 /* ----------------------------------------------------- by exact numbers -- */
 
 /* Whether pairs serve for a side of these terms: their sums are exact, or within
- * CYLINT_BOX_ERROR, only where rounding is to nearest, and nothing is flushed to zero
- * or overflows. */
+ * CYLINT_BOX_ERROR, only where rounding is to nearest, and nothing is flushed to
+ * zero or overflows. */
 static int pairs_serve(double center, double offset, double reach)
 {
     const double most =
@@ -111,7 +111,8 @@ static int is_beyond(const exact_side *q, double x)
     return reach.sign >= 0 && sign >= 0;
 }
 
-/* The least double that is_beyond(), infinite if none is; `guess` only saves time. */
+/* The least double that is_beyond(), infinite if none is.  `guess` only saves
+ * time. */
 static double least_beyond(const exact_side *q, double guess)
 {
     int64_t out = cylint_rank(HUGE_VAL), in = -out, step = 1;

@@ -18,10 +18,10 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
                               cylint_answer *answer);
 
 /*
- * For libcylint-scene: cylint_occluded() of the shape that a constructor makes of a
- * record, without low parts of its local coordinates.  Returns CYLINT_UNDECIDED
- * where these leave the answer open.  The kind is cylinder, cone, capsule or rounded
- * cone; the local coordinates of the constructor's shape are accurate.
+ * For libcylint-scene: cylint_occluded() of the shape that a constructor makes of
+ * a record, without low parts of its local coordinates.  Returns CYLINT_UNDECIDED
+ * where these leave the answer open.  The kind is cylinder, cone, capsule or
+ * rounded cone; the local coordinates of the constructor's shape are accurate.
  */
 CYLINT_API int cylint_occluded_in_doubles(int kind, int ends,
                                           const cylint_record *from,

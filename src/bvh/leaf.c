@@ -45,8 +45,8 @@ typedef struct {
     double p[2][3], r;
 } step_cylinder;
 
-/* The nearest whole number, in every rounding mode.  rint() is none: gcc computes it
- * from the size of x. */
+/* The nearest whole number, in every rounding mode.  rint() does not serve: gcc
+ * computes it from the size of x. */
 static long whole(double x)
 {
     const long n = lrint(x);

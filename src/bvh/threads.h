@@ -15,17 +15,18 @@ enum { CYLINT_THREADS_MOST = 64 };
  * the thread. */
 enum { CYLINT_THREADS_LEAST_SHAPES = 4096 };
 
-/* The number of threads, each with at least `least` of n items, at most `wanted` and
- * at most CYLINT_THREADS_MOST.  wanted = 0: one for every processor. */
+/* The number of threads, each with at least `least` of n items, at most `wanted`
+ * and at most CYLINT_THREADS_MOST.  wanted = 0: one for every processor. */
 int cylint_threads_for(size_t n, size_t least, int wanted);
 
 /* Does items [from, to) of the work. */
 typedef void cylint_thread_work(void *self, size_t from, size_t to);
 
-/* Calls `work` for n items, each once, in blocks of at most `block` items.  A thread
- * takes the next block when it has done one, so items may differ in cost.  Each
- * thread, the caller's included, gets at least `least` items on average; threads: at
- * most, as for cylint_threads_for().  Uses fewer if the system refuses threads. */
+/* Calls `work` for n items, each once, in blocks of at most `block` items.  A
+ * thread takes the next block when it has done one, so items may differ in cost.
+ * Each thread, the caller's included, gets at least `least` items on average;
+ * threads: at most, as for cylint_threads_for().  Uses fewer if the system refuses
+ * threads. */
 void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
                           cylint_thread_work *work, void *self);
 
@@ -48,8 +49,7 @@ typedef pthread_mutex_t cylint_mutex;
 #define cylint_mutex_destroy(m) pthread_mutex_destroy(m)
 
 /* Starts a thread, or returns 0 if the system refuses it.  The stack has space for
- * exact numbers, which take up to 200 kB; threads of musl have 128 kB unless more is
- * asked for. */
+ * exact numbers, which take up to 200 kB; musl's default is 128 kB. */
 int cylint_thread_start(cylint_thread *thread, void *(*work)(void *),
                         void *argument);
 

@@ -53,8 +53,8 @@ static inline double lost_of_normal(const tangent_plane *t,
     return 4 * p->relative * p->norm / sqrt(t->q);
 }
 
-/* k for tangent planes and a point on the inner side of all.  lost: the error of the
- * place, or 0 where a lower bound of the distance loses it at the end. */
+/* k for tangent planes and a point on the inner side of all.  lost: the error of
+ * the place, or 0 where a lower bound of the distance loses it at the end. */
 static inline double inner_curvature(const tangent_plane *t,
                                      const elliptic_place *p, double lost)
 {

@@ -83,8 +83,8 @@ static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
         e);
 }
 
-/* The same, but hi 2^e for a number that is neither subnormal, which the processor may
- * flush, nor near the largest double, where a directed hi may be infinite. */
+/* The same, but hi 2^e for a number that is neither subnormal, which the processor
+ * may flush, nor near the largest double, where a directed hi may be infinite. */
 static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
 {
     const int exponent = cylint_exponent(x.hi) + e;

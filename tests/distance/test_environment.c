@@ -60,8 +60,8 @@ TEST(an_infinite_distance_is_on_no_surface)
     CHECK(cylint_on_surface(&s, far, 0x1p53 - 1));
 }
 
-/* Nearest to the surface, rims and balls.  Radii are subnormal, so that coordinates of
- * nearest points are. */
+/* Nearest to the surface, rims and balls.  Radii are subnormal, so that coordinates
+ * of nearest points are. */
 static cylint_status make_tiny(int i, cylint_shape *s, double p[3])
 {
     static const double top[3] = {0, 0, 1}, tiny[3] = {0, 0, 3 * 0x1p-1074};

@@ -241,7 +241,10 @@ static inline struct family_case whole_case(void)
     const int n = one_of(16);
     struct family_case c;
     return *family_case(random_bits(&stream),
-                        family_named(names[n < 10 ? 0 : n < 15 ? 1 : 2]), 0, &c);
+                        family_named(names[n < 10   ? 0
+                                           : n < 15 ? 1
+                                                    : 2]),
+                        0, &c);
 }
 
 static inline cylint_shape any_shape(void)
