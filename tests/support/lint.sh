@@ -34,7 +34,8 @@ command=$(of_kind '^tools/(cylint|render)/.*\.c$')
 sources=$(of_kind '\.(c|cc|h)$')
 scripts=$(of_kind '\.sh$')
 pages=$(of_kind '^man/.*\.[0-9]$')
-options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L -DCYLINT_EMBREE=3'
+options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L'
+options="$options -DCYLINT_THREADS -DCYLINT_EMBREE=3"
 
 # Removes findings that were checked and are no faults: those below a comment
 # "lint: REASON", as far as the end of the function or type.
