@@ -292,6 +292,7 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
                                   axes.gap / axes.least, rough);
     double by = 1;
     *at = turned_back(&axes, e.cos, e.sin);
+    /* untaken 1 of 2: no known case takes all steps */
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_rim_place(r, s, *at);
         if (fabs(by) <= CYLINT_ANGLE_STEP)

@@ -57,8 +57,8 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         answer_in_pairs(&a, &q, &m, point, exactly);
         known = m_any(rounds(a.distance, &d));
     } while (!known && exactly++ == 0);
-    /* untaken 1 of 6: a known distance has the sign of the side in every known
-     * case */
+    /* untaken 2 of 6: a known distance has the sign of the side and is not tiny in
+     * every known case */
     if (!known || (d < 0) != q.inside || !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
         (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
         (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))

@@ -111,7 +111,6 @@ static inline direction_pair direction_of(vpair c, vpair s)
 static inline int turn_direction(direction_pair *e, double by)
 {
     const vpair step = {by, 0};
-    /* untaken 1 of 2: no known step is larger */
     if (!(fabs(by) <= CYLINT_ANGLE_STEP))
         return 0;
     *e = direction_of(vpair_sub(e->cos.v, pairs_product(e->sin.v, step)),
@@ -160,7 +159,6 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const sized before = load_slope(t, m, e);
     const double sign = copysign(1, m->volume.v.hi);
     *by = uncertain_angle;
-    /* untaken 1 of 2: every known step is small enough */
     if (!turn_direction(e, -sign * whole(before.v) * cube / slope))
         return;
     load_plane(t, m, e, tapered);
