@@ -112,19 +112,20 @@ static int is_beyond(const exact_side *q, double x)
 }
 
 /* The least double that is_beyond(), infinite if none is.  `guess` only saves
- * time. */
+ * time: the steps away from it double, and end before a rank can overflow. */
 static double least_beyond(const exact_side *q, double guess)
 {
+    const int64_t longest = (int64_t)1 << 52;
     int64_t out = cylint_rank(HUGE_VAL), in = -out, step = 1;
     int64_t at = fabs(guess) <= DBL_MAX ? cylint_rank(guess) : 0;
     while (in + 1 < out) {
-        if (at <= in || at >= out)
+        if (at <= in || at >= out || step == longest)
             at = in + (int64_t)(((uint64_t)out - (uint64_t)in) / 2);
         if (is_beyond(q, cylint_from_rank(at)))
             at = (out = at) - step;
         else
             at = (in = at) + step;
-        step = step < INT64_MAX / 4 ? 2 * step : step;
+        step = step < longest ? 2 * step : longest;
     }
     return cylint_from_rank(out);
 }
