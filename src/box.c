@@ -139,21 +139,19 @@ static double exactly_outward(exact_side *q, double guess, int up)
     return up ? least_beyond(q, guess) : -least_beyond(q, -guess);
 }
 
-/* A side of the disc or ball at an end. */
+/* A side of the disc or ball at an end, whose centre is center + offset. */
 ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
-                               double guess, int up)
+                               double center, double offset, double guess,
+                               int up)
 {
     cylint_line line;
     cylint_query q;
     cylint_open_at(&q, s, &line, cylint_base(s));
     const cylint_terms_exact *L = cylint_load_exact(&q, FORM_ALPHA, 0);
     cylint_arena *m = &q.arena;
-    const int has_points = cylint_has_end_points(s->kind);
-    exact middle = cylint_exact_from(m, end && has_points ? cylint_top(s)[j]
-                                                          : cylint_base(s)[j]);
-    if (end && !has_points)
-        middle = cylint_exact_add(m, middle, L->w[j]);
-    exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
+    const exact middle = cylint_exact_add(m, cylint_exact_from(m, center),
+                                          cylint_exact_from(m, offset));
+    const exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
     exact_side side = {m, middle, L->one, square, L->one};
     if (!cylint_is_round(s->kind)) {
         const exact w2 = cylint_exact_mul(m, L->w[j], L->w[j]);
@@ -163,7 +161,8 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
                                    cylint_exact_mul(m, L->b[j], L->b[j]))
                 : cylint_exact_add(m, L->vv, cylint_exact_neg(w2));
         side.square = cylint_exact_mul(m, square, across);
-        side.by = has_points ? L->vv : L->one;
+        if (cylint_has_end_points(s->kind))
+            side.by = L->vv;
     }
     return exactly_outward(&side, guess, up);
 }
@@ -188,14 +187,15 @@ static double exact_side_of_apex(cylint_query *q, int j, double guess, int up)
 
 /* Extends the box by the sides center + offset -+ reach. */
 static void add_end(const cylint_shape *s, int end, int j, double center,
-                    pair offset, pair reach, int is_exact, int serves,
+                    double offset, pair reach, int is_exact, int serves,
                     double lo[3], double hi[3])
 {
     double side[2];
     for (int up = 0; up < 2; up++) {
-        side[up] = outward(center, offset, reach, is_exact, up);
+        side[up] = outward(center, (pair){offset, 0}, reach, is_exact, up);
         if (!serves)
-            side[up] = exact_side_of_end(s, end, j, side[up], up);
+            side[up] =
+                exact_side_of_end(s, end, j, center, offset, side[up], up);
     }
     extend_side(lo, hi, j, side[0], side[1]);
 }
@@ -224,18 +224,17 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
         is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
         const int serves =
             pairs_serve(center, offset, not_flushed(reach, product));
-        add_end(s, cap, j, center, (pair){offset, 0}, reach, is_exact, serves,
-                lo, hi);
+        add_end(s, cap, j, center, offset, reach, is_exact, serves, lo, hi);
     }
 }
 
 /* Extends the box by the ball about an end. */
 static void add_ball(const cylint_shape *s, int end, double lo[3], double hi[3])
 {
-    const pair none = {0, 0}, r = {cylint_end_factor(s, end), 0};
+    const pair r = {cylint_end_factor(s, end), 0};
     for (int j = 0; j < 3; j++) {
         const double c = cylint_end_center(s, end, j);
-        add_end(s, end, j, c, none, r, 1, pairs_serve(c, 0, r.hi), lo, hi);
+        add_end(s, end, j, c, 0, r, 1, pairs_serve(c, 0, r.hi), lo, hi);
     }
 }
 
