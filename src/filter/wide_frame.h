@@ -57,14 +57,8 @@ INLINE void gather_fact(frames *to, const cylint_shape *const shape[LANES],
 INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
                           int solid)
 {
-    unsigned caps[2] = {0, 0};
-    for (int i = 0; i < LANES; i++) {
-        const unsigned present = cylint_caps_present(shape[i]->ends);
-        caps[0] |= (present & 1) << i;
-        caps[1] |= (present >> 1) << i;
-    }
-    to->fact[CAP0] = m_from(caps[0]);
-    to->fact[CAP1] = m_from(caps[1]);
+    EACH(i, 2)
+        gather_fact(to, shape, CAP0 + i);
     gather_numbers(to, shape, solid);
 }
 
