@@ -96,6 +96,14 @@ static inline void locate(elliptic_place *p, const cylint_shape *s,
     p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
 }
 
+/* The point from base + share h. */
+static inline void load_from_axis(double F[3], const elliptic_place *p,
+                                  const cylint_shape *s, double share)
+{
+    EACH(i, 3)
+        F[i] = p->D[i] - share * cylint_axis(s)[i];
+}
+
 /* ------------------------------------------------ a point and an ellipse -- */
 
 /* A symmetric matrix, its eigenvalues, and the unit vector (c, s) that belongs to
@@ -281,8 +289,7 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
 {
     const double *a = cylint_a(s), *b = cylint_b(s);
     r->f = cylint_end_factor(s, end);
-    EACH(i, 3)
-        r->F[i] = p->D[i] - (end ? cylint_axis(s)[i] : 0);
+    load_from_axis(r->F, p, s, end);
     const principal_axes axes =
         axes_of(dot_of(a, a), dot_of(a, b), dot_of(b, b));
     const double Fa = dot_of(r->F, a), Fb = dot_of(r->F, b);

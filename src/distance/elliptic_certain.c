@@ -100,7 +100,7 @@ static double distance_in_doubles(const elliptic_question *q)
     case CYLINT_FEATURE_APEX:
         size = sum_of_sizes(p->D) +
                fabs(apex_share(p)) * sum_of_sizes(cylint_axis(q->shape));
-        load_from_apex(F, p, q->shape);
+        load_from_axis(F, p, q->shape, apex_share(p));
         return sqrt(dot_of(F, F)) - u * size;
     default:
         size = sum_of_sizes(p->D) + sum_of_sizes(q->rim.F) +

@@ -138,50 +138,29 @@ static inline double apex_share(const elliptic_place *p)
     return -1 / p->slope;
 }
 
-static inline void load_from_apex(double F[3], const elliptic_place *p,
-                                  const cylint_shape *s)
-{
-    EACH(i, 3)
-        F[i] = p->D[i] - apex_share(p) * cylint_axis(s)[i];
-}
-
-/* Whether the apex of a cone is nearest of its nappe without ends: a point is
- * behind the planes through the apex that are perpendicular to its rulings. */
-static inline int is_over_apex(const elliptic_question *q)
+/* Whether the foot of the perpendicular on each ruling is beyond the section at
+ * h times `share` from the base, whose factor is f: above it, is_top, or below it.
+ * With v = h + (k - 1) u and F from the centre of the section that is
+ * (F - f u).v > 0 or < 0.  F.u and u.h are at most the lengths of (F.a, F.b) and
+ * (a.h, b.h); u.u is from 0 to a.a + b.b.  The apex is a section of factor 0: it is
+ * nearest of its nappe without ends if the feet are beyond it. */
+static inline int are_feet_beyond(const elliptic_question *q, double share,
+                                  double f, int is_top)
 {
     const double *a = cylint_a(q->shape), *b = cylint_b(q->shape),
                  *h = cylint_axis(q->shape);
-    const double k1 = q->at.slope, share = apex_share(&q->at);
+    const double k1 = q->at.slope;
     double F[3];
-    load_from_apex(F, &q->at, q->shape);
-    const double Fa = dot_of(F, a), Fb = dot_of(F, b), Fh = dot_of(F, h);
-    const double error =
-        CYLINT_ELLIPTIC_SAFETY_ERROR *
-        (sum_of_sizes(q->at.D) + fabs(share) * sum_of_sizes(h)) *
-        (fabs(k1) * (sum_of_sizes(a) + sum_of_sizes(b)) + sum_of_sizes(h));
-    return (k1 < 0 ? Fh : -Fh) - fabs(k1) * sqrt(Fa * Fa + Fb * Fb) > error;
-}
-
-/* Whether the foot of the perpendicular on each ruling is beyond an end.  With
- * v = h + (k - 1) u and F from the centre of the end, whose factor is f, that is
- * (F - f u).v > 0 at the top, < 0 at the base.  F.u and u.h are at most the lengths
- * of (F.a, F.b) and (a.h, b.h); u.u is from 0 to a.a + b.b. */
-static inline int are_feet_beyond(const elliptic_question *q, int end)
-{
-    const double *a = cylint_a(q->shape), *b = cylint_b(q->shape),
-                 *h = cylint_axis(q->shape);
-    const double k1 = q->at.slope, f = cylint_end_factor(q->shape, end);
-    double F[3];
-    EACH(i, 3)
-        F[i] = q->at.D[i] - (end ? h[i] : 0);
+    load_from_axis(F, &q->at, q->shape, share);
     const double of_a = k1 * dot_of(F, a) - f * dot_of(a, h),
                  of_b = k1 * dot_of(F, b) - f * dot_of(b, h);
-    const double up = (end ? 1 : -1) * dot_of(F, h);
-    const double of_u = (end ? k1 : -k1) * f;
+    const double up = (is_top ? 1 : -1) * dot_of(F, h);
+    const double of_u = (is_top ? k1 : -k1) * f;
     const double sizes = sum_of_sizes(a) + sum_of_sizes(b);
-    const double error = CYLINT_ELLIPTIC_SAFETY_ERROR *
-                         (sum_of_sizes(F) + f * sizes + sum_of_sizes(h)) *
-                         (sum_of_sizes(h) + fabs(k1) * sizes);
+    const double error =
+        CYLINT_ELLIPTIC_SAFETY_ERROR *
+        (sum_of_sizes(q->at.D) + fabs(share) * sum_of_sizes(h) + f * sizes) *
+        (sum_of_sizes(h) + fabs(k1) * sizes);
     return up - sqrt(of_a * of_a + of_b * of_b) -
                (of_u > 0 ? of_u * (dot_of(a, a) + dot_of(b, b)) : 0) >
            error;
@@ -193,9 +172,9 @@ static inline int feature_of_open_end(elliptic_question *q, int end)
 {
     const elliptic_place *p = &q->at;
     const int is_open = cylint_caps_present(q->shape->ends) == 0;
+    const double f = cylint_end_factor(q->shape, end);
     /* untaken 1 of 4: no known point is over the apex */
-    if (cylint_sign(cylint_end_factor(q->shape, end)) == 0 ||
-        !are_feet_beyond(q, end))
+    if (cylint_sign(f) == 0 || !are_feet_beyond(q, end, f, end))
         return CYLINT_NO_FEATURE;
     const int rim = find_on_rim(q, end);
     const double cap = (end ? p->z : 1 - p->z) / p->z_norm;
@@ -296,18 +275,18 @@ static inline int feature_outside(elliptic_question *q)
 {
     const cylint_shape *s = q->shape;
     const int bounded = cylint_is_bounded(s);
+    const double k1 = q->at.slope;
     q->inside = 0;
-    if (s->ends != CYLINT_ENDS_INFINITE && q->at.slope != 0 &&
-        is_over_apex(q)) {
+    if (s->ends != CYLINT_ENDS_INFINITE && k1 != 0 &&
+        are_feet_beyond(q, apex_share(&q->at), 0, k1 < 0)) {
         if (!bounded || cylint_sign(cylint_r1(s)) == 0)
             return CYLINT_FEATURE_APEX;
-        return feature_of_end(q, q->at.slope < 0);
+        return feature_of_end(q, k1 < 0);
     }
     if (!find_on_lateral(q))
         return CYLINT_NO_FEATURE;
     if (!bounded)
-        return s->ends != CYLINT_ENDS_INFINITE || q->at.slope == 0 ||
-                       is_nearer_nappe(q)
+        return s->ends != CYLINT_ENDS_INFINITE || k1 == 0 || is_nearer_nappe(q)
                    ? CYLINT_FEATURE_LATERAL
                    : CYLINT_NO_FEATURE;
     const foot_place foot = place_of_foot(q);

@@ -232,18 +232,14 @@ static inline void answer_on_lateral(elliptic_answer *to,
 
 /* The coordinate of a plane that runs along the others. */
 static inline void keep_level(elliptic_answer *to, const elliptic_question *q,
-                              const elliptic_numbers *m, const double point[3],
-                              int end)
+                              const elliptic_numbers *m, int end)
 {
     const cylint_shape *s = q->shape;
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (m->W[j].size != 0 || m->W[k].size != 0)
-            continue;
-        to->point[i] = (bounded){
-            v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0), 0};
-        to->point[j] = (bounded){{point[j], 0}, 0};
-        to->point[k] = (bounded){{point[k], 0}, 0};
+        if (m->W[j].size == 0 && m->W[k].size == 0)
+            to->point[i] = (bounded){
+                v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0), 0};
     }
 }
 
@@ -261,7 +257,7 @@ static inline void answer_on_cap(elliptic_answer *to,
     to->distance = quotient_by_size(above, inverse, lost, 0, sign);
     write_unit(to->normal, m->W, inverse, lost, NULL, 0, sign);
     write_foot(to->point, point, to->distance, to->normal);
-    keep_level(to, q, m, point, end);
+    keep_level(to, q, m, end);
 }
 
 /* The vector from the centre of an end to the point. */
