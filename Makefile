@@ -113,13 +113,11 @@ isa.src/filter/many-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/filter/many_points-avx2   := $(avx2) -DCYLINT_SIDES=cylint_sides_avx2
 isa.src/filter/many_points-avx512 := $(avx512) -DCYLINT_SIDES=cylint_sides_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
-isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
+isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512 -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
 isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
-isa.src/bvh/traverse_point-avx512    := $(avx512) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_PACKET_TRACE=cylint_packet_trace_avx2
 isa.src/embree/float_filter-fma      := $(avx2) -ffp-contract=fast -fno-math-errno -DCYLINT_ONE_LANE -DCYLINT_FLOAT_FILTER=cylint_float_filter_fma
 isa.src/embree/float_filter-avx2     := $(avx2) -ffp-contract=fast -DCYLINT_FLOAT_FILTER=cylint_float_filter_avx2
-isa.src/embree/float_filter-avx512   := $(avx512) -ffp-contract=fast -DCYLINT_FLOAT_FILTER=cylint_float_filter_avx512
 isa.tests/numbers/turn_points-one    := -DCYLINT_ONE_LANE -DTURNS=turns_one
 isa.tests/numbers/turn_points-narrow := $(avx2) -DCYLINT_NARROW -DTURNS=turns_narrow
 isa.tests/numbers/turn_points-avx2   := $(avx2) -DTURNS=turns_avx2

@@ -74,7 +74,6 @@ const cylint_traversal *cylint_traversal_used(void);
 /* All builds, and their functions for points (traverse_point.c). */
 extern const cylint_traversal cylint_traversal_plain, cylint_traversal_avx2,
     cylint_traversal_avx512;
-cylint_traverse_point cylint_traverse_point_plain, cylint_traverse_point_avx2,
-    cylint_traverse_point_avx512;
+cylint_traverse_point cylint_traverse_point_plain, cylint_traverse_point_avx2;
 
 #endif

@@ -2,7 +2,7 @@
  * float_filter.c - hits of float rays in doubles, a question in each lane
  *
  * Compiled with one lane as it is and again for processors with fused
- * multiply-add, and with the lanes of AVX2 and AVX-512.
+ * multiply-add, and with the lanes of AVX2.
  */
 #ifndef CYLINT_FLOAT_FILTER
 #define CYLINT_FLOAT_FILTER cylint_float_filter_plain

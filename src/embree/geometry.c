@@ -293,7 +293,7 @@ cylint_float_filter *cylint_float_filter_used(int many)
 {
     return many ? CYLINT_OF_KERNELS(cylint_float_filter_plain,
                                     cylint_float_filter_avx2,
-                                    cylint_float_filter_avx512)
+                                    cylint_float_filter_avx2)
                 : CYLINT_OF_KERNELS(cylint_float_filter_plain,
                                     cylint_float_filter_fma,
                                     cylint_float_filter_fma);

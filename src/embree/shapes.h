@@ -126,8 +126,8 @@ typedef void cylint_float_filter(cylint_float_filter_question *const of[],
 /* The build in use for one question, or for many. */
 cylint_float_filter *cylint_float_filter_used(int many);
 
-/* All builds: two with one lane, and two with several. */
+/* All builds: two with one lane, and one with four. */
 extern cylint_float_filter cylint_float_filter_plain, cylint_float_filter_fma,
-    cylint_float_filter_avx2, cylint_float_filter_avx512;
+    cylint_float_filter_avx2;
 
 #endif
