@@ -11,7 +11,6 @@
 enum { N = 512 };
 
 static struct {
-    struct solid solid[N];
     cylint_shape shape[N];
     struct lean lean[N];
     cylint_line line[2 * N]; /* twice the same, so that pairs can be shifted */
@@ -19,35 +18,19 @@ static struct {
     cylint_pack pack;
     void *memory;
     lean_line *formula;
-    enum kind kind;
+    int kind;
     signed char hits[N];
     double t[2][N];
 } in;
 
 /* ----------------------------------------------------------------- input -- */
 
-static void draw_in_ball(uint64_t *random, double radius, double p[3])
-{
-    const double at = radius * cbrt(random_unit(random));
-    draw_direction(random, p);
-    for (int i = 0; i < 3; i++)
-        p[i] *= at;
-}
-
 static void draw_input(double radius)
 {
     uint64_t random = 5;
     for (int i = 0; i < N; i++) {
-        struct solid *s = &in.solid[i];
-        double at[3];
-        draw_solid(&random, in.kind, s);
-        draw_in_ball(&random, radius, at);
-        for (int c = 0; c < 3; c++) {
-            s->base[c] += at[c] - s->middle[c];
-            s->middle[c] = at[c];
-        }
-        in.shape[i] = shape_of_solid(s);
-        lean_prepare(&in.lean[i], s);
+        in.shape[i] = draw_shape(&random, in.kind, CYLINT_ENDS_CAPPED, radius);
+        lean_prepare(&in.lean[i], &in.shape[i]);
     }
     cylint_pack_shapes(&in.pack, in.memory, in.shape, N);
     for (int i = 0; i < N; i++) {
@@ -183,9 +166,9 @@ void bench_batch(void)
     in.memory = need(cylint_pack_bytes(N));
     for (int kind = 0; kind < KINDS; kind++)
         for (int k = 0; k < 2 && is_wanted(kind_names[kind]); k++) {
-            in.kind = (enum kind)kind;
+            in.kind = kind;
             approach(share_of_hits, 32, shares[k].share);
-            in.formula = lean_lines[kind];
+            in.formula = lean_formulas[kind].line;
             for (size_t q = 0; q < sizeof questions / sizeof *questions; q++)
                 compete(&(struct contest){.subject = kind_names[kind],
                                           .question = questions[q].name,

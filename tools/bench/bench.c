@@ -262,7 +262,7 @@ void print_figure(const char *subject, const char *question, const char *setup,
 
 int is_wanted(const char *subject)
 {
-    return strstr(subject, user.only) != NULL;
+    return subject && strstr(subject, user.only);
 }
 
 double largest(double usual)

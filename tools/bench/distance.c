@@ -14,7 +14,6 @@ static const char *const family_names[FAMILIES] = {
     "near", "inside", "from 1e5 to 1e7 away", "1e-14 to 1e-10 away"};
 
 static struct {
-    struct solid solid[PAIRS];
     cylint_shape shape[PAIRS];
     struct lean_body lean[PAIRS];
     double point[PAIRS][3];
@@ -25,8 +24,9 @@ static struct {
 
 static void draw_around(int shape, double size, double point[3])
 {
+    middle_of(&in.shape[shape], point);
     for (int c = 0; c < 3; c++)
-        point[c] = in.solid[shape].middle[c] + between(&in.random, -size, size);
+        point[c] += between(&in.random, -size, size);
 }
 
 static void draw_point(int shape, enum family family, double point[3])
@@ -93,7 +93,7 @@ static void compare(const char *name, enum family family, bench_turn *ours,
                     const void *input)
 {
     const int is_batch = ours == batch;
-    compete(&(struct contest){.subject = kind_names[in.solid[0].kind],
+    compete(&(struct contest){.subject = kind_names[in.shape[0].kind],
                               .question = name,
                               .setup = family_names[family],
                               .rival = in.formula ? "prepared distance" : NULL,
@@ -128,9 +128,8 @@ void bench_distance(void)
             continue;
         in.random = 7;
         for (int i = 0; i < PAIRS; i++) {
-            draw_solid(&in.random, (enum kind)kind, &in.solid[i]);
-            in.shape[i] = shape_of_solid(&in.solid[i]);
-            lean_prepare_body(&in.lean[i], &in.solid[i]);
+            in.shape[i] = draw_shape(&in.random, kind, CYLINT_ENDS_CAPPED, 0);
+            lean_prepare_body(&in.lean[i], &in.shape[i]);
         }
         in.formula = lean_distances[kind];
         for (int family = 0; family < FAMILIES; family++)

@@ -1,9 +1,9 @@
 #!/bin/sh
 # make gate COMMIT=...: the answers and times of this tree beside a commit's, which is
 # built with this tree's benchmarks.  All answers to COUNT (20000) records must have the
-# same bits.  Then CASES (single batch) of both run in turns, RUNS times (5), and the
-# least times are compared: below 1 this tree is faster.  CASES= leaves out the times.
-: "${BUILD:=build}" "${RUNS:=5}" "${COUNT:=20000}" "${CASES=single batch}"
+# same bits.  Then CASES (single batch methods) of both run in turns, RUNS times (5), and
+# the least times are compared: below 1 this tree is faster.  CASES= leaves out the times.
+: "${BUILD:=build}" "${RUNS:=5}" "${COUNT:=20000}" "${CASES=single batch methods}"
 work=$BUILD/gate
 commit=$(git rev-parse --verify "$COMMIT^{commit}") && mkdir -p "$work" || exit 2
 [ -d "$work/tree" ] || git worktree add -q --detach "$work/tree" || exit 2

@@ -1,10 +1,18 @@
 /*
- * inputs.c - random solids and rays, and scenes of sticks
+ * inputs.c - random shapes and rays, and scenes of sticks
  */
 #include "inputs.h"
 
-const char *const kind_names[KINDS] = {
-    "cylinder", "cone", "elliptic cylinder", "sphere", "capsule", "round cone"};
+#include "families.h"
+#include "shapes/layout.h"
+
+const char *const kind_names[KINDS] = {[CYLINT_KIND_CYLINDER] = "cylinder",
+                                       [CYLINT_KIND_CONE] = "cone",
+                                       [CYLINT_KIND_ECYLINDER] =
+                                           "elliptic cylinder",
+                                       [CYLINT_KIND_SPHERE] = "sphere",
+                                       [CYLINT_KIND_CAPSULE] = "capsule",
+                                       [CYLINT_KIND_RCONE] = "round cone"};
 
 double between(uint64_t *random, double low, double high)
 {
@@ -18,7 +26,7 @@ double power_between(uint64_t *random, double low, double high)
 
 double normalise(double v[3])
 {
-    const double size = sqrt(dot3(v, v));
+    const double size = length3(v);
     for (int i = 0; i < 3; i++)
         v[i] /= size;
     return size;
@@ -44,64 +52,52 @@ double approach(double (*function)(double), double most, double wanted)
     return value;
 }
 
-void draw_solid(uint64_t *random, enum kind kind, struct solid *s)
+void draw_in_ball(uint64_t *random, double radius, double p[3])
 {
-    *s = (struct solid){.kind = kind,
-                        .r0 = between(random, 0.2, 0.5),
-                        .r1 = between(random, 0.05, 0.45)};
-    for (int i = 0; i < 3; i++) {
-        s->base[i] = between(random, -1, 1);
-        s->axis[i] = between(random, -1, 1);
-        s->middle[i] = s->base[i] + 0.5 * s->axis[i];
-    }
-    if (kind == SPHERE)
-        for (int i = 0; i < 3; i++)
-            s->middle[i] = s->base[i];
-    if (kind == ELLIPTIC) {
-        draw_direction(random, s->a);
-        cross3(s->b, s->axis, s->a);
-        for (int i = 0; i < 3; i++) {
-            s->a[i] *= s->r0;
-            s->b[i] *= s->r1;
-        }
-    }
-    if (kind == ROUND_CONE)
-        s->r1 = fmax(s->r1, s->r0 - 0.5 * sqrt(dot3(s->axis, s->axis)));
-    else if (kind != CONE)
-        s->r1 = s->r0;
+    const double at = radius * cbrt(random_unit(random));
+    draw_direction(random, p);
+    scale3(p, at);
 }
 
-cylint_shape shape_of_solid(const struct solid *s)
+cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
+                        double ball)
 {
-    const cylint_ends ends =
-        s->is_infinite ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_CAPPED;
-    const double *p = s->base;
-    double q[3];
-    cylint_shape shape;
-    cylint_status status = CYLINT_OK;
-    for (int i = 0; i < 3; i++)
-        q[i] = p[i] + s->axis[i];
-    switch (s->kind) {
-    case CYLINDER:
-        status = cylint_cylinder(&shape, p, q, s->r0, ends);
-        break;
-    case CONE:
-        status = cylint_cone(&shape, p, s->r0, q, s->r1, ends);
-        break;
-    case ELLIPTIC:
-        status = cylint_elliptic_cylinder(&shape, p, s->a, s->b, s->axis, ends);
-        break;
-    case SPHERE:
-        status = cylint_sphere(&shape, p, s->r0, ends);
-        break;
-    case CAPSULE:
-        status = cylint_capsule(&shape, p, q, s->r0, ends);
-        break;
-    default:
-        status = cylint_round_cone(&shape, p, s->r0, q, s->r1, ends);
+    const family_shape word = (family_shape)(kind - CYLINT_KIND_CYLINDER);
+    const int is_tapered =
+        kind == CYLINT_KIND_CONE || kind == CYLINT_KIND_RCONE;
+    struct family_case made = family_example(word);
+    double r[2], p[3], h[3], a[3] = {0}, b[3] = {0};
+    r[0] = between(random, 0.2, 0.5);
+    r[1] = between(random, 0.05, 0.45);
+    for (int i = 0; i < 3; i++) {
+        p[i] = between(random, -1, 1);
+        h[i] = between(random, -1, 1);
     }
-    must(status == CYLINT_OK, "a shape was refused");
-    return shape;
+    if (kind == CYLINT_KIND_ECYLINDER) {
+        draw_direction(random, a);
+        cross3(b, h, a);
+        scale3(a, r[0]);
+        scale3(b, r[1]);
+    }
+    if (kind == CYLINT_KIND_RCONE) /* neither ball is in the other */
+        r[1] = fmax(r[1], r[0] - 0.5 * length3(h));
+    if (ball > 0) {
+        draw_in_ball(random, ball, p);
+        add3(p, kind == CYLINT_KIND_SPHERE ? 0 : -0.5, h);
+    }
+    if (family_has_points(word))
+        add3(h, 1, p);
+    family_set_shape(&made, word, p, a, b, h, r[0], r[is_tapered]);
+    made.ends = ends;
+    must(family_make(&made), "a shape was refused");
+    return made.shape;
+}
+
+void middle_of(const cylint_shape *s, double middle[3])
+{
+    copy3(middle, cylint_base(s));
+    if (s->kind != CYLINT_KIND_SPHERE)
+        add3(middle, 0.5, cylint_axis(s));
 }
 
 void make_ray(cylint_line *ray, const double o[3], const double d[3])

@@ -1,6 +1,5 @@
 /*
- * inputs.h - random solids, in numbers that the library and its rivals prepare, and
- * scenes of sticks
+ * inputs.h - random shapes, and scenes of sticks
  */
 #ifndef BENCH_INPUTS_H
 #define BENCH_INPUTS_H
@@ -10,18 +9,9 @@
 #include "random.h"
 #include "vectors.h"
 
-enum kind { CYLINDER, CONE, ELLIPTIC, SPHERE, CAPSULE, ROUND_CONE, KINDS };
-
+/* Tables by kind of shape; without an entry the kind is not measured. */
+enum { KINDS = CYLINT_KIND_RCONE + 1 };
 extern const char *const kind_names[KINDS];
-
-struct solid {
-    enum kind kind;
-    int is_infinite;         /* else capped */
-    double base[3], axis[3]; /* from base to top, of any length */
-    double middle[3];
-    double r0, r1;     /* at base and top */
-    double a[3], b[3]; /* half axes of an elliptic cylinder */
-};
 
 double between(uint64_t *random, double low, double high);
 double power_between(uint64_t *random, double low, double high); /* of ten */
@@ -30,10 +20,16 @@ void draw_direction(uint64_t *random, double d[3]);
 /* v / |v| in place; returns |v|. */
 double normalise(double v[3]);
 
-/* Near the origin, about 1 long and 0.1 to 1 thick. */
-void draw_solid(uint64_t *random, enum kind kind, struct solid *s);
+/* Even in a ball about the origin. */
+void draw_in_ball(uint64_t *random, double radius, double p[3]);
 
-cylint_shape shape_of_solid(const struct solid *s);
+/* Near the origin, about 1 long and 0.1 to 1 thick.  ball: its middle is in a ball
+ * of this radius, unless that is 0. */
+cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
+                        double ball);
+
+/* The middle of the axis; of a sphere the centre. */
+void middle_of(const cylint_shape *s, double middle[3]);
 
 /* Calls a function that falls from 0 to `most`, the last time near the argument
  * at which it is `wanted`.  Returns the value there. */

@@ -11,11 +11,11 @@
 #include "cylint_methods.h"
 #include "families.h"
 #include "lean.h"
+#include "shapes/layout.h"
 
 enum { CASES = 2000, DRAWS = 100 * CASES };
 
 static struct {
-    struct solid solid[CASES];
     struct lean lean[CASES];
     cylint_shape shape[CASES];
     cylint_line line[CASES];
@@ -25,21 +25,6 @@ static struct {
 } in;
 
 /* ----------------------------------------------------------------- input -- */
-
-static struct solid solid_of(const struct family_case *c)
-{
-    const int is_cone = c->shape_word == FAMILY_CONE;
-    const double *p = c->shape_data, *q = p + 3 + is_cone;
-    struct solid s = {.kind = is_cone ? CONE : CYLINDER,
-                      .is_infinite = c->ends == CYLINT_ENDS_INFINITE};
-    s.r0 = is_cone ? p[3] : p[6];
-    s.r1 = is_cone ? p[7] : p[6];
-    for (int i = 0; i < 3; i++) {
-        s.base[i] = p[i];
-        s.axis[i] = q[i] - p[i];
-    }
-    return s;
-}
 
 /* The cases of a family that have this kind, with these ends and whole
  * lines. */
@@ -58,14 +43,13 @@ static void draw_cases(int family, family_shape word, cylint_ends ends)
         c.line_word = FAMILY_LINE;
         if (!family_make(&c))
             continue;
-        in.solid[n] = solid_of(&c);
-        lean_prepare(&in.lean[n], &in.solid[n]);
+        lean_prepare(&in.lean[n], &c.shape);
         in.shape[n] = c.shape;
         in.line[n] = c.line;
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &in.truth[n++]);
     }
     must(n == CASES, "methods: a family has too few cases");
-    in.formula = lean_lines[in.solid[0].kind];
+    in.formula = lean_formulas[in.shape[0].kind].line;
 }
 
 /* ----------------------------------------------------------------- turns -- */
@@ -107,9 +91,10 @@ static void print_errors(const char *subject, const char *family,
         answer_one(method->answer, i, &a);
         wrong += a.n != in.truth[i].n;
         for (int k = 0; k < a.n && a.n == in.truth[i].n; k++)
-            in.error[n++] = fabs(a.hit[k].t - in.truth[i].hit[k].t) *
-                            sqrt(dot3(in.line[i].d, in.line[i].d)) /
-                            fmax(in.solid[i].r0, in.solid[i].r1);
+            in.error[n++] =
+                fabs(a.hit[k].t - in.truth[i].hit[k].t) *
+                sqrt(dot3(in.line[i].d, in.line[i].d)) /
+                fmax(cylint_r0(&in.shape[i]), cylint_r1(&in.shape[i]));
     }
     qsort(in.error, n, sizeof *in.error, compare_doubles);
     print_figure(subject, family, "wrong", method->name, "%",

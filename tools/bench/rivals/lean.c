@@ -6,6 +6,8 @@
  */
 #include "lean.h"
 
+#include "shapes/layout.h"
+
 /* What holds an end of the overlap: the side, the base or the top. */
 enum place { SIDE, BASE, TOP };
 
@@ -219,19 +221,19 @@ DEFINE(elliptic, elliptic_normal)
 DEFINE(sphere, ball_normal)
 DEFINE(hull, round_normal)
 
-lean_line *const lean_lines[KINDS] = {cylinder_line, cone_line, elliptic_line,
-                                      sphere_line,   hull_line, hull_line};
-lean_normal *const lean_normals[KINDS] = {cylinder_first, cone_first,
-                                          elliptic_first, sphere_first,
-                                          hull_first,     hull_first};
+#define LEAN(kind, name) [CYLINT_KIND_##kind] = {name##_line, name##_first}
+const struct lean_formulas lean_formulas[KINDS] = {
+    LEAN(CYLINDER, cylinder), LEAN(CONE, cone),    LEAN(ECYLINDER, elliptic),
+    LEAN(SPHERE, sphere),     LEAN(CAPSULE, hull), LEAN(RCONE, hull)};
 
-static void prepare_elliptic(struct lean *to, const struct solid *s)
+static void prepare_elliptic(struct lean *to, const cylint_shape *s)
 {
+    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
     double bh[3], ha[3], ab[3];
-    cross3(bh, s->b, s->axis);
-    cross3(ha, s->axis, s->a);
-    cross3(ab, s->a, s->b);
-    const double det = dot3(s->a, bh);
+    cross3(bh, b, h);
+    cross3(ha, h, a);
+    cross3(ab, a, b);
+    const double det = dot3(a, bh);
     for (int i = 0; i < 3; i++) {
         to->row[0][i] = bh[i] / det;
         to->row[1][i] = ha[i] / det;
@@ -241,24 +243,26 @@ static void prepare_elliptic(struct lean *to, const struct solid *s)
     to->outside = 1 / sqrt(dot3(to->axis, to->axis));
 }
 
-void lean_prepare(struct lean *to, const struct solid *s)
+void lean_prepare(struct lean *to, const cylint_shape *s)
 {
-    const double length = sqrt(dot3(s->axis, s->axis));
-    const int is_hull = s->kind == CAPSULE || s->kind == ROUND_CONE;
-    const double slope = (s->r1 - s->r0) / length;
-    *to = (struct lean){
-        .height = is_hull ? length * length : length,
-        .r0 = s->r0,
-        .r0_squared = s->r0 * s->r0,
-        .slope = is_hull ? s->r1 - s->r0 : slope,
-        .scale = s->kind == SPHERE ? 1 / s->r0 : 1 / sqrt(1 + slope * slope)};
-    for (int i = 0; i < 3; i++) {
-        to->base[i] = s->base[i];
-        to->axis[i] = is_hull ? s->axis[i] : s->axis[i] / length;
-    }
-    if (s->kind == ELLIPTIC)
+    const double length = length3(cylint_axis(s)), r0 = cylint_r0(s);
+    const int is_hull =
+        s->kind == CYLINT_KIND_CAPSULE || s->kind == CYLINT_KIND_RCONE;
+    const double dr = cylint_r1(s) - r0, slope = dr / length;
+    *to = (struct lean){.height = is_hull ? length * length : length,
+                        .r0 = r0,
+                        .r0_squared = r0 * r0,
+                        .slope = is_hull ? dr : slope,
+                        .scale = s->kind == CYLINT_KIND_SPHERE
+                                     ? 1 / r0
+                                     : 1 / sqrt(1 + slope * slope)};
+    copy3(to->base, cylint_base(s));
+    copy3(to->axis, cylint_axis(s));
+    if (!is_hull)
+        normalise(to->axis);
+    if (s->kind == CYLINT_KIND_ECYLINDER)
         prepare_elliptic(to, s);
-    if (s->is_infinite)
+    if (s->ends == CYLINT_ENDS_INFINITE)
         to->height = HUGE_VAL;
 }
 
@@ -345,22 +349,28 @@ static double rcone_distance(const struct lean_body *s, const double point[3])
     return x * s->level + y * s->slope - s->r0;
 }
 
-void lean_prepare_body(struct lean_body *to, const struct solid *s)
+void lean_prepare_body(struct lean_body *to, const cylint_shape *s)
 {
-    const double length = sqrt(dot3(s->axis, s->axis)), dr = s->r1 - s->r0;
-    const int is_capsule = s->kind == CAPSULE;
-    for (int i = 0; i < 3; i++) {
-        to->axis[i] = is_capsule ? s->axis[i] : s->axis[i] / length;
-        to->base[i] = s->kind == CYLINDER ? s->middle[i] : s->base[i];
-    }
+    const double length = length3(cylint_axis(s));
+    const double dr = cylint_r1(s) - cylint_r0(s);
+    const int is_capsule = s->kind == CYLINT_KIND_CAPSULE;
+    copy3(to->axis, cylint_axis(s));
+    if (!is_capsule)
+        normalise(to->axis);
+    copy3(to->base, cylint_base(s));
+    if (s->kind == CYLINT_KIND_CYLINDER)
+        middle_of(s, to->base);
     to->half = length / 2;
-    to->r0 = s->r0;
-    to->r1 = s->r1;
+    to->r0 = cylint_r0(s);
+    to->r1 = cylint_r1(s);
     to->slope = -dr / length;
     to->level = sqrt(positive(1 - to->slope * to->slope));
     to->inverse = 1 / (length * length + (is_capsule ? 0 : dr * dr));
 }
 
 lean_distance *const lean_distances[KINDS] = {
-    cylinder_distance, cone_distance,    NULL,
-    sphere_distance,   capsule_distance, rcone_distance};
+    [CYLINT_KIND_CYLINDER] = cylinder_distance,
+    [CYLINT_KIND_CONE] = cone_distance,
+    [CYLINT_KIND_SPHERE] = sphere_distance,
+    [CYLINT_KIND_CAPSULE] = capsule_distance,
+    [CYLINT_KIND_RCONE] = rcone_distance};

@@ -1,5 +1,5 @@
 /*
- * lean.h - the leanest formulas that a careful user writes for a prepared solid
+ * lean.h - the leanest formulas that a careful user writes for a prepared shape
  *
  * The solid keeps its base, unit axis, length, squared radius and slope.  A
  * line takes one reciprocal of the quadratic's A, one of the speed along the
@@ -31,9 +31,11 @@ typedef int lean_line(const struct lean *solid, const double o[3],
 typedef int lean_normal(const struct lean *solid, const double o[3],
                         const double d[3], double *t, double normal[3]);
 
-void lean_prepare(struct lean *to, const struct solid *s);
-extern lean_line *const lean_lines[KINDS];
-extern lean_normal *const lean_normals[KINDS];
+void lean_prepare(struct lean *to, const cylint_shape *s);
+extern const struct lean_formulas {
+    lean_line *line;
+    lean_normal *normal;
+} lean_formulas[KINDS];
 
 /* The signed distance of a point from a prepared solid that is not elliptic
  * [Quilez, iquilezles.org/articles/distfunctions]. */
@@ -47,7 +49,7 @@ struct lean_body {
 typedef double lean_distance(const struct lean_body *solid,
                              const double point[3]);
 
-void lean_prepare_body(struct lean_body *to, const struct solid *s);
+void lean_prepare_body(struct lean_body *to, const cylint_shape *s);
 extern lean_distance *const lean_distances[KINDS]; /* elliptic: NULL */
 
 #endif
