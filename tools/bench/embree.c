@@ -154,38 +154,33 @@ static void set_ray(struct RTCRay *to, int i)
                           .mask = 0xFFFFFFFFu};
 }
 
-static unsigned nearest_of(const struct world *w, embree_context *context,
-                           int i, float *t)
+static unsigned nearest_of(const struct world *w, int i, float *t)
 {
     struct RTCRayHit at;
     set_ray(&at.ray, i);
     at.hit.geomID = at.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    embree_nearest(w->scene, context, &at);
+    embree_nearest(w->scene, &at);
     *t = at.ray.tfar;
     return at.hit.primID;
 }
 
-static inline double t_of(const struct world *w, embree_context *context, int i)
+static inline double t_of(const struct world *w, int i)
 {
     float t;
-    return nearest_of(w, context, i, &t) != RTC_INVALID_GEOMETRY_ID ? (double)t
-                                                                    : 0;
+    return nearest_of(w, i, &t) != RTC_INVALID_GEOMETRY_ID ? (double)t : 0;
 }
 
-static inline int any_of(const struct world *w, embree_context *context, int i)
+static inline int any_of(const struct world *w, int i)
 {
     struct RTCRay ray;
     set_ray(&ray, i);
-    embree_any(w->scene, context, &ray);
+    embree_any(w->scene, &ray);
     return ray.tfar < 0;
 }
 
-#define WORLD                              \
-    const struct world *w = in_use(input); \
-    embree_context context;                \
-    embree_begin(&context)
-BENCH_TURN(nearest, WORLD, t_of(w, &context, i))
-BENCH_TURN(any, WORLD, any_of(w, &context, i))
+#define WORLD const struct world *w = in_use(input)
+BENCH_TURN(nearest, WORLD, t_of(w, i))
+BENCH_TURN(any, WORLD, any_of(w, i))
 
 /* Sixteen neighbours at once, in Embree's layout: word m of ray i is m 16 +
  * i. */
@@ -195,9 +190,7 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
         -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
     const struct world *w = in_use(worlds);
     struct RTCRayHit16 all __attribute__((aligned(64)));
-    embree_context context;
     double sum = 0;
-    embree_begin(&context);
     for (int k = 0; k + LANES <= n; k += LANES) {
         for (int i = 0; i < LANES; i++) {
             struct RTCRay one;
@@ -207,7 +200,7 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
                        (const char *)&one + 4 * m, 4);
             all.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         }
-        embree_nearest16(valid, w->scene, &context, &all);
+        embree_nearest16(valid, w->scene, &all);
         for (int i = 0; i < LANES; i++)
             if (all.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
                 sum += (double)all.ray.tfar[i];
@@ -235,13 +228,11 @@ static void compare(const struct sticks *s, const char *question,
 
 static double percent_wrong(void)
 {
-    embree_context context;
     int wrong = 0;
-    embree_begin(&context);
     for (int i = 0; i < RAYS; i++) {
         float t;
-        wrong += nearest_of(&in.curves, &context, i, &t) !=
-                 nearest_of(&in.ours[0], &context, i, &t);
+        wrong +=
+            nearest_of(&in.curves, i, &t) != nearest_of(&in.ours[0], i, &t);
     }
     return 100.0 * wrong / RAYS;
 }

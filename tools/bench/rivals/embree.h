@@ -11,40 +11,21 @@
 
 #include "cylint.h"
 
+/* The nearest hit, whether there is one, and 16 nearest hits of neighbours. */
 #if CYLINT_EMBREE == 4
 #include <embree4/rtcore.h>
-typedef struct RTCRayQueryContext embree_context;
-#define embree_begin(context) rtcInitRayQueryContext(context)
+extern struct RTCIntersectArguments embree_coherent;
+#define embree_nearest(scene, ray) rtcIntersect1(scene, ray, NULL)
+#define embree_any(scene, ray) rtcOccluded1(scene, ray, NULL)
+#define embree_nearest16(valid, scene, rays) \
+    rtcIntersect16(valid, scene, rays, &embree_coherent)
 #else
 #include <embree3/rtcore.h>
-typedef struct RTCIntersectContext embree_context;
-#define embree_begin(context) rtcInitIntersectContext(context)
-#endif
-
-/* The functions of Embree 3, with n = 1 or 16: embree_nearest(scene, context,
- * RTCRayHit*), embree_any(scene, context, RTCRay*), and in packets. */
-#if CYLINT_EMBREE == 4
-#define EMBREE_CALL(call, kind, coherent, scene, user, ...)      \
-    do {                                                         \
-        struct RTC##kind##Arguments args;                        \
-        rtcInit##kind##Arguments(&args);                         \
-        args.context = user;                                     \
-        args.flags = (coherent) ? RTC_RAY_QUERY_FLAG_COHERENT    \
-                                : RTC_RAY_QUERY_FLAG_INCOHERENT; \
-        call(__VA_ARGS__, &args);                                \
-    } while (0)
-#define embree_nearest(scene, c, ray) \
-    EMBREE_CALL(rtcIntersect1, Intersect, 0, scene, c, scene, ray)
-#define embree_any(scene, c, ray) \
-    EMBREE_CALL(rtcOccluded1, Occluded, 0, scene, c, scene, ray)
-#define embree_nearest16(valid, scene, c, rays) \
-    EMBREE_CALL(rtcIntersect16, Intersect, 1, scene, c, valid, scene, rays)
-#else
-#define embree_nearest(scene, c, ray) rtcIntersect1(scene, c, ray)
-#define embree_any(scene, c, ray) rtcOccluded1(scene, c, ray)
-#define embree_nearest16(valid, scene, c, rays)        \
-    ((c)->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT, \
-     rtcIntersect16(valid, scene, c, rays))
+extern struct RTCIntersectContext embree_single, embree_coherent;
+#define embree_nearest(scene, ray) rtcIntersect1(scene, &embree_single, ray)
+#define embree_any(scene, ray) rtcOccluded1(scene, &embree_single, ray)
+#define embree_nearest16(valid, scene, rays) \
+    rtcIntersect16(valid, scene, &embree_coherent, rays)
 #endif
 
 /* A device of one thread, which ends the program if Embree fails. */

@@ -25,16 +25,18 @@ struct embree_chords {
     RTCScene scene;
 };
 
-struct query {
-    embree_context context;
-    const cylint_line *ray;
-    const struct prepared *cylinders;
-};
-
+/* The query, and what it finds. */
 static struct {
+    const cylint_line *ray;
     size_t n;
     double chord[MOST][2];
 } found;
+
+#if CYLINT_EMBREE == 4
+struct RTCIntersectArguments embree_coherent;
+#else
+struct RTCIntersectContext embree_single, embree_coherent;
+#endif
 
 static void bound(const struct RTCBoundsFunctionArguments *args)
 {
@@ -51,9 +53,9 @@ static void bound(const struct RTCBoundsFunctionArguments *args)
 
 static void collect(const struct RTCOccludedFunctionNArguments *args)
 {
-    const struct query *query = (const struct query *)args->context;
-    const struct prepared *c = &query->cylinders[args->primID];
-    const double *o = query->ray->o, *d = query->ray->d;
+    const struct prepared *cylinders = args->geometryUserPtr;
+    const struct prepared *c = &cylinders[args->primID];
+    const double *o = found.ray->o, *d = found.ray->d;
     const double x[3] = {o[0] - c->p[0], o[1] - c->p[1], o[2] - c->p[2]};
     const double xw = dot3(x, c->axis), dw = dot3(d, c->axis);
     const double A = 1 - dw * dw, B = dot3(x, d) - xw * dw;
@@ -81,7 +83,6 @@ static void collect(const struct RTCOccludedFunctionNArguments *args)
 double embree_chords_union(const struct embree_chords *scene,
                            const cylint_line *ray)
 {
-    struct query query = {.ray = ray, .cylinders = scene->cylinders};
     struct RTCRay r = {.org_x = (float)ray->o[0],
                        .org_y = (float)ray->o[1],
                        .org_z = (float)ray->o[2],
@@ -91,9 +92,9 @@ double embree_chords_union(const struct embree_chords *scene,
                        .tfar = HUGE_VALF,
                        .mask = 0xFFFFFFFFu};
     double end = -1, sum = 0;
+    found.ray = ray;
     found.n = 0;
-    embree_begin(&query.context);
-    embree_any(scene->scene, &query.context, &r);
+    embree_any(scene->scene, &r);
     qsort(found.chord, found.n, sizeof *found.chord, compare_doubles);
     for (size_t i = 0; i < found.n; i++) {
         const double t0 = found.chord[i][0], t1 = found.chord[i][1];
@@ -115,6 +116,14 @@ RTCDevice embree_device(void)
 {
     RTCDevice device = rtcNewDevice("threads=1");
     rtcSetDeviceErrorFunction(device, report_error, NULL);
+#if CYLINT_EMBREE == 4
+    rtcInitIntersectArguments(&embree_coherent);
+    embree_coherent.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+#else
+    rtcInitIntersectContext(&embree_single);
+    rtcInitIntersectContext(&embree_coherent);
+    embree_coherent.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+#endif
     return device;
 }
 
