@@ -46,8 +46,8 @@ bench-text: $(BUILD)/cylint $(rivals)/package ## the command beside programs tha
 	$(call rivals_of,pandas polars)
 	@$(rivals)/bin/python tools/bench/text.py $< $(quick) | tee $(BUILD)/bench-text.csv
 
-bench-python: $(rivals)/package ## the Python package beside Open3D and others, fetched by pip; QUICK=1
-	$(call rivals_of,trimesh embreex open3d itk-rtk)
+bench-python: $(rivals)/package ## the Python package beside Open3D, fetched by pip; QUICK=1
+	$(call rivals_of,trimesh open3d)
 	@$(rivals)/bin/python tools/bench/python.py $(quick) | tee $(BUILD)/bench-python.csv
 
 # The version of a wheel whose objects geant4.py can read.

@@ -1,18 +1,20 @@
-"""The Python package beside Open3D, trimesh and itk-rtk.
+"""The Python package beside Open3D.
 
 usage: python.py [--quick]
 
 One cylinder, 5,000 cylinders in a cube (nearest hits, beams of a scanner, nearest
 points), and path lengths in 1,000 cylinders.  One thread, processor time, arrays in and
-arrays out; the contestants take turns and the least time counts.  The rivals get meshes
-of the cylinders; their answers are compared with the package's, which are exact.  The
-lines of output are those of bench.c.  Rivals that are not installed are left out.
+arrays out; the contestants take turns and the least time counts.  Open3D gets meshes of
+the cylinders; its answers are compared with the package's, which are exact.  The lines
+of output are those of bench.c.
 """
 
 import sys
 import time
 
 import numpy as np
+import open3d
+import trimesh
 from rows import print_header, print_row
 
 import libcylint as cylint
@@ -34,52 +36,22 @@ def compete(subject, question, rival, n, theirs, ours):
     return answers
 
 
-# ------------------------------------------------------------------ rivals --
+# ------------------------------------------------------------------- rival --
 
 
-class Mesh:
+class Open3D:
     """Cylinders p0, p1 (n, 3), r (n) as triangles; `faces` for each of them."""
 
     def __init__(self, p0, p1, r, facets):
-        import trimesh
-
         parts = [trimesh.creation.cylinder(radius=c, segment=[a, b], sections=facets)
                  for a, b, c in zip(p0, p1, r, strict=True)]
+        mesh = trimesh.util.concatenate(parts)
         self.faces = len(parts[0].faces)
-        self.mesh = trimesh.util.concatenate(parts)
-
-
-class Trimesh(Mesh):
-    most = 20_000
-
-    def __init__(self, *shapes, facets):
-        import embreex  # noqa: F401  trimesh is slow without it
-
-        super().__init__(*shapes, facets)
-        self.name = f"trimesh + embreex {facets}"
-
-    def nearest(self, o, d):
-        triangle = self.mesh.ray.intersects_first(o, d)
-        return np.where(triangle < 0, -1, triangle // self.faces)
-
-    def hits(self, o, d):
-        place, line, _ = self.mesh.ray.intersects_location(o, d, multiple_hits=True)
-        return np.linalg.norm(place - o[line], axis=1), line
-
-
-class Open3D(Mesh):
-    most = 1_000_000
-
-    def __init__(self, *shapes, facets):
-        import open3d
-
-        super().__init__(*shapes, facets)
         self.name = f"Open3D {facets} facets"
         self.tensor = open3d.core.Tensor
         self.scene = open3d.t.geometry.RaycastingScene(nthreads=1)
-        self.scene.add_triangles(
-            self.tensor(np.asarray(self.mesh.vertices, np.float32)),
-            self.tensor(np.asarray(self.mesh.faces, np.uint32)))
+        self.scene.add_triangles(self.tensor(np.asarray(mesh.vertices, np.float32)),
+                                 self.tensor(np.asarray(mesh.faces, np.uint32)))
 
     def rays(self, o, d):
         return self.tensor(np.concatenate([o, d], axis=1).astype(np.float32))
@@ -100,49 +72,6 @@ class Open3D(Mesh):
         found = self.scene.list_intersections(self.rays(o, d), nthreads=1)
         line = found["ray_ids"].numpy().astype(int)
         return found["t_hit"].numpy() * np.linalg.norm(d, axis=1)[line], line
-
-
-class Rtk:
-    """itk-rtk adds one quadric with clip planes after the other to a projection."""
-
-    name, most = "itk-rtk", 10_000
-
-    def __init__(self, p0, p1, r, facets):
-        import itk
-        from itk import RTK as rtk
-
-        self.itk, self.rtk, self.shapes = itk, rtk, list(zip(p0, p1, r, strict=True))
-
-    def sums(self, o, _):
-        rtk, side, image = self.rtk, round(len(o) ** 0.5), self.itk.Image[self.itk.F, 3]
-        geometry = rtk.ThreeDCircularProjectionGeometry.New()
-        geometry.AddProjection(SOURCE, 2 * SOURCE, 0)
-        made = [rtk.ConstantImageSource[image].New(
-            Size=[side, side, 1], Spacing=[2 / side, 2 / side, 1],
-            Origin=[1 / side - 1, 1 / side - 1, 0])]
-        made[0].Update()
-        filters = rtk.RayQuadricIntersectionImageFilter[image, image]
-        for a, b, radius in self.shapes:  # an image lives as long as its source
-            made.append(filters.New(Input=made[-1].GetOutput(), Geometry=geometry,
-                                    Density=1.0))
-            w = (b - a) / np.linalg.norm(b - a)
-            m = np.eye(3) - np.outer(w, w)
-            numbers = [*np.diag(m), 2 * m[0, 1], 2 * m[0, 2], 2 * m[1, 2],
-                       *(-2 * m @ a), a @ m @ a - radius**2]
-            for letter, x in zip("ABCDEFGHIJ", numbers, strict=True):
-                getattr(made[-1], "Set" + letter)(float(x))
-            made[-1].AddClipPlane([*map(float, w)], float(w @ b))
-            made[-1].AddClipPlane([*map(float, -w)], float(-w @ a))
-            made[-1].Update()
-        return self.itk.array_from_image(made[-1].GetOutput())[0].astype(float).ravel()
-
-
-def rivals(shapes, *made):
-    for make, facets in made:
-        try:
-            yield make(*shapes, facets=facets)
-        except ImportError as missing:
-            print(f"{make.__name__}: {missing}", file=sys.stderr)
 
 
 def sums_of_hits(t, line, n):
@@ -223,16 +152,14 @@ def projection(side):
 def one_cylinder(n, random):
     shapes = np.zeros((1, 3)), np.array([[0.0, 0, 1]]), np.array([0.5])
     rod = cylint.cylinder(*(x[0] for x in shapes))
-    for rival in rivals(shapes, (Open3D, 32), (Trimesh, 32)):
-        for family in "half hit", "grazing", "far":
-            m = min(n, rival.most)
-            o, d = rays_at_one(family, m, random)
-            theirs, ours = compete(
-                "1 cylinder", f"relation and t; {family}", rival.name, m,
-                lambda: rival.nearest(o, d),
-                lambda: cylint.intersect(rod, o, d, threads=1))
-            print_row("python", "1 cylinder", f"wrong verdicts; {family}", rival.name, "%",
-                      100 * ((theirs >= 0) != (ours.n > 0)).mean(), 0)
+    rival = Open3D(*shapes, 32)
+    for family in "half hit", "grazing", "far":
+        o, d = rays_at_one(family, n, random)
+        theirs, ours = compete(
+            "1 cylinder", f"relation and t; {family}", rival.name, n,
+            lambda: rival.nearest(o, d), lambda: cylint.intersect(rod, o, d, threads=1))
+        print_row("python", "1 cylinder", f"wrong verdicts; {family}", rival.name, "%",
+                  100 * ((theirs >= 0) != (ours.n > 0)).mean(), 0)
 
 
 def many_cylinders(n, random):
@@ -243,17 +170,15 @@ def many_cylinders(n, random):
             "beams of a scanner": beams(int(n**0.5))}
     points = {"points of a scan": scan(shapes, n // 10, random),
               "points anywhere": random.random((n // 10, 3))}
-    made = (Open3D, 16), (Open3D, 32), (Open3D, 64), (Trimesh, 32)
-    for rival in rivals(shapes, *made):
+    for facets in 16, 32, 64:
+        rival = Open3D(*shapes, facets)
         for name, (o, d) in rays.items():
-            m = min(len(o), rival.most)
             theirs, ours = compete(
-                "5000 cylinders", f"nearest; {name}", rival.name, m,
-                lambda: rival.nearest(o[:m], d[:m]),
-                lambda: scene.nearest(o[:m], d[:m], threads=1))
+                "5000 cylinders", f"nearest; {name}", rival.name, len(o),
+                lambda: rival.nearest(o, d), lambda: scene.nearest(o, d, threads=1))
             print_row("python", "5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
                       100 * (theirs != ours.index).mean(), 0)
-        for name, p in points.items() if rival.name == "Open3D 64 facets" else ():
+        for name, p in points.items() if facets == 64 else ():
             theirs, ours = compete(
                 "5000 cylinders", f"closest; {name}", rival.name, len(p),
                 lambda: rival.closest(p), lambda: scene.closest(p, threads=1))
@@ -267,19 +192,16 @@ def many_cylinders(n, random):
 def path_lengths(n, random):
     shapes = grid(1000, random)
     scene = cylint.Scene(cylint.cylinder(*shapes), threads=1)
-    for rival in rivals(shapes, (Open3D, 64), (Trimesh, 64), (Rtk, 0)):
-        o, d = projection(int(min(n, rival.most) ** 0.5))
-
-        def theirs():
-            return (rival.sums(o, d), 0) if hasattr(rival, "sums") else sums_of_hits(
-                *rival.hits(o, d), len(o))
-
-        (sums, odd), ours = compete("1000 cylinders", "sums of path lengths", rival.name,
-                                    len(o), theirs, lambda: scene.sums(o, d, threads=1))
-        error = abs(sums - ours) / ours[ours > 0].mean()
-        for name, unit, x in (("mean error", "1", error.mean()),
-                              ("largest error", "1", error.max()), ("unpaired", "1", odd)):
-            print_row("python", "1000 cylinders", f"sums; {name}", rival.name, unit, x, 0)
+    rival = Open3D(*shapes, 64)
+    o, d = projection(int(n**0.5))
+    (sums, odd), ours = compete(
+        "1000 cylinders", "sums of path lengths", rival.name, len(o),
+        lambda: sums_of_hits(*rival.hits(o, d), len(o)),
+        lambda: scene.sums(o, d, threads=1))
+    error = abs(sums - ours) / ours[ours > 0].mean()
+    for name, unit, x in (("mean error", "1", error.mean()),
+                          ("largest error", "1", error.max()), ("unpaired", "1", odd)):
+        print_row("python", "1000 cylinders", f"sums; {name}", rival.name, unit, x, 0)
 
 
 def main():
