@@ -218,7 +218,7 @@ def row(solid, family, n):
     name = family.__name__.replace("_", " ")
     for question, unit, theirs, ours in (
             (f"all pieces; {name}", "ns", steps, pieces),
-            (f"wrong of {n}; {name}", "1", wrong, 0)):
+            (f"wrong of {n}; {name}", "1", wrong, None)):
         print_row("geant4", solid.name, question, "Geant4", unit, theirs, ours)
 
 

@@ -6,8 +6,8 @@ def print_header():
 
 
 def print_row(case, subject, question, rival, unit, theirs, ours):
-    """theirs: None if there is no rival."""
-    figure = "-" if theirs is None else f"{theirs:.4g}"
-    ratio = f"{ours / theirs:.4g}" if theirs else "-"
+    """theirs, ours: None if there is no rival, or nothing to judge ours by."""
+    figures = ["-" if x is None else f"{x:.4g}" for x in (theirs, ours)]
+    ratio = f"{ours / theirs:.4g}" if theirs and ours is not None else "-"
     print(f"{case + ',':9} {subject + ',':19} {question + ',':43} -,        "
-          f"{rival + ',':21} {unit + ',':3} {figure}, {ours:.4g}, {ratio}", flush=True)
+          f"{rival + ',':21} {unit + ',':3} {figures[0]}, {figures[1]}, {ratio}", flush=True)
