@@ -47,13 +47,11 @@ static inline int has_negative_zero(const cylint_closest *a)
     return found;
 }
 
-/* Within some units in the last place, or `least` more; 0 is not equal to -0. */
-static inline int are_within(const double x[3], const double y[3], double ulps,
-                             double least)
+/* Within some units in the last place; 0 is not equal to -0. */
+static inline int are_within(const double x[3], const double y[3], double ulps)
 {
     for (int i = 0; i < 3; i++)
-        if (!(fabs(x[i] - y[i]) <= ulps * ulp(y[i]) + least) ||
-            is_negative_zero(x[i]))
+        if (!(fabs(x[i] - y[i]) <= ulps * ulp(y[i])) || is_negative_zero(x[i]))
             return 0;
     return 1;
 }

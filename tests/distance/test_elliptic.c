@@ -261,8 +261,8 @@ TEST(far_from_a_cylinder_point_and_normal_are_right)
                              CYLINT_ENDS_INFINITE);
         const int inside = cylint_distance(&s, p, WANT, &got) < 0;
         if (!CHECK(inside == (size * ldexp(1, e) < 1000) &&
-                   are_within(got.point, on, 8, 0) &&
-                   are_within(got.normal, n, 8, 0)))
+                   are_within(got.point, on, 8) &&
+                   are_within(got.normal, n, 8)))
             REPORT("2^%d: point %a %a %a", e, got.point[0], got.point[1],
                    got.point[2]);
     }

@@ -5,7 +5,7 @@
  * families have the properties.  The oracle's tests of families are in
  * test_oracle.c.  CYLINT_CASES is the number of shapes of each family, with POINTS
  * points each.  CYLINT_FAR is the number of cases whose numbers have any exponents
- * of doubles.
+ * of doubles.  on_surface.txt has the units within which points are on surfaces.
  */
 #include <float.h>
 #include <math.h>
@@ -68,7 +68,7 @@ static const char *take(const char *text, const char *known)
 
 TEST(every_record_is_read)
 {
-    each_record("tests/distance/known.txt", 127, take);
+    each_record("tests/distance/known.txt", 135, take);
 }
 
 /* Of an elliptic kind it is within 1 ulp or 2^-113 of the largest length. */
@@ -100,10 +100,9 @@ static int is_feature(const cylint_closest *got, int want)
 }
 
 /* The nearest doubles in the default environment.  In others point and normal may
- * differ by some units, and of elliptic kinds only the sign is the same; numbers
- * below `least` may be flushed to 0. */
+ * differ by some units, and of elliptic kinds only the sign is the same. */
 static int is_known(const struct record *r, const cylint_closest *got,
-                    int elsewhere, double least)
+                    int elsewhere)
 {
     const int elliptic = cylint_is_elliptic(r->c.shape.kind);
     const cylint_closest *want = &r->want;
@@ -118,9 +117,8 @@ static int is_known(const struct record *r, const cylint_closest *got,
     return same_sign && got->flags == 0 &&
            is_distance(&r->c.shape, r->p, got->distance, want->distance) &&
            is_feature(got, want->feature) &&
-           (!r->has_place ||
-            (are_within(got->point, want->point, ulps, least) &&
-             are_within(got->normal, want->normal, ulps, least)));
+           (!r->has_place || (are_within(got->point, want->point, ulps) &&
+                              are_within(got->normal, want->normal, ulps)));
 }
 
 static int is_safe(const struct record *r, double safe, double distance)
@@ -146,7 +144,7 @@ static void check_records(struct environment there)
         const size_t closest =
             cylint_closest_shape(s, 1, r->p, fabs(alone), 0, &nearest);
         environment_reset();
-        if (!CHECK(is_known(r, &a, elsewhere, there.tiny ? DBL_MIN : 0) &&
+        if (!CHECK(is_known(r, &a, elsewhere) &&
                    is_distance(s, r->p, alone, a.distance) &&
                    is_safe(r, safe, a.distance) && !has_negative_zero(&a) &&
                    on == (a.distance == 0) && closest == (a.part < 0))) {
@@ -213,19 +211,74 @@ TEST(where_nothing_is_known_the_distance_is_infinite)
     }
 }
 
+static struct {
+    struct family_case c;
+    double p[3], bounds[2];
+} places[MOST];
+static int place_count;
+
+static const char *take_place(const char *text, const char *known)
+{
+    if (place_count == MOST ||
+        !(text = family_numbers(text, 3, places[place_count].p)) ||
+        !family_parse(text, &places[place_count].c))
+        return NULL;
+    return family_numbers(known, 2, places[place_count++].bounds);
+}
+
+static void check_places(struct environment there)
+{
+    for (int i = 0; i < place_count; i++) {
+        const double less = places[i].bounds[0], enough = places[i].bounds[1];
+        const double ulps[] = {NAN,     -0x1p-1074, fmin(less, 0x1p-1074),
+                               less,    enough,     enough + 1.5,
+                               HUGE_VAL};
+        int within = 0;
+        environment_set(there);
+        for (int k = 0; k < 7; k++)
+            within |=
+                cylint_on_surface(&places[i].c.shape, places[i].p, ulps[k])
+                << k;
+        environment_reset();
+        if (!CHECK(within == (isnan(enough) ? 0 : 0x70))) {
+            REPORT_CASE(&places[i].c);
+            REPORT("not within %a, within %a: %x", less, enough,
+                   (unsigned)within);
+        }
+    }
+}
+
 TEST(a_point_is_on_a_surface_exactly_or_within_ulps)
 {
-    static const double on[3] = {0.6, 0.8, 1}, beside[3] = {1 + 0x1p-51, 0, 1},
-                        exactly[3] = {1, 0, 1};
-    const cylint_shape s = shape_of("cylinder 0 0 0  0 0 2  1");
-    CHECK(!cylint_on_surface(&s, on, 0)); /* 0.6 and 0.8 are rounded */
-    CHECK(cylint_on_surface(&s, on, 1));
-    CHECK(cylint_on_surface(&s, exactly, 0));
-    CHECK(!cylint_on_surface(&s, beside, 0));
-    CHECK(!cylint_on_surface(&s, beside, 1.9));
-    CHECK(cylint_on_surface(&s, beside, 2));
-    CHECK(!cylint_on_surface(&s, exactly, -1));
-    CHECK(!cylint_on_surface(&s, exactly, NAN));
+    each_record("tests/distance/on_surface.txt", 9, take_place);
+    everywhere(check_places);
+}
+
+/* Squares of the coordinates overflow, and rounding downward and toward zero an
+ * overflow is the largest double. */
+static void check_safety_beyond_all_squares(struct environment there)
+{
+    for (int far = 490; far <= 1019; far++) {
+        const double p[3] = {ldexp(-12.07, far), ldexp(4.21, far),
+                             ldexp(13.45, far)};
+        struct family_case c = case_of("cone 3 0 -3 2  4 0 -3 1");
+        for (int ends = 0; ends < 6; ends++) {
+            c.ends = (cylint_ends)ends;
+            family_make(&c);
+            const double d = fabs(answer_to(&c.shape, p, 0).distance);
+            environment_set(there);
+            const double safe = cylint_safety(&c.shape, p);
+            environment_reset();
+            if (!CHECK(safe > 0.999 * d && safe <= d))
+                REPORT("2^%d, ends %d: safety %a, distance %a", far, ends, safe,
+                       d);
+        }
+    }
+}
+
+TEST(a_safety_beyond_all_squares_is_below_the_distance)
+{
+    everywhere(check_safety_beyond_all_squares);
 }
 
 /* --------------------------------------------------------- properties -- */
