@@ -255,7 +255,7 @@ for compiler in gcc clang clang-19; do
         skip "$compiler, subnormals flushed" "$missing"
         continue
     }
-    tests='tests/library/test_environment tests/scene/test_paths'
+    tests='tests/library/test_environment tests/library/test_hits tests/scene/test_paths'
     built "$compiler" $tests && tests_pass "$compiler" '' $tests
 done
 
