@@ -13,14 +13,20 @@
  *     cylint_span(&line, org, dir, tnear, tfar)
  *
  * where every float is the double it is.  dir need not be a unit vector.  Under
- * an instance Embree passes a transformed ray, and its floats count.  A ray that
- * cylint_span() refuses (not finite, without direction, tnear > tfar) hits
- * nothing.  If a thread flushes subnormal numbers to zero (DAZ), subnormal
- * floats of a ray count as zero.
+ * an instance Embree passes a transformed ray, and its floats count.  A ray
+ * without direction or with tnear > tfar hits nothing.  Of others Embree requires
+ * that tnear is not negative, that org and dir are finite, none of their
+ * components beyond 1.844e18, and that the time is from 0 to 1; else its results
+ * are undefined (observed: Debian's build of Embree 3.13 aborts the program).  If a
+ * thread flushes subnormal numbers to zero (DAZ), subnormal floats of a ray count
+ * as zero.
  *
  *   which      the nearest hit of all shapes of the geometry in [tnear, tfar],
  *              ends included; at equal t (as doubles) that of the lower number.
- *              A ray that starts inside a solid hits where it leaves.
+ *              A ray that starts inside a solid hits where it leaves.  Where
+ *              every shape is a primitive (CYLINT_EMBREE_SINGLE and moving
+ *              shapes) and one is hit at t = tfar, another counts too whose
+ *              root is greater but rounded to that double.
  *   tfar       the least float not below the double t of cylint_intersect(),
  *              which is correctly rounded; never a subnormal one, except the
  *              ray's own tfar.
@@ -42,9 +48,12 @@
  * ray from farther away that grazes the whole box may miss it (observed: none of
  * 10^5 rays from up to 10^6 sizes away did).  With CYLINT_EMBREE_SINGLE and with
  * moving shapes every shape has its own box, padded for rays that begin within
- * three sizes, by 2^-19 of a size.  Embree replaces a component of dir below
- * 1e-18 by 1e-18, so dir as a whole must be far larger.  cylint_scene.h has no
- * such limits.
+ * three sizes, by 2^-19 of a size.  Around an instance Embree computes a box in
+ * floats, whose error grows with the distance of the instance from the origin of
+ * coordinates: a ray that grazes the whole box may miss it if that is more than
+ * 4095 sizes, or three (observed: none of 10^5 rays up to 10^4 sizes, or ten).
+ * Embree replaces a component of dir below 1e-18 by 1e-18, so dir as a whole must
+ * be far larger.  cylint_scene.h has no such limits.
  *
  * Filters.  The filter of the geometry gets the entry hit and, if it rejects
  * that, the exit hit, always with N = 1 and all members of the hit written.  The
@@ -55,7 +64,7 @@
  * before the entry hit if they lie in different boxes.
  *
  * Packets.  The answers are those to the rays alone, bit for bit.  Embree
- * makes four exceptions.  In a packet it skips a box unless a ray enters the
+ * makes five exceptions.  In a packet it skips a box unless a ray enters the
  * box below tfar, and Embree 3 traces packets that are wider than the
  * processor's vectors as streams of rays.
  *   - A ray with tnear = tfar may report a miss.
@@ -68,6 +77,8 @@
  *     any of them instead of the lowest.  t is right.
  *   - In a query with the flag for coherent rays, where a component of dir is
  *     below 0 and above -1e-18, all rays of the packet may miss what they hit.
+ *   - Under a moving instance Embree rounds the transformed rays of a packet
+ *     otherwise than rays alone.  The answers are right for those rays.
  * Trace such rays one by one.  Rays that begin near each other and go into the
  * same octant cost less in packets, least in packets of 16; other rays cost a
  * little more than alone.

@@ -115,6 +115,7 @@ typedef struct cylint_ray_test {
     int any; /* the callback is that for occlusion */
     struct RTCRay *ray;
     struct RTCHit *hit; /* zeros if `any` */
+    float last;         /* tfar before the callback */
     unsigned rank;      /* of the shape */
     int found;          /* a hit was recorded */
 } cylint_ray_test;

@@ -61,6 +61,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
     /* whether the caller or a filter reads u, v and Ng */
     r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) &&
                      (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
+    r->last = from->tfar;
     r->found = 0;
     return (direction > 0) & (all + direction < HUGE_VAL) &
            (from->tnear <= from->tfar);
@@ -269,11 +270,14 @@ static int record(ray_test *r)
 /* -------------------------------------------------------- testing shapes -- */
 
 /* Tests the hits that the filter has not tested with cylint_intersect(); z decides
- * which piece owns them. */
+ * which piece owns them.  If a hit has reduced tfar, the domain holds every root
+ * whose double is tfar; of primitives another callback may have reduced it. */
 ASIDE void test_exactly(ray_test *r)
 {
     const cylint_shape_piece piece = r->q.piece;
-    const int ties = !r->any && present_number(r) != r->data->n;
+    const int ties =
+        !r->any && (r->data->traversal ? r->ray->tfar < r->last
+                                       : present_number(r) != r->data->n);
     exact_hits x;
     intersect(r, r->rank, ties, &x);
     for (int i = r->q.exit_only; i < x.n; i++) {

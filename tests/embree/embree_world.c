@@ -77,14 +77,18 @@ RTCScene world_new_scene(void)
     return scene;
 }
 
-RTCScene world_instance(RTCScene of, unsigned id, const float matrix[12])
+RTCScene world_instance(RTCScene of, unsigned id, int steps,
+                        const float *matrix)
 {
     RTCScene outer = world_new_scene();
     RTCGeometry instance =
         rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, of);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            matrix);
+    rtcSetGeometryTimeStepCount(instance, (unsigned)steps);
+    for (int i = 0; i < steps; i++)
+        rtcSetGeometryTransform(instance, (unsigned)i,
+                                RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                matrix + 12 * i);
     rtcSetGeometryMask(instance, 0xffffffffu);
     rtcCommitGeometry(instance);
     rtcAttachGeometryByID(outer, instance, id);

@@ -28,9 +28,10 @@ extern struct world_memory world_memory;
 /* A scene in which filters of contexts, or of arguments, are called. */
 RTCScene world_new_scene(void);
 
-/* A committed scene that holds an instance of the other, with this number and
- * matrix of three rows, column by column. */
-RTCScene world_instance(RTCScene of, unsigned id, const float matrix[12]);
+/* A committed scene that holds an instance of the other, with this number and, for
+ * each time step, a matrix of three rows, column by column. */
+RTCScene world_instance(RTCScene of, unsigned id, int steps,
+                        const float *matrix);
 
 struct world {
     RTCScene scene;

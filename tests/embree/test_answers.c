@@ -296,7 +296,30 @@ TEST(equal_and_nearly_equal_hits_are_distinguished)
     }
 }
 
-/* The same with shapes that move along the ray; at time 1/2 it hits the
+/* Of caps at z = 0 and 2^-60, t is the same double, 1.  Where the domain ends at 1,
+ * only the first are hit. */
+TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
+{
+    enum { MANY = 20 };
+    cylint_shape shapes[MANY];
+    const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
+    for (int turn = 0; turn < 300; turn++) {
+        for (int i = 0; i < MANY; i++) {
+            const double x = between(-0.2, 0.2), y = between(-0.2, 0.2);
+            const double p0[3] = {x, y, one_of(3) * 0x1p-60};
+            const double p1[3] = {x, y, between(0.2, 3)};
+            cylint_cylinder(&shapes[i], p0, p1, between(1, 4),
+                            CYLINT_ENDS_CAPPED);
+        }
+        OWN_WORLD w = made(shapes, MANY, 0);
+        EACH_SIZE(n) {
+            traced(&w, n, o, d, 0, 1);
+            traced(&w, n, o, d, 0, HUGE_VALF);
+        }
+    }
+}
+
+/* Equal hits of shapes that move along the ray; at time 1/2 it hits the
  * caps. */
 TEST(equal_hits_of_moving_shapes_are_distinguished)
 {
@@ -386,15 +409,18 @@ static void add_spy(RTCScene scene)
     rtcReleaseGeometry(spy);
 }
 
-static RTCScene skewed_instance(RTCScene of)
+/* steps: 1, or more if it moves. */
+static RTCScene skewed_instance(RTCScene of, int steps)
 {
     const double scale = power(-2, 2);
-    float matrix[12];
+    float matrix[3 * 12];
     for (int c = 0; c < 4; c++)
         world_direction(matrix + 3 * c);
     for (int k = 0; k < 9; k++)
         matrix[k] = (float)(scale * matrix[k]);
-    return world_instance(of, 7, matrix);
+    for (int k = 12; k < 12 * steps; k++)
+        matrix[k] = (float)(between(0.9, 1.1) * matrix[k - 12]);
+    return world_instance(of, 7, steps, matrix);
 }
 
 /* Whether ray `at`, in instance 7, hit. */
@@ -419,7 +445,7 @@ static int agrees_inside(const struct world *w, struct rays *r, int at)
     return hit;
 }
 
-/* Skewed and scaled instances: the transformed ray counts. */
+/* Skewed, scaled and moving instances: the transformed ray counts. */
 TEST(instances_answer_for_the_transformed_ray)
 {
     cylint_shape shapes[SOME];
@@ -429,9 +455,7 @@ TEST(instances_answer_for_the_transformed_ray)
         add_spy(w.scene);
         rtcCommitScene(w.scene);
         for (int turn = 0; turn < 40; turn++) {
-            RTCScene outer = skewed_instance(w.scene);
-            struct RTCBounds box;
-            rtcGetSceneBounds(w.scene, &box);
+            RTCScene outer = skewed_instance(w.scene, 1 + turn % 3);
             for (int i = 0; i < 60; i++) {
                 const int n = rays_sizes[i % 4], one = i % n, all = i % 8 > 3;
                 struct rays r;
@@ -442,8 +466,10 @@ TEST(instances_answer_for_the_transformed_ray)
                     o[k] *= 4;
                 rays_begin(&r, n);
                 for (int at = 0; at < n; at++) {
-                    if (all || at == one)
-                        rays_add(&r, at, o, d, 0, HUGE_VALF);
+                    if (!all && at != one)
+                        continue;
+                    rays_add(&r, at, o, d, 0, HUGE_VALF);
+                    rays_at(&r, RAY_TIME, at)->f = (float)between(0, 1);
                     for (int k = 0; k < 3; k++)
                         d[k] += 0.02f * (float)between(0, 1);
                 }

@@ -55,7 +55,7 @@ TEST(a_hit_is_written_where_it_is_declared)
 {
     const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
     RTCScene inner = curve_scene();
-    RTCScene scene = world_instance(inner, INSTANCE_ID, matrix);
+    RTCScene scene = world_instance(inner, INSTANCE_ID, 1, matrix);
     EACH_SIZE(n) {
         struct call_counts counts = {0, 0};
         struct rays_query query = {0};
