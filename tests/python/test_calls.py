@@ -3,8 +3,10 @@
 import contextlib
 import gc
 import os
+import re
 import resource
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -341,3 +343,36 @@ def test_memory_does_not_grow():
     for _ in range(100):
         run()
     assert resident() - before < 20e6
+
+
+AGAIN = """
+for name in [name for name in sys.modules if name.startswith("libcylint")]:
+    del sys.modules[name]
+import libcylint
+"""
+SECOND = """
+try:
+    import _interpreters as interpreters
+except ImportError:
+    import _xxsubinterpreters as interpreters
+code = f"import sys; sys.path[:] = {sys.path}; import libcylint"
+found = interpreters.run_string(interpreters.create(), code)
+if found is not None:  # since Python 3.13
+    raise ImportError(found)
+"""
+
+
+@pytest.mark.parametrize(
+    "code, message",
+    [
+        ("import libcylint" + AGAIN, "a process can load libcylint._core once"),
+        # NumPy may refuse it before
+        (SECOND, "main interpreter|load.*subinterpreters"),
+    ],
+)
+def test_what_would_hang_or_break_is_refused_when_it_is_loaded(code, message):
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", "import sys\n" + code],
+        capture_output=True, text=True, timeout=60,
+    )
+    assert done.returncode == 1 and re.search(message, done.stderr), done.stderr

@@ -64,6 +64,14 @@ def test_every_public_name_has_an_example_or_a_docstring():
             assert getattr(cylint, name).__doc__, name
 
 
+def test_the_words_stand_in_the_source():
+    """mypy and pyright read enumerators from the body of a class alone."""
+    words = cylint.Ends, cylint.Feature, cylint.Kind, cylint.Part, cylint.Relation, cylint.Side
+    for kind in words:
+        source = inspect.getsource(kind)
+        assert all(f" {word.name} = {word.value}\n" in source for word in kind)
+
+
 def examples_of(page):
     """The examples of a page; its fences end their output."""
     text = (TOP / page).read_text()

@@ -151,10 +151,30 @@ def test_symmetric_copies_are_not_bonded(molecule):
     assert len(molecule(cell + text)) == 0
 
 
-def test_a_compressed_file_is_read(tmp_path):
+def test_atoms_may_be_far_from_all_others(molecule):
+    """9999 stands for an unknown place in some files."""
+    for far in (9999, "1e300", "-1e300"):
+        assert len(molecule(CHAIN + atom(9, " C", far, far, far, "C"))) == 5
+
+
+def test_a_compressed_file_is_read(tmp_path, convert):
     path = tmp_path / "molecule.pdb.gz"
-    path.write_bytes(gzip.compress(CHAIN.encode()))
+    packed = gzip.compress(CHAIN.encode())
+    path.write_bytes(packed)
     assert len(cylint.read_molecule(path)) == 5
+    for broken in (packed[:40], packed[:-9], packed[:3] + b"x" + packed[4:50]):
+        path.write_bytes(broken)
+        for read, kind in ((cylint.read_molecule, "pdb"), (cylint.read_qsm, "qsm")):
+            with pytest.raises(ValueError, match="not a whole file of gzip"):
+                read(path)
+            assert convert(kind, path)[0] == 1
+
+
+def test_names_that_are_no_text_are_refused(tmp_path):
+    path = tmp_path / "latin"
+    path.write_bytes(CHAIN.encode().replace(b" CA", b"\xe9CA"))
+    with pytest.raises(ValueError, match="latin: .*can't decode byte 0xe9"):
+        cylint.read_molecule(path)
 
 
 CIF = """# a comment, then a blank line
@@ -285,7 +305,7 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
     "text, message",
     [
         ("radius,startX,startY\n1,2,3\n", ":1: the header names no column 'startz'"),
-        (HEAD + "7,1,2,3,4,5,6\n", ":2: invalid column index 7 with 7 columns"),
+        (HEAD + "7,1,2,3,4,5,6\n", ":2: expected 8 columns, found 7"),
         (HEAD.replace(",", ";") + "7;1;2;3;4;5;6;7\n8;0,5;2;3;4;5;6;7\n",
          ":3: could not convert string '0,5' to float64, column 2"),
         (HEAD + "# 6\n\n7,-1,2,3,4,5,6,7\n", ":4: the radius is negative"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -239,8 +240,7 @@ def test_a_hollow_solid_with_a_sector():
     assert wall.side == cylint.Side.ENTERING and wall.part == cylint.Part.LATERAL
     none = scene.first_boundary([9, 9, 9], [1, 0, 0])
     assert int(none.index) == -1 and math.isnan(none.t)
-    restore, arguments = scene.__reduce__()
-    again = restore(*arguments)
+    again = pickle.loads(pickle.dumps(scene))
     assert again.solids.tolist() == scene.solids.tolist()
     assert again.shapes[2].kind == cylint.Kind.HALFSPACE
 
@@ -271,6 +271,8 @@ def test_solids_are_not_set_during_a_query():
         scene.sums([-5, 0, 0], [1, 0, 0], progress=change)
     change()
     assert scene.sums([-5, 0, 0], [1, 0, 0]) == 1
+    scene.set_solids([], [], [])  # each shape is a solid again
+    assert scene.solids.shape == (0, 3) and scene.sums([-5, 0, 0], [1, 0, 0]) == 3
 
 
 def test_tubes_that_are_refused():

@@ -188,6 +188,7 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
         (IndexError, "exclude: found -2, the scene has 2", [0, 0, 0], -2),
         (ValueError, "exclude: a number does not fit", [0, 0, 0], np.uint64(2**64 - 1)),
         (TypeError, "exclude: expected integers", [0, 0, 0], 1.0),
+        (TypeError, "exclude: expected integers", [0, 0, 0], [[1.0]]),
         (ValueError, r"broadcast: lines \(2,\), exclude \(3,\)", [[0, 0, 0]] * 2, [0, 1, 0]),
     ):
         with refused(message, error):
@@ -395,3 +396,15 @@ def test_a_pickled_scene_has_its_shapes_labels_and_threads(tmp_path, opened):
     assert_same_answers(scene, copied)
     none = pickle.loads(pickle.dumps(cylint.Scene([])))
     assert len(none) == 0 and not none.any(*UNIT)
+
+
+class Forest(cylint.Scene):
+    """A scene with a name."""
+
+
+def test_copies_keep_the_class_and_the_members_of_a_scene():
+    scene = Forest(labelled(50, 27))
+    scene.name = "Bialowieza"
+    for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene), copy.deepcopy(scene)):
+        assert type(again) is Forest and again.name == scene.name
+        assert_same_answers(scene, again)

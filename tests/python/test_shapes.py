@@ -209,6 +209,8 @@ def test_labels_follow_their_shapes():
     for use in (cylint.Scene, lambda shapes: cylint.write_scene(os.devnull, shapes)):
         with refused(r"^shape 2: the label '\\ud800' has no encoding in UTF-8$"):
             use(surrogate)
+    with refused("expected Shapes, found int", TypeError):
+        cylint.write_scene(os.devnull, 3)
     with refused("labels: expected str, found 3", TypeError):
         rods.with_labels(["a", "b", "c", 3])
     with refused("broadcast"):

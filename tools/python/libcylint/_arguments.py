@@ -92,7 +92,7 @@ def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """An array of int64 (...)."""
     _refuse_masked(name, value)
     array = np.asarray(value)
-    if array.dtype.kind not in "iu":
+    if array.dtype.kind not in "iu" and array.size > 0:  # [] has the type float64
         raise TypeError(f"{name}: expected integers, found {array.dtype}")
     if array.dtype == np.uint64 and np.any(array > np.iinfo(np.int64).max):
         raise ValueError(f"{name}: a number does not fit 64 bits with a sign")

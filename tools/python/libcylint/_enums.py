@@ -1,5 +1,7 @@
 """The values of members that are numbers for words."""
 
+from __future__ import annotations
+
 from enum import IntEnum
 
 
@@ -7,40 +9,84 @@ class _Word(IntEnum):
     """Also reads its number from an array of no dimension, a member of an answer."""
 
     @classmethod
-    def _missing_(cls, value):
-        return cls(value.item()) if getattr(value, "ndim", None) == 0 else None
+    def _missing_(cls, value: object) -> _Word | None:
+        return cls(value.item()) if getattr(value, "ndim", None) == 0 else None  # type: ignore[attr-defined]
 
 
-Kind = _Word(
-    "Kind", "CYLINDER CONE ACONE ECYLINDER ECONE SPHERE CAPSULE RCONE HALFSPACE"
-)
-Kind.__doc__ = "What a shape is."
+class Kind(_Word):
+    """What a shape is."""
 
-Ends = _Word("Ends", "CAPPED OPEN CAP0 CAP1 INFINITE NAPPE", start=0)
-Ends.__doc__ = "Which caps a shape has, or that it is unbounded."
+    CYLINDER = 1
+    CONE = 2
+    ACONE = 3
+    ECYLINDER = 4
+    ECONE = 5
+    SPHERE = 6
+    CAPSULE = 7
+    RCONE = 8
+    HALFSPACE = 9
 
-Relation = _Word("Relation", "NONE MISS TOUCH ALONG CROSS", start=-1)
-Relation.__doc__ = """How the whole line, for all t, lies to the closed solid.
 
-NONE: the line was refused.
-"""
+class Ends(_Word):
+    """Which caps a shape has, or that it is unbounded."""
 
-Part = _Word("Part", "NONE LATERAL CAP0 CAP1", start=-1)
-Part.__doc__ = """The part of the surface where a hit lies.
+    CAPPED = 0
+    OPEN = 1
+    CAP0 = 2
+    CAP1 = 3
+    INFINITE = 4
+    NAPPE = 5
 
-LATERAL is the side of the shape, with its rims and apex; CAP0 and CAP1 are the caps,
-or the round ends, at the base and at the top.
-"""
 
-Feature = _Word("Feature", "NONE LATERAL CAP0 CAP1 RIM0 RIM1 APEX", start=-1)
-Feature.__doc__ = """Where the closest point of a surface lies.
+class Relation(_Word):
+    """How the whole line, for all t, lies to the closed solid.
 
-Rims and apex belong to the part LATERAL.  The rims of a capsule and a round cone are
-the circles where it touches its balls.
-"""
+    NONE: the line was refused.
+    """
 
-Side = _Word("Side", "NONE ENTERING LEAVING BOTH", start=-1)
-Side.__doc__ = """Whether the line enters or leaves the solid at a hit, as t grows.
+    NONE = -1
+    MISS = 0
+    TOUCH = 1
+    ALONG = 2
+    CROSS = 3
 
-BOTH: a touch, or the apex of a double cone.
-"""
+
+class Part(_Word):
+    """The part of the surface where a hit lies.
+
+    LATERAL is the side of the shape, with its rims and apex; CAP0 and CAP1 are the caps,
+    or the round ends, at the base and at the top.
+    """
+
+    NONE = -1
+    LATERAL = 0
+    CAP0 = 1
+    CAP1 = 2
+
+
+class Feature(_Word):
+    """Where the closest point of a surface lies.
+
+    Rims and apex belong to the part LATERAL.  The rims of a capsule and a round cone are
+    the circles where it touches its balls.
+    """
+
+    NONE = -1
+    LATERAL = 0
+    CAP0 = 1
+    CAP1 = 2
+    RIM0 = 3
+    RIM1 = 4
+    APEX = 5
+
+
+class Side(_Word):
+    """Whether the line enters or leaves the solid at a hit, as t grows.
+
+    BOTH: a touch, or the apex of a double cone.
+    """
+
+    NONE = -1
+    ENTERING = 0
+    LEAVING = 1
+    BOTH = 2

@@ -6,6 +6,7 @@ import gzip
 import os
 import sys
 import warnings
+import zlib
 from collections.abc import Iterator
 from typing import Any
 
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._shapes import Shapes, all_shapes, codes_of, encoded
+from ._shapes import Shapes, all_shapes, checked, codes_of, encoded
 
 _NOT_GIVEN = -1
 _BAD, _USAGE, _MEMORY = 1, 2, 4
@@ -104,6 +105,7 @@ def write_scene(
     name = os.fspath(path)
     if name.endswith((".swc", ".SWC")):
         raise ValueError(f"a file *.swc is read as a neuron: {name}")
+    (shapes,) = checked([shapes])
     texts = [*scene_text(shapes if labels is None else shapes.with_labels(labels))]
     with open(name, "wb") as file:
         file.writelines(texts)
@@ -126,5 +128,8 @@ def contents(name: str) -> bytes:
         with open(name, "rb") as file:
             data = file.read()
     if data.startswith(b"\x1f\x8b"):
-        data = gzip.decompress(data)
+        try:
+            data = gzip.decompress(data)
+        except (gzip.BadGzipFile, EOFError, zlib.error) as error:
+            raise ValueError(f"{name}: not a whole file of gzip: {error}") from None
     return data

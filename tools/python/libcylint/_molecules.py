@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ._files import contents
+from ._scene import Scene
 from ._shapes import Shapes, concatenate, cylinder, sphere
 
 _CLOSEST = 0.4  # of bonded atoms, in angstrom
@@ -59,7 +60,10 @@ def read_molecule(
     name = os.fspath(path)
     model = _model(name, waters)
     atoms = [*model.all()]
-    labels = np.array([_label(cra) for cra in atoms], object)
+    try:
+        labels = np.array([_label(cra) for cra in atoms], object)
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{name}: {error}") from None
     at = np.array([cra.atom.pos.tolist() for cra in atoms]).reshape(-1, 3)
     _check(name, atoms, labels, at)
     parts = []
@@ -68,7 +72,7 @@ def read_molecule(
         with np.errstate(over="ignore"):  # sphere() refuses infinity
             parts.append(sphere(at, ball * radii).with_labels(labels))
     if stick > 0:
-        i, j = _bonds(model, atoms, at)
+        i, j = _bonds(atoms, at)
         named = labels[i] + "--" + labels[j]
         parts.append(cylinder(at[i], at[j], stick).with_labels(named))
     return concatenate(parts)
@@ -136,28 +140,18 @@ def _radius(single: float) -> float:
     return round(single, 2)
 
 
-def _bonds(model: Any, atoms: list[Any], at: Any) -> Any:
+def _bonds(atoms: list[Any], at: Any) -> Any:
     """The numbers of bonded atoms, (2, k), ascending."""
-    import gemmi
-
-    for number, cra in enumerate(atoms):
-        cra.atom.serial = number
     covalent = np.array([_radius(cra.atom.element.covalent_r) for cra in atoms])
     hydrogen = np.array([cra.atom.is_hydrogen() for cra in atoms])
-    reach = 2 * float(covalent.max()) + _ALLOWANCE + 0.01  # singles
-    # Without a cell, and so without symmetric copies.
-    near = gemmi.NeighborSearch(model, gemmi.UnitCell(), reach).populate()
-    search = gemmi.ContactSearch(reach)
-    search.setup_atomic_radii(1, _ALLOWANCE + 0.01)  # of a pair
-    search.ignore = gemmi.ContactSearch.Ignore.Nothing
-    found = [
-        sorted((pair.partner1.atom.serial, pair.partner2.atom.serial))
-        for pair in search.find_contacts(near)
-    ]
-    i, j = np.array(sorted(found), int).reshape(-1, 2).T
-    distance = np.sqrt(((at[i] - at[j]) ** 2).sum(axis=1))
+    balls = Scene(sphere(at, covalent))
+    near = balls.within(at, covalent + _ALLOWANCE + 0.01, signed=True)  # and some more
+    i, j = near.point, near.index
+    with np.errstate(over="ignore"):
+        distance = np.sqrt(((at[i] - at[j]) ** 2).sum(axis=1))
     bonded = (
-        (distance >= _CLOSEST)
+        (i < j)
+        & (distance >= _CLOSEST)
         & (distance <= covalent[i] + covalent[j] + _ALLOWANCE)
         & ~(hydrogen[i] & hydrogen[j])
     )

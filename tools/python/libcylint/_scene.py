@@ -261,19 +261,18 @@ class Scene:
         Raises OSError if the file cannot be read, ValueError if it is no saved
         scene, damaged, or of another version or machine.
         """
-        made = _core.Scene.open(*_file_name(path), read, trusted)
-        return cls._opened(made, threads)
-
-    @classmethod
-    def _opened(cls, made: _core.Scene, threads: int | None) -> Scene:
         workers(threads)  # checks the number
         scene = cls.__new__(cls)
-        scene._scene = made
+        scene._scene = _core.Scene.open(*_file_name(path), read, trusted)
         scene._threads = threads
         return scene
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restore, (self._scene.to_bytes(), self._threads)
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_scene": self._scene.to_bytes()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        made = _core.Scene.open_bytes(state["_scene"])
+        self.__dict__.update(state | {"_scene": made})
 
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
@@ -600,7 +599,3 @@ def _file_name(path: str | os.PathLike[str]) -> tuple[bytes, str]:
     if b"\0" in name:
         raise ValueError("embedded null byte")
     return name, os.fspath(path)
-
-
-def _restore(data: bytes, threads: int | None) -> Scene:
-    return Scene._opened(_core.Scene.open_bytes(data), threads)

@@ -80,6 +80,10 @@ def read_qsm(
                     load([row], columns, kind)
                 except ValueError as error:
                     text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
+                    text = re.sub(
+                        r"invalid column index \d+ with (\d+) columns?",
+                        rf"expected {len(names)} columns, found \1", text,
+                    )
                     raise ValueError(f"{name}:{row[0]}: {text}") from None
             raise
 
