@@ -538,3 +538,77 @@ TEST(bare_hits_are_completed_later)
     }
     CHECK(hits > 100);
 }
+
+/* ------------------------------------------------------ Embree's curves -- */
+
+/* The nearest hit of a ray in a scene: the primitive, -1 for none, and t. */
+struct nearest {
+    int primitive;
+    float t;
+};
+
+static struct nearest nearest_hit(RTCScene scene, const float o[3],
+                                  const float d[3])
+{
+    struct rays r;
+    rays_begin(&r, 1);
+    rays_add(&r, 0, o, d, 0, HUGE_VALF);
+    rays_intersect(&r, scene, NULL);
+    return (struct nearest){rays_hit(&r, 0) ? (int)rays_at(&r, HIT_PRIM, 0)->u
+                                            : -1,
+                            rays_at(&r, RAY_TFAR, 0)->f};
+}
+
+/* A cone curve from (0, 0, 0) by (0, 0, 2) to (2, 0, 2). */
+static const float bend[3][4] = {
+    {0, 0, 0, 0.5f}, {0, 0, 2, 0.5f}, {2, 0, 2, 0.5f}};
+
+static RTCScene bend_scene(void)
+{
+    RTCScene scene = world_new_scene();
+    RTCGeometry curve =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    unsigned *first = rtcSetNewGeometryBuffer(
+        curve, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof *first, 2);
+    memcpy(rtcSetNewGeometryBuffer(curve, RTC_BUFFER_TYPE_VERTEX, 0,
+                                   RTC_FORMAT_FLOAT4, sizeof bend[0], 3),
+           bend, sizeof bend);
+    first[0] = 0;
+    first[1] = 1;
+    rtcSetGeometryMask(curve, 0xffffffffu);
+    rtcCommitGeometry(curve);
+    rtcAttachGeometry(scene, curve);
+    rtcReleaseGeometry(curve);
+    rtcCommitScene(scene);
+    return scene;
+}
+
+TEST(a_cone_curve_has_no_caps_where_its_segments_join)
+{
+    static const float rays[][2][3] = {{{-0.25f, 0.125f, 5}, {0, 0, -1}},
+                                       {{1, 0.125f, 5}, {0, 0, -1}},
+                                       {{5, 0.125f, 2}, {-1, 0, 0}},
+                                       {{0.125f, 0.125f, -5}, {0, 0, 1}},
+                                       {{5, 5, 5}, {0, 0, -1}}};
+    static const cylint_ends ends[2] = {CYLINT_ENDS_CAP0, CYLINT_ENDS_CAP1};
+    cylint_shape open[2], capped[2];
+    for (int i = 0; i < 2; i++) {
+        const float *a = bend[i], *b = bend[i + 1];
+        const double p0[3] = {a[0], a[1], a[2]}, p1[3] = {b[0], b[1], b[2]};
+        CHECK(!cylint_cone(&open[i], p0, a[3], p1, b[3], ends[i]));
+        CHECK(!cylint_cone(&capped[i], p0, a[3], p1, b[3], CYLINT_ENDS_CAPPED));
+    }
+    RTCScene curve = bend_scene();
+    OWN_WORLD with = world_made(capped, 2, NULL);
+    OWN_WORLD without = world_made(open, 2, NULL);
+    for (size_t i = 0; i < sizeof rays / sizeof *rays; i++) {
+        const float *o = rays[i][0], *d = rays[i][1];
+        const struct nearest theirs = nearest_hit(curve, o, d),
+                             ours = nearest_hit(without.scene, o, d);
+        CHECK(ours.primitive == theirs.primitive);
+        CHECK(ours.primitive < 0 || fabsf(ours.t - theirs.t) < 1e-4f);
+    }
+    CHECK(nearest_hit(with.scene, rays[0][0], rays[0][1]).t == 3);
+    CHECK(nearest_hit(without.scene, rays[0][0], rays[0][1]).t == 5);
+    rtcReleaseScene(curve);
+}
