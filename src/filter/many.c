@@ -172,12 +172,11 @@ INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
                   left);
 }
 
-/* Puts the numbers of lanes that do not pass by into the list, until they
- * suffice for a group. */
-INLINE void first_pass(cylint_filter_batch *from, mode m)
+/* Puts the numbers of lanes that do not pass by into the list, until it has
+ * `enough`. */
+INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
 {
     size_t *list = from->list, end = from->end, lane = from->lane;
-    const size_t enough = from->first + (from->eager ? AHEAD : LANES);
     const pass_columns columns = columns_of(from, m);
     ball_pass pass;
     load_pass(from, m, &pass);
@@ -205,25 +204,32 @@ INLINE void first_pass(cylint_filter_batch *from, mode m)
     from->end = end;
 }
 
-ASIDE void first_pass_one_line(cylint_filter_batch *from)
+ASIDE void first_pass_one_line(cylint_filter_batch *from, size_t enough)
 {
-    first_pass(from, ONE_LINE);
+    first_pass(from, enough, ONE_LINE);
 }
 
-ASIDE void first_pass_one_shape(cylint_filter_batch *from)
+ASIDE void first_pass_one_shape(cylint_filter_batch *from, size_t enough)
 {
-    first_pass(from, ONE_SHAPE);
+    first_pass(from, enough, ONE_SHAPE);
 }
 
-ASIDE void first_pass_pairs(cylint_filter_batch *from)
+ASIDE void first_pass_pairs(cylint_filter_batch *from, size_t enough)
 {
-    first_pass(from, PAIRS);
+    first_pass(from, enough, PAIRS);
+}
+
+/* How many numbers a group waits for.  Where a hit can end the batch, groups grow
+ * from one number on: few shapes are then tested in vain. */
+static size_t awaited(const cylint_filter_batch *from)
+{
+    return from->ends && from->first < LANES ? from->first + 1 : LANES;
 }
 
 /* Fills the list; returns how many of its numbers the next group has. */
 static int next_numbers(cylint_filter_batch *from)
 {
-    static void (*const pass[])(cylint_filter_batch *) = {
+    static void (*const pass[])(cylint_filter_batch *, size_t) = {
         first_pass_one_line, first_pass_one_shape, first_pass_pairs};
     enum {
         CAPACITY =
@@ -236,8 +242,9 @@ static int next_numbers(cylint_filter_batch *from)
         from->first = 0;
         from->end = left;
     }
-    if (left < LANES && from->lane < from->n) {
-        pass[mode_of(from)](from);
+    const size_t due = awaited(from);
+    if (left < due && from->lane < from->n) {
+        pass[mode_of(from)](from, from->first + (from->eager ? AHEAD : due));
         left = from->end - from->first;
     }
     return left < LANES ? (int)left : LANES;
