@@ -327,27 +327,6 @@ static void over_exponents(property *check, int elliptic)
     }
 }
 
-static void check_sign(const struct family_case *c, const double p[3])
-{
-    const cylint_shape *s = &c->shape;
-    const cylint_closest a = answer_to(s, p, 0);
-    const int within = cylint_contains(s, p);
-    const int closed =
-        !cylint_ends_are_planes(s->ends) || s->ends == CYLINT_ENDS_CAPPED;
-    if (a.part == -1)
-        return;
-    if (!CHECK(closed ? cylint_sign(a.distance) == -within
-                      : cylint_sign(a.distance) >= 0))
-        report(c, p);
-}
-
-TEST(the_sign_is_that_of_contains)
-{
-    over_families(check_sign);
-    over_exponents(check_sign, 0);
-    over_exponents(check_sign, 1);
-}
-
 /* CYLINT_SIGNED: the shape of the same arguments with both caps. */
 static void check_signed(const struct family_case *c, const double p[3])
 {
@@ -568,33 +547,4 @@ TEST(safety_is_the_distance_or_little_below)
     over_exponents(check_safe, 0);
     printf("note: the safety is up to %.3g x 2^-52 sizes below the distance\n",
            largest_gap);
-}
-
-/* Scaling by a power of two scales the distance. */
-static void check_scaled(const struct family_case *c, const double p[3])
-{
-    struct family_case far = *c;
-    const int n = family_shape_size(c->shape_word);
-    const double e = 0x1p40;
-    double q[3];
-    if (!cylint_in_range(&c->shape) || c->shape_word == FAMILY_ACONE)
-        return;
-    for (int i = 0; i < n; i++)
-        far.shape_data[i] *= e;
-    family_make(&far);
-    for (int i = 0; i < 3; i++)
-        q[i] = p[i] * e;
-    const cylint_closest a = answer_to(&c->shape, p, CYLINT_WANT_PART);
-    const cylint_closest b = answer_to(&far.shape, q, CYLINT_WANT_PART);
-    if (!cylint_in_range(&far.shape) || fabs(a.distance) < 0x1p-900 ||
-        fabs(a.distance) > 0x1p900)
-        return;
-    if (!CHECK(a.distance * e == b.distance && a.part == b.part &&
-               a.feature == b.feature))
-        report(c, p);
-}
-
-TEST(a_power_of_two_scales_the_distance)
-{
-    over_families(check_scaled);
 }

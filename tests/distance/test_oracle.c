@@ -136,8 +136,12 @@ static void check_differences(const struct family_case *c, const double p[3],
     sum->distance = fmax(sum->distance, off.distance);
     sum->point = fmax(sum->point, off.point);
     sum->normal = fmax(sum->normal, off.normal);
-    if (!CHECK(!off.sign && !off.feature && off.distance <= 1 &&
-               off.point <= 4 && off.normal <= 4))
+    /* a distance that is not 0 is not rounded to it */
+    const int is_rounded =
+        !cylint_is_elliptic(c->shape.kind) && fabs(got->distance) > 0x1p-1074;
+    if (!CHECK(!off.sign && !off.feature &&
+               off.distance <= (is_rounded ? 0.5 : 1) && off.point <= 4 &&
+               off.normal <= 4))
         report_point(c, p, got, want);
 }
 
@@ -226,6 +230,7 @@ static void check_point(const struct family_case *c, const double p[3],
     cylint_closest got;
     memset(&got, 0, sizeof got);
     oracle_distance(s, p, &want);
+    CHECK(cylint_contains(s, p) == oracle_contains(s, p));
     sum->n++;
     CHECK(cylint_distance(s, p, WANT, &got) == got.distance && got.flags == 0);
     struct differences off = {.sign =
