@@ -70,7 +70,7 @@ c EMBREE_4 embree4/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree4}
 echo 'int c_part;' >"$work/c_part.c"
 $CC $CPPFLAGS $CFLAGS -c -o "$work/c_part.o" "$work/c_part.c" 2>/dev/null
 printf '#include <charconv>\nint main()\n%s\n' \
-    '{ char c; return std::to_chars(&c, &c, 1.0).ptr == &c + 1; }' \
+    '{ char c; double x = 1; return std::to_chars(&c, &c, x).ptr == std::from_chars(&c, &c, x).ptr; }' \
     >"$work/charconv.cc"
 probe CXX17 yes $CXX -std=c++17 $CPPFLAGS $CXXFLAGS $LDFLAGS \
     "$work/charconv.cc" "$work/c_part.o"

@@ -1,13 +1,5 @@
 // numbers.cc - decimal numbers by the C++17 library: fast, locale-free, shortest
-//
-// Where the library lacks std::from_chars for double, the C text below takes its
-// place; the bytes are the same.
 #include <charconv>
-
-#if !defined(__cpp_lib_to_chars)
-#include "numbers_c.c"
-#else
-
 #include <cstdlib>
 
 #include "numbers.h"
@@ -35,5 +27,3 @@ extern "C" size_t cylint_write_digits(char *out, double value, int digits)
                             digits);
     return static_cast<size_t>(written.ptr - out);
 }
-
-#endif

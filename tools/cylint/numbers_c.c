@@ -1,7 +1,6 @@
 /*
- * numbers_c.c - decimal numbers by the C library, for compilers without C++17
- *
- * Writes the same bytes as numbers.cc, which includes this file as C++.
+ * numbers_c.c - decimal numbers by the C library, where no C++ compiler has
+ * std::from_chars for double.  Writes the same bytes as numbers.cc.
  */
 #include <stdio.h>
 #include <stdlib.h>
