@@ -193,6 +193,8 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
     ):
         with refused(message, error):
             scene.any(origins, [0, 0, 1], exclude=exclude)
+    with refused("first_boundary.* unexpected keyword argument 'exclude'", TypeError):
+        scene.first_boundary(*UNIT, exclude=0)
 
 
 def test_refused_lines_hit_nothing_on_request():

@@ -226,6 +226,10 @@ class Lines:
     def core(self) -> _core.Lines:
         return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
 
+    def core_of(self, shapes: int) -> _core.Lines:
+        """Lines for a scene with so many shapes."""
+        return self.core()
+
     def refuse(self) -> ValueError:
         """The error that names the first refused line and the reason."""
         index, status = _core.first_bad_line(self.core())
@@ -254,7 +258,6 @@ class SceneLines(Lines):
             self.shape = broadcast("lines exclude", lines, self.left_out)
 
     def core_of(self, shapes: int) -> _core.Lines:
-        """Lines for a scene with so many shapes."""
         if self.left_out is not _NONE:
             most = int(self.left_out.max(initial=-1))
             least = int(self.left_out.min(initial=-1))

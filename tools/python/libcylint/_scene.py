@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
-    Balls, BallsWithin, Doubles, Points, Progress, SceneLines, counted, integers,
+    Balls, BallsWithin, Doubles, Lines, Points, Progress, SceneLines, counted, integers,
     positive, takes, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
@@ -414,7 +414,7 @@ class Scene:
         Pieces(line=array([0, 0]), shape=array([0, 2]), depth=array([2, 1]), t0=array([ 4., 13.]), t1=array([ 7., 15.]))
         """
         most = 0 if first is None else positive("first", first)
-        lines = SceneLines(
+        lines = Lines(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,
         )
@@ -451,7 +451,7 @@ class Scene:
         """
         if units not in ("length", "t"):
             raise ValueError(f"units: expected length or t, found {units!r}")
-        lines = SceneLines(
+        lines = Lines(
             origins, directions, tmin, tmax,
             to=to, errors=errors, threads=threads, progress=progress,
         )
@@ -489,8 +489,8 @@ class Scene:
         deep, index = self._answer(_core.Scene.depth, given, "ii", rule)
         return deep, index
 
-    @takes(SceneLines)
-    def first_boundary(self, lines: SceneLines) -> Boundaries:
+    @takes(Lines)
+    def first_boundary(self, lines: Lines) -> Boundaries:
         """Where each line first enters or leaves the union of all solids.
 
         Arguments as of `intersect`.  Places at tmin and tmax do not count.
