@@ -156,10 +156,10 @@ static int takes_part(const struct contest *c, const struct contestant *a,
                         : is_best || !c->best_kernels;
 }
 
-static void race(struct contest *c, int *order, int shuffled)
+static void race(const struct contest *c, int *order, int shuffled)
 {
     struct contestant list[1 + KERNELS_MOST];
-    double ours[KERNELS_MOST];
+    double times[1 + KERNELS_MOST];
     const int n = list_contestants(c, list);
     const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     for (int round = 0;
@@ -170,20 +170,13 @@ static void race(struct contest *c, int *order, int shuffled)
             if (takes_part(c, &list[i], i == n - 1))
                 take_turn(&list[i], order, c->questions, shuffled);
     const double per = 1e9 / c->questions / (c->units > 0 ? c->units : 1);
-    c->their_time = c->our_time = NAN;
-    for (int i = 0; i < n; i++) {
-        const double time =
-            list[i].least < HUGE_VAL ? per * list[i].least : (double)NAN;
-        if (i == 0)
-            c->their_time = time;
-        else
-            c->our_time = ours[i - 1] = time;
-    }
-    print_row(c, shuffled, "ns", c->their_time, ours);
+    for (int i = 0; i < n; i++)
+        times[i] = list[i].least < HUGE_VAL ? per * list[i].least : (double)NAN;
+    print_row(c, shuffled, "ns", times[0], times + 1);
     cylint_use_kernels(NULL);
 }
 
-void compete(struct contest *c)
+void compete(const struct contest *c)
 {
     int *order = need((size_t)c->questions * sizeof *order);
     for (int i = 0; i < c->questions; i++)

@@ -44,15 +44,13 @@ struct contest {
     const void *input;  /* of both, */
     const void *others; /* or of the rival, if this is not NULL */
     int questions;
-    double units;      /* in a question, so that a time is that of one; 0: 1 */
-    int shuffled;      /* also in a new random order each turn */
-    int best_kernels;  /* measured with the best kernels only */
-    double their_time; /* written: of the last order and the best kernels */
-    double our_time;
+    double units;     /* in a question, so that a time is that of one; 0: 1 */
+    int shuffled;     /* also in a new random order each turn */
+    int best_kernels; /* measured with the best kernels only */
 };
 
 /* Holds a contest and prints a line for each order and each of the kernels. */
-void compete(struct contest *c);
+void compete(const struct contest *c);
 
 /* Prints another figure, of both or, if `theirs` is NaN, of the library
  * alone. */
