@@ -27,15 +27,14 @@ ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
     meridian m;
     cylint_load_meridian(&m, shape, point);
     const nearest n = cylint_nearest_feature(&m);
-    if (n.part < 0)
+    if (n.feature == CYLINT_NO_FEATURE)
         return nowhere(answer);
-    if (want & CYLINT_WANT_PART) {
-        answer->part = n.part;
-        answer->feature = n.feature;
-    }
+    if (want & CYLINT_WANT_PART)
+        cylint_write_feature(shape, n.feature, answer);
     if (want & CYLINT_WANT_GEOMETRY)
-        cylint_nearest_point(&m, &n, want, answer);
-    const double size = n.sign != 0 ? cylint_rounded_distance(&m, &n) : 0;
+        cylint_nearest_point(&m, n.feature, want, answer);
+    const double size =
+        n.sign != 0 ? cylint_rounded_distance(&m, n.feature) : 0;
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
@@ -72,10 +71,8 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
                                 : CYLINT_NO_FEATURE;
         if (feature == CYLINT_NO_FEATURE)
             return want;
-        if (want & CYLINT_WANT_PART) {
-            answer->part = cylint_feature_part(feature);
-            answer->feature = feature;
-        }
+        if (want & CYLINT_WANT_PART)
+            cylint_write_feature(shape, feature, answer);
         left = want;
     }
     answer->distance = 0;

@@ -46,14 +46,14 @@ enum { ANY_FEATURE = CYLINT_NO_FEATURE };
 
 /* A point of the surface. */
 typedef struct {
-    int part, feature; /* part -1: none */
-    int nappe;         /* the sign of the section's factor there */
-    direction at;      /* of lateral surface and rims; else the angle 0 */
-    double factor;     /* of u in G; else 0 */
-    triple G[3];       /* in the unit of the shape */
-    double terms[3];   /* the sizes of the terms of G */
-    triple z, zv[3];   /* of the lateral surface, in the unit of Q; else 0 */
-    triple R[3];       /* Q - F */
+    int feature;     /* CYLINT_NO_FEATURE: none */
+    int nappe;       /* the sign of the section's factor there */
+    direction at;    /* of lateral surface and rims; else the angle 0 */
+    double factor;   /* of u in G; else 0 */
+    triple G[3];     /* in the unit of the shape */
+    double terms[3]; /* the sizes of the terms of G */
+    triple z, zv[3]; /* of the lateral surface, in the unit of Q; else 0 */
+    triple R[3];     /* Q - F */
 } candidate;
 
 typedef struct {
@@ -69,17 +69,15 @@ typedef struct {
 
 /* -------------------------------------------------------- candidates ---- */
 
-static candidate candidate_of(int part, int feature)
+static candidate candidate_of(int feature)
 {
-    return (candidate){.part = part,
-                       .feature = feature,
-                       .nappe = 1,
-                       .at = {{1, 0, 0}, {0, 0, 0}}};
+    return (candidate){
+        .feature = feature, .nappe = 1, .at = {{1, 0, 0}, {0, 0, 0}}};
 }
 
 static candidate on_ellipse(int feature, double factor, const direction *at)
 {
-    candidate x = candidate_of(CYLINT_PART_LATERAL, feature);
+    candidate x = candidate_of(feature);
     x.factor = factor;
     x.at = *at;
     return x;
@@ -140,11 +138,13 @@ static void offer(search *s, const candidate *x)
     const candidate *best = &s->best;
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
-    const int order = best->part < 0 ? -1 : compare(s, x);
+    const int part = cylint_feature_part(x->feature),
+              best_part = cylint_feature_part(best->feature);
+    const int order = best->feature == CYLINT_NO_FEATURE ? -1 : compare(s, x);
     if (order < 0 ||
-        (order == 0 && (x->part < best->part ||
-                        (x->feature == best->feature &&
-                         x->nappe == best->nappe && is_before(x, best)))))
+        (order == 0 &&
+         (part < best_part || (x->feature == best->feature &&
+                               x->nappe == best->nappe && is_before(x, best)))))
         s->best = *x;
 }
 
@@ -197,8 +197,7 @@ static void try_lateral(search *s, const direction *at, int nappe)
 static void try_rim(search *s, int end, const direction *at)
 {
     const double factor = cylint_end_factor(s->p.shape, end);
-    candidate x =
-        on_ellipse(end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, factor, at);
+    candidate x = on_ellipse(CYLINT_FEATURE_RIM0 + end, factor, at);
     place(s, &x, end ? s->p.h : nowhere, s->p.a, triple_times(at->cos, factor),
           s->p.b, triple_times(at->sin, factor));
     offer(s, &x);
@@ -207,7 +206,7 @@ static void try_rim(search *s, int end, const direction *at)
 /* The apex is at h share. */
 static void try_apex(search *s, const triple h[3], triple share)
 {
-    candidate x = candidate_of(CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX);
+    candidate x = candidate_of(CYLINT_FEATURE_APEX);
     place(s, &x, nowhere, h, share, h, triple_of(0));
     offer(s, &x);
 }
@@ -237,8 +236,7 @@ static void cross_units(triple to[3], const triple u[3], const triple v[3])
 static void try_cap(search *s, int end)
 {
     triple from[3], a[3], b[3], M[3], right[3], up[3];
-    candidate c = candidate_of(end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
-                               end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0);
+    candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end);
     const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
     const double of_a = load_unit(a, s->p.a), of_b = load_unit(b, s->p.b);
     cylint_from_end(&s->p, end, from);
@@ -301,7 +299,7 @@ static void load_normal(search *s)
     const direction *at = &s->best.at;
     if (s->best.feature == CYLINT_FEATURE_APEX) {
         load_unit(s->N, s->p.h);
-    } else if (s->best.part != CYLINT_PART_LATERAL) {
+    } else if (cylint_is_on_end(s->best.feature)) {
         cross_units(s->N, s->p.a, s->p.b);
     } else {
         cylint_load_ruling(&s->p, at, u, v);
@@ -328,8 +326,8 @@ static void describe_best(search *s)
     load_normal(s);
     if (s->best.feature == CYLINT_FEATURE_LATERAL) {
         s->distance = height_over(s->best.R, s->N);
-    } else if (s->best.part != CYLINT_PART_LATERAL) {
-        cylint_from_end(&s->p, s->best.part == CYLINT_PART_CAP1, from);
+    } else if (cylint_is_on_end(s->best.feature)) {
+        cylint_from_end(&s->p, cylint_feature_end(s->best.feature), from);
         s->distance = height_over(from, s->N);
     } else {
         s->distance = length_of(s->best.R);
@@ -342,11 +340,11 @@ static void describe_best(search *s)
 static void measure_best(search *s)
 {
     /* untaken 1 of 2: a stationary point is found on every known ellipse */
-    if (s->best.part >= 0)
+    if (s->best.feature != CYLINT_NO_FEATURE)
         describe_best(s);
     /* untaken 1 of 4: the same */
-    if (s->best.part < 0 || !(s->distance.hi <= DBL_MAX)) {
-        s->best = candidate_of(CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
+    if (s->best.feature == CYLINT_NO_FEATURE || !(s->distance.hi <= DBL_MAX)) {
+        s->best = candidate_of(CYLINT_FEATURE_LATERAL);
         place(s, &s->best, nowhere, s->p.a, triple_of(1), s->p.b, triple_of(0));
         load_normal(s);
         s->distance = length_of(s->best.R);
@@ -359,7 +357,7 @@ static void measure_best(search *s)
  * residual points outward. */
 static int has_outward(search *s)
 {
-    if (s->best.part < 0)
+    if (s->best.feature == CYLINT_NO_FEATURE)
         return 0;
     load_normal(s);
     return triple_value(triple_dot(s->best.R, s->N)) > 0;
@@ -387,8 +385,7 @@ static void search_rim(search *s, int end)
 {
     triple from[3];
     direction at[CYLINT_MOST_CRITICAL];
-    stationary *form =
-        &s->form[end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0];
+    stationary *form = &s->form[CYLINT_FEATURE_RIM0 + end];
     cylint_from_end(&s->p, end, from);
     cylint_rim_form(&s->p, from, cylint_end_factor(s->p.shape, end), form);
     const int n = cylint_critical_directions(form, at);
@@ -402,10 +399,9 @@ static void search_rim(search *s, int end)
 static void search_ends(search *s)
 {
     for (int end = 0; end < 2; end++) {
-        const int feature = end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0;
         if (cylint_sign(cylint_end_factor(s->p.shape, end)) == 0)
             try_apex(s, s->p.h, triple_of(end));
-        else if (s->only == ANY_FEATURE || s->only == feature)
+        else if (s->only == ANY_FEATURE || s->only == CYLINT_FEATURE_RIM0 + end)
             search_rim(s, end);
     }
 }
@@ -519,7 +515,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     const int side = cylint_contains(shape, point);
     cylint_load_elliptic(&s.p, shape, point);
     s.only = ANY_FEATURE;
-    s.best.part = -1;
+    s.best.feature = CYLINT_NO_FEATURE;
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
     s.has_lateral = 0;
     if (side == 0)
@@ -527,10 +523,8 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     const int is_on = s.only != ANY_FEATURE;
     search_all(&s, side);
     measure_best(&s);
-    if (want & CYLINT_WANT_PART) {
-        answer->part = s.best.part;
-        answer->feature = s.best.feature;
-    }
+    if (want & CYLINT_WANT_PART)
+        cylint_write_feature(shape, s.best.feature, answer);
     if (want & CYLINT_WANT_POINT)
         write_elliptic_point(&s, is_on, answer->point);
     if (want & CYLINT_WANT_NORMAL)

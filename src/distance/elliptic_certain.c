@@ -64,10 +64,8 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))
         return all;
     answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
-    if (want & CYLINT_WANT_PART) {
-        answer->feature = q.feature;
-        answer->part = cylint_feature_part(q.feature);
-    }
+    if (want & CYLINT_WANT_PART)
+        cylint_write_feature(shape, q.feature, answer);
     return 0;
 }
 

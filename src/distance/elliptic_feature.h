@@ -114,7 +114,7 @@ static inline int find_on_rim(elliptic_question *q, int end)
     if (!(q->curvature > 0))
         return CYLINT_NO_FEATURE;
     q->by = of_rim(r, g, q->curvature);
-    return end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0;
+    return CYLINT_FEATURE_RIM0 + end;
 }
 
 /* Whether the foot of the perpendicular on the plane of an end is in the ellipse:
@@ -199,7 +199,7 @@ static inline int feature_of_end(elliptic_question *q, int end)
             return CYLINT_NO_FEATURE;
         if (!(caps >> end & 1))
             return feature_of_open_end(q, end);
-        return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+        return CYLINT_FEATURE_CAP0 + end;
     }
     const int is_apex = cylint_sign(cylint_end_factor(q->shape, end)) == 0;
     /* untaken 1 of 2: an apex is found before */
@@ -226,7 +226,7 @@ static inline int feature_inside(elliptic_question *q)
                                                        : CYLINT_NO_FEATURE;
     if (!(cap < lateral - error) || !(fabs(high - low) > error))
         return CYLINT_NO_FEATURE;
-    return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+    return CYLINT_FEATURE_CAP0 + end;
 }
 
 /* Inside, or within the lateral surface beyond an end. */

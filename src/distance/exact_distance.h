@@ -55,18 +55,24 @@ enum { CYLINT_DISTANCE_DEGREE = 22 };
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
                           const double point[3]);
 
+/* The end that a feature belongs to; a ball is about the base. */
+static inline int cylint_end_of(const meridian *m, int feature)
+{
+    return m->L->kind != CYLINT_KIND_SPHERE && cylint_feature_end(feature);
+}
+
 /* The feature of a valid shape that is not elliptic. */
 nearest cylint_nearest_feature(meridian *m);
 
-surd_quotient cylint_square_of_distance(meridian *m, const nearest *n);
+surd_quotient cylint_square_of_distance(meridian *m, int feature);
 
 /* The double nearest to the absolute distance; the least above 0 for distances
  * that would round to 0.  The same in every
  * floating-point environment. */
-double cylint_rounded_distance(meridian *m, const nearest *n);
+double cylint_rounded_distance(meridian *m, int feature);
 
 /* Point and normal. */
-void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,
+void cylint_nearest_point(meridian *m, int feature, unsigned want,
                           cylint_closest *answer);
 
 #endif

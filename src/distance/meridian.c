@@ -116,11 +116,11 @@ static int sign_disc(meridian *m, int i)
     return sign;
 }
 
-/* The distance from feature n against that from the plane of cap i. */
-static int sign_beyond_cap(meridian *m, const nearest *n, int i)
+/* The distance from a feature against that from the plane of cap i. */
+static int sign_beyond_cap(meridian *m, int feature, int i)
 {
     const int used = m->arena->used;
-    const surd_quotient x = cylint_square_of_distance(m, n);
+    const surd_quotient x = cylint_square_of_distance(m, feature);
     const exact square = EXACT_MUL(m->height[i], m->height[i]);
     const int sign = sign_of(
         m, EXACT_SUB(EXACT_MUL(x.n.a, m->L->vv), EXACT_MUL(square, x.d)),
@@ -131,49 +131,26 @@ static int sign_beyond_cap(meridian *m, const nearest *n, int i)
 
 /* ----------------------------------------------------------- features -- */
 
-static nearest lateral(void)
-{
-    return (nearest){CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL, 0, 1};
-}
-
-static nearest rim(const meridian *m, int end)
-{
-    const int apex = m->L->r[end].sign == 0;
-    return (nearest){CYLINT_PART_LATERAL,
-                     apex  ? CYLINT_FEATURE_APEX
-                     : end ? CYLINT_FEATURE_RIM1
-                           : CYLINT_FEATURE_RIM0,
-                     end, 1};
-}
-
-static nearest cap(int end)
-{
-    return (nearest){end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
-                     end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0, end, 1};
-}
-
 static int cap_is_present(const meridian *m, int end)
 {
-    return cylint_part_is_present(m->shape->ends, cap(end).part);
+    return cylint_part_is_present(m->shape->ends, CYLINT_PART_CAP0 + end);
 }
 
 static nearest on_unbounded(meridian *m)
 {
-    const int nappe = cylint_is_nappe(m->shape);
-    nearest n = lateral();
-    n.sign = sign_lateral(m);
-    if ((nappe && sign_nappe_foot(m) <= 0) ||
-        (cylint_is_tapered(m->L->kind) && m->c.sign == 0 && m->q.sign == 0))
-        n.feature = CYLINT_FEATURE_APEX;
-    return n;
+    const int on_apex =
+        (cylint_is_nappe(m->shape) && sign_nappe_foot(m) <= 0) ||
+        (cylint_is_tapered(m->L->kind) && m->c.sign == 0 && m->q.sign == 0);
+    return (nearest){on_apex ? CYLINT_FEATURE_APEX : CYLINT_FEATURE_LATERAL,
+                     sign_lateral(m)};
 }
 
 /* On the lateral surface and its rims. */
-static nearest on_lateral(meridian *m)
+static int on_lateral(meridian *m)
 {
-    return sign_foot(m, 0) <= 0   ? rim(m, 0)
-           : sign_foot(m, 1) >= 0 ? rim(m, 1)
-                                  : lateral();
+    return sign_foot(m, 0) <= 0   ? CYLINT_FEATURE_RIM0
+           : sign_foot(m, 1) >= 0 ? CYLINT_FEATURE_RIM1
+                                  : CYLINT_FEATURE_LATERAL;
 }
 
 /* -1, 0, 1: inside, on, outside of the solid between the planes. */
@@ -187,13 +164,13 @@ static int sign_of_solid(meridian *m)
 
 static nearest between_planes(meridian *m)
 {
-    nearest n = on_lateral(m);
+    nearest n = {on_lateral(m), 1};
     for (int i = 0; i < 2; i++)
         /* mutant '0' -> '1', '<' -> '<=': on the rim it is as
          * near as the plane, so sign_beyond_cap() is not 1 */
         if (cap_is_present(m, i) && sign_disc(m, i) < 0 &&
-            sign_beyond_cap(m, &n, i) > 0)
-            n = cap(i);
+            sign_beyond_cap(m, n.feature, i) > 0)
+            n.feature = CYLINT_FEATURE_CAP0 + i;
     if (cylint_surface_is_whole(m->shape->ends))
         n.sign = sign_of_solid(m);
     return n;
@@ -213,40 +190,27 @@ static int sign_of_ball(meridian *m, int end)
 static nearest on_hull(meridian *m)
 {
     const int before = sign_foot(m, 0), after = sign_foot(m, 1);
-    const int end = after >= 0;
-    nearest n = before > 0 && after < 0 ? lateral() : rim(m, end);
-    const int beyond = before < 0 || after > 0;
-    if (beyond && cap_is_present(m, end) && n.feature != CYLINT_FEATURE_APEX) {
-        n = cap(end);
-        if (cylint_surface_is_whole(m->shape->ends))
-            n.sign = sign_of_ball(m, end);
-    } else if (cylint_surface_is_whole(m->shape->ends) &&
-               n.feature != CYLINT_FEATURE_APEX) {
-        n.sign = sign_lateral(m);
-    }
-    return n;
+    const int end = after >= 0, beyond = before < 0 || after > 0;
+    const int whole = cylint_surface_is_whole(m->shape->ends);
+    if (beyond && cap_is_present(m, end) && m->L->r[end].sign != 0)
+        return (nearest){CYLINT_FEATURE_CAP0 + end,
+                         whole ? sign_of_ball(m, end) : 1};
+    return (nearest){before > 0 && after < 0 ? CYLINT_FEATURE_LATERAL
+                                             : CYLINT_FEATURE_RIM0 + end,
+                     whole ? sign_lateral(m) : 1};
 }
 
 static nearest on_sphere(meridian *m)
 {
-    nearest n = lateral();
-    n.part = cylint_surface(m->shape);
-    if (n.part != CYLINT_PART_LATERAL) {
-        const int top = n.part == CYLINT_PART_CAP1;
-        n.feature = top ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
-    }
-    if (!cylint_part_is_present(m->shape->ends, n.part))
-        n.part = -1;
-    if (cylint_surface_is_whole(m->shape->ends))
-        n.sign = sign_of_ball(m, 0);
-    return n;
+    const int part = cylint_surface(m->shape), ends = m->shape->ends;
+    return (nearest){cylint_part_is_present(ends, part) ? part
+                                                        : CYLINT_NO_FEATURE,
+                     cylint_surface_is_whole(ends) ? sign_of_ball(m, 0) : 1};
 }
 
 static nearest on_half_space(meridian *m)
 {
-    nearest n = lateral();
-    n.sign = m->height[0].sign;
-    return n;
+    return (nearest){CYLINT_FEATURE_LATERAL, m->height[0].sign};
 }
 
 nearest cylint_nearest_feature(meridian *m)
@@ -325,22 +289,23 @@ static surd_quotient from_apex(meridian *m)
         EXACT_MUL(m->L->vv, dr2));
 }
 
-surd_quotient cylint_square_of_distance(meridian *m, const nearest *n)
+surd_quotient cylint_square_of_distance(meridian *m, int feature)
 {
     const int round = cylint_is_round(m->L->kind);
+    const int end = cylint_end_of(m, feature);
     if (m->L->kind == CYLINT_KIND_SPHERE)
         return from_ball(m, 0);
     if (cylint_is_plane(m->L->kind))
         return from_plane(m, 0);
-    switch (n->feature) {
+    switch (feature) {
     case CYLINT_FEATURE_LATERAL:
         return from_lateral(m);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        return round ? from_ball(m, n->end) : from_plane(m, n->end);
+        return round ? from_ball(m, end) : from_plane(m, end);
     default:
         return !cylint_ends_are_planes(m->shape->ends) ? from_apex(m)
-               : round ? from_tangency(m, n->end)
-                       : from_rim(m, n->end);
+               : round                                 ? from_tangency(m, end)
+                                                       : from_rim(m, end);
     }
 }

@@ -10,10 +10,10 @@
 
 enum { CYLINT_NO_FEATURE = -1 };
 
+/* A rim of radius 0 is an apex: cylint_stated_feature(). */
 typedef struct {
-    int part, feature;
-    int end;  /* of a cap, rim or apex */
-    int sign; /* of the distance */
+    int feature; /* CYLINT_NO_FEATURE: there is no surface */
+    int sign;    /* of the distance */
 } nearest;
 
 /* The end that a cap or a rim belongs to; 0 for the lateral surface. */
@@ -29,7 +29,7 @@ CYLINT_INLINE int cylint_feature_is_apex(const cylint_shape *s, int feature)
            cylint_sign(cylint_end_factor(s, cylint_feature_end(feature))) == 0;
 }
 
-/* The feature that a kernel's number stands for: a ball has one. */
+/* The feature that an answer states: a ball has one. */
 CYLINT_INLINE int cylint_stated_feature(const cylint_shape *s, int feature)
 {
     if (s->kind == CYLINT_KIND_SPHERE)
@@ -41,6 +41,19 @@ CYLINT_INLINE int cylint_stated_feature(const cylint_shape *s, int feature)
 CYLINT_INLINE int cylint_feature_part(int feature)
 {
     return feature >= CYLINT_FEATURE_RIM0 ? CYLINT_PART_LATERAL : feature;
+}
+
+/* On a cap or a round end. */
+CYLINT_INLINE int cylint_is_on_end(int feature)
+{
+    return cylint_feature_part(feature) != CYLINT_PART_LATERAL;
+}
+
+CYLINT_INLINE void cylint_write_feature(const cylint_shape *s, int feature,
+                                        cylint_closest *answer)
+{
+    answer->feature = cylint_stated_feature(s, feature);
+    answer->part = cylint_feature_part(answer->feature);
 }
 
 /* Of a circular or elliptic shape and a point for which cylint_contains() is 0, by

@@ -154,32 +154,33 @@ static surd_quotient on_plane(meridian *m, int end, int i)
 }
 
 /* The point is on a ball. */
-static int is_on_ball(const meridian *m, const nearest *n)
+static int is_on_ball(const meridian *m, int feature)
 {
     return m->L->kind == CYLINT_KIND_SPHERE ||
-           (cylint_is_round(m->L->kind) && n->part != CYLINT_PART_LATERAL);
+           (cylint_is_round(m->L->kind) && cylint_is_on_end(feature));
 }
 
-static surd_quotient coordinate(meridian *m, const nearest *n, const radial *d,
+static surd_quotient coordinate(meridian *m, int feature, const radial *d,
                                 int i)
 {
-    if (is_on_ball(m, n))
-        return on_circle(m, d, n->end, i, m->L->one, 0);
+    const int end = cylint_end_of(m, feature);
+    if (is_on_ball(m, feature))
+        return on_circle(m, d, end, i, m->L->one, 0);
     if (cylint_is_plane(m->L->kind))
         return on_plane(m, 0, i);
-    switch (n->feature) {
+    switch (feature) {
     case CYLINT_FEATURE_LATERAL:
         return foot(m, d, i);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        return on_plane(m, n->end, i);
+        return on_plane(m, end, i);
     default:
         return !cylint_ends_are_planes(m->shape->ends)
                    ? shifted_by_axis(m, centre(m, 0, i), m->L->r[0], m->L->dr,
                                      i)
                : cylint_is_round(m->L->kind)
-                   ? on_circle(m, d, n->end, i, m->L->vv, 1)
-                   : on_circle(m, d, n->end, i, m->g, 0);
+                   ? on_circle(m, d, end, i, m->L->vv, 1)
+                   : on_circle(m, d, end, i, m->g, 0);
     }
 }
 
@@ -188,12 +189,12 @@ static double double_of(meridian *m, floating x)
     return cylint_positive_zero(cylint_double_of_pair(m->arena, x.v, x.e));
 }
 
-static void write_nearest_point(meridian *m, const nearest *n, const radial *d,
+static void write_nearest_point(meridian *m, int feature, const radial *d,
                                 double point[3])
 {
     for (int i = 0; i < 3; i++) {
         const int used = m->arena->used;
-        const surd_quotient x = coordinate(m, n, d, i);
+        const surd_quotient x = coordinate(m, feature, d, i);
         point[i] = double_of(m, cylint_surd_quotient_value(m->arena, &x));
         m->arena->used = used;
     }
@@ -232,12 +233,13 @@ static void normalise(meridian *m, const floating x[3], int sign, double to[3])
     }
 }
 
-static void write_nearest_normal(meridian *m, const nearest *n, const radial *d,
+static void write_nearest_normal(meridian *m, int feature, const radial *d,
                                  double normal[3])
 {
-    const int on_ball = is_on_ball(m, n);
-    const int is_cap = !on_ball && n->part != CYLINT_PART_LATERAL;
-    const int is_apex = n->feature == CYLINT_FEATURE_APEX;
+    const int on_ball = is_on_ball(m, feature);
+    const int is_cap = !on_ball && cylint_is_on_end(feature);
+    const int is_apex =
+        cylint_stated_feature(m->shape, feature) == CYLINT_FEATURE_APEX;
     const int is_plane = is_cap || cylint_is_plane(m->L->kind);
     floating x[3];
     for (int i = 0; i < 3; i++)
@@ -245,20 +247,21 @@ static void write_nearest_normal(meridian *m, const nearest *n, const radial *d,
                : is_plane || is_apex ? cylint_floating(m->L->w[i])
                                      : lateral_normal(m, d, i);
     const int sign = is_apex  ? cylint_apex_normal_sign(m->shape, 0)
-                     : is_cap ? (n->end ? 1 : -1)
+                     : is_cap ? (cylint_feature_end(feature) ? 1 : -1)
                               : 1;
     normalise(m, x, sign, normal);
 }
 
-void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,
+void cylint_nearest_point(meridian *m, int feature, unsigned want,
                           cylint_closest *answer)
 {
     const int used = m->arena->used;
-    const radial d =
-        is_on_ball(m, n) ? ball_direction(m, n->end) : radial_direction(m);
+    const radial d = is_on_ball(m, feature)
+                         ? ball_direction(m, cylint_end_of(m, feature))
+                         : radial_direction(m);
     if (want & CYLINT_WANT_POINT)
-        write_nearest_point(m, n, &d, answer->point);
+        write_nearest_point(m, feature, &d, answer->point);
     if (want & CYLINT_WANT_NORMAL)
-        write_nearest_normal(m, n, &d, answer->normal);
+        write_nearest_normal(m, feature, &d, answer->normal);
     m->arena->used = used;
 }

@@ -15,13 +15,6 @@
 #define CYLINT_ONE_DISTANCES cylint_one_distances_plain
 #endif
 
-static void write_feature(const cylint_shape *s, int feature,
-                          cylint_closest *answer)
-{
-    answer->feature = cylint_stated_feature(s, feature);
-    answer->part = cylint_feature_part(answer->feature);
-}
-
 /* -------------------------------------------------------- heads and tails -- */
 
 INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
@@ -37,7 +30,7 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
         return 0;
     answer->flags = 0;
     if (parted)
-        write_feature(shape, (int)n.feature, answer);
+        cylint_write_feature(shape, (int)n.feature, answer);
     answer->distance = n.d.low;
     return 1;
 }
@@ -60,7 +53,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     if (!n->known)
         return want;
     if (want & CYLINT_WANT_PART)
-        write_feature(shape, (int)n->feature, answer);
+        cylint_write_feature(shape, (int)n->feature, answer);
     want &= ~(unsigned)CYLINT_WANT_PART;
     /* mutant '!' -> '': slower, the members are left to the next stage */
     if (!(want & CYLINT_WANT_GEOMETRY))

@@ -40,11 +40,11 @@ static int64_t nearest_rank(cylint_arena *arena, floating d, double error)
     return cylint_rank(x);
 }
 
-double cylint_rounded_distance(meridian *m, const nearest *n)
+double cylint_rounded_distance(meridian *m, int feature)
 {
     cylint_arena *arena = m->arena;
     const int used = arena->used;
-    const surd_quotient x = cylint_square_of_distance(m, n);
+    const surd_quotient x = cylint_square_of_distance(m, feature);
     const floating square = cylint_surd_quotient_value(arena, &x);
     double distance = 0;
     if (square.v.hi > 0) {

@@ -179,15 +179,11 @@ static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
         cylint_nearest_feature(&m);
         end_answer(FEATURE, degree);
         CHECK(m.arena->used == used);
-        const int end = (int)below(2);
-        nearest n = {CYLINT_PART_LATERAL, feature, end, 1};
-        if (feature == CYLINT_FEATURE_CAP0 || feature == CYLINT_FEATURE_CAP1)
-            n.part = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
-        cylint_rounded_distance(&m, &n);
+        cylint_rounded_distance(&m, feature);
         end_answer(DISTANCE, degree);
         if (below(2)) /* a point on the axis */
             m.q.sign = 0;
-        cylint_nearest_point(&m, &n, CYLINT_WANT_ALL, &answer);
+        cylint_nearest_point(&m, feature, CYLINT_WANT_ALL, &answer);
         end_answer(POINT, degree);
         CHECK(m.arena->used == used);
         most = larger(most, m.arena->most);

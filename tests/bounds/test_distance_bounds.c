@@ -94,11 +94,11 @@ static void check_point(const struct family_case *c, const double p[3])
         REPORT("point %a %a %a: z %g, rho %g", p[0], p[1], p[2], off_z,
                off_rho);
     }
-    const nearest rim = {CYLINT_PART_LATERAL, CYLINT_FEATURE_RIM0, 0, 1};
     if (cylint_is_round(c->shape.kind) ||
         !cylint_ends_are_planes(c->shape.ends))
         return;
-    const surd_quotient square = cylint_square_of_distance(&exactly, &rim);
+    const surd_quotient square =
+        cylint_square_of_distance(&exactly, CYLINT_FEATURE_RIM0);
     const floating v = cylint_surd_quotient_value(arena, &square);
     if (v.v.hi == 0)
         return;
