@@ -42,8 +42,8 @@ $(rivals)/package: $(scene_library) $(wildcard tools/python/src/* tools/python/l
 	@$(rivals)/bin/pip install -q --no-deps --force-reinstall --config-settings cmake.define.CYLINT_BUILD=$(abspath $(BUILD)) ./tools/python
 	@touch $@
 quick := $(if $(QUICK),--quick)
-bench-text: $(BUILD)/cylint $(rivals)/package ## the command beside programs that read numbers, fetched by pip; QUICK=1
-	$(call rivals_of,pandas polars)
+bench-text: $(BUILD)/cylint $(rivals)/package ## the command beside polars, fetched by pip, and mawk; QUICK=1
+	$(call rivals_of,polars)
 	@$(rivals)/bin/python tools/bench/text.py $< $(quick) | tee $(BUILD)/bench-text.csv
 
 bench-python: $(rivals)/package ## the Python package beside Open3D, fetched by pip; QUICK=1

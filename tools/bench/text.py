@@ -1,4 +1,4 @@
-"""The command beside other programs that read numbers.
+"""The command beside polars and mawk.
 
 usage: text.py COMMAND [--quick]
 
@@ -13,12 +13,12 @@ import subprocess
 import sys
 import tempfile
 import time
-from importlib.util import find_spec
 from pathlib import Path
 
 os.environ["POLARS_MAX_THREADS"] = "1"
 
 import numpy as np  # noqa: E402
+import polars  # noqa: E402
 from rows import print_header, print_row  # noqa: E402
 
 ROUNDS, COPIES = 5, 20
@@ -46,34 +46,15 @@ def run(command, file):
     return used.ru_utime + used.ru_stime
 
 
-def in_process(read):
+def by_polars(file):
     start = time.process_time()
-    read()
+    polars.read_csv(file, separator=" ", has_header=False).sum()
     return time.process_time() - start
 
 
-def by_pandas(file):
-    import pandas
-
-    return lambda: pandas.read_csv(file, sep=" ", header=None).sum()
-
-
-def by_polars(file):
-    import polars
-
-    return lambda: polars.read_csv(file, separator=" ", has_header=False).sum()
-
-
-def rivals(file):
+def by_mawk(file):
     sums = "{ for (i = 1; i <= 13; i++) s[i] += $i } END { for (i in s) print s[i] }"
-    for name, make in ("pandas", by_pandas), ("polars", by_polars):
-        if find_spec(name):
-            read = make(file)
-            yield name, lambda read=read: in_process(read)
-        else:
-            print(f"{name}: not installed", file=sys.stderr)
-    for name, command in ("wc -w", ["wc", "-w"]), ("mawk sums", ["mawk", sums]):
-        yield name, lambda command=command: run(command, file)
+    return run(["mawk", sums], file)
 
 
 def main():
@@ -83,8 +64,9 @@ def main():
         folder = Path(folder)
         write_records(folder)
         ours = [COMMAND, "-k", "ray,cylinder", "-j", "1"]
-        for rival, call in rivals(folder / "text"):
-            times = [(call(), run(ours, folder / "text")) for _ in range(ROUNDS)]
+        text = folder / "text"
+        for rival, call in ("polars", by_polars), ("mawk sums", by_mawk):
+            times = [(call(text), run(ours, text)) for _ in range(ROUNDS)]
             print_row("text", "command", "a record", rival, "ns",
                       *(1e9 * min(t) / RECORDS for t in zip(*times)))
         for name, flags in ("text", []), ("doubles", ["-b"]):
