@@ -6,18 +6,18 @@
 # t do not exceed, in radii; less is better.  libcylint's error is at most half a unit in
 # the last place, drawn at 1e-17; "wrong" are verdicts.  Larger errors than 1e4 are drawn
 # there.
-set terminal svg size 820,620 font "sans-serif,11" background "white"
+set terminal svg size 940,600 font "sans-serif,11" background "white"
 set logscale xy
-set xrange [10:10000]
+set xrange [10:100000]
 set yrange [3e-18:3e4]
 set format x "%g ns"
 set format y "1e%T"
-set xtics 10, 10, 1000
+set xtics 10, 10, 10000
 set ytics 1e-16, 1e4
 set grid
 unset mxtics
 unset mytics
-set key at graph 0.98, 0.46 spacing 0.95 autotitle columnheader
+set key at graph 0.98, 0.92 spacing 0.95 autotitle columnheader
 
 # A block for each method: its name, then time and error.
 awk = 'awk -F '', *'' -v subject="'.ARG2.'" -v family="%s" ''{ split($3, of, "; ") } \
