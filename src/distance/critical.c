@@ -117,7 +117,7 @@ static int is_upright(const stationary *f, direction *at)
  * the error of a correction, which is a double, is below the last place of cos
  * and of sin.  The length grows by half the square of a correction.
  * normalize() squares that error. */
-direction cylint_correct_direction(const stationary *f, direction at)
+static direction corrected(const stationary *f, direction at)
 {
     normalize(&at);
     normalize(&at);
@@ -241,6 +241,9 @@ int cylint_critical_directions(const stationary *form,
         to[1] = (direction){triple_of(-1), triple_of(0)};
         return 2;
     }
-    const int n = half_turn(form, 1, to);
-    return n + half_turn(form, -1, to + n);
+    const int right = half_turn(form, 1, to);
+    const int n = right + half_turn(form, -1, to + right);
+    for (int i = 0; i < n; i++)
+        to[i] = corrected(form, to[i]);
+    return n;
 }

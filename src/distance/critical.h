@@ -28,14 +28,11 @@ enum { CYLINT_MOST_CRITICAL = 8 };
 /* The integral of the form over the angle, where square[0] is -square[2]. */
 triple cylint_integral_at(const stationary *form, const direction *at);
 
-/* Writes the directions in which the form is 0: all that are simple, some of
- * them twice; 0 and half a turn if all coefficients are 0.  They have the digits
- * of doubles at least.  Returns their number. */
+/* Writes the directions in which the form is 0, with the digits of triples: all
+ * that are simple, some of them twice; 0 and half a turn if all coefficients are
+ * 0.  Returns their number. */
 int cylint_critical_directions(const stationary *form,
                                direction to[CYLINT_MOST_CRITICAL]);
-
-/* The direction next to one of those with the digits of triples. */
-direction cylint_correct_direction(const stationary *form, direction at);
 
 /* The error of its angle, in units of the rounding of triples, at most 1.  It
  * is far below 1 only where cos or sin, and most terms, are nearly 0. */

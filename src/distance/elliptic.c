@@ -374,8 +374,6 @@ static void search_lateral(search *s)
         return;
     cylint_lateral_form(&s->p, form);
     const int n = cylint_critical_directions(form, at);
-    for (int i = 0; i < n; i++)
-        at[i] = cylint_correct_direction(form, at[i]);
     for (int nappe = 1; nappe >= last; nappe -= 2)
         for (int i = 0; i < n; i++)
             try_lateral(s, &at[i], nappe);
@@ -389,10 +387,8 @@ static void search_rim(search *s, int end)
     cylint_from_end(&s->p, end, from);
     cylint_rim_form(&s->p, from, cylint_end_factor(s->p.shape, end), form);
     const int n = cylint_critical_directions(form, at);
-    for (int i = 0; i < n; i++) {
-        at[i] = cylint_correct_direction(form, at[i]);
+    for (int i = 0; i < n; i++)
         try_rim(s, end, &at[i]);
-    }
 }
 
 /* Rims, and the apex that an end of radius 0 is. */
