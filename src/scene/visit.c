@@ -405,8 +405,7 @@ void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
 
 /*
  * The hierarchy rejects shapes that are certainly farther than the radius
- * (traverse_point.c), and cylint_safety() rejects others.  cylint_distance()
- * computes the distances to the rest.
+ * (traverse_point.c).  cylint_distance() computes the distances to the others.
  *
  * The box of a piece contains the surface and the solid of the piece, whatever
  * its ends: a piece is the convex hull of two sections (leaf.c), and the pieces
@@ -422,10 +421,8 @@ typedef struct {
     const cylint_scene *scene;
     const double *point;
     double radius; /* no larger distance is wanted; negative: no lesser depth */
-    double reject; /* a lower bound of a distance above this is too far */
-    double reach;  /* the same in the frame */
+    double reach;  /* a lower bound above this is too far, in the frame */
     double x[3];   /* the point in the frame */
-    int to_nearest; /* doubles are rounded to nearest */
     cylint_nearness nearness;
     int stopped;
     cylint_use_found *callback;
@@ -446,8 +443,8 @@ static void set_point_radius(point_visit *v, double radius)
 {
     const double outside = cylint_larger(radius, 0);
     v->radius = radius;
-    v->reject = outside * SLACK + DBL_MIN;
-    v->reach = v->reject * v->scene->frame.scale * SLACK + 0x1p-400;
+    v->reach =
+        (outside * SLACK + DBL_MIN) * v->scene->frame.scale * SLACK + 0x1p-400;
     v->stopped = is_no_radius(v->nearness, radius);
 }
 
@@ -458,16 +455,6 @@ static void make_tested(const point_visit *v, size_t number,
     cylint_record_shape(&v->scene->records, number, shape);
     if (v->nearness != CYLINT_NEAR_SURFACE)
         shape->ends = cylint_closed_ends(shape->ends);
-}
-
-/* Whether cylint_safety() shows that the shape is beyond the radius.  It pays for
- * elliptic shapes only.  It is positive inside a solid too. */
-static int is_safely_far(const point_visit *v, const cylint_shape *shape)
-{
-    return cylint_is_elliptic(shape->kind) && v->to_nearest &&
-           cylint_safety(shape, v->point) > v->reject &&
-           (v->nearness == CYLINT_NEAR_SURFACE ||
-            cylint_contains(shape, v->point) < 0);
 }
 
 /* The distance that is compared. */
@@ -491,8 +478,6 @@ static int point_is_near(const point_visit *v, size_t number,
         return 0;
     if (v->nearness == CYLINT_HOLDING)
         return 1;
-    if (is_safely_far(v, &shape))
-        return 0;
     answer->part = 0; /* written only if there is no surface */
     cylint_distance(&shape, v->point, 0, answer);
     return answer->part >= 0 && !cylint_less(v->radius, compared(v, answer));
@@ -584,7 +569,7 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
 static int point_to_frame(point_visit *v)
 {
     const cylint_frame *frame = &v->scene->frame;
-    int fits = v->to_nearest;
+    int fits = cylint_rounds_to_nearest();
     for (int j = 0; j < 3; j++) {
         v->x[j] = (v->point[j] - frame->center[j]) * frame->scale;
         fits &= fabs(v->x[j]) <= CYLINT_POINT_MOST;
@@ -616,7 +601,6 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
         return;
     v.scene = scene;
     v.point = point;
-    v.to_nearest = cylint_rounds_to_nearest();
     v.nearness = nearness;
     v.callback = callback;
     v.context = context;
