@@ -29,15 +29,21 @@ extern cylint_build cylint_build_used CYLINT_HIDDEN;
 #define CYLINT_OF_BUILD(plain, avx2, avx512) (plain)
 #endif
 
+/* The same for questions in lanes.  enough: whether there are so many that AVX-512
+ * takes less time than AVX2: its vectors cost more, also with empty lanes. */
+#define CYLINT_OF_LANES(enough, plain, avx2, avx512) \
+    CYLINT_OF_BUILD(plain, avx2, (enough) ? (avx512) : (avx2))
+
 /* The address of NAME_plain or, on processors with a fused multiply-add, of
  * NAME_fma. */
 #define CYLINT_OF_FMA(name) \
     CYLINT_OF_BUILD(&name##_plain, &name##_fma, &name##_fma)
 
 /* The kernel for many questions. */
-static inline cylint_filter_many *cylint_many_used(void)
+static inline cylint_filter_many *cylint_many_used(int enough)
 {
-    return CYLINT_OF_BUILD(cylint_many_plain, cylint_many_avx2,
+    (void)enough;
+    return CYLINT_OF_LANES(enough, cylint_many_plain, cylint_many_avx2,
                            cylint_many_avx512);
 }
 
