@@ -13,6 +13,7 @@
 #endif
 
 #include "inputs.h"
+#include "shapes/layout.h"
 
 enum { RAYS = 160 * 160, LANES = 16 };
 enum { CURVES = -1, MERGED = -2 }; /* in place of the adapter's flags */
@@ -63,9 +64,11 @@ static RTCGeometry curves_of(RTCDevice device, const struct sticks *s,
                                                    RTC_FORMAT_UCHAR, 1, n);
     for (size_t i = first; i < last; i++)
         for (int k = 0; k < 2; k++) {
-            memcpy(vertex, s->end[i][k], 3 * sizeof *vertex);
-            vertex[3] = s->radius[i][k];
-            vertex += 4;
+            const cylint_shape *from = &s->shapes[i];
+            const double *end = k ? cylint_top(from) : cylint_base(from);
+            for (int j = 0; j < 3; j++)
+                *vertex++ = (float)end[j];
+            *vertex++ = (float)cylint_radii(from)[k];
         }
     for (size_t i = 0; i < n; i++) {
         index[i] = (unsigned)(2 * i);

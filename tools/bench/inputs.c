@@ -116,23 +116,20 @@ const struct stick_kind thin_sticks = {"thin sticks", 1, 1.0 / 20},
 static void draw_stick(uint64_t *random, const double low[3], double width,
                        double length, double radius, size_t i, struct sticks *s)
 {
-    double d[3], p[2][3];
+    double d[3], p[2][3], r[2];
     draw_direction(random, d);
     for (int j = 0; j < 3; j++) {
         const double middle = low[j] + width * random_unit(random);
         for (int k = 0; k < 2; k++)
-            p[k][j] = s->end[i][k][j] =
-                (float)(middle + (k - 0.5) * length * d[j]);
+            p[k][j] = (float)(middle + (k - 0.5) * length * d[j]);
     }
     for (int k = 0; k < 2; k++)
-        s->radius[i][k] =
-            (float)(radius * (s->is_round ? between(random, 0.5, 1) : 1));
-    const double r0 = s->radius[i][0], r1 = s->radius[i][1];
+        r[k] = (float)(radius * (s->is_round ? between(random, 0.5, 1) : 1));
     cylint_shape *to = &s->shapes[i];
-    must((s->is_round
-              ? cylint_round_cone(to, p[0], r0, p[1], r1, CYLINT_ENDS_CAPPED)
-              : cylint_cylinder(to, p[0], p[1], r0, CYLINT_ENDS_CAPPED)) ==
-             CYLINT_OK,
+    must((s->is_round ? cylint_round_cone(to, p[0], r[0], p[1], r[1],
+                                          CYLINT_ENDS_CAPPED)
+                      : cylint_cylinder(to, p[0], p[1], r[0],
+                                        CYLINT_ENDS_CAPPED)) == CYLINT_OK,
          "a shape was refused");
 }
 
@@ -143,8 +140,6 @@ static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
     const double length = kind->length / cbrt((double)n);
     const double width = 1 / (double)side;
     const size_t cells = side * side * side;
-    to->end = need(n * sizeof *to->end);
-    to->radius = need(n * sizeof *to->radius);
     to->shapes = need(n * sizeof *to->shapes);
     for (size_t cell = 0; cell < cells; cell++) {
         const double low[3] = {width * (double)(cell % side),
@@ -166,8 +161,6 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
         return;
     draw_sticks(kind, &s);
     measure(&s);
-    free(s.end);
-    free(s.radius);
     free(s.shapes);
 }
 

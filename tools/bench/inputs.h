@@ -57,7 +57,6 @@ struct sticks {
     size_t n;
     size_t side;  /* of side^3 equal cells; cell k begins with k n / side^3 */
     int is_round; /* round cones, else cylinders */
-    float (*end)[2][3], (*radius)[2];
     cylint_shape *shapes;
 };
 

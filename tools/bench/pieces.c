@@ -97,7 +97,7 @@ static void compare_scene(const struct sticks *s)
     c.ours = all_of_owners;
     compete(&c);
 #ifdef CYLINT_EMBREE
-    struct embree_chords *chords = embree_chords_new(s->end, s->radius, s->n);
+    struct embree_chords *chords = embree_chords_new(s->shapes, s->n);
     c.question = "union of all pieces";
     c.rival = "Embree and qsort()";
     c.theirs = by_embree;

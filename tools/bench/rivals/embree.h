@@ -31,7 +31,7 @@ extern struct RTCIntersectContext embree_single, embree_coherent;
 /* A device of one thread, which ends the program if Embree fails. */
 RTCDevice embree_device(void);
 
-struct embree_chords *embree_chords_new(float (*end)[2][3], float (*radius)[2],
+struct embree_chords *embree_chords_new(const cylint_shape *cylinders,
                                         size_t n);
 void embree_chords_free(struct embree_chords *scene);
 

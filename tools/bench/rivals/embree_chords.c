@@ -11,6 +11,7 @@
 #include <float.h>
 
 #include "inputs.h"
+#include "shapes/layout.h"
 
 enum { MOST = 1 << 16 };
 
@@ -127,19 +128,16 @@ RTCDevice embree_device(void)
     return device;
 }
 
-struct embree_chords *embree_chords_new(float (*end)[2][3], float (*radius)[2],
-                                        size_t n)
+struct embree_chords *embree_chords_new(const cylint_shape *cylinders, size_t n)
 {
     struct embree_chords *made = need(sizeof *made);
     made->cylinders = need(n * sizeof *made->cylinders);
     for (size_t i = 0; i < n; i++) {
         struct prepared *c = &made->cylinders[i];
-        for (int j = 0; j < 3; j++) {
-            c->p[j] = end[i][0][j];
-            c->axis[j] = (double)end[i][1][j] - c->p[j];
-        }
+        copy3(c->p, cylint_base(&cylinders[i]));
+        copy3(c->axis, cylint_axis(&cylinders[i]));
         c->length = normalise(c->axis);
-        c->r = radius[i][0];
+        c->r = cylint_r0(&cylinders[i]);
     }
     made->device = embree_device();
     made->scene = rtcNewScene(made->device);
