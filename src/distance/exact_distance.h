@@ -31,7 +31,8 @@
  *   the normal of the lateral surface:  g R / T - dr w,
  *     R = w x (X x w), |R|^2 = W q.
  *
- * On the axis T and R are 0.  There R / T is the limit from the side of the
+ * The nappe of a double cone that does not contain the base has the opposite c and
+ * dr.  On the axis T and R are 0.  There R / T is the limit from the side of the
  * direction phi = 0.
  */
 typedef struct {
@@ -40,9 +41,7 @@ typedef struct {
     cylint_query query; /* the terms and the arena */
     const cylint_terms_exact *L;
     cylint_arena *arena;
-    int flip;   /* -1: the nappe of a double cone that does not contain the
-                  base; its c and dr have the opposite signs */
-    exact X[3]; /* D_0 x w */
+    exact X[3]; /* D_0 x w; a sphere has none of these */
     exact q, g, c, dr, T2;
     exact height[2]; /* D_i.w */
 } meridian;

@@ -45,10 +45,8 @@ static void load_axis(meridian *m)
     m->T2 = EXACT_MUL(m->g, m->q);
     m->c = section(m);
     m->dr = L->dr;
-    /* mutant '1' -> '2': only its sign is used */
-    m->flip = m->shape->ends == CYLINT_ENDS_INFINITE && m->c.sign < 0 ? -1 : 1;
-    /* mutant '<' -> '<=': flip is -1 or 1 */
-    if (m->flip < 0) {
+    /* The nappe of a double cone that does not contain the base. */
+    if (m->shape->ends == CYLINT_ENDS_INFINITE && m->c.sign < 0) {
         m->c = cylint_exact_neg(m->c);
         m->dr = cylint_exact_neg(m->dr);
     }
@@ -63,9 +61,6 @@ void cylint_load_meridian(meridian *m, const cylint_shape *shape,
     cylint_open_at(&m->query, shape, &line, point);
     m->L = cylint_load_exact(&m->query, FORM_ALPHA, 0);
     m->arena = &m->query.arena;
-    /* mutant '1' -> '2': only its sign is used */
-    m->flip = 1;
-    m->dr = m->L->dr;
     if (shape->kind != CYLINT_KIND_SPHERE)
         load_axis(m);
 }

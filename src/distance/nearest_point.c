@@ -22,7 +22,6 @@
 /* The direction from the axis to the point: V / sqrt(K). */
 typedef struct {
     exact V[3], K;
-    int off_axis;
 } radial;
 
 /* e x w, e the coordinate direction of the axis's least component. */
@@ -40,8 +39,7 @@ static radial radial_direction(meridian *m)
 {
     const exact *w = m->L->w;
     radial d;
-    d.off_axis = m->q.sign != 0;
-    if (d.off_axis) {
+    if (m->q.sign != 0) {
         for (int i = 0; i < 3; i++) {
             const int j = (i + 1) % 3, k = (i + 2) % 3;
             d.V[i] = EXACT_MUL(m->g, EXACT_SUB(EXACT_MUL(w[j], m->X[k]),
@@ -63,8 +61,7 @@ static radial radial_direction(meridian *m)
 static radial ball_direction(meridian *m, int end)
 {
     const exact *D = m->L->D[end];
-    /* mutant '1' -> '2': only whether it is 0 is used, and not for balls */
-    radial d = {{D[0], D[1], D[2]}, exact_dot(m, D, D), 1};
+    radial d = {{D[0], D[1], D[2]}, exact_dot(m, D, D)};
     if (d.K.sign == 0)
         d.K = d.V[0] = m->L->one;
     return d;
@@ -104,7 +101,7 @@ static exact foot_a(meridian *m, const radial *d, int i)
     EXACT_BEGIN
     exact a = EXACT_MUL(unit(m), cylint_exact_from(m->arena, m->point[i]));
     a = EXACT_SUB(a, EXACT_MUL(m->c, slope(m, i)));
-    if (d->off_axis)
+    if (m->q.sign != 0)
         a = EXACT_SUB(a, d->V[i]);
     a = EXACT_MUL(d->K, a);
     EXACT_RETURN(a)
@@ -115,7 +112,7 @@ static exact foot_b(meridian *m, const radial *d, int i)
 {
     EXACT_BEGIN
     exact b = EXACT_MUL(m->c, d->V[i]);
-    if (d->off_axis)
+    if (m->q.sign != 0)
         b = EXACT_ADD(b, EXACT_MUL(slope(m, i), d->K));
     EXACT_RETURN(b)
 }
