@@ -341,6 +341,42 @@ static int has_surplus(struct reader *r, const struct grammar *g)
     return 1;
 }
 
+/* Where this word, which ends at `equals`, begins as a field of the tail, but the
+ * first; else NULL. */
+static const char *word_at(struct string tail, const char *equals,
+                           const char *word)
+{
+    const size_t length = strlen(word);
+    if ((size_t)(equals + 1 - tail.text) <= length)
+        return NULL;
+    const char *const begin = equals + 1 - length;
+    return (is_blank(begin[-1]) || begin[-1] == ',') &&
+                   memcmp(begin, word, length) == 0
+               ? begin
+               : NULL;
+}
+
+/* Whether a word that is read before the tail stands in the tail.  Notes the first
+ * one.  After another word ends= belongs to the tail. */
+static int has_late_word(const struct reader *r, const struct grammar *g,
+                         struct string tail)
+{
+    const char *const end = end_of(tail), *word = NULL;
+    for (const char *p = tail.text;
+         !word && (p = memchr(p, '=', (size_t)(end - p))); p++) {
+        if (!g->has_shape)
+            word = word_at(tail, p, NOT_WORD);
+        else if (!r->has_word)
+            word = word_at(tail, p, ENDS_WORD);
+        if (!word && g->has_shape && !g->has_line &&
+            !(word = word_at(tail, p, IN_WORD)))
+            word = word_at(tail, p, OUT_WORD);
+    }
+    return word &&
+           refuse_text(r->notes, "this word has no effect within the tail",
+                       between(word, field_end(word, end)));
+}
+
 /* The tail is copied unchanged.  A NUL is refused, because text tools that read
  * the answers do not accept it. */
 static int read_tail(struct reader *r, const struct grammar *g,
@@ -362,6 +398,9 @@ static int read_tail(struct reader *r, const struct grammar *g,
         advise(r->notes, "what follows is copied as the tail");
         make_remark(r->notes, REMARK_SURPLUS);
     }
+    if (wants_remark(r->notes, REMARK_LATE_WORD) &&
+        has_late_word(r, g, record->tail))
+        make_remark(r->notes, REMARK_LATE_WORD);
     return 0;
 }
 

@@ -135,7 +135,7 @@ static const struct option options_known[] = {
     {"e", "HOW", read_word, AT(bad), bad_policies, 0, 0,
      "bad records: mark (default), skip or stop"},
     {"tail", 0, read_flag, AT(tail), 0, TAIL_ALLOWED, 0,
-     "with -k: a tail may begin with a number"},
+     "no message about numbers and words in tails"},
     {"no-tail", 0, read_flag, AT(tail), 0, TAIL_REFUSED, 0,
      "a record with a tail is bad"},
     {"C", 0, read_flag, AT(comments), 0, 1, 0,
@@ -395,7 +395,8 @@ static unsigned wanted_remarks(const struct options *o)
     return (unsigned)(o->kinds && o->tail == TAIL_WITH_REMARK)
                << REMARK_SURPLUS |
            (unsigned)g->has_domain << REMARK_DOMAIN |
-           (unsigned)!g->has_shape << REMARK_LABEL;
+           (unsigned)!g->has_shape << REMARK_LABEL |
+           (unsigned)(o->tail == TAIL_WITH_REMARK) << REMARK_LATE_WORD;
 }
 
 static int settle(struct options *o)

@@ -36,10 +36,11 @@ void message(const char *format, ...) LIKE_PRINTF(1, 2);
 /* Messages about good records.  Each is printed for the first such record
  * only. */
 enum remark {
-    REMARK_NONE,    /* the record is bad */
-    REMARK_SURPLUS, /* its tail begins with a number */
-    REMARK_DOMAIN,  /* -t does not apply to its line or point */
-    REMARK_LABEL,   /* it leaves out a label that no shape has */
+    REMARK_NONE,      /* the record is bad */
+    REMARK_SURPLUS,   /* its tail begins with a number */
+    REMARK_DOMAIN,    /* -t does not apply to its line or point */
+    REMARK_LABEL,     /* it leaves out a label that no shape has */
+    REMARK_LATE_WORD, /* its tail has a word that is read before the tail */
     REMARKS
 };
 
