@@ -13,12 +13,14 @@ static const char *const names[CYLINT_BUILDS] = {"plain", "avx2", "avx512"};
 static int runs(int build)
 {
 #ifdef CYLINT_BUILDS_X86
+    const int avx2 =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     if (build == CYLINT_BUILD_AVX512)
-        return __builtin_cpu_supports("avx512f") &&
+        return avx2 && __builtin_cpu_supports("avx512f") &&
                __builtin_cpu_supports("avx512vl") &&
                __builtin_cpu_supports("avx512dq");
     if (build == CYLINT_BUILD_AVX2)
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+        return avx2;
 #endif
     return build == CYLINT_BUILD_PLAIN;
 }
