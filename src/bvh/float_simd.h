@@ -14,8 +14,8 @@
  *   f_store_keys(p, x)   stores integers in the order of the floats
  *   i_or_where(x, m, y)  x | y where m, else x
  *   i_keep(p, x, m)      stores those of 8 integers x[] whose bits in m are 1, in
- *                        their order, then two zeros; returns how many.  May write
- *                        up to 10 integers
+ *                        their order, and zeros up to the second integer at least;
+ *                        returns how many.  May write up to 10 integers
  *   i_highest(x)         the highest bits of 8 integers x[]
  */
 #ifndef CYLINT_FLOAT_SIMD_H
