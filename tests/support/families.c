@@ -36,27 +36,6 @@ static void ordinary(struct family_case *out)
     aim(out, &f, 3);
 }
 
-static void on_the_surface(struct family_case *out)
-{
-    frame f;
-    double p[3], d[3];
-    simple_shape(out, &f, any_word());
-    surface_point(&f, any_z(&f), 1, p);
-    random_direction(d);
-    write_line(out, p, d);
-    out->line_word = chance(0.8) ? FAMILY_RAY : FAMILY_LINE;
-}
-
-static void far_origin(struct family_case *out)
-{
-    frame f;
-    double p[3], d[3];
-    simple_shape(out, &f, any_word());
-    surface_point(&f, any_z(&f), chance(0.5) ? 1 : between(0, 1.5), p);
-    random_direction(d);
-    write_line_from(out, p, d, power(3, 8));
-}
-
 /* Moves line and shape by v. */
 static void translate(struct family_case *c, const double v[3])
 {
@@ -66,20 +45,6 @@ static void translate(struct family_case *c, const double v[3])
     add3(c->line_data, 1, v);
     if (c->line_word == FAMILY_SEGMENT)
         add3(c->line_data + 3, 1, v);
-}
-
-static void grazing(struct family_case *out)
-{
-    frame f;
-    double p[3], d[3];
-    simple_shape(out, &f, any_word());
-    const double z = any_z(&f), turn = between(0, 6.283185307179586);
-    const double r = rho(&f, z), slope = rho(&f, 1) - rho(&f, 0);
-    const double x = cos(turn), y = sin(turn), off = 1 + small(-16, -4);
-    const double around = between(-1, 1), up = between(-1, 1);
-    place(&f, r * x * off, r * y * off, z, p);
-    vary(&f, -around * y + up * slope * x, around * x + up * slope * y, up, d);
-    write_line_from(out, p, d, between(-3, 3));
 }
 
 static void nearly_parallel(struct family_case *out)
@@ -427,80 +392,139 @@ static void exact_differences(struct family_case *out)
 #include "families_round.h"
 #include "families_planes.h"
 
+/* ----- a point of the surface ------------------------------------------- */
+
+/* Shapes of a frame, hulls of two balls, half-spaces. */
+static enum group { FRAMES, ROUND, PLANES } group; /* of the present family */
+
+/* An ordinary shape of the group, a point of its surface and the unit normal
+ * there. */
+static void draw_with_point(struct family_case *out, double p[3], double n[3])
+{
+    frame f;
+    hull h;
+    switch (group) {
+    case FRAMES:
+        simple_shape(out, &f, any_word());
+        lateral_point(&f, p, n);
+        break;
+    case ROUND:
+        simple_hull(&h);
+        write_hull(out, &h);
+        boundary_point(&h, p, n);
+        break;
+    case PLANES:
+        simple_plane(out, p, n);
+        break;
+    }
+}
+
+static void on_the_surface(struct family_case *out)
+{
+    double p[3], n[3], d[3];
+    draw_with_point(out, p, n);
+    random_direction(d);
+    write_line(out, p, d);
+    out->line_word = chance(0.8) ? FAMILY_RAY : FAMILY_LINE;
+}
+
+static void far_origin(struct family_case *out)
+{
+    double p[3], n[3], d[3];
+    draw_with_point(out, p, n);
+    random_direction(d);
+    add3(p, chance(0.5) ? 0 : between(-1, 0.5), n);
+    write_line_from(out, p, d, power(3, 8));
+}
+
+/* A tangent, moved and turned by a little. */
+static void grazing(struct family_case *out)
+{
+    double p[3], n[3], d[3];
+    draw_with_point(out, p, n);
+    across(n, d);
+    add3(p, small(-16, -4), n);
+    add3(d, small(-16, -4), n);
+    write_line_from(out, p, d, between(-3, 3));
+}
+
 typedef void maker(struct family_case *out);
 
 /* Each case is made by one of up to two functions, then changed. */
 static const struct {
     const char *name;
     maker *make, *other, *change;
-    int wild, round;
+    int wild;
+    enum group group;
 } families[] = {
-    {"ordinary", ordinary, NULL, NULL, 0, 0},
-    {"origin on the surface", on_the_surface, NULL, NULL, 0, 0},
-    {"far origin", far_origin, NULL, NULL, 0, 0},
-    {"translated", ordinary, NULL, translate_far, 0, 0},
-    {"grazing", grazing, NULL, NULL, 0, 0},
-    {"nearly parallel", nearly_parallel, NULL, NULL, 0, 0},
-    {"exactly parallel", exactly_parallel, NULL, NULL, 0, 0},
-    {"integer grid", integer_grid, NULL, NULL, 0, 0},
-    {"pythagorean tangents", exact_tangent, NULL, NULL, 0, 0},
-    {"scaled", ordinary, NULL, scale, 0, 0},
-    {"scaled apart", scaled_apart, NULL, NULL, 1, 0},
-    {"radius 1e+-12", wild_radius, NULL, NULL, 0, 0},
-    {"direction not unit", ordinary, NULL, lengthen_direction, 0, 0},
-    {"needle or disc", needle_or_disc, NULL, NULL, 0, 0},
-    {"near the apex", near_the_apex, NULL, NULL, 0, 0},
-    {"near a ruling", near_a_ruling, NULL, NULL, 0, 0},
-    {"narrow or wide cone", narrow_or_wide, NULL, NULL, 0, 0},
-    {"through the apex", through_the_apex, NULL, NULL, 0, 0},
-    {"both nappes", both_nappes, NULL, NULL, 0, 0},
-    {"near a rim", near_a_rim, NULL, NULL, 0, 0},
-    {"near a cap's plane", near_a_cap_plane, NULL, NULL, 0, 0},
-    {"elliptic, skewed", skewed, NULL, NULL, 0, 0},
-    {"elliptic, thin", thin, NULL, NULL, 0, 0},
-    {"exact differences", exact_differences, NULL, NULL, 0, 0},
-    {"subnormal", ordinary, NULL, make_subnormal, 0, 0},
-    {"huge", ordinary, NULL, make_huge, 0, 0},
-    {"mixed exponents", integer_grid, NULL, mix_exponents, 1, 0},
-    {"round", round_ordinary, NULL, NULL, 0, 1},
-    {"round, on the surface", round_on_the_surface, NULL, NULL, 0, 1},
-    {"round, far origin", round_far_origin, NULL, NULL, 0, 1},
-    {"round, translated", round_ordinary, NULL, translate_far, 0, 1},
-    {"round, grazing", round_grazing, NULL, NULL, 0, 1},
-    {"round, near a circle", round_near_a_circle, NULL, NULL, 0, 1},
-    {"round, across the axis", round_across, NULL, NULL, 0, 1},
-    {"round, ball in a ball", round_inside, NULL, NULL, 0, 1},
-    {"round, whole numbers", round_whole, NULL, NULL, 0, 1},
-    {"round, along a ruling", round_ruling, NULL, NULL, 0, 1},
-    {"round, sizes 1e+-12", round_needle, NULL, NULL, 0, 1},
-    {"round, ball and point", round_apex, NULL, NULL, 0, 1},
-    {"round, scaled", round_ordinary, NULL, scale, 0, 1},
-    {"round, subnormal or huge", round_ordinary, NULL, make_extreme, 0, 1},
-    {"round, mixed exponents", round_whole, NULL, mix_exponents, 1, 1},
-    {"from any distance", integer_grid, ordinary, begin_anywhere, 1, 0},
-    {"any exponents", integer_grid, ordinary, scale_anyhow, 1, 0},
+    {"ordinary", ordinary, NULL, NULL, 0, FRAMES},
+    {"origin on the surface", on_the_surface, NULL, NULL, 0, FRAMES},
+    {"far origin", far_origin, NULL, NULL, 0, FRAMES},
+    {"translated", ordinary, NULL, translate_far, 0, FRAMES},
+    {"grazing", grazing, NULL, NULL, 0, FRAMES},
+    {"nearly parallel", nearly_parallel, NULL, NULL, 0, FRAMES},
+    {"exactly parallel", exactly_parallel, NULL, NULL, 0, FRAMES},
+    {"integer grid", integer_grid, NULL, NULL, 0, FRAMES},
+    {"pythagorean tangents", exact_tangent, NULL, NULL, 0, FRAMES},
+    {"scaled", ordinary, NULL, scale, 0, FRAMES},
+    {"scaled apart", scaled_apart, NULL, NULL, 1, FRAMES},
+    {"radius 1e+-12", wild_radius, NULL, NULL, 0, FRAMES},
+    {"direction not unit", ordinary, NULL, lengthen_direction, 0, FRAMES},
+    {"needle or disc", needle_or_disc, NULL, NULL, 0, FRAMES},
+    {"near the apex", near_the_apex, NULL, NULL, 0, FRAMES},
+    {"near a ruling", near_a_ruling, NULL, NULL, 0, FRAMES},
+    {"narrow or wide cone", narrow_or_wide, NULL, NULL, 0, FRAMES},
+    {"through the apex", through_the_apex, NULL, NULL, 0, FRAMES},
+    {"both nappes", both_nappes, NULL, NULL, 0, FRAMES},
+    {"near a rim", near_a_rim, NULL, NULL, 0, FRAMES},
+    {"near a cap's plane", near_a_cap_plane, NULL, NULL, 0, FRAMES},
+    {"elliptic, skewed", skewed, NULL, NULL, 0, FRAMES},
+    {"elliptic, thin", thin, NULL, NULL, 0, FRAMES},
+    {"exact differences", exact_differences, NULL, NULL, 0, FRAMES},
+    {"subnormal", ordinary, NULL, make_subnormal, 0, FRAMES},
+    {"huge", ordinary, NULL, make_huge, 0, FRAMES},
+    {"mixed exponents", integer_grid, NULL, mix_exponents, 1, FRAMES},
+    {"round", round_ordinary, NULL, NULL, 0, ROUND},
+    {"round, on the surface", on_the_surface, NULL, NULL, 0, ROUND},
+    {"round, far origin", far_origin, NULL, NULL, 0, ROUND},
+    {"round, translated", round_ordinary, NULL, translate_far, 0, ROUND},
+    {"round, grazing", grazing, NULL, NULL, 0, ROUND},
+    {"round, near a circle", round_near_a_circle, NULL, NULL, 0, ROUND},
+    {"round, across the axis", round_across, NULL, NULL, 0, ROUND},
+    {"round, ball in a ball", round_inside, NULL, NULL, 0, ROUND},
+    {"round, whole numbers", round_whole, NULL, NULL, 0, ROUND},
+    {"round, along a ruling", round_ruling, NULL, NULL, 0, ROUND},
+    {"round, sizes 1e+-12", round_needle, NULL, NULL, 0, ROUND},
+    {"round, ball and point", round_apex, NULL, NULL, 0, ROUND},
+    {"round, scaled", round_ordinary, NULL, scale, 0, ROUND},
+    {"round, subnormal or huge", round_ordinary, NULL, make_extreme, 0, ROUND},
+    {"round, mixed exponents", round_whole, NULL, mix_exponents, 1, ROUND},
+    {"from any distance", integer_grid, ordinary, begin_anywhere, 1, FRAMES},
+    {"any exponents", integer_grid, ordinary, scale_anyhow, 1, FRAMES},
     {"round, from any distance", round_whole, round_ordinary, begin_anywhere, 1,
-     1},
-    {"round, any exponents", round_whole, round_ordinary, scale_anyhow, 1, 1},
-    {"constructed", constructed, NULL, NULL, 0, 0},
-    {"constructed, any exponents", constructed, NULL, scale_anyhow, 1, 0},
-    {"plain", plain, NULL, NULL, 0, 0},
-    {"plain, one odd number", plain, NULL, add_odd_number, 1, 0},
-    {"wild", wild_numbers, NULL, NULL, 1, 0},
-    {"extreme, few digits", few_digits, NULL, NULL, 1, 0},
-    {"half-space", plane_ordinary, NULL, NULL, 0, 0},
-    {"half-space, far origin", plane_far_origin, NULL, NULL, 0, 0},
-    {"half-space, translated", plane_ordinary, NULL, translate_far, 0, 0},
-    {"half-space, grazing", plane_grazing, NULL, NULL, 0, 0},
-    {"half-space, whole numbers", plane_whole, NULL, NULL, 0, 0},
-    {"half-space, scaled", plane_ordinary, plane_whole, scale, 0, 0},
+     ROUND},
+    {"round, any exponents", round_whole, round_ordinary, scale_anyhow, 1,
+     ROUND},
+    {"constructed", constructed, NULL, NULL, 0, FRAMES},
+    {"constructed, any exponents", constructed, NULL, scale_anyhow, 1, FRAMES},
+    {"plain", plain, NULL, NULL, 0, FRAMES},
+    {"plain, one odd number", plain, NULL, add_odd_number, 1, FRAMES},
+    {"wild", wild_numbers, NULL, NULL, 1, FRAMES},
+    {"extreme, few digits", few_digits, NULL, NULL, 1, FRAMES},
+    {"half-space", plane_ordinary, NULL, NULL, 0, PLANES},
+    {"half-space, far origin", far_origin, NULL, NULL, 0, PLANES},
+    {"half-space, translated", plane_ordinary, NULL, translate_far, 0, PLANES},
+    {"half-space, grazing", grazing, NULL, NULL, 0, PLANES},
+    {"half-space, whole numbers", plane_whole, NULL, NULL, 0, PLANES},
+    {"half-space, scaled", plane_ordinary, plane_whole, scale, 0, PLANES},
     {"half-space, subnormal or huge", plane_ordinary, plane_whole, make_extreme,
-     0, 0},
-    {"half-space, mixed exponents", plane_whole, NULL, mix_exponents, 1, 0},
+     0, PLANES},
+    {"half-space, mixed exponents", plane_whole, NULL, mix_exponents, 1,
+     PLANES},
     {"half-space, from any distance", plane_whole, plane_ordinary,
-     begin_anywhere, 1, 0},
+     begin_anywhere, 1, PLANES},
     {"half-space, any exponents", plane_whole, plane_ordinary, scale_anyhow, 1,
-     0},
+     PLANES},
 };
 
 int family_count(void)
@@ -535,7 +559,7 @@ int family_is_scaled(int family)
 
 int family_is_round(int family)
 {
-    return families[family].round;
+    return families[family].group == ROUND;
 }
 
 struct family_case *family_case(uint64_t seed, int family, uint64_t index,
@@ -548,6 +572,7 @@ struct family_case *family_case(uint64_t seed, int family, uint64_t index,
         maker *other = families[family].other;
         memset(out, 0, sizeof *out);
         out->ends = any_ends();
+        group = families[family].group;
         (other && chance(0.5) ? other : families[family].make)(out);
         if (families[family].change)
             families[family].change(out);

@@ -162,6 +162,31 @@ static void surface_point(const frame *f, double z, double factor, double p[3])
     place(f, r * cos(turn), r * sin(turn), z, p);
 }
 
+/* A point of the lateral surface and the unit normal there. */
+static void lateral_point(const frame *f, double p[3], double n[3])
+{
+    const double turn = between(0, 6.283185307179586), z = any_z(f);
+    const double x = cos(turn), y = sin(turn), r = rho(f, z);
+    const double slope = rho(f, 1) - rho(f, 0);
+    double around[3], ruling[3];
+    place(f, r * x, r * y, z, p);
+    vary(f, -y, x, 0, around);
+    vary(f, slope * x, slope * y, 1, ruling);
+    cross3(n, around, ruling);
+    scale3(n, 1 / length3(n));
+}
+
+/* A unit vector perpendicular to w. */
+static void across(const double w[3], double e[3])
+{
+    double other[3];
+    do {
+        random_direction(other);
+        cross3(e, w, other);
+    } while (length3(e) == 0);
+    scale3(e, 1 / length3(e));
+}
+
 /* ----------------------------------------------- shapes in whole numbers -- */
 
 static void whole_vector(double v[3], int most)

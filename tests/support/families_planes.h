@@ -37,25 +37,6 @@ static void plane_ordinary(struct family_case *out)
     write_line_from(out, p, d, chance(0.2) ? 0 : between(-3, 3));
 }
 
-static void plane_far_origin(struct family_case *out)
-{
-    double p[3], n[3], d[3];
-    simple_plane(out, p, n);
-    random_direction(d);
-    write_line_from(out, p, d, power(3, 8));
-}
-
-/* Nearly parallel to the plane and near it. */
-static void plane_grazing(struct family_case *out)
-{
-    double p[3], n[3], d[3];
-    simple_plane(out, p, n);
-    across(n, d);
-    add3(p, small(-16, -4), n);
-    add3(d, small(-16, -4), n);
-    write_line_from(out, p, d, between(-3, 3));
-}
-
 /* Parallel to the plane: inside, in it or outside; or through a point of the plane,
  * where the origin can lie, or an end of the domain. */
 static void plane_whole(struct family_case *out)

@@ -60,17 +60,6 @@ static void simple_hull(hull *h)
     make_hull(h, between(0.2, 2), between(0.2, 3));
 }
 
-/* A unit vector perpendicular to w. */
-static void across(const double w[3], double e[3])
-{
-    double other[3];
-    do {
-        random_direction(other);
-        cross3(e, w, other);
-    } while (length3(e) == 0);
-    scale3(e, 1 / length3(e));
-}
-
 /* The boundary point of the ruling that a plane touches, at z, and the normal
  * n there; ruling: the direction of the ruling.  A ball alone: any point. */
 static void ruling_point(const hull *h, double z, double p[3], double n[3],
@@ -115,15 +104,6 @@ static void boundary_point(const hull *h, double p[3], double n[3])
         p[i] = h->p[end][i] + h->r[end] * n[i];
 }
 
-/* An ordinary hull, and a boundary point with its normal. */
-static void hull_and_point(struct family_case *out, hull *h, double p[3],
-                           double n[3])
-{
-    simple_hull(h);
-    write_hull(out, h);
-    boundary_point(h, p, n);
-}
-
 static double size_of_hull(const hull *h)
 {
     double w[3];
@@ -153,38 +133,6 @@ static void round_ordinary(struct family_case *out)
     simple_hull(&h);
     write_hull(out, &h);
     aim_at_hull(out, &h, 3);
-}
-
-static void round_on_the_surface(struct family_case *out)
-{
-    hull h;
-    double p[3], n[3], d[3];
-    hull_and_point(out, &h, p, n);
-    random_direction(d);
-    write_line(out, p, d);
-    out->line_word = chance(0.8) ? FAMILY_RAY : FAMILY_LINE;
-}
-
-static void round_far_origin(struct family_case *out)
-{
-    hull h;
-    double p[3], n[3], d[3];
-    hull_and_point(out, &h, p, n);
-    random_direction(d);
-    add3(p, chance(0.5) ? 0 : between(-1, 0.5), n);
-    write_line_from(out, p, d, power(3, 8));
-}
-
-/* Tangent to any part, moved by a little. */
-static void round_grazing(struct family_case *out)
-{
-    hull h;
-    double p[3], n[3], d[3];
-    hull_and_point(out, &h, p, n);
-    across(n, d);
-    add3(p, small(-16, -4), n);
-    add3(d, small(-16, -4), n);
-    write_line_from(out, p, d, between(-3, 3));
 }
 
 /* Through a circle where ball and cone touch, or tangent there, or along the
