@@ -76,12 +76,6 @@ def test_lines_of_several_axes():
     assert same(every.index[every.line == 7 * 5 + 2], one.index)
 
 
-def test_equal_t_goes_to_the_lower_number():
-    scene = cylint.Scene(cylint.concatenate([cylint.cylinder(*UNIT, 1)] * 20))
-    assert scene.nearest([-5, 0, 0.5], [1, 0, 0]).index == 0
-    assert scene.all([-5, 0, 0.5], [1, 0, 0]).index.tolist() == list(range(20))
-
-
 def test_more_hits_of_one_line_than_a_buffer_holds():
     x = np.arange(1000.0)
     p0 = np.c_[x, 0 * x, 0 * x]
