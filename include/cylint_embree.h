@@ -146,9 +146,10 @@ enum {
     /* Each shape is a primitive of its own, for comparison, instead of the
      * adapter's hierarchy. */
     CYLINT_EMBREE_SINGLE = 1 << 0,
-    /* u, v and Ng of a hit keep the values they had before the query; a filter
-     * of an occlusion query gets zeros.  cylint_embree_complete() writes them
-     * into a final hit. */
+    /* u, v and Ng of a hit are not written: they keep the values from before the
+     * query, or those of a farther hit on another geometry.  A filter of an
+     * occlusion query gets zeros.  cylint_embree_complete() writes them into a
+     * final hit. */
     CYLINT_EMBREE_BARE = 1 << 1,
     /* Embree 4: a pointer to a filter function (RTCFilterFunctionN, may be NULL)
      * follows the RTCRayQueryContext of every query that reaches the geometry,
@@ -232,9 +233,9 @@ CYLINT_API int cylint_embree_update(struct RTCGeometryTy *geometry,
 
 /*
  * Releases the adapter's memory and the reference to the geometry; call it
- * instead of rtcReleaseGeometry(), after the last trace or commit of the
- * geometry.  Scenes that contain it may be released before or after.  geometry
- * may be NULL.
+ * instead of rtcReleaseGeometry(), after the last trace or commit of a scene that
+ * contains it.  Such scenes may be released before or after.  geometry may be
+ * NULL.
  */
 CYLINT_API void cylint_embree_release(struct RTCGeometryTy *geometry);
 
