@@ -17,6 +17,7 @@
 #include "bvh/swept_disc.h"
 #include "environment.h"
 #include "families.h"
+#include "records.h"
 #include "shapes/layout.h"
 
 enum { CASES = 10000, MOST = 16 };
@@ -252,62 +253,29 @@ TEST(ordinary_shapes_are_certain)
     }
 }
 
-/* Cases that were decided wrongly. */
+static const char *check_known(const char *text, const char *known)
+{
+    struct tally tally = {0, 0};
+    struct scene_query x;
+    struct family_case c;
+    cylint_float_filter_question *const one = &x.q;
+    double near;
+    const char *end = family_numbers(known, 1, &near);
+    if (!end || !family_parse(text, &c))
+        return NULL;
+    CHECK(make_query(&x, &c.shape, c.line.o, c.line.d, 1) && x.n > 0);
+    x.q.near = isinf(near) ? (double)near_shape(&x, 0) : near;
+    for (int b = 0; b < n_builds; b++) {
+        builds[b].answer(&one, 1);
+        if (!CHECK(is_right(&x, &tally)))
+            REPORT("%s", builds[b].name);
+    }
+    return end;
+}
+
 TEST(known_cases_are_not_decided_wrongly)
 {
-    static const struct {
-        float near; /* HUGE_VALF: the point nearest to the base */
-        const char *record;
-    } known[] = {
-        /* z is small: the error of the library's z is relative to 1 */
-        {HUGE_VALF,
-         "ray 0x1.0d3666p53 -0x1.4a6948p-27 -0x1.86878cp-40  -0x1.0d3666p53 "
-         "0x1.0321c4p-28 0x1.86878cp-40  cone -0x1.6020a5d5p48 -0x1.c0feab9p8 "
-         "0 0x1.bef9b1a9p18  -0x1.7d09b8488p46 -0x1.95b9e5dap12 "
-         "-0x1.74b95eccp49 0x1.bef9b1a9p18 ends=open"},
-        /* the square of the axis overflows */
-        {HUGE_VALF,
-         "ray 0x1.3f4fbdp86 0 0x1.64ec7cp89  0 0x1.402042p87 0  cone "
-         "0x1.986e2cbca445p85 -0x1.60b7e19cbe7b8p82 -0x1.715b3acbc8995p92 0  "
-         "0x1.ecda3bacf4366p88 0x1.026c9a2e190aap660 0x1.bedae8d9e6ae1p86 "
-         "0x1.4d1ce734fa9c5p95 ends=cap1"},
-        /* a c overflows, and b^2 does not; coordinates less than 2^-149 */
-        {0x1.f9559ap-8f,
-         "ray 0x1.4859bcp-85 0 0x1.3dbe8cp-74  0x1.a55026p-75 0x1.465864p-69 "
-         "0x1.d28076p-71  cone 0x1.47b2671479142p-810 0x1.ca524c8edaf3fp-799 "
-         "0x1.e968918ebe53bp-81 0x1.937cf60a30b09p255  0x1.aaabb5086dae4p-77 "
-         "-0x1.8c1c6e06b4d8dp-76 0x1.a32e5b42a0fa3p-78 0 ends=cap0"},
-        /* the same without such coordinates */
-        {0x1.f9559ap-8f,
-         "ray 0x1.4859bcp-85 0 0x1.3dbe8cp-74  0x1.a55026p-75 0x1.465864p-69 "
-         "0x1.d28076p-71  cone 0 0 0 0x1.937cf60a30b09p255  "
-         "0x1.aaabb5086dae4p-77 -0x1.8c1c6e06b4d8dp-76 0x1.a32e5b42a0fa3p-78 0 "
-         "ends=cap0"},
-        /* squares of the distance from the apex are flushed */
-        {0, "ray 0 0 0  0 0x1.3640ecp39 0  cone 0 0x1.e8197778d431ep-571 "
-            "0x1.441cb9f4c589cp-670 0  0 0x1.8e25ae686dd8p-58 "
-            "0x1.10b941e82df1p-532 0x1.947fefb829154p7 ends=cap0"},
-        /* a component of the normal is negative, and flushed */
-        {0x1.863abap-1f,
-         "ray 0x1.1a95fap-74 0 0x1.72bbe2p-68  -0x1.1a95fap-74 -0x1.bb5578p-75 "
-         "-0x1.72bbe2p-68  cone 0 -0x1.4bb6564ca5ff9p-61 "
-         "0x0.0000003b2c5fp-1022 0x1.81a36fc6c355ep-70  "
-         "0x0.0000003c53673p-1022 -0x1.5bec209949478p-526 "
-         "0x0.0000005b37954p-1022 0x1.81a36fc6c355ep-70 ends=cap0"}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        struct tally tally = {0, 0};
-        struct scene_query x;
-        const struct family_case c = case_of(known[i].record);
-        cylint_float_filter_question *const one = &x.q;
-        CHECK(make_query(&x, &c.shape, c.line.o, c.line.d, 1) && x.n > 0);
-        x.q.near = (double)(known[i].near < HUGE_VALF ? known[i].near
-                                                      : near_shape(&x, 0));
-        for (int b = 0; b < n_builds; b++) {
-            builds[b].answer(&one, 1);
-            if (!CHECK(is_right(&x, &tally)))
-                REPORT("%s, case %zu", builds[b].name, i);
-        }
-    }
+    each_record("tests/embree/float_filter.txt", 6, check_known);
 }
 
 int main(void)
