@@ -67,6 +67,9 @@ def test_ends_are_words_numbers_or_arrays():
         ("cylinder", (np.zeros((2, 3)), np.ones((3, 3)), 1), ValueError,
          r"do not broadcast: p0 \(2,\), p1 \(3,\), r \(\), ends \(\)"),
         ("cylinder", (*UNIT, "thick"), TypeError, "r: expected real numbers"),
+        ("cylinder", (*UNIT, 10**400), ValueError, "r: .*too large"),
+        ("cylinder", (*UNIT, [1, {}]), TypeError, "r: .*dict"),
+        ("cylinder", (*UNIT, np.array(["thick"], object)), ValueError, "r: .*'thick'"),
         ("cylinder", ([0, 0, 1j], [0, 0, 1], 1), TypeError, "p0: expected real numbers"),
     ],
 )  # fmt: skip

@@ -78,7 +78,12 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
                 f"{name}: {given.dtype} (longdouble) has digits that float64 has "
                 "not; round it by astype(float)"
             )
-        array = np.require(given, np.float64, "A")
+        try:
+            array = np.require(given, np.float64, "A")
+        except TypeError as error:  # of Python's objects
+            raise TypeError(f"{name}: {error}") from None
+        except (OverflowError, ValueError) as error:
+            raise ValueError(f"{name}: {error}") from None
     if array is not given or isinstance(value, (list, tuple)):
         array.flags.writeable = False
     if width > 1 and (array.ndim == 0 or array.shape[-1] != width):
