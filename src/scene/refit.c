@@ -31,16 +31,19 @@ static int measure_all(replacement *r)
     return 1;
 }
 
-/* Whether the box of the shapes lies in those of the frame and of the hierarchy.  A
- * piece's box is larger by less than 2^-20, the rounding of its floats. */
+/* A piece's box is larger than the piece by less than this, in the frame: by the
+ * rounding of its floats. */
+#define MORE 0x1p-20
+
+/* Whether the box of the shapes lies in the frame and in the hierarchy's box. */
 static int stays_in_frame(const replacement *r)
 {
     const cylint_frame *f = &r->scene->frame;
     const cylint_extent *box = &r->scene->bvh.box;
     int is = 1;
     for (int j = 0; j < 3; j++) {
-        const double lo = (r->box.lo[j] - f->center[j]) * f->scale - 0x1p-20,
-                     hi = (r->box.hi[j] - f->center[j]) * f->scale + 0x1p-20;
+        const double lo = (r->box.lo[j] - f->center[j]) * f->scale - MORE,
+                     hi = (r->box.hi[j] - f->center[j]) * f->scale + MORE;
         is &= r->box.lo[j] >= f->lo[j] && r->box.hi[j] <= f->hi[j] &&
               lo >= (double)box->lower[j] && hi <= (double)box->upper[j];
     }
@@ -52,8 +55,9 @@ static double longest_side(const double lo[3], const double hi[3])
     return fmax(hi[0] - lo[0], fmax(hi[1] - lo[1], hi[2] - lo[2]));
 }
 
-/* Makes a frame with room for shapes that move on: of the shapes that move if these
- * are all, otherwise of all that were in the old frame too. */
+/* Makes a frame with room for shapes that move on, but within the range of frames:
+ * of the shapes that move if these are all, otherwise of all that were in the old
+ * frame too. */
 static int make_frame(const replacement *r, cylint_frame *frame)
 {
     const cylint_frame *old = &r->scene->frame;
@@ -63,10 +67,10 @@ static int make_frame(const replacement *r, cylint_frame *frame)
         lo[j] = all ? r->box.lo[j] : fmin(r->box.lo[j], old->lo[j]);
         hi[j] = all ? r->box.hi[j] : fmax(r->box.hi[j], old->hi[j]);
     }
-    const double room = longest_side(lo, hi) / 16;
+    const double room = fmax(longest_side(lo, hi) / 16, CYLINT_FRAME_LEAST);
     for (int j = 0; j < 3; j++) {
-        lo[j] -= room;
-        hi[j] += room;
+        lo[j] = fmax(lo[j] - room, -CYLINT_FRAME_MOST);
+        hi[j] = fmin(hi[j] + room, CYLINT_FRAME_MOST);
     }
     return cylint_frame_make(frame, lo, hi);
 }
@@ -80,15 +84,15 @@ static int needs_frame(const replacement *r)
                                       longest_side(f->lo, f->hi) / 4);
 }
 
-/* Sets the frame, and the hierarchy's box to that of the frame. */
+/* Sets the frame, and the hierarchy's box to that of all pieces that fit in it. */
 static void set_frame(cylint_scene *s, const cylint_frame *frame)
 {
     double lo[3], hi[3];
     s->frame = *frame;
     cylint_scene_set_view(s);
     for (int j = 0; j < 3; j++) {
-        lo[j] = (frame->lo[j] - frame->center[j]) * frame->scale;
-        hi[j] = (frame->hi[j] - frame->center[j]) * frame->scale;
+        lo[j] = (frame->lo[j] - frame->center[j]) * frame->scale - MORE;
+        hi[j] = (frame->hi[j] - frame->center[j]) * frame->scale + MORE;
     }
     const cylint_extent box = cylint_float_box(lo, hi);
     cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);

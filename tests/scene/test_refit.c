@@ -113,6 +113,39 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     CHECK(back < 1.05);
 }
 
+/* Balls of radius r about x and -x. */
+static void fill_pair(cylint_shape shapes[2], double x, double r)
+{
+    for (int i = 0; i < 2; i++)
+        cylint_sphere(&shapes[i], (double[]){i ? x : -x, 0, 0}, r,
+                      CYLINT_ENDS_CAPPED);
+}
+
+TEST(shapes_move_to_the_ends_of_the_range)
+{
+    static const double to[][2] = {{0x1.ffp399, 0x1p390},
+                                   {0x1p-402, 0x1p-410},
+                                   {0x1p-1000, 0x1p-1005},
+                                   {0x1.ffp399, 1},
+                                   {1, 0x1p-1000}};
+    cylint_shape shapes[2];
+    cylint_line ray;
+    cylint_hit hit;
+    fill_pair(shapes, 1, 0.25);
+    OWN_SCENE *scene = cylint_scene_new(shapes, 2, 1, NULL);
+    cylint_ray(&ray, (double[]){0, 0, 0}, (double[]){1, 0, 0});
+    for (size_t i = 0; i < sizeof to / sizeof *to; i++)
+        for (size_t first = 0; first < 2; first++) {
+            fill_pair(shapes, to[i][0], to[i][1]);
+            CHECK(cylint_scene_refit(scene, first, 2 - first, shapes + first) ==
+                  CYLINT_SCENE_OK);
+            CHECK(cylint_scene_nearest(scene, &ray, CYLINT_WANT_T, &hit) == 1);
+            CHECK(cylint_scene_contains(scene, (double[]){to[i][0], 0, 0}, 0) ==
+                  1);
+            CHECK(cylint_scene_worsening(scene) > 0);
+        }
+}
+
 TEST(what_is_refused_changes_nothing)
 {
     static cylint_shape shapes[SHAPES], moved[SHAPES];
