@@ -510,19 +510,10 @@ static inline vq q_mul(vq x, vq y)
 {
     return q_join(x.low * y.low, x.high * y.high);
 }
-static inline vd v_product_error(vd x, vd y, vd p)
-{
-#if V_HAS_FMA
-    return v_fma(x, y, -p);
-#else
-    (void)p;
-    return v_two_prod(x, y).lo;
-#endif
-}
 static inline vq q_product_error(vq x, vq y, vq p)
 {
-    return q_join(v_product_error(x.low, y.low, p.low),
-                  v_product_error(x.high, y.high, p.high));
+    (void)p;
+    return q_join(v_two_prod(x.low, y.low).lo, v_two_prod(x.high, y.high).lo);
 }
 static inline vq q_sum_of(vq x, vq y, vq z)
 {
