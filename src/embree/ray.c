@@ -175,8 +175,8 @@ static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
     if (rounded_up(t, r->ray->tfar) < r->ray->tfar)
         return 1;
     const size_t other = present_number(r);
-    if (other == r->data->n)
-        return 1;
+    if (other == r->data->n) /* none, or on another geometry, which stays */
+        return r->hit->geomID == RTC_INVALID_GEOMETRY_ID;
     if (number == other)
         return i == 0;
     exact_hits x;

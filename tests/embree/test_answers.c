@@ -319,6 +319,28 @@ TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
     }
 }
 
+/* Embree tests the primitives of several geometries in turns. */
+TEST(equal_hits_on_another_geometry_do_not_hide_lower_numbers)
+{
+    enum { MANY = 20 };
+    cylint_shape shapes[MANY];
+    const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
+    for (int turn = 0; turn < 300; turn++) {
+        for (int i = 0; i < MANY; i++) {
+            const double x = between(-3, 3), y = between(-3, 3);
+            const double p0[3] = {x, y, 0}, p1[3] = {x, y, between(0.2, 3)};
+            cylint_cylinder(&shapes[i], p0, p1, between(1, 4),
+                            CYLINT_ENDS_CAPPED);
+        }
+        OWN_WORLD w = made(shapes, MANY, CYLINT_EMBREE_SINGLE);
+        OWN_WORLD other = made(shapes, MANY, both_ways[turn % 2]);
+        rtcAttachGeometry(w.scene, other.geometry);
+        rtcCommitScene(w.scene);
+        EACH_SIZE(n)
+            traced(&w, n, o, d, 0, HUGE_VALF);
+    }
+}
+
 /* Equal hits of shapes that move along the ray; at time 1/2 it hits the
  * caps. */
 TEST(equal_hits_of_moving_shapes_are_distinguished)
