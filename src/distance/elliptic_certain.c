@@ -71,12 +71,6 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
 
 /* --------------------------------------------------------------- safety -- */
 
-/* n / |N|, less the errors of both. */
-static double height_less(double n, double error, double size, double lost)
-{
-    return (n - error) / (size * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR) + lost);
-}
-
 /* The distance in doubles, less its error. */
 static double distance_in_doubles(const elliptic_question *q)
 {
@@ -85,25 +79,22 @@ static double distance_in_doubles(const elliptic_question *q)
     const double above = p->z > 1 ? p->z - 1 : -p->z,
                  below = p->z < 0.5 ? p->z : 1 - p->z;
     const double *R = q->rim.R;
-    double F[3], size;
+    double F[3];
     switch (q->feature) {
     case CYLINT_FEATURE_LATERAL:
-        return height_less(q->inside ? -q->plane.n : q->plane.n, p->error,
-                           sqrt(q->plane.q), 4 * p->relative * p->norm) -
+        return plane_less(&q->plane, q->inside ? -q->plane.n : q->plane.n, p) -
                (q->inside ? q->by.distance : 0);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
         return height_less(above > 0 ? above : below, p->z_error, p->z_norm,
                            4 * p->relative * p->z_norm);
     case CYLINT_FEATURE_APEX:
-        size = sum_of_sizes(p->D) +
-               fabs(apex_share(p)) * sum_of_sizes(cylint_axis(q->shape));
         load_from_axis(F, p, q->shape, apex_share(p));
-        return sqrt(dot_of(F, F)) - u * size;
+        return sqrt(dot_of(F, F)) -
+               u * (sum_of_sizes(p->D) +
+                    fabs(apex_share(p)) * sum_of_sizes(cylint_axis(q->shape)));
     default:
-        size = sum_of_sizes(p->D) + sum_of_sizes(q->rim.F) +
-               q->rim.f * (sum_of_sizes(q->rim.u) + sum_of_sizes(q->rim.v));
-        return sqrt(dot_of(R, R)) - u * size - q->by.distance;
+        return sqrt(dot_of(R, R)) - u * size_of_rim(q) - q->by.distance;
     }
 }
 

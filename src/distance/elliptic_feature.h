@@ -28,6 +28,28 @@ typedef struct {
     double curvature;
 } elliptic_question;
 
+/* n / |N|, less the errors of both. */
+static inline double height_less(double n, double error, double size,
+                                 double lost)
+{
+    return (n - error) / (size * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR) + lost);
+}
+
+/* The same for a tangent plane. */
+static inline double plane_less(const tangent_plane *t, double n,
+                                const elliptic_place *p)
+{
+    return height_less(n, p->error, sqrt(t->q), 4 * p->relative * p->norm);
+}
+
+/* Of R of the rim: CYLINT_ELLIPTIC_SAFETY_ERROR is relative to this. */
+static inline double size_of_rim(const elliptic_question *q)
+{
+    const rim_place *r = &q->rim;
+    return sum_of_sizes(q->at.D) + sum_of_sizes(r->F) +
+           r->f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
+}
+
 /* The error of l. */
 static inline double loss_of_plane(const elliptic_question *q)
 {
@@ -105,11 +127,9 @@ static inline int find_on_rim(elliptic_question *q, int end)
     if (!find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough))
         return CYLINT_NO_FEATURE;
     const rim_place *r = &q->rim;
-    const double size = sum_of_sizes(q->at.D) + sum_of_sizes(r->F) +
-                        r->f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
-    const double g =
-        r->f * (fabs(dot_of(r->R, r->v)) +
-                CYLINT_ELLIPTIC_SAFETY_ERROR * size * sum_of_sizes(r->v));
+    const double g = r->f * (fabs(dot_of(r->R, r->v)) +
+                             CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q) *
+                                 sum_of_sizes(r->v));
     q->curvature = rim_curvature(r);
     if (!(q->curvature > 0))
         return CYLINT_NO_FEATURE;
@@ -177,9 +197,11 @@ static inline int feature_of_open_end(elliptic_question *q, int end)
     if (cylint_sign(f) == 0 || !are_feet_beyond(q, end, f, end))
         return CYLINT_NO_FEATURE;
     const int rim = find_on_rim(q, end);
-    const double cap = (end ? p->z : 1 - p->z) / p->z_norm;
+    const double cap = height_less(end ? p->z : 1 - p->z, p->z_error, p->z_norm,
+                                   4 * p->relative * p->z_norm);
     return rim == CYLINT_NO_FEATURE || is_open ||
-                   (1 - 0x1p-20) * cap > sqrt(dot_of(q->rim.R, q->rim.R))
+                   cap > sqrt(dot_of(q->rim.R, q->rim.R)) +
+                             CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q)
                ? rim
                : CYLINT_NO_FEATURE;
 }
@@ -259,16 +281,18 @@ static inline void turn_place(elliptic_place *p)
 static inline int is_nearer_nappe(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
+    const double lost =
+        CYLINT_ELLIPTIC_SAFETY_ERROR + lost_of_normal(t, &q->at);
     const double most =
-        (1 + 0x1p-20) * (t->n + q->at.error) / sqrt(t->q) + q->by.distance;
+        (t->n + q->at.error) / (sqrt(t->q) * (1 - lost)) + q->by.distance;
     elliptic_place turned = q->at;
     tangent_plane other;
     angle e = {-q->e.cos, -q->e.sin};
     turn_place(&turned);
-    if (height_at(&turned, e) > most)
-        return 1;
-    return find_lateral_angle(&e, &other, &turned, 1) &&
-           (other.n - q->at.error) / sqrt(other.q) > most;
+    load_tangent_plane(&other, &turned, e);
+    return plane_less(&other, other.n, &turned) > most ||
+           (find_lateral_angle(&e, &other, &turned, 1) &&
+            plane_less(&other, other.n, &turned) > most);
 }
 
 static inline int feature_outside(elliptic_question *q)
