@@ -267,8 +267,10 @@ static const char *check_known(const char *text, const char *known)
     x.q.near = isinf(near) ? (double)near_shape(&x, 0) : near;
     for (int b = 0; b < n_builds; b++) {
         builds[b].answer(&one, 1);
-        if (!CHECK(is_right(&x, &tally)))
+        if (!CHECK(is_right(&x, &tally))) {
+            REPORT_CASE(&c);
             REPORT("%s", builds[b].name);
+        }
     }
     return end;
 }
