@@ -26,7 +26,7 @@
  *              A ray that starts inside a solid hits where it leaves.  Where
  *              every shape is a primitive (CYLINT_EMBREE_SINGLE and moving
  *              shapes) and one is hit at t = tfar, another counts too whose
- *              root is greater but rounded to that double.
+ *              root is greater but rounds to that double.
  *   tfar       the least float not below the double t of cylint_intersect(),
  *              which is correctly rounded; never a subnormal one, except the
  *              ray's own tfar.
@@ -50,10 +50,11 @@
  * moving shapes every shape has its own box, padded for rays that begin within
  * three sizes, by 2^-19 of a size.  Around an instance Embree computes a box in
  * floats, whose error grows with the distance of the instance from the origin of
- * coordinates: a ray that grazes the whole box may miss it if that is more than
- * 4095 sizes, or three (observed: none of 10^5 rays up to 10^4 sizes, or ten).
- * Embree replaces a component of dir below 1e-18 by 1e-18, so dir as a whole must
- * be far larger.  cylint_scene.h has no such limits.
+ * coordinates: a ray that grazes the whole box may miss it if that distance is
+ * more than 4095 sizes of the box, or three of a shape's own box (observed: none
+ * of 10^5 rays up to 10^4 sizes, or ten).  Embree replaces a component of dir
+ * below 1e-18 by 1e-18, so dir as a whole must be far larger.  cylint_scene.h has
+ * no such limits.
  *
  * Filters.  The filter of the geometry gets the entry hit and, if it rejects
  * that, the exit hit, always with N = 1 and all members of the hit written.  The

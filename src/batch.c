@@ -290,7 +290,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.relations = job->relations;
     from.eager = job->purpose == FILL_COLUMNS ||
                  (job->purpose == COUNT_HITS && job->enough == 0);
-    from.ends = job->purpose == COUNT_HITS && job->enough != 0;
+    from.can_end = job->purpose == COUNT_HITS && job->enough != 0;
     from.nearest = job->nearest;
     from.speed =
         l ? sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] + l->d[2] * l->d[2]) *

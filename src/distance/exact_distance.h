@@ -41,7 +41,8 @@ typedef struct {
     cylint_query query; /* the terms and the arena */
     const cylint_terms_exact *L;
     cylint_arena *arena;
-    exact X[3]; /* D_0 x w; a sphere has none of these */
+    /* Of all kinds but spheres. */
+    exact X[3]; /* D_0 x w */
     exact q, g, c, dr, T2;
     exact height[2]; /* D_i.w */
 } meridian;

@@ -138,7 +138,7 @@ typedef struct {
     unsigned want;
     int relations;  /* wanted even where there is no hit */
     int eager;      /* no answer makes later ones unwanted */
-    int ends;       /* a hit can make all later ones unwanted */
+    int can_end;    /* a hit can make all later ones unwanted */
     double nearest; /* one line: hits beyond it are not wanted; the use of a
                        group may reduce it */
     double speed;   /* one line: |d|, not less */

@@ -223,7 +223,7 @@ ASIDE void first_pass_pairs(cylint_filter_batch *from, size_t enough)
  * from one number on: few shapes are then tested in vain. */
 static size_t awaited(const cylint_filter_batch *from)
 {
-    return from->ends && from->first < LANES ? from->first + 1 : LANES;
+    return from->can_end && from->first < LANES ? from->first + 1 : LANES;
 }
 
 /* Fills the list; returns how many of its numbers the next group has. */

@@ -55,9 +55,8 @@ static double longest_side(const double lo[3], const double hi[3])
     return fmax(hi[0] - lo[0], fmax(hi[1] - lo[1], hi[2] - lo[2]));
 }
 
-/* Makes a frame with room for shapes that move on, but within the range of frames:
- * of the shapes that move if these are all, otherwise of all that were in the old
- * frame too. */
+/* Makes a frame of the shapes that move, and of the old frame if other shapes stay,
+ * with room for shapes that move on, within the range of frames. */
 static int make_frame(const replacement *r, cylint_frame *frame)
 {
     const cylint_frame *old = &r->scene->frame;

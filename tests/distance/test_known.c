@@ -328,8 +328,8 @@ static void over_exponents(property *check, int elliptic)
     }
 }
 
-/* With CYLINT_SIGNED the answer is that of the shape of the same arguments with both
- * caps.  Its sign is exact, of elliptic kinds too. */
+/* With CYLINT_SIGNED the answer is that of the shape of the same arguments with
+ * both caps.  Its sign is exact, of elliptic kinds too. */
 static void check_signed(const struct family_case *c, const double p[3])
 {
     struct family_case closed = *c;

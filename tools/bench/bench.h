@@ -58,8 +58,8 @@ void print_figure(const char *subject, const char *question, const char *setup,
                   const char *rival, const char *unit, double theirs,
                   double ours);
 
-/* Whether the user wants this subject; contests of others end at once.  NULL: there
- * is none. */
+/* Whether the user wants this subject; contests of others end at once.  0 of
+ * NULL. */
 int is_wanted(const char *subject);
 
 /* The option -n, or `usual` if there is none. */
