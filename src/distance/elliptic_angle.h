@@ -96,7 +96,7 @@ static inline void locate(elliptic_place *p, const cylint_shape *s,
     p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
 }
 
-/* The point from base + share h. */
+/* The vector from base + share h to the point. */
 static inline void load_from_axis(double F[3], const elliptic_place *p,
                                   const cylint_shape *s, double share)
 {

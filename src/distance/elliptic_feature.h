@@ -42,7 +42,7 @@ static inline double plane_less(const tangent_plane *t, double n,
     return height_less(n, p->error, sqrt(t->q), 4 * p->relative * p->norm);
 }
 
-/* Of R of the rim: CYLINT_ELLIPTIC_SAFETY_ERROR is relative to this. */
+/* The error of R of the rim is at most CYLINT_ELLIPTIC_SAFETY_ERROR of this. */
 static inline double size_of_rim(const elliptic_question *q)
 {
     const rim_place *r = &q->rim;
@@ -159,7 +159,7 @@ static inline double apex_share(const elliptic_place *p)
 }
 
 /* Whether the foot of the perpendicular on each ruling is beyond the section at
- * h times `share` from the base, whose factor is f: above it, is_top, or below it.
+ * h times `share` from the base, whose factor is f: above it if is_top, else below.
  * With v = h + (k - 1) u and F from the centre of the section that is
  * (F - f u).v > 0 or < 0.  F.u and u.h are at most the lengths of (F.a, F.b) and
  * (a.h, b.h); u.u is from 0 to a.a + b.b.  The apex is a section of factor 0: it is

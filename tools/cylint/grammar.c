@@ -341,8 +341,8 @@ static int has_surplus(struct reader *r, const struct grammar *g)
     return 1;
 }
 
-/* Where this word, which ends at `equals`, begins as a field of the tail, but the
- * first; else NULL. */
+/* The begin of this word, which ends at `equals`, if a field of the tail other than
+ * the first begins with it; else NULL. */
 static const char *word_at(struct string tail, const char *equals,
                            const char *word)
 {
@@ -356,7 +356,7 @@ static const char *word_at(struct string tail, const char *equals,
                : NULL;
 }
 
-/* Whether a word that is read before the tail stands in the tail.  Notes the first
+/* Whether the tail has a word that is read only before the tail.  Notes the first
  * one.  After another word ends= belongs to the tail. */
 static int has_late_word(const struct reader *r, const struct grammar *g,
                          struct string tail)

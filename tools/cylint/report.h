@@ -40,7 +40,7 @@ enum remark {
     REMARK_SURPLUS,   /* its tail begins with a number */
     REMARK_DOMAIN,    /* -t does not apply to its line or point */
     REMARK_LABEL,     /* it leaves out a label that no shape has */
-    REMARK_LATE_WORD, /* its tail has a word that is read before the tail */
+    REMARK_LATE_WORD, /* its tail has a word without effect there */
     REMARKS
 };
 

@@ -1,7 +1,7 @@
 /*
  * lean.h - the leanest formulas that a careful user writes for a prepared shape
  *
- * The solid keeps its base, unit axis, length, squared radius and slope.  A
+ * The shape keeps its base, unit axis, length, squared radius and slope.  A
  * line takes one reciprocal of the quadratic's A, one of the speed along the
  * axis, and one square root.  Results are doubles, without parts, sides or
  * relation.  They are wrong where digits cancel.
