@@ -296,22 +296,29 @@ TEST(equal_and_nearly_equal_hits_are_distinguished)
     }
 }
 
+enum { CAPS = 20 };
+
+/* Cylinders whose axes are up to `spread` beside the z axis, with a cap at z = 0 or a
+ * few `step` above. */
+static void draw_caps(cylint_shape shapes[CAPS], double spread, double step)
+{
+    for (int i = 0; i < CAPS; i++) {
+        const double x = between(-spread, spread), y = between(-spread, spread);
+        const double p0[3] = {x, y, one_of(3) * step};
+        const double p1[3] = {x, y, between(0.2, 3)};
+        cylint_cylinder(&shapes[i], p0, p1, between(1, 4), CYLINT_ENDS_CAPPED);
+    }
+}
+
 /* Of caps at z = 0 and 2^-60, t is the same double, 1.  Where the domain ends at 1,
  * only the first are hit. */
 TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
 {
-    enum { MANY = 20 };
-    cylint_shape shapes[MANY];
+    cylint_shape shapes[CAPS];
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
-        for (int i = 0; i < MANY; i++) {
-            const double x = between(-0.2, 0.2), y = between(-0.2, 0.2);
-            const double p0[3] = {x, y, one_of(3) * 0x1p-60};
-            const double p1[3] = {x, y, between(0.2, 3)};
-            cylint_cylinder(&shapes[i], p0, p1, between(1, 4),
-                            CYLINT_ENDS_CAPPED);
-        }
-        OWN_WORLD w = made(shapes, MANY, 0);
+        draw_caps(shapes, 0.2, 0x1p-60);
+        OWN_WORLD w = made(shapes, CAPS, 0);
         EACH_SIZE(n) {
             traced(&w, n, o, d, 0, 1);
             traced(&w, n, o, d, 0, HUGE_VALF);
@@ -322,18 +329,12 @@ TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
 /* Embree tests the primitives of several geometries in turns. */
 TEST(equal_hits_on_another_geometry_do_not_hide_lower_numbers)
 {
-    enum { MANY = 20 };
-    cylint_shape shapes[MANY];
+    cylint_shape shapes[CAPS];
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
-        for (int i = 0; i < MANY; i++) {
-            const double x = between(-3, 3), y = between(-3, 3);
-            const double p0[3] = {x, y, 0}, p1[3] = {x, y, between(0.2, 3)};
-            cylint_cylinder(&shapes[i], p0, p1, between(1, 4),
-                            CYLINT_ENDS_CAPPED);
-        }
-        OWN_WORLD w = made(shapes, MANY, CYLINT_EMBREE_SINGLE);
-        OWN_WORLD other = made(shapes, MANY, both_ways[turn % 2]);
+        draw_caps(shapes, 3, 0);
+        OWN_WORLD w = made(shapes, CAPS, CYLINT_EMBREE_SINGLE);
+        OWN_WORLD other = made(shapes, CAPS, both_ways[turn % 2]);
         rtcAttachGeometry(w.scene, other.geometry);
         rtcCommitScene(w.scene);
         EACH_SIZE(n)
