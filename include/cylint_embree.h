@@ -14,8 +14,8 @@
  *
  * where every float is the double it is.  dir need not be a unit vector.  Under
  * an instance Embree passes a transformed ray, and its floats count.  A ray
- * without direction or with tnear > tfar hits nothing.  Of others Embree requires
- * that tnear is not negative, that org and dir are finite, none of their
+ * without direction or with tnear > tfar hits nothing.  Of other rays Embree
+ * requires that tnear is not negative, that org and dir are finite, none of their
  * components beyond 1.844e18, and that the time is from 0 to 1; else its results
  * are undefined (observed: Debian's build of Embree 3.13 aborts the program).  If a
  * thread flushes subnormal numbers to zero (DAZ), subnormal floats of a ray count

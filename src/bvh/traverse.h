@@ -71,7 +71,8 @@ typedef struct cylint_traversal {
 /* The build in use. */
 const cylint_traversal *cylint_traversal_used(void);
 
-/* All builds, and their functions for points (traverse_point.c). */
+/* All builds, and their functions for points (traverse_point.c): that of AVX-512 is
+ * that of AVX2. */
 extern const cylint_traversal cylint_traversal_plain, cylint_traversal_avx2,
     cylint_traversal_avx512;
 cylint_traverse_point cylint_traverse_point_plain, cylint_traverse_point_avx2;
