@@ -298,8 +298,8 @@ TEST(equal_and_nearly_equal_hits_are_distinguished)
 
 enum { CAPS = 20 };
 
-/* Cylinders whose axes are up to `spread` beside the z axis, with a cap at z = 0 or a
- * few `step` above. */
+/* Cylinders whose axes are up to `spread` beside the z axis, with a cap at z = 0,
+ * `step` or twice that. */
 static void draw_caps(cylint_shape shapes[CAPS], double spread, double step)
 {
     for (int i = 0; i < CAPS; i++) {
