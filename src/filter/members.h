@@ -232,12 +232,10 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
     return z;
 }
 
-/* The lanes of hits on a ball. */
+/* The lanes of hits on a ball of a round solid. */
 INLINE vm on_ball(const hit_root *r, int solid)
 {
-    return cylint_solid_is_ball(solid)    ? m_not(m_from(0))
-           : cylint_solid_is_round(solid) ? r->on_end
-                                          : m_from(0);
+    return cylint_solid_is_ball(solid) ? m_not(m_from(0)) : r->on_end;
 }
 
 /* x, y and z of the normal x X + y Y + z Z on the lateral surface or on a ball, of
