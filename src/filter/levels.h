@@ -56,7 +56,7 @@ INLINE double product_error(double x, double y)
 #define TWO_SUM(x, y, s, e)               \
     const vqpair s##_e = q_two_sum(x, y); \
     const vq s = s##_e.hi, e = s##_e.lo
-#define PRODUCT_ERROR(x, y, p) q_product_error(x, y, p)
+#define PRODUCT_ERROR(x, y) q_product_error(x, y)
 #define ZERO q_set(0)
 #include "levels_template.h"
 
@@ -65,7 +65,7 @@ LEVELS_INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
 {
     vq_levels xy = {q_mul(x->a, y), q_set(0),
                     q_sum_of(x->c, y, q_mul(x->b, y_lo))};
-    xy.b = q_product_error(x->a, y, xy.a);
+    xy.b = q_product_error(x->a, y);
     q_add_product_to_b(&xy, x->b, y);
     q_add_product_to_b(&xy, x->a, y_lo);
     return xy;
@@ -80,7 +80,7 @@ LEVELS_INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
 #define TWO_SUM(x, y, s, e)           \
     const pair s##_e = two_sum(x, y); \
     const double s = s##_e.hi, e = s##_e.lo
-#define PRODUCT_ERROR(x, y, p) product_error(x, y)
+#define PRODUCT_ERROR(x, y) product_error(x, y)
 #define ZERO 0
 #include "levels_template.h"
 
@@ -247,7 +247,7 @@ INLINE double small_product(const vq_levels *F, vq w, vq w_lo)
 {
     const vq high = q_mul(F->a, w);
     const vq low =
-        q_sum_of(F->b, w, q_sum_of(F->a, w_lo, q_product_error(F->a, w, high)));
+        q_sum_of(F->b, w, q_sum_of(F->a, w_lo, q_product_error(F->a, w)));
     double h[3], l[3];
     split_lanes(h, high);
     split_lanes(l, low);

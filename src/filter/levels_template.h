@@ -11,7 +11,7 @@
  *   ADD MUL (x, y)
  *   SUM_OF(x, y, z)           x y + z
  *   TWO_SUM(x, y, s, e)       declares s = x + y and its error e
- *   PRODUCT_ERROR(x, y, p)    of p = x y
+ *   PRODUCT_ERROR(x, y)       of x y
  *   ZERO
  */
 
@@ -38,21 +38,21 @@ LEVELS_INLINE void FORM(add_product_to_a)(LEVELS *sum, REAL x, REAL y)
 {
     const REAL p = MUL(x, y);
     FORM(add_a)(sum, p);
-    FORM(add_b)(sum, PRODUCT_ERROR(x, y, p));
+    FORM(add_b)(sum, PRODUCT_ERROR(x, y));
 }
 
 LEVELS_INLINE void FORM(add_product_to_b)(LEVELS *sum, REAL x, REAL y)
 {
     const REAL p = MUL(x, y);
     FORM(add_b)(sum, p);
-    sum->c = ADD(sum->c, PRODUCT_ERROR(x, y, p));
+    sum->c = ADD(sum->c, PRODUCT_ERROR(x, y));
 }
 
 LEVELS_INLINE LEVELS FORM(square)(const LEVELS *x)
 {
     const REAL twice_a = ADD(x->a, x->a);
     LEVELS xx = {MUL(x->a, x->a), ZERO, SUM_OF(twice_a, x->c, MUL(x->b, x->b))};
-    xx.b = PRODUCT_ERROR(x->a, x->a, xx.a);
+    xx.b = PRODUCT_ERROR(x->a, x->a);
     FORM(add_product_to_b)(&xx, twice_a, x->b);
     return xx;
 }

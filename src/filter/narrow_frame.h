@@ -146,7 +146,7 @@ INLINE vqpair transformed(const cylint_shape *s, const vq hi[3], const vq lo[3])
         const vq M = q_load(cylint_column(s, j)),
                  M_lo = q_load(cylint_column_lo(s, j));
         product[j] = q_mul(hi[j], M);
-        error[j] = q_product_error(hi[j], M, product[j]);
+        error[j] = q_product_error(hi[j], M);
         error[j] = q_sum_of(hi[j], M_lo, error[j]);
         if (lo)
             error[j] = q_sum_of(lo[j], M, error[j]);

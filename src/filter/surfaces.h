@@ -195,12 +195,12 @@ typedef struct {
 INLINE square_at square_across(const pair_line *in, vd t)
 {
     const vq T = q_join(t, t), step = q_mul(T, in->v.hi);
-    const vq low = q_sum_of(T, in->v.lo, q_product_error(T, in->v.hi, step));
+    const vq low = q_sum_of(T, in->v.lo, q_product_error(T, in->v.hi));
     const vqpair sum = q_two_sum(in->p.hi, step);
     const vqpair p = {sum.hi, q_add(sum.lo, q_add(in->p.lo, low))};
     const vq squares = q_mul(p.hi, p.hi), size = q_abs(p.hi);
     const vq rest = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
-                             q_product_error(p.hi, p.hi, squares));
+                             q_product_error(p.hi, p.hi));
     return (square_at){v_two_sum(q_low(squares), q_high(squares)),
                        q_low(rest) + q_high(rest), q_low(size) + q_high(size)};
 }

@@ -462,7 +462,7 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
 /*
  * vq: a vector for the first and one for the second numbers.  Narrow, with
  * AVX2, one register of four lanes, which can also be (x, y, z, any).
- * q_sum_of(): x y + z, rounded once or twice.  q_product_error(): of p = x y.
+ * q_sum_of(): x y + z, rounded once or twice.  q_product_error(): of x y.
  */
 #if defined(CYLINT_NARROW) && defined(__AVX2__) && defined(__FMA__)
 typedef __m256d vq;
@@ -473,9 +473,9 @@ static inline vq q_add(vq x, vq y) { return _mm256_add_pd(x, y); }
 static inline vq q_sub(vq x, vq y) { return _mm256_sub_pd(x, y); }
 static inline vq q_mul(vq x, vq y) { return _mm256_mul_pd(x, y); }
 static inline vq q_sum_of(vq x, vq y, vq z) { return _mm256_fmadd_pd(x, y, z); }
-static inline vq q_product_error(vq x, vq y, vq p)
+static inline vq q_product_error(vq x, vq y)
 {
-    return _mm256_fmsub_pd(x, y, p);
+    return _mm256_fmsub_pd(x, y, q_mul(x, y));
 }
 static inline vq q_abs(vq x)
 {
@@ -510,9 +510,8 @@ static inline vq q_mul(vq x, vq y)
 {
     return q_join(x.low * y.low, x.high * y.high);
 }
-static inline vq q_product_error(vq x, vq y, vq p)
+static inline vq q_product_error(vq x, vq y)
 {
-    (void)p;
     return q_join(v_two_prod(x.low, y.low).lo, v_two_prod(x.high, y.high).lo);
 }
 static inline vq q_sum_of(vq x, vq y, vq z)
