@@ -31,22 +31,30 @@ static int measure_all(replacement *r)
     return 1;
 }
 
-/* A piece's box is larger than the piece by less than this, in the frame: by the
- * rounding of its floats. */
-#define MORE 0x1p-20
+/* In the frame, the box of all pieces of shapes within a box.  A piece's box is
+ * larger than the piece by less than 2^-20, the rounding of its floats. */
+static void load_box_of_pieces(const cylint_frame *f, const double lo[3],
+                               const double hi[3], double lower[3],
+                               double upper[3])
+{
+    for (int j = 0; j < 3; j++) {
+        lower[j] = (lo[j] - f->center[j]) * f->scale - 0x1p-20;
+        upper[j] = (hi[j] - f->center[j]) * f->scale + 0x1p-20;
+    }
+}
 
 /* Whether the box of the shapes lies in the frame and in the hierarchy's box. */
 static int stays_in_frame(const replacement *r)
 {
     const cylint_frame *f = &r->scene->frame;
     const cylint_extent *box = &r->scene->bvh.box;
+    double lower[3], upper[3];
     int is = 1;
-    for (int j = 0; j < 3; j++) {
-        const double lo = (r->box.lo[j] - f->center[j]) * f->scale - MORE,
-                     hi = (r->box.hi[j] - f->center[j]) * f->scale + MORE;
+    load_box_of_pieces(f, r->box.lo, r->box.hi, lower, upper);
+    for (int j = 0; j < 3; j++)
         is &= r->box.lo[j] >= f->lo[j] && r->box.hi[j] <= f->hi[j] &&
-              lo >= (double)box->lower[j] && hi <= (double)box->upper[j];
-    }
+              lower[j] >= (double)box->lower[j] &&
+              upper[j] <= (double)box->upper[j];
     return is;
 }
 
@@ -89,10 +97,7 @@ static void set_frame(cylint_scene *s, const cylint_frame *frame)
     double lo[3], hi[3];
     s->frame = *frame;
     cylint_scene_set_view(s);
-    for (int j = 0; j < 3; j++) {
-        lo[j] = (frame->lo[j] - frame->center[j]) * frame->scale - MORE;
-        hi[j] = (frame->hi[j] - frame->center[j]) * frame->scale + MORE;
-    }
+    load_box_of_pieces(frame, frame->lo, frame->hi, lo, hi);
     const cylint_extent box = cylint_float_box(lo, hi);
     cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);
 }
