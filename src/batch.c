@@ -299,7 +299,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.lane = from.first = from.end = 0;
     if (!run)
         from.radius = cylint_ball_about(shapes, from.center);
-    cylint_many_used(n >= 8)(&from, use_group, job);
+    cylint_many_used(n >= CYLINT_LANES_AVX512)(&from, use_group, job);
     return job->stopped;
 }
 
@@ -470,8 +470,8 @@ static void write_sides(const cylint_shape *shapes, size_t each,
                         const cylint_points *points, signed char *side)
 {
     const size_t n = points->n;
-    CYLINT_OF_LANES(n >= 8, cylint_sides_plain, cylint_sides_avx2,
-                    cylint_sides_avx512)
+    CYLINT_OF_LANES(n >= CYLINT_LANES_AVX512, cylint_sides_plain,
+                    cylint_sides_avx2, cylint_sides_avx512)
     (shapes, each, points, side);
 #if CYLINT_IS_PARANOID
     for (size_t i = 0; i < n; i++)

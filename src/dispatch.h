@@ -30,7 +30,10 @@ extern cylint_build cylint_build_used CYLINT_HIDDEN;
 #endif
 
 /* The same for questions in lanes.  enough: whether there are so many that AVX-512
- * takes less time than AVX2: its vectors cost more, also with empty lanes. */
+ * takes less time than AVX2: its vectors cost more, also with empty lanes.
+ * Measured: of batches and points a full vector, of chords and distances more than
+ * half of one. */
+enum { CYLINT_LANES_AVX512 = 8 };
 #define CYLINT_OF_LANES(enough, plain, avx2, avx512) \
     CYLINT_OF_BUILD(plain, avx2, (enough) ? (avx512) : (avx2))
 

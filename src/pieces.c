@@ -121,7 +121,7 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
     from.end = n;
     for (size_t i = 0; i < n; i++)
         from.list[i] = number[i];
-    cylint_many_used(n > 4)(&from, keep_group, &to);
+    cylint_many_used(n > CYLINT_LANES_AVX512 / 2)(&from, keep_group, &to);
 }
 
 /* -------------------------------------------------------------- solids -- */

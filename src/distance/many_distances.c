@@ -45,9 +45,9 @@ static void write_rows(const cylint_shape *shapes, size_t each,
         end = i + (more < CYLINT_POINT_BLOCK ? more : CYLINT_POINT_BLOCK);
         size_t left = end - i;
         if (in_lanes)
-            left = CYLINT_OF_LANES(end - i > 4, cylint_distance_lanes_plain,
-                                   cylint_distance_lanes_avx2,
-                                   cylint_distance_lanes_avx512)(
+            left = CYLINT_OF_LANES(
+                end - i > CYLINT_LANES_AVX512 / 2, cylint_distance_lanes_plain,
+                cylint_distance_lanes_avx2, cylint_distance_lanes_avx512)(
                 shapes, each, points, i, end, answers, rest);
         for (size_t k = 0; k < left; k++) {
             const size_t row = in_lanes ? rest[k] : i + k;
