@@ -35,13 +35,25 @@ static struct build {
 } builds[8];
 static int n_builds;
 
+static int is_listed(const struct build *b)
+{
+    for (int i = 0; i < n_builds; i++)
+        if (builds[i].answer == b->answer && builds[i].most == b->most)
+            return 1;
+    return 0;
+}
+
+/* Several kernels can have a build in common. */
 static void list_builds(void)
 {
     EACH_KERNELS(k)
-        for (int many = 0; many < 2; many++)
-            builds[n_builds++] =
-                (struct build){cylint_kernels_name(k),
-                               cylint_float_filter_used(many), many ? MOST : 1};
+        for (int many = 0; many < 2; many++) {
+            const struct build b = {cylint_kernels_name(k),
+                                    cylint_float_filter_used(many),
+                                    many ? MOST : 1};
+            if (!is_listed(&b))
+                builds[n_builds++] = b;
+        }
 }
 
 /* A question about a case's line in floats, and its shape, made circular and
