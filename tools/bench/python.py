@@ -159,7 +159,7 @@ def one_cylinder(n, random):
             "1 cylinder", f"relation and t; {family}", rival.name, n,
             lambda: rival.nearest(o, d), lambda: cylint.intersect(rod, o, d, threads=1))
         print_row("python", "1 cylinder", f"wrong verdicts; {family}", rival.name, "%",
-                  100 * ((theirs >= 0) != (ours.n > 0)).mean(), 0)
+                  100 * ((theirs >= 0) != (ours.n > 0)).mean(), None)
 
 
 def many_cylinders(n, random):
@@ -177,16 +177,16 @@ def many_cylinders(n, random):
                 "5000 cylinders", f"nearest; {name}", rival.name, len(o),
                 lambda: rival.nearest(o, d), lambda: scene.nearest(o, d, threads=1))
             print_row("python", "5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
-                      100 * (theirs != ours.index).mean(), 0)
+                      100 * (theirs != ours.index).mean(), None)
         for name, p in points.items() if facets == 64 else ():
             theirs, ours = compete(
                 "5000 cylinders", f"closest; {name}", rival.name, len(p),
                 lambda: rival.closest(p), lambda: scene.closest(p, threads=1))
             error = abs(theirs[1] - abs(ours.distance)) / shapes[2][ours.index]
             print_row("python", "5000 cylinders", f"median error; {name}", rival.name, "r",
-                      np.median(error), 0)
+                      np.median(error), None)
             print_row("python", "5000 cylinders", f"wrong shapes; {name}", rival.name, "%",
-                      100 * (theirs[0] != ours.index).mean(), 0)
+                      100 * (theirs[0] != ours.index).mean(), None)
 
 
 def path_lengths(n, random):
@@ -201,7 +201,7 @@ def path_lengths(n, random):
     error = abs(sums - ours) / ours[ours > 0].mean()
     for name, unit, x in (("mean error", "1", error.mean()),
                           ("largest error", "1", error.max()), ("unpaired", "1", odd)):
-        print_row("python", "1000 cylinders", f"sums; {name}", rival.name, unit, x, 0)
+        print_row("python", "1000 cylinders", f"sums; {name}", rival.name, unit, x, None)
 
 
 def main():
