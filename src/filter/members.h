@@ -99,7 +99,7 @@ typedef struct {
 
 /* The bound on a coordinate: the error of the matrix and of pairs, and what that of
  * the root adds.  size: in units of 1 / CYLINT_MEMBER_SCALE, so that no product of
- * a subnormal number with an entry is 0. */
+ * a subnormal number with an entry or the root's error is 0. */
 INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
                            int solid)
 {
@@ -124,7 +124,7 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
     h.error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
     EACH(j, 3)
         size[j] = v_sum_of(
-            v_abs(r->t * v_set(CYLINT_MEMBER_SCALE)),
+            (v_abs(r->t) + r->error) * v_set(CYLINT_MEMBER_SCALE),
             v_abs(direction_at(from, j).hi),
             v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)) *
                 v_set(CYLINT_MEMBER_SCALE));

@@ -16,7 +16,8 @@ typedef struct {
     double error;
 } plane_number;
 
-/* x.n.  2^-900 covers products that underflow. */
+/* x.n.  2^-900 covers products that underflow, and components of n that are read
+ * as 0, where x is at most CYLINT_FAR. */
 static inline plane_number cylint_along_normal(const pair x[3],
                                                const double n[3])
 {
@@ -40,12 +41,16 @@ static inline int cylint_is_rounded(plane_number x)
            x.v.hi + (x.v.lo - x.error) == x.v.hi;
 }
 
-/* x - p as pairs, exactly. */
-static inline void cylint_from_plane(const cylint_shape *s, const double x[3],
-                                     pair from[3])
+/* x - p as pairs, exactly.  Returns whether it is at most CYLINT_FAR. */
+static inline int cylint_from_plane(const cylint_shape *s, const double x[3],
+                                    pair from[3])
 {
-    for (int i = 0; i < 3; i++)
+    int near = 1;
+    for (int i = 0; i < 3; i++) {
         from[i] = cylint_difference(x[i], cylint_base(s)[i]);
+        near &= fabs(from[i].hi) <= CYLINT_FAR;
+    }
+    return near;
 }
 
 /* The length of the normal, with a relative error of 2^-103 + CYLINT_PAIR_SQRT. */
@@ -73,11 +78,11 @@ static inline int cylint_plane_distance(const cylint_shape *s,
 {
     pair from[3];
     const double *n = cylint_axis(s);
-    cylint_from_plane(s, point, from);
+    const int near = cylint_from_plane(s, point, from);
     const plane_number d = cylint_over_length(cylint_along_normal(from, n),
                                               cylint_normal_length(n));
     *distance = d.v.hi;
-    return cylint_is_rounded(d);
+    return near && cylint_is_rounded(d);
 }
 
 /* The root -above / slope.  Its error: those of both numbers, and the
@@ -101,17 +106,18 @@ static inline int cylint_root_side(plane_number t, double limit)
 }
 
 /* The slope of the height above the plane along the line, in *slope, and the root.
- * Returns 0 if the slope is not certainly far from 0. */
+ * Returns 0 if the line begins too far from p, or the slope is not certainly far
+ * from 0. */
 static inline int cylint_line_to_plane(const cylint_shape *s,
                                        const cylint_line *line,
                                        plane_number *slope, plane_number *t)
 {
     pair from[3], d[3];
-    cylint_from_plane(s, line->o, from);
+    const int near = cylint_from_plane(s, line->o, from);
     for (int i = 0; i < 3; i++)
         d[i] = (pair){line->d[i], line->d_lo[i]};
     *slope = cylint_along_normal(d, cylint_axis(s));
-    if (!(fabs(slope->v.hi) > 0x1p60 * slope->error))
+    if (!near || !(fabs(slope->v.hi) > 0x1p60 * slope->error))
         return 0;
     *t = cylint_plane_root(cylint_along_normal(from, cylint_axis(s)), *slope);
     return 1;
