@@ -170,6 +170,17 @@ def test_a_compressed_file_is_read(tmp_path, convert):
             assert convert(kind, path)[0] == 1
 
 
+def test_a_byte_order_mark_and_old_line_ends_hide_no_atom(tmp_path):
+    path = tmp_path / "molecule"
+    for text in (CHAIN, CIF):
+        path.write_text(text)
+        whole = cylint.read_molecule(path, ball=0.25)
+        for end in ("\n", "\r\n", "\r"):
+            changed = "\N{BYTE ORDER MARK}" + text.replace("\n", end)
+            path.write_bytes(changed.encode())
+            assert (cylint.read_molecule(path, ball=0.25) == whole).all()
+
+
 def test_names_that_are_no_text_are_refused(tmp_path):
     path = tmp_path / "latin"
     path.write_bytes(CHAIN.encode().replace(b" CA", b"\xe9CA"))
@@ -258,6 +269,8 @@ def test_gemmi_is_needed(monkeypatch, tmp_path):
          '"7";0;0.50;1;2;3.10;1;2;4\n', {}),
         ("ID\tradius\tStart X\tStart Y\tStart Z\tend.X\tend.Y\tend.Z\r\n"
          "7\t.5\t1\t2\t3.1\t1\t2\t4\r\n# 8\n\n", {}),
+        ("\n# of a program\nID,radius,startX,startY,startZ,endX,endY,endZ\r"
+         "7,.5,1,2,3.1,1,2,4,,\r", {}),
         ("\N{BYTE ORDER MARK}ID,length,radius,startX,startY,startZ,axis_x,axis_y,axis_z\n"
          "7,1.125,.5,1,2,2.875,0,0,1\n", {"z": (2.875, 4)}),
     ],
@@ -279,6 +292,10 @@ def test_treeqsm_text_has_no_header(tree, head):
     shapes = tree(head + TREEQSM, treeqsm=True)
     assert shapes.p1.tolist() == [[1, 2, 5], [1 + 0.1 * 1, 2, 3]]
     assert shapes.r.tolist() == [0.5, 0.4] and shapes.labels.tolist() == ["1", "2"]
+
+
+def test_a_number_sign_within_a_row_begins_no_comment(tree):
+    assert tree(HEAD + "a#7,.5,1,2,3,1,2,4\n").labels.tolist() == ["a#7"]
 
 
 HEAD = "ID,radius,startX,startY,startZ,endX,endY,endZ\n"
@@ -306,10 +323,14 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
     [
         ("radius,startX,startY\n1,2,3\n", ":1: the header names no column 'startz'"),
         (HEAD + "7,1,2,3,4,5,6\n", ":2: expected 8 columns, found 7"),
+        (HEAD + '7,1,2,3,4,5,6,7\n"8",8,1,2,3,4,5,6,7\n', ":3: expected 8 columns, found 9"),
         (HEAD.replace(",", ";") + "7;1;2;3;4;5;6;7\n8;0,5;2;3;4;5;6;7\n",
          ":3: could not convert string '0,5' to float64, column 2"),
         (HEAD + "# 6\n\n7,-1,2,3,4,5,6,7\n", ":4: the radius is negative"),
         (HEAD + "7,1,2,3,4,5,6,nan\n", ":2: a number is not finite"),
+        ("# 1\nradius\n", ":2: the header names no column 'startx'"),
+        ("radius,startX,startY,startZ,axisX,axisY,axisZ,length\n1,0,0,0,0,0,1e300,1e300\n",
+         ":2: a number is not finite"),
         ("", "expected a header line, found the end of the file"),
     ],
 )

@@ -333,6 +333,8 @@ def test_bad_arguments(world):
         ("line 1: the direction", lambda: scene.pieces(*spoiled)),
         (r"shape\[1\]: 99", lambda: scene.set_solids([0, 99], 0, 1)),
         (r"clause\[0\]: 0", lambda: scene.set_solids([0, 1], 0, [0, 1])),
+        (r"broadcast: shape \(2,\), solid \(3,\), clause \(\)",
+         lambda: scene.set_solids([0, 1], [0, 1, 2], 1)),
         ("same number", lambda: scene.set_solids([0, 0], [0, 1], 1)),
     ):
         with refused(message):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import gzip
 import os
 import sys
@@ -86,9 +87,10 @@ def write_scene(
     labels: (...) str, in place of those of the shapes, as of `Shapes.with_labels`.
     `read_scene` reads the same shapes and labels, and so do `cylint -s` and the
     other commands.  Each number is the shortest text that is read as the same
-    float64.  Raises ValueError, and writes nothing, for a label with a line feed or
-    with blanks around it, or that begins with in= or out=, and for a cone whose
-    tangent no angle in degrees has, as some of `tangent_cone`: the text has angles.
+    float64.  Raises ValueError, and writes nothing, for a label with a line feed, a
+    NUL or blanks around it, or that begins with in= or out=, or longer than a line
+    of 1 MiB, and for a cone whose tangent no angle in degrees has, as some of
+    `tangent_cone`: the text has angles.
 
     >>> import os, tempfile
     >>> folder = tempfile.TemporaryDirectory()
@@ -121,7 +123,10 @@ def scene_text(shapes: Shapes) -> Iterator[bytes]:
 
 
 def contents(name: str) -> bytes:
-    """The bytes of a file, which may be compressed by gzip; `-` is standard input."""
+    """The bytes of a file, which may be compressed by gzip; `-` is standard input.
+
+    Without a byte order mark; lines end with LF.
+    """
     if name == "-":
         data = sys.stdin.buffer.read()
     else:
@@ -132,4 +137,5 @@ def contents(name: str) -> bytes:
             data = gzip.decompress(data)
         except (gzip.BadGzipFile, EOFError, zlib.error) as error:
             raise ValueError(f"{name}: not a whole file of gzip: {error}") from None
-    return data
+    data = data.removeprefix(codecs.BOM_UTF8)
+    return data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")

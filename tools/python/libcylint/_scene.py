@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
-    Balls, BallsWithin, Doubles, Lines, Points, Progress, SceneLines, counted, integers,
-    positive, takes, workers,
+    Balls, BallsWithin, Doubles, Lines, Points, Progress, SceneLines, broadcast, counted,
+    integers, positive, takes, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
@@ -378,8 +378,9 @@ class Scene:
         (array([3., 6.]), array([4., 7.]))
         """
         names = ("shape", "solid", "clause")
-        given = np.broadcast_arrays(*map(integers, names, (shape, solid, clause)))
-        rows = np.column_stack([column.reshape(-1) for column in given])
+        given = [*map(integers, names, (shape, solid, clause))]
+        broadcast("shape solid clause", *given)
+        rows = np.column_stack([x.reshape(-1) for x in np.broadcast_arrays(*given)])
         bad = (rows < [0, 0, 1 - 2**31]) | (rows >= [len(self), len(rows), 2**31])
         bad[:, 2] |= rows[:, 2] == 0
         for column, name in enumerate(names):

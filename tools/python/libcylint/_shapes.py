@@ -252,6 +252,7 @@ class Shapes:
         for name in names.flat:
             if not isinstance(name, str):
                 raise TypeError(f"labels: expected str, found {name!r}")
+        broadcast("shapes labels", self._records, names)
         return Shapes(self._records, np.broadcast_to(names, self.shape))
 
     @property

@@ -23,7 +23,8 @@ def read_qsm(
     The table has a header line, as aRchi, rTwig and SimpleForest write it.  Columns
     are found by their names, whatever the case and punctuation: startX or start_x and
     so on; endX, or else axis_x and length; radius or radius_cyl; ID or cyl_ID.
-    Commas, semicolons or tabs separate them.
+    Commas, semicolons or tabs separate them.  Blank lines and lines that begin with #
+    are skipped.
     treeqsm: text of TreeQSM, which has no header: radius, length, start and axis.
 
     round: capsules, whose round ends fill the joints, in place of cylinders.
@@ -42,33 +43,40 @@ def read_qsm(
     (<libcylint.Shapes (1,): 1 cylinder>, array(['7'], dtype='<U1'))
     """
     name = os.fspath(path)
-    lines = contents(name).decode("utf-8-sig", "surrogateescape").splitlines()
+    lines = contents(name).decode("utf-8", "surrogateescape").split("\n")
+    rows = [
+        (number, line) for number, line in enumerate(lines, 1)
+        if line.strip()[:1] not in ("", "#")
+    ]
+    head, header = rows[0] if rows else (1, "")
     if treeqsm:
         names, separator = _TREEQSM.split(), None
-        has_header = bool(lines and re.match(r'\s*"?radius', lines[0], re.IGNORECASE))
-    elif lines:
-        separator = next((s for s in ";\t" if s in lines[0]), ",")
-        names, has_header = [_plain(field) for field in lines[0].split(separator)], True
+        has_header = re.match(r'\s*"?radius', header, re.IGNORECASE) is not None
+    elif rows:
+        separator = next((s for s in ";\t" if s in header), ",")
+        names, has_header = [_plain(field) for field in header.split(separator)], True
     else:
         raise ValueError(f"{name}: expected a header line, found the end of the file")
+    del rows[:has_header]
     ended = "endx" in names
     last = ["endx", "endy", "endz"] if ended else ["axisx", "axisy", "axisz", "length"]
     wanted = ["radius", "startx", "starty", "startz", *last]
     for column in wanted:
         if column not in names:
-            raise ValueError(f"{name}:1: the header names no column {column!r}")
-
-    rows = [
-        (number, line) for number, line in enumerate(lines, 1)
-        if number > has_header and line.partition("#")[0].strip()
-    ]
+            raise ValueError(f"{name}:{head}: the header names no column {column!r}")
+    for number, line in [] if treeqsm else rows:
+        fields = re.sub('"[^"]*"', '"', line).split(separator)
+        if any(map(str.strip, fields[len(names):])):
+            raise ValueError(
+                f"{name}:{number}: expected {len(names)} columns, found {len(fields)}"
+            )
 
     def load(some: list[tuple[int, str]], columns: list[str], kind: Any) -> Any:
         with warnings.catch_warnings():  # of tables without rows
             warnings.simplefilter("ignore")
             return np.loadtxt(
                 [line for _, line in some], kind, delimiter=separator, quotechar='"',
-                usecols=[names.index(column) for column in columns], ndmin=2,
+                comments=None, usecols=[names.index(column) for column in columns], ndmin=2,
             )
 
     def read(columns: list[str], kind: Any) -> Any:
@@ -90,9 +98,10 @@ def read_qsm(
     numbers = read(wanted, float)
     r, p0, p1 = numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7]
     if not ended:
-        p1 = p0 + numbers[:, 7:] * p1
+        with np.errstate(over="ignore"):
+            p1 = p0 + numbers[:, 7:] * p1
     for wrong, text in (
-        (~np.isfinite(numbers).all(axis=1), "a number is not finite"),
+        (~np.isfinite(np.c_[numbers, p1]).all(axis=1), "a number is not finite"),
         (r < 0, "the radius is negative"),
     ):
         if wrong.any():
