@@ -453,12 +453,13 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  * all solids, strictly between tmin and tmax, and writes the wanted members of
  * *hit.  Returns the number of all shapes if there is no such place.
  *
- * The shape is a member of the solid, and the point is on its surface; caps count
- * as present.  side: whether the line enters the solid.  The normal points out of
- * the solid: on the surface of a bore it points into the bore.  Members are
- * otherwise those of cylint_intersect().  Where surfaces of several shapes have
- * this t, the shape is the one with the lowest number that the line enters or
- * leaves as it does the solid.
+ * The solid is the one with the lowest number of those that begin or end there.
+ * The shape is a member of it, and the point is on the surface of the shape; caps
+ * count as present.  side: whether the line enters the solid.  The normal points
+ * out of the solid: on the surface of a bore it points into the bore.  Members are
+ * otherwise those of cylint_intersect().  Where surfaces of several of the solid's
+ * shapes have this t, the shape is the one with the lowest number that the line
+ * enters or leaves as it does the solid, or, of a complement, the other way round.
  *
  * The workspace: as for cylint_scene_pieces().  If it does not suffice,
  * CYLINT_NO_ROOM.

@@ -43,8 +43,8 @@ static int read_member(struct solids *s, struct string word,
     if (slash &&
         (!read_whole(between(slash + 1, end_of(word)), CLAUSE_MOST, &clause) ||
          clause == 0))
-        return refuse_other(notes, "a clause, an integer from 1 to 999999999",
-                            between(slash + 1, end_of(word)));
+        return refuse_other(notes, "/CLAUSE, an integer from 1 to 999999999",
+                            between(slash, end_of(word)));
     if ((int)clause > s->last_clause)
         s->last_clause = (int)clause;
     member->clause = is_out ? -(int)clause : (int)clause;
