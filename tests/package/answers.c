@@ -1,7 +1,7 @@
 /*
  * answers.c - prints the bits of the library's answers
  *
- *   answers FILE     FILE was written by `records SEED COUNT FILE`
+ *   answers <FILE     FILE has records of the command
  *
  * One line a question: relation, number of hits and, of each hit, t, part,
  * side, point, normal, z and phi; then the distance of the line's origin, part
@@ -23,15 +23,11 @@ static uint64_t bits(double x)
     return u;
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    FILE *file = argc == 2 ? fopen(argv[1], "rb") : NULL;
-    struct family_case c;
-    if (!file) {
-        fputs("usage: answers FILE\n", stderr);
-        return 2;
-    }
-    while (family_read(file, &c)) {
+    char text[1000];
+    while (fgets(text, sizeof text, stdin)) {
+        const struct family_case c = case_of(text);
         cylint_answer a;
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
         printf("%d %d", (int)a.relation, a.n);
@@ -48,5 +44,5 @@ int main(int argc, char **argv)
         printf(" %016" PRIx64 " %d %d\n", bits(closest.distance), closest.part,
                closest.feature);
     }
-    return ferror(file) || ferror(stdout);
+    return ferror(stdin) || ferror(stdout);
 }

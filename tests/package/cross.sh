@@ -174,8 +174,7 @@ printf 'answers of %s are the measure\n' "$reference"
 
 compiler=gcc flags=-O2 link= folder=$build/gcc__O2
 built 'answers.c' tests/package/answers || exit
-"$records" "${CYLINT_SEED:-1}" "${CYLINT_CASES:-100000}" "$build/binary" &&
-    "$folder/tests/package/answers" "$build/binary" >"$build/library" || exit
+"$folder/tests/package/answers" <"$build/input" >"$build/library" || exit
 
 # bare FOLDER: $compiler on all files but those of scenes, and answers.c
 bare() {
@@ -208,7 +207,7 @@ while IFS='|' read -r name compiler flags link runner; do
     esac
     program=$folder/tests/package/answers
     [ -e "$program" ] || program=$program.exe
-    $runner "$program" "$build/binary" </dev/null 2>"$build/messages" |
+    $runner "$program" <"$build/input" 2>"$build/messages" |
         tr -d '\r' >"$folder/answers"
     cmp -s "$build/library" "$folder/answers"
     result "$name: the library's answers" $?

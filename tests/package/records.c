@@ -2,7 +2,6 @@
  * records.c - random records for the command, in hexadecimal
  *
  *   records SEED COUNT         COUNT records, from all families in turn
- *   records SEED COUNT FILE    the same in binary, for answers.c
  *
  * Cases with an infinite end of the domain have no record and are left out.
  */
@@ -23,11 +22,6 @@ int main(int argc, char **argv)
     const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
     const uint64_t count = argc > 2 ? strtoull(argv[2], NULL, 10) : 1000;
     const uint64_t families = (uint64_t)family_count();
-    FILE *binary = argc > 3 ? fopen(argv[3], "wb") : NULL;
-    if (argc > 3 && !binary) {
-        perror(argv[3]);
-        return 1;
-    }
     uint64_t printed = 0;
     for (uint64_t i = 0; printed < count; i++) {
         struct family_case c;
@@ -35,14 +29,8 @@ int main(int argc, char **argv)
         if (!has_record(&c))
             continue;
         printed++;
-        if (binary) {
-            family_write(binary, &c);
-            continue;
-        }
         family_print(stdout, &c);
         putchar('\n');
     }
-    if (binary && fclose(binary) != 0)
-        return 1;
     return fclose(stdout) != 0;
 }

@@ -135,8 +135,4 @@ void family_report(const struct family_case *c);
 /* The same within a test of check.h, for its first failures only. */
 #define REPORT_CASE(c) (check_bad <= CHECK_SHOWN ? family_report(c) : (void)0)
 
-/* The case in binary, and the next such case; 0: none was written or read. */
-int family_write(FILE *to, const struct family_case *c);
-int family_read(FILE *from, struct family_case *c);
-
 #endif

@@ -250,27 +250,3 @@ void family_report(const struct family_case *c)
     family_print(stderr, c);
     fputc('\n', stderr);
 }
-
-enum { PACKED = 24 }; /* words and numbers of a case */
-
-int family_write(FILE *to, const struct family_case *c)
-{
-    double x[PACKED] = {c->line_word, c->shape_word, c->ends};
-    memcpy(x + 3, c->line_data, sizeof c->line_data);
-    memcpy(x + 11, c->shape_data, sizeof c->shape_data);
-    return fwrite(x, sizeof x, 1, to) == 1;
-}
-
-int family_read(FILE *from, struct family_case *c)
-{
-    double x[PACKED];
-    if (fread(x, sizeof x, 1, from) != 1)
-        return 0;
-    c->line_word = (family_line)x[0];
-    c->shape_word = (family_shape)x[1];
-    c->ends = (cylint_ends)x[2];
-    memcpy(c->line_data, x + 3, sizeof c->line_data);
-    memcpy(c->shape_data, x + 11, sizeof c->shape_data);
-    family_make(c);
-    return 1;
-}
