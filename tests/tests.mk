@@ -154,7 +154,7 @@ lint: all ## static analysis, the ladder of floors, the format of sources
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/support/lint.sh
 
 covered: all $(test_programs)
-	$(call run_tests,$(test_programs) tests/library/test_hard.sh)
+	$(call run_tests,$(test_programs))
 
 # Counters that threads share are wrong, even negative, unless they are atomic.
 counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno

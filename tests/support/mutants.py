@@ -57,9 +57,8 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
 # (program, environment).  Programs that take seconds run with few cases first,
 # and with all cases only for --full, on mutants that pass the others.
 FEW = {"CYLINT_CASES": "50"}
-HARD = "library/test_hard"  # of the command
 SHORT = [("library/test_hits", {}), ("shapes/test_constructors", {}),
-         (HARD, {}), ("bounds/test_form_depth", {}),
+         ("bounds/test_form_depth", {}),
          ("bounds/test_local_bounds", {}), ("bounds/test_local_residuals", {}),
          ("filter/test_local_coordinates", FEW),
          ("library/test_intersect", FEW), ("roots/test_midpoints", {}),
@@ -149,18 +148,14 @@ class Bench:
     def build(self, test, jobs="-j1"):
         """The program of a test.  Tests link the static library, because they use
         functions that are hidden in the shared one."""
-        program = "cylint" if test == HARD else "tests/" + test
-        return run(self.make + [jobs, "build/" + program],
+        return run(self.make + [jobs, "build/tests/" + test],
                    cwd=self.work).returncode == 0
 
     def passes(self, test, environment, seconds=600):
-        command = (["sh", "tests/%s.sh" % HARD] if test == HARD else
-                   ["build/tests/" + test])
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU,
                                            (int(seconds), int(seconds)))
-        return run(command, cwd=self.work, preexec_fn=limit,
-                   env=dict(os.environ, BUILD="build",
-                            **environment)).returncode == 0
+        return run(["build/tests/" + test], cwd=self.work, preexec_fn=limit,
+                   env=dict(os.environ, **environment)).returncode == 0
 
     def time_of(self, test, environment):
         before = os.times().children_user
