@@ -424,6 +424,22 @@ def test_convert_has_the_status_of_the_command(convert, tmp_path):
         assert done.returncode == 3 and b"No space left" in done.stderr
 
 
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+def test_convert_with_closed_streams(tmp_path):
+    (tmp_path / "tree").write_text(HEAD + POINTS)
+
+    def run(redirection):
+        line = f'"{sys.executable}" -m libcylint convert qsm {redirection}'
+        done = subprocess.run(["sh", "-c", line], cwd=tmp_path, capture_output=True)
+        return done.returncode, done.stdout, done.stderr
+
+    shape = b"cylinder 1 2 3 1 2 4 0.5 7\n"  # and no message among the shapes
+    assert run("tree 2>&-") == (0, shape, b"")
+    for name, closed in (("output", "tree >&-"), ("input", "<&-")):
+        said = f"libcylint: standard {name}: Bad file descriptor\n".encode()
+        assert run(closed) == (3, b"", said)
+
+
 # -------------------------------------------------------------- recipes --
 
 

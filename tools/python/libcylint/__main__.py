@@ -8,9 +8,10 @@ import signal
 import sys
 import tempfile
 import warnings
+from contextlib import suppress
 from typing import Any
 
-from ._files import contents, read_scene, scene_text
+from ._files import contents, read_scene, scene_text, standard
 from ._molecules import read_molecule
 from ._shapes import Shapes
 from ._trees import read_qsm
@@ -67,7 +68,8 @@ def _arguments() -> argparse.Namespace:
 
 
 def _say(message: Any, *_: Any) -> None:
-    print(f"libcylint: {message}", file=sys.stderr)
+    with suppress(AttributeError, OSError):  # standard error is closed, or full
+        sys.stderr.write(f"libcylint: {message}\n")
 
 
 def main() -> int:
@@ -77,10 +79,11 @@ def main() -> int:
     options = vars(_arguments())
     read, files = options.pop("read"), options.pop("files")
     try:
+        output = standard(sys.stdout, "standard output")
         for name in files:
             for text in scene_text(read(name, **options)):
-                sys.stdout.buffer.write(text)
-        sys.stdout.buffer.flush()
+                output.write(text)
+        output.flush()
     except (ValueError, ImportError) as error:
         _say(error)
         return _BAD

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import codecs
+import errno
 import gzip
 import os
 import sys
 import warnings
 import zlib
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, BinaryIO, TextIO
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -122,13 +123,20 @@ def scene_text(shapes: Shapes) -> Iterator[bytes]:
         yield _core.write_scene(row.kind[i : i + _AT_ONCE], i, some)
 
 
+def standard(stream: TextIO | None, name: str) -> BinaryIO:
+    """The bytes of standard input or output; the caller may have closed it."""
+    if stream is None:
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF), name)
+    return stream.buffer
+
+
 def contents(name: str) -> bytes:
     """The bytes of a file, which may be compressed by gzip; `-` is standard input.
 
     Without a byte order mark; lines end with LF.
     """
     if name == "-":
-        data = sys.stdin.buffer.read()
+        data = standard(sys.stdin, "standard input").read()
     else:
         with open(name, "rb") as file:
             data = file.read()
