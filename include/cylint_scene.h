@@ -41,7 +41,7 @@ typedef enum cylint_scene_status {
     CYLINT_SCENE_EFINISHED,   /* cylint_scene_finish() was called before */
     CYLINT_SCENE_EUNFINISHED, /* cylint_scene_finish() was not called yet */
     CYLINT_SCENE_EFILE,       /* a function of the system failed: errno */
-    CYLINT_SCENE_EFORMAT,     /* not a file of a scene */
+    CYLINT_SCENE_EFORMAT,     /* not a saved scene */
     CYLINT_SCENE_EVERSION, /* of another version, or of a machine with another
                               order of bytes: make the scene again */
     CYLINT_SCENE_EDAMAGED, /* the file is shorter, or differs from what was

@@ -22,7 +22,7 @@ const char *cylint_scene_strerror(int status)
         [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
         [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
         [CYLINT_SCENE_EFILE] = "the file cannot be read or written",
-        [CYLINT_SCENE_EFORMAT] = "not a file of a scene",
+        [CYLINT_SCENE_EFORMAT] = "not a saved scene",
         [CYLINT_SCENE_EVERSION] =
             "the file is of another version or machine: make it again",
         [CYLINT_SCENE_EDAMAGED] = "the file is damaged",

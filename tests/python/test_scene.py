@@ -355,7 +355,7 @@ def test_files_that_are_no_saved_scenes_are_refused(tmp_path):
     for content, reason in (
         (data[:-64], "damaged"), (spoiled(data, 3000), "damaged"),
         (data[:8] + b"\xff" + data[9:], "another version or machine"),
-        (b"cylinder 0 0 0 0 0 1 1\n", "not a file of a scene"), (b"", "not a file of a scene"),
+        (b"cylinder 0 0 0 0 0 1 1\n", "not a saved scene"), (b"", "not a saved scene"),
     ):  # fmt: skip
         bad.write_bytes(content)
         for read in (False, True):

@@ -196,7 +196,7 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
 {
     refuse_word(r, WORDS(shape_kinds));
     if (!g->has_line && find_word(WORDS(line_kinds), field(r)) != NOT_GIVEN)
-        advise(r->notes, "a scene has shapes only; for records leave out -s");
+        advise(r->notes, "a scene has shapes only, no records");
     else if (g->convert)
         advise(r->notes, g->convert);
     else
