@@ -71,7 +71,7 @@ static const char *check_status(const char *text, const char *known)
 
 TEST(known_statuses_are_returned_in_every_environment)
 {
-    each_record("tests/shapes/statuses.txt", 60, check_status);
+    each_record("tests/shapes/statuses.txt", 82, check_status);
 }
 
 static int answers_miss(const cylint_shape *shape, const cylint_line *line)
@@ -127,6 +127,50 @@ TEST(ends_outside_the_list_are_refused)
     }
 }
 
+/* Writes faults, bits, into an example of the shape, the number at `place` not finite.
+ * Returns the status of the first fault. */
+static cylint_status add_faults(struct family_case *c, int faults, int place)
+{
+    enum { NUMBER = 1, SIZE = 2, AXIS = 4, ENDS = 8, PLANE = 16 };
+    const family_shape word = c->shape_word;
+    const int last = family_shape_size(word) - 1;
+    cylint_status first = CYLINT_OK;
+    if (faults & PLANE && (word == FAMILY_ECYLINDER || word == FAMILY_ECONE)) {
+        c->shape_data[7] = 0; /* b = 0 */
+        first = CYLINT_EDEGENERATE;
+    }
+    if (faults & ENDS && word != FAMILY_HALFSPACE) {
+        c->ends = (cylint_ends)(CYLINT_ENDS_NAPPE + 1);
+        first = CYLINT_EENDS;
+    }
+    if (faults & AXIS && (word < FAMILY_SPHERE || word == FAMILY_HALFSPACE)) {
+        c->shape_data[family_axis(word) + 2] = 0;
+        first = CYLINT_EAXIS;
+    }
+    if (faults & SIZE && family_is_size(word, last)) {
+        c->shape_data[last] = word == FAMILY_ACONE ? 90 : -1;
+        first = word == FAMILY_ACONE ? CYLINT_EANGLE : CYLINT_ERADIUS;
+    }
+    if (faults & NUMBER) {
+        c->shape_data[place] = NAN;
+        first = CYLINT_ENONFINITE;
+    }
+    return first;
+}
+
+TEST(a_shape_with_several_faults_returns_the_first)
+{
+    for (int word = 0; word < WORDS; word++)
+        for (int i = 0; i < 32 * family_shape_size((family_shape)word); i++) {
+            struct family_case c = family_example((family_shape)word);
+            const cylint_status first = add_faults(&c, i % 32, i / 32);
+            family_make(&c);
+            if (!CHECK(c.shape_status == first))
+                REPORT("%d instead of %d: kind %d, faults %d, number %d",
+                       c.shape_status, first, word, i % 32, i / 32);
+        }
+}
+
 TEST(tangents_are_positive_and_finite)
 {
     static const double infinite[3] = {0, HUGE_VAL, 0};
@@ -138,6 +182,11 @@ TEST(tangents_are_positive_and_finite)
     CHECK(cylint_tangent_cone(&s, origin, axis_z, HUGE_VAL, 0) ==
           CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);
+    /* with further faults, the first */
+    CHECK(cylint_tangent_cone(&s, infinite, origin, 0, 6) == CYLINT_ENONFINITE);
+    CHECK(cylint_tangent_cone(&s, origin, origin, 0, 6) == CYLINT_EANGLE);
+    CHECK(cylint_tangent_cone(&s, origin, origin, 1, 6) == CYLINT_EAXIS);
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, 1, 6) == CYLINT_EENDS);
 }
 
 TEST(lines_of_numbers_that_are_not_finite_are_refused)
