@@ -97,6 +97,26 @@ RTCScene world_instance(RTCScene of, unsigned id, int steps,
     return outer;
 }
 
+RTCScene world_curve(const float (*nodes)[4], size_t n, unsigned id)
+{
+    RTCScene scene = world_new_scene();
+    RTCGeometry curve =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    unsigned *first = rtcSetNewGeometryBuffer(
+        curve, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof *first, n - 1);
+    float *vertex = rtcSetNewGeometryBuffer(
+        curve, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof *nodes, n);
+    for (unsigned i = 0; i < n - 1; i++)
+        first[i] = i;
+    memcpy(vertex, nodes, n * sizeof *nodes);
+    rtcSetGeometryMask(curve, 0xffffffffu);
+    rtcCommitGeometry(curve);
+    rtcAttachGeometryByID(scene, curve, id);
+    rtcReleaseGeometry(curve);
+    rtcCommitScene(scene);
+    return scene;
+}
+
 struct world world_made(const cylint_shape *shapes, size_t n,
                         const cylint_embree_options *options)
 {

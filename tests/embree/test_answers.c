@@ -586,26 +586,6 @@ static struct nearest nearest_hit(RTCScene scene, const float o[3],
 static const float bend[3][4] = {
     {0, 0, 0, 0.5f}, {0, 0, 2, 0.5f}, {2, 0, 2, 0.5f}};
 
-static RTCScene bend_scene(void)
-{
-    RTCScene scene = world_new_scene();
-    RTCGeometry curve =
-        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
-    unsigned *first = rtcSetNewGeometryBuffer(
-        curve, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof *first, 2);
-    memcpy(rtcSetNewGeometryBuffer(curve, RTC_BUFFER_TYPE_VERTEX, 0,
-                                   RTC_FORMAT_FLOAT4, sizeof bend[0], 3),
-           bend, sizeof bend);
-    first[0] = 0;
-    first[1] = 1;
-    rtcSetGeometryMask(curve, 0xffffffffu);
-    rtcCommitGeometry(curve);
-    rtcAttachGeometry(scene, curve);
-    rtcReleaseGeometry(curve);
-    rtcCommitScene(scene);
-    return scene;
-}
-
 TEST(a_cone_curve_has_no_caps_where_its_segments_join)
 {
     static const float rays[][2][3] = {{{-0.25f, 0.125f, 5}, {0, 0, -1}},
@@ -621,7 +601,7 @@ TEST(a_cone_curve_has_no_caps_where_its_segments_join)
         CHECK(!cylint_cone(&open[i], p0, a[3], p1, b[3], ends[i]));
         CHECK(!cylint_cone(&capped[i], p0, a[3], p1, b[3], CYLINT_ENDS_CAPPED));
     }
-    RTCScene curve = bend_scene();
+    RTCScene curve = world_curve(bend, 3, 0);
     OWN_WORLD with = world_made(capped, 2, NULL);
     OWN_WORLD without = world_made(open, 2, NULL);
     for (size_t i = 0; i < sizeof rays / sizeof *rays; i++) {

@@ -14,26 +14,7 @@
 
 enum { CURVE_ID = 5, INSTANCE_ID = 3 };
 
-static RTCScene curve_scene(void)
-{
-    const float nodes[2][4] = {{-1, 0, 0, 0.5f}, {1, 0, 0, 0.5f}};
-    RTCScene scene = world_new_scene();
-    RTCGeometry curve =
-        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
-    unsigned *first = rtcSetNewGeometryBuffer(
-        curve, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof *first, 1);
-    float *vertex =
-        rtcSetNewGeometryBuffer(curve, RTC_BUFFER_TYPE_VERTEX, 0,
-                                RTC_FORMAT_FLOAT4, sizeof nodes[0], 2);
-    *first = 0;
-    memcpy(vertex, nodes, sizeof nodes);
-    rtcSetGeometryMask(curve, 0xffffffffu);
-    rtcCommitGeometry(curve);
-    rtcAttachGeometryByID(scene, curve, CURVE_ID);
-    rtcReleaseGeometry(curve);
-    rtcCommitScene(scene);
-    return scene;
-}
+static const float nodes[2][4] = {{-1, 0, 0, 0.5f}, {1, 0, 0, 0.5f}};
 
 struct call_counts {
     int calls, bad;
@@ -54,7 +35,7 @@ static void count_call(const struct RTCFilterFunctionNArguments *a)
 TEST(a_hit_is_written_where_it_is_declared)
 {
     const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
-    RTCScene inner = curve_scene();
+    RTCScene inner = world_curve(nodes, 2, CURVE_ID);
     RTCScene scene = world_instance(inner, INSTANCE_ID, 1, matrix);
     EACH_SIZE(n) {
         struct call_counts counts = {0, 0};
@@ -98,7 +79,7 @@ TEST(a_box_is_written_where_it_is_declared)
         struct RTCBounds box;
         unsigned beyond[8];
     } at;
-    RTCScene scene = curve_scene();
+    RTCScene scene = world_curve(nodes, 2, CURVE_ID);
     memset(&at, 0x5a, sizeof at);
     rtcGetSceneBounds(scene, &at.box);
     /* it contains the curve and is at most a few half radii larger */
