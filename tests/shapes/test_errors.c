@@ -17,42 +17,8 @@
 #include "shapes/shape_facts.h"
 #include "ulps.h"
 
+/* BOX_ULPS: of cylint(3), ACCURACY. */
 enum { CASES = 1000, BOX_ULPS = 5, ROUND_ULPS = 1, ROUND_WILD_ULPS = 3 };
-
-/* Of cylint(3). */
-static const char *const table =
-    ".Bl -column \"relation, n, part, side\" \"error\" \"nearest double\"\n"
-    ".It Sy answer Ta Sy error Ta Sy kind\n"
-    ".It relation, n, part, side Ta 0 Ta exact\n"
-    ".It t Ta 0.5 Ta nearest double\n"
-    ".It point Ta 0.5 Ta nearest double\n"
-    ".It normal Ta 0.5 Ta nearest double\n"
-    ".It z Ta 0.5 Ta nearest double\n"
-    ".It \\(*f Ta 0.5 Ta nearest double\n"
-    ".It a box's sides, outward Ta 5 Ta observed\n"
-    ".It tangent of a half angle Ta 0.5 Ta observed\n"
-    ".El\n";
-
-TEST(the_manual_shows_these_errors)
-{
-    static char got[4000];
-    char text[300];
-    int within = 0;
-    FILE *f = fopen("man/cylint.3", "r");
-    if (!CHECK(f != NULL))
-        return;
-    while (fgets(text, sizeof text, f)) {
-        if (strcmp(text, ".\\\" budgets end\n") == 0)
-            within = 0;
-        if (within && strlen(got) + strlen(text) < sizeof got)
-            strcat(got, text);
-        if (strcmp(text, ".\\\" budgets begin\n") == 0)
-            within = 1;
-    }
-    fclose(f);
-    if (!CHECK(strcmp(table, got) == 0))
-        REPORT("man/cylint.3 should have\n%s", table);
-}
 
 /* --------------------------------------------------------------- boxes -- */
 

@@ -20,13 +20,6 @@ static inline uint64_t check_seed(void)
     return check_setting("CYLINT_SEED", 1);
 }
 
-/* The environment variable as a number such as 1e8 or 0.5. */
-static inline double check_number(const char *name, double otherwise)
-{
-    const char *text = getenv(name);
-    return text ? strtod(text, NULL) : otherwise;
-}
-
 /* Prints why the program cannot run here and returns the exit status that
  * tests/support/run.sh counts as skipped. */
 static inline int check_skip(const char *reason)
