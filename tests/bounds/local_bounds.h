@@ -9,11 +9,11 @@
 
 #include "check.h"
 
-/* Slopes and the steps between them.  Beyond the last the greatest powers of
- * the slope decide. */
+/* Slopes, and the quotient of a cell's ends.  Beyond the last slope its greatest
+ * powers decide.  A larger quotient proves as much: it needs larger constants. */
 #define FIRST_SLOPE 0x1p-20
 #define LAST_SLOPE 0x1p30
-#define SLOPE_STEP 1.02
+#define STEP 1.1
 
 static inline double square(double x)
 {

@@ -201,23 +201,23 @@ static void at_cell(bound_of_cell *of, double r, double more_r, double s,
     of(&c);
 }
 
-static void over_slopes(bound_of_cell *of, double r, double more_r, double step)
+static void over_slopes(bound_of_cell *of, double r, double more_r)
 {
     at_cell(of, r, more_r, 0, FIRST_SLOPE);
-    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= step)
-        at_cell(of, r, more_r, s, s * step);
+    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= STEP)
+        at_cell(of, r, more_r, s, s * STEP);
 }
 
 static void over_cells(bound_of_cell *of)
 {
     for (int i = 0; i < 40; i++)
-        over_slopes(of, i / 40.0, (i + 1) / 40.0, SLOPE_STEP);
+        over_slopes(of, i / 40.0, (i + 1) / 40.0);
 }
 
 /* All slopes with the greatest radius. */
 static void over_cones(bound_of_cell *of)
 {
-    over_slopes(of, 0, 1, 1.1);
+    over_slopes(of, 0, 1);
 }
 
 /* In doubles where the matrix has no low parts: the roundings of which
@@ -323,8 +323,8 @@ static void straight_g_cell(cell *c)
 static void over_radii(bound_of_cell *of)
 {
     at_cell(of, 0, u / 16, 0, 0);
-    for (double r = u / 16; r < 1; r *= SLOPE_STEP)
-        at_cell(of, r, fmin(r * SLOPE_STEP, 1), 0, 0);
+    for (double r = u / 16; r < 1; r *= STEP)
+        at_cell(of, r, fmin(r * STEP, 1), 0, 0);
 }
 
 /*
@@ -352,7 +352,7 @@ static void tapered_g_cell(cell *c)
         need(G_bounds(&c->l, 1, there).off,
              2 * off * (fmax(y - lost, 0) + off) / CYLINT_LOCAL_FORM);
         y = more_y;
-        more_y *= SLOPE_STEP;
+        more_y *= STEP;
     }
     cap = HUGE_VAL;
 }
@@ -470,7 +470,7 @@ static void point_C_cell(cell *c)
         const number C = sum(product(y, y), sum(product(x, x), product(x, x)));
         need(C.off, 4 * eP * (least + CYLINT_LOCAL_POSITION * eP));
         least = most;
-        most *= 1.1;
+        most *= STEP;
     }
 }
 
@@ -490,7 +490,7 @@ static void ball_at_t(void)
                              product(known(most), known(most)));
         need(C.off, 8 * u * (least + CYLINT_LOCAL_POSITION * u));
         least = most;
-        most *= 1.1;
+        most *= STEP;
     }
     judge(&POSITION, "of C, ball");
     need(
@@ -569,7 +569,7 @@ static void residual_cell(cell *c)
         if (c->s == 0) /* a ball */
             need(square_off(at_most(z, most), known(2 * most)), unit);
         least = most;
-        most *= 1.1;
+        most *= STEP;
     }
     need(x.off + 0x1p-53 * x.lo, u);
     need(z.off + 0x1p-53 * z.lo, u);

@@ -290,10 +290,10 @@ TEST(a_residual_in_levels_has_its_bound)
     circular_levels(0, FIRST_SLOPE);
     tangent_levels(0, FIRST_SLOPE);
     elliptic_levels(0, FIRST_SLOPE);
-    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP) {
-        circular_levels(s, s * SLOPE_STEP);
-        tangent_levels(s, s * SLOPE_STEP);
-        elliptic_levels(s, s * SLOPE_STEP);
+    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= STEP) {
+        circular_levels(s, s * STEP);
+        tangent_levels(s, s * STEP);
+        elliptic_levels(s, s * STEP);
     }
     judge_in(&TRIPLE, "levels", "levels");
     round_levels();
