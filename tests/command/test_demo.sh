@@ -65,8 +65,9 @@ verdict the_picture_is_32_rows_of_at_most_100_characters $?
 # The demo names its picture if it made one.
 ! grep -q 'forest.png' "$scratch/output" && [ ! -e "$scan/forest.png" ]
 verdict without_cylint_render_no_picture_is_named $?
-if [ -x "$build/cylint-render" ]; then
-    cp "$build/cylint-render" "$scratch/bin"
+if [ -x "$build/cylint-render" ]; then # here a small one
+    printf '#!/bin/sh\nexec "%s/cylint-render" "$@" --size 80x40\n' "$build" > "$scratch/bin/cylint-render"
+    chmod +x "$scratch/bin/cylint-render"
     demo pictured && tail -n 1 "$scratch/output" | grep -q "$scan/forest.png" &&
         [ "$(head -c 4 "$scan/forest.png" | tail -c 3)" = PNG ] &&
         grep -q 'foliage #' "$scan/forest.scene"
