@@ -298,7 +298,7 @@ static void judge_pairs(void)
 
 TEST(angles_have_their_bounds)
 {
-    const uint64_t cases = check_setting("CYLINT_CASES", 1 << 19);
+    const uint64_t cases = check_setting("CYLINT_CASES", 1 << 17);
     for (uint64_t n = 0; n < cases; n += BLOCK) {
         for (int i = 0; i < BLOCK; i++) {
             exact_points[i] = any_point();
