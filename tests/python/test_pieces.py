@@ -279,11 +279,15 @@ def test_tubes_that_are_refused():
     cone, clauses = cylint.tube([0, 0, 0], [0, 0, 9], [2, 1])
     assert (cone.kind.tolist(), clauses.tolist()) == ([cylint.Kind.CONE], [1])
     good = {"p0": [0, 0, 0], "p1": [0, 0, 9], "outer": 2}
-    for name, wrong in (
-        ("outer", -1), ("p1", [0, 0, 0]), ("p1", [[0, 0, 1]]), ("sector", [1, 0, 0]),
-        ("sector", [[0, 0, 1], [1, 0, 0]]),
+    for name, wrong, message in (
+        ("outer", -1, "tube: a radius is negative"), ("p1", [0, 0, 0], "tube: the axis"),
+        ("p1", [[0, 0, 1]], r"p1: expected the shape \(3,\), found \(1, 3\)"),
+        ("outer", [1, 2, 3], r"outer: expected the shape \(2,\), found \(3,\)"),
+        ("sector", [1, 0, 0], r"sector: expected the shape \(2, 3\), found \(3,\)"),
+        ("sector", [[0, 0, 1], [1, 0, 0]], "a direction of the sector is parallel"),
+        ("sector", [[1, 0, 1], [2, 0, 0]], "or both are in one half plane"),
     ):  # fmt: skip
-        with refused(r"tube|p1|sector"):
+        with refused(message):
             cylint.tube(**(good | {name: wrong}))
 
 

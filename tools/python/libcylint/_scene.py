@@ -435,9 +435,10 @@ class Scene:
         """The lengths of each line inside solids, added by label.
 
         Arguments as of `pieces`.
-        labels: (len(scene),) integers from 0; negative ones are not counted.  The
-        answer is (..., columns), one column a label; columns: default the greatest
-        label and 1.  None: all shapes count, and the answer is (...).
+        labels: (len(scene),) integers from 0; negative ones are not counted.  Those
+        of names are np.unique(names, return_inverse=True)[1].  The answer is
+        (..., columns), one column a label; columns: default the greatest label and
+        1.  None: all shapes count, and the answer is (...).
         units: "length" in those of the scene; "t": in units of the directions.
 
         Each sum is rounded once, and once more for "length"; inf if a piece is

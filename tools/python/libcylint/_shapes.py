@@ -603,25 +603,25 @@ def tube(
     >>> scene.pieces([-5, 0, 3], [1, 0, 0])[3:]
     (array([6.]), array([7.]))
     """
-    radii = [
-        np.broadcast_to(doubles(name, value, 1), 2)
-        for name, value in (("outer", outer), ("inner", inner))
-    ]
-    points = [doubles(n, value, 3) for n, value in (("p0", p0), ("p1", p1))]
-    sides = doubles("sector", np.zeros((2, 3)) if sector is None else sector, 3)
-    for name, value, expected in (
-        ("p0", points[0], (3,)), ("p1", points[1], (3,)), ("sector", sides, (2, 3)),
+    numbers = []
+    for name, value, width, shape in (
+        ("p0", p0, 3, (3,)), ("p1", p1, 3, (3,)), ("outer", outer, 1, (2,)),
+        ("inner", inner, 1, (2,)),
+        ("sector", np.zeros((2, 3)) if sector is None else sector, 3, (2, 3)),
     ):
-        if value.shape != expected:
-            raise ValueError(
-                f"{name}: expected the shape {expected}, found {value.shape}"
-            )
-    numbers = np.concatenate([*points, *radii, sides.reshape(-1)])
+        array = doubles(name, value, width)
+        if array.size == 1:
+            array = np.repeat(array, 2)
+        if array.shape != shape:
+            raise ValueError(f"{name}: expected the shape {shape}, found {array.shape}")
+        numbers.append(array.reshape(-1))
     records = np.empty(_TUBE_MEMBERS, _record)
     clauses = np.empty(_TUBE_MEMBERS, np.intc)
-    status, n = _core.make_tube(numbers, sector is not None, kinds_of(records), clauses)
-    if status:
-        raise ValueError(f"tube: {_core.strerror(status)}")
+    n, wrong = _core.make_tube(
+        np.concatenate(numbers), sector is not None, kinds_of(records), clauses
+    )
+    if wrong:
+        raise ValueError(f"tube: {wrong}")
     return Shapes(records[:n]), clauses[:n]
 
 

@@ -56,8 +56,8 @@ int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
     return refused;
 }
 
-/* numbers (16): p0, p1, outer, inner, sector; shapes and clauses (4).  Returns the
- * status and how many members the tube has. */
+/* numbers (16): p0, p1, outer, inner, sector; shapes and clauses (4).  Returns how
+ * many members the tube has, and "" or what is wrong. */
 nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
                     Output clauses)
 {
@@ -69,7 +69,11 @@ nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
     const int status = cylint_tube(
         from, from + 3, from + 6, from + 8, is_sector ? sector : nullptr,
         shape_at(shapes, 0), static_cast<int *>(clauses.data()), &n);
-    return nb::make_tuple(status, n);
+    const char *wrong = status == CYLINT_OK ? "" : cylint_strerror(status);
+    if (status == CYLINT_EDIRECTION)
+        wrong = "a direction of the sector is parallel to the axis, or both are "
+                "in one half plane from it";
+    return nb::make_tuple(n, wrong);
 }
 
 /* Calls function(i, shape) for each of shapes (n). */
