@@ -71,8 +71,9 @@ nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
         shape_at(shapes, 0), static_cast<int *>(clauses.data()), &n);
     const char *wrong = status == CYLINT_OK ? "" : cylint_strerror(status);
     if (status == CYLINT_EDIRECTION)
-        wrong = "a direction of the sector is parallel to the axis, or both are "
-                "in one half plane from it";
+        wrong =
+            "a direction of the sector is parallel to the axis, or both are "
+            "in one half plane from it";
     return nb::make_tuple(n, wrong);
 }
 
