@@ -118,10 +118,10 @@ static scale scale_of(const range *r)
     const cylint_extent e = extent_of(r->centers);
     scale s;
     EACH(j, 3) {
-        const float side = e.upper[j] - e.lower[j];
+        const float side = e.upper[j] - e.lower[j], bins = BINS;
         s.least[j] = e.lower[j];
         s.per_bin[j] =
-            side > FLT_MIN * BINS ? BINS * (1 - 4 * FLT_EPSILON) / side : 0;
+            side > FLT_MIN * bins ? bins * (1 - 4 * FLT_EPSILON) / side : 0;
     }
     return s;
 }

@@ -36,7 +36,7 @@ static const cylint_shape_piece whole = {0, 1};
 static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
 {
     const double balance = sqrt(cylint_half_area(box) / half_surface(t));
-    const double most = balance > NEEDLE ? MANY : FEW;
+    const double most = balance > (double)NEEDLE ? MANY : FEW;
     return !(balance > 1) ? 1 : (int)fmin(balance + 0.5, most);
 }
 

@@ -136,7 +136,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
         /* untaken 1 of 4: no known distance of numbers in range is so small */
         n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
     /* untaken 1 of 8: the feature is known in every known case */
-    if (certain || !n->known || n->feature >= CYLINT_FEATURE_RIM0 ||
+    if (certain || !n->known || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
         cylint_has_tangent(s->kind) || !(size <= CYLINT_CLOSE * m->size) ||
         !(m->size <= CYLINT_CLOSE_MOST))
         return certain;
