@@ -138,7 +138,8 @@ check-threads: ## run scenes of several threads, 8 workers, under the thread san
 	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/command/render_threads.sh)
 
 fuzzed := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp $(sanitized)
-fuzz_programs: $(fuzz_programs)
+fuzz_programs: $(if $(WRAP),$(fuzz_programs))
+	@$(if $(WRAP),,echo 'fuzz: $(CC) does not link with its sanitizers (Debian: libclang-rt-VERSION-dev)'; exit 1)
 fuzz: ## run libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
 	$(MAKE) -s BUILD=$(BUILD)/fuzz FUZZER=yes PARANOID=1 CC=clang CXX=clang++ \
 	  CPPFLAGS=-DCYLINT_SHRINK=1024 CFLAGS='-g -O1 $(fuzzed)' \

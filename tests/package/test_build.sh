@@ -108,6 +108,11 @@ $make -n -C "$top" BUILD="$scratch/none" MACHINE=x86_64-w64-mingw32 CC="$real" \
     grep -q -e '--out-implib,[^ ]*libcylint\.dll\.a' "$scratch/output"
 verdict windows_links_shared_libraries_with_its_options $?
 
+make_bare WRAP= fuzz_programs > "$scratch/said"
+[ $? -ne 0 ] && grep -q '^fuzz: .* does not link with its sanitizers' "$scratch/said" &&
+    ! grep -q '^CC ' "$scratch/said"
+verdict without_a_sanitizer_fuzz_says_so_and_compiles_nothing $?
+
 # Code without wide vectors is slow after a function that leaves the upper halves
 # of registers in use.  gcc does not clear them (vzeroupper) in a function with a
 # vector among its arguments.
