@@ -15,10 +15,28 @@ enum { TUBES = 2000, LINES = 20, POINTS = 20 };
 static struct {
     double p0[3], p1[3], outer[2], inner[2], sector[2][3];
     int is_hollow, has_sector;
-    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
-    int clauses[CYLINT_TUBE_MEMBERS];
-    size_t n;
 } tube;
+
+/* The last tube, and its pieces on the last line. */
+static cylint_shape s[CYLINT_TUBE_MEMBERS];
+static int clauses[CYLINT_TUBE_MEMBERS];
+static size_t n;
+static cylint_interval piece[CYLINT_SOLID_PIECES];
+
+static cylint_status make(const double p0[3], const double p1[3],
+                          const double outer[2], const double inner[2],
+                          const double sector[2][3])
+{
+    return cylint_tube(p0, p1, outer, inner, sector, s, clauses, &n);
+}
+
+static int pieces_on(const double o[3], const double d[3])
+{
+    cylint_line line;
+    CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
+    return cylint_solid_pieces(s, clauses, n, &line, piece,
+                               CYLINT_SOLID_PIECES);
+}
 
 static cylint_status make_tube(void)
 {
@@ -31,9 +49,8 @@ static cylint_status make_tube(void)
         tube.inner[i] = tube.is_hollow ? between(0, tube.outer[i]) : 0;
         random_vector(tube.sector[i], 1);
     }
-    return cylint_tube(tube.p0, tube.p1, tube.outer, tube.inner,
-                       tube.has_sector ? (const double(*)[3])tube.sector : NULL,
-                       tube.shapes, tube.clauses, &tube.n);
+    return make(tube.p0, tube.p1, tube.outer, tube.inner,
+                tube.has_sector ? (const double(*)[3])tube.sector : NULL);
 }
 
 /* The angle from the first direction to x about the axis, in [0, 2 pi). */
@@ -84,27 +101,22 @@ static long points_inside;
 static void check_line(void)
 {
     double o[3], d[3];
-    cylint_interval piece[CYLINT_SOLID_PIECES];
-    cylint_line line;
     random_vector(o, 1);
     random_vector(d, 1);
-    if (cylint_span(&line, o, d, -3, 3) != CYLINT_OK)
-        return;
-    const int n = cylint_solid_pieces(tube.shapes, tube.clauses, tube.n, &line,
-                                      piece, CYLINT_SOLID_PIECES);
+    const int pieces = pieces_on(o, d);
     for (int i = 0; i < POINTS; i++) {
         const double t = between(-1.5, 1.5);
         double point[3];
         int is = 0;
         for (int j = 0; j < 3; j++)
             point[j] = o[j] + t * d[j];
-        for (int j = 0; j < n; j++)
+        for (int j = 0; j < pieces; j++)
             is |= piece[j].t0 <= t && t <= piece[j].t1;
         const int expected = is_inside(point);
         points_inside += is;
         if (expected >= 0 && !CHECK(is == expected))
             REPORT("t = %g: inside %d, not %d; %zu members", t, is, expected,
-                   tube.n);
+                   n);
     }
 }
 
@@ -115,8 +127,7 @@ TEST(pieces_are_where_radius_height_and_angle_say)
     for (int i = 0; i < TUBES; i++) {
         if (!CHECK(make_tube() == CYLINT_OK))
             continue;
-        CHECK(tube.n ==
-              1 + (size_t)tube.is_hollow + 2 * (size_t)tube.has_sector);
+        CHECK(n == 1 + (size_t)tube.is_hollow + 2 * (size_t)tube.has_sector);
         for (int j = 0; j < LINES; j++)
             check_line();
     }
@@ -131,25 +142,16 @@ TEST(sectors_of_simple_directions_are_exact)
                  rest[2][3] = {{0, 1, 0}, {1, 0, 0}},
                  half[2][3] = {{1, 0, 0}, {-1, 0, 5}};
     const double o[3] = {-5, 0, 1}, d[3] = {1, 0, 0};
-    cylint_interval piece[CYLINT_SOLID_PIECES];
-    cylint_shape s[CYLINT_TUBE_MEMBERS];
-    cylint_line line;
-    int clauses[CYLINT_TUBE_MEMBERS];
-    size_t n;
-    cylint_whole_line(&line, o, d);
     /* The line lies in the plane y = 0 that bounds the sectors, and is inside. */
-    CHECK(cylint_tube(p0, p1, outer, inner, quarter, s, clauses, &n) ==
-              CYLINT_OK &&
+    CHECK(make(p0, p1, outer, inner, quarter) == CYLINT_OK &&
           clauses[2] != clauses[3]);
-    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 1 &&
-          piece[0].t0 == 6 && piece[0].t1 == 7);
-    CHECK(cylint_tube(p0, p1, outer, inner, rest, s, clauses, &n) ==
-              CYLINT_OK &&
+    CHECK(pieces_on(o, d) == 1 && piece[0].t0 == 6 && piece[0].t1 == 7);
+    CHECK(make(p0, p1, outer, inner, rest) == CYLINT_OK &&
           clauses[2] == clauses[3]);
-    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 2 &&
-          piece[0].t0 == 3 && piece[0].t1 == 4 && piece[1].t0 == 6);
-    CHECK(cylint_tube(p0, p1, outer, inner, half, s, clauses, &n) == CYLINT_OK);
-    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 2);
+    CHECK(pieces_on(o, d) == 2 && piece[0].t0 == 3 && piece[0].t1 == 4 &&
+          piece[1].t0 == 6);
+    CHECK(make(p0, p1, outer, inner, half) == CYLINT_OK);
+    CHECK(pieces_on(o, d) == 2);
 }
 
 /* The planes contain their directions exactly. */
@@ -160,14 +162,10 @@ TEST(sectors_about_a_coordinate_are_exact)
         const int axis = i % 3;
         const double p0[3] = {0, 0, 0}, outer[2] = {2, 3};
         double p1[3] = {0, 0, 0}, sector[2][3];
-        cylint_shape s[CYLINT_TUBE_MEMBERS];
-        int clauses[CYLINT_TUBE_MEMBERS];
-        size_t n;
         p1[axis] = between(-3, 3);
         random_vector(sector[0], 1);
         random_vector(sector[1], 1);
-        if (cylint_tube(p0, p1, outer, NULL, (const double(*)[3])sector, s,
-                        clauses, &n) != CYLINT_OK)
+        if (make(p0, p1, outer, NULL, (const double(*)[3])sector) != CYLINT_OK)
             continue;
         CHECK(n == 3 && cylint_contains(&s[1], sector[0]) == 0 &&
               cylint_contains(&s[2], sector[1]) == 0);
@@ -181,23 +179,12 @@ TEST(bad_sectors_are_refused)
                  same[2][3] = {{1, 0, 0}, {2, 0, 3}},
                  bad[2][3] = {{1, 0, 0}, {NAN, 0, 3}};
     const double zeros[2] = {0, 0}, none[2][3] = {{1, 0, 0}, {0, 0, 0}};
-    cylint_shape s[CYLINT_TUBE_MEMBERS];
-    int clauses[CYLINT_TUBE_MEMBERS];
-    size_t n;
-    CHECK(cylint_tube(p0, p1, outer, NULL, along, s, clauses, &n) ==
-              CYLINT_EDIRECTION &&
-          n == 0);
-    CHECK(cylint_tube(p0, p1, outer, NULL, same, s, clauses, &n) ==
-          CYLINT_EDIRECTION);
-    CHECK(cylint_tube(p0, p1, outer, NULL, bad, s, clauses, &n) ==
-          CYLINT_ENONFINITE);
-    CHECK(cylint_tube(p0, p1, zeros, NULL, NULL, s, clauses, &n) ==
-          CYLINT_ERADIUS);
-    CHECK(cylint_tube(p0, p1, outer, zeros, NULL, s, clauses, &n) ==
-              CYLINT_OK &&
-          n == 1);
-    CHECK(cylint_tube(p0, p1, outer, NULL, none, s, clauses, &n) ==
-          CYLINT_EDIRECTION);
+    CHECK(make(p0, p1, outer, NULL, along) == CYLINT_EDIRECTION && n == 0);
+    CHECK(make(p0, p1, outer, NULL, same) == CYLINT_EDIRECTION);
+    CHECK(make(p0, p1, outer, NULL, bad) == CYLINT_ENONFINITE);
+    CHECK(make(p0, p1, zeros, NULL, NULL) == CYLINT_ERADIUS);
+    CHECK(make(p0, p1, outer, zeros, NULL) == CYLINT_OK && n == 1);
+    CHECK(make(p0, p1, outer, NULL, none) == CYLINT_EDIRECTION);
 }
 
 /* The hole is a cone with its apex at p0. */
@@ -205,17 +192,8 @@ TEST(a_hole_can_begin_with_the_radius_0)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
                  inner[2] = {0, 1}, o[3] = {-3, 0, 1}, d[3] = {1, 0, 0};
-    cylint_shape s[CYLINT_TUBE_MEMBERS];
-    cylint_interval piece[CYLINT_SOLID_PIECES];
-    cylint_line line;
-    int clauses[CYLINT_TUBE_MEMBERS];
-    size_t n;
-    CHECK(cylint_tube(p0, p1, outer, inner, NULL, s, clauses, &n) ==
-              CYLINT_OK &&
-          n == 2);
-    cylint_whole_line(&line, o, d);
-    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece,
-                              CYLINT_SOLID_PIECES) == 2);
+    CHECK(make(p0, p1, outer, inner, NULL) == CYLINT_OK && n == 2);
+    CHECK(pieces_on(o, d) == 2);
     CHECK(piece[0].t0 == 1 && piece[0].t1 == 2.5 && piece[1].t0 == 3.5 &&
           piece[1].t1 == 5);
 }
@@ -231,9 +209,6 @@ TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
         const int k = one_of(3), move = one_of(3) - 1;
         int64_t axis[3], x[3];
         double p1[3], sector[2][3];
-        cylint_shape s[CYLINT_TUBE_MEMBERS];
-        int clauses[CYLINT_TUBE_MEMBERS];
-        size_t n;
         for (int j = 0; j < 3; j++) {
             axis[j] = one_of(1 << 30) - (1 << 29);
             x[j] = one_of(1 << 30) - (1 << 29);
@@ -243,8 +218,8 @@ TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
         }
         const int64_t turn = move * (axis[(k + 1) % 3] * x[(k + 2) % 3] -
                                      axis[(k + 2) % 3] * x[(k + 1) % 3]);
-        const cylint_status status = cylint_tube(
-            p0, p1, outer, NULL, (const double(*)[3])sector, s, clauses, &n);
+        const cylint_status status =
+            make(p0, p1, outer, NULL, (const double(*)[3])sector);
         found[turn == 0 ? 0 : turn > 0 ? 1 : 2]++;
         CHECK(turn == 0 ? status == CYLINT_EDIRECTION
                         : status == CYLINT_OK && n == 3 &&
@@ -264,18 +239,14 @@ TEST(an_axis_of_extreme_doubles_keeps_its_digits)
                         sector[2][3] = {{1, 0, 0}, {0, 1, 0}},
                         out[3] = {1, 0, 3}, in[3] = {1, 0, 1};
     for (int k = 0; k < 2; k++) {
-        cylint_shape shapes[CYLINT_TUBE_MEMBERS];
-        int clauses[CYLINT_TUBE_MEMBERS];
         double outer[3], inner[3];
-        size_t n;
-        CHECK(cylint_tube(p0[k], p1[k], radii, NULL, sector, shapes, clauses,
-                          &n) == CYLINT_OK);
+        CHECK(make(p0[k], p1[k], radii, NULL, sector) == CYLINT_OK);
         for (int i = 0; i < 3; i++) {
             const double unit = k ? 0x1p1021 : 1;
             outer[i] = p0[k][i] + out[i] * unit;
             inner[i] = p0[k][i] + in[i] * unit;
         }
-        CHECK(n == 3 && cylint_contains(&shapes[2], outer) == -1 &&
-              cylint_contains(&shapes[2], inner) == 1);
+        CHECK(n == 3 && cylint_contains(&s[2], outer) == -1 &&
+              cylint_contains(&s[2], inner) == 1);
     }
 }

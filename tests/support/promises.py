@@ -6,9 +6,9 @@
 
 The indented sentences below a line of tests are what these tests prove.  Each must
 stand in the document, letter for letter but for blanks and signs; of a manual the
-lines that begin with a dot do not count, but for the rows of a table.  Each property must be one that its file
-runs; of a file of transcripts it begins a line of text.  Each function of a header
-must have a line `name()`.
+lines that begin with a dot do not count, but for the rows of a table.  Each property
+must be one that its file runs; of a file of transcripts it begins a line of text.
+Each function of a header must have a line `name()`.
 """
 import functools
 import os
