@@ -125,7 +125,7 @@ TEST(errors_are_below_their_bounds)
         for (int k = 0; k < POINTS; k++) {
             double p[3];
             draw_point(&c, p);
-            if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))
+            if (is_finite3(p))
                 check_point(&c, p);
         }
     }

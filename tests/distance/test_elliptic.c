@@ -183,7 +183,7 @@ TEST(coincidences_have_one_answer)
         if (!cylint_is_elliptic(c.shape.kind))
             continue;
         draw_point(&c, p);
-        if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))
+        if (is_finite3(p))
             check_point(&c, p, 0, &sum);
     }
     CHECK(sum.left < sum.n / 2);

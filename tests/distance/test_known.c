@@ -304,8 +304,7 @@ static void over_families(property *check)
         for (int k = 0; k < POINTS; k++) {
             double p[3];
             draw_point(&c, p);
-            if (!cylint_is_elliptic(c.shape.kind) && isfinite(p[0]) &&
-                isfinite(p[1]) && isfinite(p[2]))
+            if (!cylint_is_elliptic(c.shape.kind) && is_finite3(p))
                 check(&c, p);
         }
     }
@@ -451,8 +450,7 @@ static double safety_size(const cylint_shape *s, const double p[3],
                              : length + fmax(cylint_r0(s), cylint_r1(s)) *
                                             cylint_radius_unit(s, length);
     double D[3];
-    for (int i = 0; i < 3; i++)
-        D[i] = p[i] - cylint_base(s)[i];
+    along3(D, p, -1, cylint_base(s));
     return reach +
            (s->ends == CYLINT_ENDS_INFINITE ? 1.42 * length_of(D) : distance);
 }

@@ -321,8 +321,8 @@ static int is_promised(const cylint_shape *s, const double p[3])
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++)
             v[i][k] = ldexp(data[i][k], -high);
-        least = fmin(least, sqrt(dot3(v[i], v[i])));
-        most = fmax(most, sqrt(dot3(v[i], v[i])));
+        least = fmin(least, length3(v[i]));
+        most = fmax(most, length3(v[i]));
     }
     cross3(normal, v[0], v[1]);
     return most <= 1e12 * least &&
@@ -353,8 +353,7 @@ static void over_families(int wild, int elliptic)
         for (int k = 0; k < POINTS; k++) {
             double p[3];
             const enum place place = draw_point(&c, p);
-            if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
-                (elliptic && !is_promised(&c.shape, p)))
+            if (!is_finite3(p) || (elliptic && !is_promised(&c.shape, p)))
                 continue;
             check_point(&c, p, &places[place]);
         }

@@ -13,6 +13,7 @@
 
 #include "same.h"
 #include "shapes/shape_facts.h"
+#include "vectors.h"
 
 static const unsigned verdicts = CYLINT_WANT_T | CYLINT_WANT_PART;
 
@@ -117,8 +118,7 @@ static inline int has_even_hits(const struct family_case *given)
     c.ends = CYLINT_ENDS_CAPPED;
     if (!family_make(&c) || !cylint_is_bounded(&c.shape))
         return 1;
-    c.line.tmin = -HUGE_VAL;
-    c.line.tmax = HUGE_VAL;
+    c.line = whole_of(c.line);
     const cylint_answer a = answer_to(&c);
     return a.relation == CYLINT_RELATION_MISS ? a.n == 0
            : a.relation == CYLINT_RELATION_TOUCH
@@ -176,8 +176,7 @@ static inline int is_cut_by_its_domain(const struct family_case *given)
     const double tmin = c.line.tmin, tmax = c.line.tmax;
     if (!c.line.valid)
         return 1;
-    c.line.tmin = -HUGE_VAL;
-    c.line.tmax = HUGE_VAL;
+    c.line = whole_of(c.line);
     const cylint_answer all = answer_to(&c), some = answer_to(given);
     int n = 0, good = all.relation == some.relation;
     for (int i = 0; i < all.n; i++) {
@@ -256,8 +255,8 @@ static inline int is_scaled_by(const struct family_case *given, int e, int f)
         return 1;
     family_make(&c);
     if (!segment) {
-        whole.line.tmin = c.line.tmin = -HUGE_VAL;
-        whole.line.tmax = c.line.tmax = HUGE_VAL;
+        whole.line = whole_of(whole.line);
+        c.line = whole_of(c.line);
     }
     const cylint_answer a = answer_to(&whole), b = answer_to(&c);
     int good = a.relation == b.relation && a.n == b.n;

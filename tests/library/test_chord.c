@@ -45,14 +45,12 @@ static long compared, with_chords;
 static int expected_chords(const struct family_case *c, cylint_interval *chord)
 {
     cylint_shape closed = c->shape;
-    cylint_line whole = c->line;
+    const cylint_line whole = whole_of(c->line);
     cylint_answer a;
     double end[4] = {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
     int kept = 0;
     if (closed.ends < CYLINT_ENDS_INFINITE)
         closed.ends = CYLINT_ENDS_CAPPED;
-    whole.tmin = -HUGE_VAL;
-    whole.tmax = HUGE_VAL;
     oracle_intersect(&closed, &whole, CYLINT_WANT_T, &a);
     if (a.relation == CYLINT_RELATION_MISS ||
         a.relation == CYLINT_RELATION_TOUCH)
@@ -79,10 +77,8 @@ static int expected_chords(const struct family_case *c, cylint_interval *chord)
  * it. */
 static void limit(struct family_case *c)
 {
-    cylint_line whole = c->line;
+    const cylint_line whole = whole_of(c->line);
     cylint_answer a;
-    whole.tmin = -HUGE_VAL;
-    whole.tmax = HUGE_VAL;
     cylint_intersect(&c->shape, &whole, CYLINT_WANT_T, &a);
     if (a.n == 0 || one_of(2))
         return;

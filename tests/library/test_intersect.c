@@ -13,6 +13,7 @@
 #include "check.h"
 #include "oracle.h"
 #include "same.h"
+#include "vectors.h"
 
 enum { CASES = 2000 };
 
@@ -57,8 +58,7 @@ TEST(library_and_oracle_agree)
 static int inside_at(const struct family_case *c, double t)
 {
     double p[3];
-    for (int i = 0; i < 3; i++)
-        p[i] = c->line.o[i] + t * c->line.d[i];
+    along3(p, c->line.o, t, c->line.d);
     return oracle_contains(&c->shape, p);
 }
 
@@ -72,8 +72,7 @@ TEST(oracle_agrees_with_points_sampled_along_the_line)
         family_case(check_seed(), 0, i, &c);
         if (c.line_word == FAMILY_SEGMENT)
             continue; /* its d is rounded */
-        c.line.tmin = -HUGE_VAL;
-        c.line.tmax = HUGE_VAL;
+        c.line = whole_of(c.line);
         c.shape.ends = c.shape.ends < CYLINT_ENDS_INFINITE ? CYLINT_ENDS_CAPPED
                                                            : c.shape.ends;
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answer);

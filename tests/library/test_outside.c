@@ -111,11 +111,6 @@ static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
     return fabs(r) * unit > 1e9 * ulp(size);
 }
 
-static int is_finite_point(const double p[3])
-{
-    return isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]);
-}
-
 /* Whether a point that is a member of the hit becomes the same point. */
 static int same_in_hit(const cylint_shape *s, const cylint_hit *hit, int side)
 {
@@ -173,7 +168,7 @@ static void over_families(int wild)
             family_case(5, f, i, &c);
             cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
             for (int k = 0; k < a.n; k++)
-                if (is_finite_point(a.hit[k].point))
+                if (is_finite3(a.hit[k].point))
                     from_hit(&c, &a.hit[k], rays);
         }
     }

@@ -70,10 +70,8 @@ static int is_inside(const double point[3])
 {
     enum { LIMITS = 6 };
     double axis[3], x[3], limit[LIMITS] = {1, 1, 1, 1, 1, 1};
-    for (int i = 0; i < 3; i++) {
-        axis[i] = tube.p1[i] - tube.p0[i];
-        x[i] = point[i] - tube.p0[i];
-    }
+    along3(axis, tube.p1, -1, tube.p0);
+    along3(x, point, -1, tube.p0);
     const double z = dot3(axis, x) / dot3(axis, axis);
     const double r = sqrt(fmax(0, dot3(x, x) - z * z * dot3(axis, axis)));
     limit[0] = z;
@@ -108,8 +106,7 @@ static void check_line(void)
         const double t = between(-1.5, 1.5);
         double point[3];
         int is = 0;
-        for (int j = 0; j < 3; j++)
-            point[j] = o[j] + t * d[j];
+        along3(point, o, t, d);
         for (int j = 0; j < pieces; j++)
             is |= piece[j].t0 <= t && t <= piece[j].t1;
         const int expected = is_inside(point);
@@ -241,11 +238,8 @@ TEST(an_axis_of_extreme_doubles_keeps_its_digits)
     for (int k = 0; k < 2; k++) {
         double outer[3], inner[3];
         CHECK(make(p0[k], p1[k], radii, NULL, sector) == CYLINT_OK);
-        for (int i = 0; i < 3; i++) {
-            const double unit = k ? 0x1p1021 : 1;
-            outer[i] = p0[k][i] + out[i] * unit;
-            inner[i] = p0[k][i] + in[i] * unit;
-        }
+        along3(outer, p0[k], k ? 0x1p1021 : 1, out);
+        along3(inner, p0[k], k ? 0x1p1021 : 1, in);
         CHECK(n == 3 && cylint_contains(&s[2], outer) == -1 &&
               cylint_contains(&s[2], inner) == 1);
     }

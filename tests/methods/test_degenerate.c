@@ -12,6 +12,7 @@
 #include "method_cases.h"
 #include "records.h"
 #include "same.h"
+#include "vectors.h"
 
 /* The library as a method: the expected answers are checked against it too. */
 static cylint_status intersect(const cylint_shape *shape,
@@ -107,8 +108,7 @@ TEST(a_pointed_end_is_never_hit_as_a_cap)
         const double d[3] = {1 + i / 7.0, 2 - i / 300.0, 4 + i / 11.0};
         double o[3];
         cylint_line line;
-        for (int j = 0; j < 3; j++)
-            o[j] = apex[j] - i / 3.0 * d[j];
+        along3(o, apex, -i / 3.0, d);
         cylint_whole_line(&line, o, d);
         cylint_quadratic(&down, &line, CYLINT_WANT_ALL, &a);
         for (int k = 0; k < a.n; k++, hits++)

@@ -16,15 +16,14 @@
 
 static void unit(const double a[3], double out[3])
 {
-    const double size = sqrt(dot3(a, a));
+    const double size = length3(a);
     for (int i = 0; i < 3; i++)
         out[i] = a[i] / size;
 }
 
 static void minus(const double a[3], const double b[3], double out[3])
 {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[i] - b[i];
+    along3(out, a, -1, b);
 }
 
 static int is(double t, double expected)
@@ -124,9 +123,8 @@ static int shene_cone_without_exceptions(double cosine, const double D[3],
 
     cross3(n, d, D);
     unit(n, n);
-    for (int i = 0; i < 3; i++)
-        m[i] = along_z[i] - n[2] * n[i];
-    const double cos_theta = sqrt(dot3(m, m));
+    along3(m, along_z, -n[2], n);
+    const double cos_theta = length3(m);
     unit(m, m);
     cross3(k, n, m);
     const double cos_b = cosine / cos_theta;
@@ -160,7 +158,7 @@ TEST(shenes_general_cone_case_is_right_where_it_applies)
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     corrected(cylint_shene_cone, record);
     const cylint_answer q = corrected(cylint_quadratic, record);
-    const double size = sqrt(dot3(d, d));
+    const double size = length3(d);
     for (int i = 0; i < 2; i++)
         CHECK(is(q.hit[i].t, t[0] / size) || is(q.hit[i].t, t[1] / size));
 }
@@ -196,8 +194,7 @@ TEST(a_plane_perpendicular_to_the_axis_cuts_the_apex_only)
 
     cross3(n, along_y, o);
     unit(n, n);
-    for (int i = 0; i < 3; i++)
-        m[i] = along_z[i] - n[2] * n[i];
+    along3(m, along_z, -n[2], n);
     unit(m, m);
     CHECK(isnan(m[0]) && isnan(m[2])); /* the frame of delta has no m */
     corrected(cylint_shene_cone, "line 1 -3 0 0 1 0" SHENES_CONE "miss 0");
@@ -357,8 +354,7 @@ TEST(the_closest_point_halves_the_chord)
         "line -5 1 6 3 1 -0.5  cylinder 1 2 3 2 4 7 4 ends=infinite => "
         "cross 2  ~0.87030533471806 0 ~3.42060375619103 0");
     const double t_c = (a.hit[0].t + a.hit[1].t) / 2;
-    for (int i = 0; i < 3; i++)
-        M[i] = o[i] + t_c * d[i];
+    along3(M, o, t_c, d);
     minus(p1, p0, e);
     minus(M, p0, D);
     cross3(n, d, e);

@@ -79,12 +79,10 @@ static boundary expected_boundary(void)
 static int expected_hit(const boundary *b, cylint_hit *hit)
 {
     cylint_shape shape = world.shape[b->number];
-    cylint_line whole = world.line;
+    const cylint_line whole = whole_of(world.line);
     cylint_answer a;
     if (shape.ends < CYLINT_ENDS_INFINITE)
         shape.ends = CYLINT_ENDS_CAPPED;
-    whole.tmin = -HUGE_VAL;
-    whole.tmax = HUGE_VAL;
     cylint_intersect(&shape, &whole, CYLINT_WANT_ALL, &a);
     for (int i = 0; i < a.n; i++)
         if (a.hit[i].t == b->t && (a.hit[i].side == CYLINT_SIDE_ENTERING) ==

@@ -62,9 +62,7 @@ static void answer_one_by_one(void)
     for (int i = 0; i < GROUP; i++) {
         const cylint_line *line = &g.c[i].line;
         const cylint_line as_column = column_line(line, 3);
-        cylint_line whole = *line;
-        whole.tmin = -HUGE_VAL;
-        whole.tmax = HUGE_VAL;
+        const cylint_line whole = whole_of(*line);
         g.whole[i] = intersect(&g.shape[i], &whole, CYLINT_WANT_ALL);
         g.nearest[i] = g.other[i] = GROUP;
         g.hits[i] = 0;

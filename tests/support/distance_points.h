@@ -59,12 +59,11 @@ static void make_point_frame(struct point_frame *f, const cylint_shape *s)
 {
     double across = 0, size = 0, unit[3];
     f->shape = s;
-    for (int i = 0; i < 3; i++) {
-        f->a[i] = cylint_a(s)[i];
-        f->b[i] = cylint_b(s)[i];
-        f->h[i] = cylint_axis(s)[i];
-        size = fmax(size, fabs(cylint_axis(s)[i]));
-    }
+    copy3(f->a, cylint_a(s));
+    copy3(f->b, cylint_b(s));
+    copy3(f->h, cylint_axis(s));
+    for (int i = 0; i < 3; i++)
+        size = fmax(size, fabs(f->h[i]));
     for (int i = 0; i < 3; i++)
         unit[i] =
             size > 0 && isfinite(size) ? cylint_axis(s)[i] / size : i == 2;
@@ -142,9 +141,7 @@ static void put_whole(const struct family_case *c, double p[3])
 static void put_hit(const struct family_case *c, double p[3])
 {
     cylint_answer a;
-    cylint_line line = c->line;
-    line.tmin = -HUGE_VAL;
-    line.tmax = HUGE_VAL;
+    const cylint_line line = whole_of(c->line);
     const int n = cylint_intersect(&c->shape, &line,
                                    CYLINT_WANT_T | CYLINT_WANT_POINT, &a);
     for (int i = 0; i < 3; i++)
@@ -174,8 +171,7 @@ static enum place draw_point(const struct family_case *c, double p[3])
     const double z = any_z_of();
     switch (place) {
     case PLACE_ORIGIN:
-        for (int i = 0; i < 3; i++)
-            p[i] = c->line.o[i];
+        copy3(p, c->line.o);
         break;
     case PLACE_HIT:
         put_hit(c, p);
@@ -280,8 +276,7 @@ static inline int draw_reach(struct family_case *c, double p[3])
         scale_case(c, p, draw_exponent());
     draw_coordinates(reach, p);
     family_make(c);
-    return c->shape.kind != CYLINT_KIND_NONE && isfinite(p[0]) &&
-           isfinite(p[1]) && isfinite(p[2]);
+    return c->shape.kind != CYLINT_KIND_NONE && is_finite3(p);
 }
 
 /* A case of any family and of any ends, with a point, of any exponents. */

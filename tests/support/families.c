@@ -23,8 +23,7 @@ static void aim(struct family_case *out, const frame *f, double size)
     place(f, between(-size, size), between(-size, size),
           between(-size, 1 + size), p);
     place(f, between(-1, 1), between(-1, 1), between(0, 1), q);
-    for (int i = 0; i < 3; i++)
-        q[i] -= p[i];
+    add3(q, -1, p);
     scale3(q, power(-0.5, 0.5));
     write_line(out, p, q);
 }

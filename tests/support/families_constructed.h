@@ -113,8 +113,7 @@ static void write_exact_line(struct family_case *c, const exact_frame *f,
     }
     c->line_word = (family_line)one_of(4);
     if (c->line_word == FAMILY_SEGMENT)
-        for (int i = 0; i < 3; i++)
-            d[i] += o[i];
+        add3(d, 1, o);
     o[6] = back; /* a span that begins or ends at the point */
     o[7] = back + whole_between(0, 2);
 }

@@ -132,8 +132,7 @@ static void write_line_from(struct family_case *out, const double p[3],
                             const double d[3], double back)
 {
     double o[3];
-    for (int i = 0; i < 3; i++)
-        o[i] = p[i] - back * d[i];
+    along3(o, p, -back, d);
     write_line(out, o, d);
 }
 

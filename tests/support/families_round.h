@@ -66,9 +66,8 @@ static void ruling_point(const hull *h, double z, double p[3], double n[3],
                          double ruling[3])
 {
     double w[3], e[3];
-    for (int i = 0; i < 3; i++)
-        w[i] = h->p[1][i] - h->p[0][i];
-    const double ww = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    along3(w, h->p[1], -1, h->p[0]);
+    const double ww = dot3(w, w);
     const double dr = h->r[1] - h->r[0];
     if (!(ww > dr * dr)) {
         random_direction(n);
@@ -77,13 +76,13 @@ static void ruling_point(const hull *h, double z, double p[3], double n[3],
     } else {
         const double sine = -dr / ww, cosine = sqrt(1 - dr * dr / ww);
         across(w, e);
-        for (int i = 0; i < 3; i++) {
-            n[i] = sine * w[i] + cosine * e[i];
-            ruling[i] = w[i] + dr * n[i];
-        }
+        copy3(n, w);
+        scale3(n, sine);
+        add3(n, cosine, e);
+        along3(ruling, w, dr, n);
     }
-    for (int i = 0; i < 3; i++)
-        p[i] = h->p[0][i] + z * w[i] + (h->r[0] + z * dr) * n[i];
+    along3(p, h->p[0], z, w);
+    add3(p, h->r[0] + z * dr, n);
 }
 
 /* A boundary point of any part with its normal. */
@@ -97,18 +96,15 @@ static void boundary_point(const hull *h, double p[3], double n[3])
     double reach[2];
     random_direction(n);
     for (int k = 0; k < 2; k++)
-        reach[k] =
-            h->p[k][0] * n[0] + h->p[k][1] * n[1] + h->p[k][2] * n[2] + h->r[k];
+        reach[k] = dot3(h->p[k], n) + h->r[k];
     const int end = reach[1] > reach[0];
-    for (int i = 0; i < 3; i++)
-        p[i] = h->p[end][i] + h->r[end] * n[i];
+    along3(p, h->p[end], h->r[end], n);
 }
 
 static double size_of_hull(const hull *h)
 {
     double w[3];
-    for (int i = 0; i < 3; i++)
-        w[i] = h->p[1][i] - h->p[0][i];
+    along3(w, h->p[1], -1, h->p[0]);
     return length3(w) + fmax(h->r[0], h->r[1]);
 }
 
@@ -207,12 +203,10 @@ static void round_inside(struct family_case *out)
         h.r[0] = 1;
     write_hull(out, &h);
     if (chance(0.5)) { /* through the point of contact, or tangent there */
-        for (int i = 0; i < 3; i++)
-            d[i] = h.p[1][i] - h.p[0][i];
+        along3(d, h.p[1], -1, h.p[0]);
         const double ww = length[k] * length[k];
         double p[3], e[3];
-        for (int i = 0; i < 3; i++)
-            p[i] = h.p[0][i] + d[i] * ((ww + h.r[1] * length[k]) / ww);
+        along3(p, h.p[0], (ww + h.r[1] * length[k]) / ww, d);
         if (chance(0.5))
             across(d, e);
         else
@@ -229,15 +223,14 @@ static void round_whole(struct family_case *out)
     hull h;
     double p[3], d[3];
     whole_point(h.p[0], 3);
-    set3(h.p[1], h.p[0][0], h.p[0][1], h.p[0][2]);
+    copy3(h.p[1], h.p[0]);
     if (chance(0.9)) {
         if (chance(0.6)) {
             h.p[1][one_of(3)] += whole_between(1, 5);
         } else {
             double w[3];
             whole_vector(w, 3);
-            for (int i = 0; i < 3; i++)
-                h.p[1][i] += w[i];
+            add3(h.p[1], 1, w);
         }
     }
     h.r[0] = whole_between(0, 5);

@@ -48,12 +48,6 @@ static void unit(double d[3])
         d[j] /= length;
 }
 
-static void along(double to[3], const double o[3], double t, const double d[3])
-{
-    for (int j = 0; j < 3; j++)
-        to[j] = o[j] + t * d[j];
-}
-
 /* -------------------------------------------------------------- scenes -- */
 
 static const char *const scene_names[SCENE_KINDS] = {
@@ -71,7 +65,7 @@ static cylint_status stick(const double at[3], double length, double radius,
     const cylint_ends ends = (cylint_ends)any_of(4);
     direction(d);
     unit(d);
-    along(top, at, length, d);
+    along3(top, at, length, d);
     if (bits() % 4 == 0)
         return cylint_cone(shape, at, radius, top, radius * between(0, 1),
                            ends);
@@ -89,7 +83,7 @@ static cylint_status any_shape(const double at[3], double size,
     scale3(d, size);
     scale3(a, size / 3);
     scale3(b, size / 5);
-    along(top, at, 1, d);
+    along3(top, at, 1, d);
     switch (bits() % 6) {
     case 0:
         return cylint_cylinder(shape, at, top, size * 0.2, ends);
@@ -132,14 +126,14 @@ static cylint_status round_shape(const double at[3], double length,
         bits() % 2 ? CYLINT_ENDS_CAPPED : (cylint_ends)any_of(4);
     direction(d);
     unit(d);
-    along(top, at, length, d);
+    along3(top, at, length, d);
     switch (bits() % 6) {
     case 0:
         return cylint_sphere(shape, at, radius, CYLINT_ENDS_CAPPED);
     case 1:
         return cylint_round_cone(shape, at, radius, top, 0, ends);
     case 2:
-        along(top, at, radius * between(0, 1), d);
+        along3(top, at, radius * between(0, 1), d);
         return cylint_round_cone(shape, at, radius * between(0, 1), top, radius,
                                  ends);
     case 3:
@@ -312,7 +306,7 @@ static const cylint_shape *some_shape(const struct scene_shapes *s)
 /* A point of the shape or near it. */
 static void point_near(const cylint_shape *shape, double to[3])
 {
-    along(to, cylint_base(shape), between(0, 1), cylint_axis(shape));
+    along3(to, cylint_base(shape), between(0, 1), cylint_axis(shape));
     for (int j = 0; j < 3; j++)
         to[j] += between(-1, 1) * cylint_r0(shape) *
                  (shape->kind >= CYLINT_KIND_ACONE ? 0 : 0.6);
@@ -322,7 +316,7 @@ static cylint_status ray_to(const double from[3], const double to[3],
                             double scale, cylint_line *line)
 {
     double d[3];
-    along(d, to, -1, from);
+    along3(d, to, -1, from);
     scale3(d, scale);
     return cylint_ray(line, from, d);
 }
@@ -377,8 +371,8 @@ static cylint_status grazing_line(const struct scene_shapes *s,
     const double size = size_of(s);
     const double off =
         bits() % 3 == 0 ? 0 : (bits() % 2 ? 1 : -1) * power(-18, -8) * size;
-    along(at, hit.point, off, hit.normal);
-    along(o, at, -between(0, 1) * size, d);
+    along3(at, hit.point, off, hit.normal);
+    along3(o, at, -between(0, 1) * size, d);
     return cylint_ray(line, o, d);
 }
 
@@ -389,10 +383,10 @@ static cylint_status axis_line(const struct scene_shapes *s, cylint_line *line)
     direction(off);
     copy3(d, cylint_axis(shape));
     if (bits() % 2 == 0)
-        along(d, d, power(-14, -3) * sqrt(dot3(d, d)), off);
+        along3(d, d, power(-14, -3) * sqrt(dot3(d, d)), off);
     direction(off);
-    along(o, cylint_base(shape), 0.5 * cylint_r0(shape), off);
-    along(o, o, -between(0, 5), d);
+    along3(o, cylint_base(shape), 0.5 * cylint_r0(shape), off);
+    along3(o, o, -between(0, 5), d);
     for (int j = 0; j < 3; j++)
         d[j] *= bits() % 4096 ? 1 : -1;
     return cylint_ray(line, o, d);
@@ -405,7 +399,7 @@ static cylint_status far_line(const struct scene_shapes *s, cylint_line *line)
     point_near(some_shape(s), to);
     direction(d);
     scale3(d, size);
-    along(o, to, -away, d);
+    along3(o, to, -away, d);
     return cylint_ray(line, o, d);
 }
 
@@ -441,8 +435,8 @@ static cylint_status segment_line(const struct scene_shapes *s,
     point_in(s, to);
     if (bits() % 2 == 0) { /* a short one, or one that begins far away */
         const double k = power(-4, bits() % 2 ? 0 : 13);
-        for (int j = 0; j < 3; j++)
-            from[j] = to[j] + k * (from[j] - to[j]);
+        along3(from, from, -1, to);
+        along3(from, to, k, from);
     }
     return cylint_segment(line, from, to);
 }
@@ -452,7 +446,7 @@ static cylint_status span_line(const struct scene_shapes *s, cylint_line *line)
     double from[3], to[3], d[3];
     point_in(s, from);
     point_in(s, to);
-    along(d, to, -1, from);
+    along3(d, to, -1, from);
     const double tmin = between(-2, 2), length = between(0, 2);
     switch (bits() % 4) {
     case 0:
@@ -487,7 +481,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
     double o[3], to[3], d[3];
     point_in(s, o);
     point_near(some_shape(s), to);
-    along(d, to, -1, o);
+    along3(d, to, -1, o);
     const double size = size_of(s);
     double u[3] = {d[0] / size, d[1] / size, d[2] / size};
     switch (bits() % 8) {
@@ -501,7 +495,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
         d[any_of(3)] = bits() % 2 ? 0x1p-1070 : -0x1p-300;
         return cylint_ray(line, o, d);
     case 3:
-        along(o, to, -0x1p1010, u);
+        along3(o, to, -0x1p1010, u);
         return ray_to(o, to, 1, line);
     case 4: /* a segment whose difference overflows */
         scale3(u, DBL_MAX);
@@ -516,7 +510,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
     default: { /* domain far from the origin, origin far from the scene */
         const double far = power(3, 14);
         double from[3];
-        along(from, o, -far, d);
+        along3(from, o, -far, d);
         return cylint_span(line, from, d, far - 1, far + 1);
     }
     }

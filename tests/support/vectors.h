@@ -1,10 +1,12 @@
 /*
- * vectors.h - vectors of doubles, for tests and benchmarks
+ * vectors.h - vectors of doubles, and lines, for tests and benchmarks
  */
 #ifndef CYLINT_TEST_VECTORS_H
 #define CYLINT_TEST_VECTORS_H
 
 #include <math.h>
+
+#include "cylint.h"
 
 static inline double dot3(const double u[3], const double v[3])
 {
@@ -44,9 +46,29 @@ static inline void add3(double to[3], double by, const double v[3])
         to[i] += by * v[i];
 }
 
+/* to = o + t d */
+static inline void along3(double to[3], const double o[3], double t,
+                          const double d[3])
+{
+    set3(to, o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2]);
+}
+
 static inline void scale3(double v[3], double by)
 {
     set3(v, v[0] * by, v[1] * by, v[2] * by);
+}
+
+static inline int is_finite3(const double v[3])
+{
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+}
+
+/* The line without its domain. */
+static inline cylint_line whole_of(cylint_line line)
+{
+    line.tmin = -HUGE_VAL;
+    line.tmax = HUGE_VAL;
+    return line;
 }
 
 #endif
