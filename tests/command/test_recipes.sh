@@ -12,7 +12,7 @@ test_foreign_solids()
 {
     awk 'function pick(reach) { return (2 * rand() - 1) * reach }
          BEGIN { srand(11)
-                 for (n = 0; n < 400; n++) {
+                 for (n = 0; n < 300; n++) {
                      reach = 2 ^ (n % 7)
                      ox = pick(60); oy = pick(60); oz = pick(60)
                      printf "line %.6f %.6f %.6f  %.6f %.6f %.6f\n", ox, oy, oz,

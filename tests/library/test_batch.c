@@ -476,7 +476,7 @@ TEST(the_lower_number_is_nearest_for_equal_t)
 
 /* -------------------------------------------------------------- threads -- */
 
-enum { SHARED_LINES = 150 };
+enum { SHARED_LINES = 24 };
 
 struct share {
     const cylint_pack *pack;
