@@ -575,7 +575,7 @@ TEST(a_scene_made_in_any_environment_finds_its_shapes)
 
 /* -------------------------------------------------------------- threads -- */
 
-enum { QUESTIONS = 3 * LINES * LINES_KINDS };
+enum { QUESTIONS = 10 * LINES_KINDS };
 
 static cylint_line drawn[QUESTIONS];
 
