@@ -27,13 +27,12 @@ static inline surd_quotient exact_quotient(const meridian *m, exact a, exact d)
     return (surd_quotient){{a, exact_zero(m), exact_zero(m)}, d};
 }
 
-static inline exact exact_dot(meridian *m, const exact x[3], const exact y[3])
+/* W (g + dr^2). */
+static inline exact exact_unit(meridian *m)
 {
     EXACT_BEGIN
-    exact sum =
-        EXACT_ADD(EXACT_ADD(EXACT_MUL(x[0], y[0]), EXACT_MUL(x[1], y[1])),
-                  EXACT_MUL(x[2], y[2]));
-    EXACT_RETURN(sum)
+    exact x = EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
+    EXACT_RETURN(x)
 }
 
 #endif

@@ -4,14 +4,6 @@
 #include "../intersect.h"
 #include "exact_operators.h"
 
-static exact minor(meridian *m, const exact x[3], const exact y[3], int i,
-                   int j)
-{
-    EXACT_BEGIN
-    exact xy = EXACT_SUB(EXACT_MUL(x[i], y[j]), EXACT_MUL(x[j], y[i]));
-    EXACT_RETURN(xy)
-}
-
 static exact scale_of_T(meridian *m)
 {
     const cylint_terms_exact *L = m->L;
@@ -37,10 +29,9 @@ static void load_axis(meridian *m)
 {
     const cylint_terms_exact *L = m->L;
     for (int i = 0; i < 2; i++)
-        m->height[i] = exact_dot(m, L->D[i], L->w);
-    for (int i = 0; i < 3; i++)
-        m->X[i] = minor(m, L->D[0], L->w, (i + 1) % 3, (i + 2) % 3);
-    m->q = exact_dot(m, m->X, m->X);
+        m->height[i] = cylint_dot_exact(L, L->D[i], L->w);
+    cylint_cross_exact(L, L->D[0], L->w, m->X);
+    m->q = cylint_dot_exact(L, m->X, m->X);
     m->g = scale_of_T(m);
     m->T2 = EXACT_MUL(m->g, m->q);
     m->c = section(m);
@@ -175,7 +166,7 @@ static int sign_of_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
     const int used = m->arena->used;
-    const int sign = EXACT_SUB(exact_dot(m, L->D[end], L->D[end]),
+    const int sign = EXACT_SUB(cylint_dot_exact(L, L->D[end], L->D[end]),
                                EXACT_MUL(L->r[end], L->r[end]))
                          .sign;
     m->arena->used = used;
@@ -230,7 +221,7 @@ static exact twice(meridian *m, exact x)
 static surd_quotient from_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
-    const exact dd = exact_dot(m, L->D[end], L->D[end]), r = L->r[end];
+    const exact dd = cylint_dot_exact(L, L->D[end], L->D[end]), r = L->r[end];
     return (surd_quotient){
         {EXACT_ADD(dd, EXACT_MUL(r, r)), cylint_exact_neg(twice(m, r)), dd},
         L->one};
@@ -239,10 +230,9 @@ static surd_quotient from_ball(meridian *m, int end)
 /* (T - c)^2 / (W (g + dr^2)). */
 static surd_quotient from_lateral(meridian *m)
 {
-    return (surd_quotient){
-        {EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
-         cylint_exact_neg(twice(m, m->c)), m->T2},
-        EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)))};
+    return (surd_quotient){{EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
+                            cylint_exact_neg(twice(m, m->c)), m->T2},
+                           exact_unit(m)};
 }
 
 /* The plane of a cap. */

@@ -37,14 +37,12 @@ static void phi_direction(meridian *m, exact U[3])
 
 static radial radial_direction(meridian *m)
 {
-    const exact *w = m->L->w;
     radial d;
     if (m->q.sign != 0) {
-        for (int i = 0; i < 3; i++) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            d.V[i] = EXACT_MUL(m->g, EXACT_SUB(EXACT_MUL(w[j], m->X[k]),
-                                               EXACT_MUL(w[k], m->X[j])));
-        }
+        exact R[3];
+        cylint_cross_exact(m->L, m->L->w, m->X, R);
+        for (int i = 0; i < 3; i++)
+            d.V[i] = EXACT_MUL(m->g, R[i]);
         d.K = m->T2;
         return d;
     }
@@ -53,7 +51,7 @@ static radial radial_direction(meridian *m)
     const exact gW = EXACT_MUL(m->g, m->L->vv);
     for (int i = 0; i < 3; i++)
         d.V[i] = EXACT_MUL(gW, U[i]);
-    d.K = EXACT_MUL(gW, exact_dot(m, U, U));
+    d.K = EXACT_MUL(gW, cylint_dot_exact(m->L, U, U));
     return d;
 }
 
@@ -61,7 +59,7 @@ static radial radial_direction(meridian *m)
 static radial ball_direction(meridian *m, int end)
 {
     const exact *D = m->L->D[end];
-    radial d = {{D[0], D[1], D[2]}, exact_dot(m, D, D)};
+    radial d = {{D[0], D[1], D[2]}, cylint_dot_exact(m->L, D, D)};
     if (d.K.sign == 0)
         d.K = d.V[0] = m->L->one;
     return d;
@@ -87,19 +85,12 @@ static exact slope(meridian *m, int i)
     return EXACT_MUL(m->dr, m->L->w[i]);
 }
 
-/* W (g + dr^2). */
-static exact unit(meridian *m)
-{
-    EXACT_BEGIN
-    exact x = EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
-    EXACT_RETURN(x)
-}
-
 /* K (W (g + dr^2) x - t V - c dr w). */
 static exact foot_a(meridian *m, const radial *d, int i)
 {
     EXACT_BEGIN
-    exact a = EXACT_MUL(unit(m), cylint_exact_from(m->arena, m->point[i]));
+    exact a =
+        EXACT_MUL(exact_unit(m), cylint_exact_from(m->arena, m->point[i]));
     a = EXACT_SUB(a, EXACT_MUL(m->c, slope(m, i)));
     if (m->q.sign != 0)
         a = EXACT_SUB(a, d->V[i]);
@@ -120,7 +111,7 @@ static exact foot_b(meridian *m, const radial *d, int i)
 static surd_quotient foot(meridian *m, const radial *d, int i)
 {
     const exact a = foot_a(m, d, i), b = foot_b(m, d, i);
-    return (surd_quotient){{a, b, d->K}, EXACT_MUL(d->K, unit(m))};
+    return (surd_quotient){{a, b, d->K}, EXACT_MUL(d->K, exact_unit(m))};
 }
 
 /* centre + r (V / sqrt(K) - dr w) / u, where dr w counts for a circle of tangency

@@ -15,7 +15,8 @@
  *                           whose intermediate results need to be let go
  *   FORMS_DECLARED          the file defines the terms and declares the functions
  *   FORMS_DEFINED           it defines the functions only; neither: both
- *   FORMS_OF_HITS           with those of z, normal and phi of a hit
+ *   FORMS_OF_HITS           with those of z, normal and phi of a hit, and
+ *                           products of vectors
  *
  * The terms.  Line A + t u; D_i = A - p_i, the origin relative to the centre
  * of cap i; M_i = D_i x u, its moment about that centre.
@@ -78,6 +79,9 @@ INLINE void FORM(prepare_moments)(FORM(terms) *L);
 INLINE void FORM(prepare_top)(FORM(terms) *L);
 INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
 #ifdef FORMS_OF_HITS
+INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3]);
+INLINE void FORM(cross)(const FORM(terms) *L, const NUM x[3], const NUM y[3],
+                        NUM xy[3]);
 INLINE const NUM *FORM(axial)(const FORM(terms) *L);
 INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
 INLINE NUM FORM(form_height)(const FORM(terms) *L);
