@@ -292,10 +292,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                  (job->purpose == COUNT_HITS && job->enough == 0);
     from.can_end = job->purpose == COUNT_HITS && job->enough != 0;
     from.nearest = job->nearest;
-    from.speed =
-        l ? sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] + l->d[2] * l->d[2]) *
-                CYLINT_SLACK
-          : 0;
+    from.speed = l ? sqrt(cylint_dot(l->d, l->d)) * CYLINT_SLACK : 0;
     from.lane = from.first = from.end = 0;
     if (!run)
         from.radius = cylint_ball_about(shapes, from.center);

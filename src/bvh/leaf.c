@@ -131,7 +131,7 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->k[0] * s->across, k1 = s->k[1] * s->across;
     const double slope = s->along / s->across;
-    const double ww = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    const double ww = cylint_dot(axis, axis);
     const double length = sqrt(ww);
     const double input_error =
         line_error * steps +

@@ -278,7 +278,7 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
                              const double d[3], double tmin, double tmax,
                              double *least)
 {
-    const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const double dd = cylint_dot(d, d);
     if (!(dd > 0x1p-900 && dd < 0x1p900))
         return all_lanes(b, tmin, least);
     const double steps = cylint_leaf_steps(b), length = sqrt(dd);

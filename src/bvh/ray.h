@@ -151,8 +151,7 @@ static void start_nearer(ray_state *s, const cylint_bvh *bvh, const double x[3],
 {
     const double far = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
     double near[3];
-    s->t0 = -(x[0] * d[0] + x[1] * d[1] + x[2] * d[2]) /
-            (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    s->t0 = -cylint_dot(x, d) / cylint_dot(d, d);
     s->t0_error = 0x1p-51 * fabs(s->t0);
     EACH(j, 3)
         near[j] = x[j] + s->t0 * d[j];

@@ -3,19 +3,15 @@
  */
 #include "swept_disc.h"
 
-static double dot(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 /* The points x a + y b, x^2 + y^2 <= 1, reach sqrt((a.v)^2 + (b.v)^2) along a
  * unit vector v.  Across the axis they reach the square root of the larger
  * eigenvalue of the Gram matrix of the components of a and b across it. */
 static void set_elliptic_reach(cylint_swept_disc *t, double ww)
 {
     double a[3], b[3];
-    const double aw = dot(t->a, t->axis), bw = dot(t->b, t->axis);
-    t->across = t->along = sqrt(dot(t->a, t->a) + dot(t->b, t->b));
+    const double aw = cylint_dot(t->a, t->axis), bw = cylint_dot(t->b, t->axis);
+    t->across = t->along =
+        sqrt(cylint_dot(t->a, t->a) + cylint_dot(t->b, t->b));
     if (!(ww > CYLINT_LEAST_SQUARE))
         return;
     t->along = sqrt((aw * aw + bw * bw) / ww);
@@ -23,7 +19,8 @@ static void set_elliptic_reach(cylint_swept_disc *t, double ww)
         a[j] = t->a[j] - aw / ww * t->axis[j];
         b[j] = t->b[j] - bw / ww * t->axis[j];
     }
-    const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
+    const double aa = cylint_dot(a, a), ab = cylint_dot(a, b),
+                 bb = cylint_dot(b, b);
     const double difference = aa - bb;
     t->across =
         sqrt((aa + bb + sqrt(difference * difference + 4 * ab * ab)) / 2);
@@ -48,7 +45,7 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
         t->base[j] = (cylint_base(s)[j] - view->center[j]) * scale;
         t->axis[j] = cylint_axis(s)[j] * scale;
     }
-    const double ww = dot(t->axis, t->axis);
+    const double ww = cylint_dot(t->axis, t->axis);
     t->length = sqrt(ww);
     t->elliptic = cylint_is_elliptic(s->kind);
     const double unit = t->elliptic                   ? 1

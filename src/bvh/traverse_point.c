@@ -120,7 +120,7 @@ CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
 ASIDE double far_lanes(const cylint_leaf *b, const double q[3], double K,
                        float least[CYLINT_LEAF_SIZE])
 {
-    const double far = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+    const double far = sqrt(cylint_dot(q, q));
     vf e[3];
     EACH(j, 3)
         e[j] = f_set((float)(q[j] / far));

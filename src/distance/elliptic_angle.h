@@ -57,11 +57,6 @@ typedef struct {
                             vector */
 } elliptic_place;
 
-CYLINT_INLINE double dot_of(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
 /* lint: the analyzer takes three rounds of EACH for one */
 CYLINT_INLINE double sum_of_sizes(const double v[3])
 {
@@ -80,12 +75,12 @@ static inline void locate(elliptic_place *p, const cylint_shape *s,
         p->Z[i] = cylint_column(s, i)[2] * unit;
     }
     p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
-    p->x = dot_of(p->D, p->X);
-    p->y = dot_of(p->D, p->Y);
-    p->z = dot_of(p->D, p->Z);
+    p->x = cylint_dot(p->D, p->X);
+    p->y = cylint_dot(p->D, p->Y);
+    p->z = cylint_dot(p->D, p->Z);
     p->rho = 1 + p->slope * p->z;
-    const double x = dot_of(p->X, p->X), y = dot_of(p->Y, p->Y);
-    p->z_norm = sqrt(dot_of(p->Z, p->Z));
+    const double x = cylint_dot(p->X, p->X), y = cylint_dot(p->Y, p->Y);
+    p->z_norm = sqrt(cylint_dot(p->Z, p->Z));
     p->norm = sqrt(x + y) + fabs(p->slope) * p->z_norm;
     const double least =
         cylint_smaller(sqrt(cylint_smaller(x, y)), p->z_norm / unit);
@@ -181,15 +176,16 @@ CYLINT_INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
     }
     t->n = at.cos * p->x + at.sin * p->y - p->rho;
     t->slope_of_n = at.cos * p->y - at.sin * p->x;
-    t->q = dot_of(t->N, t->N);
-    t->half_q = dot_of(t->N, t->V);
+    t->q = cylint_dot(t->N, t->N);
+    t->half_q = cylint_dot(t->N, t->V);
 }
 
 /* g = n' N.N - n N.V is 0 at the nearest point.  Its derivative. */
 CYLINT_INLINE double slope_of_height(const tangent_plane *t,
                                      const elliptic_place *p)
 {
-    const double turned = dot_of(t->V, t->V) - dot_of(t->N, t->U); /* of N.V */
+    const double turned =
+        cylint_dot(t->V, t->V) - cylint_dot(t->N, t->U); /* of N.V */
     return t->slope_of_n * t->half_q - t->n * turned - (t->n + p->rho) * t->q;
 }
 
@@ -216,7 +212,8 @@ static inline angle highest_of(const principal_axes *axes, angle e,
                                const elliptic_place *p)
 {
     angle best = turned_back(axes, e.sin, e.cos);
-    if (p->slope == 0 || (dot_of(p->X, p->Z) == 0 && dot_of(p->Y, p->Z) == 0))
+    if (p->slope == 0 ||
+        (cylint_dot(p->X, p->Z) == 0 && cylint_dot(p->Y, p->Z) == 0))
         return best;
     double height = height_at(p, best);
     for (int i = 1; i < 4; i++) {
@@ -238,10 +235,10 @@ static inline angle highest_of(const principal_axes *axes, angle e,
 ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                              const elliptic_place *p, int rough)
 {
-    const double more = p->slope * p->slope * dot_of(p->Z, p->Z);
+    const double more = p->slope * p->slope * cylint_dot(p->Z, p->Z);
     const principal_axes axes =
-        axes_of(dot_of(p->X, p->X) + more, dot_of(p->X, p->Y),
-                dot_of(p->Y, p->Y) + more);
+        axes_of(cylint_dot(p->X, p->X) + more, cylint_dot(p->X, p->Y),
+                cylint_dot(p->Y, p->Y) + more);
     const double short_way = axes.c * p->x + axes.s * p->y,
                  long_way = axes.c * p->y - axes.s * p->x;
     const double ratio = axes.most / axes.least;
@@ -291,8 +288,8 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
     r->f = cylint_end_factor(s, end);
     load_from_axis(r->F, p, s, end);
     const principal_axes axes =
-        axes_of(dot_of(a, a), dot_of(a, b), dot_of(b, b));
-    const double Fa = dot_of(r->F, a), Fb = dot_of(r->F, b);
+        axes_of(cylint_dot(a, a), cylint_dot(a, b), cylint_dot(b, b));
+    const double Fa = cylint_dot(r->F, a), Fb = cylint_dot(r->F, b);
     const double least = axes.least * r->f;
     const angle e = secular_angle((axes.c * Fa + axes.s * Fb) / least,
                                   (axes.c * Fb - axes.s * Fa) / least,
@@ -304,8 +301,9 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
         load_rim_place(r, s, *at);
         if (fabs(by) <= CYLINT_ANGLE_STEP)
             return 1;
-        const double slope = r->f * dot_of(r->v, r->v) + dot_of(r->R, r->u);
-        by = dot_of(r->R, r->v) / slope;
+        const double slope =
+            r->f * cylint_dot(r->v, r->v) + cylint_dot(r->R, r->u);
+        by = cylint_dot(r->R, r->v) / slope;
         /* untaken 1 of 4: the secular angle is closer in every known case */
         if (!(slope > 0) || !(fabs(by) < 0.5))
             return 0;

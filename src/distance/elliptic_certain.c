@@ -90,11 +90,11 @@ static double distance_in_doubles(const elliptic_question *q)
                            4 * p->relative * p->z_norm);
     case CYLINT_FEATURE_APEX:
         load_from_axis(F, p, q->shape, apex_share(p));
-        return sqrt(dot_of(F, F)) -
+        return sqrt(cylint_dot(F, F)) -
                u * (sum_of_sizes(p->D) +
                     fabs(apex_share(p)) * sum_of_sizes(cylint_axis(q->shape)));
     default:
-        return sqrt(dot_of(R, R)) - u * size_of_rim(q) - q->by.distance;
+        return sqrt(cylint_dot(R, R)) - u * size_of_rim(q) - q->by.distance;
     }
 }
 

@@ -65,19 +65,20 @@ static inline double inner_curvature(const tangent_plane *t,
     const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
                          16 * lost_of_normal(t, p) * of_N +
                          64 * lost * (size + of_N / fabs(t->n));
-    return least_curvature(2 * (hh * dot_of(t->N, t->U) - t->n * a),
-                           b * b - hh * dot_of(t->V, t->V),
-                           2 * (hh * dot_of(t->U, t->V) - a * b),
-                           a * a - hh * dot_of(t->U, t->U), error);
+    return least_curvature(2 * (hh * cylint_dot(t->N, t->U) - t->n * a),
+                           b * b - hh * cylint_dot(t->V, t->V),
+                           2 * (hh * cylint_dot(t->U, t->V) - a * b),
+                           a * a - hh * cylint_dot(t->U, t->U), error);
 }
 
 static inline double rim_curvature(const rim_place *r)
 {
-    const double f = r->f, uu = dot_of(r->u, r->u), vv = dot_of(r->v, r->v);
+    const double f = r->f, uu = cylint_dot(r->u, r->u),
+                 vv = cylint_dot(r->v, r->v);
     const double size =
         sum_of_sizes(r->F) + f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
-    return least_curvature(2 * f * dot_of(r->R, r->u), f * f * vv,
-                           -2 * f * f * dot_of(r->u, r->v), f * f * uu,
+    return least_curvature(2 * f * cylint_dot(r->R, r->u), f * f * vv,
+                           -2 * f * f * cylint_dot(r->u, r->v), f * f * uu,
                            CYLINT_CURVATURE_ERROR * size * size);
 }
 
@@ -90,7 +91,7 @@ static inline double turn_of_normal(const tangent_plane *t)
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         x[i] = t->N[j] * t->V[k] - t->N[k] * t->V[j];
     }
-    return sqrt(dot_of(x, x));
+    return sqrt(cylint_dot(x, x));
 }
 
 /* l: an upper bound.  rho: at the foot.  The normals of the nearest point and
@@ -106,7 +107,7 @@ static inline uncertainty outside_lateral(const tangent_plane *t,
     const double away = 2 * (l * sqrt(h / (rho * size)) + deeper);
     /* what V and the gradient of rho gain along N, at most */
     const double beside =
-        (fabs(t->half_q) + fabs(p->slope * dot_of(p->Z, t->N))) / size +
+        (fabs(t->half_q) + fabs(p->slope * cylint_dot(p->Z, t->N))) / size +
         4 * p->relative * p->norm;
     if (!(8 * l * beside <= rho * size) || !(8 * l <= rho))
         return uncertain_angle;
@@ -130,7 +131,7 @@ static inline uncertainty inside_lateral_surface(const tangent_plane *t,
 /* g: an upper bound. */
 static inline uncertainty of_rim(const rim_place *r, double g, double k)
 {
-    const double d = sqrt(dot_of(r->R, r->R));
+    const double d = sqrt(cylint_dot(r->R, r->R));
     return (uncertainty){4 * g * g / (k * d), 0, 16 * g / k};
 }
 

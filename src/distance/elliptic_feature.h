@@ -69,7 +69,7 @@ static inline foot_on_plane drop_on_plane(const elliptic_question *q)
     const elliptic_place *p = &q->at;
     const double size = sqrt(t->q), h = fabs(t->n) / size;
     return (foot_on_plane){
-        t->n / t->q * dot_of(t->N, p->Z),
+        t->n / t->q * cylint_dot(t->N, p->Z),
         4 * p->z_norm *
             (p->error / size +
              h * (lost_of_normal(&q->plane, &q->at) + p->relative))};
@@ -127,7 +127,7 @@ static inline int find_on_rim(elliptic_question *q, int end)
     if (!find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough))
         return CYLINT_NO_FEATURE;
     const rim_place *r = &q->rim;
-    const double g = r->f * (fabs(dot_of(r->R, r->v)) +
+    const double g = r->f * (fabs(cylint_dot(r->R, r->v)) +
                              CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q) *
                                  sum_of_sizes(r->v));
     q->curvature = rim_curvature(r);
@@ -143,8 +143,8 @@ static inline int is_over_end(const elliptic_question *q, int end)
 {
     const elliptic_place *p = &q->at;
     const double up = (end ? p->z - 1 : p->z) / (p->z_norm * p->z_norm);
-    const double x = p->x - up * dot_of(p->Z, p->X),
-                 y = p->y - up * dot_of(p->Z, p->Y);
+    const double x = p->x - up * cylint_dot(p->Z, p->X),
+                 y = p->y - up * cylint_dot(p->Z, p->Y);
     const double f = cylint_end_factor(q->shape, end);
     const double error = 4 * (p->error + p->norm / p->z_norm * p->z_error) +
                          8 * p->relative * p->norm * p->z_norm * fabs(up);
@@ -172,9 +172,9 @@ static inline int are_feet_beyond(const elliptic_question *q, double share,
     const double k1 = q->at.slope;
     double F[3];
     load_from_axis(F, &q->at, q->shape, share);
-    const double of_a = k1 * dot_of(F, a) - f * dot_of(a, h),
-                 of_b = k1 * dot_of(F, b) - f * dot_of(b, h);
-    const double up = (is_top ? 1 : -1) * dot_of(F, h);
+    const double of_a = k1 * cylint_dot(F, a) - f * cylint_dot(a, h),
+                 of_b = k1 * cylint_dot(F, b) - f * cylint_dot(b, h);
+    const double up = (is_top ? 1 : -1) * cylint_dot(F, h);
     const double of_u = (is_top ? k1 : -k1) * f;
     const double sizes = sum_of_sizes(a) + sum_of_sizes(b);
     const double error =
@@ -182,7 +182,7 @@ static inline int are_feet_beyond(const elliptic_question *q, double share,
         (sum_of_sizes(q->at.D) + fabs(share) * sum_of_sizes(h) + f * sizes) *
         (sum_of_sizes(h) + fabs(k1) * sizes);
     return up - sqrt(of_a * of_a + of_b * of_b) -
-               (of_u > 0 ? of_u * (dot_of(a, a) + dot_of(b, b)) : 0) >
+               (of_u > 0 ? of_u * (cylint_dot(a, a) + cylint_dot(b, b)) : 0) >
            error;
 }
 
@@ -200,7 +200,7 @@ static inline int feature_of_open_end(elliptic_question *q, int end)
     const double cap = height_less(end ? p->z : 1 - p->z, p->z_error, p->z_norm,
                                    4 * p->relative * p->z_norm);
     return rim == CYLINT_NO_FEATURE || is_open ||
-                   cap > sqrt(dot_of(q->rim.R, q->rim.R)) +
+                   cap > sqrt(cylint_dot(q->rim.R, q->rim.R)) +
                              CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q)
                ? rim
                : CYLINT_NO_FEATURE;

@@ -342,8 +342,8 @@ static inline void answer_on_rim(elliptic_answer *to,
     load_rim_in_pairs(&r, s, F, doubles->f, &e);
     if (exactly) {
         const double slope =
-            doubles->f * (doubles->f * dot_of(doubles->v, doubles->v) +
-                          dot_of(doubles->R, doubles->u));
+            doubles->f * (doubles->f * cylint_dot(doubles->v, doubles->v) +
+                          cylint_dot(doubles->R, doubles->u));
         by = uncertain_angle;
         /* untaken 1 of 2: every known step is small enough */
         if (turn_direction(&e, whole(sized_dot(r.R, r.v).v) / slope)) {

@@ -259,9 +259,8 @@ INLINE double small_product(const vq_levels *F, vq w, vq w_lo)
 INLINE double scale_of(const cylint_shape *shape)
 {
     const double *w = cylint_axis(shape);
-    return cylint_has_tangent(shape->kind)
-               ? w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
-               : cylint_height(shape);
+    return cylint_has_tangent(shape->kind) ? cylint_dot(w, w)
+                                           : cylint_height(shape);
 }
 
 INLINE double circular_residual(const cylint_shape *shape,

@@ -129,6 +129,11 @@ static inline double cylint_largest(const double x[3])
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
 }
 
+CYLINT_INLINE double cylint_dot(const double x[3], const double y[3])
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
 /* An infinite or NaN coordinate fails the comparison. */
 static inline int cylint_is_finite(const double x[3])
 {

@@ -198,7 +198,7 @@ static int is_plain(const cylint_records *r, size_t number)
                          2 * (at->p1[1] - at->p0[1]),
                          2 * (at->p1[2] - at->p0[2])};
     const double growth = fabs(at->r1 - at->r0), size = cylint_largest(w);
-    const double length2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    const double length2 = cylint_dot(w, w);
     return (cylint_rank(at->r0) == cylint_rank(at->r1) ? is_straight
                                                        : is_tapered) &&
            cylint_ends_fit(kind, ends) && cylint_ends_are_planes(ends) &&

@@ -38,11 +38,6 @@ void cylint_measure_line(cylint_line *line)
         within_window(line->size) && cylint_largest(line->o) <= CYLINT_FAR;
 }
 
-static double dot3(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 /* The square of the largest distance of a disc's points from its centre; and how
  * much the direction of a point can add to the square of its distance from the
  * middle of an oblique shape. */
@@ -51,15 +46,17 @@ static double disc_reach(const cylint_shape *s)
     const double *a = cylint_a(s), *b = cylint_b(s), *w = cylint_axis(s);
     const double r = cylint_larger(cylint_r0(s), cylint_r1(s));
     if (!cylint_is_elliptic(s->kind))
-        return r * r * cylint_radius_unit(s, dot3(w, w));
-    return r * r * (cylint_larger(dot3(a, a), dot3(b, b)) + fabs(dot3(a, b))) +
-           r * (fabs(dot3(a, w)) + fabs(dot3(b, w)));
+        return r * r * cylint_radius_unit(s, cylint_dot(w, w));
+    return r * r *
+               (cylint_larger(cylint_dot(a, a), cylint_dot(b, b)) +
+                fabs(cylint_dot(a, b))) +
+           r * (fabs(cylint_dot(a, w)) + fabs(cylint_dot(b, w)));
 }
 
 /* The radius of a ball about the middle that holds a bounded shape. */
 static double radius_about(const cylint_shape *s)
 {
-    const double ww = dot3(cylint_axis(s), cylint_axis(s));
+    const double ww = cylint_dot(cylint_axis(s), cylint_axis(s));
     if (s->kind == CYLINT_KIND_SPHERE)
         return cylint_r0(s);
     if (cylint_is_round(s->kind))
