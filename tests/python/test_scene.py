@@ -3,6 +3,7 @@
 import copy
 import os
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -271,6 +272,22 @@ def test_faults_of_files_are_raised(tmp_path):
     with pytest.warns(UserWarning, match="1 node whose parent is not in"):
         assert len(cylint.read_scene(orphan)) == 1
     assert cylint.read_scene(tube, ends="open").ends.tolist() == [cylint.Ends.OPEN]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="names of files are bytes on POSIX only")
+def test_names_of_files_are_any_bytes(tmp_path):
+    rods = cylint.cylinder([0, 0, 0], [0, 0, 1], [1, 2])
+    scene, neuron = (os.fsencode(tmp_path) + b"/\xe9" + x for x in (b"", b".swc"))
+    cylint.write_scene(scene, rods)
+    with open(neuron, "w") as file:
+        file.write(NEURON)
+    for name in (scene, neuron):
+        for given in (name, os.fsdecode(name), Path(os.fsdecode(name))):
+            assert len(cylint.read_scene(given)) == len(cylint.Scene.read(given)) > 1
+    with open(scene, "a") as file:
+        file.write("barrel\n")
+    with refused(r"\\xe9:3:1: expected"):
+        cylint.read_scene(scene)
 
 
 def test_a_scene_takes_shapes_from_a_generator_and_keeps_none_of_them():

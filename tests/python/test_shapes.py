@@ -66,6 +66,7 @@ def test_ends_are_words_numbers_or_arrays():
         ("cylinder", ([0, 0], [0, 1], 1), ValueError, r"p0: expected the shape \(\.\.\., 3\)"),
         ("cylinder", (np.zeros((2, 3)), np.ones((3, 3)), 1), ValueError,
          r"do not broadcast: p0 \(2,\), p1 \(3,\), r \(\), ends \(\)"),
+        ("cylinder", ([0, 0, 0], [0, 0, 1], [[1], [2, 3]]), ValueError, "r: .*inhomogeneous"),
         ("cylinder", (*UNIT, "thick"), TypeError, "r: expected real numbers"),
         ("cylinder", (*UNIT, 10**400), ValueError, "r: .*too large"),
         ("cylinder", (*UNIT, [1, {}]), TypeError, "r: .*dict"),
@@ -218,6 +219,8 @@ def test_labels_follow_their_shapes():
         rods.with_labels(["a", "b", "c", 3])
     with refused(r"broadcast: shapes \(4,\), labels \(2,\)"):
         rods.with_labels(["a", "b"])
+    with refused(r"labels: expected the shape \(4,\), found \(2, 1\)"):
+        rods.with_labels([["a"], ["b"]])
 
 
 def test_indexing_follows_numpy():

@@ -69,7 +69,10 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     new array is read-only, so that `owned` does not copy it.
     """
     _refuse_masked(name, value)
-    given = array = np.asarray(value)
+    try:
+        given = array = np.asarray(value)
+    except ValueError as error:  # of rows that differ in length
+        raise ValueError(f"{name}: {error}") from None
     if given.dtype is not _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
             raise TypeError(f"{name}: expected real numbers, found {given.dtype}")

@@ -57,7 +57,7 @@ def read_begun(
     """A scene that is begun, its labels, and members (shape, solid, clause) of its
     solids, by the arguments of `read_scene`."""
     code = _NOT_GIVEN if ends is None else int(codes_of(ends))
-    name = os.fspath(path)
+    name = os.fsdecode(path)
     if swc not in (None, "cones", "round"):
         raise ValueError(f"swc: expected cones or round, found {swc!r}")
     if swc is not None and not name.endswith((".swc", ".SWC")):
@@ -68,7 +68,7 @@ def read_begun(
         with open(name, "rb"):
             pass
     status, begun, labels, members, messages = _core.read_scene(
-        name, code, swc == "round"
+        os.fsencode(name), code, swc == "round"
     )
     if status != 0:
         text = "; ".join(messages)
@@ -105,7 +105,7 @@ def write_scene(
     >>> read == rods, read.labels
     (array([ True,  True]), array(['long', 'short'], dtype='<U5'))
     """
-    name = os.fspath(path)
+    name = os.fsdecode(path)
     if name.endswith((".swc", ".SWC")):
         raise ValueError(f"a file *.swc is read as a neuron: {name}")
     (shapes,) = checked([shapes])

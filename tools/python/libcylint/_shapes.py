@@ -252,7 +252,8 @@ class Shapes:
         for name in names.flat:
             if not isinstance(name, str):
                 raise TypeError(f"labels: expected str, found {name!r}")
-        broadcast("shapes labels", self._records, names)
+        if broadcast("shapes labels", self._records, names) != self.shape:
+            raise ValueError(f"labels: expected the shape {self.shape}, found {names.shape}")
         return Shapes(self._records, np.broadcast_to(names, self.shape))
 
     @property

@@ -132,7 +132,7 @@ nb::tuple first_bad_line(const Lines &lines);
 void register_points(nb::module_ &module);
 void register_queries(nb::module_ &module, nb::class_<Scene> &scene);
 void register_scene(nb::module_ &module);
-nb::tuple read_scene(const char *file, int ends, bool round);
+nb::tuple read_scene(const nb::bytes &file, int ends, bool round);
 nb::bytes write_scene(Input shapes, size_t first,
                       std::optional<nb::list> labels);
 

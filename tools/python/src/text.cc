@@ -4,8 +4,6 @@
  * tools/cylint/message.c is left out of the module: the reader's messages come
  * to message() below, and Python raises them or warns of them.
  */
-#include <nanobind/stl/string.h>
-
 #include <cstdarg>
 #include <cstdio>
 #include <string>
@@ -36,14 +34,18 @@ extern "C" void message(const char *format, ...)
         messages->emplace_back(text);
 }
 
+static nb::object decoded(const char *text, size_t length)
+{
+    return nb::steal(PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(length),
+                                          "surrogateescape"));
+}
+
 nb::object label_texts(const uint64_t *end, const char *text, size_t count)
 {
     nb::list labels;
     uint64_t begin = 0;
     for (size_t i = 0; i < count; i++) {
-        labels.append(nb::steal(PyUnicode_DecodeUTF8(
-            text + begin, static_cast<Py_ssize_t>(end[i] - begin),
-            "surrogateescape")));
+        labels.append(decoded(text + begin, end[i] - begin));
         begin = end[i];
     }
     return labels;
@@ -52,7 +54,7 @@ nb::object label_texts(const uint64_t *end, const char *text, size_t count)
 /* ends: of shapes whose line does not say, or -1.  Returns (status, a scene that is
  * begun, labels, members of solids, messages); None instead of a scene without
  * shapes and instead of labels that are all empty. */
-nb::tuple read_scene(const char *file, int ends, bool round)
+nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
 {
     std::vector<std::string> said;
     struct scene scene = {};
@@ -60,7 +62,7 @@ nb::tuple read_scene(const char *file, int ends, bool round)
     {
         nb::gil_scoped_release released;
         messages = &said;
-        scene.file = file;
+        scene.file = file.c_str();
         scene.ends = ends;
         scene.form = round ? SWC_ROUND : SWC_CONES;
         scene.keeps_labels = 1;
@@ -68,7 +70,9 @@ nb::tuple read_scene(const char *file, int ends, bool round)
         messages = nullptr;
     }
     nb::object begun = nb::none(), labels = nb::none();
-    nb::list members;
+    nb::list members, texts;
+    for (const std::string &text : said)
+        texts.append(decoded(text.data(), text.size()));
     if (status == 0) {
         begun = scene_object(scene.shapes);
         scene.shapes = nullptr; /* the object's now */
@@ -81,7 +85,7 @@ nb::tuple read_scene(const char *file, int ends, bool round)
         }
     }
     scene_free(&scene);
-    return nb::make_tuple(status, begun, labels, members, said);
+    return nb::make_tuple(status, begun, labels, members, texts);
 }
 
 /* shapes: (n), the first of which has the number `first`; labels: a list of n
