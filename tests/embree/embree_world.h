@@ -33,8 +33,8 @@ RTCScene world_new_scene(void);
 RTCScene world_instance(RTCScene of, unsigned id, int steps,
                         const float *matrix);
 
-/* A committed scene that holds a cone curve of n nodes, x, y, z and radius, with this
- * number. */
+/* A committed scene that holds a cone curve of n nodes, x, y, z and radius, with
+ * this number. */
 RTCScene world_curve(const float (*nodes)[4], size_t n, unsigned id);
 
 struct world {

@@ -127,8 +127,8 @@ TEST(ends_outside_the_list_are_refused)
     }
 }
 
-/* Writes faults, bits, into an example of the shape, the number at `place` not finite.
- * Returns the status of the first fault. */
+/* Writes faults, bits, into an example of the shape.  NUMBER: the number at `place`
+ * is not finite.  Returns the status of the first fault. */
 static cylint_status add_faults(struct family_case *c, int faults, int place)
 {
     enum { NUMBER = 1, SIZE = 2, AXIS = 4, ENDS = 8, PLANE = 16 };
