@@ -5,8 +5,7 @@
  * through one geometry of the adapter and one cylint_scene, each in another
  * order.  The processor's subnormal modes differ from thread to thread; the
  * answers must not.  `make check-threads` runs this under the thread sanitizer.
-  CYLINT_RAYS sets the
- * number of questions.
+ * CYLINT_RAYS sets the number of questions.
  */
 #include <math.h>
 #include <pthread.h>
