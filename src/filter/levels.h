@@ -374,10 +374,9 @@ ASIDE double residual_in_levels(const cylint_shape *shape,
 {
     const int cap = on_end ? end : -1;
     const int tapered = cylint_is_tapered(shape->kind);
-    if (shape->kind == CYLINT_KIND_SPHERE)
-        return ball_residual_in_levels(shape, line, t, 0);
-    if (cylint_is_round(shape->kind) && on_end)
-        return ball_residual_in_levels(shape, line, t, end);
+    const int is_ball = shape->kind == CYLINT_KIND_SPHERE;
+    if (is_ball || (cylint_is_round(shape->kind) && on_end))
+        return ball_residual_in_levels(shape, line, t, is_ball ? 0 : end);
     if (shape->kind == CYLINT_KIND_RCONE)
         return round_cone_residual_in_levels(shape, line, t);
     return cylint_is_elliptic(shape->kind)
