@@ -75,22 +75,12 @@ static void copy_three(double to[3], const double from[3])
     memcpy(to, from, 3 * sizeof *to);
 }
 
-/* The kind whose constructor makes the shape.  A ball of a rounded cone, where the
- * other ball lies in it, is such a cone. */
-static int kind_made(const cylint_shape *s)
-{
-    return s->kind == CYLINT_KIND_SPHERE &&
-                   cylint_surface(s) != CYLINT_PART_LATERAL
-               ? CYLINT_KIND_RCONE
-               : s->kind;
-}
-
 static uint8_t tag_of(const cylint_shape *s)
 {
     const int plain = cylint_prepared(s) != CYLINT_SOLID_NONE &&
                       cylint_is_bounded(s) && cylint_has_end_points(s->kind) &&
                       s->kind != CYLINT_KIND_SPHERE;
-    return (uint8_t)(kind_made(s) + s->ends * CYLINT_TAG_ENDS +
+    return (uint8_t)(cylint_record_made(s) + s->ends * CYLINT_TAG_ENDS +
                      (plain ? CYLINT_TAG_PLAIN : 0));
 }
 

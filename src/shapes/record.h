@@ -32,6 +32,16 @@ typedef struct cylint_semi_axes {
     double a[3], b[3];
 } cylint_semi_axes;
 
+/* The kind whose constructor makes the shape.  A ball of a rounded cone, where the
+ * other ball lies in it, is such a cone. */
+static inline int cylint_record_made(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_SPHERE &&
+                   cylint_surface(s) != CYLINT_PART_LATERAL
+               ? CYLINT_KIND_RCONE
+               : s->kind;
+}
+
 static inline void cylint_set_record(cylint_record *to, const cylint_shape *s)
 {
     const int reversed = cylint_is_reversed(s);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../../src/shapes/layout.h"
+#include "../../src/shapes/record.h"
 #include "numbers.h"
 #include "scene.h"
 
@@ -12,34 +12,31 @@
 
 int numbers_of_shape(const cylint_shape *s, double number[13])
 {
-    /* By kind, the constructor and its numbers.
-     * p: base, t: top, r: its radius at the base, R: at the top or the tangent */
+    /* By kind, the constructor and its numbers: p, r, q, R are p0, r0, p1 and r1 of
+     * the record. */
     static const struct {
         int kind;
         const char *parts;
     } made[] = {[CYLINT_KIND_NONE] = {NOT_GIVEN, ""},
-                [CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "ptr"},
-                [CYLINT_KIND_CONE] = {SHAPE_CONE, "prtR"},
-                [CYLINT_KIND_ACONE] = {SHAPE_ACONE, "phR"},
-                [CYLINT_KIND_ECYLINDER] = {SHAPE_ECYLINDER, "pabh"},
-                [CYLINT_KIND_ECONE] = {SHAPE_ECONE, "pabhR"},
+                [CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "pqr"},
+                [CYLINT_KIND_CONE] = {SHAPE_CONE, "prqR"},
+                [CYLINT_KIND_ACONE] = {SHAPE_ACONE, "pqR"},
+                [CYLINT_KIND_ECYLINDER] = {SHAPE_ECYLINDER, "pabq"},
+                [CYLINT_KIND_ECONE] = {SHAPE_ECONE, "pabqR"},
                 [CYLINT_KIND_SPHERE] = {SHAPE_SPHERE, "pr"},
-                [CYLINT_KIND_CAPSULE] = {SHAPE_CAPSULE, "ptr"},
-                [CYLINT_KIND_RCONE] = {SHAPE_RCONE, "prtR"},
-                [CYLINT_KIND_HALFSPACE] = {SHAPE_HALFSPACE, "ph"}};
-    /* A round cone that is a ball; that about p1 has its base there. */
-    const int is_ball = s->kind == CYLINT_KIND_SPHERE &&
-                        cylint_surface(s) != CYLINT_PART_LATERAL;
-    const int turned = is_ball && cylint_surface(s) == CYLINT_PART_CAP1;
-    const int kind = is_ball ? CYLINT_KIND_RCONE : (int)s->kind;
+                [CYLINT_KIND_CAPSULE] = {SHAPE_CAPSULE, "pqr"},
+                [CYLINT_KIND_RCONE] = {SHAPE_RCONE, "prqR"},
+                [CYLINT_KIND_HALFSPACE] = {SHAPE_HALFSPACE, "pq"}};
+    const int kind = cylint_record_made(s);
+    cylint_record record;
+    cylint_set_record(&record, s);
     for (const char *p = made[kind].parts; *p; p++) {
-        const int is_top = (*p == 't' || *p == 'R') != turned;
-        const double *from = *p == 'a'                ? cylint_a(s)
-                             : *p == 'b'              ? cylint_b(s)
-                             : *p == 'h'              ? cylint_axis(s)
-                             : *p == 'r' || *p == 'R' ? cylint_radii(s) + is_top
-                             : is_top                 ? cylint_top(s)
-                                                      : cylint_base(s);
+        const double *from = *p == 'a'   ? cylint_a(s)
+                             : *p == 'b' ? cylint_b(s)
+                             : *p == 'p' ? record.p0
+                             : *p == 'q' ? record.p1
+                             : *p == 'r' ? &record.r0
+                                         : &record.r1;
         const size_t count = *p == 'r' || *p == 'R' ? 1 : 3;
         memcpy(number, from, count * sizeof *number);
         number += count;
