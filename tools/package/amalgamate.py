@@ -288,21 +288,15 @@ def target_begin(target):
         "                             apply_to = function)",
     ]
     for isa in target:
-        clang += [
-            f"#ifndef {feature(isa)}",
-            f"#define {feature(isa)} 1",
-            f"#define CYLINT_UNDEFINE_{isa.upper()}",
-            "#endif",
-        ]
+        name = feature(isa)
+        clang += [f'#pragma push_macro("{name}")', f"#define {name} 1"]
     gcc = ["#pragma GCC push_options", f'#pragma GCC target("{text}")']
     return by_compiler(clang, gcc)
 
 
 def target_end(target):
-    clang = ["#pragma clang attribute pop"]
-    for isa in target:
-        undefine = f"CYLINT_UNDEFINE_{isa.upper()}"
-        clang += [f"#ifdef {undefine}", f"#undef {feature(isa)}", f"#undef {undefine}", "#endif"]
+    clang = [f'#pragma pop_macro("{feature(isa)}")' for isa in target]
+    clang.append("#pragma clang attribute pop")
     return by_compiler(clang, ["#pragma GCC pop_options"])
 
 
