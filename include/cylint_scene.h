@@ -440,7 +440,7 @@ typedef struct cylint_workspace {
  *
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
  * bytes to try next, which is more than before.  It takes 48 bytes a chord; with
- * solids about 150, and 256 more for each unbounded member of its solid.  An
+ * solids about 150, and at most 256 for each unbounded member of a solid.  An
  * invalid line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,

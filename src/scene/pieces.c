@@ -233,15 +233,18 @@ static void sweep_solids(assembly *a)
 static void count_events(const collector *c, size_t *events, size_t *chords)
 {
     const cylint_solids *s = &c->scene->solids;
+    size_t late = 0;
     *events = 0;
     *chords = s->n_holding;
     for (size_t i = 0; i < c->n; i++) {
         const uint32_t first = s->first_of_shape[c->chord[i].number],
                        end = s->first_of_shape[c->chord[i].number + 1];
         *chords += first == end;
+        *events += 2 * (size_t)(end - first);
         for (uint32_t j = first; j < end; j++)
-            *events += 2 + 4 * (size_t)s->solid[s->of_shapes[j].solid].n_late;
+            late += s->solid[s->of_shapes[j].solid].n_late;
     }
+    *events += 4 * (late < s->n_late ? late : s->n_late);
     *chords += *events;
 }
 

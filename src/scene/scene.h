@@ -46,7 +46,7 @@ typedef struct cylint_solids {
     int32_t *complements; /* of each clause of each solid, how many */
     uint32_t *always;     /* shapes beside the hierarchy that all lines test */
     uint32_t *holding; /* solids that contain all points outside their shapes */
-    size_t n_always, n_holding;
+    size_t n_late, n_always, n_holding;
     void *memory; /* of these arrays */
     size_t bytes;
 } cylint_solids;

@@ -200,15 +200,15 @@ int cylint_is_late(const cylint_scene *scene, uint32_t shape)
 /* Keeps the late members only: those that not all lines test. */
 static void choose_late(cylint_solids *s, const cylint_scene *scene)
 {
-    size_t n = 0;
+    s->n_late = 0;
     for (size_t i = 0; i < s->n_members; i++) {
         const cylint_membership m = s->late[i];
         cylint_scene_solid *solid = &s->solid[m.solid];
         if (!cylint_is_other(scene, m.shape) || is_always_tested(s, m.shape))
             continue;
         if (solid->n_late++ == 0)
-            solid->first_late = (uint32_t)n;
-        s->late[n++] = m;
+            solid->first_late = (uint32_t)s->n_late;
+        s->late[s->n_late++] = m;
     }
 }
 

@@ -326,6 +326,31 @@ TEST(workspaces_of_every_size_are_kept)
     }
 }
 
+/* A row of spheres and half-spaces are one solid. */
+TEST(each_half_space_of_a_solid_takes_memory_once)
+{
+    enum { BALLS = 100, PLANES = 8, N = BALLS + PLANES };
+    static unsigned char memory[160 * BALLS + 256 * PLANES];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_member members[N];
+    cylint_shape shape[N];
+    cylint_piece piece[BALLS];
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    const cylint_line along =
+        case_of("line -1 0 0  1 0 0  sphere 0 0 0 1").line;
+    for (int i = 0; i < N; i++) {
+        const double p[3] = {i, 0, 0}, above[3] = {0, 0, i}, up[3] = {0, 0, 1};
+        const int plane = i - BALLS;
+        MUST((plane < 0 ? cylint_sphere(&shape[i], p, 0.25, CYLINT_ENDS_CAPPED)
+                        : cylint_halfspace(&shape[i], above, up)) == CYLINT_OK);
+        members[i] = (cylint_member){(size_t)i, 0, plane < 0 ? 1 : 2 + plane};
+    }
+    OWN_SCENE *scene = cylint_scene_new(shape, N, 1, NULL);
+    CHECK(cylint_scene_set_solids(scene, members, N) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_pieces(scene, &along, &rule, piece, BALLS, &work) ==
+          BALLS);
+}
+
 /* ---------------------------------------------- one solid without a scene -- */
 
 /* One solid in world.member, some of its shapes refused. */
