@@ -272,6 +272,8 @@ static int settle_files(struct options *o)
         {is_same(o->scene, "-") && uses_stdin(o) && !o->only_saves && !o->text,
          "the scene and the records are both standard input"},
         {0, NULL}};
+    if (is_same(o->output, "-"))
+        o->output = NULL;
     return check(rules);
 }
 
