@@ -21,8 +21,8 @@ extern "C" {
 
 /*
  * A method writes the same members of an answer as cylint_intersect(), for the
- * shapes and ends it is published for, and returns CYLINT_OK.  For others it
- * writes a miss with CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
+ * shapes and ends it answers for, and returns CYLINT_OK.  For others it writes a
+ * miss with CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
  */
 typedef cylint_status cylint_method_fn(const cylint_shape *shape,
                                        const cylint_line *line, unsigned want,
