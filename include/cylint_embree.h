@@ -120,7 +120,8 @@ typedef enum cylint_embree_status {
     CYLINT_EMBREE_EMOTION,  /* the two states of a moving shape differ in
                               ends or in kind: cylinders and cones are one
                               kind, elliptic cylinders and cones, capsules and
-                              round cones, angle cones, spheres */
+                              round cones (also if one ball holds the other),
+                              angle cones, spheres */
     CYLINT_EMBREE_EMEMORY,  /* an allocation was refused */
     CYLINT_EMBREE_EDEVICE,  /* the device made no geometry */
     CYLINT_EMBREE_EVERSION, /* the device belongs to another major version of

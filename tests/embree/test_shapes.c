@@ -286,11 +286,13 @@ TEST(impossible_motion_is_refused_by_number)
     const double p[3] = {0, 0, 0};
     world_shapes(SCENE_FAT, shapes, ROW);
     shapes[11] = shape_of("cylinder 0 0 0  1 0 0  1");
+    shapes[13] = shape_of("rcone 0 0 0 3  0 0 1 1"); /* one ball */
     memcpy(moved, shapes, sizeof moved);
     options.moved = moved;
     moved[11] = shape_of("cylinder 0 0 0  1 0 0  1 ends=open"); /* other ends */
     moved[12] = shape_of("ecylinder 0 0 0  1 0 0  0 1 0  0 0 1");
-    for (int i = 11; i <= 12; i++) {
+    moved[13] = shape_of("sphere 0 0 0  3");
+    for (int i = 11; i <= 13; i++) {
         world_errors();
         CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
                                       &problem));
@@ -300,6 +302,11 @@ TEST(impossible_motion_is_refused_by_number)
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         moved[i] = shapes[i];
     }
+    moved[13] = shape_of("capsule 0 0 0  0 0 1  1");
+    RTCGeometry possible =
+        cylint_embree_geometry(world_device(), shapes, ROW, &options, &problem);
+    CHECK(possible && problem.status == CYLINT_EMBREE_OK);
+    cylint_embree_release(possible);
     cylint_cylinder(&moved[13], p, p, 1, CYLINT_ENDS_CAPPED);
     CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
                                   &problem));
