@@ -88,9 +88,9 @@
  * updating and releasing a geometry are like committing: no thread may trace it
  * meanwhile.
  *
- * Memory.  The arrays of shapes are the caller's.  Only cylint_embree_geometry()
- * and cylint_embree_update() read them, so that a program which calls no update
- * may free them.  A geometry keeps what the constructors got: 33 bytes a shape if
+ * Memory.  The arrays of shapes are the caller's.  Only the functions that make
+ * and update a geometry read them, so that a program which calls no update may
+ * free them.  A geometry keeps what the constructors got: 33 bytes a shape if
  * all numbers of all shapes are floats, else 65, and 8 for its order; an elliptic
  * shape takes as much as in the array besides.  All memory is allocated from the
  * device as buffers: its memory monitor counts it and may refuse it.
