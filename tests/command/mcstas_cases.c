@@ -74,13 +74,33 @@ static int hollow_faults(intersection *meets)
     return faults;
 }
 
+/* Rays in the plane x = 0 and a sample of radius 1 and height 2: the bits of the ends
+ * by which they enter and leave. */
+static int wrong_bits(void)
+{
+    static const struct {
+        double y, z, vy, vz;
+        int bits;
+    } ray[] = {{-5, 0, 1, 0, 1 + 4 + 8}, {5, 0, -1, 0, 1 + 2 + 16},
+               {0, -5, 0, 1, 1},         {2, -1, -1, 1, 1 + 2},
+               {-2, -1, 1, 1, 1 + 4},    {0, -1.5, 1, 1, 1 + 8},
+               {0, -1.5, -1, 1, 1 + 16}, {2, 0, 0, 1, 0}};
+    int wrong = 0;
+    for (size_t i = 0; i < sizeof ray / sizeof *ray; i++) {
+        double t0, t1;
+        wrong += cylinder_intersect(&t0, &t1, 0, ray[i].y, ray[i].z, 0,
+                                    ray[i].vy, ray[i].vz, 1, 2) != ray[i].bits;
+    }
+    return wrong;
+}
+
 int main(void)
 {
     const int far = far_faults(by_formula),
               parallel = parallel_faults(by_formula);
     const int ours = far_faults(cylinder_intersect) +
                      parallel_faults(cylinder_intersect) +
-                     hollow_faults(cylinder_intersect);
+                     hollow_faults(cylinder_intersect) + wrong_bits();
     printf("     the formula: %d of 1001 far, %d of 100 parallel ones wrong; "
            "cylint: %d\n",
            far, parallel, ours);
