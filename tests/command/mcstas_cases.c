@@ -74,8 +74,8 @@ static int hollow_faults(intersection *meets)
     return faults;
 }
 
-/* Rays in the plane x = 0 and a sample of radius 1 and height 2: the bits of the ends
- * by which they enter and leave. */
+/* Rays in the plane x = 0 and a sample of radius 1 and height 2: the bits of the
+ * ends by which they enter and leave. */
 static int wrong_bits(void)
 {
     static const struct {
