@@ -77,10 +77,21 @@ RTCScene world_new_scene(void)
     return scene;
 }
 
+/* A committed scene that owns the geometry, with this number, and no other. */
+static RTCScene scene_of(RTCGeometry geometry, unsigned id)
+{
+    RTCScene scene = world_new_scene();
+    rtcSetGeometryMask(geometry, 0xffffffffu);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+    return scene;
+}
+
 RTCScene world_instance(RTCScene of, unsigned id, int steps,
                         const float *matrix)
 {
-    RTCScene outer = world_new_scene();
     RTCGeometry instance =
         rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, of);
@@ -89,17 +100,11 @@ RTCScene world_instance(RTCScene of, unsigned id, int steps,
         rtcSetGeometryTransform(instance, (unsigned)i,
                                 RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                                 matrix + 12 * i);
-    rtcSetGeometryMask(instance, 0xffffffffu);
-    rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(outer, instance, id);
-    rtcReleaseGeometry(instance);
-    rtcCommitScene(outer);
-    return outer;
+    return scene_of(instance, id);
 }
 
 RTCScene world_curve(const float (*nodes)[4], size_t n, unsigned id)
 {
-    RTCScene scene = world_new_scene();
     RTCGeometry curve =
         rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
     unsigned *first = rtcSetNewGeometryBuffer(
@@ -109,12 +114,7 @@ RTCScene world_curve(const float (*nodes)[4], size_t n, unsigned id)
     for (unsigned i = 0; i < n - 1; i++)
         first[i] = i;
     memcpy(vertex, nodes, n * sizeof *nodes);
-    rtcSetGeometryMask(curve, 0xffffffffu);
-    rtcCommitGeometry(curve);
-    rtcAttachGeometryByID(scene, curve, id);
-    rtcReleaseGeometry(curve);
-    rtcCommitScene(scene);
-    return scene;
+    return scene_of(curve, id);
 }
 
 struct world world_made(const cylint_shape *shapes, size_t n,
