@@ -127,8 +127,7 @@ static void check_boundary(void)
                same_hit(&got, &expected, CYLINT_WANT_ALL)))
         REPORT("shape %zu, t %a, part %d, side %d", n, got.t, got.part,
                got.side);
-    const double along =
-        d[0] * got.normal[0] + d[1] * got.normal[1] + d[2] * got.normal[2];
+    const double along = dot3(d, got.normal);
     CHECK(b.enters ? along <= 1e-14 : along >= -1e-14);
     CHECK(first_boundary(CYLINT_WANT_T, &few) == n);
     CHECK(same_double(few.t, got.t) && few.side == untouched.side &&

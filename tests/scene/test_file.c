@@ -38,9 +38,8 @@ TEST(an_opened_scene_answers_as_the_saved_one)
                                      CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
         cylint_scene_status status = CYLINT_SCENE_EFILE;
-        /* exact numbers decide for most shapes */
-        const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
-        OWN_SHAPES of = scene_generate(kind, slow ? SHAPES / 10 : SHAPES, 7);
+        OWN_SHAPES of =
+            scene_generate(kind, scene_is_slow(kind) ? SHAPES / 10 : SHAPES, 7);
         OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
         CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
         for (int i = 0; i < 4; i++) {

@@ -236,9 +236,8 @@ static void check_points(const struct scene_shapes *of, uint64_t number)
 TEST(generated_scenes_answer_as_a_loop)
 {
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
-        const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
-        struct scene_shapes of =
-            scene_generate(kind, slow ? SHAPES / 30 : SHAPES, check_seed());
+        struct scene_shapes of = scene_generate(
+            kind, scene_is_slow(kind) ? SHAPES / 30 : SHAPES, check_seed());
         check_lines(&of, (uint64_t)kind);
         scene_release(&of);
         of = scene_generate(kind, NEAR, check_seed());

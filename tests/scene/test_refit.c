@@ -52,9 +52,8 @@ static void check_moves(int kind, uint64_t seed, long moves)
 {
     stream = seed;
     cylint_scene_status status;
-    /* exact numbers decide for most shapes */
-    const int slow = kind == SCENE_SMALL || kind == SCENE_HUGE;
-    OWN_SHAPES of = scene_generate(kind, slow ? SHAPES / 10 : SHAPES, seed);
+    OWN_SHAPES of =
+        scene_generate(kind, scene_is_slow(kind) ? SHAPES / 10 : SHAPES, seed);
     OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     CHECK(cylint_scene_worsening(scene) == 1);
     for (long k = 0; k < moves; k++) {

@@ -36,6 +36,13 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_KINDS
 };
 
+/* Whether doubles do not decide for most shapes of a scene of this kind.  Tests take
+ * fewer of them. */
+static inline int scene_is_slow(int kind)
+{
+    return kind == SCENE_SMALL || kind == SCENE_HUGE;
+}
+
 /* Generates a scene of a kind.  The caller frees it with scene_release(). */
 struct scene_shapes scene_generate(int kind, size_t n, uint64_t seed);
 
