@@ -379,8 +379,8 @@ class Scene:
         """
         names = ("shape", "solid", "clause")
         given = [*map(integers, names, (shape, solid, clause))]
-        broadcast("shape solid clause", *given)
-        rows = np.column_stack([x.reshape(-1) for x in np.broadcast_arrays(*given)])
+        size = broadcast("shape solid clause", *given)
+        rows = np.column_stack([np.broadcast_to(x, size).reshape(-1) for x in given])
         bad = (rows < [0, 0, 1 - 2**31]) | (rows >= [len(self), len(rows), 2**31])
         bad[:, 2] |= rows[:, 2] == 0
         for column, name in enumerate(names):
