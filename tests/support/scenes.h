@@ -36,8 +36,8 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_KINDS
 };
 
-/* Whether doubles do not decide for most shapes of a scene of this kind.  Tests take
- * fewer of them. */
+/* Whether doubles do not decide for most shapes of a scene of this kind.  Tests
+ * take fewer of them. */
 static inline int scene_is_slow(int kind)
 {
     return kind == SCENE_SMALL || kind == SCENE_HUGE;
