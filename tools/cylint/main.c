@@ -122,7 +122,7 @@ static int answer(struct job *job)
         o->binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
     const size_t row =
         o->style.binary ? sizeof(double) * options_fields(o)->count : 0;
-    if (o->output && is_read_too(o, o->output))
+    if (is_read_too(o, o->output))
         return EXIT_IO;
     int status = output_open(&job->out, o->output, row);
     if (status != 0)

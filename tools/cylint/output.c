@@ -18,6 +18,12 @@
 
 enum { NAME_KEPT = 200, TRIES = 100 };
 
+/* Of messages; NULL is standard output. */
+static const char *shown_name(const char *name)
+{
+    return name ? name : "standard output";
+}
+
 int open_file(const char *name, int flags, unsigned mode)
 {
     int fd;
@@ -132,7 +138,7 @@ static int open_new(struct output *out)
 static int open_target(struct output *out, const char *name)
 {
     struct stat old;
-    out->name = name ? name : "standard output";
+    out->name = shown_name(name);
     out->part[0] = '\0';
     if (!name) {
         out->fd = 1;
@@ -192,10 +198,12 @@ int output_is_input(const char *file, const char *input)
 {
     struct stat out, in;
     const int is_same =
-        stat(file, &out) == 0 && S_ISREG(out.st_mode) &&
+        (file ? stat(file, &out) : fstat(1, &out)) == 0 &&
+        S_ISREG(out.st_mode) &&
         (strcmp(input, "-") == 0 ? fstat(0, &in) : stat(input, &in)) == 0 &&
         in.st_dev == out.st_dev && in.st_ino == out.st_ino;
-    return is_same && complain(EXIT_IO, file, "is both input and output");
+    return is_same &&
+           complain(EXIT_IO, shown_name(file), "is both input and output");
 }
 
 static int put_array_header(struct output *out, unsigned long long rows)
