@@ -260,6 +260,7 @@ static int settle_files(struct options *o)
         o->file_count = 1;
     }
     const struct rule rules[] = {
+        {is_same(o->save, "-"), "--save: needs a file, not standard output"},
         {o->scene && is_same(o->save, o->output),
          "--save and -o name the same file"},
         {o->scene && o->only_saves &&
