@@ -192,6 +192,18 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
         scene.first_boundary(*UNIT, exclude=0)
 
 
+def test_numbers_that_are_left_out_may_change_during_a_query():
+    scene, (o, d) = cylint.Scene(forest(2000, 7)), rays(100_000, 8)
+    exclude, calls = np.zeros(len(o), int), []
+
+    def change(*call):
+        exclude[:] = 2**40
+        calls.append(call)
+
+    counts = scene.count(o, d, exclude=exclude, threads=1, progress=change)
+    assert len(calls) > 1 and counts.shape == (100_000,)
+
+
 def test_refused_lines_hit_nothing_on_request():
     scene, (o, d) = cylint.Scene(forest(300, 83)), rays(400, 84)
     spoiled, start = d.copy(), np.zeros(400)

@@ -205,7 +205,7 @@ void count(const Question &q, const Ray &ray, const Answer &put)
 {
     cylint_shape shape;
     size_t hits = cylint_scene_count(q.scene, &ray.line, 0);
-    if (ray.left_out >= 0) {
+    if (q.except(ray) < q.n) { /* the caller may have changed the numbers */
         cylint_scene_shape(q.scene, q.except(ray), &shape);
         hits -= cylint_occluded(&shape, &ray.line) != 0;
     }
