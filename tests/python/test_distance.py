@@ -196,6 +196,8 @@ def test_arguments_that_do_not_fit_are_named():
         (ValueError, r"points \(2,\), r \(3,\)", lambda: scene.within(two, three)),
         (TypeError, "argument: 'r'", lambda: scene.within([0, 0, 0])),
         (TypeError, "within: expected real numbers", lambda: scene.closest([0, 0, 0], "far")),
+        (TypeError, "within: .*None", lambda: scene.closest([0, 0, 0], None)),
+        (TypeError, "points: .*None", lambda: ROD.distance([0, None, 0])),
         (ValueError, "threads: expected at least 1", lambda: scene.within_count(two, 1, threads=0)),
     ):
         with refused(message, error):
@@ -238,14 +240,14 @@ def test_a_scene_counts_the_shapes_that_hold_a_point():
     assert scene.contains([[np.nan, 0, 0], [0, np.inf, 0]]).tolist() == [0, 0]
 
 
-@pytest.mark.parametrize("signed", [False, True])
+@pytest.mark.parametrize("signed", [False, np.True_])
 def test_20000_points_equal_the_command(command, tmp_path, signed):
     random, path, radius = np.random.default_rng(57), tmp_path / "scene", 0.03
     scene = cylint.Scene(rods_in_a_file(500, random, path))
     points = random.random((20_000, 3))
     near = scene.closest(points, signed=signed)
     every = scene.within(points, radius, signed=signed)
-    text, options = records("point", points), ["-s", path] + ["--signed"] * signed
+    text, options = records("point", points), ["-s", path] + ["--signed"] * int(signed)
     command(
         text, *options, shape=near.index + 1, part=near.part, feature=near.feature,
         distance=near.distance, x_y_z=near.point,

@@ -333,6 +333,8 @@ def test_bad_arguments(world):
         ("mode: expected", lambda: scene.pieces(o, d, mode="all")),
         ("rank: expected 30 integers", lambda: scene.pieces(o, d, rank=[1, 2])),
         ("first: expected", lambda: scene.pieces(o, d, first=0)),
+        ("columns: expected at least 0", lambda: scene.sums(o, d, columns=-1)),
+        ("dimension", lambda: scene.sums(o, d, columns=2**70)),
         ("units: expected", lambda: scene.sums(o, d, units="m")),
         ("line 1: the direction", lambda: scene.pieces(*spoiled)),
         (r"shape\[1\]: 99", lambda: scene.set_solids([0, 99], 0, 1)),
@@ -345,7 +347,7 @@ def test_bad_arguments(world):
             call()
     with refused("first: expected an integer", TypeError):
         scene.pieces(o, d, first=1.5)
-    with refused("integer", TypeError):
+    with refused("columns: expected an integer", TypeError):
         scene.sums(o, d, columns=2.5)
     assert len(scene.pieces(o, d, first=2**70).t0) == len(scene.pieces(o, d).t0)
     assert (scene.pieces(*spoiled, errors="mask").line == 0).all()

@@ -184,6 +184,7 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
         (ValueError, "exclude: a number does not fit", [0, 0, 0], np.uint64(2**64 - 1)),
         (TypeError, "exclude: expected integers", [0, 0, 0], 1.0),
         (TypeError, "exclude: expected integers", [0, 0, 0], [[1.0]]),
+        (ValueError, "exclude: .*inhomogeneous", [0, 0, 0], [[1], [1, 0]]),
         (ValueError, r"broadcast: lines \(2,\), exclude \(3,\)", [[0, 0, 0]] * 2, [0, 1, 0]),
     ):
         with refused(message, error):
@@ -332,8 +333,8 @@ def assert_same_answers(scene, again):
     assert scene.shapes.labels.tolist() == again.shapes.labels.tolist()
 
 
-@pytest.mark.parametrize("trusted", [False, True])
-@pytest.mark.parametrize("read", [False, True])
+@pytest.mark.parametrize("trusted", [False, np.True_])
+@pytest.mark.parametrize("read", [False, np.True_])
 def test_a_saved_scene_gives_the_same_answers(tmp_path, trusted, read):
     name, second = tmp_path / "saved", tmp_path / "again"
     scene = cylint.Scene(labelled(1000, 27))

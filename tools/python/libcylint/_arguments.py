@@ -56,10 +56,14 @@ def takes(make: Callable[_P, _Made]) -> Callable[
 # ---------------------------------------------------------------- arrays --
 
 
-def _refuse_masked(name: str, value: ArrayLike) -> None:
-    """NumPy would take the numbers below a mask for data."""
+def _array(name: str, value: ArrayLike) -> NDArray[Any]:
+    """An array without masked elements: NumPy would take their numbers for data."""
     if isinstance(value, np.ma.MaskedArray) and value.mask.any():
         raise ValueError(f"{name}: an element is masked")
+    try:
+        return np.asarray(value)
+    except ValueError as error:  # of rows that differ in length
+        raise ValueError(f"{name}: {error}") from None
 
 
 def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
@@ -68,14 +72,12 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     An aligned array of float64 is returned as it is, whatever its strides.  A
     new array is read-only, so that `owned` does not copy it.
     """
-    _refuse_masked(name, value)
-    try:
-        given = array = np.asarray(value)
-    except ValueError as error:  # of rows that differ in length
-        raise ValueError(f"{name}: {error}") from None
+    given = array = _array(name, value)
     if given.dtype is not _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
             raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
+        if given.dtype.kind == "O" and any(x is None for x in given.flat):
+            raise TypeError(f"{name}: expected real numbers, found None")
         if given.dtype.itemsize > 8:
             raise TypeError(
                 f"{name}: {given.dtype} (longdouble) has digits that float64 has "
@@ -98,8 +100,7 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
 
 def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """An array of int64 (...)."""
-    _refuse_masked(name, value)
-    array = np.asarray(value)
+    array = _array(name, value)
     if array.dtype.kind not in "iu" and array.size > 0:  # [] has the type float64
         raise TypeError(f"{name}: expected integers, found {array.dtype}")
     if array.dtype == np.uint64 and np.any(array > np.iinfo(np.int64).max):
@@ -151,15 +152,20 @@ def new_copy(array: Doubles, shape: tuple[int, ...]) -> Doubles | None:
 # --------------------------------------------------------------- calls --
 
 
-def positive(name: str, value: int) -> int:
-    """An integer from 1 on; numbers beyond 31 bits count as the largest."""
+def whole(name: str, value: int, least: int) -> int:
+    """An integer from `least` on."""
     try:
         number = operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: expected an integer, found {value!r}") from None
-    if number < 1:
-        raise ValueError(f"{name}: expected at least 1, found {number}")
-    return min(number, 2**31 - 1)
+    if number < least:
+        raise ValueError(f"{name}: expected at least {least}, found {number}")
+    return number
+
+
+def positive(name: str, value: int) -> int:
+    """An integer from 1 on; numbers beyond 31 bits count as the largest."""
+    return min(whole(name, value, 1), 2**31 - 1)
 
 
 def workers(threads: int | None) -> int:
@@ -312,7 +318,7 @@ class Balls(Points):
     ) -> None:
         super().__init__(points, threads=threads, progress=progress)
         self.radii = doubles(self.radii_name, r)
-        self.signed = signed
+        self.signed = bool(signed)
         self.shape = broadcast(
             f"points {self.radii_name}", self.array[..., 0], self.radii
         )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 import os
 from collections.abc import Iterable
 from functools import cached_property
@@ -14,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import (
     Balls, BallsWithin, Doubles, Lines, Points, Progress, SceneLines, broadcast, counted,
-    integers, positive, takes, workers,
+    integers, positive, takes, whole, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
@@ -263,7 +262,7 @@ class Scene:
         """
         workers(threads)  # checks the number
         scene = cls.__new__(cls)
-        scene._scene = _core.Scene.open(*_file_name(path), read, trusted)
+        scene._scene = _core.Scene.open(*_file_name(path), bool(read), bool(trusted))
         scene._threads = threads
         return scene
 
@@ -462,13 +461,11 @@ class Scene:
         if label is not None:
             width = int(label.max(initial=-1)) + 1
         if columns is not None:
-            width = operator.index(columns)
-        if width < 0:
-            raise ValueError(f"columns: found {width}")
+            width = whole("columns", columns, 0)
+        sums = np.empty((*lines.shape, width))
         rule = _core.Scene.Rule(
             _mode(mode), self._integers("rank", rank), label, width, units == "length"
         )
-        sums = np.empty((*lines.shape, width))
         self._answer(_core.Scene.sums, lines, [sums], rule)
         return sums[..., 0] if labels is None and columns is None else sums
 
