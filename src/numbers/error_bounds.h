@@ -2,8 +2,8 @@
  * error_bounds.h - all constants on which a decision depends, with their reasons;
  * those of distances are in distance/error_bounds.h
  *
- * `make prove` proves every constant that is called proved here.  It also shows
- * that the same proof fails for a constant that is 1 % smaller.
+ * `make prove` proves every constant that is called proved here, as [Melquiond,
+ * Pion 2007].  It also shows that the proof fails for a constant 1 % smaller.
  *
  * A form is a straight-line program of sums and products.  Let `size` be the
  * same program run on absolute values, with every difference replaced by a sum.

@@ -1,5 +1,6 @@
 /*
  * sign.c - the sign of each form: in doubles, then in pairs, then exactly
+ * [Shewchuk 1997]
  *
  * A filter's answer is final when the value exceeds the bound on its error
  * (error_bounds.h), or when pairs have lost nothing.  Comparisons are written so

@@ -2,7 +2,8 @@
 
 A file in a comment has a name of three letters or more; it is in the repository, or
 some file includes it as <name>.  A function has an underscore and is a word of the
-code.  A path in a page is one from the top or from the page's folder.
+code.  A path in a page is one from the top or from the page's folder.  A citation in
+src, [AUTHORS YEAR], is in the list of references of cylint(3).
 """
 import os
 import re
@@ -11,7 +12,10 @@ import sys
 os.chdir(os.path.join(os.path.dirname(os.path.abspath(sys.argv[0])), "../.."))
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 PATH = re.compile(r"`((?!build/)\w+/[\w./-]+\.\w+)`")
+CITATION = re.compile(r"\[([A-Z][a-z]+)(?:, [A-Z][a-z]+)* (\d{4})(?:\]|, [A-Z])")
 names, code, comments, found = {"example.c"}, set(), {}, []
+with open("man/cylint.3") as manual:
+    listed = re.findall(r"(?s)\.Rs\n(.*?)\.Re", manual.read())
 for folder, folders, files in os.walk("."):
     folders[:] = [f for f in folders if f != ".git" and not f.startswith("build")]
     names |= set(files)
@@ -33,5 +37,8 @@ for path, text in comments.items():
     named = set(re.findall(r"\b\w{3,}\.(?:c|h|cc|py|sh|awk|mk)\b", text)) - names
     called = set(re.findall(r"\b([a-z]\w*_\w+)\(\)", text)) - code
     found += [(path, x) for x in sorted(named | called)]
+    cited = CITATION.findall(re.sub(r"\n \* ", " ", text)) if path.startswith("src/") else []
+    found += [(path, "[%s %s]" % x) for x in cited
+              if not any(re.search(r"%%A .*\b%s\n(?s:.*)%%D %s" % x, y) for y in listed)]
 print("".join("%s: there is no %s\n" % x for x in found), end="")
 sys.exit(bool(found))

@@ -44,8 +44,9 @@ static int is_long(const char *text, const char *end)
  * Reads digits with a point but without an exponent, the most frequent form.
  * The number is M / 10^k, where M has all the digits and k of them are after
  * the point.  If M < 2^53 and k <= 22, both are doubles and the quotient is
- * rounded once: it is the nearest double [Clinger 1990].  This needs arithmetic
- * without excess precision.  Returns NULL for other numbers.
+ * rounded once: it is the nearest double [Clinger, How to read floating-point
+ * numbers accurately, 1990].  This needs arithmetic without excess precision.
+ * Returns NULL for other numbers.
  */
 static const char *read_short(const char *text, const char *end, double *value)
 {

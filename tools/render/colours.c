@@ -1,7 +1,8 @@
 /*
  * colours.c - a colour for every shape
  *
- * Palettes are made in Oklab, where equal steps look equal [Ottosson 2020].
+ * Palettes are made in Oklab, where equal steps look equal [Ottosson, A perceptual
+ * color space for image processing, 2020].
  */
 #include <stdlib.h>
 #include <string.h>
