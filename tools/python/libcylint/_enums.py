@@ -39,7 +39,7 @@ class Ends(_Word):
 
 
 class Relation(_Word):
-    """How the whole line, for all t, lies to the closed solid.
+    """Which points the whole line, for all t, and the closed solid have in common.
 
     NONE: the line was refused.
     """

@@ -34,7 +34,7 @@ def read_scene(
     What follows a shape on its line is its label, see `Shapes.labels`; that of a
     neuron's shape is the number of its node.  A scene of `Scene.save` is read, too.
     Solids (in=NAME, out=NAME) are not kept: see `Scene.read`.
-    ends: for shapes whose line does not say.  Raises ValueError for the first
+    ends: of shapes whose lines have no ends=.  Raises ValueError for the first
     bad line, OSError if the file cannot be read.
 
     >>> import os, tempfile
@@ -85,9 +85,9 @@ def write_scene(
 ) -> None:
     """Writes shapes with one axis to a file, one a line, with their labels.
 
-    labels: (...) str, in place of those of the shapes, as of `Shapes.with_labels`.
-    `read_scene` reads the same shapes and labels, and so do `cylint -s` and the
-    other commands.  Each number is the shortest text that is read as the same
+    labels: (...) str, in place of those of the shapes, as in `Shapes.with_labels`.
+    `read_scene`, `cylint -s` and `cylint-render` read the same shapes and labels
+    from it.  Each number is the shortest text that is read as the same
     float64.  Raises ValueError, and writes nothing, for a label with a line feed, a
     NUL or blanks around it, or that begins with in= or out=, or longer than a line
     of 1 MiB, and for a cone whose tangent no angle in degrees has, as some of

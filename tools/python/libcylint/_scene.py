@@ -62,7 +62,7 @@ class ClosestShapes(ClosestPoints):
     none.  If signed distances were compared, the surface is that of the closed
     solid.
 
-    part, feature, point and normal are as of `ClosestPoints`.
+    part, feature, point and normal are as in `ClosestPoints`.
     """
 
     index: NDArray[np.int64]
@@ -97,7 +97,7 @@ class Pieces(NamedTuple):
     line: (k,) int64, the number of the line, ascending; of lines in several axes the
     number in C order.
     shape: (k,) int64, the number of the owner, a shape or the first of its solid.
-    depth: (k,) int64, how many solids contain the piece, at most.
+    depth: (k,) int64, the greatest number of solids at one place of it.
     t0, t1: (k,), where it begins and ends; infinite where a solid has no end.
     """
 
@@ -111,7 +111,7 @@ class Pieces(NamedTuple):
 class Boundaries(NamedTuple):
     """What `Scene.first_boundary` returns.
 
-    index: (...) int64, the number of the shape on whose surface it is; -1: none.
+    index: (...) int64, the number of the shape whose surface it is on; -1: none.
     t: (...); point, normal: (..., 3); nan for none.  The normal points out of the
     solid.
     side, part: (...) int8, values of `Side` and `Part`; -1 for none.
@@ -141,7 +141,7 @@ class Scene:
     joined as by `concatenate`.  The scene copies what it needs, about 100 bytes a
     shape, and keeps none of the arrays.  They have the numbers 0
     to len(scene) - 1, and there are at most 2**28.
-    threads: of building the scene, and of all queries that do not say;
+    threads: for building the scene, and for queries without their own number;
     None: one per processor.
     progress: called with (done, total) while the scene is built, several times a
     second and at the end; total is the number of shapes.  A signal such as
@@ -227,9 +227,9 @@ class Scene:
         """Saves the scene with its labels in a file, for `open`.
 
         `cylint -s` opens it, too, and cylint_scene_open() of C.  A file of about
-        100 bytes a shape is written beside `path` and renamed, so who has opened
-        an older file keeps it; a pipe or a device is written to.  Raises OSError
-        if that fails.
+        100 bytes a shape is written beside `path` and renamed, so a process that
+        has opened an older file keeps it; a pipe or a device is written to.  Raises
+        OSError if that fails.
 
         >>> import os, tempfile
         >>> folder = tempfile.TemporaryDirectory()
@@ -253,9 +253,9 @@ class Scene:
         open it share its memory.  It must not be shortened or rewritten in place
         as long as the scene is used; `save` does not do that.
         read: read the file into memory of this process instead.
-        trusted: do not check the whole file, which takes 0.05 s for 100 MB, but
-        only that it is complete.  A file that is damaged then makes queries crash.
-        threads: of all queries that do not say; None: one per processor.
+        trusted: check only that the file is complete, not all of it, which takes
+        0.05 s for 100 MB.  A file that is damaged can then make queries crash.
+        threads: for queries without their own number; None: one per processor.
 
         Raises OSError if the file cannot be read, ValueError if it is no saved
         scene, damaged, or of another version or machine.
@@ -296,7 +296,7 @@ class Scene:
     def nearest(self, lines: SceneLines) -> NearestHits:
         """The first shape that each line hits, that of least t.
 
-        Arguments as of `intersect`.  At equal t the lower number is first.
+        Arguments as for `intersect`.  At equal t the lower number is first.
         exclude: (...) integers, for each line the number of a shape that it does
         not hit, -1 for none; for rays that leave this shape.
 
@@ -316,7 +316,7 @@ class Scene:
     def any(self, lines: SceneLines) -> NDArray[np.bool_]:
         """Whether each line hits a shape: (...) bool.
 
-        Arguments as of `nearest`.
+        Arguments as for `nearest`.
         """
         return self._answer(_core.Scene.any, lines, "?")[0]
 
@@ -324,7 +324,7 @@ class Scene:
     def count(self, lines: SceneLines) -> NDArray[np.int64]:
         """How many shapes each line hits: (...) int64.
 
-        Arguments as of `nearest`.
+        Arguments as for `nearest`.
         """
         return self._answer(_core.Scene.count, lines, "i")[0]
 
@@ -332,7 +332,7 @@ class Scene:
     def all(self, lines: SceneLines) -> AllHits:
         """All shapes that each line hits, as flat arrays.
 
-        Arguments as of `nearest`.
+        Arguments as for `nearest`.
 
         >>> scene = cylint.Scene(cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1))
         >>> scene.all([[-5, 0, 0.5], [0, -5, 0.5]], [[1, 0, 0], [0, 1, 0]])
@@ -402,7 +402,7 @@ class Scene:
     ) -> Pieces:
         """The pieces of each line that are inside solids, in order.
 
-        Lines as of `intersect`.
+        Lines as for `intersect`.
         mode: "owner": each place belongs to the solid of least rank, of equal ranks
         to the lowest number; "union": maximal intervals inside any solid; "cells":
         divided wherever a solid begins or ends; "chords": of each solid, not merged.
@@ -433,11 +433,11 @@ class Scene:
     ) -> NDArray[np.float64]:
         """The lengths of each line inside solids, added by label.
 
-        Arguments as of `pieces`.
-        labels: (len(scene),) integers from 0; negative ones are not counted.  Those
-        of names are np.unique(names, return_inverse=True)[1].  The answer is
-        (..., columns), one column a label; columns: default the greatest label and
-        1.  None: all shapes count, and the answer is (...).
+        Arguments as for `pieces`.
+        labels: (len(scene),) integers from 0; shapes with a negative one are not
+        counted.  np.unique(names, return_inverse=True)[1] are those of names.  The
+        answer is (..., columns), one column a label; columns: by default 1 more than
+        the greatest label.  None: all shapes count, and the answer is (...).
         units: "length" in those of the scene; "t": in units of the directions.
 
         Each sum is rounded once, and once more for "length"; inf if a piece is
@@ -492,7 +492,7 @@ class Scene:
     def first_boundary(self, lines: Lines) -> Boundaries:
         """Where each line first enters or leaves the union of all solids.
 
-        Arguments as of `intersect`.  Places at tmin and tmax do not count.
+        Arguments as for `intersect`.  Places at tmin and tmax do not count.
 
         >>> pipe = cylint.Scene(cylint.cylinder([0, 0, 0], [0, 0, 9], [2, 1]))
         >>> pipe.set_solids([0, 1], 0, [1, -2])
@@ -558,7 +558,7 @@ class Scene:
     def within_count(self, around: Balls) -> NDArray[np.int64]:
         """How many surfaces are within a radius of each point: (...) int64.
 
-        Arguments as of `within`.
+        Arguments as for `within`.
         """
         query = _core.Scene.within_count
         return self._answer(query, around, "i", _signed(around))[0]

@@ -594,7 +594,7 @@ def tube(
 
     The shapes are 1 to 4: the outer one, the bore and the half-spaces of the sector.
     The clauses are those of `Scene.set_solids`.  The planes are exact if the axis lies
-    along a coordinate; others are rounded once, as cylint_pieces(3) says.
+    along a coordinate; others are rounded: cylint_pieces(3) states by how much.
 
     >>> shapes, clauses = cylint.tube([0, 0, 0], [0, 0, 9], 2, 1, sector=[[1, 0, 0], [0, 1, 0]])
     >>> shapes, clauses
@@ -631,7 +631,7 @@ def capsule(
 ) -> Shapes:
     """Capsules: the points at most r (...) from the segment p0 p1 (..., 3).
 
-    The round ends are the parts CAP0, about p0, and CAP1.  ends: as of
+    The round ends are the parts CAP0, about p0, and CAP1.  ends: as for
     `cylinder`, but neither "infinite" nor "nappe".
 
     >>> cylint.capsule([0, 0, 0], [0, 0, 2], 0.5).bounds()
@@ -647,7 +647,7 @@ def round_cone(
     """Round cones: the convex hulls of two balls.
 
     p0, p1: (..., 3), their centres; r0, r1: (...), their radii, not both 0.
-    Where one ball holds the other, it is that ball.  ends: as of `capsule`.
+    Where one ball holds the other, the shape is that ball.  ends: as for `capsule`.
 
     >>> drop = cylint.round_cone([0, 0, 0], 1, [0, 0, 3], 0)
     >>> cylint.intersect(drop, [0, 0, -5], [0, 0, 1]).t
@@ -674,7 +674,7 @@ def angle_cone(
 def tangent_cone(
     v: ArrayLike, u: ArrayLike, tangent: ArrayLike, *, ends: Any = "infinite"
 ) -> Shapes:
-    """Cones as of `angle_cone`, from the tangent of the half angle (...).
+    """Cones as by `angle_cone`, from the tangent of the half angle (...).
 
     >>> cylint.tangent_cone([0, 0, 0], [0, 0, 1], 0.5, ends="capped").bounds()
     array([[-0.5, -0.5,  0. ],
