@@ -55,8 +55,8 @@ typedef struct cylint_embree_array {
 } cylint_embree_array;
 
 /* Traces rays (bits) of a packet through a hierarchy that is not empty.  They go
- * into the same octant: their d have the same signs, of zeros too.  certain: of a
- * ray that certainly hits some shape only that is recorded. */
+ * into the same octant: their d have the same signs, of zeros too.  certain: for a
+ * ray that certainly hits some shape, records only that it is hit. */
 struct cylint_packet;
 typedef void cylint_packet_trace(struct cylint_packet *p, unsigned rays,
                                  int certain);

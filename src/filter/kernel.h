@@ -1,5 +1,5 @@
 /*
- * kernel.h - how a line lies to a solid of revolution, by signs, in lanes
+ * kernel.h - the relation of a line and a solid of revolution, by signs, in lanes
  *
  * The forms are those of local_forms_template.h, in doubles or, where those are
  * too near to 0, in pairs.  The bounds on their errors are in error_bounds.h.

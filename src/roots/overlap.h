@@ -23,8 +23,8 @@ typedef struct {
 cylint_overlap cylint_overlap_of(cylint_query *q);
 cylint_overlap cylint_round_overlap(cylint_query *q);
 
-/* Where the origin of the line lies to a round kind: 1 inside, 0 on the boundary,
- * -1 outside. */
+/* Where the origin of the line lies: 1 inside a round kind, 0 on its boundary, -1
+ * outside. */
 int cylint_round_contains(cylint_query *q);
 
 /* The overlap with Q <= 0, where that is one interval between its roots: a chord, a

@@ -172,8 +172,8 @@ surd cylint_surd(cylint_query *q, cylint_root root)
  *   F = (X + s f1 R) / A,     X = A f0 - B f1
  *     = N / (X - s f1 R),     N = X f0 - (B f0 - C f1) f1
  *
- * and in one of them sizes are added: in the first, but where X and s f1 are
- * opposed.  That they are for A = 0 too, when s is the sign of B, and the
+ * In one of them sizes are added: in the second where X and s f1 have opposite
+ * signs, else in the first.  They have if A = 0 and s is the sign of B: then the
  * second way gives the limit, f0 - f1 C / (2 B).
  */
 typedef struct {

@@ -124,8 +124,8 @@ CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
  * that the line does not hit; cylint_intersect() tests the rest.
  */
 
-/* The most lanes that wait while their shapes are loaded; fewer chords than these
- * take less time one by one. */
+/* The most lanes that wait while their shapes are loaded.  Fewer than FEW_CHORDS
+ * chords take less time one by one. */
 enum { LATER = CYLINT_MOST_RECORDS, FEW_CHORDS = 3 };
 
 typedef struct {

@@ -95,8 +95,8 @@ CYLINT_INLINE int cylint_has_skew_rows(int kind)
     return cylint_is_elliptic(kind) || cylint_has_tangent(kind);
 }
 
-/* The S of forms_template.h is the square of form_root_of_S(); else it is that
- * itself. */
+/* The S of forms_template.h is the square of form_root_of_S(); else the function
+ * returns S itself. */
 CYLINT_INLINE int cylint_S_is_square(int kind)
 {
     return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ACONE &&

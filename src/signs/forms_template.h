@@ -12,7 +12,7 @@
  *   INLINE                  how its functions are declared
  *   MEMORY                  a declaration in the terms, if it needs room
  *   BEGIN, RETURN(x)        first and last words of a form, for arithmetics
- *                           whose intermediate results need to be let go
+ *                           whose intermediate results must be freed
  *   FORMS_DECLARED          the file defines the terms and declares the functions
  *   FORMS_DEFINED           it defines the functions only; neither: both
  *   FORMS_OF_HITS           with those of z, normal and phi of a hit, and
@@ -284,9 +284,8 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
     RETURN(G)
 }
 
-/* The factor between G and the discriminant, as a square root if one
- * exists: cone vv, elliptic det.  Cylinder, acone and the round kinds: S
- * itself. */
+/* The square root of S, the factor between G and the discriminant, where S is a
+ * square (cone vv, elliptic det); S itself for other kinds. */
 INLINE NUM FORM(form_root_of_S)(const FORM(terms) *L)
 {
     if (cylint_is_round(L->kind))
@@ -381,7 +380,7 @@ INLINE NUM FORM(form_T)(const FORM(terms) *L)
     RETURN(T)
 }
 
-/* A form by its name; end: of those that are of one end. */
+/* A form by its name; end: 0 or 1, for the forms of one end. */
 INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end)
 {
     switch (f) {
@@ -466,7 +465,7 @@ INLINE void FORM(gradient)(const FORM(terms) *L, NUM N[3])
 }
 
 /* Where the origin lies about the axis: cosine and sine of phi times one
- * positive number, but that for circular kinds x wants a factor |w|.  phi
+ * positive number; for circular kinds x still needs a factor |w|.  phi
  * counts from e x w, e the coordinate direction of the given number; for
  * elliptic kinds from a towards b. */
 INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)

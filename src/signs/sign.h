@@ -56,8 +56,8 @@ static inline int cylint_is_first(cylint_query *q, unsigned part)
     return !(before & part);
 }
 
-/* The terms that a form of this end takes, in the slower arithmetics.  What is not
- * there is computed. */
+/* The terms that a form of this end takes, in the slower arithmetics.  Computes
+ * those that are not there yet. */
 cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end);
 const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
                                             int end);

@@ -75,7 +75,7 @@ struct report {
 
 /* All write the note that the present record is bad, and return EXIT_BAD.
  * The place is in its text, or NULL. */
-/* A text as of printf(). */
+/* A text in the format of printf(). */
 int refuse(struct notes *notes, const char *at, const char *format, ...)
     LIKE_PRINTF(3, 4);
 /* `WHAT: 'TEXT'`, or `WHAT` if the text is empty. */
@@ -109,7 +109,7 @@ void report_end(const struct report *report);
 /* EXIT_BAD: `PROGRAM: NAME:LINE:COLUMN: WHAT`, NAME escaped. */
 int complain_at(const char *name, unsigned long long line,
                 unsigned long long column, const char *what);
-/* `status`: `PROGRAM: NAME: ` and a text as of printf(). */
+/* `status`: `PROGRAM: NAME: ` and a text in the format of printf(). */
 int complain(int status, const char *name, const char *format, ...)
     LIKE_PRINTF(3, 4);
 /* EXIT_IO: the same with the text of errno. */

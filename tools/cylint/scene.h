@@ -117,7 +117,7 @@ struct shape_record {
 
 /* Appends the record and a line feed.  The text has space for RECORD_MOST bytes.
  * Returns NULL, or why text cannot hold the record; then the text is as before.
- * digits: as of cylint_write_number(). */
+ * digits: as in cylint_write_number(). */
 const char *put_record(struct text *t, const struct shape_record *record,
                        int digits);
 
