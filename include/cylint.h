@@ -226,8 +226,8 @@ CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
  * shape is unbounded: its `ends` are CYLINT_ENDS_INFINITE.  Its surface, a plane,
  * is the part lateral; z and phi of a hit are 0.  A line has one hit; a line
  * parallel to the plane has none: inside it is `cross`, in the plane `along`,
- * outside `miss`.  The boxes are infinite, but where n has one component that is
- * not 0 they end at the plane.  Published methods (cylint_methods.h) refuse it.
+ * outside `miss`.  The box is infinite, but ends at the plane if n has only one
+ * component that is not 0.  Published methods (cylint_methods.h) refuse it.
  * EAXIS: n = 0. */
 CYLINT_API cylint_status cylint_halfspace(cylint_shape *shape,
                                           const double p[3], const double n[3]);
@@ -277,8 +277,8 @@ CYLINT_API cylint_status cylint_span(cylint_line *line, const double o[3],
 
 /* ----------------------------------------------------------- intersect -- */
 
-/* How the whole line, t from -infinity to infinity, lies to the closed solid.
- * The domain of the line and the missing caps make no difference. */
+/* Which points the whole line, t from -infinity to infinity, and the closed solid
+ * have in common.  The line's domain and missing caps make no difference. */
 typedef enum cylint_relation {
     CYLINT_RELATION_MISS = 0, /* no common point */
     CYLINT_RELATION_TOUCH,    /* one common point, on the boundary */
@@ -389,11 +389,11 @@ CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
                                 cylint_answer *answer);
 
-/* Writes the wanted members beside t, part and side of a hit, of which these
- * three come from a query about the same shape and line:
- * cylint_intersect(), cylint_nearest() or a query of a scene.  Other members
- * keep their values.  The bits are those of cylint_intersect().  So a program
- * describes only the hit that it uses.  If no hit of the line has this t, part
+/* Completes a hit whose t, part and side were written by a query of the same
+ * shape and line, cylint_intersect(), cylint_nearest() or a query of a scene:
+ * writes the other wanted members, with the bits of cylint_intersect().  Members
+ * that are not wanted keep their values.  So a program that finds many hits
+ * describes only the one that it uses.  If no hit of the line has this t, part
  * and side, nothing is promised of the values. */
 CYLINT_API void cylint_describe(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
@@ -415,10 +415,10 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * The point of a hit is rounded, so it is as often inside the solid as outside,
  * and a ray from it can hit the same surface again.  This writes a point
  * near hit->point for which cylint_contains() returns `side`: -1 outside, 1
- * inside.  An outside point of a bounded shape that is not round is also
- * beyond the part that the hit lies on: beside a rim it is not only beyond the
- * cap.  Point, normal and part of the hit must be written.  `point` may be a
- * member of *hit, such as hit->point.
+ * inside.  If a bounded shape is not round, an outside point is on the outer
+ * side of the hit's part: for a hit on the lateral surface beside a rim it is
+ * not only beyond the cap.  Point, normal and part of the hit must be written.
+ * `point` may be a member of *hit, such as hit->point.
  *
  * Returns 1.  The point is hit->point itself if that is on the side; else the
  * nearest of the points that differ from it by k or 0 steps of the doubles in
@@ -450,10 +450,10 @@ CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
 /*
  * A pack: n shapes, arranged for SIMD.  cylint_pack_shapes() computes what
  * does not depend on a line and writes it to `memory`, which has
- * cylint_pack_bytes(n) bytes at any address; SIZE_MAX, which malloc() refuses,
- * if a size_t cannot hold that number.  Queries read `memory` and also
- * `shapes`.  The caller must not move or change either of them while the pack
- * is in use.  The shapes have the numbers 0 to n - 1.  No line hits a refused
+ * cylint_pack_bytes(n) bytes at any address.  If a size_t cannot hold that
+ * number, it is SIZE_MAX, which malloc() refuses.  Queries read `memory` and
+ * also `shapes`.  The caller must not move or change either of them while the
+ * pack is in use.  The shapes have the numbers 0 to n - 1.  No line hits a refused
  * shape.  Queries do not write to a pack: any number of threads may share it.
  */
 typedef struct cylint_pack {

@@ -15,8 +15,8 @@
  * tested in a batch beside the hierarchy.
  *
  * Both libcylint-scene and libcylint-embree contain these functions.  Queries
- * only read a scene, so any number of threads may query one.  Making a scene
- * allocates memory with malloc(); queries do not.  Nothing is printed.
+ * only read a scene, so any number of threads may query one.  They allocate no
+ * memory, but for pieces of many lines and sums of lengths.  Nothing is printed.
  */
 #ifndef CYLINT_SCENE_H
 #define CYLINT_SCENE_H
@@ -77,9 +77,9 @@ CYLINT_API cylint_scene_status cylint_scene_add(cylint_scene *scene,
                                                 const cylint_shape *shapes,
                                                 size_t n);
 
-/* `part` of a scene is made, from 0 to 1, never less than before.  Returns 1 if
- * the work is to go on, 0 if it is to stop.  The time is only roughly
- * proportional to `part`. */
+/* Gets the part of the work that is done, from 0 to 1, never less than before.
+ * Returns 1 to continue, 0 to stop.  The time is only roughly proportional to
+ * `part`. */
 typedef int cylint_scene_progress(void *context, double part);
 
 /*
@@ -128,7 +128,7 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  * the tree above them stays, so lines take longer the more the shapes lie among
  * other neighbours than before: see cylint_scene_worsening().
  *
- * Uses one thread, and about 5 bytes a shape while it works.  A few shapes that
+ * Uses one thread, and 4 to 32 bytes a shape while it works.  A few shapes that
  * stay within the box of all cost least; if one leaves it, all are bounded
  * again.  No other thread may use the scene at the same time.
  *
@@ -175,7 +175,7 @@ CYLINT_API const cylint_scene_labels *cylint_scene_get_labels(
  * A file has a version, an order of bytes and a checksum.  Where these are not as
  * expected, or a number in the file is out of range, opening fails: no file makes
  * a query read outside it, run without end or crash.  Only a file that changes
- * while it is mapped does; open files that others may write to with
+ * while it is mapped can do that: open files that others may write to with
  * CYLINT_SCENE_READ.  (cylint_scene_save() replaces a file and does not change it.)
  */
 enum {
@@ -195,7 +195,7 @@ CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
 /* Gets the next bytes of the file.  Returns 1, or 0 to stop. */
 typedef int cylint_scene_writer(void *context, const void *data, size_t bytes);
 
-/* Gives the bytes of the file to a function instead.  ESTOPPED: it returned 0. */
+/* Passes the file's bytes to a function.  ESTOPPED: the function returned 0. */
 CYLINT_API cylint_scene_status cylint_scene_write(const cylint_scene *scene,
                                                   cylint_scene_writer *writer,
                                                   void *context);
@@ -219,8 +219,8 @@ CYLINT_API size_t cylint_scene_nearest(const cylint_scene *scene,
                                        cylint_hit *hit);
 
 /* Returns what cylint_scene_nearest() returns without shape number `except`;
- * with except = n nothing is left out.  For a ray that leaves this shape, as of
- * cylint_scene_occluded(). */
+ * with except = n nothing is left out.  Use it for a ray that leaves this shape,
+ * as cylint_scene_occluded(). */
 CYLINT_API size_t cylint_scene_nearest_other(const cylint_scene *scene,
                                              const cylint_line *line,
                                              size_t except, unsigned want,
@@ -232,7 +232,7 @@ CYLINT_API size_t cylint_scene_count(const cylint_scene *scene,
                                      const cylint_line *line, size_t enough);
 
 /* Returns 1 if the line hits a shape other than number `except`; with except = n
- * any shape.  For a ray that begins at a rounded point on the surface of a
+ * any shape.  Use it for a ray that begins at a rounded point on the surface of a
  * shape: if it leaves a convex solid, it does not hit the solid again. */
 CYLINT_API int cylint_scene_occluded(const cylint_scene *scene,
                                      const cylint_line *line, size_t except);
@@ -309,8 +309,8 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
  * HUGE_VAL.
  */
 
-/* Gets shape `number`, which is within the radius, its distance and its flags, as
- * of cylint_distance() with the visit's CYLINT_SIGNED.  Returns the largest
+/* Gets shape `number`, which is within the radius, and the distance and flags that
+ * cylint_distance() returns with the visit's `want`.  Returns the largest
  * distance, in absolute value without CYLINT_SIGNED, that is wanted from now on,
  * or NaN to end the visit.  A value larger than one before has no effect. */
 typedef double cylint_scene_near(void *context, size_t number, double distance,
@@ -399,7 +399,7 @@ typedef enum cylint_piece_mode {
     CYLINT_PIECES_OWNER, /* each place belongs to the solid of least rank, of equal
                             ranks to the lowest number; neighbours of equal owner
                             are joined */
-    CYLINT_PIECES_CELLS, /* every place where a solid begins or ends divides;
+    CYLINT_PIECES_CELLS, /* a piece ends wherever a solid begins or ends;
                             shape: the owner */
     CYLINT_PIECES_CHORDS /* one for each solid, or more if it is not convex: sorted
                             by t0, then by number; they may overlap */
@@ -414,13 +414,13 @@ typedef struct cylint_piece {
 
 typedef struct cylint_piece_rule {
     cylint_piece_mode mode;
-    const int *rank; /* of each shape, or of each solid at its number; NULL: all
-                        have the same */
+    const int *rank; /* rank[i]: of shape i or, if a solid has the number i, of
+                        that; NULL: all have the same */
     const cylint_piece
         *after; /* chords only: those after this one; NULL: all */
 } cylint_piece_rule;
 
-/* Memory for a query, at an address as of malloc().  It need not be initialised,
+/* Memory for a query, aligned as malloc() aligns it.  It need not be initialised,
  * and nothing stays in it.  Each thread needs its own. */
 typedef struct cylint_workspace {
     void *memory;
@@ -458,9 +458,10 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  * The shape is a member of it, and the point is on the surface of the shape; caps
  * count as present.  side: whether the line enters the solid.  The normal points
  * out of the solid: on the surface of a bore it points into the bore.  Members are
- * otherwise those of cylint_intersect().  Where surfaces of several of the solid's
- * shapes have this t, the shape is the one with the lowest number that the line
- * enters or leaves as it does the solid, or, of a complement, the other way round.
+ * otherwise those of cylint_intersect().  If surfaces of several of the solid's
+ * shapes have this t, the shape is the one with the lowest number of those that the
+ * line enters where it enters the solid, and leaves where it leaves it; for
+ * complements the other way round.
  *
  * The workspace: as for cylint_scene_pieces().  If it does not suffice,
  * CYLINT_NO_ROOM.
@@ -472,8 +473,9 @@ CYLINT_API size_t cylint_scene_first_boundary(const cylint_scene *scene,
 
 /* Returns how many solids contain a point, boundaries included; a complement is
  * without its boundary.  Writes the number of the solid with the least rank, of
- * equal ranks the lowest number, or that of all shapes if there is none.  rank: as
- * in cylint_piece_rule.  Exact.  The workspace: as for cylint_scene_pieces(). */
+ * equal ranks the lowest number; the number of all shapes if there is no solid.
+ * rank: as in cylint_piece_rule.  Exact.  The workspace: as for
+ * cylint_scene_pieces(). */
 CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,
                                      const double point[3], const int *rank,
                                      size_t *owner, cylint_workspace *work);
@@ -573,7 +575,7 @@ CYLINT_API void cylint_piece_rows_free(cylint_piece_rows *rows);
  * `owner` each place counts once, for its owner; with `union` for the owner of the
  * piece's begin; with `chords` as often as solids contain it.
  *
- * label: of each shape, or of each solid at its number, from 0 to labels - 1;
+ * label[i]: of shape i or, if a solid has the number i, of that, 0 to labels - 1;
  * pieces with other labels are not counted; NULL: all have label 0.  in_units: 0
  * for lengths in units of |d|; 1: each sum is multiplied by cylint_line_length(),
  * which rounds once more.
