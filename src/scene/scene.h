@@ -24,8 +24,8 @@ typedef struct cylint_membership {
 } cylint_membership;
 
 /* A line hits a bounded solid only if it hits a shape of it in the hierarchy.  A
- * member beside the hierarchy is late if all its solids are bounded: only lines that
- * hit one of their shapes test it. */
+ * member beside the hierarchy is late if all its solids are bounded: only lines
+ * that hit one of their shapes test it. */
 typedef struct cylint_scene_solid {
     uint32_t number;             /* of the shape that stands for it */
     uint32_t clauses;            /* how many; 0: no member has this solid */
