@@ -9,7 +9,6 @@
 #define CYLINT_SOLID_SWEEP_H
 
 #include <stdint.h>
-#include <string.h>
 
 #include "numbers/bits.h"
 #include "cylint_pieces.h"

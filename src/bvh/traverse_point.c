@@ -4,8 +4,6 @@
  * In floats, for all children of a node or lanes of a leaf together.  This file is
  * compiled for several instruction sets.
  */
-#include <string.h>
-
 #include "keyed_entry.h"
 
 #ifndef CYLINT_TRAVERSE_POINT

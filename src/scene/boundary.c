@@ -4,7 +4,6 @@
 #include "../numbers/bits.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../intersect.h"
 #include "../shapes/shape_facts.h"

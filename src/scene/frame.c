@@ -1,9 +1,6 @@
 /*
  * frame.c - the coordinates of a scene's hierarchy
  */
-#include <stdint.h>
-#include <string.h>
-
 #include "../numbers/bits.h"
 #include "frame.h"
 

@@ -11,9 +11,7 @@
  * the constant.  The greatest of them must be more than a quarter of it: these
  * are bounds with slack.
  */
-#include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "local_bounds.h"
 #include "roots/roots.h"

@@ -6,7 +6,6 @@
  * bounds in place of numbers, in units of the line's size.
  */
 #include <math.h>
-#include <string.h>
 
 #include "local_bounds.h"
 #include "distance/error_bounds.h"

@@ -16,7 +16,6 @@
 #if LANES == 2
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 
 #include "check.h"
 #include "families.h"

@@ -1,7 +1,6 @@
 /* embree_rays.c - see embree_rays.h */
 #include "embree_rays.h"
 
-#include <math.h>
 #include <string.h>
 
 enum { UNTOUCHED = 0x5a };

@@ -1,7 +1,6 @@
 /* embree_world.c - see embree_world.h */
 #include "embree_world.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

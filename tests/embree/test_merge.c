@@ -2,7 +2,6 @@
  * test_merge.c - a merged geometry answers as its shapes in one geometry do, with
  * the numbers of the parts
  */
-#include <math.h>
 #include <string.h>
 
 #include "check.h"

@@ -10,7 +10,6 @@
   CYLINT_RAYS, CYLINT_SHAPES and CYLINT_SEED
  * change their numbers and all cases.
  */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 

@@ -7,7 +7,6 @@
  * wanted, also where the domain ends at a root or an ulp beside it.
  * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all.
  */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 

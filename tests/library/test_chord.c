@@ -6,8 +6,6 @@
  */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "cylint_pieces.h"

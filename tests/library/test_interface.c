@@ -1,7 +1,6 @@
 /*
  * test_interface.c - floor shape: version, sizes, packs
  */
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

@@ -9,7 +9,6 @@
 #include <fenv.h>
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "check.h"
 #include "draw.h"

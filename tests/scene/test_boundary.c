@@ -6,9 +6,7 @@
  *
  * CYLINT_CASES: scenes in each test.
  */
-#include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #ifdef HAVE_MPFR
 #include <mpfr.h>

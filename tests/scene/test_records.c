@@ -6,8 +6,6 @@
  * cylint_occluded() in every rounding mode.
  */
 #include <fenv.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "cylint_scene.h"

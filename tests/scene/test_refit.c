@@ -5,8 +5,6 @@
  * CYLINT_CASES: how many times shapes move in each scene.
  */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "cylint_scene.h"

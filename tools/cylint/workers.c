@@ -8,7 +8,6 @@
  * input follows.  A short input, or slow input from a pipe, has one worker.
  */
 #include <fcntl.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include "../../src/bvh/threads.h"
