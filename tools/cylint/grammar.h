@@ -12,7 +12,6 @@
 #ifndef CYLINT_GRAMMAR_H
 #define CYLINT_GRAMMAR_H
 
-
 #include "cylint.h"
 #include "report.h"
 #include "text.h"
