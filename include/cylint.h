@@ -92,8 +92,9 @@ typedef enum cylint_status {
                            kind of shape does not have */
     CYLINT_EDIRECTION,  /* the direction or the segment has length 0 */
     CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is NaN */
-    CYLINT_EMETHOD      /* a published method does not support the shape or
+    CYLINT_EMETHOD,     /* a published method does not support the shape or
                            its ends (cylint_methods.h only) */
+    CYLINT_ERANGE = CYLINT_EDOMAIN /* another name of EDOMAIN */
 } cylint_status;
 
 /* Returns a short English text for a status.  The text is static, in lower

@@ -189,6 +189,13 @@ TEST(tangents_are_positive_and_finite)
     CHECK(cylint_tangent_cone(&s, origin, axis_z, 1, 6) == CYLINT_EENDS);
 }
 
+TEST(an_empty_domain_has_the_status_of_both_names)
+{
+    cylint_line l;
+    CHECK(cylint_span(&l, origin, axis_z, 1, 0) == CYLINT_EDOMAIN);
+    CHECK(cylint_span(&l, origin, axis_z, 1, 0) == CYLINT_ERANGE);
+}
+
 TEST(lines_of_numbers_that_are_not_finite_are_refused)
 {
     cylint_line l;
