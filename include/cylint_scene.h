@@ -37,7 +37,7 @@ typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
     CYLINT_SCENE_EMEMORY,     /* out of memory */
     CYLINT_SCENE_ESIZE,       /* more than 2^28 shapes, or than there are */
-    CYLINT_SCENE_ESTOPPED,    /* the progress function returned 0 */
+    CYLINT_SCENE_ESTOPPED,    /* progress function or writer returned 0 */
     CYLINT_SCENE_EFINISHED,   /* cylint_scene_finish() was called before */
     CYLINT_SCENE_EUNFINISHED, /* cylint_scene_finish() was not called yet */
     CYLINT_SCENE_EFILE,       /* a function of the system failed: errno */
@@ -46,7 +46,7 @@ typedef enum cylint_scene_status {
                               order of bytes: make the scene again */
     CYLINT_SCENE_EDAMAGED, /* the file is shorter, or differs from what was
                               saved */
-    CYLINT_SCENE_EOPENED,  /* a scene that was opened does not change */
+    CYLINT_SCENE_EOPENED,  /* the shapes of an opened scene do not change */
     CYLINT_SCENE_EREPLACE, /* a shape cannot take the place of the one before, see
                              cylint_scene_refit() */
     CYLINT_SCENE_ESOLID /* a member of a solid has no clause, or two solids have
@@ -99,8 +99,8 @@ CYLINT_API cylint_scene_status
 cylint_scene_finish(cylint_scene *scene, int threads,
                     cylint_scene_progress *progress, void *context);
 
-/* The three steps for shapes in one array.  Returns NULL on failure and writes
- * the reason to *status, unless `status` is NULL. */
+/* The three steps for n shapes in one array; n may be 0.  Returns NULL on failure
+ * and writes the reason to *status, unless `status` is NULL. */
 CYLINT_API cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
                                           int threads,
                                           cylint_scene_status *status);

@@ -636,7 +636,7 @@ TEST(every_status_has_its_text)
         [CYLINT_SCENE_OK] = "no error",
         [CYLINT_SCENE_EMEMORY] = "out of memory",
         [CYLINT_SCENE_ESIZE] = "more shapes than the scene can have",
-        [CYLINT_SCENE_ESTOPPED] = "stopped by the progress function",
+        [CYLINT_SCENE_ESTOPPED] = "stopped by a function of the caller",
         [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
         [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
         [CYLINT_SCENE_EFILE] = "the file cannot be read or written",
@@ -644,7 +644,7 @@ TEST(every_status_has_its_text)
         [CYLINT_SCENE_EVERSION] =
             "the file is of another version or machine: make it again",
         [CYLINT_SCENE_EDAMAGED] = "the file is damaged",
-        [CYLINT_SCENE_EOPENED] = "a scene that was opened does not change",
+        [CYLINT_SCENE_EOPENED] = "the shapes of an opened scene do not change",
         [CYLINT_SCENE_EREPLACE] =
             "a shape cannot take the place of the one before: make a new "
             "scene",
