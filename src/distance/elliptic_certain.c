@@ -25,7 +25,7 @@ static int rounds_to(const bounded from[3], double to[3])
     return known;
 }
 
-/* Whether a product of components that are not 0 can be. */
+/* Whether a product of components other than 0 can underflow. */
 static int has_tiny(const cylint_shape *s, const double point[3])
 {
     int tiny = 0;

@@ -230,7 +230,7 @@ static inline void answer_on_lateral(elliptic_answer *to,
     write_foot(to->point, point, to->distance, to->normal);
 }
 
-/* The coordinate of a plane that runs along the others. */
+/* The coordinate that all points of the end's plane share, if there is one. */
 static inline void keep_level(elliptic_answer *to, const elliptic_question *q,
                               const elliptic_numbers *m, int end)
 {

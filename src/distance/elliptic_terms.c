@@ -82,8 +82,8 @@ static double largest_component(const triple v[3])
     return cylint_largest(x);
 }
 
-/* Moves an unbounded cylinder.  Components of Q along which g is 0 keep all
- * their digits. */
+/* Moves an unbounded cylinder along its axis.  Components of Q along which g is 0
+ * keep all their digits. */
 static void move_along(elliptic_terms *p, const difference d[3])
 {
     int most = NO_EXPONENT, exponent[3];

@@ -26,9 +26,9 @@ typedef struct {
     const double *point;
     int e, far;
     double near;  /* 2^-far, but at least 2^-MOST_FAR */
-    triple moved; /* Q was z g longer for this z, in the unit 2^(e + whole) */
+    triple moved; /* times g, taken from Q; in the unit 2^(e + whole) */
     int whole;
-    double length; /* of the largest component of Q then, in that unit */
+    double length; /* of Q's largest component before that, in that unit */
     triple Q[3], a[3], b[3], h[3];
     double stretch;
     triple g[3], k1; /* h and k - 1 times stretch */
