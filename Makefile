@@ -220,15 +220,16 @@ include tools/bench/bench.mk
 include tools/package/package.mk
 
 # -------------------------------------------------------------- install --
-fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|'
-# What the .pc files say.  The adapter needs Embree; all libraries but the first need
-# the first, and threads.
+# Everybody may read the files, whatever the umask.
+fill_in = umask 022 && sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|'
+# What the .pc files say: their folders below $(PREFIX) move with it.  The adapter needs
+# Embree; all libraries but the first need the first, and threads.
 about.libcylint       = where a line meets a cylinder or a cone, exactly
 about.libcylint-scene = one line against very many cylinders and cones, exactly
 about.$(adapter)      = cylinders and cones in an Embree $(EMBREE) scene, exactly
 of_adapter = $(if $(filter $(adapter),$(1)),$(2))
 not_first  = $(if $(filter-out libcylint,$(1)),$(2))
-fill_in_pc = $(fill_in) -e 's|@NAME@|$(1:lib%=%)|; s|@ABOUT@|$(about.$(1))|; s|@REQUIRES@|$(call not_first,$(1),cylint)|' \
+fill_in_pc = $(fill_in) -e 's|@NAME@|$(1:lib%=%)|; s|@ABOUT@|$(about.$(1))|; s|@REQUIRES@|$(call not_first,$(1),cylint)|; s|dir=$(PREFIX)/|dir=$${prefix}/|' \
 	  -e 's|@THREADS@|$(call not_first,$(1),$(threads_link))|; s|@LIBS@|$(call of_adapter,$(1),$(EMBREE_LIBS))|; s|@CFLAGS@|$(call of_adapter,$(1),$(EMBREE_CFLAGS))|'
 headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_pieces cylint_scene $(if $(EMBREE),cylint_embree))
 

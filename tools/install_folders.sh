@@ -6,6 +6,7 @@
 # empty stays.  RECORD and FOLDER are paths below DESTDIR, which may be empty.
 action=$1 root=$2 record=$3
 shift 3
+umask 022
 
 # missing FOLDER: the folder and those above it that do not exist, top first
 missing()

@@ -11,10 +11,18 @@ major=${version%%.*}
 
 make_in_root() { make_here DESTDIR="$root" PREFIX=/usr "$1"; }
 
+# none FOUND VERDICT: passes if FOUND is empty.
+none()
+{
+    [ -z "$1" ] || { echo "found: $1"; false; }
+    verdict "$2" $?
+}
+
 test_install()
 {
-    make_in_root install
+    (umask 077 && make_in_root install)
     verdict install_succeeds $?
+    none "$(find "$root" ! -perm -444)" everybody_may_read_what_is_installed
     for f in bin/cylint lib/libcylint.a lib/libcylint.so lib/libcylint.so.$major \
         lib/libcylint.so.$version lib/libcylint-scene.a lib/libcylint-scene.so.$major \
         lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc share/cylint/autumn.awk \
@@ -28,6 +36,11 @@ test_install()
     done
     ! grep -l '@[A-Z_]*@' "$lib"/pkgconfig/*.pc
     verdict the_pc_files_are_filled_in $?
+    if command -v pkg-config > /dev/null; then
+        flags --cflags --libs --define-variable=prefix=/moved |
+            grep -q -e "-I$root/moved/include -L$root/moved/lib -lcylint"
+        verdict the_pc_files_move_with_the_prefix $?
+    fi
     "$root/usr/bin/cylint" --version | grep -q -F "$version"
     verdict the_installed_command_prints_the_version $?
 }
@@ -297,13 +310,6 @@ test_manual_structs()
     [ "$(grep -c '^typedef struct {' "$scratch/structs.c")" -ge 6 ] &&
         quiet $cc -std=c99 $(flags --cflags) -c -o "$scratch/structs.o" "$scratch/structs.c"
     verdict the_manuals_show_the_structs_of_the_headers $?
-}
-
-# none FOUND VERDICT: passes if FOUND is empty.
-none()
-{
-    [ -z "$1" ] || { echo "found: $1"; false; }
-    verdict "$2" $?
 }
 
 # foreign_to LIBRARY NAMES: undefined symbols except NAMES and cylint_*.
