@@ -31,6 +31,8 @@ ifneq ($(filter clean uninstall,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
+$(foreach v,BUILD DESTDIR PREFIX,$(if $(word 2,x$($v)),$(error $v has a space, which make cannot use: $($v))))
+
 # In another folder a make in this one does the work.
 here  := $(realpath $(dir $(lastword $(MAKEFILE_LIST))))
 there := $(filter-out $(here),$(realpath .))

@@ -94,6 +94,11 @@ verdict with_BUILD_it_builds_there $?
 elsewhere -n DESTDIR=stage PREFIX=/usr install-folders &&
     grep -q "$scratch/outside/stage" "$scratch/output"
 verdict with_DESTDIR_it_installs_there $?
+for variable in BUILD DESTDIR PREFIX; do
+    ! $make -n -C "$top" "$variable=/a b" install > "$scratch/output" 2>&1 &&
+        grep -q "$variable has a space, which make cannot use: /a b" "$scratch/output"
+    verdict "a_space_in_${variable}_is_an_error" $?
+done
 elsewhere clean help && [ ! -e "$scratch/outside/build" ] && grep -q '^demo' "$scratch/output"
 verdict it_makes_several_goals $?
 

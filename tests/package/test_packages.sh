@@ -22,32 +22,34 @@ test_dist()
 # With X86= each file is compiled once.
 test_command()
 {
-    sources=$scratch/scan/build/_deps/cylint-src made=$scratch/scan/build/_deps/cylint-build/build
+    sources=$scratch/$project/build/_deps/cylint-src made=../cylint-build/build
     [ -d "$sources" ] || sources=$scratch/cylint-$version
-    quiet env -u MAKEFLAGS -u MAKELEVEL $make -C "$sources" BUILD="$made" \
-        CC="$(command -v "${cc%% *}")" CFLAGS=-O0 X86= vectors= small= "$made/cylint" &&
-        [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | "$made/cylint" -d ,)" = cross,2,5,6 ]
+    quiet env -u MAKEFLAGS -u MAKELEVEL $make -C "$sources" BUILD=$made \
+        CC="$(command -v "${cc%% *}")" CFLAGS=-O0 X86= vectors= small= $made/cylint &&
+        [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | "$sources/$made/cylint" -d ,)" = cross,2,5,6 ]
     verdict its_files_build_the_command $?
 }
 
 # The project of cylint(3), with the program of cylint_scene(3) and the file of
-# make dist.
+# make dist.  The name of its folder has a space if the sources are below it, too.
+project=scan
 test_fetch_content()
 {
-    mkdir "$scratch/scan"
-    display cylint.3 1 BUILDING > "$scratch/scan/CMakeLists.txt"
-    display cylint_scene.3 1 > "$scratch/scan/scan.c"
+    [ ! -f "$build/cylint-$version.tar.gz" ] || project='a scan'
+    mkdir "$scratch/$project"
+    display cylint.3 1 BUILDING > "$scratch/$project/CMakeLists.txt"
+    display cylint_scene.3 1 > "$scratch/$project/scan.c"
     display cylint_scene.3 2 > "$scratch/scan.said"
     if [ -f "$build/cylint-$version.tar.gz" ]; then
-        cp "$build/cylint-$version.tar.gz" "$scratch/scan"
+        cp "$build/cylint-$version.tar.gz" "$scratch/$project"
         from=
     else
         from=-DFETCHCONTENT_SOURCE_DIR_CYLINT=$top
     fi
-    quiet cmake -S "$scratch/scan" -B "$scratch/scan/build" -G 'Unix Makefiles' \
+    quiet cmake -S "$scratch/$project" -B "$scratch/$project/build" -G 'Unix Makefiles' \
         -DCMAKE_C_COMPILER="${cc%% *}" -DCMAKE_C_FLAGS=-O0 '-DCYLINT_MAKE_FLAGS=X86=;vectors=;small=' $from &&
-        quiet cmake --build "$scratch/scan/build" &&
-        "$scratch/scan/build/scan" | diff "$scratch/scan.said" -
+        quiet cmake --build "$scratch/$project/build" &&
+        "$scratch/$project/build/scan" | diff "$scratch/scan.said" -
     verdict cmake_builds_the_sources_within_a_project $?
 }
 
