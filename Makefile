@@ -223,7 +223,7 @@ include tools/package/package.mk
 
 # -------------------------------------------------------------- install --
 # Everybody may read the files, whatever the umask.
-fill_in = umask 022 && sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|'
+fill_in = umask 022 && sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@BINDIR@|$(BINDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|'
 # What the .pc files say: their folders below $(PREFIX) move with it.  The adapter needs
 # Embree; all libraries but the first need the first, and threads.
 about.libcylint       = where a line meets a cylinder or a cone, exactly

@@ -80,6 +80,11 @@ test_cmake()
             verdict "cmake_${program}${kind}_prints_what_is_shown" $?
         done
     done
+    rm "$scratch/root/usr/lib"/*.a
+    quiet cmake -S tests/package/cmake -B "$scratch/shared" -G 'Unix Makefiles' \
+        -DCMAKE_C_COMPILER="${cc%% *}" -DCOMPONENTS="$components" \
+        -DEXAMPLES="$scratch/examples" -DCMAKE_PREFIX_PATH="$scratch/root/usr"
+    verdict cmake_finds_shared_libraries_without_static_ones $?
     ! cmake -S tests/package/cmake -B "$scratch/none" -G 'Unix Makefiles' -DCOMPONENTS=wheel \
         -DEXAMPLES="$scratch/examples" -DCMAKE_PREFIX_PATH="$scratch/root/usr" \
         > "$scratch/log" 2>&1 && grep -q 'without the component' "$scratch/log"
