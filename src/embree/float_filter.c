@@ -30,19 +30,19 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
         return CYLINT_FLOAT_FILTER_MISS;
     const float above = of->t = cylint_float_above(t);
     if (!(t - e > of->tmin && cylint_is_float_above(above, t, e)))
-        return CYLINT_FLOAT_FILTER_UNCERTAIN;
+        return CYLINT_FLOAT_FILTER_UNDECIDED;
     if (above > of->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
     const int count = of->piece.count;
     if (count > 1) {
         const int index = cylint_piece_at(z - z_error, count);
         if (index != cylint_piece_at(z + z_error, count))
-            return CYLINT_FLOAT_FILTER_UNCERTAIN;
+            return CYLINT_FLOAT_FILTER_UNDECIDED;
         if (index != of->piece.index)
             return CYLINT_FLOAT_FILTER_MISS;
     }
     return above < of->tfar ? CYLINT_FLOAT_FILTER_HIT
-                            : CYLINT_FLOAT_FILTER_UNCERTAIN;
+                            : CYLINT_FLOAT_FILTER_UNDECIDED;
 }
 
 /* The same for `lanes`.  Returns the lanes with a hit. */
@@ -65,7 +65,7 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
         const cylint_float_filter_result is =
             accept_hit(t[i], e[i], z[i], z_error[i], is_present, q->of[i]);
         hits |= (unsigned)(is == CYLINT_FLOAT_FILTER_HIT) << i;
-        *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNCERTAIN) << i;
+        *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNDECIDED) << i;
     }
     return hits;
 }
@@ -298,7 +298,7 @@ INLINE void answer_as(questions *q, int is_round)
     if (hits && q->of[0]->describes)
         uncertain |= hits & ~describe_hits(q, &first, hits, is_round);
     EACH_LANE(i, q->used) {
-        q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNCERTAIN
+        q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNDECIDED
                        : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT
                                           : CYLINT_FLOAT_FILTER_MISS;
         q->of[i]->leaves = (int)(leaves >> i & 1);

@@ -311,7 +311,7 @@ static void end_test(ray_test *r)
         r->q.exit_only = 1;
         filter_one(r);
     }
-    if (r->q.is == CYLINT_FLOAT_FILTER_UNCERTAIN)
+    if (r->q.is == CYLINT_FLOAT_FILTER_UNDECIDED)
         test_exactly(r);
 }
 

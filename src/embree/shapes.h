@@ -79,9 +79,9 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
 
 /* Hits of float rays, computed in doubles with error bounds, for circular and round
  * shapes, most questions by far.  An answer is what cylint_intersect() returns, as
- * far as floats show it, or UNCERTAIN. */
+ * far as floats show it, or UNDECIDED. */
 typedef enum {
-    CYLINT_FLOAT_FILTER_UNCERTAIN = -1, /* cylint_intersect() must decide */
+    CYLINT_FLOAT_FILTER_UNDECIDED = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,           /* no hit in the domain */
     CYLINT_FLOAT_FILTER_HIT             /* t as a float is less than tfar */
 } cylint_float_filter_result;

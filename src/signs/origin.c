@@ -47,7 +47,7 @@ int CYLINT_SIGN_AT_ORIGIN(const cylint_shape *shape, const cylint_line *line,
     const int lateral = surface == CYLINT_LATERAL_SURFACE;
     const cylint_form f = lateral ? FORM_C : FORM_ALPHA;
     const int end = lateral ? 0 : surface;
-    int sign = CYLINT_SIGN_UNCERTAIN;
+    int sign = CYLINT_SIGN_UNDECIDED;
     cylint_query q;
     cylint_query_open(&q, shape, line);
     if (q.pairs) {

@@ -208,14 +208,14 @@ int cylint_sign_of_pair(cylint_query *q, bounded_pair x)
 {
     return bounded_pair_is_certain(x) || (x.error == 0 && pairs_are_whole(q))
                ? cylint_sign(x.v.hi)
-               : CYLINT_SIGN_UNCERTAIN;
+               : CYLINT_SIGN_UNDECIDED;
 }
 
 static int sign_in_doubles(cylint_query *q, cylint_form f, int end)
 {
     const bounded_double x = form_bounded(load_bounded(q, f, end), f, end);
     return fabs(x.v) > bounded_error(x) ? cylint_sign(x.v)
-                                        : CYLINT_SIGN_UNCERTAIN;
+                                        : CYLINT_SIGN_UNDECIDED;
 }
 
 static int sign_in_pairs(cylint_query *q, cylint_form f, int end)
@@ -226,20 +226,20 @@ static int sign_in_pairs(cylint_query *q, cylint_form f, int end)
 
 int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign)
 {
-    if (sign != CYLINT_SIGN_UNCERTAIN && !CYLINT_IS_PARANOID)
+    if (sign != CYLINT_SIGN_UNDECIDED && !CYLINT_IS_PARANOID)
         return sign;
     const cylint_terms_exact *L = cylint_load_exact(q, f, end);
     const int used = q->arena.used;
     const int exactly = cylint_form_exact(L, f, end).sign;
     q->arena.used = used;
-    cylint_contradiction(sign != CYLINT_SIGN_UNCERTAIN && sign != exactly);
+    cylint_contradiction(sign != CYLINT_SIGN_UNDECIDED && sign != exactly);
     return exactly;
 }
 
 int cylint_form_sign(cylint_query *q, cylint_form f, int end)
 {
-    int sign = q->filters ? sign_in_doubles(q, f, end) : CYLINT_SIGN_UNCERTAIN;
-    if (sign == CYLINT_SIGN_UNCERTAIN && q->pairs)
+    int sign = q->filters ? sign_in_doubles(q, f, end) : CYLINT_SIGN_UNDECIDED;
+    if (sign == CYLINT_SIGN_UNDECIDED && q->pairs)
         sign = sign_in_pairs(q, f, end);
     return cylint_exact_sign(q, f, end, sign);
 }

@@ -78,10 +78,10 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end);
 
 /* The sign of a form in pairs.  It is certain also of a form that is 0, if nothing
  * was lost. */
-enum { CYLINT_SIGN_UNCERTAIN = 2 };
+enum { CYLINT_SIGN_UNDECIDED = 2 };
 int cylint_sign_of_pair(cylint_query *q, bounded_pair x);
 
-/* `sign`, or if that is uncertain the sign of the form in exact numbers. */
+/* `sign`, or if that is undecided the sign of the form in exact numbers. */
 int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign);
 
 #endif

@@ -184,7 +184,7 @@ static int is_right(const struct scene_query *x, struct tally *tally)
     const float t = hit ? cylint_float_above(hit->t) : HUGE_VALF;
     tally->hits += t < q->tfar;
     tally->certain += q->is == CYLINT_FLOAT_FILTER_HIT;
-    if (q->is == CYLINT_FLOAT_FILTER_UNCERTAIN)
+    if (q->is == CYLINT_FLOAT_FILTER_UNDECIDED)
         return 1;
     if (q->is == CYLINT_FLOAT_FILTER_MISS)
         return !hit || t > q->tfar;
