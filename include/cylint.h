@@ -199,7 +199,7 @@ CYLINT_API cylint_status cylint_sphere(cylint_shape *shape, const double c[3],
                                        double r, cylint_ends ends);
 
 /* All points at most r from the segment from p0 (z = 0) to p1 (z = 1): a
- * rounded cone with equal radii, see there.
+ * round cone with equal radii, see there.
  * ERADIUS: r <= 0.  EENDS: infinite, nappe. */
 CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
                                         const double p1[3], double r,
@@ -213,7 +213,7 @@ CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
  * CAP0.  z and phi of a hit remain those of the axis from p0 to p1; they are 0
  * if p0 = p1.  ERADIUS: a radius < 0, or both are 0.  EENDS: infinite, nappe.
  *
- * The lateral surface of a capsule and a rounded cone ends at the circles on
+ * The lateral surface of a capsule and a round cone ends at the circles on
  * which it touches the balls.  The circles are part of it.  The parts CAP0 and
  * CAP1 are the rest of the balls about p0 and p1; z is below 0 and above 1
  * there, except next to a circle.

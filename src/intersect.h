@@ -21,7 +21,7 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
  * For libcylint-scene: cylint_occluded() of the shape that a constructor makes of
  * a record, without low parts of its local coordinates.  Returns CYLINT_UNDECIDED
  * where these leave the answer open.  The kind is cylinder, cone, capsule or
- * rounded cone; the local coordinates of the constructor's shape are accurate.
+ * round cone; the local coordinates of the constructor's shape are accurate.
  */
 CYLINT_API int cylint_occluded_in_doubles(int kind, int ends,
                                           const cylint_record *from,
@@ -43,7 +43,7 @@ CYLINT_API cylint_status cylint_make_of_record(cylint_shape *shape, int kind,
 
 /*
  * For libcylint-scene: the chords of a line in shapes that constructors made of
- * records, all of one kind: cylinder, cone, capsule or rounded cone, with accurate
+ * records, all of one kind: cylinder, cone, capsule or round cone, with accurate
  * local coordinates.  Writes the chord of the record number[i] and count[i], 0 or
  * 1; or CYLINT_UNDECIDED: then cylint_chord() answers.  n <= CYLINT_MOST_RECORDS.
  */

@@ -10,7 +10,7 @@
  *   ball            (D.D - r^2) / (|D| + r)
  *   cylinder        ((D.D - r^2) W - (D.w)^2) / (W (rho + r))
  *   cone            cosine ((D.D W - (D.w)^2) W - T^2) / (W^2 (rho + T / W))
- *   rounded cone    ((D.D W - (D.w)^2) (W - dr^2) - T^2)
+ *   round cone      ((D.D W - (D.w)^2) (W - dr^2) - T^2)
  *                                              / (W^2 (cosine rho + T / W))
  */
 #ifndef CYLINT_NEAR_SURFACE_H

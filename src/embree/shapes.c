@@ -217,7 +217,7 @@ static int is_point(const cylint_record *x)
     return x->p0[0] == x->p1[0] && x->p0[1] == x->p1[1] && x->p0[2] == x->p1[2];
 }
 
-/* A rounded cone may become a ball on the way; the filter serves only balls that
+/* A round cone may become a ball on the way; the filter serves only balls that
  * stay balls. */
 void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
                                  double time, cylint_record *to)

@@ -162,7 +162,7 @@ INLINE vpair pairs_of_two(vqpair x, int second)
 
 /*
  * from_base: z from the base.  z, r: of the planes and circles that bound the
- * lateral surface; ball_z, ball_r: of the ends, from which those of a rounded cone
+ * lateral surface; ball_z, ball_r: of the ends, from which those of a round cone
  * differ.  No coordinate of the origin exceeds Q, none of the direction D.
  * unit: the error of an operation.  taper: 1 + |slope|; widest: the larger radius.
  */

@@ -7,7 +7,7 @@
  * `solid` is a constant where a function is inlined for one solid.  The planes of
  * a bounded solid are those of its caps or, of a round one, of the circles in which
  * its lateral surface touches the balls.  The planes of the circles cut a capsule
- * or rounded cone into a part of ball 0, a cone between planes, and a part of ball
+ * or round cone into a part of ball 0, a cone between planes, and a part of ball
  * 1.  A line that passes outside both circles and does not cross the cone can
  * cross ball i only on the far side of plane i.  A sphere is one ball.
  */

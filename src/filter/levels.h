@@ -20,7 +20,7 @@
  * f_z.
  *
  * Round kinds, with F = P - center of a ball of radius r: Q = |F|^2 - r^2.  The
- * cylinder of a capsule is a circular kind.  The cone of a rounded cone, with
+ * cylinder of a capsule is a circular kind.  The cone of a round cone, with
  * F = P - base and c^2 = (w.w - dr^2) / w.w, is
  *
  *   c^2 Q = (|F|^2 - r0^2) (w.w - dr^2) / w.w - (F.w + dr r0)^2 / w.w

@@ -417,7 +417,7 @@ INLINE unsigned of_member(unsigned i, vm certain)
     return m_bits(certain) << 8 * i;
 }
 
-/* Spheres have z = phi = 0.  Those of a ball that is the whole of a rounded cone
+/* Spheres have z = phi = 0.  Those of a ball that is the whole of a round cone
  * are not certain here. */
 INLINE void members_at(cylint_hit_lanes *to, const source *from,
                        const pair_line *in, const hit_root *r, unsigned want,

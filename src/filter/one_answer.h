@@ -25,7 +25,7 @@ typedef struct {
 
 /* ----------------------------------------------------------- answers ---- */
 
-/* The surface of a sphere is one part, which may be a ball of a rounded cone. */
+/* The surface of a sphere is one part, which may be a ball of a round cone. */
 INLINE cylint_end_bits parts_of_sphere(const cylint_shape *shape)
 {
     return (cylint_end_bits){

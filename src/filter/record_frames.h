@@ -28,7 +28,7 @@ INLINE void set_row(frames *to, int row, const four *x)
         set_pair(to, CYLINT_AT_COLUMNS + 3 * i + row, x->part[i]);
 }
 
-/* Of a cylinder, cone, capsule or rounded cone with accurate local coordinates and
+/* Of a cylinder, cone, capsule or round cone with accurate local coordinates and
  * both caps. */
 ASIDE void frames_of_records(frames *to, const char *const record[LANES],
                              int solid)

@@ -229,10 +229,10 @@
  * sum, the root of 3.
  *
  * The errors of the forms of filter/local_forms_template.h.  u is
- * CYLINT_ROUNDING for doubles in any rounding mode, of a rounded cone
+ * CYLINT_ROUNDING for doubles in any rounding mode, of a round cone
  * CYLINT_LOCAL_ROUND times that, and cylint_frame_error() for pairs in rounding to
  * nearest.  Where the matrix has no low parts (shapes/local_doubles.c), u is
- * CYLINT_LOCAL_DOUBLES times CYLINT_ROUNDING, of a rounded cone divided by the
+ * CYLINT_LOCAL_DOUBLES times CYLINT_ROUNDING, of a round cone divided by the
  * square of its cosine.  No coordinate of the line's origin exceeds Q,
  * none of its direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
  *

@@ -157,7 +157,7 @@ INLINE void store_pair(cylint_shape *s, int at, pair x)
 }
 
 /* Writes cosine and sine of the lateral surface, and returns its slope, which of
- * a rounded cone is another one than dr / |w|, the one given.  A rounded cone's
+ * a round cone is another one than dr / |w|, the one given.  A round cone's
  * cosine has the error of 1 - sine^2, which is larger relative to it: *error
  * grows. */
 static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,

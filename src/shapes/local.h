@@ -17,7 +17,7 @@
  *
  * and r is cylint_r0() for all kinds but the round ones.
  *
- * A capsule or rounded cone has the matrix of a cone.  The cone that touches
+ * A capsule or round cone has the matrix of a cone.  The cone that touches
  * both balls makes an angle with the axis whose sine is (r1 - r0) / height.  It
  * touches ball i on a circle of radius cosine r_i in the plane that lies sine r_i
  * below the ball's centre.  Its slope is sine / cosine.  So the part between the

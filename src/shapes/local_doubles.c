@@ -80,7 +80,7 @@ INLINE upright store_rows_in_doubles(double *number, const double p0[3],
 }
 
 /*
- * Cosine and sine of a rounded cone.  c = cosine^2 = 1 - sine^2; |w|^2 - dr^2 has
+ * Cosine and sine of a round cone.  c = cosine^2 = 1 - sine^2; |w|^2 - dr^2 has
  * an error of 9 roundings of |w|^2, which are 9 / c of itself.  So those of its
  * inverse root and of slope and cosine are less than 13 / c roundings.
  */

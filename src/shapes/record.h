@@ -32,7 +32,7 @@ typedef struct cylint_semi_axes {
     double a[3], b[3];
 } cylint_semi_axes;
 
-/* The kind whose constructor makes the shape.  A ball of a rounded cone, where the
+/* The kind whose constructor makes the shape.  A ball of a round cone, where the
  * other ball lies in it, is such a cone. */
 static inline int cylint_record_made(const cylint_shape *s)
 {

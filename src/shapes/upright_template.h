@@ -335,7 +335,7 @@ INLINE vpair chosen(vd e, vpair x, vpair y)
 }
 
 /* 1 / |w|; lateral2 and 1 / sqrt(lateral2), which is |w|^2 + dr^2 for a cone, |w|^2
- * - dr^2 for a rounded cone, 1 + dr^2 for an acone, whose dr is its tangent. */
+ * - dr^2 for a round cone, 1 + dr^2 for an acone, whose dr is its tangent. */
 typedef struct {
     one axis, lateral, lateral2;
 } inverse_lengths;
@@ -349,7 +349,7 @@ typedef struct {
  *   y = z x x = h l (w (w.e) - e w.w)
  *
  * The component of the last vector along e is -|w x e|^2.  Beside z stands the
- * slope, beside x the height |w|.  sign: -1 for a rounded cone, else 1.  s: the
+ * slope, beside x the height |w|.  sign: -1 for a round cone, else 1.  s: the
  * shape; NULL in wide lanes, where phi has no influence.
  *
  * Errors, in units of u^2, u = 2^-53, each relative to its number: squares 6;
@@ -405,7 +405,7 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
     return (inverse_lengths){root[0], root[2], lateral2};
 }
 
-/* The cosine of the angle between the axis and the lateral surface of a rounded
+/* The cosine of the angle between the axis and the lateral surface of a round
  * cone. */
 INLINE one cosine_of_hull(const inverse_lengths *inverse)
 {

@@ -99,7 +99,7 @@ static number known(double size)
 
 /* What the shape's numbers err by beside a rounding, in doubles without low parts
  * (shapes/local_doubles.c), in any rounding mode: the matrix, height and slope,
- * and the angle of a rounded cone. */
+ * and the angle of a round cone. */
 static double matrix_off, height_off, angle_off;
 
 /* The larger in each respect. */
@@ -136,7 +136,7 @@ static number relative(double size)
     return given(size, (in_pairs ? CYLINT_LOCAL_ERROR : height_off) * size);
 }
 
-/* Of a rounded cone: sine, cosine and slope have the relative error u in pairs,
+/* Of a round cone: sine, cosine and slope have the relative error u in pairs,
  * and the planes and circles follow from these (frame.h). */
 static int is_round;
 
@@ -219,7 +219,7 @@ static void over_cones(bound_of_cell *of)
 }
 
 /* In doubles where the matrix has no low parts: the roundings of which
- * local_doubles.c gives the counts.  A rounded cone's cosine has its square
+ * local_doubles.c gives the counts.  A round cone's cosine has its square
  * between 1 and 1 - CYLINT_LOCAL_STEEPEST^2. */
 static void in_local_doubles(void (*test)(void))
 {
@@ -376,7 +376,7 @@ static void forms(void)
     }
 }
 
-/* Of straight and of rounded cones. */
+/* Of straight and of round cones. */
 static void of_both(void (*in)(void (*)(void)), void (*test)(void))
 {
     for (is_round = 1; is_round >= 0; is_round--)

@@ -241,7 +241,7 @@ static void tangent_levels(double s, double more_s)
     need(Q.off + 2 * 0x1p-53 * Q.c + 2 * e * e_off, unit * square(1 + s));
 }
 
-/* A ball, and the cone of a rounded cone, |w| = 1 and |dr| <= 1. */
+/* A ball, and the cone of a round cone, |w| = 1 and |dr| <= 1. */
 static void round_levels(void)
 {
     const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;

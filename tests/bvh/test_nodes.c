@@ -231,7 +231,7 @@ TEST(a_build_stops_when_its_caller_stops_it)
 
 /* --------------------------------------------------------------- pieces -- */
 
-/* A cone or rounded cone of any taper, 1 to 30 times as long as thick. */
+/* A cone or round cone of any taper, 1 to 30 times as long as thick. */
 static void draw_tapered(int round, cylint_shape *shape)
 {
     double p[2][3], r[2];

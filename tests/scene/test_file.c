@@ -73,7 +73,7 @@ TEST(an_opened_scene_saves_the_same_bytes)
         }
 }
 
-/* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
+/* A cylinder, a ball, an elliptic cone, a round cone, an infinite cylinder and
  * a tangent cone, with labels; two solids. */
 static void write_small(struct bytes *b)
 {
@@ -363,7 +363,7 @@ TEST(no_changed_byte_makes_a_query_fail)
     CHECK(opened > 100);
 }
 
-/* Opens a file of rounded cones, cylinders and a cone after number `at`, counted in
+/* Opens a file of round cones, cylinders and a cone after number `at`, counted in
  * doubles, has become x. */
 static cylint_scene_status status_with(size_t at, double x)
 {
@@ -399,8 +399,8 @@ TEST(numbers_that_constructors_refuse_are_refused)
     CHECK(status_with(FRAME, 9) == CYLINT_SCENE_EDAMAGED);
 }
 
-/* One ball of a rounded cone holds the other, or nearly. */
-TEST(a_rounded_cone_that_is_a_ball_is_refused)
+/* One ball of a round cone holds the other, or nearly. */
+TEST(a_round_cone_that_is_a_ball_is_refused)
 {
     static const double r[] = {1.9979, 1.99999, 2 - 0x1p-52, 2, 2.1, 4};
     for (int i = 0; i < 6; i++)

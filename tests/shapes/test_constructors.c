@@ -279,7 +279,7 @@ TEST(a_coordinate_that_is_nan_is_outside_of_any_shape)
     }
 }
 
-/* ------------------------------------------------ rounded cones as balls -- */
+/* ------------------------------------------------ round cones as balls -- */
 
 TEST(the_ball_that_holds_the_other_is_the_shape)
 {

@@ -59,7 +59,7 @@ int family_is_wild(int family);
 /* Whether all lengths of a case are multiplied by one number of any size. */
 int family_is_scaled(int family);
 
-/* Whether its shapes are spheres, capsules and rounded cones. */
+/* Whether its shapes are spheres, capsules and round cones. */
 int family_is_round(int family);
 
 /* Writes case `index` of a family and makes its line and shape; line_status and

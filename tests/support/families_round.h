@@ -1,5 +1,5 @@
 /*
- * families_round.h - random cases of spheres, capsules and rounded cones
+ * families_round.h - random cases of spheres, capsules and round cones
  *
  * Only families.c includes it.  A boundary point of the convex hull of two
  * balls is p0 + z w + (r0 + z dr) n, where the unit vector n makes the angle
@@ -31,7 +31,7 @@ static void write_hull(struct family_case *out, const hull *h)
     out->ends = round_ends(word);
 }
 
-/* Radius and length as given, one of: sphere, capsule, rounded cone, ball and
+/* Radius and length as given, one of: sphere, capsule, round cone, ball and
  * point. */
 static void make_hull(hull *h, double r, double length)
 {

@@ -24,7 +24,7 @@
 #define EXACT (LONG_MIN / 4)
 
 /* FEW_BITS: of the first try.  The last one has DEGREE times the range of the
- * exponents, and FEW_BITS more.  The worst number is F of a rounded cone, midway
+ * exponents, and FEW_BITS more.  The worst number is F of a round cone, midway
  * between roots of the cone and of a ball.  By the norms of D (degree 12) and of
  * the difference of the roots (degree 24) it is at least 2^-(38 range) of its
  * terms. */

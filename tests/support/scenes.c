@@ -116,7 +116,7 @@ static cylint_status lattice_shape(size_t n, cylint_shape *shape)
     return cylint_cylinder(shape, at, top, 0.5, (cylint_ends)any_of(4));
 }
 
-/* A capsule, rounded cone or sphere; some are pointed, of some one ball holds the
+/* A capsule, round cone or sphere; some are pointed, of some one ball holds the
  * other. */
 static cylint_status round_shape(const double at[3], double length,
                                  double radius, cylint_shape *shape)

@@ -46,7 +46,7 @@ static void set_inverse_rows(true_shape *to, const cylint_shape *s, vector axis)
     scale(to->row[2], to->height, to->row[2]);
 }
 
-/* Of a rounded cone the sine is (r1 - r0) / height, of others the slope is. */
+/* Of a round cone the sine is (r1 - r0) / height, of others the slope is. */
 static void set_angle(true_shape *to, const cylint_shape *s)
 {
     const real one = real_of(1);

@@ -45,7 +45,7 @@ void solids_free(struct solids *solids);
 
 /* -------------------------------------------------------------- scene -- */
 
-/* What the nodes become: frusta, or rounded cones and a sphere at each root. */
+/* What the nodes become: frusta, or round cones and a sphere at each root. */
 enum swc_form { SWC_CONES, SWC_ROUND };
 
 extern const char *const swc_forms[]; /* their words, then NULL */

@@ -1,5 +1,5 @@
 /*
- * swc.c - neurons in SWC: a frustum or a rounded cone from each node to its
+ * swc.c - neurons in SWC: a frustum or a round cone from each node to its
  * parent
  *
  *   node = number type x y z radius parent
@@ -7,7 +7,7 @@
  * Fields are separated by blanks, tabs and at most one comma; the type, and
  * what follows the parent, is ignored.  Parent -1, or a parent that is not in
  * the file, marks a root.  Parents may stand after their children, so the
- * shapes are made after all nodes were read.  Rounded cones join without gaps;
+ * shapes are made after all nodes were read.  Round cones join without gaps;
  * with them a root gives a sphere.
  */
 #include <stdint.h>
@@ -263,7 +263,7 @@ static int same_place(const double a[3], const double b[3])
 }
 
 /* Returns the counter of what bounds no shape, or NULL if the node gives one.  A
- * rounded cone without length is a ball.  parent: NULL for a root. */
+ * round cone without length is a ball.  parent: NULL for a root. */
 static size_t *skipped_by(struct swc *swc, const struct swc_node *node,
                           const struct swc_node *parent)
 {

@@ -63,7 +63,7 @@ def _arguments() -> argparse.Namespace:
     add("--round", action="store_true", help="capsules in place of cylinders")
     add = kind("swc", _read_neuron, "neurons: a frustum from each node to its parent")
     add("--swc", choices=["cones", "round"], default="cones",
-        help="round: rounded cones, and a ball at each root")
+        help="round: round cones, and a ball at each root")
     return parser.parse_args()
 
 

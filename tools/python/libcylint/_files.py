@@ -30,7 +30,7 @@ def read_scene(
 
     The file is read as `cylint -s` reads it; cylint(1) states the format.  Of a
     neuron each node that has a parent gives a frustum, capped; with swc="round"
-    it gives a rounded cone, and each root a sphere.  swc="cones" is the default.
+    it gives a round cone, and each root a sphere.  swc="cones" is the default.
     What follows a shape on its line is its label, see `Shapes.labels`; that of a
     neuron's shape is the number of its node.  A scene of `Scene.save` is read, too.
     Solids (in=NAME, out=NAME) are not kept: see `Scene.read`.
