@@ -37,7 +37,7 @@ typedef enum cylint_feature {
 /*
  * A bit of `want` of the functions below and of cylint_scene.h: signed distances
  * to closed solids.  The closed solid of a shape has both caps or round ends,
- * whatever `ends` says; infinite and nappe shapes remain unbounded.  The distance
+ * whatever the ends; infinite and nappe shapes remain unbounded.  The distance
  * is negative inside the solid, 0 on its boundary and positive outside.  So it is
  * that of the shape of the same arguments with CYLINT_ENDS_CAPPED.
  */

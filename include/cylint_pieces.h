@@ -40,7 +40,7 @@ typedef struct cylint_interval {
  *
  * A chord is [max(tmin, a), min(tmax, b)], if its ends differ as doubles.  a and b
  * are the doubles nearest to the ends of the overlap of the whole line with the
- * closed solid, with both caps, whatever `ends` says: as for the relation.
+ * closed solid, with both caps, whatever the ends: as for the relation.
  *
  *   touch                           no chord
  *   on a ruling, in a cap's plane   a chord: the solid is closed

@@ -293,9 +293,9 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
  *
  * With CYLINT_SIGNED: the doubles that cylint_distance() returns with
  * CYLINT_SIGNED: negative inside the closed solid, 0 on its boundary, whatever
- * `ends` says.  A shape is within the radius if its distance is at most the
- * radius, so each shape that holds the point is within the radius 0.  A negative
- * radius selects the shapes in which the point is at least so deep.
+ * the ends.  A shape is within the radius if its distance is at most the radius,
+ * so each shape that holds the point is within the radius 0.  The radius -x selects
+ * the shapes in which the point is at least x deep.
  * The least distance of all shapes is
  *
  *   - outside all solids: the distance from their union;

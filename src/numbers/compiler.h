@@ -31,8 +31,8 @@
 #define CYLINT_HIDDEN
 #endif
 
-/* Loads the cache line of an address before it is needed.  A macro: GCC believes
- * that a function which only prefetches has no effect, and removes calls of it. */
+/* Loads the cache line of an address before it is needed.  A macro: GCC
+ * removes calls of a function that only prefetches, as if it had no effect. */
 #ifdef __GNUC__
 #define CYLINT_PREFETCH(address) __builtin_prefetch(address)
 #else

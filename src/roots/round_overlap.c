@@ -1,11 +1,11 @@
 /*
  * round_overlap.c - the overlap of a line and a round kind
  *
- * The planes of the two circles cut the solid into a part
- * of ball 0, a frustum and a part of ball 1 (signs/round_forms_template.h).  A
- * line comes to the plane `first`, then to `last`.  At each plane E says
- * whether the line is inside the solid there, and N whether it comes nearer to
- * the centre of the ball of that plane or goes away.
+ * The planes of the two circles cut the solid into a part of ball 0, a frustum
+ * and a part of ball 1 (signs/round_forms_template.h).  A line comes to the plane
+ * `first`, then to `last`.  At each plane the sign of E shows whether the line is
+ * inside the solid there, that of N whether it approaches the centre of the ball
+ * of that plane.
  */
 #include "overlap.h"
 

@@ -58,7 +58,7 @@
  *   N_i = dQ/dz up to a positive factor: on which side of the chord's middle
  *
  * The side's roots are never compared with the planes: the signs of E_0,
- * E_1, N_0, N_1 and G say in which order they come.
+ * E_1, N_0, N_1 and G determine their order.
  */
 
 #ifndef FORMS_DEFINED
@@ -344,7 +344,7 @@ INLINE NUM FORM(form_B)(const FORM(terms) *L)
     RETURN(B)
 }
 
-/* C = Q at the line's origin: its sign says whether that point is inside. */
+/* C = Q at the line's origin: its sign shows whether that point is inside. */
 INLINE NUM FORM(form_C)(const FORM(terms) *L)
 {
     if (cylint_is_round(L->kind))

@@ -372,8 +372,8 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
 
 /* ---------------------------------------------------------- the answer -- */
 
-/* The feature of a point that contains() says is on the boundary of the solid,
- * by exact signs; -1: `ends` leaves out that part. */
+/* The feature of a point that by contains() is on the boundary of the solid, by
+ * exact signs; -1: `ends` leaves out that part. */
 static int feature_on_surface(const cylint_shape *shape)
 {
     const struct oracle_place on = oracle_place();

@@ -320,7 +320,7 @@ TEST(every_column_can_be_wanted_alone)
         }
 }
 
-/* The single questions are asked in the same environment.  Sides are those of the
+/* The single calls are made in the same environment.  Sides are those of the
  * default one, and so are, but for elliptic kinds, the points on the surface. */
 static void check_environment(struct environment there)
 {

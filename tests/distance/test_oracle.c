@@ -170,7 +170,7 @@ static double point_error(const cylint_shape *s, const double got[3],
 }
 
 /* Whether the point is on the surface, but for roundings, and as far from p as
- * the distance tells. */
+ * the distance states. */
 static int is_as_near(const cylint_shape *s, const double p[3],
                       const cylint_closest *got)
 {

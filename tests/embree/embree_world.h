@@ -65,7 +65,7 @@ float world_float_above(double x);
 /* phi as a float below 1: v of a hit. */
 float world_turn(double phi);
 
-/* Whether the answer to ray i is what cylint_nearest() says, all members,
+/* Whether the answer to ray i is what cylint_nearest() returns, all members,
  * bit for bit; `complete`: u, v and Ng too. */
 int world_agrees(const struct world *w, struct rays *r, int i, int complete);
 
@@ -74,7 +74,7 @@ int world_agrees(const struct world *w, struct rays *r, int i, int complete);
 int world_hits_at(const struct world *w, const struct rays *r, int i,
                   unsigned shape, float t);
 
-/* The ray and what it was answered, beside what the library says. */
+/* Prints the ray and its answer, beside that of the library. */
 void world_show(const struct world *w, struct rays *r, int i);
 
 /* ------------------------------------------------------ drawing at random */

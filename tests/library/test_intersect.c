@@ -63,7 +63,7 @@ static int inside_at(const struct family_case *c, double t)
 }
 
 /* Checks the oracle itself: points of the line just before and just after each
- * hit are inside or outside as the side of the hit says. */
+ * hit are inside or outside as the side of the hit states. */
 TEST(oracle_agrees_with_points_sampled_along_the_line)
 {
     for (uint64_t i = 0; i < cases(); i++) {
