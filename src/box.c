@@ -82,12 +82,6 @@ static int pairs_serve(double center, double offset, double reach)
            cylint_rounds_to_nearest() && !(tiny && cylint_flushes_subnormals());
 }
 
-/* x 2^e for pairs_serve(): DBL_MIN where that is flushed to 0. */
-static double not_flushed(pair scaled, pair x)
-{
-    return cylint_sign(scaled.hi) == cylint_sign(x.hi) ? scaled.hi : DBL_MIN;
-}
-
 /* The number middle / unit + sqrt(square / by), where unit > 0 and by > 0, and unit
  * is 1 unless square is 0. */
 typedef struct {
@@ -222,8 +216,7 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
         const pair reach = cylint_scaled_pair(product, e + er);
         /* a reach that rounds to 0 */
         is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
-        const int serves =
-            pairs_serve(center, offset, not_flushed(reach, product));
+        const int serves = pairs_serve(center, offset, reach.hi);
         add_end(s, cap, j, center, offset, reach, is_exact, serves, lo, hi);
     }
 }
@@ -294,7 +287,7 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
         const int up = widens < 0;
         const double base = cylint_base(s)[j];
         double apex = outward(base, offset, (pair){0, 0}, at_base, up);
-        if (!pairs_serve(base, not_flushed(offset, quotient), 0))
+        if (!pairs_serve(base, offset.hi, 0))
             apex = exact_side_of_apex(&q, j, apex, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }

@@ -21,11 +21,15 @@ double cylint_scaled(double x, int e)
     if (sum > 1000)
         return m * 0x1p1000 *
                cylint_power_of_two(sum < 1100 ? sum - 1000 : 100);
-    /* mutant '>=' -> '>': at -1000 both branches are exact */
-    if (sum >= -1000)
+    if (sum >= -1022)
         return m * cylint_power_of_two(sum);
-    return m * cylint_power_of_two(sum > -1200 ? sum + 1000 : -200) *
-           0x1p-1000; /* the one step that may round */
+    /* The bits of a subnormal count least doubles.  The sum rounds that number, so
+     * that no processor flushes the result.
+     * mutant '>' -> '>=': at -1200 both are -126 */
+    const double steps =
+        m * cylint_power_of_two(sum > -1200 ? sum + 1074 : -126);
+    const double rounded = x < 0 ? steps - 0x1p52 : steps + 0x1p52;
+    return cylint_from_bits(cylint_bits(rounded) - cylint_bits(0x1p52));
 }
 
 void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
