@@ -33,7 +33,10 @@ static int within_window(double x)
 
 void cylint_measure_line(cylint_line *line)
 {
-    line->size = cylint_largest(line->d);
+    line->size = 0; /* by bits: subnormal components count, too */
+    for (int i = 0; i < 3; i++)
+        if (cylint_less(line->size, fabs(line->d[i])))
+            line->size = fabs(line->d[i]);
     line->in_range =
         within_window(line->size) && cylint_largest(line->o) <= CYLINT_FAR;
 }

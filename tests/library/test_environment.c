@@ -64,6 +64,22 @@ TEST(shapes_and_lines_are_made_the_same)
     everywhere(made_of_families);
 }
 
+/* The least doubles count, too. */
+static void size_of_direction(struct environment there)
+{
+    const double o[3] = {1, 2, 3}, d[3] = {0x3p-1074, -0x5p-1074, 0};
+    cylint_line line;
+    environment_set(there);
+    cylint_whole_line(&line, o, d);
+    environment_reset();
+    CHECK(line.size == 0x5p-1074);
+}
+
+TEST(the_size_of_a_line_is_its_largest_component)
+{
+    everywhere(size_of_direction);
+}
+
 /* Of which no record has the tangent. */
 static void subnormal_tangents(struct environment there)
 {
