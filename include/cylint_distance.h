@@ -89,14 +89,14 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  *   - of a sphere about the point: its point with the largest first
  *     coordinate.
  *
- * Accuracy.  Circular and round kinds: part, feature and sign are exact.  The
- * distance is the double nearest to the real distance, ties to even; infinite
- * beyond the largest double.  It is 0 if and only if the point is on the
+ * Accuracy.  Circular and round kinds, half-spaces: part, feature and sign are
+ * exact.  The distance is the double nearest to the real distance, ties to even;
+ * infinite beyond the largest double.  It is 0 if and only if the point is on the
  * surface: a distance that would round to 0 becomes the least subnormal number.
  * It is never -0, and the same in every rounding mode.  Each component of point
- * and normal is the double nearest to the real number where that can be proved from
- * 90 bits, which is nearly always; others are within 4 units in their own last
- * places.  A component that is 0 is returned as 0, never as -0.
+ * and normal is within 4 units in its own last place.  In rounding to nearest it is
+ * the double nearest to the real number where that can be proved from 90 bits,
+ * which is nearly always.  A component that is 0 is returned as 0, never as -0.
  *
  * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the
  * point is on the surface.  In rounding to nearest, where 90 bits prove it, part
@@ -142,9 +142,9 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  * radius; of a sphere the radius.  In rounding to nearest the result for circular
  * and round kinds is at most 16 * 2^-52 (d + R) below d: some units in the last
  * place of the point's coordinates relative to the shape, not of d.  For
- * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where d is not
- * larger than this bound, where the bound is below the least double, and for cap0,
- * cap1, nappe, angle cones and round kinds that are not capped, the result is the
+ * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where that leaves
+ * nothing above 0, where the bound is below 2^-1073, and for cap0, cap1, nappe,
+ * angle cones, half-spaces and round kinds that are not capped, the result is the
  * double below d.  In other rounding modes it is at most twice as far below.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
