@@ -137,12 +137,13 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
     const cylint_line *l = q->line;
     unsigned left = 0;
     for (int i = 0; i < 3; i++) {
-        if (!cylint_sign(l->d[i])) /* then d_lo is 0 too */
-            point[i] = l->o[i];
-        else if (!is_on_cap(q, root) ||
-                 !cap_coordinate(q->shape, root == ROOT_CAP1, i, &point[i]))
+        double x = l->o[i]; /* where d is 0; then d_lo is 0 too */
+        if (cylint_sign(l->d[i]) &&
+            !(is_on_cap(q, root) &&
+              cap_coordinate(q->shape, root == ROOT_CAP1, i, &x)))
             left |= 1u << i;
-        point[i] = cylint_positive_zero(point[i]);
+        else
+            point[i] = cylint_positive_zero(x);
     }
     return left;
 }
