@@ -96,7 +96,6 @@ INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
 INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 {
     const cylint_lines *lines = &from->lines;
-    const size_t *at = from->run.number + (m == ONE_SHAPE ? 0 : lane);
     if (m != ONE_SHAPE) {
         const double *column = from->run.column + lane;
         const size_t stride = from->run.stride;
@@ -111,6 +110,7 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
             b->line.d[i] = v_load(lines->d[i] + lane);
         }
     } else if (m == PAIRS) {
+        const size_t *at = from->run.number + lane;
         const int in_a_row = lane + LANES <= from->n && /* not padded */
                              at[LANES - 1] - at[0] == LANES - 1;
         EACH(i, 3) {
