@@ -235,7 +235,7 @@ fill_in_pc = $(fill_in) -e 's|@NAME@|$(1:lib%=%)|; s|@ABOUT@|$(about.$(1))|; s|@
 	  -e 's|@THREADS@|$(call not_first,$(1),$(threads_link))|; s|@LIBS@|$(call of_adapter,$(1),$(EMBREE_LIBS))|; s|@CFLAGS@|$(call of_adapter,$(1),$(EMBREE_CFLAGS))|'
 headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_pieces cylint_scene $(if $(EMBREE),cylint_embree))
 
-# $(call install_library,NAME)
+# $(call install_library,NAME): strip writes no index of objects of -flto.
 ifneq ($(windows),)
 install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(BINDIR) && \
 	$(STRIP) -S -x $(DESTDIR)$(BINDIR)/$(call shared,$(1)) && \
@@ -247,7 +247,7 @@ install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(LIBDIR)/$(call 
 endif
 define install_library
 install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
-	$(STRIP) -S $(DESTDIR)$(LIBDIR)/$(1).a
+	$(STRIP) -S $(DESTDIR)$(LIBDIR)/$(1).a && $(AR) s $(DESTDIR)$(LIBDIR)/$(1).a
 	$(install_shared)
 	$(call fill_in_pc,$(1)) src/library.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
 

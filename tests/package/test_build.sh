@@ -118,6 +118,17 @@ make_bare WRAP= fuzz_programs > "$scratch/said"
     ! grep -q '^CC ' "$scratch/said"
 verdict without_a_sanitizer_fuzz_says_so_and_compiles_nothing $?
 
+# One object stands for the library's.
+printf '#include <cylint.h>\nint main(void) { return !cylint_version(); }\n' > "$scratch/version.c"
+if make_bare CFLAGS='-O0 -flto' libraries=libcylint library_objects="$scratch/lto/src/version.o" \
+    commands= BUILD="$scratch/lto" DESTDIR="$scratch/lto" PREFIX=/usr install &&
+    $real -flto -Iinclude -o "$scratch/version" "$scratch/version.c" "$scratch/lto/libcylint.a" \
+        2> /dev/null; then
+    $real -flto -Iinclude -o "$scratch/version" "$scratch/version.c" "$scratch/lto/usr/lib/libcylint.a" \
+        2> "$scratch/output" && "$scratch/version" || { cat "$scratch/output"; false; }
+    verdict with_flto_the_installed_library_links $?
+fi
+
 # Code without wide vectors is slow after a function that leaves the upper halves
 # of registers in use.  gcc does not clear them (vzeroupper) in a function with a
 # vector among its arguments.
