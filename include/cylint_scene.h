@@ -12,7 +12,7 @@
  * for all its shapes, bit for bit: the hierarchy only rejects shapes that the
  * line certainly does not hit.  That holds for every line and every shape,
  * refused ones included.  Unbounded shapes and some extreme ones (see below) are
- * tested in a batch beside the hierarchy.
+ * tested beside the hierarchy.
  *
  * Both libcylint-scene and libcylint-embree contain these functions.  Queries
  * only read a scene, so any number of threads may query one.  They allocate no
@@ -64,7 +64,7 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  *
  * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
  * 30 bytes for a thick shape, up to 90 for a thin one, which has several pieces,
- * and up to 170 for a needle.
+ * and up to 170 for a needle.  Beside the hierarchy it takes some 510 in all.
  */
 
 /* Returns an empty scene, or NULL if there is no memory.  expected: the number of
@@ -86,14 +86,15 @@ typedef int cylint_scene_progress(void *context, double part);
  * Builds the hierarchy.  At most `threads` threads build it, the caller's thread
  * included; 0 stands for one per processor.  Few shapes use fewer threads, and a
  * library built without POSIX threads uses one; the scene is the same.  If
- * `progress` is not NULL, calls progress(context, part) in the calling thread,
- * thousands of times for a million shapes.  If it returns 0, the work stops with
- * ESTOPPED.  After a failure the scene can only be freed.
+ * `progress` is not NULL, calls progress(context, part) in the calling thread:
+ * some 2000 times or more for a million shapes with one thread, less often with
+ * more.  If it returns 0, the work stops with ESTOPPED.  After a failure the scene
+ * can only be freed.
  *
  * Unbounded shapes (infinite, nappe) and shapes with a coordinate, a factor or a
- * tangent beyond 2^400 are not in the hierarchy: every line tests them, in a
- * batch.  So are all shapes if their common box is smaller than 2^-400.  They are
- * packed without a call of progress().
+ * tangent beyond 2^400 are beside the hierarchy: every line tests them.  So are
+ * all shapes if their common box is smaller than 2^-400.  They are packed without a
+ * call of progress().
  */
 CYLINT_API cylint_scene_status
 cylint_scene_finish(cylint_scene *scene, int threads,
@@ -118,7 +119,8 @@ CYLINT_API size_t cylint_scene_bytes(const cylint_scene *scene);
 /* The number of shapes. */
 CYLINT_API size_t cylint_scene_size(const cylint_scene *scene);
 
-/* Writes shape `number`, as its constructor made it. */
+/* Makes shape `number` again by its constructor: the same bits in the same
+ * floating-point environment. */
 CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
                                    cylint_shape *shape);
 
@@ -175,8 +177,9 @@ CYLINT_API const cylint_scene_labels *cylint_scene_get_labels(
  * A file has a version, an order of bytes and a checksum.  Where these are not as
  * expected, or a number in the file is out of range, opening fails: no file makes
  * a query read outside it, run without end or crash.  Only a file that changes
- * while it is mapped can do that: open files that others may write to with
- * CYLINT_SCENE_READ.  (cylint_scene_save() replaces a file and does not change it.)
+ * while it is mapped can do that, and one opened with CYLINT_SCENE_TRUSTED: open
+ * files that others may write to with CYLINT_SCENE_READ.  (cylint_scene_save()
+ * replaces a file and does not change it.)
  */
 enum {
     CYLINT_SCENE_READ = 1, /* read the file into memory; systems without mmap()
@@ -258,8 +261,9 @@ typedef double cylint_scene_hit(void *context, size_t number,
 /*
  * Calls back once for each shape that the line hits, with the members `want` of
  * the first of its hits.  The order is not that of t, but nearer shapes tend to
- * come first; it is the same each time.  A shape whose first hit is beyond the t
- * that the callback returned may still come.  The callback may query the scene.
+ * come first; in one rounding mode it is the same each time.  A shape whose first
+ * hit is beyond the t that the callback returned may still come.  The callback may
+ * query the scene.
  *
  * To leave shapes out, let the callback return the t that it returned before, or
  * HUGE_VAL.
@@ -317,7 +321,8 @@ typedef double cylint_scene_near(void *context, size_t number, double distance,
                                  int flags);
 
 /* Calls back once for each shape within the radius, in an order that is the same
- * each time; nearer shapes tend to come first.  `want` is 0 or CYLINT_SIGNED. */
+ * each time in one rounding mode; nearer shapes tend to come first.  `want` is 0 or
+ * CYLINT_SIGNED. */
 CYLINT_API void cylint_scene_visit_point(const cylint_scene *scene,
                                          const double point[3], double radius,
                                          unsigned want,
@@ -473,7 +478,7 @@ CYLINT_API size_t cylint_scene_first_boundary(const cylint_scene *scene,
 
 /* Returns how many solids contain a point, boundaries included; a complement is
  * without its boundary.  Writes the number of the solid with the least rank, of
- * equal ranks the lowest number; the number of all shapes if there is no solid.
+ * equal ranks the lowest number; the number of all shapes if none contains it.
  * rank: as in cylint_piece_rule.  Exact.  The workspace: as for
  * cylint_scene_pieces(). */
 CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,
@@ -551,7 +556,8 @@ CYLINT_API void cylint_scene_closest_points(
 
 /*
  * Pieces of many lines, and sums.  These functions allocate memory, and can fail
- * with EMEMORY; then nothing is to be freed.  An invalid line has no pieces.
+ * with EMEMORY; then nothing is to be freed.  An invalid line has no pieces.  For
+ * `threads` the above holds, but with one thread for every 256 lines.
  */
 
 /* The pieces of line i are pieces[first[i]] to pieces[first[i + 1] - 1]. */

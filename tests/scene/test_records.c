@@ -43,6 +43,26 @@ TEST(a_scene_returns_its_shapes)
     }
 }
 
+/* Local coordinates depend on the rounding mode of their constructor. */
+TEST(a_shape_is_made_again_in_its_rounding_mode)
+{
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                                FE_TOWARDZERO};
+    static const double p[3] = {0.1, 0.2, 0.3}, q[3] = {1, 2, 7};
+    for (int i = 0; i < 4; i++) {
+        cylint_shape shape, back;
+        fesetround(modes[i]);
+        CHECK(cylint_cylinder(&shape, p, q, 0.7, CYLINT_ENDS_CAPPED) ==
+              CYLINT_OK);
+        fesetround(modes[3 - i]);
+        OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
+        fesetround(modes[i]);
+        cylint_scene_shape(scene, 0, &back);
+        fesetround(FE_TONEAREST);
+        CHECK(same_bytes(&back, &shape, sizeof back));
+    }
+}
+
 TEST(a_ball_of_a_hull_keeps_its_part)
 {
     static const double p[3] = {1, 2, 3};
