@@ -1,6 +1,6 @@
 #!/bin/sh
 # Checks the sources with other tools than the compiler: cppcheck, clang-tidy,
-# gcc's analyzer, sh -n, mandoc; whether includes and calls point down the
+# gcc's analyzer, sh -n, mandoc, groff; whether includes and calls point down the
 # ladder; and how the sources look: clang-format, tabs, blanks at line ends,
 # width, file length.  A tool that is not installed is named and its check
 # skipped (make deps-cross).  `make lint` runs this; every finding fails.
@@ -119,6 +119,10 @@ if installed mandoc mandoc; then
         -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
         -e 'outdated mandoc\.db' >"$work/found"
     result mandoc
+fi
+if installed groff groff; then
+    groff -mdoc -Tutf8 -z $pages 2>&1 | grep -v "can't break line" >"$work/found"
+    result groff
 fi
 
 # ------------------------------------------------------------ appearance --
