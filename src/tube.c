@@ -7,15 +7,14 @@
 #include "numbers/double_double.h"
 #include "shapes/layout.h"
 
-/* x divided by a power of two, so that products neither over- nor underflow.  Of n
- * numbers. */
-static void to_size_of_one(const double *x, int n, double *to)
+/* x divided by a power of two, so that products neither over- nor underflow. */
+static void to_size_of_one(const double x[3], double to[3])
 {
     double most = 0;
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < 3; i++)
         most = cylint_larger(most, fabs(x[i]));
     const int e = cylint_sign(most) == 0 ? 0 : cylint_any_exponent(most);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < 3; i++)
         to[i] = cylint_scaled(x[i], -e);
 }
 
@@ -24,7 +23,7 @@ static void to_size_of_one(const double *x, int n, double *to)
 static void along_axis(const double x[3], double to[3])
 {
     int components = 0;
-    to_size_of_one(x, 3, to);
+    to_size_of_one(x, to);
     for (int i = 0; i < 3; i++)
         components += cylint_sign(to[i]) != 0;
     for (int i = 0; i < 3; i++)
@@ -83,7 +82,7 @@ static cylint_status make_sector(const double p0[3], const double p1[3],
     for (int i = 0; i < 2; i++) {
         if (!cylint_is_finite(sector[i]))
             return CYLINT_ENONFINITE;
-        to_size_of_one(sector[i], 3, direction[i]);
+        to_size_of_one(sector[i], direction[i]);
     }
     cross_product(direction[0], axis, normal[0]);
     cross_product(axis, direction[1], normal[1]);

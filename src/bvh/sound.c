@@ -6,10 +6,10 @@
 #include <float.h>
 #include <math.h>
 
-static int are_finite(const float *x, int n)
+static int are_finite(const float x[3])
 {
     int finite = 1;
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < 3; i++)
         finite &= fabsf(x[i]) <= FLT_MAX;
     return finite;
 }
@@ -27,8 +27,8 @@ static int add_node(sound_tree *t, int depth)
         return 0;
     const cylint_node *node = &t->bvh->nodes[t->node++];
     const unsigned bits = node->children;
-    if (bits == 0 || (bits & (bits + 1)) != 0 || !are_finite(node->corner, 3) ||
-        !are_finite(node->step, 3))
+    if (bits == 0 || (bits & (bits + 1)) != 0 || !are_finite(node->corner) ||
+        !are_finite(node->step))
         return 0;
     for (unsigned i = 0; i < CYLINT_CHILDREN && bits >> i; i++) {
         const uint32_t child = node->child[i];
@@ -47,7 +47,7 @@ static int leaf_is_sound(const cylint_leaf *leaf, size_t n)
     const int used = cylint_leaf_used(leaf);
     const float steps = cylint_leaf_steps(leaf);
     int sound = used >= 1 && used <= CYLINT_LEAF_SIZE &&
-                are_finite(leaf->center, 3) && steps > 0 && steps <= FLT_MAX;
+                are_finite(leaf->center) && steps > 0 && steps <= FLT_MAX;
     for (int i = 0; i < CYLINT_LEAF_SIZE && sound; i++) {
         const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
         sound &=

@@ -292,10 +292,10 @@ static void strain(struct family_case *c)
 
 /* The largest exponent of n numbers; *least: at most the exponents of those
  * that are not 0. */
-static int exponents_of(const double *x, int n, int *least)
+static int exponents_of(const double x[3], int *least)
 {
     int most = INT_MIN / 2, exponent;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < 3; i++) {
         frexp(x[i], &exponent);
         if (x[i] != 0 && exponent > most)
             most = exponent;
@@ -313,11 +313,11 @@ static int is_promised(const cylint_shape *s, const double p[3])
     double least = HUGE_VAL, most = 0, normal[3], half[3], v[3][3];
     int low = INT_MAX, high = INT_MIN / 2;
     for (int i = 0; i < 3; i++) {
-        const int e = exponents_of(data[i], 3, &low);
+        const int e = exponents_of(data[i], &low);
         high = e > high ? e : high;
         half[i] = 0.5 * p[i] - 0.5 * cylint_base(s)[i];
     }
-    const int far = exponents_of(half, 3, &low);
+    const int far = exponents_of(half, &low);
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++)
             v[i][k] = ldexp(data[i][k], -high);

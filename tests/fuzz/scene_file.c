@@ -45,7 +45,7 @@ static void set_solids(cylint_scene *scene, size_t n)
 static struct bytes make_file(int kind, size_t n)
 {
     static const char text[] = "a shape with a name, and one without";
-    struct bytes file = {NULL, NULL, 0, 0};
+    struct bytes file = {NULL, NULL, 0};
     uint64_t end[36];
     const cylint_scene_labels labels = {end, text};
     OWN_SHAPES of = scene_generate(kind, n > 0 ? n : 1, n);
@@ -111,7 +111,7 @@ static double read_number(const struct bytes *b, size_t at)
 /* Fewer blocks, or more, of zeros. */
 static void change_length(struct bytes *b, size_t blocks)
 {
-    const size_t n = blocks * 64 % (b->capacity + 1);
+    const size_t n = blocks * 64 % (SCENE_FILE_MOST + 1);
     if (n > b->n)
         memset(b->data + b->n, 0, n - b->n);
     b->n = n;
@@ -206,7 +206,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const struct bytes *file = file_of(kind, sizes);
     const int is_changed = in.p<in.end, is_repaired = sizes / SIZES % 8> 0;
     if (!work.memory)
-        bytes_reserve(&work, SCENE_FILE_MOST);
+        bytes_reserve(&work);
     memcpy(work.data, file->data, file->n);
     work.n = file->n;
     while (in.p < in.end)

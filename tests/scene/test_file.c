@@ -59,7 +59,7 @@ TEST(an_opened_scene_answers_as_the_saved_one)
 
 TEST(an_opened_scene_saves_the_same_bytes)
 {
-    OWN_BYTES first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
+    OWN_BYTES first = {NULL, NULL, 0}, again = {NULL, NULL, 0};
     for (int kind = 0; kind < SCENE_KINDS; kind++)
         for (size_t n = 1; n <= 16; n *= 4) {
             OWN_SHAPES of = scene_generate(kind, n, 5);
@@ -98,7 +98,7 @@ static void write_small(struct bytes *b)
 
 TEST(bytes_in_memory_open_at_every_address)
 {
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 3);
     OWN_SCENE *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(built, &b);
@@ -115,7 +115,7 @@ TEST(bytes_in_memory_open_at_every_address)
 
 TEST(an_empty_scene_can_be_saved)
 {
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
     scene_file_write(empty, &b);
     CHECK(b.n == 512);
@@ -130,7 +130,7 @@ TEST(labels_are_saved)
     static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
     const double p[3] = {0, 0, 0}, q[3] = {0, 0, 1};
     cylint_shape shape[3];
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     for (int i = 0; i < 3; i++)
         cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
     for (int k = 0; k < 2; k++) {
@@ -206,7 +206,7 @@ TEST(a_file_beside_the_new_one_is_not_written)
 /* Such a file has one reader, who must not close and open it again. */
 TEST(a_named_pipe_is_read)
 {
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     int status = 1;
     write_small(&b);
     CHECK(mkfifo(path, 0600) == 0);
@@ -266,7 +266,7 @@ TEST(two_processes_map_one_file)
 static void saved_anywhere(struct environment there)
 {
     static const double tiny[] = {0, 0x1p-1074, 0x1p-1023, 0x1p-1021, 0x1p-400};
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     cylint_shape shape[4 * 5];
     for (int i = 0; i < 20; i++) {
         const double x = tiny[i / 4], y = i % 2 ? x : 0;
@@ -315,7 +315,7 @@ static int next_change(int change)
 
 TEST(every_changed_byte_is_refused)
 {
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     write_small(&b);
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
     for (size_t i = 0; i < b.n; i++)
@@ -334,7 +334,7 @@ TEST(every_changed_byte_is_refused)
 
 TEST(every_shorter_file_is_refused)
 {
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     write_small(&b);
     for (size_t n = 0; n < b.n; n++) {
         char *copy = malloc(n + 1); /* so that a read beyond it is found */
@@ -350,7 +350,7 @@ TEST(every_shorter_file_is_refused)
 /* With the checksum made right, each byte in turn changes. */
 TEST(no_changed_byte_makes_a_query_fail)
 {
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     int opened = 0;
     write_small(&b);
     for (size_t i = 0; i < b.n; i++)
@@ -368,7 +368,7 @@ TEST(no_changed_byte_makes_a_query_fail)
 static cylint_scene_status status_with(size_t at, double x)
 {
     const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
-    OWN_BYTES b = {NULL, NULL, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
     cylint_shape shape[4];
     cylint_round_cone(&shape[0], p, 1, q, 1.5, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&shape[1], p, q, 1, CYLINT_ENDS_CAPPED);
@@ -412,8 +412,8 @@ TEST(a_round_cone_that_is_a_ball_is_refused)
 TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
-    OWN_BYTES b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
-    bytes_reserve(&c, SCENE_FILE_MOST);
+    OWN_BYTES b = {NULL, NULL, 0}, c = {NULL, NULL, 0};
+    bytes_reserve(&c);
     int opened = 0;
     for (int i = 0; i < cases; i++) {
         if (i % 1000 == 0) {

@@ -143,7 +143,7 @@ static cylint_scene_status open_unaligned(void *self)
 /* Unaligned bytes are copied. */
 TEST(an_opened_scene_frees_all_memory)
 {
-    OWN_BYTES file = {NULL, NULL, 0, 0};
+    OWN_BYTES file = {NULL, NULL, 0};
     OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
     OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(scene, &file);

@@ -178,7 +178,7 @@ TEST(what_is_refused_changes_nothing)
 
 TEST(a_scene_that_moved_is_saved)
 {
-    OWN_BYTES file = {NULL, NULL, 0, 0};
+    OWN_BYTES file = {NULL, NULL, 0};
     OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 7);
     OWN_SHAPES by = scene_generate(SCENE_MIXED, SHAPES, 8);
     OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);

@@ -159,7 +159,7 @@ static size_t begin_of_solids(const struct bytes *b)
 static void begin_saved_world(uint64_t seed, struct bytes *b)
 {
     stream = seed;
-    *b = (struct bytes){NULL, NULL, 0, 0};
+    *b = (struct bytes){NULL, NULL, 0};
     make_shapes();
     make_solids();
     draw_lines();

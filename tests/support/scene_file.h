@@ -21,15 +21,14 @@ enum { SCENE_FILE_MOST = 1 << 20 };
 /* Bytes at the begin of a cache line. */
 struct bytes {
     char *memory, *data;
-    size_t n, capacity;
+    size_t n; /* SCENE_FILE_MOST at most */
 };
 
-static inline void bytes_reserve(struct bytes *b, size_t capacity)
+static inline void bytes_reserve(struct bytes *b)
 {
     free(b->memory);
-    b->memory = malloc(capacity + 64);
+    b->memory = malloc(SCENE_FILE_MOST + 64);
     b->data = b->memory + (64 - (uintptr_t)b->memory % 64);
-    b->capacity = capacity;
     b->n = 0;
 }
 
@@ -44,7 +43,7 @@ static inline void bytes_free(struct bytes *b)
 static inline int bytes_append(void *context, const void *data, size_t n)
 {
     struct bytes *b = context;
-    if (n > b->capacity - b->n)
+    if (n > SCENE_FILE_MOST - b->n)
         return 0;
     memcpy(b->data + b->n, data, n);
     b->n += n;
@@ -54,7 +53,7 @@ static inline int bytes_append(void *context, const void *data, size_t n)
 /* Writes the file of a small scene; b->memory is freed by the caller. */
 static inline void scene_file_write(const cylint_scene *scene, struct bytes *b)
 {
-    bytes_reserve(b, SCENE_FILE_MOST);
+    bytes_reserve(b);
     MUST(cylint_scene_write(scene, bytes_append, b) == CYLINT_SCENE_OK);
 }
 
@@ -231,7 +230,7 @@ static inline void scene_file_read_labels(const cylint_scene *scene)
 static inline void scene_file_save_again(const cylint_scene *scene,
                                          size_t bytes)
 {
-    OWN_BYTES first = {NULL, NULL, 0, 0}, second = first;
+    OWN_BYTES first = {NULL, NULL, 0}, second = first;
     scene_file_write(scene, &first);
     cylint_scene *again =
         cylint_scene_open_memory(first.data, first.n, 0, NULL);
