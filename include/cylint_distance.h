@@ -145,7 +145,8 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where that leaves
  * nothing above 0, where the bound is below 2^-1073, and for cap0, cap1, nappe,
  * angle cones, half-spaces and round kinds that are not capped, the result is the
- * double below d.  In other rounding modes it is at most twice as far below.
+ * double below d.  In other rounding modes it is at most twice as far below, and
+ * its last bits can depend on the kernels in use.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);
