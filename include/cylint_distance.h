@@ -38,8 +38,8 @@ typedef enum cylint_feature {
  * A bit of `want` of the functions below and of cylint_scene.h: signed distances
  * to closed solids.  The closed solid of a shape has both caps or round ends,
  * whatever the ends; infinite and nappe shapes remain unbounded.  The distance
- * is negative inside the solid, 0 on its boundary and positive outside.  So it is
- * that of the shape of the same arguments with CYLINT_ENDS_CAPPED.
+ * is negative inside the solid, 0 on its boundary and positive outside.  So with
+ * open ends or one cap it is that of the same shape with CYLINT_ENDS_CAPPED.
  */
 enum { CYLINT_SIGNED = 1 << 7 };
 
