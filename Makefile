@@ -31,8 +31,6 @@ ifneq ($(filter clean uninstall,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-$(foreach v,BUILD DESTDIR PREFIX,$(if $(word 2,x$($v)),$(error $v has a space, which make cannot use: $($v))))
-
 # In another folder a make in this one does the work.
 here  := $(realpath $(dir $(lastword $(MAKEFILE_LIST))))
 there := $(filter-out $(here),$(realpath .))
@@ -43,6 +41,9 @@ there:
 	  $(foreach v,BUILD DESTDIR PREFIX,$(if $($v),$v='$(abspath $($v))'))
 .PHONY: there $(or $(MAKECMDGOALS),all)
 else
+# Installed files name it.
+override PREFIX := $(abspath $(PREFIX))
+$(foreach v,BUILD DESTDIR PREFIX,$(if $(word 2,x$($v)),$(error $v has a space, which make cannot use: $($v))))
 
 # A step prints one short line; with V=1 it prints its command.
 options := $(firstword -$(MAKEFLAGS))

@@ -94,9 +94,11 @@ verdict with_BUILD_it_builds_there $?
 elsewhere -n DESTDIR=stage PREFIX=/usr install-folders &&
     grep -q "$scratch/outside/stage" "$scratch/output"
 verdict with_DESTDIR_it_installs_there $?
+$make -n -C "$top" BUILD="$scratch/b" PREFIX=inst install-folders | grep -q " $top/inst/bin "
+verdict a_relative_PREFIX_becomes_a_whole_path $?
 for variable in BUILD DESTDIR PREFIX; do
     ! $make -n -C "$top" "$variable=/a b" install > "$scratch/output" 2>&1 &&
-        grep -q "$variable has a space, which make cannot use: /a b" "$scratch/output"
+        grep -q "$variable has a space, which make cannot use: /a " "$scratch/output"
     verdict "a_space_in_${variable}_is_an_error" $?
 done
 elsewhere clean help && [ ! -e "$scratch/outside/build" ] && grep -q '^demo' "$scratch/output"
