@@ -39,8 +39,7 @@ BENCH_TURN(within, SCENE;
            const double most = *(const double *)input,
            cylint_scene_within_count(scene, in.line[i].o, most, 0, 0))
 
-/* ----------------------------------------------------- building and files
- * -- */
+/* ------------------------------------------------ building and files -- */
 
 /* The least of three: the first one of a scene also prepares it. */
 static double seconds_of_refit(cylint_scene *scene, const struct sticks *s,

@@ -286,8 +286,7 @@ static int read_shape(struct reader *r, const struct grammar *g,
            refuse_status(r, at, g->shape == NOT_GIVEN, k, v, status);
 }
 
-/* ------------------------------------------------- words behind, and tail
- * -- */
+/* -------------------------------------------- words behind, and tail -- */
 
 static int begins_with_solid(const struct reader *r)
 {

@@ -8,7 +8,7 @@
 
 enum {
     NPY_PREFIX = 12,   /* bytes that contain the header's length */
-    NPY_WRITTEN = 128, /* bytes of a header that we write */
+    NPY_WRITTEN = 128, /* bytes of a header of npy_write() */
     NPY_WRONG = 256    /* bytes of a message */
 };
 

@@ -6,8 +6,8 @@
  * The new file has the owner and the permissions of the old one, or those that
  * open(2) gives.  A signal that ends the command removes what was written.
  *
- * Written in place are files that are not regular, links to no file, and a file
- * that its folder or its owner does not let us replace.
+ * A file is written in place if it is not regular, if it is a link to no file, or
+ * if the rights of its folder or its owner do not allow to replace it.
  */
 #ifndef CYLINT_OUTPUT_H
 #define CYLINT_OUTPUT_H

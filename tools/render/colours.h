@@ -1,8 +1,8 @@
 /*
  * colours.h - a colour for every shape
  *
- * A field #rrggbb in the tail of a shape's record is its colour; an option says
- * how the other shapes get theirs.
+ * A field #rrggbb in the tail of a shape's record is its colour; an option sets
+ * those of the other shapes.
  */
 #ifndef CYLINT_COLOURS_H
 #define CYLINT_COLOURS_H
@@ -50,10 +50,10 @@ int colour_of_element(struct string label, uint32_t *colour);
  * Returns 0 likewise. */
 int number_of_chain(struct string label, size_t *number);
 
-/* Cylinders and cones are connected if ends of their axes are equal, to the last
- * bit, or if other shapes connect them; every other shape is a group of its own.
- * Groups are numbered from 0 in the order of their first shapes.  Returns 0 or an
- * exit status. */
+/* Cylinders, cones and round shapes are connected if ends of their axes are equal,
+ * to the last bit, or if other shapes connect them; every other shape is a group of
+ * its own.  Groups are numbered from 0 in the order of their first shapes.  Returns
+ * 0 or an exit status. */
 int connected_groups(const struct scene *scene, uint32_t *group);
 
 #endif

@@ -62,8 +62,8 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
                           const struct boxes *boxes);
 
 /* Ray i of `samples` through pixel x, y of a picture of this size; y is counted
- * from the top.  One ray goes through the pixel's middle.  Samples have the same
- * places in all pixels, so that edges are even. */
+ * from the top.  A single ray goes through the pixel's middle.  Samples have the
+ * same places in all pixels, so that edges are even. */
 void view_sample(const struct view *view, int width, int height, int x, int y,
                  int i, int samples, cylint_line *ray);
 

@@ -2,7 +2,7 @@
  * xray.c - a picture of how much of each ray is inside the scene's solids
  *
  * The rays of some pixels at a time go to cylint_scene_sums(), which shares them
- * among threads.  When all lengths are known, the scale is.
+ * among threads.  The scale is computed after all lengths.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -51,7 +51,7 @@ nb::object label_texts(const uint64_t *end, const char *text, size_t count)
     return labels;
 }
 
-/* ends: of shapes whose line does not say, or -1.  Returns (status, a scene that is
+/* ends: of shapes whose line has no ends=, or -1.  Returns (status, a scene that is
  * begun, labels, members of solids, messages); None instead of a scene without
  * shapes and instead of labels that are all empty. */
 nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
