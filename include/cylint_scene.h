@@ -308,9 +308,9 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
  *     distance from the solid's surface.  The depth in the union is at least
  *     that; where solids overlap, it may be greater.
  *
- * A shape without a surface, and a refused one, has no distance.  If the point is
- * invalid, or the radius is NaN, no shape is within the radius.  It may be
- * HUGE_VAL.
+ * A shape without a surface, and a refused one, has no distance.  If a coordinate
+ * of the point is infinite or NaN, or the radius is NaN, no shape is within the
+ * radius.  The radius may be HUGE_VAL.
  */
 
 /* Gets shape `number`, which is within the radius, and the distance and flags that
@@ -444,9 +444,9 @@ typedef struct cylint_workspace {
  * the line is traversed only so far.
  *
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
- * bytes to try next, which is more than before.  It takes 48 bytes a chord; with
- * solids about 150, and at most 256 for each unbounded member of a solid.  An
- * invalid line has no pieces.
+ * bytes to try next, which is more than before.  A chord takes 48 bytes, with
+ * solids about 150, and each unbounded member of a solid at most 256.  A refused
+ * line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
                                       const cylint_line *line,
@@ -546,9 +546,9 @@ CYLINT_API void cylint_scene_count_lines(const cylint_scene *scene,
 /*
  * cylint_scene_closest() for each point, within radii[i]; radii = NULL stands
  * for HUGE_VAL for all.  numbers[i] is that of the shape whose surface is
- * nearest.  If no surface is within the radius, if the radius is negative or
- * NaN, or if the point is invalid, numbers[i] is the number of all shapes, part
- * and feature are -1, and the other members are NaN.  `answers` may be NULL.
+ * nearest.  If no surface is within the radius, or the radius is negative or NaN,
+ * or a coordinate of the point is infinite or NaN, numbers[i] is the number of all
+ * shapes, part and feature are -1, the other members NaN.  `answers` may be NULL.
  */
 CYLINT_API void cylint_scene_closest_points(
     const cylint_scene *scene, const cylint_points *points, const double *radii,

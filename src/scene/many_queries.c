@@ -9,8 +9,8 @@
 #include "../shapes/measure.h"
 #include "scene.h"
 
-/* BLOCK: how many a thread takes at a time; they last some 0.1 ms, so that taking
- * them costs nothing.  LEAST: how many pay for starting a thread. */
+/* BLOCK: how many a thread takes at a time; they last 0.1 ms or more, so that
+ * taking them costs nothing.  LEAST: how many pay for starting a thread. */
 enum { BLOCK = 256, LEAST = 1024 };
 
 /* A query, and how it answers for line or point i. */
