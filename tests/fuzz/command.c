@@ -2,12 +2,12 @@
  * command.c - floor command: fuzzes the whole command
  *
  * An input has the arguments in its first line, separated by single blanks,
- * then standard input.  Text after a line `%%`, if there is one, is the content
- * of every other file.  The command runs twice: with one worker that reads a
- * file, and with two workers that read a pipe a few bytes at a time.  Both must
- * write the same bytes and exit with the same status.  The Makefile links this
- * file's open(), read(), write() and close() in place of the system's, so
- * nothing else is written.
+ * then standard input, the content of files, and that of the files whose names
+ * begin with y; lines `%%` separate them.  The command runs twice: with one
+ * worker that reads a file, and with two workers that read a pipe a few bytes at
+ * a time.  Both must write the same bytes and exit with the same status.  The
+ * Makefile links this file's open(), read(), write() and close() in place of the
+ * system's, so nothing else is written.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -18,11 +18,12 @@
 #include "fuzz.h"
 
 enum { PIPE_MOST = 1 << 15, ARGUMENTS_MOST = 64 };
+enum { STANDARD_INPUT, FILES, Y_FILES, TEXTS };
 
 /* The input and output of the current run. */
 static struct {
-    const char *input, *file; /* standard input, all other files */
-    size_t input_size, file_size;
+    const char *text[TEXTS];
+    size_t size[TEXTS];
     int piped;
     unsigned long long written, hash;
     char last;
@@ -36,22 +37,24 @@ int __real_close(int fd);
 
 /* ------------------------------------------------------------ the files -- */
 
-/* A descriptor that reads the given bytes. */
-static int readable(const char *bytes, size_t size)
+/* A descriptor that reads this text. */
+static int readable(int text)
 {
+    const size_t size = now.size[text];
     char name[] = "/tmp/cylint-fuzz-XXXXXX";
     const int fd = mkstemp(name);
     MUST(fd >= 0 && unlink(name) == 0);
-    MUST(__real_write(fd, bytes, size) == (ssize_t)size);
+    MUST(__real_write(fd, now.text[text], size) == (ssize_t)size);
     MUST(lseek(fd, 0, SEEK_SET) == 0);
     return fd;
 }
 
-static int piped(const char *bytes, size_t size)
+static int piped(int text)
 {
+    const size_t size = now.size[text];
     int ends[2];
     MUST(pipe(ends) == 0);
-    MUST(__real_write(ends[1], bytes, size) == (ssize_t)size);
+    MUST(__real_write(ends[1], now.text[text], size) == (ssize_t)size);
     MUST(__real_close(ends[1]) == 0);
     return ends[0];
 }
@@ -70,7 +73,7 @@ int __wrap_open(const char *name, int flags, ...)
         errno = ENOENT;
         return -1;
     }
-    return readable(now.file, now.file_size);
+    return readable(name[0] == 'y' ? Y_FILES : FILES);
 }
 
 ssize_t __wrap_read(int fd, void *to, size_t n)
@@ -119,21 +122,25 @@ static int run(const char *line, const char *jobs)
     now.piped = jobs[0] != '1';
     now.written = now.hash = 0;
     now.last = '\n';
-    become(0, now.piped ? piped(now.input, now.input_size)
-                        : readable(now.input, now.input_size));
+    become(0, now.piped ? piped(STANDARD_INPUT) : readable(STANDARD_INPUT));
     become(1, __real_open("/dev/null", O_WRONLY));
     const int status = command_main(argc, argv);
     free(text);
     return status;
 }
 
-/* The first line `%%`; NULL if there is none. */
-static const char *find_mark(const char *text, const char *end)
+/* Sets a text that ends before a line `%%`, or with the input.  Returns where
+ * the next one begins. */
+static const char *take_text(int text, const char *from, const char *end)
 {
-    for (const char *p = text; end - p >= 3; p++)
-        if (memcmp(p, "%%\n", 3) == 0 && (p == text || p[-1] == '\n'))
-            return p;
-    return NULL;
+    const char *p = from;
+    now.text[text] = from;
+    for (; end - p >= 3; p++)
+        if (memcmp(p, "%%\n", 3) == 0 && (p == from || p[-1] == '\n'))
+            break;
+    const int is_marked = end - p >= 3;
+    now.size[text] = (size_t)((is_marked ? p : end) - from);
+    return is_marked ? p + 3 : end;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -146,15 +153,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     MUST(line);
     memcpy(line, text, (size_t)(feed - text));
     line[feed - text] = '\0';
-    const char *mark = find_mark(feed + 1, end);
-    now.input = feed + 1;
-    now.input_size = (size_t)((mark ? mark : end) - now.input);
-    now.file = mark ? mark + 3 : end;
-    now.file_size = (size_t)(end - now.file);
+    const char *from = feed + 1;
+    for (int i = 0; i < TEXTS; i++)
+        from = take_text(i, from, end);
     const int status = run(line, "1");
     const unsigned long long written = now.written, hash = now.hash;
     MUST(status >= EXIT_ANSWERED && status <= EXIT_IO);
-    MUST(strchr(line, 'b') || now.last == '\n'); /* lines, unless binary */
+    MUST(now.last == '\n' || /* lines, unless binary */
+         strchr(line, 'b') || strstr(line, "save"));
     MUST(run(line, "2") == status);
     MUST(now.written == written && now.hash == hash);
     free(line);
