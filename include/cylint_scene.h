@@ -64,7 +64,7 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  *
  * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
  * 30 bytes for a thick shape, up to 90 for a thin one, which has several pieces,
- * and up to 170 for a needle.  Beside the hierarchy it takes some 510 in all.
+ * and up to 170 for a needle.  A shape beside the hierarchy takes some 510.
  */
 
 /* Returns an empty scene, or NULL if there is no memory.  expected: the number of
@@ -556,8 +556,8 @@ CYLINT_API void cylint_scene_closest_points(
 
 /*
  * Pieces of many lines, and sums.  These functions allocate memory, and can fail
- * with EMEMORY; then nothing is to be freed.  An invalid line has no pieces.  For
- * `threads` the above holds, but with one thread for every 256 lines.
+ * with EMEMORY; then nothing is to be freed.  An invalid line has no pieces.
+ * threads: as above, but at most one for every 256 lines.
  */
 
 /* The pieces of line i are pieces[first[i]] to pieces[first[i + 1] - 1]. */
