@@ -4,8 +4,8 @@
  * The exact sign of cylint_contains() tests every point.  The first ones are
  * the hit's point and its neighbours in the direction of the normal, 1 to NEAR
  * steps of the doubles in some of the coordinates; of these the nearest is
- * chosen.  A hit's coordinates have an error of at most 4 such steps.  Points
- * farther along the normal follow.  From a rim the inside is not in the
+ * chosen.  A hit's coordinates are the nearest doubles, so one step nearly always
+ * suffices.  Points farther along the normal follow.  From a rim the inside is not in the
  * direction of the normal: there points towards the middle of the axis follow,
  * which is in the interior of a bounded solid.  At the apex of a double cone the
  * outside is not in the direction of the normal: the last points are

@@ -1,5 +1,6 @@
 /*
- * test_exact.c - floor numbers: exact arithmetic against MPFR, and its memory
+ * test_exact.c - floor numbers: exact arithmetic against MPFR, its memory, and
+ * scaling
  */
 #include <float.h>
 #include <gmp.h> /* before mpfr.h */
@@ -298,4 +299,26 @@ TEST(totals_are_rounded_once)
         }
         CHECK(cylint_sum_rounded(&sum) == mpfr_get_d(all->x, RND));
     }
+}
+
+/* Most results are subnormal, or nearly: the processor may flush them. */
+static void scale_doubles(struct environment there)
+{
+    for (int i = 0; i < cases() / 10; i++) {
+        const double x = any_double();
+        const int of_x = x == 0 ? 0 : ilogb(x);
+        const int e = one_of(4) ? one_of(64) - 1080 - of_x : one_of(2200);
+        fesetround(there.rounding);
+        const double want = ldexp(x, e);
+        environment_set(there);
+        const double got = cylint_scaled(x, e);
+        environment_reset();
+        if (!CHECK(cylint_bits(got) == cylint_bits(want)))
+            REPORT("%a 2^%d: %a, want %a", x, e, got, want);
+    }
+}
+
+TEST(a_scaled_double_is_rounded_once_in_every_environment)
+{
+    everywhere(scale_doubles);
 }
