@@ -5,10 +5,10 @@
  * the hit's point and its neighbours in the direction of the normal, 1 to NEAR
  * steps of the doubles in some of the coordinates; of these the nearest is
  * chosen.  A hit's coordinates are the nearest doubles, so one step nearly always
- * suffices.  Points farther along the normal follow.  From a rim the inside is not in the
- * direction of the normal: there points towards the middle of the axis follow,
- * which is in the interior of a bounded solid.  At the apex of a double cone the
- * outside is not in the direction of the normal: the last points are
+ * suffices.  Points farther along the normal follow.  From a rim the inside is not
+ * in the direction of the normal: there points towards the middle of the axis
+ * follow, which is in the interior of a bounded solid.  At the apex of a double
+ * cone the outside is not in the direction of the normal: the last points are
  * farther and farther along all diagonals of the coordinates.
  *
  * A point outside of a rim may be beyond the cap only.  A ray that leaves the
