@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import warnings
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -80,20 +81,24 @@ def read_qsm(
             )
 
     def read(columns: list[str], kind: Any) -> Any:
-        try:
-            return load(rows, columns, kind)
-        except ValueError:
-            for row in rows:
-                try:
-                    load([row], columns, kind)
-                except ValueError as error:
-                    text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
-                    text = re.sub(
-                        r"invalid column index \d+ with (\d+) columns?",
-                        rf"expected {len(names)} columns, found \1", text,
-                    )
-                    raise ValueError(f"{name}:{row[0]}: {text}") from None
-            raise
+        with suppress(ValueError):
+            table = load(rows, columns, kind)
+            if len(table) == len(rows):
+                return table
+        for row in rows:
+            text = "a quote has no end"  # the row after it was taken for its text
+            try:
+                load([row], columns, kind)
+                with suppress(ValueError):
+                    if len(load([row, rows[0]], columns, kind)) == 2:
+                        continue
+            except ValueError as error:
+                text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
+                text = re.sub(
+                    r"invalid column index \d+ with (\d+) columns?",
+                    rf"expected {len(names)} columns, found \1", text,
+                )
+            raise ValueError(f"{name}:{row[0]}: {text}")
 
     numbers = read(wanted, float)
     r, p0, p1 = numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7]
