@@ -142,11 +142,11 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  * radius; of a sphere the radius.  In rounding to nearest the result for circular
  * and round kinds is at most 16 * 2^-52 (d + R) below d: some units in the last
  * place of the point's coordinates relative to the shape, not of d.  For
- * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where that leaves
- * nothing above 0, where the bound is below 2^-1073, and for cap0, cap1, nappe,
- * angle cones, half-spaces and round kinds that are not capped, the result is the
- * double below d.  In other rounding modes it is at most twice as far below, and
- * its last bits can depend on the kernels in use.
+ * infinite ends |P - base| * 1.42 takes the place of d in d + R.  If the number so
+ * computed is not above 0, if the bound is below 2^-1073, and for cap0, cap1,
+ * nappe, angle cones, half-spaces and round kinds that are not capped, the result
+ * is the double below d.  In other rounding modes it is at most twice as far below,
+ * and its last bits can depend on the kernels in use.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);
