@@ -28,7 +28,7 @@ check-amalgamation: $(one_file) ## run every test with that file for the library
 tarball = $(BUILD)/cylint-$(version).tar.gz
 dist: ## write the committed sources to $(BUILD)/cylint-VERSION.tar.gz
 	@mkdir -p $(BUILD)
-	$(call say,DIST $(tarball))git archive --format=tar --prefix=cylint-$(version)/ HEAD | gzip -n -9 > $(tarball)
+	$(call say,DIST $(tarball))git archive --format=tar --prefix=cylint-$(version)/ HEAD > $(tarball:.gz=) && gzip -f -n -9 $(tarball:.gz=)
 
 deb: dist ## build Debian packages of the committed sources and run lintian
 	sh tools/package/deb.sh $(tarball) $(version) $(BUILD)/deb
