@@ -93,8 +93,7 @@ static unsigned left_by_doubles(const cylint_shape *shape,
         k->head_tail[shape->kind][parted] &&
         k->head_tail[shape->kind][parted](shape, point, answer))
         return 0;
-    if (!cylint_rounds_to_nearest() ||
-        (want & CYLINT_WANT_GEOMETRY && flushes_a_number(shape, point)))
+    if (!cylint_rounds_to_nearest() || flushes_a_number(shape, point))
         return want;
     cylint_in_pairs *const in_pairs =
         cylint_is_elliptic(shape->kind)

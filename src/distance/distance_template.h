@@ -36,7 +36,7 @@ INLINE void NUMBER(load_shapes)(shape_lanes *v,
     }
     EACH(i, 3)
         v->own[i] = m_and(is_zero[(i + 1) % 3], is_zero[(i + 2) % 3]);
-    v->along = m_or(v->own[0], m_or(v->own[1], v->own[2]));
+    v->along = v->level = m_or(v->own[0], m_or(v->own[1], v->own[2]));
     v->cosine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_COSINE));
     v->sine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_SINE));
     v->height = pair_of_lanes(at, CYLINT_AT_HEIGHT);
@@ -63,7 +63,8 @@ INLINE void NUMBER(from_feature)(vnearest *n, const half_plane *m,
     const vm is_lateral = v_eq(f, v_set(CYLINT_FEATURE_LATERAL));
     const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), f);
     const vpair y = pick(is_top, m->above, opposite(m->z));
-    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y), m->error);
+    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y),
+                           v_select(is_lateral, m->error, m->plane_error));
     if (m_any(is_rim))
         n->d = pick_distance(
             is_rim, NUMBER(from_rim)(pick(is_top, x1, x0), y, m), n->d);
@@ -77,8 +78,8 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
 {
     const vd zero = v_set(0);
     const vdistance beyond =
-        larger_of(NUMBER(rounded)(opposite(m->z), m->error),
-                  NUMBER(rounded)(m->above, m->error));
+        larger_of(NUMBER(rounded)(opposite(m->z), m->plane_error),
+                  NUMBER(rounded)(m->above, m->plane_error));
     const vm top = v_lt(zero, p->after);
     n->d = larger_of(beyond, NUMBER(rounded)(lateral, m->error));
     vm rims = are_positive(beyond.low, p->a);
@@ -95,6 +96,21 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
             n->d);
 }
 
+/* Where rho - r has no error, and is the distance: in the plane of an end, also from
+ * a rim. */
+INLINE void NUMBER(without_error)(vnearest *n, const half_plane *m, vd r,
+                                  vpair lateral)
+{
+    const vd zero = v_set(0), low = v_two_sum(m->rho.hi, -r).lo;
+    const vm exact =
+        m_and(m->rho_is_exact, v_eq(v_two_sum(low, m->rho.lo).lo, zero));
+    const vm level = m_or(v_eq(m->z.hi, zero), v_eq(m->above.hi, zero));
+    const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), n->feature);
+    const vm is_lateral = v_eq(n->feature, v_set(CYLINT_FEATURE_LATERAL));
+    n->d = pick_distance(m_and(exact, m_or(is_lateral, m_and(is_rim, level))),
+                         NUMBER(rounded)(lateral, zero), n->d);
+}
+
 INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
                                    const shape_lanes *s, int tapered,
                                    int parted)
@@ -104,6 +120,7 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     const vpair x1 =
         tapered ? NUMBER(minus)(rho, NUMBER(datum)(s->r[1], m)) : x0;
     const vpair lateral = tapered ? NUMBER(turned)(s, x0, m->z) : x0;
+    const vd M = margin_of(m);
     const vd C = whole(s->cosine), S = whole(s->sine);
     const vd z = whole(m->z), above = whole(m->above);
     const vsection p = {z,
@@ -112,13 +129,17 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
                         whole(x0),
                         whole(x1),
                         tapered ? v_sum_of(C, z, S * whole(x0)) : z,
-                        tapered ? v_sum_of(C, above, S * whole(x1)) : above};
+                        tapered ? v_sum_of(C, above, S * whole(x1)) : above,
+                        ON_SURFACE && !tapered ? v_select(s->level, v_set(0), M)
+                                               : M};
     if (parted)
         find_feature(n, m, s, &p, ON_SURFACE);
     if (ON_SURFACE)
         NUMBER(from_feature)(n, m, lateral, x0, x1);
     else
         NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
+    if (ON_SURFACE && !tapered && m_any(m->rho_is_exact))
+        NUMBER(without_error)(n, m, s->r[0].hi, lateral);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
@@ -201,15 +222,14 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
                            m->error);
 }
 
-/* A capped shape of this kind. */
+/* A capped shape of this kind, and a point that is loaded. */
 INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
-                            const vd x[3], int kind, int parted)
+                            int kind, int parted)
 {
     m->error = v_set(0);
     n->known = m_not(m_from(0));
     n->feature = v_set(CYLINT_FEATURE_LATERAL);
     n->d = NUMBER(rounded)((vpair){m->error, m->error}, v_set(HUGE_VAL));
-    NUMBER(load)(m, s, x, kind != CYLINT_KIND_SPHERE);
     if (kind == CYLINT_KIND_SPHERE)
         NUMBER(sphere)(n, m, s);
     else if (kind == CYLINT_KIND_CAPSULE)

@@ -15,22 +15,24 @@
 #include "nearest.h"
 
 /* The numbers of the shapes of all lanes, in the form of a type of numbers.
- * own[i]: the axis runs along coordinate i; along: along any. */
+ * own[i]: the axis runs along coordinate i; along: along any.  level: so it does,
+ * and the planes of both ends are at doubles. */
 typedef struct {
     vpair axis[3], cosine, sine, height, r[2];
     vd base[3], top[3], reach;
-    vm own[3], along;
+    vm own[3], along, level;
 } shape_lanes;
 
 /* A point.  above: z minus the height.  square: of rho.  error: of rho, z and
- * combinations of both with factors of at most 1.  The other members belong to
- * head_tail.h or to pair_lanes.h. */
+ * combinations of both with factors of at most 1; plane_error: of z and above
+ * alone.  The other members belong to head_tail.h or to pair_lanes.h. */
 typedef struct {
     vpair z, above, square;
-    vd size, error; /* size: at least |D|, the height and the radii */
+    vd size, error, plane_error; /* size: at least |D|, height and radii */
     vd snap, rough_z, rough_square;
     vpair rho, D[3], across[3], inverse; /* inverse: of rho */
     vd across_error[3], z_error, rho_error;
+    vm rho_is_exact;
 } half_plane;
 
 /* A distance in the form of its type, and rounded with the error subtracted and
@@ -90,16 +92,17 @@ INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
 
 /* ------------------------------------------------- features, in doubles -- */
 
-/* Where the foot on the lateral line certainly is: before it, on it, after it. */
+/* Where the foot certainly is: not after the begin of the lateral line, between its
+ * ends, not before its end. */
 typedef struct {
     vm before, on, after;
 } vfoot;
 
 INLINE vfoot foot_of(vd before, vd after, vd M)
 {
-    const vm is_before = v_lt(before, -M);
+    const vm is_before = v_le(before, -M);
     return (vfoot){is_before, m_and(v_lt(M, before), v_lt(after, -M)),
-                   m_and(v_lt(M, after), m_not(is_before))};
+                   m_and_not(v_le(M, after), is_before)};
 }
 
 INLINE vd feature_at(vm top, int at_base, int at_top)
@@ -108,9 +111,10 @@ INLINE vd feature_at(vm top, int at_base, int at_top)
 }
 
 /* A point and a shape between two planes: a from the lateral line, x0 and x1 across
- * the axis from the ends of it, before and after the foot from them. */
+ * the axis from the ends of it, before and after the foot from them, whose signs
+ * are right above foot_margin. */
 typedef struct {
-    vd z, above, a, x0, x1, before, after;
+    vd z, above, a, x0, x1, before, after, foot_margin;
 } vsection;
 
 /* Doubles have the right sign of every number that is larger than this. */
@@ -136,7 +140,7 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
     const vm outside = m_or(v_lt(M + M, a), v_lt(M, b));
     const vm beyond = m_and(v_lt(M, b), v_lt(x, -M));
     const vm not_beyond = m_or(v_lt(b, -M), v_lt(M, x));
-    const vfoot foot = foot_of(p->before, p->after, M);
+    const vfoot foot = foot_of(p->before, p->after, p->foot_margin);
     const vm sides = m_or(foot.on, m_or(foot.before, foot.after));
     vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
     vm lateral = m_or(inside, m_or(beyond, foot.on));

@@ -104,7 +104,9 @@ INLINE vpair head_tail_root(vpair a, vd rough, const half_plane *m, vd *error)
 /* The distance from the axis; of a sphere that from the centre. */
 INLINE vpair head_tail_rho(half_plane *m)
 {
-    return head_tail_root(m->square, m->rough_square, m, &m->error);
+    const vpair rho = head_tail_root(m->square, m->rough_square, m, &m->error);
+    m->plane_error = m->error;
+    return rho;
 }
 
 /* sqrt(x^2 + y^2). */

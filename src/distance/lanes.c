@@ -95,10 +95,11 @@ INLINE vm answer_distances(const cylint_shape *const at[LANES],
                            size_t n, const cylint_closest_columns *to,
                            unsigned want)
 {
-    const int parted = (want & CYLINT_WANT_PART) != 0;
+    const int parted = (want & CYLINT_WANT_PART) != 0, kind = at[0]->kind;
     half_plane m;
     vnearest nearest;
-    head_tail_nearest(&nearest, &m, s, x, at[0]->kind, parted);
+    head_tail_load(&m, s, x, kind != CYLINT_KIND_SPHERE);
+    head_tail_nearest(&nearest, &m, s, kind, parted);
     store(to->distance, i, n, nearest.d.low);
     if (parted)
         store_features(to, i, n, at, nearest.feature);
@@ -114,7 +115,8 @@ INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
     half_plane m;
     vnearest nearest;
     described_point members;
-    pairs_nearest(&nearest, &m, s, x, kind, 1);
+    pairs_load(&m, s, x, kind != CYLINT_KIND_SPHERE);
+    pairs_nearest(&nearest, &m, s, kind, 1);
     describe_nearest(&members, &nearest, &m, s, x, kind);
     vm certain = m_and(is_certain(&nearest), v_le(v_set(CYLINT_DISTANCE_LEAST),
                                                   v_abs(nearest.d.low)));

@@ -25,7 +25,8 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
     half_plane m;
     vnearest n;
     head_tail_load_shapes(&s, at);
-    head_tail_nearest(&n, &m, &s, point, kind, parted);
+    head_tail_load(&m, &s, point, kind != CYLINT_KIND_SPHERE);
+    head_tail_nearest(&n, &m, &s, kind, parted);
     if (!(n.d.high <= n.d.low) || !n.known || !cylint_rounds_to_nearest())
         return 0;
     answer->flags = 0;

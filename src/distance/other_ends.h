@@ -21,6 +21,7 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
         s->axis[i] = (vpair){cylint_axis(shape)[i], 0};
         squares[i] = pairs_square(s->axis[i]);
     }
+    s->level = m_from(0);
     s->height = pairs_trimmed(pairs_root(pairs_sum3(squares), &inverse));
     EACH(i, 3)
         s->axis[i] = pairs_trimmed(pairs_product(s->axis[i], inverse));
@@ -121,12 +122,12 @@ INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
         load_angle_cone(s, shape);
     else
         pairs_load_shapes(s, at);
+    pairs_load(m, s, point, kind != CYLINT_KIND_SPHERE);
     if (shape->ends == CYLINT_ENDS_CAPPED || kind == CYLINT_KIND_SPHERE) {
-        pairs_nearest(n, m, s, point, kind, 1);
+        pairs_nearest(n, m, s, kind, 1);
         return;
     }
     *n = (vnearest){{{0, 0}, 0, 0, 0}, CYLINT_FEATURE_LATERAL, 1};
-    pairs_load(m, s, point, 1);
     if (cylint_ends_are_planes(shape->ends))
         nearest_to_open(n, m, s, cylint_caps_present(shape->ends), kind);
     else

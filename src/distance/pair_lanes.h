@@ -8,8 +8,10 @@
  *   A_i      u (3 |D| |w_i| + 2^-6 |D_i|),  A = D - z w
  *   rho      the sum of these, and CYLINT_PAIR_QUOTIENT rho
  *
- * Where the axis runs along a coordinate, that of A is 0 and the others are
- * those of D, without an error: the zeros of such a shape are certain.
+ * Where the axis runs along a coordinate, that of A is 0, and the others and z are
+ * those of D, without an error: the zeros of such a shape are certain.  So are its
+ * distances from planes and, where A has one component other than 0, from its
+ * cylinder, also those midway between two doubles.
  *
  * A is trimmed before it is squared: near the axis its tail is as large as its
  * head.
@@ -80,6 +82,28 @@ INLINE vpair pairs_root(vpair a, vpair *inverse)
     return (vpair){s, step};
 }
 
+/* Where two of three numbers are 0. */
+INLINE vm pairs_are_one(const vpair x[3])
+{
+    vm is[3];
+    EACH(i, 3)
+        is[i] = v_eq(x[i].hi, v_set(0));
+    return m_or(m_and(is[0], is[1]), m_and(is[2], m_or(is[0], is[1])));
+}
+
+/* Of level shapes: z and above, without an error. */
+INLINE void load_level(half_plane *m, const shape_lanes *s, const vd x[3])
+{
+    EACH(i, 3) {
+        const vm own = m_and(s->level, s->own[i]);
+        const vm down = v_lt(s->axis[i].hi, v_set(0));
+        const vpair D = m->D[i], D1 = v_two_sum(x[i], -s->top[i]);
+        m->z = pick(own, pick(down, opposite(D), D), m->z);
+        m->above = pick(own, pick(down, opposite(D1), D1), m->above);
+    }
+    m->plane_error = v_select(s->level, v_set(0), m->plane_error);
+}
+
 INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
                        int axial)
 {
@@ -99,6 +123,7 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         m->square = pairs_sum3(p);
         m->z = (vpair){zero, zero};
         m->z_error = zero;
+        m->rho_is_exact = m_from(0);
         EACH(i, 3)
             m->across_error[i] = zero;
         return;
@@ -106,7 +131,11 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
     m->z = pairs_sum3(p);
     const vd zero = v_set(0), u = v_set(CYLINT_POINT_ROUNDING);
     m->z_error = u * size;
+    m->plane_error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size, m->z_error);
     m->above = vpair_sub(m->z, s->height);
+    m->rho_is_exact = m_from(0);
+    if (m_any(s->level))
+        load_level(m, s, x);
     EACH(i, 3) {
         const vpair along = pairs_product(m->z, s->axis[i]);
         const vpair across = pairs_trimmed(vpair_sub(m->D[i], along));
@@ -117,18 +146,25 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         p[i] = pairs_square(m->across[i]);
     }
     m->square = pairs_sum3(p);
+    if (m_any(s->level))
+        m->rho_is_exact = m_and(s->level, pairs_are_one(m->across));
     m->rough_z = whole(m->z);
     m->rough_square = whole(m->square);
 }
 
 INLINE vpair pairs_rho(half_plane *m)
 {
-    const vpair rho = pairs_root(m->square, &m->inverse);
+    vpair rho = pairs_root(m->square, &m->inverse);
     m->rho_error = v_set(CYLINT_PAIR_QUOTIENT) * rho.hi;
     EACH(i, 3)
         m->rho_error = m->rho_error + m->across_error[i];
     m->error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size,
                         m->z_error + m->rho_error);
+    if (m_any(m->rho_is_exact)) {
+        const vpair x = pairs_sum3(m->across);
+        const vpair size = pick(v_lt(x.hi, v_set(0)), opposite(x), x);
+        rho = pick(m->rho_is_exact, size, rho);
+    }
     m->rho = rho;
     return rho;
 }

@@ -411,6 +411,31 @@ TEST(all_paths_return_the_same_bits)
     over_exponents(check_paths, 0);
 }
 
+/* Of a shape along an axis of coordinates the distance from a plane, or from the
+ * cylinder in a plane through its axis, has few bits more than a double: of many
+ * points it is midway between two doubles. */
+TEST(upright_shapes_are_decided_by_all_digits)
+{
+    static const family_shape words[] = {FAMILY_CYLINDER, FAMILY_CYLINDER,
+                                         FAMILY_CONE, FAMILY_CAPSULE};
+    stream = check_setting("CYLINT_SEED", 5);
+    for (int i = 0; i < 20000; i++) {
+        struct family_case c = family_example(words[i % 4]);
+        double base[3], top[3], p[3];
+        const int along = one_of(3);
+        random_vector(base, 3);
+        random_vector(p, 3);
+        copy3(top, base);
+        top[along] = between(-3, 3);
+        for (int j = 0; j < 3; j++)
+            p[j] = one_of(3) ? p[j] : one_of(2) ? base[j] : top[j];
+        family_set_shape(&c, c.shape_word, base, base, base, top, between(0, 2),
+                         between(0, 2));
+        if (CHECK(family_make(&c)))
+            check_paths(&c, p);
+    }
+}
+
 static double length_of(const double v[3])
 {
     return hypot(hypot(v[0], v[1]), v[2]);
