@@ -295,7 +295,8 @@ void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,
                         unsigned want, cylint_scene_hit *callback,
                         void *context)
 {
-    const cylint_visit_options options = {.except = scene->n, .want = want};
+    const cylint_visit_options options = {.except = scene->n,
+                                          .want = want & CYLINT_WANT_ALL};
     caller c = {callback, NULL, context};
     cylint_visit_line(scene, line, &options, HUGE_VAL, call, &c);
 }

@@ -496,6 +496,30 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
     CHECK(visited > 20);
 }
 
+static double count_without_hit(void *context, size_t number,
+                                const cylint_hit *hit)
+{
+    int *calls = context;
+    (void)number;
+    *calls += CHECK(!hit);
+    return HUGE_VAL;
+}
+
+/* CYLINT_WANT_NEAREST is no member. */
+TEST(a_visit_without_wanted_members_gets_no_hit)
+{
+    static const unsigned wants[] = {0, CYLINT_WANT_NEAREST, CYLINT_SIGNED};
+    const cylint_shape shape = shape_of("sphere 0 0 0 1");
+    const double o[3] = {-2, 0, 0}, d[3] = {1, 0, 0};
+    OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
+    cylint_line line;
+    int calls = 0;
+    cylint_ray(&line, o, d);
+    for (int i = 0; i < 3; i++)
+        cylint_scene_visit(scene, &line, wants[i], count_without_hit, &calls);
+    CHECK(calls == 3);
+}
+
 /* Of circular and round shapes, whose distances are correctly rounded. */
 static void answer_points_there(struct environment there)
 {
