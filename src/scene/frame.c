@@ -4,6 +4,17 @@
 #include "../numbers/bits.h"
 #include "frame.h"
 
+/* Multiples of 2^-50 of the largest coordinate have exact means and differences. */
+void cylint_frame_round_box(double lo[3], double hi[3])
+{
+    int e;
+    frexp(fmax(cylint_largest(lo), cylint_largest(hi)), &e);
+    for (int j = 0; j < 3; j++) {
+        lo[j] = ldexp(floor(ldexp(lo[j], 50 - e)), e - 50);
+        hi[j] = ldexp(ceil(ldexp(hi[j], 50 - e)), e - 50);
+    }
+}
+
 int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3])
 {

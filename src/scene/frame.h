@@ -37,6 +37,10 @@ typedef enum {
     CYLINT_FRAME_UNUSABLE /* the error of the ray may be too large */
 } cylint_frame_status;
 
+/* Makes a box larger so that its frame is the same in every rounding mode: a file
+ * keeps the box alone. */
+void cylint_frame_round_box(double lo[3], double hi[3]);
+
 /* Makes the frame of the box.  Returns 0 if the box has none. */
 int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3]);

@@ -79,6 +79,7 @@ static int make_frame(const replacement *r, cylint_frame *frame)
         lo[j] = fmax(lo[j] - room, -CYLINT_FRAME_MOST);
         hi[j] = fmin(hi[j] + room, CYLINT_FRAME_MOST);
     }
+    cylint_frame_round_box(lo, hi);
     return cylint_frame_make(frame, lo, hi);
 }
 

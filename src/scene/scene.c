@@ -119,8 +119,11 @@ static void choose_frame(cylint_scene *s, int threads, cylint_watch *watch)
     cylint_threads_share(threads, s->n, CYLINT_WATCHED,
                          CYLINT_THREADS_LEAST_SHAPES, count_shapes, &sum);
     cylint_mutex_destroy(&sum.mutex);
-    if (sum.box.n > 0 && cylint_frame_make(&s->frame, sum.box.lo, sum.box.hi))
-        s->n_bounded = sum.box.n;
+    if (sum.box.n > 0) {
+        cylint_frame_round_box(sum.box.lo, sum.box.hi);
+        if (cylint_frame_make(&s->frame, sum.box.lo, sum.box.hi))
+            s->n_bounded = sum.box.n;
+    }
     s->n_others = sum.valid - s->n_bounded;
 }
 
