@@ -96,8 +96,8 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
             n->d);
 }
 
-/* Where rho - r has no error, and is the distance: in the plane of an end, also from
- * a rim. */
+/* Where rho - r has no error and is the distance: in the plane of an end that from
+ * a rim, too. */
 INLINE void NUMBER(without_error)(vnearest *n, const half_plane *m, vd r,
                                   vpair lateral)
 {
