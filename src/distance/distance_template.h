@@ -78,8 +78,8 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
 {
     const vd zero = v_set(0);
     const vdistance beyond =
-        larger_of(NUMBER(rounded)(opposite(m->z), m->plane_error),
-                  NUMBER(rounded)(m->above, m->plane_error));
+        larger_of(NUMBER(rounded)(opposite(m->z), m->error),
+                  NUMBER(rounded)(m->above, m->error));
     const vm top = v_lt(zero, p->after);
     n->d = larger_of(beyond, NUMBER(rounded)(lateral, m->error));
     vm rims = are_positive(beyond.low, p->a);

@@ -24,14 +24,15 @@ typedef struct {
 } shape_lanes;
 
 /* A point.  above: z minus the height.  square: of rho.  error: of rho, z and
- * combinations of both with factors of at most 1; plane_error: of z and above
- * alone.  The other members belong to head_tail.h or to pair_lanes.h. */
+ * combinations of both with factors of at most 1.  The other members belong to
+ * head_tail.h or to pair_lanes.h. */
 typedef struct {
     vpair z, above, square;
-    vd size, error, plane_error; /* size: at least |D|, height and radii */
+    vd size, error; /* size: at least |D|, the height and the radii */
     vd snap, rough_z, rough_square;
     vpair rho, D[3], across[3], inverse; /* inverse: of rho */
     vd across_error[3], z_error, rho_error;
+    vd plane_error; /* of z and above as distances */
     vm rho_is_exact;
 } half_plane;
 

@@ -104,9 +104,7 @@ INLINE vpair head_tail_root(vpair a, vd rough, const half_plane *m, vd *error)
 /* The distance from the axis; of a sphere that from the centre. */
 INLINE vpair head_tail_rho(half_plane *m)
 {
-    const vpair rho = head_tail_root(m->square, m->rough_square, m, &m->error);
-    m->plane_error = m->error;
-    return rho;
+    return head_tail_root(m->square, m->rough_square, m, &m->error);
 }
 
 /* sqrt(x^2 + y^2). */

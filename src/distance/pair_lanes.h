@@ -91,7 +91,7 @@ INLINE vm pairs_are_one(const vpair x[3])
     return m_or(m_and(is[0], is[1]), m_and(is[2], m_or(is[0], is[1])));
 }
 
-/* Of level shapes: z and above, without an error. */
+/* Of level shapes: z and above, without an error, and whether rho has one. */
 INLINE void load_level(half_plane *m, const shape_lanes *s, const vd x[3])
 {
     EACH(i, 3) {
@@ -102,6 +102,7 @@ INLINE void load_level(half_plane *m, const shape_lanes *s, const vd x[3])
         m->above = pick(own, pick(down, opposite(D1), D1), m->above);
     }
     m->plane_error = v_select(s->level, v_set(0), m->plane_error);
+    m->rho_is_exact = m_and(s->level, pairs_are_one(m->across));
 }
 
 INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
@@ -133,9 +134,6 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
     m->z_error = u * size;
     m->plane_error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size, m->z_error);
     m->above = vpair_sub(m->z, s->height);
-    m->rho_is_exact = m_from(0);
-    if (m_any(s->level))
-        load_level(m, s, x);
     EACH(i, 3) {
         const vpair along = pairs_product(m->z, s->axis[i]);
         const vpair across = pairs_trimmed(vpair_sub(m->D[i], along));
@@ -146,8 +144,9 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         p[i] = pairs_square(m->across[i]);
     }
     m->square = pairs_sum3(p);
+    m->rho_is_exact = m_from(0);
     if (m_any(s->level))
-        m->rho_is_exact = m_and(s->level, pairs_are_one(m->across));
+        load_level(m, s, x);
     m->rough_z = whole(m->z);
     m->rough_square = whole(m->square);
 }
