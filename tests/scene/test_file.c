@@ -60,8 +60,6 @@ TEST(an_opened_scene_answers_as_the_saved_one)
 /* Balls so far away that the middle of their box is rounded, unless the box was. */
 TEST(a_scene_opened_in_any_rounding_mode_finds_its_shapes)
 {
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                FE_TOWARDZERO};
     static const double d[3] = {0, 1, 0};
     cylint_shape balls[4];
     cylint_line line;
@@ -71,10 +69,10 @@ TEST(a_scene_opened_in_any_rounding_mode_finds_its_shapes)
         const double p[3] = {0x1p52 + (double)n, 0, 0};
         cylint_sphere(&balls[n - 1], p, 0.25, CYLINT_ENDS_CAPPED);
         cylint_whole_line(&line, p, d);
-        fesetround(modes[i / 4 % 4]);
+        fesetround(roundings[i / 4 % 4]);
         OWN_SCENE *built = cylint_scene_new(balls, n, 1, NULL);
         scene_file_write(built, &file);
-        fesetround(modes[i % 4]);
+        fesetround(roundings[i % 4]);
         OWN_SCENE *opened =
             cylint_scene_open_memory(file.data, file.n, 0, NULL);
         fesetround(FE_TONEAREST);

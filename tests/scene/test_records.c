@@ -5,10 +5,9 @@
  * The shapes are those of the families of families.h.  A decision is compared with
  * cylint_occluded() in every rounding mode.
  */
-#include <fenv.h>
-
 #include "check.h"
 #include "cylint_scene.h"
+#include "environment.h"
 #include "families.h"
 #include "intersect.h"
 #include "same.h"
@@ -46,17 +45,15 @@ TEST(a_scene_returns_its_shapes)
 /* Local coordinates depend on the rounding mode of their constructor. */
 TEST(a_shape_is_made_again_in_its_rounding_mode)
 {
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                FE_TOWARDZERO};
     static const double p[3] = {0.1, 0.2, 0.3}, q[3] = {1, 2, 7};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < ROUNDINGS; i++) {
         cylint_shape shape, back;
-        fesetround(modes[i]);
+        fesetround(roundings[i]);
         CHECK(cylint_cylinder(&shape, p, q, 0.7, CYLINT_ENDS_CAPPED) ==
               CYLINT_OK);
-        fesetround(modes[3 - i]);
+        fesetround(roundings[ROUNDINGS - 1 - i]);
         OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
-        fesetround(modes[i]);
+        fesetround(roundings[i]);
         cylint_scene_shape(scene, 0, &back);
         fesetround(FE_TONEAREST);
         CHECK(same_bytes(&back, &shape, sizeof back));
@@ -116,8 +113,6 @@ static void check_decision(const cylint_records *records,
 
 TEST(local_coordinates_in_doubles_decide_right_or_not_at_all)
 {
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                FE_TOWARDZERO};
     const long cases = (long)check_setting("CYLINT_CASES", CASES);
     EACH_CASE(c, 31, cases) {
         cylint_records records = {.n = 0};
@@ -125,8 +120,8 @@ TEST(local_coordinates_in_doubles_decide_right_or_not_at_all)
         family_make(&c);
         CHECK(cylint_records_add(&records, &c.shape, 1));
         if (records.tag[0] & CYLINT_TAG_PLAIN)
-            for (int m = 0; m < 4; m++)
-                check_decision(&records, &c, modes[m]);
+            for (int m = 0; m < ROUNDINGS; m++)
+                check_decision(&records, &c, roundings[m]);
         cylint_records_free(&records);
     }
     CHECK(total.decided > 10 * cases && total.undecided > 0);

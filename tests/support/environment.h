@@ -98,13 +98,14 @@ static inline void use_some_kernels(uint64_t number)
 /* A loop over all builds of the kernels. */
 #define EACH_KERNELS(i) for (int i = 0; use_kernels(i); i++)
 
-enum { ENVIRONMENTS = 16 };
+enum { ROUNDINGS = 4, ENVIRONMENTS = ROUNDINGS * 4 };
+
+static const int roundings[ROUNDINGS] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                                         FE_TOWARDZERO};
 
 static inline struct environment environment_of(int i)
 {
-    static const int rounding[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                   FE_TOWARDZERO};
-    return (struct environment){rounding[i / 4], i % 4};
+    return (struct environment){roundings[i / 4], i % 4};
 }
 
 /* Calls the test with every environment that this processor has. */
