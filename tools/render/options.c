@@ -155,10 +155,10 @@ static const char direction[] = "a direction X,Y,Z";
 static const struct option options_known[] = {
     {"o", "FILE", read_output, AT(output), "a PNG file, NAME.png", 0, 0,
      "the picture; - is standard output"},
-    {"size", "WxH", read_size, AT(size), "WIDTHxHEIGHT", 0, 0,
+    {"size", "WxH", read_size, AT(size), "WIDTHxHEIGHT, each 1 to 65536", 0, 0,
      "pixels, default 1280x720"},
-    {"samples", "N", read_count, AT(samples), "a number of samples",
-     MOST_PIXELS, 0, "rays per pixel, default 8"},
+    {"samples", "N", read_count, AT(samples), "1 to 65536 samples", MOST_PIXELS,
+     0, "rays per pixel, default 8"},
     {"j", "N", read_count, AT(workers), "a number of workers", INT_MAX / 10 - 1,
      0, "workers; the picture is the same"},
     {"eye", "X,Y,Z", read_place, AT(viewing.eye), "X,Y,Z", 0, 0,
