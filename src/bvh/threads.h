@@ -33,6 +33,10 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
 /* cylint_thread_self() is the calling thread; cylint_thread_is() returns whether
  * it is the given one.
  *
+ * cylint_thread_start() starts a thread, or returns 0 if the system refuses it.
+ * The stack has space for exact numbers, which take up to 200 kB; musl's default
+ * is 128 kB.
+ *
  * A mutex does not allocate. */
 #ifdef CYLINT_THREADS
 
@@ -48,8 +52,6 @@ typedef pthread_mutex_t cylint_mutex;
 #define cylint_mutex_unlock(m) pthread_mutex_unlock(m)
 #define cylint_mutex_destroy(m) pthread_mutex_destroy(m)
 
-/* Starts a thread, or returns 0 if the system refuses it.  The stack has space for
- * exact numbers, which take up to 200 kB; musl's default is 128 kB. */
 int cylint_thread_start(cylint_thread *thread, void *(*work)(void *),
                         void *argument);
 
@@ -60,6 +62,7 @@ typedef char cylint_thread, cylint_mutex;
 #define CYLINT_MUTEX_INITIALIZER 0
 #define cylint_thread_self() 0
 #define cylint_thread_is(thread) 1
+#define cylint_thread_start(thread, work, argument) 0
 #define cylint_mutex_lock(m) ((void)(m))
 #define cylint_mutex_unlock(m) ((void)(m))
 #define cylint_mutex_destroy(m) ((void)(m))

@@ -78,6 +78,9 @@ verdict V_1_prints_commands $?
 ! grep -i 'warning' "$scratch/output"
 verdict make_prints_no_warning $?
 
+make_bare PTHREAD= "$scratch/b/tools/cylint/workers.o" && ! grep -i 'warning' "$scratch/output"
+verdict without_threads_the_command_has_one_worker $?
+
 # elsewhere ARGUMENT...: make in a folder outside of the sources
 mkdir "$scratch/outside"
 ln -s "$top" "$scratch/sources"
