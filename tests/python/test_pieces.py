@@ -349,6 +349,9 @@ def test_bad_arguments(world):
         scene.pieces(o, d, first=1.5)
     with refused("columns: expected an integer", TypeError):
         scene.sums(o, d, columns=2.5)
+    with refused(r"allocate .* shape \(1048576, 2147483648\)", MemoryError):
+        labels = np.arange(len(scene)) + 2**31 - len(scene)
+        scene.sums(np.zeros((2**20, 3)), [1, 0, 0], labels=labels)
     assert len(scene.pieces(o, d, first=2**70).t0) == len(scene.pieces(o, d).t0)
     assert (scene.pieces(*spoiled, errors="mask").line == 0).all()
     assert len(scene.solids) == 0

@@ -437,7 +437,9 @@ class Scene:
         labels: (len(scene),) integers from 0; shapes with a negative one are not
         counted.  np.unique(names, return_inverse=True)[1] are those of names.  The
         answer is (..., columns), one column a label; columns: by default 1 more than
-        the greatest label.  None: all shapes count, and the answer is (...).
+        the greatest label, whether or not the labels between are used.  It takes 8
+        bytes for each line and column.  None: all shapes count, and the answer is
+        (...).
         units: "length" in those of the scene; "t": in units of the directions.
 
         Each sum is rounded once, and once more for "length"; inf if a piece is
