@@ -98,6 +98,8 @@
  * CYLINT_HEAD_TAIL_THINNEST. Where thin is larger, rho is below
  * CYLINT_AXIS_MARGIN S, and is taken as 0.
  */
+#define CYLINT_SNAP 0x1p27
+#define CYLINT_UNIT_SNAP 0x1.8p26
 #define CYLINT_HEAD_TAIL_ERROR 0x1p-71
 #define CYLINT_HEAD_TAIL_Z (34.51 * 0x1p-79)
 #define CYLINT_HEAD_TAIL_SQUARE (26.1 * 0x1p-79)

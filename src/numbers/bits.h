@@ -2,7 +2,8 @@
  * bits.h - exponent, sign and order of doubles from their bits, exact scaling
  * and differences
  *
- * All of these are right in every floating-point environment.
+ * All are right in every floating-point environment, except cylint_largest(),
+ * cylint_dot() and cylint_scaled_difference().
  */
 #ifndef CYLINT_BITS_H
 #define CYLINT_BITS_H
@@ -148,13 +149,13 @@ static inline int cylint_is_zero(const double x[3])
 
 /* x - y as a pair, exactly, in every floating-point environment.  If x - y
  * overflows, lo is 0. */
-pair cylint_wild_difference(double x, double y);
+pair cylint_difference_by_bits(double x, double y);
 static inline pair cylint_difference(double x, double y)
 {
     const pair d = two_diff(x, y);
-    const int tame = !cylint_too_small(x) && !cylint_too_small(y) &&
-                     fabs(d.hi) <= DBL_MAX && cylint_rounds_to_nearest();
-    return tame ? d : cylint_wild_difference(x, y);
+    const int is_exact = !cylint_too_small(x) && !cylint_too_small(y) &&
+                         fabs(d.hi) <= DBL_MAX && cylint_rounds_to_nearest();
+    return is_exact ? d : cylint_difference_by_bits(x, y);
 }
 
 static inline pair cylint_scaled_pair(pair x, int e)

@@ -66,8 +66,8 @@ static inline pair pair_div(pair a, pair b)
 {
     const double q = a.hi / b.hi;
     const pair p = two_prod(q, b.hi);
-    const double rest = ((a.hi - p.hi) - p.lo) + (a.lo - q * b.lo);
-    return fast_two_sum(q, rest / b.hi);
+    const double remainder = ((a.hi - p.hi) - p.lo) + (a.lo - q * b.lo);
+    return fast_two_sum(q, remainder / b.hi);
 }
 
 /* a > 0.  Relative error at most CYLINT_PAIR_SQRT. */

@@ -37,7 +37,7 @@
  * to nearest are 1 plus and 1 minus a tiny number both 1. */
 static inline int cylint_rounds_to_nearest(void)
 {
-    static volatile const double tiny = 0x1p-60; /* not for the compiler */
+    static volatile const double tiny = 0x1p-60; /* read at run time */
     const double x = tiny;
     return !(1 + x > 1 - x);
 }

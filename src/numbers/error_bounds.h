@@ -77,12 +77,6 @@
 #define CYLINT_INVERSE_ERROR 0x1p-117
 #define CYLINT_VALUE_ERROR 0x1p-114
 
-/* Heads for distance/head_tail.h: x + K S - K S, K = CYLINT_SNAP, and the same of
- * components of unit vectors, with multiples of 2^-26
- * (distance/error_bounds.h). */
-#define CYLINT_SNAP 0x1p27
-#define CYLINT_UNIT_SNAP 0x1.8p26
-
 /* Newton's steps end when the relative error of the root is below this. */
 #define CYLINT_POLISHED 0x1p-90
 
@@ -169,9 +163,9 @@
  * number does not change their sum by more than CYLINT_PAIR_ADD. */
 #define CYLINT_NEGLIGIBLE_EXPONENT 250
 
-/* Hits (roots/hit.c): from which quotient of two coordinates on, as an exponent,
- * an angle rounds to a multiple of a quarter turn.  Half the gap below 1/4 is
- * 2^-56. */
+/* Hits (roots/hit.c): where the exponents of two coordinates differ by more than
+ * this, their angle rounds to a multiple of a quarter turn.  Half the gap below 1/4
+ * is 2^-56. */
 #define CYLINT_STEEP_EXPONENT 60
 
 /* Newton's steps go on while each makes the error so many times smaller.  This
@@ -213,8 +207,8 @@
  *
  * Lengths of the shape are at most CYLINT_WINDOW, so k Q D <= 2^(102 + 60) M and
  * k (t D + Q) <= 2^(170 + 60 + 1) M, with the names below; the largest forms are
- * 2^5 of the square of one of these: below 2^1000.  A bounded shape is met
- * at |t| <= 2^(103 + 60) only, which is less than CYLINT_LATE.
+ * 2^5 of the square of one of these: below 2^1000.  A line hits a bounded
+ * shape only at |t| <= 2^(103 + 60), which is less than CYLINT_LATE.
  */
 #define CYLINT_FAR 0x1p100
 #define CYLINT_LATE 0x1p170
@@ -294,8 +288,8 @@
 #define CYLINT_LOCAL_DISTANCE 1.25
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
-/* The error of a residual in levels, in multiples of
- * the square of cylint_frame_error() and of the size of its terms
+/* The error of a residual in levels, in multiples of the square of
+ * cylint_frame_error() and of the size of its terms
  * (tests/bounds/test_local_residuals.c computes it, a bound with slack); and,
  * relative to the residual, of its rounding and its division by the height, by
  * the square of the axis or by the square of height and cosine: fewer than
@@ -304,8 +298,8 @@
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
 /*
- * Angles in turns, in lanes (turns_lanes.h).  a is the rest beyond the node, q
- * its tangent.  Of turns_of(), each proved:
+ * Angles in turns, in lanes (turns_lanes.h).  a is the angle beyond the node,
+ * q its tangent.  Of turns_of(), each proved:
  *
  *   INPUT     a point that is inexact: 1 / (2 pi) and the second order, where
  *             ex + ey is at most CYLINT_TURN_NEAR |(x, y)|
@@ -333,17 +327,18 @@
 #define CYLINT_TURN_DIRECTED_ERROR 0x1p-94
 
 /*
- * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of
- * a local coordinate of the hit, in multiples of cylint_frame_error() and of
- * the sum of the sizes of its terms; also that of a product or quotient of
- * pairs, relative to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point,
- * relative to |o| + |t d|.  ROW, STEP, PRODUCT, QUOTIENT and PLACE_ROUNDING are
- * what roundings add to them; each is proved.  CYLINT_MEMBER_UNIT: bounds are
- * counted in it.  CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.
- * CYLINT_MEMBER_TIE: components of the normal and phi that are nearer to the
- * middle of two doubles, relative to them, are not certain.
- * CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer than sixteen
- * operations are rounded, relative to the sum of its terms.
+ * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a
+ * local coordinate of the hit, in multiples of cylint_frame_error() and of the sum
+ * of the sizes of its terms; also that of a product or quotient of pairs, relative
+ * to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to
+ * |o| + |t d|.  ROW, STEP, PRODUCT, QUOTIENT and PLACE_ROUNDING are what roundings
+ * add to them; each is proved.  CYLINT_MEMBER_UNIT: bounds are counted in it.
+ * CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.  CYLINT_MEMBER_TIE:
+ * components of the normal and phi that are nearer to the middle of two doubles,
+ * relative to them, are not certain.  CYLINT_MEMBER_SCALE: sizes of terms are
+ * multiplied by it, so that they do not underflow.  CYLINT_MEMBER_SLOPE: of the
+ * slope at the hit, of which fewer than sixteen operations are rounded, relative to
+ * the sum of its terms.
  */
 #define CYLINT_MEMBER_COORDINATE 16
 #define CYLINT_MEMBER_ROW 0xd.03p-104

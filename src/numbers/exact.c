@@ -201,7 +201,7 @@ static unsigned bit_at(exact x, int i)
     return limb_at(x, position) >> (i - 32 * position) & 1;
 }
 
-static int first_bit(exact x)
+static int highest_bit(exact x)
 {
     int i = 32 * cylint_top_of(x) - 1;
     while (!bit_at(x, i))
@@ -221,7 +221,7 @@ double cylint_exact_nearest(exact x, int e)
 {
     if (x.sign == 0)
         return 0;
-    const int first = first_bit(x), exponent = first + e;
+    const int first = highest_bit(x), exponent = first + e;
     uint64_t bits = (uint64_t)0x7ff << 52; /* infinite */
     if (exponent <= 1023) {
         const int last = exponent < -1022 ? -1074 - e : first - 52;
@@ -244,7 +244,7 @@ double cylint_exact_nearest(exact x, int e)
 
 pair cylint_exact_round(exact x, int *e)
 {
-    /* The first 128 bits below the leading one, as four 32-bit digits. */
+    /* Five digits of 32 bits: the leading bit and 128 bits below it. */
     const int top = cylint_top_of(x);
     uint32_t digit[5];
     for (int i = 0; i < 5; i++)

@@ -38,7 +38,7 @@ static inline void cylint_arena_open(cylint_arena *arena)
     arena->used = arena->most = 0;
 }
 
-/* The position above the first limb. */
+/* The position above the highest limb. */
 static inline int cylint_top_of(exact x)
 {
     return x.exponent + x.n;

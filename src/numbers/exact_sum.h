@@ -31,10 +31,10 @@ static inline void cylint_sum_add(cylint_exact_sum *sum, double x)
     uint64_t part[2] = {m << shift, shift > 0 ? m >> (64 - shift) : 0};
     uint64_t carry = sign & 1;
     for (unsigned i = at / 64, j = 0; i < CYLINT_SUM_LIMBS; i++, j++) {
-        const uint64_t more = (j < 2 ? part[j] : 0) ^ sign;
+        const uint64_t addend = (j < 2 ? part[j] : 0) ^ sign;
         const uint64_t half = sum->limb[i] + carry;
-        sum->limb[i] = half + more;
-        carry = (uint64_t)(half < carry) + (uint64_t)(sum->limb[i] < more);
+        sum->limb[i] = half + addend;
+        carry = (uint64_t)(half < carry) + (uint64_t)(sum->limb[i] < addend);
         if (j >= 1 && carry == (sign & 1))
             return; /* the limbs above do not change */
     }

@@ -43,7 +43,7 @@ void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
     }
 }
 
-pair cylint_wild_difference(double x, double y)
+pair cylint_difference_by_bits(double x, double y)
 {
     cylint_arena arena;
     cylint_arena_open(&arena);

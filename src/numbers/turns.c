@@ -73,7 +73,7 @@ const double cylint_turn_node[33][4] = {
      -0x1.bdd3413b26456p-55},
 };
 
-/* x, rounded to 26 digits; the rest has 26. */
+/* x, rounded to 26 digits; x minus that has 26. */
 static double head(double x)
 {
     return cylint_from_bits((cylint_bits(x) + 0x4000000) &
@@ -95,8 +95,8 @@ static pair product(pair a, pair b)
 static pair quotient(pair a, pair b)
 {
     const double q = a.hi / b.hi;
-    const pair rest = pair_sub(a, product((pair){q, 0}, b));
-    return fast_two_sum(q, rest.hi / b.hi);
+    const pair remainder = pair_sub(a, product((pair){q, 0}, b));
+    return fast_two_sum(q, remainder.hi / b.hi);
 }
 
 /* atan(q) / q = 1 - q^2 / 3 + q^4 / 5 - ...; the first term that is left out is
@@ -124,9 +124,9 @@ pair cylint_turn_pair(pair x, pair y)
     const pair q = quotient(pair_sub(product(v, cosine), product(u, sine)),
                             pair_add(product(u, cosine), product(v, sine)));
     const pair per_radian = {CYLINT_TURN_PER_RADIAN, CYLINT_TURN_PER_RADIAN_LO};
-    const pair rest = product(product(q, atan_over(q)), per_radian);
+    const pair beyond = product(product(q, atan_over(q)), per_radian);
     const int back = steep ^ left ^ below; /* the octant is run backwards */
     const double axis = steep ? (below ? 0.75 : 0.25) : left ? 0.5 : below;
     const double turn = axis + (back ? -k : k) * 0x1p-8;
-    return pair_add((pair){turn, 0}, back ? pair_neg(rest) : rest);
+    return pair_add((pair){turn, 0}, back ? pair_neg(beyond) : beyond);
 }

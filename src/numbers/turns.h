@@ -6,9 +6,9 @@
  *
  *     q = (v cos - u sin) / (u cos + v sin),   |q| < CYLINT_TURN_TANGENT
  *
- * is the tangent of the rest.  The nodes, and the multiples of a quarter by
- * which the octants differ, are doubles.  So an angle has no error but that of
- * its rest.
+ * is the tangent of the angle beyond the node.  The nodes, and the multiples of a
+ * quarter by which the octants differ, are doubles.  So only the angle beyond the
+ * node has an error.
  */
 #ifndef CYLINT_NUMBERS_TURNS_H
 #define CYLINT_NUMBERS_TURNS_H

@@ -51,8 +51,8 @@ INLINE vpair turn_quotient(vpair a, vpair b, vd *inverse)
     *inverse = v_set(1) / b.hi;
     const vd q = a.hi * *inverse;
     const vpair back = v_two_prod(q, b.hi);
-    const vd rest = (a.hi - back.hi) - back.lo;
-    return (vpair){q, (rest + v_sum_of(-q, b.lo, a.lo)) * *inverse};
+    const vd remainder = (a.hi - back.hi) - back.lo;
+    return (vpair){q, (remainder + v_sum_of(-q, b.lo, a.lo)) * *inverse};
 }
 
 /* atan(q) in turns, lo not trimmed; z = q^2. */
@@ -77,14 +77,14 @@ INLINE vpair turn_of_tangent(vpair q, vd z)
  * lo is negative.
  *
  * *error bounds the difference from the angle, in [0, 1), of every point
- * within ex and ey of (x, y).  With the node, in turns, the rest a beyond it,
+ * within ex and ey of (x, y).  With the node, in turns, the angle a beyond it,
  * whose tangent is q, and `low`, the result's last sum, it is
  *
  *     CYLINT_TURN_INPUT (|x| ey + |y| ex) / |(x, y)|^2 + CYLINT_TURN_NODE node
  *       + |a| (CYLINT_TURN_CUBIC q^2 + CYLINT_TURN_RELATIVE) + 2^-53 |low|,
  *
  * below 2^-72.3 where ex = ey = 0, relative to the angle's distance from an
- * axis if that is small, and 0 on an axis.  It is 1 if nothing is known: if
+ * axis if that is small, and 0 on an axis.  It is 1 if there is no bound: if
  * ex + ey is CYLINT_TURN_NEAR |(x, y)| or more, or if such a point can be on the
  * other side of the positive x axis.
  */
@@ -122,16 +122,16 @@ INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
     const vpair result = v_fast_two_sum(exact.hi, low);
 
     const vd moved = v_sum_of(ey, across.hi, ex * up.hi) * (inverse * inverse);
-    const vd of_rest = v_abs(a.hi) * v_sum_of(z, v_set(CYLINT_TURN_CUBIC),
-                                              v_set(CYLINT_TURN_RELATIVE));
+    const vd beyond_error = v_abs(a.hi) * v_sum_of(z, v_set(CYLINT_TURN_CUBIC),
+                                                   v_set(CYLINT_TURN_RELATIVE));
     const vd rounded =
-        v_sum_of(v_abs(low), v_set(CYLINT_NEAREST_ROUNDING), of_rest);
+        v_sum_of(v_abs(low), v_set(CYLINT_NEAREST_ROUNDING), beyond_error);
     const vd e = v_sum_of(moved, v_set(CYLINT_TURN_INPUT),
                           v_sum_of(node, v_set(CYLINT_TURN_NODE), rounded));
     const vm near = v_lt(ex + ey, v_set(CYLINT_TURN_NEAR) * den.hi);
-    const vm known =
+    const vm on_one_side =
         m_and(v_le(e, result.hi), v_le(e, (one - result.hi) - result.lo));
-    *error = v_select(m_and(near, known), e, one);
+    *error = v_select(m_and(near, on_one_side), e, one);
     return result;
 }
 
