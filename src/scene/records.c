@@ -80,7 +80,7 @@ static uint8_t tag_of(const cylint_shape *s)
     const int plain = cylint_prepared(s) != CYLINT_SOLID_NONE &&
                       cylint_is_bounded(s) && cylint_has_end_points(s->kind) &&
                       s->kind != CYLINT_KIND_SPHERE;
-    return (uint8_t)(cylint_record_made(s) + s->ends * CYLINT_TAG_ENDS +
+    return (uint8_t)(cylint_made_kind(s) + s->ends * CYLINT_TAG_ENDS +
                      (plain ? CYLINT_TAG_PLAIN : 0));
 }
 

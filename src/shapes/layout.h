@@ -21,14 +21,15 @@ enum {
 
 /*
  * Of library.number.  Those of the local coordinates are explained in local.h.
- * From CYLINT_AT_COLUMNS on they are pairs: the low part of a number stands
- * CYLINT_LOW after it.
+ * From CYLINT_AT_COLUMNS to CYLINT_AT_SINE they are pairs: the low part of a number
+ * stands CYLINT_LOW after it.
  */
 enum {
     CYLINT_AT_BASE = 0, /* p0, c, or the apex v */
-    CYLINT_AT_R0 = 3,   /* radii at z = 0, 1; elliptic: 1, k; acone: 0 and the
-                              tangent of the half angle */
-    CYLINT_AT_R1 = 4,   /* */
+    /* radii at z = 0, 1; elliptic: 1, k; acone: 0 and the tangent of the half
+     * angle */
+    CYLINT_AT_R0 = 3,
+    CYLINT_AT_R1 = 4,
     CYLINT_AT_COLUMNS = 5, /* x, y, z gain (P - base)[i] times column i */
     CYLINT_AT_HEIGHT = 14, /* z of the top */
     CYLINT_AT_SLOPE,       /* of the lateral surface */

@@ -156,23 +156,22 @@ INLINE void store_pair(cylint_shape *s, int at, pair x)
     s->library.number[at + CYLINT_LOW] = x.lo;
 }
 
-/* Writes cosine and sine of the lateral surface, and returns its slope, which of
- * a round cone is another one than dr / |w|, the one given.  A round cone's
- * cosine has the error of 1 - sine^2, which is larger relative to it: *error
- * grows. */
+/* Writes cosine and sine of the lateral surface, and returns its slope.  slope: dr
+ * / |w|, which is the sine of a round cone.  A round cone's cosine has the error of
+ * 1 - sine^2, which is larger relative to it: *error grows. */
 static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,
                           pair slope, pair height, double *error)
 {
     const pair one = {1, 0}, dr = cylint_radius_growth(s);
     pair cosine = one, sine = {0, 0};
     if (s->kind == CYLINT_KIND_RCONE) {
-        const double rest = inverse->lateral2.hi;
+        const double lateral2 = inverse->lateral2.hi;
         sine = slope;
-        if (rest > 0) {
+        if (lateral2 > 0) {
             cosine = cosine_of_hull(inverse);
             slope = pair_mul(dr, inverse->lateral);
         }
-        *error /= rest > 0 ? cosine.hi * cosine.hi : 0;
+        *error /= lateral2 > 0 ? cosine.hi * cosine.hi : 0;
     } else if (s->kind == CYLINT_KIND_CONE) {
         cosine = pair_mul(height, inverse->lateral);
         sine = pair_mul(dr, inverse->lateral);

@@ -34,7 +34,7 @@
 #include "cylint.h"
 
 /* A vector is so long that no low part underflows, and no product of its
- * components with those of others does: a zero of the matrix is a zero. */
+ * components with those of others does: an entry computed as 0 is 0. */
 static inline int cylint_is_long_enough(const double x[3])
 {
     return cylint_largest(x) >= CYLINT_LOCAL_LEAST &&

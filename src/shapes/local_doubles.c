@@ -86,10 +86,10 @@ INLINE upright store_rows_in_doubles(double *number, const double p0[3],
  */
 INLINE void store_angle(double *number, upright is, double dr)
 {
-    const double rest = is.length2 - dr * dr, root = 1 / sqrt(rest);
-    const double cosine2 = rest * (is.per_length * is.per_length);
+    const double lateral2 = is.length2 - dr * dr, root = 1 / sqrt(lateral2);
+    const double cosine2 = lateral2 * (is.per_length * is.per_length);
     number[CYLINT_AT_SINE] = is.slope;
-    number[CYLINT_AT_COSINE] = rest * root * is.per_length;
+    number[CYLINT_AT_COSINE] = lateral2 * root * is.per_length;
     number[CYLINT_AT_SLOPE] = dr * root;
     number[CYLINT_AT_UNIT] =
         CYLINT_LOCAL_DOUBLES * CYLINT_ROUNDING * CYLINT_SLACK / cosine2;

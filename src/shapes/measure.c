@@ -50,9 +50,8 @@ void cylint_measure_line(cylint_line *line)
         within_window(line->size) && cylint_largest(line->o) <= CYLINT_FAR;
 }
 
-/* The square of the largest distance of a disc's points from its centre; and how
- * much the direction of a point can add to the square of its distance from the
- * middle of an oblique shape. */
+/* The square of the largest distance of a disc's points from its centre, plus what
+ * an oblique axis can add to the square of their distance from the middle. */
 static double disc_reach(const cylint_shape *s)
 {
     const double *a = cylint_a(s), *b = cylint_b(s), *w = cylint_axis(s);

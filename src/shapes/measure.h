@@ -1,5 +1,5 @@
 /*
- * measure.h - sizes of shapes and lines
+ * measure.h - sizes, balls and directions of shapes and lines; a point of an array
  */
 #ifndef CYLINT_MEASURE_H
 #define CYLINT_MEASURE_H

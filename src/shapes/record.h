@@ -34,7 +34,7 @@ typedef struct cylint_semi_axes {
 
 /* The kind whose constructor makes the shape.  A ball of a round cone, where the
  * other ball lies in it, is such a cone. */
-static inline int cylint_record_made(const cylint_shape *s)
+static inline int cylint_made_kind(const cylint_shape *s)
 {
     return s->kind == CYLINT_KIND_SPHERE &&
                    cylint_surface(s) != CYLINT_PART_LATERAL

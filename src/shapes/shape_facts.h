@@ -138,7 +138,7 @@ CYLINT_INLINE int cylint_part_is_present(int ends, int part)
            (cylint_caps_present(ends) >> (part == CYLINT_PART_CAP1) & 1);
 }
 
-/* A shape of this kind can have these ends, a number from anywhere. */
+/* A shape of this kind can have these ends; `ends` may be any number. */
 CYLINT_INLINE int cylint_ends_fit(int kind, int ends)
 {
     /* untaken 4 of 18: the constructor of a half-space has no ends */
@@ -296,8 +296,8 @@ CYLINT_INLINE double cylint_end_center(const cylint_shape *s, int end, int i)
     return end ? cylint_top(s)[i] : cylint_base(s)[i];
 }
 
-/* What the radius of a circular kind is a multiple of: an acone's tangent is
- * one of the axis's length, which the caller has. */
+/* The unit of r0 and r1 of a circular kind: the length of the axis for an acone,
+ * whose r1 is a tangent, else 1. */
 CYLINT_INLINE double cylint_radius_unit(const cylint_shape *s, double length)
 {
     return cylint_has_tangent(s->kind) ? length : 1;

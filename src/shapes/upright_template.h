@@ -5,7 +5,7 @@
  * one more number.  Wide (CYLINT_WIDE): each lane has a shape of its own.  What one
  * number of a shape is depends on the width: a `real` in doubles, a `one` in pairs.
  *
- * The file includes double_double.h, simd.h and measure.h before.
+ * The including file includes double_double.h, simd.h and measure.h before.
  */
 
 /* ----------------------------------- four numbers of each shape, in pairs -- */
@@ -275,8 +275,8 @@ INLINE void inverse_roots(one root[3], const one a[3], const real near[3])
 
 typedef int coordinate;
 
-/* The same where high parts are equal.  The processor can have flushed a low part,
- * of a subnormal coordinate. */
+/* The coordinate along which the axis is least, where high parts are equal.  The
+ * processor can have flushed a low part, of a subnormal coordinate. */
 INLINE coordinate least_of_equal(const real hi[4], const real lo[4],
                                  const cylint_shape *s)
 {
@@ -394,13 +394,13 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
     const four minus_aside = all_four((one){-aside.hi, -aside.lo});
     EACH(k, PARTS)
         y.part[k] = chosen(e.part[k].hi, minus_aside.part[k], y.part[k]);
-    const four to_unit = all_four(root[0]);
+    const four to_z = all_four(root[0]);
     const four to_y = all_four(one_mul(root[0], root[1]));
-    four level = all_four(root[1]);
+    four to_x = all_four(root[1]);
     set_last(&x, length2);
-    set_last(&level, root[0]);
-    m->z = products(&w, &to_unit);
-    m->x = products(&x, &level);
+    set_last(&to_x, root[0]);
+    m->z = products(&w, &to_z);
+    m->x = products(&x, &to_x);
     m->y = products(&y, &to_y);
     return (inverse_lengths){root[0], root[2], lateral2};
 }

@@ -27,7 +27,7 @@ int numbers_of_shape(const cylint_shape *s, double number[13])
                 [CYLINT_KIND_CAPSULE] = {SHAPE_CAPSULE, "pqr"},
                 [CYLINT_KIND_RCONE] = {SHAPE_RCONE, "prqR"},
                 [CYLINT_KIND_HALFSPACE] = {SHAPE_HALFSPACE, "pq"}};
-    const int kind = cylint_record_made(s);
+    const int kind = cylint_made_kind(s);
     cylint_record record;
     cylint_set_record(&record, s);
     for (const char *p = made[kind].parts; *p; p++) {
