@@ -118,16 +118,16 @@ static described described_at(cylint_query *q, cylint_root root)
 static int cap_coordinate(const cylint_shape *s, int cap, int i, double *x)
 {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const int level =
+    const int perpendicular =
         cylint_is_elliptic(s->kind)
             ? !cylint_sign(cylint_a(s)[i]) && !cylint_sign(cylint_b(s)[i])
             : !cylint_sign(cylint_axis(s)[j]) &&
                   !cylint_sign(cylint_axis(s)[k]);
-    if (level)
+    if (perpendicular)
         *x = !cap || cylint_has_end_points(s->kind)
                  ? cylint_end_center(s, cap, i)
                  : cylint_difference(cylint_base(s)[i], -cylint_axis(s)[i]).hi;
-    return level;
+    return perpendicular;
 }
 
 /* The coordinates that do not depend on t; returns the bits of the others. */
@@ -135,24 +135,24 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
                                   double point[3])
 {
     const cylint_line *l = q->line;
-    unsigned left = 0;
+    unsigned varying = 0;
     for (int i = 0; i < 3; i++) {
         double x = l->o[i]; /* where d is 0; then d_lo is 0 too */
         if (cylint_sign(l->d[i]) &&
             !(is_on_cap(q, root) &&
               cap_coordinate(q->shape, root == ROOT_CAP1, i, &x)))
-            left |= 1u << i;
+            varying |= 1u << i;
         else
             point[i] = cylint_positive_zero(x);
     }
-    return left;
+    return varying;
 }
 
-static void write_point(const described *at, unsigned left, double point[3])
+static void write_point(const described *at, unsigned varying, double point[3])
 {
     for (int i = 0; i < 3; i++) {
         const int used = at->q->arena.used;
-        if (!(left >> i & 1))
+        if (!(varying >> i & 1))
             continue;
         const exact o = cylint_exact_from(&at->q->arena, at->q->line->o[i]);
         point[i] =
@@ -163,7 +163,7 @@ static void write_point(const described *at, unsigned left, double point[3])
 
 /* -------------------------------------------------------- description -- */
 
-/* The axis's direction or its opposite. */
+/* 1 if the normal at the apex has the axis's direction, -1 if the opposite one. */
 static int apex_sign(cylint_query *q)
 {
     const int along = q->ends == CYLINT_ENDS_INFINITE
@@ -238,7 +238,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
     const int has_axis = !cylint_has_no_axis(q->shape);
     const int has_z = has_axis && !is_on_cap(q, root),
               has_phi = has_axis && !apex && !cylint_is_plane(q->kind);
-    const unsigned left =
+    const unsigned varying =
         want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
     if ((want & CYLINT_WANT_Z) && !has_z)
         hit->z = is_on_cap(q, root) && root == ROOT_CAP1;
@@ -247,12 +247,12 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
     const unsigned from_root = (want & CYLINT_WANT_NORMAL) |
                                (has_z ? want & CYLINT_WANT_Z : 0) |
                                (has_phi ? want & CYLINT_WANT_PHI : 0);
-    if (!left && !from_root)
+    if (!varying && !from_root)
         return;
     const int used = cylint_exact_mark(q, root);
     const described at = described_at(q, root);
     const int kept = q->arena.used;
-    write_point(&at, left, hit->point);
+    write_point(&at, varying, hit->point);
     if (want & CYLINT_WANT_NORMAL)
         write_normal(&at, part, apex, hit->normal);
     q->arena.used = kept;

@@ -28,7 +28,7 @@ cylint_overlap cylint_chord_overlap(cylint_query *q, int relation, int apex)
 }
 
 /* The line runs parallel to the caps. */
-static cylint_overlap level(cylint_query *q)
+static cylint_overlap parallel_to_caps(cylint_query *q)
 {
     const int above0 = cylint_form_sign(q, FORM_ALPHA, 0);
     if (above0 < 0)
@@ -49,18 +49,18 @@ typedef struct {
     int E[2], inward[2], G;
 } cap_signs;
 
-enum { UNKNOWN = 2 };
+enum { NOT_COMPUTED = 2 };
 
 static int inward_sign(cap_signs *c, int cap)
 {
-    if (c->inward[cap] == UNKNOWN)
+    if (c->inward[cap] == NOT_COMPUTED)
         c->inward[cap] = (cap ? 1 : -1) * cylint_form_sign(c->q, FORM_N, cap);
     return c->inward[cap];
 }
 
 static int sign_G(cap_signs *c)
 {
-    if (c->G == UNKNOWN)
+    if (c->G == NOT_COMPUTED)
         c->G = cylint_form_sign(c->q, FORM_G, 0);
     return c->G;
 }
@@ -109,8 +109,8 @@ static cylint_overlap slab(cylint_query *q, int up)
     cap_signs c = {
         q,
         {cylint_form_sign(q, FORM_E, 0), cylint_form_sign(q, FORM_E, 1)},
-        {UNKNOWN, UNKNOWN},
-        UNKNOWN};
+        {NOT_COMPUTED, NOT_COMPUTED},
+        NOT_COMPUTED};
     const cylint_stop begin = stop_at(&c, up, 0), end = stop_at(&c, up, 1);
     if (crosses_exactly(&c))
         return cylint_two_stops(CYLINT_RELATION_CROSS, begin, end);
@@ -127,11 +127,11 @@ static cylint_overlap slab(cylint_query *q, int up)
 static cylint_overlap bounded(cylint_query *q)
 {
     const int up = cylint_form_sign(q, FORM_BETA, 0);
-    return up == 0 ? level(q) : slab(q, up > 0);
+    return up == 0 ? parallel_to_caps(q) : slab(q, up > 0);
 }
 
 /* A line parallel to the axis of a whole cylinder, or to a ruling. */
-static cylint_overlap parallel(cylint_query *q)
+static cylint_overlap parallel_to_ruling(cylint_query *q)
 {
     const int C = cylint_form_sign(q, FORM_C, 0);
     cylint_overlap v = cylint_no_overlap();
@@ -144,7 +144,7 @@ static cylint_overlap parallel(cylint_query *q)
 static cylint_overlap whole_cylinder(cylint_query *q)
 {
     return cylint_form_sign(q, FORM_A, 0) == 0
-               ? parallel(q)
+               ? parallel_to_ruling(q)
                : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
 }
 
@@ -160,7 +160,7 @@ static cylint_overlap double_cone(cylint_query *q)
     if (cylint_form_sign(q, FORM_G, 0) == 0)
         return A < 0 ? cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_DOUBLE,
                                        CYLINT_SIDE_BOTH, 1)
-                     : parallel(q);
+                     : parallel_to_ruling(q);
     if (A == 0)
         return cylint_form_sign(q, FORM_B, 0) > 0
                    ? cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_EXIT,

@@ -19,7 +19,7 @@ typedef struct {
     cylint_stop at[2];
 } cylint_overlap;
 
-/* The overlap with all kinds but the round ones, and with these. */
+/* The overlap with a shape of any kind but the round ones, and with a round one. */
 cylint_overlap cylint_overlap_of(cylint_query *q);
 cylint_overlap cylint_round_overlap(cylint_query *q);
 

@@ -46,8 +46,8 @@ static double relative_error(number x)
     return x.error / fabs(x.v.hi);
 }
 
-/* x / y.  Relative errors are added to first order: CYLINT_ROOT_SLACK covers
- * their products, each of which is below 2^-10.  A larger error is unknown. */
+/* x / y.  Relative errors are added to first order: CYLINT_ROOT_SLACK covers their
+ * products, each of which is below 2^-10.  A larger error counts as infinite. */
 static number quotient_of_numbers(number x, number y)
 {
     const pair t = pair_div(x.v, y.v);
@@ -63,7 +63,7 @@ static number negative(number x)
     return (number){pair_neg(x.v), x.error};
 }
 
-/* R = sqrt(S G), with an unknown error unless G is certainly positive. */
+/* R = sqrt(S G), with an infinite error unless G is certainly positive. */
 static number radical_of(cylint_query *q)
 {
     const number G = form_in_pairs(q, FORM_G, 0);
@@ -95,15 +95,15 @@ static number divisor(cylint_query *q, int exits, int *near)
                              CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
 }
 
-static const number unknown = {{HUGE_VAL, 0}, HUGE_VAL};
+static const number undecided = {{HUGE_VAL, 0}, HUGE_VAL};
 
-/* Unknown if the root is no quotient of forms, or pairs are not certain. */
+/* Undecided if the root is no quotient of forms, or pairs are not certain. */
 static number root_by_quotient(cylint_query *q, cylint_root root)
 {
     const int exits = root == ROOT_EXIT;
     int near;
     if (!q->pairs || root == ROOT_APEX)
-        return unknown;
+        return undecided;
     if (root == ROOT_DOUBLE)
         return quotient_of_numbers(negative(form_in_pairs(q, FORM_B, 0)),
                                    form_in_pairs(q, FORM_A, 0));
@@ -113,7 +113,7 @@ static number root_by_quotient(cylint_query *q, cylint_root root)
             form_in_pairs(q, FORM_BETA, 0));
     const number sum = divisor(q, exits, &near);
     if (!(sum.error < HUGE_VAL))
-        return unknown;
+        return undecided;
     const number x = form_in_pairs(q, near ? FORM_C : FORM_A, 0);
     const number t =
         near ? quotient_of_numbers(x, sum) : quotient_of_numbers(sum, x);
@@ -151,15 +151,15 @@ static void restore_origin(cylint_terms_pair *L, int cap,
         L->D[cap][i] = kept[i];
 }
 
-/* One step of Newton's from t, at which half the slope of f is known and the
- * curvature is half the second derivative or more.  A point outside the window
- * of error_bounds.h leaves the error unknown. */
+/* One step of Newton's from t.  slope: half the slope of f there; curvature: half
+ * the second derivative or more.  Undecided for a point outside the window of
+ * error_bounds.h. */
 static number step_from(number t, int in_window, bounded_pair f, number slope,
                         double curvature)
 {
     const double s = 2 * slope.v.hi, s_error = 2 * slope.error;
     if (!in_window || !(s_error < CYLINT_FIRST_ORDER * fabs(s)))
-        return unknown;
+        return undecided;
     const newton_double step = newton_step_double(
         f.v.hi, bounded_pair_error(f), s, s_error, curvature, t.error);
     /* with the rounding of t.lo - delta and CYLINT_NEAREST_MARGIN */
@@ -202,7 +202,7 @@ static number newton_from(cylint_query *q, cylint_root root, number t)
     if (root == ROOT_CAP0 || root == ROOT_CAP1)
         return step_to_plane(q, t, root == ROOT_CAP1);
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
-        return unknown;
+        return undecided;
     const number A = form_in_pairs(q, FORM_A, 0);
     do {
         before = t.error;
@@ -238,10 +238,10 @@ static int root_against(cylint_query *q, cylint_root root, double m)
     return sign;
 }
 
-/* -------------------------------------------------------- outside ------ */
+/* ------------------------------------------------------ the value ------ */
 
-/* Whether a certain rounding is also one in the true scale of t, and no
- * product of t on the way can have underflowed. */
+/* Whether t certainly rounds to t.v.hi, also in its true scale, and no product of t
+ * can have underflowed. */
 static int settles(const cylint_query *q, number t)
 {
     const double size = fabs(t.v.hi);
@@ -261,8 +261,9 @@ static int is_at_origin(cylint_query *q, cylint_root root)
            cylint_form_sign(q, FORM_C, 0) == 0;
 }
 
-/* From a quotient of pairs as far as pairs go: a zero, which Newton's steps do not
- * prove, or these steps.  Returns whether the rounding is certain. */
+/* Improves *t, a quotient of pairs: it becomes 0 where exact signs prove that,
+ * which Newton's steps cannot, or takes these steps.  Returns whether its rounding
+ * is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
 {
     const int can_be_zero =
@@ -276,7 +277,7 @@ static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
     return settles(q, *t);
 }
 
-/* *is_zero: whether the root is known to be 0. */
+/* *is_zero: whether the root is certainly 0. */
 static double root_value(cylint_query *q, cylint_root root, number t,
                          int *is_zero)
 {

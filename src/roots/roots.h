@@ -24,7 +24,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
 
 /* ------------------------------------------------- leading digits ------ */
 
-/* x without all but its first limbs: x (1 - e), 0 <= e < 2^-128.  The last limb
+/* The highest limbs of x: x (1 - e), 0 <= e < 2^-128.  The last limb
  * that stays can be 0. */
 exact cylint_leading(exact x);
 

@@ -39,7 +39,7 @@ static cylint_overlap ball_chord(int discriminant, int end)
 }
 
 /* The line is parallel to the planes. */
-static cylint_overlap round_level(cylint_query *q)
+static cylint_overlap round_parallel(cylint_query *q)
 {
     const int above0 = cylint_form_sign(q, FORM_ALPHA, 0);
     if (above0 < 0)
@@ -123,7 +123,7 @@ cylint_overlap cylint_round_overlap(cylint_query *q)
         return v;
     }
     const int up = cylint_form_sign(q, FORM_BETA, 0);
-    return up == 0 ? round_level(q) : round_slab(q, up);
+    return up == 0 ? round_parallel(q) : round_slab(q, up);
 }
 
 int cylint_round_contains(cylint_query *q)

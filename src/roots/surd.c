@@ -72,10 +72,10 @@ exact cylint_inverse_root(cylint_arena *arena, exact x)
     for (int i = 0; i < 2; i++) {
         const exact xss =
             cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
-        const exact rest = cylint_leading(cylint_exact_add(
+        const exact residual = cylint_leading(cylint_exact_add(
             arena, cylint_exact_from(arena, 1), cylint_exact_neg(xss)));
         const exact step = cylint_exact_mul(
-            arena, rest,
+            arena, residual,
             cylint_exact_mul(arena, s, cylint_exact_from(arena, 0.5)));
         s = cylint_exact_keep(arena, used,
                               cylint_leading(cylint_exact_add(arena, s, step)));
@@ -173,8 +173,8 @@ surd cylint_surd(cylint_query *q, cylint_root root)
  *     = N / (X - s f1 R),     N = X f0 - (B f0 - C f1) f1
  *
  * In one of them sizes are added: in the second where X and s f1 have opposite
- * signs, else in the first.  They have if A = 0 and s is the sign of B: then the
- * second way gives the limit, f0 - f1 C / (2 B).
+ * signs, else in the first.  X and s f1 have opposite signs if A = 0 and s is the
+ * sign of B: the second way gives the limit then, f0 - f1 C / (2 B).
  */
 typedef struct {
     exact X, beside; /* beside the sum: A, or N */
@@ -222,9 +222,9 @@ exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1)
     const affine F = affine_at(q, t, f0, f1);
     exact sum = cylint_leading(F.X), value = sum;
     if (f1.sign != 0) {
-        exact rest = cylint_exact_mul(arena, cylint_leading(f1), t->R);
-        rest.sign = rest.sign != 0 ? F.sum : 0;
-        sum = cylint_sum_of_sizes(arena, sum, rest);
+        exact radical_term = cylint_exact_mul(arena, cylint_leading(f1), t->R);
+        radical_term.sign = radical_term.sign != 0 ? F.sum : 0;
+        sum = cylint_sum_of_sizes(arena, sum, radical_term);
         value = F.opposed ? cylint_exact_mul(arena, cylint_leading(F.beside),
                                              cylint_inverse(arena, sum))
                           : cylint_exact_mul(arena, sum, t->per_A);

@@ -102,9 +102,9 @@ static inline bounded_pair bounded_pair_mul(bounded_pair x, bounded_pair y)
         return (bounded_pair){high, error};
     const pair xy = two_prod(x.v.hi, y.v.lo), yx = two_prod(x.v.lo, y.v.hi);
     const pair low = two_sum(xy.hi, yx.hi), middle = two_sum(high.lo, low.hi);
-    const double lost = fabs(xy.lo) + fabs(yx.lo) + fabs(low.lo) +
-                        fabs(middle.lo) + fabs(x.v.lo * y.v.lo);
-    return (bounded_pair){two_sum(high.hi, middle.hi), error + lost};
+    const double dropped = fabs(xy.lo) + fabs(yx.lo) + fabs(low.lo) +
+                           fabs(middle.lo) + fabs(x.v.lo * y.v.lo);
+    return (bounded_pair){two_sum(high.hi, middle.hi), error + dropped};
 }
 
 static inline bounded_pair bounded_pair_of(double hi, double lo)

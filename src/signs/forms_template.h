@@ -416,7 +416,7 @@ INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end)
 }
 
 #ifdef FORMS_OF_HITS
-/* What the numerator of z is divided by. */
+/* The denominator of z. */
 INLINE NUM FORM(form_height_unit)(const FORM(terms) *L)
 {
     return FORM(elliptic)(L) ? L->det : L->vv;

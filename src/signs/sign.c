@@ -3,7 +3,7 @@
  * [Shewchuk 1997]
  *
  * A filter's answer is final when the value exceeds the bound on its error
- * (error_bounds.h), or when pairs have lost nothing.  Comparisons are written so
+ * (error_bounds.h), or when pairs have no error.  Comparisons are written so
  * that a NaN falls to the next arithmetic.
  */
 #include "sign.h"

@@ -62,9 +62,9 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end);
 const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
                                             int end);
 
-/* Signs and roots of a cylinder or capsule do not depend on the length of the
- * axis w.  Along a coordinate's direction it becomes a unit vector, by which
- * products are exact.  Scaled components can have become 0: these stay. */
+/* Signs and roots of a cylinder or capsule do not depend on the length of the axis
+ * w.  Along a coordinate's direction it becomes a unit vector, by which products
+ * are exact.  A scaled axis stays as it is: a component can have become 0. */
 static inline void cylint_shorten_axis(const cylint_query *q, bounded_pair w[3])
 {
     const int x = w[0].v.hi != 0, y = w[1].v.hi != 0, z = w[2].v.hi != 0;
@@ -76,8 +76,8 @@ static inline void cylint_shorten_axis(const cylint_query *q, bounded_pair w[3])
 /* The sign of a form, exactly, by the cheapest arithmetic that is certain. */
 int cylint_form_sign(cylint_query *q, cylint_form f, int end);
 
-/* The sign of a form in pairs.  It is certain also of a form that is 0, if nothing
- * was lost. */
+/* The sign of a form in pairs.  It is certain also of a form that is 0, if its
+ * error is 0. */
 enum { CYLINT_SIGN_UNDECIDED = 2 };
 int cylint_sign_of_pair(cylint_query *q, bounded_pair x);
 
