@@ -12,9 +12,9 @@
  *
  *     cylint_span(&line, org, dir, tnear, tfar)
  *
- * where every float is the double it is.  dir need not be a unit vector.  Under
- * an instance Embree passes a transformed ray, and its floats count.  A ray
- * without direction or with tnear > tfar hits nothing.  Of other rays Embree
+ * where each float stands for the double of the same value.  dir need not be a unit
+ * vector.  Under an instance Embree passes a transformed ray, and its floats count.
+ * A ray without direction or with tnear > tfar hits nothing.  Of other rays Embree
  * requires that tnear is not negative, that org and dir are finite, none of their
  * components beyond 1.844e18, and that the time is from 0 to 1; else its results
  * are undefined (observed: Debian's build of Embree 3.13 aborts the program).  If a
@@ -88,9 +88,9 @@
  * updating and releasing a geometry are like committing: no thread may trace it
  * meanwhile.
  *
- * Memory.  The arrays of shapes are the caller's.  Only the functions that make
- * and update a geometry read them, so that a program which calls no update may
- * free them.  A geometry keeps what the constructors got: 33 bytes a shape if
+ * Memory.  The arrays of shapes are the caller's.  Only the functions that make and
+ * update a geometry read them, so that a program which calls no update may free
+ * them.  A geometry keeps the arguments of the constructors: 33 bytes a shape if
  * all numbers of all shapes are floats, else 65, and 8 for its order; an elliptic
  * shape takes as much as in the array besides.  All memory is allocated from the
  * device as buffers: its memory monitor counts it and may refuse it.

@@ -36,7 +36,7 @@ typedef struct cylint_scene cylint_scene;
 typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
     CYLINT_SCENE_EMEMORY,     /* out of memory */
-    CYLINT_SCENE_ESIZE,       /* more than 2^28 shapes, or than there are */
+    CYLINT_SCENE_ESIZE,       /* more than 2^28, or no such shape or solid */
     CYLINT_SCENE_ESTOPPED,    /* progress function or writer returned 0 */
     CYLINT_SCENE_EFINISHED,   /* cylint_scene_finish() was called before */
     CYLINT_SCENE_EUNFINISHED, /* cylint_scene_finish() was not called yet */
