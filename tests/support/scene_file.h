@@ -97,15 +97,20 @@ static inline double scene_file_count_near(void *context, size_t number,
     return --*left == 0 ? (double)NAN : fabs(distance);
 }
 
+static inline cylint_lines scene_file_column(const cylint_line *line)
+{
+    return (cylint_lines){.n = 1,
+                          .o = {line->o, line->o + 1, line->o + 2},
+                          .d = {line->d, line->d + 1, line->d + 2},
+                          .tmin = &line->tmin,
+                          .tmax = &line->tmax};
+}
+
 static inline void scene_file_query_line(const cylint_scene *scene,
                                          const cylint_line *line, size_t number)
 {
     const size_t n = cylint_scene_size(scene);
-    const cylint_lines lines = {.n = 1,
-                                .o = {line->o, line->o + 1, line->o + 2},
-                                .d = {line->d, line->d + 1, line->d + 2},
-                                .tmin = &line->tmin,
-                                .tmax = &line->tmax};
+    const cylint_lines lines = scene_file_column(line);
     cylint_hit hit;
     double t = 0;
     size_t found[SCENE_FILE_FOUND], left = 3, same = 0, count = 0;
@@ -132,6 +137,7 @@ static inline void scene_file_query_pieces(const cylint_scene *scene,
     enum { PIECES = 5, BYTES = 1 << 15 };
     static double memory[BYTES / sizeof(double)];
     const size_t n = cylint_scene_size(scene);
+    const cylint_lines lines = scene_file_column(line);
     cylint_workspace work = {memory, BYTES, 0};
     cylint_hit hit;
     for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
@@ -145,6 +151,15 @@ static inline void scene_file_query_pieces(const cylint_scene *scene,
                  piece[i].depth > 0 &&
                  (i == 0 || piece[i].t0 >= piece[i - 1].t0));
     }
+    const cylint_piece_rule by_owner = {.mode = CYLINT_PIECES_OWNER};
+    cylint_piece_rows rows;
+    double sum;
+    MUST(cylint_scene_pieces_lines(scene, &lines, &by_owner, 0, 1, &rows) ==
+         CYLINT_SCENE_OK);
+    MUST(cylint_scene_line_sums(scene, line, &by_owner, NULL, 1, 0, &sum) ==
+         CYLINT_SCENE_OK);
+    MUST((sum > 0) == (rows.first[1] > 0));
+    cylint_piece_rows_free(&rows);
     cylint_scene_first_boundary(scene, line, CYLINT_WANT_ALL, &hit, &work);
     size_t owner;
     cylint_scene_depth(scene, line->o, NULL, &owner, &work);
