@@ -377,6 +377,7 @@ static int settle_binary(struct options *o)
         {is_given(o, "x") && is_given(o, "p"), "-x and -p exclude each other"},
         {out && is_given(o, "x"), "-x: binary output has no digits"},
         {out && is_given(o, "p"), "-p: binary output has no digits"},
+        {out && is_given(o, "d"), "-d: binary output has no separators"},
         {in && o->grammar.line == NOT_GIVEN && o->grammar.has_shape,
          "binary input needs the kinds, -k LINE,SHAPE"},
         {in && o->grammar.line == NOT_GIVEN,
