@@ -30,6 +30,7 @@ static const struct {
     {"methods", "time against error of published methods", bench_methods},
     {"scene", "queries of scenes; build, move, save, open", bench_scene},
     {"pieces", "pieces of a line in scenes", bench_pieces},
+    {"calls", "which call when: shapes, a pack, a scene", bench_calls},
 #ifdef CYLINT_EMBREE
     {"embree", "shapes in scenes of Embree", bench_embree},
 #endif

@@ -85,6 +85,6 @@ void must(int is_true, const char *message);
 /* The cases, one file each. */
 void bench_single(void), bench_batch(void), bench_distance(void),
     bench_methods(void), bench_scene(void), bench_pieces(void),
-    bench_embree(void), bench_stages(void);
+    bench_calls(void), bench_embree(void), bench_stages(void);
 
 #endif

@@ -6,7 +6,7 @@ bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
 # The program of all cases in C: `bench CASE...`.
 bench := $(BUILD)/tools/bench/bench
-$(bench): $(call bench_objects,bench inputs single batch distance methods scene pieces rivals/lean \
+$(bench): $(call bench_objects,bench inputs single batch distance methods scene pieces calls rivals/lean \
 	$(if $(findstring COUNT_STAGES,$(CPPFLAGS)),stages) $(if $(EMBREE),embree rivals/embree_chords)) $(test_common) \
 	$(if $(EMBREE),$(call archive,$(adapter)) $(BUILD)/libcylint.a,$(scene_library))
 $(bench): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)

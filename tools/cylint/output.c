@@ -135,6 +135,14 @@ static int open_new(struct output *out)
     return begin_part(out, NULL) ? 0 : complain_errno(out->name);
 }
 
+/* As /dev/stdout is. */
+static int is_standard_output(const struct stat *file)
+{
+    struct stat s;
+    return fstat(1, &s) == 0 && s.st_dev == file->st_dev &&
+           s.st_ino == file->st_ino;
+}
+
 static int open_target(struct output *out, const char *name)
 {
     struct stat old;
@@ -149,6 +157,11 @@ static int open_target(struct output *out, const char *name)
         return errno == ENOENT ? open_new(out) : complain_errno(out->name);
     if (fstat(fd, &old) != 0 || !S_ISREG(old.st_mode))
         return 0;
+    if (is_standard_output(&old)) {
+        out->fd = 1; /* which has its own place in the file */
+        close(fd);
+        return 0;
+    }
     if (realpath(name, out->place) && begin_part(out, &old)) {
         close(fd);
         return 0;

@@ -6,8 +6,9 @@
  * The new file has the owner and the permissions of the old one, or those that
  * open(2) gives.  A signal that ends the command removes what was written.
  *
- * A file is written in place if it is not regular, if it is a link to no file, or
- * if the rights of its folder or its owner do not allow to replace it.
+ * A file is written in place if it is not regular, if it is standard output or a
+ * link to no file, or if the rights of its folder or its owner do not allow to
+ * replace it.
  */
 #ifndef CYLINT_OUTPUT_H
 #define CYLINT_OUTPUT_H
