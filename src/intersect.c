@@ -33,25 +33,25 @@ static int members_differ(const cylint_hit *x, const cylint_hit *y,
 }
 #endif
 
-/* Writes the wanted members beside t of a hit with known t, part and side as far
- * as pairs are certain; returns the others. */
+/* Writes the wanted members beside t of a hit, from t, part and side of `partial`,
+ * as far as pairs are certain; returns the others. */
 static unsigned describe_in_pairs(const cylint_shape *shape,
                                   const cylint_line *line, unsigned want,
-                                  const cylint_hit *known, cylint_hit *hit)
+                                  const cylint_hit *partial, cylint_hit *hit)
 {
-    const unsigned left = want & CYLINT_WANT_BESIDE_T;
+    const unsigned undecided = want & CYLINT_WANT_BESIDE_T;
     /* the root of a touch is double, or the apex */
-    return left && known->side != CYLINT_SIDE_BOTH
-               ? cylint_one_used->describe(shape, line, left, known, hit)
-               : left;
+    return undecided && partial->side != CYLINT_SIDE_BOTH
+               ? cylint_one_used->describe(shape, line, undecided, partial, hit)
+               : undecided;
 }
 
-/* Writes the members that are left of those wanted. */
+/* Writes the undecided ones of the wanted members. */
 static void describe_exactly(cylint_query *q, const cylint_stop *at,
-                             unsigned want, unsigned left, cylint_hit *hit)
+                             unsigned want, unsigned undecided, cylint_hit *hit)
 {
-    if (left)
-        cylint_describe_hit(q, at->root, at->part, at->apex, left, hit);
+    if (undecided)
+        cylint_describe_hit(q, at->root, at->part, at->apex, undecided, hit);
 #if CYLINT_IS_PARANOID
     cylint_hit exact;
     cylint_describe_hit(q, at->root, at->part, at->apex,
@@ -103,12 +103,13 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
             (want & (CYLINT_WANT_T | CYLINT_WANT_BESIDE_T)) != 0;
         if (!cylint_root_within(&q, v.at[i].root, rounded, &t))
             continue;
-        const cylint_hit known = {
+        const cylint_hit partial = {
             .t = t, .part = v.at[i].part, .side = v.at[i].side};
         cylint_hit *hit = &answer->hit[answer->n++];
-        cylint_copy_hit(hit, &known, want & (CYLINT_WANT_T | CYLINT_WANT_PART));
+        cylint_copy_hit(hit, &partial,
+                        want & (CYLINT_WANT_T | CYLINT_WANT_PART));
         describe_exactly(&q, &v.at[i], want,
-                         describe_in_pairs(shape, line, want, &known, hit),
+                         describe_in_pairs(shape, line, want, &partial, hit),
                          hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
@@ -116,42 +117,43 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     return answer->n;
 }
 
-/* The members that are left of a hit that the filter decided. */
-ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
-                         const cylint_hit *known, unsigned want,
-                         cylint_hit *hit)
+/* Writes the wanted members of a hit that the filter decided. */
+ASIDE void complete_hit(const cylint_shape *shape, const cylint_line *line,
+                        const cylint_hit *partial, unsigned want,
+                        cylint_hit *hit)
 {
-    const unsigned left = describe_in_pairs(shape, line, want, known, hit);
-    if (!left && !CYLINT_IS_PARANOID)
+    const unsigned undecided =
+        describe_in_pairs(shape, line, want, partial, hit);
+    if (!undecided && !CYLINT_IS_PARANOID)
         return;
     const int on_plane =
-        known->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
+        partial->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
     const cylint_root root =
         cylint_is_plane(shape->kind) ? ROOT_CAP0
-        : on_plane ? (known->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
-        : known->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
-                                              : ROOT_EXIT;
-    const cylint_stop at = {root, known->part, known->side, 0};
+        : on_plane ? (partial->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
+        : partial->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
+                                                : ROOT_EXIT;
+    const cylint_stop at = {root, partial->part, partial->side, 0};
     cylint_query q;
     cylint_shape ball;
     cylint_query_open(&q, shape, line);
-    open_part(&q, shape, line, known->part, &ball);
-    describe_exactly(&q, &at, want, left, hit);
+    open_part(&q, shape, line, partial->part, &ball);
+    describe_exactly(&q, &at, want, undecided, hit);
 }
 
-/* The wanted members of hits that the filter decided. */
+/* Writes the hits that the filter decided, with their undecided members. */
 static void write_hits(const cylint_question *from, unsigned want,
-                       const cylint_answer *known, cylint_answer *answer)
+                       const cylint_answer *partial, cylint_answer *answer)
 {
-    for (int i = 0; i < known->n; i++) {
-        const cylint_hit *k = &known->hit[i];
+    for (int i = 0; i < partial->n; i++) {
+        const cylint_hit *k = &partial->hit[i];
         cylint_hit *hit = &answer->hit[i];
         cylint_copy_hit(hit, k, want & (CYLINT_WANT_T | CYLINT_WANT_PART));
-        if (from->left[i])
-            describe_left(from->shape, from->line, k, from->left[i], hit);
+        if (from->undecided[i])
+            complete_hit(from->shape, from->line, k, from->undecided[i], hit);
 #if CYLINT_IS_PARANOID
         cylint_hit again;
-        describe_left(from->shape, from->line, k, want, &again);
+        complete_hit(from->shape, from->line, k, want, &again);
         cylint_contradiction(members_differ(hit, &again, want));
 #endif
     }
@@ -161,34 +163,34 @@ static void write_hits(const cylint_question *from, unsigned want,
 ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
-    cylint_answer known;
+    cylint_answer partial;
     cylint_question question;
     question.described = answer;
     const int n = cylint_filter_one(cylint_one_used, shape, line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
-                                    &known, &question);
+                                    &partial, &question);
     if (n == CYLINT_UNDECIDED)
         return cylint_intersect_by_signs(shape, line, want, answer);
-    answer->relation = known.relation;
+    answer->relation = partial.relation;
     answer->n = n;
-    write_hits(&question, want, &known, answer);
+    write_hits(&question, want, &partial, answer);
     return n;
 }
 
 #if CYLINT_IS_PARANOID
 static int signs_contradict(const cylint_shape *shape, const cylint_line *line,
-                            unsigned want, const cylint_answer *known)
+                            unsigned want, const cylint_answer *answer)
 {
     cylint_answer a;
     cylint_intersect_by_signs(shape, line, want, &a);
     /* mutant '!=' -> '==': an effect with PARANOID=1 only */
-    int wrong = a.relation != known->relation || a.n != known->n;
+    int wrong = a.relation != answer->relation || a.n != answer->n;
     for (int i = 0; i < a.n && !wrong; i++)
         wrong = ((want & CYLINT_WANT_PART) &&
-                 (a.hit[i].part != known->hit[i].part ||
+                 (a.hit[i].part != answer->hit[i].part ||
                   /* mutant '!=' -> '==': the same */
-                  a.hit[i].side != known->hit[i].side)) ||
-                ((want & CYLINT_WANT_T) && a.hit[i].t != known->hit[i].t);
+                  a.hit[i].side != answer->hit[i].side)) ||
+                ((want & CYLINT_WANT_T) && a.hit[i].t != answer->hit[i].t);
     return wrong;
 }
 #endif
@@ -219,15 +221,15 @@ void cylint_describe(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_hit *hit)
 {
     cylint_answer all;
-    const unsigned left = describe_in_pairs(shape, line, want, hit, hit);
-    if (!left)
+    const unsigned undecided = describe_in_pairs(shape, line, want, hit, hit);
+    if (!undecided)
         return;
-    cylint_intersect(shape, line, left | CYLINT_WANT_T | CYLINT_WANT_PART,
+    cylint_intersect(shape, line, undecided | CYLINT_WANT_T | CYLINT_WANT_PART,
                      &all);
     for (int i = 0; i < all.n; i++)
         if (all.hit[i].t == hit->t && all.hit[i].part == hit->part &&
             all.hit[i].side == hit->side)
-            cylint_copy_hit(hit, &all.hit[i], left);
+            cylint_copy_hit(hit, &all.hit[i], undecided);
 }
 
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,

@@ -23,8 +23,8 @@ INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
     return side_of_place(place_in_doubles(&l, solid));
 }
 
-/* Point on the surface: after the signs that pairs leave uncertain, exact ones.  A
- * coordinate that is NaN leaves all uncertain. */
+/* The signs that pairs leave uncertain, of a point near the surface, are computed
+ * exactly.  A point with a coordinate that is not finite is undecided. */
 INLINE int contains_exactly(point_signs *at, const cylint_question *q,
                             int solid)
 {

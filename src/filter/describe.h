@@ -34,8 +34,8 @@ static void members_of(cylint_hit_lanes *to, const source *from,
         to->certain = 0;
 }
 
-/* Writes the wanted members of the hits, in lanes from `lane` on, and to q->left
- * those that are not certain. */
+/* Writes the wanted members of the hits, in lanes from `lane` on, and to
+ * q->undecided those that are not certain. */
 ASIDE void describe_roots(cylint_question *q, const pair_line *in,
                           const hit_root *at, int n, int lane)
 {
@@ -43,7 +43,7 @@ ASIDE void describe_roots(cylint_question *q, const pair_line *in,
     cylint_hit_lanes m;
     members_of(&m, &from, in, at, q->want);
     for (int i = 0; i < n; i++) {
-        q->left[i] = members_left(&m, q->want, lane ^ i);
+        q->undecided[i] = undecided_members(&m, q->want, lane ^ i);
         write_lane(&q->described->hit[i], &m, q->want, lane ^ i);
     }
 }
@@ -103,12 +103,13 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
                                    v_abs(w) * (h->z.e + h->rho.e)))),
         v_set(CYLINT_MEMBER_SLOPE) * sizes);
     const vd xy = v_sum_of(vx, vx, vy * vy), ww = w * w;
-    const vd lost = v_set(CYLINT_MEMBER_UNIT) * error;
+    const vd direction_error = v_set(CYLINT_MEMBER_UNIT) * error;
     s.curvature = xy + v_select(ball, ww, -ww);
-    s.most = v_set(1.01) * v_sum_of(lost, lost, xy + ww);
+    s.most = v_set(1.01) * v_sum_of(direction_error, direction_error, xy + ww);
     s.curvature_error =
         v_sum_of(v_set(4 * CYLINT_MEMBER_SLOPE), s.most,
-                 v_set(4) * lost * (v_abs(vx) + v_abs(vy) + v_abs(w) + lost));
+                 v_set(4) * direction_error *
+                     (v_abs(vx) + v_abs(vy) + v_abs(w) + direction_error));
     if (cylint_solid_is_bounded(solid) && !round) {
         s.slope = v_select(r->on_end, axial, s.slope);
         s.error = v_select(r->on_end,
@@ -151,10 +152,11 @@ INLINE bounded_value residual_beside(const source *from, const pair_line *in,
  *   t - delta (1 + q + 2 q^2 + 5 q^3 ...),   q = c delta / s.
  *
  * The first two terms are taken: from far away delta^2 is not small beside the last
- * digits of a normal.  Where the slope is known to one quarter, and its quotient by
- * c is at least 8 times the distance to the root, the root is this one, the terms
- * left out are at most 9 q^2 delta, and the errors of q do not double those of
- * delta.  Elsewhere, and where t is no such double, the error is infinite or NaN.
+ * digits of a normal.  Where the error of the slope is at most a quarter of it, and
+ * its quotient by c is at least 8 times the distance to the root, the root is this
+ * one, the terms left out are at most 9 q^2 delta, and the errors of q do not
+ * double those of delta.  Elsewhere, and where t is no such double, the error is
+ * infinite or NaN.
  */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int levels, int solid)
@@ -175,21 +177,21 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
     const vd most = v_abs(share) * s.most;
     const vd second =
         v_sum_of(v_set(9) * most, most, v_abs(share) * s.curvature_error);
-    const vm known = m_and(v_le(v_set(4) * s.error, v_abs(s.slope)),
-                           v_le(v_set(8) * s.most * distance, v_abs(s.slope)));
+    const vm sure = m_and(v_le(v_set(4) * s.error, v_abs(s.slope)),
+                          v_le(v_set(8) * s.most * distance, v_abs(s.slope)));
     r.tail = -v_sum_of(step.delta, q, step.delta);
     r.error =
-        v_select(m_and(known, v_le(v_abs(step.delta), distance)),
+        v_select(m_and(sure, v_le(v_abs(step.delta), distance)),
                  v_sum_of(v_abs(step.delta), second, v_set(2) * step.error),
                  v_set(HUGE_VAL));
     return r;
 }
 
-/* Writes the wanted members of a hit, of which t and part are known, as far as they
+/* Writes the wanted members of a hit, from t and part of `partial`, as far as they
  * are certain; returns the others. */
 static unsigned describe_again(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
-                               const cylint_hit *known, cylint_hit *hit)
+                               const cylint_hit *partial, cylint_hit *hit)
 {
     const source from = {shape, line};
     const int solid = cylint_prepared(shape);
@@ -202,10 +204,10 @@ static unsigned describe_again(const cylint_shape *shape,
     load_any_pairs(&in, shape, line, 1);
     for (int levels = 0; levels < 2 && want; levels++) {
         const hit_root r =
-            root_beside(&from, &in, known->t, known->part, levels, solid);
+            root_beside(&from, &in, partial->t, partial->part, levels, solid);
         members_of(&m, &from, &in, &r, want);
         write_lane(hit, &m, want, 0);
-        want = members_left(&m, want, 0);
+        want = undecided_members(&m, want, 0);
     }
     return want;
 }

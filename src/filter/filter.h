@@ -17,14 +17,15 @@ enum {
         CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI
 };
 
-/* What a stage has computed of a question that it does not decide. */
+/* The stage that goes on with a question which another did not decide. */
 typedef enum {
-    CYLINT_KNOWN_NOTHING, /* no signs; the next stage computes all in pairs */
-    CYLINT_KNOWN_LINE,    /* `ends` and `exists`: only signs at an end of the
-                             domain are uncertain */
-    CYLINT_KNOWN_ROOTS,   /* all but some roots' nearest doubles */
-    CYLINT_KNOWN_USELESS  /* the filter does not serve the question */
-} cylint_known;
+    CYLINT_REFINE_LINE,  /* the signs of the line are uncertain */
+    CYLINT_REFINE_ENDS,  /* only signs at an end of the domain are: `ends`,
+                            `exists`, `past`, `rises` and A are set */
+    CYLINT_REFINE_ROOTS, /* only roots' nearest doubles are: `ends`,
+                            `nearest` and t[] to high[] are set */
+    CYLINT_REFINE_NONE   /* no other stage of the filter serves */
+} cylint_refinement;
 
 /* Ends of the overlap as bits, lane i for end i: on the plane or ball of an end;
  * that end is the top; the part is present.  back: end 1 is the first in t. */
@@ -44,7 +45,7 @@ typedef struct {
     const cylint_line *line;
     cylint_answer *answer;
     unsigned want;
-    cylint_known known;
+    cylint_refinement next;
     cylint_end_bits ends;
     unsigned exists, past[2], nearest;
     int rises;   /* the sign of Q's slope at the line's origin; 0: uncertain */
@@ -56,11 +57,11 @@ typedef struct {
     /* If members beside t are wanted: their hits, and of each hit the members
      * that are not certain. */
     cylint_answer *described;
-    unsigned left[2];
+    unsigned undecided[2];
 } cylint_question;
 
 /* Relation, n, and the wanted t, part and side.  Writes *question->answer and
- * returns its n, or sets question->known and returns CYLINT_UNDECIDED.  The
+ * returns its n, or sets question->next and returns CYLINT_UNDECIDED.  The
  * first four arguments are members of the question. */
 typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
@@ -72,19 +73,17 @@ enum { CYLINT_SIDE_UNDECIDED = 2 };
 typedef int cylint_kernel_point(const cylint_shape *shape,
                                 const double point[3]);
 
-/* Writes the wanted members beside t of a hit, of which t and part are known, and
+/* Writes the wanted members beside t of a hit, from t and part of `partial`, and
  * returns those of them that are not certain. */
 typedef unsigned cylint_kernel_hit(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
-                                   const cylint_hit *known, cylint_hit *hit);
+                                   const cylint_hit *partial, cylint_hit *hit);
 
-/* The functions for one line and one shape, by solid; what goes on with questions
- * that they do not decide; those for one point and one shape, by solid; and that
- * for one hit. */
 typedef struct {
     cylint_kernel_one *by_solid[CYLINT_SOLIDS];
+    /* serves a question that by_solid[] does not decide */
     int (*refine)(cylint_question *question);
-    cylint_kernel_point *contains[CYLINT_SOLIDS];
+    cylint_kernel_point *contains[CYLINT_SOLIDS]; /* by solid */
     cylint_kernel_hit *describe;
 } cylint_one_kernels;
 
@@ -143,7 +142,7 @@ typedef struct {
                        group may reduce it */
     double speed;   /* one line: |d|, not less */
     double center[3], radius; /* one shape: of the ball about it */
-    /* the numbers that the first pass left are list[first] .. list[end - 1];
+    /* the numbers that the first pass kept are list[first] .. list[end - 1];
      * it goes on at `lane` */
     size_t lane, first, end;
     size_t list[256 + 8];
@@ -152,10 +151,10 @@ typedef struct {
 /* The numbers of hits, in the order of the members of cylint_hit, in lanes.
  * certain: bits of lanes in which all numbers of a member are certain. */
 enum {
-    CYLINT_AT_POINT = 0,
-    CYLINT_AT_NORMAL = 3,
-    CYLINT_AT_Z = 6,
-    CYLINT_AT_PHI,
+    CYLINT_HIT_POINT = 0,
+    CYLINT_HIT_NORMAL = 3,
+    CYLINT_HIT_Z = 6,
+    CYLINT_HIT_PHI,
     CYLINT_HIT_NUMBERS
 };
 enum {

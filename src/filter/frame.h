@@ -10,8 +10,6 @@
 #ifndef CYLINT_FRAME_H
 #define CYLINT_FRAME_H
 
-#include <float.h>
-
 #include "../numbers/compiler.h"
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
@@ -194,14 +192,14 @@ typedef struct {
     vd error;
 } pair_line;
 
-INLINE vpair twice(double hi, double lo)
+INLINE vpair vpair_set(double hi, double lo)
 {
     return (vpair){v_set(hi), v_set(lo)};
 }
 
-INLINE vpair both_lanes(pair x)
+INLINE vpair all_lanes(pair x)
 {
-    return twice(x.hi, x.lo);
+    return vpair_set(x.hi, x.lo);
 }
 
 /* z + t w. */
@@ -214,18 +212,18 @@ INLINE vpair moved(vpair z, vpair w, vd t)
 
 /* ------------------------------------------------- the shape and line -- */
 
-/* What shapes of one solid differ in.  The caps are present; members of hits read
- * the others. */
-enum { CAP0, CAP1, SKEW_ROWS, ELLIPTIC, NO_AXIS, FACTS };
+/* Facts that can differ between shapes of one solid.  The first two: the cap is
+ * present.  Only members of hits read the others. */
+enum { FACT_CAP0, FACT_CAP1, FACT_SKEW, FACT_ELLIPTIC, FACT_NO_AXIS, FACTS };
 
 INLINE int has_fact(const cylint_shape *shape, int fact)
 {
     switch (fact) {
-    case SKEW_ROWS:
+    case FACT_SKEW:
         return cylint_has_skew_rows(shape->kind);
-    case ELLIPTIC:
+    case FACT_ELLIPTIC:
         return cylint_is_elliptic(shape->kind);
-    case NO_AXIS:
+    case FACT_NO_AXIS:
         return cylint_has_no_axis(shape);
     default:
         return cylint_caps_present(shape->ends) >> fact & 1;
@@ -251,7 +249,7 @@ INLINE vd origin_at(const source *from, int i)
 
 INLINE vpair direction_at(const source *from, int i)
 {
-    return twice(from->line->d[i], from->line->d_lo[i]);
+    return vpair_set(from->line->d[i], from->line->d_lo[i]);
 }
 
 INLINE vm fact_of(const source *from, int fact)
@@ -261,7 +259,7 @@ INLINE vm fact_of(const source *from, int fact)
 
 #else
 
-/* Lines as given.  segment: u_lo may differ from 0. */
+/* Lines as given.  segment: d_lo may differ from 0. */
 typedef struct {
     vd o[3], d[3], d_lo[3], limit[2];
     int segment;
@@ -363,7 +361,7 @@ INLINE void set_heights(pair_line *to, vpair from_base, const source *from,
     EACH(k, ENDS)
         to->z[k] = pairs_of_ends(from_base, from_top, k);
     to->rho = r;
-    to->growth = twice(0, 0);
+    to->growth = vpair_set(0, 0);
     if (!cylint_solid_is_tapered(solid))
         return;
     if (cylint_solid_is_round(solid)) {

@@ -14,6 +14,8 @@
 #ifndef CYLINT_KERNEL_H
 #define CYLINT_KERNEL_H
 
+#include <float.h>
+
 #include "narrow_frame.h"
 #include "wide_frame.h"
 
@@ -67,7 +69,7 @@ INLINE void first_form(forms *f, const local_line *l, int solid)
     f->G = G_doubles(&l->in, tapered, f->Y);
 }
 
-/* The others, after load_rest(). */
+/* The others, after load_after_G(). */
 INLINE void other_forms(forms *f, const local_line *l, int solid)
 {
     const line_doubles *in = &l->in;

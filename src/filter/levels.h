@@ -207,8 +207,6 @@ INLINE vq_levels distance_from(const near_point *near,
     if (elliptic) {
         q_add_product_to_a(&F, q_set(-near->x), q_load(cylint_a(shape)));
         q_add_product_to_a(&F, q_set(-near->y), q_load(cylint_b(shape)));
-    }
-    if (elliptic) {
         q_add_product_to_a(&F, s, q_load(cylint_axis(shape)));
         return F;
     }
@@ -354,13 +352,13 @@ INLINE double round_cone_residual_in_levels(const cylint_shape *shape,
     const levels surplus = surplus_in_levels(&F, cylint_r0(shape));
     const pair growth = cylint_radius_growth(shape);
     const levels dr = {growth.hi, growth.lo, 0};
-    levels rest = {0, 0, 0}, height = {0, 0, 0};
-    add_lanes(&rest, &WW);
-    subtract_square(&rest, &dr);
+    levels lateral2 = {0, 0, 0}, height = {0, 0, 0};
+    add_lanes(&lateral2, &WW);
+    subtract_square(&lateral2, &dr);
     add_product_to_a(&height, growth.hi, cylint_r0(shape));
     add_product_to_b(&height, growth.lo, cylint_r0(shape));
     add_lanes(&height, &Fw);
-    levels Q = levels_product(&surplus, &rest);
+    levels Q = levels_product(&surplus, &lateral2);
     subtract_square(&Q, &height);
     const double side = cylint_height(shape) * cylint_cosine(shape);
     return total(&Q) / (side * side);

@@ -18,12 +18,13 @@
 /* The bits of all lanes. */
 #define ALL ((1u << LANES) - 1)
 
-/* What differs from lane to lane.  Only the first pass is compiled for each. */
-typedef enum { ONE_LINE, ONE_SHAPE, PAIRS } mode;
+/* What all lanes have in common: the line, the shape, or nothing.  Only the first
+ * pass is compiled for each. */
+typedef enum { MODE_LINE, MODE_SHAPE, MODE_PAIRS } mode;
 
 static mode mode_of(const cylint_filter_batch *from)
 {
-    return !from->run ? ONE_SHAPE : from->line ? ONE_LINE : PAIRS;
+    return !from->run ? MODE_SHAPE : from->line ? MODE_LINE : MODE_PAIRS;
 }
 
 /* ---------------------------------------- the first pass: balls about -- */
@@ -84,9 +85,9 @@ typedef struct {
 INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
 {
     pass_columns c;
-    if (m != ONE_SHAPE)
+    if (m != MODE_SHAPE)
         c.run = *from->run;
-    if (m != ONE_LINE)
+    if (m != MODE_LINE)
         c.lines = *from->lines;
     c.n = from->n;
     return c;
@@ -96,7 +97,7 @@ INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
 INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 {
     const cylint_lines *lines = &from->lines;
-    if (m != ONE_SHAPE) {
+    if (m != MODE_SHAPE) {
         const double *column = from->run.column + lane;
         const size_t stride = from->run.stride;
         EACH(i, 3)
@@ -104,12 +105,12 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
                 v_load(column + (size_t)i * stride);
         b->frame.of[CYLINT_AT_R0] = v_load(column + COLUMN_BALL * stride);
     }
-    if (m == ONE_SHAPE) {
+    if (m == MODE_SHAPE) {
         EACH(i, 3) {
             b->line.o[i] = v_load(lines->o[i] + lane);
             b->line.d[i] = v_load(lines->d[i] + lane);
         }
-    } else if (m == PAIRS) {
+    } else if (m == MODE_PAIRS) {
         const size_t *at = from->run.number + lane;
         const int in_a_row = lane + LANES <= from->n && /* not padded */
                              at[LANES - 1] - at[0] == LANES - 1;
@@ -122,12 +123,12 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 
 INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
 {
-    if (m == ONE_SHAPE)
+    if (m == MODE_SHAPE)
         b->frame.of[CYLINT_AT_R0] = v_set(from->radius);
     EACH(i, 3) {
-        if (m == ONE_SHAPE)
+        if (m == MODE_SHAPE)
             b->frame.of[CYLINT_AT_BASE + i] = v_set(from->center[i]);
-        if (m == ONE_LINE) {
+        if (m == MODE_LINE) {
             b->line.o[i] = v_set(from->line->o[i]);
             b->line.d[i] = v_set(from->line->d[i]);
         }
@@ -149,12 +150,12 @@ INLINE local_line ball_at(const pass_columns *columns, size_t lane, mode m,
 }
 
 /* The lanes of a vector whose ball the line does not certainly pass by. */
-INLINE unsigned lanes_left(const pass_columns *columns, size_t lane, mode m,
+INLINE unsigned lanes_kept(const pass_columns *columns, size_t lane, mode m,
                            ball_pass *pass)
 {
-    const size_t rest = columns->n - lane;
-    const unsigned there = rest < LANES ? (1u << rest) - 1 : ALL;
-    if (m == ONE_SHAPE && rest < LANES) /* the caller's end there */
+    const size_t n = columns->n - lane;
+    const unsigned there = n < LANES ? (1u << n) - 1 : ALL;
+    if (m == MODE_SHAPE && n < LANES) /* the caller's arrays end there */
         return there;
     const local_line ball = ball_at(columns, lane, m, pass);
     return there & m_bits(m_not(passes_ball(&ball)));
@@ -162,14 +163,14 @@ INLINE unsigned lanes_left(const pass_columns *columns, size_t lane, mode m,
 
 /* Puts those numbers of a vector into the list; returns how many. */
 INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
-                           size_t lane, mode m, unsigned left)
+                           size_t lane, mode m, unsigned kept)
 {
     size_t counted[LANES];
-    if (m == ONE_SHAPE)
+    if (m == MODE_SHAPE)
         for (unsigned i = 0; i < LANES; i++)
             counted[i] = lane + i;
-    return v_keep(list, m == ONE_SHAPE ? counted : columns->run.number + lane,
-                  left);
+    return v_keep(list, m == MODE_SHAPE ? counted : columns->run.number + lane,
+                  kept);
 }
 
 /* Puts the numbers of lanes that do not pass by into the list, until it has
@@ -181,22 +182,22 @@ INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
     ball_pass pass;
     load_pass(from, m, &pass);
     while (lane < columns.n && end < enough) {
-        const size_t rest = columns.n - lane;
+        const size_t n = columns.n - lane;
         const int vectors =
-            rest < BLOCK ? (int)((rest + LANES - 1) / LANES) : VECTORS;
-        unsigned left[VECTORS], any = 0;
+            n < BLOCK ? (int)((n + LANES - 1) / LANES) : VECTORS;
+        unsigned kept[VECTORS], any = 0;
         for (int i = 0; i < vectors; i++)
-            any |= left[i] =
-                lanes_left(&columns, lane + (size_t)i * LANES, m, &pass);
+            any |= kept[i] =
+                lanes_kept(&columns, lane + (size_t)i * LANES, m, &pass);
         for (int i = 0; any && i < vectors; i++) {
             const size_t at = lane + (size_t)i * LANES;
-            if (m == ONE_LINE && !from->relations) {
-                if (!left[i])
+            if (m == MODE_LINE && !from->relations) {
+                if (!kept[i])
                     continue;
                 const local_line ball = ball_at(&columns, at, m, &pass);
-                left[i] &= within_reach(&ball, from);
+                kept[i] &= within_reach(&ball, from);
             }
-            end += keep_numbers(list + end, &columns, at, m, left[i]);
+            end += keep_numbers(list + end, &columns, at, m, kept[i]);
         }
         lane += (size_t)vectors * LANES;
     }
@@ -206,17 +207,17 @@ INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
 
 ASIDE void first_pass_one_line(cylint_filter_batch *from, size_t enough)
 {
-    first_pass(from, enough, ONE_LINE);
+    first_pass(from, enough, MODE_LINE);
 }
 
 ASIDE void first_pass_one_shape(cylint_filter_batch *from, size_t enough)
 {
-    first_pass(from, enough, ONE_SHAPE);
+    first_pass(from, enough, MODE_SHAPE);
 }
 
 ASIDE void first_pass_pairs(cylint_filter_batch *from, size_t enough)
 {
-    first_pass(from, enough, PAIRS);
+    first_pass(from, enough, MODE_PAIRS);
 }
 
 /* How many numbers a group waits for.  Where a hit can end the batch, groups grow
@@ -235,19 +236,19 @@ static int next_numbers(cylint_filter_batch *from)
         CAPACITY =
             sizeof from->list / sizeof *from->list - AHEAD - BLOCK - 2 * LANES
     };
-    size_t left = from->end - from->first;
+    size_t listed = from->end - from->first;
     if (from->first > CAPACITY) {
         memmove(from->list, from->list + from->first,
-                left * sizeof *from->list);
+                listed * sizeof *from->list);
         from->first = 0;
-        from->end = left;
+        from->end = listed;
     }
     const size_t due = awaited(from);
-    if (left < due && from->lane < from->n) {
+    if (listed < due && from->lane < from->n) {
         pass[mode_of(from)](from, from->first + (from->eager ? AHEAD : due));
-        left = from->end - from->first;
+        listed = from->end - from->first;
     }
-    return left < LANES ? (int)left : LANES;
+    return listed < LANES ? (int)listed : LANES;
 }
 
 /* ------------------------------------------------------- the answers ---- */
@@ -272,11 +273,11 @@ INLINE place place_at(const local_line *l, verdict *v, vd limit, int solid)
 INLINE hits hits_of_places(const place *from, const place *to, vm present,
                            int k)
 {
-    const vm known = m_and(m_or(from->before, m_or(from->inside, from->after)),
-                           m_or(to->before, m_or(to->inside, to->after)));
+    const vm sure = m_and(m_or(from->before, m_or(from->inside, from->after)),
+                          m_or(to->before, m_or(to->inside, to->after)));
     const vm begins = m_and_not(from->before, to->before);
     const vm ends = m_and_not(to->after, from->after);
-    return (hits){m_and(present, k ? ends : begins), m_not(known)};
+    return (hits){m_and(present, k ? ends : begins), m_not(sure)};
 }
 
 /* The lanes whose first root is not certainly beyond the nearest hit.  Where a
@@ -294,7 +295,7 @@ INLINE vm may_be_nearest(const estimate *first, const verdict *v,
 /* The hits of lanes that cross. */
 typedef struct {
     line_end at[2];
-    vm hit[2], unknown;
+    vm hit[2], undecided;
 } lane_hits;
 
 /* The lanes in which all wanted members of the hits with these roots are
@@ -303,15 +304,16 @@ ASIDE unsigned describe_lanes(const source *from, const pair_line *in,
                               const hit_root *r, unsigned want, int solid,
                               cylint_hit_lanes *to)
 {
-    unsigned left = 0;
+    unsigned uncertain = 0;
     members_at(to, from, in, r, want, solid);
     for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
         if (want & (unsigned)CYLINT_WANT_POINT << i)
-            left |= ~to->certain >> 8 * i;
-    return ~left & ALL;
+            uncertain |= ~to->certain >> 8 * i;
+    return ~uncertain & ALL;
 }
 
-/* The lines in pairs, after what these and members of hits read of the shapes. */
+/* The lines in pairs.  First loads the numbers of the shapes that these and members
+ * of hits read. */
 INLINE void lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
                            int solid)
 {
@@ -320,7 +322,7 @@ INLINE void lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
         gather_pairs(&x->frame, x->shape, solid);
     if (x->shape && want & CYLINT_WANT_BESIDE_T)
         EACH(i, 3)
-            gather_fact(&x->frame, x->shape, SKEW_ROWS + i);
+            gather_fact(&x->frame, x->shape, FACT_SKEW + i);
     load_pairs(to, &from, solid);
 }
 
@@ -359,7 +361,7 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
         r.nearest = m_and(r.nearest, at.is_near);
         const hits h = hits_of_roots(&r, l, is_present(l, v, &end_k, k, solid));
         to->hit[k] = h.hit;
-        to->unknown = m_or(to->unknown, h.unknown);
+        to->undecided = m_or(to->undecided, h.undecided);
         v_store(g->t[k], r.value);
         if (want & CYLINT_WANT_BESIDE_T && m_any(h.hit)) {
             const hit_root hit = {r.value, r.tail, r.error, end_k.on_end,
@@ -367,7 +369,8 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
             const pair_line copy = in;
             const unsigned certain =
                 describe_lanes(&from, &copy, &hit, want, solid, &g->member[k]);
-            to->unknown = m_or(to->unknown, m_and_not(h.hit, m_from(certain)));
+            to->undecided =
+                m_or(to->undecided, m_and_not(h.hit, m_from(certain)));
         }
         if (nearest && !m_any(m_and_not(*crosses, h.hit)))
             return;
@@ -384,7 +387,7 @@ INLINE void find_places(lane_hits *to, const local_line *l, verdict *v,
         const vm present = is_present(l, v, &to->at[k], k, solid);
         const hits h = hits_of_places(&first, &last, present, k);
         to->hit[k] = h.hit;
-        to->unknown = m_or(to->unknown, h.unknown);
+        to->undecided = m_or(to->undecided, h.undecided);
     }
 }
 
@@ -399,12 +402,12 @@ INLINE void store_hits(cylint_filter_group *g, const lane_hits *from)
     }
 }
 
-/* Returns the lanes with an unknown hit. */
+/* Returns the lanes with an undecided hit. */
 INLINE vm answer_ends(group_questions *x, const local_line *l, verdict *v,
                       vm *crosses, unsigned want, int solid,
                       cylint_filter_group *g)
 {
-    lane_hits h = {.hit = {m_from(0), m_from(0)}, .unknown = m_from(0)};
+    lane_hits h = {.hit = {m_from(0), m_from(0)}, .undecided = m_from(0)};
     EACH(k, 2)
         h.at[k] = end_number(l, v, k, solid);
     if (want & CYLINT_WANT_T)
@@ -412,7 +415,7 @@ INLINE vm answer_ends(group_questions *x, const local_line *l, verdict *v,
     else
         find_places(&h, l, v, solid);
     store_hits(g, &h);
-    return h.unknown;
+    return h.undecided;
 }
 
 INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
@@ -431,7 +434,7 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
     const vm alive = m_and_not(in_use, m_and(l.in_range, v_lt(v.G.v, -v.G.e)));
     if (!m_any(alive))
         return;
-    load_rest(&l, &from, solid);
+    load_after_G(&l, &from, solid);
     other_forms(&f, &l, solid);
     v.ball.computed = 0;
     judge(&v, &f, &l, solid);
@@ -440,8 +443,8 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
     if (m_any(crosses)) {
         const vm equal = /* may be zeros that differ */
             v_eq(x->line.limit[0], x->line.limit[1]);
-        const vm unknown = answer_ends(x, &l, &v, &crosses, want, solid, g);
-        undecided = m_or(undecided, m_and(crosses, m_or(equal, unknown)));
+        const vm doubtful = answer_ends(x, &l, &v, &crosses, want, solid, g);
+        undecided = m_or(undecided, m_and(crosses, m_or(equal, doubtful)));
         crosses = m_and_not(crosses, undecided);
     }
     const unsigned sure = m_bits(crosses);

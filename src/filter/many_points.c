@@ -59,9 +59,11 @@ static void answer_points(const cylint_shape *shape,
         return;
     broadcast_shape(&f, shape);
     for (size_t i = 0; i < points->n; i += BLOCK) {
-        const size_t left = points->n - i;
-        const size_t first = left < LANES ? points->n - LANES : i;
-        const int n = left < LANES ? LANES : left < BLOCK ? (int)left : BLOCK;
+        const size_t ahead = points->n - i;
+        const size_t first = ahead < LANES ? points->n - LANES : i;
+        const int n = ahead < LANES   ? LANES
+                      : ahead < BLOCK ? (int)ahead
+                                      : BLOCK;
         const double *const at[3] = {points->xyz[0] + first,
                                      points->xyz[1] + first,
                                      points->xyz[2] + first};

@@ -4,7 +4,7 @@
  * They are sums, products and quotients of the coordinates of the hit, which are
  * computed in pairs at the root.  Each has a bound on its error.  A component
  * whose rounding is certain is the double nearest to the real number; the
- * others are left to a later stage.
+ * others are computed by a later stage.
  *
  * In local coordinates (local.h) the outward normal of a hit (x, y, z) is
  *
@@ -27,7 +27,7 @@
 #include "../numbers/turns_lanes.h"
 #include "surfaces.h"
 
-/* A hit: |root - (t + tail)| is at most the error; the rest as in line_end. */
+/* A hit: |root - (t + tail)| is at most the error.  on_end, top: see line_end. */
 typedef struct {
     vd t, tail, error;
     vm on_end, top;
@@ -51,7 +51,7 @@ INLINE vpair entry_at(const source *from, int row, int j)
  * have cancelled, the norm; an entry 0 is exact. */
 INLINE void set_entry_sizes(vd size[3][3], const source *from)
 {
-    const vm elliptic = fact_of(from, ELLIPTIC);
+    const vm elliptic = fact_of(from, FACT_ELLIPTIC);
     EACH(row, 3)
         EACH(j, 3)
             size[row][j] = v_abs(entry_at(from, row, j).hi);
@@ -85,8 +85,8 @@ INLINE vpair pair_quotient(vpair x, vpair y, vd inverse)
 {
     const vd q = x.hi * inverse;
     const vpair back = v_two_prod(q, y.hi);
-    const vd rest = ((x.hi - back.hi) - back.lo) + (x.lo - q * y.lo);
-    return v_fast_two_sum(q, rest * inverse);
+    const vd remainder = ((x.hi - back.hi) - back.lo) + (x.lo - q * y.lo);
+    return v_fast_two_sum(q, remainder * inverse);
 }
 
 /* The hit in local coordinates, z from the base; rho is the radius of the lateral
@@ -208,13 +208,13 @@ INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
         v_select(m, x.e, y.e)};
 }
 
-/* x by, where the error of `by` is `lost` relative to it.  Where the terms of x
+/* x by.  relative: the relative error of `by`.  Where the terms of x
  * cancel, the low part of the product can be the larger one. */
-INLINE bounded_pairs product(bounded_pairs x, vpair by, vd lost)
+INLINE bounded_pairs product(bounded_pairs x, vpair by, vd relative)
 {
     const vpair p = vpair_mul(x.v, by);
     return (bounded_pairs){
-        p, v_sum_of(v_abs(p.hi + p.lo), lost, v_abs(by.hi) * x.e)};
+        p, v_sum_of(v_abs(p.hi + p.lo), relative, v_abs(by.hi) * x.e)};
 }
 
 /* z from the centre of the ball of an end. */
@@ -240,8 +240,8 @@ INLINE vm on_ball(const hit_root *r, int solid)
 
 /* x, y and z of the normal x X + y Y + z Z on the lateral surface or on a ball, of
  * a shape whose rows have length 1.  The bounds are of first order in the relative
- * error of rho, `lost`: each is at least `lost` of its term, so no sum of terms is
- * certain where `lost` is not small. */
+ * error of rho, `relative`: each is at least this part of its term, so no sum of
+ * terms is certain where it is not small. */
 INLINE void unit_normal(bounded_pairs n[3], const local_hit *h,
                         const hit_root *r, const source *from, int solid)
 {
@@ -265,18 +265,19 @@ INLINE void unit_normal(bounded_pairs n[3], const local_hit *h,
     }
     const vd inverse = v_set(1) / divisor.v.hi;
     const vpair by = pair_quotient(cosine, divisor.v, inverse);
-    const vd lost = v_sum_of(divisor.e, inverse, h->unit);
-    if (tapered) { /* the sign of rho is certain if it is not lost */
+    const vd relative = v_sum_of(divisor.e, inverse, h->unit);
+    if (tapered) { /* the sign of rho is certain where bounds are small */
         const vpair sine = pair_at(from, CYLINT_AT_SINE);
         z = (bounded_pairs){{-sine.hi, -sine.lo},
-                            v_set(2) * lost * v_abs(sine.hi)};
+                            v_set(2) * relative * v_abs(sine.hi)};
         z = negated_where(inside_out, z);
     }
     if (cylint_solid_is_round(solid))
         z = choose_pairs(on_ball(r, solid),
-                         product(from_center(h, r, from, solid), by, lost), z);
-    n[0] = product(h->x, by, lost);
-    n[1] = product(h->y, by, lost);
+                         product(from_center(h, r, from, solid), by, relative),
+                         z);
+    n[0] = product(h->x, by, relative);
+    n[1] = product(h->y, by, relative);
     n[2] = z;
 }
 
@@ -335,15 +336,15 @@ INLINE void normalise(bounded_pairs n[3], vd unit, vm lanes)
     const vpair ay2 = vpair_mul(square, v_two_prod(y, y));
     const vd e = (v_set(1) - ay2.hi) - ay2.lo;
     const vpair by = {y, y * e * v_sum_of(v_set(0.375), e, v_set(0.5))};
-    const vd lost = v_sum_of(error, y, unit);
+    const vd relative = v_sum_of(error, y, unit);
     EACH(i, 3)
-        n[i] = choose_pairs(lanes, product(n[i], by, lost), n[i]);
+        n[i] = choose_pairs(lanes, product(n[i], by, relative), n[i]);
 }
 
 INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
                       const source *from, const hit_root *r, int solid)
 {
-    const vm skew = fact_of(from, SKEW_ROWS);
+    const vm skew = fact_of(from, FACT_SKEW);
     bounded_pairs local[3], inclined[3];
     unit_normal(local, h, r, from, solid);
     if (m_any(skew)) {
@@ -394,7 +395,7 @@ INLINE vd in_turns(vd bound)
  * axis, that is -x (local.c). */
 INLINE bounded_pairs angle_of(const local_hit *h, const source *from)
 {
-    const vm circular = m_not(fact_of(from, ELLIPTIC));
+    const vm circular = m_not(fact_of(from, FACT_ELLIPTIC));
     const bounded_pairs x = negated_where(circular, h->x),
                         y = negated_where(circular, h->y);
     vd error;
@@ -431,13 +432,13 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
     if (want & CYLINT_WANT_POINT) {
         point_of(x, from, r);
         certain |= of_member(CYLINT_MEMBER_POINT,
-                             round_vector(to->number + CYLINT_AT_POINT, x, 0));
+                             round_vector(to->number + CYLINT_HIT_POINT, x, 0));
     }
     if (ball) {
-        v_store(to->number[CYLINT_AT_Z], v_set(0));
-        v_store(to->number[CYLINT_AT_PHI], v_set(0));
-        certain |= of_member(CYLINT_MEMBER_Z, fact_of(from, NO_AXIS)) |
-                   of_member(CYLINT_MEMBER_PHI, fact_of(from, NO_AXIS));
+        v_store(to->number[CYLINT_HIT_Z], v_set(0));
+        v_store(to->number[CYLINT_HIT_PHI], v_set(0));
+        certain |= of_member(CYLINT_MEMBER_Z, fact_of(from, FACT_NO_AXIS)) |
+                   of_member(CYLINT_MEMBER_PHI, fact_of(from, FACT_NO_AXIS));
     }
     to->certain = certain;
     if (!((want & CYLINT_WANT_NORMAL) | axial))
@@ -448,27 +449,28 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
         normal_of(x, &h, from, r, solid);
         certain |= of_member(
             CYLINT_MEMBER_NORMAL,
-            round_vector(to->number + CYLINT_AT_NORMAL, x, CYLINT_MEMBER_TIE));
+            round_vector(to->number + CYLINT_HIT_NORMAL, x, CYLINT_MEMBER_TIE));
     }
     if (axial & CYLINT_WANT_Z) {
         certain |=
             of_member(CYLINT_MEMBER_Z, z_of(&nearest, &h, from, r, solid));
-        v_store(to->number[CYLINT_AT_Z], nearest);
+        v_store(to->number[CYLINT_HIT_Z], nearest);
     }
     if (axial & CYLINT_WANT_PHI) {
         certain |= of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from));
-        v_store(to->number[CYLINT_AT_PHI], nearest);
+        v_store(to->number[CYLINT_HIT_PHI], nearest);
     }
     to->certain = certain;
 }
 
 /* The wanted members that are not certain in a lane. */
-INLINE unsigned members_left(const cylint_hit_lanes *m, unsigned want, int lane)
+INLINE unsigned undecided_members(const cylint_hit_lanes *m, unsigned want,
+                                  int lane)
 {
-    unsigned left = 0;
+    unsigned undecided = 0;
     for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
-        left |= (~m->certain >> (8 * i + (unsigned)lane) & 1) << i;
-    return left * CYLINT_WANT_POINT & want;
+        undecided |= (~m->certain >> (8 * i + (unsigned)lane) & 1) << i;
+    return undecided * CYLINT_WANT_POINT & want;
 }
 
 /* Writes the wanted members of a lane. */
@@ -477,14 +479,14 @@ INLINE void write_lane(cylint_hit *hit, const cylint_hit_lanes *m,
 {
     if (want & CYLINT_WANT_POINT)
         EACH(i, 3)
-            hit->point[i] = m->number[CYLINT_AT_POINT + i][lane];
+            hit->point[i] = m->number[CYLINT_HIT_POINT + i][lane];
     if (want & CYLINT_WANT_NORMAL)
         EACH(i, 3)
-            hit->normal[i] = m->number[CYLINT_AT_NORMAL + i][lane];
+            hit->normal[i] = m->number[CYLINT_HIT_NORMAL + i][lane];
     if (want & CYLINT_WANT_Z)
-        hit->z = m->number[CYLINT_AT_Z][lane];
+        hit->z = m->number[CYLINT_HIT_Z][lane];
     if (want & CYLINT_WANT_PHI)
-        hit->phi = m->number[CYLINT_AT_PHI][lane];
+        hit->phi = m->number[CYLINT_HIT_PHI][lane];
 }
 
 #endif

@@ -19,9 +19,9 @@ INLINE vd across(const cylint_shape *s, vd x, vd y, vd z)
 /* Row z. */
 INLINE vd along(const cylint_shape *s, double x, double y, double z)
 {
-    const double rest =
+    const double xy =
         sum_of(y, cylint_column(s, 1)[2], x * cylint_column(s, 0)[2]);
-    return v_set(sum_of(z, cylint_column(s, 2)[2], rest));
+    return v_set(sum_of(z, cylint_column(s, 2)[2], xy));
 }
 
 /* The line as first computed: p and v as (x, y); z from the base and w, of
@@ -122,7 +122,7 @@ INLINE void set_sizes(local_line *l, const cylint_shape *shape,
 }
 
 /* z, w and the ends, loaded after the test of G. */
-INLINE void load_rest(local_line *l, const source *from, int solid)
+INLINE void load_after_G(local_line *l, const source *from, int solid)
 {
     if (!cylint_solid_is_tapered(solid) && cylint_solid_is_bounded(solid) &&
         !cylint_solid_is_ball(solid)) {

@@ -22,9 +22,9 @@ static int no_solid(const cylint_shape *shape, const cylint_line *line,
                     unsigned want, cylint_answer *answer,
                     cylint_question *question)
 {
-    const int n = cylint_meets_plane(shape, line, want, answer);
-    question->known = CYLINT_KNOWN_USELESS;
-    question->left[0] = want & CYLINT_WANT_BESIDE_T;
+    const int n = cylint_intersect_plane(shape, line, want, answer);
+    question->next = CYLINT_REFINE_NONE;
+    question->undecided[0] = want & CYLINT_WANT_BESIDE_T;
     return n;
 }
 
@@ -58,8 +58,8 @@ INLINE int is_grazing(const verdict *v, int solid)
 }
 
 /* The answer to lines that G does not reject. */
-INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
-                       int roots, int solid)
+INLINE int answer_after_G(const first_line *first, bounded_value G,
+                          const arguments *a, int roots, int solid)
 {
     const source from = {a->shape, a->line};
     cylint_question *question = a->question;
@@ -67,7 +67,7 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
     forms f = no_forms;
     verdict v = no_verdict;
     set_line(&l, first, &from, solid);
-    load_rest(&l, &from, solid);
+    load_after_G(&l, &from, solid);
     if (cylint_solid_is_nappe(solid))
         set_Y_doubles(&l.in, f.Y);
     other_forms(&f, &l, solid);
@@ -79,12 +79,12 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
     if (m_bits(v.misses) & 1)
         return write_miss(a->answer);
     if (!(m_bits(v.crosses) & 1))
-        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_REFINE_LINE);
     if (!roots)
         return answer_by_signs(&l, &v, a, solid);
     if (!(m_bits(v.sided) & 1) || is_grazing(&v, solid) ||
         !cylint_rounds_to_nearest())
-        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_REFINE_LINE);
     pair_line in;
     load_pairs(&in, &from, 1, solid);
     return answer_by_roots(&l, &v, &in, a, solid);
@@ -115,13 +115,13 @@ INLINE bounded_value test_of_G(const first_line *first, const source *from,
                    ? roots(shape, line, want, answer, question, VALUES)  \
                    : signs(shape, line, want, answer, question, VALUES); \
     }
-#define REST(name, roots, solid)                                           \
-    ASIDE int name(ARGUMENTS, FIRST)                                       \
-    {                                                                      \
-        const first_line first = {p, v, from_base, w, Q, D};               \
-        const asked a = {shape, line, want, answer, question};             \
-        return answer_rest(&first, (bounded_value){G, G_error}, &a, roots, \
-                           solid);                                         \
+#define AFTER_G(name, roots, solid)                                           \
+    ASIDE int name(ARGUMENTS, FIRST)                                          \
+    {                                                                         \
+        const first_line first = {p, v, from_base, w, Q, D};                  \
+        const arguments a = {shape, line, want, answer, question};            \
+        return answer_after_G(&first, (bounded_value){G, G_error}, &a, roots, \
+                              solid);                                         \
     }
 /* The signs at the ends of the domain. */
 #define REFINE(name, solid)             \
@@ -129,9 +129,9 @@ INLINE bounded_value test_of_G(const first_line *first, const source *from,
     {                                   \
         return refine_ends(q, solid);   \
     }
-#define OWN(name, solid)         \
-    REST(name##_signs, 0, solid) \
-    REST(name##_roots, 1, solid) \
+#define OWN(name, solid)            \
+    AFTER_G(name##_signs, 0, solid) \
+    AFTER_G(name##_roots, 1, solid) \
     KERNEL(name, name##_signs, name##_roots, solid)
 
 OWN(cylinder, CYLINT_SOLID_CYLINDER)
@@ -145,8 +145,8 @@ CYLINT_EACH_SOLID(REFINED)
 #else
 /* Without a fused multiply-add the code of a product in pairs is long: the other
  * solids share the code after the test of G, and all solids share any_refined. */
-REST(any_signs, 0, cylint_prepared(shape))
-REST(any_roots, 1, cylint_prepared(shape))
+AFTER_G(any_signs, 0, cylint_prepared(shape))
+AFTER_G(any_roots, 1, cylint_prepared(shape))
 REFINE(any_refined, cylint_prepared(q->shape))
 #define OTHERS(name, solid) KERNEL(name, any_signs, any_roots, solid)
 #define REFINED(name, solid) [solid] = any_refined,
@@ -180,13 +180,13 @@ static int refine(cylint_question *q)
     static int (*const refined[CYLINT_SOLIDS])(cylint_question *) = {
         CYLINT_EACH_SOLID(REFINED)};
     int n = CYLINT_UNDECIDED;
-    if (q->known == CYLINT_KNOWN_USELESS || !cylint_rounds_to_nearest())
+    if (q->next == CYLINT_REFINE_NONE || !cylint_rounds_to_nearest())
         return n;
-    if (q->known == CYLINT_KNOWN_LINE)
+    if (q->next == CYLINT_REFINE_ENDS)
         n = refined[cylint_prepared(q->shape)](q);
-    if (n == CYLINT_UNDECIDED && q->known != CYLINT_KNOWN_ROOTS)
+    if (n == CYLINT_UNDECIDED && q->next != CYLINT_REFINE_ROOTS)
         n = refine_line(q);
-    if (n == CYLINT_UNDECIDED && q->known == CYLINT_KNOWN_ROOTS)
+    if (n == CYLINT_UNDECIDED && q->next == CYLINT_REFINE_ROOTS)
         n = refine_roots(q);
     return n;
 }
@@ -205,9 +205,9 @@ static int refine(cylint_question *question)
 
 static unsigned describe_again(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
-                               const cylint_hit *known, cylint_hit *hit)
+                               const cylint_hit *partial, cylint_hit *hit)
 {
-    (void)known;
+    (void)partial;
     return cylint_plane_members(shape, line, want, hit);
 }
 

@@ -21,7 +21,7 @@ typedef struct {
     unsigned want;
     cylint_answer *answer;
     cylint_question *question;
-} asked;
+} arguments;
 
 /* ----------------------------------------------------------- answers ---- */
 
@@ -75,7 +75,7 @@ INLINE void write_parts(cylint_answer *answer, cylint_end_bits e, unsigned hits,
 /* Writes a line that crosses with hits at those ends.  r: their roots, or NULL if
  * t is not wanted.  in: the line in pairs, if other members are wanted. */
 INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
-                      const pair_line *in, const asked *a, int solid)
+                      const pair_line *in, const arguments *a, int solid)
 {
     const int unbounded = !cylint_solid_is_bounded(solid);
     cylint_answer *answer = a->answer;
@@ -100,8 +100,8 @@ INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
 /* ------------------------------------------------------------ kernels --- */
 
 /* The hits of a line that crosses, by the signs at the ends of the domain. */
-INLINE int answer_by_places(const place *at, cylint_end_bits e, const asked *a,
-                            int solid)
+INLINE int answer_by_places(const place *at, cylint_end_bits e,
+                            const arguments *a, int solid)
 {
     const unsigned before = m_bits(at->before), inside = m_bits(at->inside),
                    after = m_bits(at->after);
@@ -114,28 +114,28 @@ INLINE int answer_by_places(const place *at, cylint_end_bits e, const asked *a,
 }
 
 /* All ends are present, and their parts are not wanted. */
-INLINE int is_plain(const cylint_shape *shape, unsigned want, int solid)
+INLINE int ignores_parts(const cylint_shape *shape, unsigned want, int solid)
 {
     return (shape->ends == CYLINT_ENDS_CAPPED ||
             !cylint_solid_is_bounded(solid)) &&
            !(want & CYLINT_WANT_PART);
 }
 
-INLINE int leave_undecided(cylint_question *question, cylint_known known)
+INLINE int leave_undecided(cylint_question *question, cylint_refinement next)
 {
-    question->known = known;
+    question->next = next;
     return CYLINT_UNDECIDED;
 }
 
-INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
+INLINE int answer_by_signs(const local_line *l, verdict *v, const arguments *a,
                            int solid)
 {
     const cylint_line *line = a->line;
     cylint_question *question = a->question;
-    const int plain = is_plain(a->shape, a->want, solid);
-    if (!plain && !(m_bits(v->sided) & 1))
-        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
-    if (plain && a->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
+    const int no_parts = ignores_parts(a->shape, a->want, solid);
+    if (!no_parts && !(m_bits(v->sided) & 1))
+        return leave_undecided(question, CYLINT_REFINE_LINE);
+    if (no_parts && a->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
         line->tmax > v_first(latest(solid)) && !cylint_solid_is_nappe(solid) &&
         m_bits(is_ahead(l, v, solid)) & 1) {
         a->answer->relation = CYLINT_RELATION_CROSS;
@@ -157,19 +157,19 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
     question->A = v_first(v->A.v);
     question->rises = (int)(m_bits(v_lt(v->B.e, v->B.v)) & 1) -
                       (int)(m_bits(v_lt(v->B.v, -v->B.e)) & 1);
-    return leave_undecided(question, CYLINT_KNOWN_LINE);
+    return leave_undecided(question, CYLINT_REFINE_ENDS);
 }
 
 /* The ends without which there is no answer. */
 INLINE unsigned ends_needed(hits h, cylint_end_bits e, unsigned want)
 {
-    const unsigned unknown = m_bits(h.unknown), first = 1u << e.back;
-    return want & CYLINT_WANT_NEAREST && m_bits(h.hit) & first ? unknown & first
-                                                               : unknown;
+    const unsigned lanes = m_bits(h.undecided), first = 1u << e.back;
+    return want & CYLINT_WANT_NEAREST && m_bits(h.hit) & first ? lanes & first
+                                                               : lanes;
 }
 
 INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
-                           const asked *a, int solid)
+                           const arguments *a, int solid)
 {
     cylint_question *question = a->question;
     if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
@@ -178,7 +178,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     const estimate at = estimate_end(l, v, &e, solid);
     const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
     if (bits.present & ~m_bits(at.is_near))
-        return leave_undecided(question, CYLINT_KNOWN_NOTHING);
+        return leave_undecided(question, CYLINT_REFINE_LINE);
     const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));
     if (!ends_needed(h, bits, a->want))
@@ -195,7 +195,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     v_store(question->error, r.error);
     v_store(question->low, r.low);
     v_store(question->high, r.high);
-    return leave_undecided(question, CYLINT_KNOWN_ROOTS);
+    return leave_undecided(question, CYLINT_REFINE_ROOTS);
 }
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * plane.h - where a line meets the plane of a half-space, and the members of that
- * hit, in pairs
+ * plane.h - the hit of a line on the plane of a half-space, and its members, in
+ * pairs
  */
 #ifndef CYLINT_PLANE_H
 #define CYLINT_PLANE_H
@@ -25,9 +25,9 @@ static inline plane_number cylint_along_normal(const pair x[3],
                Z = two_prod(x[2].hi, n[2]);
     const pair two = two_sum(X.hi, Y.hi), all = two_sum(two.hi, Z.hi);
     const double low = (x[0].lo * n[0] + x[1].lo * n[1]) + x[2].lo * n[2];
-    const double rest = ((X.lo + Y.lo) + Z.lo) + (two.lo + all.lo);
+    const double errors = ((X.lo + Y.lo) + Z.lo) + (two.lo + all.lo);
     const double size = fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi);
-    return (plane_number){two_sum(all.hi, low + rest),
+    return (plane_number){two_sum(all.hi, low + errors),
                           CYLINT_PLANE_ERROR * size + 0x1p-900};
 }
 
@@ -131,11 +131,11 @@ static inline int cylint_pairs_serve(const cylint_shape *s,
            cylint_rounds_to_nearest();
 }
 
-/* Relation, n, and the wanted t, part and side of a line that meets the plane at
- * one point; or CYLINT_UNDECIDED. */
-static inline int cylint_meets_plane(const cylint_shape *s,
-                                     const cylint_line *line, unsigned want,
-                                     cylint_answer *answer)
+/* Relation, n, and the wanted t, part and side of a line that intersects the plane
+ * at one point; or CYLINT_UNDECIDED. */
+static inline int cylint_intersect_plane(const cylint_shape *s,
+                                         const cylint_line *line, unsigned want,
+                                         cylint_answer *answer)
 {
     plane_number slope, t;
     if (!cylint_pairs_serve(s, line) ||
@@ -167,10 +167,10 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
 {
     const double *n = cylint_axis(s);
     const pair d = {line->d[i], line->d_lo[i]}, o = {line->o[i], 0};
-    const int level =
+    const int perpendicular =
         cylint_sign(n[(i + 1) % 3]) == 0 && cylint_sign(n[(i + 2) % 3]) == 0;
-    if (level || cylint_sign(d.hi) == 0) {
-        *x = level ? cylint_base(s)[i] : line->o[i];
+    if (perpendicular || cylint_sign(d.hi) == 0) {
+        *x = perpendicular ? cylint_base(s)[i] : line->o[i];
         *x = cylint_sign(*x) ? *x : 0.0; /* no -0 */
         return 1;
     }
@@ -204,22 +204,22 @@ static inline unsigned cylint_plane_members(const cylint_shape *s,
                                             unsigned want, cylint_hit *hit)
 {
     plane_number slope, t;
-    unsigned left = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
+    unsigned undecided = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
     if (!cylint_pairs_serve(s, line))
         return want;
     if (want & CYLINT_WANT_Z)
         hit->z = 0;
     if (want & CYLINT_WANT_PHI)
         hit->phi = 0;
-    if ((left & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
-        left &= ~(unsigned)CYLINT_WANT_NORMAL;
-    if ((left & CYLINT_WANT_POINT) &&
+    if ((undecided & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
+        undecided &= ~(unsigned)CYLINT_WANT_NORMAL;
+    if ((undecided & CYLINT_WANT_POINT) &&
         cylint_line_to_plane(s, line, &slope, &t) &&
         cylint_plane_coordinate(s, line, t, 0, &hit->point[0]) &&
         cylint_plane_coordinate(s, line, t, 1, &hit->point[1]) &&
         cylint_plane_coordinate(s, line, t, 2, &hit->point[2]))
-        left &= ~(unsigned)CYLINT_WANT_POINT;
-    return left;
+        undecided &= ~(unsigned)CYLINT_WANT_POINT;
+    return undecided;
 }
 
 #endif

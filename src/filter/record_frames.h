@@ -64,7 +64,7 @@ ASIDE void frames_of_records(frames *to, const char *const record[LANES],
     to->of[CYLINT_AT_NORM] = v_set(CYLINT_LOCAL_NORM * CYLINT_SLACK);
     to->of[CYLINT_AT_REACH] =
         (height.hi + v_max(base[3], top[3])) * v_set(CYLINT_SLACK);
-    to->fact[CAP0] = to->fact[CAP1] = m_if_all(1);
+    to->fact[FACT_CAP0] = to->fact[FACT_CAP1] = m_if_all(1);
 }
 
 #endif

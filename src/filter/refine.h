@@ -20,10 +20,10 @@ INLINE void set_planes(vpair z[1], vpair r[1], const pair_line *in,
                         v_load(cylint_radii(shape)), v_set(cylint_r0(shape))),
                    v_set(0)};
     if (solid == CYLINT_SOLID_ROUND_CONE) {
-        z[0] = vpair_add(z[0], vpair_mul(r[0], both_lanes(cylint_number_pair(
+        z[0] = vpair_add(z[0], vpair_mul(r[0], all_lanes(cylint_number_pair(
                                                    shape, CYLINT_AT_SINE))));
         r[0] = vpair_mul(
-            r[0], both_lanes(cylint_number_pair(shape, CYLINT_AT_COSINE)));
+            r[0], all_lanes(cylint_number_pair(shape, CYLINT_AT_COSINE)));
     }
 }
 
@@ -40,8 +40,8 @@ INLINE void set_pairs(line_pairs *x, const pair_line *in, vpair z, vpair r,
     x->r = pairs_of_end(&r, 0);
     x->w = in->w;
     x->slope =
-        twice(tapered ? cylint_slope(shape) : 0,
-              tapered ? cylint_number_pair(shape, CYLINT_AT_SLOPE).lo : 0);
+        vpair_set(tapered ? cylint_slope(shape) : 0,
+                  tapered ? cylint_number_pair(shape, CYLINT_AT_SLOPE).lo : 0);
     set_products_pairs(x);
 }
 
@@ -52,7 +52,7 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
 {
     const int tapered = cylint_solid_is_tapered(solid);
     const int ball = cylint_solid_is_ball(solid);
-    vpair z[1], r[1], Y[2] = {twice(0, 0), twice(0, 0)};
+    vpair z[1], r[1], Y[2] = {vpair_set(0, 0), vpair_set(0, 0)};
     line_pairs x;
     set_planes(z, r, in, shape, solid);
     set_pairs(&x, in, z[0], r[0], shape, solid);
@@ -84,7 +84,7 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
     f->N[0] = rounded(N_pairs(&x, z[0], r[0], tapered));
 }
 
-/* What the values lost when they were rounded, and A t as well where t is
+/* Adds to the bound the roundings of a value; of A also that of A t where t is
  * estimated. */
 INLINE void count_roundings(bounded_value *x, int roundings)
 {
@@ -167,9 +167,9 @@ INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
                           v_lt(l->in.w, v_set(0)), solid);
 }
 
-INLINE asked asked_by(cylint_question *q)
+INLINE arguments arguments_of(cylint_question *q)
 {
-    return (asked){q->shape, q->line, q->want, q->answer, q};
+    return (arguments){q->shape, q->line, q->want, q->answer, q};
 }
 
 /* The signs of a line in pairs, then its hits. */
@@ -177,7 +177,7 @@ static int refine_line(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
     const int solid = cylint_prepared(shape);
-    const asked a = asked_by(q);
+    const arguments a = arguments_of(q);
     const source from = {shape, q->line};
     local_line l = no_line;
     pair_line in;
@@ -195,8 +195,8 @@ static int refine_line(cylint_question *q)
     const int sided = (m_bits(v.sided) & 1) != 0;
     if (!(m_bits(v.crosses) & 1) ||
         (!sided &&
-         (q->want & CYLINT_WANT_T || !is_plain(shape, q->want, solid))))
-        return leave_undecided(q, CYLINT_KNOWN_USELESS);
+         (q->want & CYLINT_WANT_T || !ignores_parts(shape, q->want, solid))))
+        return leave_undecided(q, CYLINT_REFINE_NONE);
     count_all_roundings(&v, solid);
     if (q->want & CYLINT_WANT_T)
         return answer_by_roots(&l, &v, &in, &a, solid);
@@ -275,7 +275,7 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
     const vd reach =
         v_sum_of(v_set(4) * at->curvature, r->high - r->low, at->slope_error);
     const vm near = m_and(v_le(r->low, v_set(0)), v_le(v_set(0), r->high));
-    unsigned left = needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
+    unsigned zero = needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
     if (!has_signs_at_origin(solid))
         return 0;
     EACH(i, 2) {
@@ -283,11 +283,11 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
             q->ends.on_end >> i & 1 && !cylint_solid_is_ball(solid);
         const int surface =
             plane ? (int)(q->ends.top >> i & 1) : CYLINT_LATERAL_SURFACE;
-        if (left >> i & 1 &&
+        if (zero >> i & 1 &&
             CYLINT_SIGN_AT_ORIGIN(q->shape, q->line, surface) != 0)
-            left &= ~(1u << i);
+            zero &= ~(1u << i);
     }
-    return left;
+    return zero;
 }
 
 /* x where m, else y. */
@@ -304,16 +304,16 @@ INLINE hits with_zero_hits(hits h, vm lanes, const cylint_line *line)
 {
     const int in = cylint_sign(line->tmin) <= 0 && cylint_sign(line->tmax) >= 0;
     return (hits){in ? m_or(h.hit, lanes) : m_and_not(h.hit, lanes),
-                  m_and_not(h.unknown, lanes)};
+                  m_and_not(h.undecided, lanes)};
 }
 
 /* ------------------------------------------------------------ stages --- */
 
-/* The signs at the ends of the domain in pairs, of a line that crosses; on which
- * side of the chord the ends lie is known. */
+/* The hits of a line that crosses, by signs in pairs at the ends of the domain; on
+ * which sides of the chord these lie is in q->past. */
 INLINE int refine_ends(cylint_question *q, int solid)
 {
-    const asked a = asked_by(q);
+    const arguments a = arguments_of(q);
     local_line l = no_line;
     pair_line in;
     verdict v = no_verdict;
@@ -344,7 +344,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
 static int refine_roots(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
-    const asked a = asked_by(q);
+    const arguments a = arguments_of(q);
     const int solid = cylint_prepared(shape);
     const cylint_end_bits bits = q->ends;
     const estimate at = {.t = v_load(q->t),
@@ -376,8 +376,8 @@ static int refine_roots(cylint_question *q)
     double t[2], residual[2] = {0, 0};
     v_store(t, start);
     /* nearly always one of them: no branch depends on which */
-    for (unsigned left = needed; left; left &= left - 1) {
-        const int i = (int)(left >> 1 & ~left);
+    for (unsigned ends = needed; ends; ends &= ends - 1) {
+        const int i = (int)(ends >> 1 & ~ends);
         residual[i] = residual_in_levels(shape, q->line, t[i],
                                          (int)(q->ends.top >> i & 1),
                                          (int)(q->ends.on_end >> i & 1));

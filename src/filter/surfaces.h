@@ -186,10 +186,10 @@ INLINE vd height_error(const pair_line *in, vd size)
     return v_set(CYLINT_LOCAL_RESIDUAL) * in->error * size;
 }
 
-/* |p|^2 in pairs, and |x| + |y|. */
+/* |p|^2, pp + low, and |x| + |y|. */
 typedef struct {
     vpair pp;
-    vd rest, across;
+    vd low, across;
 } square_at;
 
 INLINE square_at square_across(const pair_line *in, vd t)
@@ -199,10 +199,11 @@ INLINE square_at square_across(const pair_line *in, vd t)
     const vqpair sum = q_two_sum(in->p.hi, step);
     const vqpair p = {sum.hi, q_add(sum.lo, q_add(in->p.lo, low))};
     const vq squares = q_mul(p.hi, p.hi), size = q_abs(p.hi);
-    const vq rest = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
-                             q_product_error(p.hi, p.hi));
+    const vq tails = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
+                              q_product_error(p.hi, p.hi));
     return (square_at){v_two_sum(q_low(squares), q_high(squares)),
-                       q_low(rest) + q_high(rest), q_low(size) + q_high(size)};
+                       q_low(tails) + q_high(tails),
+                       q_low(size) + q_high(size)};
 }
 
 /* x where m, else 0. */
@@ -224,12 +225,12 @@ INLINE bounded_value square_residual(const pair_line *in, const local_line *l,
     const int tapered = cylint_solid_is_tapered(solid);
     square_at at = square_across(in, t);
     vpair rho2, r = {ball_r, v_set(0)};
-    vd taken = at.pp.hi, rest = at.pp.lo + at.rest;
+    vd high = at.pp.hi, low = at.pp.lo + at.low;
     if (round && (V_HAS_FMA || m_any(on_ball))) {
         const vpair z = pair_where(on_ball, moved(ball_z, in->w, t));
-        const vpair zz = vpair_square(z), all = v_two_sum(taken, zz.hi);
-        taken = all.hi;
-        rest = rest + (all.lo + zz.lo);
+        const vpair zz = vpair_square(z), all = v_two_sum(high, zz.hi);
+        high = all.hi;
+        low = low + (all.lo + zz.lo);
         at.across = at.across + v_abs(z.hi);
     }
     if (tapered) {
@@ -246,7 +247,7 @@ INLINE bounded_value square_residual(const pair_line *in, const local_line *l,
     }
     const vd most = l->taper * size_at(t, l), off = height_error(in, most);
     return (bounded_value){
-        (taken - rho2.hi) + (rest - rho2.lo),
+        (high - rho2.hi) + (low - rho2.lo),
         off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, at.across + off)};
 }
 
@@ -322,9 +323,9 @@ INLINE root step_from(vd t, bounded_value residual, const estimate *at)
 
 /* -------------------------------------------------------------- hits ---- */
 
-/* An end as a hit: certainly in the domain, or not certainly outside it. */
+/* Lanes whose end is a hit for certain, and others whose end may be one. */
 typedef struct {
-    vm hit, unknown;
+    vm hit, undecided;
 } hits;
 
 /* present: on a part that is present. */

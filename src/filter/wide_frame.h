@@ -58,7 +58,7 @@ INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
                           int solid)
 {
     EACH(i, 2)
-        gather_fact(to, shape, CAP0 + i);
+        gather_fact(to, shape, FACT_CAP0 + i);
     gather_numbers(to, shape, solid);
 }
 
@@ -119,7 +119,7 @@ INLINE void load_first(local_line *l, const source *from, int solid)
               l->in_range);
 }
 
-INLINE void load_rest(local_line *l, const source *from, int solid)
+INLINE void load_after_G(local_line *l, const source *from, int solid)
 {
     EACH(k, 2) {
         l->limit[k] = from->line->limit[k];
