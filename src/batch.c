@@ -36,9 +36,9 @@ static size_t padded(size_t n)
 size_t cylint_pack_bytes(size_t n)
 {
     const size_t lane = sizeof(size_t) + COLUMNS * sizeof(double);
-    const size_t rest =
+    const size_t fixed =
         sizeof(pack_head) + (size_t)RUNS * 2 * PADDING * lane + 3 * 64;
-    return n <= (SIZE_MAX - rest) / lane ? rest + n * lane : SIZE_MAX;
+    return n <= (SIZE_MAX - fixed) / lane ? fixed + n * lane : SIZE_MAX;
 }
 
 static char *aligned(char *p)
@@ -342,9 +342,9 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
     answer_pack(pack, &job);
     if (job.best == pack->n)
         return pack->n;
-    const cylint_hit known = {
+    const cylint_hit partial = {
         .t = job.nearest, .part = job.part, .side = job.side};
-    cylint_write_hit(&pack->shapes[job.best], line, &known, want, hit);
+    cylint_write_hit(&pack->shapes[job.best], line, &partial, want, hit);
     return job.best;
 }
 

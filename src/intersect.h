@@ -90,14 +90,14 @@ static inline void cylint_copy_hit(cylint_hit *to, const cylint_hit *from,
         to->phi = from->phi;
 }
 
-/* Writes the wanted members of a hit, of which t, part and side are known.  Other
+/* Writes the wanted members of a hit from t, part and side of `partial`.  Other
  * members keep their values. */
 static inline void cylint_write_hit(const cylint_shape *shape,
                                     const cylint_line *line,
-                                    const cylint_hit *known, unsigned want,
+                                    const cylint_hit *partial, unsigned want,
                                     cylint_hit *hit)
 {
-    cylint_hit all = *known;
+    cylint_hit all = *partial;
     cylint_describe(shape, line, want, &all);
     cylint_copy_hit(hit, &all, want);
 }

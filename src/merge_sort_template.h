@@ -7,8 +7,6 @@
  *   IS_BEFORE(x, y)   whether the element *x must stand before *y
  *   SORT              the name of the function
  */
-#include "numbers/compiler.h"
-
 #define RUN 8 /* elements that are sorted by insertion */
 
 static void SORT(SORTED *from, size_t n, SORTED *spare)

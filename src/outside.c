@@ -142,8 +142,8 @@ static int try_diagonals(const search *s, double least, double p[3])
     enum { DIAGONALS = 27 };
     double d[DIAGONALS][3];
     for (int j = 0; j < DIAGONALS; j++)
-        for (int i = 0, rest = j; i < 3; i++, rest /= 3)
-            d[j][i] = rest % 3 - 1;
+        for (int i = 0, digits = j; i < 3; i++, digits /= 3)
+            d[j][i] = digits % 3 - 1;
     return try_directions(s, d, DIAGONALS, least, HUGE_VAL, p);
 }
 

@@ -37,9 +37,9 @@ static int chord_of_answer(const cylint_answer *a, const cylint_line *line,
         const int n = add_chord(line, -HUGE_VAL, hit[0].t, chord);
         return n + add_chord(line, hit[1].t, HUGE_VAL, chord + n);
     }
-    const int is_passed = a->n == 1 && hit[0].side == CYLINT_SIDE_BOTH;
+    const int is_through_apex = a->n == 1 && hit[0].side == CYLINT_SIDE_BOTH;
     double t0 = -HUGE_VAL, t1 = HUGE_VAL;
-    for (int i = 0; i < a->n && !is_passed; i++)
+    for (int i = 0; i < a->n && !is_through_apex; i++)
         *(hit[i].side == CYLINT_SIDE_ENTERING ? &t0 : &t1) = hit[i].t;
     return add_chord(line, t0, t1, chord);
 }
