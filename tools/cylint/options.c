@@ -396,11 +396,10 @@ static int settle_binary(struct options *o)
 static unsigned wanted_remarks(const struct options *o)
 {
     const struct grammar *g = &o->grammar;
-    return (unsigned)(o->kinds && o->tail == TAIL_WITH_REMARK)
-               << REMARK_SURPLUS |
+    const unsigned tail = 1u << REMARK_SURPLUS | 1u << REMARK_LATE_WORD;
+    return (o->tail == TAIL_WITH_REMARK ? tail : 0) |
            (unsigned)g->has_domain << REMARK_DOMAIN |
-           (unsigned)!g->has_shape << REMARK_LABEL |
-           (unsigned)(o->tail == TAIL_WITH_REMARK) << REMARK_LATE_WORD;
+           (unsigned)!g->has_shape << REMARK_LABEL;
 }
 
 static int settle(struct options *o)
