@@ -230,14 +230,18 @@ static inline void scene_file_query_point_at(const cylint_scene *scene,
         scene_file_query_point(scene, line.o);
 }
 
-/* Reads all labels. */
+/* Reads all labels, which follow each other. */
 static inline void scene_file_read_labels(const cylint_scene *scene)
 {
     const size_t n = cylint_scene_size(scene);
     const cylint_scene_labels *labels = cylint_scene_get_labels(scene);
     volatile char last = 0;
-    for (uint64_t i = 0; labels && n > 0 && i < labels->end[n - 1]; i++)
-        last = labels->text[i];
+    uint64_t at = 0;
+    for (size_t i = 0; labels && i < n; i++) {
+        MUST(at <= labels->end[i]);
+        for (; at < labels->end[i]; at++)
+            last = labels->text[at];
+    }
     (void)last;
 }
 
