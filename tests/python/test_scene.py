@@ -4,6 +4,7 @@ import copy
 import os
 import pickle
 from pathlib import Path
+from subprocess import CalledProcessError
 
 import numpy as np
 import pytest
@@ -372,6 +373,9 @@ def test_the_command_and_the_package_open_the_same_files(command, tmp_path):
         assert (read == shapes).all() and read.labels.tolist() == shapes.labels.tolist()
     with refused("ours: is a saved scene"):
         cylint.read_scene(ours, ends="open")
+    cylint.Scene(shapes.with_labels(["two\nlines"] * 200)).save(ours)
+    with refused("exit status 1", CalledProcessError):  # a row of text has no line feed
+        command("point 0 0 0\n", "-s", ours)
 
 
 def test_files_that_are_no_saved_scenes_are_refused(tmp_path):
