@@ -10,7 +10,7 @@
  * iteration with bisection computes each of them in doubles.  Where the sign of
  * the polynomial or of a derivative at such a zero is below the rounding, zeros
  * may be hidden: then all are computed in triples.  Newton's iteration on the
- * form in triples yields the rest of the digits.
+ * form in triples yields the other digits.
  *
  * A pair of zeros that roundings of triples hide is not found.  One of the two
  * is then a minimum of the distance, but the form is smaller than its rounding
@@ -99,13 +99,14 @@ static void normalize(direction *d)
 
 /* Sets a cos or sin that is nearly 0 to 0 if the form is 0 there, or if products of
  * it underflow.  Returns whether it did. */
-static int is_upright(const stationary *f, direction *at)
+static int put_on_axis(const stationary *f, direction *at)
 {
-    const int level = fabs(at->sin.a) < fabs(at->cos.a);
-    triple *small = level ? &at->sin : &at->cos,
-           *large = level ? &at->cos : &at->sin;
-    const direction exactly = {triple_of(level ? copysign(1, large->a) : 0),
-                               triple_of(level ? 0 : copysign(1, large->a))};
+    const int small_sin = fabs(at->sin.a) < fabs(at->cos.a);
+    triple *small = small_sin ? &at->sin : &at->cos,
+           *large = small_sin ? &at->cos : &at->sin;
+    const direction exactly = {
+        triple_of(small_sin ? copysign(1, large->a) : 0),
+        triple_of(small_sin ? 0 : copysign(1, large->a))};
     if (!(fabs(small->a) < UPRIGHT) ||
         (!(fabs(small->a) < TINY) && triple_value(form_at(f, &exactly)) != 0))
         return 0;
@@ -135,7 +136,7 @@ static direction corrected(const stationary *f, direction at)
             error *= error;
         }
         normalize(&next);
-        if (is_upright(f, &next))
+        if (put_on_axis(f, &next))
             return next;
         const double least = cylint_smaller(fabs(next.cos.a), fabs(next.sin.a));
         const int is_last = fabs(by) <= LAST_CORRECTION * least;
@@ -154,9 +155,9 @@ double cylint_direction_error(const stationary *f, const direction *at)
     const double terms = c * (fabs(f->linear[0].a) + fabs(f->square[0].a) * c +
                               fabs(f->square[1].a) * s) +
                          s * (fabs(f->linear[1].a) + fabs(f->square[2].a) * s);
-    const double rest =
+    const double residual =
         fabs(triple_value(form_at(f, at))) / CYLINT_TRIPLE_ROUNDING;
-    const double error = (terms + rest) / fabs(slope_at(f, at));
+    const double error = (terms + residual) / fabs(slope_at(f, at));
     return error < 1 ? error : 1;
 }
 

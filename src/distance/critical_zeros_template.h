@@ -7,8 +7,8 @@
  *   NUMBER      the type
  *   ZEROS(name) the function's name for that type
  *   PLUS, MINUS, TIMES, OVER, TIMES_DOUBLE, FROM_DOUBLE, ROUNDED
- *   SMALL_STEP  after such a step of Newton's iteration the rest is below the
- *               rounding
+ *   SMALL_STEP  after such a step of Newton's iteration the error is below
+ *               the rounding
  *   NOISE       the rounding error of a value, relative to the coefficients
  */
 

@@ -22,7 +22,7 @@
 /* The point and the normal, and where all their components are certain. */
 typedef struct {
     vd point[3], normal[3];
-    vm point_known, normal_known;
+    vm point_certain, normal_certain;
 } described_point;
 
 /* What a point is nearest to: is_top: at the top, which end. */
@@ -71,11 +71,11 @@ INLINE bounded pick_bounded(vm m, bounded a, bounded b)
 /* Component i of the direction from the axis. */
 INLINE bounded across_axis(const half_plane *m, int i)
 {
-    const vd lost =
+    const vd relative =
         v_sum_of(m->rho_error, m->inverse.hi, v_set(CYLINT_PAIR_QUOTIENT));
     const vpair u = pairs_product(m->across[i], m->inverse);
     return (bounded){
-        u, v_sum_of(m->across_error[i], m->inverse.hi, v_abs(u.hi) * lost)};
+        u, v_sum_of(m->across_error[i], m->inverse.hi, v_abs(u.hi) * relative)};
 }
 
 /* A multiple of u and one of the axis: a u + b w. */
@@ -190,7 +190,7 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     if (round)
         c = load_center(s, x, f.is_top);
     const vm regular = is_regular(m, &f, round ? &c : NULL);
-    to->point_known = to->normal_known = m_and(n->known, regular);
+    to->point_certain = to->normal_certain = m_and(n->certain, regular);
     EACH(i, 3) {
         const vd center = v_select(f.is_top, s->top[i], s->base[i]);
         bounded u = {{zero, zero}, zero}, normal = u;
@@ -207,15 +207,15 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
         /* x - d n, or the centre and r times a direction */
         const bounded direction =
             tapered && !round ? pick_bounded(from_x, normal, u) : normal;
-        const vm known = rounds(
+        const vm certain = rounds(
             step_along(v_select(from_x, x[i], center), factor, direction),
             &to->point[i]);
         const vm given = any_given ? given_coordinate(&to->point[i], s, &f,
                                                       center, x[i], i, round)
                                    : m_from(0);
-        to->normal_known =
-            m_and(to->normal_known, rounds(normal, &to->normal[i]));
-        to->point_known = m_and(to->point_known, m_or(known, given));
+        to->normal_certain =
+            m_and(to->normal_certain, rounds(normal, &to->normal[i]));
+        to->point_certain = m_and(to->point_certain, m_or(certain, given));
     }
 }
 

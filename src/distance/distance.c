@@ -58,13 +58,13 @@ static int has_boundary(const cylint_shape *shape)
            shape->kind == CYLINT_KIND_CONE || cylint_is_elliptic(shape->kind);
 }
 
-/* Of a point for which cylint_contains() is 0 and of which pairs leave the members
- * `left`.  Returns 0 where all are then known: not where its part is missing. */
+/* Writes the members `undecided` of a point for which cylint_contains() is 0.
+ * Returns those that stay undecided: all where its part is missing. */
 ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
                                   const double point[3], unsigned want,
-                                  unsigned left, cylint_closest *answer)
+                                  unsigned undecided, cylint_closest *answer)
 {
-    if (!cylint_surface_is_whole(shape->ends) || left & CYLINT_WANT_PART ||
+    if (!cylint_surface_is_whole(shape->ends) || undecided & CYLINT_WANT_PART ||
         cylint_is_elliptic(shape->kind)) {
         const int feature = has_boundary(shape)
                                 ? cylint_boundary_feature(shape, point)
@@ -73,25 +73,24 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
             return want;
         if (want & CYLINT_WANT_PART)
             cylint_write_feature(shape, feature, answer);
-        left = want;
+        undecided = want;
     }
     answer->distance = 0;
     if (want & CYLINT_WANT_POINT)
         EACH(i, 3)
             answer->point[i] = cylint_positive_zero(point[i]);
-    return left & CYLINT_WANT_NORMAL;
+    return undecided & CYLINT_WANT_NORMAL;
 }
 
-/* The members of `want` that heads and tails, pairs and triples leave. */
-static unsigned left_by_doubles(const cylint_shape *shape,
-                                const double point[3], unsigned want,
-                                cylint_closest *answer)
+/* Writes what heads and tails, pairs and triples decide; returns the others. */
+static unsigned by_doubles(const cylint_shape *shape, const double point[3],
+                           unsigned want, cylint_closest *answer)
 {
     const cylint_one_distances *k = CYLINT_OF_FMA(cylint_one_distances);
-    const unsigned parted = want / CYLINT_WANT_PART & 1;
+    const unsigned with_part = want / CYLINT_WANT_PART & 1;
     if (!((unsigned)shape->ends | (want & CYLINT_WANT_GEOMETRY)) &&
-        k->head_tail[shape->kind][parted] &&
-        k->head_tail[shape->kind][parted](shape, point, answer))
+        k->head_tail[shape->kind][with_part] &&
+        k->head_tail[shape->kind][with_part](shape, point, answer))
         return 0;
     if (!cylint_rounds_to_nearest() || flushes_a_number(shape, point))
         return want;
@@ -99,13 +98,13 @@ static unsigned left_by_doubles(const cylint_shape *shape,
         cylint_is_elliptic(shape->kind)
             ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
             : k->pairs;
-    const unsigned left = in_pairs(shape, point, want, answer);
-    return left & CYLINT_ON_SURFACE && cylint_contains(shape, point) == 0
-               ? answer_on_boundary(shape, point, want, left, answer)
-               : left;
+    const unsigned undecided = in_pairs(shape, point, want, answer);
+    return undecided & CYLINT_ON_SURFACE && cylint_contains(shape, point) == 0
+               ? answer_on_boundary(shape, point, want, undecided, answer)
+               : undecided;
 }
 
-/* All answers that doubles leave. */
+/* All answers that doubles do not decide. */
 ASIDE double answer_beyond_doubles(const cylint_shape *shape,
                                    const double point[3], unsigned want,
                                    cylint_closest *answer)
@@ -131,20 +130,20 @@ ASIDE double answer_beyond_doubles(const cylint_shape *shape,
 #if CYLINT_IS_PARANOID
 /* Whether the answer differs from the exact one; of elliptic kinds, of triples. */
 static int contradicts(const cylint_shape *shape, const double point[3],
-                       unsigned want, const cylint_closest *known)
+                       unsigned want, const cylint_closest *answer)
 {
     cylint_closest a;
     if (cylint_is_elliptic(shape->kind))
         cylint_elliptic_distance(shape, point, want, &a);
     else
         by_exact_numbers(shape, point, want, &a);
-    int wrong = a.distance != known->distance;
+    int wrong = a.distance != answer->distance;
     if (want & CYLINT_WANT_PART)
-        wrong |= a.part != known->part || a.feature != known->feature;
+        wrong |= a.part != answer->part || a.feature != answer->feature;
     for (int i = 0; i < 3; i++) {
         /* mutant '&&' -> '||': an effect with PARANOID=1 only */
-        wrong |= want & CYLINT_WANT_POINT && a.point[i] != known->point[i];
-        wrong |= want & CYLINT_WANT_NORMAL && a.normal[i] != known->normal[i];
+        wrong |= want & CYLINT_WANT_POINT && a.point[i] != answer->point[i];
+        wrong |= want & CYLINT_WANT_NORMAL && a.normal[i] != answer->normal[i];
     }
     return wrong;
 }
@@ -167,7 +166,7 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
         return from_closed_solid(shape, point, want, answer);
     want &= CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY;
     if (!cylint_prepared(shape) ||
-        left_by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)
+        by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)
         return answer_beyond_doubles(shape, point, want, answer);
     answer->flags = 0;
 #if CYLINT_IS_PARANOID

@@ -36,7 +36,7 @@ INLINE void NUMBER(load_shapes)(shape_lanes *v,
     }
     EACH(i, 3)
         v->own[i] = m_and(is_zero[(i + 1) % 3], is_zero[(i + 2) % 3]);
-    v->along = v->level = m_or(v->own[0], m_or(v->own[1], v->own[2]));
+    v->along = v->upright = m_or(v->own[0], m_or(v->own[1], v->own[2]));
     v->cosine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_COSINE));
     v->sine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_SINE));
     v->height = pair_of_lanes(at, CYLINT_AT_HEIGHT);
@@ -104,16 +104,16 @@ INLINE void NUMBER(without_error)(vnearest *n, const half_plane *m, vd r,
     const vd zero = v_set(0), low = v_two_sum(m->rho.hi, -r).lo;
     const vm exact =
         m_and(m->rho_is_exact, v_eq(v_two_sum(low, m->rho.lo).lo, zero));
-    const vm level = m_or(v_eq(m->z.hi, zero), v_eq(m->above.hi, zero));
+    const vm at_end = m_or(v_eq(m->z.hi, zero), v_eq(m->above.hi, zero));
     const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), n->feature);
     const vm is_lateral = v_eq(n->feature, v_set(CYLINT_FEATURE_LATERAL));
-    n->d = pick_distance(m_and(exact, m_or(is_lateral, m_and(is_rim, level))),
+    n->d = pick_distance(m_and(exact, m_or(is_lateral, m_and(is_rim, at_end))),
                          NUMBER(rounded)(lateral, zero), n->d);
 }
 
 INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
                                    const shape_lanes *s, int tapered,
-                                   int parted)
+                                   int with_part)
 {
     const vpair rho = NUMBER(rho)(m);
     const vpair x0 = NUMBER(minus)(rho, NUMBER(datum)(s->r[0], m));
@@ -121,18 +121,18 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
         tapered ? NUMBER(minus)(rho, NUMBER(datum)(s->r[1], m)) : x0;
     const vpair lateral = tapered ? NUMBER(turned)(s, x0, m->z) : x0;
     const vd M = margin_of(m);
-    const vd C = whole(s->cosine), S = whole(s->sine);
-    const vd z = whole(m->z), above = whole(m->above);
-    const vsection p = {z,
-                        above,
-                        whole(lateral),
-                        whole(x0),
-                        whole(x1),
-                        tapered ? v_sum_of(C, z, S * whole(x0)) : z,
-                        tapered ? v_sum_of(C, above, S * whole(x1)) : above,
-                        ON_SURFACE && !tapered ? v_select(s->level, v_set(0), M)
-                                               : M};
-    if (parted)
+    const vd C = rounded(s->cosine), S = rounded(s->sine);
+    const vd z = rounded(m->z), above = rounded(m->above);
+    const vsection p = {
+        z,
+        above,
+        rounded(lateral),
+        rounded(x0),
+        rounded(x1),
+        tapered ? v_sum_of(C, z, S * rounded(x0)) : z,
+        tapered ? v_sum_of(C, above, S * rounded(x1)) : above,
+        ON_SURFACE && !tapered ? v_select(s->upright, v_set(0), M) : M};
+    if (with_part)
         find_feature(n, m, s, &p, ON_SURFACE);
     if (ON_SURFACE)
         NUMBER(from_feature)(n, m, lateral, x0, x1);
@@ -152,7 +152,7 @@ INLINE vdistance NUMBER(from_ball)(vpair y, vd rough_y, vpair r,
 
 /* The distance from the segment between the centres, minus the radius. */
 INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
-                            int parted)
+                            int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
     const vm low = v_lt(z, zero), top = v_lt(zero, above);
@@ -162,10 +162,10 @@ INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
     if (ON_SURFACE)
         NUMBER(rho)(m);
     n->d = NUMBER(from_ball)(y, rough_y, s->r[0], m, zero);
-    if (!parted)
+    if (!with_part)
         return;
     const vd M = margin_of(m);
-    n->known = m_and(v_lt(M, v_abs(z)), v_lt(M, v_abs(above)));
+    n->certain = m_and(v_lt(M, v_abs(z)), v_lt(M, v_abs(above)));
     n->feature =
         v_select(m_or(low, top),
                  feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
@@ -175,12 +175,12 @@ INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
 /* A ball or the cone that touches both.  Where rho is small, it is uncertain which
  * of them is nearest to a point near their common circle. */
 INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
-                               int parted)
+                               int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
-    const vd rho = ON_SURFACE ? whole(NUMBER(rho)(m))
+    const vd rho = ON_SURFACE ? rounded(NUMBER(rho)(m))
                               : v_sqrt(v_max(m->rough_square, zero));
-    const vd C = whole(s->cosine), lean = whole(s->sine) * rho;
+    const vd C = rounded(s->cosine), lean = rounded(s->sine) * rho;
     const vd before = v_sum_of(C, z, lean);
     const vd after = v_sum_of(C, above, lean);
     const vm low = v_lt(before, zero), top = v_lt(zero, after);
@@ -204,12 +204,12 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
             pick(top, m->above, m->z), v_select(top, above, z), r, m, error);
         n->d = m_any(m_not(balls)) ? pick_distance(balls, d, n->d) : d;
     }
-    if (!parted)
+    if (!with_part)
         return;
     const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size;
     const vfoot foot = foot_of(
         before, after, ON_SURFACE ? margin_of(m) : v_sum_of(M, thin, M));
-    n->known = m_or(foot.on, m_or(foot.before, foot.after));
+    n->certain = m_or(foot.on, m_or(foot.before, foot.after));
     n->feature = v_select(
         balls, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
         v_set(CYLINT_FEATURE_LATERAL));
@@ -224,23 +224,23 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
 
 /* A capped shape of this kind, and a point that is loaded. */
 INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
-                            int kind, int parted)
+                            int kind, int with_part)
 {
     m->error = v_set(0);
-    n->known = m_not(m_from(0));
+    n->certain = m_not(m_from(0));
     n->feature = v_set(CYLINT_FEATURE_LATERAL);
     n->d = NUMBER(rounded)((vpair){m->error, m->error}, v_set(HUGE_VAL));
     if (kind == CYLINT_KIND_SPHERE)
         NUMBER(sphere)(n, m, s);
     else if (kind == CYLINT_KIND_CAPSULE)
-        NUMBER(capsule)(n, m, s, parted);
+        NUMBER(capsule)(n, m, s, with_part);
     else if (kind == CYLINT_KIND_RCONE)
-        NUMBER(round_cone)(n, m, s, parted);
+        NUMBER(round_cone)(n, m, s, with_part);
     else
-        NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, parted);
-    /* Where it is not certain, the error of doubles that chose the feature can
-     * exceed that of pairs. */
+        NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, with_part);
+    /* Where the feature is not certain, the error of doubles that chose the feature
+     * can exceed that of pairs. */
     if (ON_SURFACE)
-        n->d = NUMBER(rounded)(n->d.value,
-                               v_select(n->known, n->d.error, v_set(HUGE_VAL)));
+        n->d = NUMBER(rounded)(
+            n->d.value, v_select(n->certain, n->d.error, v_set(HUGE_VAL)));
 }

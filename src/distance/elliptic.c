@@ -544,6 +544,6 @@ double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
         return 0;
     const double error =
         DISTANCE_ERROR * (1 + p.length); /* a, b and h are below 2 */
-    const double rest = below - cylint_scaled(error, p.e + p.whole);
-    return rest > 0 ? fabs(cylint_next_above(-rest)) : 0; /* no -0 */
+    const double bound = below - cylint_scaled(error, p.e + p.whole);
+    return bound > 0 ? fabs(cylint_next_above(-bound)) : 0; /* no -0 */
 }

@@ -120,27 +120,27 @@ static inline principal_axes axes_of(double xx, double xy, double yy)
 }
 
 /* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1. */
-static inline angle secular_angle(double along, double across, double more,
+static inline angle secular_angle(double along, double across, double excess,
                                   int rough)
 {
     const double u = fabs(along), v = fabs(across);
     const double last = rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP;
-    double s = v > u - more ? v : u - more, by;
+    double s = v > u - excess ? v : u - excess, by;
     angle to;
     if (!(v > 0)) { /* on the long axis */
-        const double c = u < more ? u / more : 1;
+        const double c = u < excess ? u / excess : 1;
         return (angle){copysign(c, along), sqrt((1 - c) * (1 + c))};
     }
     /* untaken 1 of 2: no known case takes all steps */
     for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
-        const double to_u = 1 / (s + more), to_v = 1 / s;
+        const double to_u = 1 / (s + excess), to_v = 1 / s;
         const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
         by = (sqrt(a + b) - 1) * (a + b) / (a * to_u + b * to_v);
         s += by > 0 ? by : 0;
         if (!(by > last * s))
             break;
     }
-    to.cos = copysign(u / (s + more), along);
+    to.cos = copysign(u / (s + excess), along);
     to.sin = copysign(v / s, across);
     return to;
 }
@@ -235,10 +235,10 @@ static inline angle highest_of(const principal_axes *axes, angle e,
 ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                              const elliptic_place *p, int rough)
 {
-    const double more = p->slope * p->slope * cylint_dot(p->Z, p->Z);
+    const double axial = p->slope * p->slope * cylint_dot(p->Z, p->Z);
     const principal_axes axes =
-        axes_of(cylint_dot(p->X, p->X) + more, cylint_dot(p->X, p->Y),
-                cylint_dot(p->Y, p->Y) + more);
+        axes_of(cylint_dot(p->X, p->X) + axial, cylint_dot(p->X, p->Y),
+                cylint_dot(p->Y, p->Y) + axial);
     const double short_way = axes.c * p->x + axes.s * p->y,
                  long_way = axes.c * p->y - axes.s * p->x;
     const double ratio = axes.most / axes.least;

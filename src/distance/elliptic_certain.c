@@ -19,10 +19,10 @@
 
 static int rounds_to(const bounded from[3], double to[3])
 {
-    int known = 1;
+    int certain = 1;
     EACH(i, 3)
-        known &= m_any(rounds(from[i], &to[i]));
-    return known;
+        certain &= m_any(rounds(from[i], &to[i]));
+    return certain;
 }
 
 /* Whether a product of components other than 0 can underflow. */
@@ -47,7 +47,7 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     elliptic_numbers m;
     elliptic_answer a;
     double d;
-    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known;
+    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, certain;
     const unsigned all = want | CYLINT_ON_SURFACE;
     if (exactly && has_tiny(shape, point))
         return all;
@@ -55,11 +55,12 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         return all;
     do {
         answer_in_pairs(&a, &q, &m, point, exactly);
-        known = m_any(rounds(a.distance, &d));
-    } while (!known && exactly++ == 0);
-    /* untaken 2 of 6: a known distance has the sign of the side and is not tiny in
-     * every known case */
-    if (!known || (d < 0) != q.inside || !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
+        certain = m_any(rounds(a.distance, &d));
+    } while (!certain && exactly++ == 0);
+    /* untaken 2 of 6: a certain distance has the sign of the side and is not tiny
+     * in every known case */
+    if (!certain || (d < 0) != q.inside ||
+        !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
         (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
         (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))
         return all;

@@ -7,7 +7,7 @@
  *
  * Outside the lateral surface the height h is a lower bound of the distance.  The
  * foot on the tangent plane has (x, y).e = rho and l across e.  At d = l^2 / (rho
- * |N|) below it, (x, y).e has lost d |N|, which is twice what is needed for
+ * |N|) below it, (x, y).e is less by d |N|, which is twice what is needed for
  * (x, y)^2 <= rho^2, if l is so small that the other changes are small: at most 1/8
  * of rho and of l.  That point is in the solid.  So the distance is at most h + d,
  * and the nearest point, below the tangent plane and in the ball of that radius, is
@@ -47,24 +47,25 @@ static inline double least_curvature(double p1, double p2, double p3, double p4,
 }
 
 /* The relative error of N, whose terms can cancel. */
-static inline double lost_of_normal(const tangent_plane *t,
-                                    const elliptic_place *p)
+static inline double normal_error(const tangent_plane *t,
+                                  const elliptic_place *p)
 {
     return 4 * p->relative * p->norm / sqrt(t->q);
 }
 
-/* k for tangent planes and a point on the inner side of all.  lost: the error of
- * the place, or 0 where a lower bound of the distance loses it at the end. */
+/* k for tangent planes and a point on the inner side of all.  place_error: 0 where
+ * a lower bound of the distance is reduced by it at the end. */
 static inline double inner_curvature(const tangent_plane *t,
-                                     const elliptic_place *p, double lost)
+                                     const elliptic_place *p,
+                                     double place_error)
 {
     const double a = t->n + p->rho, b = t->slope_of_n;
     const double hh = t->n * t->n / t->q;
     const double size = fabs(p->x) + fabs(p->y) + fabs(p->rho);
     const double of_N = hh * p->norm * p->norm;
     const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
-                         16 * lost_of_normal(t, p) * of_N +
-                         64 * lost * (size + of_N / fabs(t->n));
+                         16 * normal_error(t, p) * of_N +
+                         64 * place_error * (size + of_N / fabs(t->n));
     return least_curvature(2 * (hh * cylint_dot(t->N, t->U) - t->n * a),
                            b * b - hh * cylint_dot(t->V, t->V),
                            2 * (hh * cylint_dot(t->U, t->V) - a * b),

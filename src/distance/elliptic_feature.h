@@ -1,13 +1,13 @@
 /*
  * elliptic_feature.h - which feature of an elliptic shape is nearest, in doubles
  *
- * Where the errors of doubles leave a doubt, none is: CYLINT_NO_FEATURE.
- * Bounded shapes are convex.  Of a point outside, the nearest point of the
- * solid is on the lateral surface, if the foot of the perpendicular on it is
- * between the ends; else on the end beyond which it is: on the cap, if the foot
- * on its plane is in the ellipse, else on the rim.  Of a point inside, no plane
- * of a cap and no tangent plane is nearer than the surface, so it does not
- * matter whether a foot is within the ends.
+ * Where the errors of doubles leave it uncertain, it is CYLINT_NO_FEATURE.  Bounded
+ * shapes are convex.  Of a point outside, the nearest point of the solid is on the
+ * lateral surface, if the foot of the perpendicular on it is between the ends; else
+ * on the end beyond which the point is: on the cap, if the foot on its plane is in
+ * the ellipse, else on the rim.  Of a point inside, no plane of a cap and no
+ * tangent plane is nearer than the surface, so it does not matter whether a foot is
+ * within the ends.
  */
 #ifndef CYLINT_ELLIPTIC_FEATURE_H
 #define CYLINT_ELLIPTIC_FEATURE_H
@@ -30,9 +30,10 @@ typedef struct {
 
 /* n / |N|, less the errors of both. */
 static inline double height_less(double n, double error, double size,
-                                 double lost)
+                                 double size_error)
 {
-    return (n - error) / (size * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR) + lost);
+    return (n - error) /
+           (size * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR) + size_error);
 }
 
 /* The same for a tangent plane. */
@@ -51,11 +52,11 @@ static inline double size_of_rim(const elliptic_question *q)
 }
 
 /* The error of l. */
-static inline double loss_of_plane(const elliptic_question *q)
+static inline double slope_error(const elliptic_question *q)
 {
     const double ratio = q->at.norm / sqrt(q->plane.q);
     return 4 * (1 + ratio) *
-           (q->at.error + lost_of_normal(&q->plane, &q->at) * fabs(q->plane.n));
+           (q->at.error + normal_error(&q->plane, &q->at) * fabs(q->plane.n));
 }
 
 /* z of the foot on the tangent plane is that of the point less `down`. */
@@ -72,7 +73,7 @@ static inline foot_on_plane drop_on_plane(const elliptic_question *q)
         t->n / t->q * cylint_dot(t->N, p->Z),
         4 * p->z_norm *
             (p->error / size +
-             h * (lost_of_normal(&q->plane, &q->at) + p->relative))};
+             h * (normal_error(&q->plane, &q->at) + p->relative))};
 }
 
 /* rho at the foot, at least. */
@@ -114,11 +115,11 @@ static inline int find_on_lateral(elliptic_question *q)
         return 0;
     const tangent_plane *t = &q->plane;
     const double l =
-        fabs(t->slope_of_n - t->n * t->half_q / t->q) + loss_of_plane(q);
+        fabs(t->slope_of_n - t->n * t->half_q / t->q) + slope_error(q);
     q->curvature =
         q->inside ? inner_curvature(t, &q->at, q->rough ? 0 : q->at.error) : 0;
     q->by = uncertainty_of_plane(q, l);
-    return lost_of_normal(&q->plane, &q->at) < 0x1p-10 &&
+    return normal_error(&q->plane, &q->at) < 0x1p-10 &&
            (q->inside ? q->curvature > 0 : rho_at_foot(q) > 0);
 }
 
@@ -281,10 +282,10 @@ static inline void turn_place(elliptic_place *p)
 static inline int is_nearer_nappe(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
-    const double lost =
-        CYLINT_ELLIPTIC_SAFETY_ERROR + lost_of_normal(t, &q->at);
+    const double relative =
+        CYLINT_ELLIPTIC_SAFETY_ERROR + normal_error(t, &q->at);
     const double most =
-        (t->n + q->at.error) / (sqrt(t->q) * (1 - lost)) + q->by.distance;
+        (t->n + q->at.error) / (sqrt(t->q) * (1 - relative)) + q->by.distance;
     elliptic_place turned = q->at;
     tangent_plane other;
     angle e = {-q->e.cos, -q->e.sin};

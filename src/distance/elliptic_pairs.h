@@ -100,8 +100,8 @@ typedef struct {
 static inline direction_pair direction_of(vpair c, vpair s)
 {
     const vpair square = vpair_add(pairs_square(c), pairs_square(s));
-    const double more = 0.5 * ((square.hi - 1) + square.lo);
-    const vpair f = v_two_sum(1, -more + 1.5 * more * more);
+    const double excess = 0.5 * ((square.hi - 1) + square.lo);
+    const vpair f = v_two_sum(1, -excess + 1.5 * excess * excess);
     return (direction_pair){sized_of(pairs_trimmed(pairs_product(c, f))),
                             sized_of(pairs_trimmed(pairs_product(s, f)))};
 }
@@ -146,7 +146,7 @@ ASIDE sized load_slope(plane_in_pairs *t, const elliptic_numbers *m,
 
 static inline double at_most(sized x)
 {
-    return fabs(whole(x.v)) + CYLINT_SIZED_ERROR * x.size;
+    return fabs(rounded(x.v)) + CYLINT_SIZED_ERROR * x.size;
 }
 
 /* The angle in pairs, and what is uncertain then. */
@@ -159,42 +159,42 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const sized before = load_slope(t, m, e);
     const double sign = copysign(1, m->volume.v.hi);
     *by = uncertain_angle;
-    if (!turn_direction(e, -sign * whole(before.v) * cube / slope))
+    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope))
         return;
     load_plane(t, m, e, tapered);
     const sized after = load_slope(t, m, e);
     *by = uncertainty_of_plane(q, at_most(after) * cube / q->plane.q);
 }
 
-static inline bounded bounded_by(sized x, double more)
+static inline bounded bounded_by(sized x, double error)
 {
-    return (bounded){x.v, CYLINT_SIZED_ERROR * x.size + more};
+    return (bounded){x.v, CYLINT_SIZED_ERROR * x.size + error};
 }
 
 /* The relative error of |N|. */
-static inline double lost_by_root(const sized *q, double turn_of_size)
+static inline double root_error(const sized *q, double turn_of_size)
 {
     return CYLINT_SIZED_ERROR * (q->size / q->v.hi + 1) + turn_of_size;
 }
 
-/* n / |N| times `sign`; lost: the relative error of |N|. */
-ASIDE bounded quotient_by_size(sized n, vpair inverse, double lost, double more,
-                               double sign)
+/* n / |N| times `sign`; relative: the relative error of |N|; error: another. */
+ASIDE bounded quotient_by_size(sized n, vpair inverse, double relative,
+                               double error, double sign)
 {
     const vpair d = pairs_product(n.v, inverse);
     return (bounded){{sign * d.hi, sign * d.lo},
                      CYLINT_SIZED_ERROR * n.size * inverse.hi +
-                         fabs(d.hi) * lost + more};
+                         fabs(d.hi) * relative + error};
 }
 
 /* The unit normal, outward.  turn: the error of the angle, by which N changes as
  * `slope`. */
 static inline void write_unit(bounded to[3], const sized N[3], vpair inverse,
-                              double lost, const sized *slope, double turn,
+                              double relative, const sized *slope, double turn,
                               double sign)
 {
     EACH(i, 3)
-        to[i] = quotient_by_size(N[i], inverse, lost,
+        to[i] = quotient_by_size(N[i], inverse, relative,
                                  slope ? slope[i].size * turn * inverse.hi : 0,
                                  sign);
 }
@@ -221,18 +221,19 @@ static inline void answer_on_lateral(elliptic_answer *to,
     if (exactly)
         correct_plane(&t, &e, &by, m, q, tapered);
     const double ratio = q->at.norm / sqrt(q->plane.q);
-    to->distance = quotient_by_size(t.n, t.inverse, lost_by_root(&t.q, 0),
+    to->distance = quotient_by_size(t.n, t.inverse, root_error(&t.q, 0),
                                     by.distance, copysign(1, m->volume.v.hi));
     if (!exactly)
         return;
-    write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
+    write_unit(to->normal, t.N, t.inverse, root_error(&t.q, ratio * by.turn),
                t.slope_of_N, by.turn, m->outward);
     write_foot(to->point, point, to->distance, to->normal);
 }
 
 /* The coordinate that all points of the end's plane share, if there is one. */
-static inline void keep_level(elliptic_answer *to, const elliptic_question *q,
-                              const elliptic_numbers *m, int end)
+static inline void keep_coordinate(elliptic_answer *to,
+                                   const elliptic_question *q,
+                                   const elliptic_numbers *m, int end)
 {
     const cylint_shape *s = q->shape;
     EACH(i, 3) {
@@ -252,12 +253,12 @@ static inline void answer_on_cap(elliptic_answer *to,
     const sized square = sized_dot(m->W, m->W);
     const sized above = end ? sized_difference(m->z, m->volume) : m->z;
     pairs_root(square.v, &inverse);
-    const double lost = lost_by_root(&square, 0);
+    const double relative = root_error(&square, 0);
     const double sign = (m->volume.v.hi < 0) != !end ? -1 : 1;
-    to->distance = quotient_by_size(above, inverse, lost, 0, sign);
-    write_unit(to->normal, m->W, inverse, lost, NULL, 0, sign);
+    to->distance = quotient_by_size(above, inverse, relative, 0, sign);
+    write_unit(to->normal, m->W, inverse, relative, NULL, 0, sign);
     write_foot(to->point, point, to->distance, to->normal);
-    keep_level(to, q, m, end);
+    keep_coordinate(to, q, m, end);
 }
 
 /* The vector from the centre of an end to the point. */
@@ -269,13 +270,13 @@ static inline void load_from_end(sized F[3], const elliptic_numbers *m,
                    : m->D[i];
 }
 
-static inline bounded length_of_pairs(const sized R[3], double more)
+static inline bounded length_of_pairs(const sized R[3], double error)
 {
     vpair inverse;
     const sized square = sized_dot(R, R);
     const vpair d = pairs_root(square.v, &inverse);
     return (bounded){d, CYLINT_SIZED_ERROR * (square.size * inverse.hi + d.hi) +
-                            more};
+                            error};
 }
 
 /* The apex is at base - h / (k - 1), the top if k is 0. */
@@ -300,7 +301,7 @@ static inline void answer_on_apex(elliptic_answer *to,
     const sized square = sized_dot(h, h);
     pairs_root(square.v, &inverse);
     to->distance = length_of_pairs(F, 0);
-    write_unit(to->normal, h, inverse, lost_by_root(&square, 0), NULL, 0,
+    write_unit(to->normal, h, inverse, root_error(&square, 0), NULL, 0,
                cylint_apex_normal_sign(s, 0));
 }
 
@@ -346,7 +347,7 @@ static inline void answer_on_rim(elliptic_answer *to,
                           cylint_dot(doubles->R, doubles->u));
         by = uncertain_angle;
         /* untaken 1 of 2: every known step is small enough */
-        if (turn_direction(&e, whole(sized_dot(r.R, r.v).v) / slope)) {
+        if (turn_direction(&e, rounded(sized_dot(r.R, r.v).v) / slope)) {
             load_rim_in_pairs(&r, s, F, doubles->f, &e);
             by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
         }
@@ -367,7 +368,7 @@ static inline void answer_on_rim(elliptic_answer *to,
             (sized){vpair_add(center, r.u[i].v), r.u[i].size}, error);
         ratio += t.slope_of_N[i].size * t.inverse.hi;
     }
-    write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
+    write_unit(to->normal, t.N, t.inverse, root_error(&t.q, ratio * by.turn),
                t.slope_of_N, by.turn, m->outward);
 }
 

@@ -71,7 +71,7 @@
  * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes:
  * at least the size |D0| + |D1| + |D2| + height + radii of the question, so no
  * coordinate and no distance is larger.  x + K S - K S, K = CYLINT_SNAP, is a
- * multiple of a power of two g > 2^-26 S, and the rest is at most v = 2^-26 S.
+ * multiple of a power of two g > 2^-26 S, and the tail is at most v = 2^-26 S.
  * So sums of products of two heads are multiples of g^2 below 2^53 g^2, and
  * doubles compute them without error.  The same holds for a head and a
  * component of a unit vector that is a multiple of 2^-26 (CYLINT_UNIT_SNAP).

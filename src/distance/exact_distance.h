@@ -67,8 +67,7 @@ nearest cylint_nearest_feature(meridian *m);
 surd_quotient cylint_square_of_distance(meridian *m, int feature);
 
 /* The double nearest to the absolute distance; the least above 0 for distances
- * that would round to 0.  The same in every
- * floating-point environment. */
+ * that would round to 0.  The same in every floating-point environment. */
 double cylint_rounded_distance(meridian *m, int feature);
 
 /* Point and normal. */

@@ -15,12 +15,12 @@
 #include "nearest.h"
 
 /* The numbers of the shapes of all lanes, in the form of a type of numbers.
- * own[i]: the axis runs along coordinate i; along: along any.  level: so it does,
+ * own[i]: the axis runs along coordinate i; along: along any.  upright: so it does,
  * and the planes of both ends are at doubles. */
 typedef struct {
     vpair axis[3], cosine, sine, height, r[2];
     vd base[3], top[3], reach;
-    vm own[3], along, level;
+    vm own[3], along, upright;
 } shape_lanes;
 
 /* A point.  above: z minus the height.  square: of rho.  error: of rho, z and
@@ -46,7 +46,7 @@ typedef struct {
 typedef struct {
     vdistance d;
     vd feature;
-    vm known; /* the feature is certain */
+    vm certain; /* the feature is certain */
 } vnearest;
 
 INLINE vd of_lanes(const cylint_shape *const at[LANES], int number)
@@ -70,11 +70,6 @@ INLINE vpair pick(vm m, vpair a, vpair b)
 INLINE vpair opposite(vpair a)
 {
     return (vpair){-a.hi, -a.lo};
-}
-
-INLINE vd whole(vpair a)
-{
-    return a.hi + a.lo;
 }
 
 /* The larger bounds, value and error of a; NaN where b is NaN. */
@@ -145,15 +140,15 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
     const vm sides = m_or(foot.on, m_or(foot.before, foot.after));
     vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
     vm lateral = m_or(inside, m_or(beyond, foot.on));
-    n->known = m_or(m_and(inside, m_not(tie)),
-                    m_and(outside, m_or(beyond, m_and(not_beyond, sides))));
+    n->certain = m_or(m_and(inside, m_not(tie)),
+                      m_and(outside, m_or(beyond, m_and(not_beyond, sides))));
     if (on_surface) {
         const vd far = v_set(-4) * M;
         const vm on_side = m_and(v_le(v_abs(a), M + M), v_lt(b, far));
         const vm on_cap = m_and(m_and(v_le(v_abs(b), M), v_lt(a, far)), half);
         cap = m_or(m_and_not(cap, on_side), on_cap);
         lateral = m_or(lateral, on_side);
-        n->known = m_or(n->known, m_or(on_side, on_cap));
+        n->certain = m_or(n->certain, m_or(on_side, on_cap));
     }
     n->feature = v_select(
         lateral, v_set(CYLINT_FEATURE_LATERAL),
@@ -161,7 +156,7 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
     n->feature =
         v_select(cap, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
                  n->feature);
-    n->known = m_and(n->known, v_lt(M + M, s->height.hi));
+    n->certain = m_and(n->certain, v_lt(M + M, s->height.hi));
 }
 
 /* Where both are positive. */

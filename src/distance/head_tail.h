@@ -93,12 +93,13 @@ INLINE vpair head_tail_root(vpair a, vd rough, const half_plane *m, vd *error)
 {
     const vd root = v_sqrt(rough), half = v_set(0.5) / root;
     const vpair start = head_tail_split(root, m->snap);
-    const vpair rest = head_tail_minus_square(a, start, root);
+    const vpair residual = head_tail_minus_square(a, start, root);
     const vd unit = v_set(CYLINT_HEAD_TAIL_ERROR) * m->size;
     const vd thin = m->size * half;
     *error = *error + v_select(v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST)),
                                v_sum_of(unit, thin, unit), v_set(HUGE_VAL));
-    return (vpair){start.hi, v_sum_of(rest.hi + rest.lo, half, start.lo)};
+    return (vpair){start.hi,
+                   v_sum_of(residual.hi + residual.lo, half, start.lo)};
 }
 
 /* The distance from the axis; of a sphere that from the centre. */

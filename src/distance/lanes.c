@@ -86,7 +86,7 @@ INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
 /* Where all numbers within the error round to the same double. */
 INLINE vm is_certain(const vnearest *n)
 {
-    return m_and(v_le(n->d.high, n->d.low), n->known);
+    return m_and(v_le(n->d.high, n->d.low), n->certain);
 }
 
 /* With heads and tails: the distance, and the feature where it is wanted. */
@@ -95,13 +95,13 @@ INLINE vm answer_distances(const cylint_shape *const at[LANES],
                            size_t n, const cylint_closest_columns *to,
                            unsigned want)
 {
-    const int parted = (want & CYLINT_WANT_PART) != 0, kind = at[0]->kind;
+    const int with_part = (want & CYLINT_WANT_PART) != 0, kind = at[0]->kind;
     half_plane m;
     vnearest nearest;
     head_tail_load(&m, s, x, kind != CYLINT_KIND_SPHERE);
-    head_tail_nearest(&nearest, &m, s, kind, parted);
+    head_tail_nearest(&nearest, &m, s, kind, with_part);
     store(to->distance, i, n, nearest.d.low);
-    if (parted)
+    if (with_part)
         store_features(to, i, n, at, nearest.feature);
     return is_certain(&nearest);
 }
@@ -124,9 +124,9 @@ INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
     if (want & CYLINT_WANT_PART)
         store_features(to, i, n, at, nearest.feature);
     if (want & CYLINT_WANT_POINT)
-        certain = m_and(certain, members.point_known);
+        certain = m_and(certain, members.point_certain);
     if (want & CYLINT_WANT_NORMAL)
-        certain = m_and(certain, members.normal_known);
+        certain = m_and(certain, members.normal_certain);
     EACH(k, 3) {
         store(to->point[k], i, n, members.point[k]);
         store(to->normal[k], i, n, members.normal[k]);
@@ -158,7 +158,7 @@ INLINE void load_shapes(shape_lanes *s, const cylint_shape *const at[LANES],
 size_t CYLINT_DISTANCE_LANES(const cylint_shape *shapes, size_t each,
                              const cylint_points *points, size_t from,
                              size_t end, const cylint_closest_columns *answers,
-                             size_t *rest)
+                             size_t *uncertain)
 {
     const cylint_shape *at[LANES];
     const cylint_closest_columns to = *answers; /* may stay in registers */
@@ -168,7 +168,7 @@ size_t CYLINT_DISTANCE_LANES(const cylint_shape *shapes, size_t each,
     const int described =
         (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) != 0;
     shape_lanes s;
-    size_t left = 0;
+    size_t count = 0;
     for (int lane = 0; lane < LANES; lane++)
         at[lane] = shapes;
     load_shapes(&s, at, described);
@@ -185,9 +185,9 @@ size_t CYLINT_DISTANCE_LANES(const cylint_shape *shapes, size_t each,
                           : answer_distances(at, &s, x, i, n, &to, want));
         }
         for (size_t lane = 0; lane < LANES && lane < n; lane++) {
-            rest[left] = i + lane;
-            left += !(certain >> lane & 1);
+            uncertain[count] = i + lane;
+            count += !(certain >> lane & 1);
         }
     }
-    return left;
+    return count;
 }

@@ -24,15 +24,15 @@ static inline int cylint_lane_class(const cylint_shape *s)
 /*
  * Writes the wanted members of the points from `from` to end - 1, at most
  * CYLINT_POINT_BLOCK, where all of them are certain.  Writes the numbers of the
- * others to `rest`, and returns how many these are.  each = 0: from one shape that
- * the kernels serve; 1: point i from shape i, where LANES consecutive shapes of a
- * class share lanes.
+ * others to `uncertain`, and returns how many these are.  each = 0: from one shape
+ * that the kernels serve; 1: point i from shape i, where LANES consecutive shapes
+ * of a class share lanes.
  */
 typedef size_t cylint_distance_lanes(const cylint_shape *shapes, size_t each,
                                      const cylint_points *points, size_t from,
                                      size_t end,
                                      const cylint_closest_columns *answers,
-                                     size_t *rest);
+                                     size_t *uncertain);
 
 cylint_distance_lanes cylint_distance_lanes_plain, cylint_distance_lanes_avx2,
     cylint_distance_lanes_avx512;

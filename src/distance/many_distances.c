@@ -39,18 +39,18 @@ static void write_rows(const cylint_shape *shapes, size_t each,
     const unsigned want = cylint_wanted_of_closest(answers);
     const int in_lanes =
         (each || cylint_lane_class(shapes)) && has_lanes(want, points->n);
-    size_t rest[CYLINT_POINT_BLOCK];
+    size_t uncertain[CYLINT_POINT_BLOCK];
     for (size_t i = 0, end; i < points->n; i = end) {
-        const size_t more = points->n - i;
-        end = i + (more < CYLINT_POINT_BLOCK ? more : CYLINT_POINT_BLOCK);
-        size_t left = end - i;
+        const size_t ahead = points->n - i;
+        end = i + (ahead < CYLINT_POINT_BLOCK ? ahead : CYLINT_POINT_BLOCK);
+        size_t n = end - i;
         if (in_lanes)
-            left = CYLINT_OF_LANES(
+            n = CYLINT_OF_LANES(
                 end - i > CYLINT_LANES_AVX512 / 2, cylint_distance_lanes_plain,
                 cylint_distance_lanes_avx2, cylint_distance_lanes_avx512)(
-                shapes, each, points, i, end, answers, rest);
-        for (size_t k = 0; k < left; k++) {
-            const size_t row = in_lanes ? rest[k] : i + k;
+                shapes, each, points, i, end, answers, uncertain);
+        for (size_t k = 0; k < n; k++) {
+            const size_t row = in_lanes ? uncertain[k] : i + k;
             answer_row(shapes + each * row, points, row, want, answers);
         }
     }
@@ -73,9 +73,9 @@ void cylint_distance_pairs(const cylint_shape *shapes,
 /*
  * Whether the surface and the solid of a shape are certainly farther away than
  * `least`, because the ball about the shape is.  Where that is negative, whether
- * the point is outside.  The slack covers the roundings of both
- * squares, eight at most each.  The square of a `most` below 2^511 does not
- * overflow.  2^-400 covers what underflows.
+ * the point is outside.  The slack covers the roundings of both squares, eight at
+ * most each.  The square of a `most` below 2^511 does not overflow.  2^-400 covers
+ * what underflows.
  */
 static int is_farther(const cylint_shape *s, const double point[3],
                       double least)

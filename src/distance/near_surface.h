@@ -38,13 +38,13 @@ static void load_axis(triple w[3], const cylint_shape *s)
 }
 
 /* form / divisor, where the terms of the form divided by the divisor are at most
- * `size` and the divisor has the relative error `loss`. */
+ * `size` and the divisor has the relative error `relative`. */
 static bounded quotient_of_form(triple form, pair divisor, double size,
-                                double loss)
+                                double relative)
 {
     const pair d = pair_div(pair_of_triple(form), divisor);
     return (bounded){d, CYLINT_CLOSE_ERROR * size +
-                            (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
+                            (relative + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
 static bounded close_to_plane(const cylint_shape *s, const double point[3],
@@ -131,12 +131,12 @@ static bounded close_distance(const vnearest *n, const half_plane *m,
 ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
                         const double point[3])
 {
-    const double size = fabs(whole(n->d.value));
+    const double size = fabs(rounded(n->d.value));
     const int certain =
         /* untaken 1 of 4: no known distance of numbers in range is so small */
         n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
-    /* untaken 1 of 8: the feature is known in every known case */
-    if (certain || !n->known || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
+    /* untaken 1 of 8: the feature is certain in every known case */
+    if (certain || !n->certain || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
         cylint_has_tangent(s->kind) || !(size <= CYLINT_CLOSE * m->size) ||
         !(m->size <= CYLINT_CLOSE_MOST))
         return certain;

@@ -57,8 +57,8 @@ static void write_on_surface(const cylint_shape *shapes, size_t each,
     double distance[BLOCK];
     const cylint_closest_columns to = {.distance = distance};
     for (size_t first = 0; first < points->n; first += BLOCK) {
-        const size_t left = points->n - first;
-        const cylint_points block = {left < BLOCK ? left : BLOCK,
+        const size_t ahead = points->n - first;
+        const cylint_points block = {ahead < BLOCK ? ahead : BLOCK,
                                      {points->xyz[0] + first,
                                       points->xyz[1] + first,
                                       points->xyz[2] + first}};

@@ -18,7 +18,7 @@
 /* -------------------------------------------------------- heads and tails -- */
 
 INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
-                              int kind, int parted, cylint_closest *answer)
+                              int kind, int with_part, cylint_closest *answer)
 {
     const cylint_shape *const at[1] = {shape};
     shape_lanes s;
@@ -26,11 +26,11 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
     vnearest n;
     head_tail_load_shapes(&s, at);
     head_tail_load(&m, &s, point, kind != CYLINT_KIND_SPHERE);
-    head_tail_nearest(&n, &m, &s, kind, parted);
-    if (!(n.d.high <= n.d.low) || !n.known || !cylint_rounds_to_nearest())
+    head_tail_nearest(&n, &m, &s, kind, with_part);
+    if (!(n.d.high <= n.d.low) || !n.certain || !cylint_rounds_to_nearest())
         return 0;
     answer->flags = 0;
-    if (parted)
+    if (with_part)
         cylint_write_feature(shape, (int)n.feature, answer);
     answer->distance = n.d.low;
     return 1;
@@ -44,14 +44,14 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
                               const double point[3], int kind, unsigned want,
                               cylint_closest *answer)
 {
-    if (!(fabs(whole(n->d.value)) > n->d.error)) {
+    if (!(fabs(rounded(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
     } else if (find_distance(n, m, shape, point)) {
         answer->distance =
             cylint_surface_is_whole(shape->ends) ? n->d.low : fabs(n->d.low);
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
-    if (!n->known)
+    if (!n->certain)
         return want;
     if (want & CYLINT_WANT_PART)
         cylint_write_feature(shape, (int)n->feature, answer);
@@ -61,12 +61,12 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
         return want;
     described_point to;
     describe_nearest(&to, n, m, s, point, kind);
-    if (want & CYLINT_WANT_POINT && to.point_known) {
+    if (want & CYLINT_WANT_POINT && to.point_certain) {
         EACH(i, 3)
             answer->point[i] = to.point[i];
         want &= ~(unsigned)CYLINT_WANT_POINT;
     }
-    if (want & CYLINT_WANT_NORMAL && to.normal_known) {
+    if (want & CYLINT_WANT_NORMAL && to.normal_certain) {
         EACH(i, 3)
             answer->normal[i] = to.normal[i];
         want &= ~(unsigned)CYLINT_WANT_NORMAL;
@@ -107,15 +107,15 @@ static unsigned in_pairs(const cylint_shape *shape, const double point[3],
 
 /* ------------------------------------------------------------- kernels -- */
 
-#define KERNEL(name, kind, parted)                                     \
-    static int name(const cylint_shape *shape, const double point[3],  \
-                    cylint_closest *answer)                            \
-    {                                                                  \
-        return head_tail_distance(shape, point, kind, parted, answer); \
+#define KERNEL(name, kind, with_part)                                     \
+    static int name(const cylint_shape *shape, const double point[3],     \
+                    cylint_closest *answer)                               \
+    {                                                                     \
+        return head_tail_distance(shape, point, kind, with_part, answer); \
     }
 #define KERNELS(name, kind)       \
     KERNEL(name##_alone, kind, 0) \
-    KERNEL(name##_parted, kind, 1)
+    KERNEL(name##_with_part, kind, 1)
 KERNELS(cylinder, CYLINT_KIND_CYLINDER)
 KERNELS(cone, CYLINT_KIND_CONE)
 KERNELS(sphere, CYLINT_KIND_SPHERE)
@@ -123,9 +123,9 @@ KERNELS(capsule, CYLINT_KIND_CAPSULE)
 KERNELS(round_cone, CYLINT_KIND_RCONE)
 
 const cylint_one_distances CYLINT_ONE_DISTANCES = {
-    {[CYLINT_KIND_CYLINDER] = {cylinder_alone, cylinder_parted},
-     [CYLINT_KIND_CONE] = {cone_alone, cone_parted},
-     [CYLINT_KIND_SPHERE] = {sphere_alone, sphere_parted},
-     [CYLINT_KIND_CAPSULE] = {capsule_alone, capsule_parted},
-     [CYLINT_KIND_RCONE] = {round_cone_alone, round_cone_parted}},
+    {[CYLINT_KIND_CYLINDER] = {cylinder_alone, cylinder_with_part},
+     [CYLINT_KIND_CONE] = {cone_alone, cone_with_part},
+     [CYLINT_KIND_SPHERE] = {sphere_alone, sphere_with_part},
+     [CYLINT_KIND_CAPSULE] = {capsule_alone, capsule_with_part},
+     [CYLINT_KIND_RCONE] = {round_cone_alone, round_cone_with_part}},
     in_pairs};

@@ -1,5 +1,6 @@
 /*
- * one_distance.h - the distance of one point from one shape in doubles
+ * one_distance.h - the distance of one point from one shape in heads and tails,
+ * pairs and triples
  */
 #ifndef CYLINT_ONE_DISTANCE_H
 #define CYLINT_ONE_DISTANCE_H
@@ -23,8 +24,8 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
 
 /* Writes the members of `want` that are certain, and returns the others, in pairs,
  * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
- * is left and the point can be on the surface: other members are then right if it
- * is and the surface is whole.  want: CYLINT_WANT_DISTANCE too. */
+ * is undecided and the point can be on the surface: other members are then right if
+ * it is and the surface is whole.  want: CYLINT_WANT_DISTANCE too. */
 typedef unsigned cylint_in_pairs(const cylint_shape *shape,
                                  const double point[3], unsigned want,
                                  cylint_closest *answer);

@@ -21,7 +21,7 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
         s->axis[i] = (vpair){cylint_axis(shape)[i], 0};
         squares[i] = pairs_square(s->axis[i]);
     }
-    s->level = m_from(0);
+    s->upright = m_from(0);
     s->height = pairs_trimmed(pairs_root(pairs_sum3(squares), &inverse));
     EACH(i, 3)
         s->axis[i] = pairs_trimmed(pairs_product(s->axis[i], inverse));
@@ -36,11 +36,11 @@ static void compare_with_cap(vnearest *n, const half_plane *m, vpair plane,
                              double x, int top)
 {
     const double M = margin_of(m);
-    const double more = fabs(whole(n->d.value)) - fabs(whole(plane));
+    const double difference = fabs(rounded(n->d.value)) - fabs(rounded(plane));
     if (x > M)
         return;
-    n->known &= (x < -M) & (fabs(more) > M);
-    if (more > 0) {
+    n->certain &= (x < -M) & (fabs(difference) > M);
+    if (difference > 0) {
         n->feature = CYLINT_FEATURE_CAP0 + top;
         n->d = pairs_rounded(plane, m->error);
     }
@@ -59,12 +59,12 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
         const vpair r = s->r[k];
         x[k] = vpair_sub(rho, round ? pairs_product(s->cosine, r) : r);
         y[k] = round ? vpair_add(z[k], pairs_product(s->sine, r)) : z[k];
-        foot[k] = C * whole(z[k]) + S * whole(round ? rho : x[k]);
+        foot[k] = C * rounded(z[k]) + S * rounded(round ? rho : x[k]);
     }
     const vfoot at = foot_of(foot[0], foot[1], margin_of(m));
     const int end = foot[1] > 0, beyond = (foot[0] < 0) | end;
     /* Far from what is missing: a point of the solid's boundary is on a part. */
-    n->known =
+    n->certain =
         (at.before | at.on | at.after) & (s->height.hi > 2 * margin_of(m));
     if (!beyond) {
         const vpair line = round
@@ -82,15 +82,15 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
     }
     if (!round && caps)
         compare_with_cap(n, m, caps & 1 ? opposite(m->z) : m->above,
-                         whole(x[caps >> 1]), (int)caps >> 1);
+                         rounded(x[caps >> 1]), (int)caps >> 1);
 }
 
 /* Beyond the apex the nearest nappe of a double cone is the other one: the numbers
  * of *s become its. */
 static void choose_nappe(vnearest *n, const half_plane *m, shape_lanes *s)
 {
-    const double c = s->cosine.hi * s->r[0].hi + s->sine.hi * whole(m->z);
-    n->known = fabs(c) > margin_of(m);
+    const double c = s->cosine.hi * s->r[0].hi + s->sine.hi * rounded(m->z);
+    n->certain = fabs(c) > margin_of(m);
     if (c < 0) {
         s->sine = opposite(s->sine);
         s->r[0] = opposite(s->r[0]);
@@ -104,8 +104,9 @@ static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
     const vpair rho = pairs_rho(m);
     const double C = s->cosine.hi, S = s->sine.hi;
     if (cylint_is_tapered(kind) && is_nappe)
-        n->known = C * (C * s->r[0].hi + S * whole(m->z)) + S * S * whole(rho) >
-                   margin_of(m);
+        n->certain =
+            C * (C * s->r[0].hi + S * rounded(m->z)) + S * S * rounded(rho) >
+            margin_of(m);
     else if (cylint_is_tapered(kind))
         choose_nappe(n, m, s);
     n->d =
@@ -132,7 +133,7 @@ INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
         nearest_to_open(n, m, s, cylint_caps_present(shape->ends), kind);
     else
         nearest_to_unbounded(n, m, s, kind, shape->ends == CYLINT_ENDS_NAPPE);
-    if (!n->known) /* another feature can be far nearer */
+    if (!n->certain) /* another feature can be far nearer */
         n->d = pairs_rounded(n->d.value, HUGE_VAL);
 }
 

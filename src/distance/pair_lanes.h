@@ -77,8 +77,8 @@ INLINE vpair pairs_root(vpair a, vpair *inverse)
     const vd y = v_select(v_lt(zero, s), one / s, zero);
     const vpair p = v_two_prod(s, s), q = v_two_prod(y, s);
     const vd step = (((a.hi - p.hi) - p.lo) + a.lo) * (v_set(0.5) * y);
-    const vd loss = (one - q.hi) - q.lo;
-    *inverse = (vpair){y, y * v_sum_of(-y, step, loss)};
+    const vd residual = (one - q.hi) - q.lo;
+    *inverse = (vpair){y, y * v_sum_of(-y, step, residual)};
     return (vpair){s, step};
 }
 
@@ -91,18 +91,18 @@ INLINE vm pairs_are_one(const vpair x[3])
     return m_or(m_and(is[0], is[1]), m_and(is[2], m_or(is[0], is[1])));
 }
 
-/* Of level shapes: z and above, without an error, and whether rho has one. */
-INLINE void load_level(half_plane *m, const shape_lanes *s, const vd x[3])
+/* Of upright shapes: z and above, without an error, and whether rho has one. */
+INLINE void load_upright(half_plane *m, const shape_lanes *s, const vd x[3])
 {
     EACH(i, 3) {
-        const vm own = m_and(s->level, s->own[i]);
+        const vm own = m_and(s->upright, s->own[i]);
         const vm down = v_lt(s->axis[i].hi, v_set(0));
         const vpair D = m->D[i], D1 = v_two_sum(x[i], -s->top[i]);
         m->z = pick(own, pick(down, opposite(D), D), m->z);
         m->above = pick(own, pick(down, opposite(D1), D1), m->above);
     }
-    m->plane_error = v_select(s->level, v_set(0), m->plane_error);
-    m->rho_is_exact = m_and(s->level, pairs_are_one(m->across));
+    m->plane_error = v_select(s->upright, v_set(0), m->plane_error);
+    m->rho_is_exact = m_and(s->upright, pairs_are_one(m->across));
 }
 
 INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
@@ -145,10 +145,10 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
     }
     m->square = pairs_sum3(p);
     m->rho_is_exact = m_from(0);
-    if (m_any(s->level))
-        load_level(m, s, x);
-    m->rough_z = whole(m->z);
-    m->rough_square = whole(m->square);
+    if (m_any(s->upright))
+        load_upright(m, s, x);
+    m->rough_z = rounded(m->z);
+    m->rough_square = rounded(m->square);
 }
 
 INLINE vpair pairs_rho(half_plane *m)

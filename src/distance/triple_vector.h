@@ -49,9 +49,9 @@ static inline triple triple_det(triple x, triple y, triple z, triple t)
 static inline triple triple_div(triple x, triple y)
 {
     const double a = x.a / y.a;
-    const triple rest = triple_sub(x, triple_times(y, a));
-    const double b = rest.a / y.a;
-    const triple last = triple_sub(rest, triple_times(y, b));
+    const triple remainder = triple_sub(x, triple_times(y, a));
+    const double b = remainder.a / y.a;
+    const triple last = triple_sub(remainder, triple_times(y, b));
     return triple_sum(a, b, last.a / y.a);
 }
 

@@ -61,11 +61,6 @@ INLINE void describe_hits(cylint_question *q, const pair_line *in,
 
 /* ---------------------------------------------- from the nearest double -- */
 
-INLINE vd rounded(vpair x)
-{
-    return x.hi + x.lo;
-}
-
 /* The slope of the residual at a hit and half its curvature, each with a bound on
  * its error.  most: at least |curvature|. */
 typedef struct {

@@ -76,7 +76,7 @@ static inline double unit(const double a[3], double out[3])
  * double cone.
  */
 typedef struct cylint_method_chord {
-    int relation; /* cylint_relation; of a miss the rest is unset */
+    int relation; /* cylint_relation; of a miss no other member is set */
     int gap;
     double t[2];
     int part[2]; /* cylint_part at t[0] and t[1] */

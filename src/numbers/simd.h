@@ -438,6 +438,11 @@ INLINE vpair vpair_mul(vpair a, vpair b)
     return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
 }
 
+INLINE vd rounded(vpair x)
+{
+    return x.hi + x.lo;
+}
+
 /* x y + z, rounded once or twice. */
 INLINE double sum_of(double x, double y, double z)
 {

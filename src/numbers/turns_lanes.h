@@ -124,10 +124,10 @@ INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
     const vd moved = v_sum_of(ey, across.hi, ex * up.hi) * (inverse * inverse);
     const vd beyond_error = v_abs(a.hi) * v_sum_of(z, v_set(CYLINT_TURN_CUBIC),
                                                    v_set(CYLINT_TURN_RELATIVE));
-    const vd rounded =
+    const vd rounding =
         v_sum_of(v_abs(low), v_set(CYLINT_NEAREST_ROUNDING), beyond_error);
     const vd e = v_sum_of(moved, v_set(CYLINT_TURN_INPUT),
-                          v_sum_of(node, v_set(CYLINT_TURN_NODE), rounded));
+                          v_sum_of(node, v_set(CYLINT_TURN_NODE), rounding));
     const vm near = v_lt(ex + ey, v_set(CYLINT_TURN_NEAR) * den.hi);
     const vm on_one_side =
         m_and(v_le(e, result.hi), v_le(e, (one - result.hi) - result.lo));
