@@ -114,7 +114,8 @@ static void put_on_bisector(const struct point_frame *f, double p[3])
     const double tan = grows / f->length;
     const double slant = f->length * sqrt(1 + tan * tan);
     const double on_axis = rho_at(f, end) / (slant - grows);
-    double z = between(0, 1) * between(0, 1);
+    double z = between(0, 1);
+    z *= between(0, 1);
     if (one_of(2) && on_axis < 1)
         z = on_axis * (1 - fabs(draw_small()));
     const double at = end ? 1 - z : z;
@@ -157,8 +158,8 @@ static void put_near_apex(const struct point_frame *f, double p[3])
                             : cylint_r0(s) / (cylint_r0(s) - cylint_r1(s));
     const double big = fmax(rho_at(f, 0), rho_at(f, 1));
     const int plane = one_of(3) == 0;
-    put(f, plane ? big * between(0, 2) : big * draw_small(),
-        apex + (one_of(2) ? draw_small() : 0), p);
+    const double z = apex + (one_of(2) ? draw_small() : 0);
+    put(f, big * (plane ? between(0, 2) : draw_small()), z, p);
 }
 
 /* Writes a point for the case; returns its place. */
@@ -181,15 +182,16 @@ static enum place draw_point(const struct family_case *c, double p[3])
         break;
     case PLACE_RIM: {
         const int end = one_of(2);
-        put(&f, rho_at(&f, end) + big * draw_small(), end + draw_small(), p);
+        const double at = end + draw_small();
+        put(&f, rho_at(&f, end) + big * draw_small(), at, p);
         break;
     }
     case PLACE_BISECTOR:
         put_on_bisector(&f, p);
         break;
     case PLACE_FAR: {
-        const double far = power(0, 8);
-        put(&f, big * far * between(0, 1), far * between(-1, 1), p);
+        const double far = power(0, 8), at = far * between(-1, 1);
+        put(&f, big * far * between(0, 1), at, p);
         break;
     }
     case PLACE_LATERAL:
@@ -201,9 +203,11 @@ static enum place draw_point(const struct family_case *c, double p[3])
     case PLACE_APEX:
         put_near_apex(&f, p);
         break;
-    default:
-        put(&f, big * between(0, 3), between(-2, 3), p);
+    default: {
+        const double at = between(-2, 3);
+        put(&f, big * between(0, 3), at, p);
         break;
+    }
     }
     return place;
 }
@@ -228,7 +232,8 @@ static inline int draw_exponent(void)
 /* Any double but 0. */
 static inline double draw_any(void)
 {
-    const double x = ldexp(random_mantissa(&stream), draw_exponent());
+    const int e = draw_exponent();
+    const double x = ldexp(random_mantissa(&stream), e);
     return one_of(2) ? x : -x;
 }
 
@@ -282,8 +287,9 @@ static inline int draw_reach(struct family_case *c, double p[3])
 /* A case of any family and of any ends, with a point, of any exponents. */
 static inline int draw_far_case(struct family_case *c, double p[3])
 {
-    family_case(random_bits(&stream), one_of(family_count()),
-                random_below(&stream, 1000), c);
+    const uint64_t index = below(1000);
+    const int family = one_of(family_count());
+    family_case(random_bits(&stream), family, index, c);
     if (!cylint_is_round(c->shape.kind))
         c->ends = (cylint_ends)one_of(6);
     draw_point(c, p);

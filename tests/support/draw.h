@@ -1,5 +1,8 @@
 /*
  * draw.h - random numbers and vectors from the one stream of a program
+ *
+ * No two arguments, operands or initialisers of one expression draw: C leaves their
+ * order to the compiler, and all compilers must draw the same cases.
  */
 #ifndef CYLINT_TEST_DRAW_H
 #define CYLINT_TEST_DRAW_H
@@ -47,7 +50,10 @@ static inline double power(double low, double high)
 /* a small number of either sign, or 0 */
 static inline double small(double low, double high)
 {
-    return chance(0.1) ? 0 : (chance(0.5) ? 1 : -1) * power(low, high);
+    if (chance(0.1))
+        return 0;
+    const double sign = chance(0.5) ? 1 : -1;
+    return sign * power(low, high);
 }
 
 /* Each component from -most to most. */
@@ -71,6 +77,12 @@ static inline void random_direction(double d[3])
         random_vector(d, 1);
     } while (!(length3(d) < 1 && length3(d) > 0.1));
     scale3(d, 1 / length3(d));
+}
+
+/* Writes x to any of three components. */
+static inline void set_any(double v[3], double x)
+{
+    v[one_of(3)] = x;
 }
 
 #endif

@@ -16,13 +16,19 @@
 
 /* ------------------------------------------------------------ families -- */
 
+/* A point at z in a square about the axis, of 2 `size` radii. */
+static void place_near(const frame *f, double size, double z, double p[3])
+{
+    const double y = between(-size, size), x = between(-size, size);
+    place(f, x, y, z, p);
+}
+
 /* A line through two points in a box about the shape. */
 static void aim(struct family_case *out, const frame *f, double size)
 {
     double p[3], q[3];
-    place(f, between(-size, size), between(-size, size),
-          between(-size, 1 + size), p);
-    place(f, between(-1, 1), between(-1, 1), between(0, 1), q);
+    place_near(f, size, between(-size, 1 + size), p);
+    place_near(f, 1, between(0, 1), q);
     add3(q, -1, p);
     scale3(q, power(-0.5, 0.5));
     write_line(out, p, q);
@@ -51,7 +57,8 @@ static void nearly_parallel(struct family_case *out)
     frame f;
     double p[3], d[3], aside[3];
     simple_shape(out, &f, any_word());
-    surface_point(&f, any_z(&f), chance(0.3) ? 1 : between(0, 1.2), p);
+    const double factor = chance(0.3) ? 1 : between(0, 1.2);
+    surface_point(&f, any_z(&f), factor, p);
     copy3(d, f.h);
     random_direction(aside);
     add3(d, power(-12, -3), aside);
@@ -78,7 +85,8 @@ static void exactly_parallel(struct family_case *out)
     double p[3], d[3];
     whole_shape(out);
     axis_of(out, d);
-    scale3(d, ldexp(chance(0.5) ? 1 : -1, whole_between(-3, 3)));
+    scale3(d, ldexp(1, whole_between(-3, 3)));
+    scale3(d, chance(0.5) ? 1 : -1);
     for (int i = 0; i < 3; i++)
         p[i] = out->shape_data[i] + whole_between(-5, 5);
     if (out->shape_word >= FAMILY_ECYLINDER && chance(0.5)) { /* on it */
@@ -118,7 +126,8 @@ static void scaled_apart(struct family_case *out)
 {
     frame f;
     const family_shape word = any_word();
-    make_frame(&f, word, power(-100, 100), power(-100, 100));
+    const double h = power(-100, 100);
+    make_frame(&f, word, power(-100, 100), h);
     scale3(f.c, power(-100, 100));
     write_shape(out, word, &f);
     aim(out, &f, 3);
@@ -129,7 +138,8 @@ static void wild_radius(struct family_case *out)
 {
     frame f;
     const family_shape word = any_word();
-    make_frame(&f, word, chance(0.5) ? 1e12 : 1e-12, between(0.2, 3));
+    const double h = between(0.2, 3);
+    make_frame(&f, word, chance(0.5) ? 1e12 : 1e-12, h);
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
 }
@@ -182,6 +192,13 @@ static void make_extreme(struct family_case *c)
     (chance(0.5) ? make_subnormal : make_huge)(c);
 }
 
+/* A number with any of these exponents. */
+static double any_power(int least, int most)
+{
+    const int exponent = whole_between(least, most);
+    return ldexp(between(1, 2), exponent);
+}
+
 /* Every number has its own exponent. */
 static void mix_exponents(struct family_case *c)
 {
@@ -189,15 +206,9 @@ static void mix_exponents(struct family_case *c)
     const int n = family_shape_size(c->shape_word) -
                   (c->shape_word == FAMILY_ACONE); /* its angle */
     for (int i = 0; i < 6; i++)
-        c->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
+        c->line_data[i] *= any_power(-deep, 60);
     for (int i = 0; i < n; i++)
-        c->shape_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
-}
-
-/* A number with any of these exponents. */
-static double any_power(int least, int most)
-{
-    return ldexp(between(1, 2), whole_between(least, most));
+        c->shape_data[i] *= any_power(-deep, 60);
 }
 
 /* A limit of a domain of any size and sign, or near t. */
@@ -205,8 +216,8 @@ static double any_limit(double t)
 {
     if (chance(0.3))
         return t * (1 + small(-16, 0));
-    return (chance(0.5) ? 1 : -1) *
-           (chance(0.2) ? HUGE_VAL : any_power(-1074, 1023));
+    const double sign = chance(0.5) ? 1 : -1;
+    return sign * (chance(0.2) ? HUGE_VAL : any_power(-1074, 1023));
 }
 
 /* Makes a case's line begin further back by any number of steps d.  The domain
@@ -285,7 +296,8 @@ static void narrow_or_wide(struct family_case *out)
 {
     frame f;
     const family_shape word = cone_word();
-    make_frame(&f, word, chance(0.5) ? 1e-8 : 1e8, between(0.5, 2));
+    const double h = between(0.5, 2);
+    make_frame(&f, word, chance(0.5) ? 1e-8 : 1e8, h);
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
 }
@@ -297,8 +309,9 @@ static void both_nappes(struct family_case *out)
     double p[3], d[3];
     simple_shape(out, &f, cone_word());
     const double apex = apex_z(&f), slope = fabs(rho(&f, 1) - rho(&f, 0));
-    place(&f, between(-1, 1), between(-1, 1), apex + between(-1, 1), p);
-    vary(&f, slope * between(-1.1, 1.1), slope * between(-0.4, 0.4), 1, d);
+    place_near(&f, 1, apex + between(-1, 1), p);
+    const double y = slope * between(-0.4, 0.4);
+    vary(&f, slope * between(-1.1, 1.1), y, 1, d);
     write_line_from(out, p, d, between(-2, 2));
     out->ends = chance(0.7) ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
 }
@@ -311,7 +324,8 @@ static void near_a_rim(struct family_case *out)
     double p[3], d[3];
     simple_shape(out, &f, any_word());
     const double z = f.by_angle || chance(0.5) ? 1 : 0;
-    surface_point(&f, z + small(-16, -4), 1 + small(-16, -4), p);
+    const double factor = 1 + small(-16, -4);
+    surface_point(&f, z + small(-16, -4), factor, p);
     random_direction(d);
     write_line_from(out, p, d, between(-3, 3));
 }
@@ -322,8 +336,9 @@ static void near_a_cap_plane(struct family_case *out)
     double p[3], d[3];
     simple_shape(out, &f, any_word());
     const double z = chance(0.5) ? 1 : 0;
-    place(&f, between(-1, 1), between(-1, 1), z + small(-16, -4), p);
-    vary(&f, between(-1, 1), between(-1, 1), small(-16, -4), d);
+    place_near(&f, 1, z + small(-16, -4), p);
+    const double up = small(-16, -4), y = between(-1, 1);
+    vary(&f, between(-1, 1), y, up, d);
     write_line_from(out, p, d, between(-3, 3));
 }
 
@@ -351,7 +366,8 @@ static void thin(struct family_case *out)
     frame f;
     const family_shape word = elliptic_word();
     simple_frame(&f, word);
-    scale3(chance(0.5) ? f.a : f.b, power(-6, -3));
+    const double factor = power(-6, -3);
+    scale3(chance(0.5) ? f.a : f.b, factor);
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
 }

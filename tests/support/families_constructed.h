@@ -137,7 +137,8 @@ static void construct(struct family_case *out, family_shape word,
 
 static void constructed(struct family_case *out)
 {
-    construct(out, any_word(), (coincidence)one_of(COINCIDENCES));
+    const coincidence what = (coincidence)one_of(COINCIDENCES);
+    construct(out, any_word(), what);
 }
 
 static void exact_tangent(struct family_case *out)
@@ -193,7 +194,8 @@ static double any_short_double(const int about[2])
 static void draw_numbers(struct family_case *out, double draw(const int[2]))
 {
     double *x = out->shape_data;
-    const int about[2] = {any_exponent(), any_exponent()};
+    const int often = any_exponent();
+    const int about[2] = {often, any_exponent()};
     out->line_word = (family_line)one_of(4);
     out->shape_word = (family_shape)one_of(FAMILY_SHAPES);
     out->ends = (cylint_ends)(chance(0.5) ? 0 : one_of(6));

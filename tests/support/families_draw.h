@@ -138,7 +138,8 @@ static void write_line_from(struct family_case *out, const double p[3],
 
 static void simple_frame(frame *f, family_shape word)
 {
-    make_frame(f, word, between(0.2, 2), between(0.2, 3));
+    const double h = between(0.2, 3);
+    make_frame(f, word, between(0.2, 2), h);
 }
 
 static void simple_shape(struct family_case *out, frame *f, family_shape word)
@@ -204,7 +205,7 @@ static void whole_shape(struct family_case *out)
     whole_vector(h, 3);
     if (chance(0.6)) {
         set3(h, 0, 0, 0);
-        h[one_of(3)] = whole_between(1, 4);
+        set_any(h, whole_between(1, 4));
     }
     end_of(word, at, h, to);
     if (word == FAMILY_CONE)

@@ -46,7 +46,7 @@ static void plane_whole(struct family_case *out)
     whole_vector(n, 3);
     if (chance(0.4)) {
         set3(n, 0, 0, 0);
-        n[one_of(3)] = chance(0.5) ? 1 : -2;
+        set_any(n, chance(0.5) ? 1 : -2);
     }
     write_plane(out, p, n);
     whole_vector(u, 3);

@@ -57,7 +57,8 @@ static void make_hull(hull *h, double r, double length)
 
 static void simple_hull(hull *h)
 {
-    make_hull(h, between(0.2, 2), between(0.2, 3));
+    const double length = between(0.2, 3);
+    make_hull(h, between(0.2, 2), length);
 }
 
 /* The boundary point of the ruling that a plane touches, at z, and the normal
@@ -225,13 +226,12 @@ static void round_whole(struct family_case *out)
     whole_point(h.p[0], 3);
     copy3(h.p[1], h.p[0]);
     if (chance(0.9)) {
-        if (chance(0.6)) {
-            h.p[1][one_of(3)] += whole_between(1, 5);
-        } else {
-            double w[3];
+        double w[3] = {0, 0, 0};
+        if (chance(0.6))
+            set_any(w, whole_between(1, 5));
+        else
             whole_vector(w, 3);
-            add3(h.p[1], 1, w);
-        }
+        add3(h.p[1], 1, w);
     }
     h.r[0] = whole_between(0, 5);
     h.r[1] = chance(0.4) ? h.r[0] : whole_between(0, 5);
@@ -241,10 +241,17 @@ static void round_whole(struct family_case *out)
     whole_vector(d, 3);
     if (chance(0.4)) {
         set3(d, 0, 0, 0);
-        d[one_of(3)] = chance(0.5) ? 1 : -1;
+        set_any(d, chance(0.5) ? 1 : -1);
     }
     whole_point(p, 6);
     write_line(out, p, d);
+}
+
+/* Moves one component by up to 4 units in its last place. */
+static void step_one(double v[3])
+{
+    const int i = one_of(3);
+    v[i] = stepped(v[i], whole_between(-4, 4));
 }
 
 /* Axis along a coordinate with w = 25 k, r0 - r1 = 15 k or 7 k: the rulings in
@@ -275,9 +282,9 @@ static void round_ruling(struct family_case *out)
     if (chance(0.3)) /* across the ruling */
         d[3 - i - j] = whole_between(-40, 40);
     if (chance(0.3))
-        d[one_of(3)] = stepped(d[one_of(3)], whole_between(-4, 4));
+        step_one(d);
     if (chance(0.3))
-        p[one_of(3)] = stepped(p[one_of(3)], whole_between(-4, 4));
+        step_one(p);
     write_hull(out, &h);
     write_line_from(out, p, d, whole_between(-4, 4));
 }
