@@ -156,8 +156,8 @@ static long double distance_to_lane(const cylint_leaf *b, int lane,
 /* A point at which the nearest point of lane 0 is inside its axis, in steps. */
 static void draw_beside(const cylint_leaf *b, double far, double q[3])
 {
-    double p[3], w[3], side[3], size = 0;
-    const double any[3] = {between(-1, 1), between(-1, 1), between(-1, 1)};
+    double p[3], w[3], any[3], side[3], size = 0;
+    random_vector(any, 1);
     const double z = between(0, 1);
     for (int j = 0; j < 3; j++) {
         const int shift = j * CYLINT_LEAF_P_BITS;
@@ -177,15 +177,15 @@ static void check_lanes(double far)
 {
     cylint_leaf b;
     traversal t = {.error = 0};
-    double least[CYLINT_LEAF_SIZE];
+    double least[CYLINT_LEAF_SIZE], from[3];
     long double q[3], K = (long double)CYLINDER_REACH;
     draw_leaf(&b);
     const double steps = (double)cylint_leaf_steps(&b);
     t.error = one_of(2) ? 0x1p-30 : 0;
-    double from[3] = {between(-far, far), between(-far, far),
-                      between(-far, far)};
     if (one_of(2))
         draw_beside(&b, far, from);
+    else
+        random_vector(from, far);
     for (int j = 0; j < 3; j++) {
         t.x[j] = (double)b.center[j] + from[j] / steps;
         q[j] = ((long double)t.x[j] - b.center[j]) * steps;

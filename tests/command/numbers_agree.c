@@ -23,6 +23,13 @@ static uint64_t next_random(void)
     return random_bits(&stream);
 }
 
+/* A whole number of any number of bits. */
+static uint64_t next_whole(void)
+{
+    const uint64_t bits = next_random();
+    return bits >> next_random() % 64;
+}
+
 static double from_bits(uint64_t bits)
 {
     double value;
@@ -89,7 +96,7 @@ TEST(powers_of_two_and_their_neighbours_are_written_alike)
 TEST(short_decimals_and_integers_are_written_alike)
 {
     for (int i = 0; i < 25000; i++) {
-        const double whole = (double)(next_random() >> (next_random() & 63));
+        const double whole = (double)next_whole();
         const int places = (int)(next_random() % 30);
         check_written(whole);
         check_written(whole * pow(10, -places));
@@ -171,7 +178,7 @@ TEST(decimals_of_up_to_20_digits_are_read_alike)
     static const char *const behind[] = {"", " ", ",", "\t7", "e1", "E", "x"};
     for (int i = 0; i < 250000; i++) {
         char text[40];
-        const uint64_t digits = next_random() >> (next_random() % 64);
+        const uint64_t digits = next_whole();
         const int n =
             snprintf(text, 30, "%s%0*llu", i % 3 ? "-" : "",
                      (int)(next_random() % 21), (unsigned long long)digits);

@@ -193,7 +193,7 @@ static void draw_points(size_t n, uint64_t seed)
         double *p = place_of_case[i];
         draw_point(&drawn[i], p);
         if (one_of(12) == 0)
-            p[one_of(3)] = odd[one_of(7)];
+            set_any(p, odd[one_of(7)]);
     }
 }
 

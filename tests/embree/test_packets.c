@@ -290,8 +290,8 @@ static struct rays rays_that_hit_at(int n, float tnear, float tfar)
     struct rays r;
     rays_begin(&r, n);
     for (int i = 0; i < n; i++) {
-        const float d[3] = {0, 0, 1};
-        const float o[3] = {(float)between(0, 4), (float)between(0, 4), -tnear};
+        const float x = (float)between(0, 4), y = (float)between(0, 4);
+        const float o[3] = {x, y, -tnear}, d[3] = {0, 0, 1};
         rays_add(&r, i, o, d, tnear, tfar);
     }
     return r;

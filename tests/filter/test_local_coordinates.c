@@ -131,24 +131,25 @@ static void any_shape(cylint_shape *s)
             for (int i = 0; i < 3; i++) /* nearly in a plane with others */
                 b[i] = a[i] + off * b[i];
         }
+        const double r = binary(-60, 50);
         switch (one_of(6)) {
         case 4:
-            cylint_capsule(s, zero, h, binary(-60, 50), (cylint_ends)one_of(4));
+            cylint_capsule(s, zero, h, r, (cylint_ends)one_of(4));
             break;
         case 5:
             any_round_cone(s, h);
             break;
         case 0:
-            cylint_cylinder(s, zero, h, binary(-60, 50), ends);
+            cylint_cylinder(s, zero, h, r, ends);
             break;
         case 1:
-            cylint_cone(s, zero, binary(-60, 50), h, binary(-60, 50), ends);
+            cylint_cone(s, zero, r, h, binary(-60, 50), ends);
             break;
         case 2:
-            cylint_tangent_cone(s, zero, h, binary(-60, 50), ends);
+            cylint_tangent_cone(s, zero, h, r, ends);
             break;
         default:
-            cylint_elliptic_cone(s, zero, a, b, h, binary(-60, 50), ends);
+            cylint_elliptic_cone(s, zero, a, b, h, r, ends);
         }
     } while (s->kind == CYLINT_KIND_NONE);
 }
@@ -276,8 +277,9 @@ TEST(questions_along_thin_cones_are_exact)
             d[k] = h[k] + across[k];
             o[k] = h[k] * one_of(2) + off[k] - back * d[k];
         }
-        if (cylint_cone(&s, zero, r * one_of(2), h, r * one_of(3),
-                        (cylint_ends)one_of(6)) == CYLINT_OK &&
+        const cylint_ends ends = (cylint_ends)one_of(6);
+        const double r1 = r * one_of(3);
+        if (cylint_cone(&s, zero, r * one_of(2), h, r1, ends) == CYLINT_OK &&
             cylint_whole_line(&line, o, d) == CYLINT_OK)
             compare_domains(&s, &line);
     }

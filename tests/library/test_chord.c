@@ -81,9 +81,9 @@ static void limit(struct family_case *c)
     if (a.n == 0 || one_of(2))
         return;
     const double t = a.hit[one_of(a.n)].t;
+    double *end = one_of(2) ? &c->line.tmin : &c->line.tmax;
     if (fabs(t) < DBL_MAX)
-        *(one_of(2) ? &c->line.tmin : &c->line.tmax) =
-            stepped(t, one_of(3) - 1);
+        *end = stepped(t, one_of(3) - 1);
     if (!(c->line.tmin <= c->line.tmax))
         c->line.tmin = c->line.tmax;
 }
@@ -146,8 +146,8 @@ TEST(chords_are_the_same_in_every_environment)
 
 static double any_double(int least, int most)
 {
-    const double x =
-        ldexp(random_mantissa(&stream), least + one_of(most - least + 1));
+    const int e = whole_between(least, most);
+    const double x = ldexp(random_mantissa(&stream), e);
     return one_of(8) == 0 ? 0 : one_of(2) ? x : -x;
 }
 

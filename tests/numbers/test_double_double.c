@@ -56,19 +56,25 @@ static double mantissa(void)
         return 2 - 0x1p-52 * (double)(1 + below(3));
     case 2:
         return 1 + 0x1p-52 * (double)below(4);
-    case 3:
-        return 1 + ldexp(1, -(int)(1 + below(52))) +
-               ldexp(1, -(int)(1 + below(52))) * 0.5;
+    case 3: {
+        const double bit = ldexp(1, -(int)(1 + below(52)));
+        return 1 + bit + ldexp(1, -(int)(1 + below(52))) * 0.5;
+    }
     default:
         return 1 + 0x1p-52 * (double)below((uint64_t)1 << 52);
     }
+}
+
+static double signed_mantissa(void)
+{
+    return below(2) ? mantissa() : -mantissa();
 }
 
 /* The exponents of the forms: up to the eighth power of the window. */
 static double any_double(void)
 {
     const int reach = below(4) ? 8 : 480;
-    const double m = below(2) ? mantissa() : -mantissa();
+    const double m = signed_mantissa();
     return ldexp(m, (int)below((uint64_t)(2 * reach)) - reach);
 }
 
@@ -83,8 +89,8 @@ static pair any_pair(void)
     case 1: /* nearly half an ulp */
         return two_sum(hi, ldexp(below(2) ? 2 - 0x1p-52 : -1, e - 55));
     default:
-        return two_sum(hi, ldexp(below(2) ? mantissa() : -mantissa(),
-                                 e - 55 - (int)below(3)));
+        e -= 55 + (int)below(3);
+        return two_sum(hi, ldexp(signed_mantissa(), e));
     }
 }
 

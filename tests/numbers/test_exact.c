@@ -30,16 +30,17 @@ static double from_bits(uint64_t bits)
 /* Any finite double: zero, subnormal, or with any exponent. */
 static double any_double(void)
 {
-    const uint64_t sign = below(2) << 63;
+    uint64_t bits = below(2) << 63;
     switch (below(8)) {
     case 0:
-        return from_bits(sign);
+        return from_bits(bits);
     case 1:
-        return from_bits(sign | below((uint64_t)1 << 52));
+        return from_bits(bits | below((uint64_t)1 << 52));
     case 2: /* a power of two */
-        return from_bits(sign | below(2047) << 52);
+        return from_bits(bits | below(2047) << 52);
     default:
-        return from_bits(sign | below(2047) << 52 | below((uint64_t)1 << 52));
+        bits |= below(2047) << 52;
+        return from_bits(bits | below((uint64_t)1 << 52));
     }
 }
 
@@ -210,9 +211,10 @@ static void sums_are_rounded_once_in(struct environment there)
 {
     for (int i = 0; i < cases() / 4; i++) {
         const int kind = (int)below(4), bits = (int)below(60);
-        const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1),
-                                (int)below(9) - 4),
-                     lo = ldexp(below(2) ? 1 : -1, -bits) * (double)below(3);
+        const int up = (int)below(9) - 4;
+        const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1), up);
+        const double low = ldexp((double)below(3), -bits);
+        const double lo = below(2) ? low : -low;
         const int e = kind == 0   ? -1074 - (int)below(64)
                       : kind == 1 ? 960 + (int)below(16)
                       : kind == 2 ? -1074 - 53

@@ -109,11 +109,20 @@ static pair untrimmed(double hi)
     return (pair){hi, one_of(4) ? between(-1, 1) * hi * 0x1p-50 : 0};
 }
 
+/* 0, or either sign and down to 2^-n, about. */
+static double any_small(int n)
+{
+    if (one_of(8) == 0)
+        return 0;
+    const double x = between(-1, 1);
+    return ldexp(x, -one_of(n));
+}
+
 /* Near a multiple of 1/512 turns: a node, between two, an axis, a diagonal. */
 static void near_a_node(double *x, double *y)
 {
     const double a = one_of(512) * mpfr_get_d(turn_in_radians, MPFR_RNDN) / 512;
-    const double off = one_of(8) ? between(-1, 1) * ldexp(1, -one_of(60)) : 0;
+    const double off = any_small(60);
     *x = cos(a) - off * sin(a);
     *y = sin(a) + off * cos(a);
 }
@@ -121,7 +130,7 @@ static void near_a_node(double *x, double *y)
 static void near_an_axis(double *x, double *y)
 {
     *x = one_of(2) ? between(-1, 1) : -1;
-    *y = one_of(8) ? between(-1, 1) * ldexp(1, -one_of(400)) : 0;
+    *y = any_small(400);
 }
 
 static turn_point any_point(void)
@@ -150,7 +159,8 @@ static turn_point any_point(void)
     const int swap = one_of(2), far = one_of(4) ? 0 : one_of(2) ? 390 : -390;
     x = fabs(x) < 0x1p-400 ? 0 : ldexp(x, far > 0 || fabs(x) > 0.1 ? far : 0);
     y = fabs(y) < 0x1p-400 ? 0 : ldexp(y, far > 0 || fabs(y) > 0.1 ? far : 0);
-    return (turn_point){untrimmed(swap ? y : x), untrimmed(swap ? x : y), 0, 0};
+    const pair p = untrimmed(swap ? y : x), q = untrimmed(swap ? x : y);
+    return (turn_point){p, q, 0, 0};
 }
 
 /* The angle of a point, with three doubles. */
@@ -276,7 +286,7 @@ static void judge_pairs(void)
         const turn_point *p = exact_points + i;
         int e;
         frexp(fmax(fabs(p->x.hi), fabs(p->y.hi)), &e);
-        const int scale = 1 - e + one_of(2) - one_of(2);
+        const int scale = one_of(3) - e;
         const pair x = scaled(p->x, scale), y = scaled(p->y, scale);
         if ((x.hi != 0 && fabs(x.hi) < 0x1p-200) ||
             (y.hi != 0 && fabs(y.hi) < 0x1p-200))

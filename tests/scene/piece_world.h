@@ -278,10 +278,12 @@ static inline void make_solids(void)
         world.members = 0;
         world.solids = 1 + (size_t)one_of(4);
         for (size_t i = 0; i < world.solids; i++)
-            for (int n = 1 + one_of(8); n > 0; n--)
+            for (int n = 1 + one_of(8); n > 0; n--) {
+                const size_t shape = (size_t)one_of(SHAPES);
+                const int clause = 1 + one_of(4);
                 world.member[world.members++] =
-                    (cylint_member){(size_t)one_of(SHAPES), i,
-                                    (1 + one_of(4)) * (one_of(3) ? 1 : -1)};
+                    (cylint_member){shape, i, one_of(3) ? clause : -clause};
+            }
     } while (cylint_scene_set_solids(world.scene, world.member,
                                      world.members) != CYLINT_SCENE_OK);
 }

@@ -366,7 +366,9 @@ static void make_one_solid(int clause[SHAPES])
             cylint_cylinder(s, p, p, 1, CYLINT_ENDS_CAPPED);
         else
             *s = any_shape();
-        clause[i] = (1 + one_of(clauses)) * (one_of(3) ? 100 : -100);
+        clause[i] = 100 * (1 + one_of(clauses));
+        if (one_of(3) == 0)
+            clause[i] = -clause[i];
         world.member[i] = (cylint_member){i, 0, clause[i]};
     }
 }

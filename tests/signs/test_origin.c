@@ -104,7 +104,7 @@ static void make_direction(double d[3])
     const int is_whole = one_of(3) == 0;
     do
         for (int i = 0; i < 3; i++)
-            d[i] = is_whole ? one_of(9) - 4 : either_sign() * between(0, 1);
+            d[i] = is_whole ? one_of(9) - 4 : between(-1, 1);
     while (d[0] == 0 && d[1] == 0 && d[2] == 0);
 }
 
@@ -205,7 +205,8 @@ TEST(a_line_that_begins_beside_a_surface_has_no_hit_at_0)
         const double base[3] = {0, 0, 0}, top[3] = {0, 0, 8};
         const double off = either_sign() * ldexp(1, -e);
         const double beside_mantle[3] = {5 * k, off, 1 + between(0, 4)};
-        const double beside_cap[3] = {between(0, k), between(0, k), off};
+        const double x = between(0, k), y = between(0, k);
+        const double beside_cap[3] = {x, y, off};
         cylint_shape shape;
         cylint_cylinder(&shape, base, top, 5 * k, CYLINT_ENDS_CAPPED);
         check_point(&shape, i % 2 ? beside_mantle : beside_cap, 0);
@@ -219,7 +220,8 @@ TEST(a_point_beside_a_mantle_is_outside)
     for (int i = 0; i < CASES; i++) {
         const double base[3] = {0, 0, 0}, top[3] = {0, 0, 8};
         const double off = ldexp(1, -500 - one_of(520));
-        const double point[3] = {5, either_sign() * off, 1 + between(0, 4)};
+        const double y = either_sign() * off;
+        const double point[3] = {5, y, 1 + between(0, 4)};
         cylint_shape shape;
         cylint_cylinder(&shape, base, top, 5, CYLINT_ENDS_CAPPED);
         CHECK(cylint_contains(&shape, point) == -1);
@@ -249,11 +251,12 @@ static void check_mantle(int kind)
     const double base[3] = {0, 0, 0}, top[3] = {0, 0, 4};
     const double on_rim[3] = {3 * k, -4 * k, 0};
     const double point[3] = {3 * k, 4 * k, cone ? 2 : 1 + between(0, 2)};
-    const double towards[3] = {whole_between(1, 9), whole_between(1, 9),
-                               whole_between(1, 9)};
+    double towards[3];
     cylint_shape shape;
     cylint_line line;
     cylint_query q;
+    for (int i = 0; i < 3; i++)
+        towards[i] = whole_between(1, 9);
     if (kind == CYLINT_KIND_CAPSULE)
         cylint_capsule(&shape, base, top, 5 * k, CYLINT_ENDS_CAPPED);
     else
@@ -278,7 +281,8 @@ static void check_tenths(void)
     const double r = tenths(90), z = tenths(30);
     const double base[3] = {0, 0, z}, top[3] = {0, 0, z + tenths(50)};
     const double on_mantle[3] = {0, -r, tenths(90)};
-    const double on_base[3] = {between(0, 1), between(0, 1), z};
+    const double x = between(0, 1), y = between(0, 1);
+    const double on_base[3] = {x, y, z};
     const double tangent[3] = {1, 0, one_of(2)};
     cylint_shape shape;
     cylint_line line;

@@ -33,6 +33,11 @@ static size_t any_of(size_t n)
     return (size_t)(bits() % n);
 }
 
+static cylint_ends any_ends(void)
+{
+    return (cylint_ends)any_of(4);
+}
+
 /* At most 1 in size, never 0. */
 static void direction(double d[3])
 {
@@ -62,7 +67,7 @@ static cylint_status stick(const double at[3], double length, double radius,
                            cylint_shape *shape)
 {
     double d[3], top[3];
-    const cylint_ends ends = (cylint_ends)any_of(4);
+    const cylint_ends ends = any_ends();
     direction(d);
     unit(d);
     along3(top, at, length, d);
@@ -110,10 +115,11 @@ static cylint_status lattice_shape(size_t n, cylint_shape *shape)
     for (int j = 0; j < 3; j++)
         top[j] = at[j] = (double)any_of(side);
     top[any_of(3)] += 1;
-    if (bits() % 3 == 0)
-        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4),
-                           (cylint_ends)any_of(4));
-    return cylint_cylinder(shape, at, top, 0.5, (cylint_ends)any_of(4));
+    const int is_cone = bits() % 3 == 0;
+    const cylint_ends ends = any_ends();
+    if (is_cone)
+        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4), ends);
+    return cylint_cylinder(shape, at, top, 0.5, ends);
 }
 
 /* A capsule, round cone or sphere; some are pointed, of some one ball holds the
@@ -122,8 +128,7 @@ static cylint_status round_shape(const double at[3], double length,
                                  double radius, cylint_shape *shape)
 {
     double d[3], top[3];
-    const cylint_ends ends =
-        bits() % 2 ? CYLINT_ENDS_CAPPED : (cylint_ends)any_of(4);
+    const cylint_ends ends = bits() % 2 ? CYLINT_ENDS_CAPPED : any_ends();
     direction(d);
     unit(d);
     along3(top, at, length, d);
@@ -152,8 +157,9 @@ static cylint_status round_lattice_shape(size_t n, cylint_shape *shape)
         top[j] = at[j] = (double)any_of(side);
     if (bits() % 4)
         top[any_of(3)] += 1;
+    const cylint_ends ends = any_ends();
     return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4),
-                             (cylint_ends)any_of(4));
+                             ends);
 }
 
 /* In a cube of side cbrt(n), so that neighbours are about 1 apart. */
@@ -165,7 +171,7 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
     random_vector(at, side / 2);
     switch (kind) {
     case SCENE_MIXED:
-        return any_shape(at, 1, (cylint_ends)any_of(4), shape);
+        return any_shape(at, 1, any_ends(), shape);
     case SCENE_UNBOUNDED: /* and some that are refused */
         if (bits() % 64 == 0)
             at[1] = NAN;
@@ -175,22 +181,25 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
     case SCENE_DISTANT:
         for (int j = 0; j < 3; j++)
             at[j] += 1e6 * side * (j - 0.7);
-        return any_shape(at, 2, (cylint_ends)any_of(4), shape);
+        return any_shape(at, 2, any_ends(), shape);
     case SCENE_LENGTHS: {
         const double length = power(-6, 7);
-        for (int j = 0; j < 3; j++)
-            at[j] = between(-1e7, 1e7) * power(-9, 0);
+        for (int j = 0; j < 3; j++) {
+            at[j] = between(-1e7, 1e7);
+            at[j] *= power(-9, 0);
+        }
         return stick(at, length, length * power(-2, 0), shape);
     }
     case SCENE_LATTICE:
         return lattice_shape(n, shape);
     case SCENE_SMALL:
         scale3(at, 1e-130);
-        return any_shape(at, 2e-130, (cylint_ends)any_of(4), shape);
-    case SCENE_HUGE: /* some beyond what a frame holds */
+        return any_shape(at, 2e-130, any_ends(), shape);
+    case SCENE_HUGE: { /* some beyond what a frame holds */
+        const cylint_ends ends = any_ends();
         scale3(at, 1e110);
-        return any_shape(at, bits() % 32 ? 2e110 : 1e150,
-                         (cylint_ends)any_of(4), shape);
+        return any_shape(at, bits() % 32 ? 2e110 : 1e150, ends, shape);
+    }
     case SCENE_ROUND:
         return bits() % 4 ? round_shape(at, 1.5, 0.3, shape)
                           : round_lattice_shape(n, shape);
@@ -369,8 +378,8 @@ static cylint_status grazing_line(const struct scene_shapes *s,
     direction(other);
     cross3(d, hit.normal, other);
     const double size = size_of(s);
-    const double off =
-        bits() % 3 == 0 ? 0 : (bits() % 2 ? 1 : -1) * power(-18, -8) * size;
+    double off = bits() % 3 == 0 ? 0 : bits() % 2 ? size : -size;
+    off *= power(-18, -8);
     along3(at, hit.point, off, hit.normal);
     along3(o, at, -between(0, 1) * size, d);
     return cylint_ray(line, o, d);
@@ -470,9 +479,9 @@ static cylint_status parallel_line(const struct scene_shapes *s,
                                 : s->hi[j];
     for (int j = 0; j < 3; j++)
         d[j] = bits() % 2 ? 0.0 : -0.0;
-    d[any_of(3)] = bits() % 2 ? 1 : -3;
+    set_any(d, bits() % 2 ? 1 : -3);
     if (bits() % 4 == 0)
-        d[any_of(3)] = bits() % 2 ? 2 : -5;
+        set_any(d, bits() % 2 ? 2 : -5);
     return cylint_whole_line(line, o, d);
 }
 
@@ -492,7 +501,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
         scale3(u, 0x1p1000);
         return cylint_ray(line, o, u);
     case 2: /* one component next to nothing */
-        d[any_of(3)] = bits() % 2 ? 0x1p-1070 : -0x1p-300;
+        set_any(d, bits() % 2 ? 0x1p-1070 : -0x1p-300);
         return cylint_ray(line, o, d);
     case 3:
         along3(o, to, -0x1p1010, u);
@@ -502,7 +511,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
         set3(o, -u[0], -u[1], -u[2]);
         return cylint_segment(line, o, u);
     case 5: /* refused */
-        d[any_of(3)] = bits() % 2 ? NAN : HUGE_VAL;
+        set_any(d, bits() % 2 ? NAN : HUGE_VAL);
         return cylint_ray(line, o, d);
     case 6: /* where the line begins, t is in the millions */
         return cylint_span(line, o, d, 0x1p-1074,

@@ -43,8 +43,9 @@ static void draw_point(int shape, enum family family, double point[3])
     }
     if (family == SURFACE) {
         cylint_closest a;
-        off = power_between(&in.random, -14, -10) *
-              (random_below(&in.random, 2) ? 1 : -1);
+        off = power_between(&in.random, -14, -10);
+        if (random_below(&in.random, 2) == 0)
+            off = -off;
         cylint_distance(&in.shape[shape], point,
                         CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &a);
         for (int c = 0; c < 3; c++)
