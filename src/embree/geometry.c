@@ -215,7 +215,8 @@ static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
                                     .n = data->n,
                                     .threads = data->options.threads,
                                     .source = &data->source};
-    const int status = cylint_bvh_build(&data->bvh, &input, &shape);
+    const cylint_bvh_status status =
+        cylint_bvh_build(&data->bvh, &input, &shape);
     return report(problem,
                   status == CYLINT_BVH_OK       ? CYLINT_EMBREE_OK
                   : status == CYLINT_BVH_ESHAPE ? CYLINT_EMBREE_ESHAPE
