@@ -190,8 +190,8 @@ enum {
 };
 
 /* Writes a finished scene to a file: writes PATH.NUMBER.new, which then takes the
- * place of PATH.  A pipe or a device is written directly.  EFILE: errno has the
- * reason, and PATH.NUMBER.new is removed. */
+ * place of PATH, or of the file to which a link PATH leads.  A pipe or a device is
+ * written directly.  EFILE: errno has the reason, and the new file is removed. */
 CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                                  const char *path);
 

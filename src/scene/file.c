@@ -8,7 +8,7 @@
  * Section RANKS is empty in this version.
  */
 #ifdef __linux__
-#define _DEFAULT_SOURCE 1 /* fileno(), getpid() and mmap() with -std=c99 */
+#define _DEFAULT_SOURCE 1 /* fileno(), mmap(), realpath()... with -std=c99 */
 #endif
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/mman.h>
@@ -88,6 +88,9 @@ static int is_replaceable(const char *path)
     return stat(path, &about) != 0 || S_ISREG(about.st_mode);
 }
 
+/* The file that a path or a link leads to, to be freed; NULL: there is none. */
+#define file_of(path) realpath(path, NULL)
+
 static void unmap_file(void *memory)
 {
     const cylint_memory *m = memory;
@@ -114,6 +117,7 @@ static int map_file(cylint_memory *m, FILE *file)
 
 #define getpid() 0
 #define is_replaceable(path) ((void)(path), 1)
+#define file_of(path) NULL
 #define map_file(m, file) 0
 
 #endif
@@ -314,8 +318,7 @@ static cylint_scene_status save_beside(const cylint_scene *s, FILE *file,
     return status;
 }
 
-cylint_scene_status cylint_scene_save(const cylint_scene *scene,
-                                      const char *path)
+static cylint_scene_status save_at(const cylint_scene *scene, const char *path)
 {
     const int replaces = is_replaceable(path);
     const size_t bytes = strlen(path) + 32;
@@ -329,6 +332,15 @@ cylint_scene_status cylint_scene_save(const cylint_scene *scene,
         : replaces ? save_beside(scene, file, path, beside)
                    : write_and_close(scene, file);
     free(beside);
+    return status;
+}
+
+cylint_scene_status cylint_scene_save(const cylint_scene *scene,
+                                      const char *path)
+{
+    char *file = file_of(path);
+    const cylint_scene_status status = save_at(scene, file ? file : path);
+    free(file);
     return status;
 }
 

@@ -236,6 +236,22 @@ TEST(a_file_beside_the_new_one_is_not_written)
     CHECK(remove(beside) == 0 && remove(path) == 0);
 }
 
+TEST(a_link_stays_a_link)
+{
+    char link[96];
+    struct stat about;
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    snprintf(link, sizeof link, "%s.link", path);
+    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK &&
+          truncate(path, 0) == 0);
+    CHECK(symlink(path, link) == 0);
+    CHECK(cylint_scene_save(empty, link) == CYLINT_SCENE_OK);
+    CHECK(lstat(link, &about) == 0 && S_ISLNK(about.st_mode));
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
+    CHECK(opened);
+    CHECK(remove(link) == 0 && remove(path) == 0);
+}
+
 /* Such a file has one reader, who must not close and open it again. */
 TEST(a_named_pipe_is_read)
 {
