@@ -275,14 +275,17 @@ static int write_to_file(void *context, const void *data, size_t bytes)
 #define NEW_FILE "wbx" /* fails if the file or a link of this name exists */
 #endif
 
-/* Creates PATH.NUMBER.new and writes its name.  Another thread, or a process of
- * this number on another machine, may write beside the same path. */
+/* Creates PATH.NUMBER.new and writes its name; of the last name of PATH, which can
+ * have 255 bytes, it keeps 200.  Another thread, or a process of this number on
+ * another machine, may write beside the same path. */
 static FILE *create_beside(const char *path, char *beside, size_t bytes)
 {
-    enum { TRIES = 100 };
+    enum { TRIES = 100, NAME_KEPT = 200 };
+    const char *slash = strrchr(path, '/');
+    const int kept = NAME_KEPT + (slash ? (int)(slash + 1 - path) : 0);
     FILE *file = NULL;
     for (long i = 0; !file && (i == 0 || (i < TRIES && errno == EEXIST)); i++) {
-        snprintf(beside, bytes, "%s.%ld.new", path, (long)getpid() + i);
+        snprintf(beside, bytes, "%.*s.%ld.new", kept, path, (long)getpid() + i);
         file = fopen(beside, NEW_FILE);
     }
     return file;

@@ -374,7 +374,7 @@ test_symbols()
         attr_init attr_getstacksize attr_setstacksize attr_destroy)"
     # of a saved scene
     files='fileno fstat stat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
-        rename remove realpath snprintf __errno_location'
+        rename remove realpath snprintf strrchr __errno_location'
     none "$(foreign_to libcylint-scene "$math $memory $others $heap $threads $files sqrtf")" \
         scenes_use_memory_threads_and_files_and_nothing_else
 }

@@ -252,6 +252,17 @@ TEST(a_link_stays_a_link)
     CHECK(remove(link) == 0 && remove(path) == 0);
 }
 
+TEST(a_name_of_255_bytes_is_saved)
+{
+    char name[400];
+    const char *slash = strrchr(path, '/');
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    snprintf(name, sizeof name, "%.*s%0255d",
+             slash ? (int)(slash + 1 - path) : 0, path, 0);
+    CHECK(cylint_scene_save(empty, name) == CYLINT_SCENE_OK);
+    CHECK(remove(name) == 0);
+}
+
 /* Such a file has one reader, who must not close and open it again. */
 TEST(a_named_pipe_is_read)
 {
