@@ -236,8 +236,8 @@ static void fill_group(const leaf_job *job, size_t first)
 {
     cylint_swept_disc disc[TOGETHER];
     cylint_boxed_piece box[TOGETHER];
-    const size_t left = job->n - first;
-    const int n = left < TOGETHER ? (int)left : TOGETHER;
+    const size_t ahead = job->n - first;
+    const int n = ahead < TOGETHER ? (int)ahead : TOGETHER;
     memcpy(box, job->box + first, (size_t)n * sizeof *box);
     for (int i = 0; i < n; i++)
         cylint_swept_disc_at(&disc[i], job->view, box[i].number);

@@ -84,12 +84,12 @@ static inline cylint_extent cylint_float_box(const double lo[3],
 
 static inline int cylint_extent_is_valid(const cylint_extent *box)
 {
-    int keeps = 1;
+    int valid = 1;
     EACH(j, 3)
-        keeps &= (-CYLINT_EXTENT_LIMIT < box->lower[j]) &
+        valid &= (-CYLINT_EXTENT_LIMIT < box->lower[j]) &
                  (box->lower[j] <= box->upper[j]) &
                  (box->upper[j] < CYLINT_EXTENT_LIMIT);
-    return keeps;
+    return valid;
 }
 
 /* The empty box. */

@@ -9,7 +9,7 @@
  *   f_mad(x, y, z)       x y + z, rounded once or twice: results are used with
  *                        error bounds, so builds may differ
  *   f_lower, f_higher    the lesser or greater of x and y; y if x is NaN
- *   f_turned(x, y)       -x where y is negative, else x
+ *   f_flipped(x, y)      -x where y is negative, else x
  *   f_from_bits(x, m)    the integers x & m as floats
  *   f_store_keys(p, x)   stores integers in the order of the floats
  *   i_or_where(x, m, y)  x | y where m, else x
@@ -118,7 +118,7 @@ static inline void f_store_keys(uint32_t *x, vf v)
 static inline vf f_lower(vf x, vf y) { return MM(min_ps)(x, y); }
 static inline vf f_higher(vf x, vf y) { return MM(max_ps)(x, y); }
 static inline vf f_abs(vf x) { return MM(andnot_ps)(MM(set1_ps)(-0.0f), x); }
-static inline vf f_turned(vf x, vf y)
+static inline vf f_flipped(vf x, vf y)
 {
     return MM(xor_ps)(x, MM(and_ps)(MM(set1_ps)(-0.0f), y));
 }
@@ -157,7 +157,7 @@ static inline vf f_lower(vf x, vf y) { return x < y ? x : y; }
 static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return fabsf(x); }
-static inline vf f_turned(vf x, vf y) { return y < 0 ? -x : x; }
+static inline vf f_flipped(vf x, vf y) { return y < 0 ? -x : x; }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }
 static inline vm m_not_greater(vf x, vf y) { return !(x > y); }
 static inline unsigned m_bits(vm m) { return m; }

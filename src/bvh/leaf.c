@@ -47,7 +47,7 @@ typedef struct {
 
 /* The nearest whole number, in every rounding mode.  rint() does not serve: gcc
  * computes it from the size of x. */
-static long whole(double x)
+static long nearest_whole(double x)
 {
     const long n = lrint(x);
     return n + (x - (double)n > 0.5) - ((double)n - x > 0.5);
@@ -61,7 +61,7 @@ static double round_end(const double p[3], long to[3])
     for (int j = 0; j < 3; j++) {
         if (!(fabs(p[j]) < LARGEST_P))
             return -1;
-        to[j] = whole(p[j]);
+        to[j] = nearest_whole(p[j]);
         const double shift = p[j] - (double)to[j];
         square += shift * shift;
     }
@@ -88,9 +88,9 @@ static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
 static void store_numbers(cylint_leaf *leaf, int lane, cylint_shape_piece piece,
                           int ends)
 {
-    const uint32_t more = (uint32_t)piece.count - 1;
-    leaf->p[0][lane] = more << 30;
-    leaf->p[1][lane] = more >> 2 << 30;
+    const uint32_t count = (uint32_t)piece.count - 1; /* 1 is stored as 0 */
+    leaf->p[0][lane] = count << 30;
+    leaf->p[1][lane] = count >> 2 << 30;
     leaf->r[lane] = (uint16_t)((piece.index | ends << 4) << CYLINT_LEAF_R_BITS);
 }
 
@@ -148,24 +148,24 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
     const double least =
         e + 4 +
         (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
-    double more[2];
+    double longer[2];
     for (int end = 0; end < 2; end++) {
         const int is_disc = round && !part.is_ball[end];
-        more[end] = (least + (is_disc ? 0 : across * slope)) / length;
+        longer[end] = (least + (is_disc ? 0 : across * slope)) / length;
     }
     if (capsule) {
         const double k[2] = {part.k[0] * steps, part.k[1] * steps};
         const double shorter = cylint_smaller(fabs(k[0] - k[1]), l);
         for (int end = 0; end < 2; end++)
-            more[end] =
+            longer[end] =
                 ((l - shorter < 4 ? 2 : 0) - (k[end] < across ? shorter : 0)) /
                 length;
     }
     step_cylinder h = {.r = across + input_error + 0x1p-20};
     for (int j = 0; j < 3; j++) {
         const double from = base[j] - (double)leaf->center[j];
-        h.p[0][j] = (from + part.z[0] * axis[j]) * steps - more[0] * axis[j];
-        h.p[1][j] = (from + part.z[1] * axis[j]) * steps + more[1] * axis[j];
+        h.p[0][j] = (from + part.z[0] * axis[j]) * steps - longer[0] * axis[j];
+        h.p[1][j] = (from + part.z[1] * axis[j]) * steps + longer[1] * axis[j];
     }
     return ww > CYLINT_LEAST_SQUARE && input_error < 1 &&
            store_cylinder(leaf, lane, &h);

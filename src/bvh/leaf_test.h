@@ -181,7 +181,7 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
         return hit;
     /* entry_shift is infinite or NaN where e.w is 0: f_higher() ignores it */
     const vf per_nn = f_set(1) / nn, per_ew = f_set(1) / f_abs(ew);
-    const vf entry_shift = (f_turned(offset, ew) + beyond) * per_ew;
+    const vf entry_shift = (f_flipped(offset, ew) + beyond) * per_ew;
     const vf first_s = f_higher(T - T_error - entry_shift, T - reach);
     f_store(least, first_s * (per_nn * l->t_per_s));
     return hit & f_not_greater(first_s, l->last * nn);

@@ -91,10 +91,10 @@ void *cylint_take_room(cylint_room *room, size_t n, size_t size)
     const size_t bytes = (n * size + 7) / 8 * 8;
     char *const taken = room->at;
     room->wanted += bytes;
-    if (!taken || bytes > room->left)
+    if (!taken || bytes > room->bytes)
         return NULL;
     room->at += bytes;
-    room->left -= bytes;
+    room->bytes -= bytes;
     return taken;
 }
 

@@ -38,7 +38,7 @@ void *cylint_resized(void *array, size_t n, size_t size);
 /* Memory that is not used yet.  `wanted` also counts what did not fit. */
 typedef struct cylint_room {
     char *at;
-    size_t left, wanted;
+    size_t bytes, wanted;
 } cylint_room;
 
 /* Returns memory for n elements, or NULL. */

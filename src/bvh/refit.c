@@ -72,11 +72,11 @@ static cylint_extent child_box(const cylint_bvh *bvh, const cylint_node *node,
     for (int j = 0; j < 3; j++) {
         const double corner = (double)node->corner[j] + (double)bvh->center[j];
         const double step = (double)node->step[j];
-        const double more = (fabs((double)node->corner[j]) +
-                             fabs((double)bvh->center[j]) + 255 * step) *
-                            0x1p-50;
-        side[0][j] = corner + step * node->face[0][j][child] - more;
-        side[1][j] = corner + step * node->face[1][j][child] + more;
+        const double error = (fabs((double)node->corner[j]) +
+                              fabs((double)bvh->center[j]) + 255 * step) *
+                             0x1p-50;
+        side[0][j] = corner + step * node->face[0][j][child] - error;
+        side[1][j] = corner + step * node->face[1][j][child] + error;
     }
     return cylint_float_box(side[0], side[1]);
 }

@@ -136,11 +136,11 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
         const double reach1 = h.is_ball[1] ? 1 : reach[j];
         const double size = fabs(t->base[j]) + fabs(t->axis[j]) +
                             (t->k[0] + t->k[1]) * cylint_larger(reach0, reach1);
-        const double more = size * 0x1p-48 + DBL_MIN;
+        const double margin = size * 0x1p-48 + DBL_MIN;
         const double from = t->base[j] + h.z[0] * t->axis[j];
         const double to = t->base[j] + h.z[1] * t->axis[j];
-        const double out0 = h.k[0] * reach0 + more;
-        const double out1 = h.k[1] * reach1 + more;
+        const double out0 = h.k[0] * reach0 + margin;
+        const double out1 = h.k[1] * reach1 + margin;
         /* which end is lower is unpredictable, so there is no branch */
         lo[j] = cylint_smaller(from - out0, to - out1);
         hi[j] = cylint_larger(from + out0, to + out1);

@@ -229,12 +229,12 @@ static int write_section(const char *data, size_t bytes,
                          cylint_scene_writer *writer, void *context)
 {
     char last[FILE_BLOCK] = {0};
-    const size_t more = bytes % FILE_BLOCK;
-    if (bytes > more && !writer(context, data, bytes - more))
+    const size_t last_bytes = bytes % FILE_BLOCK;
+    if (bytes > last_bytes && !writer(context, data, bytes - last_bytes))
         return 0;
-    if (more == 0)
+    if (last_bytes == 0)
         return 1;
-    memcpy(last, data + bytes - more, more);
+    memcpy(last, data + bytes - last_bytes, last_bytes);
     return writer(context, last, sizeof last);
 }
 

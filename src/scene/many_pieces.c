@@ -54,10 +54,10 @@ static int grow_workspace(cylint_workspace *work, size_t bytes)
 static int grow_pieces(piece_block *b)
 {
     const size_t capacity = 2 * b->capacity + FIRST_PIECES;
-    cylint_piece *more = cylint_resized(b->pieces, capacity, sizeof *more);
-    if (!more)
+    cylint_piece *grown = cylint_resized(b->pieces, capacity, sizeof *grown);
+    if (!grown)
         return 0;
-    b->pieces = more;
+    b->pieces = grown;
     b->capacity = capacity;
     return 1;
 }

@@ -248,10 +248,10 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
     *chords += *events;
 }
 
-/* Makes the chords in solids of those in shapes, which have no duplicates and at
- * which the workspace begins.  Returns how many there are, behind these and in no
- * order, or CYLINT_NO_ROOM.  *spare: as much memory as they take.  A scene without
- * solids has those of its shapes, and *spare stays. */
+/* Makes the chords in solids from those in shapes, which have no duplicates and at
+ * which the workspace begins.  Returns their number, or CYLINT_NO_ROOM.  They stand
+ * behind those in shapes, in no order; *spare: as much memory as they take.  A
+ * scene without solids has the chords of its shapes, and *spare stays. */
 static size_t chords_of_solids(const collector *c, const chord_domain *domain,
                                cylint_workspace *work,
                                numbered_chord **of_solids,

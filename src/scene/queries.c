@@ -8,7 +8,7 @@
 #include "../intersect.h"
 #include "visit.h"
 
-/* ----------------------------------------------------- what they keep --- */
+/* ------------------------------------------------ results of a visit --- */
 
 /* The shape of the least t or distance so far; of equal ones that of the lowest
  * number. */
@@ -151,7 +151,7 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
     const cylint_visit_options options = {
         .except = except,
         .want = EARLY_MEMBERS,
-        .often = 1,
+        .may_repeat = 1,
         .first_other =
             keep_nearest_other(&q, scene, line, except) ? scene->n_others : 0};
     cylint_visit_line(scene, line, &options, q.least, keep_least, &q);
@@ -178,7 +178,7 @@ static size_t count_except(const cylint_scene *scene, const cylint_line *line,
 {
     const int together = except >= scene->n;
     const cylint_visit_options options = {.except = except,
-                                          .often = enough == 1,
+                                          .may_repeat = enough == 1,
                                           .in_no_order = enough == 0,
                                           .first_other =
                                               together ? scene->n_others : 0};
@@ -217,7 +217,7 @@ size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
 /* ------------------------------------------------------------- points --- */
 
 /* The members that the visit does not compute. */
-#define WANTED (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
+#define UNCOMPUTED (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
 
 size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
@@ -230,7 +230,7 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
     const size_t number = q.number;
     if (number == scene->n)
         return number;
-    if (want & WANTED) {
+    if (want & UNCOMPUTED) {
         cylint_record_shape(&scene->records, number, &shape);
         cylint_distance(&shape, point, want, answer);
     } else {

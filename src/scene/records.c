@@ -37,8 +37,8 @@ static int resize_elliptic(cylint_records *r, size_t capacity)
  * in proportion to the number of shapes. */
 static size_t grown(size_t capacity, size_t wanted)
 {
-    const size_t more = capacity + capacity / 2;
-    return more > wanted ? more : wanted;
+    const size_t by_half = capacity + capacity / 2;
+    return by_half > wanted ? by_half : wanted;
 }
 
 int cylint_records_reserve(cylint_records *r, size_t n)

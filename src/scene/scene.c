@@ -59,11 +59,11 @@ int cylint_box_of_shape(cylint_shapes_box *box, const cylint_shape *s)
         const double bottom = cylint_rough_reach(s, 0, j),
                      top = cylint_rough_reach(s, 1, j);
         const double base = cylint_base(s)[j], end = base + cylint_axis(s)[j];
-        const double more =
+        const double margin =
             DBL_MIN +
             0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
-        box->lo[j] = fmin(base - bottom, end - top) - more;
-        box->hi[j] = fmax(base + bottom, end + top) + more;
+        box->lo[j] = fmin(base - bottom, end - top) - margin;
+        box->hi[j] = fmax(base + bottom, end + top) + margin;
         if (!(box->lo[j] >= -CYLINT_FRAME_MOST &&
               box->hi[j] <= CYLINT_FRAME_MOST))
             return 0;

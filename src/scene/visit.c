@@ -24,17 +24,17 @@ enum { RECENT = 16, SET_SIZE = 256, SET_MOST = 192 };
 #define NO_SHAPE UINT32_MAX
 
 typedef struct {
-    int often; /* a shape may be visited more than once: without the table */
+    int may_repeat; /* a shape may be visited more than once: without the table */
     int visited;
     uint32_t recent[RECENT], slot[SET_SIZE];
 } tested_shapes;
 
-static inline void begin_tests(tested_shapes *s, int often)
+static inline void begin_tests(tested_shapes *s, int may_repeat)
 {
-    s->often = often;
+    s->may_repeat = may_repeat;
     s->visited = 0;
     memset(s->recent, 0xff, sizeof s->recent); /* NO_SHAPE */
-    if (!often)
+    if (!may_repeat)
         memset(s->slot, 0xff, sizeof s->slot);
 }
 
@@ -73,7 +73,7 @@ CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
         test(visit, number);
         return;
     }
-    if (s->often) {
+    if (s->may_repeat) {
         if (!was_tested(s, number))
             test(visit, number);
         return;
@@ -121,7 +121,7 @@ CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
  * A hierarchy over pieces of shapes (bvh.h) rejects shapes that the line
  * certainly does not hit, or hits beyond the last t that is wanted
  * (traverse.h).  Of the others local coordinates in doubles reject nearly all
- * that the line does not hit; cylint_intersect() tests the rest.
+ * that the line does not hit; cylint_intersect() tests the others.
  */
 
 /* The most lanes that wait while their shapes are loaded.  Fewer than FEW_CHORDS
@@ -357,7 +357,7 @@ static void traverse_lines(line_visit *v, int in_no_order)
 }
 
 static void begin_visit(line_visit *v, const cylint_scene *scene,
-                        const cylint_line *line, int often, void *context)
+                        const cylint_line *line, int may_repeat, void *context)
 {
     v->scene = scene;
     v->line = *line;
@@ -365,7 +365,7 @@ static void begin_visit(line_visit *v, const cylint_scene *scene,
     v->last = line->tmax;
     v->stopped = v->n_later = 0;
     v->context = context;
-    begin_tests(&v->tested, often);
+    begin_tests(&v->tested, may_repeat);
 }
 
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
@@ -373,7 +373,7 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        cylint_use_found *callback, void *context)
 {
     line_visit v;
-    begin_visit(&v, scene, line, options->often, context);
+    begin_visit(&v, scene, line, options->may_repeat, context);
     v.except = options->except;
     v.want = options->want;
     v.callback = callback;
@@ -548,7 +548,7 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
 {
     point_visit *v = self;
     unsigned lanes = (1u << cylint_leaf_used(leaf)) - 1;
-    if (!v->tested.often) { /* then most shapes within reach are tested */
+    if (!v->tested.may_repeat) { /* then most shapes within reach are tested */
         for (int lane = 0; lane < cylint_leaf_used(leaf); lane++)
             lanes &= ~((unsigned)(least[lane] > v->reach) << lane);
         prefetch_shapes(v->scene, leaf, lanes);
@@ -593,7 +593,7 @@ static void traverse_points(point_visit *v)
 }
 
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
-                        double radius, cylint_nearness nearness, int often,
+                        double radius, cylint_nearness nearness, int may_repeat,
                         cylint_use_found *callback, void *context)
 {
     point_visit v;
@@ -604,7 +604,7 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     v.nearness = nearness;
     v.callback = callback;
     v.context = context;
-    begin_tests(&v.tested, often);
+    begin_tests(&v.tested, may_repeat);
     set_point_radius(&v, radius);
     for (size_t i = 0; i < scene->n_others && !v.stopped; i++)
         test_point_at(&v, scene->others[i]);

@@ -25,7 +25,7 @@ typedef struct cylint_visit_options {
     size_t except; /* the number of a shape that is left out, or the number of
                       all shapes */
     unsigned want;
-    int often;          /* a shape may come more than once: faster */
+    int may_repeat;     /* a shape may come more than once: faster */
     int in_no_order;    /* no nearer hit makes others unwanted: faster */
     size_t first_other; /* the first of scene->others that is tested */
 } cylint_visit_options;
@@ -61,9 +61,9 @@ static inline cylint_nearness cylint_nearness_of(unsigned want)
     return want & CYLINT_SIGNED ? CYLINT_NEAR_SOLID : CYLINT_NEAR_SURFACE;
 }
 
-/* As cylint_scene_visit_point(); often: as above. */
+/* As cylint_scene_visit_point(); may_repeat: as above. */
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
-                        double radius, cylint_nearness nearness, int often,
+                        double radius, cylint_nearness nearness, int may_repeat,
                         cylint_use_found *callback, void *context);
 
 #endif
