@@ -24,7 +24,7 @@
 /* HIT: the hit counts; MISS: it does not, but the next may. */
 INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
-                                             asked *of)
+                                             question *of)
 {
     if (t + e < of->tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
@@ -175,26 +175,26 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
                  to_float(turn, e, phi));
 }
 
-/* least[j]: the axis is least along coordinate j, the first such.  lost: what their
- * roundings lost, needed where two of them are equal. */
+/* least[j]: the axis is least along coordinate j, the first such.  low: the low
+ * parts of the sizes of its coordinates, needed where two of these are equal. */
 INLINE void find_least(const questions *q, vm least[3])
 {
     const vd zero = v_set(0), x = v_abs(q->w[0]), y = v_abs(q->w[1]),
              z = v_abs(q->w[2]);
-    vd lost[3] = {zero, zero, zero};
+    vd low[3] = {zero, zero, zero};
     if (m_any(v_eq((x - y) * (y - z) * (z - x), zero))) {
         vd base[4], top[4];
-        load_columns(q, offsetof(asked, record.p0), base);
-        load_columns(q, offsetof(asked, record.p1), top);
+        load_columns(q, offsetof(question, record.p0), base);
+        load_columns(q, offsetof(question, record.p1), top);
         EACH(j, 3)
-            lost[j] = v_select(q->is_angle, zero,
-                               v_like(v_set(1), q->w[j]) *
-                                   v_two_sum(top[j], -base[j]).lo);
+            low[j] = v_select(q->is_angle, zero,
+                              v_like(v_set(1), q->w[j]) *
+                                  v_two_sum(top[j], -base[j]).lo);
     }
-    const vm y_less = v_lt((y - x) + (lost[1] - lost[0]), zero);
+    const vm y_less = v_lt((y - x) + (low[1] - low[0]), zero);
     const vd xy = v_select(y_less, y, x);
-    const vd xy_lost = v_select(y_less, lost[1], lost[0]);
-    least[2] = v_lt((z - xy) + (lost[2] - xy_lost), zero);
+    const vd xy_low = v_select(y_less, low[1], low[0]);
+    least[2] = v_lt((z - xy) + (low[2] - xy_low), zero);
     least[1] = m_and_not(y_less, least[2]);
     least[0] = m_not(m_or(least[1], least[2]));
 }
@@ -277,15 +277,15 @@ INLINE void answer_as(questions *q, int is_round)
     hit first;
     unsigned hits = 0, leaves = 0, unsure;
     cross_shape(q, is_round);
-    unsigned left = m_bits(q->may) & q->used, uncertain = m_bits(q->uncertain);
-    for (int end = q->of[0]->exit_only; end < 2 && left; end++) {
+    unsigned open = m_bits(q->may) & q->used, uncertain = m_bits(q->uncertain);
+    for (int end = q->of[0]->exit_only; end < 2 && open; end++) {
         hit at = end_on_shape(q, is_round, end);
-        uncertain |= m_bits(at.uncertain) & left;
-        left &= m_bits(at.is);
-        const unsigned inexact = left & need_step(q, &at, is_round);
+        uncertain |= m_bits(at.uncertain) & open;
+        open &= m_bits(at.is);
+        const unsigned inexact = open & need_step(q, &at, is_round);
         if (inexact)
             step_on_cone(q, end, m_from(inexact), &at);
-        const unsigned accepted = accept_hits(q, &at, left, &unsure);
+        const unsigned accepted = accept_hits(q, &at, open, &unsure);
         if (LANES == 1 || !hits)
             first = at;
         else
@@ -293,7 +293,7 @@ INLINE void answer_as(questions *q, int is_round)
         uncertain |= unsure;
         leaves |= end ? accepted : 0;
         hits |= accepted;
-        left &= ~(accepted | unsure);
+        open &= ~(accepted | unsure);
     }
     if (hits && q->of[0]->describes)
         uncertain |= hits & ~describe_hits(q, &first, hits, is_round);
@@ -305,7 +305,7 @@ INLINE void answer_as(questions *q, int is_round)
     }
 }
 
-void CYLINT_FLOAT_FILTER(asked *const of[], int n)
+void CYLINT_FLOAT_FILTER(question *const of[], int n)
 {
     for (int from = 0; from < n; from += LANES) {
         questions q;

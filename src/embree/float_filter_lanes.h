@@ -65,7 +65,7 @@
 
 /* ------------------------------------------------------------ questions -- */
 
-typedef cylint_float_filter_question asked;
+typedef cylint_float_filter_question question;
 
 /* Q, whether the line certainly crosses its surface, and where: sqrt(G),
  * reciprocals of a and of that, errors. */
@@ -76,7 +76,7 @@ typedef struct {
 
 /* The questions of the lanes; those that are not used repeat the first. */
 typedef struct {
-    asked *of[LANES];
+    question *of[LANES];
     unsigned used; /* bits of lanes */
     /* the line from the shape's base on: t = from + s */
     vd u[3], D[3], w[3], r0, dr, from;
@@ -158,10 +158,10 @@ INLINE void load_questions(questions *q)
     const vd zero = v_set(0);
     vd x[8], base[4], top[4], D0[3];
     /* base and r0, top and r1; of an angle cone v and -k, u and k */
-    load_columns(q, offsetof(asked, record.p0), base);
-    load_columns(q, offsetof(asked, record.p1), top);
-    load_columns(q, offsetof(asked, o), x);
-    load_columns(q, offsetof(asked, d[1]), x + 4);
+    load_columns(q, offsetof(question, record.p0), base);
+    load_columns(q, offsetof(question, record.p1), top);
+    load_columns(q, offsetof(question, o), x);
+    load_columns(q, offsetof(question, d[1]), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
     q->is_angle = v_lt(base[3] * top[3], zero);
@@ -191,19 +191,19 @@ INLINE void load_questions(questions *q)
 /* ------------------------------------------------------------- surfaces -- */
 
 /*
- * Writes whether the line crosses the surface, from G, in the lanes `known`, and
+ * Writes whether the line crosses the surface, from G, in `lanes`, and
  * the root and reciprocals.
  *
  * Where a < 0 a line crosses a cone that it is steeper than, on both nappes: G
  * is not negative.
  */
-INLINE void cross_surface(quadratic *c, vd G, vm known)
+INLINE void cross_surface(quadratic *c, vd G, vm lanes)
 {
-    known = m_and(known, v_le(v_abs(G), v_set(DBL_MAX)));
+    lanes = m_and(lanes, v_le(v_abs(G), v_set(DBL_MAX)));
     const vm clear = m_and(v_lt(v_set(16) * c->e_G, G),
                            v_lt(v_set(8) * c->e_a, v_abs(c->a)));
-    const vm is = m_and(known, clear);
-    const vm is_not = m_and(known, v_lt(G, -c->e_G));
+    const vm is = m_and(lanes, clear);
+    const vm is_not = m_and(lanes, v_lt(G, -c->e_G));
     c->is = is;
     c->uncertain = m_not(m_or(is, is_not));
     c->root = c->per_a = c->per_root = v_set(1);

@@ -439,18 +439,18 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
     EACH_BIT(k, rays)
         prefetch_records(data, leaf, p->lanes[k]);
     while (rays) {
-        cylint_float_filter_question *asked[CYLINT_PACKET_MOST];
+        cylint_float_filter_question *question[CYLINT_PACKET_MOST];
         int n = 0;
         EACH_BIT(k, rays) {
             if (p->lanes[k] &&
                 take_nearest_lane(&p->test[k], leaf, &p->lanes[k], p->least[k]))
-                asked[n++] = &p->test[k].q;
+                question[n++] = &p->test[k].q;
             else
                 rays &= ~(1u << k);
         }
-        data->filter[n > 1](asked, n);
+        data->filter[n > 1](question, n);
         for (int i = 0; i < n; i++)
-            end_test((ray_test *)asked[i]);
+            end_test((ray_test *)question[i]);
         if (any)
             EACH_BIT(k, rays)
                 stopped |= (unsigned)(p->test[k].found != 0) << k;
@@ -494,7 +494,7 @@ static void trace_packet(const call *a, int any)
     const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
     const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
     float *const packet = (float *)a->rayhit;
-    unsigned all = 0, left, together;
+    unsigned all = 0, open, together;
     cylint_packet p;
     for (unsigned i = 0; i < a->N; i++) {
         struct RTCRayHit *one = &p.ray[i];
@@ -506,9 +506,9 @@ static void trace_packet(const call *a, int any)
         if (start_test(&p.test[i], a, any, &one->ray, &one->hit))
             all |= 1u << i;
     }
-    for (left = all; (together = near_first(&p, left, a->N)); left &= ~together)
+    for (open = all; (together = near_first(&p, open, a->N)); open &= ~together)
         data->trace_packet(&p, together, certain);
-    EACH_BIT(i, left)
+    EACH_BIT(i, open)
         trace_single(&p.test[i]);
     EACH_BIT(i, all) {
         if (p.test[i].found) {

@@ -269,8 +269,8 @@ static cylint_extent box_of_discs(const cylint_shape *s, double g[3])
  * upper1, and adds t times these, in floats.  M is the largest of these sizes: the
  * differences are at most 2 M, with errors of 2^-24 of that; the product adds as
  * much, the sum half of it.  The sides are moved out by 2^-21 M, more than the
- * total of 5 2^-24 M; the rest covers doubles, those of cylint_embree_between()
- * too.
+ * total of 5 2^-24 M; the other 3 2^-24 M cover doubles, those of
+ * cylint_embree_between() too.
  */
 cylint_extent cylint_embree_box(const cylint_shape *at_0,
                                 const cylint_shape *at_1, int step)
@@ -284,12 +284,12 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
     const double dk = cylint_r1(at_1) - cylint_r1(at_0);
     EACH(j, 3) {
         const double product = dk * (g[1][j] - g[0][j]);
-        const double more = product < 0 ? -product / 4 : 0;
+        const double excess = product < 0 ? -product / 4 : 0;
         double M = 0;
         EACH(i, 2)
             M = fmax(M, fmax(fabsf(box[i].lower[j]), fabsf(box[i].upper[j])));
-        lo[j] = box[step].lower[j] - more - 0x1p-21 * (M + more);
-        hi[j] = box[step].upper[j] + more + 0x1p-21 * (M + more);
+        lo[j] = box[step].lower[j] - excess - 0x1p-21 * (M + excess);
+        hi[j] = box[step].upper[j] + excess + 0x1p-21 * (M + excess);
     }
     return cylint_float_box(lo, hi);
 }

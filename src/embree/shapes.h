@@ -1,8 +1,9 @@
 /*
  * shapes.h - the shapes of a geometry, and the float filter of hits on them
  *
- * Of a shape what its constructor got: 32 or 64 bytes, which the filter reads, too,
- * and a byte for kind and ends.  Shapes that it does not decide are kept whole.
+ * A shape is stored as the arguments of its constructor, 32 or 64 bytes, which the
+ * filter reads, too, and a byte for kind and ends.  Shapes that the filter does not
+ * decide are stored whole.
  */
 #ifndef CYLINT_EMBREE_SHAPES_H
 #define CYLINT_EMBREE_SHAPES_H
