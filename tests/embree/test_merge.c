@@ -73,6 +73,7 @@ static void draw_rays(struct rays *r)
         if (one_of(3) == 0)
             memcpy(d, (float[]){0, 0, 1}, sizeof d);
         rays_add(r, i, o, d, 0, 1e9f);
+        rays_at(r, RAY_TIME, i)->f = 0.5f;
     }
 }
 
@@ -116,6 +117,7 @@ TEST(hits_have_the_numbers_of_the_parts)
 {
     static const unsigned flags[] = {0, CYLINT_EMBREE_BARE,
                                      CYLINT_EMBREE_NO_FILTERS, 0};
+    static const cylint_shape none[SHAPES];
     for (int i = 0; i < 4; i++) {
         cylint_embree_options options = {.flags = flags[i], .threads = 2};
         cylint_shape shapes[SHAPES];
@@ -123,6 +125,8 @@ TEST(hits_have_the_numbers_of_the_parts)
         cut(shapes);
         OWN_WORLD one = world_made(shapes, SHAPES, &options);
         OWN_WORLD merged = world_made(shapes, SHAPES, &options);
+        options.flags |= CYLINT_EMBREE_SINGLE; /* these have no effect */
+        options.moved = none;
         merge(&merged, &options);
         if (i == 3) {
             world_filter(&one, reject_some);

@@ -294,9 +294,11 @@ static void check_rows(const cylint_lines *lines, const cylint_piece_rule *rule,
                        size_t most, int threads)
 {
     static cylint_piece piece[MOST];
+    cylint_piece_rule given = *rule;
     cylint_piece_rows rows;
+    given.after = piece; /* is not read */
     const cylint_scene_status status = cylint_scene_pieces_lines(
-        world.scene, lines, rule, most, threads, &rows);
+        world.scene, lines, &given, most, threads, &rows);
     if (!CHECK(status == CYLINT_SCENE_OK && rows.first[0] == 0))
         return;
     for (size_t i = 0; i < lines->n; i++) {

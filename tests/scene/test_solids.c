@@ -70,10 +70,10 @@ static const struct {
     {CYLINT_SCENE_ESOLID, 2, {{3, 0, -1}, {3, 1, -1}}},
     {CYLINT_SCENE_ESIZE, 1, {{SHAPES, 0, 1}}},
     {CYLINT_SCENE_ESIZE, 2, {{1, 0, 1}, {SIZE_MAX, 0, 1}}},
-    {CYLINT_SCENE_ESIZE, 1, {{((size_t)1 << 16) * 65536, 0, 1}}},
+    {CYLINT_SCENE_ESIZE, 1, {{SIZE_MAX / 2 + 1, 0, 1}}},
     {CYLINT_SCENE_ESIZE, 2, {{1, 0, 1}, {2, 3, 1}}},
     {CYLINT_SCENE_ESIZE, 1, {{1, 1, 1}}},
-    {CYLINT_SCENE_ESIZE, 1, {{1, SIZE_MAX, 1}}},
+    {CYLINT_SCENE_ESIZE, 1, {{1, SIZE_MAX / 2 + 1, 1}}},
     {CYLINT_SCENE_ESIZE, ((size_t)1 << 28) + 1, {{1, 0, 1}}},
 };
 
