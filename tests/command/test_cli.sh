@@ -33,12 +33,7 @@ for page in cylint.1 cylint.7; do
     verdict "$page has examples" $?
 done
 
-# The options are those of the manual.
-cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | tr -d ' ' | sort -u >"$scratch/options"
-sed -n '/^\.Sh OPTIONS/,/^\.Sh SOLIDS/s/^\.It \(Fl .*\)/\1/p' "$top/man/cylint.1" |
-    grep -Eo 'Fl -?[a-zA-Z-]+' | sed 's/Fl /-/' | sort -u | diff "$scratch/options" -
-verdict 'cylint.1 has the options of --help' $?
-
+has_the_options_of_help cylint
 for word in $(cat "$scratch/options") \
         line ray segment span point capped open cap0 cap1 infinite nappe \
         $(cylint --list=shapes | cut -f1) $(cylint --list=methods | cut -f1) \

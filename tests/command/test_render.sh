@@ -28,11 +28,7 @@ test_manual()
     done < commands
     [ "$(ls *.png | wc -l)" -ge 3 ]
     verdict the_manual_makes_pictures $?
-    for word in $(cylint-render --help |
-        grep -Eo -e '^  -(-[a-z-]+|[a-zA-Z])' | tr -d - | sort -u); do
-        grep -Eq "(Fl|Fl -|Cm) *-?$(echo "$word" | sed 's/lookat/look-at/')" "$page"
-        verdict "the manual describes $word" $?
-    done
+    has_the_options_of_help cylint-render
     cd ..
 }
 

@@ -47,3 +47,13 @@ ${line#??}" ;;
     done
     finish
 }
+
+# has_the_options_of_help COMMAND: its manual describes them and no others; writes them
+# to $scratch/options.
+has_the_options_of_help() {
+    "$1" --help | grep '^  -' | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | tr -d ' ' |
+        sort -u >"$scratch/options"
+    sed -n '/^\.Sh OPTIONS/,/^\.Sh [^O]/s/^\.It \(Fl .*\)/\1/p' "$top/man/$1.1" |
+        grep -Eo 'Fl -?[a-zA-Z-]+' | sed 's/Fl /-/' | sort -u | diff "$scratch/options" -
+    verdict "$1.1 has the options of --help" $?
+}
