@@ -29,6 +29,8 @@ test_install()
         share/man/man1/cylint.1 share/man/man7/cylint.7 share/doc/cylint/README.md \
         share/doc/cylint/LICENSE share/doc/cylint/CHANGES.md \
         share/bash-completion/completions/cylint share/zsh/site-functions/_cylint \
+        share/bash-completion/completions/cylint-render share/man/man1/cylint-render.1 \
+        $([ ! -x "$build/cylint-render" ] || echo bin/cylint-render) \
         $(printf 'include/cylint%s.h share/man/man3/cylint%s.3 ' '' '' _methods _methods \
             _scene _scene _distance _distance _pieces _pieces); do
         [ -s "$root/usr/$f" ]
