@@ -161,6 +161,6 @@ if [ -s maps ]; then
         [ "$(of_map Private_Dirty)" -eq 0 ] && [ "$(of_map Pss)" -le $((size * 6 / 10)) ]
     verdict 'and the pages are in memory once' $?
 else
-    skip 'shared pages' 'no /proc/PID/smaps'
+    echo 'note: no /proc/PID/smaps, so shared pages are not counted'
 fi
 check_end

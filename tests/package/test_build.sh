@@ -172,7 +172,7 @@ verdict with_CI_a_missing_package_fails $?
 MISSING='' CI=true run_tests "$scratch/other.sh"
 verdict with_CI_other_reasons_do_not_fail $?
 
-# Of four tests one fails, two wait for each other, and one ends without counts.
+# Of five tests one fails, two wait for each other, and two have no counts.
 printf 'echo "what is wrong"\necho "4 passed, 1 failed"\nexit 1\n' > "$scratch/0.sh"
 for i in 1 2; do
     cat > "$scratch/$i.sh" << END
@@ -185,7 +185,8 @@ echo '0 passed, 1 failed'
 END
 done
 echo 'exit 3' > "$scratch/3.sh"
-MISSING='' CI='' run_tests "$scratch/3.sh" "$scratch/0.sh" "$scratch/2.sh" "$scratch/1.sh"
+echo 'echo "0 passed, 0 failed"' > "$scratch/4.sh"
+MISSING='' CI='' run_tests "$scratch/4.sh" "$scratch/3.sh" "$scratch/0.sh" "$scratch/2.sh" "$scratch/1.sh"
 [ $? -ne 0 ] && sed "s|$scratch/||; s/([0-9.]* s)/(S s)/" "$scratch/output" > "$scratch/said" &&
     diff - "$scratch/said" << END
 FAIL 0.sh (S s)
@@ -196,7 +197,10 @@ ok   2.sh: 2 passed (S s)
 FAIL 3.sh (S s)
 
 (no counts; exit status 3)
-7 passed, 2 failed
+FAIL 4.sh (S s)
+0 passed, 0 failed
+(no counts; exit status 0)
+7 passed, 3 failed
 END
 verdict tests_run_side_by_side_and_a_failure_stops_none $?
 check_end

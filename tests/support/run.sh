@@ -3,8 +3,8 @@
 #
 # `run` runs a test, a program or a .sh file.  What it prints goes to a file below
 # $BUILD/tests/results, its exit status and its seconds to FILE.status.  A test's last
-# line is `N passed, N failed`; exit status 77 means skipped, for the reason that it
-# printed.
+# line is `N passed, N failed`, not both 0; exit status 77 means skipped, for the
+# reason that it printed.
 #
 # `report` prints failures and adds up the counts.  `make deps` installs what a
 # reason or a note that ends with `(make deps)` names, and the packages in $MISSING.
@@ -53,7 +53,7 @@ report_one() { # TEST
         case $reason in *'(make deps)') untested "$1: ${reason% (*}" ;; esac
         return
     fi
-    if [ -z "$counts" ]; then
+    if [ -z "$counts" ] || [ "$counts" = '0 0' ]; then
         counts="0 1"
         out="$out
 (no counts; exit status $status)"

@@ -34,7 +34,8 @@ skip_all()
     exit 77
 }
 
-# skip NAME REASON: counts one part of a test as skipped.
+# skip NAME REASON: counts one part as skipped, in a script that `make check` does not
+# run; a test that it runs prints a line `note: REASON`.
 skip()
 {
     skipped=$((skipped + 1))
