@@ -1,5 +1,5 @@
 /*
- * test_nodes.c - floor bvh: the nodes, and builds by several threads
+ * test_nodes.c - the nodes, and builds by several threads
  */
 #include <math.h>
 #include <pthread.h>

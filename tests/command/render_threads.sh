@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: 8 workers draw the picture that one worker draws, and the thread
+# 8 workers draw the picture that one worker draws, and the thread
 # sanitizer reports nothing (make check-threads).  It runs on one processor:
 # Embree then starts no threads of its own, which the sanitizer cannot check.
 . "$(dirname "$0")/../support/verdict.sh"

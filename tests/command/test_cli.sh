@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: the transcripts of cli.txt, hostile.txt and swc.txt and the examples of
+# The transcripts of cli.txt, hostile.txt and swc.txt and the examples of
 # the manuals give their output, and every option, word and column has a transcript.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh

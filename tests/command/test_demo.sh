@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: the demo prints the same bytes each time and with each awk, its
+# The demo prints the same bytes each time and with each awk, its
 # summary agrees with the answers, and it fails if one of its steps fails.
 . "$(dirname "$0")/../support/verdict.sh"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: when system calls are short, interrupted or late, no answer is
+# When system calls are short, interrupted or late, no answer is
 # lost, reordered or changed; when they fail, the command prints a message and
 # stops at the end of a line.  faults.c makes the calls fail.  test_hostile.sh
 # has hostile input and the failures that a shell can make.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: with hostile input the command's memory does not grow, a message says that it
+# With hostile input the command's memory does not grow, a message says that it
 # waits for a terminal, and a partner on a pipe has each answer before it writes on.
 # hostile.txt has what a transcript can show: that it never crashes, never writes part
 # of a line, never loses input without a message, and exits with the right status.

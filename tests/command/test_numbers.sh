@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: numbers are read and written alike by the C++17 library and by
+# Numbers are read and written alike by the C++17 library and by
 # the C library.
 . "$(dirname "$0")/../support/verdict.sh"
 : "${CC:=cc}" "${CXX:=c++}"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: records of bare numbers, -k, give the same bytes as records with
+# Records of bare numbers, -k, give the same bytes as records with
 # words, for all kinds.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: the displays of cylint(7) that are not transcripts work: shapes
+# The displays of cylint(7) that are not transcripts work: shapes
 # of other programs and lengths in solids.  test_cli.sh runs the transcripts,
 # tests/python/test_formats.py the displays about trees and molecules,
 # `make check-cluster` those about many machines.

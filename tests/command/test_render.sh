@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: cylint-render draws the pictures of render.txt, those of its manual and
+# cylint-render draws the pictures of render.txt, those of its manual and
 # those of the README.  The program pixels prints the pixels of a file.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: a saved scene gives the bytes that its text gives, for every
+# A saved scene gives the bytes that its text gives, for every
 # query and any number of workers, and processes that open it share its memory.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: `cylint -s neuron.swc` makes the shapes of the definition, whatever
+# `cylint -s neuron.swc` makes the shapes of the definition, whatever
 # the form of the file; their text gives the same answers.  swc.txt has small files
 # and those that are refused.
 . "$(dirname "$0")/../support/verdict.sh"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: any number of workers gives the same answers, messages and exit
+# Any number of workers gives the same answers, messages and exit
 # status as one worker, and no worker waits for input after the work has ended.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1

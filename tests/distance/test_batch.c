@@ -1,5 +1,5 @@
 /*
- * test_batch.c - floor distance: batches of points return the bits of single
+ * test_batch.c - batches of points return the bits of single
  * questions, in the lanes of all builds
  *
  * The batches are those of distances, contains, safety and on_surface.  Their

@@ -1,5 +1,5 @@
 /*
- * test_elliptic.c - floor distance: elliptic kinds
+ * test_elliptic.c - distances from elliptic kinds
  *
  * No point of the surface is nearer than the one that is found.  Answers that are
  * certain are those of the build that runs, of the one without a fused

@@ -1,5 +1,5 @@
 /*
- * test_oracle.c - floor distance: distances against the oracle
+ * test_oracle.c - distances against the oracle
  *
  * CYLINT_CASES is the number of shapes of each family, with POINTS points each;
  * a twentieth of that for families of wild exponents.  CYLINT_ELLIPTIC is the

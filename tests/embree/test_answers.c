@@ -1,5 +1,5 @@
 /*
- * test_answers.c - floor embree: the adapter answers float rays as the
+ * test_answers.c - the adapter answers float rays as the
  * library does
  */
 #include <float.h>

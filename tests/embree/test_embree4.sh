@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floors scene and embree: their tests on Embree 4, if embree4/fetch.sh gets it.
+# The tests of scene and embree on Embree 4, if embree4/fetch.sh gets it.
 # EMBREE4=no skips them without a download.
 here=$(dirname "$0")
 . "$here/../support/verdict.sh"

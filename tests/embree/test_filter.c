@@ -1,5 +1,5 @@
 /*
- * test_filter.c - floor embree: filters get each hit once
+ * test_filter.c - filters get each hit once
  *
  * A filter here rejects by a rule on shape and t.  Each hit that it gets must
  * be a hit of the library with all its members, and the result must be the

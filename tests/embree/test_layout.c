@@ -1,5 +1,5 @@
 /*
- * test_layout.c - floor embree: rays, hits and arguments have the
+ * test_layout.c - rays, hits and arguments have the
  * declared layout
  *
  * The adapter is not tested: rays with a known pattern around them hit one of

@@ -1,5 +1,5 @@
 /*
- * test_memory.c - floor embree: refused allocations leave no memory
+ * test_memory.c - refused allocations leave no memory
  * behind
  *
  * The adapter allocates from the device, whose memory monitor refuses one

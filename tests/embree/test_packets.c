@@ -1,5 +1,5 @@
 /*
- * test_packets.c - floor embree: packets return the answers to the rays
+ * test_packets.c - packets return the answers to the rays
  * alone
  *
  * All, some or none of the rays of a packet go in the same direction through

@@ -1,5 +1,5 @@
 /*
- * test_random.c - floor embree: random rays have the answers of brute
+ * test_random.c - random rays have the answers of brute
  * force
  *
  * All kinds of lines through all kinds of scenes, as float rays, compared with

@@ -1,5 +1,5 @@
 /*
- * test_shapes.c - floor embree: shapes of a geometry move, change, have
+ * test_shapes.c - shapes of a geometry move, change, have
  * a box, or are refused with their number
  */
 #include <math.h>

@@ -1,5 +1,5 @@
 /*
- * test_threads.c - floor embree: eight threads get the answers of one
+ * test_threads.c - eight threads get the answers of one
  *
  * Every thread traces all single rays and packets, nearest and occluded,
  * through one geometry of the adapter and one cylint_scene, each in another

@@ -1,5 +1,5 @@
 /*
- * test_local_coordinates.c - floors shapes and filter: local coordinates, and
+ * test_local_coordinates.c - local coordinates, and
  * the filter for one line and one shape that works in them
  *
  * The matrix of every shape is compared with MPFR.  The filter, in each build

@@ -1,5 +1,5 @@
 /*
- * command.c - floor command: fuzzes the whole command
+ * command.c - fuzzes the whole command
  *
  * An input has the arguments in its first line, separated by single blanks,
  * then standard input, the content of files, and that of the files whose names

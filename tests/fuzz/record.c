@@ -1,5 +1,5 @@
 /*
- * record.c - floor command: fuzzes the grammar of a record and the numbers
+ * record.c - fuzzes the grammar of a record and the numbers
  *
  * The first two bytes set the kinds of a record, the others are its text.
  * Numbers are compared with strtod(), and with themselves after writing and

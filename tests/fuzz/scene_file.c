@@ -1,5 +1,5 @@
 /*
- * scene_file.c - floor scene: fuzzes files of scenes
+ * scene_file.c - fuzzes files of scenes
  *
  * The first three bytes of an input set the kind and size of a scene (scenes.h) and
  * what is queried.  The others change the file of this scene, which is then opened.

@@ -1,5 +1,5 @@
 /*
- * shapes.c - floors intersect and batch: fuzzes the library
+ * shapes.c - fuzzes the library
  *
  * The bytes of an input become a line and some shapes.  The properties of
  * library/properties.h hold, and batches with all kernels give the answers of

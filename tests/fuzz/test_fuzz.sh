@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floors intersect, scene and command: the fuzz targets of tests/fuzz hold on the kept
+# The fuzz targets of tests/fuzz hold on the kept
 # inputs.  `make fuzz` searches for more inputs.
 . "$(dirname "$0")/../support/verdict.sh"
 for target in record command shapes scene_file; do

@@ -1,5 +1,5 @@
 /*
- * test_batch.c - floor batch: batches give the bits of single questions
+ * test_batch.c - batches give the bits of single questions
  *
  * The arrays of every batch lie between guard pages; its inputs and its pack
  * are read-only during the call.  All tests run with every build of the kernels

@@ -1,5 +1,5 @@
 /*
- * test_environment.c - floors shape and intersect: no floating-point environment
+ * test_environment.c - no floating-point environment
  * changes constructors, and no function changes it
  *
  * The statuses and every bit of the differences that constructors compute must be

@@ -1,5 +1,5 @@
 /*
- * test_hits.c - floors intersect, roots and filter: members of hits that are known
+ * test_hits.c - members of hits that are known
  * exactly, and domains
  *
  * The records of hits.txt must have their hits bit for bit, those of hard.txt the

@@ -1,5 +1,5 @@
 /*
- * test_interface.c - floor shape: version, sizes, packs
+ * test_interface.c - version, sizes, packs
  */
 #include <stdint.h>
 #include <stdio.h>

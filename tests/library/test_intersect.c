@@ -1,5 +1,5 @@
 /*
- * test_intersect.c - floor intersect: the library against the oracle, by family
+ * test_intersect.c - the library against the oracle, by family
  *
  * Relation, number, parts, sides and every bit of t, point, normal, z and phi must
  * agree.  CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes

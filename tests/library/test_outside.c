@@ -1,5 +1,5 @@
 /*
- * test_outside.c - floor intersect: rays that leave a surface
+ * test_outside.c - rays that leave a surface
  *
  * From every hit of the families cylint_outside() makes a point outside and a
  * point inside.  cylint_contains() must agree, and rays from the point outside

@@ -1,5 +1,5 @@
 /*
- * test_properties.c - floor intersect: properties of answers, without an oracle
+ * test_properties.c - properties of answers, without an oracle
  *
  * properties.h has the properties; fuzz/shapes.c tests them on other cases.
  * CYLINT_CASES is the number of cases of each family.

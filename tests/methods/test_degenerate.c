@@ -1,5 +1,5 @@
 /*
- * test_degenerate.c - floor methods: degenerate input
+ * test_degenerate.c - degenerate input
  *
  * The published methods keep the contract of cylint_intersect() on degenerate
  * input that doubles represent exactly: tangents, rims, and lines along a

@@ -1,5 +1,5 @@
 /*
- * test_misprints.c - floor methods: the print fails, the method does
+ * test_misprints.c - the print fails, the method does
  * not
  *
  * Each error or omission of the published methods is here as a small function,

@@ -1,5 +1,5 @@
 /*
- * test_ordinary.c - floor methods: ordinary input, against the library
+ * test_ordinary.c - ordinary input, against the library
  *
  * Each published method agrees with cylint_intersect() on well-conditioned
  * input of its shapes, and returns CYLINT_EMETHOD for all others.  Degenerate

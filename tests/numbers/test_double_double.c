@@ -1,5 +1,5 @@
 /*
- * test_double_double.c - floor numbers: double_double.h against MPFR
+ * test_double_double.c - double_double.h against MPFR
  *
  * Tests that sums and products are error-free and that pairs keep their error
  * bounds.  double_double.h is compiled twice, with products by Dekker's

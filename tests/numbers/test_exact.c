@@ -1,5 +1,5 @@
 /*
- * test_exact.c - floor numbers: exact arithmetic against MPFR, its memory, and
+ * test_exact.c - exact arithmetic against MPFR, its memory, and
  * scaling
  */
 #include <float.h>

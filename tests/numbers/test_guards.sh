@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor numbers: with compiler flags that break exact arithmetic the library
+# With compiler flags that break exact arithmetic the library
 # does not compile, or, where no macro shows the flag, cylint_selftest() finds
 # the fault.
 . "$(dirname "$0")/../support/verdict.sh"

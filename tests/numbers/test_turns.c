@@ -1,5 +1,5 @@
 /*
- * test_turns.c - floor numbers: turns.h and turns_lanes.h against MPFR
+ * test_turns.c - turns.h and turns_lanes.h against MPFR
  *
  * Computes the nodes and constants again.  Measures the errors of angles over
  * their bounds: in lanes of every width, with and without fused multiply-add,

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: `make amalgamation` writes the libraries, scenes too, as one C file,
+# `make amalgamation` writes the libraries, scenes too, as one C file,
 # which every compiler at hand compiles without a flag or a warning, and tests of
 # the libraries that are linked to it pass.
 . "$(dirname "$0")/../support/verdict.sh"

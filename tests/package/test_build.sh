@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: the Makefile runs its probes after `deps`, objects depend on what
+# The Makefile runs its probes after `deps`, objects depend on what
 # the probes find, nothing is compiled twice, and tests that could not run are
 # named.
 . "$(dirname "$0")/../support/verdict.sh"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: completion in bash and zsh offers the options of --help, the names
+# Completion in bash and zsh offers the options of --help, the names
 # of --list and the words that the commands accept, and otherwise file names.
 . "$(dirname "$0")/../support/verdict.sh"
 completion=$top/tools/cylint/completion

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: what make install puts into a scratch folder works: the README's
+# What make install puts into a scratch folder works: the README's
 # example compiles and links with it, the README's commands run, and uninstall
 # removes it.  The library also compiles without the Makefile.
 . "$(dirname "$0")/../support/verdict.sh"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: what is packed for those who link.  `make dist` writes the same
+# What is packed for those who link.  `make dist` writes the same
 # bytes again, and its files build; CMake finds what make install installs, and
 # builds the sources within another project.
 . "$(dirname "$0")/../support/verdict.sh"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor tools: the Python package.  Its source distribution stands alone: it has the
+# The Python package.  Its source distribution stands alone: it has the
 # library's sources, and make finds all of them there.  A wheel is made of it
 # elsewhere, with the libraries that make has built of the same sources, and
 # installed into the environment that `make deps` makes; then pytest runs

@@ -1,5 +1,5 @@
 /*
- * test_midpoints.c - floor roots: roots at the midpoint of two doubles, and
+ * test_midpoints.c - roots at the midpoint of two doubles, and
  * beside it
  *
  * Random roots are never midpoints, so these are constructed.  A root

@@ -1,5 +1,5 @@
 /*
- * test_file.c - floor scene: a scene that was saved and opened returns the
+ * test_file.c - a scene that was saved and opened returns the
  * same bits, and no damaged file makes a query fail
  *
  * CYLINT_CASES: how many damaged files are opened in each way.

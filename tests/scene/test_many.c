@@ -1,5 +1,5 @@
 /*
- * test_many.c - floor scene: arrays of answers for many lines or points hold
+ * test_many.c - arrays of answers for many lines or points hold
  * what the queries of one line or point return, bit for bit, with any number of
  * threads
  */

@@ -1,5 +1,5 @@
 /*
- * test_memory.c - floor scene: refused allocations leave no memory behind,
+ * test_memory.c - refused allocations leave no memory behind,
  * and refused threads do not change answers
  *
  * A scene allocates with malloc(), calloc() and realloc(), which the linker

@@ -1,5 +1,5 @@
 /*
- * test_paths.c - floors intersect, batch and scene: every call has the same
+ * test_paths.c - every call has the same
  * answers, with every build of the kernels, in every floating-point environment
  *
  * A group of lines and shapes is answered one by one in the default

@@ -1,5 +1,5 @@
 /*
- * test_queries.c - floor scene: a scene returns what all its shapes return
+ * test_queries.c - a scene returns what all its shapes return
  *
  * Every kind of scene, and a loop over all shapes (answers.h), answer every kind
  * of line and points of several families.  An argument sets the

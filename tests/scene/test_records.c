@@ -1,5 +1,5 @@
 /*
- * test_records.c - floor scene: a record holds its shape, and local
+ * test_records.c - a record holds its shape, and local
  * coordinates in doubles decide right or not at all
  *
  * The shapes are those of the families of families.h.  A decision is compared with

@@ -1,5 +1,5 @@
 /*
- * test_constructors.c - floor shape: constructors and their errors
+ * test_constructors.c - constructors and their errors
  */
 #include <float.h>
 #include <math.h>

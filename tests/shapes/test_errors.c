@@ -1,5 +1,5 @@
 /*
- * test_errors.c - floor shape: boxes and tangents are within the errors of
+ * test_errors.c - boxes and tangents are within the errors of
  * cylint(3)
  *
  * The sides of boxes are compared with MPFR: none cuts its solid, and none is

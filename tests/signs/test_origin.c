@@ -1,5 +1,5 @@
 /*
- * test_origin.c - floor filter: lines that begin exactly on a surface
+ * test_origin.c - lines that begin exactly on a surface
  *
  * The points lie on the surfaces because their data are whole numbers or their
  * last coordinate is free.  Whatever the domain, the hits are those hits of the

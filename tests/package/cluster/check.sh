@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floor command: the recipes of cylint(7), MANY PROCESSORS, MANY MACHINES, give
+# The recipes of cylint(7), MANY PROCESSORS, MANY MACHINES, give
 # the bytes of one process.  If one record is bad they fail and write no
 # complete answers.  Recipes without their tool are skipped; `make deps-cluster`
 # installs the tools.  RECORDS is the number of records, RECIPES the recipes.
