@@ -62,16 +62,6 @@ INLINE vpair pair_of_lanes(const cylint_shape *const at[LANES], int number)
     return (vpair){of_lanes(at, number), of_lanes(at, number + CYLINT_LOW)};
 }
 
-INLINE vpair pick(vm m, vpair a, vpair b)
-{
-    return (vpair){v_select(m, a.hi, b.hi), v_select(m, a.lo, b.lo)};
-}
-
-INLINE vpair opposite(vpair a)
-{
-    return (vpair){-a.hi, -a.lo};
-}
-
 /* The larger bounds, value and error of a; NaN where b is NaN. */
 INLINE vdistance larger_of(vdistance a, vdistance b)
 {

@@ -180,7 +180,7 @@ typedef struct {
 #define SUB(x, y) vpair_sub(x, y)
 #define MUL(x, y) vpair_mul(x, y)
 #define SUM_OF(x, y, z) vpair_add(vpair_mul(x, y), z)
-#define NEGATED(x) ((vpair){-(x).hi, -(x).lo})
+#define NEGATED(x) opposite(x)
 #define TRIMMED(x) v_two_sum((x).hi, (x).lo)
 #include "local_forms_template.h"
 

@@ -203,9 +203,7 @@ INLINE bounded_pairs negated_where(vm m, bounded_pairs x)
 
 INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
 {
-    return (bounded_pairs){
-        {v_select(m, x.v.hi, y.v.hi), v_select(m, x.v.lo, y.v.lo)},
-        v_select(m, x.e, y.e)};
+    return (bounded_pairs){pick(m, x.v, y.v), v_select(m, x.e, y.e)};
 }
 
 /* x by.  relative: the relative error of `by`.  Where the terms of x
@@ -260,15 +258,14 @@ INLINE void unit_normal(bounded_pairs n[3], const local_hit *h,
         const bounded_pairs ball = {{v_select(r->top, r1, r0), v_set(0)},
                                     v_set(0)};
         divisor = choose_pairs(ball_lanes, ball, divisor);
-        cosine = (vpair){v_select(ball_lanes, one.hi, cosine.hi),
-                         v_select(ball_lanes, one.lo, cosine.lo)};
+        cosine = pick(ball_lanes, one, cosine);
     }
     const vd inverse = v_set(1) / divisor.v.hi;
     const vpair by = pair_quotient(cosine, divisor.v, inverse);
     const vd relative = v_sum_of(divisor.e, inverse, h->unit);
     if (tapered) { /* the sign of rho is certain where bounds are small */
         const vpair sine = pair_at(from, CYLINT_AT_SINE);
-        z = (bounded_pairs){{-sine.hi, -sine.lo},
+        z = (bounded_pairs){opposite(sine),
                             v_set(2) * relative * v_abs(sine.hi)};
         z = negated_where(inside_out, z);
     }
@@ -291,7 +288,7 @@ INLINE void gradient(bounded_pairs n[3], const local_hit *h, const source *from,
     n[2] = zero_pairs();
     if (cylint_solid_is_tapered(solid)) {
         const vpair slope = pair_at(from, CYLINT_AT_SLOPE);
-        n[2] = product(h->rho, (vpair){-slope.hi, -slope.lo}, h->unit);
+        n[2] = product(h->rho, opposite(slope), h->unit);
     }
 }
 

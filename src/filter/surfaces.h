@@ -206,12 +206,6 @@ INLINE square_at square_across(const pair_line *in, vd t)
                        q_low(size) + q_high(size)};
 }
 
-/* x where m, else 0. */
-INLINE vpair pair_where(vm m, vpair x)
-{
-    return (vpair){v_select(m, x.hi, v_set(0)), v_select(m, x.lo, v_set(0))};
-}
-
 /*
  * The residual of the lateral surface at t, |p|^2 - rho^2, or of the ball of
  * radius r, |p|^2 + z^2 - r^2, in lanes of on_ball.  Near a root the high parts
@@ -224,10 +218,10 @@ INLINE bounded_value square_residual(const pair_line *in, const local_line *l,
     const int round = cylint_solid_is_round(solid);
     const int tapered = cylint_solid_is_tapered(solid);
     square_at at = square_across(in, t);
-    vpair rho2, r = {ball_r, v_set(0)};
+    vpair rho2, r = {ball_r, v_set(0)}, none = {v_set(0), v_set(0)};
     vd high = at.pp.hi, low = at.pp.lo + at.low;
     if (round && (V_HAS_FMA || m_any(on_ball))) {
-        const vpair z = pair_where(on_ball, moved(ball_z, in->w, t));
+        const vpair z = pick(on_ball, moved(ball_z, in->w, t), none);
         const vpair zz = vpair_square(z), all = v_two_sum(high, zz.hi);
         high = all.hi;
         low = low + (all.lo + zz.lo);
@@ -235,11 +229,7 @@ INLINE bounded_value square_residual(const pair_line *in, const local_line *l,
     }
     if (tapered) {
         const vpair rho = moved(in->rho, in->growth, t);
-        if (round)
-            r = (vpair){v_select(on_ball, r.hi, rho.hi),
-                        v_select(on_ball, r.lo, rho.lo)};
-        else
-            r = rho;
+        r = round ? pick(on_ball, r, rho) : rho;
         rho2 = vpair_square(r);
         at.across = at.across + v_abs(r.hi);
     } else {

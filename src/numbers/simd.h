@@ -418,6 +418,21 @@ typedef struct {
 #undef BROADCAST
 #undef FUSED
 
+INLINE vpair pick(vm m, vpair a, vpair b)
+{
+    return (vpair){v_select(m, a.hi, b.hi), v_select(m, a.lo, b.lo)};
+}
+
+INLINE vpair opposite(vpair a)
+{
+    return (vpair){-a.hi, -a.lo};
+}
+
+INLINE vd rounded(vpair x)
+{
+    return x.hi + x.lo;
+}
+
 /* Sums and products of pairs without the final normalisation.  lo can grow to
  * about 30 ulp of the terms: the constants CYLINT_LOCAL_ (error_bounds.h) count
  * that. */
@@ -429,18 +444,13 @@ INLINE vpair vpair_add(vpair a, vpair b)
 
 INLINE vpair vpair_sub(vpair a, vpair b)
 {
-    return vpair_add(a, (vpair){-b.hi, -b.lo});
+    return vpair_add(a, opposite(b));
 }
 
 INLINE vpair vpair_mul(vpair a, vpair b)
 {
     const vpair p = v_two_prod(a.hi, b.hi);
     return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
-}
-
-INLINE vd rounded(vpair x)
-{
-    return x.hi + x.lo;
 }
 
 /* x y + z, rounded once or twice. */

@@ -95,10 +95,7 @@ INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
     const vpair across = {v_abs(x.hi), v_select(left, -x.lo, x.lo)};
     const vpair up = {v_abs(y.hi), v_select(below, -y.lo, y.lo)};
     const vm steep = v_lt(across.hi, up.hi);
-    const vpair u = {v_select(steep, up.hi, across.hi),
-                     v_select(steep, up.lo, across.lo)};
-    const vpair v = {v_select(steep, across.hi, up.hi),
-                     v_select(steep, across.lo, up.lo)};
+    const vpair u = pick(steep, up, across), v = pick(steep, across, up);
     vpair cosine, sine;
     const vd node = turn_node(v.hi / u.hi, &cosine, &sine);
     const vpair uc = turn_product(u, cosine), vs = turn_product(v, sine);
