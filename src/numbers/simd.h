@@ -177,9 +177,16 @@ static inline vd v_load(const double *x)
     return v;
 }
 static inline void v_store(double *x, vd v) { memcpy(x, &v, sizeof v); }
-static inline vm v_lt(vd x, vd y) { return (vm)(x < y); }
-static inline vm v_le(vd x, vd y) { return (vm)(x <= y); }
-static inline vm v_eq(vd x, vd y) { return (vm)(x == y); }
+/* clang for PowerPC compiles these to one instruction.  Of whole vectors x < y is
+ * one number there with -faltivec-src-compat=xl, which is to become its default. */
+#if defined(__clang__) && defined(__powerpc__)
+#define V_COMPARED(x, op, y) ((vm){-(x[0] op y[0]), -(x[1] op y[1])})
+#else
+#define V_COMPARED(x, op, y) ((vm)(x op y))
+#endif
+static inline vm v_lt(vd x, vd y) { return V_COMPARED(x, <, y); }
+static inline vm v_le(vd x, vd y) { return V_COMPARED(x, <=, y); }
+static inline vm v_eq(vd x, vd y) { return V_COMPARED(x, ==, y); }
 static inline vm m_if(vm m, vm a, vm b) { return (m & a) | (~m & b); }
 static inline vd v_select(vm m, vd x, vd y)
 {
