@@ -136,7 +136,7 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  *
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
- * the reverse; the constructor refused one of both; or a bounded shape became
+ * the reverse; the constructor refused one of them; or a bounded shape became
  * infinite or larger than 2^400.  A failure, EMEMORY too, changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,

@@ -21,8 +21,8 @@ def read_molecule(
 ) -> Shapes:
     """Reads a molecule in PDB or mmCIF, also of a file *.gz; `-` is standard input.
 
-    Needs gemmi: pip install libcylint[molecules].  The content shows which of the two
-    formats a file has.  All lengths are in angstrom.
+    Needs gemmi: pip install gemmi.  The content shows which of the two formats a file
+    has.  All lengths are in angstrom.
 
     stick: the radius of a cylinder for each bond; 0: no bonds.  Two atoms are bonded
     if their distance is at least 0.4 and at most 0.45 more than the sum of their
@@ -83,9 +83,7 @@ def _model(name: str, waters: bool) -> Any:
     try:
         import gemmi  # type: ignore[import-not-found, unused-ignore]
     except ImportError:
-        raise ImportError(
-            "read_molecule needs gemmi: pip install libcylint[molecules]"
-        ) from None
+        raise ImportError("read_molecule needs gemmi: pip install gemmi") from None
     data = contents(name)
     try:
         structure = gemmi.read_structure_string(data, merge_chain_parts=False)
