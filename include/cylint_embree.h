@@ -44,8 +44,8 @@
  * begins.  Embree's own traversal uses floats, and RTC_SCENE_FLAG_ROBUST has no
  * effect on user geometries.  So the box is padded by the error of that
  * traversal for rays that begin within 4095 sizes of the box, where a size is
- * its longest side: by 2^-9 of a size and 2^-23 of the largest coordinate.  A
- * ray from farther away that grazes the whole box may miss it (observed: none of
+ * its longest side: by 2^-9 of a size, 2^-23 of the largest coordinate, and
+ * 2^-124.  A ray from farther away that grazes the whole box may miss it (observed: none of
  * 10^5 rays from up to 10^6 sizes away did).  With CYLINT_EMBREE_SINGLE and with
  * moving shapes every shape has its own box, padded for rays that begin within
  * three sizes, by 2^-19 of a size.  Around an instance Embree computes a box in

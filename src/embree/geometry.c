@@ -47,7 +47,9 @@ const char *cylint_embree_strerror(int status)
  *
  * and moving the face by that compensates it.  Faces are moved for origins within
  * `sizes` sizes of the geometry's box, where |b - o| <= (sizes + 1) S; a size S
- * is the longest side of the box, M its largest coordinate.
+ * is the longest side of the box, M its largest coordinate.  2^-124 covers
+ * subnormal floats flushed to zero: b at time 1 minus b at time 0, times the time,
+ * the sum, and b - o, each off by less than 2^-126.
  *
  * The padding also keeps Embree from choosing between shapes hit at nearly the
  * same t: it skips a box whose computed entry is beyond tfar (single rays) or
@@ -61,7 +63,7 @@ static double box_pad(const cylint_extent *all, int sizes)
         S = fmax(S, upper - lower);
         M = fmax(M, fmax(fabs(lower), fabs(upper)));
     }
-    return 0x1p-21 * (sizes + 1) * S + 0x1p-23 * M;
+    return 0x1p-21 * (sizes + 1) * S + 0x1p-23 * M + 0x1p-124;
 }
 
 /* The padded box, within the limits of Embree. */

@@ -70,6 +70,29 @@ TEST(a_ball_that_becomes_a_round_cone_is_hit_where_it_is)
     CHECK(trace_moving(shapes, moved) > 100);
 }
 
+/* Embree flushes the distance to zero when it builds: the box must have room. */
+TEST(a_move_by_a_subnormal_distance_is_followed)
+{
+    const double c[3] = {0, 0x1p-125, 0}, other[3] = {0, -0x1p-125, 0};
+    const double to[3] = {0, 0x1p-125 + 0x1p-127, 0}, r = 0x1p-130;
+    const float o[3] = {-0x1p-125f, (float)to[1], 0}, d[3] = {0x1p-20f, 0, 0};
+    cylint_shape shapes[2], moved[2];
+    CHECK(!cylint_sphere(&shapes[0], c, r, CYLINT_ENDS_CAPPED) &&
+          !cylint_sphere(&moved[0], to, r, CYLINT_ENDS_CAPPED) &&
+          !cylint_sphere(&shapes[1], other, r, CYLINT_ENDS_CAPPED));
+    moved[1] = shapes[1];
+    const cylint_embree_options options = {.moved = moved};
+    OWN_WORLD w = world_made(shapes, 2, &options);
+    EACH_SIZE(n) {
+        struct rays ray;
+        rays_begin(&ray, n);
+        rays_add(&ray, n - 1, o, d, 0, HUGE_VALF);
+        rays_at(&ray, RAY_TIME, n - 1)->f = 1;
+        rays_intersect(&ray, w.scene, NULL);
+        CHECK(rays_hit(&ray, n - 1));
+    }
+}
+
 static void check_halfway(cylint_shape a, cylint_shape b, cylint_shape expected)
 {
     cylint_shape between;
