@@ -15,11 +15,11 @@
  * where each float stands for the double of the same value.  dir need not be a unit
  * vector.  Under an instance Embree passes a transformed ray, and its floats count.
  * A ray without direction or with tnear > tfar hits nothing.  Of other rays Embree
- * requires that tnear is not negative, that org and dir are finite, none of their
- * components beyond 1.844e18, and that the time is from 0 to 1; else its results
- * are undefined (observed: Debian's build of Embree 3.13 aborts the program).  If a
- * thread flushes subnormal numbers to zero (DAZ), subnormal floats of a ray count
- * as zero.
+ * requires that tnear is not negative, that neither tnear nor tfar is NaN, that org
+ * and dir are finite, none of their components beyond 1.844e18, and that the time
+ * is from 0 to 1; else its results are undefined (observed: Debian's build of
+ * Embree 3.13 aborts the program).  If a thread flushes subnormal numbers to zero
+ * (DAZ), subnormal floats of a ray count as zero.
  *
  *   which      the nearest hit of all shapes of the geometry in [tnear, tfar],
  *              ends included; at equal t (as doubles) that of the lower number.
@@ -35,7 +35,8 @@
  *              [0, 1], but below 0 or above 1 on the round ends of a capsule or a
  *              round cone.  v is in [0, 1): phi just below 1 is rounded to the
  *              largest float below 1.
- *   Ng         the outward unit normal, rounded to float.
+ *   Ng         the outward unit normal, rounded to float.  u, v and Ng are rounded
+ *              in the rounding mode of the thread.
  *   geomID, instID, instPrimID   as Embree defines them.
  *
  * Boxes.  Embree compares hits on several geometries, or on several instances of
@@ -45,16 +46,19 @@
  * effect on user geometries.  So the box is padded by the error of that
  * traversal for rays that begin within 4095 sizes of the box, where a size is
  * its longest side: by 2^-9 of a size, 2^-23 of the largest coordinate, and
- * 2^-124.  A ray from farther away that grazes the whole box may miss it (observed: none of
- * 10^5 rays from up to 10^6 sizes away did).  With CYLINT_EMBREE_SINGLE and with
- * moving shapes every shape has its own box, padded for rays that begin within
- * three sizes, by 2^-19 of a size.  Around an instance Embree computes a box in
- * floats, whose error grows with the distance of the instance from the origin of
- * coordinates: a ray that grazes the whole box may miss it if that distance is
- * more than 4095 sizes of the box, or three of a shape's own box (observed: none
- * of 10^5 rays up to 10^4 sizes, or ten).  Embree replaces a component of dir
- * below 1e-18 by 1e-18, so dir as a whole must be far larger.  cylint_scene.h has
- * no such limits.
+ * 2^-124.  A ray from farther away that grazes the whole box may miss it (observed:
+ * none of 10^5 rays from up to 10^6 sizes away did).  With CYLINT_EMBREE_SINGLE and
+ * with moving shapes every shape has its own box, padded for rays that begin within
+ * three sizes, by 2^-19 of a size in place of 2^-9.  A ray from farther away may
+ * then hit another shape if the t of both are nearly the same float.  Around an
+ * instance Embree computes a box in floats, whose error grows with the distance of
+ * the instance from the origin of coordinates: a ray that grazes the whole box may
+ * miss it if that distance is more than 4095 sizes of the box, or three of a
+ * shape's own box (observed: none of 10^5 rays up to 10^4 sizes, or ten).  Embree
+ * replaces a component of dir below 1e-18 by 1e-18, so dir as a whole must be far
+ * larger.  A ray that hits where t is below 2^-126, the least normal float, may
+ * miss the box (observed: one of 100 in packets).  cylint_scene.h has no such
+ * limits.
  *
  * Filters.  The filter of the geometry gets the entry hit and, if it rejects
  * that, the exit hit, always with N = 1 and all members of the hit written.  The
@@ -65,7 +69,7 @@
  * before the entry hit if they lie in different boxes.
  *
  * Packets.  The answers are those to the rays alone, bit for bit.  Embree
- * makes five exceptions.  In a packet it skips a box unless a ray enters the
+ * makes six exceptions.  In a packet it skips a box unless a ray enters the
  * box below tfar, and Embree 3 traces packets that are wider than the
  * processor's vectors as streams of rays.
  *   - A ray with tnear = tfar may report a miss.
@@ -78,6 +82,7 @@
  *     any of them instead of the lowest.  t is right.
  *   - In a query with the flag for coherent rays, where a component of dir is
  *     below 0 and above -1e-18, all rays of the packet may miss what they hit.
+ *   - An occlusion query with that flag may write -inf to a tfar below 0.
  *   - Under a moving instance Embree rounds the transformed rays of a packet
  *     otherwise than rays alone.  The answers are right for those rays.
  * Trace such rays one by one.  Rays that begin near each other and go into the
@@ -91,9 +96,12 @@
  * Memory.  The arrays of shapes are the caller's.  Only the functions that make and
  * update a geometry read them, so that a program which calls no update may free
  * them.  A geometry keeps the arguments of the constructors: 33 bytes a shape if
- * all numbers of all shapes are floats, else 65, and 8 for its order; an elliptic
- * shape takes as much as in the array besides.  All memory is allocated from the
- * device as buffers: its memory monitor counts it and may refuse it.
+ * all numbers of all shapes are floats, else 65, and 8 for its order; with
+ * CYLINT_EMBREE_SINGLE no order; of moving shapes twice 33 or 65.  An elliptic
+ * shape takes as much as in the array besides, and so do most round cones of which
+ * one ball holds the other, and a shape with a number other than 0 below 2^-149;
+ * beside such shapes all take 65.  All memory is allocated from the device as
+ * buffers: its memory monitor counts it and may refuse it.
  */
 #ifndef CYLINT_EMBREE_H
 #define CYLINT_EMBREE_H
