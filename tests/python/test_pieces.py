@@ -332,6 +332,8 @@ def test_bad_arguments(world):
     for message, call in (
         ("mode: expected", lambda: scene.pieces(o, d, mode="all")),
         ("rank: expected 30 integers", lambda: scene.pieces(o, d, rank=[1, 2])),
+        ("rank: a number does not fit", lambda: scene.pieces(o, d, rank=[2**31] * 30)),
+        ("rank: a number does not fit", lambda: scene.pieces(o, d, rank=[-(2**31) - 1] * 30)),
         ("first: expected", lambda: scene.pieces(o, d, first=0)),
         ("columns: expected at least 0", lambda: scene.sums(o, d, columns=-1)),
         ("dimension", lambda: scene.sums(o, d, columns=2**70)),
