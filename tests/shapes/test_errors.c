@@ -34,7 +34,7 @@ static real axis_square(const cylint_shape *s, int i)
 }
 
 /* Half the width of the disc of cap i, or of the ball about end i, along
- * coordinate j. */
+ * coordinate j; exact where it is a double. */
 static real true_reach(const cylint_shape *s, int i, int j)
 {
     const real r = real_of(i ? cylint_r1(s) : cylint_r0(s));
@@ -46,8 +46,10 @@ static real true_reach(const cylint_shape *s, int i, int j)
                       square_of(real_of(cylint_b(s)[j])));
     } else {
         square = plus(axis_square(s, (j + 1) % 3), axis_square(s, (j + 2) % 3));
-        if (s->kind != CYLINT_KIND_ACONE)
-            square = over(square, plus(square, axis_square(s, j)));
+        if (s->kind != CYLINT_KIND_ACONE) {
+            const real whole = plus(square, axis_square(s, j));
+            return over(times(root_of(times(square, whole)), r), whole);
+        }
     }
     return times(root_of(square), r);
 }
