@@ -376,6 +376,12 @@ def test_the_command_and_the_package_open_the_same_files(command, tmp_path):
     cylint.Scene(shapes.with_labels(["two\nlines"] * 200)).save(ours)
     with refused("exit status 1", CalledProcessError):  # a row of text has no line feed
         command("point 0 0 0\n", "-s", ours)
+    for label, clause in (("ends=open", 1), ("", 10**9)):  # text cannot hold these
+        scene = cylint.Scene(shapes[:1].with_labels([label]))
+        scene.set_solids(0, 0, [clause])
+        scene.save(ours)
+        with refused("exit status 1", CalledProcessError):
+            command("", "-s", ours, "--text")
 
 
 def test_files_that_are_no_saved_scenes_are_refused(tmp_path):
