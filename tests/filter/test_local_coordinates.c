@@ -73,6 +73,20 @@ static int sizes_are_accurate(const cylint_shape *s, true_shape *m)
                cylint_reach(s);
 }
 
+/* Whether the build without fused operations writes the same bits, but for numbers
+ * that are tiny beside 1. */
+static int has_one_form(const cylint_shape *s)
+{
+    cylint_shape plain = *s;
+    cylint_measure_local_plain(&plain);
+    for (int i = 0; i < CYLINT_NUMBERS; i++) {
+        double *x = &plain.library.number[i], y = s->library.number[i];
+        if (fmax(fabs(*x), fabs(y)) < 0x1p-900)
+            *x = y;
+    }
+    return memcmp(&plain, s, sizeof plain) == 0;
+}
+
 /* Returns whether the shape has local coordinates. */
 static int matrix_is_accurate(const cylint_shape *s)
 {
@@ -80,9 +94,7 @@ static int matrix_is_accurate(const cylint_shape *s)
     if (s->kind == CYLINT_KIND_NONE || !cylint_prepared(s) ||
         s->kind == CYLINT_KIND_SPHERE)
         return 0;
-    cylint_shape plain = *s;
-    cylint_measure_local_plain(&plain);
-    CHECK(memcmp(&plain, s, sizeof plain) == 0); /* in each build */
+    CHECK(has_one_form(s)); /* in each build */
     real_fixed(BITS);
     set_true_shape(&m, s);
     CHECK(cylint_frame_error(s) >= CYLINT_LOCAL_ERROR &&
@@ -98,7 +110,14 @@ TEST(the_matrix_is_as_accurate_as_it_states)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 1);
+    /* a slope of about 2^-1025, whose errors differ between the builds */
+    const double p0[3] = {0, 0, -0x1.8487cec45be26p-120},
+                 p1[3] = {0, -0x1.bea8fae24911p+14, 0};
+    cylint_shape thin;
     int usable = 0;
+    cylint_round_cone(&thin, p0, 0, p1, 0x1.a7070b54813bcp-1011,
+                      CYLINT_ENDS_CAPPED);
+    CHECK(matrix_is_accurate(&thin));
     EACH_CASE(c, seed, cases) {
         usable += matrix_is_accurate(&c.shape);
     }
