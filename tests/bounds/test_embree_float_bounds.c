@@ -21,19 +21,19 @@ typedef struct {
     double size, off;
 } number;
 
-static number rounded(double size, double off)
+static number with_rounding(double size, double off)
 {
     return (number){size, off + size};
 }
 
 static number sum(number x, number y)
 {
-    return rounded(x.size + y.size, x.off + y.off);
+    return with_rounding(x.size + y.size, x.off + y.off);
 }
 
 static number product(number x, number y)
 {
-    return rounded(x.size * y.size, x.off * y.size + x.size * y.off);
+    return with_rounding(x.size * y.size, x.off * y.size + x.size * y.off);
 }
 
 static number at_most(number x, double most)
