@@ -57,9 +57,9 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         answer_in_pairs(&a, &q, &m, point, exactly);
         certain = m_any(rounds(a.distance, &d));
     } while (!certain && exactly++ == 0);
-    /* untaken 2 of 6: a certain distance has the sign of the side and is not tiny
-     * in every known case */
+    /* untaken 1 of 4: every known certain distance has the sign of the side */
     if (!certain || (d < 0) != q.inside ||
+        /* untaken 1 of 2: and is not tiny */
         !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
         (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
         (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))

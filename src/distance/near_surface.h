@@ -132,9 +132,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
                         const double point[3])
 {
     const double size = fabs(rounded(n->d.value));
-    const int certain =
-        /* untaken 1 of 4: no known distance of numbers in range is so small */
-        n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
+    const int certain = n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
     /* untaken 1 of 8: the feature is certain in every known case */
     if (certain || !n->certain || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
         cylint_has_tangent(s->kind) || !(size <= CYLINT_CLOSE * m->size) ||
