@@ -1,6 +1,7 @@
 /*
- * error_bounds.h - all constants on which a decision depends, with their reasons;
- * those of distances are in distance/error_bounds.h
+ * error_bounds.h - the constants on which decisions depend, with their reasons;
+ * those of distances are in distance/error_bounds.h, and a few limits beside the
+ * only comparison that reads them
  *
  * `make prove` proves every constant that is called proved here, as [Melquiond,
  * Pion 2007].  It also shows that the proof fails for a constant 1 % smaller.
