@@ -135,12 +135,16 @@ static int open_new(struct output *out)
     return begin_part(out, NULL) ? 0 : complain_errno(out->name);
 }
 
+static int is_same_file(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
 /* As /dev/stdout is. */
 static int is_standard_output(const struct stat *file)
 {
     struct stat s;
-    return fstat(1, &s) == 0 && s.st_dev == file->st_dev &&
-           s.st_ino == file->st_ino;
+    return fstat(1, &s) == 0 && is_same_file(&s, file);
 }
 
 static int open_target(struct output *out, const char *name)
@@ -214,7 +218,7 @@ int output_is_input(const char *file, const char *input)
         (file ? stat(file, &out) : fstat(1, &out)) == 0 &&
         S_ISREG(out.st_mode) &&
         (strcmp(input, "-") == 0 ? fstat(0, &in) : stat(input, &in)) == 0 &&
-        in.st_dev == out.st_dev && in.st_ino == out.st_ino;
+        is_same_file(&in, &out);
     return is_same &&
            complain(EXIT_IO, shown_name(file), "is both input and output");
 }
