@@ -6,8 +6,7 @@
  */
 #include "inputs.h"
 
-enum { LINES = 4096, LINES_A_CALL = 16, TURNS = 5 };
-#define SECONDS 0.05 /* of a turn, at least */
+enum { LINES = 4096, LINES_LEAST = 16 };
 
 static struct {
     const struct sticks *sticks;
@@ -17,63 +16,42 @@ static struct {
     cylint_scene *scene;
 } in;
 
-typedef void timed_call(const cylint_line *line);
-
-static void nearest_of_shapes(const cylint_line *line)
+static int hits_one_by_one(const cylint_line *line)
 {
     cylint_answer a;
-    for (int i = 0; i < LINES_A_CALL; i++)
-        for (size_t j = 0; j < in.sticks->n; j++)
-            cylint_intersect(&in.sticks->shapes[j], &line[i], CYLINT_WANT_T,
-                             &a);
+    int hits = 0;
+    for (size_t j = 0; j < in.sticks->n; j++)
+        hits +=
+            cylint_intersect(&in.sticks->shapes[j], line, CYLINT_WANT_T, &a);
+    return hits;
 }
 
-static void nearest_of_pack(const cylint_line *line)
+static int make_pack(int i)
 {
-    cylint_hit hit;
-    for (int i = 0; i < LINES_A_CALL; i++)
-        cylint_nearest(&in.pack, &line[i], CYLINT_WANT_T, &hit);
-}
-
-static void nearest_of_scene(const cylint_line *line)
-{
-    cylint_hit hit;
-    for (int i = 0; i < LINES_A_CALL; i++)
-        cylint_scene_nearest(in.scene, &line[i], CYLINT_WANT_T, &hit);
-}
-
-static void make_pack(const cylint_line *line)
-{
-    (void)line;
     cylint_pack_shapes(&in.pack, in.memory, in.sticks->shapes, in.sticks->n);
+    return i;
 }
 
-static void make_scene(const cylint_line *line)
+static size_t make_scene(int i)
 {
-    (void)line;
+    (void)i;
     cylint_scene_free(in.scene);
     in.scene = cylint_scene_new(in.sticks->shapes, in.sticks->n, 1, NULL);
     must(in.scene != NULL, "out of memory");
+    return cylint_scene_size(in.scene);
 }
 
-/* The least mean of several turns. */
-static double seconds_of_call(timed_call *call)
+BENCH_TURN(packs, , make_pack(i))
+BENCH_TURN(scenes, , make_scene(i))
+BENCH_TURN(by_shapes, , hits_one_by_one(&in.line[i]))
+BENCH_TURN(by_pack, cylint_hit hit,
+           cylint_nearest(&in.pack, &in.line[i], CYLINT_WANT_T, &hit))
+BENCH_TURN(by_scene, cylint_hit hit,
+           cylint_scene_nearest(in.scene, &in.line[i], CYLINT_WANT_T, &hit))
+
+static double ns_of_turn(bench_turn *turn, int questions)
 {
-    double least = HUGE_VAL;
-    int at = 0;
-    for (int turn = 0; turn < TURNS; turn++) {
-        const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
-        double taken;
-        int calls = 0;
-        do {
-            call(&in.line[at]);
-            at = (at + LINES_A_CALL) % LINES;
-            calls++;
-            taken = seconds_of(CLOCK_THREAD_CPUTIME_ID) - start;
-        } while (taken < SECONDS);
-        least = fmin(least, taken / calls);
-    }
-    return least;
+    return ns_of(&(struct contest){.ours = turn, .questions = questions});
 }
 
 /* Infinite if the line takes longer with the preparation. */
@@ -86,28 +64,27 @@ static void print_lines(const char *question, double prepare, double without,
 
 static void compare_calls(const struct sticks *s)
 {
+    const double n = (double)s->n;
+    const int lines = (int)fmax(LINES_LEAST, fmin(LINES, 1.6e7 / n));
     in.sticks = s;
     in.memory = need(cylint_pack_bytes(s->n));
     draw_lines(draw_incoherent, LINES, in.line);
-    const double pack = seconds_of_call(make_pack),
-                 scene = seconds_of_call(make_scene),
-                 by_shapes = seconds_of_call(nearest_of_shapes) / LINES_A_CALL,
-                 by_pack = seconds_of_call(nearest_of_pack) / LINES_A_CALL,
-                 by_scene = seconds_of_call(nearest_of_scene) / LINES_A_CALL,
-                 per = 1e9 / (double)s->n;
+    const double pack = ns_of_turn(packs, 1), scene = ns_of_turn(scenes, 1),
+                 shapes_line = ns_of_turn(by_shapes, lines),
+                 pack_line = ns_of_turn(by_pack, lines),
+                 scene_line = ns_of_turn(by_scene, LINES);
     print_figure(s->name, "make a pack, a shape", NULL, NULL, "ns", NAN,
-                 per * pack);
+                 pack / n);
     print_figure(s->name, "make a scene, a shape", NULL, NULL, "ns", NAN,
-                 per * scene);
+                 scene / n);
     print_figure(s->name, "a line, a shape", NULL, NULL, "ns", NAN,
-                 per * by_shapes);
+                 shapes_line / n);
     print_figure(s->name, "a line, a shape of a pack", NULL, NULL, "ns", NAN,
-                 per * by_pack);
-    print_figure(s->name, "a line, a scene", NULL, NULL, "ns", NAN,
-                 1e9 * by_scene);
-    print_lines("a pack, not shapes", pack, by_shapes, by_pack);
-    print_lines("a scene, not a pack", scene - pack, by_pack, by_scene);
-    print_lines("a scene, not shapes", scene, by_shapes, by_scene);
+                 pack_line / n);
+    print_figure(s->name, "a line, a scene", NULL, NULL, "ns", NAN, scene_line);
+    print_lines("a pack, not shapes", pack, shapes_line, pack_line);
+    print_lines("a scene, not a pack", scene - pack, pack_line, scene_line);
+    print_lines("a scene, not shapes", scene, shapes_line, scene_line);
     cylint_scene_free(in.scene);
     in.scene = NULL;
     free(in.memory);
