@@ -2,6 +2,10 @@
  * cylint_methods - published methods to intersect a line with a cylinder or a
  * cone
  *
+ *     cylint_answer answer;
+ *     if (cylint_quadratic(&shape, &line, CYLINT_WANT_T, &answer) == CYLINT_OK)
+ *         printf("%d hits\n", answer.n);
+ *
  * Each is a method as its author published it, in double precision, corrected
  * where the print is wrong; the comments of its source file list the
  * corrections.  The methods serve to compare run time with error, which

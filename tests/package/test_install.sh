@@ -205,9 +205,13 @@ show()
     verdict "${page}_has_example_$2" $?
 }
 
-# head_example NAME OUTPUT [CODE]: the example at the head of cylint_NAME.h, and CODE.
+# head_example NAME OUTPUT [CODE]: the example at the head of cylint_NAME.h, and CODE;
+# the manual's synopsis shows it, too.
 head_example()
 {
+    sed -n '1,/\*\//s/^ \*     //p' "include/cylint_$1.h" > "$scratch/head"
+    display "cylint_$1.3" 1 SYNOPSIS | diff "$scratch/head" -
+    verdict "cylint_$1_3_shows_the_example_of_its_header" $?
     {
         printf '#include <cylint_%s.h>\n' "$1"
         cat << 'END'
@@ -224,7 +228,7 @@ int main(void)
     shapes[0] = shape;
     (void)hit, (void)shapes, (void)n;
 END
-        sed -n '1,/\*\//s/^ \*     //p' "include/cylint_$1.h"
+        cat "$scratch/head"
         printf '%s }\n' "$3"
     } > "$scratch/example.c"
     echo "$2" > "$scratch/example.said"
@@ -239,13 +243,16 @@ test_manual_examples()
     sed -n 's/^ \* prints "\(.*\)"\..*/\1/p' include/cylint.h > "$scratch/example.said"
     [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
     verdict the_header_begins_with_an_example $?
+    display cylint.3 1 SYNOPSIS | diff "$scratch/example.c" -
+    verdict cylint_3_shows_the_example_of_its_header $?
     example the_headers_example static $cc -std=c99
     head_example pieces '20 20.5' 'printf("%g %g\n", wall[0].t0, wall[0].t1);'
     head_example distance '40 from -10 0 0'
+    head_example methods '2 hits'
     packages=cylint-scene
     head_example scene 'shape 0 at t = 20'
     packages=
-    for shown in cylint,1 cylint,3 cylint,5 cylint,7 cylint_methods,1 cylint_distance,1 \
+    for shown in cylint,1 cylint,3 cylint,5 cylint_methods,1 cylint_distance,1 \
         cylint_distance,3 cylint_distance,5 cylint_pieces,1 cylint_pieces,3 cylint_pieces,5; do
         show ${shown%,*}.3 ${shown#*,}
         example "${page}_example_$number" static $cc -std=c99
@@ -263,8 +270,16 @@ test_manual_examples()
     done
     for shown in 1 3; do
         show cylint_embree.3 $shown
+        [ $shown = 3 ] || synopsis_of_embree
         example_of cylint-embree
     done
+}
+
+synopsis_of_embree()
+{
+    display cylint_embree.3 1 SYNOPSIS > "$scratch/head"
+    [ "$(grep -cFf "$scratch/head" "$scratch/example.c")" -eq "$(grep -c ';' "$scratch/head")" ]
+    verdict the_synopsis_of_cylint_embree_3_is_of_its_example $?
 }
 
 # example_of LIBRARY...: links with shared and with static libraries.
