@@ -380,7 +380,7 @@ static int read_block(struct block *b, struct notes *notes,
         if (is_record(p, stop))
             status = handle(context, p, stop, notes);
         if (status == EXIT_BAD)
-            print_refusal(notes, b->name);
+            count_bad(notes);
         notes->line++;
     }
     return status;
@@ -392,7 +392,8 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
     char *const files[] = {(char *)(uintptr_t)file};
     struct input in;
     struct block block;
-    struct notes notes = {.wanted = 1u << REMARK_LATE_WORD};
+    struct notes notes = {.wanted =
+                              1u << REMARK_LATE_WORD | 1u << REMARK_LABEL};
     struct report report = {0};
     int status = block_make(&block) ? 0 : out_of_memory();
     if (status == 0 && (status = input_open(&in, files, 1, 0)) == 0) {
@@ -402,8 +403,7 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
             status = block.fault[0]
                          ? complain(EXIT_IO, block.name, "%s", block.fault)
                          : read_block(&block, &notes, handle, context);
-            if (status == 0)
-                report_notes(&report, &notes, block.name);
+            report_notes(&report, &notes, block.name);
         } while (status == 0 && block.length > 0);
         input_close(&in);
     }

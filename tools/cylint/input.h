@@ -69,7 +69,7 @@ typedef int line_handler(void *context, const char *line, const char *end,
                          struct notes *notes);
 
 /* Calls `handle` for each line of a file that is neither blank nor a comment,
- * and prints the note about a bad line.  Returns 0, or an exit status. */
+ * up to the first bad one, and prints the notes.  Returns 0, or an exit status. */
 int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
                void *context);
 

@@ -87,9 +87,7 @@ enum { NO_RANK = INT_MIN };
 /* The file as it is read. */
 struct rank_file {
     const struct groups *groups;
-    const char *name;
     int *rank; /* of each group, or NO_RANK */
-    int has_warned;
 };
 
 /* Reads an integer.  Returns 0 if the text is none. */
@@ -103,19 +101,18 @@ static int read_rank(struct string s, int *rank)
     return is_whole;
 }
 
-/* Stores the rank.  A label that no shape has gives one message. */
-static int take_rank(struct rank_file *f, struct string name, int rank,
-                     struct notes *notes)
+/* Stores the rank.  A label that no shape has is a remark. */
+static int store_rank(struct rank_file *f, struct string name, int rank,
+                      struct notes *notes)
 {
     const size_t group = names_find(&f->groups->names, name);
     if (group < f->groups->names.texts.count) {
         if (f->rank[group] != NO_RANK)
             return refuse_text(notes, "this label has a rank already", name);
         f->rank[group] = rank;
-    } else if (!f->has_warned) {
+    } else if (wants_remark(notes, REMARK_LABEL)) {
         refuse_text(notes, "no shape has this label", name);
-        print_refusal(notes, f->name);
-        f->has_warned = 1;
+        make_remark(notes, REMARK_LABEL);
     }
     return 0;
 }
@@ -137,14 +134,14 @@ static int read_ranking(void *context, const char *line, const char *end,
                             field(&r));
     skip_field(&r);
     return r.p < r.end ? refuse_other(notes, "the end of the line", field(&r))
-                       : take_rank(context, name, rank, notes);
+                       : store_rank(context, name, rank, notes);
 }
 
 /* Names without a line have the rank 0. */
 int groups_read_ranks(struct groups *g, const char *file)
 {
     const size_t count = g->names.texts.count;
-    struct rank_file f = {.groups = g, .name = file};
+    struct rank_file f = {.groups = g};
     f.rank = malloc((count + 1) * sizeof *f.rank);
     g->rank = malloc((g->shapes + 1) * sizeof *g->rank);
     int status = EXIT_MEMORY;

@@ -170,13 +170,6 @@ static void print_note(const struct note *note, const char *name)
     }
 }
 
-void print_refusal(struct notes *notes, const char *name)
-{
-    count_bad(notes);
-    notes->kept_bad--;
-    print_note(&notes->note[--notes->kept], name);
-}
-
 /* Returns whether a note must be printed, and updates *report if so. */
 static int must_print(struct report *report, const struct note *note,
                       const char *name)

@@ -39,7 +39,7 @@ enum remark {
     REMARK_NONE,      /* the record is bad */
     REMARK_SURPLUS,   /* its tail begins with a number */
     REMARK_DOMAIN,    /* -t does not apply to its line or point */
-    REMARK_LABEL,     /* it leaves out a label that no shape has */
+    REMARK_LABEL,     /* it has a label that no shape has */
     REMARK_LATE_WORD, /* its tail has a word without effect there */
     REMARKS
 };
@@ -94,9 +94,6 @@ void make_remark(struct notes *notes, enum remark remark);
 
 /* The present record is bad, as the note says. */
 void count_bad(struct notes *notes);
-
-/* Prints the note of the present record at once. */
-void print_refusal(struct notes *notes, const char *name);
 
 /* Prints the notes of a block and clears them.  Of the bad records the first
  * ten of the whole input are printed. */
