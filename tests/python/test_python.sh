@@ -55,11 +55,14 @@ run_pytest()
     (cd "$home" && CYLINT_COMMAND=$build/cylint PYTHONDONTWRITEBYTECODE=1 \
         "$python" -m pytest -q -p no:cacheprovider "$top/tests/python") \
         > "$scratch/pytest" 2>&1
-    passed_here=$(sed -n 's/^.*\b\([0-9][0-9]*\) passed.*/\1/p' "$scratch/pytest" | tail -n 1)
-    failed_here=$(tail -n 1 "$scratch/pytest" | sed -n 's/.*\b\([0-9][0-9]*\) \(failed\|error\).*/\1/p')
+    status=$?
+    # nanobind prints its notices after pytest's last line
+    sums=$(grep -E '^[0-9]+ [a-z]+(, .*)? in [0-9.]+s' "$scratch/pytest")
+    passed_here=$(echo "$sums" | sed -n 's/^.*\b\([0-9][0-9]*\) passed.*/\1/p')
+    failed_here=$(echo "$sums" | sed -n 's/^.*\b\([0-9][0-9]*\) \(failed\|error\).*/\1/p')
     passed=$((passed + ${passed_here:-0}))
     failed=$((failed + ${failed_here:-0}))
-    [ "${failed_here:-0}" -eq 0 ] && [ "${passed_here:-0}" -gt 50 ] ||
+    [ $status -eq 0 ] && [ "${passed_here:-0}" -gt 50 ] ||
         { cat "$scratch/pytest"; false; }
     verdict pytest_ran_the_tests_and_examples $?
 }
