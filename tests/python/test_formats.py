@@ -412,6 +412,14 @@ def test_convert_has_the_status_of_the_command(convert, tmp_path):
     status, text, said = convert("molecule", tmp_path / "none")
     assert (status, text) == (3, "")
     assert said == f"libcylint: {tmp_path / 'none'}: No such file or directory\n"
+    folder = tmp_path / "a.swc"
+    folder.mkdir()
+    said = f"libcylint: {folder}: Is a directory\n"
+    assert convert("swc", folder) == (3, "", said)
+    point = tmp_path / "point"  # named in messages, although a copy is read
+    point.write_text("1 1 0 0 0 2 -1\n2 3 0 0 0 1 1\n")
+    said = f"libcylint: {point}: 1 edge of no length skipped\n"
+    assert convert("swc", point) == (0, "", said)
     for wrong in ((), ("pov",), ("swc", "--swc=oval"), ("pdb", "-r", "thick")):
         status, text, said = convert(*wrong)
         assert status == 2 and text == "" and said.startswith("usage: ")

@@ -11,12 +11,12 @@ import warnings
 from contextlib import suppress
 from typing import Any
 
-from ._files import contents, read_scene, scene_text, standard
+from ._files import contents, read_begun, read_scene, scene_text, standard
 from ._molecules import read_molecule
-from ._shapes import Shapes
+from ._shapes import Shapes, all_shapes
 from ._trees import read_qsm
 
-_BAD, _IO = 1, 3
+_BAD, _IO, _MEMORY = 1, 3, 4
 
 
 def _read_neuron(path: str, swc: str) -> Shapes:
@@ -27,10 +27,8 @@ def _read_neuron(path: str, swc: str) -> Shapes:
         name = os.path.join(folder, "neuron.swc")
         with open(name, "wb") as file:
             file.write(contents(path))
-        try:
-            return read_scene(name, swc=swc)
-        except ValueError as error:
-            raise ValueError(str(error).replace(name, path)) from None
+        begun, labels, _ = read_begun(name, ends=None, swc=swc, shown=path)
+        return all_shapes(begun, labels)
 
 
 def _arguments() -> argparse.Namespace:
@@ -88,8 +86,12 @@ def main() -> int:
         _say(error)
         return _BAD
     except OSError as error:
-        _say(f"{error.filename or 'standard output'}: {error.strerror}")
+        name = error.filename or "standard output"
+        _say(error if error.errno is None else f"{name}: {error.strerror}")
         return _IO
+    except MemoryError:
+        _say("out of memory")
+        return _MEMORY
     return 0
 
 

@@ -52,10 +52,11 @@ def read_scene(
 
 
 def read_begun(
-    path: str | os.PathLike[str], *, ends: Any, swc: str | None
+    path: str | os.PathLike[str], *, ends: Any, swc: str | None, shown: str | None = None
 ) -> tuple[_core.Scene, NDArray[np.object_] | None, list[tuple[int, int, int]]]:
     """A scene that is begun, its labels, and members (shape, solid, clause) of its
-    solids, by the arguments of `read_scene`."""
+    solids, by the arguments of `read_scene`.  shown: the file's name in messages, if
+    it is another one."""
     code = _NOT_GIVEN if ends is None else int(codes_of(ends))
     name = os.fsdecode(path)
     if swc not in (None, "cones", "round"):
@@ -70,6 +71,8 @@ def read_begun(
     status, begun, labels, members, messages = _core.read_scene(
         os.fsencode(name), code, swc == "round"
     )
+    if shown is not None:
+        messages = [text.replace(name, shown) for text in messages]
     if status != 0:
         text = "; ".join(messages)
         errors = {_BAD: ValueError, _USAGE: ValueError, _MEMORY: MemoryError}
