@@ -160,10 +160,9 @@ int main(int argc, char **argv)
     if (status != 0 || o->print)
         return status != 0 ? status : print_about(o->print);
     stages_start(&job.stages, o->progress);
-    status = output_is_input(o->output, o->scene)
-                 ? EXIT_IO
-                 : output_open(
-                       &out, strcmp(o->output, "-") == 0 ? NULL : o->output, 1);
+    const char *file = strcmp(o->output, "-") == 0 ? NULL : o->output;
+    status =
+        output_is_input(file, o->scene) ? EXIT_IO : output_open(&out, file, 1);
     if (status != 0)
         return status;
     status = prepare(&job);
