@@ -8,15 +8,15 @@
 #include "input.h"
 #include "scene.h"
 
-/* Returns the exit status for a status of the library, after a message if it is a
- * fault.  name: of the file. */
-static int scene_failed(cylint_scene_status status, const char *name,
-                        int exit_status)
+/* Returns 0 for the status OK of the library, else an exit status after a message:
+ * EXIT_MEMORY or `otherwise`. */
+static int exit_status_of(cylint_scene_status status, const char *file,
+                          int otherwise)
 {
     return status == CYLINT_SCENE_OK ? 0
            : status == CYLINT_SCENE_EMEMORY
                ? out_of_memory()
-               : complain(exit_status, name, "%s",
+               : complain(otherwise, file, "%s",
                           cylint_scene_strerror((int)status));
 }
 
@@ -35,8 +35,8 @@ int scene_add(struct scene *scene, const struct record *record)
         status = scene_begin(scene);
     if (status == 0)
         status =
-            scene_failed(cylint_scene_add(scene->shapes, &record->shape, 1),
-                         "-s", EXIT_USAGE);
+            exit_status_of(cylint_scene_add(scene->shapes, &record->shape, 1),
+                           scene->file, EXIT_BAD);
     scene->count += status == 0;
     return status;
 }
@@ -50,9 +50,9 @@ int scene_build(struct scene *scene, int threads)
         cylint_scene_finish(scene->shapes, threads, NULL, NULL);
     const struct solids *s = &scene->solids;
     if (finished != CYLINT_SCENE_EFINISHED)
-        status = scene_failed(finished, "-s", EXIT_USAGE);
+        status = exit_status_of(finished, scene->file, EXIT_BAD);
     if (status == 0 && s->count > 0)
-        status = scene_failed(
+        status = exit_status_of(
             cylint_scene_set_solids(scene->shapes, s->member, s->count),
             scene->file, EXIT_BAD);
     return status;
@@ -158,7 +158,7 @@ int scene_open(struct scene *scene)
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
     return status == CYLINT_SCENE_OK && scene->keeps_labels
                ? labels_take(&scene->labels, scene->shapes, file)
-               : scene_failed(status, file, EXIT_IO);
+               : exit_status_of(status, file, EXIT_IO);
 }
 
 static int add_saved(struct scene *scene, const struct scene *saved)
