@@ -25,8 +25,8 @@ def read_molecule(
     has.  All lengths are in angstrom.
 
     stick: the radius of a cylinder for each bond; 0: no bonds.  Two atoms are bonded
-    if their distance is at least 0.4 and at most 0.45 more than the sum of their
-    covalent radii, those of gemmi; two hydrogens never are.
+    if their distance is at least 0.4, and at most the sum of their covalent radii,
+    those of gemmi, plus 0.45; two hydrogens never are.
     ball: a sphere for each atom, of this fraction of its van der Waals radius; 0: none.
     stick=0, ball=1 gives van der Waals balls, ball=0.25 balls and sticks.
     waters: False leaves out the molecules of water.
