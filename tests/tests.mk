@@ -107,7 +107,7 @@ check-embree4: all ## the same with Embree 4, downloaded from PyPI
 	$(call run_tests,tests/embree/test_embree4.sh)
 
 check-scene: $(BUILD)/tests/scene/test_queries ## compare scenes with brute force, about two minutes
-	$(BUILD)/tests/scene/test_queries 1000
+	CYLINT_CASES=1000 $<
 
 check-cross: $(BUILD)/tests/package/records ## compare the bytes from other compilers and processors
 	@BUILD=$(BUILD) sh tests/package/cross.sh

@@ -108,7 +108,7 @@ TEST(the_deepest_form_has_the_depth_in_error_bounds_h)
         REPORT("depth %d", most);
 }
 
-TEST(pairs_are_no_deeper)
+TEST(forms_in_pairs_are_no_deeper)
 {
     CHECK(deepest(EXACT_DIFFERENCE, "in pairs") <= CYLINT_DEPTH);
 }

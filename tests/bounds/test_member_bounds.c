@@ -332,7 +332,7 @@ static int judge_line(const cylint_shape *s, const cylint_line *line)
     return 1;
 }
 
-TEST(every_number_has_its_bound)
+TEST(errors_of_members_are_within_their_bounds)
 {
     const uint64_t hits = check_setting("CYLINT_CASES", 1 << 17);
     uint64_t n = 0;

@@ -164,7 +164,8 @@ TEST(known_answers_are_returned_in_every_environment)
 {
     EACH_KERNELS(k)
         check_records(environment_of(0));
-    everywhere(check_records);
+    EACH_ENVIRONMENT(there)
+        check_records(there);
 }
 
 #ifdef HAVE_MPFR
@@ -196,7 +197,7 @@ TEST(the_size_of_an_answer_is_that_of_the_header)
 }
 
 /* A shape that was refused, and bad points. */
-TEST(where_nothing_is_known_the_distance_is_infinite)
+TEST(refused_shapes_and_bad_points_have_an_infinite_distance)
 {
     static const double p[3][3] = {{0, 0, 1}, {0, NAN, 0}, {HUGE_VAL, 0, 0}};
     cylint_shape s[3];
@@ -226,59 +227,52 @@ static const char *take_place(const char *text, const char *known)
     return family_numbers(known, 2, places[place_count++].bounds);
 }
 
-static void check_places(struct environment there)
-{
-    for (int i = 0; i < place_count; i++) {
-        const double less = places[i].bounds[0], enough = places[i].bounds[1];
-        const double ulps[] = {NAN,     -0x1p-1074, fmin(less, 0x1p-1074),
-                               less,    enough,     enough + 1.5,
-                               HUGE_VAL};
-        int within = 0;
-        environment_set(there);
-        for (int k = 0; k < 7; k++)
-            within |=
-                cylint_on_surface(&places[i].c.shape, places[i].p, ulps[k])
-                << k;
-        environment_reset();
-        if (!CHECK(within == (isnan(enough) ? 0 : 0x70))) {
-            REPORT_CASE(&places[i].c);
-            REPORT("not within %a, within %a: %x", less, enough,
-                   (unsigned)within);
-        }
-    }
-}
-
 TEST(a_point_is_on_a_surface_exactly_or_within_ulps)
 {
     each_record("tests/distance/on_surface.txt", 9, take_place);
-    everywhere(check_places);
+    EACH_ENVIRONMENT(there)
+        for (int i = 0; i < place_count; i++) {
+            const double less = places[i].bounds[0],
+                         enough = places[i].bounds[1];
+            const double ulps[] = {NAN,     -0x1p-1074, fmin(less, 0x1p-1074),
+                                   less,    enough,     enough + 1.5,
+                                   HUGE_VAL};
+            int within = 0;
+            environment_set(there);
+            for (int k = 0; k < 7; k++)
+                within |=
+                    cylint_on_surface(&places[i].c.shape, places[i].p, ulps[k])
+                    << k;
+            environment_reset();
+            if (!CHECK(within == (isnan(enough) ? 0 : 0x70))) {
+                REPORT_CASE(&places[i].c);
+                REPORT("not within %a, within %a: %x", less, enough,
+                       (unsigned)within);
+            }
+        }
 }
 
 /* Squares of the coordinates overflow, and rounding downward and toward zero an
  * overflow is the largest double. */
-static void check_safety_beyond_all_squares(struct environment there)
-{
-    for (int far = 490; far <= 1019; far++) {
-        const double p[3] = {ldexp(-12.07, far), ldexp(4.21, far),
-                             ldexp(13.45, far)};
-        struct family_case c = case_of("cone 3 0 -3 2  4 0 -3 1");
-        for (int ends = 0; ends < 6; ends++) {
-            c.ends = (cylint_ends)ends;
-            family_make(&c);
-            const double d = fabs(answer_to(&c.shape, p, 0).distance);
-            environment_set(there);
-            const double safe = cylint_safety(&c.shape, p);
-            environment_reset();
-            if (!CHECK(safe > 0.999 * d && safe <= d))
-                REPORT("2^%d, ends %d: safety %a, distance %a", far, ends, safe,
-                       d);
-        }
-    }
-}
-
 TEST(a_safety_beyond_all_squares_is_below_the_distance)
 {
-    everywhere(check_safety_beyond_all_squares);
+    EACH_ENVIRONMENT(there)
+        for (int far = 490; far <= 1019; far++) {
+            const double p[3] = {ldexp(-12.07, far), ldexp(4.21, far),
+                                 ldexp(13.45, far)};
+            struct family_case c = case_of("cone 3 0 -3 2  4 0 -3 1");
+            for (int ends = 0; ends < 6; ends++) {
+                c.ends = (cylint_ends)ends;
+                family_make(&c);
+                const double d = fabs(answer_to(&c.shape, p, 0).distance);
+                environment_set(there);
+                const double safe = cylint_safety(&c.shape, p);
+                environment_reset();
+                if (!CHECK(safe > 0.999 * d && safe <= d))
+                    REPORT("2^%d, ends %d: safety %a, distance %a", far, ends,
+                           safe, d);
+            }
+        }
 }
 
 /* --------------------------------------------------------- properties -- */
@@ -475,7 +469,7 @@ static double safety_size(const cylint_shape *s, const double p[3],
                              : length + fmax(cylint_r0(s), cylint_r1(s)) *
                                             cylint_radius_unit(s, length);
     double D[3];
-    along3(D, p, -1, cylint_base(s));
+    minus3(D, p, cylint_base(s));
     return reach +
            (s->ends == CYLINT_ENDS_INFINITE ? 1.42 * length_of(D) : distance);
 }
@@ -526,10 +520,8 @@ static void check_environments(const struct family_case *c, const double p[3])
     struct answers want, got;
     answer_all(&c->shape, p, &want);
     const double far = fabs(want.one.distance);
-    for (int i = 0; i < ENVIRONMENTS; i++) {
-        const struct environment there = environment_of(i);
-        if (!can_treat_subnormals(there.tiny) ||
-            turn_of_environment++ % every_environment != 0)
+    EACH_ENVIRONMENT(there) {
+        if (turn_of_environment++ % every_environment != 0)
             continue;
         environment_set(there);
         answer_all(&c->shape, p, &got);
@@ -541,8 +533,8 @@ static void check_environments(const struct family_case *c, const double p[3])
                    (far < 2 * DBL_MIN || /* may be flushed to 0 */
                     gap_of(&c->shape, p, far, safe) <= 32))) {
             report(c, p);
-            REPORT("environment %d: distance %a and %a, safety %a", i, far,
-                   got.one.distance, safe);
+            REPORT("distance %a and %a, safety %a", far, got.one.distance,
+                   safe);
         }
     }
 }

@@ -367,7 +367,7 @@ TEST(distances_are_those_of_the_oracle)
     over_families(0, 0);
 }
 
-TEST(also_of_mixed_exponents)
+TEST(distances_of_mixed_exponents_are_those_of_the_oracle)
 {
     over_families(1, 0);
 }
@@ -399,7 +399,7 @@ TEST(distances_of_any_exponents_are_those_of_the_oracle)
     check_any_exponents(0, check_setting("CYLINT_FAR", FAR_CASES));
 }
 
-TEST(elliptic_distances_of_any_exponents_are_too)
+TEST(elliptic_distances_of_any_exponents_are_those_of_the_oracle)
 {
     check_any_exponents(1, check_setting("CYLINT_ELLIPTIC_FAR", FAR_ELLIPTIC));
 }

@@ -171,9 +171,9 @@ static void check_shapes(const struct family_case *line,
 
 /* Nearest, with several sets of members, and count, beside a loop over all
  * shapes. */
-static void check_scene(const struct family_case *line,
-                        const struct family_case *cases, size_t n,
-                        const struct layout *at)
+static void check_nearest_and_count(const struct family_case *line,
+                                    const struct family_case *cases, size_t n,
+                                    const struct layout *at)
 {
     static const unsigned wants[] = {CYLINT_WANT_T,
                                      CYLINT_WANT_PART,
@@ -271,7 +271,7 @@ TEST(batches_answer_as_single_questions)
             slide(&drawn[i], 100);
             check_lines(&drawn[i], lined, 100, at);
             check_shapes(&drawn[i], drawn, 100, at);
-            check_scene(&drawn[i], drawn, 60, &usual);
+            check_nearest_and_count(&drawn[i], drawn, 60, &usual);
         }
     }
 }
@@ -281,7 +281,7 @@ static void check_batches(size_t n, const struct layout *at)
     check_pairs(drawn, n, at);
     check_lines(&drawn[0], lined, n, at);
     check_shapes(&drawn[0], drawn, n, at);
-    check_scene(&drawn[0], drawn, n, at);
+    check_nearest_and_count(&drawn[0], drawn, n, at);
 }
 
 /* Shapes of one kind with the same ends, so that all lanes are of one run. */
@@ -371,7 +371,7 @@ TEST(segments_keep_the_low_parts_of_their_directions)
             continue;
         drawn[n_drawn++] = c;
         check_shapes(&c, drawn, 100, &usual);
-        check_scene(&c, drawn, 100, &usual);
+        check_nearest_and_count(&c, drawn, 100, &usual);
     }
     CHECK(n_drawn == 60);
 }
@@ -445,7 +445,7 @@ TEST(a_hard_lane_does_not_disturb_its_neighbours)
             family_make(&cases[i]);
         }
         check_shapes(&line, cases, FEW, &usual);
-        check_scene(&line, cases, FEW, &usual);
+        check_nearest_and_count(&line, cases, FEW, &usual);
     }
 }
 
@@ -470,7 +470,7 @@ TEST(the_lower_number_is_nearest_for_equal_t)
         cylint_hit hit;
         CHECK(cylint_nearest(&pack, &line.line, CYLINT_WANT_T, &hit) ==
               (size_t)ahead);
-        check_scene(&line, cases, FEW, &usual);
+        check_nearest_and_count(&line, cases, FEW, &usual);
     }
 }
 

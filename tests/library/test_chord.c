@@ -131,15 +131,11 @@ TEST(chords_are_those_of_the_oracle)
     printf("note: %ld lines, %ld with chords\n", compared, with_chords);
 }
 
-static void compare_there(struct environment there)
-{
-    compare_many(there, check_setting("CYLINT_CASES", 800) / 50);
-}
-
 TEST(chords_are_the_same_in_every_environment)
 {
     stream = 4;
-    everywhere(compare_there);
+    EACH_ENVIRONMENT(there)
+        compare_many(there, check_setting("CYLINT_CASES", 800) / 50);
 }
 
 /* ------------------------------------------------------------ lengths -- */
@@ -200,7 +196,7 @@ TEST(a_length_is_within_0501_units)
                    i % 2 ? "segment" : "line", o[0], o[1], o[2], d[0], d[1],
                    d[2], cylint_line_length(&line), error);
     }
-    fprintf(stderr, "%ld lengths, at most %.6f units\n", cases, worst);
+    printf("note: %ld lengths, at most %.6f units\n", cases, worst);
 }
 
 #endif
@@ -237,29 +233,25 @@ TEST(every_record_is_read)
 
 /* Made and answered there; the closed solid is the same whatever ends are
  * present. */
-static void check_records(struct environment there)
-{
-    for (int i = 0; i < count; i++) {
-        const struct record *r = &records[i];
-        const int every = cylint_ends_are_planes((int)r->c.ends) &&
-                          r->c.shape_word != FAMILY_SPHERE;
-        for (int ends = 0; ends < (every ? 4 : 1); ends++) {
-            struct family_case c = r->c;
-            cylint_interval got[2];
-            c.ends = every ? (cylint_ends)ends : c.ends;
-            environment_set(there);
-            CHECK(family_make(&c));
-            const int n = cylint_chord(&c.shape, &c.line, got);
-            environment_reset();
-            if (!CHECK(same_chords(n, got, r->n, r->chord)))
-                REPORT_CASE(&c);
-        }
-    }
-}
-
 TEST(known_chords_are_found_in_every_environment)
 {
-    everywhere(check_records);
+    EACH_ENVIRONMENT(there)
+        for (int i = 0; i < count; i++) {
+            const struct record *r = &records[i];
+            const int every = cylint_ends_are_planes((int)r->c.ends) &&
+                              r->c.shape_word != FAMILY_SPHERE;
+            for (int ends = 0; ends < (every ? 4 : 1); ends++) {
+                struct family_case c = r->c;
+                cylint_interval got[2];
+                c.ends = every ? (cylint_ends)ends : c.ends;
+                environment_set(there);
+                CHECK(family_make(&c));
+                const int n = cylint_chord(&c.shape, &c.line, got);
+                environment_reset();
+                if (!CHECK(same_chords(n, got, r->n, r->chord)))
+                    REPORT_CASE(&c);
+            }
+        }
 }
 
 static const double origin[3] = {0, 0, 0}, ex[3] = {1, 0, 0};

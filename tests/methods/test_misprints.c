@@ -1,6 +1,5 @@
 /*
- * test_misprints.c - the print fails, the method does
- * not
+ * test_misprints.c - the print fails, the method does not
  *
  * Each error or omission of the published methods is here as a small function,
  * as printed.  It fails on an input where the corrected method is right.  The
@@ -13,18 +12,6 @@
 #include "cylint_methods.h"
 #include "records.h"
 #include "vectors.h"
-
-static void unit(const double a[3], double out[3])
-{
-    const double size = length3(a);
-    for (int i = 0; i < 3; i++)
-        out[i] = a[i] / size;
-}
-
-static void minus(const double a[3], const double b[3], double out[3])
-{
-    along3(out, a, -1, b);
-}
 
 static int is(double t, double expected)
 {
@@ -101,10 +88,10 @@ TEST(shenes_foot_halves_the_chord_of_an_oblique_line)
     const double o[3] = {-3, 0.6, 0}, d[3] = {3, 0, 4};
     double u[3], uv[3], w[3], D[3], Dv[3];
 
-    unit(d, u);
+    unit3(u, d);
     cross3(uv, u, along_z);
-    unit(uv, w);
-    minus(origin, o, D);
+    unit3(w, uv);
+    minus3(D, origin, o);
     cross3(Dv, D, along_z);
     CHECK(!is(dot3(Dv, w), 5));
     CHECK(is(dot3(Dv, uv) / dot3(uv, uv), 5)); /* the foot: x = 0 */
@@ -122,10 +109,10 @@ static int shene_cone_without_exceptions(double cosine, const double D[3],
     double n[3], m[3], k[3];
 
     cross3(n, d, D);
-    unit(n, n);
+    unit3(n, n);
     along3(m, along_z, -n[2], n);
     const double cos_theta = length3(m);
-    unit(m, m);
+    unit3(m, m);
     cross3(k, n, m);
     const double cos_b = cosine / cos_theta;
     if (cos_b > 1)
@@ -135,7 +122,7 @@ static int shene_cone_without_exceptions(double cosine, const double D[3],
         double delta[3], across[3], reach[3], to_V[3];
         for (int j = 0; j < 3; j++)
             delta[j] = cos_b * m[j] + (i ? sin_b : -sin_b) * k[j];
-        minus(origin, D, to_V);
+        minus3(to_V, origin, D);
         cross3(across, d, delta);
         cross3(reach, to_V, delta);
         t[i] = dot3(reach, across) / dot3(across, across);
@@ -154,7 +141,7 @@ TEST(shenes_general_cone_case_is_right_where_it_applies)
         "cross 2  ~2.15821412164745 0 ~5.61323014729012 0";
     double u[3], t[2];
 
-    unit(d, u);
+    unit3(u, d);
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     corrected(cylint_shene_cone, record);
     const cylint_answer q = corrected(cylint_quadratic, record);
@@ -180,7 +167,7 @@ TEST(a_line_through_the_apex_has_no_plane)
               .hit[0]
               .side == CYLINT_SIDE_BOTH);
     /* on a ruling of 45 degrees: |d.v| is cos a */
-    unit(on, u);
+    unit3(u, on);
     CHECK(!shene_cone_without_exceptions(u[2], on, u, t) || isnan(t[0]));
     corrected(
         cylint_shene_cone,
@@ -193,9 +180,9 @@ TEST(a_plane_perpendicular_to_the_axis_cuts_the_apex_only)
     double n[3], m[3];
 
     cross3(n, along_y, o);
-    unit(n, n);
+    unit3(n, n);
     along3(m, along_z, -n[2], n);
-    unit(m, m);
+    unit3(m, m);
     CHECK(isnan(m[0]) && isnan(m[2])); /* the frame of delta has no m */
     corrected(cylint_shene_cone, "line 1 -3 0 0 1 0" SHENES_CONE "miss 0");
     corrected(cylint_shene_cone,
@@ -207,7 +194,7 @@ TEST(a_line_parallel_to_a_ruling_meets_the_other_one_only)
     const double o[3] = {0, 0, -3}, d[3] = {4, 0, 3};
     double u[3], t[2];
 
-    unit(d, u);
+    unit3(u, d);
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     CHECK(isnan(t[0]) != isnan(t[1]));
     cylint_answer a = corrected(
@@ -355,8 +342,8 @@ TEST(the_closest_point_halves_the_chord)
         "cross 2  ~0.87030533471806 0 ~3.42060375619103 0");
     const double t_c = (a.hit[0].t + a.hit[1].t) / 2;
     along3(M, o, t_c, d);
-    minus(p1, p0, e);
-    minus(M, p0, D);
+    minus3(e, p1, p0);
+    minus3(D, M, p0);
     cross3(n, d, e);
     cross3(De, D, e);
     CHECK(fabs(dot3(De, n)) <= 1e-9 * dot3(n, n));

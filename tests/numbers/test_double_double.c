@@ -156,12 +156,13 @@ static double relative_error(pair result, real z, double size)
 }
 
 typedef struct {
-    double add, mul, div, sqrt;
+    double add, mul, div, sqrt; /* the largest, or NaN if one is */
 } errors;
 
-static double larger(double a, double b)
+static void keep_largest(double *most, double error)
 {
-    return a > b ? a : b;
+    if (!(error <= *most) && !isnan(*most))
+        *most = error;
 }
 
 /* Dekker's splitting is correct in rounding to nearest only; the other modes
@@ -192,15 +193,14 @@ static errors worst_of_pairs(int mode)
         fesetround(FE_TONEAREST);
         real_fixed(BITS);
         const real x = sum_of(a), y = sum_of(b);
-        worst.add = larger(worst.add, relative_error(sum, plus(x, y),
-                                                     fabs(a.hi) + fabs(b.hi)));
-        worst.mul = larger(
-            worst.mul, relative_error(product, times(x, y), fabs(a.hi * b.hi)));
-        worst.div = larger(
-            worst.div, relative_error(quotient, over(x, y), fabs(a.hi / b.hi)));
-        worst.sqrt =
-            larger(worst.sqrt,
-                   relative_error(root, root_of(sum_of(size)), sqrt(size.hi)));
+        keep_largest(&worst.add,
+                     relative_error(sum, plus(x, y), fabs(a.hi) + fabs(b.hi)));
+        keep_largest(&worst.mul,
+                     relative_error(product, times(x, y), fabs(a.hi * b.hi)));
+        keep_largest(&worst.div,
+                     relative_error(quotient, over(x, y), fabs(a.hi / b.hi)));
+        keep_largest(&worst.sqrt, relative_error(root, root_of(sum_of(size)),
+                                                 sqrt(size.hi)));
     }
     return worst;
 }
@@ -223,8 +223,8 @@ TEST(other_rounding_modes_stay_within_the_common_bound)
     errors most = {0, 0, 0, 0};
     for (int i = 0; i < 3; i++) {
         const errors e = worst_of_pairs(modes[i]);
-        most.add = larger(most.add, e.add);
-        most.mul = larger(most.mul, e.mul);
+        keep_largest(&most.add, e.add);
+        keep_largest(&most.mul, e.mul);
     }
     printf("note: directed modes, largest error over the bound: sum %.2f, "
            "product %.2f\n",

@@ -174,68 +174,61 @@ TEST(roundings_are_within_their_bound)
 
 /* --------------------------------------------------- leading digits ---- */
 
-static void inverses_and_roots_in(struct environment there)
-{
-    for (int i = 0; i < cases() / 20; i++) {
-        real x;
-        begin_case();
-        const exact a = cancelling_sum(&x);
-        if (a.sign == 0)
-            continue;
-        exact size = a;
-        size.sign = 1;
-        const exact here = cylint_inverse(&arena, a);
-        environment_set(there);
-        const exact inverse = cylint_inverse(&arena, a),
-                    root = cylint_square_root(&arena, size),
-                    both = cylint_inverse_root(&arena, cylint_leading(size));
-        environment_reset();
-        CHECK(cylint_exact_add(&arena, here, cylint_exact_neg(inverse)).sign ==
-              0);
-        const real one = real_of(1), root_x = root_of(real_of_exact(size));
-        CHECK(apart(real_of_exact(inverse), over(one, x)) <
-              CYLINT_INVERSE_ERROR);
-        CHECK(apart(real_of_exact(root), root_x) < CYLINT_INVERSE_ERROR);
-        CHECK(apart(real_of_exact(both), over(one, root_x)) <
-              CYLINT_INVERSE_ERROR);
-    }
-}
-
 TEST(inverses_and_roots_are_within_their_bound)
 {
-    everywhere(inverses_and_roots_in);
+    EACH_ENVIRONMENT(there)
+        for (int i = 0; i < cases() / 20; i++) {
+            real x;
+            begin_case();
+            const exact a = cancelling_sum(&x);
+            if (a.sign == 0)
+                continue;
+            exact size = a;
+            size.sign = 1;
+            const exact here = cylint_inverse(&arena, a);
+            environment_set(there);
+            const exact inverse = cylint_inverse(&arena, a),
+                        root = cylint_square_root(&arena, size),
+                        both =
+                            cylint_inverse_root(&arena, cylint_leading(size));
+            environment_reset();
+            CHECK(cylint_exact_add(&arena, here, cylint_exact_neg(inverse))
+                      .sign == 0);
+            const real one = real_of(1), root_x = root_of(real_of_exact(size));
+            CHECK(apart(real_of_exact(inverse), over(one, x)) <
+                  CYLINT_INVERSE_ERROR);
+            CHECK(apart(real_of_exact(root), root_x) < CYLINT_INVERSE_ERROR);
+            CHECK(apart(real_of_exact(both), over(one, root_x)) <
+                  CYLINT_INVERSE_ERROR);
+        }
 }
 
 /* hi + lo times 2^e: also below the normal numbers and beyond the largest. */
-static void sums_are_rounded_once_in(struct environment there)
-{
-    for (int i = 0; i < cases() / 4; i++) {
-        const int kind = (int)below(4), bits = (int)below(60);
-        const int up = (int)below(9) - 4;
-        const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1), up);
-        const double low = ldexp((double)below(3), -bits);
-        const double lo = below(2) ? low : -low;
-        const int e = kind == 0   ? -1074 - (int)below(64)
-                      : kind == 1 ? 960 + (int)below(16)
-                      : kind == 2 ? -1074 - 53
-                                  : (int)below(200);
-        begin_case();
-        const real sum = plus(real_of(hi), real_of(lo));
-        const double want = mpfr_get_d(times(sum, power_of_two(e))->x, RND);
-        environment_set(there);
-        const double got = cylint_exact_nearest(
-            cylint_exact_add(&arena, cylint_exact_from(&arena, hi),
-                             cylint_exact_from(&arena, lo)),
-            e);
-        environment_reset();
-        if (!CHECK(memcmp(&got, &want, sizeof got) == 0))
-            REPORT("(%a + %a) 2^%d: %a, not %a", hi, lo, e, got, want);
-    }
-}
-
 TEST(sums_are_rounded_once)
 {
-    everywhere(sums_are_rounded_once_in);
+    EACH_ENVIRONMENT(there)
+        for (int i = 0; i < cases() / 4; i++) {
+            const int kind = (int)below(4), bits = (int)below(60);
+            const int up = (int)below(9) - 4;
+            const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1), up);
+            const double low = ldexp((double)below(3), -bits);
+            const double lo = below(2) ? low : -low;
+            const int e = kind == 0   ? -1074 - (int)below(64)
+                          : kind == 1 ? 960 + (int)below(16)
+                          : kind == 2 ? -1074 - 53
+                                      : (int)below(200);
+            begin_case();
+            const real sum = plus(real_of(hi), real_of(lo));
+            const double want = mpfr_get_d(times(sum, power_of_two(e))->x, RND);
+            environment_set(there);
+            const double got = cylint_exact_nearest(
+                cylint_exact_add(&arena, cylint_exact_from(&arena, hi),
+                                 cylint_exact_from(&arena, lo)),
+                e);
+            environment_reset();
+            if (!CHECK(memcmp(&got, &want, sizeof got) == 0))
+                REPORT("(%a + %a) 2^%d: %a, not %a", hi, lo, e, got, want);
+        }
 }
 
 /* ----------------------------------------------- memory of the arena --- */
@@ -304,23 +297,19 @@ TEST(totals_are_rounded_once)
 }
 
 /* Most results are subnormal, or nearly: the processor may flush them. */
-static void scale_doubles(struct environment there)
-{
-    for (int i = 0; i < cases() / 10; i++) {
-        const double x = any_double();
-        const int of_x = x == 0 ? 0 : ilogb(x);
-        const int e = one_of(4) ? one_of(64) - 1080 - of_x : one_of(2200);
-        fesetround(there.rounding);
-        const double want = ldexp(x, e);
-        environment_set(there);
-        const double got = cylint_scaled(x, e);
-        environment_reset();
-        if (!CHECK(cylint_bits(got) == cylint_bits(want)))
-            REPORT("%a 2^%d: %a, want %a", x, e, got, want);
-    }
-}
-
 TEST(a_scaled_double_is_rounded_once_in_every_environment)
 {
-    everywhere(scale_doubles);
+    EACH_ENVIRONMENT(there)
+        for (int i = 0; i < cases() / 10; i++) {
+            const double x = any_double();
+            const int of_x = x == 0 ? 0 : ilogb(x);
+            const int e = one_of(4) ? one_of(64) - 1080 - of_x : one_of(2200);
+            fesetround(there.rounding);
+            const double want = ldexp(x, e);
+            environment_set(there);
+            const double got = cylint_scaled(x, e);
+            environment_reset();
+            if (!CHECK(cylint_bits(got) == cylint_bits(want)))
+                REPORT("%a 2^%d: %a, want %a", x, e, got, want);
+        }
 }

@@ -317,12 +317,6 @@ static inline void point_about(const struct scene_shapes *of, double point[3])
         point[j] = of->lo[j] + (of->hi[j] - of->lo[j]) * between(-0.25, 1.25);
 }
 
-static inline double size_about(const struct scene_shapes *of)
-{
-    return fmax(fmax(of->hi[0] - of->lo[0], of->hi[1] - of->lo[1]),
-                of->hi[2] - of->lo[2]);
-}
-
 /* ---------------------------------------------------------- two scenes --- */
 
 static inline int same_shapes(const cylint_scene *x, const cylint_scene *y)
@@ -361,7 +355,7 @@ static inline int differences(const cylint_scene *x, const cylint_scene *y,
     for (int i = 0; i < POINTS; i++) {
         double point[3];
         point_about(of, point);
-        const double radius = 0.2 * size_about(of);
+        const double radius = 0.2 * longest_side(of);
         const unsigned want = i % 2 ? CYLINT_SIGNED : 0;
         point_in_scene(x, point, radius, want, &point_x);
         point_in_scene(y, point, radius, want, &point_y);

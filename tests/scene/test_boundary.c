@@ -8,15 +8,15 @@
  */
 #include <math.h>
 #include <string.h>
-#ifdef HAVE_MPFR
-#include <mpfr.h>
-#endif
 
 #include "check.h"
 #include "columns.h"
 #include "cylint_scene.h"
 #include "environment.h"
 #include "piece_world.h"
+#ifdef HAVE_MPFR
+#include "real.h"
+#endif
 
 /* ------------------------------------------------------ first boundary -- */
 
@@ -153,8 +153,8 @@ TEST(the_first_boundary_is_that_of_a_loop)
         }
     }
     CHECK(boundaries > 10 * worlds && in_bores > worlds / 10);
-    fprintf(stderr, "%ld boundaries, %ld of them in bores\n", boundaries,
-            in_bores);
+    printf("note: %ld boundaries, %ld of them in bores\n", boundaries,
+           in_bores);
 }
 
 TEST(an_invalid_line_has_no_boundary)
@@ -208,7 +208,7 @@ TEST(the_depth_is_that_of_a_loop)
         }
     }
     CHECK(inside > worlds);
-    fprintf(stderr, "%ld points in solids\n", inside);
+    printf("note: %ld points in solids\n", inside);
 }
 
 /* Points of integers lie on many surfaces.  Of a point of the union the least
@@ -343,18 +343,12 @@ TEST(pieces_of_many_lines_are_those_of_each)
 static double exact_sum(const cylint_piece *piece, size_t n, const int *label,
                         int wanted)
 {
-    double nearest;
-    mpfr_t sum;
-    mpfr_init2(sum, 4000);
-    mpfr_set_zero(sum, 1);
+    real_fixed(4000);
+    real sum = real_of(0);
     for (size_t i = 0; i < n; i++)
-        if ((label ? label[piece[i].shape] : 0) == wanted) {
-            mpfr_add_d(sum, sum, piece[i].t1, MPFR_RNDN);
-            mpfr_sub_d(sum, sum, piece[i].t0, MPFR_RNDN);
-        }
-    nearest = mpfr_get_d(sum, MPFR_RNDN);
-    mpfr_clear(sum);
-    return nearest;
+        if ((label ? label[piece[i].shape] : 0) == wanted)
+            sum = plus(sum, minus(real_of(piece[i].t1), real_of(piece[i].t0)));
+    return mpfr_get_d(sum->x, RND);
 }
 
 static void check_sums(const cylint_lines *lines, const cylint_piece_rule *rule,

@@ -1,6 +1,6 @@
 /*
- * test_paths.c - every call has the same
- * answers, with every build of the kernels, in every floating-point environment
+ * test_paths.c - every call has the same answers, with every build of the kernels,
+ * in every floating-point environment
  *
  * A group of lines and shapes is answered one by one in the default
  * environment, with all members.  The calls of `paths`, with other members
@@ -40,7 +40,6 @@ static struct {
     int side[GROUP][GROUP];     /* of line i's origin in shape j */
     size_t nearest[GROUP], other[GROUP], hits[GROUP];
     cylint_scene *scene;
-    struct environment there;
     char name[80];
 } g;
 
@@ -99,9 +98,8 @@ static struct family_case pair_of(int i, size_t j)
 static void failed(int i, size_t j, const char *path, unsigned want)
 {
     const struct family_case c = pair_of(i, j);
-    REPORT(
-        "%s, %s, members %#x, kernels %s, rounding %d, subnormals %d:", g.name,
-        path, want, cylint_kernels_in_use(), g.there.rounding, g.there.tiny);
+    REPORT("%s, %s, members %#x, kernels %s:", g.name, path, want,
+           cylint_kernels_in_use());
     REPORT_CASE(&c);
 }
 
@@ -364,7 +362,6 @@ static void limit_domains(void)
 static void answer_there(struct environment there, int is_made_there)
 {
     const cylint_shape *shapes = g.shape;
-    g.there = there;
     environment_set(there);
     if (is_made_there)
         make_again();
@@ -392,12 +389,9 @@ static void test_group(uint64_t number, int each)
     g.scene = cylint_scene_new(g.shape, GROUP, 1, NULL);
     if (!CHECK(g.scene))
         return;
-    for (int e = 0; e < ENVIRONMENTS; e++) {
-        const struct environment there = environment_of(e);
-        if ((each || e == (int)(number % ENVIRONMENTS)) &&
-            can_treat_subnormals(there.tiny))
+    EACH_ENVIRONMENT(there)
+        if (each || there.number == (int)(number % ENVIRONMENTS))
             answer_there(there, (int)(number / ENVIRONMENTS + number) % 2);
-    }
     cylint_scene_free(g.scene);
 }
 

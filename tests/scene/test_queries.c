@@ -2,9 +2,9 @@
  * test_queries.c - a scene returns what all its shapes return
  *
  * Every kind of scene, and a loop over all shapes (answers.h), answer every kind
- * of line and points of several families.  An argument sets the
- * number of lines of each kind for each scene (make check-scene).  CYLINT_SEED
- * changes all random numbers.
+ * of line, and points of several places.  CYLINT_CASES is the number of lines of
+ * each kind for each scene (1000 in make check-scene), CYLINT_SEED changes all
+ * random numbers.
  */
 #include <float.h>
 #include <math.h>
@@ -20,7 +20,7 @@
 
 enum { SHAPES = 1200, NEAR = 150, LINES = 20, POINTS = 1, THREADS = 8 };
 
-static size_t lines_of_a_kind = LINES, points_of_a_family = POINTS;
+static size_t lines_of_a_kind, points_of_a_place = POINTS;
 static size_t n_lines, n_hit, n_points, n_near, n_inside, most_found;
 
 static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
@@ -157,7 +157,7 @@ static void check_point(const struct scene_shapes *of,
     }
 }
 
-enum family { IN_BOX, ON_SHAPE, AT_CENTER, LATTICE, FAR, WILD, FAMILIES };
+enum place { IN_BOX, ON_SHAPE, AT_CENTER, LATTICE, FAR, WILD, PLACES };
 
 /* On the surface of a shape but for roundings, or on its axis. */
 static void point_on(const struct scene_shapes *of, int on_axis,
@@ -177,24 +177,24 @@ static void point_on(const struct scene_shapes *of, int on_axis,
         memcpy(point, a.point, sizeof a.point);
 }
 
-static void point_of(const struct scene_shapes *of, enum family family,
+static void point_of(const struct scene_shapes *of, enum place where,
                      double point[3])
 {
     static const double wild[] = {0,        -0.0,    5e-324, DBL_MIN,
                                   DBL_MAX,  1e300,   -1e200, 1e-200,
                                   HUGE_VAL, -1e-310, NAN,    0x1p60};
     const double far = power(3, 20);
-    if (family == ON_SHAPE || family == AT_CENTER) {
-        point_on(of, family == AT_CENTER, point);
+    if (where == ON_SHAPE || where == AT_CENTER) {
+        point_on(of, where == AT_CENTER, point);
         return;
     }
     for (int j = 0; j < 3; j++) {
         const double in = between(of->lo[j], of->hi[j]);
-        point[j] = family == LATTICE ? floor(2 * in) / 2
-                   : family == FAR
-                       ? in + size_about(of) * far * between(-0.5, 0.5)
-                   : family == WILD ? wild[below(sizeof wild / sizeof *wild)]
-                                    : in;
+        point[j] = where == LATTICE ? floor(2 * in) / 2
+                   : where == FAR
+                       ? in + longest_side(of) * far * between(-0.5, 0.5)
+                   : where == WILD ? wild[below(sizeof wild / sizeof *wild)]
+                                   : in;
     }
 }
 
@@ -224,10 +224,10 @@ static void check_points(const struct scene_shapes *of, uint64_t number)
 {
     stream = check_seed() + number;
     OWN_SCENE *scene = open_scene(of, 1);
-    for (int family = 0; scene && family < FAMILIES; family++)
-        for (size_t i = 0; i < points_of_a_family; i++) {
+    for (int where = 0; scene && where < PLACES; where++)
+        for (size_t i = 0; i < points_of_a_place; i++) {
             double point[3];
-            point_of(of, (enum family)family, point);
+            point_of(of, (enum place)where, point);
             check_point(of, scene, point);
         }
 }
@@ -249,9 +249,9 @@ TEST(generated_scenes_answer_as_a_loop)
 
 TEST(small_scenes_answer_as_a_loop)
 {
-    const size_t lines = lines_of_a_kind, points = points_of_a_family;
+    const size_t lines = lines_of_a_kind, points = points_of_a_place;
     lines_of_a_kind = 0;
-    points_of_a_family = 1;
+    points_of_a_place = 1;
     for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
         for (int kind = 0; kind < SCENE_KINDS; kind++) {
             OWN_SHAPES of = scene_generate(kind, n, check_seed());
@@ -259,7 +259,7 @@ TEST(small_scenes_answer_as_a_loop)
             check_points(&of, n);
         }
     lines_of_a_kind = lines;
-    points_of_a_family = points;
+    points_of_a_place = points;
 }
 
 TEST(real_scenes_answer_as_a_loop)
@@ -521,38 +521,34 @@ TEST(a_visit_without_wanted_members_gets_no_hit)
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */
-static void answer_points_there(struct environment there)
+TEST(points_have_the_same_answers_in_every_environment)
 {
     static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
     static struct point_answers want, got;
-    for (int k = 0; k < 3 * FAMILIES; k++) {
-        double point[3];
-        OWN_SHAPES of = scene_generate(kinds[k % 3], 40, check_seed());
-        OWN_SCENE *scene = open_scene(&of, 1);
-        point_of(&of, (enum family)(k / 3), point);
-        for (int i = 0; i < 2; i++) {
-            const unsigned members = i ? 0 : CYLINT_SIGNED;
-            point_in_scene(scene, point, 2, members, &want);
-            const size_t holding = cylint_scene_contains(scene, point, 0);
-            environment_set(there);
-            point_in_scene(scene, point, 2, members, &got);
-            const size_t in = cylint_scene_contains(scene, point, 0);
-            environment_reset();
-            /* point and normal may differ by some units */
-            if (!CHECK(
-                    in == holding && want.nearest == got.nearest &&
-                    same_found(&want.near, &got.near) &&
-                    same_double(want.closest.distance, got.closest.distance) &&
-                    want.closest.part == got.closest.part))
-                REPORT("point %a %a %a  # scene %s", point[0], point[1],
-                       point[2], of.name);
+    EACH_ENVIRONMENT(there)
+        for (int k = 0; k < 3 * PLACES; k++) {
+            double point[3];
+            OWN_SHAPES of = scene_generate(kinds[k % 3], 40, check_seed());
+            OWN_SCENE *scene = open_scene(&of, 1);
+            point_of(&of, (enum place)(k / 3), point);
+            for (int i = 0; i < 2; i++) {
+                const unsigned members = i ? 0 : CYLINT_SIGNED;
+                point_in_scene(scene, point, 2, members, &want);
+                const size_t holding = cylint_scene_contains(scene, point, 0);
+                environment_set(there);
+                point_in_scene(scene, point, 2, members, &got);
+                const size_t in = cylint_scene_contains(scene, point, 0);
+                environment_reset();
+                /* point and normal may differ by some units */
+                if (!CHECK(in == holding && want.nearest == got.nearest &&
+                           same_found(&want.near, &got.near) &&
+                           same_double(want.closest.distance,
+                                       got.closest.distance) &&
+                           want.closest.part == got.closest.part))
+                    REPORT("point %a %a %a  # scene %s", point[0], point[1],
+                           point[2], of.name);
+            }
         }
-    }
-}
-
-TEST(points_have_the_same_answers_in_every_environment)
-{
-    everywhere(answer_points_there);
 }
 
 /* Round needles of which an end is thinner than a leaf's step, in every octant. */
@@ -566,34 +562,30 @@ static void make_needles(cylint_shape shape[8], double tip)
     }
 }
 
-static void check_needles_made_there(struct environment there)
-{
-    for (double tip = 0x1p7; tip < 0x1p60; tip *= 0x1p3) {
-        cylint_shape shape[8];
-        make_needles(shape, tip);
-        environment_set(there);
-        OWN_SCENE *scene = cylint_scene_new(shape, 8, 1, NULL);
-        environment_reset();
-        for (int i = 0; i < 64; i++) {
-            const double angle = 0.1 * i, o[3] = {i / 8, 0, 0};
-            const double to[3] = {0.2 * cos(angle), 0.2 * sin(angle),
-                                  i % 3 ? 0.01 : -0.1};
-            const double from[3] = {o[0] + 3 * to[0], 3 * to[1], 3 * to[2]};
-            const double d[3] = {-to[0], -to[1], -to[2]};
-            size_t hit = 0;
-            cylint_line line;
-            cylint_span(&line, from, d, 0, 3);
-            for (int k = 0; k < 8; k++)
-                hit += cylint_occluded(&shape[k], &line) != 0;
-            if (!CHECK(cylint_scene_count(scene, &line, 0) == hit))
-                REPORT("tip %a, line %d", tip, i);
-        }
-    }
-}
-
 TEST(a_scene_made_in_any_environment_finds_its_shapes)
 {
-    everywhere(check_needles_made_there);
+    EACH_ENVIRONMENT(there)
+        for (double tip = 0x1p7; tip < 0x1p60; tip *= 0x1p3) {
+            cylint_shape shape[8];
+            make_needles(shape, tip);
+            environment_set(there);
+            OWN_SCENE *scene = cylint_scene_new(shape, 8, 1, NULL);
+            environment_reset();
+            for (int i = 0; i < 64; i++) {
+                const double angle = 0.1 * i, o[3] = {i / 8, 0, 0};
+                const double to[3] = {0.2 * cos(angle), 0.2 * sin(angle),
+                                      i % 3 ? 0.01 : -0.1};
+                const double from[3] = {o[0] + 3 * to[0], 3 * to[1], 3 * to[2]};
+                const double d[3] = {-to[0], -to[1], -to[2]};
+                size_t hit = 0;
+                cylint_line line;
+                cylint_span(&line, from, d, 0, 3);
+                for (int k = 0; k < 8; k++)
+                    hit += cylint_occluded(&shape[k], &line) != 0;
+                if (!CHECK(cylint_scene_count(scene, &line, 0) == hit))
+                    REPORT("tip %a, line %d", tip, i);
+            }
+        }
 }
 
 /* -------------------------------------------------------------- threads -- */
@@ -677,11 +669,10 @@ TEST(every_status_has_its_text)
     check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    if (argc > 1)
-        lines_of_a_kind = strtoull(argv[1], NULL, 10);
-    points_of_a_family += lines_of_a_kind / 200;
+    lines_of_a_kind = check_setting("CYLINT_CASES", LINES);
+    points_of_a_place += lines_of_a_kind / 200;
     const int failed = check_all();
     printf("note: %zu lines, %zu of them hit; %zu points, %zu of them inside\n",
            n_lines, n_hit, n_points, n_inside);

@@ -1,6 +1,6 @@
 /*
- * test_records.c - a record holds its shape, and local
- * coordinates in doubles decide right or not at all
+ * test_records.c - a record holds its shape, and local coordinates in doubles
+ * decide right or not at all
  *
  * The shapes are those of the families of families.h.  A decision is compared with
  * cylint_occluded() in every rounding mode.
@@ -17,7 +17,7 @@
 
 enum { CASES = 2000, BLOCK = 64 };
 
-/* Refused shapes too; hulls of two balls of which one holds the other too. */
+/* Hulls of two balls too, of which one holds the other. */
 TEST(a_scene_returns_its_shapes)
 {
     for (int family = 0; family < family_count(); family++) {
@@ -60,6 +60,7 @@ TEST(a_shape_is_made_again_in_its_rounding_mode)
     }
 }
 
+/* The last one is refused. */
 TEST(a_ball_of_a_hull_keeps_its_part)
 {
     static const double p[3] = {1, 2, 3};

@@ -19,6 +19,8 @@ enum { FLUSH = 1, ZERO = 2 };
 struct environment {
     int rounding; /* fesetround's */
     int tiny;     /* subnormals: FLUSH results, ZERO operands, or both */
+    int number;   /* of environment_of() */
+    int bad;      /* failed checks before a loop reached it */
 };
 
 #if defined(__SSE2__)
@@ -65,18 +67,6 @@ static inline int can_treat_subnormals(int how)
 }
 #endif
 
-static inline void environment_set(struct environment e)
-{
-    fesetround(e.rounding);
-    treat_subnormals(e.tiny);
-}
-
-static inline void environment_reset(void)
-{
-    fesetround(FE_TONEAREST);
-    treat_subnormals(0);
-}
-
 /* Uses build i of the kernels.  Returns 0 if there is none; the usual one is then
  * in use again. */
 static inline int use_kernels(int i)
@@ -103,23 +93,51 @@ enum { ROUNDINGS = 4, ENVIRONMENTS = ROUNDINGS * 4 };
 static const int roundings[ROUNDINGS] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
                                          FE_TOWARDZERO};
 
-static inline struct environment environment_of(int i)
+/* Number 0 is the default one. */
+static inline struct environment environment_of(int number)
 {
-    return (struct environment){roundings[i / 4], i % 4};
+    return (struct environment){roundings[number / 4 % ROUNDINGS], number % 4,
+                                number, 0};
 }
 
-/* Calls the test with every environment that this processor has. */
-static inline void everywhere(void test(struct environment there))
+/* The rounding mode, and the treatment of subnormals by the self-test. */
+static struct {
+    int rounding, found;
+} environment_as_set;
+
+static inline void environment_set(struct environment e)
 {
-    for (int i = 0; i < ENVIRONMENTS; i++) {
-        const struct environment there = environment_of(i);
-        const int bad = check_bad;
-        if (can_treat_subnormals(there.tiny))
-            test(there);
-        if (check_bad > bad)
-            REPORT("rounding %d, flushes %d, takes for zero %d", i / 4,
-                   (there.tiny & FLUSH) != 0, (there.tiny & ZERO) != 0);
-    }
+    fesetround(e.rounding);
+    treat_subnormals(e.tiny);
+    environment_as_set.rounding = e.rounding;
+    environment_as_set.found = cylint_selftest();
 }
+
+/* Sets the default one.  What was called since environment_set() must not have
+ * changed it. */
+static inline void environment_reset(void)
+{
+    CHECK(fegetround() == environment_as_set.rounding &&
+          cylint_selftest() == environment_as_set.found);
+    environment_set(environment_of(0));
+}
+
+/* Reports the environment, if a check failed in it, and goes on to the next one
+ * that this processor has.  Returns 0 after the last. */
+static inline int next_environment(struct environment *e)
+{
+    if (e->number >= 0 && check_bad > e->bad)
+        REPORT("rounding %d, flushes %d, takes for zero %d", e->number / 4,
+               (e->tiny & FLUSH) != 0, (e->tiny & ZERO) != 0);
+    do
+        *e = environment_of(e->number + 1);
+    while (!can_treat_subnormals(e->tiny));
+    e->bad = check_bad;
+    return e->number < ENVIRONMENTS;
+}
+
+/* A loop over all environments that this processor has; `there` is one of them. */
+#define EACH_ENVIRONMENT(there) \
+    for (struct environment there = {.number = -1}; next_environment(&there);)
 
 #endif

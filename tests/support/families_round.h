@@ -67,7 +67,7 @@ static void ruling_point(const hull *h, double z, double p[3], double n[3],
                          double ruling[3])
 {
     double w[3], e[3];
-    along3(w, h->p[1], -1, h->p[0]);
+    minus3(w, h->p[1], h->p[0]);
     const double ww = dot3(w, w);
     const double dr = h->r[1] - h->r[0];
     if (!(ww > dr * dr)) {
@@ -105,7 +105,7 @@ static void boundary_point(const hull *h, double p[3], double n[3])
 static double size_of_hull(const hull *h)
 {
     double w[3];
-    along3(w, h->p[1], -1, h->p[0]);
+    minus3(w, h->p[1], h->p[0]);
     return length3(w) + fmax(h->r[0], h->r[1]);
 }
 
@@ -204,7 +204,7 @@ static void round_inside(struct family_case *out)
         h.r[0] = 1;
     write_hull(out, &h);
     if (chance(0.5)) { /* through the point of contact, or tangent there */
-        along3(d, h.p[1], -1, h.p[0]);
+        minus3(d, h.p[1], h.p[0]);
         const double ww = length[k] * length[k];
         double p[3], e[3];
         along3(p, h.p[0], (ww + h.r[1] * length[k]) / ww, d);

@@ -46,13 +46,6 @@ static void direction(double d[3])
     while (dot3(d, d) > 1 || dot3(d, d) == 0);
 }
 
-static void unit(double d[3])
-{
-    const double length = length3(d);
-    for (int j = 0; j < 3; j++)
-        d[j] /= length;
-}
-
 /* -------------------------------------------------------------- scenes -- */
 
 static const char *const scene_names[SCENE_KINDS] = {
@@ -69,7 +62,7 @@ static cylint_status stick(const double at[3], double length, double radius,
     double d[3], top[3];
     const cylint_ends ends = any_ends();
     direction(d);
-    unit(d);
+    unit3(d, d);
     along3(top, at, length, d);
     if (bits() % 4 == 0)
         return cylint_cone(shape, at, radius, top, radius * between(0, 1),
@@ -130,7 +123,7 @@ static cylint_status round_shape(const double at[3], double length,
     double d[3], top[3];
     const cylint_ends ends = bits() % 2 ? CYLINT_ENDS_CAPPED : any_ends();
     direction(d);
-    unit(d);
+    unit3(d, d);
     along3(top, at, length, d);
     switch (bits() % 6) {
     case 0:
@@ -293,14 +286,6 @@ const char *const scene_lines_name[LINES_KINDS] = {
     "camera", "random",  "grazing", "axis",     "far", "shadow",
     "beyond", "segment", "span",    "parallel", "wild"};
 
-static double size_of(const struct scene_shapes *s)
-{
-    double size = 0;
-    for (int j = 0; j < 3; j++)
-        size = fmax(size, s->hi[j] - s->lo[j]);
-    return size;
-}
-
 static void point_in(const struct scene_shapes *s, double to[3])
 {
     for (int j = 0; j < 3; j++)
@@ -325,7 +310,7 @@ static cylint_status ray_to(const double from[3], const double to[3],
                             double scale, cylint_line *line)
 {
     double d[3];
-    along3(d, to, -1, from);
+    minus3(d, to, from);
     scale3(d, scale);
     return cylint_ray(line, from, d);
 }
@@ -352,7 +337,7 @@ static cylint_status camera_line(const struct scene_shapes *s,
                                  cylint_line *line)
 {
     double to[3];
-    const double size = size_of(s),
+    const double size = longest_side(s),
                  eye[3] = {s->lo[0] - 0.7 * size, s->lo[1] - 0.4 * size,
                            s->hi[2] + 0.3 * size};
     point_in(s, to);
@@ -377,7 +362,7 @@ static cylint_status grazing_line(const struct scene_shapes *s,
         return random_line(s, line);
     direction(other);
     cross3(d, hit.normal, other);
-    const double size = size_of(s);
+    const double size = longest_side(s);
     double off = bits() % 3 == 0 ? 0 : bits() % 2 ? size : -size;
     off *= power(-18, -8);
     along3(at, hit.point, off, hit.normal);
@@ -404,7 +389,7 @@ static cylint_status axis_line(const struct scene_shapes *s, cylint_line *line)
 static cylint_status far_line(const struct scene_shapes *s, cylint_line *line)
 {
     double to[3], d[3], o[3];
-    const double size = size_of(s), away = power(3, bits() % 4 ? 6.5 : 16);
+    const double size = longest_side(s), away = power(3, bits() % 4 ? 6.5 : 16);
     point_near(some_shape(s), to);
     direction(d);
     scale3(d, size);
@@ -418,7 +403,7 @@ static cylint_status shadow_line(const struct scene_shapes *s,
     cylint_hit hit;
     if (!some_hit(s, line, &hit))
         return random_line(s, line);
-    const double size = size_of(s),
+    const double size = longest_side(s),
                  light[3] = {s->hi[0] + size, s->hi[1] + 2 * size,
                              s->hi[2] + 3 * size};
     return bits() % 2 ? cylint_segment(line, hit.point, light)
@@ -444,7 +429,7 @@ static cylint_status segment_line(const struct scene_shapes *s,
     point_in(s, to);
     if (bits() % 2 == 0) { /* a short one, or one that begins far away */
         const double k = power(-4, bits() % 2 ? 0 : 13);
-        along3(from, from, -1, to);
+        minus3(from, from, to);
         along3(from, to, k, from);
     }
     return cylint_segment(line, from, to);
@@ -455,7 +440,7 @@ static cylint_status span_line(const struct scene_shapes *s, cylint_line *line)
     double from[3], to[3], d[3];
     point_in(s, from);
     point_in(s, to);
-    along3(d, to, -1, from);
+    minus3(d, to, from);
     const double tmin = between(-2, 2), length = between(0, 2);
     switch (bits() % 4) {
     case 0:
@@ -490,8 +475,8 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
     double o[3], to[3], d[3];
     point_in(s, o);
     point_near(some_shape(s), to);
-    along3(d, to, -1, o);
-    const double size = size_of(s);
+    minus3(d, to, o);
+    const double size = longest_side(s);
     double u[3] = {d[0] / size, d[1] / size, d[2] / size};
     switch (bits() % 8) {
     case 0: /* no directions but subnormal ones */

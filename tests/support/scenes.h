@@ -7,6 +7,7 @@
 #ifndef CYLINT_SCENES_H
 #define CYLINT_SCENES_H
 
+#include <math.h>
 #include <stdint.h>
 
 #include "cylint_scene.h"
@@ -35,6 +36,15 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_STRANDS,
                   SCENE_KINDS
 };
+
+/* Of the box. */
+static inline double longest_side(const struct scene_shapes *scene)
+{
+    double longest = 0;
+    for (int j = 0; j < 3; j++)
+        longest = fmax(longest, scene->hi[j] - scene->lo[j]);
+    return longest;
+}
 
 /* Whether doubles do not decide for most shapes of a scene of this kind.  Tests
  * take fewer of them. */

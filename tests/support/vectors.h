@@ -58,6 +58,19 @@ static inline void scale3(double v[3], double by)
     set3(v, v[0] * by, v[1] * by, v[2] * by);
 }
 
+/* to = u - v */
+static inline void minus3(double to[3], const double u[3], const double v[3])
+{
+    set3(to, u[0] - v[0], u[1] - v[1], u[2] - v[2]);
+}
+
+/* to = v / |v| */
+static inline void unit3(double to[3], const double v[3])
+{
+    const double length = length3(v);
+    set3(to, v[0] / length, v[1] / length, v[2] / length);
+}
+
 static inline int is_finite3(const double v[3])
 {
     return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
