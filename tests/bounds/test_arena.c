@@ -101,7 +101,8 @@ pair cylint_exact_round(exact x, int *e)
 }
 
 /* A shape of the kind and a line; their numbers have no effect here. */
-static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
+static void make_question(int kind, int segment, cylint_shape *s,
+                          cylint_line *l)
 {
     static const double line[6] = {0.3, -5, 0.4, 0.1, 1, 0.2};
     struct family_case c =
@@ -141,7 +142,7 @@ static int limbs_used(int kind, int segment)
     cylint_shape s;
     cylint_line l;
     cylint_query q;
-    make(kind, segment, &s, &l);
+    make_question(kind, segment, &s, &l);
     cylint_query_open(&q, &s, &l);
     q.filters = 0; /* nothing is decided before the exact stage */
     if (below(2))
@@ -168,7 +169,7 @@ static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
     int most = 0;
     cylint_shape s;
     cylint_line l;
-    make(kind, 0, &s, &l);
+    make_question(kind, 0, &s, &l);
     s.ends = (int)ends;
     for (int feature = 0; feature <= CYLINT_FEATURE_APEX; feature++) {
         meridian m;

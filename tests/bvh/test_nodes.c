@@ -16,7 +16,8 @@
 #include "scenes.h"
 #include "shapes/layout.h"
 
-static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
+static int build_bvh(cylint_bvh *bvh, const struct scene_shapes *of,
+                     int threads)
 {
     const cylint_view view = cylint_plain_view(of->shapes);
     const cylint_bvh_input input = {
@@ -58,7 +59,7 @@ static void visit(struct visited *f, uint32_t number, int depth)
 static void check_nodes(const struct scene_shapes *of)
 {
     cylint_bvh bvh;
-    if (!make(&bvh, of, 2))
+    if (!build_bvh(&bvh, of, 2))
         return;
     struct visited f = {.bvh = &bvh, .leaves = calloc(bvh.n_leaves, 1)};
     size_t once = 0;
@@ -117,10 +118,10 @@ TEST(any_number_of_threads_builds_the_same_bytes)
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         cylint_bvh alone, other;
         OWN_SHAPES of = scene_generate(kinds[k], 23000, 4);
-        if (!make(&alone, &of, 1))
+        if (!build_bvh(&alone, &of, 1))
             return;
         for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
-            if (!make(&other, &of, threads[i]))
+            if (!build_bvh(&other, &of, threads[i]))
                 return;
             CHECK(other.pad <= alone.pad && other.pad >= alone.pad);
             CHECK(memcmp(&other.box, &alone.box, sizeof alone.box) == 0);

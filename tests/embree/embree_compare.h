@@ -16,16 +16,16 @@
 
 static const unsigned both_ways[2] = {0, CYLINT_EMBREE_SINGLE};
 
-static inline struct world made(const cylint_shape *shapes, size_t n,
-                                unsigned how)
+static inline struct world world_with(const cylint_shape *shapes, size_t n,
+                                      unsigned how)
 {
     return world_made(shapes, n, &(cylint_embree_options){.flags = how});
 }
 
 /* For the world w of the shapes, with a hierarchy and then without. */
-#define EACH_WAY(w, shapes, n)                                          \
-    for (int way = 0; way < 2; way++)                                   \
-        for (struct world w = made(shapes, n, both_ways[way]); w.scene; \
+#define EACH_WAY(w, shapes, n)                                                \
+    for (int way = 0; way < 2; way++)                                         \
+        for (struct world w = world_with(shapes, n, both_ways[way]); w.scene; \
              world_free(&w))
 
 /* A shape of a kind with these ends, near the origin and about 1 large. */
@@ -75,7 +75,7 @@ static inline int shadow_expected(const struct world *w, const struct rays *r,
     return cylint_count(&w->pack, &line, 1) != 0;
 }
 
-static inline void agrees(const struct world *w, struct rays *r)
+static inline void check_answers_of(const struct world *w, struct rays *r)
 {
     for (int i = 0; i < r->n; i++)
         if (r->valid[i] && !CHECK(world_agrees(w, r, i, 1)))
@@ -83,24 +83,24 @@ static inline void agrees(const struct world *w, struct rays *r)
     CHECK(rays_strayed(r, 0) == 0);
 }
 
-static inline void query_some(const struct world *w)
+static inline void check_some_rays(const struct world *w)
 {
     for (int i = 0; i < 100; i++) {
         struct rays r;
         aim_all(&r, rays_sizes[i % 4]);
         rays_intersect(&r, w->scene, NULL);
-        agrees(w, &r);
+        check_answers_of(w, &r);
     }
 }
 
 /* Traces the rays for nearest and for any hit, and checks the answers.  Returns the
  * number of nearest hits. */
-static inline int both_agree(const struct world *w, struct rays *r,
-                             const struct rays_query *query)
+static inline int check_both_queries(const struct world *w, struct rays *r,
+                                     const struct rays_query *query)
 {
     int hits = 0;
     rays_intersect(r, w->scene, query);
-    agrees(w, r);
+    check_answers_of(w, r);
     for (int i = 0; i < r->n; i++)
         hits += r->valid[i] && rays_hit(r, i);
     memcpy(r->word, r->before, sizeof r->word);
@@ -122,7 +122,7 @@ static inline struct rays traced(const struct world *w, int n, const float o[3],
     for (int i = 0; i < n; i++)
         rays_add(&r, i, o, d, tnear, tfar);
     rays_intersect(&r, w->scene, NULL);
-    agrees(w, &r);
+    check_answers_of(w, &r);
     return r;
 }
 

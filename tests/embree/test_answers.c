@@ -38,7 +38,7 @@ static void kind_answers_as_the_library(struct world *w)
         rays_begin(&r, 1);
         aim_at(shape, &r, 0);
         rays_intersect(&r, w->scene, NULL);
-        agrees(w, &r);
+        check_answers_of(w, &r);
         const cylint_line line = rays_line(&r, 0);
         if (cylint_nearest(&w->pack, &line, CYLINT_WANT_PART, &hit) == 0) {
             hits++;
@@ -75,7 +75,7 @@ TEST(packets_answer_and_leave_other_lanes_alone)
                 r.valid[i] = r.n == 1 || chance(0.7) ? -1 : 0;
                 active += r.valid[i] != 0;
             }
-            hits += both_agree(&w, &r, &query);
+            hits += check_both_queries(&w, &r, &query);
         }
         if (!CHECK(hits > active / 10 && hits < active))
             REPORT("%d hits of %d", hits, active);
@@ -180,7 +180,7 @@ TEST(a_ray_within_a_face_of_the_box_is_not_lost)
                     rays_begin(&r, n);
                     rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
                     rays_intersect(&r, w.scene, NULL);
-                    agrees(&w, &r);
+                    check_answers_of(&w, &r);
                     hits += rays_hit(&r, n / 2);
                 }
         CHECK(hits == 4 * 6 * 8);
@@ -224,7 +224,7 @@ TEST(a_ray_without_direction_hits_nothing)
             for (int i = 0; i < n; i++)
                 rays_add(&r, i, o, i % 2 ? fine : none, 0, HUGE_VALF);
             rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
+            check_answers_of(&w, &r);
             CHECK(n == 1 || rays_hit(&r, 1));
         }
     }
@@ -258,7 +258,7 @@ TEST(masks_select_the_visible_geometries)
         printf("note: this Embree was built without ray masks\n");
         return;
     }
-    w = made(&shape, 1, 0);
+    w = world_with(&shape, 1, 0);
     for (int bit = 0; bit < 32; bit++)
         CHECK(is_visible(&w, 1u << bit));
     CHECK(!is_visible(&w, 0));
@@ -318,7 +318,7 @@ TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
         draw_caps(shapes, 0.2, 0x1p-60);
-        OWN_WORLD w = made(shapes, CAPS, 0);
+        OWN_WORLD w = world_with(shapes, CAPS, 0);
         EACH_SIZE(n) {
             traced(&w, n, o, d, 0, 1);
             traced(&w, n, o, d, 0, HUGE_VALF);
@@ -333,8 +333,8 @@ TEST(equal_hits_on_another_geometry_do_not_hide_lower_numbers)
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
         draw_caps(shapes, 3, 0);
-        OWN_WORLD w = made(shapes, CAPS, CYLINT_EMBREE_SINGLE);
-        OWN_WORLD other = made(shapes, CAPS, both_ways[turn % 2]);
+        OWN_WORLD w = world_with(shapes, CAPS, CYLINT_EMBREE_SINGLE);
+        OWN_WORLD other = world_with(shapes, CAPS, both_ways[turn % 2]);
         rtcAttachGeometry(w.scene, other.geometry);
         rtcCommitScene(w.scene);
         EACH_SIZE(n)
@@ -372,7 +372,7 @@ TEST(equal_hits_of_moving_shapes_are_distinguished)
             rays_at(&r, RAY_TIME, i)->f = 0.5f;
         }
         rays_intersect(&r, w.scene, NULL);
-        agrees(&at, &r);
+        check_answers_of(&at, &r);
         CHECK(rays_at(&r, HIT_PRIM, 0)->u == 0);
     }
     world_free(&w);
@@ -517,13 +517,13 @@ TEST(a_hit_gets_the_instance_of_the_context)
     struct world w;
     int hits = 0;
     world_shapes(SCENE_LATTICE, shapes, SOME);
-    w = made(shapes, SOME, 0);
+    w = world_with(shapes, SOME, 0);
     query.instance = 9;
     for (int i = 0; i < 400; i++) {
         struct rays r;
         aim_all(&r, rays_sizes[i % 4]);
         rays_intersect(&r, w.scene, &query);
-        agrees(&w, &r);
+        check_answers_of(&w, &r);
         for (int k = 0; k < r.n; k++) {
             hits += rays_hit(&r, k);
             CHECK(rays_at(&r, HIT_INST, k)->u ==
@@ -542,7 +542,8 @@ TEST(bare_hits_are_completed_later)
     int hits = 0;
     world_shapes(SCENE_MIXED, shapes, SOME);
     for (int how = 0; how < 2; how++) {
-        OWN_WORLD w = made(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
+        OWN_WORLD w =
+            world_with(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
         for (int i = 0; i < 500; i++) {
             struct rays r;
             aim_all(&r, 1);
@@ -555,7 +556,7 @@ TEST(bare_hits_are_completed_later)
                 continue;
             cylint_embree_complete(w.geometry,
                                    (struct RTCRayHit *)(void *)r.word);
-            agrees(&w, &r);
+            check_answers_of(&w, &r);
             hits++;
         }
     }

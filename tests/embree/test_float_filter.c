@@ -58,7 +58,7 @@ static void list_builds(void)
 
 /* A question about a case's line in floats, and its shape, made circular and
  * bounded, with the library's answer. */
-struct scene_query {
+struct filter_case {
     cylint_float_filter_question q;
     const cylint_shape *shape;
     cylint_answer answer;
@@ -72,7 +72,7 @@ static int circular(struct family_case *c, uint64_t index)
 }
 
 /* near: the point nearest to the base, or a float before or behind the hit. */
-static float near_shape(const struct scene_query *q, uint64_t index)
+static float near_shape(const struct filter_case *q, uint64_t index)
 {
     const double t = q->n ? q->answer.hit[0].t : 0;
     double along = 0, dd = 0;
@@ -86,7 +86,7 @@ static float near_shape(const struct scene_query *q, uint64_t index)
 }
 
 /* Pieces and limits of case i: tfar infinite, or near the first hit. */
-static void set_piece(struct scene_query *x, uint64_t i)
+static void set_piece(struct filter_case *x, uint64_t i)
 {
     const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
     x->q.tfar = HUGE_VALF;
@@ -103,8 +103,8 @@ static void set_piece(struct scene_query *x, uint64_t i)
     cylint_filter_record_of(&x->q.record, x->shape);
 }
 
-static int make_query(struct scene_query *x, const cylint_shape *shape,
-                      const double o[3], const double d[3], uint64_t index)
+static int make_case(struct filter_case *x, const cylint_shape *shape,
+                     const double o[3], const double d[3], uint64_t index)
 {
     cylint_line line;
     memset(&x->q, 0, sizeof x->q);
@@ -137,16 +137,16 @@ static int same_floats(const float f[CYLINT_HIT_FLOATS], const cylint_hit *hit)
     return same;
 }
 
-/* Queries side by side. */
-struct crowd {
-    struct scene_query query[MOST];
+/* The cases of one call. */
+struct filter_call {
+    struct filter_case cases[MOST];
     struct family_case from[MOST];
     cylint_float_filter_question *asked[MOST];
     int n;
 };
 
 /* The library's first hit on the piece, or NULL. */
-static const cylint_hit *hit_on_piece(const struct scene_query *x)
+static const cylint_hit *hit_on_piece(const struct filter_case *x)
 {
     for (int i = 0; i < x->n; i++)
         if (cylint_piece_at(x->answer.hit[i].z, x->q.piece.count) ==
@@ -158,16 +158,16 @@ static const cylint_hit *hit_on_piece(const struct scene_query *x)
 
 /* Up to `most` cases of a family, every second one of `other`, from number *i on,
  * with shapes of words up to `last`. */
-static void gather(struct crowd *c, int family, int other, family_shape last,
-                   uint64_t *i, int most)
+static void gather(struct filter_call *c, int family, int other,
+                   family_shape last, uint64_t *i, int most)
 {
     for (c->n = 0; c->n < most && *i < CASES; ++*i) {
         const int n = c->n;
-        struct scene_query *x = &c->query[n];
+        struct filter_case *x = &c->cases[n];
         struct family_case *from = &c->from[n];
         family_case(1, n % 2 ? other : family, *i, from);
         if (from->shape_word > last || !circular(from, *i) ||
-            !make_query(x, &from->shape, from->line.o, from->line.d, *i))
+            !make_case(x, &from->shape, from->line.o, from->line.d, *i))
             continue;
         c->asked[n] = &x->q;
         x->q.exit_only = c->asked[0]->exit_only;
@@ -177,7 +177,7 @@ static void gather(struct crowd *c, int family, int other, family_shape last,
 }
 
 /* Whether a certain answer is that of the library. */
-static int is_right(const struct scene_query *x, struct tally *tally)
+static int is_right(const struct filter_case *x, struct tally *tally)
 {
     const cylint_float_filter_question *q = &x->q;
     const cylint_hit *hit = hit_on_piece(x);
@@ -200,13 +200,13 @@ static struct tally ask_families(const struct build *build, int family,
     struct tally tally = {0, 0};
     int most = 1;
     for (uint64_t i = 0; i < CASES; most = most % build->most + 1) {
-        struct crowd c;
+        struct filter_call c;
         gather(&c, family, other, last, &i, most);
         if (c.n == 0)
             continue;
         build->answer(c.asked, c.n);
         for (int k = 0; k < c.n; k++)
-            if (!CHECK(is_right(&c.query[k], &tally))) {
+            if (!CHECK(is_right(&c.cases[k], &tally))) {
                 const cylint_float_filter_question *q = c.asked[k];
                 REPORT("%s, %d of %d, %d; in floats, near %a, from %a:",
                        build->name, k, c.n, (int)q->is, q->near, q->tmin);
@@ -268,14 +268,14 @@ TEST(ordinary_shapes_are_certain)
 static const char *check_known(const char *text, const char *known)
 {
     struct tally tally = {0, 0};
-    struct scene_query x;
+    struct filter_case x;
     struct family_case c;
     cylint_float_filter_question *const one = &x.q;
     double near;
     const char *end = family_numbers(known, 1, &near);
     if (!end || !family_parse(text, &c))
         return NULL;
-    CHECK(make_query(&x, &c.shape, c.line.o, c.line.d, 1) && x.n > 0);
+    CHECK(make_case(&x, &c.shape, c.line.o, c.line.d, 1) && x.n > 0);
     x.q.near = isinf(near) ? (double)near_shape(&x, 0) : near;
     for (int b = 0; b < n_builds; b++) {
         builds[b].answer(&one, 1);

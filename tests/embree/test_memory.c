@@ -102,11 +102,11 @@ TEST(a_failed_update_frees_all_memory)
     for (int how = 0; how < 2; how++) {
         const long long before = world_memory.bytes;
         shapes_of_all_kinds(shapes);
-        struct world w = made(shapes, SHAPES, both_ways[how]);
+        struct world w = world_with(shapes, SHAPES, both_ways[how]);
         struct subject s = {.geometry = w.geometry};
         CHECK(refuse_each(update, &s) > 0 || how);
         rtcCommitScene(w.scene);
-        query_some(&w);
+        check_some_rays(&w);
         world_free(&w);
         CHECK(world_memory.bytes == before);
     }
@@ -119,10 +119,10 @@ TEST(a_refused_commit_can_be_repeated)
     cylint_shape shapes[SHAPES];
     const long long before = world_memory.bytes;
     shapes_of_all_kinds(shapes);
-    struct world w = made(shapes, SHAPES, 0);
+    struct world w = world_with(shapes, SHAPES, 0);
     struct subject s = {.geometry = w.geometry, .scene = w.scene};
     CHECK(refuse_each(commit, &s) > 0);
-    query_some(&w);
+    check_some_rays(&w);
     world_free(&w);
     CHECK(world_memory.bytes == before);
 }
@@ -153,7 +153,7 @@ TEST(queries_do_not_read_the_callers_shapes)
         const cylint_embree_options options = {
             .flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0,
             .moved = how == 2 ? copy : NULL};
-        OWN_WORLD w = made(shapes, SHAPES, 0);
+        OWN_WORLD w = world_with(shapes, SHAPES, 0);
         memcpy(copy, shapes, sizeof copy);
         cylint_embree_release(w.geometry);
         rtcDetachGeometry(w.scene, 0);
@@ -162,6 +162,6 @@ TEST(queries_do_not_read_the_callers_shapes)
         memset(copy, 0xa5, sizeof copy);
         rtcAttachGeometry(w.scene, w.geometry);
         rtcCommitScene(w.scene);
-        query_some(&w);
+        check_some_rays(&w);
     }
 }

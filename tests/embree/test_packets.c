@@ -172,7 +172,7 @@ static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < WORLD_SCENES; i++) {
         OWN_SHAPES s = scene_generate(world_scenes[i], SHAPES, 7);
-        OWN_WORLD w = made(s.shapes, s.n, how);
+        OWN_WORLD w = world_with(s.shapes, s.n, how);
         world_filter(&w, filter);
         query_scene(&w, &s, how, MANNERS * PACKETS);
     }
@@ -231,7 +231,7 @@ TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
     int hits = 0;
     OWN_SHAPES s = scene_generate(SCENE_FAT, SHAPES, 3);
-    OWN_WORLD w = made(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
+    OWN_WORLD w = world_with(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         const struct aim a = draw_aim(&s, EYE);
         const float bad[4] = {NAN, HUGE_VALF, -HUGE_VALF, 0};
@@ -314,7 +314,7 @@ TEST(a_domain_of_one_point_is_answered_or_skipped)
 {
     cylint_shape shapes[64];
     stand_on_a_plane(shapes, 64);
-    OWN_WORLD w = made(shapes, 64, CYLINT_EMBREE_NO_FILTERS);
+    OWN_WORLD w = world_with(shapes, 64, CYLINT_EMBREE_NO_FILTERS);
     int hits = 0;
     for (int turn = 0; turn < 600; turn++) {
         const float t = turn & 1 ? 0 : 2;

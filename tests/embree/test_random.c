@@ -1,14 +1,12 @@
 /*
- * test_random.c - random rays have the answers of brute
- * force
+ * test_random.c - random rays have the answers of brute force
  *
  * All kinds of lines through all kinds of scenes, as float rays, compared with
  * cylint_nearest() on the same floats.  From within three sizes of the scene
  * every answer has the same bits.  Embree misses some rays from farther away,
  * up to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported
- * hit must be a hit of the library.
-  CYLINT_RAYS, CYLINT_SHAPES and CYLINT_SEED
- * change their numbers and all cases.
+ * hit must be a hit of the library.  CYLINT_CASES is the number of rays, and
+ * CYLINT_SEED changes all of them.
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +16,7 @@
 #include "vectors.h"
 
 struct tally {
-    long rays, hits, shadows;
+    long rays, hits;
     long far, far_missed, far_other; /* from farther than `sizes` */
     double sizes;                    /* as far as boxes are wide enough */
 };
@@ -46,13 +44,10 @@ static int add_line(struct rays *r, int i, const cylint_line *line)
 static int is_far(const struct scene_shapes *s, const cylint_line *line,
                   double sizes)
 {
-    double size = 0;
+    const double away = sizes * longest_side(s);
     int far = 0;
     for (int k = 0; k < 3; k++)
-        size = fmax(size, s->hi[k] - s->lo[k]);
-    for (int k = 0; k < 3; k++)
-        far |= line->o[k] < s->lo[k] - sizes * size ||
-               line->o[k] > s->hi[k] + sizes * size;
+        far |= line->o[k] < s->lo[k] - away || line->o[k] > s->hi[k] + away;
     return far;
 }
 
@@ -84,8 +79,7 @@ static void compare_shadow(const struct world *w, const struct scene_shapes *s,
                            struct rays *r, int i, struct tally *n)
 {
     const cylint_line line = rays_line(r, i);
-    const int expected = cylint_count(&w->pack, &line, 1) != 0;
-    n->shadows += expected;
+    const int expected = shadow_expected(w, r, i);
     if (!CHECK(rays_shadowed(r, i) == expected ||
                (expected && is_far(s, &line, n->sizes))))
         world_show(w, r, i);
@@ -123,12 +117,11 @@ static void compare_lines(const struct world *w, const struct scene_shapes *s,
 
 static void answers_are_those_of_brute_force(unsigned how, double sizes)
 {
-    const int rays = (int)check_setting("CYLINT_RAYS", 100000);
-    const size_t shapes = (size_t)check_setting("CYLINT_SHAPES", 200);
+    const int rays = (int)check_setting("CYLINT_CASES", 100000);
     struct tally n = {.sizes = sizes};
     for (int i = 0; i < WORLD_SCENES; i++) {
-        OWN_SHAPES s = scene_generate(world_scenes[i], shapes, check_seed());
-        OWN_WORLD w = made(s.shapes, s.n, how);
+        OWN_SHAPES s = scene_generate(world_scenes[i], 200, check_seed());
+        OWN_WORLD w = world_with(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
             compare_lines(&w, &s, (enum scene_lines)kind, check_seed(),
                           1 + rays / (2 * WORLD_SCENES * LINES_KINDS), &n);
@@ -165,7 +158,7 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
         OWN_SHAPES s = scene_generate(SCENE_LENGTHS, 300, turn);
-        OWN_WORLD w = made(s.shapes, s.n, 0);
+        OWN_WORLD w = world_with(s.shapes, s.n, 0);
         compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
     }
     CHECK(n.hits > n.rays / 4);
@@ -177,18 +170,16 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s)
 {
     const double z = between(-0.1, 1.1), L = between(0.3, 3);
     const double away = between(0.8, 1.2);
-    double v[3], out[3], along[3], size = 0;
+    double v[3], out[3], along[3];
     float o[3], d[3];
-    for (int k = 0; k < 3; k++)
-        v[k] = between(-1, 1);
+    random_vector(v, 1);
     cross3(out, cylint_axis(s), v);
-    for (int k = 0; k < 3; k++)
-        size += out[k] * out[k];
+    const double size = length3(out);
     cross3(along, out, cylint_axis(s));
     for (int k = 0; k < 3; k++) {
-        const double radial = cylint_r0(s) * away * out[k] / sqrt(size);
-        d[k] = (float)(along[k] / sqrt(size) +
-                       between(-0.3, 0.3) * cylint_axis(s)[k]);
+        const double radial = cylint_r0(s) * away * out[k] / size;
+        d[k] =
+            (float)(along[k] / size + between(-0.3, 0.3) * cylint_axis(s)[k]);
         o[k] = (float)(cylint_base(s)[k] + z * cylint_axis(s)[k] + radial -
                        L * (double)d[k]);
     }
@@ -209,14 +200,13 @@ TEST(rays_that_barely_miss_are_not_occluded)
             cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
                             cylint_r0(&was), CYLINT_ENDS_CAPPED);
         }
-        OWN_WORLD w = made(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
+        OWN_WORLD w = world_with(shapes, SOLIDS, CYLINT_EMBREE_NO_FILTERS);
         for (int turn = 0; turn < TURNS; turn++) {
             struct rays r;
             rays_begin(&r, 1);
             add_grazing_ray(&r, 0, &shapes[turn % SOLIDS]);
             rays_occluded(&r, w.scene, NULL);
-            const cylint_line line = rays_line(&r, 0);
-            const int expected = cylint_count(&w.pack, &line, 1) != 0;
+            const int expected = shadow_expected(&w, &r, 0);
             hits += expected;
             if (!CHECK(rays_shadowed(&r, 0) == expected))
                 world_show(&w, &r, 0);

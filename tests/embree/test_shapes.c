@@ -31,7 +31,7 @@ static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved)
             aim_all(&r, rays_sizes[i % 4]);
             for (int k = 0; k < r.n; k++)
                 rays_at(&r, RAY_TIME, k)->f = times[turn];
-            hits += both_agree(&at, &r, NULL);
+            hits += check_both_queries(&at, &r, NULL);
         }
     }
     free(at.pack_memory);
@@ -157,13 +157,13 @@ TEST(an_update_reads_the_changed_shapes)
     for (int how = 0; how < 2; how++) {
         cylint_embree_problem problem;
         world_shapes(SCENE_THIN, shapes, SOME);
-        OWN_WORLD w = made(shapes, SOME, both_ways[how]);
-        query_some(&w);
+        OWN_WORLD w = world_with(shapes, SOME, both_ways[how]);
+        check_some_rays(&w);
         const long long bytes = world_memory.bytes;
         for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
             world_shapes(kind, shapes, SOME);
             CHECK(world_update(&w) == CYLINT_EMBREE_OK);
-            query_some(&w);
+            check_some_rays(&w);
         }
         /* a later scene needs no more memory than the first */
         world_shapes(SCENE_THIN, shapes, SOME);
@@ -182,7 +182,7 @@ TEST(an_update_reads_the_changed_shapes)
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         shapes[17] = kept;
         CHECK(world_update(&w) == CYLINT_EMBREE_OK);
-        query_some(&w);
+        check_some_rays(&w);
     }
 }
 
@@ -348,7 +348,7 @@ TEST(five_threads_make_a_geometry_that_answers_the_same)
     const cylint_embree_options options = {.threads = 5};
     int hits = 0;
     world_shapes(SCENE_FIBRES, shapes, MANY);
-    struct world one = made(shapes, MANY, 0);
+    struct world one = world_with(shapes, MANY, 0);
     struct world five = world_made(shapes, MANY, &options);
     CHECK(cylint_embree_bytes(one.geometry) ==
           cylint_embree_bytes(five.geometry));

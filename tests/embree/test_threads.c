@@ -5,7 +5,7 @@
  * through one geometry of the adapter and one cylint_scene, each in another
  * order.  The processor's subnormal modes differ from thread to thread; the
  * answers must not.  `make check-threads` runs this under the thread sanitizer.
- * CYLINT_RAYS sets the number of questions.
+ * CYLINT_CASES sets the number of questions.
  */
 #include <math.h>
 #include <pthread.h>
@@ -85,7 +85,7 @@ TEST(eight_threads_get_the_answers_of_one)
     world_shapes(SCENE_MIXED, shapes, SHAPES);
     scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     w = world_made(shapes, SHAPES, NULL);
-    n_questions = (int)check_setting("CYLINT_RAYS", 2000);
+    n_questions = (int)check_setting("CYLINT_CASES", 2000);
     if (!CHECK(scene && n_questions > 0 && n_questions <= MOST))
         return;
     for (int i = 0; i <= THREADS; i++)

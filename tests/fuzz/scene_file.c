@@ -204,7 +204,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const unsigned kind = next_byte(&in), sizes = next_byte(&in),
                    shape = next_byte(&in);
     const struct bytes *file = file_of(kind, sizes);
-    const int is_changed = in.p<in.end, is_repaired = sizes / SIZES % 8> 0;
+    const int is_changed = in.p < in.end;
+    const int is_repaired = sizes / SIZES % 8 > 0;
     if (!work.memory)
         bytes_reserve(&work);
     memcpy(work.data, file->data, file->n);

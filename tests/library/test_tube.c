@@ -23,9 +23,9 @@ static int clauses[CYLINT_TUBE_MEMBERS];
 static size_t n;
 static cylint_interval piece[CYLINT_SOLID_PIECES];
 
-static cylint_status make(const double p0[3], const double p1[3],
-                          const double outer[2], const double inner[2],
-                          const double sector[2][3])
+static cylint_status make_members(const double p0[3], const double p1[3],
+                                  const double outer[2], const double inner[2],
+                                  const double sector[2][3])
 {
     return cylint_tube(p0, p1, outer, inner, sector, s, clauses, &n);
 }
@@ -49,8 +49,9 @@ static cylint_status make_tube(void)
         tube.inner[i] = tube.is_hollow ? between(0, tube.outer[i]) : 0;
         random_vector(tube.sector[i], 1);
     }
-    return make(tube.p0, tube.p1, tube.outer, tube.inner,
-                tube.has_sector ? (const double(*)[3])tube.sector : NULL);
+    return make_members(tube.p0, tube.p1, tube.outer, tube.inner,
+                        tube.has_sector ? (const double(*)[3])tube.sector
+                                        : NULL);
 }
 
 /* The angle from the first direction to x about the axis, in [0, 2 pi). */
@@ -70,8 +71,8 @@ static int is_inside(const double point[3])
 {
     enum { LIMITS = 6 };
     double axis[3], x[3], limit[LIMITS] = {1, 1, 1, 1, 1, 1};
-    along3(axis, tube.p1, -1, tube.p0);
-    along3(x, point, -1, tube.p0);
+    minus3(axis, tube.p1, tube.p0);
+    minus3(x, point, tube.p0);
     const double z = dot3(axis, x) / dot3(axis, axis);
     const double r = sqrt(fmax(0, dot3(x, x) - z * z * dot3(axis, axis)));
     limit[0] = z;
@@ -140,14 +141,14 @@ TEST(sectors_of_simple_directions_are_exact)
                  half[2][3] = {{1, 0, 0}, {-1, 0, 5}};
     const double o[3] = {-5, 0, 1}, d[3] = {1, 0, 0};
     /* The line lies in the plane y = 0 that bounds the sectors, and is inside. */
-    CHECK(make(p0, p1, outer, inner, quarter) == CYLINT_OK &&
+    CHECK(make_members(p0, p1, outer, inner, quarter) == CYLINT_OK &&
           clauses[2] != clauses[3]);
     CHECK(pieces_on(o, d) == 1 && piece[0].t0 == 6 && piece[0].t1 == 7);
-    CHECK(make(p0, p1, outer, inner, rest) == CYLINT_OK &&
+    CHECK(make_members(p0, p1, outer, inner, rest) == CYLINT_OK &&
           clauses[2] == clauses[3]);
     CHECK(pieces_on(o, d) == 2 && piece[0].t0 == 3 && piece[0].t1 == 4 &&
           piece[1].t0 == 6);
-    CHECK(make(p0, p1, outer, inner, half) == CYLINT_OK);
+    CHECK(make_members(p0, p1, outer, inner, half) == CYLINT_OK);
     CHECK(pieces_on(o, d) == 2);
 }
 
@@ -162,7 +163,8 @@ TEST(sectors_about_a_coordinate_are_exact)
         p1[axis] = between(-3, 3);
         random_vector(sector[0], 1);
         random_vector(sector[1], 1);
-        if (make(p0, p1, outer, NULL, (const double(*)[3])sector) != CYLINT_OK)
+        if (make_members(p0, p1, outer, NULL, (const double(*)[3])sector) !=
+            CYLINT_OK)
             continue;
         CHECK(n == 3 && cylint_contains(&s[1], sector[0]) == 0 &&
               cylint_contains(&s[2], sector[1]) == 0);
@@ -176,12 +178,13 @@ TEST(bad_sectors_are_refused)
                  same[2][3] = {{1, 0, 0}, {2, 0, 3}},
                  bad[2][3] = {{1, 0, 0}, {NAN, 0, 3}};
     const double zeros[2] = {0, 0}, none[2][3] = {{1, 0, 0}, {0, 0, 0}};
-    CHECK(make(p0, p1, outer, NULL, along) == CYLINT_EDIRECTION && n == 0);
-    CHECK(make(p0, p1, outer, NULL, same) == CYLINT_EDIRECTION);
-    CHECK(make(p0, p1, outer, NULL, bad) == CYLINT_ENONFINITE);
-    CHECK(make(p0, p1, zeros, NULL, NULL) == CYLINT_ERADIUS);
-    CHECK(make(p0, p1, outer, zeros, NULL) == CYLINT_OK && n == 1);
-    CHECK(make(p0, p1, outer, NULL, none) == CYLINT_EDIRECTION);
+    CHECK(make_members(p0, p1, outer, NULL, along) == CYLINT_EDIRECTION &&
+          n == 0);
+    CHECK(make_members(p0, p1, outer, NULL, same) == CYLINT_EDIRECTION);
+    CHECK(make_members(p0, p1, outer, NULL, bad) == CYLINT_ENONFINITE);
+    CHECK(make_members(p0, p1, zeros, NULL, NULL) == CYLINT_ERADIUS);
+    CHECK(make_members(p0, p1, outer, zeros, NULL) == CYLINT_OK && n == 1);
+    CHECK(make_members(p0, p1, outer, NULL, none) == CYLINT_EDIRECTION);
 }
 
 /* The hole is a cone with its apex at p0. */
@@ -189,7 +192,7 @@ TEST(a_hole_can_begin_with_the_radius_0)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
                  inner[2] = {0, 1}, o[3] = {-3, 0, 1}, d[3] = {1, 0, 0};
-    CHECK(make(p0, p1, outer, inner, NULL) == CYLINT_OK && n == 2);
+    CHECK(make_members(p0, p1, outer, inner, NULL) == CYLINT_OK && n == 2);
     CHECK(pieces_on(o, d) == 2);
     CHECK(piece[0].t0 == 1 && piece[0].t1 == 2.5 && piece[1].t0 == 3.5 &&
           piece[1].t1 == 5);
@@ -216,7 +219,7 @@ TEST(directions_that_nearly_agree_make_the_sector_that_they_say)
         const int64_t turn = move * (axis[(k + 1) % 3] * x[(k + 2) % 3] -
                                      axis[(k + 2) % 3] * x[(k + 1) % 3]);
         const cylint_status status =
-            make(p0, p1, outer, NULL, (const double(*)[3])sector);
+            make_members(p0, p1, outer, NULL, (const double(*)[3])sector);
         found[turn == 0 ? 0 : turn > 0 ? 1 : 2]++;
         CHECK(turn == 0 ? status == CYLINT_EDIRECTION
                         : status == CYLINT_OK && n == 3 &&
@@ -237,7 +240,7 @@ TEST(an_axis_of_extreme_doubles_keeps_its_digits)
                         out[3] = {1, 0, 3}, in[3] = {1, 0, 1};
     for (int k = 0; k < 2; k++) {
         double outer[3], inner[3];
-        CHECK(make(p0[k], p1[k], radii, NULL, sector) == CYLINT_OK);
+        CHECK(make_members(p0[k], p1[k], radii, NULL, sector) == CYLINT_OK);
         along3(outer, p0[k], k ? 0x1p1021 : 1, out);
         along3(inner, p0[k], k ? 0x1p1021 : 1, in);
         CHECK(n == 3 && cylint_contains(&s[2], outer) == -1 &&

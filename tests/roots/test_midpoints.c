@@ -41,7 +41,7 @@ struct plan {
 
 /* The line in the shape's own coordinates: x, y in the section, z along the
  * axis.  place: the vector to add to the shape's coordinates. */
-struct scene {
+struct local_case {
     double o[3], d[3], place[3];
     double low, high;     /* z of base and top, or of apex and end of u */
     double r0, r1, k;     /* radii, factor of an econe */
@@ -50,7 +50,7 @@ struct scene {
 };
 
 /* Sets origin and place of coordinate i from d_i T = hi + lo. */
-static void set_origin(const struct plan *p, struct scene *s, int i)
+static void set_origin(const struct plan *p, struct local_case *s, int i)
 {
     const pair twice = two_prod(2 * s->d[i], p->m);
     s->o[i] = -twice.hi;
@@ -62,7 +62,7 @@ static int is_cone(family_shape word)
     return word == FAMILY_CONE || word == FAMILY_ACONE || word == FAMILY_ECONE;
 }
 
-static void cap_tie(const struct plan *p, struct scene *s)
+static void cap_tie(const struct plan *p, struct local_case *s)
 {
     const double wide = 0x1p60, height = 1024;
     const int top = p->word == FAMILY_ACONE || (p->other & 1);
@@ -80,7 +80,7 @@ static void cap_tie(const struct plan *p, struct scene *s)
 
 /* At half the height is a section with the semi-axes size a and size b.  A line
  * along x at y = q meets it at x = +-p. */
-static void side_tie(const struct plan *p, struct scene *s)
+static void side_tie(const struct plan *p, struct local_case *s)
 {
     static const int triples[][3] = {
         {3, 4, 5}, {5, 12, 13}, {15, 8, 17}, {9, 40, 41}, {1, 0, 1}};
@@ -118,7 +118,7 @@ static void side_tie(const struct plan *p, struct scene *s)
 }
 
 /* A cone with its apex at z = 0 and the radius |z|. */
-static void cone_of_45(const struct plan *p, struct scene *s)
+static void cone_of_45(const struct plan *p, struct local_case *s)
 {
     s->low = p->word == FAMILY_ACONE ? 0 : 1;
     s->high = 2;
@@ -127,7 +127,7 @@ static void cone_of_45(const struct plan *p, struct scene *s)
 }
 
 /* x - z = 2 side on the whole line, so the quadratic is a linear equation. */
-static void ruling_tie(const struct plan *p, struct scene *s)
+static void ruling_tie(const struct plan *p, struct local_case *s)
 {
     cone_of_45(p, s);
     s->ends = CYLINT_ENDS_INFINITE;
@@ -138,7 +138,7 @@ static void ruling_tie(const struct plan *p, struct scene *s)
     s->place[2] += p->side;
 }
 
-static void apex_tie(const struct plan *p, struct scene *s)
+static void apex_tie(const struct plan *p, struct local_case *s)
 {
     cone_of_45(p, s);
     s->ends = p->other & 1 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
@@ -159,7 +159,7 @@ static void apex_tie(const struct plan *p, struct scene *s)
 
 /* Writes the case with coordinate p->axis as the axis, lengths times 2^e,
  * directions times 2^(e - f). */
-static int write_case(const struct plan *p, const struct scene *s,
+static int write_case(const struct plan *p, const struct local_case *s,
                       struct family_case *c)
 {
     double at[3], a[3], b[3], to[3];
@@ -188,9 +188,10 @@ static int write_case(const struct plan *p, const struct scene *s,
 
 static int build(const struct plan *p, struct family_case *c)
 {
-    static void (*const ties[PLACES])(const struct plan *, struct scene *) = {
+    static void (*const ties[PLACES])(const struct plan *,
+                                      struct local_case *) = {
         cap_tie, side_tie, side_tie, ruling_tie, apex_tie};
-    struct scene s;
+    struct local_case s;
     memset(&s, 0, sizeof s);
     memset(c, 0, sizeof *c);
     ties[p->where](p, &s);
