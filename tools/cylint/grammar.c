@@ -33,8 +33,6 @@ const struct kind shape_kinds[] = {
 const char *const ends_words[] = {"capped",   "open",  "cap0", "cap1",
                                   "infinite", "nappe", NULL};
 
-#define ENDS_WORD "ends="
-
 int numbers_of_record(const struct grammar *g)
 {
     return (g->has_line ? line_kinds[g->line].numbers : 0) +
@@ -137,10 +135,9 @@ static int refuse_word(struct reader *r, struct words expected)
     return refuse_other_field(r, list_words(list, expected));
 }
 
-static int begins_with(const struct reader *r, const char *word)
+static int is_next(const struct reader *r, const char *word)
 {
-    const size_t length = strlen(word);
-    return (size_t)(r->end - r->p) >= length && memcmp(r->p, word, length) == 0;
+    return begins_with(between(r->p, r->end), word);
 }
 
 /* Returns the end of the number at p if it is a whole field, else NULL. */
@@ -255,7 +252,7 @@ static int read_line(struct reader *r, const struct grammar *g, int *kind,
 /* Reads ends=WORD, if it stands there. */
 static int read_ends(struct reader *r, int *ends)
 {
-    if (!begins_with(r, ENDS_WORD))
+    if (!is_next(r, ENDS_WORD))
         return 0;
     r->p += strlen(ENDS_WORD);
     *ends = find_word(WORDS(ends_words), field(r));
@@ -288,9 +285,9 @@ static int read_shape(struct reader *r, const struct grammar *g,
 
 /* -------------------------------------------- words behind, and tail -- */
 
-static int begins_with_solid(const struct reader *r)
+static int is_solid_next(const struct reader *r)
 {
-    return begins_with(r, IN_WORD) || begins_with(r, OUT_WORD);
+    return is_next(r, IN_WORD) || is_next(r, OUT_WORD);
 }
 
 /* Finds the end of the words in=NAME and out=NAME, or not=NAME, which are read
@@ -299,18 +296,17 @@ static int read_words(struct reader *r, const struct grammar *g,
                       struct record *record)
 {
     const char *const begin = r->p;
-    if (g->has_line && g->has_shape && begins_with_solid(r))
+    if (g->has_line && g->has_shape && is_solid_next(r))
         return refuse_field(
             r, "in= and out= are for the shapes of a scene, -s FILE");
-    if (g->no_left_out && !g->has_shape && begins_with(r, NOT_WORD))
+    if (g->no_left_out && !g->has_shape && is_next(r, NOT_WORD))
         return refuse_field(r, g->no_left_out);
-    while (g->has_shape ? !g->has_line && begins_with_solid(r)
-                        : begins_with(r, NOT_WORD))
+    while (g->has_shape ? !g->has_line && is_solid_next(r)
+                        : is_next(r, NOT_WORD))
         skip_field(r);
     record->words = between(begin, r->p);
     r->has_word |= record->words.length > 0;
-    return g->has_shape && record->words.length > 0 &&
-           begins_with(r, ENDS_WORD) &&
+    return g->has_shape && record->words.length > 0 && is_next(r, ENDS_WORD) &&
            refuse_field(r, "ends= must stand before in= and out=");
 }
 

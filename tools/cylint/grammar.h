@@ -78,6 +78,7 @@ struct record {
     struct string words;
 };
 
+#define ENDS_WORD "ends="
 #define NOT_WORD "not="
 #define IN_WORD "in="
 #define OUT_WORD "out="

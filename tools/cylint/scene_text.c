@@ -78,12 +78,6 @@ static double angle_of(const cylint_shape *shape)
 
 /* -------------------------------------------------------------- record -- */
 
-static int begins_with(const struct string *label, const char *word)
-{
-    return label->length >= strlen(word) &&
-           memcmp(label->text, word, strlen(word)) == 0;
-}
-
 /* lint: member[] has r->members elements */
 /* A label is the rest of a line without the blanks around it. */
 static const char *fault_of(const struct shape_record *r)
@@ -91,19 +85,18 @@ static const char *fault_of(const struct shape_record *r)
     for (size_t i = 0; i < r->members; i++)
         if (abs(r->member[i].clause) > CLAUSE_MOST)
             return "text cannot hold a clause above 999999999";
-    const struct string *label = &r->label;
-    const char *const text = label->text;
-    if (label->length == 0)
+    const struct string label = r->label;
+    const char *const text = label.text;
+    if (label.length == 0)
         return NULL;
-    const char last = text[label->length - 1];
-    return memchr(text, '\n', label->length) ||
-                   memchr(text, '\0', label->length)
+    const char last = text[label.length - 1];
+    return memchr(text, '\n', label.length) || memchr(text, '\0', label.length)
                ? "text cannot hold a label with a line feed or NUL"
            : is_blank(text[0]) || is_blank(last) || last == '\r'
                ? "text cannot hold a label with blanks around it"
            : begins_with(label, IN_WORD) || begins_with(label, OUT_WORD)
                ? "text cannot hold a label that begins with in= or out="
-           : r->members > 0 && begins_with(label, "ends=")
+           : r->members > 0 && begins_with(label, ENDS_WORD)
                ? "text cannot hold a label that begins with ends= in a solid"
                : NULL;
 }
@@ -122,8 +115,8 @@ static void put_shape(struct text *t, const struct shape_record *r, int kind,
             cylint_write_number(t->data + t->length, number[i], digits);
     }
     /* A label of this form would be read as the ends. */
-    if (r->shape->ends != usual || begins_with(&r->label, "ends=")) {
-        put_word(t, " ends=");
+    if (r->shape->ends != usual || begins_with(r->label, ENDS_WORD)) {
+        put_word(t, " " ENDS_WORD);
         put_word(t, ends_words[r->shape->ends]);
     }
 }

@@ -49,6 +49,12 @@ static inline const char *end_of(struct string s)
     return s.text + s.length;
 }
 
+static inline int begins_with(struct string s, const char *word)
+{
+    const size_t length = strlen(word);
+    return s.length >= length && memcmp(s.text, word, length) == 0;
+}
+
 /* Whether a string is digits, a number up to `most`, which is below 2^60. */
 int read_whole(struct string s, unsigned long long most,
                unsigned long long *value);
