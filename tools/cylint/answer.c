@@ -178,7 +178,8 @@ static enum answered finish_block(struct task *task)
 {
     struct job *job = task->job;
     const struct block *b = &task->block;
-    progress_add(&job->progress, b->records, (double)b->input, job->in.total);
+    progress_add(&job->progress, b->records, (double)b->bytes_read,
+                 job->in.total);
     if (b->fault[0])
         job->status = complain(EXIT_IO, b->name, "%s", b->fault);
     return b->length == 0 || task->stopped ? ANSWERED_LAST : ANSWERED;

@@ -45,7 +45,7 @@ int input_open(struct input *in, char *const *files, int count,
     in->files = files;
     in->count = count;
     in->record_size = record_size;
-    in->fd = in->ending = -1;
+    in->fd = in->end_fd = -1;
     in->record = 1;
     in->total = total_size(files, count);
     in->carry = malloc(BLOCK_CAPACITY);
@@ -82,32 +82,34 @@ static int open_next(struct input *in, struct block *b)
     if (in->fd < 0)
         return fail(b, strerror(errno));
     struct stat s;
-    in->regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
+    in->is_regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
     in->line = 1;
-    in->fresh = 1;
-    in->ended = in->promised = 0;
-    in->bytes_given = 0;
+    in->is_fresh = 1;
+    in->has_ended = in->has_header = 0;
+    in->bytes_returned = 0;
     return 1;
 }
 
 /* ------------------------------------------------------------ reading -- */
 
 /* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns
- * whether there is input, or its end; *ended: the work ended meanwhile. */
-static int wait_for_input(const struct input *in, int timeout, int *ended)
+ * whether there is input, or its end; writes whether the work ended meanwhile. */
+static int wait_for_input(const struct input *in, int timeout,
+                          int *has_work_ended)
 {
-    struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->ending, POLLIN, 0}};
+    struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->end_fd, POLLIN, 0}};
     int ready = 1;
-    while (!in->regular && (ready = poll(p, 2, timeout)) < 0 && errno == EINTR)
+    while (!in->is_regular && (ready = poll(p, 2, timeout)) < 0 &&
+           errno == EINTR)
         ;
-    *ended = p[1].revents != 0;
+    *has_work_ended = p[1].revents != 0;
     return ready != 0;
 }
 
 static int would_wait(const struct input *in)
 {
-    int ended;
-    return !wait_for_input(in, 0, &ended);
+    int has_work_ended;
+    return !wait_for_input(in, 0, &has_work_ended);
 }
 
 /* From `from` on, replaces each CR by LF unless an LF follows.  A CR at the end
@@ -123,28 +125,28 @@ static void end_lines_at_cr(struct block *b, size_t from)
     }
 }
 
-/* Appends bytes to the block's text.  Sets in->ended at the end and at an
- * error. */
-static void read_more(struct input *in, struct block *b)
+/* Appends bytes to the block's text.  Sets in->has_ended at the end of the file, at
+ * an error, and if the work has ended. */
+static void read_bytes(struct input *in, struct block *b)
 {
-    int ended;
-    while (wait_for_input(in, -1, &ended) && !ended) {
+    int has_work_ended;
+    while (wait_for_input(in, -1, &has_work_ended) && !has_work_ended) {
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
             if (in->cr_ends_lines)
                 end_lines_at_cr(b, b->length - (size_t)n);
-            in->bytes += (unsigned long long)n;
+            in->bytes_read += (unsigned long long)n;
             return;
         }
         if (n == 0)
             break;
         if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) {
-            in->error = errno;
+            in->read_errno = errno;
             break;
         }
     }
-    in->ended = 1;
+    in->has_ended = 1;
 }
 
 static void drop_front(struct block *b, size_t n)
@@ -153,56 +155,56 @@ static void drop_front(struct block *b, size_t n)
     b->length -= n;
 }
 
-/* Skips the rest of a line that was too long. */
+/* Skips the remaining bytes of a line that was too long. */
 static void skip_line(struct input *in, struct block *b)
 {
-    while (in->skipping && !in->ended) {
+    while (in->is_skipping && !in->has_ended) {
         b->length = 0;
-        read_more(in, b);
+        read_bytes(in, b);
         const char *end = memchr(b->text, '\n', b->length);
         if (end) {
             drop_front(b, (size_t)(end - b->text) + 1);
-            in->skipping = 0;
+            in->is_skipping = 0;
         }
     }
-    if (in->skipping) {
+    if (in->is_skipping) {
         b->length = 0;
-        in->skipping = 0;
+        in->is_skipping = 0;
     }
 }
 
 /* ------------------------------------------------------------ records -- */
 
-/* Returns the bytes up to the end of the last whole record.  The first `known`
- * bytes are whole records; the first `searched` bytes were searched before. */
+/* Returns the bytes up to the end of the last whole record.  The first `whole` bytes
+ * are whole records; the first `searched` bytes were searched before. */
 static size_t find_whole(const struct input *in, const struct block *b,
-                         size_t known, size_t searched)
+                         size_t whole, size_t searched)
 {
     if (in->record_size > 0)
         return b->length - b->length % in->record_size;
     for (size_t i = b->length; i > searched; i--)
         if (b->text[i - 1] == '\n')
             return i;
-    return known;
+    return whole;
 }
 
 /* Reads until the block has a whole record and is large enough, or until
  * reading would wait. */
-static size_t gather(struct input *in, struct block *b)
+static size_t read_whole_records(struct input *in, struct block *b)
 {
     size_t whole = find_whole(in, b, 0, 0);
-    while (!in->ended &&
+    while (!in->has_ended &&
            !(whole > 0 && (b->length >= BLOCK_GOAL || would_wait(in)))) {
         if (whole == 0 && b->length > LINE_MOST) {
-            in->skipping = 1;
+            in->is_skipping = 1;
             return b->length = LINE_MOST + 1;
         }
         const size_t searched = b->length;
-        read_more(in, b);
+        read_bytes(in, b);
         whole = find_whole(in, b, whole, searched);
     }
-    b->full = b->length >= BLOCK_GOAL;
-    return in->ended && !in->error ? b->length : whole;
+    b->is_full = b->length >= BLOCK_GOAL;
+    return in->has_ended && !in->read_errno ? b->length : whole;
 }
 
 static void count_records(struct input *in, struct block *b)
@@ -219,7 +221,7 @@ static void count_records(struct input *in, struct block *b)
             in->line++;
         }
     in->record += b->records;
-    in->bytes_given += b->length;
+    in->bytes_returned += b->length;
 }
 
 /* -------------------------------------------------- beginning of a file -- */
@@ -232,8 +234,9 @@ static void skip_byte_order_mark(struct block *b)
 
 static int read_until(struct input *in, struct block *b, size_t length)
 {
-    while (b->length < length && npy_begins(b->text, b->length) && !in->ended)
-        read_more(in, b);
+    while (b->length < length && npy_begins(b->text, b->length) &&
+           !in->has_ended)
+        read_bytes(in, b);
     return b->length >= length;
 }
 
@@ -254,8 +257,8 @@ static int skip_npy_header(struct input *in, struct block *b)
                   wrong))
         return fail(b, wrong);
     drop_front(b, length);
-    in->promised = 1;
-    in->bytes_promised = rows * in->record_size;
+    in->has_header = 1;
+    in->bytes_stated = rows * in->record_size;
     return 1;
 }
 
@@ -263,12 +266,13 @@ static int skip_npy_header(struct input *in, struct block *b)
  * Returns 0 after a failure. */
 static int finish_file(struct input *in, struct block *b)
 {
-    const int kept = !in->promised || in->bytes_given == in->bytes_promised;
+    const int is_complete =
+        !in->has_header || in->bytes_returned == in->bytes_stated;
     close_file(in);
     b->name = in->name;
-    if (in->error)
-        return fail(b, strerror(in->error));
-    return kept ||
+    if (in->read_errno)
+        return fail(b, strerror(in->read_errno));
+    return is_complete ||
            fail(b, "the .npy header has another number of rows than the file");
 }
 
@@ -287,13 +291,13 @@ int input_is_empty(struct input *in)
     struct block b;
     b.text = in->carry;
     b.length = 0;
-    while (b.length == 0 && !in->error) {
+    while (b.length == 0 && !in->read_errno) {
         b.fault[0] = '\0';
         if (!change_file(in, &b)) {
             in->next -= b.fault[0] != '\0';
             return b.fault[0] == '\0';
         }
-        read_more(in, &b);
+        read_bytes(in, &b);
     }
     in->carried = b.length;
     return 0;
@@ -306,39 +310,39 @@ static int begin_block(struct input *in, struct block *b)
     b->length = in->carried;
     in->carried = 0;
     skip_line(in, b);
-    return !in->fresh || in->record_size == 0 || skip_npy_header(in, b);
+    return !in->is_fresh || in->record_size == 0 || skip_npy_header(in, b);
 }
 
 /* Carries the bytes beyond the last whole record to the next block.  At the end
  * of a file there are none. */
 static void cut_block(struct input *in, struct block *b, size_t whole)
 {
-    if (!in->ended) {
+    if (!in->has_ended) {
         in->carried = b->length - whole;
         memcpy(in->carry, b->text + whole, in->carried);
     }
     b->length = whole;
-    if (in->fresh && in->record_size == 0)
+    if (in->is_fresh && in->record_size == 0)
         skip_byte_order_mark(b);
-    in->fresh = 0;
+    in->is_fresh = 0;
     b->text[b->length] = '\0';
 }
 
 /* Whether a file of text begins as gzip's do.  No line can begin so. */
 static int is_compressed(const struct input *in, const struct block *b)
 {
-    return in->fresh && in->record_size == 0 && b->length >= 2 &&
+    return in->is_fresh && in->record_size == 0 && b->length >= 2 &&
            memcmp(b->text, "\x1f\x8b", 2) == 0;
 }
 
 static void fill_block(struct input *in, struct block *b)
 {
     while (b->length == 0) {
-        if ((in->fd < 0 || in->ended) && !change_file(in, b))
+        if ((in->fd < 0 || in->has_ended) && !change_file(in, b))
             return;
         if (!begin_block(in, b))
             return;
-        const size_t whole = gather(in, b);
+        const size_t whole = read_whole_records(in, b);
         if (is_compressed(in, b)) {
             fail(b, "is compressed by gzip; pipe it through zcat");
             return;
@@ -352,10 +356,10 @@ void input_read(struct input *in, struct block *b)
 {
     b->length = 0;
     b->records = 0;
-    b->full = 0;
+    b->is_full = 0;
     b->fault[0] = '\0';
     fill_block(in, b);
-    b->input = in->bytes;
+    b->bytes_read = in->bytes_read;
 }
 
 int block_make(struct block *block)

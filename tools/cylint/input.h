@@ -13,12 +13,12 @@ struct block {
      * too long, or a binary record cut off by the end of the input. */
     char *text;
     size_t length;
-    int full; /* has BLOCK_GOAL bytes or more: there may be more input */
-    const char *name;           /* of the file, for messages */
-    unsigned long long line;    /* number of the first line, from 1 */
-    unsigned long long record;  /* number of the first record, from 1 */
-    unsigned long long records; /* number of records */
-    unsigned long long input;   /* bytes of all input read so far */
+    int is_full; /* has BLOCK_GOAL bytes or more: there may be more input */
+    const char *name;              /* of the file, for messages */
+    unsigned long long line;       /* number of the first line, from 1 */
+    unsigned long long record;     /* number of the first record, from 1 */
+    unsigned long long records;    /* number of records */
+    unsigned long long bytes_read; /* of all input so far */
 
     char fault[NPY_WRONG]; /* why the input failed, or "" */
 };
@@ -29,24 +29,25 @@ struct input {
     size_t record_size; /* bytes of a binary record; 0: lines of text */
     int cr_ends_lines;  /* CR ends a line, like LF and CR LF */
 
-    int fd;       /* -1: none is open */
-    int regular;  /* reading never waits */
-    int ended;    /* the end of the file was read */
-    int skipping; /* skips the rest of a line that was too long */
+    int fd;          /* -1: none is open */
+    int is_regular;  /* reading never waits */
+    int has_ended;   /* the end of the file was read, or an error */
+    int is_skipping; /* skips the remaining bytes of a line that was too long */
     const char *name;
     char *carry; /* read, but not yet in a block: part of a record */
     size_t carried;
     unsigned long long line, record; /* numbers of the next line and record */
 
-    int fresh;    /* no block has bytes of this file yet */
-    int promised; /* a .npy header states the number of rows */
-    unsigned long long bytes_promised, bytes_given;
-    int error;  /* errno of a read: reported after the records before it */
-    int ending; /* a descriptor: its end of file ends the waiting for input; -1:
+    int is_fresh;   /* no block has bytes of this file yet */
+    int has_header; /* of .npy, which states the number of rows */
+    unsigned long long bytes_stated;   /* by the header, behind it */
+    unsigned long long bytes_returned; /* in blocks, of this file */
+    int read_errno; /* of a read: reported after the records before it; or 0 */
+    int end_fd; /* a descriptor: its end of file ends the waiting for input; -1:
                    none */
 
-    unsigned long long bytes; /* read so far, of all files */
-    double total;             /* bytes of all files; 0: unknown */
+    unsigned long long bytes_read; /* so far, of all files */
+    double total;                  /* bytes of all files; 0: unknown */
 };
 
 /* Returns 0, or an exit status after a message. */

@@ -76,7 +76,7 @@ static int answer_input(struct job *job)
     if (status != 0)
         return status;
     if (o->style.binary)
-        job->out.row = sizeof(double) * options_fields(o)->count;
+        job->out.row_size = sizeof(double) * options_fields(o)->count;
     if (is_terminal(o))
         message("waiting for records from the terminal, %s, one a line (see "
                 "--help); Ctrl-D ends them",

@@ -226,7 +226,7 @@ int output_is_input(const char *file, const char *input)
 static int put_array_header(struct output *out, unsigned long long rows)
 {
     char header[NPY_WRITTEN];
-    npy_write(header, rows, out->row / sizeof(double));
+    npy_write(header, rows, out->row_size / sizeof(double));
     return output_write(out, header, sizeof header);
 }
 
@@ -234,19 +234,19 @@ static int put_array_header(struct output *out, unsigned long long rows)
 int output_begin_array(struct output *out)
 {
     struct stat s;
-    const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
-                         !(fcntl(out->fd, F_GETFL) & O_APPEND);
-    if (!way_back)
+    const int is_seekable = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
+                            !(fcntl(out->fd, F_GETFL) & O_APPEND);
+    if (!is_seekable)
         return complain(EXIT_IO, out->name, "a .npy array must go to a file");
-    out->array = (long long)lseek(out->fd, 0, SEEK_CUR);
+    out->header_at = (long long)lseek(out->fd, 0, SEEK_CUR);
     return put_array_header(out, 0);
 }
 
 /* Reports a closed standard output even if there is no output. */
-int output_open(struct output *out, const char *name, size_t row)
+int output_open(struct output *out, const char *name, size_t row_size)
 {
-    out->row = row;
-    out->array = -1;
+    out->row_size = row_size;
+    out->header_at = -1;
     const int status = open_target(out, name);
     if (status == 0 && (fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
@@ -256,11 +256,11 @@ int output_open(struct output *out, const char *name, size_t row)
 }
 
 /* The number of bytes at the end that are not a whole row. */
-static size_t half_row(const struct output *out, const char *data,
-                       size_t length)
+static size_t length_of_half_row(const struct output *out, const char *data,
+                                 size_t length)
 {
-    if (out->row > 0)
-        return length % out->row;
+    if (out->row_size > 0)
+        return length % out->row_size;
     size_t whole = length;
     while (whole > 0 && data[whole - 1] != '\n')
         whole--;
@@ -269,7 +269,7 @@ static size_t half_row(const struct output *out, const char *data,
 
 /* Cuts a file that could not take all bytes after its last whole row, unless
  * another program has written to its end. */
-static void take_back(const struct output *out, size_t length)
+static void cut_half_row(const struct output *out, size_t length)
 {
     struct stat s;
     const off_t at = lseek(out->fd, 0, SEEK_CUR);
@@ -283,9 +283,9 @@ int output_write(struct output *out, const char *data, size_t length)
     const size_t most = (size_t)1 << 30; /* some systems refuse 2 GiB */
     size_t done = 0;
     while (done < length) {
-        const size_t rest = length - done;
+        const size_t remaining = length - done;
         const ssize_t n =
-            write(out->fd, data + done, rest < most ? rest : most);
+            write(out->fd, data + done, remaining < most ? remaining : most);
         if (n >= 0) {
             done += (size_t)n;
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
@@ -293,7 +293,7 @@ int output_write(struct output *out, const char *data, size_t length)
             poll(&p, 1, -1);
         } else if (errno != EINTR) {
             complain_errno(out->name);
-            take_back(out, half_row(out, data, done));
+            cut_half_row(out, length_of_half_row(out, data, done));
             return EXIT_IO;
         }
     }
@@ -307,17 +307,17 @@ static int finish_array(struct output *out)
     struct stat s;
     const off_t at = lseek(out->fd, 0, SEEK_CUR);
     if (at == -1 || fstat(out->fd, &s) != 0 ||
-        lseek(out->fd, (off_t)out->array, SEEK_SET) == -1)
+        lseek(out->fd, (off_t)out->header_at, SEEK_SET) == -1)
         return complain_errno(out->name);
     const long long end = (long long)(at < s.st_size ? at : s.st_size);
-    const long long rows = end - out->array - NPY_WRITTEN;
-    return put_array_header(out, (unsigned long long)rows / out->row);
+    const long long rows = end - out->header_at - NPY_WRITTEN;
+    return put_array_header(out, (unsigned long long)rows / out->row_size);
 }
 
 int output_close(struct output *out, int is_whole)
 {
     const int stays = is_whole || !out->part[0];
-    const int status = out->array >= 0 && stays ? finish_array(out) : 0;
+    const int status = out->header_at >= 0 && stays ? finish_array(out) : 0;
     const int closed = close_target(out, is_whole && status == 0);
     return status != 0 ? status : closed;
 }

@@ -23,8 +23,8 @@ struct output {
     int fd;
     char place[PART_MOST]; /* the file itself, where `name` is a link */
     char part[PART_MOST];  /* its name until it is whole; "": in place */
-    size_t row;            /* bytes of a binary row; 0: rows are lines */
-    long long array; /* position of the .npy header in the file; -1: none */
+    size_t row_size;       /* bytes of a binary row; 0: rows are lines */
+    long long header_at; /* position of the .npy header in the file; -1: none */
 };
 
 /* Opens those of the descriptors 0 to 2 that are closed.  Otherwise the next
@@ -41,7 +41,7 @@ int output_is_input(const char *file, const char *input);
 /* All return 0, or an exit status after a message.  A command has one output
  * at a time. */
 /* name: NULL for standard output. */
-int output_open(struct output *out, const char *name, size_t row);
+int output_open(struct output *out, const char *name, size_t row_size);
 /* Begins a .npy array of rows, which output_close() completes. */
 int output_begin_array(struct output *out);
 /* A file that cannot take all bytes ends with a whole row. */

@@ -34,31 +34,32 @@ int processors(void)
 
 /* ------------------------------------------------------------ progress -- */
 
-void progress_start(struct progress *p, int wanted, const char *unit,
+void progress_start(struct progress *p, int is_wanted, const char *unit,
                     int in_bytes)
 {
     p->unit = unit;
     p->in_bytes = in_bytes;
-    p->terminal = isatty(2);
-    p->shown = wanted || p->terminal;
-    p->start = p->last = p->shown ? seconds_of(CLOCK_MONOTONIC) : 0;
-    p->dirty = 0;
+    p->is_terminal = isatty(2);
+    p->is_shown = is_wanted || p->is_terminal;
+    p->start = p->last = p->is_shown ? seconds_of(CLOCK_MONOTONIC) : 0;
+    p->has_line = 0;
     p->count = 0;
 }
 
 static void show(struct progress *p, double now, double done, double total)
 {
     const double spent = now - p->start;
-    fprintf(stderr, "%s%s: %llu %s, %.0f/s", p->terminal ? "\r" : "", program,
-            p->count, p->unit, spent > 0 ? (double)p->count / spent : 0);
+    fprintf(stderr, "%s%s: %llu %s, %.0f/s", p->is_terminal ? "\r" : "",
+            program, p->count, p->unit,
+            spent > 0 ? (double)p->count / spent : 0);
     if (p->in_bytes && done > 0 && spent > 0)
         fprintf(stderr, ", %.1f MB/s", 1e-6 * done / spent);
     if (total > 0 && done > 0 && done <= total) {
         fprintf(stderr, ", %.0f %%, %.0f s left", 100 * done / total,
                 spent * (total - done) / done);
     }
-    fputs(p->terminal ? "\033[K" : "\n", stderr);
-    p->dirty = p->terminal;
+    fputs(p->is_terminal ? "\033[K" : "\n", stderr);
+    p->has_line = p->is_terminal;
     p->last = now;
 }
 
@@ -66,18 +67,18 @@ void progress_add(struct progress *p, unsigned long long count, double done,
                   double total)
 {
     p->count += count;
-    if (!p->shown)
+    if (!p->is_shown)
         return;
     const double now = seconds_of(CLOCK_MONOTONIC);
-    const double pause = p->terminal && p->dirty ? 0.2 : 1;
-    if (now - p->last >= pause)
+    const double interval = p->is_terminal && p->has_line ? 0.2 : 1;
+    if (now - p->last >= interval)
         show(p, now, done, total);
 }
 
 void progress_end(struct progress *p)
 {
-    if (p->dirty)
+    if (p->has_line)
         fputs("\r\033[K", stderr);
-    else if (p->shown && !p->terminal)
+    else if (p->is_shown && !p->is_terminal)
         show(p, seconds_of(CLOCK_MONOTONIC), 0, 0);
 }

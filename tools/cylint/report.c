@@ -10,7 +10,7 @@
 
 enum { FOUND_MOST = 32, COMPLAINT_CAPACITY = 512 };
 
-static struct note *present(struct notes *notes)
+static struct note *present_note(struct notes *notes)
 {
     return &notes->note[notes->kept];
 }
@@ -25,7 +25,7 @@ static int is_silent(const struct notes *notes)
 int refuse(struct notes *notes, const char *at, const char *format, ...)
 {
     va_list list;
-    struct note *note = present(notes);
+    struct note *note = present_note(notes);
     if (is_silent(notes))
         return EXIT_BAD;
     note->line = notes->line;
@@ -69,15 +69,15 @@ static void append(struct note *note, const char *before, const char *text,
 void advise(struct notes *notes, const char *advice)
 {
     if (!is_silent(notes))
-        append(present(notes), "", advice, "");
-    present(notes)->is_advised = 1;
+        append(present_note(notes), "", advice, "");
+    present_note(notes)->is_advised = 1;
 }
 
 void suggest(struct notes *notes, struct words words, struct string text)
 {
     const char *word = is_silent(notes) ? NULL : similar_word(words, text);
     if (word)
-        append(present(notes), "did you mean ", word, "?");
+        append(present_note(notes), "did you mean ", word, "?");
 }
 
 int wants_remark(struct notes *notes, enum remark remark)
@@ -88,7 +88,7 @@ int wants_remark(struct notes *notes, enum remark remark)
 
 void make_remark(struct notes *notes, enum remark remark)
 {
-    present(notes)->remark = remark;
+    present_note(notes)->remark = remark;
     notes->wanted &= ~(1u << remark);
     notes->may_remark = 0;
     notes->kept++;
@@ -113,7 +113,7 @@ static int looks_binary(const char *text, const char *end)
 /* With advice the text does not depend on how much of a pipe was read. */
 void count_bad(struct notes *notes)
 {
-    struct note *note = present(notes);
+    struct note *note = present_note(notes);
     notes->bad++;
     notes->may_remark = 0;
     if (notes->kept_bad < NOTES_MOST) {
@@ -180,9 +180,9 @@ static int must_print(struct report *report, const struct note *note,
         report->remarks |= bit;
         return is_first;
     }
-    if (report->shown == NOTES_MOST || report->binary == name)
+    if (report->shown == NOTES_MOST || report->binary_file == name)
         return 0;
-    report->binary = note->looks_binary ? name : NULL;
+    report->binary_file = note->looks_binary ? name : NULL;
     report->shown++;
     return 1;
 }

@@ -70,7 +70,7 @@ struct notes {
 struct report {
     unsigned long long bad, shown; /* bad records; those that had a message */
     unsigned remarks;              /* a bit for each remark that was printed */
-    const char *binary; /* the file that looked binary last, or NULL */
+    const char *binary_file;       /* that looked binary last, or NULL */
 };
 
 /* All write the note that the present record is bad, and return EXIT_BAD.
@@ -125,15 +125,15 @@ int processors(void);
 /* On a terminal the progress appears when the work has lasted a second.  With
  * --progress it is also written elsewhere, one line a second. */
 struct progress {
-    const char *unit;    /* what is counted, in the plural */
-    int in_bytes;        /* `done` and `total` are bytes */
-    int shown, terminal; /* shown: whether anything is written */
-    double start, last;  /* seconds */
-    int dirty;           /* the terminal has a progress line */
+    const char *unit;          /* what is counted, in the plural */
+    int in_bytes;              /* `done` and `total` are bytes */
+    int is_shown, is_terminal; /* is_shown: whether anything is written */
+    double start, last;        /* seconds */
+    int has_line;              /* the terminal has a progress line */
     unsigned long long count;
 };
 
-void progress_start(struct progress *p, int wanted, const char *unit,
+void progress_start(struct progress *p, int is_wanted, const char *unit,
                     int in_bytes);
 
 /* Adds `count` to the number done.  The work is at `done` of `total`; 0: the

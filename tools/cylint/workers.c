@@ -52,7 +52,7 @@ static int has_ending(struct job *job)
     if (job->ending[0] < 0 && pipe(job->ending) == 0) {
         fcntl(job->ending[0], F_SETFD, FD_CLOEXEC);
         fcntl(job->ending[1], F_SETFD, FD_CLOEXEC);
-        job->in.ending = job->ending[0];
+        job->in.end_fd = job->ending[0];
     }
     return job->ending[0] >= 0;
 }
@@ -81,7 +81,7 @@ static int read_block(struct task *task)
     if (!ended) {
         input_read(&job->in, &task->block);
         task->ticket = job->tickets++;
-        if (task->block.full && job->workers < job->most)
+        if (task->block.is_full && job->workers < job->most)
             start_worker(job);
     }
     pthread_mutex_unlock(&job->reading);
