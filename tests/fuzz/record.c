@@ -125,7 +125,7 @@ static void check_doubles(const struct grammar *g, const char *bytes,
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
     memset(&record, 0, sizeof record);
     record.tail = string_of("");
-    if (take_record(g, numbers, &record, &notes) == 0)
+    if (record_of_numbers(g, numbers, &record, &notes) == 0)
         check_record(g, &record);
     else
         MUST(notes.note[0].text[0]);

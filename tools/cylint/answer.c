@@ -45,33 +45,34 @@ static void deliver(struct task *task)
 {
     struct job *job = task->job;
     if (!wait_for_turn(job, task->ticket)) {
-        task->status = OVERTAKEN;
+        task->delivery = DELIVERY_REFUSED;
         return;
     }
     job->status = output_write(&job->out, task->out.data, task->out.length);
     task->out.length = 0;
     report_notes(&job->report, &task->notes, task->block.name);
-    task->status = job->status == 0 ? ANSWERED : ANSWERED_LAST;
+    task->delivery = job->status == 0 ? DELIVERY_DONE : DELIVERY_LAST;
 }
 
 static void deliver_if_full(struct task *task)
 {
-    if (task->out.length >= TEXT_FULL && task->status == ANSWERED)
+    if (task->out.length >= TEXT_FULL && task->delivery == DELIVERY_DONE)
         deliver(task);
 }
 
 int end_without_memory(struct task *task)
 {
     deliver(task);
-    if (task->status == ANSWERED) {
+    if (task->delivery == DELIVERY_DONE) {
         task->job->status = out_of_memory();
-        task->status = ANSWERED_LAST;
+        task->delivery = DELIVERY_LAST;
     }
     return 0;
 }
 
 /* row: NULL for a bad record. */
-static void put(struct task *task, int is_of_point, const struct row *row)
+static void put_and_deliver(struct task *task, int is_of_point,
+                            const struct row *row)
 {
     const struct options *o = task->job->options;
     put_row(&task->out, is_of_point ? &o->point_fields : &o->fields, &o->style,
@@ -82,7 +83,7 @@ static void put(struct task *task, int is_of_point, const struct row *row)
 void put_answer(struct task *task, int is_hit)
 {
     if (is_hit || !task->job->options->hits_only)
-        put(task, task->record.is_point, &task->row);
+        put_and_deliver(task, task->record.is_point, &task->row);
 }
 
 /* --------------------------------------------------------- good and bad -- */
@@ -93,10 +94,11 @@ static void mark_bad(struct task *task)
     const struct options *o = task->job->options;
     const struct grammar *g = &o->grammar;
     count_bad(&task->notes);
-    task->stopped = o->bad == BAD_STOP;
+    task->is_stopped = o->bad == BAD_STOP;
     if (o->bad == BAD_MARK)
-        put(task, g->no_lines || (!g->no_points && task->record.is_point),
-            NULL);
+        put_and_deliver(task,
+                        g->no_lines || (!g->no_points && task->record.is_point),
+                        NULL);
 }
 
 static int read_left_out(struct task *task)
@@ -138,7 +140,7 @@ static void answer_text(struct task *task)
     const char *const end = b->text + b->length, *stop;
     task->notes.end = end;
     for (const char *line = b->text;
-         line < end && task->status == ANSWERED && !task->stopped;
+         line < end && task->delivery == DELIVERY_DONE && !task->is_stopped;
          line = stop + 1, task->notes.line++) {
         stop = end_of_line(line, end);
         task->notes.text = line;
@@ -150,16 +152,16 @@ static void answer_text(struct task *task)
     }
 }
 
-static int take_doubles(struct task *task, const char *bytes, size_t size,
-                        size_t left)
+static int read_doubles(struct task *task, const char *bytes, size_t size,
+                        size_t available)
 {
     double numbers[MOST_NUMBERS];
-    if (left < size)
+    if (available < size)
         return refuse(&task->notes, NULL, "the input ends within it");
     for (size_t i = 0; i < size / 8; i++)
         numbers[i] = get_little_endian(bytes + 8 * i);
-    return take_record(&task->job->options->grammar, numbers, &task->record,
-                       &task->notes);
+    return record_of_numbers(&task->job->options->grammar, numbers,
+                             &task->record, &task->notes);
 }
 
 static void answer_doubles(struct task *task)
@@ -167,14 +169,14 @@ static void answer_doubles(struct task *task)
     const struct block *b = &task->block;
     const size_t size = task->job->in.record_size;
     for (size_t at = 0;
-         at < b->length && task->status == ANSWERED && !task->stopped;
+         at < b->length && task->delivery == DELIVERY_DONE && !task->is_stopped;
          at += size)
         answer_or_mark(task,
-                       take_doubles(task, b->text + at, size, b->length - at));
+                       read_doubles(task, b->text + at, size, b->length - at));
 }
 
 /* The end of the input, an input failure and -e stop end the work. */
-static enum answered finish_block(struct task *task)
+static enum delivery finish_block(struct task *task)
 {
     struct job *job = task->job;
     const struct block *b = &task->block;
@@ -182,14 +184,14 @@ static enum answered finish_block(struct task *task)
                  job->in.total);
     if (b->fault[0])
         job->status = complain(EXIT_IO, b->name, "%s", b->fault);
-    return b->length == 0 || task->stopped ? ANSWERED_LAST : ANSWERED;
+    return b->length == 0 || task->is_stopped ? DELIVERY_LAST : DELIVERY_DONE;
 }
 
-enum answered answer_block(struct task *task)
+enum delivery answer_block(struct task *task)
 {
     const struct block *b = &task->block;
-    task->status = ANSWERED;
-    task->stopped = 0;
+    task->delivery = DELIVERY_DONE;
+    task->is_stopped = 0;
     task->row.record = (double)b->record;
     task->notes.record = b->record;
     task->notes.line = b->line;
@@ -199,7 +201,8 @@ enum answered answer_block(struct task *task)
         answer_doubles(task);
     else
         answer_text(task);
-    if (task->status == ANSWERED)
+    if (task->delivery == DELIVERY_DONE)
         deliver(task);
-    return task->status == ANSWERED ? finish_block(task) : task->status;
+    return task->delivery == DELIVERY_DONE ? finish_block(task)
+                                           : task->delivery;
 }

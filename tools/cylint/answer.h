@@ -13,8 +13,8 @@
 #include "report.h"
 
 /* The data shared by all workers.  The first group is constant when they
- * start.  The second is for the worker that reads, the last for the one that
- * writes. */
+ * start.  The second is for the worker that reads, which has locked `reading`; the
+ * third is protected by `order`; the last is for the worker that writes. */
 struct job {
     struct options *options;
     struct scene scene;   /* without -s it has no shapes */
@@ -22,17 +22,18 @@ struct job {
 
     pthread_mutex_t reading;
     struct input in;
-    unsigned long long tickets; /* of the next block */
-    int most, workers;          /* at most; now */
-    struct task *others;        /* of all workers but the first */
+    unsigned long long next_read; /* the ticket of the next block */
+    int most_workers, workers;    /* at most; now */
+    struct task *other_tasks;     /* of all workers but the first */
     /* A pipe, closed when the work ends: this wakes a worker that waits for
      * input.  It is opened before the second worker starts; until then -1. */
-    int ending[2];
+    int end_pipe[2];
 
-    pthread_mutex_t order; /* protects the next two */
+    pthread_mutex_t order;
     pthread_cond_t changed;
-    unsigned long long next; /* the ticket of the block that is written next */
-    int ended;               /* nothing is written any more */
+    unsigned long long
+        next_written; /* the ticket of the block that is written next */
+    int has_ended;    /* nothing is written any more */
 
     struct output out;
     struct report report;
@@ -40,10 +41,11 @@ struct job {
     int status; /* exit status of the work */
 };
 
-enum answered {
-    ANSWERED,      /* the block's ticket is still the next */
-    ANSWERED_LAST, /* the same, and the work ends: see job->status */
-    OVERTAKEN      /* the work ended before its ticket was the next */
+/* Of the answers of a block. */
+enum delivery {
+    DELIVERY_DONE,   /* the block's ticket is still the next */
+    DELIVERY_LAST,   /* the same, and the work ends: see job->status */
+    DELIVERY_REFUSED /* the work ended before its ticket was the next */
 };
 
 /* What a worker does: a block of records, and what changes while they are
@@ -57,8 +59,8 @@ struct task {
 
     struct text out;
     struct notes notes;
-    enum answered status; /* of the last delivery */
-    int stopped;          /* at a bad record, by -e stop */
+    enum delivery delivery; /* the last one */
+    int is_stopped;         /* at a bad record, by -e stop */
 
     struct record record; /* the present record */
     struct left_out left_out;
@@ -72,7 +74,7 @@ void task_free(struct task *task);
 
 /* Answers all records of its block, and delivers the answers in the order of
  * the tickets. */
-enum answered answer_block(struct task *task);
+enum delivery answer_block(struct task *task);
 
 /* Writes the row of the present record's answer. */
 void put_answer(struct task *task, int is_hit);

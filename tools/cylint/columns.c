@@ -10,17 +10,18 @@
 #include "numbers.h"
 
 enum type {
-    REAL,  /* a double */
-    WHOLE, /* a double that is a whole number */
-    WORD,  /* an int: a word, or a whole number */
-    CHORD, /* t1 - t0 */
-    LENGTH,
-    LABEL,
-    SUM /* of the group with the number of the column */
+    TYPE_REAL,  /* a double */
+    TYPE_WHOLE, /* a double that is a whole number */
+    TYPE_WORD,  /* an int: a word, or a whole number */
+    TYPE_CHORD, /* t1 - t0 */
+    TYPE_LENGTH,
+    TYPE_LABEL,
+    TYPE_SUM /* of the group with the number of the column */
 };
 
-/* The row's answer has so many hits if the column has a value. */
-enum needs { ALWAYS = -1, ANSWER, ONE_HIT, TWO_HITS };
+/* The column has a value if the row's answer has at least so many hits; HITS_ANSWER: if
+ * there is an answer. */
+enum hits { HITS_ANY = -1, HITS_ANSWER, HITS_ONE, HITS_TWO };
 
 struct column {
     const char *name;
@@ -28,7 +29,7 @@ struct column {
     enum type type;
     size_t place; /* of the member in a row */
     const char *const *words;
-    enum needs needs;
+    enum hits hits;
     unsigned want;
     const char *about;
 };
@@ -87,68 +88,71 @@ enum {
 /* Columns of the first hit, of the second, and of the only one. */
 #define HITS(name, points, type, member, words, want, about)              \
     {name "0", PAIRS | ALL, type, AT(answer.hit[0].member),               \
-     words,    ONE_HIT,     want, about ", first hit"},                   \
+     words,    HITS_ONE,    want, about ", first hit"},                   \
         {name "1", PAIRS | ALL, type, AT(answer.hit[1].member),           \
-         words,    TWO_HITS,    want, about ", second hit"},              \
+         words,    HITS_TWO,    want, about ", second hit"},              \
     {                                                                     \
         name, NEAREST | FIRST | (points), type, AT(answer.hit[0].member), \
-            words, ONE_HIT, want, about                                   \
+            words, HITS_ONE, want, about                                  \
     }
 
 static const struct column columns[] = {
-    {"relation", PAIRS | NEAREST | ALL, WORD, AT(answer.relation), relations,
-     ANSWER, 0,
+    {"relation", PAIRS | NEAREST | ALL, TYPE_WORD, AT(answer.relation),
+     relations, HITS_ANSWER, 0,
      "miss, touch, along or cross: the whole line and the closed solid"},
-    {"n", PAIRS | ALL, WORD, AT(answer.n), NULL, ANSWER, 0, "number of hits"},
-    {"t0", PAIRS | ALL | PIECES, REAL, AT(answer.hit[0].t), NULL, ONE_HIT,
+    {"n", PAIRS | ALL, TYPE_WORD, AT(answer.n), NULL, HITS_ANSWER, 0,
+     "number of hits"},
+    {"t0", PAIRS | ALL | PIECES, TYPE_REAL, AT(answer.hit[0].t), NULL, HITS_ONE,
      CYLINT_WANT_T, "where on the line, first hit or begin of the piece"},
-    {"t1", PAIRS | ALL | PIECES, REAL, AT(answer.hit[1].t), NULL, TWO_HITS,
+    {"t1", PAIRS | ALL | PIECES, TYPE_REAL, AT(answer.hit[1].t), NULL, HITS_TWO,
      CYLINT_WANT_T, "where on the line, second hit or end of the piece"},
-    {"t", NEAREST | FIRST, REAL, AT(answer.hit[0].t), NULL, ONE_HIT,
+    {"t", NEAREST | FIRST, TYPE_REAL, AT(answer.hit[0].t), NULL, HITS_ONE,
      CYLINT_WANT_T, "where on the line"},
-    {"distance", POINTS, REAL, AT(distance), NULL, ONE_HIT, 0,
+    {"distance", POINTS, TYPE_REAL, AT(distance), NULL, HITS_ONE, 0,
      "of a point from the surface, negative inside the solid"},
-    HITS("part", POINTS, WORD, part, parts, CYLINT_WANT_PART,
+    HITS("part", POINTS, TYPE_WORD, part, parts, CYLINT_WANT_PART,
          "lateral, cap0 or cap1"),
-    {"feature", POINTS, WORD, AT(feature), features, ONE_HIT, CYLINT_WANT_PART,
+    {"feature", POINTS, TYPE_WORD, AT(feature), features, HITS_ONE,
+     CYLINT_WANT_PART,
      "lateral, cap0, cap1, rim0, rim1 or apex: what is nearest"},
-    HITS("side", 0, WORD, side, sides, CYLINT_WANT_PART,
+    HITS("side", 0, TYPE_WORD, side, sides, CYLINT_WANT_PART,
          "entering, leaving or both"),
-    HITS("x", POINTS, REAL, point[0], NULL, CYLINT_WANT_POINT,
+    HITS("x", POINTS, TYPE_REAL, point[0], NULL, CYLINT_WANT_POINT,
          "x of the point"),
-    HITS("y", POINTS, REAL, point[1], NULL, CYLINT_WANT_POINT,
+    HITS("y", POINTS, TYPE_REAL, point[1], NULL, CYLINT_WANT_POINT,
          "y of the point"),
-    HITS("z", POINTS, REAL, point[2], NULL, CYLINT_WANT_POINT,
+    HITS("z", POINTS, TYPE_REAL, point[2], NULL, CYLINT_WANT_POINT,
          "z of the point"),
-    HITS("nx", POINTS, REAL, normal[0], NULL, CYLINT_WANT_NORMAL,
+    HITS("nx", POINTS, TYPE_REAL, normal[0], NULL, CYLINT_WANT_NORMAL,
          "x of the outward unit normal"),
-    HITS("ny", POINTS, REAL, normal[1], NULL, CYLINT_WANT_NORMAL,
+    HITS("ny", POINTS, TYPE_REAL, normal[1], NULL, CYLINT_WANT_NORMAL,
          "y of the outward unit normal"),
-    HITS("nz", POINTS, REAL, normal[2], NULL, CYLINT_WANT_NORMAL,
+    HITS("nz", POINTS, TYPE_REAL, normal[2], NULL, CYLINT_WANT_NORMAL,
          "z of the outward unit normal"),
-    HITS("h", 0, REAL, z, NULL, CYLINT_WANT_Z,
+    HITS("h", 0, TYPE_REAL, z, NULL, CYLINT_WANT_Z,
          "axial coordinate, 0 at the base, 1 at the top"),
-    HITS("phi", 0, REAL, phi, NULL, CYLINT_WANT_PHI,
+    HITS("phi", 0, TYPE_REAL, phi, NULL, CYLINT_WANT_PHI,
          "angle about the axis over 2 pi, in [0,1)"),
-    {"chord", PAIRS | ALL, CHORD, 0, NULL, TWO_HITS, CYLINT_WANT_T, "t1 - t0"},
-    {"shape", OF_SHAPES, WHOLE, AT(shape), NULL, ALWAYS, 0,
+    {"chord", PAIRS | ALL, TYPE_CHORD, 0, NULL, HITS_TWO, CYLINT_WANT_T,
+     "t1 - t0"},
+    {"shape", OF_SHAPES, TYPE_WHOLE, AT(shape), NULL, HITS_ANY, 0,
      "number of the shape in the scene, from 1; 0 for none"},
-    {"label", OF_SHAPES, LABEL, 0, NULL, ALWAYS, 0,
+    {"label", OF_SHAPES, TYPE_LABEL, 0, NULL, HITS_ANY, 0,
      "the tail of the shape's line in the scene"},
-    {"depth", PIECES | OF_POINTS(INSIDE), WHOLE, AT(depth), NULL, ALWAYS, 0,
-     "number of solids that contain the piece or the point"},
-    {"length", PIECES, LENGTH, 0, NULL, ALWAYS, 0,
+    {"depth", PIECES | OF_POINTS(INSIDE), TYPE_WHOLE, AT(depth), NULL, HITS_ANY,
+     0, "number of solids that contain the piece or the point"},
+    {"length", PIECES, TYPE_LENGTH, 0, NULL, HITS_ANY, 0,
      "t1 - t0, times the length of the direction"},
-    {"any", ANY | OF_POINTS(ANY), WHOLE, AT(count), NULL, ALWAYS, 0,
+    {"any", ANY | OF_POINTS(ANY), TYPE_WHOLE, AT(count), NULL, HITS_ANY, 0,
      "1 if a shape is hit or within the radius, else 0"},
-    {"count", COUNT | OF_POINTS(COUNT | INSIDE), WHOLE, AT(count), NULL, ALWAYS,
-     0,
+    {"count", COUNT | OF_POINTS(COUNT | INSIDE), TYPE_WHOLE, AT(count), NULL,
+     HITS_ANY, 0,
      "number of shapes that are hit, are within the radius or hold the point"},
-    {"id", EVERY, WHOLE, AT(record), NULL, ALWAYS, 0,
+    {"id", EVERY, TYPE_WHOLE, AT(record), NULL, HITS_ANY, 0,
      "number of the record, from 1"},
-    {"record", ALL | PIECES | OF_POINTS(ALL), WHOLE, AT(record), NULL, ALWAYS,
-     0, "the same as id"},
-    {NULL, 0, REAL, 0, NULL, ALWAYS, 0, NULL}};
+    {"record", ALL | PIECES | OF_POINTS(ALL), TYPE_WHOLE, AT(record), NULL,
+     HITS_ANY, 0, "the same as id"},
+    {NULL, 0, TYPE_REAL, 0, NULL, HITS_ANY, 0, NULL}};
 
 /* -------------------------------------------------------------- choosing -- */
 
@@ -168,15 +172,15 @@ const char *similar_field(struct string name, int query)
 
 static void add_field(struct fields *fields, const struct column *c, int query)
 {
-    const int is_member = c->type == WHOLE;
-    const int is_count = is_member && c->place == AT(count);
+    const int is_whole = c->type == TYPE_WHOLE;
+    const int is_count = is_whole && c->place == AT(count);
     fields->column[fields->count++] = c;
     fields->want |= c->want;
-    fields->labels += c->type == LABEL;
-    fields->counts |= is_count;
-    fields->solids |= query == QUERY_INSIDE + QUERIES && !is_count &&
-                      !(is_member && c->place == AT(record));
-    if (c->needs == TWO_HITS || (c->words == NULL && c->type == WORD))
+    fields->label_count += c->type == TYPE_LABEL;
+    fields->has_count |= is_count;
+    fields->has_solids |= query == QUERY_INSIDE + QUERIES && !is_count &&
+                          !(is_whole && c->place == AT(record));
+    if (c->hits == HITS_TWO || (c->words == NULL && c->type == TYPE_WORD))
         fields->want &= ~(unsigned)CYLINT_WANT_NEAREST;
 }
 
@@ -226,7 +230,7 @@ static double member_of(const struct column *c, const struct row *row)
     const char *at = (const char *)row + c->place;
     double value;
     int word;
-    if (c->type == WORD) {
+    if (c->type == TYPE_WORD) {
         memcpy(&word, at, sizeof word);
         return word;
     }
@@ -238,23 +242,23 @@ static double member_of(const struct column *c, const struct row *row)
 static double value_of(const struct column *c, size_t i, const struct row *row)
 {
     const cylint_hit *hit = row->answer.hit;
-    return c->type == CHORD    ? hit[1].t - hit[0].t
-           : c->type == LENGTH ? (hit[1].t - hit[0].t) * row->unit
-           : c->type == SUM    ? row->sums[i]
-                               : member_of(c, row);
+    return c->type == TYPE_CHORD    ? hit[1].t - hit[0].t
+           : c->type == TYPE_LENGTH ? (hit[1].t - hit[0].t) * row->unit
+           : c->type == TYPE_SUM    ? row->sums[i]
+                                    : member_of(c, row);
 }
 
 static const struct column *column_at(const struct fields *fields, size_t i)
 {
-    static const struct column sum = {"total", 0,      SUM, 0,
-                                      NULL,    ALWAYS, 0,   NULL};
+    static const struct column sum = {"total", 0,        TYPE_SUM, 0,
+                                      NULL,    HITS_ANY, 0,        NULL};
     return fields->sums ? &sum : fields->column[i];
 }
 
 static int is_missing(const struct column *c, const struct row *row)
 {
-    return !row || row->answer.n < (int)c->needs ||
-           (c->type == LABEL && row->label.length == 0);
+    return !row || row->answer.n < (int)c->hits ||
+           (c->type == TYPE_LABEL && row->label.length == 0);
 }
 
 static void put_missing(struct text *out, const struct style *style,
@@ -267,12 +271,12 @@ static void put_field(struct text *out, const struct style *style,
                       const struct column *c, size_t i, const struct row *row)
 {
     if (is_missing(c, row))
-        put_missing(out, style, c->words || c->type == LABEL);
-    else if (c->type == LABEL)
+        put_missing(out, style, c->words || c->type == TYPE_LABEL);
+    else if (c->type == TYPE_LABEL)
         put_string(out, row->label);
     else if (c->words)
         put_word(out, c->words[(int)value_of(c, i, row)]);
-    else if (c->type == WHOLE || c->type == WORD)
+    else if (c->type == TYPE_WHOLE || c->type == TYPE_WORD)
         put_whole(out, (unsigned long long)value_of(c, i, row));
     else
         out->length += cylint_write_number(out->data + out->length,
@@ -345,6 +349,6 @@ size_t row_capacity(const struct fields *fields, const struct style *style,
     const size_t missing = style->missing ? strlen(style->missing) : 0;
     const size_t widest = missing > NUMBER_CAPACITY ? missing : NUMBER_CAPACITY;
     return (fields->count + 1) * (widest + 1) +
-           (size_t)fields->labels * longest_label +
+           (size_t)fields->label_count * longest_label +
            (fields->sums ? fields->sums->names.texts.length : 0);
 }

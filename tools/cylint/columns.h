@@ -43,11 +43,11 @@ struct fields {
     const struct column *column[MOST_FIELDS];
     size_t count;
     const struct groups
-        *sums;     /* of --sum: in place of column[], a sum of each */
-    int labels;    /* number of columns that are labels */
-    int counts;    /* whether a column is a count */
-    int solids;    /* of solids that hold a point */
-    unsigned want; /* for cylint_intersect() or cylint_distance() */
+        *sums;       /* of --sum: in place of column[], a sum of each */
+    int label_count; /* of columns that are labels */
+    int has_count;   /* a column is a count */
+    int has_solids;  /* a column is about the solids that hold a point */
+    unsigned want;   /* for cylint_intersect() or cylint_distance() */
 };
 
 /* How rows look. */

@@ -452,8 +452,8 @@ int read_record(const struct grammar *g, const char *text, const char *end,
     return 0;
 }
 
-int take_record(const struct grammar *g, const double *numbers,
-                struct record *record, struct notes *notes)
+int record_of_numbers(const struct grammar *g, const double *numbers,
+                      struct record *record, struct notes *notes)
 {
     cylint_status status = CYLINT_OK;
     record->tail.length = record->words.length = 0;

@@ -95,8 +95,8 @@ int numbers_of_record(const struct grammar *g);
 /* [text, end) is one line without its line feed; *end must be readable. */
 int read_record(const struct grammar *g, const char *text, const char *end,
                 struct record *record, struct notes *notes);
-int take_record(const struct grammar *g, const double *numbers,
-                struct record *record, struct notes *notes);
+int record_of_numbers(const struct grammar *g, const double *numbers,
+                      struct record *record, struct notes *notes);
 
 /* -------------------------------------------------------------- fields -- */
 

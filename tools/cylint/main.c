@@ -13,8 +13,8 @@ const char *const program = "cylint";
 
 static int needs_labels(const struct options *o)
 {
-    return (!o->grammar.no_lines && o->fields.labels > 0) ||
-           (!o->grammar.no_points && o->point_fields.labels > 0) ||
+    return (!o->grammar.no_lines && o->fields.label_count > 0) ||
+           (!o->grammar.no_points && o->point_fields.label_count > 0) ||
            o->not_label || o->rank || o->sum;
 }
 

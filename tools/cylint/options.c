@@ -360,7 +360,7 @@ static int settle_fields(struct options *o)
         g->no_lines = "the columns of -f are those of points";
     if (point_bad && !g->no_points)
         g->no_points = "the columns of -f are those of lines";
-    if (o->point_fields.solids)
+    if (o->point_fields.has_solids)
         g->no_left_out = "depth, shape and label leave out no shapes";
     /* A header and rows of doubles have one set of columns. */
     if ((o->header || o->style.binary) && !g->no_lines && !g->no_points)
@@ -383,7 +383,7 @@ static int settle_binary(struct options *o)
         {in && o->grammar.line == NOT_GIVEN,
          "binary input needs the kinds, -k LINE"},
         {out && o->header, "--header: binary output has no header"},
-        {out && options_fields(o)->labels > 0,
+        {out && options_fields(o)->label_count > 0,
          "-f label: binary output has numbers only"},
         {out && o->style.missing,
          "--miss: in binary output a missing value is NaN"},

@@ -29,7 +29,7 @@ static int is_left_out(const struct task *task, size_t shape)
 /* ------------------------------------------------------------ one shape -- */
 
 /* part is -1 only if there is no surface. */
-static void measure(struct task *task, const cylint_shape *shape)
+static void measure_point(struct task *task, const cylint_shape *shape)
 {
     struct row *row = &task->row;
     cylint_closest closest = {.part = 0};
@@ -45,8 +45,8 @@ static void measure(struct task *task, const cylint_shape *shape)
 
 /* Returns EXIT_BAD and writes a note if the method does not support the shape.
  * number: of the shape, from 1; 0: it is in the record. */
-static int solve(struct task *task, const cylint_shape *shape, size_t number,
-                 unsigned want, cylint_answer *answer)
+static int intersect_shape(struct task *task, const cylint_shape *shape,
+                           size_t number, unsigned want, cylint_answer *answer)
 {
     const cylint_method *method = task->job->options->method;
     char where[48] = "";
@@ -65,11 +65,11 @@ static int solve(struct task *task, const cylint_shape *shape, size_t number,
 }
 
 /* If a column needs it, sets the row's label to that of its shape. */
-static void find_label(struct task *task)
+static void set_label(struct task *task)
 {
     struct row *row = &task->row;
     row->label.length = 0;
-    if (fields_of(task)->labels > 0 && row->shape > 0)
+    if (fields_of(task)->label_count > 0 && row->shape > 0)
         row->label =
             labels_get(&task->job->scene.labels, (size_t)row->shape - 1);
 }
@@ -83,12 +83,12 @@ static void put_shape(struct task *task, size_t number)
     if (number > 0) {
         cylint_scene_shape(task->job->scene.shapes, number - 1, &shape);
         if (task->record.is_point)
-            measure(task, &shape);
+            measure_point(task, &shape);
         else
-            solve(task, &shape, number, fields_of(task)->want,
-                  &task->row.answer);
+            intersect_shape(task, &shape, number, fields_of(task)->want,
+                            &task->row.answer);
     }
-    find_label(task);
+    set_label(task);
     put_answer(task, number > 0);
 }
 
@@ -96,9 +96,9 @@ static int answer_pair(struct task *task)
 {
     const struct record *r = &task->record;
     if (r->is_point)
-        measure(task, &r->shape);
-    else if (solve(task, &r->shape, 0, fields_of(task)->want,
-                   &task->row.answer))
+        measure_point(task, &r->shape);
+    else if (intersect_shape(task, &r->shape, 0, fields_of(task)->want,
+                             &task->row.answer))
         return EXIT_BAD;
     put_answer(task, r->is_point || task->row.answer.n > 0);
     return 0;
@@ -110,8 +110,8 @@ static int answer_pair(struct task *task)
  * finds. */
 struct search {
     struct task *task;
-    /* Takes one of them; key: t or distance.  Returns as cylint_scene_hit(). */
-    double (*take)(struct search *search, size_t number, double key);
+    /* Handles one of them; key: t or distance.  Returns as cylint_scene_hit(). */
+    double (*handle_shape)(struct search *search, size_t number, double key);
     size_t shape; /* the one with the least key, from 1; 0: none */
     double least;
     size_t count, most; /* most: the visit ends; 0: it does not */
@@ -138,27 +138,31 @@ static double put_one(struct search *s, size_t number, double key)
 {
     (void)key;
     put_shape(s->task, number + 1);
-    return s->task->status == ANSWERED ? HUGE_VAL : (double)NAN;
+    return s->task->delivery == DELIVERY_DONE ? HUGE_VAL : (double)NAN;
 }
 
-static double take(struct search *s, size_t number, double key)
+/* A shape that the record leaves out does not change the reach of the visit. */
+static double handle_if_not_left_out(struct search *s, size_t number,
+                                     double key)
 {
     if (!is_left_out(s->task, number))
-        return s->take(s, number, key);
+        return s->handle_shape(s, number, key);
     return s->shape > 0 ? s->least : HUGE_VAL;
 }
 
-static double take_hit(void *search, size_t number, const cylint_hit *hit)
+static double handle_hit(void *search, size_t number, const cylint_hit *hit)
 {
-    return take(search, number, hit ? hit->t : 0);
+    return handle_if_not_left_out(search, number, hit ? hit->t : 0);
 }
 
-static double take_near(void *search, size_t number, double distance, int flags)
+static double handle_near(void *search, size_t number, double distance,
+                          int flags)
 {
     const struct search *s = search;
     (void)flags;
-    return take(search, number,
-                s->task->job->options->signed_flag ? distance : fabs(distance));
+    return handle_if_not_left_out(
+        search, number,
+        s->task->job->options->signed_flag ? distance : fabs(distance));
 }
 
 static int is_one_by_one(const struct task *task)
@@ -176,9 +180,11 @@ static int visit_one_by_one(struct search *s, unsigned want)
         if (is_left_out(s->task, i))
             continue;
         cylint_scene_shape(scene->shapes, i, &shape);
-        if (solve(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST, &answer))
+        if (intersect_shape(s->task, &shape, i + 1, want | CYLINT_WANT_NEAREST,
+                            &answer))
             return EXIT_BAD;
-        if (answer.n > 0 && isnan(take_hit(s, i, want ? &answer.hit[0] : NULL)))
+        if (answer.n > 0 &&
+            isnan(handle_hit(s, i, want ? &answer.hit[0] : NULL)))
             break;
     }
     return 0;
@@ -186,7 +192,7 @@ static int visit_one_by_one(struct search *s, unsigned want)
 
 /* want: of the hits' members.  Returns EXIT_BAD and writes a note if the method
  * does not support a shape. */
-static int visit(struct search *s, unsigned want)
+static int visit_shapes(struct search *s, unsigned want)
 {
     const struct record *r = &s->task->record;
     const struct options *o = s->task->job->options;
@@ -195,16 +201,16 @@ static int visit(struct search *s, unsigned want)
         return visit_one_by_one(s, want);
     if (r->is_point)
         cylint_scene_visit_point(scene, r->point, o->radius, o->signed_flag,
-                                 take_near, s);
+                                 handle_near, s);
     else
-        cylint_scene_visit(scene, &r->line, want, take_hit, s);
+        cylint_scene_visit(scene, &r->line, want, handle_hit, s);
     return 0;
 }
 
 static int answer_nearest(struct task *task)
 {
-    struct search s = {.task = task, .take = keep_nearest};
-    if (visit(&s, CYLINT_WANT_T))
+    struct search s = {.task = task, .handle_shape = keep_nearest};
+    if (visit_shapes(&s, CYLINT_WANT_T))
         return EXIT_BAD;
     put_shape(task, s.shape);
     return 0;
@@ -215,10 +221,10 @@ static int answer_count(struct task *task)
 {
     const struct record *r = &task->record;
     const size_t most = task->job->options->query == QUERY_ANY;
-    struct search s = {.task = task, .take = count_one, .most = most};
+    struct search s = {.task = task, .handle_shape = count_one, .most = most};
     if (!r->is_point && !is_one_by_one(task) && task->left_out.count == 0)
         s.count = cylint_scene_count(task->job->scene.shapes, &r->line, most);
-    else if (visit(&s, 0))
+    else if (visit_shapes(&s, 0))
         return EXIT_BAD;
     task->row.count = (double)s.count;
     put_answer(task, s.count > 0);
@@ -231,11 +237,11 @@ enum { FOUND_AT_ONCE = 256 };
  * record has no partial answer. */
 static int answer_all_one_by_one(struct task *task)
 {
-    struct search s = {.task = task, .take = count_one};
-    if (visit(&s, 0))
+    struct search s = {.task = task, .handle_shape = count_one};
+    if (visit_shapes(&s, 0))
         return EXIT_BAD;
-    s.take = put_one;
-    return visit(&s, 0);
+    s.handle_shape = put_one;
+    return visit_shapes(&s, 0);
 }
 
 static int answer_all(struct task *task)
@@ -252,11 +258,11 @@ static int answer_all(struct task *task)
                                                   NULL, FOUND_AT_ONCE)
                             : cylint_scene_all(scene, &r->line, first, number,
                                                FOUND_AT_ONCE);
-        for (size_t i = 0; i < found && task->status == ANSWERED; i++)
+        for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++)
             if (!is_left_out(task, number[i]))
                 put_shape(task, number[i] + 1);
         first = found > 0 ? number[found - 1] + 1 : 0;
-    } while (found == FOUND_AT_ONCE && task->status == ANSWERED);
+    } while (found == FOUND_AT_ONCE && task->delivery == DELIVERY_DONE);
     return 0;
 }
 
@@ -266,7 +272,7 @@ static int answer_all(struct task *task)
 static void set_owner(struct task *task, size_t number)
 {
     task->row.shape = number < task->job->scene.count ? (double)number + 1 : 0;
-    find_label(task);
+    set_label(task);
 }
 
 static int answer_first(struct task *task)
@@ -324,7 +330,7 @@ static int answer_pieces(struct task *task)
         return end_without_memory(task);
     row->answer.n = 2;
     row->unit = cylint_line_length(&task->record.line);
-    for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
+    for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++) {
         const cylint_piece *piece = &task->pieces.piece[i];
         row->answer.hit[0].t = piece->t0;
         row->answer.hit[1].t = piece->t1;
@@ -340,12 +346,12 @@ static int answer_inside(struct task *task)
 {
     const struct fields *fields = fields_of(task);
     const struct job *job = task->job;
-    struct search s = {.task = task, .take = count_one};
+    struct search s = {.task = task, .handle_shape = count_one};
     size_t owner = job->scene.count, depth = 0;
-    if (fields->counts)
+    if (fields->has_count)
         cylint_scene_visit_point(job->scene.shapes, task->record.point, 0,
-                                 CYLINT_SIGNED, take_near, &s);
-    if (fields->solids)
+                                 CYLINT_SIGNED, handle_near, &s);
+    if (fields->has_solids)
         depth = depth_of_point(job->scene.shapes, task->record.point,
                                job->groups.rank, &owner, &task->pieces);
     if (depth == CYLINT_NO_ROOM)

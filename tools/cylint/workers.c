@@ -18,9 +18,9 @@
 int wait_for_turn(struct job *job, unsigned long long ticket)
 {
     pthread_mutex_lock(&job->order);
-    while (!job->ended && job->next != ticket)
+    while (!job->has_ended && job->next_written != ticket)
         pthread_cond_wait(&job->changed, &job->order);
-    const int is_mine = !job->ended;
+    const int is_mine = !job->has_ended;
     pthread_mutex_unlock(&job->order);
     return is_mine;
 }
@@ -29,8 +29,8 @@ int wait_for_turn(struct job *job, unsigned long long ticket)
 static void pass_turn(struct job *job, int ends)
 {
     pthread_mutex_lock(&job->order);
-    job->next++;
-    job->ended = ends;
+    job->next_written++;
+    job->has_ended = ends;
     pthread_cond_broadcast(&job->changed);
     pthread_mutex_unlock(&job->order);
 }
@@ -38,7 +38,7 @@ static void pass_turn(struct job *job, int ends)
 static int has_ended(struct job *job)
 {
     pthread_mutex_lock(&job->order);
-    const int ended = job->ended;
+    const int ended = job->has_ended;
     pthread_mutex_unlock(&job->order);
     return ended;
 }
@@ -47,29 +47,30 @@ static int has_ended(struct job *job)
 
 static void *work(void *task);
 
-static int has_ending(struct job *job)
+/* Opens the pipe, unless that was done.  Returns 0 if there are no descriptors. */
+static int open_end_pipe(struct job *job)
 {
-    if (job->ending[0] < 0 && pipe(job->ending) == 0) {
-        fcntl(job->ending[0], F_SETFD, FD_CLOEXEC);
-        fcntl(job->ending[1], F_SETFD, FD_CLOEXEC);
-        job->in.end_fd = job->ending[0];
+    if (job->end_pipe[0] < 0 && pipe(job->end_pipe) == 0) {
+        fcntl(job->end_pipe[0], F_SETFD, FD_CLOEXEC);
+        fcntl(job->end_pipe[1], F_SETFD, FD_CLOEXEC);
+        job->in.end_fd = job->end_pipe[0];
     }
-    return job->ending[0] >= 0;
+    return job->end_pipe[0] >= 0;
 }
 
 /* If memory, threads or descriptors are short, the present workers continue. */
 static void start_worker(struct job *job)
 {
-    struct task *task = has_ending(job) ? task_make(job) : NULL;
+    struct task *task = open_end_pipe(job) ? task_make(job) : NULL;
     if (task && cylint_thread_start(&task->thread, work, task)) {
-        task->next = job->others;
-        job->others = task;
+        task->next = job->other_tasks;
+        job->other_tasks = task;
         job->workers++;
         return;
     }
     if (task)
         task_free(task);
-    job->most = job->workers;
+    job->most_workers = job->workers;
 }
 
 /* Reads a block and gives it a ticket.  Returns 0 if the work has ended. */
@@ -80,15 +81,15 @@ static int read_block(struct task *task)
     const int ended = has_ended(job);
     if (!ended) {
         input_read(&job->in, &task->block);
-        task->ticket = job->tickets++;
-        if (task->block.is_full && job->workers < job->most)
+        task->ticket = job->next_read++;
+        if (task->block.is_full && job->workers < job->most_workers)
             start_worker(job);
     }
     pthread_mutex_unlock(&job->reading);
     return !ended;
 }
 
-static void close_end(int fd)
+static void close_pipe_end(int fd)
 {
     if (fd >= 0)
         close(fd);
@@ -99,11 +100,11 @@ static void *work(void *context)
     struct task *task = context;
     struct job *job = task->job;
     while (read_block(task)) {
-        const enum answered status = answer_block(task);
-        if (status != OVERTAKEN)
-            pass_turn(job, status == ANSWERED_LAST);
-        if (status == ANSWERED_LAST)
-            close_end(job->ending[1]);
+        const enum delivery status = answer_block(task);
+        if (status != DELIVERY_REFUSED)
+            pass_turn(job, status == DELIVERY_LAST);
+        if (status == DELIVERY_LAST)
+            close_pipe_end(job->end_pipe[1]);
     }
     return NULL;
 }
@@ -112,7 +113,7 @@ static void *work(void *context)
 static void join_workers(struct job *job)
 {
     pthread_mutex_lock(&job->reading);
-    struct task *task = job->others;
+    struct task *task = job->other_tasks;
     pthread_mutex_unlock(&job->reading);
     while (task) {
         struct task *next = task->next;
@@ -120,10 +121,10 @@ static void join_workers(struct job *job)
         task_free(task);
         task = next;
     }
-    close_end(job->ending[0]);
+    close_pipe_end(job->end_pipe[0]);
 }
 
-static int put_first_line(struct task *task)
+static int write_header(struct task *task)
 {
     struct job *job = task->job;
     const struct options *o = job->options;
@@ -136,12 +137,12 @@ static int put_first_line(struct task *task)
 int workers_run(struct job *job, int most)
 {
     struct task *first = task_make(job);
-    job->most = most;
+    job->most_workers = most;
     job->workers = 1;
-    job->ending[0] = job->ending[1] = -1;
+    job->end_pipe[0] = job->end_pipe[1] = -1;
     if (!first)
         return out_of_memory();
-    job->status = job->options->header ? put_first_line(first) : 0;
+    job->status = job->options->header ? write_header(first) : 0;
     if (job->status == 0) {
         work(first);
         join_workers(job);
