@@ -94,8 +94,8 @@ static void mark_bad(struct task *task)
     const struct options *o = task->job->options;
     const struct grammar *g = &o->grammar;
     count_bad(&task->notes);
-    task->is_stopped = o->bad == BAD_STOP;
-    if (o->bad == BAD_MARK)
+    task->is_stopped = o->bad_policy == BAD_STOP;
+    if (o->bad_policy == BAD_MARK)
         put_and_deliver(task,
                         g->no_lines || (!g->no_points && task->record.is_point),
                         NULL);
@@ -147,7 +147,7 @@ static void answer_text(struct task *task)
         if (is_record(line, stop))
             answer_or_mark(task, read_record(&o->grammar, line, stop,
                                              &task->record, &task->notes));
-        else if (o->comments)
+        else if (o->copies_comments)
             copy_comment(task, line, stop);
     }
 }

@@ -110,7 +110,7 @@ const char *read_bound(const char *p, double *bound)
 
 /* The arguments, the position in them, and where their values go. */
 struct arguments {
-    const struct option *known;
+    const struct option *table;
     char **argv;
     int count, next;
     void *options;
@@ -120,7 +120,7 @@ struct arguments {
 static int set(struct arguments *args, const struct option *o,
                const char *value)
 {
-    *args->given |= 1ULL << (o - args->known);
+    *args->given |= 1ULL << (o - args->table);
     return o->read(o, value, (char *)args->options + o->place);
 }
 
@@ -133,13 +133,13 @@ static int set_next(struct arguments *args, const struct option *o)
 }
 
 /* Suggests long options: one letter is too short. */
-static int refuse_option(const struct option *known, const char *dashes,
+static int refuse_option(const struct option *table, const char *dashes,
                          struct string name)
 {
-    struct similar similar = similar_to(name);
+    struct similar similar = similar_begin(name);
     char text[SHOWN_CAPACITY];
     const char *shown = escape(text, name, VALUE_MOST);
-    for (const struct option *o = known; o->name; o++)
+    for (const struct option *o = table; o->name; o++)
         if (o->name[1])
             similar_try(&similar, o->name);
     return similar.word ? usage("unknown option '%s%s'; did you mean --%s?",
@@ -152,10 +152,10 @@ static int take_long(struct arguments *args, const char *text)
     const struct string name = between(text, text + strcspn(text, "="));
     const char *value = *end_of(name) == '=' ? end_of(name) + 1 : NULL;
     const int i =
-        name.length > 1 ? find_word(WORDS(args->known), name) : NOT_GIVEN;
+        name.length > 1 ? find_word(WORDS(args->table), name) : NOT_GIVEN;
     if (i == NOT_GIVEN)
-        return refuse_option(args->known, "--", name);
-    const struct option *o = &args->known[i];
+        return refuse_option(args->table, "--", name);
+    const struct option *o = &args->table[i];
     if (!o->value && value)
         return usage("--%s takes no value", o->name);
     return o->value && !value ? set_next(args, o) : set(args, o, value);
@@ -166,10 +166,10 @@ static int take_short(struct arguments *args, const char *letters)
     int status = 0;
     for (const char *p = letters; *p && status == 0; p++) {
         const struct string letter = between(p, p + 1);
-        const int i = find_word(WORDS(args->known), letter);
-        const struct option *o = &args->known[i == NOT_GIVEN ? 0 : i];
+        const int i = find_word(WORDS(args->table), letter);
+        const struct option *o = &args->table[i == NOT_GIVEN ? 0 : i];
         if (i == NOT_GIVEN)
-            return refuse_option(args->known, "-",
+            return refuse_option(args->table, "-",
                                  p == letters ? string_of(p) : letter);
         if (o->value)
             return p[1] ? set(args, o, p + 1) : set_next(args, o);
@@ -178,10 +178,10 @@ static int take_short(struct arguments *args, const char *letters)
     return status;
 }
 
-int take_arguments(const struct option *known, int argc, char **argv,
+int take_arguments(const struct option *table, int argc, char **argv,
                    void *options, int *files, unsigned long long *given)
 {
-    struct arguments args = {known, argv, argc, argc > 0, options, given};
+    struct arguments args = {table, argv, argc, argc > 0, options, given};
     int only_files = 0, status = 0;
     *files = 0;
     while (status == 0 && args.next < args.count) {
@@ -198,10 +198,10 @@ int take_arguments(const struct option *known, int argc, char **argv,
     return status;
 }
 
-int was_given(const struct option *known, unsigned long long given,
+int was_given(const struct option *table, unsigned long long given,
               const char *name)
 {
-    return given >> find_word(WORDS(known), string_of(name)) & 1;
+    return given >> find_word(WORDS(table), string_of(name)) & 1;
 }
 
 /* ----------------------------------------------------------------- help -- */
@@ -221,10 +221,10 @@ static void print_help(int column, const char *help)
     }
 }
 
-void print_options(const struct option *known)
+void print_options(const struct option *table)
 {
     int column = 0;
-    for (const struct option *o = known; o->name; o++) {
+    for (const struct option *o = table; o->name; o++) {
         column +=
             printf("%s%s%s", column > 0 ? ", " : "  ", dashes_of(o), o->name);
         if (o->value)

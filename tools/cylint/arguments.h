@@ -41,8 +41,8 @@ option_reader read_about; /* a const char *, the word or the option's name */
 
 /* Prints a message and a hint to --help.  Returns EXIT_USAGE. */
 int usage(const char *format, ...) LIKE_PRINTF(1, 2);
-/* The same for a wrong value.  `meant` is the known word nearest to it, or
- * NULL. */
+/* The same for a wrong value.  `meant` is the word nearest to it that is
+ * right, or NULL. */
 int usage_value(const struct option *o, const char *value, const char *expected,
                 const char *meant);
 
@@ -57,16 +57,16 @@ const char *read_bound(const char *p, double *bound);
 
 /* Reads argv[1..argc) into *options, moves the files to the front of argv
  * and their number to *files, and adds a bit to *given for each option by
- * its index.  The last name in `known` is NULL.  Returns 0 or EXIT_USAGE. */
-int take_arguments(const struct option *known, int argc, char **argv,
+ * its index.  The last name in `table` is NULL.  Returns 0 or EXIT_USAGE. */
+int take_arguments(const struct option *table, int argc, char **argv,
                    void *options, int *files, unsigned long long *given);
 
 /* Whether the option with this name is one of those. */
-int was_given(const struct option *known, unsigned long long given,
+int was_given(const struct option *table, unsigned long long given,
               const char *name);
 
 /* Prints the lines of the options in --help. */
-void print_options(const struct option *known);
+void print_options(const struct option *table);
 
 /* Returns 0, or EXIT_IO after a message if standard output did not take all. */
 int end_printing(void);

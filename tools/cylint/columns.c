@@ -163,7 +163,7 @@ static int has_query(const struct column *c, int query)
 
 const char *similar_field(struct string name, int query)
 {
-    struct similar similar = similar_to(name);
+    struct similar similar = similar_begin(name);
     for (const struct column *c = columns; c->name; c++)
         if (has_query(c, query))
             similar_try(&similar, c->name);
@@ -285,7 +285,7 @@ static void put_field(struct text *out, const struct style *style,
 
 static void put_separator(struct text *out, const struct style *style, size_t i)
 {
-    if (i > 0 && !style->binary)
+    if (i > 0 && !style->is_binary)
         put_char(out, style->separator);
 }
 
@@ -293,7 +293,7 @@ static void put_separator(struct text *out, const struct style *style, size_t i)
 static void end_row(struct text *out, const struct style *style,
                     const struct row *row)
 {
-    if (style->binary)
+    if (style->is_binary)
         return;
     if (row && row->tail.length > 0) {
         put_char(out, style->separator);
@@ -308,7 +308,7 @@ void put_row(struct text *out, const struct fields *fields,
     for (size_t i = 0; i < fields->count; i++) {
         const struct column *c = column_at(fields, i);
         put_separator(out, style, i);
-        if (style->binary)
+        if (style->is_binary)
             put_little_endian(out,
                               is_missing(c, row) ? NAN : value_of(c, i, row));
         else if (!row && i == 0)

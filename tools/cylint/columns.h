@@ -52,7 +52,7 @@ struct fields {
 
 /* How rows look. */
 struct style {
-    int binary;
+    int is_binary;
     int digits; /* see cylint_write_number() */
     char separator;
     const char *missing; /* NULL: nan for a number, - for a word */

@@ -220,9 +220,9 @@ static int refuse_status(struct reader *r, const char *at, int has_word,
     if (status != CYLINT_ERADIUS && status != CYLINT_EANGLE &&
         status != CYLINT_EDOMAIN)
         return refuse(r->notes, at, "%s", what);
-    const int second = v[k->checked[0]] >= 0 && v[k->checked[1]] < 0;
+    const int is_second = v[k->checked[0]] >= 0 && v[k->checked[1]] < 0;
     r->p = at;
-    for (int i = k->checked[second] + has_word; i > 0; i--)
+    for (int i = k->checked[is_second] + has_word; i > 0; i--)
         skip_field(r);
     return refuse_field(r, what);
 }
@@ -323,14 +323,14 @@ static int has_surplus(struct reader *r, const struct grammar *g)
     const int is_bare = g->line != NOT_GIVEN &&
                         (!g->has_shape || g->shape != NOT_GIVEN) &&
                         !r->has_word;
-    const int more = is_bare ? count_numbers(*r) : 0;
-    if (more == 0)
+    const int surplus = is_bare ? count_numbers(*r) : 0;
+    if (surplus == 0)
         return 0;
     const char *line = line_kinds[g->line].word;
     const char *shape = g->has_shape ? shape_kinds[g->shape].word : "";
     const int numbers = numbers_of_record(g);
     refuse(r->notes, r->p, "%d numbers where %s %s%s%s%s%s %s %d",
-           numbers + more, article(line), line, *shape ? " and " : "",
+           numbers + surplus, article(line), line, *shape ? " and " : "",
            *shape ? article(shape) : "", *shape ? " " : "", shape,
            *shape ? "have" : "has", numbers);
     return 1;
@@ -338,8 +338,8 @@ static int has_surplus(struct reader *r, const struct grammar *g)
 
 /* The begin of this word, which ends at `equals`, if a field of the tail other than
  * the first begins with it; else NULL. */
-static const char *word_at(struct string tail, const char *equals,
-                           const char *word)
+static const char *late_word_at(struct string tail, const char *equals,
+                                const char *word)
 {
     const size_t length = strlen(word);
     if ((size_t)(equals + 1 - tail.text) <= length)
@@ -360,12 +360,12 @@ static int has_late_word(const struct reader *r, const struct grammar *g,
     for (const char *p = tail.text;
          !word && (p = memchr(p, '=', (size_t)(end - p))); p++) {
         if (!g->has_shape)
-            word = word_at(tail, p, NOT_WORD);
+            word = late_word_at(tail, p, NOT_WORD);
         else if (!r->has_word)
-            word = word_at(tail, p, ENDS_WORD);
+            word = late_word_at(tail, p, ENDS_WORD);
         if (!word && g->has_shape && !g->has_line &&
-            !(word = word_at(tail, p, IN_WORD)))
-            word = word_at(tail, p, OUT_WORD);
+            !(word = late_word_at(tail, p, IN_WORD)))
+            word = late_word_at(tail, p, OUT_WORD);
     }
     return word &&
            refuse_text(r->notes, "this word has no effect within the tail",

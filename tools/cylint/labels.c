@@ -19,20 +19,20 @@ int labels_add(struct labels *labels, struct string label)
     return 0;
 }
 
-int labels_take(struct labels *labels, const cylint_scene *scene,
-                const char *file)
+int labels_use(struct labels *labels, const cylint_scene *scene,
+               const char *file)
 {
-    const cylint_scene_labels *of = cylint_scene_get_labels(scene);
+    const cylint_scene_labels *saved = cylint_scene_get_labels(scene);
     const size_t count = cylint_scene_size(scene);
-    if (!of)
+    if (!saved)
         return 0;
-    labels->table = *of;
+    labels->table = *saved;
     for (size_t i = 0; i < count; i++) {
         const size_t length = labels_get(labels, i).length;
         labels->longest = length > labels->longest ? length : labels->longest;
     }
     if (labels->longest > 0 &&
-        memchr(of->text, '\n', (size_t)of->end[count - 1]))
+        memchr(saved->text, '\n', (size_t)saved->end[count - 1]))
         return complain(EXIT_BAD, file, "a label of the scene has a line feed");
     return 0;
 }
@@ -60,13 +60,13 @@ static struct string name_of_shape(const struct labels *labels, size_t shape)
 int groups_make(struct groups *g, const struct labels *labels, int is_total)
 {
     size_t group;
-    g->of = malloc((g->shapes + 1) * sizeof *g->of);
-    if (!g->of)
+    g->group_of = malloc((g->shapes + 1) * sizeof *g->group_of);
+    if (!g->group_of)
         return out_of_memory();
     for (size_t i = 0; i < g->shapes; i++) {
         if (!names_add(&g->names, name_of_shape(labels, i), &group))
             return out_of_memory();
-        g->of[i] = (int)group;
+        g->group_of[i] = (int)group;
     }
     g->is_total = is_total;
     g->columns = g->shapes > 0 && !is_total ? g->names.texts.count : 1;
@@ -76,7 +76,7 @@ int groups_make(struct groups *g, const struct labels *labels, int is_total)
 void groups_free(struct groups *g)
 {
     names_free(&g->names);
-    free(g->of);
+    free(g->group_of);
     free(g->rank);
 }
 
@@ -153,7 +153,8 @@ int groups_read_ranks(struct groups *g, const char *file)
         out_of_memory();
     }
     for (size_t i = 0; i < g->shapes && status == 0; i++)
-        g->rank[i] = f.rank[g->of[i]] == NO_RANK ? 0 : f.rank[g->of[i]];
+        g->rank[i] =
+            f.rank[g->group_of[i]] == NO_RANK ? 0 : f.rank[g->group_of[i]];
     free(f.rank);
     return status;
 }
@@ -182,8 +183,8 @@ static int find_group(const struct groups *g, int by_label, struct string name,
     return is_number && number > 0;
 }
 
-static int read_name(struct left_out *l, const struct groups *g, int by_label,
-                     struct string name, struct notes *notes)
+static int leave_out_name(struct left_out *l, const struct groups *g,
+                          int by_label, struct string name, struct notes *notes)
 {
     size_t group;
     if (name.length == 0)
@@ -211,7 +212,7 @@ int left_out_read(struct left_out *l, const struct groups *g, int by_label,
     for (const char *p = words.text; p < end_of(words) && status == 0;) {
         const char *name = p + strlen(NOT_WORD),
                    *after = field_end(name, end_of(words));
-        status = read_name(l, g, by_label, between(name, after), notes);
+        status = leave_out_name(l, g, by_label, between(name, after), notes);
         p = skip_separator(after, end_of(words));
     }
     return status;

@@ -24,8 +24,8 @@ struct labels {
 int labels_add(struct labels *labels, struct string label);
 /* Uses the labels of a scene that was opened from `file`, in their place.
  * Returns 0, or an exit status after a message. */
-int labels_take(struct labels *labels, const cylint_scene *scene,
-                const char *file);
+int labels_use(struct labels *labels, const cylint_scene *scene,
+               const char *file);
 void labels_free(struct labels *labels);
 
 /* The label of a shape, counted from 0.  Its length is 0 if there is none. */
@@ -37,7 +37,7 @@ struct string labels_get(const struct labels *labels, size_t shape);
 struct groups {
     size_t shapes;
     struct names names; /* by label: those of the groups */
-    int *of;            /* by label: the group of each shape; NULL: by number */
+    int *group_of;      /* by label: the group of each shape; NULL: by number */
     size_t columns;     /* by label: the number of groups, but at least 1 */
     int is_total;       /* one column for all */
     int *rank;          /* of each shape; NULL: all have the same */

@@ -50,7 +50,7 @@ static int read_scene(struct job *job)
 
 /* ------------------------------------------------------------ the work -- */
 
-static int is_terminal(const struct options *o)
+static int reads_terminal(const struct options *o)
 {
     return strcmp(o->files[0], "-") == 0 && isatty(0);
 }
@@ -62,7 +62,7 @@ static int read_scene_if_needed(struct job *job)
     const struct options *o = job->options;
     if (!o->scene || o->save)
         return 0;
-    if (is_terminal(o) || o->sum || !input_is_empty(&job->in))
+    if (reads_terminal(o) || o->sum || !input_is_empty(&job->in))
         return read_scene(job);
     return strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0
                ? complain_errno(o->scene)
@@ -75,13 +75,13 @@ static int answer_input(struct job *job)
     int status = read_scene_if_needed(job);
     if (status != 0)
         return status;
-    if (o->style.binary)
+    if (o->style.is_binary)
         job->out.row_size = sizeof(double) * options_fields(o)->count;
-    if (is_terminal(o))
+    if (reads_terminal(o))
         message("waiting for records from the terminal, %s, one a line (see "
                 "--help); Ctrl-D ends them",
                 o->scene ? "LINE" : "LINE SHAPE");
-    progress_start(&job->progress, o->progress, "records", 1);
+    progress_start(&job->progress, o->shows_progress, "records", 1);
     status = workers_run(job, o->workers > 0 ? o->workers : processors());
     progress_end(&job->progress);
     report_end(&job->report);
@@ -119,20 +119,20 @@ static int answer(struct job *job)
 {
     const struct options *o = job->options;
     const size_t record =
-        o->binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
+        o->is_binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
     const size_t row =
-        o->style.binary ? sizeof(double) * options_fields(o)->count : 0;
+        o->style.is_binary ? sizeof(double) * options_fields(o)->count : 0;
     if (is_read_too(o, o->output))
         return EXIT_IO;
     int status = output_open(&job->out, o->output, row);
     if (status != 0)
         return status;
-    if (o->array)
+    if (o->is_array)
         status = output_begin_array(&job->out);
     if (status == 0)
         status = input_open(&job->in, o->files, o->file_count, record);
     if (status == 0)
-        status = o->text ? write_text(job) : answer_input(job);
+        status = o->writes_text ? write_text(job) : answer_input(job);
     input_close(&job->in);
     const int closed = output_close(&job->out, status == 0);
     if (status != 0 || closed != 0)
@@ -151,11 +151,11 @@ int main(int argc, char **argv)
     int status = read_options(&options, argc, argv);
     if (status != 0)
         return status;
-    if (options.print)
-        return print_about(options.print);
+    if (options.about)
+        return print_about(options.about);
     job.scene.file = options.scene;
     job.scene.ends = options.grammar.ends;
-    job.scene.form = options.swc;
+    job.scene.swc_form = options.swc;
     status = options.save ? save(&job) : 0;
     if (status == 0 && !options.only_saves)
         status = answer(&job);

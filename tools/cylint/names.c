@@ -10,10 +10,12 @@ void *grown(void *array, size_t count, size_t *capacity, size_t size)
 {
     if (count < *capacity)
         return array;
-    const size_t more = *capacity > 0 ? 2 * *capacity : 64;
-    void *larger = more <= SIZE_MAX / size ? realloc(array, more * size) : NULL;
+    const size_t new_capacity = *capacity > 0 ? 2 * *capacity : 64;
+    void *larger = new_capacity <= SIZE_MAX / size
+                       ? realloc(array, new_capacity * size)
+                       : NULL;
     if (larger)
-        *capacity = more;
+        *capacity = new_capacity;
     return larger;
 }
 

@@ -85,8 +85,8 @@ static int refuse_value(char wrong[NPY_WRONG], const char *key,
 
 /* Reads (ROWS, columns), perhaps with a comma at the end.  Of up to 16 digits, so
  * that the number of bytes has 64 bits. */
-static int read_shape(const char *shape, size_t columns,
-                      unsigned long long *rows)
+static int read_array_shape(const char *shape, size_t columns,
+                            unsigned long long *rows)
 {
     unsigned long long found;
     char last, bracket = 0;
@@ -110,7 +110,7 @@ int npy_read(char *header, size_t length, size_t columns,
     if (!fortran || strncmp(fortran, "False", 5) != 0)
         return refuse_value(wrong, "fortran_order", "False", fortran, ',');
     snprintf(expected, sizeof expected, "(ROWS, %lu)", (unsigned long)columns);
-    return read_shape(shape, columns, rows) ||
+    return read_array_shape(shape, columns, rows) ||
            refuse_value(wrong, "shape", expected, shape, ')');
 }
 

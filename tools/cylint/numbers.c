@@ -17,7 +17,7 @@ static int is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-static const char *skip_and_count(const char *p, uint64_t *count)
+static const char *read_digits(const char *p, uint64_t *count)
 {
     for (; is_digit(*p); p++)
         *count = 10 * *count + (uint64_t)(*p - '0');
@@ -26,7 +26,7 @@ static const char *skip_and_count(const char *p, uint64_t *count)
 
 /* Whether none of eight bytes is below '.', as separators and signs are.  A
  * borrow can only make a further byte count as below. */
-static int is_solid(const char *p)
+static int has_no_separator(const char *p)
 {
     const uint64_t ones = 0x0101010101010101u;
     uint64_t x;
@@ -37,7 +37,8 @@ static int is_solid(const char *p)
 /* Numbers of 17 characters or more are rarely short and are not tested. */
 static int is_long(const char *text, const char *end)
 {
-    return end - text > 17 && (is_solid(text + 1) & is_solid(text + 9));
+    return end - text > 17 &&
+           (has_no_separator(text + 1) & has_no_separator(text + 9));
 }
 
 /*
@@ -58,21 +59,21 @@ static const char *read_short(const char *text, const char *end, double *value)
     enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
     if (FLT_EVAL_METHOD != 0 || is_long(text, end))
         return NULL;
-    const int minus = *text == '-';
-    const char *const digits = text + (minus || *text == '+');
+    const int is_negative = *text == '-';
+    const char *const digits = text + (is_negative || *text == '+');
     uint64_t m = 0;
-    const char *after = skip_and_count(digits, &m);
-    ptrdiff_t count = after - digits, parts = 0;
+    const char *after = read_digits(digits, &m);
+    ptrdiff_t count = after - digits, places = 0;
     if (*after == '.') {
         const char *const part = after + 1;
-        after = skip_and_count(part, &m);
-        parts = after - part;
-        count += parts;
+        after = read_digits(part, &m);
+        places = after - part;
+        count += places;
     }
     if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53 ||
         (*after | 0x20) == 'e' || (*after | 0x20) == 'x')
         return NULL;
-    *value = (double)(int64_t)m / powers[minus][parts];
+    *value = (double)(int64_t)m / powers[is_negative][places];
     return after;
 }
 

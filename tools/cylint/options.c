@@ -64,7 +64,13 @@ static int read_method(const struct option *o, const char *value, void *place)
 enum { COUNT_MOST = INT_MAX / 10 - 1 };
 
 /* What an option needs. */
-enum needs { NOTHING, A_SCENE, A_NEURON, PIECES, SOLIDS };
+enum needs {
+    NEEDS_NOTHING,
+    NEEDS_SCENE,
+    NEEDS_NEURON,
+    NEEDS_PIECES,
+    NEEDS_SOLIDS
+};
 
 static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
 static const char *const sums[] = {"label", "label:t", "total", "total:t",
@@ -77,40 +83,40 @@ static const char *const lists[] = {"methods", "shapes", "columns", NULL};
 #define AT(member) offsetof(struct options, member)
 
 /* In the order of --help.  A help of NULL is that of the next option. */
-static const struct option options_known[] = {
+static const struct option option_table[] = {
     {"k", "LINE,SHAPE", read_text, AT(kinds), 0, 0, 0,
      "records are bare numbers of these kinds; -s: -k LINE"},
     {"s", "FILE", read_text, AT(scene), 0, 0, 0,
      "a scene, one SHAPE [ends=WORD] [SOLID]... [TAIL] a line,\n"
      "or a neuron: NAME.swc, or a file of --save\n"
      "SOLID: in=NAME[/CLAUSE] or out=NAME[/CLAUSE]"},
-    {"save", "FILE", read_text, AT(save), 0, 0, A_SCENE,
+    {"save", "FILE", read_text, AT(save), 0, 0, NEEDS_SCENE,
      "save the scene for other calls' -s; without input\n"
      "files only that"},
-    {"text", 0, read_flag, AT(text), 0, 1, A_SCENE,
+    {"text", 0, read_flag, AT(writes_text), 0, 1, NEEDS_SCENE,
      "write the scene as text instead of answers"},
-    {"swc", "FORM", read_word, AT(swc), swc_forms, 0, A_NEURON,
+    {"swc", "FORM", read_word, AT(swc), swc_forms, 0, NEEDS_NEURON,
      "of a neuron: cones (default) or round"},
-    {"q", "QUERY", read_text, AT(query_word), 0, 0, A_SCENE,
+    {"q", "QUERY", read_text, AT(query_word), 0, 0, NEEDS_SCENE,
      "with -s: nearest (default), first, any, count, all,\n"
      "pieces or inside"},
-    {"pieces", "MODE", read_word, AT(mode), modes, 0, PIECES,
+    {"pieces", "MODE", read_word, AT(piece_mode), modes, 0, NEEDS_PIECES,
      "of -q pieces: owner (default), union, cells or chords"},
-    {"union", 0, read_flag, AT(mode), 0, 1, PIECES,
+    {"union", 0, read_flag, AT(piece_mode), 0, 1, NEEDS_PIECES,
      "the same as --pieces union"},
-    {"rank", "FILE", read_text, AT(rank), 0, 0, SOLIDS,
+    {"rank", "FILE", read_text, AT(rank), 0, 0, NEEDS_SOLIDS,
      "lines LABEL INTEGER: of several solids the one with the\n"
      "least rank owns a place"},
     {"first", "K", read_count, AT(most_pieces), "a number of pieces",
-     COUNT_MOST, PIECES, "of -q pieces: the first K pieces of each line"},
-    {"sum", "WHAT", read_word, AT(sum), sums, 0, PIECES,
+     COUNT_MOST, NEEDS_PIECES, "of -q pieces: the first K pieces of each line"},
+    {"sum", "WHAT", read_word, AT(sum), sums, 0, NEEDS_PIECES,
      "of -q pieces: sums of lengths, one for each label or of\n"
      "all: label, total; in multiples of the direction: label:t,\n"
      "total:t"},
-    {"not", "WHAT", read_word, AT(not_label), names_of_shapes, 0, A_SCENE,
+    {"not", "WHAT", read_word, AT(not_label), names_of_shapes, 0, NEEDS_SCENE,
      "with -s: a record's not=NAME leaves out the shape with\n"
      "this number (default) or those with this label"},
-    {"within", "R", read_radius, AT(radius), "a radius", 0, A_SCENE,
+    {"within", "R", read_radius, AT(radius), "a radius", 0, NEEDS_SCENE,
      "with -s: of points, shapes up to R away"},
     {"signed", 0, read_flag, AT(signed_flag), 0, CYLINT_SIGNED, 0,
      "of points: distances from closed solids"},
@@ -132,36 +138,37 @@ static const struct option options_known[] = {
      "output separator, instead of a tab"},
     {"miss", "TOKEN", read_text, AT(style.missing), 0, 0, 0,
      "what to write for a missing value"},
-    {"e", "HOW", read_word, AT(bad), bad_policies, 0, 0,
+    {"e", "HOW", read_word, AT(bad_policy), bad_policies, 0, 0,
      "bad records: mark (default), skip or stop"},
-    {"tail", 0, read_flag, AT(tail), 0, TAIL_ALLOWED, 0,
+    {"tail", 0, read_flag, AT(tail_policy), 0, TAIL_ALLOWED, 0,
      "no message about numbers and words in tails"},
-    {"no-tail", 0, read_flag, AT(tail), 0, TAIL_REFUSED, 0,
+    {"no-tail", 0, read_flag, AT(tail_policy), 0, TAIL_REFUSED, 0,
      "a record with a tail is bad"},
-    {"C", 0, read_flag, AT(comments), 0, 1, 0,
+    {"C", 0, read_flag, AT(copies_comments), 0, 1, 0,
      "copy blank lines and comments through"},
-    {"b", 0, read_flag, AT(binary), 0, 1, 0, NULL},
-    {"binary-in", 0, read_flag, AT(binary_in), 0, 1, 0, NULL},
-    {"binary-out", 0, read_flag, AT(style.binary), 0, 1, 0,
+    {"b", 0, read_flag, AT(is_binary), 0, 1, 0, NULL},
+    {"binary-in", 0, read_flag, AT(is_binary_in), 0, 1, 0, NULL},
+    {"binary-out", 0, read_flag, AT(style.is_binary), 0, 1, 0,
      "little-endian doubles in and out, in, out (needs -k)"},
-    {"npy", 0, read_flag, AT(array), 0, 1, 0, "binary answers as a .npy array"},
+    {"npy", 0, read_flag, AT(is_array), 0, 1, 0,
+     "binary answers as a .npy array"},
     {"j", "N", read_count, AT(workers), "a number of workers", COUNT_MOST, 0,
      "workers, at most; one for each processor by default"},
     {"hits-only", 0, read_flag, AT(hits_only), 0, 1, 0,
      "only answers with a hit"},
-    {"header", 0, read_flag, AT(header), 0, 1, 0, "column names first"},
+    {"header", 0, read_flag, AT(writes_header), 0, 1, 0, "column names first"},
     {"o", "FILE", read_text, AT(output), 0, 0, 0, "output file"},
-    {"progress", 0, read_flag, AT(progress), 0, 1, 0,
+    {"progress", 0, read_flag, AT(shows_progress), 0, 1, 0,
      "write the progress to standard error"},
-    {"list", "=WHAT", read_about, AT(print), lists, 0, 0,
+    {"list", "=WHAT", read_about, AT(about), lists, 0, 0,
      "methods, shapes or columns, one a line"},
-    {"help", 0, read_about, AT(print), 0, 0, 0, NULL},
-    {"version", 0, read_about, AT(print), 0, 0, 0, ""},
+    {"help", 0, read_about, AT(about), 0, 0, 0, NULL},
+    {"version", 0, read_about, AT(about), 0, 0, 0, ""},
     {0}};
 
 static int is_given(const struct options *o, const char *name)
 {
-    return was_given(options_known, o->given, name);
+    return was_given(option_table, o->given, name);
 }
 
 /* ---------------------------------------------- options upon each other -- */
@@ -205,17 +212,17 @@ static int settle_needs(struct options *o)
     const struct {
         int is_met;
         const char *what;
-    } needs[] = {[A_SCENE] = {o->scene != NULL, "a scene, -s FILE"},
-                 [A_NEURON] = {o->scene && swc_is_name(o->scene),
-                               "a neuron, -s NAME.swc"},
-                 [PIECES] = {is_pieces, "the query -q pieces"},
-                 [SOLIDS] = {is_pieces || o->query == QUERY_INSIDE,
-                             "the query -q pieces or -q inside"}};
-    for (int i = 0; options_known[i].name; i++) {
-        const struct option *known = &options_known[i];
-        if (o->given >> i & 1 && known->needs && !needs[known->needs].is_met)
-            return usage("%s%s needs %s", known->name[1] ? "--" : "-",
-                         known->name, needs[known->needs].what);
+    } needs[] = {[NEEDS_SCENE] = {o->scene != NULL, "a scene, -s FILE"},
+                 [NEEDS_NEURON] = {o->scene && swc_is_name(o->scene),
+                                   "a neuron, -s NAME.swc"},
+                 [NEEDS_PIECES] = {is_pieces, "the query -q pieces"},
+                 [NEEDS_SOLIDS] = {is_pieces || o->query == QUERY_INSIDE,
+                                   "the query -q pieces or -q inside"}};
+    for (int i = 0; option_table[i].name; i++) {
+        const struct option *option = &option_table[i];
+        if (o->given >> i & 1 && option->needs && !needs[option->needs].is_met)
+            return usage("%s%s needs %s", option->name[1] ? "--" : "-",
+                         option->name, needs[option->needs].what);
     }
     return 0;
 }
@@ -227,7 +234,7 @@ struct rule {
 };
 
 /* The last rule has no message. */
-static int check(const struct rule *rules)
+static int check_rules(const struct rule *rules)
 {
     for (; rules->message; rules++)
         if (rules->is_broken)
@@ -235,17 +242,17 @@ static int check(const struct rule *rules)
     return 0;
 }
 
-static int is_same(const char *a, const char *b)
+static int is_same_word(const char *a, const char *b)
 {
     return a && b && strcmp(a, b) == 0;
 }
 
 static int uses_stdin(const struct options *o)
 {
-    int uses = 0;
+    int is_used = 0;
     for (int i = 0; i < o->file_count; i++)
-        uses |= is_same(o->files[i], "-");
-    return uses;
+        is_used |= is_same_word(o->files[i], "-");
+    return is_used;
 }
 
 /* Before the files are completed: --save without one answers no records. */
@@ -260,28 +267,31 @@ static int settle_files(struct options *o)
         o->file_count = 1;
     }
     const struct rule rules[] = {
-        {is_same(o->save, "-"), "--save: needs a file, not standard output"},
-        {o->scene && is_same(o->save, o->output),
+        {is_same_word(o->save, "-"),
+         "--save: needs a file, not standard output"},
+        {o->scene && is_same_word(o->save, o->output),
          "--save and -o name the same file"},
         {o->scene && o->only_saves &&
              (o->output || o->query_word || o->columns || o->kinds),
          "--save: answers need an input file; - is standard input"},
-        {o->text && o->scene &&
+        {o->writes_text && o->scene &&
              (o->save || given_files || o->query_word || o->columns ||
-              o->kinds || o->style.binary),
+              o->kinds || o->style.is_binary),
          "--text writes the scene only: no answers, no --save"},
-        {is_same(o->scene, "-") && uses_stdin(o) && !o->only_saves && !o->text,
+        {is_same_word(o->scene, "-") && uses_stdin(o) && !o->only_saves &&
+             !o->writes_text,
          "the scene and the records are both standard input"},
         {0, NULL}};
-    if (is_same(o->output, "-"))
+    if (is_same_word(o->output, "-"))
         o->output = NULL;
-    return check(rules);
+    return check_rules(rules);
 }
 
 static int settle_pieces(struct options *o)
 {
     const struct rule rules[] = {
-        {is_same(o->rank, "-"), "--rank: needs a file, not standard input"},
+        {is_same_word(o->rank, "-"),
+         "--rank: needs a file, not standard input"},
         {o->sum && o->most_pieces > 0, "--first and --sum exclude each other"},
         {o->sum && o->columns,
          "-f and --sum exclude each other: the columns of --sum are labels"},
@@ -290,7 +300,7 @@ static int settle_pieces(struct options *o)
         {o->radius < 0 && !o->signed_flag,
          "--within: a radius below 0 needs --signed"},
         {0, NULL}};
-    return check(rules);
+    return check_rules(rules);
 }
 
 /* Whether the options allow only lines or only points. */
@@ -337,9 +347,9 @@ static const char *find_columns(struct fields *fields, const struct options *o,
                                 int is_point)
 {
     const struct query_kind *q = &query_kinds[o->query];
-    const char *unless_given = !is_point         ? q->fields
-                               : o->style.binary ? q->binary_fields
-                                                 : q->point_fields;
+    const char *unless_given = !is_point            ? q->fields
+                               : o->style.is_binary ? q->binary_fields
+                                                    : q->point_fields;
     return find_fields(fields, o->columns ? o->columns : unless_given,
                        (int)o->query + (is_point ? QUERIES : 0));
 }
@@ -363,16 +373,18 @@ static int settle_fields(struct options *o)
     if (o->point_fields.has_solids)
         g->no_left_out = "depth, shape and label leave out no shapes";
     /* A header and rows of doubles have one set of columns. */
-    if ((o->header || o->style.binary) && !g->no_lines && !g->no_points)
+    if ((o->writes_header || o->style.is_binary) && !g->no_lines &&
+        !g->no_points)
         g->no_points =
-            o->header ? "the header is that of lines; for points use -k point"
-                      : "binary output is of lines; for points use -k point";
+            o->writes_header
+                ? "the header is that of lines; for points use -k point"
+                : "binary output is of lines; for points use -k point";
     return 0;
 }
 
 static int settle_binary(struct options *o)
 {
-    const int out = o->style.binary, in = o->binary_in;
+    const int out = o->style.is_binary, in = o->is_binary_in;
     const struct rule rules[] = {
         {is_given(o, "x") && is_given(o, "p"), "-x and -p exclude each other"},
         {out && is_given(o, "x"), "-x: binary output has no digits"},
@@ -382,14 +394,14 @@ static int settle_binary(struct options *o)
          "binary input needs the kinds, -k LINE,SHAPE"},
         {in && o->grammar.line == NOT_GIVEN,
          "binary input needs the kinds, -k LINE"},
-        {out && o->header, "--header: binary output has no header"},
+        {out && o->writes_header, "--header: binary output has no header"},
         {out && options_fields(o)->label_count > 0,
          "-f label: binary output has numbers only"},
         {out && o->style.missing,
          "--miss: in binary output a missing value is NaN"},
-        {(in || out) && o->comments, "-C: only text has comments"},
+        {(in || out) && o->copies_comments, "-C: only text has comments"},
         {0, NULL}};
-    return check(rules);
+    return check_rules(rules);
 }
 
 /* The remarks to test for. */
@@ -397,7 +409,7 @@ static unsigned wanted_remarks(const struct options *o)
 {
     const struct grammar *g = &o->grammar;
     const unsigned tail = 1u << REMARK_SURPLUS | 1u << REMARK_LATE_WORD;
-    return (o->tail == TAIL_WITH_REMARK ? tail : 0) |
+    return (o->tail_policy == TAIL_WITH_REMARK ? tail : 0) |
            (unsigned)g->has_domain << REMARK_DOMAIN |
            (unsigned)!g->has_shape << REMARK_LABEL;
 }
@@ -411,9 +423,9 @@ static int settle(struct options *o)
     int status = 0;
     g->has_line = 1;
     g->has_shape = o->scene == NULL;
-    g->no_tail = o->tail == TAIL_REFUSED;
-    o->binary_in |= o->binary;
-    o->style.binary |= o->binary | o->array;
+    g->no_tail = o->tail_policy == TAIL_REFUSED;
+    o->is_binary_in |= o->is_binary;
+    o->style.is_binary |= o->is_binary | o->is_array;
     o->sum += is_given(o, "sum");
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == 0; i++)
         status = steps[i](o);
@@ -429,8 +441,8 @@ int read_options(struct options *o, int argc, char **argv)
     o->radius = HUGE_VAL;
     o->files = argv;
     const int status =
-        take_arguments(options_known, argc, argv, o, &o->file_count, &o->given);
-    return status != 0 || o->print ? status : settle(o);
+        take_arguments(option_table, argc, argv, o, &o->file_count, &o->given);
+    return status != 0 || o->about ? status : settle(o);
 }
 
 /* ----------------------------------------------------------------- help -- */
@@ -459,7 +471,7 @@ static void print_all_help(void)
           "  WORD    capped open cap0 cap1 infinite nappe\n"
           "\n",
           stdout);
-    print_options(options_known);
+    print_options(option_table);
     fputs("\n"
           "Exit status: 0 all answered, 1 some records bad, 2 usage, 3 input "
           "or output\n"

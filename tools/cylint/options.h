@@ -24,34 +24,34 @@ enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };
  * one pointer. */
 struct options {
     unsigned long long given; /* a bit for each option in the table */
-    const char *print;        /* help, version or a list to print, or NULL */
+    const char *about;        /* help, version or a list to print, or NULL */
     const char *kinds, *query_word, *columns; /* of -k, -q and -f */
 
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
     const char *save;  /* the file to save the scene to, or NULL */
     int only_saves;    /* answers no records */
-    int text;          /* writes the scene as text instead of answers */
+    int writes_text;   /* the scene as text instead of answers */
     int swc;           /* enum swc_form of a neuron */
-    int accel;
+    int accel;         /* enum accel */
     enum query query;
-    int mode; /* of pieces: the words of --pieces, from 0 */
-    int sum;
-    int most_pieces;                    /* of a line; 0: all */
-    const char *rank;                   /* the file of --rank, or NULL */
-    struct fields fields, point_fields; /* of lines, of points */
-    double radius;                      /* of points, by --within */
-    unsigned signed_flag;               /* of points: CYLINT_SIGNED or 0 */
-    int binary, binary_in, array; /* -b; records are doubles; a .npy header */
+    int piece_mode;                        /* the words of --pieces, from 0 */
+    int sum;                               /* enum sum */
+    int most_pieces;                       /* of a line; 0: all */
+    const char *rank;                      /* the file of --rank, or NULL */
+    struct fields fields, point_fields;    /* of lines, of points */
+    double radius;                         /* of points, by --within */
+    unsigned signed_flag;                  /* of points: CYLINT_SIGNED or 0 */
+    int is_binary, is_binary_in, is_array; /* -b; records are doubles; .npy */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
-    int bad;
+    int bad_policy;              /* enum bad_policy */
     int not_label; /* not=NAME in a record is a label, not a number */
-    int tail;
+    int tail_policy;
     unsigned remarks; /* a bit for each enum remark to test for */
     int workers;      /* 0: one for each processor */
-    int comments;     /* copied through */
-    int hits_only, header, progress;
+    int copies_comments;
+    int hits_only, writes_header, shows_progress;
     const char *output; /* NULL: standard output */
     char **files;
     int file_count;

@@ -28,10 +28,10 @@ static int grow_work(cylint_workspace *work)
 
 static int grow_pieces(struct piece_memory *m)
 {
-    cylint_piece *more =
-        grown(m->piece, m->capacity, &m->capacity, sizeof *more);
-    m->piece = more ? more : m->piece;
-    return more != NULL;
+    cylint_piece *larger =
+        grown(m->piece, m->capacity, &m->capacity, sizeof *larger);
+    m->piece = larger ? larger : m->piece;
+    return larger != NULL;
 }
 
 /* A search that finds more pieces than before begins again. */

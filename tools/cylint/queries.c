@@ -21,9 +21,10 @@ static int is_left_out(const struct task *task, size_t shape)
 {
     const struct job *job = task->job;
     return task->left_out.count > 0 &&
-           left_out_has(&task->left_out, job->options->not_label
-                                             ? (size_t)job->groups.of[shape]
-                                             : shape);
+           left_out_has(&task->left_out,
+                        job->options->not_label
+                            ? (size_t)job->groups.group_of[shape]
+                            : shape);
 }
 
 /* ------------------------------------------------------------ one shape -- */
@@ -294,7 +295,7 @@ static cylint_piece_rule rule_of(const struct job *job)
     static const cylint_piece_mode modes[] = {
         CYLINT_PIECES_OWNER, CYLINT_PIECES_UNION, CYLINT_PIECES_CELLS,
         CYLINT_PIECES_CHORDS};
-    return (cylint_piece_rule){.mode = modes[job->options->mode],
+    return (cylint_piece_rule){.mode = modes[job->options->piece_mode],
                                .rank = job->groups.rank};
 }
 
@@ -306,7 +307,7 @@ static int answer_sums(struct task *task)
     int is_hit = 0;
     if (cylint_scene_line_sums(
             job->scene.shapes, &task->record.line, &rule,
-            groups->is_total ? NULL : groups->of, groups->columns,
+            groups->is_total ? NULL : groups->group_of, groups->columns,
             job->options->sum == SUM_LENGTH || job->options->sum == SUM_TOTAL,
             task->row.sums) != CYLINT_SCENE_OK)
         return end_without_memory(task);

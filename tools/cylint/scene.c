@@ -68,7 +68,7 @@ void scene_free(struct scene *scene)
 
 /* ----------------------------------------------------------------- text -- */
 
-/* The context of read_shape(). */
+/* The context of add_shape_of_line(). */
 struct reading {
     struct scene *scene;
     struct grammar grammar;
@@ -82,8 +82,8 @@ static int is_saved(const char *bytes, size_t length)
 }
 
 /* Adds the shape of a line, and to the solids that it names. */
-static int read_shape(void *context, const char *line, const char *end,
-                      struct notes *notes)
+static int add_shape_of_line(void *context, const char *line, const char *end,
+                             struct notes *notes)
 {
     struct reading *r = context;
     struct record record;
@@ -128,7 +128,7 @@ int scene_read_text(struct scene *scene)
                                .convert = converter_of(file)}};
     if (swc_is_name(file))
         return swc_read(scene);
-    const int status = read_lines(file, 0, read_shape, &reading);
+    const int status = read_lines(file, 0, add_shape_of_line, &reading);
     return status == 0 && scene->solids.count > 0
                ? solids_complete(&scene->solids, scene->count, file)
                : status;
@@ -157,7 +157,7 @@ int scene_open(struct scene *scene)
             "is a saved scene, whose shapes have their ends already");
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
     return status == CYLINT_SCENE_OK && scene->keeps_labels
-               ? labels_take(&scene->labels, scene->shapes, file)
+               ? labels_use(&scene->labels, scene->shapes, file)
                : exit_status_of(status, file, EXIT_IO);
 }
 

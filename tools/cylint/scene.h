@@ -56,8 +56,8 @@ int swc_is_name(const char *file);
 /* Zero it before use, but for the first three members. */
 struct scene {
     const char *file; /* where it is read from */
-    int ends; /* of shapes whose records do not state them, or NOT_GIVEN */
-    int form; /* enum swc_form, of a neuron */
+    int ends;     /* of shapes whose records do not state them, or NOT_GIVEN */
+    int swc_form; /* enum swc_form, of a neuron */
     cylint_scene *shapes; /* NULL: none yet */
     size_t count;
     struct solids solids; /* that were read, for scene_build() */

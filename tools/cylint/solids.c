@@ -10,11 +10,11 @@ enum { NAME_SHOWN = 32 };
 
 int solids_add(struct solids *s, const cylint_member *member)
 {
-    cylint_member *more =
+    cylint_member *larger =
         grown(s->member, s->count, &s->capacity, sizeof *s->member);
-    if (!more)
+    if (!larger)
         return out_of_memory();
-    s->member = more;
+    s->member = larger;
     s->member[s->count++] = *member;
     return 0;
 }

@@ -29,8 +29,9 @@ struct swc_node {
     uint64_t number, parent;
     double ball[4];                  /* centre and radius */
     unsigned long long line, column; /* of the parent's number */
-    size_t up;                       /* the parent's index, from 1; 0: a root */
-    size_t path; /* the first node, from 1, whose ancestor this is; 0: none */
+    size_t parent_index;             /* from 1; 0: a root */
+    size_t
+        path_start; /* the first node, from 1, whose ancestor this is; 0: none */
 };
 
 /* The nodes of a file, which become shapes of a scene. */
@@ -38,13 +39,13 @@ struct swc {
     struct scene *scene;
     struct swc_node *nodes; /* in the order of the file */
     size_t count, capacity;
-    size_t *places;    /* a hash table of indices into nodes[], from 1 */
+    size_t *table;     /* a hash table of indices into nodes[], from 1 */
     int bits;          /* it has 2^bits entries */
     size_t skipped[3]; /* of each, by enum skip */
 };
 
 /* What bounds no shape. */
-enum skip { NO_LENGTH, NO_RADIUS, ROOT_OF_NO_RADIUS };
+enum skip { SKIP_NO_LENGTH, SKIP_NO_RADIUS, SKIP_ROOT_OF_NO_RADIUS };
 
 const char *const swc_forms[] = {
     [SWC_CONES] = "cones", [SWC_ROUND] = "round", NULL};
@@ -61,7 +62,7 @@ int swc_is_name(const char *file)
 /* The hash.  Most nodes have consecutive numbers: eight of them stay together
  * in the table; the multiplier, 2^64 over the golden ratio, spreads the
  * groups of eight. */
-static size_t first_place(const struct swc *swc, uint64_t number)
+static size_t first_entry(const struct swc *swc, uint64_t number)
 {
     const uint64_t scattered = (number >> 3) * 0x9e3779b97f4a7c15u;
     return (size_t)(scattered >> (64 - swc->bits) & ~(uint64_t)7) |
@@ -69,14 +70,13 @@ static size_t first_place(const struct swc *swc, uint64_t number)
 }
 
 /* The entry of this number, or the free entry where it belongs. */
-static size_t *find_place(const struct swc *swc, uint64_t number)
+static size_t *find_entry(const struct swc *swc, uint64_t number)
 {
     const size_t mask = ((size_t)1 << swc->bits) - 1;
-    size_t i = first_place(swc, number);
-    while (swc->places[i] > 0 &&
-           swc->nodes[swc->places[i] - 1].number != number)
+    size_t i = first_entry(swc, number);
+    while (swc->table[i] > 0 && swc->nodes[swc->table[i] - 1].number != number)
         i = (i + 1) & mask;
-    return &swc->places[i];
+    return &swc->table[i];
 }
 
 /* Doubles the capacity.  At least half of the entries stay free.  Returns 0
@@ -92,15 +92,15 @@ static int grow(struct swc *swc)
     if (!nodes)
         return 0;
     swc->nodes = nodes;
-    size_t *places = calloc(2 * capacity, sizeof *places);
-    if (!places)
+    size_t *table = calloc(2 * capacity, sizeof *table);
+    if (!table)
         return 0;
-    free(swc->places);
-    swc->places = places;
+    free(swc->table);
+    swc->table = table;
     swc->bits = bits;
     swc->capacity = capacity;
     for (size_t i = 0; i < swc->count; i++)
-        *find_place(swc, nodes[i].number) = i + 1;
+        *find_entry(swc, nodes[i].number) = i + 1;
     return 1;
 }
 
@@ -175,8 +175,8 @@ static int read_node(struct reader *r, struct swc_node *node)
 }
 
 /* Adds the node of a line. */
-static int read_line(void *context, const char *text, const char *end,
-                     struct notes *notes)
+static int add_node(void *context, const char *text, const char *end,
+                    struct notes *notes)
 {
     struct swc *swc = context;
     struct swc_node node = {0};
@@ -188,11 +188,11 @@ static int read_line(void *context, const char *text, const char *end,
         return EXIT_BAD;
     if (swc->count == swc->capacity && !grow(swc))
         return out_of_memory();
-    size_t *place = find_place(swc, node.number);
-    if (*place > 0)
+    size_t *entry = find_entry(swc, node.number);
+    if (*entry > 0)
         return refuse_field(&first, "this node was given before");
     swc->nodes[swc->count++] = node;
-    *place = swc->count;
+    *entry = swc->count;
     return 0;
 }
 
@@ -203,8 +203,9 @@ static int refuse_cycle(const struct swc *swc, size_t index)
     const struct swc_node *node = &swc->nodes[index - 1];
     char text[80];
     snprintf(text, sizeof text,
-             node->up == index ? "node %llu is its own parent"
-                               : "the parents of node %llu form a cycle",
+             node->parent_index == index
+                 ? "node %llu is its own parent"
+                 : "the parents of node %llu form a cycle",
              (unsigned long long)node->number);
     return complain_at(swc->scene->file, node->line, node->column, text);
 }
@@ -213,8 +214,8 @@ static int refuse_cycle(const struct swc *swc, size_t index)
 static size_t first_of_cycle(const struct swc *swc, size_t start)
 {
     size_t first = start;
-    for (size_t i = swc->nodes[start - 1].up; i != start;
-         i = swc->nodes[i - 1].up)
+    for (size_t i = swc->nodes[start - 1].parent_index; i != start;
+         i = swc->nodes[i - 1].parent_index)
         first = i < first ? i : first;
     return first;
 }
@@ -225,39 +226,39 @@ static int refuse_cycles(const struct swc *swc)
 {
     for (size_t start = 1; start <= swc->count; start++) {
         size_t i = start;
-        while (i > 0 && swc->nodes[i - 1].path == 0) {
-            swc->nodes[i - 1].path = start;
-            i = swc->nodes[i - 1].up;
+        while (i > 0 && swc->nodes[i - 1].path_start == 0) {
+            swc->nodes[i - 1].path_start = start;
+            i = swc->nodes[i - 1].parent_index;
         }
-        if (i > 0 && swc->nodes[i - 1].path == start)
+        if (i > 0 && swc->nodes[i - 1].path_start == start)
             return refuse_cycle(swc, first_of_cycle(swc, i));
     }
     return 0;
 }
 
-/* Finds the parents' indices.  Returns how many parents are missing. */
+/* Sets the parents' indices.  Returns how many parents are missing. */
 static size_t find_parents(const struct swc *swc)
 {
     size_t missing = 0;
     for (size_t i = 0; i < swc->count; i++) {
         struct swc_node *node = &swc->nodes[i];
         if (node->parent != NO_PARENT) {
-            node->up = *find_place(swc, node->parent);
-            missing += node->up == 0;
+            node->parent_index = *find_entry(swc, node->parent);
+            missing += node->parent_index == 0;
         }
     }
     return missing;
 }
 
 static void print_count(const char *name, size_t count, const char *what,
-                        const char *more)
+                        const char *predicate)
 {
     if (count > 0)
         complain(EXIT_ANSWERED, name, "%llu %s%s %s", (unsigned long long)count,
-                 what, count == 1 ? "" : "s", more);
+                 what, count == 1 ? "" : "s", predicate);
 }
 
-static int same_place(const double a[3], const double b[3])
+static int is_same_place(const double a[3], const double b[3])
 {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
@@ -267,12 +268,12 @@ static int same_place(const double a[3], const double b[3])
 static size_t *skipped_by(struct swc *swc, const struct swc_node *node,
                           const struct swc_node *parent)
 {
-    if (parent && swc->scene->form == SWC_CONES &&
-        same_place(node->ball, parent->ball))
-        return &swc->skipped[NO_LENGTH];
+    if (parent && swc->scene->swc_form == SWC_CONES &&
+        is_same_place(node->ball, parent->ball))
+        return &swc->skipped[SKIP_NO_LENGTH];
     if (node->ball[3] > 0 || (parent && parent->ball[3] > 0))
         return NULL;
-    return &swc->skipped[parent ? NO_RADIUS : ROOT_OF_NO_RADIUS];
+    return &swc->skipped[parent ? SKIP_NO_RADIUS : SKIP_ROOT_OF_NO_RADIUS];
 }
 
 /* parent: NULL for a root. */
@@ -283,9 +284,9 @@ static int add_shape(const struct swc *swc, const struct swc_node *node,
     struct text label = {digits, 0};
     struct record record;
     double number[8];
-    const int kind = !parent                         ? SHAPE_SPHERE
-                     : swc->scene->form == SWC_ROUND ? SHAPE_RCONE
-                                                     : SHAPE_CONE;
+    const int kind = !parent                             ? SHAPE_SPHERE
+                     : swc->scene->swc_form == SWC_ROUND ? SHAPE_RCONE
+                                                         : SHAPE_CONE;
     memcpy(number, node->ball, sizeof node->ball);
     if (parent)
         memcpy(number + 4, parent->ball, sizeof parent->ball);
@@ -302,8 +303,8 @@ static int add_shape(const struct swc *swc, const struct swc_node *node,
 static int convert_node(struct swc *swc, const struct swc_node *node)
 {
     const struct swc_node *parent =
-        node->up > 0 ? &swc->nodes[node->up - 1] : NULL;
-    if (!parent && swc->scene->form == SWC_CONES)
+        node->parent_index > 0 ? &swc->nodes[node->parent_index - 1] : NULL;
+    if (!parent && swc->scene->swc_form == SWC_CONES)
         return 0;
     size_t *skipped = skipped_by(swc, node, parent);
     if (!skipped)
@@ -328,19 +329,19 @@ static int add_shapes(struct swc *swc)
                              : "whose parent is not in the file are roots");
     for (int i = 0; i < 3; i++)
         print_count(swc->scene->file, swc->skipped[i],
-                    i == ROOT_OF_NO_RADIUS ? "root" : "edge",
-                    i == NO_LENGTH ? "of no length skipped"
-                                   : "of no radius skipped");
+                    i == SKIP_ROOT_OF_NO_RADIUS ? "root" : "edge",
+                    i == SKIP_NO_LENGTH ? "of no length skipped"
+                                        : "of no radius skipped");
     return 0;
 }
 
 int swc_read(struct scene *scene)
 {
     struct swc swc = {.scene = scene};
-    int status = read_lines(scene->file, 1, read_line, &swc);
+    int status = read_lines(scene->file, 1, add_node, &swc);
     if (status == 0)
         status = add_shapes(&swc);
     free(swc.nodes);
-    free(swc.places);
+    free(swc.table);
     return status;
 }

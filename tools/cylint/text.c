@@ -44,7 +44,7 @@ const char *escape(char to[SHOWN_CAPACITY], struct string from, size_t most)
 
 /* --------------------------------------------------------------- words -- */
 
-static const char *word_at(struct words words, int i)
+static const char *word_of_table(struct words words, int i)
 {
     const char *word;
     memcpy(&word, (const char *)words.table + (size_t)i * words.size,
@@ -55,7 +55,7 @@ static const char *word_at(struct words words, int i)
 int find_word(struct words words, struct string s)
 {
     const char *word;
-    for (int i = 0; (word = word_at(words, i)) != NULL; i++)
+    for (int i = 0; (word = word_of_table(words, i)) != NULL; i++)
         if (strlen(word) == s.length && memcmp(word, s.text, s.length) == 0)
             return i;
     return NOT_GIVEN;
@@ -64,26 +64,26 @@ int find_word(struct words words, struct string s)
 const char *list_words(char to[WORDS_CAPACITY], struct words words)
 {
     struct text t = {to, 0};
-    for (int i = 0; word_at(words, i); i++) {
+    for (int i = 0; word_of_table(words, i); i++) {
         if (i > 0)
-            put_word(&t, word_at(words, i + 1) ? ", " : " or ");
-        put_word(&t, word_at(words, i));
+            put_word(&t, word_of_table(words, i + 1) ? ", " : " or ");
+        put_word(&t, word_of_table(words, i));
     }
     put_char(&t, '\0');
     return to;
 }
 
-enum { LENGTH_MOST = 31 };
+enum { COMPARED_MOST = 31 };
 
 /* Upper and lower case count as equal. */
-static int same(char a, char b)
+static int is_same_letter(char a, char b)
 {
     const char lower = (char)(a | 0x20);
     return a == b ||
            (lower == (char)(b | 0x20) && lower >= 'a' && lower <= 'z');
 }
 
-static int least(int a, int b)
+static int lesser(int a, int b)
 {
     return a < b ? a : b;
 }
@@ -91,39 +91,40 @@ static int least(int a, int b)
 /* The number of characters inserted, deleted or replaced, and of neighbours
  * exchanged (optimal string alignment).  cost[i][j] is that of the first i
  * and j characters. */
-static int distance(struct string s, struct string word)
+static int edit_distance(struct string s, struct string word)
 {
     const char *a = s.text, *b = word.text;
-    int cost[LENGTH_MOST + 1][LENGTH_MOST + 1] = {{0}};
+    int cost[COMPARED_MOST + 1][COMPARED_MOST + 1] = {{0}};
     for (size_t i = 0; i <= s.length; i++)
         for (size_t j = 0; j <= word.length; j++) {
             int *c = &cost[i][j];
             *c = (int)(i + j);
             if (i > 0 && j > 0)
-                *c = least(cost[i - 1][j - 1] + !same(a[i - 1], b[j - 1]),
-                           least(cost[i - 1][j], cost[i][j - 1]) + 1);
-            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) &&
-                same(a[i - 2], b[j - 1]))
-                *c = least(*c, cost[i - 2][j - 2] + 1);
+                *c = lesser(cost[i - 1][j - 1] +
+                                !is_same_letter(a[i - 1], b[j - 1]),
+                            lesser(cost[i - 1][j], cost[i][j - 1]) + 1);
+            if (i > 1 && j > 1 && is_same_letter(a[i - 1], b[j - 2]) &&
+                is_same_letter(a[i - 2], b[j - 1]))
+                *c = lesser(*c, cost[i - 2][j - 2] + 1);
         }
     return cost[s.length][word.length];
 }
 
 /* A word is near if the distance is at most a third of the text's length, or
  * 1, and less than the length. */
-struct similar similar_to(struct string s)
+struct similar similar_begin(struct string s)
 {
-    const int length = s.length > LENGTH_MOST ? 0 : (int)s.length;
+    const int length = s.length > COMPARED_MOST ? 0 : (int)s.length;
     const int third = length < 6 ? 1 : length / 3;
-    return (struct similar){s, NULL, least(third, length - 1)};
+    return (struct similar){s, NULL, lesser(third, length - 1)};
 }
 
 void similar_try(struct similar *similar, const char *word)
 {
     const struct string s = string_of(word);
-    if (similar->most < 0 || s.length > LENGTH_MOST)
+    if (similar->most < 0 || s.length > COMPARED_MOST)
         return;
-    const int d = distance(similar->string, s);
+    const int d = edit_distance(similar->string, s);
     if (d <= similar->most) {
         similar->word = word;
         similar->most = d - 1;
@@ -132,8 +133,8 @@ void similar_try(struct similar *similar, const char *word)
 
 const char *similar_word(struct words words, struct string s)
 {
-    struct similar similar = similar_to(s);
-    for (int i = 0; word_at(words, i); i++)
-        similar_try(&similar, word_at(words, i));
+    struct similar similar = similar_begin(s);
+    for (int i = 0; word_of_table(words, i); i++)
+        similar_try(&similar, word_of_table(words, i));
     return similar.word;
 }

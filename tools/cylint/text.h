@@ -141,14 +141,15 @@ int find_word(struct words words, struct string s);
 /* Writes `a, b or c`.  Returns `to`. */
 const char *list_words(char to[WORDS_CAPACITY], struct words words);
 
-/* A string that is not one of the expected words, and the nearest of these. */
+/* A string that is not one of the expected words, and the nearest of those that were
+ * compared. */
 struct similar {
     struct string string;
     const char *word; /* NULL: no word is near */
     int most;         /* the distance of a nearer word */
 };
 
-struct similar similar_to(struct string s);
+struct similar similar_begin(struct string s);
 /* Compares a word that the caller keeps.  Of equally near ones the first
  * stays. */
 void similar_try(struct similar *similar, const char *word);

@@ -142,7 +142,7 @@ int workers_run(struct job *job, int most)
     job->end_pipe[0] = job->end_pipe[1] = -1;
     if (!first)
         return out_of_memory();
-    job->status = job->options->header ? write_header(first) : 0;
+    job->status = job->options->writes_header ? write_header(first) : 0;
     if (job->status == 0) {
         work(first);
         join_workers(job);

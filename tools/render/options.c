@@ -152,7 +152,7 @@ static const char direction[] = "a direction X,Y,Z";
 #define AT(member) offsetof(struct options, member)
 
 /* In the order of --help. */
-static const struct option options_known[] = {
+static const struct option option_table[] = {
     {"o", "FILE", read_output, AT(output), "a PNG file, NAME.png", 0, 0,
      "the picture; - is standard output"},
     {"size", "WxH", read_size, AT(size), "WIDTHxHEIGHT, each 1 to 65536", 0, 0,
@@ -204,16 +204,16 @@ static const struct option options_known[] = {
 
 static int is_given(const struct options *o, const char *name)
 {
-    return was_given(options_known, o->given, name);
+    return was_given(option_table, o->given, name);
 }
 
 /* An option about light and colour that was given, or NULL. */
 static const char *surface_option(const struct options *o)
 {
     const char *name = NULL;
-    for (int i = 0; options_known[i].name; i++)
-        if (o->given >> i & 1 && options_known[i].needs == OF_SURFACES)
-            name = options_known[i].name;
+    for (int i = 0; option_table[i].name; i++)
+        if (o->given >> i & 1 && option_table[i].needs == OF_SURFACES)
+            name = option_table[i].name;
     return name;
 }
 
@@ -256,7 +256,7 @@ int read_options(struct options *o, int argc, char **argv)
     o->colour = CLAY;
     set_sky(&o->backdrop);
     const int status =
-        take_arguments(options_known, argc, argv, o, &files, &o->given);
+        take_arguments(option_table, argc, argv, o, &files, &o->given);
     o->has_sun = is_given(o, "light");
     return status != 0 || o->print ? status : settle(o, argv, files);
 }
@@ -272,7 +272,7 @@ int print_about(const char *what)
             "cylint-render [OPTION]... SCENE -o FILE\n"
             "\n"
             "Renders a scene, as cylint -s reads it, and writes a PNG file.\n");
-        print_options(options_known);
+        print_options(option_table);
         puts("\nExit status: 0 done, 1 a bad scene, 2 usage, 3 input or output "
              "failed,\n"
              "4 out of memory.  See cylint-render(1).");

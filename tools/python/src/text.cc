@@ -64,7 +64,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
         messages = &said;
         scene.file = file.c_str();
         scene.ends = ends;
-        scene.form = round ? SWC_ROUND : SWC_CONES;
+        scene.swc_form = round ? SWC_ROUND : SWC_CONES;
         scene.keeps_labels = 1;
         status = scene_read(&scene);
         messages = nullptr;
