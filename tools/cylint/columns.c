@@ -19,8 +19,8 @@ enum type {
     TYPE_SUM /* of the group with the number of the column */
 };
 
-/* The column has a value if the row's answer has at least so many hits; HITS_ANSWER: if
- * there is an answer. */
+/* The column has a value if the row's answer has at least so many hits;
+ * HITS_ANSWER: if there is an answer; HITS_ANY: always. */
 enum hits { HITS_ANY = -1, HITS_ANSWER, HITS_ONE, HITS_TWO };
 
 struct column {

@@ -175,8 +175,8 @@ static void skip_line(struct input *in, struct block *b)
 
 /* ------------------------------------------------------------ records -- */
 
-/* Returns the bytes up to the end of the last whole record.  The first `whole` bytes
- * are whole records; the first `searched` bytes were searched before. */
+/* Returns the bytes up to the end of the last whole record.  The first `whole`
+ * bytes are whole records; the first `searched` bytes were searched before. */
 static size_t find_whole(const struct input *in, const struct block *b,
                          size_t whole, size_t searched)
 {

@@ -163,7 +163,7 @@ const char *put_record(struct text *t, const struct shape_record *r, int digits)
 
 /* --------------------------------------------------------------- scene -- */
 
-static int compare_members(const void *a, const void *b)
+static int compare_by_shape(const void *a, const void *b)
 {
     const cylint_member *m = a, *n = b;
     return m->shape != n->shape   ? (m->shape > n->shape ? 1 : -1)
@@ -204,7 +204,7 @@ int scene_write_text(struct scene *scene, int digits, struct output *out)
     if (!t.data)
         return out_of_memory();
     if (s->count > 0)
-        qsort(s->member, s->count, sizeof *s->member, compare_members);
+        qsort(s->member, s->count, sizeof *s->member, compare_by_shape);
     const int status = put_records(scene, digits, out, &t);
     free(t.data);
     return status;

@@ -141,8 +141,8 @@ int find_word(struct words words, struct string s);
 /* Writes `a, b or c`.  Returns `to`. */
 const char *list_words(char to[WORDS_CAPACITY], struct words words);
 
-/* A string that is not one of the expected words, and the nearest of those that were
- * compared. */
+/* A string that is not one of the expected words, and the nearest of those that
+ * were compared. */
 struct similar {
     struct string string;
     const char *word; /* NULL: no word is near */

@@ -68,7 +68,7 @@ static void add_box(struct boxes *boxes, const struct box *box)
 /* ------------------------------------------------------------- solids -- */
 
 /* By solid, then by clause.  Clause 0 is a complement alone. */
-static int compare_members(const void *a, const void *b)
+static int compare_by_solid(const void *a, const void *b)
 {
     const cylint_member *x = a, *y = b;
     const long p = labs((long)x->clause), q = labs((long)y->clause);
@@ -83,7 +83,7 @@ static size_t box_of_clause(const struct scene *scene, const cylint_member *m,
 {
     size_t i = first;
     *box = NOWHERE;
-    for (; i < count && compare_members(&m[i], &m[first]) == 0; i++) {
+    for (; i < count && compare_by_solid(&m[i], &m[first]) == 0; i++) {
         const struct box one =
             m[i].clause > 0 ? box_of_shape(scene, m[i].shape) : EVERYWHERE;
         enclose(box, &one);
@@ -119,7 +119,7 @@ static void add_all(struct boxes *boxes, const struct scene *scene,
         }
     }
     if (s->count > 0) {
-        qsort(s->member, s->count, sizeof *s->member, compare_members);
+        qsort(s->member, s->count, sizeof *s->member, compare_by_solid);
         add_solids(boxes, scene, s->member, s->count);
     }
     if (boxes->count > 0)

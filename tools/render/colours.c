@@ -166,7 +166,7 @@ static double height_of(const cylint_shape *s, struct vector up)
                plus(vector_of(cylint_base(s)), 0.5, vector_of(cylint_axis(s))));
 }
 
-static double measure(const struct colours *c, size_t i)
+static double measure_of_shape(const struct colours *c, size_t i)
 {
     cylint_shape shape;
     cylint_scene_shape(c->scene->shapes, i, &shape);
@@ -179,14 +179,14 @@ static void by_measure(struct colours *c)
 {
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (size_t i = 0; i < c->scene->count; i++) {
-        const double x = measure(c, i);
+        const double x = measure_of_shape(c, i);
         if (x - x == 0) {
             least = fmin(least, x);
             most = fmax(most, x);
         }
     }
     for (size_t i = 0; i < c->scene->count; i++) {
-        const double x = measure(c, i);
+        const double x = measure_of_shape(c, i);
         const double share =
             x - x == 0 && most > least ? (x - least) / (most - least) : 0.5;
         if (c->of[i] == NO_COLOUR) {
@@ -220,43 +220,43 @@ static uint32_t colour_of_shape(const struct colours *c, size_t i)
  * several solids that of the first, since members are sorted by solid
  * (boxes_make()).  Other shapes stand for themselves.  Returns NULL if there is no
  * memory. */
-static size_t *first_of_solids(const struct scene *scene)
+static size_t *first_shapes_of_solids(const struct scene *scene)
 {
     const cylint_member *m = scene->solids.member;
     const size_t n = scene->solids.count;
-    size_t *stand = malloc((scene->count + 1) * sizeof *stand);
-    for (size_t i = 0; i < scene->count && stand; i++)
-        stand[i] = scene->count;
-    for (size_t i = 0, end = 0; i < n && stand; i = end) {
+    size_t *first_of = malloc((scene->count + 1) * sizeof *first_of);
+    for (size_t i = 0; i < scene->count && first_of; i++)
+        first_of[i] = scene->count;
+    for (size_t i = 0, end = 0; i < n && first_of; i = end) {
         size_t first = scene->count;
         for (; end < n && m[end].solid == m[i].solid; end++)
             if (m[end].clause > 0 && m[end].shape < first)
                 first = m[end].shape;
         for (size_t k = i; k < end; k++)
-            if (stand[m[k].shape] == scene->count)
-                stand[m[k].shape] = first;
+            if (first_of[m[k].shape] == scene->count)
+                first_of[m[k].shape] = first;
     }
-    for (size_t i = 0; i < scene->count && stand; i++)
-        if (stand[i] == scene->count)
-            stand[i] = i;
-    return stand;
+    for (size_t i = 0; i < scene->count && first_of; i++)
+        if (first_of[i] == scene->count)
+            first_of[i] = i;
+    return first_of;
 }
 
 /* Members of a solid without a colour of their own have that of its first one,
  * which can be a member of an earlier solid. */
 static int colour_others(struct colours *c)
 {
-    size_t *stand = first_of_solids(c->scene);
-    if (!stand)
+    size_t *first_of = first_shapes_of_solids(c->scene);
+    if (!first_of)
         return out_of_memory();
     for (size_t i = 0; i < c->scene->count; i++) {
         size_t from = i;
-        while (c->of[from] == NO_COLOUR && stand[from] != from)
-            from = stand[from];
+        while (c->of[from] == NO_COLOUR && first_of[from] != from)
+            from = first_of[from];
         c->of[i] =
             c->of[from] == NO_COLOUR ? colour_of_shape(c, from) : c->of[from];
     }
-    free(stand);
+    free(first_of);
     return 0;
 }
 

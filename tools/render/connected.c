@@ -28,29 +28,29 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
 }
 
 /* The end points so far, and the first shape of each. */
-struct ends {
+struct joints {
     struct names points;
     uint32_t *first;
 };
 
 /* Joins shape i with the first shape that has an end at p.  Returns 0 if there is
  * no memory. */
-static int join_end(struct ends *ends, uint32_t *parent, uint32_t i,
+static int join_end(struct joints *joints, uint32_t *parent, uint32_t i,
                     const double *p)
 {
     const struct vector point = plus(vector(0, 0, 0), 1, vector_of(p));
     const struct string bits = {(const char *)point.v, sizeof point.v};
-    const size_t known = ends->points.texts.count;
+    const size_t before = joints->points.texts.count;
     size_t number;
-    if (!names_add(&ends->points, bits, &number))
+    if (!names_add(&joints->points, bits, &number))
         return 0;
-    if (number == known)
-        ends->first[number] = i;
-    join(parent, i, ends->first[number]);
+    if (number == before)
+        joints->first[number] = i;
+    join(parent, i, joints->first[number]);
     return 1;
 }
 
-static int join_shapes(struct ends *ends, const struct scene *scene,
+static int join_shapes(struct joints *joints, const struct scene *scene,
                        uint32_t *parent)
 {
     int has_memory = 1;
@@ -58,8 +58,8 @@ static int join_shapes(struct ends *ends, const struct scene *scene,
         cylint_shape shape;
         cylint_scene_shape(scene->shapes, i, &shape);
         if (shape.kind != CYLINT_KIND_NONE && cylint_has_end_points(shape.kind))
-            has_memory = join_end(ends, parent, i, cylint_base(&shape)) &&
-                         join_end(ends, parent, i, cylint_top(&shape));
+            has_memory = join_end(joints, parent, i, cylint_base(&shape)) &&
+                         join_end(joints, parent, i, cylint_top(&shape));
     }
     return has_memory;
 }
@@ -78,14 +78,14 @@ static void number_groups(uint32_t *group, size_t n)
 int connected_groups(const struct scene *scene, uint32_t *group)
 {
     const size_t n = scene->count;
-    struct ends ends = {.first = NULL};
+    struct joints joints = {.first = NULL};
     if (n < UINT32_MAX / 8)
-        ends.first = malloc((2 * n + 1) * sizeof *ends.first);
-    for (uint32_t i = 0; i < n && ends.first; i++)
+        joints.first = malloc((2 * n + 1) * sizeof *joints.first);
+    for (uint32_t i = 0; i < n && joints.first; i++)
         group[i] = i;
-    const int has_memory = ends.first && join_shapes(&ends, scene, group);
-    free(ends.first);
-    names_free(&ends.points);
+    const int has_memory = joints.first && join_shapes(&joints, scene, group);
+    free(joints.first);
+    names_free(&joints.points);
     if (!has_memory)
         return out_of_memory();
     number_groups(group, n);

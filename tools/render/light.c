@@ -26,15 +26,16 @@ enum { FOR_SUN = 1, FOR_SKY = 2 }; /* the purpose of samples */
 struct place {
     size_t number;
     struct vector point, facing;
-    int leaves; /* rays from here leave the shape, which is convex */
+    int is_leaving; /* rays from here leave the shape, which is convex */
 };
 
 /* ------------------------------------------------------------ surfaces -- */
 
 /* The shape where the ray first enters or leaves the union of all solids, or the
  * number of all shapes. */
-static size_t first_of_solids(struct tracer *tracer, const cylint_line *ray,
-                              unsigned want, cylint_hit *hit)
+static size_t first_boundary_of_ray(struct tracer *tracer,
+                                    const cylint_line *ray, unsigned want,
+                                    cylint_hit *hit)
 {
     const struct stage *stage = tracer->stage;
     const size_t number =
@@ -72,9 +73,10 @@ static int is_free(struct tracer *tracer, const struct place *at,
     if (cylint_ray(&ray, at->point.v, d.v) != CYLINT_OK)
         return 0;
     return stage->has_solids
-               ? first_of_solids(tracer, &ray, 0, &hit) == stage->count
+               ? first_boundary_of_ray(tracer, &ray, 0, &hit) == stage->count
                : !cylint_scene_occluded(stage->scene, &ray,
-                                        at->leaves ? at->number : stage->count);
+                                        at->is_leaving ? at->number
+                                                       : stage->count);
 }
 
 /* -------------------------------------------------------------- light -- */
@@ -159,7 +161,7 @@ struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
     cylint_hit hit;
     cylint_shape hit_shape;
     const size_t shape =
-        stage->has_solids ? first_of_solids(tracer, ray, want, &hit)
+        stage->has_solids ? first_boundary_of_ray(tracer, ray, want, &hit)
                           : cylint_scene_nearest(stage->scene, ray, want, &hit);
     if (shape == stage->count)
         return (struct sample){vector(0, 0, 0), 0};
@@ -168,11 +170,11 @@ struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
         make_hit_of_shape(&hit_shape, ray, want, &hit);
     const struct vector normal = vector_of(hit.normal);
     const struct vector d = vector_of(ray->d);
-    const int inside = dot(normal, d) > 0;
+    const int is_inside = dot(normal, d) > 0;
     struct place at = {shape, vector(0, 0, 0),
-                       inside ? times(-1, normal) : normal,
-                       !inside && is_convex(&hit_shape)};
-    cylint_outside(&hit_shape, &hit, inside ? 1 : -1, at.point.v);
+                       is_inside ? times(-1, normal) : normal,
+                       !is_inside && is_convex(&hit_shape)};
+    cylint_outside(&hit_shape, &hit, is_inside ? 1 : -1, at.point.v);
     const double covered = opacity(stage, &at);
     const struct vector light = shaded(
         tracer, &at, ray, light_of_colour(stage->colours[shape]), i, seed);

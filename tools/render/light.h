@@ -21,7 +21,7 @@ enum shading {
 
 /* The background, from the picture's upper edge to its lower one. */
 struct backdrop {
-    int transparent;
+    int is_transparent;
     struct vector top, bottom;
 };
 

@@ -12,30 +12,30 @@
 
 const char *const program = "cylint-render";
 
-/* -------------------------------------------------------------- stages -- */
+/* ----------------------------------------------------------- stopwatch -- */
 
-struct stages {
-    int reported;          /* on standard error */
+struct stopwatch {
+    int is_reported;       /* on standard error */
     double last, last_cpu; /* seconds; of all threads together */
 };
 
-static void stages_start(struct stages *stages, int reported)
+static void stopwatch_start(struct stopwatch *stopwatch, int is_reported)
 {
-    *stages = (struct stages){reported, seconds_of(CLOCK_MONOTONIC),
-                              seconds_of(CLOCK_PROCESS_CPUTIME_ID)};
+    *stopwatch = (struct stopwatch){is_reported, seconds_of(CLOCK_MONOTONIC),
+                                    seconds_of(CLOCK_PROCESS_CPUTIME_ID)};
 }
 
 /* Reports the time since the last call: `WHAT COUNT UNIT: SECONDS s, SECONDS s of
  * CPU`. */
-static void stages_end(struct stages *stages, const char *what,
-                       unsigned long long count, const char *unit)
+static void stopwatch_report(struct stopwatch *stopwatch, const char *what,
+                             unsigned long long count, const char *unit)
 {
-    const struct stages before = *stages;
-    stages_start(stages, before.reported);
-    if (before.reported)
+    const struct stopwatch before = *stopwatch;
+    stopwatch_start(stopwatch, before.is_reported);
+    if (before.is_reported)
         fprintf(stderr, "%s: %s %llu %s: %.2f s, %.2f s of CPU\n", program,
-                what, count, unit, stages->last - before.last,
-                stages->last_cpu - before.last_cpu);
+                what, count, unit, stopwatch->last - before.last,
+                stopwatch->last_cpu - before.last_cpu);
 }
 
 /* ------------------------------------------------------------- picture -- */
@@ -46,7 +46,7 @@ struct job {
     uint32_t *colours; /* of the shapes, and of the ground behind them */
     struct stage stage;
     struct view view;
-    struct stages stages;
+    struct stopwatch stopwatch;
 };
 
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
@@ -128,24 +128,24 @@ static int draw_picture(struct job *job, struct output *out)
     struct picture picture;
     const int workers = o->workers > 0 ? o->workers : processors();
     const struct drawing drawing = {&picture, &job->view, o->samples, workers,
-                                    o->progress};
+                                    o->shows_progress};
     int status = scene_build(&job->scene, workers);
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;
-    stages_end(&job->stages, "built a scene of",
-               cylint_scene_bytes(job->stage.scene), "bytes");
+    stopwatch_report(&job->stopwatch, "built a scene of",
+                     cylint_scene_bytes(job->stage.scene), "bytes");
     status = picture_make(&picture, o->size[0], o->size[1],
-                          is_xray                   ? 1
-                          : o->backdrop.transparent ? 4
-                                                    : 3);
+                          is_xray                      ? 1
+                          : o->backdrop.is_transparent ? 4
+                                                       : 3);
     if (status == 0)
         status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
                          : trace(&drawing, &job->stage);
-    stages_end(&job->stages, "traced", pixels, "pixels");
+    stopwatch_report(&job->stopwatch, "traced", pixels, "pixels");
     if (status == 0)
         status = picture_write(&picture, out);
-    stages_end(&job->stages, "wrote", pixels, "pixels");
+    stopwatch_report(&job->stopwatch, "wrote", pixels, "pixels");
     picture_free(&picture);
     return status;
 }
@@ -157,9 +157,9 @@ int main(int argc, char **argv)
     struct output out;
     guard_standard_streams();
     int status = read_options(&job.options, argc, argv);
-    if (status != 0 || o->print)
-        return status != 0 ? status : print_about(o->print);
-    stages_start(&job.stages, o->progress);
+    if (status != 0 || o->about)
+        return status != 0 ? status : print_about(o->about);
+    stopwatch_start(&job.stopwatch, o->shows_progress);
     const char *file = strcmp(o->output, "-") == 0 ? NULL : o->output;
     status =
         output_is_input(file, o->scene) ? EXIT_IO : output_open(&out, file, 1);
@@ -167,7 +167,7 @@ int main(int argc, char **argv)
         return status;
     status = prepare(&job);
     if (status == 0) {
-        stages_end(&job.stages, "read", job.stage.count, "shapes");
+        stopwatch_report(&job.stopwatch, "read", job.stage.count, "shapes");
         status = draw_picture(&job, &out);
     }
     const int closed = output_close(&out, status == 0);

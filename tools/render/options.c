@@ -86,10 +86,10 @@ static int read_background(const struct option *o, const char *value,
     struct backdrop *b = place;
     uint32_t colour = SKY_TOP;
     int is_right = 1;
-    b->transparent = strcmp(value, "none") == 0;
+    b->is_transparent = strcmp(value, "none") == 0;
     if (strcmp(value, "sky") == 0) {
         set_sky(b);
-    } else if (!b->transparent) {
+    } else if (!b->is_transparent) {
         is_right = read_colour(string_of(value), &colour);
         b->top = b->bottom = light_of_colour(colour);
     }
@@ -171,7 +171,7 @@ static const struct option option_table[] = {
      "the upward direction, default 0,0,1"},
     {"fov", "DEGREES", read_factor, AT(viewing.fov),
      "degrees above 0 and below 180", 180, 0, "from bottom to top, default 30"},
-    {"ortho", 0, read_flag, AT(viewing.parallel), 0, 1, 0, "parallel rays"},
+    {"ortho", 0, read_flag, AT(viewing.is_parallel), 0, 1, 0, "parallel rays"},
     {"zoom", "FACTOR", read_factor, AT(viewing.zoom), "a number above 0", 0, 0,
      "enlarge about the picture's centre"},
     {"colour", "HOW", read_colouring, 0,
@@ -196,10 +196,10 @@ static const struct option option_table[] = {
      "the ends of shapes whose records do not state them"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, 0,
      "of a neuron, NAME.swc: cones (default) or round"},
-    {"progress", 0, read_flag, AT(progress), 0, 1, 0,
+    {"progress", 0, read_flag, AT(shows_progress), 0, 1, 0,
      "report the progress on standard error"},
-    {"help", 0, read_about, AT(print), 0, 0, 0, NULL},
-    {"version", 0, read_about, AT(print), 0, 0, 0, ""},
+    {"help", 0, read_about, AT(about), 0, 0, 0, NULL},
+    {"version", 0, read_about, AT(about), 0, 0, 0, ""},
     {0}};
 
 static int is_given(const struct options *o, const char *name)
@@ -258,7 +258,7 @@ int read_options(struct options *o, int argc, char **argv)
     const int status =
         take_arguments(option_table, argc, argv, o, &files, &o->given);
     o->has_sun = is_given(o, "light");
-    return status != 0 || o->print ? status : settle(o, argv, files);
+    return status != 0 || o->about ? status : settle(o, argv, files);
 }
 
 /* ----------------------------------------------------------------- help -- */

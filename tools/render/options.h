@@ -19,7 +19,7 @@ struct options {
     int size[2]; /* width and height */
     int samples;
     int workers; /* 0: one for each processor */
-    int progress;
+    int shows_progress;
     struct viewing viewing;
     int has_sun;
     struct vector sun; /* towards it */
@@ -30,7 +30,7 @@ struct options {
     struct backdrop backdrop;
     struct xray xray;
 
-    const char *print; /* help or version, to print instead; or NULL */
+    const char *about; /* help or version, to print instead; or NULL */
 };
 
 /* Returns 0, or reports the fault and returns EXIT_USAGE. */

@@ -22,7 +22,7 @@ struct drawing {
     struct picture *picture;
     const struct view *view;
     int samples, workers;
-    int progress; /* report it even if standard error is no terminal */
+    int shows_progress; /* even if standard error is no terminal */
 };
 
 /* All return 0, or report the fault and return an exit status. */

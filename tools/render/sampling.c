@@ -75,10 +75,10 @@ void sample_disc(uint32_t i, uint32_t seed, double point[2])
     double square[2];
     sample_square(i, seed, square);
     const double x = 2 * square[0] - 1, y = 2 * square[1] - 1;
-    const int wide = fabs(x) > fabs(y);
-    const double radius = wide ? x : y;
+    const int is_wide = fabs(x) > fabs(y);
+    const double radius = is_wide ? x : y;
     const double turn = radius == 0 ? 0
-                        : wide      ? quarter * (y / x)
+                        : is_wide   ? quarter * (y / x)
                                     : quarter * (2 - x / y);
     point[0] = radius * cos(turn);
     point[1] = radius * sin(turn);
@@ -89,8 +89,9 @@ struct vector sample_hemisphere(uint32_t i, uint32_t seed, struct vector n)
 {
     double disc[2];
     sample_disc(i, seed, disc);
-    const double left = 1 - disc[0] * disc[0] - disc[1] * disc[1];
+    const double height_squared = 1 - disc[0] * disc[0] - disc[1] * disc[1];
     const struct vector u = perpendicular(n);
-    return plus(plus(times(left > 0 ? sqrt(left) : 0, n), disc[0], u), disc[1],
-                cross(n, u));
+    return plus(plus(times(height_squared > 0 ? sqrt(height_squared) : 0, n),
+                     disc[0], u),
+                disc[1], cross(n, u));
 }

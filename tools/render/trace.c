@@ -55,12 +55,12 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
     for (int i = 0; i < 3; i++) {
         const double light =
             mean.opacity > 0 ? exposed(mean.light.v[i] / mean.opacity) : 0;
-        bytes[i] = byte_of_light(b->transparent
+        bytes[i] = byte_of_light(b->is_transparent
                                      ? light
                                      : mean.opacity * light +
                                            (1 - mean.opacity) * behind.v[i]);
     }
-    if (b->transparent)
+    if (b->is_transparent)
         bytes[3] = (unsigned char)(255 * mean.opacity + 0.5);
 }
 
@@ -93,7 +93,7 @@ int trace(const struct drawing *d, const struct stage *stage)
 {
     struct work w = {
         .drawing = d, .stage = stage, .lock = PTHREAD_MUTEX_INITIALIZER};
-    progress_start(&w.progress, d->progress, "rows", 0);
+    progress_start(&w.progress, d->shows_progress, "rows", 0);
     cylint_threads_share(d->workers, (size_t)d->picture->height, 1, 1,
                          trace_rows, &w);
     progress_end(&w.progress);

@@ -54,8 +54,8 @@ static struct vector default_side(const struct boxes *boxes, struct vector up)
     const double longest = 0.5 * atan2(2 * s.uv, s.uu - s.vv);
     const double turn = longest - 90 * DEGREE + ASIDE;
     const double above = 4 * s.ww < s.uu + s.vv ? ABOVE_FLAT : ABOVE;
-    const struct vector level = plus(times(cos(turn), u), sin(turn), v);
-    return plus(times(cos(above), level), sin(above), up);
+    const struct vector horizontal = plus(times(cos(turn), u), sin(turn), v);
+    return plus(times(cos(above), horizontal), sin(above), up);
 }
 
 /* ------------------------------------------------------------ framing -- */
@@ -64,8 +64,8 @@ static const char TOO_LARGE[] =
     "the scene is too large or too far from the camera for a picture";
 
 /* Returns NULL, or why it is no direction of view. */
-static const char *look_along(struct view *view, struct vector forward,
-                              struct vector up)
+static const char *set_directions(struct view *view, struct vector forward,
+                                  struct vector up)
 {
     if (length(forward) == 0)
         return "--eye and --look-at are the same point";
@@ -106,7 +106,7 @@ static struct vector edge_plane(struct vector outward, struct vector forward,
     return plus(times(cosine, outward), -cosine * half, forward);
 }
 
-static void stand_back(struct view *view, const struct boxes *boxes)
+static void place_eye(struct view *view, const struct boxes *boxes)
 {
     /* the margin widens the scene */
     const double w = view->half_width / MARGIN, h = view->half_height / MARGIN;
@@ -129,8 +129,8 @@ static void stand_back(struct view *view, const struct boxes *boxes)
 
 /* The picture is as wide as the scene.  The eye is the scene's size before it, so
  * that rounding puts it behind no shape. */
-static void stand_aside(struct view *view, double aspect,
-                        const struct boxes *boxes)
+static void place_parallel_eye(struct view *view, double aspect,
+                               const struct boxes *boxes)
 {
     const double right = reach(boxes, view->right);
     const double left = reach(boxes, times(-1, view->right));
@@ -147,7 +147,7 @@ static void stand_aside(struct view *view, double aspect,
 const char *view_of_scene(struct view *view, const struct viewing *camera,
                           const struct boxes *boxes)
 {
-    const int is_placed = camera->has_eye && !camera->parallel;
+    const int is_placed = camera->has_eye && !camera->is_parallel;
     if (boxes->size == 0 && !(is_placed && camera->has_target))
         return "no shape is bounded; use --eye and --look-at";
     if (!is_placed && !(boxes->size < HUGE_VAL))
@@ -158,16 +158,16 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
     const struct vector backward = camera->has_eye ? minus(camera->eye, target)
                                    : camera->has_from ? camera->from
                                                       : default_side(boxes, up);
-    view->parallel = camera->parallel;
+    view->is_parallel = camera->is_parallel;
     view->half_height = tan(0.5 * DEGREE * camera->fov);
     view->half_width = camera->aspect * view->half_height;
-    const char *fault = look_along(view, times(-1, backward), up);
+    const char *fault = set_directions(view, times(-1, backward), up);
     if (fault)
         return fault;
-    if (camera->parallel)
-        stand_aside(view, camera->aspect, boxes);
+    if (camera->is_parallel)
+        place_parallel_eye(view, camera->aspect, boxes);
     else if (!camera->has_eye)
-        stand_back(view, boxes);
+        place_eye(view, boxes);
     if (camera->has_eye)
         view->eye = camera->eye;
     view->half_width /= camera->zoom;
@@ -188,8 +188,8 @@ void view_sample(const struct view *view, int width, int height, int x, int y,
         plus(times(right * view->half_width, view->right),
              up * view->half_height, view->up);
     const struct vector o =
-        view->parallel ? plus(view->eye, 1, across) : view->eye;
+        view->is_parallel ? plus(view->eye, 1, across) : view->eye;
     const struct vector d =
-        view->parallel ? view->forward : plus(view->forward, 1, across);
+        view->is_parallel ? view->forward : plus(view->forward, 1, across);
     cylint_ray(ray, o.v, d.v);
 }

@@ -42,8 +42,8 @@ struct viewing {
     struct vector from;   /* or only the side of the scene where it is */
     struct vector target; /* the point it looks at, with an eye */
     struct vector up;
-    double fov;   /* degrees from bottom to top */
-    int parallel; /* all lines have one direction */
+    double fov;      /* degrees from bottom to top */
+    int is_parallel; /* all lines have one direction */
     double zoom;
     double aspect; /* the picture's width over its height */
 };
@@ -53,7 +53,7 @@ struct view {
     struct vector right, up, forward; /* perpendicular unit vectors */
     double half_width, half_height;   /* of the picture: at the distance 1
                                          from the eye, or if parallel as such */
-    int parallel;
+    int is_parallel;
 };
 
 /* Fits the scene into the picture if no eye is given.  Returns NULL, or why there

@@ -82,13 +82,13 @@ static int measure_block(const struct rays *rays, size_t first, size_t count)
     return 0;
 }
 
-static int measure(const struct rays *rays)
+static int measure_rays(const struct rays *rays)
 {
     const size_t most = RAYS_AT_ONCE / (size_t)rays->drawing->samples;
     const size_t pixels = rays->pixels;
     struct progress shown;
     int status = 0;
-    progress_start(&shown, rays->drawing->progress, "pixels", 0);
+    progress_start(&shown, rays->drawing->shows_progress, "pixels", 0);
     for (size_t done = 0, n; status == 0 && done < pixels; done += n) {
         n = pixels - done < most ? pixels - done : most;
         status = measure_block(rays, done, n);
@@ -132,9 +132,9 @@ static double brightness(const struct xray *how, double largest, double length)
     return length > 0 ? exp(-how->mu * length) : 1;
 }
 
-/* Writes what the picture shows to its note. */
-static void scale(struct picture *picture, const struct xray *how,
-                  const struct rays *rays)
+/* Writes the pixels, and to the note what they show. */
+static void write_pixels(struct picture *picture, const struct xray *how,
+                         const struct rays *rays)
 {
     const struct summary s = summary_of(rays);
     struct xray used = *how;
@@ -163,10 +163,10 @@ int xray_picture(const struct drawing *d, const struct xray *how,
     const struct rays rays = {d, scene, malloc(sizeof *rays.block), pixels,
                               calloc(pixels, sizeof *rays.lengths)};
     const int status =
-        rays.block && rays.lengths ? measure(&rays) : out_of_memory();
+        rays.block && rays.lengths ? measure_rays(&rays) : out_of_memory();
     if (status == 0)
-        scale(d->picture, how, &rays);
-    if (status == 0 && d->progress)
+        write_pixels(d->picture, how, &rays);
+    if (status == 0 && d->shows_progress)
         fprintf(stderr, "%s: a pixel is %s\n", program, d->picture->note);
     free(rays.block);
     free(rays.lengths);
