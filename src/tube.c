@@ -12,7 +12,7 @@ static void to_size_of_one(const double x[3], double to[3])
 {
     double most = 0;
     for (int i = 0; i < 3; i++)
-        most = cylint_larger(most, fabs(x[i]));
+        most = cylint_less(most, fabs(x[i])) ? fabs(x[i]) : most;
     const int e = cylint_sign(most) == 0 ? 0 : cylint_any_exponent(most);
     for (int i = 0; i < 3; i++)
         to[i] = cylint_scaled(x[i], -e);
