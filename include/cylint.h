@@ -442,9 +442,8 @@ CYLINT_API int cylint_outside(const cylint_shape *shape, const cylint_hit *hit,
 
 /* Writes the least box parallel to the coordinate axes that contains the
  * solid.  Each side is rounded outward, by at most 5 units in the last place.
- * Where the centre and the reach of a disc nearly cancel, by at most 2^-95 of
- * them.  A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded.  A
- * refused shape gives lo = HUGE_VAL, hi = -HUGE_VAL. */
+ * A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded.  A refused
+ * shape gives lo = HUGE_VAL, hi = -HUGE_VAL. */
 CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
                               double hi[3]);
 

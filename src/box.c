@@ -40,31 +40,28 @@ static void extend_side(double lo[3], double hi[3], int j, double low,
                cylint_less(hi[j], high) ? high : hi[j]);
 }
 
-/* center + offset + reach (up) or - reach, rounded outward.  If nothing was
- * rounded before, the sign of the sum's low part decides the rounding.
- * Otherwise the error of the pairs is at most CYLINT_BOX_ERROR; it is added
- * before the last rounding. */
-static double outward(double center, pair offset, pair reach, int is_exact,
-                      int up)
+/* Writes center + reach (up) or - reach, rounded outward.  If nothing was rounded
+ * before, the sign of the sum's low part decides the rounding.  Otherwise the error
+ * of the pairs is at most CYLINT_BOX_ERROR; it is added before the last rounding.
+ * Returns 0 if the two nearly cancel, so that this is more than a unit in the last
+ * place of their sum. */
+static int outward(pair center, pair reach, int is_exact, int up, double *side)
 {
-    const pair far = pair_add(offset, up ? reach : pair_neg(reach));
-    const pair sum = pair_add((pair){center, 0}, far);
-    if (!(fabs(sum.hi) <= DBL_MAX))
-        return up ? HUGE_VAL : -HUGE_VAL;
-    const int terms = (center != 0) + (offset.hi != 0) + (reach.hi != 0);
-    is_exact = is_exact && !cylint_too_small(center) &&
-               !cylint_too_small(offset.hi) && !cylint_too_small(reach.hi) &&
-               terms <= 2;
-    if (is_exact) {
-        if (up ? sum.lo <= 0 : sum.lo >= 0)
-            return sum.hi;
-        return cylint_next(sum.hi, up);
+    const pair sum = pair_add(center, up ? reach : pair_neg(reach));
+    const double error =
+        CYLINT_BOX_ERROR * fabs(center.hi) + CYLINT_BOX_ERROR * fabs(reach.hi);
+    if (!(fabs(sum.hi) <= DBL_MAX)) {
+        *side = up ? HUGE_VAL : -HUGE_VAL;
+        return 1;
     }
-    const double error = CYLINT_BOX_ERROR * fabs(center) +
-                         CYLINT_BOX_ERROR * fabs(offset.hi) +
-                         CYLINT_BOX_ERROR * fabs(reach.hi);
+    if (is_exact && (reach.hi == 0 || center.lo == 0)) {
+        const int is_inside = up ? sum.lo > 0 : sum.lo < 0;
+        *side = is_inside ? cylint_next(sum.hi, up) : sum.hi;
+        return 1;
+    }
     const double moved = sum.hi + (up ? sum.lo + error : sum.lo - error);
-    return cylint_next(cylint_next(moved, up), up);
+    *side = cylint_next(cylint_next(moved, up), up);
+    return error <= CYLINT_ROUNDING / 2 * fabs(sum.hi);
 }
 
 /* ----------------------------------------------------- by exact numbers -- */
@@ -185,9 +182,9 @@ static void add_end(const cylint_shape *s, int end, int j, double center,
                     double lo[3], double hi[3])
 {
     double side[2];
+    const pair middle = pair_add((pair){center, 0}, (pair){offset, 0});
     for (int up = 0; up < 2; up++) {
-        side[up] = outward(center, (pair){offset, 0}, reach, is_exact, up);
-        if (!serves)
+        if (!outward(middle, reach, is_exact, up, &side[up]) || !serves)
             side[up] =
                 exact_side_of_end(s, end, j, center, offset, side[up], up);
     }
@@ -214,8 +211,8 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
         else if (cap)
             offset = cylint_axis(s)[j];
         const pair reach = cylint_scaled_pair(product, e + er);
-        /* a reach that rounds to 0 */
-        is_exact &= cylint_sign(reach.hi) == cylint_sign(product.hi);
+        /* not a reach that rounds to a subnormal number or 0 */
+        is_exact &= cylint_scaled(reach.hi, -e - er) == product.hi;
         const int serves = pairs_serve(center, offset, reach.hi);
         add_end(s, cap, j, center, offset, reach, is_exact, serves, lo, hi);
     }
@@ -286,8 +283,10 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
         /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
         const int up = widens < 0;
         const double base = cylint_base(s)[j];
-        double apex = outward(base, offset, (pair){0, 0}, at_base, up);
-        if (!pairs_serve(base, offset.hi, 0))
+        double apex;
+        if (!outward((pair){base, 0}, up ? offset : pair_neg(offset), at_base,
+                     up, &apex) ||
+            !pairs_serve(base, offset.hi, 0))
             apex = exact_side_of_apex(&q, j, apex, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }
