@@ -6,6 +6,7 @@
 # These variables are the user's; the project's own flags stand around them.
 CC         ?= cc
 CXX        ?= c++
+AR         ?= ar
 CFLAGS     ?= -O2 -g1
 CXXFLAGS   ?= -O2 -g1
 BUILD      ?= build$(if $(PARANOID),/paranoid)
@@ -31,24 +32,28 @@ ifneq ($(filter clean uninstall,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
+quote = '$(subst ','\'',$(1))'
+
 # In another folder a make in this one does the work.
 here  := $(realpath $(dir $(lastword $(MAKEFILE_LIST))))
+$(if $(here),,$(error the path of this Makefile has a space: use make -C FOLDER))
 there := $(filter-out $(here),$(realpath .))
 ifneq ($(there),)
 $(or $(MAKECMDGOALS),all): there ;
 there:
-	@$(MAKE) --no-print-directory -C $(here) $(patsubst $(BUILD)/%,$(abspath $(BUILD))/%,$(MAKECMDGOALS)) \
-	  $(foreach v,BUILD DESTDIR PREFIX,$(if $($v),$v='$(abspath $($v))'))
+	@$(MAKE) --no-print-directory -C '$(here)' $(patsubst $(BUILD)/%,$(abspath $(BUILD))/%,$(MAKECMDGOALS)) \
+	  $(foreach v,BUILD DESTDIR PREFIX,$(if $($v),$v=$(call quote,$(abspath $($v)))))
 .PHONY: there $(or $(MAKECMDGOALS),all)
 else
 # Installed files name it.
 override PREFIX := $(abspath $(PREFIX))
-$(foreach v,BUILD DESTDIR PREFIX,$(if $(word 2,x$($v)),$(error $v has a space, which make cannot use: $($v))))
+special := ' " ` \ $$ % * ? & | ; < > ( ) /~
+$(foreach v,BUILD DESTDIR PREFIX,$(if $(word 2,x$($v))$(strip $(foreach c,$(special),$(findstring $c,/$($v)))),\
+  $(error $v begins with ~ or has a space or one of $(filter-out /~,$(special)): $($v))))
 
 # A step prints one short line; with V=1 it prints its command.
 options := $(firstword -$(MAKEFLAGS))
 say      = $(if $(V)$(findstring s,$(options)),,@echo '$(1)';)
-quote    = '$(subst ','\'',$(1))'
 
 # $(BUILD)/config.mk lists what this machine has: MPFR, PNG, EMBREE (3, 4
 # or nothing), PTHREAD and so on.  `make MPFR= check` does without MPFR.  If the

@@ -100,10 +100,20 @@ verdict with_DESTDIR_it_installs_there $?
 $make -n -C "$top" BUILD="$scratch/b" PREFIX=inst install-folders | grep -q " $top/inst/bin "
 verdict a_relative_PREFIX_becomes_a_whole_path $?
 for variable in BUILD DESTDIR PREFIX; do
-    ! $make -n -C "$top" "$variable=/a b" install > "$scratch/output" 2>&1 &&
-        grep -q "$variable has a space, which make cannot use: /a " "$scratch/output"
-    verdict "a_space_in_${variable}_is_an_error" $?
+    for value in '/a b' "/a'b" '/a;b' '/a$$b' '~/b'; do
+        ! $make -n -C "$top" "$variable=$value" install > "$scratch/output" 2>&1 &&
+            grep -q "$variable begins with ~ or has a space or one of ' \"" "$scratch/output"
+        verdict "${variable}_is_refused_if_it_is_$value" $?
+    done
 done
+mkdir "$scratch/a b"
+ln -s "$top"/* "$scratch/a b"
+ln -s 'a b' "$scratch/blank"
+! (cd "$scratch/outside" && $make -f "../a b/Makefile" help) > "$scratch/output" 2>&1 &&
+    grep -q 'path of this Makefile has a space' "$scratch/output"
+verdict make_in_another_folder_refuses_a_space_in_the_way_to_the_sources $?
+(cd "$scratch/outside" && $make -f ../blank/Makefile help) | grep -q '^demo'
+verdict it_reads_sources_in_a_folder_with_a_space $?
 elsewhere clean help && [ ! -e "$scratch/outside/build" ] && grep -q '^demo' "$scratch/output"
 verdict it_makes_several_goals $?
 
