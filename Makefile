@@ -152,12 +152,14 @@ $(isa_builds:%=$(BUILD)/%.o): $(BUILD)/%.o: $$(firstword $$(subst -, ,$$*)).c $$
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
 	$(call say,CXX $<)$(CXX) -std=c++17 $(hidden) $(warnings) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 
-# FOLDER/flags holds the commands that compile the folder's files.  If they
-# change, the file is written and the folder's objects are compiled again.
+# FOLDER/flags holds the commands that compile the folder's files, $(BUILD)/links those
+# that link.  If they change, the file is written and what they make is made again.
 folders := $(patsubst %/,%,$(sort $(dir $(wildcard src/*.c src/*/*.c tools/*/*.c tools/*/*/*.c tests/*.c tests/*/*.c))))
+write    = @mkdir -p $(@D); text=$(call quote,$(1)); printf '%s\n' "$$text" | cmp -s - $@ || printf '%s\n' "$$text" >$@
 $(folders:%=$(BUILD)/%/flags): $(BUILD)/%/flags: FORCE
-	@mkdir -p $(@D); flags=$(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)); \
-	  printf '%s\n' "$$flags" | cmp -s - $@ || printf '%s\n' "$$flags" >$@
+	$(call write,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS))
+$(BUILD)/links: FORCE
+	$(call write,$(CC) $(with_numbers) $(CFLAGS) $(LDFLAGS) $(LDLIBS) $(soname))
 
 # ------------------------------------------------ libraries and programs --
 # $(call shared,NAME) and $(call shared,NAME,VERSION) are file names, $(soname)
@@ -192,8 +194,8 @@ $(call dynamic,$(adapter)): libs := $(EMBREE_LIBS) $(threads_link)
 $(BUILD)/%.a:
 	$(call say,AR $@)rm -f $@; $(AR) rcs $@ $^
 
-$(call dynamic,lib%):
-	$(call say,LD $@)$(CC) $(CFLAGS) $(LDFLAGS) $(soname) -o $@ $^ $(libs) -lm
+$(call dynamic,lib%): $(BUILD)/links
+	$(call say,LD $@)$(CC) $(CFLAGS) $(LDFLAGS) $(soname) -o $@ $(filter-out %/links,$^) $(libs) -lm
 
 # $(link): a program of all its prerequisites
 linker = $(CC)
@@ -207,7 +209,7 @@ $(BUILD)/cylint-render: $(call objects,tools/render) $(BUILD)/tools/cylint.a $(s
 $(BUILD)/cylint-render: libs := -lpng
 commands := $(if $(POSIX),$(BUILD)/cylint $(if $(PNG),$(BUILD)/cylint-render))
 $(commands) $(BUILD)/demo/cylint: linker = $(with_numbers) -pthread
-$(commands) $(BUILD)/demo/cylint:
+$(commands) $(BUILD)/demo/cylint: $(BUILD)/links
 	@mkdir -p $(@D)
 	$(link)
 

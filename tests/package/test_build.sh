@@ -144,6 +144,17 @@ if make_bare CFLAGS='-O0 -flto' libraries=libcylint library_objects="$scratch/lt
     verdict with_flto_the_installed_library_links $?
 fi
 
+# version_library ARGUMENT...: links the library from the same object alone
+version_library()
+{
+    make_bare BUILD="$scratch/links" libraries=libcylint commands= \
+        library_objects="$scratch/links/src/version.o" "$@" all
+}
+version_library && version_library && ! grep '^LD' "$scratch/output"
+verdict nothing_is_linked_twice $?
+version_library LDFLAGS=-L. && grep -q '^LD .*libcylint' "$scratch/output"
+verdict other_flags_of_the_linker_link_again $?
+
 # Code without wide vectors is slow after a function that leaves the upper halves
 # of registers in use.  gcc does not clear them (vzeroupper) in a function with a
 # vector among its arguments.
