@@ -298,6 +298,7 @@ help: ## print this list
 
 .PHONY: all demo install install-folders uninstall clean help FORCE
 .SECONDARY:
+.DELETE_ON_ERROR:
 .SUFFIXES:
 $(BUILD)/%.d: ;
 -include $(wildcard $(folders:%=$(BUILD)/%/*.d))

@@ -154,6 +154,11 @@ version_library && version_library && ! grep '^LD' "$scratch/output"
 verdict nothing_is_linked_twice $?
 version_library LDFLAGS=-L. && grep -q '^LD .*libcylint' "$scratch/output"
 verdict other_flags_of_the_linker_link_again $?
+printf '#!/bin/sh\necho half > "$2"\nexit 1\n' > "$scratch/bin/half"
+chmod +x "$scratch/bin/half"
+! version_library clean all AR=half > "$scratch/said" && [ ! -e "$scratch/links/libcylint.a" ] &&
+    grep -q "libcylint.a.* Error 1" "$scratch/output"
+verdict a_step_that_fails_leaves_no_file_that_stands_for_done $?
 
 # Code without wide vectors is slow after a function that leaves the upper halves
 # of registers in use.  gcc does not clear them (vzeroupper) in a function with a
