@@ -400,7 +400,7 @@ CYLINT_API void cylint_scene_member(const cylint_scene *scene, size_t i,
  */
 typedef enum cylint_piece_mode {
     CYLINT_PIECES_UNION, /* maximal intervals inside at least one solid: disjoint,
-                            not touching.  shape: the owner of the piece's begin */
+                            not touching.  shape: the owner at t0 */
     CYLINT_PIECES_OWNER, /* each place belongs to the solid of least rank, of equal
                             ranks to the lowest number; neighbours of equal owner
                             are joined */
@@ -579,7 +579,7 @@ CYLINT_API void cylint_piece_rows_free(cylint_piece_rows *rows);
  * t0 over the pieces of line i whose shapes have the label: the double nearest to
  * the sum of these real numbers.  It is infinite if a piece is.  With the mode
  * `owner` each place counts once, for its owner; with `union` for the owner of the
- * piece's begin; with `chords` as often as solids contain it.
+ * piece's start; with `chords` as often as solids contain it.
  *
  * label[i]: of shape i or, if a solid has the number i, of that, 0 to labels - 1;
  * pieces with other labels are not counted; NULL: all have label 0.  in_units: 0

@@ -15,7 +15,7 @@ typedef struct cylint_memory_source {
 } cylint_memory_source;
 
 typedef struct cylint_memory {
-    void *data; /* at the begin of a cache line; NULL: no memory */
+    void *data; /* at the start of a cache line; NULL: no memory */
     size_t bytes;
     void *handle;
     void (*release)(void *handle); /* NULL: the data are the caller's */

@@ -78,7 +78,7 @@ INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
 
 /* ------------------------------------------------- features, in doubles -- */
 
-/* Where the foot certainly is: not after the begin of the lateral line, between its
+/* Where the foot certainly is: not after the start of the lateral line, between its
  * ends, not before its end. */
 typedef struct {
     vm before, on, after;

@@ -393,7 +393,7 @@ static cylint_scene_status map_or_read(cylint_memory *m, const char *path,
     return status;
 }
 
-/* The same for bytes in memory, which are copied unless they lie at the begin of a
+/* The same for bytes in memory, which are copied unless they lie at the start of a
  * cache line. */
 static cylint_scene_status use_memory(cylint_memory *m, const void *data,
                                       size_t bytes)

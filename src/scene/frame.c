@@ -74,7 +74,7 @@ static void clip(const cylint_frame *f, const cylint_line *line, double size,
 }
 
 /*
- * Let e be the begin of the clipped domain.  The ray begins at
+ * Let e be the start of the clipped domain.  The ray begins at
  *
  *     (o - center + e d) scale,   in pairs,
  *

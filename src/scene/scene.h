@@ -131,7 +131,7 @@ static inline int cylint_is_member(const cylint_solids *solids, size_t shape)
 /* The place of the checksum in the file, in bytes. */
 enum { CYLINT_FILE_CHECKSUM = 32 };
 
-/* The checksum of a file of at least 512 bytes, a multiple of 64, at the begin of
+/* The checksum of a file of at least 512 bytes, a multiple of 64, at the start of
  * a cache line.  It does not depend on the bytes at the checksum's place. */
 uint64_t cylint_file_checksum(const void *data, size_t bytes);
 

@@ -18,7 +18,7 @@
 
 enum { SCENE_FILE_MOST = 1 << 20 };
 
-/* Bytes at the begin of a cache line. */
+/* Bytes at the start of a cache line. */
 struct bytes {
     char *memory, *data;
     size_t n; /* SCENE_FILE_MOST at most */
@@ -57,7 +57,7 @@ static inline void scene_file_write(const cylint_scene *scene, struct bytes *b)
     MUST(cylint_scene_write(scene, bytes_append, b) == CYLINT_SCENE_OK);
 }
 
-/* Makes the checksum right, in bytes at the begin of a cache line. */
+/* Makes the checksum right, in bytes at the start of a cache line. */
 static inline void scene_file_repair(void *data, size_t bytes)
 {
     if (bytes >= 512 && bytes % 64 == 0) {

@@ -103,7 +103,7 @@ static const struct column columns[] = {
     {"n", PAIRS | ALL, TYPE_WORD, AT(answer.n), NULL, HITS_ANSWER, 0,
      "number of hits"},
     {"t0", PAIRS | ALL | PIECES, TYPE_REAL, AT(answer.hit[0].t), NULL, HITS_ONE,
-     CYLINT_WANT_T, "where on the line, first hit or begin of the piece"},
+     CYLINT_WANT_T, "where on the line, first hit or start of the piece"},
     {"t1", PAIRS | ALL | PIECES, TYPE_REAL, AT(answer.hit[1].t), NULL, HITS_TWO,
      CYLINT_WANT_T, "where on the line, second hit or end of the piece"},
     {"t", NEAREST | FIRST, TYPE_REAL, AT(answer.hit[0].t), NULL, HITS_ONE,

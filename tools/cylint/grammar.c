@@ -2,7 +2,7 @@
  * grammar.c - reads a line or point and a shape from a record of text or
  * doubles
  *
- * Texts are pointers to their begin and end, not C strings: a NUL is a bad
+ * Texts are pointers to their start and end, not C strings: a NUL is a bad
  * byte.
  */
 #include <string.h>
@@ -336,7 +336,7 @@ static int has_surplus(struct reader *r, const struct grammar *g)
     return 1;
 }
 
-/* The begin of this word, which ends at `equals`, if a field of the tail other than
+/* The start of this word, which ends at `equals`, if a field of the tail other than
  * the first begins with it; else NULL. */
 static const char *late_word_at(struct string tail, const char *equals,
                                 const char *word)
