@@ -98,10 +98,19 @@ static int is_read_too(const struct options *o, const char *file)
     return is_input;
 }
 
+/* Whether the answers would overwrite the saved scene, or it them. */
+static int is_saved_too(const struct options *o)
+{
+    return o->save && !o->only_saves &&
+           output_is_file(o->output, o->save,
+                          "is the file of both --save and the answers");
+}
+
 static int save(struct job *job)
 {
     const struct options *o = job->options;
-    int status = is_read_too(o, o->save) ? EXIT_IO : read_scene(job);
+    int status =
+        is_read_too(o, o->save) || is_saved_too(o) ? EXIT_IO : read_scene(job);
     return status == 0 ? scene_save(&job->scene, o->save) : status;
 }
 
@@ -122,7 +131,7 @@ static int answer(struct job *job)
         o->is_binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
     const size_t row =
         o->style.is_binary ? sizeof(double) * options_fields(o)->count : 0;
-    if (is_read_too(o, o->output))
+    if (is_read_too(o, o->output) || is_saved_too(o))
         return EXIT_IO;
     int status = output_open(&job->out, o->output, row);
     if (status != 0)

@@ -61,8 +61,6 @@ static int read_method(const struct option *o, const char *value, void *place)
 
 /* ---------------------------------------------------------------- table -- */
 
-enum { COUNT_MOST = INT_MAX / 10 - 1 };
-
 /* What an option needs. */
 enum needs {
     NEEDS_NOTHING,
@@ -107,8 +105,8 @@ static const struct option option_table[] = {
     {"rank", "FILE", read_text, AT(rank), 0, 0, NEEDS_SOLIDS,
      "lines LABEL INTEGER: of several solids the one with the\n"
      "least rank owns a place"},
-    {"first", "K", read_count, AT(most_pieces), "a number of pieces",
-     COUNT_MOST, NEEDS_PIECES, "of -q pieces: the first K pieces of each line"},
+    {"first", "K", read_count, AT(most_pieces), "a number of pieces", INT_MAX,
+     NEEDS_PIECES, "of -q pieces: the first K pieces of each line"},
     {"sum", "WHAT", read_word, AT(sum), sums, 0, NEEDS_PIECES,
      "of -q pieces: sums of lengths, one for each label or of\n"
      "all: label, total; in multiples of the direction: label:t,\n"
@@ -152,7 +150,7 @@ static const struct option option_table[] = {
      "little-endian doubles in and out, in, out (needs -k)"},
     {"npy", 0, read_flag, AT(is_array), 0, 1, 0,
      "binary answers as a .npy array"},
-    {"j", "N", read_count, AT(workers), "a number of workers", COUNT_MOST, 0,
+    {"j", "N", read_count, AT(workers), "a number of workers", INT_MAX, 0,
      "workers, at most; one for each processor by default"},
     {"hits-only", 0, read_flag, AT(hits_only), 0, 1, 0,
      "only answers with a hit"},

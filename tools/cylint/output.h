@@ -34,8 +34,10 @@ void guard_standard_streams(void);
 /* open(), repeated if a signal interrupts it. */
 int open_file(const char *name, int flags, unsigned mode);
 
-/* Whether a regular file, NULL: standard output, is this input file; "-" is
- * standard input.  Prints a message if so. */
+/* Whether a regular file, NULL: standard output, is also this other one; "-" is
+ * standard input.  Prints the fault if so. */
+int output_is_file(const char *file, const char *other, const char *fault);
+/* The same, where the other one is an input. */
 int output_is_input(const char *file, const char *input);
 
 /* All return 0, or an exit status after a message.  A command has one output
