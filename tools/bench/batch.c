@@ -163,7 +163,7 @@ void bench_batch(void)
         double share;
         const char *setup;
     } shares[] = {{0.01, "1 % hit"}, {0.5, "50 % hit"}};
-    in.memory = need(cylint_pack_bytes(N));
+    in.memory = allocate(cylint_pack_bytes(N));
     for (int kind = 0; kind < KINDS; kind++)
         for (int k = 0; k < 2 && is_wanted(kind_names[kind]); k++) {
             in.kind = kind;

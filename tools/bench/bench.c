@@ -80,7 +80,7 @@ static int kernels_count(void)
     int n = 0;
     while (cylint_kernels_name(n))
         n++;
-    must(n <= KERNELS_MOST, "more kernels than expected");
+    require(n <= KERNELS_MOST, "more kernels than expected");
     return n;
 }
 
@@ -120,10 +120,10 @@ static void shuffle(int *order, int n)
 
 /* Before a shuffled turn another one fills the caches: a branch predictor
  * remembers thousands of outcomes of an order that repeats. */
-static void take_turn(struct contestant *a, int *order, int n, int shuffled)
+static void take_turn(struct contestant *a, int *order, int n, int is_shuffled)
 {
     cylint_use_kernels(a->kernels);
-    if (shuffled) {
+    if (is_shuffled) {
         sink = a->turn(a->input, order, n);
         shuffle(order, n);
     }
@@ -132,8 +132,8 @@ static void take_turn(struct contestant *a, int *order, int n, int shuffled)
     a->least = fmin(a->least, seconds_of(CLOCK_THREAD_CPUTIME_ID) - start);
 }
 
-static void print_row(const struct contest *c, int shuffled, const char *unit,
-                      double theirs, const double *ours);
+static void print_row(const struct contest *c, int is_shuffled,
+                      const char *unit, double theirs, const double *ours);
 
 /* The kernels of the library, from the plainest to the best, into list[1
  * ...]; the rival is list[0]. Returns how many there are in all. */
@@ -154,12 +154,12 @@ static int takes_part(const struct contest *c, const struct contestant *a,
     if (!a->kernels)
         return c->rival != NULL;
     return user.kernels ? !strcmp(a->kernels, user.kernels)
-                        : is_best || !c->best_kernels;
+                        : is_best || !c->only_best_kernels;
 }
 
 /* Writes the ns of a question: of the rival, then of the library with each of its
  * kernels.  NaN: it took no part. */
-static void race(const struct contest *c, int *order, int shuffled,
+static void race(const struct contest *c, int *order, int is_shuffled,
                  double times[1 + KERNELS_MOST])
 {
     struct contestant list[1 + KERNELS_MOST];
@@ -171,7 +171,7 @@ static void race(const struct contest *c, int *order, int shuffled,
          round++)
         for (int i = 0; i < n; i++)
             if (takes_part(c, &list[i], i == n - 1))
-                take_turn(&list[i], order, c->questions, shuffled);
+                take_turn(&list[i], order, c->questions, is_shuffled);
     const double per = 1e9 / c->questions / (c->units > 0 ? c->units : 1);
     for (int i = 0; i < n; i++)
         times[i] = list[i].least < HUGE_VAL ? per * list[i].least : (double)NAN;
@@ -180,7 +180,7 @@ static void race(const struct contest *c, int *order, int shuffled,
 
 static int *order_of(int n)
 {
-    int *order = need((size_t)n * sizeof *order);
+    int *order = allocate((size_t)n * sizeof *order);
     for (int i = 0; i < n; i++)
         order[i] = i;
     return order;
@@ -190,10 +190,11 @@ void compete(const struct contest *c)
 {
     double times[1 + KERNELS_MOST];
     int *order = order_of(c->questions);
-    for (int shuffled = 0; shuffled <= !!c->shuffled && is_wanted(c->subject);
-         shuffled++) {
-        race(c, order, shuffled, times);
-        print_row(c, shuffled, "ns", times[0], times + 1);
+    for (int is_shuffled = 0;
+         is_shuffled <= !!c->is_shuffled && is_wanted(c->subject);
+         is_shuffled++) {
+        race(c, order, is_shuffled, times);
+        print_row(c, is_shuffled, "ns", times[0], times + 1);
     }
     free(order);
 }
@@ -203,7 +204,7 @@ double ns_of(const struct contest *c)
     struct contest ours = *c;
     double times[1 + KERNELS_MOST], ns = NAN;
     int *order = order_of(c->questions);
-    ours.best_kernels = 1;
+    ours.only_best_kernels = 1;
     race(&ours, order, 0, times);
     free(order);
     for (int k = 1; k <= kernels_count(); k++)
@@ -238,8 +239,8 @@ static void print_header(void)
 }
 
 /* ours: a number for each of the kernels. */
-static void print_row(const struct contest *c, int shuffled, const char *unit,
-                      double theirs, const double *ours)
+static void print_row(const struct contest *c, int is_shuffled,
+                      const char *unit, double theirs, const double *ours)
 {
     double best = NAN; /* the time of the last kernels, the best */
     char question[96];
@@ -248,7 +249,8 @@ static void print_row(const struct contest *c, int shuffled, const char *unit,
     print_text(user.name, 10);
     print_text(c->subject, 20);
     print_text(question, 44);
-    print_text(c->shuffled ? shuffled ? "shuffled" : "in order" : "-", 10);
+    print_text(c->is_shuffled ? is_shuffled ? "shuffled" : "in order" : "-",
+               10);
     print_text(c->rival ? c->rival : "-", 22);
     print_text(unit, 4);
     print_number(theirs, ", ");
@@ -282,7 +284,7 @@ int is_wanted(const char *subject)
     return subject && strstr(subject, user.only);
 }
 
-double largest(double usual)
+double most_or(double usual)
 {
     return user.most > 0 ? user.most : usual;
 }
@@ -293,7 +295,7 @@ int compare_doubles(const void *x, const void *y)
     return (a > b) - (a < b);
 }
 
-void must(int is_true, const char *message)
+void require(int is_true, const char *message)
 {
     if (!is_true) {
         fprintf(stderr, "bench: %s\n", message);
@@ -301,10 +303,10 @@ void must(int is_true, const char *message)
     }
 }
 
-void *need(size_t bytes)
+void *allocate(size_t bytes)
 {
     void *memory = malloc(bytes ? bytes : 1);
-    must(memory != NULL, "out of memory");
+    require(memory != NULL, "out of memory");
     return memory;
 }
 
@@ -324,7 +326,7 @@ int main(int argc, char **argv)
 {
     int status = 0;
     for (int option; (option = getopt(argc, argv, "s:n:k:o:")) != -1;) {
-        must(option != '?', "options are -s -n -k -o");
+        require(option != '?', "options are -s -n -k -o");
         if (option == 's')
             user.seconds = atof(optarg);
         else if (option == 'n')
@@ -333,8 +335,8 @@ int main(int argc, char **argv)
             *(option == 'k' ? &user.kernels : &user.only) = optarg;
     }
     int at = optind;
-    must(!user.kernels || cylint_use_kernels(user.kernels),
-         "this processor runs no such kernels");
+    require(!user.kernels || cylint_use_kernels(user.kernels),
+            "this processor runs no such kernels");
     stay_on_one_core();
     for (int i = 0; i < CASES && at == argc; i++)
         printf("%-10s %s\n", cases[i].name, cases[i].text);

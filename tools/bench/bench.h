@@ -44,9 +44,9 @@ struct contest {
     const void *input;  /* of both, */
     const void *others; /* or of the rival, if this is not NULL */
     int questions;
-    double units;     /* in a question, so that a time is that of one; 0: 1 */
-    int shuffled;     /* also in a new random order each turn */
-    int best_kernels; /* measured with the best kernels only */
+    double units;    /* in a question, so that a time is that of one; 0: 1 */
+    int is_shuffled; /* also in a new random order each turn */
+    int only_best_kernels; /* measured with the best kernels only */
 };
 
 /* Holds a contest and prints a line for each order and each of the kernels. */
@@ -67,7 +67,7 @@ void print_figure(const char *subject, const char *question, const char *setup,
 int is_wanted(const char *subject);
 
 /* The option -n, or `usual` if there is none. */
-double largest(double usual);
+double most_or(double usual);
 
 enum { KERNELS_MOST = 8 };
 /* The number of the kernels in use, from 0, the best. */
@@ -81,10 +81,10 @@ int compare_doubles(const void *x, const void *y);
 double seconds_of(clockid_t clock);
 
 /* malloc(), or ends the program. */
-void *need(size_t bytes);
+void *allocate(size_t bytes);
 
 /* Ends the program with this message if `is_true` is 0. */
-void must(int is_true, const char *message);
+void require(int is_true, const char *message);
 
 /* The cases, one file each. */
 void bench_single(void), bench_batch(void), bench_distance(void),

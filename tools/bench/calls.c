@@ -37,7 +37,7 @@ static size_t make_scene(int i)
     (void)i;
     cylint_scene_free(in.scene);
     in.scene = cylint_scene_new(in.sticks->shapes, in.sticks->n, 1, NULL);
-    must(in.scene != NULL, "out of memory");
+    require(in.scene != NULL, "out of memory");
     return cylint_scene_size(in.scene);
 }
 
@@ -67,7 +67,7 @@ static void compare_calls(const struct sticks *s)
     const double n = (double)s->n;
     const int lines = (int)fmax(LINES_LEAST, fmin(LINES, 1.6e7 / n));
     in.sticks = s;
-    in.memory = need(cylint_pack_bytes(s->n));
+    in.memory = allocate(cylint_pack_bytes(s->n));
     draw_lines(draw_incoherent, LINES, in.line);
     const double pack = ns_of_turn(packs, 1), scene = ns_of_turn(scenes, 1),
                  shapes_line = ns_of_turn(by_shapes, lines),
@@ -92,6 +92,6 @@ static void compare_calls(const struct sticks *s)
 
 void bench_calls(void)
 {
-    for (double n = 100; n <= largest(1e6); n *= 10)
+    for (double n = 100; n <= most_or(1e6); n *= 10)
         with_sticks(&thin_sticks, n, 0, 1, compare_calls);
 }

@@ -102,7 +102,7 @@ static void compare(const char *name, enum family family, bench_turn *ours,
                               .ours = ours,
                               .input = input,
                               .questions = PAIRS,
-                              .shuffled = !is_batch});
+                              .is_shuffled = !is_batch});
 }
 
 static void compare_family(enum family family)

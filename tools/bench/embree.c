@@ -104,7 +104,7 @@ static RTCGeometry geometry_of(RTCDevice device, const struct sticks *s,
         return curves_of(device, s, first, first + c.n);
     if (flags != MERGED)
         return cylint_embree_geometry(device, c.shapes, c.n, &options, NULL);
-    cylint_embree_part *part = need(parts * sizeof *part);
+    cylint_embree_part *part = allocate(parts * sizeof *part);
     for (k = 0; k < parts; k++)
         part[k] = cell(s, k);
     RTCGeometry g = cylint_embree_merge(device, part, parts, NULL, NULL);
@@ -119,10 +119,10 @@ static void build(struct world *w, const struct sticks *s, int flags)
                         .parts = flags == MERGED ? 1 : parts_of(s)};
     rtcSetDeviceMemoryMonitorFunction(w->device, count_bytes, &w->bytes);
     w->scene = rtcNewScene(w->device);
-    w->part = need(w->parts * sizeof *w->part);
+    w->part = allocate(w->parts * sizeof *w->part);
     for (size_t k = 0; k < w->parts; k++) {
         w->part[k] = geometry_of(w->device, s, k, flags);
-        must(w->part[k] != NULL, "no geometry was made");
+        require(w->part[k] != NULL, "no geometry was made");
         rtcAttachGeometry(w->scene, w->part[k]);
         if (flags == CURVES)
             rtcReleaseGeometry(w->part[k]);

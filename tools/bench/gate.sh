@@ -28,8 +28,8 @@ fi
 
 rm -f "$work"/*.csv
 for run in $(seq "$RUNS"); do
-    "$work/tree/build/tools/bench/bench" $CASES >>"$work/old.csv"
-    "$BUILD/tools/bench/bench" $CASES >>"$work/new.csv"
+    "$work/tree/build/tools/bench/bench" $CASES >>"$work/old.csv" &&
+        "$BUILD/tools/bench/bench" $CASES >>"$work/new.csv" || exit 2
 done
 awk -F ', *' 'FNR == 1 { file++ }
     { for (i = 8; i < NF; i++) {

@@ -26,7 +26,7 @@ os.environ.setdefault("GEANT4_DATA_DIR", "none")  # or the wheel asks for data
 import geant4_pybind as g4  # noqa: E402
 
 MOST, FAIR = 8, 1e-8
-HALF = 16.0  # the length of the axis, which is that of z
+HALF = 16.0  # half the length of the axis, which is that of z
 RADII = {"G4Tubs": ((10, 10), (5, 5)), "G4Cons": ((10, 6), (5, 2))}
 SECTORS = ((0, 360), (0, 120), (90, 180), (30, 240))  # start and span
 

@@ -89,7 +89,7 @@ cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
         add3(h, 1, p);
     family_set_shape(&made, word, p, a, b, h, r[0], r[is_tapered]);
     made.ends = ends;
-    must(family_make(&made), "a shape was refused");
+    require(family_make(&made), "a shape was refused");
     return made.shape;
 }
 
@@ -102,7 +102,7 @@ void middle_of(const cylint_shape *s, double middle[3])
 
 void make_ray(cylint_line *ray, const double o[3], const double d[3])
 {
-    must(cylint_ray(ray, o, d) == CYLINT_OK, "a ray was refused");
+    require(cylint_ray(ray, o, d) == CYLINT_OK, "a ray was refused");
 }
 
 /* -------------------------------------------------------------- sticks -- */
@@ -126,11 +126,11 @@ static void draw_stick(uint64_t *random, const double low[3], double width,
     for (int k = 0; k < 2; k++)
         r[k] = (float)(radius * (s->is_round ? between(random, 0.5, 1) : 1));
     cylint_shape *to = &s->shapes[i];
-    must((s->is_round ? cylint_round_cone(to, p[0], r[0], p[1], r[1],
-                                          CYLINT_ENDS_CAPPED)
-                      : cylint_cylinder(to, p[0], p[1], r[0],
-                                        CYLINT_ENDS_CAPPED)) == CYLINT_OK,
-         "a shape was refused");
+    require((s->is_round ? cylint_round_cone(to, p[0], r[0], p[1], r[1],
+                                             CYLINT_ENDS_CAPPED)
+                         : cylint_cylinder(to, p[0], p[1], r[0],
+                                           CYLINT_ENDS_CAPPED)) == CYLINT_OK,
+            "a shape was refused");
 }
 
 static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
@@ -140,7 +140,7 @@ static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
     const double length = kind->length / cbrt((double)n);
     const double width = 1 / (double)side;
     const size_t cells = side * side * side;
-    to->shapes = need(n * sizeof *to->shapes);
+    to->shapes = allocate(n * sizeof *to->shapes);
     for (size_t cell = 0; cell < cells; cell++) {
         const double low[3] = {width * (double)(cell % side),
                                width * (double)(cell / side % side),
@@ -157,7 +157,7 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
     struct sticks s = {.n = (size_t)n, .side = side, .is_round = is_round};
     snprintf(s.name, sizeof s.name, "%.0e %s%s", n, is_round ? "round " : "",
              kind->name);
-    if (n > largest(1e6) || !is_wanted(s.name))
+    if (n > most_or(1e6) || !is_wanted(s.name))
         return;
     draw_sticks(kind, &s);
     measure(&s);
@@ -201,7 +201,7 @@ void draw_coherent(int n, float (*ray)[2][3])
 
 void draw_lines(draw_rays *draw, int n, cylint_line *line)
 {
-    float(*ray)[2][3] = need((size_t)n * sizeof *ray);
+    float(*ray)[2][3] = allocate((size_t)n * sizeof *ray);
     draw(n, ray);
     for (int i = 0; i < n; i++) {
         double end[2][3];
@@ -220,7 +220,7 @@ void make_scenes(const struct sticks *s)
 {
     for (int k = 0; use_kernels(k); k++) {
         scenes[k] = cylint_scene_new(s->shapes, s->n, 1, NULL);
-        must(scenes[k] != NULL, "out of memory");
+        require(scenes[k] != NULL, "out of memory");
     }
 }
 

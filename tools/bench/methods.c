@@ -48,7 +48,7 @@ static void draw_cases(int family, family_shape word, cylint_ends ends)
         in.line[n] = c.line;
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &in.truth[n++]);
     }
-    must(n == CASES, "methods: a family has too few cases");
+    require(n == CASES, "methods: a family has too few cases");
     in.formula = lean_formulas[in.shape[0].kind].line;
 }
 
@@ -125,7 +125,7 @@ static void compare_methods(const char *subject, const char *family)
                                   .ours = by_library,
                                   .input = m,
                                   .questions = CASES,
-                                  .best_kernels = 1});
+                                  .only_best_kernels = 1});
         print_errors(subject, family, m);
     }
 }

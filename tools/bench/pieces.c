@@ -118,7 +118,7 @@ static void compare_scene(const struct sticks *s)
 void bench_pieces(void)
 {
     static const struct stick_kind *const kinds[] = {&thin, &fat};
-    for (double n = 1e4; n <= largest(1e6); n *= 10)
+    for (double n = 1e4; n <= most_or(1e6); n *= 10)
         for (int k = 0; k < 2; k++)
             with_sticks(kinds[k], n, 0, 1, compare_scene);
 }

@@ -48,9 +48,9 @@ static double seconds_of_refit(cylint_scene *scene, const struct sticks *s,
     double least = HUGE_VAL;
     for (int turn = 0; turn < 3; turn++) {
         const double start = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
-        must(cylint_scene_refit(scene, s->n / 3, n, s->shapes + s->n / 3) ==
-                 CYLINT_SCENE_OK,
-             "refit failed");
+        require(cylint_scene_refit(scene, s->n / 3, n, s->shapes + s->n / 3) ==
+                    CYLINT_SCENE_OK,
+                "refit failed");
         least = fmin(least, seconds_of(CLOCK_PROCESS_CPUTIME_ID) - start);
     }
     return least;
@@ -62,7 +62,7 @@ static double seconds_to_open(const char *path, unsigned flags)
     cylint_hit hit;
     const double start = seconds_of(CLOCK_MONOTONIC);
     cylint_scene *scene = cylint_scene_open(path, flags, &status);
-    must(scene != NULL, "a scene was not opened");
+    require(scene != NULL, "a scene was not opened");
     cylint_scene_nearest(scene, &in.line[0], CYLINT_WANT_T, &hit);
     const double seconds = seconds_of(CLOCK_MONOTONIC) - start;
     cylint_scene_free(scene);
@@ -78,7 +78,7 @@ static void measure_building(const struct sticks *s)
     const double start = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     cylint_scene *scene = cylint_scene_new(s->shapes, s->n, 1, NULL);
     const double build = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - start;
-    must(scene != NULL, "out of memory");
+    require(scene != NULL, "out of memory");
     print_figure(s->name, "build", NULL, NULL, "s", NAN, build);
     print_figure(s->name, "a shape", NULL, NULL, "bytes", NAN,
                  (double)cylint_scene_bytes(scene) / (double)s->n);
@@ -87,8 +87,8 @@ static void measure_building(const struct sticks *s)
     print_figure(s->name, "move half of the shapes", NULL, "build", "s", build,
                  seconds_of_refit(scene, s, s->n / 2));
     const double saved = seconds_of(CLOCK_MONOTONIC);
-    must(cylint_scene_save(scene, path) == CYLINT_SCENE_OK,
-         "a scene was not saved");
+    require(cylint_scene_save(scene, path) == CYLINT_SCENE_OK,
+            "a scene was not saved");
     print_figure(s->name, "save", NULL, "build", "s", build,
                  seconds_of(CLOCK_MONOTONIC) - saved);
     print_figure(s->name, "open trusted and first line", NULL, "build", "s",
@@ -133,7 +133,7 @@ static void compare_scene(const struct sticks *s)
 void bench_scene(void)
 {
     static const struct stick_kind *const kinds[] = {&thin, &fat, &fibres};
-    const double sizes[] = {1e4, 1e6, largest(1e6)};
+    const double sizes[] = {1e4, 1e6, most_or(1e6)};
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < (sizes[2] > 1e6 ? 3 : 2); i++)
             with_sticks(kinds[k], sizes[i], 0, 1, compare_scene);

@@ -133,7 +133,7 @@ static void compare(const char *subject, const char *setup)
                                   .theirs = questions[k].theirs,
                                   .ours = questions[k].ours,
                                   .questions = PAIRS,
-                                  .shuffled = 1});
+                                  .is_shuffled = 1});
 }
 
 static void compare_hard(const char *subject, void (*make)(int),

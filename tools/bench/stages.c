@@ -34,7 +34,7 @@ static void count_family(int family, const char *question, unsigned want)
     static const char *const names[STAGES] = {"kernels", "doubles", "pairs",
                                               "exact", "middle"};
     double reached[STAGES] = {0}, all = 0;
-    for (uint64_t i = 0; i < (uint64_t)largest(1e5); i++) {
+    for (uint64_t i = 0; i < (uint64_t)most_or(1e5); i++) {
         struct family_case c;
         family_case(1, family, i, &c);
         if (c.line_status != CYLINT_OK || c.shape_status != CYLINT_OK)

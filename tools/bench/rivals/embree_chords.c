@@ -110,7 +110,7 @@ double embree_chords_union(const struct embree_chords *scene,
 static void report_error(void *user, enum RTCError code, const char *text)
 {
     (void)user, (void)code;
-    must(0, text);
+    require(0, text);
 }
 
 RTCDevice embree_device(void)
@@ -130,8 +130,8 @@ RTCDevice embree_device(void)
 
 struct embree_chords *embree_chords_new(const cylint_shape *cylinders, size_t n)
 {
-    struct embree_chords *made = need(sizeof *made);
-    made->cylinders = need(n * sizeof *made->cylinders);
+    struct embree_chords *made = allocate(sizeof *made);
+    made->cylinders = allocate(n * sizeof *made->cylinders);
     for (size_t i = 0; i < n; i++) {
         struct prepared *c = &made->cylinders[i];
         copy3(c->p, cylint_base(&cylinders[i]));

@@ -341,12 +341,12 @@ static double rcone_distance(const struct lean_body *s, const double point[3])
 {
     double x;
     const double y = along_and_across(s, point, &x), h = 2 * s->half;
-    const double k = s->level * y - s->slope * x;
+    const double k = s->cosine * y - s->sine * x;
     if (k < 0)
         return sqrt(x * x + y * y) - s->r0;
-    if (k > s->level * h)
+    if (k > s->cosine * h)
         return sqrt(x * x + (y - h) * (y - h)) - s->r1;
-    return x * s->level + y * s->slope - s->r0;
+    return x * s->cosine + y * s->sine - s->r0;
 }
 
 void lean_prepare_body(struct lean_body *to, const cylint_shape *s)
@@ -363,8 +363,8 @@ void lean_prepare_body(struct lean_body *to, const cylint_shape *s)
     to->half = length / 2;
     to->r0 = cylint_r0(s);
     to->r1 = cylint_r1(s);
-    to->slope = -dr / length;
-    to->level = sqrt(positive(1 - to->slope * to->slope));
+    to->sine = -dr / length;
+    to->cosine = sqrt(positive(1 - to->sine * to->sine));
     to->inverse = 1 / (length * length + (is_capsule ? 0 : dr * dr));
 }
 

@@ -43,7 +43,7 @@ struct lean_body {
     double base[3]; /* cylinder: the middle of the axis */
     double axis[3]; /* unit; capsule: w */
     double half, r0, r1;
-    double slope, level; /* round cone: sine and cosine of its slope */
+    double sine, cosine; /* round cone: of the angle between side and axis */
     double inverse;      /* cone: 1 / its side squared; capsule: 1 / w.w */
 };
 typedef double lean_distance(const struct lean_body *solid,
