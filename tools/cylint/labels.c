@@ -28,12 +28,14 @@ int labels_use(struct labels *labels, const cylint_scene *scene,
         return 0;
     labels->table = *saved;
     for (size_t i = 0; i < count; i++) {
-        const size_t length = labels_get(labels, i).length;
-        labels->longest = length > labels->longest ? length : labels->longest;
+        const struct string label = labels_get(labels, i);
+        if (label.length > labels->longest)
+            labels->longest = label.length;
+        if (memchr(label.text, '\n', label.length))
+            return complain(EXIT_BAD, file,
+                            "shape %llu: its label has a line feed",
+                            (unsigned long long)i + 1);
     }
-    if (labels->longest > 0 &&
-        memchr(saved->text, '\n', (size_t)saved->end[count - 1]))
-        return complain(EXIT_BAD, file, "a label of the scene has a line feed");
     return 0;
 }
 
