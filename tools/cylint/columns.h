@@ -20,7 +20,7 @@ enum query {
     QUERY_FIRST,   /* of lines only: where it enters or leaves a solid first */
     QUERY_PIECES,  /* of lines only: the pieces inside solids */
     QUERY_INSIDE, /* of points only: how many shapes or solids hold the point */
-    QUERIES       /* a query of points is the same number and QUERIES */
+    QUERIES       /* a query of points has the same number plus QUERIES */
 };
 
 struct query_kind {

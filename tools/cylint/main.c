@@ -88,7 +88,8 @@ static int answer_input(struct job *job)
     return status;
 }
 
-/* Whether a file to write is one of those that are read. */
+/* Whether a file to write is one of those that are read.  Prints a message if
+ * so. */
 static int is_read_too(const struct options *o, const char *file)
 {
     int is_input = (o->scene && output_is_input(file, o->scene)) ||
@@ -98,7 +99,7 @@ static int is_read_too(const struct options *o, const char *file)
     return is_input;
 }
 
-/* Whether the answers would overwrite the saved scene, or it them. */
+/* Whether --save and the answers have one file.  Prints a message if so. */
 static int is_saved_too(const struct options *o)
 {
     return o->save && !o->only_saves &&

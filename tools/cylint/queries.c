@@ -217,7 +217,7 @@ static int answer_nearest(struct task *task)
     return 0;
 }
 
-/* Counts the shapes, or whether there is one. */
+/* Counts the shapes; of the query any at most one. */
 static int answer_count(struct task *task)
 {
     const struct record *r = &task->record;

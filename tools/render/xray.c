@@ -124,7 +124,7 @@ static struct summary summary_of(const struct rays *rays)
     return s;
 }
 
-/* 0 and infinity need no scale, so that may be 0. */
+/* The lengths 0 and infinity do not depend on the scale, which may then be 0. */
 static double brightness(const struct xray *how, double largest, double length)
 {
     if (how->scale == XRAY_LINEAR)
