@@ -65,7 +65,7 @@ def _arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def _say(message: Any, *_: Any) -> None:
+def _print_message(message: Any, *_: Any) -> None:
     with suppress(AttributeError, OSError):  # standard error is closed, or full
         sys.stderr.write(f"libcylint: {message}\n")
 
@@ -73,7 +73,7 @@ def _say(message: Any, *_: Any) -> None:
 def main() -> int:
     if hasattr(signal, "SIGPIPE"):
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    warnings.showwarning = _say  # type: ignore[assignment]
+    warnings.showwarning = _print_message  # type: ignore[assignment]
     options = vars(_arguments())
     read, files = options.pop("read"), options.pop("files")
     try:
@@ -83,14 +83,14 @@ def main() -> int:
                 output.write(text)
         output.flush()
     except (ValueError, ImportError) as error:
-        _say(error)
+        _print_message(error)
         return _BAD
     except OSError as error:
         name = error.filename or "standard output"
-        _say(error if error.errno is None else f"{name}: {error.strerror}")
+        _print_message(error if error.errno is None else f"{name}: {error.strerror}")
         return _IO
     except MemoryError:
-        _say("out of memory")
+        _print_message("out of memory")
         return _MEMORY
     return 0
 

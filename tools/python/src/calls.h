@@ -24,6 +24,13 @@ inline const cylint_shape *as_shape(const void *p)
     return static_cast<const cylint_shape *>(p);
 }
 
+/* Element i of shapes (n). */
+inline const cylint_shape *shape_of(const Input &shapes, size_t i)
+{
+    return as_shape(static_cast<const char *>(shapes.data()) +
+                    static_cast<ptrdiff_t>(i) * last_step(shapes));
+}
+
 /* A line, and the number of the shape that it leaves out, below 0 for none. */
 struct Ray {
     cylint_line line;

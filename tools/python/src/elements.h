@@ -25,8 +25,8 @@ using Input = nb::ndarray<nb::ro, nb::device::cpu>;
 using Output = nb::ndarray<nb::device::cpu>;
 using Outputs = std::vector<std::optional<Output>>; /* None: not wanted */
 
-/* Bytes from one coordinate of an array (..., 3) to the next. */
-inline ptrdiff_t coordinate_step(const Input &array)
+/* Bytes from one element of the last axis to the next. */
+inline ptrdiff_t last_step(const Input &array)
 {
     return static_cast<ptrdiff_t>(array.stride(array.ndim() - 1) *
                                   static_cast<int64_t>(array.itemsize()));
@@ -134,7 +134,7 @@ class Part
     void read_vector(double to[3], int array, size_t i,
                      const Input &vectors) const
     {
-        const ptrdiff_t step = coordinate_step(vectors);
+        const ptrdiff_t step = last_step(vectors);
         for (int axis = 0; axis < 3; axis++)
             std::memcpy(&to[axis], at(array, i) + axis * step, sizeof *to);
     }

@@ -68,8 +68,8 @@ class Block
         if (lines.n == part->size && std::equal(at, at + 4, from))
             return;
         std::copy(at, at + 4, from);
-        const ptrdiff_t o_step = coordinate_step(source.origins);
-        const ptrdiff_t d_step = coordinate_step(source.directions);
+        const ptrdiff_t o_step = last_step(source.origins);
+        const ptrdiff_t d_step = last_step(source.directions);
         for (int axis = 0; axis < 3; axis++) {
             part->read(column[axis], Lines::ORIGINS, axis * o_step);
             part->read(column[3 + axis], Lines::DIRECTIONS, axis * d_step);

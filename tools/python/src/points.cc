@@ -25,7 +25,7 @@ class Block
 {
   public:
     Block(Query q, const Input &of, const cylint_shape *shapes)
-        : query(q), step(coordinate_step(of)), numbered(shapes)
+        : query(q), step(last_step(of)), numbered(shapes)
     {
     }
 

@@ -81,11 +81,9 @@ nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
 template <class Function>
 static void each_shape(const Input &shapes, const Function &function)
 {
-    const auto *at = static_cast<const char *>(shapes.data());
-    const ptrdiff_t step = 4 * shapes.stride(0);
     nb::gil_scoped_release released;
-    for (size_t i = 0; i < shapes.shape(0); i++, at += step)
-        function(i, as_shape(at));
+    for (size_t i = 0; i < shapes.shape(0); i++)
+        function(i, shape_of(shapes, i));
 }
 
 /* The inverse of make_shapes: shapes (n) to kinds (n) and numbers (n, 13). */

@@ -56,12 +56,12 @@ nb::object label_texts(const uint64_t *end, const char *text, size_t count)
  * shapes and instead of labels that are all empty. */
 nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
 {
-    std::vector<std::string> said;
+    std::vector<std::string> printed;
     struct scene scene = {};
     int status;
     {
         nb::gil_scoped_release released;
-        messages = &said;
+        messages = &printed;
         scene.file = file.c_str();
         scene.ends = ends;
         scene.swc_form = round ? SWC_ROUND : SWC_CONES;
@@ -71,7 +71,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
     }
     nb::object begun = nb::none(), labels = nb::none();
     nb::list members, texts;
-    for (const std::string &text : said)
+    for (const std::string &text : printed)
         texts.append(decoded(text.data(), text.size()));
     if (status == 0) {
         begun = scene_object(scene.shapes);
@@ -95,12 +95,10 @@ nb::bytes write_scene(Input shapes, size_t first,
 {
     std::string text;
     std::vector<char> line(RECORD_MOST);
-    const auto *const from = static_cast<const char *>(shapes.data());
     const struct solids none = {};
     for (size_t i = 0; i < shapes.shape(0); i++) {
         struct shape_record r = {};
-        r.shape =
-            as_shape(from + 4 * shapes.stride(0) * static_cast<int64_t>(i));
+        r.shape = shape_of(shapes, i);
         r.solids = &none;
         nb::bytes label;
         if (labels) {
