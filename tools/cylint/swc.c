@@ -263,8 +263,8 @@ static int is_same_place(const double a[3], const double b[3])
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Returns the counter of the reason why the node gives no shape, or NULL if it gives
- * one.  A round cone without length is a ball.  parent: NULL for a root. */
+/* Returns the counter of the reason why the node gives no shape, or NULL if it
+ * gives one.  A round cone without length is a ball.  parent: NULL for a root. */
 static size_t *skipped_by(struct swc *swc, const struct swc_node *node,
                           const struct swc_node *parent)
 {
