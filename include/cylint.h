@@ -216,7 +216,9 @@ CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
  * The lateral surface of a capsule and a round cone ends at the circles on
  * which it touches the balls.  The circles are part of it.  The parts CAP0 and
  * CAP1 are the rest of the balls about p0 and p1; z is below 0 and above 1
- * there, except next to a circle.
+ * there.  If the radii differ, the circles are not in the planes z = 0 and z = 1,
+ * and next to them z of a cap can be from 0 to 1, z of the lateral surface below
+ * 0 or above 1.
  */
 CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
                                            const double p0[3], double r0,

@@ -32,8 +32,8 @@
  *              ray's own tfar.
  *   primID     the shape's number in the array.
  *   u, v       z and phi of the hit, see cylint_hit, rounded to float.  u is in
- *              [0, 1], but below 0 or above 1 on the round ends of a capsule or a
- *              round cone.  v is in [0, 1): phi just below 1 is rounded to the
+ *              [0, 1]; on a capsule or a round cone it can also be below 0 or
+ *              above 1.  v is in [0, 1): phi just below 1 is rounded to the
  *              largest float below 1.
  *   Ng         the outward unit normal, rounded to float.  u, v and Ng are rounded
  *              in the rounding mode of the thread.
