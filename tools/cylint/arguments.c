@@ -9,7 +9,7 @@
 #include "arguments.h"
 #include "numbers.h"
 
-enum { VALUE_MOST = 64, HELP_COLUMN = 21 };
+enum { HELP_COLUMN = 21 };
 
 /* ------------------------------------------------------------- messages -- */
 
@@ -56,16 +56,22 @@ int read_text(const struct option *o, const char *value, void *place)
     return 0;
 }
 
+int read_word_of(const struct option *o, const char *value, struct words words,
+                 const char *expected, int *index)
+{
+    char list[WORDS_CAPACITY];
+    *index = find_word(words, string_of(value));
+    return *index != NOT_GIVEN
+               ? 0
+               : usage_value(o, value,
+                             expected ? expected : list_words(list, words),
+                             similar_word(words, string_of(value)));
+}
+
 int read_word(const struct option *o, const char *value, void *place)
 {
-    char expected[WORDS_CAPACITY];
-    const struct words words = WORDS((const char *const *)o->extra);
-    const int index = find_word(words, string_of(value));
-    if (index == NOT_GIVEN)
-        return usage_value(o, value, list_words(expected, words),
-                           similar_word(words, string_of(value)));
-    *(int *)place = index;
-    return 0;
+    return read_word_of(o, value, WORDS((const char *const *)o->extra), NULL,
+                        place);
 }
 
 int read_count(const struct option *o, const char *value, void *place)

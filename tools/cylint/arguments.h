@@ -12,6 +12,8 @@
 
 #include "report.h"
 
+enum { VALUE_MOST = 64 /* bytes of a value in a message */ };
+
 struct option;
 
 /* Reads a value into the option's place.  Returns 0, or EXIT_USAGE after a
@@ -32,6 +34,10 @@ struct option {
     int needs;        /* what must be there, by the caller's enumeration */
     const char *help; /* of it and of those before it that have none */
 };
+
+/* Reads a word of a table.  expected: for the message, NULL: a list of the words. */
+int read_word_of(const struct option *o, const char *value, struct words words,
+                 const char *expected, int *index);
 
 option_reader read_flag;  /* sets an int to `number` */
 option_reader read_text;  /* a const char *, the value */

@@ -50,13 +50,21 @@ static int read_accel(const struct option *o, const char *value, void *place)
 
 static int read_method(const struct option *o, const char *value, void *place)
 {
-    const struct words names = WORDS(cylint_methods());
-    const int i = find_word(names, string_of(value));
-    if (i == NOT_GIVEN)
-        return usage_value(o, value, o->extra,
-                           similar_word(names, string_of(value)));
-    *(const cylint_method **)place = &cylint_methods()[i];
-    return 0;
+    int i;
+    const int status =
+        read_word_of(o, value, WORDS(cylint_methods()), o->extra, &i);
+    if (status == 0)
+        *(const cylint_method **)place = &cylint_methods()[i];
+    return status;
+}
+
+/* The query of pairs, the first one, has no word. */
+static int read_query(const struct option *o, const char *value, void *place)
+{
+    int i;
+    const int status = read_word_of(o, value, WORDS(query_kinds + 1), NULL, &i);
+    *(enum query *)place = (enum query)(i + 1);
+    return status;
 }
 
 /* ---------------------------------------------------------------- table -- */
@@ -95,7 +103,7 @@ static const struct option option_table[] = {
      "write the scene as text instead of answers"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, NEEDS_NEURON,
      "of a neuron: cones (default) or round"},
-    {"q", "QUERY", read_text, AT(query_word), 0, 0, NEEDS_SCENE,
+    {"q", "QUERY", read_query, AT(query), 0, 0, NEEDS_SCENE,
      "with -s: nearest (default), first, any, count, all,\n"
      "pieces or inside"},
     {"pieces", "MODE", read_word, AT(piece_mode), modes, 0, NEEDS_PIECES,
@@ -186,22 +194,11 @@ static int settle_kinds(struct options *o)
     if (g->line != NOT_GIVEN &&
         (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL))
         return 0;
-    return usage(g->has_shape ? "-k: expected LINE,SHAPE, as in -k ray,cylinder"
-                              : "-k: expected LINE, as in -k ray");
-}
-
-static int settle_query(struct options *o)
-{
-    const char *word = o->query_word;
-    const int query =
-        word ? find_word(WORDS(query_kinds), string_of(word)) : NOT_GIVEN;
-    o->query = o->scene ? QUERY_NEAREST : QUERY_PAIRS;
-    if (word && (query == NOT_GIVEN || query == QUERY_PAIRS))
-        return usage("-q: expected nearest, first, any, count, all, pieces or "
-                     "inside");
-    if (word)
-        o->query = (enum query)query;
-    return 0;
+    char found[SHOWN_CAPACITY];
+    return usage("-k: expected %s, found '%s'",
+                 g->has_shape ? "LINE,SHAPE, as in -k ray,cylinder"
+                              : "LINE, as in -k ray",
+                 escape(found, string_of(o->kinds), VALUE_MOST));
 }
 
 static int settle_needs(struct options *o)
@@ -270,10 +267,10 @@ static int settle_files(struct options *o)
         {o->scene && is_same_word(o->save, o->output),
          "--save and -o name the same file"},
         {o->scene && o->only_saves &&
-             (o->output || o->query_word || o->columns || o->kinds),
+             (o->output || is_given(o, "q") || o->columns || o->kinds),
          "--save: answers need an input file; - is standard input"},
         {o->writes_text && o->scene &&
-             (o->save || given_files || o->query_word || o->columns ||
+             (o->save || given_files || is_given(o, "q") || o->columns ||
               o->kinds || o->style.is_binary),
          "--text writes the scene only: no answers, no --save"},
         {is_same_word(o->scene, "-") && uses_stdin(o) && !o->only_saves &&
@@ -332,7 +329,7 @@ static int refuse_field_name(const struct fields *fields, const char *bad,
 {
     const struct string name = between(bad, bad + strcspn(bad, ","));
     char text[SHOWN_CAPACITY];
-    const char *shown = escape(text, name, 64);
+    const char *shown = escape(text, name, VALUE_MOST);
     const char *meant = similar_field(name, query);
     if (fields->count == MOST_FIELDS)
         return usage("-f: more than %d columns", MOST_FIELDS);
@@ -415,12 +412,14 @@ static unsigned wanted_remarks(const struct options *o)
 static int settle(struct options *o)
 {
     static int (*const steps[])(struct options *) = {
-        settle_files,  settle_kinds,   settle_query,  settle_needs,
-        settle_pieces, settle_records, settle_fields, settle_binary};
+        settle_files,   settle_kinds,  settle_needs, settle_pieces,
+        settle_records, settle_fields, settle_binary};
     struct grammar *g = &o->grammar;
     int status = 0;
     g->has_line = 1;
     g->has_shape = o->scene == NULL;
+    if (o->scene && !is_given(o, "q"))
+        o->query = QUERY_NEAREST;
     g->no_tail = o->tail_policy == TAIL_REFUSED;
     o->is_binary_in |= o->is_binary;
     o->style.is_binary |= o->is_binary | o->is_array;

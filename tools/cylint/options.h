@@ -23,9 +23,9 @@ enum { TAIL_WITH_REMARK, TAIL_ALLOWED, TAIL_REFUSED };
 /* The enumerations are ints, because options of any kind are written through
  * one pointer. */
 struct options {
-    unsigned long long given; /* a bit for each option in the table */
-    const char *about;        /* help, version or a list to print, or NULL */
-    const char *kinds, *query_word, *columns; /* of -k, -q and -f */
+    unsigned long long given;    /* a bit for each option in the table */
+    const char *about;           /* help, version or a list to print, or NULL */
+    const char *kinds, *columns; /* of -k and -f */
 
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
