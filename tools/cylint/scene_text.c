@@ -79,7 +79,8 @@ static double angle_of(const cylint_shape *shape)
 /* -------------------------------------------------------------- record -- */
 
 /* lint: member[] has r->members elements */
-/* A label is the rest of a line without the blanks around it. */
+/* Returns why text cannot hold the record, or NULL.  A label is the tail of a line,
+ * without the blanks around it. */
 static const char *fault_of(const struct shape_record *r)
 {
     for (size_t i = 0; i < r->members; i++)

@@ -460,8 +460,8 @@ def codes_of(ends: str | int | ArrayLike) -> NDArray[np.int8]:
     codes = np.empty(words.shape, np.int8)
     for word in np.unique(words):
         if str(word).lower() not in _ENDS:
-            known = ", ".join(_ENDS)
-            raise ValueError(f"ends: expected one of {known}; found '{word}'")
+            right = ", ".join(_ENDS)
+            raise ValueError(f"ends: expected one of {right}; found '{word}'")
         codes[words == word] = _ENDS[str(word).lower()]
     return codes
 

@@ -29,9 +29,9 @@ struct Build {
     }
 };
 
-int count_bytes(void *size, const void *, size_t more)
+int count_bytes(void *sum, const void *, size_t size)
 {
-    *static_cast<size_t *>(size) += more;
+    *static_cast<size_t *>(sum) += size;
     return 1;
 }
 
@@ -74,14 +74,14 @@ Scene::Scene(cylint_scene *begun) : scene(begun), n(0)
 /* shapes: (n), contiguous */
 void Scene::add(Input shapes)
 {
-    const size_t more = shapes.shape(0);
+    const size_t added = shapes.shape(0);
     cylint_scene_status status;
     {
         nb::gil_scoped_release released;
-        status = cylint_scene_add(scene.get(), as_shape(shapes.data()), more);
+        status = cylint_scene_add(scene.get(), as_shape(shapes.data()), added);
     }
     check(status);
-    n += more;
+    n += added;
 }
 
 void Scene::finish(int threads, const Callback &progress)
