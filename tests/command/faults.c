@@ -18,6 +18,7 @@
  *   fsync=N       the N-th fsync fails with ENOSPC; rename=N: the N-th rename
  *   alloc=N       the N-th allocation fails; allocs=N: and all later ones
  *   thread=N      the N-th thread and all later ones fail
+ *   threads=N     fails at the end if more than N other threads were started
  *   pipe=1        every pipe fails
  *   calls=N       aborts after N reads, writes and polls
  *   rss=KIB       fails at the end if peak resident memory was larger
@@ -46,7 +47,8 @@
 
 static long long partly, eintr, again, waits, storm, nonblock,
     read_most = -1, write_most = -1, close_nth, fsync_nth, rename_nth,
-    thread_from, pipes, calls_most, rss_most, leaks, count_allocations;
+    thread_from, threads_most = -1, pipes, calls_most, rss_most, leaks,
+    count_allocations;
 
 static const struct {
     const char *name;
@@ -66,6 +68,7 @@ static const struct {
     {"alloc", &heap.refuse},
     {"allocs", &heap.refuse_from},
     {"thread", &thread_from},
+    {"threads", &threads_most},
     {"pipe", &pipes},
     {"calls", &calls_most},
     {"rss", &rss_most},
@@ -140,6 +143,8 @@ __attribute__((destructor)) static void end(void)
         fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);
         fail_and_exit("too much memory");
     }
+    if (threads_most >= 0 && threads > threads_most)
+        fail_and_exit("too many threads");
     if (leaks && heap.held)
         fail_and_exit("memory was not freed");
 }
@@ -283,7 +288,8 @@ int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attr,
                           void *(*start)(void *), void *argument)
 {
-    if (thread_from && ADD(threads, 1) >= thread_from)
+    const long long number = ADD(threads, 1);
+    if (thread_from && number >= thread_from)
         return EAGAIN;
     return __real_pthread_create(thread, attr, start, argument);
 }

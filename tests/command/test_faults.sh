@@ -378,6 +378,14 @@ CYLINT_FAULTS='pipe=1 leaks=1' answer "$faulty" pairs -j 4 <pairs >out 2>err
 same pairs $? 'no pipe'
 check_wrong 'threads that cannot be made'
 
+if cpu=$(taskset -cp $$ 2>/dev/null); then
+    cpu=${cpu##*: }
+    awk 'BEGIN { for (i = 0; i < 20000; i++) print "sphere", i, "0 0 1" }' >row
+    CYLINT_FAULTS=threads=0 taskset -c "${cpu%%[-,]*}" "$faulty" --save built -s row \
+        2>err || wrong=" $(cat err)"
+    check_wrong 'a scene is built by as many threads as there are processors to use'
+fi
+
 for j in $WORKERS; do
     { answer "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
     [ "$(cat code)" -eq 141 ] && ! grep -v nonsense err || wrong="$wrong status $(cat code);"

@@ -82,7 +82,7 @@ static int answer_input(struct job *job)
                 "--help); Ctrl-D ends them",
                 o->scene ? "LINE" : "LINE SHAPE");
     progress_start(&job->progress, o->shows_progress, "records", 1);
-    status = workers_run(job, o->workers > 0 ? o->workers : processors());
+    status = workers_run(job, o->workers);
     progress_end(&job->progress);
     report_end(&job->report);
     return status;

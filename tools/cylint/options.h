@@ -49,7 +49,7 @@ struct options {
     int not_label; /* not=NAME in a record is a label, not a number */
     int tail_policy;
     unsigned remarks; /* a bit for each enum remark to test for */
-    int workers;      /* 0: one for each processor */
+    int workers;      /* at most */
     int copies_comments;
     int hits_only, writes_header, shows_progress;
     const char *output; /* NULL: standard output */

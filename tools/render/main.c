@@ -126,10 +126,9 @@ static int draw_picture(struct job *job, struct output *out)
         (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
-    const int workers = o->workers > 0 ? o->workers : processors();
-    const struct drawing drawing = {&picture, &job->view, o->samples, workers,
-                                    o->shows_progress};
-    int status = scene_build(&job->scene, workers);
+    const struct drawing drawing = {&picture, &job->view, o->samples,
+                                    o->workers, o->shows_progress};
+    int status = scene_build(&job->scene, o->workers);
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;

@@ -18,7 +18,7 @@ struct options {
     int swc;     /* enum swc_form */
     int size[2]; /* width and height */
     int samples;
-    int workers; /* 0: one for each processor */
+    int workers; /* at most */
     int shows_progress;
     struct viewing viewing;
     int has_sun;
