@@ -49,8 +49,9 @@ probe() {
     } &
 }
 
-# c NAME HEADER FLAG...: whether a C program that includes HEADER links
-c() {
+# probe_header NAME HEADER FLAG...: assigns yes if a C program that includes HEADER
+# links with the flags
+probe_header() {
     name=$1 header=$2
     shift 2
     printf '#include <stdio.h>\n#include <%s>\nint main(void)\n{ return 0; }\n' \
@@ -58,13 +59,13 @@ c() {
     probe "$name" yes $CC $CPPFLAGS $CFLAGS $LDFLAGS "$work/$name.c" "$@"
 }
 
-c MPFR mpfr.h -lmpfr -lgmp
-c PNG png.h -lpng
-c PTHREAD pthread.h -pthread
-c POSIX poll.h -pthread -include pthread.h
-c WRAP stdio.h -Wl,--wrap=read
-c EMBREE_3 embree3/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree3}
-c EMBREE_4 embree4/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree4}
+probe_header MPFR mpfr.h -lmpfr -lgmp
+probe_header PNG png.h -lpng
+probe_header PTHREAD pthread.h -pthread
+probe_header POSIX poll.h -pthread -include pthread.h
+probe_header WRAP stdio.h -Wl,--wrap=read
+probe_header EMBREE_3 embree3/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree3}
+probe_header EMBREE_4 embree4/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree4}
 
 # what the command's C++ part needs, linked to an object of the C compiler's
 echo 'int c_part;' >"$work/c_part.c"

@@ -206,7 +206,7 @@ def is_wrong(solid, ray, got, true):
     return False
 
 
-def row(solid, family, n):
+def print_rows(solid, family, n):
     """Prints two lines."""
     rays = np.hstack(family(np.random.default_rng(1), n, solid))
     turns = [(solid.of_geant4(rays), solid.of_libcylint(rays)) for _ in range(5)]
@@ -232,7 +232,7 @@ def main():
         for sector in SECTORS:
             solid = Solid(library, kind, *sector)
             for family in FAMILIES:
-                row(solid, family, n)
+                print_rows(solid, family, n)
 
 
 if __name__ == "__main__":

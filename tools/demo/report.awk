@@ -10,7 +10,7 @@ BEGIN {
     shades = "@#%*+=-:"
     nearest_shown = 7
     farthest_shown = 31
-    line("shape", "t", "part", "z", "column row", "label")
+    print_row("shape", "t", "part", "z", "column row", "label")
 }
 
 FNR == 1 { files++ }
@@ -26,7 +26,7 @@ files == 2 && $1 > 0 {
     hits++
     kind = kind_of(label[$1])
     if (!((kind, $3) in shown))
-        line($1, $2, $3, $4, $5 " " $6, label[$1])
+        print_row($1, $2, $3, $4, $5 " " $6, label[$1])
     shown[kind, $3] = 1
     cell = int($5 / wide) "," int($6 / high)
     if (kind == "ground")
@@ -69,11 +69,11 @@ END {
     printf "part hit: lateral %d, cap0 %d, cap1 %d\n\n",
            parts["lateral"], parts["cap0"], parts["cap1"]
     printf "%-8s %7s %7s %12s\n", "", "shapes", "hits", "nearest (m)"
-    totals("ground")
-    totals("stem")
-    totals("branch")
-    totals("twig")
-    totals("foliage")
+    print_totals("ground")
+    print_totals("stem")
+    print_totals("branch")
+    print_totals("twig")
+    print_totals("foliage")
     print "\ntime: " time()
 }
 
@@ -84,7 +84,7 @@ function kind_of(text)
     return text
 }
 
-function line(shape, t, part, z, ray, name)
+function print_row(shape, t, part, z, ray, name)
 {
     printf "%-5s  %-18s  %-7s  %-22s  %-10s  %s\n", shape, t, part, z, ray,
            name
@@ -121,7 +121,7 @@ function legend(   i, step, text)
     return "range in m from:" text "    . ground"
 }
 
-function totals(kind)
+function print_totals(kind)
 {
     printf "%-8s %7d %7d %12s\n", kind, shapes_of[kind], hits_of[kind],
            kind in hits_of ? sprintf("%.3f", nearest_of[kind]) : "-"

@@ -15,7 +15,7 @@ for tool in dpkg-buildpackage dh lintian; do
 done
 name=${DEBFULLNAME:-$(git config user.name || echo 'the libcylint authors')}
 email=${DEBEMAIL:-$(git config user.email || echo "root@$(hostname)")}
-seconds=$(gzip -dc "$tarball" | tar -tv --full-time -f - |
+committed=$(gzip -dc "$tarball" | tar -tv --full-time -f - |
     awk 'NR == 1 { print $4, $5 }')
 
 rm -rf "$folder"
@@ -26,7 +26,7 @@ cd "$folder/cylint-$version"
 sed 's/^$/./; s/^/ /' LICENSE | sed 1,4d > ../license
 for file in control changelog copyright; do
     sed -e "s|@VERSION@|$version|; s|@MAINTAINER@|$name <$email>|" \
-        -e "s|@DATE@|$(date -R -u -d "$seconds")|" \
+        -e "s|@DATE@|$(date -R -u -d "$committed")|" \
         -e '/@LICENSE@/{' -e 'r ../license' -e 'd' -e '}' \
         "$here/debian/$file" > "debian/$file"
 done
