@@ -35,7 +35,8 @@ struct option {
     const char *help; /* of it and of those before it that have none */
 };
 
-/* Reads a word of a table.  expected: for the message, NULL: a list of the words. */
+/* Reads a word of a table and writes its index.  expected: for the message; NULL: a
+ * list of the words. */
 int read_word_of(const struct option *o, const char *value, struct words words,
                  const char *expected, int *index);
 

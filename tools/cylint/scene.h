@@ -86,8 +86,8 @@ int scene_open(struct scene *scene);
  * labels as tails, and their solids. */
 int scene_read(struct scene *scene);
 
-/* Builds the scene by at most this number of threads, unless that was done, and sets
- * its solids. */
+/* Builds the scene by at most this number of threads, unless that was done, and
+ * sets its solids. */
 int scene_build(struct scene *scene, int threads);
 
 /* Saves a scene that was built, with its labels. */
