@@ -20,6 +20,8 @@
 #include "scene_file.h"
 
 #if defined(__unix__) || defined(__APPLE__)
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -180,7 +182,7 @@ static int write_few(void *context, const void *data, size_t n)
     return --*calls > 0;
 }
 
-TEST(a_failure_leaves_the_old_file)
+TEST(a_failure_has_its_status_and_errno)
 {
     char missing[96];
     cylint_scene_status status = CYLINT_SCENE_OK;
@@ -222,6 +224,30 @@ TEST(a_failure_leaves_the_old_file)
 }
 
 #ifdef HAS_PROCESSES
+
+/* The new file may not have more than 4096 bytes. */
+TEST(a_failure_leaves_the_old_file)
+{
+    char beside[96];
+    struct rlimit usual;
+    OWN_SHAPES of = scene_generate(SCENE_FAT, SHAPES, 3);
+    OWN_SCENE *old = cylint_scene_new(of.shapes, 3, 1, NULL);
+    OWN_SCENE *larger = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(cylint_scene_save(old, path) == CYLINT_SCENE_OK);
+    CHECK(getrlimit(RLIMIT_FSIZE, &usual) == 0);
+    const struct rlimit little = {4096, usual.rlim_max};
+    signal(SIGXFSZ, SIG_IGN);
+    CHECK(setrlimit(RLIMIT_FSIZE, &little) == 0);
+    CHECK(cylint_scene_save(larger, path) == CYLINT_SCENE_EFILE &&
+          errno == EFBIG);
+    CHECK(setrlimit(RLIMIT_FSIZE, &usual) == 0);
+    signal(SIGXFSZ, SIG_DFL);
+    snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
+    CHECK(access(beside, F_OK) != 0);
+    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
+    CHECK(opened && differences(old, opened, &of, 5) == 0);
+    remove(path);
+}
 
 /* A link of this name would lead the writer to another file. */
 TEST(a_file_beside_the_new_one_is_not_written)
