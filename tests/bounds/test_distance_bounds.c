@@ -59,8 +59,8 @@ static void check_head_tail(const struct family_case *c, const double p[3],
     if (!CHECK(is_below(difference(m.z, z), CYLINT_HEAD_TAIL_ERROR / 4 * m.size,
                         &most_head_tail_z) &&
                is_below(difference(root, rho), m.error, &most_head_tail_rho))) {
-        REPORT_CASE(c);
-        REPORT("point %a %a %a: heads and tails", p[0], p[1], p[2]);
+        REPORT_POINT(c, p);
+        REPORT("heads and tails");
     }
 }
 
@@ -90,9 +90,8 @@ static void check_point(const struct family_case *c, const double p[3])
     /* The comparison itself errs by 2^-100 of rho. */
     if (!CHECK(is_below(off_z, m.z_error + 0x1p-101 * fabs(z.hi), &most_z) &&
                is_below(off_rho, m.rho_error + 0x1p-100 * rho.hi, &most_rho))) {
-        REPORT_CASE(c);
-        REPORT("point %a %a %a: z %g, rho %g", p[0], p[1], p[2], off_z,
-               off_rho);
+        REPORT_POINT(c, p);
+        REPORT("z %g, rho %g", off_z, off_rho);
     }
     if (cylint_is_round(c->shape.kind) ||
         !cylint_ends_are_planes(c->shape.ends))
@@ -108,8 +107,8 @@ static void check_point(const struct family_case *c, const double p[3])
     if (!(got.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */
         return;
     if (!CHECK(is_below(difference(got, true_rim), error, &most_rim))) {
-        REPORT_CASE(c);
-        REPORT("point %a %a %a: rim", p[0], p[1], p[2]);
+        REPORT_POINT(c, p);
+        REPORT("rim");
     }
 }
 

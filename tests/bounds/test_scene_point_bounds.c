@@ -102,7 +102,7 @@ static void check_boxes(double far)
 
 TEST(boxes_are_visited_within_their_distance_only)
 {
-    stream = check_setting("CYLINT_SEED", 1);
+    stream = check_seed();
     for (int round = 0; round < ROUNDS; round++) {
         check_boxes(between(0, 1));
         check_boxes(between(1, 100));
@@ -210,7 +210,7 @@ static void check_lanes(double far)
 
 TEST(bounds_of_lanes_are_below_their_distances)
 {
-    stream = check_setting("CYLINT_SEED", 1) + 1;
+    stream = check_seed() + 1;
     for (int round = 0; round < ROUNDS; round++) {
         check_lanes(between(0, 3));
         check_lanes(between(0, 2000));

@@ -91,10 +91,8 @@ static void check_point(const struct family_case *c, const double p[3],
                          from_rulings(s, p) * (1 + 0x1p-30) + 0x1p-40;
         }
     }
-    if (!CHECK(right)) {
-        REPORT_CASE(c);
-        REPORT("point %a %a %a", p[0], p[1], p[2]);
-    }
+    if (!CHECK(right))
+        REPORT_POINT(c, p);
 }
 
 static const char *const forms[] = {"ordinary", "elliptic, thin",

@@ -279,12 +279,6 @@ TEST(a_safety_beyond_all_squares_is_below_the_distance)
 
 typedef void property(const struct family_case *c, const double p[3]);
 
-static void report(const struct family_case *c, const double p[3])
-{
-    REPORT_CASE(c);
-    REPORT("point %a %a %a", p[0], p[1], p[2]);
-}
-
 static void over_families(property *check)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
@@ -332,7 +326,7 @@ static void check_signed(const struct family_case *c, const double p[3])
     const cylint_closest b = answer_to(&closed.shape, p, WANT);
     if (!CHECK(same(&a, &b) &&
                cylint_sign(b.distance) == -cylint_contains(&closed.shape, p)))
-        report(c, p);
+        REPORT_POINT(c, p);
 }
 
 TEST(signed_distances_are_those_of_the_closed_solid)
@@ -385,7 +379,7 @@ static void check_paths(const struct family_case *c, const double p[3])
         const int certain = cylint_prepared(&c->shape) &&
                             !left_by_pairs(&c->shape, p, want, &plain);
         if (!CHECK(same(&exact, &usual) && (!certain || same(&exact, &plain))))
-            report(c, p);
+            REPORT_POINT(c, p);
     }
     const cylint_closest all = answer_to(&c->shape, p, WANT);
     const cylint_closest alone = answer_to(&c->shape, p, 0);
@@ -396,7 +390,7 @@ static void check_paths(const struct family_case *c, const double p[3])
     const cylint_closest plain = answer_to(&c->shape, p, CYLINT_WANT_PART);
     cylint_use_kernels(NULL);
     if (!CHECK(same(&alone, &plain_alone) && same(&parted, &plain)))
-        report(c, p);
+        REPORT_POINT(c, p);
 }
 
 TEST(all_paths_return_the_same_bits)
@@ -532,7 +526,7 @@ static void check_environments(const struct family_case *c, const double p[3])
                    !signbit(safe) && safe <= far && !has_negative_zero(&all) &&
                    (far < 2 * DBL_MIN || /* may be flushed to 0 */
                     gap_of(&c->shape, p, far, safe) <= 32))) {
-            report(c, p);
+            REPORT_POINT(c, p);
             REPORT("distance %a and %a, safety %a", far, got.one.distance,
                    safe);
         }
@@ -556,7 +550,7 @@ static void check_safe(const struct family_case *c, const double p[3])
     const double gap = gap_of(&c->shape, p, distance, safe);
     largest_gap = fmax(largest_gap, gap);
     if (!CHECK(safe >= 0 && safe <= distance && gap <= 16))
-        report(c, p);
+        REPORT_POINT(c, p);
 }
 
 TEST(safety_is_the_distance_or_little_below)

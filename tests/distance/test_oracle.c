@@ -12,14 +12,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
-#include "cylint_distance.h"
+#include "closest.h"
 #include "distance_oracle.h"
 #include "distance_points.h"
 #include "environment.h"
+#include "numbers/bits.h"
 #include "oracle.h"
 #include "shapes/layout.h"
-#include "ulps.h"
 
 enum {
     CASES = 250,
@@ -30,8 +29,6 @@ enum {
     STRAIN = 6,
     LEAN = 6
 };
-
-#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
 
 static struct tally {
     long n, signs, features;
@@ -46,8 +43,7 @@ static void report_point(const struct family_case *c, const double p[3],
                          const cylint_closest *got,
                          const struct oracle_closest *want)
 {
-    REPORT_CASE(c);
-    REPORT("point %a %a %a", p[0], p[1], p[2]);
+    REPORT_POINT(c, p);
     REPORT("got  %.17g part %d feature %d, point %.17g %.17g %.17g, normal "
            "%.17g %.17g %.17g",
            got->distance, got->part, got->feature, got->point[0], got->point[1],
@@ -59,15 +55,10 @@ static void report_point(const struct family_case *c, const double p[3],
            want->normal[2]);
 }
 
-static int sign(double x)
-{
-    return (x > 0) - (x < 0);
-}
-
 /* Of a number, in units in the last place; infinite for -0, NaN, and a wrong 0. */
 static double ulps_from(double got, double want)
 {
-    if ((got == 0 && signbit(got)) || (want == 0 && got != 0))
+    if (is_negative_zero(got) || (want == 0 && got != 0))
         return HUGE_VAL;
     const double half = want > 1 ? 0.5 : 1; /* avoids overflow and underflow */
     const double off = fabs(half * got - half * want) / ulp(want) / half;
@@ -103,9 +94,9 @@ static void check_safety(const struct family_case *c, const double p[3],
         if (far > 0 && m == 0)
             sum->safety = fmin(sum->safety, safe / far);
         if (!CHECK(!above)) {
-            REPORT_CASE(c);
-            REPORT("point %a %a %a: safety %a, distance %a, rounding %d", p[0],
-                   p[1], p[2], safe, want->distance, m / 4);
+            REPORT_POINT(c, p);
+            REPORT("safety %a, distance %a, rounding %d", safe, want->distance,
+                   m / 4);
         }
     }
 }
@@ -114,7 +105,7 @@ static void check_safety(const struct family_case *c, const double p[3],
 static int sign_of_oracle(const struct oracle_closest *want)
 {
     return want->distance != 0 || oracle_distance_is_zero()
-               ? sign(want->distance)
+               ? cylint_sign(want->distance)
            : signbit(want->distance) ? -1
                                      : 1;
 }
@@ -200,9 +191,9 @@ static void check_less_wanted(const struct family_case *c, const double p[3],
                    got.flags == 0 &&
                    (!want ||
                     (got.part == all->part && got.feature == all->feature)))) {
-            REPORT_CASE(c);
-            REPORT("point %a %a %a: want %u gives %.17g part %d feature %d",
-                   p[0], p[1], p[2], want, got.distance, got.part, got.feature);
+            REPORT_POINT(c, p);
+            REPORT("want %u gives %.17g part %d feature %d", want, got.distance,
+                   got.part, got.feature);
         }
     }
 }
@@ -233,7 +224,7 @@ static void check_point(const struct family_case *c, const double p[3],
     sum->n++;
     CHECK(cylint_distance(s, p, WANT, &got) == got.distance && got.flags == 0);
     struct differences off = {
-        .sign = sign(got.distance) != sign_of_oracle(&want) ||
+        .sign = cylint_sign(got.distance) != sign_of_oracle(&want) ||
                 cylint_contains(s, p) != oracle_contains(s, p),
         .feature = got.part != want.part};
     if (want.part >= 0) {

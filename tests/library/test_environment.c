@@ -46,7 +46,7 @@ static struct made made_in(struct environment there, struct family_case c)
 
 TEST(shapes_and_lines_are_made_the_same)
 {
-    const uint64_t seed = check_setting("CYLINT_SEED", 1) + 9;
+    const uint64_t seed = check_seed() + 9;
     EACH_CASE(c, seed, check_setting("CYLINT_CASES", 20)) {
         const struct made want = made_in(environment_of(0), c);
         EACH_ENVIRONMENT(there) {

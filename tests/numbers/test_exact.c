@@ -1,6 +1,5 @@
 /*
- * test_exact.c - exact arithmetic against MPFR, its memory, and
- * scaling
+ * test_exact.c - exact arithmetic against MPFR, its memory, and scaling
  */
 #include <float.h>
 #include <gmp.h> /* before mpfr.h */
@@ -9,6 +8,7 @@
 #include "check.h"
 #include "draw.h"
 #include "environment.h"
+#include "numbers/bits.h"
 #include "numbers/exact_sum.h"
 #include "real.h"
 #include "roots/roots.h"
@@ -20,27 +20,20 @@ static int cases(void)
     return (int)check_setting("CYLINT_CASES", 20000);
 }
 
-static double from_bits(uint64_t bits)
-{
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 /* Any finite double: zero, subnormal, or with any exponent. */
 static double any_double(void)
 {
     uint64_t bits = below(2) << 63;
     switch (below(8)) {
     case 0:
-        return from_bits(bits);
+        return cylint_from_bits(bits);
     case 1:
-        return from_bits(bits | below((uint64_t)1 << 52));
+        return cylint_from_bits(bits | below((uint64_t)1 << 52));
     case 2: /* a power of two */
-        return from_bits(bits | below(2047) << 52);
+        return cylint_from_bits(bits | below(2047) << 52);
     default:
         bits |= below(2047) << 52;
-        return from_bits(bits | below((uint64_t)1 << 52));
+        return cylint_from_bits(bits | below((uint64_t)1 << 52));
     }
 }
 

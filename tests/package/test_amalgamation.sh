@@ -1,7 +1,7 @@
 #!/bin/sh
-# `make amalgamation` writes the libraries, scenes too, as one C file,
-# which every compiler at hand compiles without a flag or a warning, and tests of
-# the libraries that are linked to it pass.
+# `make amalgamation` writes the libraries, scenes too, as one C file, which every
+# compiler at hand compiles without a flag or a warning, and tests of the libraries
+# that are linked to it pass.
 . "$(dirname "$0")/../support/verdict.sh"
 . "$(dirname "$0")/../support/installs.sh"
 
@@ -53,10 +53,9 @@ $cxx -c "$folder/cylint.c" -o "$scratch/cxx.o" > "$scratch/log" 2>&1
 verdict a_compiler_of_cxx_gives_one_error $?
 
 # The examples of README.md and cylint_scene(3), linked with it as a user does.
-awk '/^```c$/ { inside = 1; next } /^```/ { inside = 0 } inside' README.md > "$scratch/example.c"
+block c 1 > "$scratch/example.c"
 $cc -I "$folder" -o "$scratch/example" "$scratch/example.c" "$scratch/plain.o" -lm &&
-    [ "$("$scratch/example")" = "t = 5
-t = 6" ]
+    [ "$("$scratch/example")" = "$(block '' 1)" ]
 verdict the_example_runs_with_it $?
 for object in plain library; do
     display cylint_scene.3 1 > "$scratch/scene.c"

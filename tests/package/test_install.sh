@@ -1,7 +1,7 @@
 #!/bin/sh
-# What make install puts into a scratch folder works: the README's
-# example compiles and links with it, the README's commands run, and uninstall
-# removes it.  The library also compiles without the Makefile.
+# What make install puts into a scratch folder works: the README's example compiles
+# and links with it, the README's commands run, and uninstall removes it.  The
+# library also compiles without the Makefile.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
 . "$(dirname "$0")/../support/installs.sh"
@@ -67,17 +67,6 @@ test_forest()
         echo 'ray 0 0 9  0 0 -1' |
         "$root/usr/bin/cylint" -s "$scratch/forest" > /dev/null
     verdict the_installed_forest_is_a_scene $?
-}
-
-# block LANGUAGE NUMBER: the text of a fenced block of README.md.
-block()
-{
-    awk -v fence='```'"$1" -v wanted="$2" '
-        inside && /^```/ { inside = 0; next }
-        inside == 2
-        /^```/ && !inside { inside = 1 }
-        $0 == fence && inside == 1 && ++n == wanted { inside = 2 }
-    ' README.md
 }
 
 # The flags of the installed .pc files of $packages; without pkg-config this

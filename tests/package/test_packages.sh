@@ -1,7 +1,7 @@
 #!/bin/sh
-# What is packed for those who link.  `make dist` writes the same
-# bytes again, and its files build; CMake finds what make install installs, and
-# builds the sources within another project.
+# What is packed for those who link.  `make dist` writes the same bytes again, and
+# its files build; CMake finds what make install installs, and builds the sources
+# within another project.
 . "$(dirname "$0")/../support/verdict.sh"
 . "$(dirname "$0")/../support/installs.sh"
 
@@ -60,9 +60,8 @@ test_cmake()
     components=scene
     [ -f "$scratch/root/usr/lib/libcylint-embree.a" ] && components='scene;embree'
     mkdir "$scratch/examples"
-    awk '/^```c$/ { inside = 1; next } /^```/ { inside = 0 } inside' README.md \
-        > "$scratch/examples/example.c"
-    printf 't = 5\nt = 6\n' > "$scratch/examples/example.said"
+    block c 1 > "$scratch/examples/example.c"
+    block '' 1 > "$scratch/examples/example.said"
     for page in scene embree; do
         display cylint_$page.3 1 > "$scratch/examples/$page.c"
         display cylint_$page.3 2 > "$scratch/examples/$page.said"

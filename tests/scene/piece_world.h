@@ -14,7 +14,7 @@
 #include "answers.h"
 #include "check.h"
 
-enum { SHAPES = 24, MEMBERS = 48, SOLIDS = 8, MOST = 4096, LINES = 40 };
+enum { SHAPES = 24, MEMBERS = 48, MOST = 4096, LINES = 40 };
 
 /* ------------------------------------------------ a loop over all cells -- */
 

@@ -33,6 +33,10 @@ static const char *const place_names[PLACES] = {
     "line's origin", "hit", "axis",    "rim",   "bisector",
     "far",           "box", "lateral", "whole", "apex"};
 
+/* The case and the point, within a test of check.h, for its first failures only. */
+#define REPORT_POINT(c, p) \
+    (REPORT_CASE(c), REPORT("point %a %a %a", (p)[0], (p)[1], (p)[2]))
+
 /* 0, or either sign and 10^-17 to 10^-1. */
 static double draw_small(void)
 {

@@ -13,6 +13,17 @@ make_here()
         ${CXX17+CXX17="$CXX17"} "$@"
 }
 
+# block LANGUAGE NUMBER: the text of a fenced block of README.md.
+block()
+{
+    awk -v fence='```'"$1" -v wanted="$2" '
+        inside && /^```/ { inside = 0; next }
+        inside == 2
+        /^```/ && !inside { inside = 1 }
+        $0 == fence && inside == 1 && ++n == wanted { inside = 2 }
+    ' README.md
+}
+
 # display PAGE NUMBER [SECTION]: the text of a literal display in a page's
 # EXAMPLES, or in another section.
 display()
