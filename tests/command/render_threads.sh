@@ -1,7 +1,7 @@
 #!/bin/sh
-# 8 workers draw the picture that one worker draws, and the thread
-# sanitizer reports nothing (make check-threads).  It runs on one processor:
-# Embree then starts no threads of its own, which the sanitizer cannot check.
+# 8 workers draw the picture that one worker draws, and the thread sanitizer reports
+# nothing (make check-threads).  It runs on one processor: Embree then starts no
+# threads of its own, which the sanitizer cannot check.
 . "$(dirname "$0")/../support/verdict.sh"
 command -v taskset > /dev/null ||
     skip_all 'no taskset, which is in the package util-linux'

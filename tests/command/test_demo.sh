@@ -1,6 +1,6 @@
 #!/bin/sh
-# The demo prints the same bytes each time and with each awk, its
-# summary agrees with the answers, and it fails if one of its steps fails.
+# The demo prints the same bytes each time and with each awk, its summary agrees
+# with the answers, and it fails if one of its steps fails.
 . "$(dirname "$0")/../support/verdict.sh"
 
 # demo NAME [AWK]: runs the demo in $scratch/bin and writes its output, without

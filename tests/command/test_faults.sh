@@ -1,8 +1,8 @@
 #!/bin/sh
-# When system calls are short, interrupted or late, no answer is
-# lost, reordered or changed; when they fail, the command prints a message and
-# stops at the end of a line.  faults.c makes the calls fail.  test_hostile.sh
-# has hostile input and the failures that a shell can make.
+# When system calls are short, interrupted or late, no answer is lost, reordered or
+# changed; when they fail, the command prints a message and stops at the end of a
+# line.  faults.c makes the calls fail.  test_hostile.sh has hostile input and the
+# failures that a shell can make.
 . "$(dirname "$0")/../support/verdict.sh"
 [ -x "$build/tests/command/faulty" ] || skip_all 'no linker that wraps calls'
 cd "$scratch" || exit 1

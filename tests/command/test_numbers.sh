@@ -1,6 +1,5 @@
 #!/bin/sh
-# Numbers are read and written alike by the C++17 library and by
-# the C library.
+# Numbers are read and written alike by the C++17 library and by the C library.
 . "$(dirname "$0")/../support/verdict.sh"
 : "${CC:=cc}" "${CXX:=c++}"
 strict='-std=c99 -D_POSIX_C_SOURCE=200809L -O2 -Itools/cylint -Itests/support'

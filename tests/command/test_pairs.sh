@@ -1,6 +1,6 @@
 #!/bin/sh
-# Records of bare numbers, -k, give the same bytes as records with
-# words, for all kinds.
+# Records of bare numbers, -k, give the same bytes as records with words, for all
+# kinds.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH

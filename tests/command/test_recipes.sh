@@ -1,8 +1,7 @@
 #!/bin/sh
-# The displays of cylint(7) that are not transcripts work: shapes
-# of other programs and lengths in solids.  test_cli.sh runs the transcripts,
-# tests/python/test_formats.py the displays about trees and molecules,
-# `make check-cluster` those about many machines.
+# The displays of cylint(7) that are not transcripts work: shapes of other programs
+# and lengths in solids.  test_cli.sh runs the transcripts, test_formats.py the
+# displays about trees and molecules, `make check-cluster` those about many machines.
 . "$(dirname "$0")/../support/verdict.sh"
 PATH=$build:$PATH
 

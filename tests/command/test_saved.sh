@@ -1,6 +1,6 @@
 #!/bin/sh
-# A saved scene gives the bytes that its text gives, for every
-# query and any number of workers, and processes that open it share its memory.
+# A saved scene gives the bytes that its text gives, for every query and any number
+# of workers, and processes that open it share its memory.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH

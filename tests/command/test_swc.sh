@@ -1,7 +1,7 @@
 #!/bin/sh
-# `cylint -s neuron.swc` makes the shapes of the definition, whatever
-# the form of the file; their text gives the same answers.  swc.txt has small files
-# and those that are refused.
+# `cylint -s neuron.swc` makes the shapes of the definition, whatever the form of
+# the file; their text gives the same answers.  swc.txt has small files and those
+# that are refused.
 . "$(dirname "$0")/../support/verdict.sh"
 PATH=$build:$PATH
 data=../shared/data

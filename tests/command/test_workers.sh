@@ -1,6 +1,6 @@
 #!/bin/sh
-# Any number of workers gives the same answers, messages and exit
-# status as one worker, and no worker waits for input after the work has ended.
+# Any number of workers gives the same answers, messages and exit status as one
+# worker, and no worker waits for input after the work has ended.
 . "$(dirname "$0")/../support/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH

@@ -1,6 +1,6 @@
 /*
- * test_batch.c - batches of points return the bits of single
- * questions, in the lanes of all builds
+ * test_batch.c - batches of points return the bits of single questions, in the
+ * lanes of all builds
  *
  * The batches are those of distances, contains, safety and on_surface.  Their
  * arrays begin or end at guard pages, at all addresses; inputs are read-only

@@ -1,6 +1,5 @@
 /*
- * test_answers.c - the adapter answers float rays as the
- * library does
+ * test_answers.c - the adapter answers float rays as the library does
  */
 #include <float.h>
 #include <math.h>

@@ -1,6 +1,5 @@
 /*
- * test_layout.c - rays, hits and arguments have the
- * declared layout
+ * test_layout.c - rays, hits and arguments have the declared layout
  *
  * The adapter is not tested: rays with a known pattern around them hit one of
  * Embree's own curves in an instance.  With a wrong declaration, possible for a

@@ -1,6 +1,5 @@
 /*
- * test_memory.c - refused allocations leave no memory
- * behind
+ * test_memory.c - refused allocations leave no memory behind
  *
  * The adapter allocates from the device, whose memory monitor refuses one
  * allocation after the other.

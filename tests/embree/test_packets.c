@@ -1,6 +1,5 @@
 /*
- * test_packets.c - packets return the answers to the rays
- * alone
+ * test_packets.c - packets return the answers to the rays alone
  *
  * All, some or none of the rays of a packet go in the same direction through
  * all kinds of scenes.  Every word of every answer is compared with the answer

@@ -1,6 +1,6 @@
 /*
- * test_shapes.c - shapes of a geometry move, change, have
- * a box, or are refused with their number
+ * test_shapes.c - shapes of a geometry move, change, have a box, or are refused
+ * with their number
  */
 #include <math.h>
 #include <string.h>

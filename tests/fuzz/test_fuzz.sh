@@ -1,6 +1,6 @@
 #!/bin/sh
-# The fuzz targets of tests/fuzz hold on the kept
-# inputs.  `make fuzz` searches for more inputs.
+# The fuzz targets of tests/fuzz hold on the kept inputs.  `make fuzz` searches for
+# more inputs.
 . "$(dirname "$0")/../support/verdict.sh"
 for target in record command shapes scene_file; do
     program=$build/tests/fuzz/$target

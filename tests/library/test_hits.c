@@ -1,6 +1,5 @@
 /*
- * test_hits.c - members of hits that are known
- * exactly, and domains
+ * test_hits.c - members of hits that are known exactly, and domains
  *
  * The records of hits.txt must have their hits bit for bit, those of hard.txt the
  * relation and each t, with each member wanted alone, in every floating-point

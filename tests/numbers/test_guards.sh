@@ -1,7 +1,6 @@
 #!/bin/sh
-# With compiler flags that break exact arithmetic the library
-# does not compile, or, where no macro shows the flag, cylint_selftest() finds
-# the fault.
+# With compiler flags that break exact arithmetic the library does not compile, or,
+# where no macro shows the flag, cylint_selftest() finds the fault.
 . "$(dirname "$0")/../support/verdict.sh"
 src=$top/src
 cc=${CC:-cc}

@@ -1,7 +1,6 @@
 #!/bin/sh
-# The Makefile runs its probes after `deps`, objects depend on what
-# the probes find, nothing is compiled twice, and tests that could not run are
-# named.
+# The Makefile runs its probes after `deps`, objects depend on what the probes find,
+# nothing is compiled twice, and tests that could not run are named.
 . "$(dirname "$0")/../support/verdict.sh"
 make=${MAKE:-make}
 real=${CC:-cc}

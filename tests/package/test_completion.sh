@@ -1,6 +1,6 @@
 #!/bin/sh
-# Completion in bash and zsh offers the options of --help, the names
-# of --list and the words that the commands accept, and otherwise file names.
+# Completion in bash and zsh offers the options of --help, the names of --list and
+# the words that the commands accept, and otherwise file names.
 . "$(dirname "$0")/../support/verdict.sh"
 completion=$top/tools/cylint/completion
 PATH=$build:$PATH

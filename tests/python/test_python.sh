@@ -1,9 +1,9 @@
 #!/bin/sh
-# The Python package.  Its source distribution stands alone: it has the
-# library's sources, and make finds all of them there.  A wheel is made of it
-# elsewhere, with the libraries that make has built of the same sources, and
-# installed into the environment that `make deps` makes; then pytest runs
-# tests/python and the examples of the docstrings and of tools/python/README.md.
+# The Python package.  Its source distribution stands alone: it has the library's
+# sources, and make finds all of them there.  A wheel is made of it elsewhere, with
+# the libraries that make has built of the same sources, and installed into the
+# environment that `make deps` makes; then pytest runs tests/python and the examples
+# of the docstrings and of tools/python/README.md.
 . "$(dirname "$0")/../support/verdict.sh"
 home=$build/python # the environment, and what is built
 python=$home/bin/python

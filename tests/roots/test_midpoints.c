@@ -1,6 +1,5 @@
 /*
- * test_midpoints.c - roots at the midpoint of two doubles, and
- * beside it
+ * test_midpoints.c - roots at the midpoint of two doubles, and beside it
  *
  * Random roots are never midpoints, so these are constructed.  A root
  * t = T 2^f with T = 2m + 1 of 54 bits (for subnormal t f = -1075 and any m) is

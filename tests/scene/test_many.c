@@ -1,7 +1,6 @@
 /*
- * test_many.c - arrays of answers for many lines or points hold
- * what the queries of one line or point return, bit for bit, with any number of
- * threads
+ * test_many.c - arrays of answers for many lines or points hold what the
+ * queries of one line or point return, bit for bit, with any number of threads
  */
 #include <math.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /*
- * test_memory.c - refused allocations leave no memory behind,
- * and refused threads do not change answers
+ * test_memory.c - refused allocations leave no memory behind, and refused
+ * threads do not change answers
  *
  * A scene allocates with malloc(), calloc() and realloc(), which the linker
  * replaces by the functions of heap.h.  Each allocation is refused in turn.  Where

@@ -1,6 +1,5 @@
 /*
- * test_refit.c - a scene whose shapes moved returns the bits of
- * a new scene
+ * test_refit.c - a scene whose shapes moved returns the bits of a new scene
  *
  * CYLINT_CASES: how many times shapes move in each scene.
  */

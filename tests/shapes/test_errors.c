@@ -1,6 +1,5 @@
 /*
- * test_errors.c - boxes and tangents are within the errors of
- * cylint(3)
+ * test_errors.c - boxes and tangents are within the errors of cylint(3)
  *
  * The sides of boxes are compared with MPFR: none cuts its solid, and none is
  * farther from it than the manual's table says.  That each member of a hit is

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The recipes of cylint(7), MANY PROCESSORS, MANY MACHINES, give
-# the bytes of one process.  If one record is bad they fail and write no
-# complete answers.  Recipes without their tool are skipped; `make deps-cluster`
-# installs the tools.  RECORDS is the number of records, RECIPES the recipes.
+# The recipes of cylint(7), MANY PROCESSORS, MANY MACHINES, give the bytes of one
+# process.  If one record is bad they fail and write no complete answers.  Recipes
+# without their tool are skipped; `make deps-cluster` installs the tools.  RECORDS
+# is the number of records, RECIPES the recipes.
 . "$(dirname "$0")/../../support/verdict.sh"
 records=${RECORDS:-16000} pieces=8
 PATH=$build:$build/spark/bin:$PATH
