@@ -1,4 +1,4 @@
-"""Helpers of the tests: the command, seeded families, hypothesis profiles."""
+"""Helpers of the tests: the command, seeded families, the profile of hypothesis."""
 
 import os
 import subprocess
@@ -13,16 +13,15 @@ from hypothesis.extra.numpy import arrays
 
 import libcylint as cylint
 
-for name, examples in (("check", 400), ("full", 10000)):
-    settings.register_profile(
-        name,
-        max_examples=examples,
-        deadline=None,
-        derandomize=name == "check",
-        database=None,
-        suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-    )
-settings.load_profile(os.environ.get("PROFILE", "check"))
+settings.register_profile(
+    "check",
+    max_examples=400,
+    deadline=None,
+    derandomize=True,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
+settings.load_profile("check")
 
 
 # Shapes by the command's text for them.

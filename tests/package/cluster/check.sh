@@ -2,7 +2,7 @@
 # The recipes of cylint(7), MANY PROCESSORS, MANY MACHINES, give the bytes of one
 # process.  If one record is bad they fail and write no complete answers.  Recipes
 # without their tool are skipped; `make deps-cluster` installs the tools.  RECORDS
-# is the number of records, RECIPES the recipes.
+# is the number of records.
 . "$(dirname "$0")/../../support/verdict.sh"
 records=${RECORDS:-16000} pieces=8
 PATH=$build:$build/spark/bin:$PATH
@@ -164,9 +164,8 @@ python=$build/spark/bin/python
     "$build"/python/wheel/*.whl 2> /dev/null &&
     "$python" -c 'import libcylint, pyarrow' 2> /dev/null || python=
 
-all='parallel-pipe parallel-pipepart slurm spark-files spark-pipe spark-arrow'
 recipes=
-for recipe in ${RECIPES:-$all}; do
+for recipe in parallel-pipe parallel-pipepart slurm spark-files spark-pipe spark-arrow; do
     have_tools_for $recipe && recipes="$recipes $recipe"
 done
 make_input || exit 1
