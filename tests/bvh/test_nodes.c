@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../scene/answers.h"
 #include "check.h"
 #include "cylint_scene.h"
 #include "draw.h"
@@ -151,17 +150,6 @@ TEST(the_first_refused_shape_is_reported)
         }
 }
 
-TEST(scenes_of_several_threads_answer_as_those_of_one)
-{
-    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, 12000, 6);
-    OWN_SCENE *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
-    OWN_SCENE *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
-    if (CHECK(one && four)) {
-        CHECK(cylint_scene_bytes(one) == cylint_scene_bytes(four));
-        CHECK(differences(one, four, &of, 6) == 0);
-    }
-}
-
 /* ------------------------------------------------------------- progress -- */
 
 /* What a progress function saw. */
@@ -193,6 +181,7 @@ static cylint_scene *make_reported(const struct scene_shapes *of, int threads,
 static const int reported[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};
 enum { REPORTED = sizeof reported / sizeof *reported };
 
+/* Nor do several threads. */
 TEST(progress_grows_and_does_not_change_the_scene)
 {
     for (int i = 0; i < 2 * REPORTED; i++) {
