@@ -63,7 +63,8 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
 
 /* Ray i of `samples` through pixel x, y of a picture of this size; y is counted
  * from the top.  A single ray goes through the pixel's middle.  Samples have the
- * same places in all pixels, so that edges are even. */
+ * same places in all pixels, so that edges are even.  A ray whose numbers are too
+ * large is refused: it hits nothing, and o and d are 0. */
 void view_sample(const struct view *view, int width, int height, int x, int y,
                  int i, int samples, cylint_line *ray);
 

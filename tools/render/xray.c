@@ -40,7 +40,7 @@ static size_t fill_block(const struct rays *rays, size_t first, size_t count)
     size_t n = 0;
     for (size_t p = first; p < first + count; p++) {
         for (int i = 0; i < d->samples; i++, n++) {
-            cylint_line ray = {.tmax = 0}; /* d = 0: no pieces */
+            cylint_line ray;
             view_sample(d->view, picture->width, picture->height,
                         (int)(p % width), (int)(p / width), i, d->samples,
                         &ray);
