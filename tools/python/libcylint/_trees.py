@@ -43,64 +43,10 @@ def read_qsm(
     >>> tree, tree.labels
     (<libcylint.Shapes (1,): 1 cylinder>, array(['7'], dtype='<U1'))
     """
-    name = os.fspath(path)
-    lines = contents(name).decode("utf-8", "surrogateescape").split("\n")
-    rows = [
-        (number, line) for number, line in enumerate(lines, 1)
-        if line.strip()[:1] not in ("", "#")
-    ]
-    head, header = rows[0] if rows else (1, "")
-    if treeqsm:
-        names, separator = _TREEQSM.split(), None
-        has_header = re.match(r'\s*"?radius', header, re.IGNORECASE) is not None
-    elif rows:
-        separator = next((s for s in ";\t" if s in header), ",")
-        names, has_header = [_plain(field) for field in header.split(separator)], True
-    else:
-        raise ValueError(f"{name}: expected a header line, found the end of the file")
-    del rows[:has_header]
-    ended = "endx" in names
+    table = _Table(os.fspath(path), treeqsm)
+    ended = "endx" in table.names
     last = ["endx", "endy", "endz"] if ended else ["axisx", "axisy", "axisz", "length"]
-    wanted = ["radius", "startx", "starty", "startz", *last]
-    for column in wanted:
-        if column not in names:
-            raise ValueError(f"{name}:{head}: the header names no column {column!r}")
-    for number, line in [] if treeqsm else rows:
-        fields = re.sub('"[^"]*"', '"', line).split(separator)
-        if any(map(str.strip, fields[len(names):])):
-            raise ValueError(
-                f"{name}:{number}: expected {len(names)} columns, found {len(fields)}"
-            )
-
-    def load(some: list[tuple[int, str]], columns: list[str], kind: Any) -> Any:
-        with warnings.catch_warnings():  # of tables without rows
-            warnings.simplefilter("ignore")
-            return np.loadtxt(
-                [line for _, line in some], kind, delimiter=separator, quotechar='"',
-                comments=None, usecols=[names.index(column) for column in columns], ndmin=2,
-            )
-
-    def read(columns: list[str], kind: Any) -> Any:
-        with suppress(ValueError):
-            table = load(rows, columns, kind)
-            if len(table) == len(rows):
-                return table
-        for row in rows:
-            text = "a quote has no end"  # the row after it was taken for its text
-            try:
-                load([row], columns, kind)
-                with suppress(ValueError):
-                    if len(load([row, rows[0]], columns, kind)) == 2:
-                        continue
-            except ValueError as error:
-                text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
-                text = re.sub(
-                    r"invalid column index \d+ with (\d+) columns?",
-                    rf"expected {len(names)} columns, found \1", text,
-                )
-            raise ValueError(f"{name}:{row[0]}: {text}")
-
-    numbers = read(wanted, float)
+    numbers = table.read(["radius", "startx", "starty", "startz", *last], float)
     r, p0, p1 = numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7]
     if not ended:
         with np.errstate(over="ignore"):
@@ -110,18 +56,91 @@ def read_qsm(
         (r < 0, "the radius is negative"),
     ):
         if wrong.any():
-            raise ValueError(f"{name}:{rows[np.argmax(wrong)][0]}: {text}")
+            raise table.refuse(table.rows[np.argmax(wrong)][0], text)
     labels = np.arange(1, len(r) + 1).astype(str)
-    if "id" in names and len(r) > 0:
-        labels = np.char.strip(read(["id"], str)[:, 0])
+    if "id" in table.names and len(r) > 0:
+        labels = np.char.strip(table.read(["id"], str)[:, 0])
     long = np.full(len(r), True) if round else (p0 != p1).any(axis=1)
     for count, lack in (((~long).sum(), "length"), ((long & (r == 0)).sum(), "radius")):
         if count > 0:
             cylinders = "cylinder" if count == 1 else "cylinders"
-            warnings.warn(f"{name}: {count} {cylinders} of no {lack} skipped", stacklevel=2)
+            warnings.warn(
+                f"{table.name}: {count} {cylinders} of no {lack} skipped", stacklevel=2
+            )
     kept = long & (r != 0)
     make = capsule if round else cylinder
     return make(p0[kept], p1[kept], r[kept]).with_labels(labels[kept])
+
+
+class _Table:
+    """Rows of a file with the numbers of their lines, and the names of the columns."""
+
+    def __init__(self, name: str, treeqsm: bool) -> None:
+        lines = contents(name).decode("utf-8", "surrogateescape").split("\n")
+        self.name = name
+        self.rows = [
+            (number, line) for number, line in enumerate(lines, 1)
+            if line.strip()[:1] not in ("", "#")
+        ]
+        self.head, header = self.rows[0] if self.rows else (1, "")
+        self.separator: str | None = None
+        if treeqsm:
+            self.names = _TREEQSM.split()
+            has_header = re.match(r'\s*"?radius', header, re.IGNORECASE) is not None
+        elif self.rows:
+            self.separator = next((s for s in ";\t" if s in header), ",")
+            self.names = [_plain(field) for field in header.split(self.separator)]
+            has_header = True
+        else:
+            raise ValueError(f"{name}: expected a header line, found the end of the file")
+        del self.rows[:has_header]
+        if self.separator is not None:
+            self._check_widths()
+
+    def refuse(self, number: int, text: str) -> ValueError:
+        """The error that names a line."""
+        return ValueError(f"{self.name}:{number}: {text}")
+
+    def _check_widths(self) -> None:
+        for number, line in self.rows:
+            fields = re.sub('"[^"]*"', '"', line).split(self.separator)
+            if any(map(str.strip, fields[len(self.names):])):
+                raise self.refuse(
+                    number, f"expected {len(self.names)} columns, found {len(fields)}"
+                )
+
+    def _load(self, rows: list[tuple[int, str]], columns: list[str], kind: Any) -> Any:
+        with warnings.catch_warnings():  # of tables without rows
+            warnings.simplefilter("ignore")
+            return np.loadtxt(
+                [line for _, line in rows], kind, delimiter=self.separator, quotechar='"',
+                comments=None, usecols=[self.names.index(column) for column in columns],
+                ndmin=2,
+            )
+
+    def read(self, columns: list[str], kind: Any) -> Any:
+        """These columns of all rows.  Raises ValueError for the first bad row."""
+        for column in columns:
+            if column not in self.names:
+                raise self.refuse(self.head, f"the header names no column {column!r}")
+        with suppress(ValueError):
+            table = self._load(self.rows, columns, kind)
+            if len(table) == len(self.rows):
+                return table
+        for row in self.rows:
+            text = "a quote has no end"  # the row after it was taken for its text
+            try:
+                self._load([row], columns, kind)
+                with suppress(ValueError):
+                    if len(self._load([row, self.rows[0]], columns, kind)) == 2:
+                        continue
+            except ValueError as error:
+                text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
+                text = re.sub(
+                    r"invalid column index \d+ with (\d+) columns?",
+                    rf"expected {len(self.names)} columns, found \1", text,
+                )
+            raise self.refuse(row[0], text)
 
 
 def _plain(field: str) -> str:
