@@ -1,5 +1,6 @@
 /*
- * test_nodes.c - the nodes, and builds by several threads
+ * test_nodes.c - nodes, pieces and traversals of the hierarchy; builds by several
+ * threads, and their progress
  */
 #include <math.h>
 #include <pthread.h>

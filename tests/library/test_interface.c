@@ -1,5 +1,6 @@
 /*
- * test_interface.c - version, sizes, packs
+ * test_interface.c - version, sizes, packs, and the kernels that a program begins
+ * with
  */
 #include <stdint.h>
 #include <stdio.h>

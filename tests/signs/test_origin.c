@@ -44,7 +44,7 @@ static cylint_ends any_ends(void)
 static void upright(cylint_shape *shape, double point[3])
 {
     const int k = whole_between(1, 3), m = whole_between(1, 3),
-              h = 2 * whole_between(1, 4), on_cap = whole_between(1, 2) - 1;
+              h = 2 * whole_between(1, 4), on_cap = one_of(2);
     const cylint_ends ends = any_ends();
     const double base[3] = {0, 0, 0}, top[3] = {0, 0, h};
     const double a[3] = {5 * k, 0, 0}, b[3] = {0, 10 * k, 0};
