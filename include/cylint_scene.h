@@ -63,7 +63,7 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  * finished, only one thread may use it, and queries must not be made.
  *
  * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
- * 30 bytes for a thick shape, up to 90 for a thin one, which has several pieces,
+ * 30 bytes for a thick shape, up to 90 for a thin one, which is cut into slices,
  * and up to 170 for a needle.  A shape beside the hierarchy takes some 510.
  */
 
@@ -92,9 +92,9 @@ typedef int cylint_scene_progress(void *context, double part);
  * can only be freed.
  *
  * Unbounded shapes (infinite, nappe) and shapes with a coordinate, a factor or a
- * tangent beyond 2^400 are beside the hierarchy: every line tests them.  So are
- * all shapes if their common box is smaller than 2^-400.  They are packed without a
- * call of progress().
+ * tangent beyond 2^400 are beside the hierarchy: every line is tested with them.
+ * So are all shapes if their common box is smaller than 2^-400.  They are packed
+ * without a call of progress().
  */
 CYLINT_API cylint_scene_status
 cylint_scene_finish(cylint_scene *scene, int threads,

@@ -460,6 +460,14 @@ static double query_again(void *context, size_t number, const cylint_hit *hit)
     return HUGE_VAL;
 }
 
+static double count_visits(void *context, size_t number, const cylint_hit *hit)
+{
+    struct ender *e = context;
+    (void)number;
+    e->calls += hit == NULL;
+    return HUGE_VAL;
+}
+
 TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
     OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, check_seed());
@@ -468,7 +476,7 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
     for (uint64_t i = 0; i < 200; i++) {
         struct ender all = {.bound = HUGE_VAL, .least = HUGE_VAL},
                      one = {.bound = HUGE_VAL, .most = 1}, less = all,
-                     again = {.scene = scene};
+                     again = {.scene = scene}, unwanted = {.calls = 0};
         cylint_line line;
         cylint_hit hit;
         cylint_closest near;
@@ -481,8 +489,10 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         cylint_scene_visit(scene, &line, CYLINT_WANT_T, end_visit, &less);
         cylint_scene_visit(scene, &line, CYLINT_WANT_POINT, query_again,
                            &again);
+        cylint_scene_visit(scene, &line, 0, count_visits, &unwanted);
         CHECK(one.calls == 1 && less.calls <= all.calls &&
-              again.calls == all.calls && less.least == hit.t);
+              again.calls == all.calls && unwanted.calls == all.calls &&
+              less.least == hit.t);
         struct ender first = {.bound = HUGE_VAL, .most = 1},
                      nearest = {.bound = 0, .least = HUGE_VAL};
         cylint_scene_closest(scene, line.o, HUGE_VAL, 0, &near);
