@@ -1,6 +1,6 @@
 /*
- * test_nodes.c - nodes, pieces and traversals of the hierarchy; builds by several
- * threads, and their progress
+ * test_nodes.c - nodes, pieces and traversals of the hierarchy; builds by
+ * several threads, and their progress
  */
 #include <math.h>
 #include <pthread.h>

@@ -1,6 +1,6 @@
 /*
- * test_interface.c - version, sizes, packs, and the kernels that a program begins
- * with
+ * test_interface.c - version, sizes, packs, and the kernels that a program
+ * begins with
  */
 #include <stdint.h>
 #include <stdio.h>
