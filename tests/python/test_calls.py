@@ -376,3 +376,48 @@ def test_what_would_hang_or_break_is_refused_when_it_is_loaded(code, message):
         capture_output=True, text=True, timeout=60,
     )
     assert done.returncode == 1 and re.search(message, done.stderr), done.stderr
+
+
+EXIT = """
+import os, sys, threading, time
+import numpy as np
+import libcylint
+
+random = np.random.default_rng(1)
+o, d = random.random((2, 400_000, 3))
+rods = libcylint.cylinder(o[:20_000], o[:20_000] + 0.02 * d[:20_000], 0.01)
+scene = libcylint.Scene(rods)
+
+def repeat(call):
+    began.append(1)
+    while True:
+        call()
+
+calls = (
+    lambda: scene.count(o, d, threads=1), lambda: scene.pieces(o, d),
+    lambda: rods[0].distance(o), lambda: libcylint.Scene(rods),
+    lambda: libcylint.cylinder(o, d, 1),
+)
+began = []
+for call in calls:
+    threading.Thread(target=repeat, args=(call,), daemon=True).start()
+while len(began) < len(calls):
+    time.sleep(0.1)
+time.sleep(0.2)
+if sys.argv[1:] and os.fork() == 0:
+    sys.exit()
+if sys.argv[1:]:
+    assert os.wait()[1] == 0
+print("the end")
+"""
+
+
+@pytest.mark.parametrize("fork", [[], ["fork"]] if hasattr(os, "fork") else [[]])
+def test_python_exits_while_threads_compute(fork):
+    """They are daemons, for which Python does not wait."""
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", EXIT, *fork],
+        capture_output=True, text=True, timeout=120,
+    )
+    assert (done.returncode, done.stdout) == (0, "the end\n"), done.stderr
+    assert "Traceback" not in done.stderr

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import operator
 import os
 from collections.abc import Callable
@@ -22,6 +23,10 @@ _Made = TypeVar("_Made")
 _Answer = TypeVar("_Answer")
 _FLOAT64 = np.dtype(np.float64)
 _NONE = np.array(-1)  # leaves out no shape
+
+atexit.register(_core.end_calls)
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_core.forget_calls)
 
 
 def takes(make: Callable[_P, _Made]) -> Callable[

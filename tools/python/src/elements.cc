@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <mutex>
+#include <thread>
 
 #define CYLINT_THREADS
 extern "C" {
@@ -72,7 +73,52 @@ constexpr auto interval = std::chrono::milliseconds(50);
 /* Starting a thread takes about the time of this many small blocks. */
 constexpr size_t blocks_a_thread = 4;
 
+std::atomic<int> unlocked_calls{0};
+unsigned long exiting_thread = 0; /* 0: Python does not exit */
+
+/* The caller has Python's lock. */
+void stop_at_exit()
+{
+    if (exiting_thread == 0 || exiting_thread == PyThread_get_thread_ident())
+        return;
+    PyErr_SetNone(PyExc_SystemExit);
+    throw nb::python_error();
+}
+
+PyThreadState *unlock()
+{
+    stop_at_exit();
+    unlocked_calls++;
+    return PyEval_SaveThread();
+}
+
 } // namespace
+
+Unlocked::Unlocked() : state(unlock())
+{
+}
+
+Unlocked::~Unlocked()
+{
+    PyEval_RestoreThread(state);
+    unlocked_calls--;
+}
+
+void end_calls()
+{
+    exiting_thread = PyThread_get_thread_ident();
+    while (unlocked_calls > 0) {
+        if (PyErr_CheckSignals() != 0)
+            throw nb::python_error();
+        const nb::gil_scoped_release released;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+void forget_calls()
+{
+    unlocked_calls = 0;
+}
 
 Listener::Listener(const Callback &callback, size_t elements)
     : progress(callback), total(elements), due(Clock::now() + interval)
@@ -85,6 +131,7 @@ void Listener::listen(double part)
         return;
     {
         nb::gil_scoped_acquire acquired;
+        stop_at_exit();
         if (PyErr_CheckSignals() != 0)
             throw nb::python_error();
         if (progress)
@@ -96,8 +143,10 @@ void Listener::listen(double part)
 
 void Listener::end() const
 {
-    if (progress)
-        (*progress)(total, total);
+    if (!progress)
+        return;
+    nb::gil_scoped_acquire acquired;
+    (*progress)(total, total);
 }
 
 int workers_for(size_t blocks, int threads)
@@ -131,31 +180,29 @@ void work(size_t blocks, size_t total, int workers, const Callback &progress,
             stopped = true;
         }
     };
-    {
-        nb::gil_scoped_release released;
-        struct Other {
-            const decltype(loop) *function;
-            int worker;
-            cylint_thread thread;
-        };
-        const auto run = [](void *context) -> void * {
-            const auto *other = static_cast<Other *>(context);
-            (*other->function)(other->worker);
-            return nullptr;
-        };
-        std::vector<Other> others(static_cast<size_t>(workers));
-        int started = 1; /* fewer threads do the same work */
-        for (; started < workers; started++) {
-            Other &other = others[static_cast<size_t>(started)];
-            other.function = &loop;
-            other.worker = started;
-            if (!cylint_thread_start(&other.thread, run, &other))
-                break;
-        }
-        loop(0);
-        while (--started > 0)
-            pthread_join(others[static_cast<size_t>(started)].thread, nullptr);
+    const Unlocked unlocked;
+    struct Other {
+        const decltype(loop) *function;
+        int worker;
+        cylint_thread thread;
+    };
+    const auto run = [](void *context) -> void * {
+        const auto *other = static_cast<Other *>(context);
+        (*other->function)(other->worker);
+        return nullptr;
+    };
+    std::vector<Other> others(static_cast<size_t>(workers));
+    int started = 1; /* fewer threads do the same work */
+    for (; started < workers; started++) {
+        Other &other = others[static_cast<size_t>(started)];
+        other.function = &loop;
+        other.worker = started;
+        if (!cylint_thread_start(&other.thread, run, &other))
+            break;
     }
+    loop(0);
+    while (--started > 0)
+        pthread_join(others[static_cast<size_t>(started)].thread, nullptr);
     if (failure)
         std::rethrow_exception(failure);
     if (!stopped)

@@ -173,6 +173,27 @@ class Part
 
 /* ------------------------------------------------------------- threads -- */
 
+/*
+ * Releases Python's lock as long as it lives.  end_calls(), at Python's exit, waits
+ * for all of these: then Python frees what the calls read.
+ */
+class Unlocked
+{
+  public:
+    Unlocked();
+    ~Unlocked();
+    Unlocked(const Unlocked &) = delete;
+    Unlocked &operator=(const Unlocked &) = delete;
+
+  private:
+    PyThreadState *const state;
+};
+
+/* Ends the calls in other threads, which raise SystemExit, and waits for them. */
+void end_calls();
+/* Of a process that was forked: the calls in other threads are not in it. */
+void forget_calls();
+
 /* progress(done, total), or nothing */
 using Callback = std::optional<nb::object>;
 
@@ -186,7 +207,7 @@ class Listener
     Listener(const Callback &callback, size_t elements);
     /* `part` of the work is done, 0 to 1.  Throws exceptions of Python. */
     void listen(double part);
-    /* All is done.  The caller has Python's lock. */
+    /* All is done. */
     void end() const;
 
   private:

@@ -24,6 +24,8 @@ NB_MODULE(_core, m)
     check_is_first();
     m.attr("version") = cylint_version();
     m.def("strerror", &cylint_strerror);
+    m.def("end_calls", &end_calls);
+    m.def("forget_calls", &forget_calls);
     m.def("shape_members", &shape_members);
     m.def("make_shapes", &make_shapes);
     m.def("make_tube", &make_tube);

@@ -77,7 +77,7 @@ void Scene::add(Input shapes)
     const size_t added = shapes.shape(0);
     cylint_scene_status status;
     {
-        nb::gil_scoped_release released;
+        const Unlocked unlocked;
         status = cylint_scene_add(scene.get(), as_shape(shapes.data()), added);
     }
     check(status);
@@ -89,14 +89,15 @@ void Scene::finish(int threads, const Callback &progress)
     cylint_scene_status status;
     Build build{Listener(progress, n), nullptr};
     {
-        nb::gil_scoped_release released;
+        const Unlocked unlocked;
         status =
             cylint_scene_finish(scene.get(), threads, Build::listen, &build);
+        if (status == CYLINT_SCENE_OK)
+            build.listener.end();
     }
     if (build.failure)
         std::rethrow_exception(build.failure);
     check(status);
-    build.listener.end();
 }
 
 /* Opens a file.  name: of the path, in exceptions. */
@@ -111,7 +112,7 @@ std::unique_ptr<Scene> Scene::open(const nb::bytes &path,
     cylint_scene *opened;
     int error;
     {
-        nb::gil_scoped_release released;
+        const Unlocked unlocked;
         opened = cylint_scene_open(path.c_str(), flags, &status);
         error = errno;
     }
@@ -125,7 +126,7 @@ std::unique_ptr<Scene> Scene::open_bytes(const nb::bytes &bytes)
     cylint_scene_status status;
     cylint_scene *opened;
     {
-        nb::gil_scoped_release released;
+        const Unlocked unlocked;
         opened =
             cylint_scene_open_memory(bytes.data(), bytes.size(), 0, &status);
     }
@@ -143,7 +144,7 @@ void Scene::save(const nb::bytes &path, const nb::object &name) const
     cylint_scene_status status;
     int error;
     {
-        nb::gil_scoped_release released;
+        const Unlocked unlocked;
         status = cylint_scene_save(scene.get(), path.c_str());
         error = errno;
     }
@@ -161,7 +162,7 @@ nb::object Scene::to_bytes() const
         throw std::bad_alloc();
     char *to = PyBytes_AsString(bytes.ptr());
     const auto held = use;
-    nb::gil_scoped_release released;
+    const Unlocked unlocked;
     cylint_scene_write(scene.get(), copy_bytes, &to);
     return bytes;
 }
@@ -192,7 +193,7 @@ void Scene::take(std::optional<Input> numbers, Output shapes, bool closed) const
     auto *const shape = static_cast<cylint_shape *>(shapes.data());
     const auto *const number =
         numbers ? static_cast<const int64_t *>(numbers->data()) : nullptr;
-    nb::gil_scoped_release released;
+    const Unlocked unlocked;
     for (size_t i = 0; i < shapes.shape(0); i++) {
         const size_t at = number ? static_cast<size_t>(number[i]) : i;
         cylint_scene_shape(scene.get(), at, &shape[i]);

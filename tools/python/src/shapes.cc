@@ -41,7 +41,7 @@ int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
     auto *const status = static_cast<signed char *>(statuses.data());
     const int kind = constructor < SHAPE_KINDS ? constructor : SHAPE_ACONE;
     int refused = 0;
-    nb::gil_scoped_release released;
+    const Unlocked unlocked;
     for (size_t i = 0; i < numbers.shape(0); i++) {
         cylint_shape *const s = shape_at(shapes, i);
         const double *const x = row(numbers, i);
@@ -81,7 +81,7 @@ nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
 template <class Function>
 static void each_shape(const Input &shapes, const Function &function)
 {
-    nb::gil_scoped_release released;
+    const Unlocked unlocked;
     for (size_t i = 0; i < shapes.shape(0); i++)
         function(i, shape_of(shapes, i));
 }

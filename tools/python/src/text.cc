@@ -60,7 +60,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
     struct scene scene = {};
     int status;
     {
-        nb::gil_scoped_release released;
+        const Unlocked unlocked;
         messages = &printed;
         scene.file = file.c_str();
         scene.ends = ends;
