@@ -344,6 +344,8 @@ def test_bad_arguments(world):
         (r"broadcast: shape \(2,\), solid \(3,\), clause \(\)",
          lambda: scene.set_solids([0, 1], [0, 1, 2], 1)),
         ("same number", lambda: scene.set_solids([0, 0], [0, 1], 1)),
+        (r"clause: expected one axis, found the shape \(2, 2\)",
+         lambda: scene.set_solids([[0], [1]], 0, [1, -2])),
     ):
         with refused(message):
             call()

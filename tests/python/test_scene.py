@@ -184,6 +184,7 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
         (IndexError, "exclude: found -2, the scene has 2", [0, 0, 0], -2),
         (ValueError, "exclude: a number does not fit", [0, 0, 0], np.uint64(2**64 - 1)),
         (TypeError, "exclude: expected integers", [0, 0, 0], 1.0),
+        (TypeError, "exclude: expected integers of 64 bits", [0, 0, 0], 2**70),
         (TypeError, "exclude: expected integers", [0, 0, 0], [[1.0]]),
         (ValueError, "exclude: .*inhomogeneous", [0, 0, 0], [[1], [1, 0]]),
         (ValueError, r"broadcast: lines \(2,\), exclude \(3,\)", [[0, 0, 0]] * 2, [0, 1, 0]),

@@ -48,8 +48,14 @@ def test_ends_are_words_numbers_or_arrays():
     ):
         with refused(message):
             cylint.cylinder(*UNIT, 1, ends=ends)
-    with refused("ends: expected integers", TypeError):
-        cylint.cylinder(*UNIT, 1, ends=2.9)
+    objects = np.array(["Open", "cap1"], object)  # a column of pandas
+    for ends in (objects, *([objects.astype("T")] if hasattr(np.dtypes, "StringDType") else [])):
+        assert cylint.cylinder(*UNIT, 1, ends=ends).ends.tolist() == [1, 3]
+    for ends in (2.9, None, b"open", True, [2, None]):
+        with refused("ends: expected words or integers, found", TypeError):
+            cylint.cylinder(*UNIT, 1, ends=ends)
+    with refused("ends: .*inhomogeneous"):
+        cylint.cylinder(*UNIT, 1, ends=[["open"], ["open", "cap0"]])
 
 
 @pytest.mark.parametrize(
@@ -90,6 +96,11 @@ def test_masked_elements_are_refused():
         cylint.Scene(ball).any(
             [0, 0, 0], [1, 0, 0], exclude=np.ma.masked_array([0], mask=[1])
         )
+    words = np.ma.masked_array(["open", "cap0"], mask=[0, 1])
+    with refused("ends: an element is masked"):
+        cylint.cylinder(*UNIT, 1, ends=words)
+    with refused("labels: an element is masked"):
+        ball[None].with_labels(words[1:])
 
 
 @pytest.mark.skipif(np.longdouble(0).itemsize == 8, reason="longdouble is float64")

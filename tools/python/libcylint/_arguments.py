@@ -61,12 +61,12 @@ def takes(make: Callable[_P, _Made]) -> Callable[
 # ---------------------------------------------------------------- arrays --
 
 
-def _array(name: str, value: ArrayLike) -> NDArray[Any]:
+def array_of(name: str, value: ArrayLike, kind: Any = None) -> NDArray[Any]:
     """An array without masked elements: NumPy would take their numbers for data."""
     if isinstance(value, np.ma.MaskedArray) and value.mask.any():
         raise ValueError(f"{name}: an element is masked")
     try:
-        return np.asarray(value)
+        return np.asarray(value, kind)
     except ValueError as error:  # of rows that differ in length
         raise ValueError(f"{name}: {error}") from None
 
@@ -77,7 +77,7 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     An aligned array of float64 is returned as it is, whatever its strides.  A
     new array is read-only, so that `owned` does not copy it.
     """
-    given = array = _array(name, value)
+    given = array = array_of(name, value)
     if given.dtype is not _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
             raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
@@ -105,9 +105,9 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
 
 def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """An array of int64 (...)."""
-    array = _array(name, value)
+    array = array_of(name, value)
     if array.dtype.kind not in "iu" and array.size > 0:  # [] has the type float64
-        raise TypeError(f"{name}: expected integers, found {array.dtype}")
+        raise TypeError(f"{name}: expected integers of 64 bits, found {array.dtype}")
     if array.dtype == np.uint64 and np.any(array > np.iinfo(np.int64).max):
         raise ValueError(f"{name}: a number does not fit 64 bits with a sign")
     return np.require(array, np.int64, "A")

@@ -379,6 +379,8 @@ class Scene:
         names = ("shape", "solid", "clause")
         given = [*map(integers, names, (shape, solid, clause))]
         size = broadcast("shape solid clause", *given)
+        if len(size) > 1:
+            raise ValueError(f"shape, solid, clause: expected one axis, found the shape {size}")
         rows = np.column_stack([np.broadcast_to(x, size).reshape(-1) for x in given])
         bad = (rows < [0, 0, 1 - 2**31]) | (rows >= [len(self), len(rows), 2**31])
         bad[:, 2] |= rows[:, 2] == 0

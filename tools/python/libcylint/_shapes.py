@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
-    Doubles, Points, Progress, broadcast, counted, doubles, integers, place, takes, workers,
+    Doubles, Points, Progress, array_of, broadcast, counted, doubles, integers, place,
+    takes, workers,
 )
 from ._closest import ClosestPoints
 from ._enums import Ends, Kind
@@ -248,7 +249,7 @@ class Shapes:
         >>> rods.with_labels(["thin", "thick"])[1:].labels
         array(['thick'], dtype='<U5')
         """
-        names = np.asarray(labels, np.object_)
+        names = array_of("labels", labels, np.object_)
         for name in names.flat:
             if not isinstance(name, str):
                 raise TypeError(f"labels: expected str, found {name!r}")
@@ -452,17 +453,19 @@ def codes_of(ends: str | int | ArrayLike) -> NDArray[np.int8]:
     """The ends as numbers, from words or numbers."""
     if isinstance(ends, str) and ends in _ENDS:
         return _ENDS[ends]
-    words = np.asarray(ends)
-    if words.dtype.kind not in "US":
+    words = array_of("ends", ends)
+    if words.dtype.kind in "iu":
         numbers = integers("ends", words)
         wrong = (numbers < 0) | (numbers >= len(_ENDS))
         return np.where(wrong, len(_ENDS), numbers).astype(np.int8)
     codes = np.empty(words.shape, np.int8)
-    for word in np.unique(words):
-        if str(word).lower() not in _ENDS:
+    for word in set(words.reshape(-1).tolist()):
+        if not isinstance(word, str):
+            raise TypeError(f"ends: expected words or integers, found {word!r}")
+        if word.lower() not in _ENDS:
             right = ", ".join(_ENDS)
-            raise ValueError(f"ends: expected one of {right}; found '{word}'")
-        codes[words == word] = _ENDS[str(word).lower()]
+            raise ValueError(f"ends: expected one of {right}; found {word!r}")
+        codes[words == word] = _ENDS[word.lower()]
     return codes
 
 
