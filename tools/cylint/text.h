@@ -146,9 +146,10 @@ const char *list_words(char to[WORDS_CAPACITY], struct words words);
 struct similar {
     struct string string;
     const char *word; /* NULL: no word is near */
-    int most;         /* the distance of a nearer word */
+    int most;         /* the largest distance of a word that is nearer */
 };
 
+/* No word is compared yet. */
 struct similar similar_begin(struct string s);
 /* Compares a word that the caller keeps.  Of equally near ones the first
  * stays. */
