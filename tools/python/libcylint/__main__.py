@@ -11,12 +11,12 @@ import warnings
 from contextlib import suppress
 from typing import Any
 
-from ._files import contents, read_begun, read_scene, scene_text, standard
+from ._files import (
+    BAD, IO, MEMORY, contents, read_begun, read_scene, scene_text, standard,
+)
 from ._molecules import read_molecule
 from ._shapes import Shapes, all_shapes
 from ._trees import read_qsm
-
-_BAD, _IO, _MEMORY = 1, 3, 4
 
 
 def _read_neuron(path: str, swc: str) -> Shapes:
@@ -84,14 +84,14 @@ def main() -> int:
         output.flush()
     except (ValueError, ImportError) as error:
         _print_message(error)
-        return _BAD
+        return BAD
     except OSError as error:
         name = error.filename or "standard output"
         _print_message(error if error.errno is None else f"{name}: {error.strerror}")
-        return _IO
+        return IO
     except MemoryError:
         _print_message("out of memory")
-        return _MEMORY
+        return MEMORY
     return 0
 
 

@@ -19,7 +19,7 @@ from . import _core
 from ._shapes import Shapes, all_shapes, checked, codes_of, encoded
 
 _NOT_GIVEN = -1
-_BAD, _USAGE, _MEMORY = 1, 2, 4
+BAD, USAGE, IO, MEMORY = 1, 2, 3, 4  # exit statuses of the command
 _AT_ONCE = 1 << 16  # shapes; Ctrl-C ends the writing between them
 
 
@@ -75,7 +75,7 @@ def read_begun(
         messages = [text.replace(name, shown) for text in messages]
     if status != 0:
         text = "; ".join(messages)
-        errors = {_BAD: ValueError, _USAGE: ValueError, _MEMORY: MemoryError}
+        errors = {BAD: ValueError, USAGE: ValueError, MEMORY: MemoryError}
         raise errors.get(status, OSError)(text)
     for text in messages:
         warnings.warn(text, stacklevel=2)
