@@ -9,7 +9,7 @@
 enum {
     NPY_PREFIX = 12,   /* bytes that contain the header's length */
     NPY_WRITTEN = 128, /* bytes of a header of npy_write() */
-    NPY_WRONG = 256    /* bytes of a message */
+    NPY_WRONG = SHOWN_CAPACITY + 100 /* bytes of a message */
 };
 
 /* Whether the bytes are the beginning of a .npy file. */
