@@ -30,6 +30,8 @@ for file in control changelog copyright; do
         -e '/@LICENSE@/{' -e 'r ../license' -e 'd' -e '}' \
         "$here/debian/$file" > "debian/$file"
 done
+# The jobs and variables of the make that runs this are not those of the package.
+unset MAKEFLAGS MAKELEVEL
 DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }parallel=$(nproc)" \
     dpkg-buildpackage -us -uc -b
 cd ..
