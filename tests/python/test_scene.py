@@ -78,12 +78,15 @@ def test_lines_of_several_axes():
     assert same(every.index[every.line == 7 * 5 + 2], one.index)
 
 
-def test_more_hits_of_one_line_than_a_buffer_holds():
-    x = np.arange(1000.0)
+@pytest.mark.parametrize("n", [128, 384, 1000])
+def test_more_hits_of_one_line_than_a_buffer_holds(n):
+    x = np.arange(float(n))
     p0 = np.c_[x, 0 * x, 0 * x]
-    every = cylint.Scene(cylint.cylinder(p0, p0 + [0, 0, 1], 0.25)).all([-1, 0, 0.5], [1, 0, 0])
-    assert every.index.tolist() == list(range(1000))
+    scene = cylint.Scene(cylint.cylinder(p0, p0 + [0, 0, 1], 0.25))
+    every = scene.all([-1, 0, 0.5], [1, 0, 0])
+    assert every.index.tolist() == list(range(n))
     assert same(every.t, np.c_[x + 0.75, x + 1.25])
+    assert scene.within([0, 0, 0], np.inf).index.tolist() == list(range(n))
 
 
 def test_scenes_of_nothing_and_of_one():

@@ -237,26 +237,32 @@ void boundary(const Question &q, const Ray &ray, const Answer &put)
 
 /* ------------------------------------------------------- one line, rows -- */
 
-/* Calls query(from, numbers), which finds at most CAPACITY shapes, until all
- * are found, and write(number) for each one. */
+/* Calls query(from, numbers, capacity), which finds at most so many shapes, until
+ * all are found, and write(number) for each one.  Each call finds all of them and
+ * returns some, so the capacity doubles. */
 template <class Query, class Write>
 void each_found(const Query &query, const Write &write)
 {
-    size_t numbers[CAPACITY], found, from = 0;
-    do {
-        found = query(from, numbers);
+    size_t few[CAPACITY], *numbers = few, capacity = CAPACITY, found, from = 0;
+    std::vector<size_t> many;
+    while ((found = query(from, numbers, capacity)) > 0) {
+        from = numbers[found - 1] + 1;
         for (size_t i = 0; i < found; i++)
             write(numbers[i]);
-        from = found > 0 ? numbers[found - 1] + 1 : 0;
-    } while (found == CAPACITY);
+        if (found < capacity)
+            return;
+        capacity *= 2;
+        many.resize(capacity);
+        numbers = many.data();
+    }
 }
 
 using Hit = Rows<2, 2, true>; /* line, index, both t */
 void all(const Question &q, const Ray &ray, int64_t number,
          std::vector<Hit::Row> &to)
 {
-    const auto query = [&](size_t from, size_t *numbers) {
-        return cylint_scene_all(q.scene, &ray.line, from, numbers, CAPACITY);
+    const auto query = [&](size_t from, size_t *numbers, size_t capacity) {
+        return cylint_scene_all(q.scene, &ray.line, from, numbers, capacity);
     };
     each_found(query, [&](size_t index) {
         double t[2] = {not_a_number, not_a_number};
@@ -326,10 +332,10 @@ using Near = Rows<2, 1>; /* point, index, distance */
 void within(const Question &q, const Ball &ball, int64_t number,
             std::vector<Near::Row> &to)
 {
-    const auto query = [&](size_t from, size_t *numbers) {
+    const auto query = [&](size_t from, size_t *numbers, size_t capacity) {
         return cylint_scene_within(q.scene, ball.point, ball.radius,
                                    q.want_of_points, from, numbers, nullptr,
-                                   CAPACITY);
+                                   capacity);
     };
     each_found(query, [&](size_t index) {
         cylint_shape shape;
