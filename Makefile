@@ -285,7 +285,8 @@ install: all install-folders ## install into $(DESTDIR)$(PREFIX)
 
 uninstall: ## remove what install wrote
 	rm -f $(programs:%=$(DESTDIR)$(BINDIR)/%) $(completions) \
-	  $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) $(DESTDIR)$(MANDIR)/man[137]/cylint* \
+	  $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) \
+	  $(foreach s,1 3 7,$(patsubst man/%,$(DESTDIR)$(MANDIR)/man$s/%,$(wildcard man/*.$s))) \
 	  $(foreach l,cylint cylint-scene cylint-embree cylint-embree4,$(DESTDIR)$(LIBDIR)/lib$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$l.pc) \
 	  $(DESTDIR)$(PREFIX)/share/cylint/*.awk $(addprefix $(DESTDIR)$(DOCDIR)/,README.md LICENSE CHANGES.md)
 	$(call folders_of,remove)

@@ -421,9 +421,9 @@ test_uninstall()
     mkdir -p "$prefix/share/man/man3" "$prefix/bin" "$prefix/lib/other"
     find "$prefix" | sort > "$scratch/before"
     make_here PREFIX="$prefix" install && make_here PREFIX="$prefix" install &&
-        touch "$prefix/include/other.h" && make_here PREFIX="$prefix" uninstall
-    { cat "$scratch/before"; echo "$prefix/include"
-      echo "$prefix/include/other.h"; } | sort > "$scratch/after"
+        touch "$prefix/include/other.h" "$prefix/share/man/man3/cylinter.3" && make_here PREFIX="$prefix" uninstall
+    { cat "$scratch/before"; echo "$prefix/include"; echo "$prefix/include/other.h"
+      echo "$prefix/share/man/man3/cylinter.3"; } | sort > "$scratch/after"
     find "$prefix" | sort | diff "$scratch/after" -
     verdict uninstall_removes_the_empty_folders_that_install_made $?
 }
