@@ -75,9 +75,10 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * (part and feature), CYLINT_WANT_POINT, CYLINT_WANT_NORMAL and CYLINT_SIGNED;
  * other values have no effect.  Members that are not wanted are not written.
  * If the shape was refused, if the point is not finite, or if there is no
- * surface, the distance is HUGE_VAL, part is -1, wanted or not, and point and
- * normal are not written.  There is no surface if a round cone is the ball
- * about one end and `ends` leaves out that end, unless CYLINT_SIGNED is set.
+ * surface, the distance is HUGE_VAL, part is -1 and feature 0, wanted or not,
+ * and point and normal are not written.  There is no surface if a round cone is
+ * the ball about one end and `ends` leaves out that end, unless CYLINT_SIGNED
+ * is set.
  *
  * If several points of the surface are nearest, the answer is the first of
  * these:

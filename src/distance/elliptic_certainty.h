@@ -103,6 +103,8 @@ static inline uncertainty outside_lateral(const tangent_plane *t,
                                           const elliptic_place *p, double l,
                                           double rho)
 {
+    if (!(8 * l <= rho))
+        return uncertain_angle;
     const double size = sqrt(t->q), h = (fabs(t->n) + p->error) / size;
     const double deeper = l * l / (rho * size);
     const double away = 2 * (l * sqrt(h / (rho * size)) + deeper);
@@ -110,7 +112,7 @@ static inline uncertainty outside_lateral(const tangent_plane *t,
     const double beside =
         (fabs(t->half_q) + fabs(p->slope * cylint_dot(p->Z, t->N))) / size +
         4 * p->relative * p->norm;
-    if (!(8 * l * beside <= rho * size) || !(8 * l <= rho))
+    if (!(8 * l * beside <= rho * size))
         return uncertain_angle;
     const double by_foot = (p->norm * away + l) / rho,
                  by_normal = away * t->q / (h * turn_of_normal(t));

@@ -1,10 +1,11 @@
 /*
  * compiler.h - unrolled loops, inlining, prefetching, the larger of two doubles,
- * the bits of a mask
+ * square roots, the bits of a mask
  */
 #ifndef CYLINT_COMPILER_H
 #define CYLINT_COMPILER_H
 
+#include <math.h>
 #include <stdint.h>
 
 /* A loop that GCC unrolls before it allocates registers.  Otherwise it keeps
@@ -48,6 +49,12 @@ static inline double cylint_larger(double x, double y)
 static inline double cylint_smaller(double x, double y)
 {
     return x < y ? x : y;
+}
+
+/* NaN of a negative number, for which sqrt() would set errno. */
+static inline double cylint_sqrt(double x)
+{
+    return x < 0 ? NAN : sqrt(x);
 }
 
 /* The number of the lowest bit that is 1.  bits is not 0. */

@@ -167,7 +167,10 @@ typedef double vd __attribute__((vector_size(16)));
 typedef int64_t vm __attribute__((vector_size(16)));
 static inline vd v_set(double x) { return (vd){x, x}; }
 static inline vd v_abs(vd x) { return (vd){fabs(x[0]), fabs(x[1])}; }
-static inline vd v_sqrt(vd x) { return (vd){sqrt(x[0]), sqrt(x[1])}; }
+static inline vd v_sqrt(vd x)
+{
+    return (vd){cylint_sqrt(x[0]), cylint_sqrt(x[1])};
+}
 #define V_HAS_FMA 0
 #endif
 static inline vd v_load(const double *x)
@@ -233,7 +236,7 @@ static inline vd v_load(const double *x) { return *x; }
 static inline void v_store(double *x, vd v) { *x = v; }
 static inline vd v_abs(vd x) { return fabs(x); }
 static inline vd v_max(vd x, vd y) { return x > y ? x : y; }
-static inline vd v_sqrt(vd x) { return sqrt(x); }
+static inline vd v_sqrt(vd x) { return cylint_sqrt(x); }
 static inline vd v_float(vd x) { return (double)(float)x; }
 static inline vd v_like(vd x, vd y) { return copysign(x, y); }
 static inline vm v_lt(vd x, vd y) { return x < y; }

@@ -7,6 +7,7 @@
  * points each.  CYLINT_FAR is the number of cases whose numbers have any exponents
  * of doubles.  on_surface.txt has the units within which points are on surfaces.
  */
+#include <errno.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -137,6 +138,7 @@ static void check_records(struct environment there)
         const cylint_shape *s = &r->c.shape;
         cylint_closest nearest;
         environment_set(there);
+        errno = 0;
         const cylint_closest a = answer_to(s, r->p, WANT);
         const double alone = answer_to(s, r->p, 0).distance;
         const double safe = cylint_safety(s, r->p);
@@ -147,7 +149,8 @@ static void check_records(struct environment there)
         if (!CHECK(is_known(r, &a, there) &&
                    is_distance(s, r->p, alone, a.distance) &&
                    is_safe(r, safe, a.distance) && !has_negative_zero(&a) &&
-                   on == (a.distance == 0) && closest == (a.part < 0))) {
+                   on == (a.distance == 0) && closest == (a.part < 0) &&
+                   errno == 0)) {
             REPORT_CASE(&r->c);
             REPORT("%s, point %a %a %a: %.17g part %d feature %d, point %.17g "
                    "%.17g %.17g, normal %.17g %.17g %.17g; alone %.17g; safety "
@@ -205,7 +208,7 @@ TEST(refused_shapes_and_bad_points_have_an_infinite_distance)
     s[1] = s[2] = shape_of("cylinder 0 0 0  0 0 2  1");
     for (int i = 0; i < 3; i++) {
         const cylint_closest a = answer_to(&s[i], p[i], i ? WANT : 0);
-        CHECK(a.distance == HUGE_VAL && a.part == -1 &&
+        CHECK(a.distance == HUGE_VAL && a.part == -1 && a.feature == 0 &&
               a.flags == CYLINT_FLAG_INVALID);
         CHECK(cylint_safety(&s[i], p[i]) == HUGE_VAL);
         CHECK(!cylint_on_surface(&s[i], p[i], i ? 1 : 1e300));
