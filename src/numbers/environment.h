@@ -22,7 +22,7 @@
 #endif
 /* 1 and 16 widen only float and _Float16.  2 means x87 registers. */
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
-#error "libcylint needs doubles without excess precision (-mfpmath=sse)"
+#error "libcylint needs doubles without excess precision (-msse2 -mfpmath=sse)"
 #endif
 #ifndef UINT64_MAX
 #error "libcylint needs uint64_t"
