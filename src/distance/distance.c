@@ -139,6 +139,7 @@ static int contradicts(const cylint_shape *shape, const double point[3],
         by_exact_numbers(shape, point, want, &a);
     int wrong = a.distance != answer->distance;
     if (want & CYLINT_WANT_PART)
+        /* mutant '!=' -> '==': an effect with PARANOID=1 only */
         wrong |= a.part != answer->part || a.feature != answer->feature;
     for (int i = 0; i < 3; i++) {
         /* mutant '&&' -> '||': an effect with PARANOID=1 only */

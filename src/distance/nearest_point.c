@@ -216,6 +216,7 @@ static void normalise(meridian *m, const floating x[3], int sign, double to[3])
     const floating size = {pair_sqrt(sum), e};
     for (int i = 0; i < 3; i++) {
         const floating n = floating_div(x[i], size);
+        /* mutant '<' -> '<=': sign is 1 or -1 */
         const pair v = sign < 0 ? pair_neg(n.v) : n.v;
         to[i] = double_of(m, (floating){v, n.e});
     }

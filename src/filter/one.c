@@ -184,6 +184,7 @@ static int refine(cylint_question *q)
         return n;
     if (q->next == CYLINT_REFINE_ENDS)
         n = refined[cylint_prepared(q->shape)](q);
+    /* mutant '==' -> '!=': slower, exact signs decide */
     if (n == CYLINT_UNDECIDED && q->next != CYLINT_REFINE_ROOTS)
         n = refine_line(q);
     if (n == CYLINT_UNDECIDED && q->next == CYLINT_REFINE_ROOTS)

@@ -33,6 +33,7 @@ NEWTON_INLINE FORM(newton)
                       NUM slope_error, NUM curvature, NUM distance)
 {
     const NUM inverse = CONSTANT(1) / slope;
+    /* mutant '*' -> '+': wider; slower */
     const NUM scaled = CONSTANT(SLACK) * ABS(inverse);
     const NUM relative =
         SUM_OF(scaled, slope_error, CONSTANT(SLACK * CYLINT_QUOTIENT_ROUNDING));
