@@ -6,7 +6,6 @@
 #ifndef CYLINT_DESCRIBE_H
 #define CYLINT_DESCRIBE_H
 
-#include "levels.h"
 #include "members.h"
 #include "plane.h"
 
@@ -34,13 +33,40 @@ static void members_of(cylint_hit_lanes *to, const source *from,
         to->certain = 0;
 }
 
+/* The lanes in which members of the hit are likely to be certain: the error of the
+ * root is small beside the radius there.  No coordinate of the line's direction
+ * exceeds D. */
+INLINE vm precise_lanes(const hit_root *r, const pair_line *in, double D,
+                        int solid)
+{
+    vd rho = in->rho.hi;
+    if (cylint_solid_is_tapered(solid))
+        rho = v_sum_of(r->t, in->growth.hi, rho);
+    const vm precise =
+        v_le(v_set(D) * r->error, v_set(CYLINT_MEMBER_LIKELY) * v_abs(rho));
+    return cylint_solid_is_round(solid) ? precise : m_or(precise, r->on_end);
+}
+
+/* Whether members depend on the local coordinates of the hit. */
+INLINE int wants_local(unsigned want, int solid)
+{
+    const unsigned axial = CYLINT_WANT_Z | CYLINT_WANT_PHI;
+    return (want & (CYLINT_WANT_NORMAL |
+                    (cylint_solid_is_ball(solid) ? 0 : axial))) != 0;
+}
+
 /* Writes the wanted members of the hits, in lanes from `lane` on, and to
- * q->undecided those that are not certain. */
+ * q->undecided those that are not certain: all where they are not likely to be. */
 ASIDE void describe_roots(cylint_question *q, const pair_line *in,
                           const hit_root *at, int n, int lane)
 {
     const source from = {q->shape, q->line};
+    const int solid = cylint_prepared(q->shape);
     cylint_hit_lanes m;
+    q->undecided[0] = q->undecided[1] = q->want & CYLINT_WANT_BESIDE_T;
+    if (wants_local(q->want, solid) &&
+        (n == 2 ? 3 : 1u << lane) & ~m_bits(precise_lanes(at, in, q->D, solid)))
+        return;
     members_of(&m, &from, in, at, q->want);
     for (int i = 0; i < n; i++) {
         q->undecided[i] = undecided_members(&m, q->want, lane ^ i);
@@ -118,31 +144,28 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
     return s;
 }
 
-/* The residual at t in pairs or, which takes longer, in levels, in lane 0. */
+/* The residual at the moved origin in lane 0. */
 INLINE bounded_value residual_beside(const source *from, const pair_line *in,
-                                     const hit_root *r, const first_line *first,
-                                     int levels, int solid)
+                                     const hit_root *r, vd D, int solid)
 {
-    const double Q = v_first(first->Q), D = v_first(first->D);
     const line_end e = {r->top, r->on_end, v_set(0)};
+    const vd most =
+        v_max(v_max(world_size(in->size, 0), world_size(in->size, 1)),
+              world_size(in->size, 2));
+    const double Q = sum_of(v_first(most), cylint_norm(from->shape),
+                            cylint_reach(from->shape));
     local_line l;
-    set_sizes(&l, from->shape, from->line, Q, D, solid);
-    if (!levels) { /* lane 1 is that of the top */
-        const bounded_value x = residual_at(in, &l, r->t, &e, solid);
-        return (bounded_value){v_select(r->top, v_turned(x.v), x.v),
-                               v_select(r->top, v_turned(x.e), x.e)};
-    }
-    const double residual =
-        residual_in_levels(from->shape, from->line, v_first(r->t),
-                           m_bits(r->top) & 1, m_bits(r->on_end) & 1);
-    return bounded_levels(v_set(residual), size_at(r->t, &l), r->on_end,
-                          from->shape);
+    set_sizes(&l, from->shape, from->line, Q, v_first(D), solid);
+    /* lane 1 is that of the top */
+    const bounded_value x = residual_at(in, &l, r->t, &e, solid);
+    return (bounded_value){v_select(r->top, v_turned(x.v), x.v),
+                           v_select(r->top, v_turned(x.e), x.e)};
 }
 
 /*
- * The root of which t is the nearest double, by the residual in pairs or in levels.
- * With the step delta of Newton's, the slope s and half the curvature c at t the
- * root is
+ * The root of which t is the nearest double, from the origin moved to t or nearer
+ * to the root.  With the step delta of Newton's, the slope s and half the curvature
+ * c at the origin the root is
  *
  *   t - delta (1 + q + 2 q^2 + 5 q^3 ...),   q = c delta / s.
  *
@@ -154,17 +177,16 @@ INLINE bounded_value residual_beside(const source *from, const pair_line *in,
  * infinite or NaN.
  */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
-                            int part, int levels, int solid)
+                            int part, int solid)
 {
     const int end = part == CYLINT_PART_CAP1;
     const int on_end = part != CYLINT_PART_LATERAL;
-    const first_line first = load_first(from, solid);
-    hit_root r = {v_set(t), v_set(0), v_set(0), m_from(on_end ? 3 : 0),
+    const vd D = v_set(from->line->size * cylint_norm(from->shape));
+    hit_root r = {v_set(0), v_set(0), v_set(0), m_from(on_end ? 3 : 0),
                   m_from(end ? 3 : 0)};
     const local_hit h = hit_at(from, in, &r, 1, solid);
-    const slope_at_hit s = slope_of(&h, in, &r, from, first.D, solid);
-    const bounded_value residual =
-        residual_beside(from, in, &r, &first, levels, solid);
+    const slope_at_hit s = slope_of(&h, in, &r, from, D, solid);
+    const bounded_value residual = residual_beside(from, in, &r, D, solid);
     const vd distance = v_set(CYLINT_ROUNDING * fabs(t));
     const newton_lanes step = newton_step_lanes(residual.v, residual.e, s.slope,
                                                 s.error, v_set(0), distance);
@@ -172,37 +194,58 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
     const vd most = v_abs(share) * s.most;
     const vd second =
         v_sum_of(v_set(9) * most, most, v_abs(share) * s.curvature_error);
+    const vd error = v_sum_of(v_abs(step.delta), second, v_set(2) * step.error);
     const vm sure = m_and(v_le(v_set(4) * s.error, v_abs(s.slope)),
                           v_le(v_set(8) * s.most * distance, v_abs(s.slope)));
+    const vm near =
+        m_and(v_le(v_abs(step.delta), distance), v_le(error, distance));
     r.tail = -v_sum_of(step.delta, q, step.delta);
-    r.error =
-        v_select(m_and(sure, v_le(v_abs(step.delta), distance)),
-                 v_sum_of(v_abs(step.delta), second, v_set(2) * step.error),
-                 v_set(HUGE_VAL));
+    r.error = v_select(m_and(sure, near), error, v_set(HUGE_VAL));
     return r;
 }
 
-/* Writes the wanted members of a hit, from t and part of `partial`, as far as they
- * are certain; returns the others. */
+/* Writes the wanted members of the hit in lane 0, as far as they are certain;
+ * returns the others. */
+static unsigned describe_root(cylint_hit *hit, const source *from,
+                              const pair_line *in, const hit_root *r,
+                              unsigned want)
+{
+    cylint_hit_lanes m;
+    if (!want)
+        return 0;
+    members_of(&m, from, in, r, want);
+    write_lane(hit, &m, want, 0);
+    return undecided_members(&m, want, 0);
+}
+
+/* The same of the wanted members beside t, from t and part of `partial`.  The point
+ * is computed from the line's origin, the others from an origin at t. */
 static unsigned describe_again(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
                                const cylint_hit *partial, cylint_hit *hit)
 {
     const source from = {shape, line};
     const int solid = cylint_prepared(shape);
-    cylint_hit_lanes m;
     pair_line in;
     if (solid == CYLINT_SOLID_NONE)
         return cylint_plane_members(shape, line, want, hit);
     if (!line->in_range || !cylint_rounds_to_nearest())
         return want;
-    load_any_pairs(&in, shape, line, 1);
-    for (int levels = 0; levels < 2 && want; levels++) {
+    double tail = 0;
+    for (int step = 0; step < 2 && want; step++) {
+        load_moved_pairs(&in, &from, partial->t, tail, solid);
         const hit_root r =
-            root_beside(&from, &in, partial->t, partial->part, levels, solid);
-        members_of(&m, &from, &in, &r, want);
-        write_lane(hit, &m, want, 0);
-        want = undecided_members(&m, want, 0);
+            root_beside(&from, &in, partial->t, partial->part, solid);
+        hit_root from_origin = r;
+        from_origin.t = v_set(partial->t);
+        from_origin.tail = v_set(tail) + r.tail;
+        want = describe_root(hit, &from, &in, &from_origin,
+                             want & CYLINT_WANT_POINT) |
+               describe_root(hit, &from, &in, &r,
+                             want & ~(unsigned)CYLINT_WANT_POINT);
+        if (!(v_first(r.error) < HUGE_VAL))
+            break;
+        tail += v_first(r.tail);
     }
     return want;
 }

@@ -123,11 +123,10 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
     h.unit = v_set(CYLINT_MEMBER_COORDINATE / CYLINT_MEMBER_UNIT) * in->error;
     h.error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
     EACH(j, 3)
-        size[j] = v_sum_of(
-            (v_abs(r->t) + r->error) * v_set(CYLINT_MEMBER_SCALE),
-            v_abs(direction_at(from, j).hi),
-            v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)) *
-                v_set(CYLINT_MEMBER_SCALE));
+        size[j] =
+            v_sum_of((v_abs(r->t) + r->error) * v_set(CYLINT_MEMBER_SCALE),
+                     v_abs(direction_at(from, j).hi),
+                     world_size(in->size, j) * v_set(CYLINT_MEMBER_SCALE));
     set_entry_sizes(h.entry_size, from);
     h.x = (bounded_pairs){at_root(pairs_of_two(in->p, 0), vx, r),
                           coordinate_error(&h, size, 0, vx.hi, solid)};
@@ -464,10 +463,9 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
 INLINE unsigned undecided_members(const cylint_hit_lanes *m, unsigned want,
                                   int lane)
 {
-    unsigned undecided = 0;
-    for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
-        undecided |= (~m->certain >> (8 * i + (unsigned)lane) & 1) << i;
-    return undecided * CYLINT_WANT_POINT & want;
+    const uint32_t bits = ~m->certain >> lane & 0x01010101;
+    /* the product moves bit 8 i to 28 + i */
+    return (unsigned)(bits * 0x10204080 >> 28) * CYLINT_WANT_POINT & want;
 }
 
 /* Writes the wanted members of a lane. */

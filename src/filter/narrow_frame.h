@@ -157,10 +157,14 @@ INLINE vqpair transformed(const cylint_shape *s, const vq hi[3], const vq lo[3])
                                   q_add(two.lo, all.lo))};
 }
 
-INLINE vqpair origin_in_pairs(const source *from, int solid)
+/* The line's origin from the base. */
+INLINE vqpair origin_from_base(const source *from)
 {
-    const vqpair x =
-        q_two_diff(q_load(from->line->o), q_load(cylint_base(from->shape)));
+    return q_two_diff(q_load(from->line->o), q_load(cylint_base(from->shape)));
+}
+
+INLINE vqpair local_in_pairs(const source *from, vqpair x, int solid)
+{
     const vq hi[3] = {q_firsts(x.hi), q_seconds(x.hi), q_thirds(x.hi)};
     const vq lo[3] = {q_firsts(x.lo), q_seconds(x.lo), q_thirds(x.lo)};
     return cylint_solid_is_ball(solid) ? x : transformed(from->shape, hi, lo);
@@ -188,10 +192,12 @@ INLINE vpair along_of(vqpair x)
     return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
 }
 
-/* moves: with v and w, which are 0 else. */
-INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
+/* A line with the origin x from the base.  moves: with v and w, which are 0
+ * else. */
+INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
+                            int moves, int solid)
 {
-    const vqpair p = origin_in_pairs(from, solid);
+    const vqpair p = local_in_pairs(from, x, solid);
     vqpair v = {q_set(0), q_set(0)};
     if (moves)
         v = direction_in_pairs(from, solid);
@@ -200,6 +206,12 @@ INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
     to->w = along_of(v);
     to->error = v_set(cylint_frame_error(from->shape));
     set_heights(to, along_of(p), from, solid);
+    to->size = q_abs(x.hi);
+}
+
+INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
+{
+    load_pairs_from(to, origin_from_base(from), from, moves, solid);
 }
 
 /* One function for all solids. */
@@ -208,6 +220,24 @@ ASIDE void load_any_pairs(pair_line *to, const cylint_shape *shape,
 {
     const source from = {shape, line};
     load_pairs(to, &from, moves, cylint_prepared(shape));
+}
+
+/* The line with its origin moved to o + (t + tail) d.  Its sizes count its error,
+ * which is relative to terms that cancel, in multiples of that of the matrix. */
+INLINE void load_moved_pairs(pair_line *to, const source *from, double t,
+                             double tail, int solid)
+{
+    const vq T = q_set(t), d = q_load(from->line->d);
+    const vqpair o = origin_from_base(from);
+    const vq step = q_mul(T, d);
+    const vq low =
+        q_sum_of(q_set(tail), d,
+                 q_sum_of(T, q_load(from->line->d_lo), q_product_error(T, d)));
+    const vqpair sum = q_two_sum(o.hi, step);
+    const vqpair x = q_two_sum(sum.hi, q_add(sum.lo, q_add(o.lo, low)));
+    load_pairs_from(to, x, from, 1, solid);
+    to->size = q_sum_of(q_set(CYLINT_MEMBER_MOVED),
+                        q_add(q_abs(o.hi), q_abs(step)), q_abs(x.hi));
 }
 
 #endif
