@@ -191,30 +191,40 @@ static void add_end(const cylint_shape *s, int end, int j, double center,
     extend_side(lo, hi, j, side[0], side[1]);
 }
 
-/* Extends the box by the disc of a cap. */
-static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
+/* Extends the box along coordinate j by the disc of a cap.  unit 2^e is the reach
+ * of a disc of radius 1. */
+static void add_disc(const cylint_shape *s, int cap, int j, pair unit, int e,
+                     int is_exact, double lo[3], double hi[3])
 {
-    const long_axis k = axis_of(s);
     const double r = cylint_end_factor(s, cap);
     int er;
     const pair radius = cylint_mantissa(r, &er);
+    const pair product = pair_mul(unit, radius);
+    double center = cylint_base(s)[j], offset = 0;
+    if (cap && cylint_has_end_points(s->kind))
+        center = cylint_top(s)[j];
+    else if (cap)
+        offset = cylint_axis(s)[j];
+    const pair reach = cylint_scaled_pair(product, e + er);
+    is_exact =
+        cylint_sign(r) == 0 ||
+        (is_exact && (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
+    /* not a reach that rounds to a subnormal number or 0 */
+    is_exact &= cylint_scaled(reach.hi, -e - er) == product.hi;
+    const int serves = pairs_serve(center, offset, reach.hi);
+    add_end(s, cap, j, center, offset, reach, is_exact, serves, lo, hi);
+}
+
+/* Extends the box by the discs of the first caps. */
+static void add_discs(const cylint_shape *s, int caps, double lo[3],
+                      double hi[3])
+{
+    const long_axis k = axis_of(s);
     for (int j = 0; j < 3; j++) {
         int is_exact, e;
         const pair unit = cylint_unit_reach(s, k.axis, j, &e, &is_exact);
-        const pair product = pair_mul(unit, radius);
-        is_exact =
-            cylint_sign(r) == 0 ||
-            (is_exact && (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
-        double center = cylint_base(s)[j], offset = 0;
-        if (cap && cylint_has_end_points(s->kind))
-            center = cylint_top(s)[j];
-        else if (cap)
-            offset = cylint_axis(s)[j];
-        const pair reach = cylint_scaled_pair(product, e + er);
-        /* not a reach that rounds to a subnormal number or 0 */
-        is_exact &= cylint_scaled(reach.hi, -e - er) == product.hi;
-        const int serves = pairs_serve(center, offset, reach.hi);
-        add_end(s, cap, j, center, offset, reach, is_exact, serves, lo, hi);
+        for (int cap = 0; cap < caps; cap++)
+            add_disc(s, cap, j, unit, e, is_exact, lo, hi);
     }
 }
 
@@ -326,10 +336,7 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         if (kind != CYLINT_KIND_SPHERE)
             add_ball(shape, 1, lo, hi);
     } else if (bounded || !cylint_is_tapered(kind)) {
-        add_disc(shape, 0, lo, hi);
-        if (bounded)
-            /* mutant '1' -> '2': any number but 0 means the other cap */
-            add_disc(shape, 1, lo, hi);
+        add_discs(shape, bounded ? 2 : 1, lo, hi);
     }
     for (int j = 0; j < 3; j++)
         if (!bounded && (cylint_is_tapered(kind) ||

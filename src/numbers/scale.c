@@ -14,15 +14,11 @@ double cylint_scaled(double x, int e)
         e -= 1074;
     }
     const int k = cylint_exponent(x), sum = k + e;
-    const double m =
-        x * cylint_power_of_two(-k / 2) * cylint_power_of_two(-k - -k / 2);
-    /* mutant '1000' -> '1001': at 1001 both branches are exact;
-     * '>' -> '>=': at 1000 too */
-    if (sum > 1000)
-        return m * 0x1p1000 *
-               cylint_power_of_two(sum < 1100 ? sum - 1000 : 100);
-    if (sum >= -1022)
-        return m * cylint_power_of_two(sum);
+    if (sum >= -1022 && sum <= 1023)
+        return cylint_from_bits(cylint_bits(x) + ((uint64_t)e << 52));
+    const double m = cylint_from_bits(cylint_bits(x) - ((uint64_t)k << 52));
+    if (sum > 1023)
+        return m * 0x1p1000 * 0x1p100; /* overflows */
     /* The bits of a subnormal count least doubles.  The sum rounds that number, so
      * that no processor flushes the result.
      * mutant '>' -> '>=': at -1200 both are -126 */
