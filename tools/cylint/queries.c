@@ -232,8 +232,6 @@ static int answer_count(struct task *task)
     return 0;
 }
 
-enum { FOUND_AT_ONCE = 256 };
-
 /* The first visit finds shapes that the method does not support, so that a bad
  * record has no partial answer. */
 static int answer_all_one_by_one(struct task *task)
@@ -245,25 +243,33 @@ static int answer_all_one_by_one(struct task *task)
     return visit_shapes(&s, 0);
 }
 
+/* Each call of the library finds all shapes and returns as many as have room, so
+ * the room grows. */
 static int answer_all(struct task *task)
 {
     const struct options *o = task->job->options;
     const cylint_scene *scene = task->job->scene.shapes;
     const struct record *r = &task->record;
-    size_t number[FOUND_AT_ONCE], found, first = 0;
+    size_t found = 0, first = 0;
     if (is_one_by_one(task))
         return answer_all_one_by_one(task);
     do {
-        found = r->is_point ? cylint_scene_within(scene, r->point, o->radius,
-                                                  o->signed_flag, first, number,
-                                                  NULL, FOUND_AT_ONCE)
-                            : cylint_scene_all(scene, &r->line, first, number,
-                                               FOUND_AT_ONCE);
+        size_t *number =
+            grown(task->found, found, &task->found_capacity, sizeof *number);
+        if (!number)
+            return end_without_memory(task);
+        task->found = number;
+        const size_t room = task->found_capacity;
+        found =
+            r->is_point
+                ? cylint_scene_within(scene, r->point, o->radius,
+                                      o->signed_flag, first, number, NULL, room)
+                : cylint_scene_all(scene, &r->line, first, number, room);
         for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++)
             if (!is_left_out(task, number[i]))
                 put_shape(task, number[i] + 1);
         first = found > 0 ? number[found - 1] + 1 : 0;
-    } while (found == FOUND_AT_ONCE && task->delivery == DELIVERY_DONE);
+    } while (found == task->found_capacity && task->delivery == DELIVERY_DONE);
     return 0;
 }
 
