@@ -47,14 +47,6 @@ INLINE vm precise_lanes(const hit_root *r, const pair_line *in, double D,
     return cylint_solid_is_round(solid) ? precise : m_or(precise, r->on_end);
 }
 
-/* Whether members depend on the local coordinates of the hit. */
-INLINE int wants_local(unsigned want, int solid)
-{
-    const unsigned axial = CYLINT_WANT_Z | CYLINT_WANT_PHI;
-    return (want & (CYLINT_WANT_NORMAL |
-                    (cylint_solid_is_ball(solid) ? 0 : axial))) != 0;
-}
-
 /* Writes the wanted members of the hits, in lanes from `lane` on, and to
  * q->undecided those that are not certain: all where they are not likely to be. */
 ASIDE void describe_roots(cylint_question *q, const pair_line *in,
@@ -64,14 +56,13 @@ ASIDE void describe_roots(cylint_question *q, const pair_line *in,
     const int solid = cylint_prepared(q->shape);
     cylint_hit_lanes m;
     q->undecided[0] = q->undecided[1] = q->want & CYLINT_WANT_BESIDE_T;
-    if (wants_local(q->want, solid) &&
+    if (local_members(q->want, solid) &&
         (n == 2 ? 3 : 1u << lane) & ~m_bits(precise_lanes(at, in, q->D, solid)))
         return;
     members_of(&m, &from, in, at, q->want);
-    for (int i = 0; i < n; i++) {
-        q->undecided[i] = undecided_members(&m, q->want, lane ^ i);
-        write_lane(&q->described->hit[i], &m, q->want, lane ^ i);
-    }
+    for (int i = 0; i < n; i++)
+        q->undecided[i] =
+            write_lane(&q->described->hit[i], &m, q->want, lane ^ i);
 }
 
 /* The same by copies, so that its caller keeps the line and the roots in
@@ -152,10 +143,9 @@ INLINE bounded_value residual_beside(const source *from, const pair_line *in,
     const vd most =
         v_max(v_max(world_size(in->size, 0), world_size(in->size, 1)),
               world_size(in->size, 2));
-    const double Q = sum_of(v_first(most), cylint_norm(from->shape),
-                            cylint_reach(from->shape));
+    const vd Q = origin_bound(most, from->shape);
     local_line l;
-    set_sizes(&l, from->shape, from->line, Q, v_first(D), solid);
+    set_sizes(&l, from->shape, from->line, v_first(Q), v_first(D), solid);
     /* lane 1 is that of the top */
     const bounded_value x = residual_at(in, &l, r->t, &e, solid);
     return (bounded_value){v_select(r->top, v_turned(x.v), x.v),
@@ -181,7 +171,7 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
 {
     const int end = part == CYLINT_PART_CAP1;
     const int on_end = part != CYLINT_PART_LATERAL;
-    const vd D = v_set(from->line->size * cylint_norm(from->shape));
+    const vd D = direction_bound(from);
     hit_root r = {v_set(0), v_set(0), v_set(0), m_from(on_end ? 3 : 0),
                   m_from(end ? 3 : 0)};
     const local_hit h = hit_at(from, in, &r, 1, solid);
@@ -214,8 +204,7 @@ static unsigned describe_root(cylint_hit *hit, const source *from,
     if (!want)
         return 0;
     members_of(&m, from, in, r, want);
-    write_lane(hit, &m, want, 0);
-    return undecided_members(&m, want, 0);
+    return write_lane(hit, &m, want, 0);
 }
 
 /* The same of the wanted members beside t, from t and part of `partial`.  The point

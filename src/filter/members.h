@@ -414,6 +414,14 @@ INLINE unsigned of_member(unsigned i, vm certain)
     return m_bits(certain) << 8 * i;
 }
 
+/* The wanted members that depend on the local coordinates of the hit. */
+INLINE unsigned local_members(unsigned want, int solid)
+{
+    const unsigned axial = CYLINT_WANT_Z | CYLINT_WANT_PHI;
+    return want &
+           (CYLINT_WANT_NORMAL | (cylint_solid_is_ball(solid) ? 0 : axial));
+}
+
 /* Spheres have z = phi = 0.  Those of a ball that is the whole of a round cone
  * are not certain here. */
 INLINE void members_at(cylint_hit_lanes *to, const source *from,
@@ -421,7 +429,7 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
                        int solid)
 {
     const int ball = cylint_solid_is_ball(solid);
-    const unsigned axial = ball ? 0 : want & (CYLINT_WANT_Z | CYLINT_WANT_PHI);
+    const unsigned local = local_members(want, solid);
     unsigned certain = 0;
     bounded_pairs x[3];
     vd nearest;
@@ -437,41 +445,33 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
                    of_member(CYLINT_MEMBER_PHI, fact_of(from, FACT_NO_AXIS));
     }
     to->certain = certain;
-    if (!((want & CYLINT_WANT_NORMAL) | axial))
+    if (!local)
         return;
     const local_hit h =
-        hit_at(from, in, r, (axial & CYLINT_WANT_Z) != 0, solid);
-    if (want & CYLINT_WANT_NORMAL) {
+        hit_at(from, in, r, (local & CYLINT_WANT_Z) != 0, solid);
+    if (local & CYLINT_WANT_NORMAL) {
         normal_of(x, &h, from, r, solid);
         certain |= of_member(
             CYLINT_MEMBER_NORMAL,
             round_vector(to->number + CYLINT_HIT_NORMAL, x, CYLINT_MEMBER_TIE));
     }
-    if (axial & CYLINT_WANT_Z) {
+    if (local & CYLINT_WANT_Z) {
         certain |=
             of_member(CYLINT_MEMBER_Z, z_of(&nearest, &h, from, r, solid));
         v_store(to->number[CYLINT_HIT_Z], nearest);
     }
-    if (axial & CYLINT_WANT_PHI) {
+    if (local & CYLINT_WANT_PHI) {
         certain |= of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from));
         v_store(to->number[CYLINT_HIT_PHI], nearest);
     }
     to->certain = certain;
 }
 
-/* The wanted members that are not certain in a lane. */
-INLINE unsigned undecided_members(const cylint_hit_lanes *m, unsigned want,
-                                  int lane)
+/* Writes the wanted members of a lane; returns those that are not certain. */
+INLINE unsigned write_lane(cylint_hit *hit, const cylint_hit_lanes *m,
+                           unsigned want, int lane)
 {
-    const uint32_t bits = ~m->certain >> lane & 0x01010101;
-    /* the product moves bit 8 i to 28 + i */
-    return (unsigned)(bits * 0x10204080 >> 28) * CYLINT_WANT_POINT & want;
-}
-
-/* Writes the wanted members of a lane. */
-INLINE void write_lane(cylint_hit *hit, const cylint_hit_lanes *m,
-                       unsigned want, int lane)
-{
+    const uint32_t uncertain = ~m->certain >> lane & 0x01010101;
     if (want & CYLINT_WANT_POINT)
         EACH(i, 3)
             hit->point[i] = m->number[CYLINT_HIT_POINT + i][lane];
@@ -482,6 +482,8 @@ INLINE void write_lane(cylint_hit *hit, const cylint_hit_lanes *m,
         hit->z = m->number[CYLINT_HIT_Z][lane];
     if (want & CYLINT_WANT_PHI)
         hit->phi = m->number[CYLINT_HIT_PHI][lane];
+    /* the product moves bit 8 i to 28 + i */
+    return (unsigned)(uncertain * 0x10204080 >> 28) * CYLINT_WANT_POINT & want;
 }
 
 #endif

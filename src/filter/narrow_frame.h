@@ -47,6 +47,20 @@ INLINE void load_along(first_line *to, const source *from, int solid)
                                         : along(from->shape, d[0], d[1], d[2]);
 }
 
+/* No local coordinate of the line's origin exceeds it.  size: no coordinate from
+ * the base, not local, exceeds it. */
+INLINE vd origin_bound(vd size, const cylint_shape *shape)
+{
+    return v_sum_of(size, v_set(cylint_norm(shape)),
+                    v_set(cylint_reach(shape)));
+}
+
+/* No local coordinate of the line's direction exceeds it. */
+INLINE vd direction_bound(const source *from)
+{
+    return v_set(from->line->size * cylint_norm(from->shape));
+}
+
 /* p and Q of a point. */
 INLINE void load_point(first_line *to, const double o[3],
                        const cylint_shape *shape, int solid)
@@ -56,8 +70,7 @@ INLINE void load_point(first_line *to, const double o[3],
     const vd x = v_firsts(xy, xy), y = v_seconds(xy, xy);
     const vd size = v_max(v_max(v_abs(x), v_abs(y)), v_abs(z));
     to->p = cylint_solid_is_ball(solid) ? xy : across(shape, x, y, z);
-    to->Q =
-        v_sum_of(size, v_set(cylint_norm(shape)), v_set(cylint_reach(shape)));
+    to->Q = origin_bound(size, shape);
 }
 
 /* The numbers that G reads. */
@@ -69,7 +82,7 @@ INLINE first_line load_first(const source *from, int solid)
     to.v = v_load(d);
     if (!cylint_solid_is_ball(solid))
         to.v = across(from->shape, v_set(d[0]), v_set(d[1]), v_set(d[2]));
-    to.D = v_set(from->line->size * cylint_norm(from->shape));
+    to.D = direction_bound(from);
     to.from_base = to.w = v_set(0);
     if (cylint_solid_is_tapered(solid) || cylint_solid_is_ball(solid))
         load_along(&to, from, solid);
@@ -192,8 +205,8 @@ INLINE vpair along_of(vqpair x)
     return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
 }
 
-/* A line with the origin x from the base.  moves: with v and w, which are 0
- * else. */
+/* A line with the origin x from the base, but for its sizes.  moves: with v and w,
+ * which are 0 else. */
 INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
                             int moves, int solid)
 {
@@ -206,12 +219,13 @@ INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
     to->w = along_of(v);
     to->error = v_set(cylint_frame_error(from->shape));
     set_heights(to, along_of(p), from, solid);
-    to->size = q_abs(x.hi);
 }
 
 INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
 {
-    load_pairs_from(to, origin_from_base(from), from, moves, solid);
+    const vqpair x = origin_from_base(from);
+    load_pairs_from(to, x, from, moves, solid);
+    to->size = q_abs(x.hi);
 }
 
 /* One function for all solids. */

@@ -331,19 +331,21 @@
  * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a
  * local coordinate of the hit, in multiples of cylint_frame_error() and of the sum
  * of the sizes of its terms; also that of a product or quotient of pairs, relative
- * to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to |o| + |t
- * d|.  ROW, STEP, PRODUCT, QUOTIENT, PLACE_ROUNDING and, of a moved origin,
- * MOVED_ROUNDING are what roundings add to them; each is
- * proved.  CYLINT_MEMBER_UNIT: bounds are counted in it.  CYLINT_MEMBER_LEAST: no
- * smaller number but 0 is certain.  CYLINT_MEMBER_TIE: components of the normal
- * and phi that are nearer to the middle of two doubles, relative to them, are not
- * certain.  CYLINT_MEMBER_SCALE: sizes of terms are multiplied by it, so that they
- * do not underflow.  CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer
- * than sixteen operations are rounded, relative to the sum of its
- * terms.  CYLINT_MEMBER_MOVED: the part of the terms of a moved origin that counts
- * as its size, so that bounds for the matrix cover their
- * roundings.  CYLINT_MEMBER_LIKELY: members are likely to be certain where the
- * error of the hit is at most this part of the radius; only time depends on it.
+ * to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to
+ * |o| + |t d|.  ROW, STEP, PRODUCT, QUOTIENT, PLACE_ROUNDING and, of a moved
+ * origin, MOVED_ROUNDING are what roundings add to them; each is proved.
+ * CYLINT_MEMBER_UNIT: bounds are counted in it.
+ * CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.
+ * CYLINT_MEMBER_TIE: components of the normal and phi that are nearer to the middle
+ * of two doubles, relative to them, are not certain.
+ * CYLINT_MEMBER_SCALE: sizes of terms are multiplied by it, so that they do not
+ * underflow.
+ * CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer than sixteen
+ * operations are rounded, relative to the sum of its terms.
+ * CYLINT_MEMBER_MOVED: the part of the terms of a moved origin that counts as its
+ * size, so that bounds for the matrix cover their roundings.
+ * CYLINT_MEMBER_LIKELY: members are likely to be certain where the error of the hit
+ * is at most this part of the radius; only time depends on it.
  */
 #define CYLINT_MEMBER_COORDINATE 16
 #define CYLINT_MEMBER_ROW 0xd.03p-104
