@@ -80,12 +80,13 @@ static size_t elements_of(const file_header *h, section i)
 
 #if defined(__unix__) || defined(__APPLE__)
 
-/* Whether another file can take the place of this one: not of a pipe, a device or a
- * folder. */
+/* Whether another file can take the place of this one: not of a pipe, a device, a
+ * folder, or a link that leads to no file. */
 static int is_replaceable(const char *path)
 {
     struct stat about;
-    return stat(path, &about) != 0 || S_ISREG(about.st_mode);
+    return stat(path, &about) == 0 ? S_ISREG(about.st_mode)
+                                   : lstat(path, &about) != 0;
 }
 
 /* The file that a path or a link leads to, to be freed; NULL: there is none. */

@@ -379,7 +379,7 @@ test_symbols()
     threads="sysconf $(printf 'pthread_%s ' create join mutex_lock mutex_unlock mutex_destroy self \
         attr_init attr_getstacksize attr_setstacksize attr_destroy)"
     # of a saved scene
-    files='fileno fstat stat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
+    files='fileno fstat lstat stat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
         rename remove realpath snprintf strrchr __errno_location'
     none "$(foreign_to libcylint-scene "$math $memory $others $heap $threads $files sqrtf")" \
         scenes_use_memory_threads_and_files_and_nothing_else

@@ -274,8 +274,11 @@ TEST(a_link_stays_a_link)
     CHECK(cylint_scene_save(empty, link) == CYLINT_SCENE_OK);
     CHECK(lstat(link, &about) == 0 && S_ISLNK(about.st_mode));
     OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
-    CHECK(opened);
-    CHECK(remove(link) == 0 && remove(path) == 0);
+    CHECK(opened && remove(path) == 0);
+    CHECK(cylint_scene_save(empty, link) == CYLINT_SCENE_OK);
+    CHECK(lstat(link, &about) == 0 && S_ISLNK(about.st_mode));
+    OWN_SCENE *created = cylint_scene_open(path, 0, NULL);
+    CHECK(created && remove(link) == 0 && remove(path) == 0);
 }
 
 TEST(a_name_of_255_bytes_is_saved)
