@@ -84,12 +84,12 @@ typedef int cylint_scene_progress(void *context, double part);
 
 /*
  * Builds the hierarchy.  At most `threads` threads build it, the caller's thread
- * included; 0 stands for one per processor.  Few shapes use fewer threads, and a
- * library built without POSIX threads uses one; the scene is the same.  If
- * `progress` is not NULL, calls progress(context, part) in the calling thread:
- * some 2000 times or more for a million shapes with one thread, less often with
- * more.  If it returns 0, the work stops with ESTOPPED.  After a failure the scene
- * can only be freed.
+ * included; 0 stands for one per processor, on Linux of those that the process may
+ * use.  Few shapes use fewer threads, and a library built without POSIX threads
+ * uses one; the scene is the same.  If `progress` is not NULL, calls
+ * progress(context, part) in the calling thread: some 2000 times or more for a
+ * million shapes with one thread, less often with more.  If it returns 0, the work
+ * stops with ESTOPPED.  After a failure the scene can only be freed.
  *
  * Unbounded shapes (infinite, nappe) and shapes with a coordinate, a factor or a
  * tangent beyond 2^400 are beside the hierarchy: every line is tested with them.
@@ -496,10 +496,10 @@ CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,
  * written.  With n = 0 nothing is written.
  *
  * At most `threads` threads work, the caller's thread included; 0 stands for one
- * per processor.  There is at most one thread for every 1024 lines or points, at
- * most 64, and one in a library built without POSIX threads.  The threads take
- * blocks of lines in turn, so lines may differ in cost.  They end before the call
- * returns.
+ * per processor, as above.  There is at most one thread for every 1024 lines or
+ * points, at most 64, and one in a library built without POSIX threads.  The
+ * threads take blocks of lines in turn, so lines may differ in cost.  They end
+ * before the call returns.
  *
  * The calls cannot fail.  They allocate no memory themselves, but each thread that
  * they start takes memory for its stack.  If the system refuses a thread, the

@@ -1,6 +1,11 @@
 /*
  * threads.c - work that several threads share
  */
+#ifdef __linux__
+#define _GNU_SOURCE 1 /* sched_getaffinity() */
+#include <sched.h>
+#endif
+
 #include "threads.h"
 
 #if defined(CYLINT_THREADS) && defined(_WIN32)
@@ -9,16 +14,21 @@
 #include <unistd.h>
 #endif
 
-static long processors(void)
+int cylint_processors(void)
 {
 #ifndef CYLINT_THREADS
     return 1;
 #elif defined(_WIN32)
     SYSTEM_INFO info;
     GetSystemInfo(&info);
-    return (long)info.dwNumberOfProcessors;
+    return (int)info.dwNumberOfProcessors;
 #else
-    return sysconf(_SC_NPROCESSORS_ONLN);
+#ifdef CPU_COUNT
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) == 0)
+        return CPU_COUNT(&set);
+#endif
+    return (int)sysconf(_SC_NPROCESSORS_ONLN);
 #endif
 }
 
@@ -29,7 +39,7 @@ static long smaller(long x, long y)
 
 int cylint_threads_for(size_t n, size_t least, int wanted)
 {
-    const long most = wanted > 0 ? wanted : processors();
+    const long most = wanted > 0 ? wanted : cylint_processors();
     const size_t busy = n / least;
     const long threads =
         smaller(smaller(most, CYLINT_THREADS_MOST),

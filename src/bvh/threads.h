@@ -15,6 +15,10 @@ enum { CYLINT_THREADS_MOST = 64 };
  * the thread. */
 enum { CYLINT_THREADS_LEAST_SHAPES = 4096 };
 
+/* The number of processors that the process may use (taskset, cpusets), where the
+ * system is Linux; else of those on line.  Below 1: unknown. */
+int cylint_processors(void);
+
 /* The number of threads, each with at least `least` of n items, at most `wanted`
  * and at most CYLINT_THREADS_MOST.  wanted = 0: one for every processor. */
 int cylint_threads_for(size_t n, size_t least, int wanted);

@@ -376,7 +376,7 @@ test_symbols()
     none "$(foreign_to libcylint "$math $memory $others")" \
         the_library_uses_only_mathematics_and_memory
     heap='malloc calloc realloc free madvise'
-    threads="sysconf $(printf 'pthread_%s ' create join mutex_lock mutex_unlock mutex_destroy self \
+    threads="sysconf sched_getaffinity __sched_cpucount $(printf 'pthread_%s ' create join mutex_lock mutex_unlock mutex_destroy self \
         attr_init attr_getstacksize attr_setstacksize attr_destroy)"
     # of a saved scene
     files='fileno fstat lstat stat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind

@@ -87,7 +87,8 @@ int end_without_memory(struct task *task);
 int answer_record(struct task *task);
 
 /* Writes the header line, if it is wanted, and answers all input with at most
- * `most` workers, the caller included.  Returns the exit status of the work. */
+ * `most` workers, the caller included; 0: one per processor.  Returns the exit
+ * status of the work. */
 int workers_run(struct job *job, int most);
 
 /* Waits until the ticket is the next.  Returns 0 if the work has ended. */

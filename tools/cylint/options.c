@@ -420,8 +420,6 @@ static int settle(struct options *o)
     g->has_shape = o->scene == NULL;
     if (o->scene && !is_given(o, "q"))
         o->query = QUERY_NEAREST;
-    if (o->workers == 0)
-        o->workers = processors();
     g->no_tail = o->tail_policy == TAIL_REFUSED;
     o->is_binary_in |= o->is_binary;
     o->style.is_binary |= o->is_binary | o->is_array;

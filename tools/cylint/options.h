@@ -49,7 +49,7 @@ struct options {
     int not_label; /* not=NAME in a record is a label, not a number */
     int tail_policy;
     unsigned remarks; /* a bit for each enum remark to test for */
-    int workers;      /* at most */
+    int workers;      /* at most; 0: one per processor */
     int copies_comments;
     int hits_only, writes_header, shows_progress;
     const char *output; /* NULL: standard output */

@@ -1,10 +1,6 @@
 /*
- * progress.c - clocks, processors, and the progress of the work
+ * progress.c - clocks, and the progress of the work
  */
-#if defined(__linux__)
-#define _GNU_SOURCE
-#include <sched.h>
-#endif
 #include <stdio.h>
 #include <unistd.h>
 
@@ -15,21 +11,6 @@ double seconds_of(clockid_t clock)
     struct timespec now;
     clock_gettime(clock, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* Processors on line, unless the process is bound to fewer (taskset,
- * cpusets). */
-int processors(void)
-{
-    long n = 0;
-#if defined(__linux__) && defined(CPU_COUNT)
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) == 0)
-        n = CPU_COUNT(&set);
-#endif
-    if (n == 0)
-        n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n > 1 ? (int)n : 1;
 }
 
 /* ------------------------------------------------------------ progress -- */

@@ -119,9 +119,6 @@ int out_of_memory(void);
 /* Seconds of a clock. */
 double seconds_of(clockid_t clock);
 
-/* The number of processors that this process may use; at least 1. */
-int processors(void);
-
 /* On a terminal the progress appears when the work has lasted a second.  With
  * --progress it is also written elsewhere, one line a second. */
 struct progress {

@@ -137,7 +137,7 @@ static int write_header(struct task *task)
 int workers_run(struct job *job, int most)
 {
     struct task *first = task_make(job);
-    job->most_workers = most;
+    job->most_workers = most > 0 ? most : cylint_processors();
     job->workers = 1;
     job->end_pipe[0] = job->end_pipe[1] = -1;
     if (!first)

@@ -318,7 +318,7 @@ PREAMBLE = """/*
 #else
 
 #ifdef __linux__
-#define _DEFAULT_SOURCE 1 /* threads and madvise() with -std=c99 */
+#define _GNU_SOURCE 1 /* threads and madvise() with -std=c99 */
 #endif
 #include "cylint.h"
 #include "cylint_distance.h"

@@ -258,8 +258,6 @@ int read_options(struct options *o, int argc, char **argv)
     const int status =
         take_arguments(option_table, argc, argv, o, &files, &o->given);
     o->has_sun = is_given(o, "light");
-    if (o->workers == 0)
-        o->workers = processors();
     return status != 0 || o->about ? status : settle(o, argv, files);
 }
 

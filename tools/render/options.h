@@ -18,7 +18,7 @@ struct options {
     int swc;     /* enum swc_form */
     int size[2]; /* width and height */
     int samples;
-    int workers; /* at most */
+    int workers; /* at most; 0: one per processor */
     int shows_progress;
     struct viewing viewing;
     int has_sun;
