@@ -4,8 +4,9 @@
  * A user geometry for Embree 3 or 4 whose primitives are shapes of cylint.h.
  * cylint_embree_version() returns which Embree the library was built for.
  * Attach the geometry to any scene beside triangles and curves, instance it, and
- * trace single rays and packets of 4, 8 and 16.  cylint_embree(3), section Embree's
- * curves as shapes, makes the shapes of a linear curve.
+ * trace single rays and packets of 4, 8 and 16.  cylint_embree(3) has the shapes of
+ * a linear curve, section Embree's curves as shapes, and floats at which a
+ * mirrored ray begins, section Rays that leave a hit.
  *
  * The hits are those of cylint_intersect() for the line made of the floats of
  * the ray that reaches the geometry:

@@ -92,6 +92,52 @@ TEST(a_ray_that_starts_inside_hits_where_it_leaves)
     }
 }
 
+/* A ray that begins at the floats of cylint_embree(3), Rays that leave a hit. */
+static cylint_line leaving(const cylint_hit *hit)
+{
+    double o[3], d[3], most = 0, dn = 0;
+    cylint_line line;
+    random_direction(d);
+    for (int k = 0; k < 3; k++) {
+        most = cylint_larger(most, fabs(hit->point[k]));
+        dn += d[k] * hit->normal[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const volatile float f =
+            (float)(hit->point[k] +
+                    (double)FLT_EPSILON * most * hit->normal[k]);
+        o[k] = f;
+        d[k] = (float)(dn < 0 ? -d[k] : d[k]);
+    }
+    CHECK(cylint_ray(&line, o, d) == CYLINT_OK);
+    return line;
+}
+
+TEST(a_ray_that_leaves_a_hit_at_the_floats_of_the_manual_misses_the_shape)
+{
+    int hits = 0;
+    for (int i = 0; i < 20000; i++) {
+        const cylint_shape shape =
+            any_shape(CYLINT_KIND_CYLINDER + i % 8, (cylint_ends)(i / 8 % 4));
+        double lo[3], hi[3], o[3], d[3];
+        cylint_line line;
+        cylint_answer answer;
+        cylint_bounds(&shape, lo, hi);
+        random_direction(d);
+        for (int k = 0; k < 3; k++)
+            o[k] = between(lo[k], hi[k]);
+        cylint_whole_line(&line, o, d);
+        cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &answer);
+        hits += answer.n;
+        for (int k = 0; k < answer.n; k++) {
+            const cylint_line ray = leaving(&answer.hit[k]);
+            CHECK(cylint_contains(&shape, ray.o) < 0 &&
+                  !cylint_occluded(&shape, &ray));
+        }
+    }
+    CHECK(hits > 20000);
+}
+
 /* Ends of the domain, on the hit itself and one float beside it. */
 TEST(the_domain_holds_its_ends)
 {
