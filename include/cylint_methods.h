@@ -25,7 +25,7 @@ extern "C" {
 
 /*
  * A method writes the same members of an answer as cylint_intersect(), for the
- * shapes and ends it answers for, and returns CYLINT_OK.  For others it writes a
+ * shapes and ends that it supports, and returns CYLINT_OK.  For others it writes a
  * miss with CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
  */
 typedef cylint_status cylint_method_fn(const cylint_shape *shape,
@@ -42,7 +42,7 @@ CYLINT_API cylint_method_fn cylint_cychosz_waggenspack; /* Gems IV */
 typedef struct cylint_method {
     const char *name;   /* as in cylint --method=NAME */
     const char *source; /* one line: author, title, where */
-    const char *shapes; /* one line: the shapes and ends it answers for */
+    const char *shapes; /* one line: the shapes and ends that it supports */
     cylint_method_fn *answer;
 } cylint_method;
 

@@ -1,7 +1,7 @@
 /*
  * closest_points.c - line and circular cylinder, from their closest points
  *
- * [xissburg 2022].  Answers for circular cylinders with any ends.
+ * [xissburg 2022].  Supports circular cylinders with any ends.
  *
  * The line is p0 + t d and the axis q0 + s e; d and e may have any length.
  * The line is closest to the axis at the parameter t_c, at the distance f.

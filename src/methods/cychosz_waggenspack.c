@@ -2,7 +2,7 @@
  * cychosz_waggenspack.c - line and circular cylinder, clipped by two planes
  *
  * [Cychosz & Waggenspack 1994]: their functions intcyl and clipobj.
- * Answers for circular cylinders with any ends.  clipobj computes the part on
+ * Supports circular cylinders with any ends.  clipobj computes the part on
  * which each end of the chord lies; an end on an absent part is no hit.
  *
  * The ray's direction and the axis have length one, RC is the vector from the

@@ -1,7 +1,7 @@
 /*
  * gullotti.c - line and elliptic cylinder, by an affine map
  *
- * [Gullotti].  Answers for circular and elliptic cylinders with any ends.
+ * [Gullotti].  Supports circular and elliptic cylinders with any ends.
  *
  * M maps the cylinder of radius 1 and height 1 on the z axis to the given
  * cylinder.  The inverse of M maps the line to local coordinates, where a

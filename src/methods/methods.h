@@ -138,8 +138,8 @@ void cylint_chord_nappe(cylint_method_chord *chord, cylint_affine rho);
 /* Writes a miss with CYLINT_FLAG_INVALID. */
 void cylint_method_refuse(cylint_answer *answer);
 
-/* Writes the same and returns CYLINT_EMETHOD: the method does not answer for
- * this shape or for these ends. */
+/* Writes the same and returns CYLINT_EMETHOD: the method does not support
+ * this shape or these ends. */
 cylint_status cylint_method_not_applicable(cylint_answer *answer);
 
 /* Writes the chord as an answer.  Its hits are the ends of the chord that lie

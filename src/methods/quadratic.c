@@ -6,7 +6,7 @@
  * (-B +- sqrt(B^2 - 4AC)) / 2A.  The other methods are compared with it.
  * B^2 - 4AC has no correct digit where |D| is about 1e8 radii.
  *
- * Answers for cylinders and cones of all kinds with any ends.
+ * Supports cylinders and cones of all kinds with any ends.
  */
 #include "methods.h"
 

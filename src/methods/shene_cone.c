@@ -1,9 +1,9 @@
 /*
  * shene_cone.c - line and double cone, by a plane through the apex
  *
- * [Shene 1995].  Answers for infinite circular cones (double cones), given by
+ * [Shene 1995].  Supports infinite circular cones (double cones), given by
  * apex and angle or by two radii, from which apex and angle are computed.
- * Does not answer for a nappe or a bounded cone, nor for a cone of equal radii,
+ * Does not support a nappe or a bounded cone, nor a cone of equal radii,
  * which is a cylinder and has no apex.
  *
  * The cone has the apex V, the axis v and the half angle a; the line is

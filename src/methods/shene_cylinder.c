@@ -1,8 +1,8 @@
 /*
  * shene_cylinder.c - line and infinite circular cylinder, by geometry
  *
- * [Shene 1994].  Answers for infinite circular cylinders; the ends `nappe`
- * mean the same here.  Does not answer for bounded cylinders.
+ * [Shene 1994].  Supports infinite circular cylinders; the ends `nappe`
+ * mean the same here.  Does not support bounded cylinders.
  *
  * The line is l(A, u), the axis l(B, v); u and v have length one.  The common
  * perpendicular of the two has the direction w = (u x v)/|u x v| and the
