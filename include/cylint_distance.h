@@ -203,8 +203,10 @@ CYLINT_API void cylint_on_surface_pairs(const cylint_shape *shapes,
  * CYLINT_SIGNED, the least signed distance, if that is at most `within`; of equal
  * ones the lowest number.  Writes the wanted members of its answer as
  * cylint_distance() does.  Returns n, and writes nothing, if there is none.
- * Compares the doubles that cylint_distance() returns.  An elliptic shape of whose
- * distance only the sign is right may be left out if that distance is too small.
+ * Compares the doubles that cylint_distance() returns, but computes none for a
+ * shape whose bounding ball is farther away than the least one so far.  So an
+ * elliptic shape of whose distance only the sign is right, see cylint_distance(),
+ * can be left out where its double is the least: if the real distance is greater.
  * `point` must not be a member of *answer.  Where shapes overlap, the nearest
  * surface may lie inside another shape: cylint_scene(3), section Overlapping
  * shapes. */
