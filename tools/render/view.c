@@ -144,6 +144,11 @@ static void place_parallel_eye(struct view *view, double aspect,
                      -(back + boxes->size), view->forward);
 }
 
+static int has_finite_size(const struct view *view)
+{
+    return view->half_width < HUGE_VAL && view->half_height < HUGE_VAL;
+}
+
 const char *view_of_scene(struct view *view, const struct viewing *camera,
                           const struct boxes *boxes)
 {
@@ -170,10 +175,11 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
         place_eye(view, boxes);
     if (camera->has_eye)
         view->eye = camera->eye;
+    if (!is_finite(view->eye) || !has_finite_size(view))
+        return TOO_LARGE;
     view->half_width /= camera->zoom;
     view->half_height /= camera->zoom;
-    return is_finite(view->eye) && view->half_width < HUGE_VAL ? NULL
-                                                               : TOO_LARGE;
+    return has_finite_size(view) ? NULL : "--zoom is too small";
 }
 
 void view_sample(const struct view *view, int width, int height, int x, int y,
