@@ -377,10 +377,11 @@ def test_the_command_and_the_package_open_the_same_files(command, tmp_path):
         assert (read == shapes).all() and read.labels.tolist() == shapes.labels.tolist()
     with refused("ours: is a saved scene"):
         cylint.read_scene(ours, ends="open")
-    cylint.Scene(shapes.with_labels(["one line"] * 199 + ["two\nlines"])).save(ours)
-    with refused("exit status 1", CalledProcessError) as error:
-        command("point 0 0 0\n", "-s", ours)  # a row of text has no line feed
-    assert "ours: shape 200: its label has a line feed" in error.value.stderr
+    for label in "two\nlines", "nul\0byte":  # no row of text has these
+        cylint.Scene(shapes.with_labels(["one line"] * 199 + [label])).save(ours)
+        with refused("exit status 1", CalledProcessError) as error:
+            command("point 0 0 0\n", "-s", ours)
+        assert "ours: shape 200: its label has a line feed or NUL" in error.value.stderr
     for label, clause in (("ends=open", 1), ("", 10**9)):  # text cannot hold these
         scene = cylint.Scene(shapes[:1].with_labels([label]))
         scene.set_solids(0, 0, [clause])

@@ -31,9 +31,10 @@ int labels_use(struct labels *labels, const cylint_scene *scene,
         const struct string label = labels_get(labels, i);
         if (label.length > labels->longest)
             labels->longest = label.length;
-        if (memchr(label.text, '\n', label.length))
+        if (memchr(label.text, '\n', label.length) ||
+            memchr(label.text, '\0', label.length))
             return complain(EXIT_BAD, file,
-                            "shape %llu: its label has a line feed",
+                            "shape %llu: its label has a line feed or NUL",
                             (unsigned long long)i + 1);
     }
     return 0;
