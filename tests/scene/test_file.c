@@ -495,6 +495,60 @@ TEST(numbers_that_constructors_refuse_are_refused)
     CHECK(status_with(FRAME, 9) == CYLINT_SCENE_EDAMAGED);
 }
 
+enum { BOUNDED = 5, OTHERS, RANKS = 10 };
+
+/* Bytes of the sections. */
+static uint64_t *section_bytes(const struct bytes *b)
+{
+    return (uint64_t *)(void *)(b->data + 56);
+}
+
+/* The numbers of shapes that a section lists. */
+static uint32_t *numbers_of(const struct bytes *b, int section)
+{
+    size_t at = 512;
+    for (int i = 0; i < section; i++)
+        at += (size_t)(section_bytes(b)[i] + 63) / 64 * 64;
+    return (uint32_t *)(void *)(b->data + at);
+}
+
+/* Of four shapes, numbers 0 and 2 are bounded. */
+TEST(numbers_of_shapes_in_another_order_are_refused)
+{
+    static const uint32_t refused[][2] = {{2, 0}, {3, 1}, {0, 0}, {1, 1},
+                                          {2, 2}, {3, 3}, {0, 4}, {4, 5}};
+    const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
+    OWN_BYTES b = {NULL, NULL, 0};
+    cylint_shape shape[4];
+    for (int i = 0; i < 4; i++)
+        cylint_cylinder(&shape[i], p, q, 1 + i,
+                        i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(shape, 4, 1, NULL);
+    for (int section = BOUNDED; section <= OTHERS; section++)
+        for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {
+            scene_file_write(scene, &b);
+            uint32_t *number = numbers_of(&b, section);
+            const uint32_t first = (uint32_t)(section - BOUNDED);
+            CHECK(number[0] == first && number[1] == first + 2);
+            memcpy(number, refused[k], sizeof refused[k]);
+            scene_file_repair(b.data, b.n);
+            if (!CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED))
+                REPORT("section %d, numbers %zu", section, k);
+        }
+}
+
+TEST(a_file_with_ranks_is_of_another_version)
+{
+    OWN_BYTES b = {NULL, NULL, 0};
+    write_small(&b);
+    memset(b.data + b.n, 0, 64);
+    b.n += 64;
+    section_bytes(&b)[RANKS] = 64;
+    memcpy(b.data + 24, &b.n, sizeof b.n);
+    scene_file_repair(b.data, b.n);
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EVERSION);
+}
+
 /* One ball of a round cone holds the other, or nearly. */
 TEST(a_round_cone_that_is_a_ball_is_refused)
 {
