@@ -19,7 +19,7 @@
 
 #include "intersect.h"
 
-enum { NEAR = 4, MASKS = 8, MOST_DOUBLINGS = 64 };
+enum { NEAR = 4, MOST_DOUBLINGS = 64 };
 
 static double moved(double x, int up, int steps)
 {
@@ -34,17 +34,23 @@ typedef struct {
     double from[3], towards[3]; /* the hit and a direction to the side */
 } search;
 
-/* Whether p is on the outer side of the hit's part. */
+/* Whether an outside point p is on the outer side of the hit's part: it is if it is
+ * on the inner side of all others, whose signs doubles nearly always decide. */
 static int is_beyond_part(const search *s, const double p[3])
 {
     const cylint_shape *shape = s->shape;
+    const int part = s->part;
     cylint_line line;
     cylint_query q;
     /* untaken 1 of 6: every known step is finite */
     if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape) ||
         cylint_open_at(&q, shape, &line, p) != CYLINT_OK)
         return 1;
-    switch (s->part) {
+    if ((part == CYLINT_PART_CAP0 || cylint_form_sign(&q, FORM_ALPHA, 0) > 0) &&
+        (part == CYLINT_PART_CAP1 || cylint_form_sign(&q, FORM_ALPHA, 1) < 0) &&
+        (part == CYLINT_PART_LATERAL || cylint_form_sign(&q, FORM_C, 0) < 0))
+        return 1;
+    switch (part) {
     case CYLINT_PART_CAP0:
         return cylint_form_sign(&q, FORM_ALPHA, 0) < 0;
     case CYLINT_PART_CAP1:
@@ -71,54 +77,59 @@ static void step_by(const search *s, const double stepped[3], unsigned mask,
         p[i] = mask >> i & 1 ? stepped[i] : s->from[i];
 }
 
-/* Whether the step in the coordinates of a is shorter than that in those of b.
- * A coordinate of both has no influence, so the sums of squares are exact, or
- * lose a part of two squares that makes them longer than one. */
-static int is_shorter(const search *s, const double stepped[3], unsigned a,
-                      unsigned b)
+/* Writes the coordinates in the order of the lengths of their steps, and these
+ * lengths times a power of two that no processor flushes to zero. */
+static void order_steps(const search *s, const double stepped[3], int order[3],
+                        double length[3])
 {
-    double most = 0, sum[2] = {0, 0};
-    int count[2] = {0, 0};
-    for (int i = 0; i < 3; i++)
-        if ((a ^ b) >> i & 1)
-            most = cylint_larger(most, fabs(stepped[i]));
-    for (int i = 0; i < 3; i++)
-        if ((a ^ b) >> i & 1) {
-            const int e = -cylint_exponent(most), in_b = b >> i & 1;
-            const double step =
-                cylint_scaled(stepped[i], e) - cylint_scaled(s->from[i], e);
-            sum[in_b] += step * step;
-            count[in_b]++;
-        }
-    /* untaken 1 of 6: no known step is 2^26 times as long as one beside it */
-    return sum[0] < sum[1] || (sum[0] == sum[1] && count[0] < count[1]);
+    enum { LARGE_EXPONENT = 1000 };
+    const int most = cylint_exponent(cylint_largest(stepped));
+    const int e = most < LARGE_EXPONENT ? LARGE_EXPONENT - most : 0;
+    for (int i = 0; i < 3; i++) {
+        int at = i;
+        length[i] =
+            fabs(cylint_scaled(stepped[i], e) - cylint_scaled(s->from[i], e));
+        for (; at > 0 && length[i] < length[order[at - 1]]; at--)
+            order[at] = order[at - 1];
+        order[at] = i;
+    }
 }
 
-/* The coordinates in which the direction is not 0. */
-static unsigned useful(const search *s)
+/* Whether a^2 + b^2 < c^2, where c is the largest.  They are multiples of powers of
+ * two up to 4, so the sum is exact, or it loses a part of the smaller square, and
+ * then it is not less than c^2 if b is c. */
+static int is_shorter(double a, double b, double c)
 {
-    unsigned mask = 0;
-    for (int i = 0; i < 3; i++)
-        mask |= (unsigned)(cylint_sign(s->towards[i]) != 0) << i;
-    return mask;
+    const int e = -cylint_exponent(c);
+    const double x = cylint_scaled(a, e), y = cylint_scaled(b, e),
+                 z = cylint_scaled(c, e);
+    return x * x + y * y < z * z;
 }
 
 /* The nearest neighbour of those `steps` away. */
 static int try_neighbours(const search *s, int steps, double p[3])
 {
-    double stepped[3], q[3];
-    unsigned best = 0;
-    for (int i = 0; i < 3; i++)
-        stepped[i] = moved(s->from[i], cylint_sign(s->towards[i]) > 0, steps);
-    for (unsigned mask = 1; mask < MASKS; mask++) {
-        if (mask & ~useful(s) || (best && !is_shorter(s, stepped, mask, best)))
-            continue;
-        step_by(s, stepped, mask, q);
-        if (is_there(s, q))
-            best = mask;
+    double stepped[3], length[3];
+    int order[3];
+    unsigned useful = 0;
+    for (int i = 0; i < 3; i++) {
+        const int sign = cylint_sign(s->towards[i]);
+        stepped[i] = moved(s->from[i], sign > 0, steps);
+        useful |= (unsigned)(sign != 0) << i;
     }
-    step_by(s, stepped, best, p);
-    return best != 0;
+    order_steps(s, stepped, order, length);
+    const unsigned a = 1u << order[0], b = 1u << order[1], c = 1u << order[2];
+    const int ab_first =
+        is_shorter(length[order[0]], length[order[1]], length[order[2]]);
+    const unsigned masks[] = {
+        a,     b,        ab_first ? a | b : c, ab_first ? c : a | b, a | c,
+        b | c, a | b | c};
+    for (size_t i = 0; i < sizeof masks / sizeof *masks; i++) {
+        step_by(s, stepped, masks[i], p);
+        if (!(masks[i] & ~useful) && is_there(s, p))
+            return 1;
+    }
+    return 0;
 }
 
 /* Points from + x d of n directions d, x doubling from `least` on, below `most`. */

@@ -104,6 +104,30 @@ static unsigned by_doubles(const cylint_shape *shape, const double point[3],
                : undecided;
 }
 
+/* Of a half-space.  The nearest point is the hit of the line along the normal.
+ * Returns 0 where pairs are not certain. */
+static int answer_for_plane(const cylint_shape *shape, const double point[3],
+                            unsigned want, cylint_closest *answer)
+{
+    const unsigned geometry = want & CYLINT_WANT_GEOMETRY;
+    cylint_line line;
+    cylint_hit hit;
+    if (!cylint_in_range(shape) || !cylint_rounds_to_nearest() ||
+        !cylint_plane_distance(shape, point, &answer->distance))
+        return 0;
+    if (geometry &&
+        (cylint_whole_line(&line, point, cylint_axis(shape)) != CYLINT_OK ||
+         cylint_plane_members(shape, &line, geometry, &hit) != 0))
+        return 0;
+    if (want & CYLINT_WANT_PART)
+        cylint_write_feature(shape, CYLINT_FEATURE_LATERAL, answer);
+    if (want & CYLINT_WANT_POINT)
+        memcpy(answer->point, hit.point, sizeof hit.point);
+    if (want & CYLINT_WANT_NORMAL)
+        memcpy(answer->normal, hit.normal, sizeof hit.normal);
+    return 1;
+}
+
 /* All answers that doubles do not decide. */
 ASIDE double answer_beyond_doubles(const cylint_shape *shape,
                                    const double point[3], unsigned want,
@@ -114,9 +138,8 @@ ASIDE double answer_beyond_doubles(const cylint_shape *shape,
         return nowhere(answer);
     }
     answer->flags = 0;
-    if (cylint_is_plane(shape->kind) && want == 0 && cylint_in_range(shape) &&
-        cylint_rounds_to_nearest() &&
-        cylint_plane_distance(shape, point, &answer->distance))
+    if (cylint_is_plane(shape->kind) &&
+        answer_for_plane(shape, point, want, answer))
         return answer->distance;
     if (!(want & (CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY)) &&
         cylint_surface_is_whole(shape->ends) &&

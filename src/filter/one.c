@@ -28,11 +28,9 @@ static int no_solid(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-static int no_side(const cylint_shape *shape, const double point[3])
+static int no_solid_contains(const cylint_shape *shape, const double point[3])
 {
-    (void)shape;
-    (void)point;
-    return CYLINT_SIDE_UNDECIDED;
+    return cylint_side_of_plane(shape, point);
 }
 
 #if LANES == 2
@@ -213,12 +211,12 @@ static unsigned describe_again(const cylint_shape *shape,
 }
 
 #define ONE(name, solid) [solid] = no_solid,
-#define SIDE(name, solid) [solid] = no_side,
+#define SIDE(name, solid) [solid] = no_solid_contains,
 
 #endif
 
 const cylint_one_kernels CYLINT_ONE = {
     {[CYLINT_SOLID_NONE] = no_solid, CYLINT_EACH_SOLID(ONE)},
     refine,
-    {[CYLINT_SOLID_NONE] = no_side, CYLINT_EACH_SOLID(SIDE)},
+    {[CYLINT_SOLID_NONE] = no_solid_contains, CYLINT_EACH_SOLID(SIDE)},
     describe_again};

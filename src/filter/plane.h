@@ -17,7 +17,8 @@ typedef struct {
 } plane_number;
 
 /* x.n.  2^-900 covers products that underflow, and components of n that are read
- * as 0, where x is at most CYLINT_FAR. */
+ * as 0, where x is at most CYLINT_FAR.  Where each product has a factor 0, x.n is
+ * exactly 0, and the error, too. */
 static inline plane_number cylint_along_normal(const pair x[3],
                                                const double n[3])
 {
@@ -27,17 +28,29 @@ static inline plane_number cylint_along_normal(const pair x[3],
     const double low = (x[0].lo * n[0] + x[1].lo * n[1]) + x[2].lo * n[2];
     const double errors = ((X.lo + Y.lo) + Z.lo) + (two.lo + all.lo);
     const double size = fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi);
+    int is_zero = !(size > 0);
+    for (int i = 0; i < 3 && is_zero; i++)
+        is_zero = cylint_sign(x[i].hi) == 0 || cylint_sign(n[i]) == 0;
     return (plane_number){two_sum(all.hi, low + errors),
-                          CYLINT_PLANE_ERROR * size + 0x1p-900};
+                          is_zero ? 0 : CYLINT_PLANE_ERROR * size + 0x1p-900};
 }
 
-/* Whether all numbers within the error of x round to x.v.hi, which is far from 0
- * and from the largest double. */
+/* Whether x is 0, exactly. */
+static inline int cylint_is_exact_zero(plane_number x)
+{
+    return !(fabs(x.v.hi) > 0) && !(x.error > 0);
+}
+
+/* Far from 0 and from the largest double. */
+static inline int cylint_is_moderate(plane_number x)
+{
+    return fabs(x.v.hi) > 0x1p-400 && fabs(x.v.hi) < 0x1p400;
+}
+
+/* Whether x is moderate, and all numbers within its error round to x.v.hi. */
 static inline int cylint_is_rounded(plane_number x)
 {
-    const double size = fabs(x.v.hi);
-    return size > 0x1p-400 && size < 0x1p400 &&
-           x.v.hi + (x.v.lo + x.error) == x.v.hi &&
+    return cylint_is_moderate(x) && x.v.hi + (x.v.lo + x.error) == x.v.hi &&
            x.v.hi + (x.v.lo - x.error) == x.v.hi;
 }
 
@@ -79,30 +92,53 @@ static inline int cylint_plane_distance(const cylint_shape *s,
     pair from[3];
     const double *n = cylint_axis(s);
     const int near = cylint_from_plane(s, point, from);
-    const plane_number d = cylint_over_length(cylint_along_normal(from, n),
-                                              cylint_normal_length(n));
-    *distance = d.v.hi;
-    return near && cylint_is_rounded(d);
+    const plane_number above = cylint_along_normal(from, n);
+    const plane_number d = cylint_over_length(above, cylint_normal_length(n));
+    *distance = d.v.hi + 0.0; /* no -0 */
+    return near && (cylint_is_rounded(d) || cylint_is_exact_zero(above));
 }
 
-/* The root -above / slope.  Its error: those of both numbers, and the
- * quotient's. */
+/* 1 if the point is behind the plane, 0 if it is on it, -1 if it is before it; or
+ * CYLINT_SIDE_UNDECIDED. */
+static inline int cylint_side_of_plane(const cylint_shape *s,
+                                       const double point[3])
+{
+    pair from[3];
+    if (!cylint_is_plane(s->kind) || !cylint_in_range(s) ||
+        !cylint_rounds_to_nearest() || !cylint_from_plane(s, point, from))
+        return CYLINT_SIDE_UNDECIDED;
+    const plane_number above = cylint_along_normal(from, cylint_axis(s));
+    return cylint_is_exact_zero(above)     ? 0
+           : above.v.hi > 2 * above.error  ? -1
+           : above.v.hi < -2 * above.error ? 1
+                                           : CYLINT_SIDE_UNDECIDED;
+}
+
+/* The root -above / slope.  Its error: those of both numbers, the quotient's, and
+ * 2^-1000, so that only an exact 0 has none. */
 static inline plane_number cylint_plane_root(plane_number above,
                                              plane_number slope)
 {
     const pair t = pair_div(pair_neg(above.v), slope.v);
     const double size = fabs(t.hi);
+    if (cylint_is_exact_zero(above))
+        return (plane_number){{0, 0}, 0};
     return (plane_number){t, (above.error + size * slope.error) /
                                      fabs(slope.v.hi) * 0x1.01p0 +
-                                 size * (2 * CYLINT_PAIR_DIV)};
+                                 size * (2 * CYLINT_PAIR_DIV) + 0x1p-1000};
 }
 
-/* The sign of the root minus a limit of the domain, or 0 if it is uncertain. */
+/* Whether the root is after a limit of the domain: 1, 0 if it is the limit, or -1;
+ * or CYLINT_SIDE_UNDECIDED. */
 static inline int cylint_root_side(plane_number t, double limit)
 {
-    if (t.v.hi != limit)
-        return t.v.hi > limit ? 1 : -1;
-    return t.v.lo > t.error ? 1 : t.v.lo < -t.error ? -1 : 0;
+    const double x = (t.v.hi - limit) + t.v.lo; /* rounded twice */
+    if (cylint_is_exact_zero(t))
+        return -cylint_sign(limit);
+    return !cylint_is_moderate(t) ? CYLINT_SIDE_UNDECIDED
+           : x > 2 * t.error      ? 1
+           : x < -2 * t.error     ? -1
+                                  : CYLINT_SIDE_UNDECIDED;
 }
 
 /* The slope of the height above the plane along the line, in *slope, and the root.
@@ -139,14 +175,17 @@ static inline int cylint_intersect_plane(const cylint_shape *s,
 {
     plane_number slope, t;
     if (!cylint_pairs_serve(s, line) ||
-        !cylint_line_to_plane(s, line, &slope, &t) || !cylint_is_rounded(t))
+        !cylint_line_to_plane(s, line, &slope, &t))
         return CYLINT_UNDECIDED;
     const int after_first = cylint_root_side(t, line->tmin),
               after_last = cylint_root_side(t, line->tmax);
-    if (after_first == 0 || after_last == 0)
-        return CYLINT_UNDECIDED;
     answer->relation = CYLINT_RELATION_CROSS;
-    answer->n = after_first > 0 && after_last < 0;
+    answer->n = after_first >= 0 && after_last <= 0;
+    if (after_first == CYLINT_SIDE_UNDECIDED ||
+        after_last == CYLINT_SIDE_UNDECIDED ||
+        (answer->n && want & CYLINT_WANT_T && !cylint_is_rounded(t) &&
+         !cylint_is_exact_zero(t)))
+        return CYLINT_UNDECIDED;
     if (answer->n && want & CYLINT_WANT_T)
         answer->hit[0].t = t.v.hi;
     if (answer->n && want & CYLINT_WANT_PART) {
@@ -169,9 +208,9 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
     const pair d = {line->d[i], line->d_lo[i]}, o = {line->o[i], 0};
     const int perpendicular =
         cylint_sign(n[(i + 1) % 3]) == 0 && cylint_sign(n[(i + 2) % 3]) == 0;
-    if (perpendicular || cylint_sign(d.hi) == 0) {
-        *x = perpendicular ? cylint_base(s)[i] : line->o[i];
-        *x = cylint_sign(*x) ? *x : 0.0; /* no -0 */
+    if (perpendicular || cylint_sign(d.hi) == 0 || cylint_is_exact_zero(t)) {
+        *x = cylint_positive_zero(perpendicular ? cylint_base(s)[i]
+                                                : line->o[i]);
         return 1;
     }
     const pair step = pair_mul(t.v, d);
