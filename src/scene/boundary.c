@@ -82,12 +82,9 @@ static void describe_boundary(const boundary_search *q, unsigned want,
 {
     cylint_shape shape;
     cylint_answer answer;
-    cylint_line whole = *q->line;
-    whole.tmin = -HUGE_VAL;
-    whole.tmax = HUGE_VAL;
     cylint_record_shape(&q->scene->records, q->number, &shape);
     shape.ends = cylint_closed_ends(shape.ends);
-    cylint_intersect(&shape, &whole, want | CYLINT_WANT_T | CYLINT_WANT_PART,
+    cylint_intersect(&shape, q->line, want | CYLINT_WANT_T | CYLINT_WANT_PART,
                      &answer);
     for (int i = 0; i < answer.n; i++) {
         cylint_hit found = answer.hit[i];

@@ -247,6 +247,26 @@ TEST(the_nearest_neighbour_is_chosen_at_all_sizes)
             }
 }
 
+/* The axis is the direction of the normal there, and inside. */
+TEST(the_outside_of_a_double_cone_at_its_apex_is_found)
+{
+    static const char *const cones[] = {
+        "line 0 0 -1  0 0 1  acone 0 0 0  0 0 1  45 ends=infinite",
+        "line 1 2 -1  0 0 1  acone 1 2 3  0 0 1  89 ends=infinite",
+        "line 0 0 0  1 2 3  acone 1 2 3  1 2 3  30 ends=infinite"};
+    for (int i = 0; i < 3; i++) {
+        const struct family_case c = case_of(cones[i]);
+        cylint_answer a;
+        double p[3];
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
+        CHECK(a.n == 1 && cylint_contains(&c.shape, a.hit[0].point) == 0);
+        CHECK(cylint_outside(&c.shape, &a.hit[0], -1, p) == 1 &&
+              cylint_contains(&c.shape, p) == -1);
+        CHECK(cylint_outside(&c.shape, &a.hit[0], 1, p) == 1 &&
+              cylint_contains(&c.shape, p) == 1);
+    }
+}
+
 TEST(no_double_is_inside_a_solid_that_is_too_thin)
 {
     const cylint_shape thin =

@@ -9,6 +9,11 @@
 #include "check.h"
 #include "cylint_pieces.h"
 #include "draw.h"
+#include "shapes/shape_facts.h"
+#include "ulps.h"
+#ifdef HAVE_MPFR
+#include "real.h"
+#endif
 
 enum { TUBES = 2000, LINES = 20, POINTS = 20 };
 
@@ -148,7 +153,8 @@ TEST(sectors_of_simple_directions_are_exact)
           clauses[2] == clauses[3]);
     CHECK(pieces_on(o, d) == 2 && piece[0].t0 == 3 && piece[0].t1 == 4 &&
           piece[1].t0 == 6);
-    CHECK(make_members(p0, p1, outer, inner, half) == CYLINT_OK);
+    CHECK(make_members(p0, p1, outer, inner, half) == CYLINT_OK &&
+          clauses[2] != clauses[3]);
     CHECK(pieces_on(o, d) == 2);
 }
 
@@ -170,6 +176,48 @@ TEST(sectors_about_a_coordinate_are_exact)
               cylint_contains(&s[2], sector[1]) == 0);
     }
 }
+
+#ifdef HAVE_MPFR
+
+/* Component i of a normal minus that of x cross y, in its units in the last place;
+ * the normal is divided by a power of two. */
+static double error_of_normal(const double normal[3], const double x[3],
+                              const double y[3], int i)
+{
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    real_fixed(300);
+    const real exact = minus(times(real_of(x[j]), real_of(y[k])),
+                             times(real_of(x[k]), real_of(y[j])));
+    const double ratio = normal[i] / mpfr_get_d(exact->x, RND);
+    const double got = normal[i] / exp2(rint(log2(ratio)));
+    return mpfr_get_d(minus(exact, real_of(got))->x, RND) / ulp(got);
+}
+
+/* The products of every other direction nearly cancel. */
+TEST(normals_of_sectors_are_within_0501_units)
+{
+    const double p0[3] = {0, 0, 0}, outer[2] = {2, 3};
+    stream = 6;
+    for (int i = 0; i < TUBES; i++) {
+        double p1[3], sector[2][3];
+        random_vector(p1, 1);
+        for (int k = 0; k < 2; k++) {
+            random_vector(sector[k], 1);
+            if (i % 2)
+                along3(sector[k], p1, 1e-9, sector[k]);
+        }
+        if (!CHECK(make_members(p0, p1, outer, NULL,
+                                (const double(*)[3])sector) == CYLINT_OK))
+            continue;
+        for (int j = 0; j < 3; j++) {
+            const double *one = cylint_axis(&s[1]), *other = cylint_axis(&s[2]);
+            CHECK(fabs(error_of_normal(one, sector[0], p1, j)) <= 0.501);
+            CHECK(fabs(error_of_normal(other, p1, sector[1], j)) <= 0.501);
+        }
+    }
+}
+
+#endif
 
 TEST(bad_sectors_are_refused)
 {

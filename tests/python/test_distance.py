@@ -280,6 +280,16 @@ def test_points_and_radii_of_several_axes():
     assert scene.within_count(points[0, 0], radii).shape == (4, 1)
 
 
+@pytest.mark.parametrize("n", [511, 512, 513])
+def test_each_row_has_its_answers(n):  # a block has 512 elements
+    scene = cylint.Scene(forest(50, 71))
+    points, radii = np.random.default_rng(72).random((n, 3)), [0.05, 0.2]
+    every = scene.within(points, np.array(radii)[:, None])
+    rows = [scene.within(points, r) for r in radii]
+    assert same(every.index, np.concatenate([row.index for row in rows]))
+    assert same(every.point, np.concatenate([i * n + row.point for i, row in enumerate(rows)]))
+
+
 def test_more_shapes_near_a_point_than_a_buffer_holds():
     x = np.arange(1000.0)
     p0 = np.c_[x, 0 * x, 0 * x]

@@ -157,6 +157,28 @@ TEST(the_first_boundary_is_that_of_a_loop)
            in_bores);
 }
 
+/* A cylinder begins where the half-space ends that is cut off it.  The query finds
+ * the half-space first. */
+TEST(of_two_surfaces_at_one_t_the_lower_number_is_the_boundary)
+{
+    const cylint_line line = case_of("ray 0 0 -5  0 0 1  sphere 0 0 0 1").line;
+    stream = 10;
+    make_shapes();
+    cylint_scene_free(world.scene);
+    world.n = world.members = 2;
+    world.solids = 1;
+    world.shape[0] = shape_of("cylinder 0 0 0  0 0 1  1");
+    world.shape[1] = shape_of("halfspace 0 0 0  0 0 1");
+    world.member[0] = (cylint_member){0, 0, 1};
+    world.member[1] = (cylint_member){1, 0, -2};
+    world.scene = cylint_scene_new(world.shape, world.n, 1, NULL);
+    CHECK(cylint_scene_set_solids(world.scene, world.member, world.members) ==
+          CYLINT_SCENE_OK);
+    find_chords(&line);
+    CHECK(expected_boundary().number == 0);
+    check_boundary();
+}
+
 TEST(an_invalid_line_has_no_boundary)
 {
     cylint_workspace work = {NULL, 0, 0};
