@@ -86,7 +86,8 @@ static int (*const properties[])(const struct family_case *) = {
     is_cut_by_its_domain, is_permuted,
     is_mirrored,          is_scaled_by_powers_of_two,
     is_turned_round,      has_any_axes,
-    is_constant_cone,     loses_hits_with_caps};
+    is_constant_cone,     loses_hits_with_caps,
+    may_be_cut_at_hits,   may_begin_anywhere};
 
 static void check_shape(const struct family_case *c)
 {
@@ -94,7 +95,8 @@ static void check_shape(const struct family_case *c)
         MUST(properties[i](c));
     for (unsigned want = 1; want <= CYLINT_WANT_NEAREST; want *= 2)
         MUST(has_wanted_members(c, want));
-    MUST(has_wanted_members(c, verdicts | CYLINT_WANT_NEAREST));
+    MUST(has_wanted_members(c, CYLINT_WANT_T | CYLINT_WANT_PART |
+                                   CYLINT_WANT_NEAREST));
     MUST(cylint_occluded(&c->shape, &c->line) == (answer_to(c).n > 0));
 }
 

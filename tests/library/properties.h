@@ -15,7 +15,8 @@
 #include "shapes/shape_facts.h"
 #include "vectors.h"
 
-static const unsigned verdicts = CYLINT_WANT_T | CYLINT_WANT_PART;
+/* All members but phi, whose reference direction may change. */
+static const unsigned without_phi = CYLINT_WANT_ALL & ~CYLINT_WANT_PHI;
 
 static inline cylint_answer answer_to(const struct family_case *c)
 {
@@ -25,17 +26,48 @@ static inline cylint_answer answer_to(const struct family_case *c)
     return a;
 }
 
-/* t, part, side and relation; t is never -0. */
-static inline int same_verdict(const cylint_answer *x, const cylint_answer *y)
+/* Equal or neighbours: a component of a normal, or phi, may be either double where
+ * the real number is in the middle. */
+static inline int is_beside(double x, double y)
 {
-    return same_answer(x, y, verdicts);
+    return x == y || nextafter(x, y) == y;
 }
 
-static inline int has_same_verdict(const struct family_case *x,
-                                   const struct family_case *y)
+static inline int has_same_normal(const cylint_hit *x, const cylint_hit *y)
+{
+    return is_beside(x->normal[0], y->normal[0]) &&
+           is_beside(x->normal[1], y->normal[1]) &&
+           is_beside(x->normal[2], y->normal[2]);
+}
+
+/* The relation, and these members of the hits. */
+static inline int same_members(const cylint_answer *x, const cylint_answer *y,
+                               unsigned want)
+{
+    int same = same_answer(
+        x, y, want & ~(unsigned)(CYLINT_WANT_NORMAL | CYLINT_WANT_PHI));
+    for (int i = 0; i < x->n && same; i++)
+        same = (!(want & CYLINT_WANT_NORMAL) ||
+                has_same_normal(&x->hit[i], &y->hit[i])) &&
+               (!(want & CYLINT_WANT_PHI) ||
+                is_beside(x->hit[i].phi, y->hit[i].phi));
+    return same;
+}
+
+static inline int has_same_members(const struct family_case *x,
+                                   const struct family_case *y, unsigned want)
 {
     const cylint_answer a = answer_to(x), b = answer_to(y);
-    return same_verdict(&a, &b);
+    return same_members(&a, &b, want);
+}
+
+/* At the apex of a double cone the normal depends on the direction of the line. */
+static inline int is_between_nappes(const struct family_case *c,
+                                    const cylint_hit *h)
+{
+    return h->side == CYLINT_SIDE_BOTH &&
+           c->shape.ends == CYLINT_ENDS_INFINITE &&
+           cylint_is_tapered(c->shape.kind);
 }
 
 static inline int is_good_hit(const cylint_hit *h, const cylint_line *line)
@@ -131,17 +163,20 @@ static inline int has_even_hits(const struct family_case *given)
 
 /* The hits of y, in reverse order, are those of x, at t or with a segment at 1
  * - t. */
-static inline int is_reverse(const cylint_answer *x, const cylint_answer *y,
-                             int segment)
+static inline int is_reverse(const struct family_case *c,
+                             const cylint_answer *x, const cylint_answer *y)
 {
     int good = x->relation == y->relation && x->n == y->n;
     for (int i = 0; i < x->n && good; i++) {
         const cylint_hit *a = &x->hit[i], *b = &y->hit[x->n - 1 - i];
-        good = (segment ? fabs(a->t - (1 - b->t)) <= DBL_EPSILON
-                        : a->t == -b->t) &&
+        good = (c->line.segment ? fabs(a->t - (1 - b->t)) <= DBL_EPSILON
+                                : a->t == -b->t) &&
                a->part == b->part &&
                a->side == (b->side == CYLINT_SIDE_BOTH ? CYLINT_SIDE_BOTH
-                                                       : 1 - b->side);
+                                                       : 1 - b->side) &&
+               same_hit(a, b, CYLINT_WANT_POINT | CYLINT_WANT_Z) &&
+               is_beside(a->phi, b->phi) &&
+               (has_same_normal(a, b) || is_between_nappes(c, a));
     }
     return good;
 }
@@ -164,7 +199,7 @@ static inline int is_reversed_with_its_line(const struct family_case *given)
             return 1;
     }
     const cylint_answer a = answer_to(given), b = answer_to(&c);
-    return is_reverse(&a, &b, segment);
+    return is_reverse(given, &a, &b);
 }
 
 /* The hits are those of the whole line that lie in the domain.  Where t rounds
@@ -190,6 +225,69 @@ static inline int is_cut_by_its_domain(const struct family_case *given)
         }
     }
     return good && n == some.n;
+}
+
+/* Each hit is in the part of the domain where its t lies; if the domain is cut at
+ * its t, in one part or in both. */
+static inline int may_be_cut(const struct family_case *given, double cut)
+{
+    struct family_case parts[2] = {*given, *given};
+    if (!(given->line.tmin <= cut && cut <= given->line.tmax))
+        return 1;
+    parts[0].line.tmax = parts[1].line.tmin = cut;
+    const cylint_answer all = answer_to(given),
+                        some[2] = {answer_to(&parts[0]), answer_to(&parts[1])};
+    int good = 1, n[2] = {0, 0}, in[2];
+    for (int i = 0; i < all.n; i++) {
+        const double t = all.hit[i].t;
+        for (int k = 0; k < 2; k++) {
+            in[k] = n[k] < some[k].n &&
+                    same_hit(&some[k].hit[n[k]], &all.hit[i], CYLINT_WANT_ALL);
+            n[k] += in[k];
+        }
+        good = good && (in[0] || in[1]) && (t <= cut || !in[0]) &&
+               (t >= cut || !in[1]);
+    }
+    return good && n[0] == some[0].n && n[1] == some[1].n;
+}
+
+static inline int may_be_cut_at_hits(const struct family_case *c)
+{
+    const cylint_answer a = answer_to(c);
+    int good = 1;
+    for (int i = 0; i < a.n; i++)
+        good = good && may_be_cut(c, a.hit[i].t) &&
+               may_be_cut(c, nextafter(a.hit[i].t, HUGE_VAL)) &&
+               may_be_cut(c, nextafter(a.hit[i].t, -HUGE_VAL));
+    return good;
+}
+
+/* The sum, and whether it is exact. */
+static inline int add_exactly(double *x, double y)
+{
+    const double sum = *x + y;
+    const int exact = fabs(sum) <= DBL_MAX && sum - *x == y && sum - y == *x;
+    *x = sum;
+    return exact;
+}
+
+/* A whole line from o + 2 d along 3 d has the same hits. */
+static inline int may_begin_anywhere(const struct family_case *given)
+{
+    struct family_case c = *given, whole = *given;
+    if (given->line.segment || !given->line.valid)
+        return 1;
+    for (int i = 0; i < 3; i++) {
+        const double d = given->line_data[3 + i];
+        c.line_data[3 + i] = 2 * d;
+        if (!(fabs(d) < DBL_MAX / 4) || !add_exactly(&c.line_data[i], 2 * d) ||
+            !add_exactly(&c.line_data[3 + i], d))
+            return 1;
+    }
+    family_make(&c);
+    whole.line = whole_of(whole.line);
+    c.line = whole_of(c.line);
+    return has_same_members(&whole, &c, CYLINT_WANT_ALL & ~CYLINT_WANT_T);
 }
 
 /* ------------------------------------------------- changes of the whole -- */
@@ -219,7 +317,15 @@ static inline int is_moved(const struct family_case *given, int round, int flip)
     turn3(c.line_data, round, flip);
     turn3(c.line_data + 3, round, flip);
     family_make(&c);
-    return has_same_verdict(given, &c);
+    cylint_answer a = answer_to(given);
+    const cylint_answer b = answer_to(&c);
+    for (int i = 0; i < a.n; i++) {
+        turn3(a.hit[i].point, round, flip);
+        turn3(a.hit[i].normal, round, flip);
+        for (int k = 0; k < 3; k++)
+            a.hit[i].point[k] += 0; /* -0 becomes 0 */
+    }
+    return same_members(&a, &b, without_phi);
 }
 
 static inline int is_permuted(const struct family_case *c)
@@ -244,7 +350,16 @@ static inline int scale_exactly(double *x, int n, int e)
     return exact;
 }
 
-/* All lengths times 2^e and d times 2^f give t times 2^(e - f). */
+/* Whether y is 2^e x, or one of them may be rounded: it is no normal number. */
+static inline int is_scaled(double x, double y, int e)
+{
+    const double s = ldexp(x, e);
+    return s == y || !(fabs(s) <= DBL_MAX && fabs(x) <= DBL_MAX) ||
+           fabs(s) < DBL_MIN || fabs(x) < DBL_MIN;
+}
+
+/* All lengths times 2^e and d times 2^f give t times 2^(e - f) and points times
+ * 2^e. */
 static inline int is_scaled_by(const struct family_case *given, int e, int f)
 {
     struct family_case c = *given, whole = *given;
@@ -261,11 +376,12 @@ static inline int is_scaled_by(const struct family_case *given, int e, int f)
     const cylint_answer a = answer_to(&whole), b = answer_to(&c);
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
-        const double t = a.hit[i].t, s = ldexp(t, segment ? 0 : e - f);
-        const int rounds = !(fabs(s) <= DBL_MAX && fabs(t) <= DBL_MAX) ||
-                           fabs(s) < DBL_MIN || fabs(t) < DBL_MIN;
-        good = (rounds || s == b.hit[i].t) && a.hit[i].part == b.hit[i].part &&
-               a.hit[i].side == b.hit[i].side;
+        const cylint_hit *h = &a.hit[i], *k = &b.hit[i];
+        good = is_scaled(h->t, k->t, segment ? 0 : e - f) &&
+               same_hit(h, k, CYLINT_WANT_PART | CYLINT_WANT_Z) &&
+               has_same_normal(h, k) && is_beside(h->phi, k->phi);
+        for (int j = 0; j < 3; j++)
+            good = good && is_scaled(h->point[j], k->point[j], e);
     }
     return good;
 }
@@ -302,9 +418,15 @@ static inline int is_turned_round(const struct family_case *given)
     family_make(&c);
     const cylint_answer a = answer_to(given);
     cylint_answer b = answer_to(&c);
-    for (int i = 0; i < b.n; i++)
+    int good = a.n == b.n;
+    for (int i = 0; i < b.n && good; i++) {
         b.hit[i].part = other[b.hit[i].part];
-    return same_verdict(&a, &b);
+        good = has_same_normal(&a.hit[i], &b.hit[i]) ||
+               is_between_nappes(given, &a.hit[i]);
+    }
+    return good &&
+           same_members(&a, &b,
+                        CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_POINT);
 }
 
 /* The semi-axes of an ellipse may be exchanged, and one may be reversed. */
@@ -316,10 +438,10 @@ static inline int has_any_axes(const struct family_case *given)
     memcpy(c.shape_data + 3, given->shape_data + 6, 3 * sizeof(double));
     memcpy(c.shape_data + 6, given->shape_data + 3, 3 * sizeof(double));
     family_make(&c);
-    const int good = has_same_verdict(given, &c);
+    const int good = has_same_members(given, &c, without_phi);
     turn3(c.shape_data + 6, 0, 7);
     family_make(&c);
-    return good && has_same_verdict(given, &c);
+    return good && has_same_members(given, &c, without_phi);
 }
 
 /* A cylinder is a cone with equal radii, an elliptic one with the factor 1. */
@@ -338,7 +460,7 @@ static inline int is_constant_cone(const struct family_case *given)
         return 1;
     }
     family_make(&c);
-    return has_same_verdict(given, &c);
+    return has_same_members(given, &c, CYLINT_WANT_ALL);
 }
 
 /* The same solid of radius 1.25 and height 2 along a coordinate, circular, and
@@ -360,7 +482,7 @@ static inline int is_elliptic_with_equal_axes(const struct family_case *given)
         family_set_shape(&e, FAMILY_ECONE, p, a, b, h, 0, factors[k]);
         family_make(&c);
         family_make(&e);
-        if (!has_same_verdict(&c, &e))
+        if (!has_same_members(&c, &e, without_phi))
             return 0;
     }
     return 1;

@@ -28,6 +28,8 @@ static void over_all_families(int (*holds)(const struct family_case *c),
 PROPERTY(a_capped_shape_has_an_even_number_of_hits, has_even_hits)
 PROPERTY(a_reversed_line_has_hits_at_minus_t, is_reversed_with_its_line)
 PROPERTY(hits_in_a_domain_are_the_lines_hits_within_it, is_cut_by_its_domain)
+PROPERTY(a_domain_may_be_cut_at_a_hit, may_be_cut_at_hits)
+PROPERTY(a_line_may_begin_anywhere, may_begin_anywhere)
 PROPERTY(coordinates_may_be_permuted, is_permuted)
 PROPERTY(coordinates_may_change_sign, is_mirrored)
 PROPERTY(scaling_by_powers_of_two_keeps_the_digits_of_t,
