@@ -358,6 +358,31 @@ TEST(pieces_of_many_lines_are_those_of_each)
     }
 }
 
+/* A line through a row of balls, of which more are wanted than the first memory for
+ * pieces holds. */
+TEST(many_pieces_of_a_line_are_all_those_that_are_wanted)
+{
+    enum { BALLS = 700 };
+    static cylint_shape ball[BALLS];
+    static const size_t most[] = {0, 255, 256, 257, 600, BALLS + 1};
+    const double o[3] = {-1, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    const cylint_lines lines = {
+        1, {&o[0], &o[1], &o[2]}, {&d[0], &d[1], &d[2]}, NULL, NULL};
+    for (int i = 0; i < BALLS; i++)
+        cylint_sphere(&ball[i], (double[]){i, 0, 0}, 0.25, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(ball, BALLS, 1, NULL);
+    for (size_t i = 0; i < sizeof most / sizeof *most; i++) {
+        const size_t n = most[i] > 0 && most[i] < BALLS ? most[i] : BALLS;
+        cylint_piece_rows rows;
+        if (!CHECK(cylint_scene_pieces_lines(scene, &lines, &rule, most[i], 1,
+                                             &rows) == CYLINT_SCENE_OK))
+            continue;
+        CHECK(rows.first[1] == n && rows.pieces[n - 1].shape == n - 1);
+        cylint_piece_rows_free(&rows);
+    }
+}
+
 /* ---------------------------------------------------------------- sums -- */
 
 #ifdef HAVE_MPFR
@@ -416,6 +441,23 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
     }
 }
 #endif
+
+/* An end near the largest double does not make the sum finite. */
+TEST(a_sum_from_minus_infinity_is_infinite)
+{
+    const double p[3] = {0, 0, 0}, d[3] = {0, 0, 0x1p-1000},
+                 o[3] = {0, 0, 0x1.8p23};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    cylint_shape below;
+    cylint_line line;
+    double sum = 0;
+    cylint_halfspace(&below, p, (double[]){0, 0, 1});
+    cylint_whole_line(&line, o, d);
+    OWN_SCENE *scene = cylint_scene_new(&below, 1, 1, NULL);
+    CHECK(cylint_scene_line_sums(scene, &line, &rule, NULL, 1, 0, &sum) ==
+              CYLINT_SCENE_OK &&
+          sum == HUGE_VAL);
+}
 
 /* The product of both would be NaN. */
 TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)

@@ -303,18 +303,15 @@ int output_write(struct output *out, const char *data, size_t length)
     return 0;
 }
 
-/* Completes the .npy header.  Rows that could not be written are not
- * counted. */
+/* Completes the .npy header.  Rows that could not be written are not counted,
+ * nor is a half row, which was cut off. */
 static int finish_array(struct output *out)
 {
-    struct stat s;
     const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    if (at == -1 || fstat(out->fd, &s) != 0 ||
-        lseek(out->fd, (off_t)out->header_at, SEEK_SET) == -1)
+    if (at == -1 || lseek(out->fd, (off_t)out->header_at, SEEK_SET) == -1)
         return complain_errno(out->name);
-    const long long end = (long long)(at < s.st_size ? at : s.st_size);
-    const long long rows = end - out->header_at - NPY_WRITTEN;
-    return put_array_header(out, (unsigned long long)rows / out->row_size);
+    const long long bytes = (long long)at - out->header_at - NPY_WRITTEN;
+    return put_array_header(out, (unsigned long long)bytes / out->row_size);
 }
 
 int output_close(struct output *out, int is_whole)
