@@ -35,7 +35,7 @@ compiles "$cc" plain
 verdict it_compiles_without_a_flag $? || { check_end; exit; }
 compiles "$cc" small -DCYLINT_PLAIN -fsyntax-only # no code for an instruction set of its own
 verdict it_compiles_without_kernels_for_avx $?
-strict='-Wall -Wextra -Wpedantic -Wconversion'
+strict='-Wall -Wextra -Wpedantic -Wconversion -Wshadow'
 case ${CFLAGS:-} in # beside the sanitizers' code gcc warns of values that are initialized
 *-fsanitize*) strict="$strict -Wno-maybe-uninitialized" ;;
 esac

@@ -330,6 +330,9 @@ PREAMBLE = """/*
 #define CYLINT_BUILDS_X86
 #include <immintrin.h>
 #endif
+#ifdef __GNUC__ /* locals have names that other sections have at file scope */
+#pragma GCC diagnostic ignored "-Wshadow"
+#endif
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Wunused-function"
 #elif defined(__GNUC__)
