@@ -168,7 +168,7 @@ static void draw_beside(const cylint_leaf *b, double far, double q[3])
     for (int j = 0; j < 3; j++)
         size = fmax(size, fabs(side[j]));
     for (int j = 0; j < 3; j++)
-        q[j] = p[j] - CYLINT_LEAF_MIDDLE + z * w[j] +
+        q[j] = p[j] - (double)CYLINT_LEAF_MIDDLE + z * w[j] +
                (size > 0 ? far * side[j] / size : far);
 }
 

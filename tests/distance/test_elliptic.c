@@ -52,7 +52,7 @@ static double from_rulings(const cylint_shape *s, const double p[3])
     const int bounded = s->ends != CYLINT_ENDS_INFINITE;
     double least = HUGE_VAL;
     for (int n = 0; n < ANGLES; n++) {
-        const double turn = 6.283185307179586 * n / ANGLES;
+        const double turn = 6.283185307179586 * n / (double)ANGLES;
         double v[3], foot[3];
         for (int i = 0; i < 3; i++) {
             const double r =

@@ -437,7 +437,7 @@ TEST(bad_members_of_one_solid_are_refused)
     CHECK(cylint_solid_pieces(shape, clause, CYLINT_SOLID_MEMBERS, &ray, piece,
                               9) == 1 &&
           piece[0].t0 == CYLINT_SOLID_MEMBERS - 2 &&
-          piece[0].t1 == CYLINT_SOLID_MEMBERS);
+          piece[0].t1 == (double)CYLINT_SOLID_MEMBERS);
 }
 
 /* --------------------------------------------------------- named cases -- */
