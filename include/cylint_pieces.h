@@ -47,8 +47,9 @@ typedef struct cylint_interval {
  *   from inside, or a segment       the chord begins at tmin, or ends at tmax
  *     within the solid
  *   infinite, nappe, halfspace      t0 may be -infinity, t1 infinity
- *   double cone                     two chords, if the line is in both nappes;
- *                                   through the apex, inside: one
+ *   double cone                     two chords, if the line is in both nappes; one
+ *                                   through the apex, inside, and where the roots
+ *                                   between the nappes are one double
  *   refused shape or line           no chord
  */
 CYLINT_API int cylint_chord(const cylint_shape *shape, const cylint_line *line,

@@ -30,16 +30,19 @@ static int chord_of_answer(const cylint_answer *a, const cylint_line *line,
                            cylint_interval chord[2])
 {
     const cylint_hit *hit = a->hit;
+    const int is_in_both_nappes =
+        a->n == 2 && hit[0].side == CYLINT_SIDE_LEAVING;
     if (a->relation < CYLINT_RELATION_ALONG)
         return 0;
-    if (a->n == 2 && hit[0].side == CYLINT_SIDE_LEAVING) {
-        /* from one nappe to the other */
+    if (is_in_both_nappes && cylint_less(hit[0].t, hit[1].t)) {
         const int n = add_chord(line, -HUGE_VAL, hit[0].t, chord);
         return n + add_chord(line, hit[1].t, HUGE_VAL, chord + n);
     }
-    const int is_through_apex = a->n == 1 && hit[0].side == CYLINT_SIDE_BOTH;
+    /* through the apex, or past it between roots that round to one double */
+    const int has_no_gap =
+        is_in_both_nappes || (a->n == 1 && hit[0].side == CYLINT_SIDE_BOTH);
     double t0 = -HUGE_VAL, t1 = HUGE_VAL;
-    for (int i = 0; i < a->n && !is_through_apex; i++)
+    for (int i = 0; i < a->n && !has_no_gap; i++)
         *(hit[i].side == CYLINT_SIDE_ENTERING ? &t0 : &t1) = hit[i].t;
     return add_chord(line, t0, t1, chord);
 }

@@ -196,11 +196,7 @@ static int visit_chords_at(line_visit *v, size_t number)
     cylint_shape shape;
     cylint_interval chord[2];
     cylint_record_shape(&v->scene->records, number, &shape);
-    int n = cylint_chord(&shape, v->domain, chord);
-    if (n == 2 && !cylint_less(chord[0].t1, chord[1].t0)) {
-        chord[0].t1 = chord[1].t1; /* the gap is shorter than the roundings */
-        n = 1;
-    }
+    const int n = cylint_chord(&shape, v->domain, chord);
     for (int i = 0; i < n; i++)
         shorten_line(v, v->chord(v->context, number, chord[i]));
     return n > 0;

@@ -60,8 +60,8 @@ static int expected_chords(const struct family_case *c, cylint_interval *chord)
         if (inside) {
             const double t0 = fmax(end[i], c->line.tmin);
             const double t1 = fmin(end[i + 1], c->line.tmax);
-            if (t0 < t1 && kept > 0 && a.hit[i - 1].side == CYLINT_SIDE_BOTH)
-                chord[kept - 1].t1 = t1; /* through the apex */
+            if (t0 < t1 && kept > 0 && chord[kept - 1].t1 == t0)
+                chord[kept - 1].t1 = t1; /* through the apex, or close to it */
             else if (t0 < t1)
                 chord[kept++] = (cylint_interval){t0, t1};
         }

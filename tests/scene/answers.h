@@ -110,18 +110,6 @@ static inline int by_begin(const void *a, const void *b)
                           : (x->shape > y->shape) - (x->shape < y->shape);
 }
 
-/* Chords of a double cone that touch are one piece. */
-static inline int joined_chords(const cylint_shape *shape,
-                                const cylint_line *line,
-                                cylint_interval chord[2])
-{
-    const int n = cylint_chord(shape, line, chord);
-    if (n < 2 || chord[0].t1 < chord[1].t0)
-        return n;
-    chord[0].t1 = chord[1].t1;
-    return 1;
-}
-
 static inline void line_by_loop(const cylint_shape *shapes, size_t n,
                                 const cylint_line *line, struct line_answers *a)
 {
@@ -133,7 +121,7 @@ static inline void line_by_loop(const cylint_shape *shapes, size_t n,
                              CYLINT_WANT_T | CYLINT_WANT_NEAREST, &x))
             add_found(&a->hit, i, x.hit[0].t);
         const int chords =
-            line->in_range ? joined_chords(&shapes[i], line, chord) : 0;
+            line->in_range ? cylint_chord(&shapes[i], line, chord) : 0;
         for (int k = 0; k < chords && a->chords < LISTED; k++)
             a->chord[a->chords++] =
                 (cylint_piece){chord[k].t0, chord[k].t1, i, 1};
