@@ -291,3 +291,44 @@ TEST(filters_get_bare_hits_without_description)
 {
     with_filters(CYLINT_EMBREE_BARE, SCENE_MIXED);
 }
+
+/* Rejects the hit where the ray enters the shape of this number. */
+static unsigned rejected;
+
+static void reject_entry(const struct RTCFilterFunctionNArguments *a)
+{
+    union ray_word hit[RAY_MEMBERS - HIT_NG];
+    memcpy(hit, a->hit, sizeof hit);
+    if (hit[HIT_PRIM - HIT_NG].u == rejected && hit[HIT_U - HIT_NG].f < 0.5f)
+        a->valid[0] = 0;
+}
+
+/* All hits of two plates round to one float.  The ray enters the other one before it
+ * leaves the one of which the entry is rejected. */
+TEST(hits_of_one_float_are_in_the_order_of_their_doubles)
+{
+    const double first[2] = {8 + 0x1p-40, 8 + 0x2p-40}, thick = 0x2p-40;
+    const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
+    struct rays_query query = {0};
+    struct rays r;
+    for (unsigned how = 0; how <= CYLINT_EMBREE_SINGLE;
+         how += CYLINT_EMBREE_SINGLE) {
+        const cylint_embree_options options = {.flags = how};
+        for (rejected = 0; rejected < 2; rejected++) {
+            cylint_shape plate[2];
+            for (unsigned i = 0; i < 2; i++) {
+                const double z = first[i != rejected];
+                cylint_cylinder(&plate[i], (double[]){0, 0, z},
+                                (double[]){0, 0, z + thick}, 1,
+                                CYLINT_ENDS_CAPPED);
+            }
+            OWN_WORLD w = world_made(plate, 2, &options);
+            world_filter(&w, reject_entry);
+            rays_begin(&r, 1);
+            rays_add(&r, 0, o, d, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, &query);
+            CHECK(rays_hit(&r, 0) && rays_at(&r, HIT_PRIM, 0)->u == !rejected &&
+                  rays_at(&r, HIT_U, 0)->f == 0);
+        }
+    }
+}
