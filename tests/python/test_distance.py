@@ -146,6 +146,7 @@ def test_a_table_equals_its_rows_and_columns():
         assert same(shapes[i].closest(points[i]).point, pairs.point[i])
     spread = shapes[259::-1].closest(points[::-1])
     assert same(spread.distance[::-1], pairs.distance) and same(spread.point[::-1], pairs.point)
+    assert same(shapes[:260:2].distance(points[::2]), pairs.distance[::2])
     assert same(shapes.distance(points[:, None]).T, table.distance)
     assert same(shapes[:, None].safety(points)[7], shapes[7].safety(points))
     assert shapes[:3, None, None].distance(points[None, :, None]).shape == (3, 260, 1)
@@ -238,6 +239,8 @@ def test_a_scene_counts_the_shapes_that_hold_a_point():
     assert same(held, (shapes[:, None].contains(points) >= 0).sum(axis=0)) and held.max() > 1
     assert same(held, scene.within_count(points, 0.0, signed=True))
     assert scene.contains([[np.nan, 0, 0], [0, np.inf, 0]]).tolist() == [0, 0]
+    pipe = cylint.Scene(cylint.cylinder([0, 0, 0], [0, 0, 2], 1, ends="open"))
+    assert pipe.within([0, 0, 0.25], 0, signed=True).distance.tolist() == [-0.25]
 
 
 @pytest.mark.parametrize("signed", [False, np.True_])

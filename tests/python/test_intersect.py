@@ -198,6 +198,8 @@ def test_integers_and_singles_are_converted():
 def test_tmin_and_tmax_bound_the_hits():
     hit = cylint.intersect(ROD, [0, 0, -5], [0, 0, 1], [0, 5.5, -9], [[9], [5.5]])
     assert hit.n.tolist() == [[2, 1, 2], [1, 0, 1]]
+    three = cylint.concatenate([ROD] * 3)
+    assert cylint.intersect(three, [0, 0, -5], [0, 0, 1], [0, 5.5, -9]).n.tolist() == [2, 1, 2]
     whole = cylint.intersect(ROD, [0, 0, 5], [0, 0, 1], -np.inf)
     assert whole.t.tolist() == [-5, -4]
 
@@ -214,10 +216,12 @@ def test_the_first_bad_line_is_named(row, wrong):
 
 
 def test_what_does_not_fit_is_named():
-    none, up, d = [0, 0, 0], [0, 0, 1], np.ones((4, 5, 3))
+    none, up, d, o = [0, 0, 0], [0, 0, 1], np.ones((4, 5, 3)), np.ones((9, 1, 3))
     d[2, 3] = 0
+    o[7] = np.nan
     for message, *arguments in (
         (r"^line \(2, 3\): the direction has no len", forest(6, 17)[:, None, None], none, d),
+        (r"^line \(7, 0\): a number is not fini", ROD, o, [up, up[::-1]]),
         ("^line 1: the domain is empty", ROD, none, up, 0, [1, -1]),
         ("^line: the domain is empty or not a numb", ROD, none, up, np.nan),
         (r"origins: expected the shape \(\.\.\., 3\)", ROD, [0, 0], up),
