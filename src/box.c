@@ -50,10 +50,6 @@ static int outward(pair center, pair reach, int is_exact, int up, double *side)
     const pair sum = pair_add(center, up ? reach : pair_neg(reach));
     const double error =
         CYLINT_BOX_ERROR * fabs(center.hi) + CYLINT_BOX_ERROR * fabs(reach.hi);
-    if (!(fabs(sum.hi) <= DBL_MAX)) {
-        *side = up ? HUGE_VAL : -HUGE_VAL;
-        return 1;
-    }
     if (is_exact && (reach.hi == 0 || center.lo == 0)) {
         const int is_inside = up ? sum.lo > 0 : sum.lo < 0;
         *side = is_inside ? cylint_next(sum.hi, up) : sum.hi;

@@ -303,8 +303,8 @@ static void reject_entry(const struct RTCFilterFunctionNArguments *a)
         a->valid[0] = 0;
 }
 
-/* All hits of two plates round to one float.  The ray enters the other one before it
- * leaves the one of which the entry is rejected. */
+/* All hits of two plates round to one float.  The ray enters the other one before
+ * it leaves the one of which the entry is rejected. */
 TEST(hits_of_one_float_are_in_the_order_of_their_doubles)
 {
     const double first[2] = {8 + 0x1p-40, 8 + 0x2p-40}, thick = 0x2p-40;
