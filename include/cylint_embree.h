@@ -30,7 +30,8 @@
  *              root is greater but rounds to that double.
  *   tfar       the least float not below the double t of cylint_intersect(),
  *              which is correctly rounded; never a subnormal one, except the
- *              ray's own tfar.
+ *              ray's own tfar.  What a filter function writes to it stays if
+ *              the function accepts the hit; else tfar is as before.
  *   primID     the shape's number in the array.
  *   u, v       z and phi of the hit, see cylint_hit, rounded to float.  u is in
  *              [0, 1]; on a capsule or a round cone it can also be below 0 or

@@ -332,3 +332,38 @@ TEST(hits_of_one_float_are_in_the_order_of_their_doubles)
         }
     }
 }
+
+/* What the filter below writes to tfar, and whether it accepts. */
+static float written;
+static int accepts;
+
+static void writing_filter(const struct RTCFilterFunctionNArguments *a)
+{
+    union ray_word *ray = (union ray_word *)(void *)a->ray;
+    ray[RAY_TFAR].f = written;
+    a->valid[0] = accepts ? -1 : 0;
+}
+
+/* A ball that is hit at 2 and 4. */
+TEST(a_tfar_that_a_filter_writes_stays_if_it_accepts_the_hit)
+{
+    static const float values[] = {1.5f, 3, 9};
+    const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_embree_options options = {.flags = 0};
+    cylint_shape ball;
+    CHECK(cylint_sphere(&ball, (double[]){3, 0, 0}, 1, CYLINT_ENDS_CAPPED) ==
+          CYLINT_OK);
+    OWN_WORLD w = world_made(&ball, 1, &options);
+    world_filter(&w, writing_filter);
+    for (int i = 0; i < 6; i++)
+        EACH_SIZE(n) {
+            struct rays r;
+            written = values[i / 2];
+            accepts = i % 2;
+            rays_begin(&r, n);
+            rays_add(&r, n - 1, o, d, 0, 8);
+            rays_intersect(&r, w.scene, NULL);
+            CHECK(rays_hit(&r, n - 1) == accepts);
+            CHECK(rays_at(&r, RAY_TFAR, n - 1)->f == (accepts ? written : 8));
+        }
+}
