@@ -11,6 +11,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "cylint_pieces.h"
 #include "same.h"
 #include "shapes/shape_facts.h"
 #include "vectors.h"
@@ -127,19 +128,43 @@ static inline int has_all_wanted_members(const struct family_case *c)
     return cylint_occluded(&c->shape, &c->line) == (answer_to(c).n > 0);
 }
 
-/* The place of the origin bounds the relation, and the box has it. */
+/* The place of the origin, if t = 0 is no end of a chord; -2: it is one, or no chord
+ * remained of an overlap. */
+static inline int place_by_chords(const struct family_case *c)
+{
+    struct family_case whole = *c;
+    cylint_interval chord[2];
+    whole.line = whole_of(c->line);
+    const cylint_answer a = answer_to(&whole);
+    const int n = cylint_chord(&c->shape, &whole.line, chord);
+    int place = n > 0 || a.relation == CYLINT_RELATION_MISS ? -1 : -2;
+    for (int i = 0; i < a.n; i++)
+        if (a.hit[i].t == 0)
+            return -2;
+    for (int i = 0; i < n; i++)
+        if (chord[i].t0 == 0 || chord[i].t1 == 0)
+            return -2;
+        else if (chord[i].t0 < 0 && 0 < chord[i].t1)
+            place = a.relation == CYLINT_RELATION_CROSS;
+    return place;
+}
+
+/* The origin is inside where a chord has it, and its place bounds the relation.  The
+ * box has it. */
 static inline int has_its_origin(const struct family_case *c)
 {
     double lo[3], hi[3];
     const int where = cylint_contains(&c->shape, c->line.o);
-    if (where < 0 || !c->line.valid)
+    if (!c->line.valid)
         return 1;
-    const int relation = answer_to(c).relation;
+    const int relation = answer_to(c).relation, place = place_by_chords(c);
     cylint_bounds(&c->shape, lo, hi);
-    int good = relation != CYLINT_RELATION_MISS &&
-               (where == 0 || relation == CYLINT_RELATION_CROSS);
+    int good = (place == -2 || where == place) &&
+               (where < 0 || relation != CYLINT_RELATION_MISS) &&
+               (where < 1 || relation == CYLINT_RELATION_CROSS);
     for (int i = 0; i < 3; i++)
-        good = good && lo[i] <= c->line.o[i] && c->line.o[i] <= hi[i];
+        good = good &&
+               (where < 0 || (lo[i] <= c->line.o[i] && c->line.o[i] <= hi[i]));
     return good;
 }
 

@@ -40,7 +40,7 @@ PROPERTY(a_cone_with_equal_radii_is_a_cylinder, is_constant_cone)
 PROPERTY(a_circular_shape_is_an_elliptic_one_with_equal_axes,
          is_elliptic_with_equal_axes)
 PROPERTY(missing_caps_only_remove_hits, loses_hits_with_caps)
-PROPERTY(the_origin_bounds_the_relation, has_its_origin)
+PROPERTY(the_origin_is_in_a_chord_if_it_is_inside, has_its_origin)
 PROPERTY(hits_ascend_within_the_domain, has_good_members)
 
 TEST(unwanted_members_are_not_written_and_change_nothing)
