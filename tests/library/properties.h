@@ -128,8 +128,8 @@ static inline int has_all_wanted_members(const struct family_case *c)
     return cylint_occluded(&c->shape, &c->line) == (answer_to(c).n > 0);
 }
 
-/* The place of the origin, if t = 0 is no end of a chord; -2: it is one, or no chord
- * remained of an overlap. */
+/* The place of the origin, if t = 0 is no end of a chord; -2: it is one, or the
+ * overlap is too short for a chord. */
 static inline int place_by_chords(const struct family_case *c)
 {
     struct family_case whole = *c;
@@ -149,8 +149,8 @@ static inline int place_by_chords(const struct family_case *c)
     return place;
 }
 
-/* The origin is inside where a chord has it, and its place bounds the relation.  The
- * box has it. */
+/* The origin is inside if it is in a chord; its place bounds the relation.  The box
+ * has it. */
 static inline int has_its_origin(const struct family_case *c)
 {
     double lo[3], hi[3];
