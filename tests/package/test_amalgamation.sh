@@ -36,9 +36,6 @@ verdict it_compiles_without_a_flag $? || { check_end; exit; }
 compiles "$cc" small -DCYLINT_PLAIN -fsyntax-only # no code for an instruction set of its own
 verdict it_compiles_without_kernels_for_avx $?
 strict='-Wall -Wextra -Wpedantic -Wconversion -Wshadow'
-case ${CFLAGS:-} in # beside the sanitizers' code gcc warns of values that are initialized
-*-fsanitize*) strict="$strict -Wno-maybe-uninitialized" ;;
-esac
 compiles "$cc" library -O2 -std=c99 $strict -DCYLINT_THREADS -pthread ${CFLAGS:-}
 verdict it_compiles_optimized_without_a_warning $? || { check_end; exit; }
 for other in clang tcc aarch64-linux-gnu-gcc s390x-linux-gnu-gcc; do

@@ -339,7 +339,9 @@ PREAMBLE = """/*
 /* The vectorizer of gcc 12 compiles (double)(float)x to x where two of them are
  * adjacent. */
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
-#if __GNUC__ >= 11 /* false alarms where functions of two sections inline */
+/* false alarms: with -O3, and where functions of two sections inline */
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#if __GNUC__ >= 11
 #pragma GCC diagnostic ignored "-Wstringop-overread"
 #endif
 #endif
