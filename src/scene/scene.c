@@ -16,7 +16,7 @@ const char *cylint_scene_strerror(int status)
     static const char *const texts[] = {
         [CYLINT_SCENE_OK] = "no error",
         [CYLINT_SCENE_EMEMORY] = "out of memory",
-        [CYLINT_SCENE_ESIZE] = "more shapes than the scene can have",
+        [CYLINT_SCENE_ESIZE] = "no such shape or solid, or more than 2^28",
         [CYLINT_SCENE_ESTOPPED] = "stopped by a function of the caller",
         [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
         [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
