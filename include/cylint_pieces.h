@@ -93,7 +93,8 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
  *
  * The axis runs from p0 to p1.  outer[0], outer[1]: the radii at p0 and p1.  inner:
  * those of the bore, whose boundary does not belong to the solid; NULL, or two
- * zeros: none.
+ * zeros: none.  A bore that is nowhere narrower than the tube leaves no wall;
+ * this is no error.
  *
  * sector: two directions from the axis, NULL: a full turn.  For the angles s and e
  * about z: {cos s, sin s, 0} and {cos e, sin e, 0}.  The solid is the part

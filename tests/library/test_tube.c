@@ -246,6 +246,16 @@ TEST(a_hole_can_begin_with_the_radius_0)
           piece[1].t1 == 5);
 }
 
+TEST(a_bore_that_is_nowhere_narrower_than_the_tube_leaves_no_wall)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 1},
+                 inner[2][2] = {{2, 1}, {3, 1}}, o[3] = {-3, 0, 1},
+                 d[3] = {1, 0, 0};
+    for (int i = 0; i < 2; i++)
+        CHECK(make_members(p0, p1, outer, inner[i], NULL) == CYLINT_OK &&
+              pieces_on(o, d) == 0);
+}
+
 /* Integers of which no double has a cross product: y is x 2^22, moved by one in a
  * coordinate, or not.  axis . (x cross y) is then a component of axis cross x. */
 TEST(directions_that_nearly_agree_make_the_sector_that_they_say)

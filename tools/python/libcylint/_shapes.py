@@ -591,7 +591,8 @@ def tube(
     """The shapes and clauses of a hollow cylinder or cone, or of a sector of one.
 
     p0, p1: (3,), the axis.  outer, inner: the radii at p0 and p1, (2,), or one for
-    both; inner radii of 0: no bore.
+    both; inner radii of 0: no bore.  A bore that is nowhere narrower than the tube
+    leaves no wall.
     sector: (2, 3), two directions from the axis: the solid is the part from the first
     to the second, right-handed about the axis from p0 to p1.  None: a full turn.
 
