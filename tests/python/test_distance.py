@@ -241,6 +241,8 @@ def test_a_scene_counts_the_shapes_that_hold_a_point():
     assert scene.contains([[np.nan, 0, 0], [0, np.inf, 0]]).tolist() == [0, 0]
     pipe = cylint.Scene(cylint.cylinder([0, 0, 0], [0, 0, 2], 1, ends="open"))
     assert pipe.within([0, 0, 0.25], 0, signed=True).distance.tolist() == [-0.25]
+    rod = cylint.Scene(cylint.cylinder([0, 0, 0], [0, 0, 2], 1, ends="infinite"))
+    assert rod.closest([3, 0, 9], signed=True).point.tolist() == [1, 0, 9]
 
 
 @pytest.mark.parametrize("signed", [False, np.True_])

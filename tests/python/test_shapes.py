@@ -380,6 +380,9 @@ def test_what_text_cannot_hold_is_refused(tmp_path):
         for label in labels:
             with refused(f"shape 1: {why}"):
                 cylint.write_scene(path, rods.with_labels(["fine", label]))
+    many = cylint.cylinder(*UNIT, np.ones(65_538))
+    with refused("shape 65537: text"):  # in the second part that is written
+        cylint.write_scene(path, many.with_labels([""] * 65_537 + ["x\n"]))
     with refused("expected one axis"):
         cylint.write_scene(path, rods[:, None])
     with refused(r"\*\.swc is read as a neuron"):
