@@ -158,7 +158,7 @@ TEST(pieces_are_the_same_in_every_environment)
     long subnormal_ends = 0;
     stream = 3;
     for (int i = 0; i < 400; i++) {
-        const double size = i % 2 ? 0x1p1021 : 1;
+        const double size = i % 2 ? 0x1p1022 : 1;
         if (i % 40 == 0) {
             make_shapes();
             if (i % 80 == 0)
