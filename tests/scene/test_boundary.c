@@ -179,6 +179,29 @@ TEST(of_two_surfaces_at_one_t_the_lower_number_is_the_boundary)
     check_boundary();
 }
 
+/* Both roots of the cone round to the t where the line enters the ball. */
+TEST(a_gap_whose_ends_are_one_double_is_no_boundary)
+{
+    const double apex[3] = {0, 0, 0}, axis[3] = {0, 0, 1}, p[3] = {0, 0, 1024};
+    const double o[3] = {1, 0, -0x1p60}, d[3] = {0, 0, 1};
+    const cylint_member members[] = {{0, 0, 1}, {1, 0, 2}};
+    cylint_workspace work = any_workspace();
+    cylint_shape shape[2];
+    cylint_line line;
+    cylint_hit hit;
+    size_t n;
+    cylint_tangent_cone(&shape[0], apex, axis, 1, CYLINT_ENDS_INFINITE);
+    cylint_sphere(&shape[1], p, 1024, CYLINT_ENDS_CAPPED);
+    cylint_whole_line(&line, o, d);
+    OWN_SCENE *scene = cylint_scene_new(shape, 2, 1, NULL);
+    CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);
+    do
+        n = cylint_scene_first_boundary(scene, &line, CYLINT_WANT_T, &hit,
+                                        &work);
+    while (needs_more(n, &work));
+    CHECK(n == 1 && hit.t == 0x1p60);
+}
+
 TEST(an_invalid_line_has_no_boundary)
 {
     cylint_workspace work = {NULL, 0, 0};
