@@ -100,22 +100,22 @@ static void describe_boundary(const boundary_search *q, unsigned want,
     }
 }
 
-/* The piece that contains the cell before t. */
-static size_t piece_before(const cylint_scene *scene, const cylint_line *line,
-                           double t, cylint_piece *piece,
-                           cylint_workspace *work)
+/* The line from the double before t to the one after it.  A chord that begins or
+ * ends at t does so on this line, too. */
+static cylint_line line_about(const cylint_line *line, double t)
 {
-    const cylint_piece_rule owners = {.mode = CYLINT_PIECES_OWNER};
-    cylint_line last = *line;
-    last.tmin = cylint_next(t, 0);
-    return cylint_scene_pieces(scene, &last, &owners, piece, 1, work);
+    cylint_line part = *line;
+    part.tmin = cylint_next(t, 0);
+    part.tmax = cylint_next(t, 1);
+    return part;
 }
 
 size_t cylint_scene_first_boundary(const cylint_scene *scene,
                                    const cylint_line *line, unsigned want,
                                    cylint_hit *hit, cylint_workspace *work)
 {
-    const cylint_piece_rule unions = {.mode = CYLINT_PIECES_UNION};
+    const cylint_piece_rule unions = {.mode = CYLINT_PIECES_UNION},
+                            owners = {.mode = CYLINT_PIECES_OWNER};
     cylint_piece piece;
     size_t n = cylint_scene_pieces(scene, line, &unions, &piece, 1, work);
     if (n == 0 || n == CYLINT_NO_ROOM)
@@ -127,14 +127,13 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
     q.t = q.enters ? piece.t0 : piece.t1;
     if (!cylint_less(q.t, line->tmax))
         return scene->n;
-    if (!q.enters) {
-        n = piece_before(scene, line, q.t, &piece, work);
-        if (n == CYLINT_NO_ROOM)
-            return n;
-    }
+    const cylint_line part = line_about(line, q.t);
+    if (!q.enters && cylint_scene_pieces(scene, &part, &owners, &piece, 1,
+                                         work) == CYLINT_NO_ROOM)
+        return CYLINT_NO_ROOM;
     q.solid_number = piece.shape;
     consider_late_members(&q);
-    cylint_visit_chords(scene, line, 0, consider_chord, &q);
+    cylint_visit_chords(scene, &part, 0, consider_chord, &q);
     describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
     return q.number;
 }
