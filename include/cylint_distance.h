@@ -107,8 +107,7 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * components are 0 or at least 2^-100, and |a.(b x h)| is at least 2^-40 of its
  * largest term.  It is not proved for a point whose distances from two features,
  * inside also from two points of the lateral surface, differ by no more than
- * rounding errors of doubles, and for many points inside open ends and within 1e-10
- * of the surface.
+ * rounding errors of doubles, and for many points inside open ends and beside rims.
  *
  * Other answers are measured, not proved.  The lateral surface and each rim have at
  * most four stationary points.  All of them are computed in sums of three doubles,
@@ -125,8 +124,8 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * is right.
  *
  * A proved distance takes 0.4 to 0.6 microseconds (AVX2), with point and normal
- * 0.5 to 0.8; another one takes 6 to 16, and up to 0.1 milliseconds where
- * stationary points nearly coincide.
+ * 0.5 to 0.8, within 1e-10 of the surface 0.7 to 1.4; another one takes 6 to 16, and
+ * up to 0.1 milliseconds where stationary points nearly coincide.
  */
 CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,

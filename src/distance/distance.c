@@ -82,7 +82,26 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
     return undecided & CYLINT_WANT_NORMAL;
 }
 
-/* Writes what heads and tails, pairs and triples decide; returns the others. */
+/* Writes what pairs and triples decide; returns the others. */
+CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
+                                const double point[3], unsigned want,
+                                cylint_closest *answer)
+{
+    if (!cylint_rounds_to_nearest() || flushes_a_number(shape, point))
+        return want;
+    cylint_in_pairs *const in_pairs =
+        cylint_is_elliptic(shape->kind)
+            ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
+            : CYLINT_OF_FMA(cylint_one_distances)->pairs;
+    const unsigned undecided = in_pairs(shape, point, want, answer);
+    return undecided & CYLINT_IS_ON_SURFACE ||
+                   (undecided & CYLINT_ON_SURFACE &&
+                    cylint_contains(shape, point) == 0)
+               ? answer_on_boundary(shape, point, want, undecided, answer)
+               : undecided;
+}
+
+/* The same, with heads and tails first. */
 static unsigned by_doubles(const cylint_shape *shape, const double point[3],
                            unsigned want, cylint_closest *answer)
 {
@@ -92,16 +111,7 @@ static unsigned by_doubles(const cylint_shape *shape, const double point[3],
         k->head_tail[shape->kind][with_part] &&
         k->head_tail[shape->kind][with_part](shape, point, answer))
         return 0;
-    if (!cylint_rounds_to_nearest() || flushes_a_number(shape, point))
-        return want;
-    cylint_in_pairs *const in_pairs =
-        cylint_is_elliptic(shape->kind)
-            ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
-            : k->pairs;
-    const unsigned undecided = in_pairs(shape, point, want, answer);
-    return undecided & CYLINT_ON_SURFACE && cylint_contains(shape, point) == 0
-               ? answer_on_boundary(shape, point, want, undecided, answer)
-               : undecided;
+    return by_pairs(shape, point, want, answer);
 }
 
 /* Of a half-space.  The nearest point is the hit of the line along the normal.
@@ -197,4 +207,13 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
     cylint_contradiction(contradicts(shape, point, want, answer));
 #endif
     return answer->distance;
+}
+
+double cylint_distance_alone(const cylint_shape *shape, const double point[3],
+                             cylint_closest *answer, int *proved)
+{
+    *proved = cylint_prepared(shape) &&
+              by_pairs(shape, point, CYLINT_WANT_DISTANCE, answer) == 0;
+    return *proved ? answer->distance
+                   : answer_beyond_doubles(shape, point, 0, answer);
 }

@@ -11,6 +11,11 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
+/* cylint_distance() without members.  proved: whether doubles, pairs or triples near
+ * the surface prove it. */
+double cylint_distance_alone(const cylint_shape *shape, const double point[3],
+                             cylint_closest *answer, int *proved);
+
 /* pairs: of a prepared shape, all members or none.  safety: a lower bound of the
  * absolute distance from it, in doubles, in any rounding mode; 0 or less, or NaN,
  * where there is none. */

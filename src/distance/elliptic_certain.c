@@ -39,6 +39,15 @@ static int has_tiny(const cylint_shape *s, const double point[3])
     return tiny;
 }
 
+/* Point and normal need the angle in pairs, a distance near the surface triples. */
+static int first_effort(const elliptic_question *q, unsigned want)
+{
+    if (q->side == 0 || (q->feature == CYLINT_FEATURE_LATERAL &&
+                         fabs(q->plane.n) < CYLINT_NEEDS_TRIPLES * q->at.rho))
+        return 2;
+    return (want & CYLINT_WANT_GEOMETRY) != 0;
+}
+
 static unsigned elliptic_in_pairs(const cylint_shape *shape,
                                   const double point[3], unsigned want,
                                   cylint_closest *answer)
@@ -47,18 +56,23 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     elliptic_numbers m;
     elliptic_answer a;
     double d;
-    int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, certain;
+    int effort, certain;
     const unsigned all = want | CYLINT_ON_SURFACE;
-    if (exactly && has_tiny(shape, point))
+    if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
         return all;
-    if (find_in_pairs(&q, &m, shape, point) == CYLINT_NO_FEATURE)
+    if (!locate_question(&q, shape, point, 0))
         return all;
+    if (q.side == 0 && cylint_contains(shape, point) == 0)
+        return want | CYLINT_IS_ON_SURFACE;
+    if (find_in_pairs(&q, &m, point) == CYLINT_NO_FEATURE)
+        return all;
+    effort = first_effort(&q, want);
     do {
-        answer_in_pairs(&a, &q, &m, point, exactly);
+        answer_in_pairs(&a, &q, &m, point, effort, want);
         certain = m_any(rounds(a.distance, &d));
-    } while (!certain && exactly++ == 0);
+    } while (!certain && effort++ < 2);
     /* untaken 1 of 4: every known certain distance has the sign of the side */
-    if (!certain || (d < 0) != q.inside ||
+    if (!certain || d * q.side > 0 ||
         /* untaken 1 of 2: and is not tiny */
         !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
         (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
@@ -83,8 +97,8 @@ static double distance_in_doubles(const elliptic_question *q)
     double F[3];
     switch (q->feature) {
     case CYLINT_FEATURE_LATERAL:
-        return plane_less(&q->plane, q->inside ? -q->plane.n : q->plane.n, p) -
-               (q->inside ? q->by.distance : 0);
+        return plane_less(&q->plane, -q->side * q->plane.n, p) -
+               (q->side > 0 ? q->by.distance : 0);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
         return height_less(above > 0 ? above : below, p->z_error, p->z_norm,
@@ -102,9 +116,10 @@ static double distance_in_doubles(const elliptic_question *q)
 static double elliptic_safety(const cylint_shape *shape, const double point[3])
 {
     elliptic_question q;
-    return find_feature_of(&q, shape, point, 1) == CYLINT_NO_FEATURE
-               ? 0
-               : distance_in_doubles(&q);
+    return locate_question(&q, shape, point, 1) &&
+                   find_elliptic_feature(&q) != CYLINT_NO_FEATURE
+               ? distance_in_doubles(&q)
+               : 0;
 }
 
 const cylint_elliptic_kernels CYLINT_ELLIPTIC_KERNELS = {elliptic_in_pairs,

@@ -19,13 +19,15 @@
 typedef struct {
     const cylint_shape *shape;
     elliptic_place at;
-    int feature, inside, is_turned;
-    int rough; /* a rough angle is enough */
+    int feature, is_turned;
+    int side;    /* 1: inside, -1: outside, 0: beside the surface, uncertain */
+    double room; /* rho less the distance from the axis, at least */
+    int rough;   /* a rough angle is enough */
     angle e;
     tangent_plane plane;
     rim_place rim;
-    uncertainty by; /* of the angle in doubles */
-    double curvature;
+    uncertainty by;   /* of the angle in doubles */
+    double curvature; /* 0: outside, not near the lateral surface */
 } elliptic_question;
 
 /* n / |N|, less the errors of both. */
@@ -87,7 +89,7 @@ static inline double rho_at_foot(const elliptic_question *q)
 /* The uncertainty for all l up to this one. */
 ASIDE uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
 {
-    return q->inside
+    return q->curvature > 0
                ? inside_lateral_surface(&q->plane, &q->at, l, q->curvature)
                : outside_lateral(&q->plane, &q->at, l, rho_at_foot(q));
 }
@@ -116,11 +118,12 @@ static inline int find_on_lateral(elliptic_question *q)
     const tangent_plane *t = &q->plane;
     const double l =
         fabs(t->slope_of_n - t->n * t->half_q / t->q) + slope_error(q);
-    q->curvature =
-        q->inside ? inner_curvature(t, &q->at, q->rough ? 0 : q->at.error) : 0;
+    q->curvature = curvature_beside(t, &q->at, l);
+    if (!(q->curvature > 0) && q->side > 0)
+        q->curvature = inner_curvature(t, &q->at, q->rough ? 0 : q->at.error);
     q->by = uncertainty_of_plane(q, l);
     return normal_error(&q->plane, &q->at) < 0x1p-10 &&
-           (q->inside ? q->curvature > 0 : rho_at_foot(q) > 0);
+           (q->curvature > 0 || (q->side < 0 && rho_at_foot(q) > 0));
 }
 
 static inline int find_on_rim(elliptic_question *q, int end)
@@ -214,7 +217,7 @@ static inline int feature_of_end(elliptic_question *q, int end)
     const double above = end ? q->at.z - 1 : -q->at.z;
     const unsigned caps = cylint_caps_present(q->shape->ends);
     const int over = is_over_end(q, end);
-    q->inside = 0;
+    q->side = -1;
     /* untaken 1 of 4: no known point is over an end and certainly below it */
     if (over && !(above < -q->at.z_error)) {
         /* untaken 1 of 4: nor next to its plane */
@@ -229,14 +232,14 @@ static inline int feature_of_end(elliptic_question *q, int end)
     return is_apex ? CYLINT_NO_FEATURE : find_on_rim(q, end);
 }
 
-/* Inside: the lateral surface or the nearer of the caps that are present.  A cap
- * that is nearer than the lateral surface without ends has the foot of the
- * perpendicular on its plane. */
+/* Inside, and beside the lateral surface: that or the nearer of the caps that are
+ * present.  A cap that is nearer than the lateral surface without ends has the foot
+ * of the perpendicular on its plane. */
 static inline int feature_inside(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const unsigned caps = cylint_caps_present(q->shape->ends);
-    const double size = sqrt(q->plane.q), lateral = -q->plane.n / size;
+    const double size = sqrt(q->plane.q), lateral = fabs(q->plane.n) / size;
     const double low = caps & 1 ? p->z / p->z_norm : HUGE_VAL,
                  high = caps & 2 ? (1 - p->z) / p->z_norm : HUGE_VAL;
     const int end = high < low;
@@ -245,25 +248,48 @@ static inline int feature_inside(elliptic_question *q)
                          q->by.distance +
                          8 * p->relative * (1 / p->z_norm + lateral);
     if (lateral < cap - error)
-        return caps == 3 || place_of_foot(q).is_within ? CYLINT_FEATURE_LATERAL
-                                                       : CYLINT_NO_FEATURE;
-    if (!(cap < lateral - error) || !(fabs(high - low) > error))
+        return (caps == 3 && q->side > 0) || place_of_foot(q).is_within
+                   ? CYLINT_FEATURE_LATERAL
+                   : CYLINT_NO_FEATURE;
+    if (q->side == 0 || !(cap < lateral - error) || !(fabs(high - low) > error))
         return CYLINT_NO_FEATURE;
     return CYLINT_FEATURE_CAP0 + end;
 }
 
-/* Inside, or within the lateral surface beyond an end. */
-static inline int feature_within(elliptic_question *q)
+static inline int is_between_ends(const elliptic_place *p)
+{
+    return p->z > p->z_error && p->z < 1 - p->z_error;
+}
+
+static inline int is_beyond_end(const elliptic_place *p, int end)
+{
+    return end ? p->z > 1 + p->z_error : p->z < -p->z_error;
+}
+
+/* Beside the plane of a cap, on either side, and twice as far from the lateral
+ * surface: no tangent plane is nearer than room / norm. */
+static inline int feature_beside_cap(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
+    const int end = p->z > 0.5;
+    const double off = fabs(end ? p->z - 1 : p->z) + p->z_error;
+    return cylint_caps_present(q->shape->ends) >> end & 1 && off < 0x1p-10 &&
+                   p->relative < 0x1p-10 &&
+                   2 * off * p->norm < q->room * p->z_norm
+               ? CYLINT_FEATURE_CAP0 + end
+               : CYLINT_NO_FEATURE;
+}
+
+/* Inside, or within the lateral surface beyond an end, or beside that surface. */
+static inline int feature_within(elliptic_question *q)
+{
     const int bounded = cylint_is_bounded(q->shape);
-    q->inside = 1;
-    if (bounded && p->z < -p->z_error)
+    if (bounded && q->side && is_beyond_end(&q->at, 0))
         return feature_of_end(q, 0);
-    if (bounded && p->z > 1 + p->z_error)
+    if (bounded && q->side && is_beyond_end(&q->at, 1))
         return feature_of_end(q, 1);
-    if (bounded && !(p->z > p->z_error && p->z < 1 - p->z_error))
-        return CYLINT_NO_FEATURE;
+    if (bounded && !is_between_ends(&q->at))
+        return feature_beside_cap(q);
     if (!find_on_lateral(q))
         return CYLINT_NO_FEATURE;
     return bounded ? feature_inside(q) : CYLINT_FEATURE_LATERAL;
@@ -301,7 +327,6 @@ static inline int feature_outside(elliptic_question *q)
     const cylint_shape *s = q->shape;
     const int bounded = cylint_is_bounded(s);
     const double k1 = q->at.slope;
-    q->inside = 0;
     if (s->ends != CYLINT_ENDS_INFINITE && k1 != 0 &&
         are_feet_beyond(q, apex_share(&q->at), 0, k1 < 0)) {
         if (!bounded || cylint_sign(cylint_r1(s)) == 0)
@@ -333,14 +358,14 @@ static inline int is_ordinary_question(const cylint_shape *s,
            CYLINT_ELLIPTIC_MOST;
 }
 
-/* Of a point within the lateral surface without ends, or certainly outside. */
-static inline int find_feature_of(elliptic_question *q, const cylint_shape *s,
+/* Writes the members but those of a feature.  Returns 0 if products of lengths can
+ * overflow. */
+static inline int locate_question(elliptic_question *q, const cylint_shape *s,
                                   const double point[3], int rough)
 {
     elliptic_place *p = &q->at;
-    q->feature = CYLINT_NO_FEATURE;
     if (!is_ordinary_question(s, point))
-        return q->feature;
+        return 0;
     q->shape = s;
     q->rough = rough;
     locate(p, s, point,
@@ -349,11 +374,19 @@ static inline int find_feature_of(elliptic_question *q, const cylint_shape *s,
     if (q->is_turned)
         turn_place(p);
     const double r = sqrt(p->x * p->x + p->y * p->y);
-    if (r < p->rho - p->error)
-        q->feature = feature_within(q);
-    else if (r > p->rho + p->error)
-        q->feature = feature_outside(q);
-    return q->feature;
+    q->room = p->rho - p->error - r;
+    q->side = r > p->rho + p->error ? -1 : q->room > 0;
+    if (q->side > 0 && cylint_is_bounded(s))
+        q->side =
+            is_between_ends(p) || is_beyond_end(p, 0) || is_beyond_end(p, 1);
+    return 1;
+}
+
+static inline int find_elliptic_feature(elliptic_question *q)
+{
+    return q->feature = q->side < 0                ? feature_outside(q)
+                        : q->side > 0 || !q->rough ? feature_within(q)
+                                                   : CYLINT_NO_FEATURE;
 }
 
 #endif

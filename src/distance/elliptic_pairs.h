@@ -2,9 +2,11 @@
  * elliptic_pairs.h - the distance, nearest point and normal of an elliptic shape in
  * pairs, given the feature and the angle in doubles
  *
- * The distance is computed once: its error by that of the angle is of the
+ * The effort 0 computes the distance once: its error by that of the angle is of the
  * second order.  The point and the normal, and a distance that is not certain
- * by then, need the angle in pairs: one more step of Newton's iteration.  With
+ * by then, need the angle in pairs: one more step of Newton's iteration, effort 1.
+ * Near the lateral surface and the caps the effort is 2: there n, a small difference
+ * of large terms, is computed in triples.  With
  * U = b x h, V = h x a and W = a x b, which are the rows of the inverse matrix
  * times a.(b x h),
  *     n = cos D.U + sin D.V - (a.(b x h) + (k - 1) D.W)
@@ -16,7 +18,9 @@
 #include "../shapes/measure.h"
 #include "describe_nearest.h"
 #include "elliptic_feature.h"
+#include "one_distance.h"
 #include "sized_pair.h"
+#include "triple_vector.h"
 
 /* A question in pairs; a double cone whose other nappe is nearer is turned about
  * its apex. */
@@ -64,11 +68,11 @@ static inline void turn_numbers_about_apex(elliptic_numbers *m)
 
 /* CYLINT_NO_FEATURE: also of a shape too flat for pairs. */
 static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
-                                const cylint_shape *s, const double point[3])
+                                const double point[3])
 {
-    if (find_feature_of(q, s, point, 0) == CYLINT_NO_FEATURE)
+    if (find_elliptic_feature(q) == CYLINT_NO_FEATURE)
         return CYLINT_NO_FEATURE;
-    load_numbers(m, s, point);
+    load_numbers(m, q->shape, point);
     const double volume = fabs(m->volume.v.hi),
                  error = CYLINT_SIZED_ERROR * m->volume.size;
     const int flat = !(error <= CYLINT_ROUNDING * volume);
@@ -208,22 +212,93 @@ static inline void write_foot(bounded to[3], const double point[3], bounded d,
         to[i] = step_along(point[i], back, n[i]);
 }
 
+/* A form in triples as a pair: CYLINT_SIZED_ERROR times its size is the error of
+ * triples. */
+static inline sized sized_form(triple form, double size)
+{
+    const pair x = pair_of_triple(form);
+    return (sized){{x.hi, x.lo},
+                   CYLINT_CLOSE_ERROR / CYLINT_SIZED_ERROR * size};
+}
+
+ASIDE triple dot_of_triples(const triple u[3], const triple v[3])
+{
+    return triple_dot(u, v);
+}
+
+/* D.(u x v) */
+ASIDE triple triple_volume(const triple D[3], const double u[3],
+                           const double v[3])
+{
+    triple x[3];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        x[i] = triple_sub(triple_of_pair(two_prod(u[j], v[k])),
+                          triple_of_pair(two_prod(u[k], v[j])));
+    }
+    return dot_of_triples(D, x);
+}
+
+/* Numbers of elliptic_numbers in triples. */
+typedef struct {
+    triple place[3]; /* x, y, rho */
+    triple z, volume;
+} elliptic_triples;
+
+ASIDE void load_triples(elliptic_triples *to, const cylint_shape *s,
+                        const double point[3])
+{
+    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
+    triple D[3], A[3];
+    load_difference(D, point, cylint_base(s));
+    for (int i = 0; i < 3; i++)
+        A[i] = triple_of(a[i]);
+    to->place[0] = triple_volume(D, b, h);
+    to->place[1] = triple_volume(D, h, a);
+    to->z = triple_volume(D, a, b);
+    to->volume = triple_volume(A, b, h);
+    const triple k1 = triple_of_pair(two_diff(cylint_r1(s), 1));
+    to->place[2] = triple_add(to->volume, triple_mul(k1, to->z));
+}
+
+/* n in triples: cos x + sin y - |e| rho.  |e|, which is 1 in pairs only, is
+ * (e.e + 1) / 2 but for less than (e.e - 1)^2.  Returns |e.e - 1|: n / |N| changes
+ * by half of that, |N| by half of norm / |N| times that. */
+static inline double refine_height(plane_in_pairs *t,
+                                   const elliptic_question *q,
+                                   const double point[3],
+                                   const direction_pair *e)
+{
+    triple of[3] = {{e->cos.v.hi, e->cos.v.lo, 0},
+                    {e->sin.v.hi, e->sin.v.lo, 0},
+                    {1, 0, 0}};
+    elliptic_triples m;
+    load_triples(&m, q->shape, point);
+    of[2] = triple_scale(dot_of_triples(of, of), -0.5);
+    const triple n = dot_of_triples(of, m.place);
+    t->n = sized_form(q->is_turned ? triple_neg(n) : n, t->n.size);
+    return 2 * fabs((of[2].a + 1) + of[2].b);
+}
+
 static inline void answer_on_lateral(elliptic_answer *to,
                                      const elliptic_question *q,
                                      const elliptic_numbers *m,
-                                     const double point[3], int exactly,
-                                     int tapered)
+                                     const double point[3], int effort,
+                                     unsigned want, int tapered)
 {
     plane_in_pairs t;
+    double by_length = 0, sign = copysign(1, m->volume.v.hi);
     uncertainty by = q->by;
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
     load_plane(&t, m, &e, tapered);
-    if (exactly)
+    if (effort)
         correct_plane(&t, &e, &by, m, q, tapered);
     const double ratio = q->at.norm / sqrt(q->plane.q);
-    to->distance = quotient_by_size(t.n, t.inverse, root_error(&t.q, 0),
-                                    by.distance, copysign(1, m->volume.v.hi));
-    if (!exactly)
+    if (effort > 1)
+        by_length = ratio * refine_height(&t, q, point, &e);
+    to->distance = quotient_by_size(t.n, t.inverse, root_error(&t.q, by_length),
+                                    by.distance, sign);
+    if (!(want & CYLINT_WANT_GEOMETRY))
         return;
     write_unit(to->normal, t.N, t.inverse, root_error(&t.q, ratio * by.turn),
                t.slope_of_N, by.turn, m->outward);
@@ -247,15 +322,23 @@ static inline void keep_coordinate(elliptic_answer *to,
 static inline void answer_on_cap(elliptic_answer *to,
                                  const elliptic_question *q,
                                  const elliptic_numbers *m,
-                                 const double point[3], int end)
+                                 const double point[3], int end, int effort,
+                                 unsigned want)
 {
     vpair inverse;
     const sized square = sized_dot(m->W, m->W);
-    const sized above = end ? sized_difference(m->z, m->volume) : m->z;
+    sized above = end ? sized_difference(m->z, m->volume) : m->z;
     pairs_root(square.v, &inverse);
     const double relative = root_error(&square, 0);
     const double sign = (m->volume.v.hi < 0) != !end ? -1 : 1;
+    if (effort > 1) {
+        elliptic_triples t;
+        load_triples(&t, q->shape, point);
+        above = sized_form(end ? triple_sub(t.z, t.volume) : t.z, above.size);
+    }
     to->distance = quotient_by_size(above, inverse, relative, 0, sign);
+    if (!(want & CYLINT_WANT_GEOMETRY))
+        return;
     write_unit(to->normal, m->W, inverse, relative, NULL, 0, sign);
     write_foot(to->point, point, to->distance, to->normal);
     keep_coordinate(to, q, m, end);
@@ -330,8 +413,8 @@ ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
 
 static inline void answer_on_rim(elliptic_answer *to,
                                  const elliptic_question *q,
-                                 const elliptic_numbers *m, int end,
-                                 int exactly, int tapered)
+                                 const elliptic_numbers *m, int end, int effort,
+                                 unsigned want, int tapered)
 {
     const cylint_shape *s = q->shape;
     const rim_place *doubles = &q->rim;
@@ -341,7 +424,7 @@ static inline void answer_on_rim(elliptic_answer *to,
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
     load_from_end(F, m, s, end);
     load_rim_in_pairs(&r, s, F, doubles->f, &e);
-    if (exactly) {
+    if (effort) {
         const double slope =
             doubles->f * (doubles->f * cylint_dot(doubles->v, doubles->v) +
                           cylint_dot(doubles->R, doubles->u));
@@ -353,7 +436,7 @@ static inline void answer_on_rim(elliptic_answer *to,
         }
     }
     to->distance = length_of_pairs(r.R, by.distance);
-    if (!exactly)
+    if (!(want & CYLINT_WANT_GEOMETRY))
         return;
     plane_in_pairs t;
     load_plane(&t, m, &e, tapered);
@@ -375,22 +458,24 @@ static inline void answer_on_rim(elliptic_answer *to,
 static inline void answer_in_pairs(elliptic_answer *to,
                                    const elliptic_question *q,
                                    const elliptic_numbers *m,
-                                   const double point[3], int exactly)
+                                   const double point[3], int effort,
+                                   unsigned want)
 {
     const int tapered = cylint_is_tapered(q->shape->kind);
     switch (q->feature) {
     case CYLINT_FEATURE_LATERAL:
-        answer_on_lateral(to, q, m, point, exactly, tapered);
+        answer_on_lateral(to, q, m, point, effort, want, tapered);
         break;
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        answer_on_cap(to, q, m, point, q->feature == CYLINT_FEATURE_CAP1);
+        answer_on_cap(to, q, m, point, q->feature == CYLINT_FEATURE_CAP1,
+                      effort, want);
         break;
     case CYLINT_FEATURE_APEX:
         answer_on_apex(to, q, m);
         break;
     default:
-        answer_on_rim(to, q, m, q->feature == CYLINT_FEATURE_RIM1, exactly,
+        answer_on_rim(to, q, m, q->feature == CYLINT_FEATURE_RIM1, effort, want,
                       tapered);
     }
 }

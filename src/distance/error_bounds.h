@@ -56,8 +56,9 @@
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 
 /*
- * Distances in triples (distance/near_surface.h): fewer than 2^5 operations with
- * an error of CYLINT_TRIPLE_ROUNDING of terms whose sizes are counted there.
+ * Distances in triples (distance/near_surface.h, distance/elliptic_pairs.h): fewer
+ * than 2^5 operations with an error of CYLINT_TRIPLE_ROUNDING of terms whose sizes
+ * are counted there.  Of elliptic kinds also tests/bounds/test_local_residuals.c.
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
  * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
  * the relative error of a few operations on pairs.
@@ -142,6 +143,8 @@
  *   CYLINT_SIZED_ERROR      of a sum of products in pairs (distance/sized_pair.h),
  *                           relative to the sizes of its terms: a term passes fewer
  *                           than 16 operations, with CYLINT_PAIR_PRODUCT each
+ *   CYLINT_NEEDS_TRIPLES    n / rho of the lateral surface for which pairs do not
+ *                           suffice: it affects only the speed
  *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature
  *                           (distance/elliptic_certainty.h), relative to the sizes
  *                           of their terms: fewer than 2^6 roundings
@@ -161,6 +164,7 @@
 #define CYLINT_ELLIPTIC_SAFETY_ERROR (64 * CYLINT_ROUNDING)
 #define CYLINT_ELLIPTIC_ERROR (16 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SIZED_ERROR 0x1p-94
+#define CYLINT_NEEDS_TRIPLES 0x1p-36
 #define CYLINT_CURVATURE_ERROR 0x1p-40
 #define CYLINT_ELLIPTIC_LEAST 0x1p-100
 #define CYLINT_ELLIPTIC_MOST 0x1p100

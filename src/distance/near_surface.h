@@ -19,18 +19,6 @@
 #include "distance_types.h"
 #include "triple_vector.h"
 
-static pair pair_of_triple(triple x)
-{
-    return fast_two_sum(x.a, x.b + x.c);
-}
-
-static void load_difference(triple D[3], const double point[3],
-                            const double from[3])
-{
-    EACH(i, 3)
-        D[i] = triple_of_pair(two_diff(point[i], from[i]));
-}
-
 static void load_axis(triple w[3], const cylint_shape *s)
 {
     EACH(i, 3)

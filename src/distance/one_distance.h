@@ -8,10 +8,12 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
-/* Bits beside those of wanted members: the distance; the distance can be 0. */
+/* Bits beside those of wanted members: the distance; the distance can be 0; it
+ * is 0. */
 enum {
     CYLINT_WANT_DISTANCE = CYLINT_WANT_T,
     CYLINT_ON_SURFACE = CYLINT_WANT_NEAREST,
+    CYLINT_IS_ON_SURFACE = CYLINT_WANT_PHI,
     CYLINT_WANT_GEOMETRY = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL
 };
 
@@ -25,7 +27,8 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
 /* Writes the members of `want` that are certain, and returns the others, in pairs,
  * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
  * is undecided and the point can be on the surface: other members are then right if
- * it is and the surface is whole.  want: CYLINT_WANT_DISTANCE too. */
+ * it is and the surface is whole.  Of elliptic kinds also CYLINT_IS_ON_SURFACE.  want:
+ * CYLINT_WANT_DISTANCE too. */
 typedef unsigned cylint_in_pairs(const cylint_shape *shape,
                                  const double point[3], unsigned want,
                                  cylint_closest *answer);

@@ -24,13 +24,15 @@
 ASIDE double below_distance(const cylint_shape *shape, const double point[3])
 {
     cylint_closest answer;
+    int proved;
     /* mutant '0' -> '1': only its sign is used */
     answer.part = 0;
-    const double size = fabs(cylint_distance(shape, point, 0, &answer));
+    const double size =
+        fabs(cylint_distance_alone(shape, point, &answer, &proved));
     if (answer.part < 0 || cylint_sign(size) == 0)
         return size;
     const double below = fabs(cylint_next_above(-size)); /* no -0 */
-    return cylint_is_elliptic(shape->kind)
+    return cylint_is_elliptic(shape->kind) && !proved
                ? cylint_below_elliptic(shape, point, below)
                : below;
 }

@@ -62,6 +62,19 @@ static inline double triple_value(triple x)
     return x.a + (x.b + x.c);
 }
 
+static inline pair pair_of_triple(triple x)
+{
+    return fast_two_sum(x.a, x.b + x.c);
+}
+
+/* D = point - from */
+static inline void load_difference(triple D[3], const double point[3],
+                                   const double from[3])
+{
+    for (int i = 0; i < 3; i++)
+        D[i] = triple_of_pair(two_diff(point[i], from[i]));
+}
+
 static inline triple triple_dot(const triple u[3], const triple v[3])
 {
     return triple_add(triple_mul2(u[0], v[0], u[1], v[1]),

@@ -9,55 +9,21 @@
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "distance/elliptic_pairs.h"
-#include "distance/triple_vector.h"
 #include "distance_points.h"
 
 enum { CASES = 4000 };
 
 static double most_in_pairs, most_in_doubles;
 
-/* x, y, z and a.(b x h) of a point in triples. */
-typedef struct {
-    triple x, y, z, volume;
-} triple_numbers;
-
-/* D.(u x v) */
-static triple triple_product(const triple D[3], const double u[3],
-                             const double v[3])
-{
-    triple x[3], U[3], V[3];
-    for (int i = 0; i < 3; i++) {
-        U[i] = triple_of(u[i]);
-        V[i] = triple_of(v[i]);
-    }
-    triple_cross(x, U, V);
-    return triple_dot(D, x);
-}
-
-static void load_triples(triple_numbers *t, const double point[3],
-                         const cylint_shape *s)
-{
-    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
-    triple D[3], A[3];
-    for (int i = 0; i < 3; i++) {
-        D[i] = triple_of_pair(two_diff(point[i], cylint_base(s)[i]));
-        A[i] = triple_of(a[i]);
-    }
-    t->x = triple_product(D, b, h);
-    t->y = triple_product(D, h, a);
-    t->z = triple_product(D, a, b);
-    t->volume = triple_product(A, b, h);
-}
-
 /* n of an angle, whose length is brought to 1 in triples. */
-static triple height_in_triples(const triple_numbers *t, triple rho,
+static triple height_in_triples(const elliptic_triples *t,
                                 const direction_pair *e)
 {
     const triple c = triple_of_pair(e->cos.v), d = triple_of_pair(e->sin.v);
     const triple more = triple_sub(triple_mul2(c, c, d, d), triple_of(1));
-    const triple turned = triple_mul2(c, t->x, d, t->y);
+    const triple turned = triple_mul2(c, t->place[0], d, t->place[1]);
     const triple less = triple_times(turned, -0.5 * triple_value(more));
-    return triple_sub(triple_add(turned, less), rho);
+    return triple_sub(triple_add(turned, less), t->place[2]);
 }
 
 /* The size of x - y. */
@@ -88,14 +54,15 @@ static double off_by(double x, triple y, triple volume)
     return fabs(triple_value(d) / triple_value(volume));
 }
 
-static void check_place(const elliptic_numbers *m, const triple_numbers *t,
-                        const elliptic_place *p, triple rho)
+static void check_place(const elliptic_numbers *m, const elliptic_triples *t,
+                        const elliptic_place *p)
 {
-    const double off = off_by(p->x, t->x, t->volume) +
-                       off_by(p->y, t->y, t->volume) +
-                       off_by(p->rho, rho, t->volume);
-    CHECK(is_exact(m->x, t->x) && is_exact(m->y, t->y) && is_exact(m->z, t->z));
-    CHECK(is_exact(m->volume, t->volume) && is_exact(m->rho, rho));
+    const double off = off_by(p->x, t->place[0], t->volume) +
+                       off_by(p->y, t->place[1], t->volume) +
+                       off_by(p->rho, t->place[2], t->volume);
+    CHECK(is_exact(m->x, t->place[0]) && is_exact(m->y, t->place[1]) &&
+          is_exact(m->rho, t->place[2]));
+    CHECK(is_exact(m->z, t->z) && is_exact(m->volume, t->volume));
     CHECK(is_below(off, p->error, &most_in_doubles));
     CHECK(
         is_below(off_by(p->z, t->z, t->volume), p->z_error, &most_in_doubles));
@@ -105,19 +72,17 @@ static void check_point(const cylint_shape *s, const double point[3])
 {
     elliptic_numbers m;
     elliptic_place p;
-    triple_numbers t;
+    elliptic_triples t;
     plane_in_pairs plane;
     load_numbers(&m, s, point);
     locate(&p, s, point, CYLINT_ELLIPTIC_ERROR);
-    load_triples(&t, point, s);
-    const triple growth = triple_add(triple_of(cylint_r1(s)), triple_of(-1));
-    const triple rho = triple_add(t.volume, triple_mul(growth, t.z));
-    check_place(&m, &t, &p, rho);
+    load_triples(&t, s, point);
+    check_place(&m, &t, &p);
     const double turn = between(0, 6.283185307179586);
     const direction_pair at =
         direction_of((vpair){cos(turn), 0}, (vpair){sin(turn), 0});
     load_plane(&plane, &m, &at, cylint_is_tapered(s->kind));
-    CHECK(is_exact(plane.n, height_in_triples(&t, rho, &at)));
+    CHECK(is_exact(plane.n, height_in_triples(&t, &at)));
 }
 
 /* Of all families of prepared shapes but those of extreme sizes. */

@@ -12,7 +12,8 @@
 #define INLINE static inline
 
 static constant TRIPLE = {"TRIPLE", CYLINT_LOCAL_LEVELS, 0},
-                ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0};
+                ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0},
+                CLOSE = {"CLOSE_ERROR", CYLINT_CLOSE_ERROR, 0};
 
 /*
  * Triples (triple.h).  After a triple_sum |b| is at most 2^-53 |a| + c and the
@@ -306,6 +307,47 @@ TEST(an_operation_on_triples_has_its_bound)
     need(triple_plus(x, x).off, 2);
     need(triple_times(x, x).off, 1);
     judge_in(&ROUNDING, "", "triples");
+}
+
+static triple_number triple_dot_of(const triple_number x[3],
+                                   const triple_number y[3])
+{
+    return triple_plus(
+        triple_plus(triple_times(x[0], y[0]), triple_times(x[1], y[1])),
+        triple_times(x[2], y[2]));
+}
+
+/* D.(U x V) of vectors whose components have these sizes; D of pairs, the others of
+ * doubles. */
+static triple_number volume_of(double D, double U, double V)
+{
+    const triple_number product = {U * V, 0, 0}, d = {D, 0, 0};
+    const triple_number cross = triple_plus(product, product);
+    return triple_dot_of((triple_number[]){d, d, d},
+                         (triple_number[]){cross, cross, cross});
+}
+
+/* The height over a tangent plane (elliptic_pairs.h), of shapes of the size 1, k - 1
+ * and the size of D from it. */
+static void elliptic_height(double D, double k1)
+{
+    const triple_number one = {1, 0, 0}, k = {k1, 0, 0};
+    const triple_number unit[3] = {one, one, one};
+    triple_number of[3] = {one, one, triple_dot_of(unit, unit)};
+    of[2].size = 1; /* half of 2, whose terms are 1 in all and 1 */
+    const triple_number x = volume_of(D, 1, 1);
+    const triple_number rho =
+        triple_plus(volume_of(1, 1, 1), triple_times(k, x));
+    const triple_number n = triple_dot_of(of, (triple_number[]){x, x, rho});
+    need(n.off, n.size);
+}
+
+TEST(the_height_over_a_tangent_plane_has_its_bound)
+{
+    for (int i = -300; i <= 300; i++)
+        for (int j = -300; j <= 300; j++)
+            elliptic_height(ldexp(1, i), ldexp(1, j));
+    judge_in(&CLOSE, "elliptic kinds", "triples");
 }
 
 TEST(no_constant_is_four_times_too_large)
