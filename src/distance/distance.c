@@ -125,6 +125,7 @@ static int answer_for_plane(const cylint_shape *shape, const double point[3],
     if (!cylint_in_range(shape) || !cylint_rounds_to_nearest() ||
         !cylint_plane_distance(shape, point, &answer->distance))
         return 0;
+    /* untaken 1 of 4: a normal in range is a direction */
     if (geometry &&
         (cylint_whole_line(&line, point, cylint_axis(shape)) != CYLINT_OK ||
          cylint_plane_members(shape, &line, geometry, &hit) != 0))

@@ -247,7 +247,6 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                                   axes.gap / axes.least, rough);
     *at = highest_of(&axes, e, p);
     double by = 1;
-    /* untaken 1 of 2: the tests have no case that takes all steps */
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);
         if (fabs(by) <= CYLINT_ANGLE_STEP)
