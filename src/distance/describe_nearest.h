@@ -11,8 +11,8 @@
  * A component is certain if every number within the bound on its error rounds
  * to the same double.  Bounds are sums of the sizes of terms, so the zeros of a
  * shape along a coordinate are certain.  No term underflows: of points with a
- * coordinate below CYLINT_DISTANCE_LEAST from the base, and not 0, nothing is
- * certain.
+ * coordinate below CYLINT_DISTANCE_LEAST from the base, and not 0, and on a ball or
+ * rim with such a radius, nothing is certain.
  */
 #ifndef CYLINT_DESCRIBE_NEAREST_H
 #define CYLINT_DESCRIBE_NEAREST_H
@@ -136,15 +136,18 @@ INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top)
     return c;
 }
 
-/* Where the doubles serve: no coordinate of a difference is tiny, and the
- * direction from the axis, or from the centre of a ball, is certain. */
-INLINE vm is_regular(const half_plane *m, const vfeature *f,
+/* Where the doubles serve: neither a coordinate of a difference nor a radius that is
+ * multiplied is tiny, and the direction from the axis, or from the centre of a
+ * ball, is certain. */
+INLINE vm is_regular(const half_plane *m, const vfeature *f, vd r,
                      const from_center *c)
 {
     const vd zero = v_set(0), least = v_set(CYLINT_DISTANCE_LEAST);
+    const vm no_radius = m_or(m_or(f->is_lateral, f->is_plane), v_eq(r, zero));
     const vm off_axis = v_lt(v_set(4) * m->rho_error * m->inverse.hi, v_set(1));
     vm regular = m_or(m_and(v_lt(zero, m->inverse.hi), off_axis),
                       m_or(f->is_plane, f->is_ball));
+    regular = m_and(regular, m_or(no_radius, v_le(least, r)));
     EACH(i, 3) {
         const vd x = v_abs(m->D[i].hi);
         regular = m_and(regular, m_or(v_le(least, x), v_eq(x, zero)));
@@ -189,7 +192,7 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     from_center c;
     if (round)
         c = load_center(s, x, f.is_top);
-    const vm regular = is_regular(m, &f, round ? &c : NULL);
+    const vm regular = is_regular(m, &f, r.hi, round ? &c : NULL);
     to->point_certain = to->normal_certain = m_and(n->certain, regular);
     EACH(i, 3) {
         const vd center = v_select(f.is_top, s->top[i], s->base[i]);

@@ -389,6 +389,18 @@ TEST(pairs_decide_the_distance_from_points_on_the_axis)
     CHECK(answer.distance == -0.1);
 }
 
+/* Their product with a direction has no low part. */
+TEST(pairs_leave_the_point_on_a_ball_of_a_tiny_radius)
+{
+    static const double p[3] = {0.003, 0.04, -2.7};
+    const cylint_shape s =
+        shape_of("capsule 0 0.02 0  0.002 0.01 1.6  0x1p-1012");
+    cylint_closest answer;
+    CHECK(left_by_pairs(&s, p, CYLINT_WANT_POINT, &answer) ==
+          CYLINT_WANT_POINT);
+    CHECK(left_by_pairs(&s, p, 0, &answer) == 0);
+}
+
 /* The answers of pairs, of both builds, and the exact ones. */
 static void check_paths(const struct family_case *c, const double p[3])
 {
