@@ -11,8 +11,8 @@
  * A component is certain if every number within the bound on its error rounds
  * to the same double.  Bounds are sums of the sizes of terms, so the zeros of a
  * shape along a coordinate are certain.  No term underflows: of points with a
- * coordinate below CYLINT_DISTANCE_LEAST from the base, and not 0, and on a ball or
- * rim with such a radius, nothing is certain.
+ * coordinate below CYLINT_DISTANCE_LEAST from the base, and not 0, and on a ball
+ * or rim with such a radius, nothing is certain.
  */
 #ifndef CYLINT_DESCRIBE_NEAREST_H
 #define CYLINT_DESCRIBE_NEAREST_H
@@ -136,7 +136,7 @@ INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top)
     return c;
 }
 
-/* Where the doubles serve: neither a coordinate of a difference nor a radius that is
+/* Where the doubles serve: no coordinate of a difference and no radius that is
  * multiplied is tiny, and the direction from the axis, or from the centre of a
  * ball, is certain. */
 INLINE vm is_regular(const half_plane *m, const vfeature *f, vd r,
