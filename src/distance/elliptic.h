@@ -11,8 +11,8 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
-/* cylint_distance() without members.  proved: whether doubles, pairs or triples near
- * the surface prove it. */
+/* cylint_distance() without members.  proved: whether doubles, pairs or triples
+ * near the surface prove it. */
 double cylint_distance_alone(const cylint_shape *shape, const double point[3],
                              cylint_closest *answer, int *proved);
 

@@ -23,17 +23,17 @@
  * angle has t <= 4 g / k.  The lesser h changes K2 to K4 by less than k / 2 where
  * 8 l h |norm| <= k.
  *
- * Beside the lateral surface, on either side, let c = norm / |N| and 16 c (l + 2 |n| c)
- * <= rho.  A turn changes n by n' sin - 2 (n + rho) s^2, where s is the sine of half
- * the turn, and N by at most 2 norm |s|.  So a plane that is as high as that of this
- * angle has |s| <= (l + 2 |n| c) / (n + rho) <= 1 / (15 c).  The length of its normal is
- * at least 13/15 |N|, and exceeds its component along N by at most 2.4 c norm s^2.  Its
- * n - h |N| is then at most
+ * Beside the lateral surface, on either side, let c = norm / |N| and 16 c (l +
+ * 2 |n| c) <= rho.  A turn changes n by n' sin - 2 (n + rho) s^2, where s is
+ * the sine of half the turn, and N by at most 2 norm |s|.  So a plane that is
+ * as high as that of this angle has |s| <= (l + 2 |n| c) / (n + rho) <= 1 / (15
+ * c).  The length of its normal is at least 13/15 |N|, and exceeds its
+ * component along N by at most 2.4 c norm s^2.  Its n - h |N| is then at most
  *     2 l |s| - 2 s^2 (n + rho - |n| c - 1.2 |n| c^2) <= 2 l |s| - 1.8 rho s^2.
- * So the highest plane is higher by less than l^2 / (rho |N|), and the turn to it is
- * below 4 l / rho: the bounds of inside for k = 4 |n| rho.  The plane rho = 0 through
- * the apex is farther, so the foot on the highest plane is a point of this nappe, the
- * nearest one, and the other nappe is farther.
+ * So the highest plane is higher by less than l^2 / (rho |N|), and the turn to
+ * it is below 4 l / rho: the bounds of inside for k = 4 |n| rho.  The plane rho
+ * = 0 through the apex is farther, so the foot on the highest plane is a point
+ * of this nappe, the nearest one, and the other nappe is farther.
  */
 #ifndef CYLINT_ELLIPTIC_CERTAINTY_H
 #define CYLINT_ELLIPTIC_CERTAINTY_H

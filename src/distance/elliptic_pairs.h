@@ -2,11 +2,11 @@
  * elliptic_pairs.h - the distance, nearest point and normal of an elliptic shape in
  * pairs, given the feature and the angle in doubles
  *
- * The effort 0 computes the distance once: its error by that of the angle is of the
- * second order.  The point and the normal, and a distance that is not certain
- * by then, need the angle in pairs: one more step of Newton's iteration, effort 1.
- * Near the lateral surface and the caps the effort is 2: there n, a small difference
- * of large terms, is computed in triples.  With
+ * The effort 0 computes the distance once: its error by that of the angle is of
+ * the second order.  The point and the normal, and a distance that is not
+ * certain by then, need the angle in pairs: one more step of Newton's
+ * iteration, effort 1.  Near the lateral surface and the caps the effort is 2:
+ * there n, a small difference of large terms, is computed in triples.  With
  * U = b x h, V = h x a and W = a x b, which are the rows of the inverse matrix
  * times a.(b x h),
  *     n = cos D.U + sin D.V - (a.(b x h) + (k - 1) D.W)

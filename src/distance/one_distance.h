@@ -27,8 +27,8 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
 /* Writes the members of `want` that are certain, and returns the others, in pairs,
  * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
  * is undecided and the point can be on the surface: other members are then right if
- * it is and the surface is whole.  Of elliptic kinds also CYLINT_IS_ON_SURFACE.  want:
- * CYLINT_WANT_DISTANCE too. */
+ * it is and the surface is whole.  Of elliptic kinds also CYLINT_IS_ON_SURFACE.
+ * want: CYLINT_WANT_DISTANCE too. */
 typedef unsigned cylint_in_pairs(const cylint_shape *shape,
                                  const double point[3], unsigned want,
                                  cylint_closest *answer);

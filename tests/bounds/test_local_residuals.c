@@ -327,8 +327,8 @@ static triple_number volume_of(double D, double U, double V)
                          (triple_number[]){cross, cross, cross});
 }
 
-/* The height over a tangent plane (elliptic_pairs.h), of shapes of the size 1, k - 1
- * and the size of D from it. */
+/* The height over a tangent plane (elliptic_pairs.h), of shapes of the size 1, k -
+ * 1 and the size of D from it. */
 static void elliptic_height(double D, double k1)
 {
     const triple_number one = {1, 0, 0}, k = {k1, 0, 0};
