@@ -7,6 +7,7 @@
 #include "elliptic.h"
 #include "exact_distance.h"
 #include "one_distance.h"
+#include "triple_vector.h"
 
 size_t cylint_sizeof_closest(void)
 {
@@ -114,16 +115,37 @@ static unsigned by_doubles(const cylint_shape *shape, const double point[3],
     return by_pairs(shape, point, want, answer);
 }
 
+/* x.n in triples: cylint_along_normal() near the plane. */
+static plane_number along_normal_in_triples(const pair x[3], const double n[3])
+{
+    triple D[3], N[3];
+    double size = 0;
+    EACH(i, 3) {
+        D[i] = triple_of_pair(x[i]);
+        N[i] = triple_of(n[i]);
+        size += fabs(x[i].hi * n[i]);
+    }
+    return (plane_number){pair_of_triple(triple_dot_doubles(D, N)),
+                          CYLINT_CLOSE_ERROR * size + 0x1p-900};
+}
+
 /* Of a half-space.  The nearest point is the hit of the line along the normal.
- * Returns 0 where pairs are not certain. */
+ * Returns 0 where pairs, and triples near the plane, are not certain. */
 static int answer_for_plane(const cylint_shape *shape, const double point[3],
                             unsigned want, cylint_closest *answer)
 {
     const unsigned geometry = want & CYLINT_WANT_GEOMETRY;
+    const double *const normal = cylint_axis(shape);
+    double *const distance = &answer->distance;
+    pair from[3];
     cylint_line line;
     cylint_hit hit;
     if (!cylint_in_range(shape) || !cylint_rounds_to_nearest() ||
-        !cylint_plane_distance(shape, point, &answer->distance))
+        !cylint_from_plane(shape, point, from) ||
+        (!cylint_plane_distance(shape, cylint_along_normal(from, normal),
+                                distance) &&
+         !cylint_plane_distance(shape, along_normal_in_triples(from, normal),
+                                distance)))
         return 0;
     /* untaken 1 of 4: a normal in range is a direction */
     if (geometry &&

@@ -10,6 +10,8 @@
  *   ball            (D.D - r^2) / (|D| + r)
  *   cylinder        ((D.D - r^2) W - (D.w)^2) / (W (rho + r))
  *   cone            cosine ((D.D W - (D.w)^2) W - T^2) / (W^2 (rho + T / W))
+ *   angle cone      cosine (D.D W - (D.w)^2 - T^2) / (W (rho + T / |w|)),
+ *                   T = tangent D.w
  *   round cone      ((D.D W - (D.w)^2) (W - dr^2) - T^2)
  *                                              / (W^2 (cosine rho + T / W))
  */
@@ -83,11 +85,15 @@ static bounded close_to_line(const cylint_shape *s, const double point[3],
     const triple across = triple_det(DD, W, Dw, Dw);
     const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
     const int round = cylint_is_round(s->kind);
-    const triple factor = round ? triple_sub(W, triple_mul(dr, dr)) : W;
+    const int tangent = cylint_has_tangent(s->kind);
+    const triple factor = round     ? triple_sub(W, triple_mul(dr, dr))
+                          : tangent ? triple_of(1)
+                                    : W;
     const triple form = triple_det(across, factor, T, T);
-    const pair radius = pair_div(pair_of_triple(T), W2);
+    const pair unit = tangent ? pair_sqrt(W2) : W2; /* of T */
+    const pair radius = pair_div(pair_of_triple(T), unit);
     const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
-    bounded to = quotient_of_form(form, pair_mul(pair_mul(W2, W2), sum),
+    bounded to = quotient_of_form(form, pair_mul(pair_mul(unit, unit), sum),
                                   16 * size / sum.hi * size, error / sum.hi);
     if (!round) {
         to.v = pair_mul(to.v, C);
@@ -123,8 +129,9 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
     const int certain = n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
     /* untaken 1 of 8: the feature is certain in every known case */
     if (certain || !n->certain || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
-        cylint_has_tangent(s->kind) || !(size <= CYLINT_CLOSE * m->size) ||
-        !(m->size <= CYLINT_CLOSE_MOST))
+        (cylint_has_tangent(s->kind) &&
+         n->feature > (double)CYLINT_FEATURE_LATERAL) ||
+        !(size <= CYLINT_CLOSE * m->size) || !(m->size <= CYLINT_CLOSE_MOST))
         return certain;
     const bounded close = close_distance(n, m, s, point);
     const vdistance d = pairs_rounded(close.v, close.e + CYLINT_NEAREST_MARGIN *

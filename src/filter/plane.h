@@ -84,18 +84,15 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
                                                2 * CYLINT_PAIR_DIV)};
 }
 
-/* Writes the signed distance of a point.  Returns 0 if its rounding is uncertain.
- * The thread rounds to nearest, and the shape is in range. */
+/* Writes the signed distance of a point with (x - p).n = above.  Returns 0 if its
+ * rounding is uncertain.  The thread rounds to nearest, and the shape is in range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
-                                        const double point[3], double *distance)
+                                        plane_number above, double *distance)
 {
-    pair from[3];
-    const double *n = cylint_axis(s);
-    const int near = cylint_from_plane(s, point, from);
-    const plane_number above = cylint_along_normal(from, n);
-    const plane_number d = cylint_over_length(above, cylint_normal_length(n));
+    const pair length = cylint_normal_length(cylint_axis(s));
+    const plane_number d = cylint_over_length(above, length);
     *distance = d.v.hi + 0.0; /* no -0 */
-    return near && (cylint_is_rounded(d) || cylint_is_exact_zero(above));
+    return cylint_is_rounded(d) || cylint_is_exact_zero(above);
 }
 
 /* 1 if the point is behind the plane, 0 if it is on it, -1 if it is before it; or
