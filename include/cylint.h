@@ -38,8 +38,8 @@
  *     status.  Queries never fail: if a constructor refused the shape or the
  *     line, the relation is "miss" and CYLINT_FLAG_INVALID is set.
  *   - The library does not allocate memory, does not print, and does not
- *     change errno, the locale or the floating-point environment.  Its only
- *     state is the choice of kernels.
+ *     change errno, the locale or the floating-point environment, except
+ *     that it raises exception flags.  Its only state is the choice of kernels.
  *   - All functions but cylint_use_kernels() may run in any number of threads
  *     at once.
  *   - Shapes and lines are plain structs without pointers.  They may be
@@ -429,9 +429,10 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * further along the normal; else, on the inside, towards the middle of the
  * shape; else along a diagonal of the coordinates, as at the apex of a double
  * cone.  Returns 0 and writes hit->point if none of these is on the side.  This
- * happens for side 1 if the solid is thinner than the steps of the doubles, and
- * if the shape was refused; for side -1 only between the nappes of a double cone,
- * where they are nearer to each other than these steps.  Where subnormal numbers
+ * happens for side 1 if the solid is thinner than the steps of the doubles, if
+ * the shape was refused, and if hit->point is infinite; for side -1 only between
+ * the nappes of a double cone, where they are nearer to each other than these
+ * steps.  Where subnormal numbers
  * are flushed to zero, it can happen if all coordinates of the hit are below
  * 2^-969 in absolute value.
  *
@@ -444,8 +445,8 @@ CYLINT_API int cylint_outside(const cylint_shape *shape, const cylint_hit *hit,
 
 /* Writes the least box parallel to the coordinate axes that contains the
  * solid.  Each side is rounded outward, by at most 5 units in the last place.
- * A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded.  A refused
- * shape gives lo = HUGE_VAL, hi = -HUGE_VAL. */
+ * A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded or ends beyond
+ * the largest double.  A refused shape gives lo = HUGE_VAL, hi = -HUGE_VAL. */
 CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
                               double hi[3]);
 

@@ -140,21 +140,22 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  *
  * Let d be the absolute distance and R the length of the axis plus the larger
  * radius; of a sphere the radius.  In rounding to nearest the result for circular
- * and round kinds is at most 16 * 2^-52 (d + R) below d: some units in the last
- * place of the point's coordinates relative to the shape, not of d.  For
- * infinite ends |P - base| * 1.42 takes the place of d in d + R.  If the number so
- * computed is not above 0, if the bound is below 2^-1073, and for cap0, cap1,
- * nappe, angle cones, half-spaces and round kinds that are not capped, the result
- * is the double below d.  In other rounding modes it is at most twice as far below,
- * and its last bits can depend on the kernels in use.
+ * and round kinds is at most E = 16 * 2^-52 (d + R) below d: some units in the
+ * last place of the point's coordinates relative to the shape, not of d.  For
+ * infinite ends |P - base| * 1.42 takes the place of d in E.  The result is the
+ * double below d, or 0 if d is 0, where the bound so computed is not above 0,
+ * where E is below 2^-1073, and for cap0, cap1, nappe, angle cones, half-spaces and
+ * round kinds that are not capped.  In other rounding modes it is at most 2 E below
+ * d, and its last bits can depend on the kernels in use.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);
 
 /* Returns 1 if the absolute distance is at most `ulps` units in the last place
  * of the coordinate of the point that is the largest in absolute value, else 0.
- * ulps = 0: the point is exactly on the surface.  The compared distance is the
- * one that cylint_distance() returns; an infinite one gives 0.  The comparison
+ * ulps = 0: the point is exactly on the surface; below 0 or NaN: returns 0.  The
+ * unit of a coordinate 0 is the least subnormal number.  The compared distance is
+ * the one that cylint_distance() returns; an infinite one gives 0.  The comparison
  * is exact in every floating-point environment. */
 CYLINT_API int cylint_on_surface(const cylint_shape *shape,
                                  const double point[3], double ulps);
@@ -200,8 +201,10 @@ CYLINT_API void cylint_on_surface_pairs(const cylint_shape *shapes,
 
 /* Returns the number of the shape with the least absolute distance or, with
  * CYLINT_SIGNED, the least signed distance, if that is at most `within`; of equal
- * ones the lowest number.  Writes the wanted members of its answer as
- * cylint_distance() does.  Returns n, and writes nothing, if there is none.
+ * ones the lowest number.  A refused shape and one without a surface do not count,
+ * nor does any shape if the point is not finite.  Writes the wanted members of its
+ * answer as cylint_distance() does.  Returns n, and writes nothing, if there is
+ * none.
  * Compares the doubles that cylint_distance() returns, but computes none for a
  * shape whose bounding ball is farther away than the least one so far.  So an
  * elliptic shape of whose distance only the sign is right, see cylint_distance(),

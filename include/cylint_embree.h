@@ -98,12 +98,13 @@
  * Memory.  The arrays of shapes are the caller's.  Only the functions that make and
  * update a geometry read them, so that a program which calls no update may free
  * them.  A geometry keeps the arguments of the constructors: 33 bytes a shape if
- * all numbers of all shapes are floats, else 65, and 8 for its order; with
- * CYLINT_EMBREE_SINGLE no order; of moving shapes twice 33 or 65.  An elliptic
- * shape takes as much as in the array besides, and so do most round cones of which
- * one ball holds the other, and a shape with a number other than 0 below 2^-149;
- * beside such shapes all take 65.  All memory is allocated from the device as
- * buffers: its memory monitor counts it and may refuse it.
+ * all numbers of all shapes are floats, else 65.  An elliptic shape takes 400 more,
+ * and so do most round cones of which one ball holds the other, and a shape with a
+ * number other than 0 below 2^-149; beside such shapes all take 65.  Moving shapes
+ * take twice as much.  If shapes are not primitives of their own, each takes 8 for
+ * its order and a share of the hierarchy, as large as in a scene (cylint_scene.h).
+ * All memory is allocated from the device as buffers: its memory monitor counts it
+ * and may refuse it.
  */
 #ifndef CYLINT_EMBREE_H
 #define CYLINT_EMBREE_H
@@ -199,8 +200,8 @@ typedef struct cylint_embree_options {
  * own.
  *
  * Returns NULL on failure and writes *problem, unless problem is NULL.  Embree
- * also calls the device's error function (or sets its error code), for ESHAPE
- * and EMOTION with RTC_ERROR_INVALID_ARGUMENT, for EMEMORY with
+ * also calls the device's error function (or sets its error code), for ESHAPE,
+ * EMOTION and EPART with RTC_ERROR_INVALID_ARGUMENT, for EMEMORY with
  * RTC_ERROR_OUT_OF_MEMORY.  Nothing stays allocated then.
  */
 CYLINT_API struct RTCGeometryTy *cylint_embree_geometry(
@@ -237,8 +238,8 @@ CYLINT_API struct RTCGeometryTy *cylint_embree_merge(
 /*
  * Reads the arrays of shapes again, which the caller may have changed in any
  * member, and commits the geometry; the caller then commits its scenes.  Returns
- * the status.  If that is not CYLINT_EMBREE_OK, do not trace the geometry until
- * an update succeeds.
+ * the status, and reports a failure as cylint_embree_geometry() does.  If it is not
+ * CYLINT_EMBREE_OK, do not trace the geometry until an update succeeds.
  */
 CYLINT_API int cylint_embree_update(struct RTCGeometryTy *geometry,
                                     cylint_embree_problem *problem);
@@ -264,7 +265,8 @@ CYLINT_API size_t cylint_embree_bytes(struct RTCGeometryTy *geometry);
 /*
  * Writes a moving shape at a time from 0 to 1: its constructor's result for
  * (1 - time) x + time y, in doubles, where x and y are the numbers given to the
- * constructors of the two states (for an acone: the tangent).  If the
+ * constructors of the two states (for an acone: the tangent), which must not
+ * differ in ends or in kind, see EMOTION.  If the
  * constructor refuses these (an axis may vanish on the way), *shape is a refused
  * shape, which every line misses.  Returns the constructor's status.
  */

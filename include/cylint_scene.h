@@ -64,7 +64,8 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  *
  * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
  * 30 bytes for a thick shape, up to 90 for a thin one, which is cut into slices,
- * and up to 170 for a needle.  A shape beside the hierarchy takes some 510.
+ * and some 170 for a needle.  A shape beside the hierarchy takes some 510, a scene
+ * without shapes 7 kB.
  */
 
 /* Returns an empty scene, or NULL if there is no memory.  expected: the number of
@@ -480,6 +481,7 @@ CYLINT_API size_t cylint_scene_first_boundary(const cylint_scene *scene,
 /* Returns how many solids contain a point, boundaries included; a complement is
  * without its boundary.  Writes the number of the solid with the least rank, of
  * equal ranks the lowest number; the number of all shapes if none contains it.
+ * No solid contains a point with an infinite or NaN coordinate.
  * rank: as in cylint_piece_rule.  Exact.  The workspace: as for
  * cylint_scene_pieces(). */
 CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,

@@ -367,7 +367,8 @@ TEST(batches_answer_as_single_questions_in_any_environment)
 /* Of shape 0 no part is present. */
 TEST(of_equal_shapes_the_first_is_closest)
 {
-    static const double p[3] = {5, 0, 1};
+    static const double p[3] = {5, 0, 1}, odd[3] = {5, 0, HUGE_VAL};
+    static const cylint_shape refused; /* all zero */
     const cylint_shape s[3] = {shape_of("rcone 0 0 0 5  0 0 1 1 ends=cap1"),
                                shape_of("cylinder 0 0 0  0 0 2  1"),
                                shape_of("cylinder 0 0 0  0 0 2  1")};
@@ -377,6 +378,9 @@ TEST(of_equal_shapes_the_first_is_closest)
     CHECK(a.distance == 4 && a.feature == CYLINT_FEATURE_LATERAL);
     CHECK(cylint_closest_shape(s, 3, p, NAN, 0, &a) == 3);
     CHECK(cylint_closest_shape(s, 0, p, HUGE_VAL, 0, &a) == 0);
+    CHECK(cylint_closest_shape(s, 1, p, HUGE_VAL, 0, &a) == 1);
+    CHECK(cylint_closest_shape(s, 3, odd, HUGE_VAL, 0, &a) == 3);
+    CHECK(cylint_closest_shape(&refused, 1, p, HUGE_VAL, 0, &a) == 1);
 }
 
 /* Known by hand, without families. */

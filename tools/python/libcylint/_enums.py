@@ -54,7 +54,7 @@ class Relation(_Word):
 class Part(_Word):
     """The part of the surface where a hit lies.
 
-    LATERAL is the side of the shape, with its rims and apex; CAP0 and CAP1 are the caps,
+    LATERAL is the lateral surface with its rims and apex; CAP0 and CAP1 are the caps,
     or the round ends, at the base and at the top.
     """
 

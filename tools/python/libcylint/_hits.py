@@ -47,7 +47,8 @@ class DescribedHits(Described):
 
         `point` is rounded, so it is as often inside the shape as outside.  A ray
         that starts at `outside` and points away from a convex shape misses it.
-        nan for none.
+        nan for none, and between the nappes of a double cone where they are nearer
+        to each other than the steps of float64.
 
         >>> ball = cylint.sphere([0, 0, 0], 1)
         >>> d = np.random.default_rng(1).normal(size=(1000, 3))

@@ -139,8 +139,8 @@ class Scene:
 
     shapes: one axis, or several arrays of shapes, also from a generator, which are
     joined as by `concatenate`.  The scene copies what it needs, about 100 bytes a
-    shape, and keeps none of the arrays.  They have the numbers 0
-    to len(scene) - 1, and there are at most 2**28.
+    shape, and keeps none of the arrays.  The shapes have the numbers 0 to
+    len(scene) - 1, and there are at most 2**28.
     threads: for building the scene, and for queries without their own number;
     None: one per processor.
     progress: called with (done, total) while the scene is built, several times a
@@ -298,7 +298,8 @@ class Scene:
 
         Arguments as for `intersect`.  At equal t the lower number is first.
         exclude: (...) integers, for each line the number of a shape that it does
-        not hit, -1 for none; for rays that leave this shape.
+        not hit, -1 for none; for rays that leave this shape.  Raises IndexError for
+        another number.
 
         >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
         >>> scene = cylint.Scene(posts)
@@ -436,12 +437,12 @@ class Scene:
         """The lengths of each line inside solids, added by label.
 
         Arguments as for `pieces`.
-        labels: (len(scene),) integers from 0; shapes with a negative one are not
-        counted.  np.unique(names, return_inverse=True)[1] are those of names.  The
-        answer is (..., columns), one column a label; columns: by default 1 more than
-        the greatest label, whether or not the labels between are used.  It takes 8
-        bytes for each line and column.  None: all shapes count, and the answer is
-        (...).
+        labels: (len(scene),) integers from 0; shapes with a negative one, or with
+        `columns` or more, are not counted.  np.unique(names, return_inverse=True)[1]
+        are those of names.  The answer is (..., columns), one column a label;
+        columns: by default 1 more than the greatest label, whether or not the labels
+        between are used.  It takes 8 bytes for each line and column.  labels=None:
+        all shapes count, with the label 0; without columns the answer is (...).
         units: "length" in those of the scene; "t": in units of the directions.
 
         Each sum is rounded once, and once more for "length"; inf if a piece is

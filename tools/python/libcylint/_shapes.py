@@ -88,13 +88,12 @@ class Shapes:
     of NumPy.  Its elements cannot be changed.  It can be pickled.
 
     The arguments of the constructors are members: p0, p1, r, r0, r1, c, a, b, h,
-    k, v, u, tangent.  They have the shapes of the arguments, (..., 3) or (...),
-    and are nan where a shape has no such argument.  A round cone that is a ball
-    has p0, r0, p1 and r1, too.
+    k, v, u, tangent, p, n.  They have the shapes of the arguments, (..., 3) or
+    (...), and are nan where a shape has no such argument.  A round cone that is a
+    ball has p0, r0, p1 and r1, too.
 
-    `==` compares shapes one by one, as arrays of NumPy: two are equal if they
-    were made by the same constructor with equal numbers and ends.  Labels do not
-    count.
+    `==` compares shapes one by one, as arrays of NumPy: two are equal if one
+    constructor makes both from equal numbers and ends.  Labels do not count.
 
     >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 2], [0, 0, 3]], 0.5)
     >>> rods
@@ -511,7 +510,7 @@ def cylinder(
 
     p0, p1: (..., 3), the axis; r: (...), the radius.  They broadcast.
     ends: a word or an array of words: "capped" (both caps), "open" (none),
-    "cap0" (at p0 only), "cap1", "infinite", "nappe".
+    "cap0" (at p0 only), "cap1", "infinite", "nappe"; or values of `Ends`.
 
     >>> cylint.cylinder([0, 0, 0], [0, 0, 1], [0.5, 1, 2], ends="open")
     <libcylint.Shapes (3,): 3 cylinders>
