@@ -160,6 +160,55 @@ static int count_numbers(struct reader r)
     return count;
 }
 
+/* The first two numbers between blanks with a comma between them, as in 0,5, of
+ * those with a comma before r->p.  Empty if there are none. */
+static struct string decimal_comma(const struct reader *r)
+{
+    const char *const begin = r->notes->text, *p = begin;
+    double value;
+    for (; (p = memchr(p, ',', (size_t)(r->p - p))) != NULL; p++) {
+        const char *from = p, *const to = field_end(p + 1, r->end);
+        if (to < r->end && *to == ',' && to + 1 < r->end && !is_blank(to[1]))
+            continue;
+        while (from > begin && !is_blank(from[-1]) && from[-1] != ',')
+            from--;
+        if ((from == begin || from[-1] != ',') &&
+            end_of_number(from, p, &value) == p &&
+            end_of_number(p + 1, to, &value) == to)
+            return between(from, to);
+    }
+    return between(begin, begin);
+}
+
+#define SEPARATORS "write a decimal point, and blanks or commas between fields"
+
+/* Of a bad record whose field at r is wrong. */
+static void advise_on_separators(struct reader *r)
+{
+    double value;
+    const char *after = cylint_read_number(r->p, r->end, &value);
+    const int has_semicolon = after && after < r->end && *after == ';';
+    skip_field(r);
+    if (has_semicolon || decimal_comma(r).length > 0)
+        advise(r->notes, SEPARATORS);
+}
+
+void remark_decimal_comma(struct reader *r)
+{
+    const char *const begin = r->notes->text;
+    const char *comma = memchr(begin, ',', (size_t)(r->p - begin));
+    /* After the first field it separates fields. */
+    if (!comma || comma == field_end(begin, comma) ||
+        !wants_remark(r->notes, REMARK_SURPLUS))
+        return;
+    const struct string found = decimal_comma(r);
+    if (found.length > 0 && count_numbers(*r) > 0) {
+        refuse_text(r->notes, "these are two numbers", found);
+        advise(r->notes, SEPARATORS);
+        make_remark(r->notes, REMARK_SURPLUS);
+    }
+}
+
 static int read_numbers(struct reader *r, double *v, int count)
 {
     const char *const end = r->end;
@@ -393,6 +442,7 @@ static int read_tail(struct reader *r, const struct grammar *g,
         advise(r->notes, "what follows is copied as the tail");
         make_remark(r->notes, REMARK_SURPLUS);
     }
+    remark_decimal_comma(r);
     if (wants_remark(r->notes, REMARK_LATE_WORD) &&
         has_late_word(r, g, record->tail))
         make_remark(r->notes, REMARK_LATE_WORD);
@@ -446,8 +496,10 @@ int read_record(const struct grammar *g, const char *text, const char *end,
     const char *const at = r.p;
     if ((g->has_line && read_line(&r, g, &kind, record)) ||
         (g->has_shape && read_shape(&r, g, record)) ||
-        read_words(&r, g, record) || read_tail(&r, g, record))
+        read_words(&r, g, record) || read_tail(&r, g, record)) {
+        advise_on_separators(&r);
         return EXIT_BAD;
+    }
     remark_domain(g, kind, at, notes);
     return 0;
 }

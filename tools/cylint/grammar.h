@@ -159,6 +159,10 @@ static inline void skip_field(struct reader *r)
 int refuse_field(struct reader *r, const char *what);
 int refuse_other_field(struct reader *r, const char *expected);
 
+/* If the next field is a number, but should not be, notes as a remark the first
+ * decimal comma before it. */
+void remark_decimal_comma(struct reader *r);
+
 /* Returns the end of the line at p: its line feed, or the end of the text. */
 const char *end_of_line(const char *p, const char *end);
 

@@ -396,8 +396,9 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
     char *const files[] = {(char *)(uintptr_t)file};
     struct input in;
     struct block block;
-    struct notes notes = {.wanted =
-                              1u << REMARK_LATE_WORD | 1u << REMARK_LABEL};
+    struct notes notes = {.wanted = 1u << REMARK_SURPLUS |
+                                    1u << REMARK_LATE_WORD |
+                                    1u << REMARK_LABEL};
     struct report report = {0};
     int status = block_make(&block) ? 0 : out_of_memory();
     if (status == 0 && (status = input_open(&in, files, 1, 0)) == 0) {

@@ -188,6 +188,7 @@ static int add_node(void *context, const char *text, const char *end,
         return EXIT_BAD;
     if (swc->count == swc->capacity && !grow(swc))
         return out_of_memory();
+    remark_decimal_comma(&r);
     size_t *entry = find_entry(swc, node.number);
     if (*entry > 0)
         return refuse_field(&first, "this node was given before");
