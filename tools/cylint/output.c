@@ -48,7 +48,7 @@ static void remove_and_die(int number)
 }
 
 static const int deadly[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE,
-                             SIGTERM, SIGXCPU, SIGXFSZ};
+                             SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
 
 static void block_deadly(sigset_t *before)
 {
@@ -206,6 +206,7 @@ static int close_target(struct output *out, int is_whole)
  * its use fails. */
 void guard_standard_streams(void)
 {
+    signal(SIGXFSZ, SIG_IGN);
     for (int fd = 0; fd < 3; fd++)
         if (fcntl(fd, F_GETFD) == -1 && errno == EBADF)
             (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);

@@ -28,7 +28,8 @@ struct output {
 };
 
 /* Opens those of the descriptors 0 to 2 that are closed.  Otherwise the next
- * file opened would become standard output.  Call it first. */
+ * file opened would become standard output.  A write beyond the limit of a
+ * file's size then fails, as other writes do.  Call it first. */
 void guard_standard_streams(void);
 
 /* open(), repeated if a signal interrupts it. */
