@@ -9,13 +9,16 @@
 
 #include "report.h"
 
+enum { MESSAGE_CAPACITY = 2048 };
+
+/* In one call of write(), so that messages of several processes do not mix. */
 /* lint: va_start() was called */
 void message(const char *format, ...)
 {
+    char text[MESSAGE_CAPACITY];
     va_list list;
-    fprintf(stderr, "%s: ", program);
     va_start(list, format);
-    vfprintf(stderr, format, list);
+    vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    fputc('\n', stderr);
+    fprintf(stderr, "%s: %s\n", program, text);
 }
