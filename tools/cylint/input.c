@@ -328,11 +328,32 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
     b->text[b->length] = '\0';
 }
 
-/* Whether a file of text begins as gzip's do.  No line can begin so. */
-static int is_compressed(const struct input *in, const struct block *b)
+/* Returns what is wrong with a file that begins so, or NULL.  No line begins so; of
+ * doubles four bytes are compared, which do not occur in data by chance. */
+static const char *fault_of_beginning(const struct input *in,
+                                      const struct block *b)
 {
-    return in->is_fresh && in->record_size == 0 && b->length >= 2 &&
-           memcmp(b->text, "\x1f\x8b", 2) == 0;
+    static const char gzip[] = "is compressed by gzip; pipe it through zcat";
+    static const struct {
+        const char *bytes;
+        size_t of_text,
+            of_doubles; /* how many are compared; 0: this is no fault */
+        const char *fault;
+    } beginnings[] = {
+        {"\x1f\x8b\x08\x00", 2, 4, gzip},
+        {"\x1f\x8b\x08\x08", 2, 4, gzip},
+        {"PK\3\4", 4, 4, "is a ZIP archive, as .npz files are; unpack it"},
+        {"\x93NUMPY", 6, 0, "is a .npy array, not text: see --binary-in"},
+        {"\xff\xfe", 2, 0,
+         "is UTF-16; pipe it through iconv -f UTF-16 -t UTF-8"}};
+    for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++) {
+        const size_t length = in->record_size == 0 ? beginnings[i].of_text
+                                                   : beginnings[i].of_doubles;
+        if (length > 0 && b->length >= length &&
+            memcmp(b->text, beginnings[i].bytes, length) == 0)
+            return beginnings[i].fault;
+    }
+    return NULL;
 }
 
 static void fill_block(struct input *in, struct block *b)
@@ -343,8 +364,10 @@ static void fill_block(struct input *in, struct block *b)
         if (!begin_block(in, b))
             return;
         const size_t whole = read_whole_records(in, b);
-        if (is_compressed(in, b)) {
-            fail(b, "is compressed by gzip; pipe it through zcat");
+        const char *fault =
+            in->is_fresh && !in->has_header ? fault_of_beginning(in, b) : NULL;
+        if (fault) {
+            fail(b, fault);
             return;
         }
         cut_block(in, b, whole);
