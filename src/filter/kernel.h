@@ -231,6 +231,15 @@ INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
     v->crosses = m_or(v->crosses, either_end(v->chord));
 }
 
+/* Whether the quadric stays positive from plane k to the other one, where it is
+ * positive at both, as along a line parallel to the axis.  If it is not convex, it
+ * is least at a plane.  Else it falls by at most 2 inward / w^2 times the height,
+ * which is at most l->Q, from -E / w^2 at the plane. */
+INLINE vm stays_outside(const local_line *l, vd E, vd inward)
+{
+    return v_lt(v_set(2) * l->Q * inward, -E);
+}
+
 INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
                           int solid)
 {
@@ -246,6 +255,10 @@ INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
     }
     set_end_signs(&c.E, f->E, eE);
     set_end_signs(&c.inward, inward, eI);
+    EACH(k, ENDS)
+        c.inward.negative[k] =
+            m_or(c.inward.negative[k],
+                 stays_outside(l, f->E[k] + eE[k], inward[k] + eI[k]));
     c.G = signs_of(v->G.v, v->G.e);
     EACH(k, ENDS) {
         v->pierced[k] = c.E.positive[k];
