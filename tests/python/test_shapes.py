@@ -220,6 +220,10 @@ def test_labels_follow_their_shapes():
     assert square[:, None].labels.shape == (2, 1, 2)
     assert np.array_equal(pickle.loads(pickle.dumps(square)).labels, square.labels)
     assert "labels" in named.to_dict() and "labels" not in rods.to_dict()
+    given = np.array(["a", "b", "c", "d"], object)
+    copied = rods.with_labels(given)
+    given[:] = 0
+    assert copied.labels.tolist() == ["a", "b", "c", "d"]
     surrogate = rods.with_labels(["a", "b", "\ud800", "d"])
     for use in (cylint.Scene, lambda shapes: cylint.write_scene(os.devnull, shapes)):
         with refused(r"^shape 2: the label '\\ud800' has no encoding in UTF-8$"):

@@ -248,7 +248,7 @@ class Shapes:
         >>> rods.with_labels(["thin", "thick"])[1:].labels
         array(['thick'], dtype='<U5')
         """
-        names = array_of("labels", labels, np.object_)
+        names = array_of("labels", labels, np.object_).copy()
         for name in names.flat:
             if not isinstance(name, str):
                 raise TypeError(f"labels: expected str, found {name!r}")
