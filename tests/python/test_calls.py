@@ -166,6 +166,20 @@ def test_an_exception_of_progress_ends_the_call():
             call(*given, progress=fail)
 
 
+def test_a_scene_that_is_built_answers_nothing():
+    """A method of a subclass can be its progress."""
+
+    class Watched(cylint.Scene):
+        def watch(self, done, total):
+            self.nearest([0, 0, 0], [0, 0, 1])
+
+        def __init__(self, shapes):
+            super().__init__(shapes, threads=1, progress=self.watch)
+
+    with refused("_scene", AttributeError):
+        Watched(sticks(300_000, 63))
+
+
 def references(*objects):
     gc.collect()
     return [sys.getrefcount(o) for o in objects]

@@ -181,12 +181,12 @@ class Scene:
         self, begun: _core.Scene, labels: NDArray[np.object_] | None,
         threads: int | None, progress: Progress | None,
     ) -> None:
-        self._scene = begun
-        self._threads = threads
         names = encoded(labels)
         begun.finish(workers(threads), progress)
         if names is not None:
             begun.set_labels(names)
+        self._scene = begun  # last: progress may call methods of a subclass
+        self._threads = threads
 
     @classmethod
     def read(
