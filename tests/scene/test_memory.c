@@ -140,15 +140,21 @@ static cylint_scene_status open_unaligned(void *self)
     return status;
 }
 
-/* Unaligned bytes are copied. */
-TEST(an_opened_scene_frees_all_memory)
+/* Returns how many allocations opening the scene's file has.  Unaligned bytes are
+ * copied. */
+static int refuse_opening(const cylint_scene *scene)
 {
     OWN_BYTES file = {NULL, NULL, 0};
-    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
-    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     scene_file_write(scene, &file);
     memmove(file.data + 1, file.data, file.n);
-    CHECK(refuse_each(open_unaligned, &file) >= 4);
+    return refuse_each(open_unaligned, &file);
+}
+
+TEST(an_opened_scene_frees_all_memory)
+{
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(refuse_opening(scene) >= 4);
 }
 
 /* The same failure again and again changes nothing; then the shapes move. */
@@ -213,6 +219,16 @@ static cylint_scene_status set_solids(void *self)
     return status;
 }
 
+/* The solids before are freed if the same ones take their place, else kept. */
+static cylint_scene_status set_again(void *self)
+{
+    struct solids_call *c = self;
+    const cylint_scene_status status =
+        cylint_scene_set_solids(c->scene, c->members, SHAPES);
+    CHECK(cylint_scene_members(c->scene) == SHAPES);
+    return status;
+}
+
 /* cylint_scene_bytes() counts what stays; an array has a place that is not used. */
 TEST(refused_solids_change_nothing)
 {
@@ -223,6 +239,8 @@ TEST(refused_solids_change_nothing)
     const size_t held = cylint_scene_bytes(c.scene) - c.before;
     const size_t bytes = (size_t)heap.bytes;
     CHECK(held <= bytes && held + 64 > bytes);
+    CHECK(refuse_each(set_again, &c) >= 2);
+    CHECK(refuse_opening(c.scene) >= 5);
     cylint_scene_free(c.scene);
 }
 
