@@ -78,7 +78,7 @@ def read_begun(
         errors = {BAD: ValueError, USAGE: ValueError, MEMORY: MemoryError}
         raise errors.get(status, OSError)(text)
     for text in messages:
-        warnings.warn(text, stacklevel=2)
+        warnings.warn(text, stacklevel=3)
     names = None if labels is None else np.array(labels, np.object_)
     return begun or _core.Scene(0), names, members
 
