@@ -134,6 +134,21 @@ def test_a_signal_ends_the_building_of_a_scene():
     assert spent[0] < whole / 2
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="named pipes are of POSIX")
+def test_a_signal_ends_the_reading_of_a_pipe(tmp_path):
+    """No process writes to it, and then one waits in the middle of a scene."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    for read in (cylint.read_scene, cylint.Scene.read):
+        with interrupted(0.2):
+            read(pipe)
+        writer = os.open(pipe, os.O_RDWR)
+        os.write(writer, b"sphere 0 0 0 1\n")
+        with interrupted(0.2):
+            read(pipe)
+        os.close(writer)
+
+
 def scene_and_lines():
     o, d = drawn(50_000, 40)
     return cylint.Scene(forest(2000, 39)), o * 0.1 + 0.5, d

@@ -98,11 +98,11 @@ static int wait_for_input(const struct input *in, int timeout,
                           int *has_work_ended)
 {
     struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->end_fd, POLLIN, 0}};
-    int ready = 1;
-    while (!in->is_regular && (ready = poll(p, 2, timeout)) < 0 &&
+    int ready = 1, ends = 0;
+    while (!in->is_regular && !ends && (ready = poll(p, 2, timeout)) < 0 &&
            errno == EINTR)
-        ;
-    *has_work_ended = p[1].revents != 0;
+        ends = is_interrupted();
+    *has_work_ended = ends || p[1].revents != 0;
     return ready != 0;
 }
 

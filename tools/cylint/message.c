@@ -1,8 +1,8 @@
 /*
- * message.c - prints messages on standard error
+ * message.c - messages on standard error, and signals that the system handles
  *
- * A program that reads scenes but must not print defines message() itself and
- * leaves this file out; the Python package does.
+ * A program that reads scenes but must not print, or handles signals itself,
+ * defines these functions and leaves this file out; the Python package does.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -21,4 +21,9 @@ void message(const char *format, ...)
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
     fprintf(stderr, "%s: %s\n", program, text);
+}
+
+int is_interrupted(void)
+{
+    return 0;
 }

@@ -29,7 +29,7 @@ int open_file(const char *name, int flags, unsigned mode)
     int fd;
     do {
         fd = open(name, flags | O_NOCTTY, mode);
-    } while (fd < 0 && errno == EINTR);
+    } while (fd < 0 && errno == EINTR && !is_interrupted());
     return fd;
 }
 

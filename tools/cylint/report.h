@@ -33,6 +33,9 @@ enum {
 /* Prints `PROGRAM: `, the text as printf() writes it, and a line feed. */
 void message(const char *format, ...) LIKE_PRINTF(1, 2);
 
+/* Whether the signal that interrupted a function of the system ends the work. */
+int is_interrupted(void);
+
 /* Messages about good records.  Each is printed for the first such record
  * only. */
 enum remark {

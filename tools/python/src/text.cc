@@ -2,7 +2,8 @@
  * text.cc - reads scenes and neurons, and writes scenes, by the command's own code
  *
  * tools/cylint/message.c is left out of the module: the reader's messages come
- * to message() below, and Python raises them or warns of them.
+ * to message() below, and Python raises them or warns of them; a signal's exception
+ * ends the reading.
  */
 #include <cstdarg>
 #include <cstdio>
@@ -32,6 +33,12 @@ extern "C" void message(const char *format, ...)
     va_end(list);
     if (messages)
         messages->emplace_back(text);
+}
+
+extern "C" int is_interrupted(void)
+{
+    const nb::gil_scoped_acquire acquired;
+    return PyErr_CheckSignals() != 0;
 }
 
 static nb::object decoded(const char *text, size_t length)
@@ -68,6 +75,10 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
         scene.keeps_labels = 1;
         status = scene_read(&scene);
         messages = nullptr;
+    }
+    if (PyErr_Occurred()) {
+        scene_free(&scene);
+        throw nb::python_error();
     }
     nb::object begun = nb::none(), labels = nb::none();
     nb::list members, texts;
