@@ -84,8 +84,9 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
                                                2 * CYLINT_PAIR_DIV)};
 }
 
-/* Writes the signed distance of a point with (x - p).n = above.  Returns 0 if its
- * rounding is uncertain.  The thread rounds to nearest, and the shape is in range. */
+/* Writes the signed distance of a point with (x - p).n = above.  Returns 0 if
+ * its rounding is uncertain.  The thread rounds to nearest, and the shape is in
+ * range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
                                         plane_number above, double *distance)
 {
