@@ -27,6 +27,12 @@ static int read_separator(const struct option *o, const char *value,
         is_tab || (value[0] != '\0' && value[0] != '\n' && value[1] == '\0'));
 }
 
+static int read_missing(const struct option *o, const char *value, void *place)
+{
+    *(const char **)place = value;
+    return check_value(o, value, strchr(value, '\n') == NULL);
+}
+
 static int read_domain(const struct option *o, const char *value, void *place)
 {
     struct grammar *g = place;
@@ -142,8 +148,8 @@ static const struct option option_table[] = {
      "N significant digits; hexadecimal"},
     {"d", "CHAR", read_separator, AT(style.separator), "one character", 0, 0,
      "output separator, instead of a tab"},
-    {"miss", "TOKEN", read_text, AT(style.missing), 0, 0, 0,
-     "what to write for a missing value"},
+    {"miss", "TOKEN", read_missing, AT(style.missing),
+     "a text without a line feed", 0, 0, "what to write for a missing value"},
     {"e", "HOW", read_word, AT(bad_policy), bad_policies, 0, 0,
      "bad records: mark (default), skip or stop"},
     {"tail", 0, read_flag, AT(tail_policy), 0, TAIL_ALLOWED, 0,

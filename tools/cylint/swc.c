@@ -137,8 +137,10 @@ static int read_parent(struct reader *r, uint64_t *parent)
 {
     double value;
     *parent = NO_PARENT;
-    return (!is_decimal(r, &value) || value != -1) &&
-           read_node_number(r, parent, "a node's number or -1");
+    if (!is_decimal(r, &value) || value != -1)
+        return read_node_number(r, parent, "a node's number or -1");
+    skip_field(r);
+    return 0;
 }
 
 static int read_decimal(struct reader *r, double *value)
