@@ -35,6 +35,16 @@ if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
         script -qec "cylint $options none" /dev/null </dev/null >out && ! grep "$say" out
         verdict "on a terminal cylint $options FILE does not wait" $?
     done
+    # Its input lasts longer than a second and ends with a bad record.
+    slow="{ echo '$good'; sleep 1.1; echo '$good'; sleep 0.1; echo x; } | cylint"
+    TERM=ansi script -qec "$slow -o none" /dev/null </dev/null >out
+    [ "$(tr '\r' '\n' <out | grep -c records)" -eq 1 ] &&
+        grep -q "$(printf '\r\033\\[Kcylint: stdin:3:1: expected')" out
+    verdict 'a message replaces the progress on a terminal' $?
+    script -qec "$slow" /dev/null </dev/null >out
+    TERM=dumb script -qec "$slow -o none" /dev/null </dev/null >>out
+    [ "$(grep -c '^cylint: stdin:3:1: expected' out)" -eq 2 ] && ! grep records out
+    verdict 'no progress among answers, or on a dumb terminal' $?
 else
     echo 'note: no terminal can be made here'
 fi

@@ -81,7 +81,8 @@ static int answer_input(struct job *job)
         message("waiting for records from the terminal, %s, one a line (see "
                 "--help); Ctrl-D ends them",
                 o->scene ? "LINE" : "LINE SHAPE");
-    progress_start(&job->progress, o->shows_progress, "records", 1);
+    progress_start(&job->progress, o->shows_progress, job->out.fd, "records",
+                   1);
     status = workers_run(job, o->workers);
     progress_end(&job->progress);
     report_end(&job->report);

@@ -11,6 +11,8 @@
 
 enum { MESSAGE_CAPACITY = 2048 };
 
+int has_progress_line;
+
 /* In one call of write(), so that messages of several processes do not mix. */
 /* lint: va_start() was called */
 void message(const char *format, ...)
@@ -20,7 +22,9 @@ void message(const char *format, ...)
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    fprintf(stderr, "%s: %s\n", program, text);
+    fprintf(stderr, "%s%s: %s\n", has_progress_line ? "\r\033[K" : "", program,
+            text);
+    has_progress_line = 0;
 }
 
 int is_interrupted(void)

@@ -2,6 +2,7 @@
  * progress.c - clocks, and the progress of the work
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "report.h"
@@ -15,15 +16,17 @@ double seconds_of(clockid_t clock)
 
 /* ------------------------------------------------------------ progress -- */
 
-void progress_start(struct progress *p, int is_wanted, const char *unit,
-                    int in_bytes)
+/* A dumb terminal cannot replace a line. */
+void progress_start(struct progress *p, int is_wanted, int answers,
+                    const char *unit, int in_bytes)
 {
+    const char *terminal = getenv("TERM");
+    const int is_dumb = terminal && strcmp(terminal, "dumb") == 0;
     p->unit = unit;
     p->in_bytes = in_bytes;
-    p->is_terminal = isatty(2);
+    p->is_terminal = isatty(2) && !isatty(answers) && !is_dumb;
     p->is_shown = is_wanted || p->is_terminal;
     p->start = p->last = p->is_shown ? seconds_of(CLOCK_MONOTONIC) : 0;
-    p->has_line = 0;
     p->count = 0;
 }
 
@@ -40,7 +43,7 @@ static void show(struct progress *p, double now, double done, double total)
                 spent * (total - done) / done);
     }
     fputs(p->is_terminal ? "\033[K" : "\n", stderr);
-    p->has_line = p->is_terminal;
+    has_progress_line = p->is_terminal;
     p->last = now;
 }
 
@@ -51,15 +54,16 @@ void progress_add(struct progress *p, unsigned long long count, double done,
     if (!p->is_shown)
         return;
     const double now = seconds_of(CLOCK_MONOTONIC);
-    const double interval = p->is_terminal && p->has_line ? 0.2 : 1;
+    const double interval = has_progress_line ? 0.2 : 1;
     if (now - p->last >= interval)
         show(p, now, done, total);
 }
 
 void progress_end(struct progress *p)
 {
-    if (p->has_line)
+    if (has_progress_line)
         fputs("\r\033[K", stderr);
     else if (p->is_shown && !p->is_terminal)
         show(p, seconds_of(CLOCK_MONOTONIC), 0, 0);
+    has_progress_line = 0;
 }

@@ -30,6 +30,9 @@ enum {
 #define LIKE_PRINTF(format_, first)
 #endif
 
+/* The terminal's last line is one of progress, which a message replaces. */
+extern int has_progress_line;
+
 /* Prints `PROGRAM: `, the text as printf() writes it, and a line feed. */
 void message(const char *format, ...) LIKE_PRINTF(1, 2);
 
@@ -122,19 +125,19 @@ int out_of_memory(void);
 /* Seconds of a clock. */
 double seconds_of(clockid_t clock);
 
-/* On a terminal the progress appears when the work has lasted a second.  With
- * --progress it is also written elsewhere, one line a second. */
+/* On a terminal that has no answers the progress appears when the work has lasted a
+ * second.  With --progress it is also written elsewhere, one line a second. */
 struct progress {
     const char *unit;          /* what is counted, in the plural */
     int in_bytes;              /* `done` and `total` are bytes */
     int is_shown, is_terminal; /* is_shown: whether anything is written */
     double start, last;        /* seconds */
-    int has_line;              /* the terminal has a progress line */
     unsigned long long count;
 };
 
-void progress_start(struct progress *p, int is_wanted, const char *unit,
-                    int in_bytes);
+/* answers: their descriptor, or -1. */
+void progress_start(struct progress *p, int is_wanted, int answers,
+                    const char *unit, int in_bytes);
 
 /* Adds `count` to the number done.  The work is at `done` of `total`; 0: the
  * total is unknown. */

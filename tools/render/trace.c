@@ -93,7 +93,7 @@ int trace(const struct drawing *d, const struct stage *stage)
 {
     struct work w = {
         .drawing = d, .stage = stage, .lock = PTHREAD_MUTEX_INITIALIZER};
-    progress_start(&w.progress, d->shows_progress, "rows", 0);
+    progress_start(&w.progress, d->shows_progress, -1, "rows", 0);
     cylint_threads_share(d->workers, (size_t)d->picture->height, 1, 1,
                          trace_rows, &w);
     progress_end(&w.progress);

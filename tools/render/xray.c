@@ -88,7 +88,7 @@ static int measure_rays(const struct rays *rays)
     const size_t pixels = rays->pixels;
     struct progress shown;
     int status = 0;
-    progress_start(&shown, rays->drawing->shows_progress, "pixels", 0);
+    progress_start(&shown, rays->drawing->shows_progress, -1, "pixels", 0);
     for (size_t done = 0, n; status == 0 && done < pixels; done += n) {
         n = pixels - done < most ? pixels - done : most;
         status = measure_block(rays, done, n);
