@@ -316,7 +316,8 @@ enum {
     /* only the hit with the least t: n is 0 or 1 */
     CYLINT_WANT_NEAREST = 1 << 6,
     CYLINT_WANT_COUNT = 0, /* relation and n only */
-    CYLINT_WANT_ALL = (1 << 6) - 1
+    CYLINT_WANT_ALL = (1 << 6) - 1,
+    CYLINT_SIGNED = 1 << 7 /* of distances only: cylint_distance.h */
 };
 
 enum { CYLINT_FLAG_INVALID = 1 }; /* the line or the shape was refused */
@@ -485,7 +486,8 @@ typedef struct cylint_lines {
  * The arrays for the answers, one element for each answer.  They must not
  * overlap the input.  A member that is NULL is neither computed nor written.
  * If there is no first or second hit, its part is -1 and its other members are
- * NaN.  Set members that are not wanted to NULL: `cylint_columns columns = {0}`.
+ * NaN.  Set members that are not wanted to NULL: `cylint_columns columns = {0}`, in
+ * C++ `= {}`.
  */
 typedef struct cylint_columns {
     signed char *relation; /* cylint_relation */

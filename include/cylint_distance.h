@@ -35,13 +35,13 @@ typedef enum cylint_feature {
 } cylint_feature;
 
 /*
- * A bit of `want` of the functions below and of cylint_scene.h: signed distances
- * to closed solids.  The closed solid of a shape has both caps or round ends,
- * whatever the ends; infinite and nappe shapes remain unbounded.  The distance
- * is negative inside the solid, 0 on its boundary and positive outside.  So with
- * open ends or one cap it is that of the same shape with CYLINT_ENDS_CAPPED.
+ * CYLINT_SIGNED in `want` of the functions below and of cylint_scene.h: signed
+ * distances to closed solids.  The closed solid of a shape has both caps or round
+ * ends, whatever the ends; infinite and nappe shapes remain unbounded.  The
+ * distance is negative inside the solid, 0 on its boundary and positive outside.
+ * So with open ends or one cap it is that of the same shape with
+ * CYLINT_ENDS_CAPPED.
  */
-enum { CYLINT_SIGNED = 1 << 7 };
 
 /* The point of a surface that is nearest to a given point. */
 typedef struct cylint_closest {

@@ -436,7 +436,7 @@ typedef struct cylint_workspace {
 } cylint_workspace;
 
 /* What queries return if their workspace does not suffice. */
-#define CYLINT_NO_ROOM ((size_t)-1)
+#define CYLINT_NO_ROOM SIZE_MAX
 
 /*
  * Writes the pieces of a line, ascending, at most `capacity`, and returns how many.
@@ -510,7 +510,7 @@ CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,
 
 /* The first hit of each line.  Where a line hits no shape, part and side are
  * -1, and the other members are NaN.  Set members that are not wanted to NULL:
- * `cylint_hit_columns hits = {0}`. */
+ * `cylint_hit_columns hits = {0}`, in C++ `= {}`. */
 typedef struct cylint_hit_columns {
     double *t;
     signed char *part, *side; /* cylint_part, cylint_side */

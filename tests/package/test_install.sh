@@ -137,6 +137,34 @@ test_example()
     done
 }
 
+# What C++ programs write, after the macros of Windows: the headers cause no warning
+# and no error.
+test_cxx()
+{
+    cat > "$scratch/user.cc" << 'END'
+#define near
+#define far
+#define small char
+#define min(a, b) ((a) < (b) ? (a) : (b))
+#include <cylint_methods.h>
+#include <cylint_scene.h>
+#include <cylint_scene.h>
+#include <cylint_embree.h>
+size_t user(const cylint_scene *scene, const double *point, cylint_closest *closest);
+size_t user(const cylint_scene *scene, const double *point, cylint_closest *closest)
+{
+    cylint_columns columns = {};
+    size_t n = cylint_scene_closest(scene, point, 1, CYLINT_WANT_PART | CYLINT_SIGNED, closest);
+    return columns.t0 == 0 && n != CYLINT_NO_ROOM;
+}
+END
+    for standard in 98 11 2a; do
+        quiet $cxx -std=c++$standard -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
+            -Wold-style-cast -Wundef -Werror -Iinclude -fsyntax-only "$scratch/user.cc"
+        verdict "the_headers_serve_cxx_$standard" $?
+    done
+}
+
 # The README's lines in a home where only the system's folders are known: the
 # linked example runs and its manual is found.  After that make install prints no
 # lines.
@@ -432,6 +460,7 @@ test_install
 test_strip
 test_forest
 test_example
+test_cxx
 test_readme_install
 test_hints
 test_symbols
