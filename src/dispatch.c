@@ -29,7 +29,14 @@ cylint_build cylint_build_used = CYLINT_BUILD_PLAIN;
 const cylint_one_kernels *cylint_one_used = &cylint_one_plain;
 
 #ifdef CYLINT_BUILDS_X86
-__attribute__((constructor)) static void choose_best(void)
+/* Before the static objects of a C++ program, which may be scenes.  gcc refuses a
+ * priority on macOS. */
+#ifdef __APPLE__
+#define FIRST constructor
+#else
+#define FIRST constructor(101)
+#endif
+__attribute__((FIRST)) static void choose_best(void)
 {
     __builtin_cpu_init(); /* another constructor may run before libgcc's */
     cylint_use_kernels(NULL);

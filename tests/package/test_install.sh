@@ -163,6 +163,15 @@ END
             -Wold-style-cast -Wundef -Werror -Iinclude -fsyntax-only "$scratch/user.cc"
         verdict "the_headers_serve_cxx_$standard" $?
     done
+    cat > "$scratch/first.cc" << 'END'
+#include <cylint.h>
+#include <cstring>
+static const char *const first = cylint_kernels_in_use();
+int main() { return std::strcmp(first, cylint_kernels_name(0)); }
+END
+    quiet $cxx -Iinclude -o "$scratch/first" "$scratch/first.cc" $(archives) -lm $sanitizers &&
+        "$scratch/first"
+    verdict static_objects_of_cxx_use_the_best_kernels $?
 }
 
 # The README's lines in a home where only the system's folders are known: the
