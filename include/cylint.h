@@ -586,9 +586,9 @@ CYLINT_API int cylint_use_kernels(const char *name);
 /*
  * cylint_version() and cylint_version_number() return CYLINT_VERSION and
  * CYLINT_VERSION_NUMBER of the library that runs.  They can differ from those
- * of this header.  The other functions return the size in bytes of each
- * struct of that library, for programs that load it at run time and do not
- * compile this header.
+ * of this header.  The other functions return the sizes in bytes of structs
+ * of that library, for programs that load it at run time and do not compile
+ * this header.
  */
 CYLINT_API const char *cylint_version(void);
 CYLINT_API int cylint_version_number(void);
