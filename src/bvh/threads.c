@@ -8,9 +8,7 @@
 
 #include "threads.h"
 
-#if defined(CYLINT_THREADS) && defined(_WIN32)
-#include <windows.h>
-#elif defined(CYLINT_THREADS)
+#ifdef CYLINT_THREADS
 #include <unistd.h>
 #endif
 
@@ -19,9 +17,7 @@ int cylint_processors(void)
 #ifndef CYLINT_THREADS
     return 1;
 #elif defined(_WIN32)
-    SYSTEM_INFO info;
-    GetSystemInfo(&info);
-    return (int)info.dwNumberOfProcessors;
+    return pthread_num_processors_np();
 #else
 #ifdef CPU_COUNT
     cpu_set_t set;

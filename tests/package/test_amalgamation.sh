@@ -38,10 +38,11 @@ verdict it_compiles_without_kernels_for_avx $?
 strict='-Wall -Wextra -Wpedantic -Wconversion -Wshadow'
 compiles "$cc" library -O2 -std=c99 $strict -DCYLINT_THREADS -pthread ${CFLAGS:-}
 verdict it_compiles_optimized_without_a_warning $? || { check_end; exit; }
-for other in clang tcc aarch64-linux-gnu-gcc s390x-linux-gnu-gcc; do
-    command -v $other > /dev/null || continue
-    compiles $other "$other" -Wall
-    verdict "${other}_compiles_it" $?
+for other in clang tcc aarch64-linux-gnu-gcc s390x-linux-gnu-gcc \
+    'musl-gcc -fsyntax-only' 'x86_64-w64-mingw32-gcc -fsyntax-only'; do
+    command -v ${other%% *} > /dev/null || continue
+    compiles "$other" other -Wall -DCYLINT_THREADS -DCYLINT_STATIC
+    verdict "${other%% *}_compiles_it" $?
 done
 
 $cxx -c "$folder/cylint.c" -o "$scratch/cxx.o" > "$scratch/log" 2>&1

@@ -262,7 +262,9 @@ class Section:
         out += parts.include(self.path) if self.is_part else self.lines
         if self.is_private():
             out += include_part(1, "templates")
-        mine = [] if self.is_part else sorted(macros_in(self.lines))
+        # musl reads _GNU_SOURCE in each of its headers.
+        kept = macros_in(PREAMBLE.splitlines())
+        mine = [] if self.is_part else sorted(macros_in(self.lines) - kept)
         for name in [*mine, *renamed, *(d[0] for d in defined)]:
             out.append(f"#undef {name}")
         out.append("#undef CYLINT_SECTION")
