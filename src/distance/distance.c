@@ -142,10 +142,10 @@ static int answer_for_plane(const cylint_shape *shape, const double point[3],
     cylint_hit hit;
     if (!cylint_in_range(shape) || !cylint_rounds_to_nearest() ||
         !cylint_from_plane(shape, point, from) ||
-        (!cylint_plane_distance(shape, cylint_along_normal(from, normal),
+        (!cylint_plane_distance(shape, from, cylint_along_normal(from, normal),
                                 distance) &&
-         !cylint_plane_distance(shape, along_normal_in_triples(from, normal),
-                                distance)))
+         !cylint_plane_distance(
+             shape, from, along_normal_in_triples(from, normal), distance)))
         return 0;
     /* untaken 1 of 4: a normal in range is a direction */
     if (geometry &&

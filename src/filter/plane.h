@@ -84,14 +84,27 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
                                                2 * CYLINT_PAIR_DIV)};
 }
 
-/* Writes the signed distance of a point with (x - p).n = above.  Returns 0 if
- * its rounding is uncertain.  The thread rounds to nearest, and the shape is in
- * range. */
-static inline int cylint_plane_distance(const cylint_shape *s,
-                                        plane_number above, double *distance)
+/* Whether coordinate i alone differs from that of p where a point is not on the
+ * plane. */
+static inline int cylint_plane_is_across(const double n[3], int i)
 {
-    const pair length = cylint_normal_length(cylint_axis(s));
-    const plane_number d = cylint_over_length(above, length);
+    return cylint_sign(n[(i + 1) % 3]) == 0 && cylint_sign(n[(i + 2) % 3]) == 0;
+}
+
+/* Writes the signed distance of a point at `from` from p, with `above` along the
+ * normal.  Returns 0 if its rounding is uncertain.  The thread rounds to nearest,
+ * and the shape is in range. */
+static inline int cylint_plane_distance(const cylint_shape *s,
+                                        const pair from[3], plane_number above,
+                                        double *distance)
+{
+    const double *n = cylint_axis(s);
+    for (int i = 0; i < 3; i++)
+        if (cylint_plane_is_across(n, i) && fabs(from[i].hi) > 0x1p-400) {
+            *distance = from[i].hi * cylint_sign(n[i]);
+            return 1;
+        }
+    const plane_number d = cylint_over_length(above, cylint_normal_length(n));
     *distance = d.v.hi + 0.0; /* no -0 */
     return cylint_is_rounded(d) || cylint_is_exact_zero(above);
 }
@@ -204,11 +217,9 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
 {
     const double *n = cylint_axis(s);
     const pair d = {line->d[i], line->d_lo[i]}, o = {line->o[i], 0};
-    const int perpendicular =
-        cylint_sign(n[(i + 1) % 3]) == 0 && cylint_sign(n[(i + 2) % 3]) == 0;
-    if (perpendicular || cylint_sign(d.hi) == 0 || cylint_is_exact_zero(t)) {
-        *x = cylint_positive_zero(perpendicular ? cylint_base(s)[i]
-                                                : line->o[i]);
+    const int is_across = cylint_plane_is_across(n, i);
+    if (is_across || cylint_sign(d.hi) == 0 || cylint_is_exact_zero(t)) {
+        *x = cylint_positive_zero(is_across ? cylint_base(s)[i] : line->o[i]);
         return 1;
     }
     const pair step = pair_mul(t.v, d);
