@@ -18,8 +18,9 @@
  * only read a scene, so any number of threads may query one.  They allocate no
  * memory, but for pieces of many lines and sums of lengths.  Nothing is printed.
  *
- * Functions of the caller, such as cylint_scene_progress, must return, and not leave
- * by longjmp() or an exception of C++.  They can end the work by what they return.
+ * Functions of the caller, such as cylint_scene_progress, must return, and not
+ * leave by longjmp() or an exception of C++.  They can end the work by what they
+ * return.
  */
 #ifndef CYLINT_SCENE_H
 #define CYLINT_SCENE_H
@@ -449,10 +450,10 @@ typedef struct cylint_workspace {
  * the line is traversed only so far.
  *
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
- * bytes to try next, which is more than before.  A chord takes 48 bytes.  In a scene
- * with solids it takes about 150, an unbounded member of a bounded solid at most
- * 256 with its chords, and a complement in an unbounded solid 48 besides them.  A
- * refused line has no pieces.
+ * bytes to try next, which is more than before.  A chord takes 48 bytes, in a
+ * scene with solids about 150.  An unbounded member of a bounded solid takes at
+ * most 256 with its chords, and a complement in an unbounded solid 48 besides them.
+ * A refused line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
                                       const cylint_line *line,
