@@ -227,10 +227,12 @@ static int read_numbers(struct reader *r, double *v, int count)
 
 static int refuse_line_kind(struct reader *r, const struct grammar *g)
 {
+    const int numbers = count_numbers(*r);
     refuse_word(r, WORDS(line_kinds));
-    if (count_numbers(*r) > 0)
-        advise(r->notes, g->has_shape ? "for bare numbers use -k ray,cylinder"
-                                      : "for bare numbers use -k ray");
+    if (numbers > 0)
+        advise(r->notes, g->has_shape  ? "for bare numbers use -k ray,cylinder"
+                         : numbers < 6 ? "for bare numbers use -k point"
+                                       : "for bare numbers use -k ray");
     else if (find_word(WORDS(shape_kinds), field(r)) != NOT_GIVEN)
         advise(r->notes, "for a scene use -s");
     else
@@ -245,6 +247,8 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
         advise(r->notes, "a scene has shapes only, no records");
     else if (g->convert)
         advise(r->notes, g->convert);
+    else if (!g->has_line && count_numbers(*r) > 0)
+        advise(r->notes, "a neuron needs a name that ends in .swc");
     else
         suggest(r->notes, WORDS(shape_kinds), field(r));
     return EXIT_BAD;

@@ -134,7 +134,8 @@ int complain(int status, const char *name, const char *format, ...)
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    message("%s: %s", escape(shown, string_of(name), SHOWN_MOST), text);
+    message("%s: %s", *name ? escape(shown, string_of(name), SHOWN_MOST) : "''",
+            text);
     return status;
 }
 
