@@ -177,8 +177,9 @@ def test_a_byte_order_mark_and_old_line_ends_hide_no_atom(tmp_path):
         whole = cylint.read_molecule(path, ball=0.25)
         for end in ("\n", "\r\n", "\r"):
             changed = "\N{BYTE ORDER MARK}" + text.replace("\n", end)
-            path.write_bytes(changed.encode())
-            assert (cylint.read_molecule(path, ball=0.25) == whole).all()
+            for code in ("utf-8", "utf-16-le", "utf-16-be"):
+                path.write_bytes(changed.encode(code))
+                assert (cylint.read_molecule(path, ball=0.25) == whole).all()
 
 
 def test_names_that_are_no_text_are_refused(tmp_path):

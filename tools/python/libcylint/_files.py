@@ -136,7 +136,7 @@ def standard(stream: TextIO | None, name: str) -> BinaryIO:
 def contents(name: str) -> bytes:
     """The bytes of a file, which may be compressed by gzip; `-` is standard input.
 
-    Without a byte order mark; lines end with LF.
+    In UTF-8, without a byte order mark; lines end with LF.
     """
     if name == "-":
         data = standard(sys.stdin, "standard input").read()
@@ -148,5 +148,7 @@ def contents(name: str) -> bytes:
             data = gzip.decompress(data)
         except (gzip.BadGzipFile, EOFError, zlib.error) as error:
             raise ValueError(f"{name}: not a whole file of gzip: {error}") from None
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        data = data.decode("utf-16", "replace").encode()
     data = data.removeprefix(codecs.BOM_UTF8)
     return data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
