@@ -394,11 +394,11 @@ CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 cylint_answer *answer);
 
 /* Completes a hit whose t, part and side were written by a query of the same
- * shape and line, cylint_intersect(), cylint_nearest() or a query of a scene:
- * writes the other wanted members, with the bits of cylint_intersect().  Members
- * that are not wanted keep their values.  So a program that finds many hits
- * describes only the one that it uses.  If no hit of the line has this t, part
- * and side, nothing is promised of the values. */
+ * shape and line, cylint_intersect(), cylint_nearest() or a query of a scene other
+ * than cylint_scene_first_boundary(): writes the other wanted members, with the
+ * bits of cylint_intersect().  Members that are not wanted keep their values.  So a
+ * program that finds many hits describes only the one that it uses.  If no hit of
+ * the line has this t, part and side, nothing is promised of the values. */
 CYLINT_API void cylint_describe(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
                                 cylint_hit *hit);
@@ -421,7 +421,8 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * near hit->point for which cylint_contains() returns `side`: -1 outside, 1
  * inside.  If a bounded shape is not round, an outside point is on the outer
  * side of the hit's part: for a hit on the lateral surface beside a rim it is
- * not only beyond the cap.  Point, normal and part of the hit must be written.
+ * not only beyond the cap.  Point, normal and part of the hit must be written, by a
+ * query other than cylint_scene_first_boundary(), whose normal is that of a solid.
  * `point` may be a member of *hit, such as hit->point.
  *
  * Returns 1.  The point is hit->point itself if that is on the side; else the

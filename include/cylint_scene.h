@@ -470,10 +470,11 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  * The shape is a member of it, and the point is on the surface of the shape; caps
  * count as present.  side: whether the line enters the solid.  The normal points
  * out of the solid: on the surface of a bore it points into the bore.  Members are
- * otherwise those of cylint_intersect().  If surfaces of several of the solid's
- * shapes have this t, the shape is the one with the lowest number of those that the
- * line enters where it enters the solid, and leaves where it leaves it; for
- * complements the other way round.
+ * otherwise those of cylint_intersect().  On a complement side and normal are the
+ * opposite of the shape's; cylint_describe() and cylint_outside() need the shape's.
+ * If surfaces of several of the solid's shapes have this t, the shape is the one
+ * with the lowest number of those that the line enters where it enters the solid,
+ * and leaves where it leaves it; for complements the other way round.
  *
  * The workspace: as for cylint_scene_pieces().  If it does not suffice,
  * CYLINT_NO_ROOM.
