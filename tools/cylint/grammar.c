@@ -161,7 +161,8 @@ static int count_numbers(struct reader r)
 }
 
 /* The first two numbers between blanks with a comma between them, as in 0,5, of
- * those with a comma before r->p.  Empty if there are none. */
+ * those with a comma before r->p.  The first one has no point.  Empty if there are
+ * none. */
 static struct string decimal_comma(const struct reader *r)
 {
     const char *const begin = r->notes->text, *p = begin;
@@ -173,6 +174,7 @@ static struct string decimal_comma(const struct reader *r)
         while (from > begin && !is_blank(from[-1]) && from[-1] != ',')
             from--;
         if ((from == begin || from[-1] != ',') &&
+            !memchr(from, '.', (size_t)(p - from)) &&
             end_of_number(from, p, &value) == p &&
             end_of_number(p + 1, to, &value) == to)
             return between(from, to);
