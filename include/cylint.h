@@ -83,7 +83,7 @@ typedef enum cylint_status {
     CYLINT_OK = 0,
     CYLINT_ENONFINITE,  /* a coordinate, radius, factor, angle or tangent is
                            infinite or NaN */
-    CYLINT_EAXIS,       /* the axis (or the height vector) has length 0 */
+    CYLINT_EAXIS,       /* the axis, height vector or normal has length 0 */
     CYLINT_EDEGENERATE, /* the vectors a, b, h are linearly dependent */
     CYLINT_ERADIUS,     /* a radius is negative, or all radii are zero */
     CYLINT_EANGLE,      /* the half angle is not in the open interval (0, 90)

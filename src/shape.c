@@ -13,7 +13,7 @@ const char *cylint_strerror(int status)
     static const char *const text[] = {
         [CYLINT_OK] = "no error",
         [CYLINT_ENONFINITE] = "a number is not finite",
-        [CYLINT_EAXIS] = "the axis has no length",
+        [CYLINT_EAXIS] = "the axis or normal has no length",
         [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
         [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
         [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees",

@@ -64,7 +64,7 @@ def test_ends_are_words_numbers_or_arrays():
         ("cylinder", (*UNIT, [1, 1, -1]), ValueError, "cylinder 2: a radius is neg"),
         ("cylinder", (*UNIT, np.nan), ValueError, "cylinder: a number is not finite"),
         ("cylinder", ([0, 0, 0], [[[0, 0, 1]], [[0, 0, 0]]], 1), ValueError,
-         r"cylinder \(1, 0\): the axis has no length"),
+         r"cylinder \(1, 0\): the axis or normal has no length"),
         ("cone", ([0, 0, 0], [1, 0], [0, 0, 1], 0), ValueError, "cone 1: a radius"),
         ("angle_cone", (*UNIT, [45, 90]), ValueError, "angle_cone 1: the half angle"),
         ("elliptic_cylinder", [[1, 0, 0]] * 4, ValueError,

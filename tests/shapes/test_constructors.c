@@ -212,7 +212,7 @@ TEST(every_status_has_its_text)
     static const char *const texts[] = {
         [CYLINT_OK] = "no error",
         [CYLINT_ENONFINITE] = "a number is not finite",
-        [CYLINT_EAXIS] = "the axis has no length",
+        [CYLINT_EAXIS] = "the axis or normal has no length",
         [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
         [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
         [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees",
