@@ -149,7 +149,8 @@ CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
                                                   const cylint_shape *shapes);
 
 /* The mean number of boxes that a random line through the scene hits, divided by
- * that number before the first cylint_scene_refit(): 1 for a scene as it was built.
+ * that number before the first cylint_scene_refit(): 1 for a scene as it was built,
+ * and for one that was opened, even if it was refitted before it was saved.
  * Where it is 2, a query takes up to about twice the time: make a new scene if many
  * queries follow. */
 CYLINT_API double cylint_scene_worsening(const cylint_scene *scene);

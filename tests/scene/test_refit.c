@@ -188,4 +188,5 @@ TEST(a_scene_that_moved_is_saved)
     OWN_SCENE *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
     CHECK(opened && differences(scene, opened, &of, 9) == 0);
     CHECK(cylint_scene_refit(opened, 0, 1, of.shapes) == CYLINT_SCENE_EOPENED);
+    CHECK(cylint_scene_worsening(opened) == 1);
 }
