@@ -51,6 +51,13 @@ test_fetch_content()
         quiet cmake --build "$scratch/$project/build" &&
         "$scratch/$project/build/scan" | diff "$scratch/scan.said" -
     verdict cmake_builds_the_sources_within_a_project $?
+    command -v clang > /dev/null && command -v aarch64-linux-gnu-gcc > /dev/null || return
+    quiet cmake -S "$scratch/$project" -B "$scratch/cross" -G 'Unix Makefiles' $from \
+        -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_C_COMPILER=clang -DCYLINT_MAKE=echo \
+        -DCMAKE_C_COMPILER_TARGET=aarch64-linux-gnu -DCMAKE_SYSROOT=/ &&
+        cmake --build "$scratch/cross" --target cylint_libraries |
+        grep 'CC=[^ ]*/clang --target=aarch64-linux-gnu --sysroot=/ ' > "$scratch/said"
+    verdict cmake_passes_the_target_of_a_toolchain_file $?
 }
 
 test_cmake()
