@@ -179,9 +179,17 @@ INLINE vm round_vector(double to[3][8], const bounded_pairs x[3], double beside)
 
 /* ------------------------------------------------------------ members -- */
 
-/* o + t d: no local coordinates. */
-INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r)
+INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
 {
+    return (bounded_pairs){pick(m, x.v, y.v), v_select(m, x.e, y.e)};
+}
+
+/* o + t d: no local coordinates.  In a plane of coordinates exactly. */
+INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r,
+                     int solid)
+{
+    const int planes =
+        cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid);
     const vd error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
     EACH(i, 3) {
         const vpair d = direction_at(from, i),
@@ -192,17 +200,19 @@ INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r)
             v_sum_of(v_abs(d.hi), error,
                      v_set(CYLINT_MEMBER_PLACE / CYLINT_MEMBER_UNIT) * sizes)};
     }
+    if (planes && m_any(r->on_end))
+        EACH(i, 3) {
+            vm is_fixed;
+            const bounded_pairs x = {
+                plane_coordinate(from, i, r->top, &is_fixed), v_set(0)};
+            to[i] = choose_pairs(m_and(is_fixed, r->on_end), x, to[i]);
+        }
 }
 
 INLINE bounded_pairs negated_where(vm m, bounded_pairs x)
 {
     return (bounded_pairs){
         {v_select(m, -x.v.hi, x.v.hi), v_select(m, -x.v.lo, x.v.lo)}, x.e};
-}
-
-INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
-{
-    return (bounded_pairs){pick(m, x.v, y.v), v_select(m, x.e, y.e)};
 }
 
 /* x by.  relative: the relative error of `by`.  Where the terms of x
@@ -434,7 +444,7 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
     bounded_pairs x[3];
     vd nearest;
     if (want & CYLINT_WANT_POINT) {
-        point_of(x, from, r);
+        point_of(x, from, r, solid);
         certain |= of_member(CYLINT_MEMBER_POINT,
                              round_vector(to->number + CYLINT_HIT_POINT, x, 0));
     }

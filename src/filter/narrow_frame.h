@@ -105,6 +105,25 @@ INLINE void set_line(local_line *l, const first_line *first, const source *from,
     set_surface(l, first->from_base, from, solid);
 }
 
+/* Coordinate i of the plane of an end, exactly, and whether all points of the plane
+ * have it. */
+INLINE vpair plane_coordinate(const source *from, int i, vm top, vm *is_fixed)
+{
+    const cylint_shape *s = from->shape;
+    const double *h = cylint_axis(s), *a = cylint_a(s), *b = cylint_b(s);
+    const double base = cylint_base(s)[i];
+    const pair end = cylint_has_end_points(s->kind)
+                         ? (pair){cylint_top(s)[i], 0}
+                         : two_sum(base, h[i]);
+    const double turned = cylint_is_elliptic(s->kind)
+                              ? fabs(a[i]) + fabs(b[i])
+                              : fabs(h[(i + 1) % 3]) + fabs(h[(i + 2) % 3]);
+    const int fixed =
+        !(turned > 0) && !cylint_too_small(base) && !cylint_too_small(end.hi);
+    *is_fixed = m_from(fixed ? 3 : 0);
+    return pick(top, all_lanes(end), vpair_set(base, 0));
+}
+
 /* A point: the origin of a line with the direction 0. */
 INLINE void load_place(local_line *l, const double o[3],
                        const cylint_shape *shape, int solid)

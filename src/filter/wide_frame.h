@@ -137,6 +137,18 @@ INLINE void load_place(local_line *l, const vd o[3], const frames *f, int solid)
     set_ends(l, &from, solid);
 }
 
+/* Coordinate i of the plane of an end, exactly, and the lanes in which it certainly
+ * is that of all points of the plane: frames do not have the top. */
+INLINE vpair plane_coordinate(const source *from, int i, vm top, vm *is_fixed)
+{
+    const int j = CYLINT_AT_COLUMNS + 3 * ((i + 1) % 3) + 2,
+              k = CYLINT_AT_COLUMNS + 3 * ((i + 2) % 3) + 2;
+    const vd turned = v_abs(number_at(from, j)) + v_abs(number_at(from, k));
+    const vm other = m_or(top, fact_of(from, FACT_ELLIPTIC));
+    *is_fixed = m_and_not(v_eq(turned, v_set(0)), other);
+    return (vpair){number_at(from, CYLINT_AT_BASE + i), v_set(0)};
+}
+
 /* A row of the matrix times x.  exact: x has no low parts. */
 INLINE vpair row_in_pairs(const frames *f, int row, const vpair x[3], int exact)
 {

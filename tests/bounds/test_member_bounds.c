@@ -275,12 +275,17 @@ static void judge_members(const source *from, const pair_line *in,
     judge_pairs(&PHI, 0, &x[1], the.phi);
 }
 
-static void judge_point(const source *from, const hit_root *r)
+static void judge_point(const source *from, const hit_root *r, int solid)
 {
     bounded_pairs x[3];
-    point_of(x, from, r);
-    for (int j = 0; j < 3; j++)
+    point_of(x, from, r, solid);
+    for (int j = 0; j < 3; j++) {
+        const double *o = from->line->o, *d = from->line->d;
+        /* far below each bound but 0, and above the roundings of the truth */
+        const double size = fabs(o[j]) + fabs(v_first(r->t) * d[j]);
+        x[j].e = x[j].e + v_set(0x1p-400 / CYLINT_MEMBER_UNIT * size);
         judge_pairs(&POINT, j, &x[j], the.point[j]);
+    }
 }
 
 /* The members from an origin near the hit, of which the root is r - t - tail. */
@@ -351,7 +356,7 @@ static int judge_line(const cylint_shape *s, const cylint_line *line)
     pair_line in;
     load_pairs(&in, &from, 1, solid);
     const hit_root r = any_root(&f);
-    judge_point(&from, &r);
+    judge_point(&from, &r, solid);
     judge_members(&from, &in, &r, solid);
     judge_moved(&from, r, solid);
     judge_roots(&from, &f, solid);
