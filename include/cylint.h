@@ -368,8 +368,8 @@ typedef struct cylint_answer {
  *
  *   inside an open tube, parallel    cross, no hit
  *     to the axis
- *   on a ruling, bounded shape       along, a hit on each rim
- *   on a ruling, unbounded shape     along, no hit; a nappe: one, the apex
+ *   on a ruling, bounded shape       along, a hit at each end: rim or apex
+ *   on a ruling, unbounded shape     along, no hit; a cone's nappe: the apex
  *   in the plane of a cap            along, two hits on the rim; or touch
  *   through the apex of a double     inside the cone: cross, one hit;
  *     cone                           outside: touch; on it: along, no hit
@@ -440,7 +440,7 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of
- * a bounded solid hits its surface once.
+ * a capped shape hits it once; where a cap is missing, it can pass through.
  */
 CYLINT_API int cylint_outside(const cylint_shape *shape, const cylint_hit *hit,
                               int side, double point[3]);

@@ -66,7 +66,7 @@ class DescribedHits(Described):
         "inside",
         """(..., 3): points next to `point` that are inside the shape.
 
-        A ray that starts there hits the surface of a bounded convex shape once.
+        A ray that starts there hits a capped shape once.
         nan for none, and where the shape is thinner than the steps of float64.
         """,
         3,
