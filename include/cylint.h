@@ -473,10 +473,10 @@ CYLINT_API size_t cylint_pack_bytes(size_t n);
 CYLINT_API void cylint_pack_shapes(cylint_pack *pack, void *memory,
                                    const cylint_shape *shapes, size_t n);
 
-/* n lines o + t d: one array of n doubles for each coordinate, at any address.
- * tmin = NULL: all tmin are 0.  tmax = NULL: all tmax are infinite.  A line is
- * invalid if a coordinate is infinite or NaN, if d = 0, or if tmin <= tmax is
- * false.  Its relation is "miss". */
+/* n lines o + t d: one array of n doubles for each coordinate, at any address that
+ * a double can have.  tmin = NULL: all tmin are 0.  tmax = NULL: all tmax are
+ * infinite.  A line is invalid if a coordinate is infinite or NaN, if d = 0, or if
+ * tmin <= tmax is false.  Its relation is "miss". */
 typedef struct cylint_lines {
     size_t n;
     const double *o[3], *d[3];
@@ -532,7 +532,7 @@ CYLINT_API size_t cylint_nearest(const cylint_pack *pack,
 CYLINT_API size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                                size_t enough);
 
-/* n points: one array of n doubles for each coordinate, at any address. */
+/* n points: one array of n doubles for each coordinate, as of cylint_lines. */
 typedef struct cylint_points {
     size_t n;
     const double *xyz[3];

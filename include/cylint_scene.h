@@ -500,9 +500,9 @@ CYLINT_API size_t cylint_scene_depth(const cylint_scene *scene,
  *
  * Element i of an array of answers is what the query of one line or point returns
  * for line i or point i, bit for bit, whatever the number of threads.  Each array
- * has one element for each line or point (lines->n or points->n), at any address,
- * and must not overlap the input.  An array that is NULL is neither computed nor
- * written.  With n = 0 nothing is written.
+ * has one element for each line or point (lines->n or points->n) and must not
+ * overlap the input.  An array that is NULL is neither computed nor written.  With
+ * n = 0 nothing is written.
  *
  * At most `threads` threads work, the caller's thread included; 0 stands for one
  * per processor, as above.  There is at most one thread for every 1024 lines or
