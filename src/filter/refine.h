@@ -290,6 +290,34 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
     return zero;
 }
 
+/* The roots of planes of coordinates, if the line's direction is a power of two
+ * there: then they are differences of two doubles.  Returns the lanes of these. */
+ASIDE vm exact_roots_of_planes(root *to, const cylint_question *q)
+{
+    const source from = {q->shape, q->line};
+    const vd none = v_set(0);
+    vm exact = m_from(0);
+    *to = (root){none, none, none, none, none, m_from(3)};
+    for (int i = 0; i < 3; i++) {
+        const double o = q->line->o[i], d = q->line->d[i];
+        vm is_fixed;
+        const vpair plane =
+            plane_coordinate(&from, i, m_from(q->ends.top), &is_fixed);
+        const vm here = m_and(m_and(is_fixed, m_from(q->ends.on_end)),
+                              v_eq(plane.lo, none));
+        if (!m_any(here) || !cylint_is_power_of_two(d) ||
+            cylint_sign(q->line->d_lo[i]) != 0 || cylint_too_small(o))
+            continue;
+        const vpair rise = v_two_sum(plane.hi, v_set(-o));
+        exact = here;
+        to->value = v_sum_of(rise.hi, v_set(1 / d), none); /* no -0 */
+        to->tail = rise.lo * v_set(1 / d);
+        to->low = to->value - v_set(2) * v_abs(to->tail);
+        to->high = to->value + v_set(2) * v_abs(to->tail);
+    }
+    return exact;
+}
+
 /* x where m, else y. */
 INLINE root root_if(vm m, const root *x, const root *y)
 {
@@ -362,6 +390,11 @@ static int refine_roots(cylint_question *q)
         load_any_pairs(&in, shape, q->line, 1);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vm present = m_from(q->ends.present);
+    if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid)) {
+        root of_plane;
+        const vm planes = exact_roots_of_planes(&of_plane, q);
+        r = root_if(planes, &of_plane, &r);
+    }
     hits h = hits_of_roots(&r, &l, present);
     unsigned needed = ends_needed(h, bits, q->want);
     const vm zeros = m_from(zero_roots(&r, &at, needed, q, solid));
