@@ -164,8 +164,8 @@ CYLINT_API cylint_status cylint_cone(cylint_shape *shape, const double p0[3],
 
 /* The double cone with apex v and the axis v + s u, all real s.  The angle
  * between its rulings and its axis is `degrees`, 0 < degrees < 90.  The shape
- * stores the double nearest to the tangent of that angle.  z = 0 at v, z = 1 at
- * v + u.  The nappe, and the bounded shapes, contain v + u.
+ * stores the double nearest to the tangent of that angle (observed).  z = 0 at v,
+ * z = 1 at v + u.  The nappe, and the bounded shapes, contain v + u.
  * EANGLE: degrees is not in that interval, or is at most 1.4e-322, because the
  * tangent then rounds to 0.  EAXIS: u = 0. */
 CYLINT_API cylint_status cylint_angle_cone(cylint_shape *shape,
@@ -446,9 +446,10 @@ CYLINT_API int cylint_outside(const cylint_shape *shape, const cylint_hit *hit,
                               int side, double point[3]);
 
 /* Writes the least box parallel to the coordinate axes that contains the
- * solid.  Each side is rounded outward, by at most 5 units in the last place.
- * A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded or ends beyond
- * the largest double.  A refused shape gives lo = HUGE_VAL, hi = -HUGE_VAL. */
+ * solid.  Each side is rounded outward, by at most 5 units in the last place
+ * (observed).  A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded or ends
+ * beyond the largest double.  A refused shape gives lo = HUGE_VAL and
+ * hi = -HUGE_VAL. */
 CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
                               double hi[3]);
 
