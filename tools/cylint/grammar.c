@@ -160,26 +160,24 @@ static int count_numbers(struct reader r)
     return count;
 }
 
-/* The first two numbers between blanks with a comma between them, as in 0,5, of
- * those with a comma before r->p.  The first one has no point.  Empty if there are
- * none. */
+/* The field around the first comma of the record, before r->p, if it is a decimal
+ * comma: digits before it and a number after it, alone between blanks.  Else empty. */
 static struct string decimal_comma(const struct reader *r)
 {
-    const char *const begin = r->notes->text, *p = begin;
+    const char *const begin = r->notes->text, *const end = r->end;
+    const char *comma = memchr(begin, ',', (size_t)(r->p - begin));
+    const char *from = comma ? comma : begin;
+    while (from > begin && from[-1] >= '0' && from[-1] <= '9')
+        from--;
+    from -= from > begin && (from[-1] == '-' || from[-1] == '+');
+    if (!comma || from == comma || (from > begin && !is_blank(from[-1])))
+        return between(begin, begin);
+    const char *const to = field_end(comma + 1, end);
     double value;
-    for (; (p = memchr(p, ',', (size_t)(r->p - p))) != NULL; p++) {
-        const char *from = p, *const to = field_end(p + 1, r->end);
-        if (to < r->end && *to == ',' && to + 1 < r->end && !is_blank(to[1]))
-            continue;
-        while (from > begin && !is_blank(from[-1]) && from[-1] != ',')
-            from--;
-        if ((from == begin || from[-1] != ',') &&
-            !memchr(from, '.', (size_t)(p - from)) &&
-            end_of_number(from, p, &value) == p &&
-            end_of_number(p + 1, to, &value) == to)
-            return between(from, to);
-    }
-    return between(begin, begin);
+    return end_of_number(comma + 1, to, &value) == to &&
+                   (end - to < 2 || *to != ',' || is_blank(to[1]))
+               ? between(from, to)
+               : between(begin, begin);
 }
 
 #define SEPARATORS "write a decimal point, and blanks or commas between fields"
@@ -197,14 +195,11 @@ static void advise_on_separators(struct reader *r)
 
 void remark_decimal_comma(struct reader *r)
 {
-    const char *const begin = r->notes->text;
-    const char *comma = memchr(begin, ',', (size_t)(r->p - begin));
-    /* After the first field it separates fields. */
-    if (!comma || comma == field_end(begin, comma) ||
-        !wants_remark(r->notes, REMARK_SURPLUS))
+    if (*r->p > '9') /* a letter, as of most tails */
         return;
     const struct string found = decimal_comma(r);
-    if (found.length > 0 && count_numbers(*r) > 0) {
+    if (found.length > 0 && count_numbers(*r) > 0 &&
+        wants_remark(r->notes, REMARK_SURPLUS)) {
         refuse_text(r->notes, "these are two numbers", found);
         advise(r->notes, SEPARATORS);
         make_remark(r->notes, REMARK_SURPLUS);
