@@ -12,6 +12,11 @@
  *
  * Elliptic kinds: elliptic_certain.c.
  */
+#ifdef __GNUC__
+#define CYLINT_NARROW /* two lanes, whatever the compiler's flags */
+#else
+#define CYLINT_ONE_LANE
+#endif
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../numbers/simd.h"

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Compares the command's answers from every compiler, optimisation and processor
 # of this machine (make check-cross; takes some minutes).  Relation, n and all
-# members of hits must be the same bytes everywhere, and so must distances of points.
-# Where the command cannot be built, the library's answers are compared, which
-# answers.c prints.  Then the C tests about systems and compilers run: under
-# Windows (wine), and with subnormals flushed.
+# members of hits must be the same bytes everywhere, and so must the library's
+# answers, which answers.c prints: hits, chords, distances, safeties.  Then the C
+# tests about systems and compilers run: under Windows (wine), and with subnormals
+# flushed.
 # The input is hard.txt and CYLINT_CASES (100000) records of all families with
 # CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
 # deps-cross` installs them.
@@ -23,7 +23,6 @@ export WINEPREFIX WINEDEBUG
 
 exact=relation,n,t0,t1,part0,part1,side0,side1
 members=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
-closest=distance,part,feature,x,y,z,nx,ny,nz
 
 # gcc -m32 without gcc-multilib, which Debian cannot install beside cross
 # compilers, does not find the kernel's headers.
@@ -48,7 +47,7 @@ s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x
 END
 }
 
-# prints the library's answers in the form of the command's
+# the same, of the library alone
 libraries() {
     cat <<END
 tcc, without the Makefile|tcc|-O2||
@@ -96,57 +95,31 @@ result() { # NAME STATUS
     verdict "$1" "$2" && printf 'ok   %s\n' "$1"
 }
 
-# answers FOLDER COLUMNS RUNNER INPUT: writes the answers to FOLDER/answers
-answers() {
-    $3 "$1/cylint" -x -f "$2" "$4" >"$1/answers" 2>"$1/messages"
-    status=$?
-    [ $status -eq 0 ] || {
-        printf 'exit status %d\n' $status
-        head -n 3 "$1/messages"
-    }
-}
-
-# points: makes a record with a point of each record with a line: its first hit,
-# or the line's origin where the hit is nan or inf.  Elliptic shapes with numbers of
-# 2^100 and more or below 2^-100 are left out: only the sign of their distances is
-# right (cylint_distance(3)), and other digits differ with -mfma.
-points() {
-    paste "$build/members" "$build/input" | awk -F '\t' '{
-        n = split($NF, field, " ")
-        for (at = 2; field[at] !~ /^[a-z]/; at++)
-            ;
-        for (i = 2; field[at] ~ /^e/ && i <= n; i++) {
-            exponent = field[i]
-            if (sub(/^-?0x.*p/, "", exponent) && (exponent + 0 >= 100 || exponent + 0 < -100))
-                next
-        }
-        printf "point %s", $1 $2 $3 ~ /n/ ? field[2] " " field[3] " " field[4] :
-                                         $1 " " $2 " " $3
-        for (; at <= n; at++)
-            printf " %s", field[at]
-        print ""
-    }'
-}
-
-# compare NAME KIND COLUMNS INPUT: the answers of this build are the bytes of the
-# first build's, which are kept in $build/KIND
+# compare NAME KIND PROGRAM ARGUMENT...: the answers of this build's program are the
+# bytes of the first build's, which are kept in $build/KIND.  $part, of sed, leaves the
+# part of a line that is compared.
+part=
 compare() {
-    trouble=$(answers "$folder" "$3" "$runner" "$4" </dev/null)
-    [ "$reference" != "$name" ] || cp "$folder/answers" "$build/$2"
-    if [ -z "$trouble" ] && cmp -s "$build/$2" "$folder/answers"; then
-        result "$1" 0
+    what=$1 kind=$2
+    shift 2
+    trouble=
+    $runner "$@" <"$build/input" >"$folder/printed" 2>"$build/messages" ||
+        trouble=": exit status $?"
+    tr -d '\r' <"$folder/printed" | sed "$part" >"$folder/answers"
+    [ "$reference" != "$name" ] || cp "$folder/answers" "$build/$kind"
+    sed "$part" "$build/$kind" >"$build/wanted"
+    if [ -z "$trouble" ] && cmp -s "$build/wanted" "$folder/answers"; then
+        result "$what" 0
         return
     fi
-    result "$1: $trouble" 1
-    printf '%d answers differ\n' "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
-    paste "$4" "$build/$2" "$folder/answers" |
-        awk -F '\t' -v columns="$(printf '%s' "$3" | tr -cd , | wc -c)" '{
-            want = got = ""
-            for (i = 2; i <= columns + 2; i++) want = want " " $i
-            for (i = columns + 3; i <= NF; i++) got = got " " $i
-        }
-        want != got && n++ < 5 {
-            printf "%s\n  got %s\n  want%s\n", $1, got, want
+    result "$what$trouble" 1
+    head -n 3 "$build/messages"
+    printf '%d answers differ\n' "$(diff "$build/wanted" "$folder/answers" | grep -c '^>')"
+    paste -d '\n' "$build/input" "$build/wanted" "$folder/answers" | awk '
+        NR % 3 == 1 { record = $0 }
+        NR % 3 == 2 { want = $0 }
+        NR % 3 == 0 && $0 != want && n++ < 5 {
+            printf "%s\n  got  %s\n  want %s\n", record, $0, want
         }'
 }
 
@@ -167,21 +140,16 @@ while IFS='|' read -r name compiler flags link runner; do
         continue
     }
     folder=$(folder_of "$name")
-    built "$name" cylint || continue
+    built "$name" cylint tests/package/answers || continue
     [ -n "$reference" ] || reference=$name
-    compare "$name" exact "$exact" "$build/input"
-    compare "$name, members" members "$members" "$build/input"
-    [ "$reference" != "$name" ] || points >"$build/points"
-    compare "$name, distances" closest "$closest" "$build/points"
+    compare "$name" exact "$folder/cylint" -x -f "$exact"
+    compare "$name, members" members "$folder/cylint" -x -f "$members"
+    compare "$name, the library's answers" library "$folder/tests/package/answers"
 done <"$build/table"
 
 printf 'answers of %s are the measure\n' "$reference"
 
 # ------------------------------------------- the library without the command --
-
-compiler=gcc flags=-O2 link= folder=$build/gcc__O2
-built 'answers.c' tests/package/answers || exit
-"$folder/tests/package/answers" <"$build/input" >"$build/library" || exit
 
 # bare FOLDER: $compiler on all files but those of scenes, and answers.c
 bare() {
@@ -205,19 +173,19 @@ while IFS='|' read -r name compiler flags link runner; do
     folder=$(folder_of "$name")
     case $name in
     *'without the Makefile')
+        part='s/ |.*//' # safeties need vectors of two lanes
         bare "$folder" || {
             result "$name: it cannot be built" 1
             tail -n 5 "$build/messages"
             continue
         } ;;
-    *) built "$name" tests/package/answers || continue ;;
+    *)
+        part=
+        built "$name" tests/package/answers || continue ;;
     esac
     program=$folder/tests/package/answers
     [ -e "$program" ] || program=$program.exe
-    $runner "$program" <"$build/input" 2>"$build/messages" |
-        tr -d '\r' >"$folder/answers"
-    cmp -s "$build/library" "$folder/answers"
-    result "$name: the library's answers" $?
+    compare "$name: the library's answers" library "$program"
 done <"$build/table"
 
 # ----------------------------------------------------------- tests of systems --
