@@ -13,8 +13,9 @@ static const char *const names[CYLINT_BUILDS] = {"plain", "avx2", "avx512"};
 static int runs(int build)
 {
 #ifdef CYLINT_BUILDS_X86
-    const int avx2 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const int avx2 = __builtin_cpu_supports("avx2") &&
+                     __builtin_cpu_supports("fma") &&
+                     __builtin_cpu_supports("popcnt");
     if (build == CYLINT_BUILD_AVX512)
         return avx2 && __builtin_cpu_supports("avx512f") &&
                __builtin_cpu_supports("avx512vl") &&
