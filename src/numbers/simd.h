@@ -35,7 +35,7 @@
 #define LANES 1
 
 #elif !defined(CYLINT_NARROW) && !defined(CYLINT_FOUR_LANES) && \
-    defined(__AVX512F__)
+    defined(__AVX512F__) && defined(__AVX512DQ__)
 
 #include <immintrin.h>
 #define LANES 8
