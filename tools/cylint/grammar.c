@@ -160,8 +160,9 @@ static int count_numbers(struct reader r)
     return count;
 }
 
-/* The field around the first comma of the record, before r->p, if it is a decimal
- * comma: digits before it and a number after it, alone between blanks.  Else empty. */
+/* The text around the first comma of the record, before r->p, if it is a decimal
+ * comma: digits before it and a number after it, alone between blanks.  Else an
+ * empty text. */
 static struct string decimal_comma(const struct reader *r)
 {
     const char *const begin = r->notes->text, *const end = r->end;
