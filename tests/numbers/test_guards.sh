@@ -94,13 +94,13 @@ rm "$scratch/float.h"
 found 0 -ffp-contract=off
 found 0 -O0 -ffp-contract=off
 found 0 -O3 -march=native -ffp-contract=off
+# clang's flag overrides the pragma of the source
+fused=$(bit CONTRACTED)
+grep -qw fma /proc/cpuinfo 2>/dev/null && found "$fused" -mfma -ffp-contract=fast
 if $cc --version | grep -qi clang; then
     # the pragma of the source overrides the flag
     found 0 -mfma -ffp-contract=on
 else
-    fused=$(bit CONTRACTED)
-    grep -qw fma /proc/cpuinfo 2>/dev/null &&
-        found "$fused" -mfma -ffp-contract=fast
     # no macro of gcc 12 shows these flags
     [ "$(printf '__ASSOCIATIVE_MATH__' |
         $cc -fno-signed-zeros -fno-trapping-math -fassociative-math -E - |
