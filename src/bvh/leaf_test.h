@@ -122,6 +122,28 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 }
 
 /*
+ * The lanes whose middle, at p + w / 2, the line passes at no more than r plus half
+ * of the axis across e, |n| / (2 |e|): for lines nearly parallel to the axis.  The
+ * error of (D - w / 2) x e is at most k E, those of n and of the roundings, too.
+ * The vectors are passed in registers.
+ */
+ASIDE unsigned near_middle(const leaf_line *l, vf r, vf nn, vf w0, vf w1, vf w2,
+                           vf D0, vf D1, vf D2)
+{
+    const vf *const e = l->e, half = f_set(0.5f);
+    const vf M[3] = {f_mad(w0, -half, D0), f_mad(w1, -half, D1),
+                     f_mad(w2, -half, D2)};
+    vf c[3];
+    EACH(j, 3) {
+        const int k = (j + 1) % 3, m = (j + 2) % 3;
+        c[j] = f_mad(M[k], e[m], -(M[m] * e[k]));
+    }
+    const vf most =
+        f_mad(r, f_sqrt(dot(e, e)), f_sqrt(nn) * half) + f_set(3) * l->k * l->E;
+    return f_not_greater(dot(c, c), most * most);
+}
+
+/*
  * Returns the lanes (bits) that the line may hit.  least[] of a lane, unless least
  * is NULL, is a lower bound of s times t_per_s.  *certain, unless certain is NULL:
  * the lanes where the line's point nearest to the axis certainly lies in the domain
@@ -150,6 +172,9 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
     const vf kEW = l->k * EW;
     const vf gg = f_mad(r * r, nn, (r + r + l->k) * (kEW * EW));
     unsigned hit = f_not_greater(ff, gg);
+    if (hit & greater(gg, (r + r) * r * nn))
+        hit &=
+            near_middle(l, r, nn, s->w[0], s->w[1], s->w[2], D[0], D[1], D[2]);
     const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf CC = (gg - ff) * ww, C = f_sqrt(CC);
