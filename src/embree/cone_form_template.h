@@ -6,7 +6,7 @@
  * errors.
  * The including file defines NUM, ADD SUB MUL (x, y) and, with FORM(name), the
  * names of the functions and of two structs: `questions` with the members that are
- * read and written here, `quadratic` with a and b.  MOST(x, T) is x, whose size is
+ * read and written here, `quadratic` with a, b and c.  MOST(x, T) is x, whose size is
  * at most T if |u|, |w| and K are 1.
  */
 
@@ -20,10 +20,10 @@ INLINE NUM FORM(cone_G)(FORM(questions) *q, FORM(quadratic) *to)
     q->dz = MUL(q->beta, q->per_ww);
     to->a = MOST(SUB(MUL(q->S, q->uu), MUL(MUL(q->T, q->beta), q->dz)), q->T);
     to->b = MOST(SUB(MUL(q->S, q->Du), MUL(height, q->dz)), q->T);
-    const NUM c = MOST(SUB(SUB(MUL(q->S, q->DD), MUL(q->r0, q->r0)),
-                           MUL(ADD(height, part), q->z0)),
-                       q->T);
-    return SUB(MUL(to->b, to->b), MUL(to->a, c));
+    to->c = MOST(SUB(SUB(MUL(q->S, q->DD), MUL(q->r0, q->r0)),
+                     MUL(ADD(height, part), q->z0)),
+                 q->T);
+    return SUB(MUL(to->b, to->b), MUL(to->a, to->c));
 }
 
 /* G of a ball of radius r about the origin of x. */

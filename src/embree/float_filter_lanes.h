@@ -70,7 +70,7 @@ typedef cylint_float_filter_question question;
 /* Q, whether the line certainly crosses its surface, and where: sqrt(G),
  * reciprocals of a and of that, errors. */
 typedef struct {
-    vd a, b, root, per_a, per_root, e_a, e_G;
+    vd a, b, c, root, per_a, per_root, e_a, e_G;
     vm is, uncertain; /* neither: certainly not */
 } quadratic;
 
@@ -87,6 +87,7 @@ typedef struct {
     vm is_angle; /* the shape is an angle cone: the record has w */
     vm is_ball;  /* the shape is a sphere, which has no cone */
     vm apart;    /* a < 0: Q < 0 before the first root and behind the second */
+    vm within;   /* Q < 0 wherever z is that of a point of the shape */
     vm may, uncertain; /* the line may hit the shape; that is undecided */
 } questions;
 
@@ -242,6 +243,34 @@ INLINE void load_axis(questions *q, int is_round)
 }
 
 /*
+ * Decides lines that are nearly parallel to the lateral surface, so that Q has one
+ * sign wherever z is that of a point of the shape.  There |s| is at most `far`.
+ * All of a shape lies where Q <= 0.
+ */
+INLINE void settle_parallel(questions *q, vm lanes, int is_round)
+{
+    quadratic *c = &q->cone;
+    const vd one = v_set(1), dz = v_abs(q->dz), TK = q->T * q->K;
+    const vm steep = m_and(lanes, v_lt(v_set(0x1p-30) * q->U * q->per_W, dz));
+    vd beyond = v_set(0);
+    if (is_round)
+        beyond = q->R * q->per_W;
+    const vd far =
+        v_set(1.01) *
+        ((one + v_abs(q->z0)) + (beyond + eps(2) * q->Dn * q->per_W)) /
+        where_or_one(steep, dz);
+    const vd change = far * (v_set(2) * v_abs(c->b) + far * v_abs(c->a));
+    const vd most =
+        v_set(1.01) * change +
+        (far * (eps(12) * TK * q->U + far * c->e_a) + eps(6) * TK * q->K);
+    const vm undecided = m_and(steep, c->uncertain);
+    q->within = m_and(undecided, v_lt(c->c, -most));
+    c->is = m_or(c->is, q->within);
+    c->uncertain = m_and_not(
+        c->uncertain, m_or(q->within, m_and(undecided, v_lt(most, c->c))));
+}
+
+/*
  * Writes which lines may hit the shape: between discs those that certainly cross
  * the cone, of a round kind those that do not certainly miss it.  uncertain:
  * products may underflow, or one ball may lie in the other, or, between discs, the
@@ -270,6 +299,9 @@ INLINE void cross_shape(questions *q, int is_round)
               m_or(q->is_ball, sloped));
     const vm has_cone = m_and_not(window, q->is_ball);
     cross_surface(c, G, has_cone);
+    q->within = m_from(0);
+    if (m_any(m_and(has_cone, c->uncertain)))
+        settle_parallel(q, has_cone, is_round);
     q->apart = v_lt(c->a, v_set(0));
     q->may = c->is;
     q->uncertain = c->uncertain;
@@ -315,16 +347,23 @@ INLINE hit chord_end(const quadratic *c, const questions *q, int end)
     return at;
 }
 
-/* The same on a shape between discs.  Where a < 0 the nappe with positive radii
- * is the second's if the radii grow along the line, and its chord has one end
- * only.  Its other end is beyond a cap. */
-INLINE hit lateral_end(const questions *q, int end)
+/* The same of the cone, which can have no such end: the chord of a line within is
+ * endless.  Where a < 0 the nappe with positive radii between discs is the second's
+ * if the radii grow along the line, and its chord has one end only.  The place of a
+ * missing end is beyond the end of the shape.  y: z from the circle y = 0. */
+INLINE hit lateral_end(const questions *q, int is_round, int end, vd *y)
 {
     hit at = chord_end(&q->cone, q, end);
-    if (m_any(q->apart)) {
-        const vd zero = v_set(0), along = end ? q->dz : -q->dz;
-        const vm endless = m_and(q->apart, v_lt(zero, q->dr * along));
+    const vd zero = v_set(0), along = end ? q->dz : -q->dz;
+    *y = at.z;
+    if (is_round)
+        *y = q->y0 + at.s * q->dz;
+    vm endless = q->within;
+    if (!is_round)
+        endless = m_or(endless, m_and(q->apart, v_lt(zero, q->dr * along)));
+    if (m_any(endless)) {
         const vd beyond = v_select(v_lt(zero, along), v_set(2), v_set(-1));
+        *y = v_select(endless, beyond, *y);
         at.z = v_select(endless, beyond, at.z);
         at.z_error = v_select(endless, zero, at.z_error);
     }
@@ -336,7 +375,8 @@ INLINE hit lateral_end(const questions *q, int end)
 INLINE hit end_on_cap(const questions *q, int top, int end)
 {
     const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
-    hit at = lateral_end(q, 1 - end);
+    vd y;
+    hit at = lateral_end(q, 0, 1 - end, &y);
     const vd plane = v_set(top), margin = at.z_error + eps(1);
     const vd rise = plane - q->z0, out = top ? at.z - plane : plane - at.z;
     at.is = m_and(v_lt(out, -margin), v_lt(eps(16) * q->U * q->per_W, dz));
@@ -383,10 +423,8 @@ INLINE hit end_on_ball(const questions *q, int top, int end)
  */
 INLINE hit end_on_shape(const questions *q, int is_round, int end)
 {
-    hit at = is_round ? chord_end(&q->cone, q, end) : lateral_end(q, end);
-    vd y = at.z;
-    if (is_round)
-        y = q->y0 + at.s * q->dz;
+    vd y;
+    hit at = lateral_end(q, is_round, end, &y);
     const vd e = at.z_error + eps(is_round ? 3 : 1);
     const vm crosses = at.is;
     at.is = m_and(crosses, m_and(v_lt(e, y), v_lt(y, q->S - e)));
