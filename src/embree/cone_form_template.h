@@ -2,12 +2,11 @@
  * cone_form_template.h - the quadratics of a cone and of a ball, from dot products
  *
  * For float_filter_lanes.h, which states them, and for the test of their errors
- * (tests/bounds/test_embree_float_bounds.c), which runs them over sizes and
- * errors.
+ * (tests/bounds/test_embree_float_bounds.c), which runs them over sizes and errors.
  * The including file defines NUM, ADD SUB MUL (x, y) and, with FORM(name), the
  * names of the functions and of two structs: `questions` with the members that are
- * read and written here, `quadratic` with a, b and c.  MOST(x, T) is x, whose size is
- * at most T if |u|, |w| and K are 1.
+ * read and written here, `quadratic` with a, b and c.  MOST(x, T) is x, whose size
+ * is at most T if |u|, |w| and K are 1.
  */
 
 /* Writes y0, z0, dz and the quadratic along the line; returns G. */
