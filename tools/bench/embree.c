@@ -240,6 +240,15 @@ static double percent_wrong(void)
     return 100.0 * wrong / RAYS;
 }
 
+/* From straight above. */
+static void compare_upright(const struct sticks *s)
+{
+    draw_parallel(RAYS, in.ray);
+    compare(s, "nearest; along the axes", NULL, nearest, nearest, in.ours);
+    compare(s, "nearest; along the axes; packets", NULL, nearest_in_packets,
+            nearest_in_packets, in.ours);
+}
+
 static void compare_scene(const struct sticks *s)
 {
     draw_incoherent(RAYS, in.ray);
@@ -287,7 +296,9 @@ static void compare_sticks(const struct sticks *s)
               s->side > 1 ? MERGED
                           : CYLINT_EMBREE_NO_FILTERS | CYLINT_EMBREE_BARE);
     }
-    (s->side > 1 ? compare_parts : compare_scene)(s);
+    (s->side > 1     ? compare_parts
+     : s->is_upright ? compare_upright
+                     : compare_scene)(s);
     release(&in.curves, 0);
     for (int k = 0; k < KERNELS_MOST; k++) {
         release(&in.ours[k], 1);
@@ -304,11 +315,11 @@ void bench_embree(void)
         size_t side;
     } scenes[] = {{&thin, 1e3, 0, 1},        {&fat, 1e3, 0, 1},
                   {&thin_sticks, 1e5, 0, 1}, {&fat_sticks, 1e5, 0, 1},
-                  {&fibres, 1e5, 0, 1},      {&thin, 1e6, 0, 1},
-                  {&thin_sticks, 1e6, 0, 1}, {&fat_sticks, 1e6, 0, 1},
-                  {&thin_sticks, 1e6, 1, 1}, {&fat_sticks, 1e6, 1, 1},
-                  {&thin_sticks, 1e5, 0, 8}, {&fat_sticks, 1e5, 0, 8},
-                  {&fat_sticks, 1e5, 0, 18}};
+                  {&fibres, 1e5, 0, 1},      {&upright, 1e5, 0, 1},
+                  {&thin, 1e6, 0, 1},        {&thin_sticks, 1e6, 0, 1},
+                  {&fat_sticks, 1e6, 0, 1},  {&thin_sticks, 1e6, 1, 1},
+                  {&fat_sticks, 1e6, 1, 1},  {&thin_sticks, 1e5, 0, 8},
+                  {&fat_sticks, 1e5, 0, 8},  {&fat_sticks, 1e5, 0, 18}};
 #if defined(__SSE2__)
     _mm_setcsr(_mm_getcsr() | 0x8040); /* subnormals are 0: Embree's advice */
 #endif
