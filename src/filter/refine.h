@@ -172,6 +172,29 @@ INLINE arguments arguments_of(cylint_question *q)
     return (arguments){q->shape, q->line, q->want, q->answer, q};
 }
 
+/* The planes that bound the lateral surface are those of the ends. */
+INLINE int has_end_planes(int solid)
+{
+    return cylint_solid_is_bounded(solid) &&
+           (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_CAPSULE);
+}
+
+/* Whether the line certainly lies in the plane of an end, one of coordinates. */
+INLINE int lies_in_plane(const source *from)
+{
+    const cylint_line *line = from->line;
+    int lies = 0;
+    for (int i = 0; i < 3; i++) {
+        vm here;
+        const vpair plane = plane_coordinate(from, i, m_from(2), &here);
+        here = m_and(here, m_and(v_eq(plane.hi, v_set(line->o[i])),
+                                 v_eq(plane.lo, v_set(0))));
+        lies |= m_any(here) && !cylint_too_small(line->o[i]) &&
+                cylint_sign(line->d[i]) == 0 && cylint_sign(line->d_lo[i]) == 0;
+    }
+    return lies;
+}
+
 /* The signs of a line in pairs, then its hits. */
 static int refine_line(cylint_question *q)
 {
@@ -192,6 +215,15 @@ static int refine_line(cylint_question *q)
     judge(&v, &f, &l, solid);
     if (m_bits(m_or(v.misses, v_lt(v.G.v, -v.G.e))) & 1)
         return write_miss(q->answer);
+    /* In the plane of an end, which is that of a capsule's circle, a line that
+     * enters the lateral surface overlaps the solid as far as that. */
+    const int in_plane = has_end_planes(solid) && lies_in_plane(&from);
+    if (in_plane) {
+        v.crosses = v_lt(v.G.e, v.G.v);
+        v.pierced[0] = m_from(0);
+        v.sided = m_from(3);
+    }
+    q->along = in_plane && !cylint_solid_is_round(solid);
     const int sided = (m_bits(v.sided) & 1) != 0;
     if (!(m_bits(v.crosses) & 1) ||
         (!sided &&
@@ -204,6 +236,8 @@ static int refine_line(cylint_question *q)
     const vd t = near_limit(l.limit[0]);
     point_signs at = no_point_signs;
     point_in_pairs(&at, &l, &in, t, shape, solid);
+    if (in_plane)
+        at.above[0].positive = at.above[1].negative = m_from(3);
     set_past(&at, &l, &v, t, solid);
     const place where = place_of(&at, &v, l.limit[0], solid);
     return answer_by_places(&where, bits_of_end(&e, &l, &v, shape, solid), &a,
