@@ -40,8 +40,8 @@ void make_ray(cylint_line *ray, const double o[3], const double d[3]);
 
 /* -------------------------------------------------------------- sticks -- */
 
-/* Shapes in random directions, or upright, that fill the unit cube.  All numbers are
- * floats, so that Embree's curves are the same shapes. */
+/* Shapes in random directions, or upright, that fill the unit cube.  All numbers
+ * are floats, so that Embree's curves are the same shapes. */
 
 /* length in mean distances of neighbours, radius in lengths. */
 struct stick_kind {
