@@ -178,16 +178,29 @@ static inline int cylint_pairs_serve(const cylint_shape *s,
            cylint_rounds_to_nearest();
 }
 
-/* Relation, n, and the wanted t, part and side of a line that intersects the plane
- * at one point; or CYLINT_UNDECIDED. */
+/* Of a line parallel to the plane, on a side of it. */
+static inline int cylint_answer_parallel(int side, cylint_answer *answer)
+{
+    answer->relation = side > 0    ? CYLINT_RELATION_CROSS
+                       : side == 0 ? CYLINT_RELATION_ALONG
+                                   : CYLINT_RELATION_MISS;
+    answer->n = 0;
+    return side == CYLINT_SIDE_UNDECIDED ? CYLINT_UNDECIDED : 0;
+}
+
+/* Relation, n, and the wanted t, part and side of a line; or CYLINT_UNDECIDED. */
 static inline int cylint_intersect_plane(const cylint_shape *s,
                                          const cylint_line *line, unsigned want,
                                          cylint_answer *answer)
 {
     plane_number slope, t;
-    if (!cylint_pairs_serve(s, line) ||
-        !cylint_line_to_plane(s, line, &slope, &t))
+    if (!cylint_pairs_serve(s, line))
         return CYLINT_UNDECIDED;
+    if (!cylint_line_to_plane(s, line, &slope, &t))
+        return cylint_is_exact_zero(slope)
+                   ? cylint_answer_parallel(cylint_side_of_plane(s, line->o),
+                                            answer)
+                   : CYLINT_UNDECIDED;
     const int after_first = cylint_root_side(t, line->tmin),
               after_last = cylint_root_side(t, line->tmax);
     answer->relation = CYLINT_RELATION_CROSS;
