@@ -195,6 +195,33 @@ INLINE int lies_in_plane(const source *from)
     return lies;
 }
 
+/* Whether the line is certainly parallel to the axis: both run along the same
+ * coordinate. */
+INLINE int runs_along_axis(const source *from)
+{
+    const double *w = cylint_axis(from->shape);
+    const cylint_line *line = from->line;
+    int coordinates = 0;
+    for (int i = 0; i < 3; i++)
+        coordinates += cylint_sign(w[i]) != 0 || cylint_sign(line->d[i]) != 0 ||
+                       cylint_sign(line->d_lo[i]) != 0;
+    return coordinates == 1;
+}
+
+/* A line parallel to the axis of a whole cylinder is on the side of its origin. */
+INLINE int answer_along_axis(cylint_question *q, const local_line *l,
+                             const pair_line *in)
+{
+    point_signs at = no_point_signs;
+    point_in_pairs(&at, l, in, v_set(0), q->shape, CYLINT_SOLID_WHOLE_CYLINDER);
+    if (m_bits(at.side.positive) & 1)
+        return write_miss(q->answer);
+    if (!(m_bits(at.side.negative) & 1))
+        return leave_undecided(q, CYLINT_REFINE_NONE);
+    q->answer->relation = CYLINT_RELATION_CROSS;
+    return q->answer->n = 0;
+}
+
 /* The signs of a line in pairs, then its hits. */
 static int refine_line(cylint_question *q)
 {
@@ -210,6 +237,8 @@ static int refine_line(cylint_question *q)
     v.exists[0] = m_from(3);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     load_pairs(&in, &from, 1, solid);
+    if (solid == CYLINT_SOLID_WHOLE_CYLINDER && runs_along_axis(&from))
+        return answer_along_axis(q, &l, &in);
     forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
     v.G = bounded_G(&f, &l, solid);
     judge(&v, &f, &l, solid);
