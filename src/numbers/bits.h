@@ -93,6 +93,7 @@ static inline int cylint_too_small(double x)
 /* Whether x is a normal power of two, of either sign. */
 static inline int cylint_is_power_of_two(double x)
 {
+    /* untaken 1 of 4: no direction towards a plane is 0 */
     return fabs(x) > 0 && cylint_bits(x) << 12 == 0;
 }
 
