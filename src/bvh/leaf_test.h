@@ -122,24 +122,25 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 }
 
 /*
- * The lanes whose middle, at p + w / 2, the line passes at no more than r plus half
- * of the axis across e, |n| / (2 |e|): for lines nearly parallel to the axis.  The
- * error of (D - w / 2) x e is at most k E, those of n and of the roundings, too.
- * The vectors are passed in registers.
+ * The lanes from `lane` on whose middle, at p + w / 2, the line passes at no more
+ * than r plus half of the axis across e, |n| / (2 |e|): for lines nearly parallel to
+ * the axis.  The error of (D - w / 2) x e is at most k E, those of n and of the
+ * roundings, too.  All is computed again, so that callers keep their registers.
  */
-ASIDE unsigned near_middle(const leaf_line *l, vf r, vf nn, vf w0, vf w1, vf w2,
-                           vf D0, vf D1, vf D2)
+ASIDE unsigned near_middle(const cylint_leaf *b, int lane, const leaf_line *l)
 {
+    const cylinders s = cylinders_of(b, lane);
     const vf *const e = l->e, half = f_set(0.5f);
-    const vf M[3] = {f_mad(w0, -half, D0), f_mad(w1, -half, D1),
-                     f_mad(w2, -half, D2)};
-    vf c[3];
+    vf M[3], n[3], c[3];
+    EACH(j, 3)
+        M[j] = f_mad(s.w[j], -half, l->q[j] - s.p[j]);
     EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
+        n[j] = f_mad(e[k], s.w[m], -(e[m] * s.w[k]));
         c[j] = f_mad(M[k], e[m], -(M[m] * e[k]));
     }
-    const vf most =
-        f_mad(r, f_sqrt(dot(e, e)), f_sqrt(nn) * half) + f_set(3) * l->k * l->E;
+    const vf most = f_mad(s.r, f_sqrt(dot(e, e)), f_sqrt(dot(n, n)) * half) +
+                    f_set(3) * l->k * l->E;
     return f_not_greater(dot(c, c), most * most);
 }
 
@@ -155,9 +156,9 @@ ASIDE unsigned near_middle(const leaf_line *l, vf r, vf nn, vf w0, vf w1, vf w2,
  * far from the ends of the rounded axis is between the ends of the piece.  The
  * errors are those above, subtracted instead of added.
  */
-CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
-                                  float *least, unsigned *certain,
-                                  leaf_bound bound)
+CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
+                                  int lane, const leaf_line *l, float *least,
+                                  unsigned *certain, leaf_bound bound)
 {
     const vf *const e = l->e;
     vf D[3], n[3];
@@ -173,8 +174,7 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
     const vf gg = f_mad(r * r, nn, (r + r + l->k) * (kEW * EW));
     unsigned hit = f_not_greater(ff, gg);
     if (hit & greater(gg, (r + r) * r * nn))
-        hit &=
-            near_middle(l, r, nn, s->w[0], s->w[1], s->w[2], D[0], D[1], D[2]);
+        hit &= near_middle(b, lane, l);
     const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf CC = (gg - ff) * ww, C = f_sqrt(CC);
@@ -227,7 +227,7 @@ CYLINT_INLINE unsigned test_bounds(const cylint_leaf *b, const cylinders *all,
     do {
         unsigned some = 0;
         const cylinders here = all ? all[lane / WIDTH] : cylinders_of(b, lane);
-        hit |= test_lanes(&here, l, least ? least + lane : NULL,
+        hit |= test_lanes(&here, b, lane, l, least ? least + lane : NULL,
                           certain ? &some : NULL, bound)
                << lane;
         all_certain |= some << lane;

@@ -48,10 +48,10 @@ typedef struct {
     cylint_refinement next;
     cylint_end_bits ends;
     unsigned exists, past[2], nearest;
-    int along;   /* the line lies in the plane of an end */
-    int rises;   /* the sign of Q's slope at the line's origin; 0: uncertain */
-    double A;    /* of the lateral quadratic; only its sign counts */
-    double Q, D; /* no coordinate of the line's origin exceeds Q, none of its
+    int is_along; /* the line lies in the plane of an end */
+    int rises;    /* the sign of Q's slope at the line's origin; 0: uncertain */
+    double A;     /* of the lateral quadratic; only its sign counts */
+    double Q, D;  /* no coordinate of the line's origin exceeds Q, none of its
                     direction D */
     double t[2], slope[2], inverse[2], slope_error[2], curvature[2];
     double value[2], tail[2], error[2], low[2], high[2];

@@ -178,7 +178,7 @@ static int refine(cylint_question *q)
     static int (*const refined[CYLINT_SOLIDS])(cylint_question *) = {
         CYLINT_EACH_SOLID(REFINED)};
     int n = CYLINT_UNDECIDED;
-    q->along = 0;
+    q->is_along = 0;
     if (q->next == CYLINT_REFINE_NONE || !cylint_rounds_to_nearest())
         return n;
     if (q->next == CYLINT_REFINE_ENDS)
@@ -188,7 +188,7 @@ static int refine(cylint_question *q)
         n = refine_line(q);
     if (n == CYLINT_UNDECIDED && q->next == CYLINT_REFINE_ROOTS)
         n = refine_roots(q);
-    if (n != CYLINT_UNDECIDED && q->along)
+    if (n != CYLINT_UNDECIDED && q->is_along)
         q->answer->relation = CYLINT_RELATION_ALONG;
     return n;
 }

@@ -252,7 +252,7 @@ static int refine_line(cylint_question *q)
         v.pierced[0] = m_from(0);
         v.sided = m_from(3);
     }
-    q->along = in_plane && !cylint_solid_is_round(solid);
+    q->is_along = in_plane && !cylint_solid_is_round(solid);
     const int sided = (m_bits(v.sided) & 1) != 0;
     if (!(m_bits(v.crosses) & 1) ||
         (!sided &&
