@@ -123,8 +123,8 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 
 /*
  * The lanes from `lane` on whose middle, at p + w / 2, the line passes at no more
- * than r plus half of the axis across e, |n| / (2 |e|): for lines nearly parallel to
- * the axis.  The error of (D - w / 2) x e is at most k E, those of n and of the
+ * than r plus half of the axis across e, |n| / (2 |e|): for lines nearly parallel
+ * to the axis.  The error of (D - w / 2) x e is at most k E, those of n and of the
  * roundings, too.  All is computed again, so that callers keep their registers.
  */
 ASIDE unsigned near_middle(const cylint_leaf *b, int lane, const leaf_line *l)
