@@ -84,15 +84,8 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
                                                2 * CYLINT_PAIR_DIV)};
 }
 
-/* Whether coordinate i alone differs from that of p where a point is not on the
- * plane. */
-static inline int cylint_plane_is_across(const double n[3], int i)
-{
-    return cylint_sign(n[(i + 1) % 3]) == 0 && cylint_sign(n[(i + 2) % 3]) == 0;
-}
-
 /* Writes the signed distance of a point at `from` from p, with `above` along the
- * normal.  Returns 0 if its rounding is uncertain.  The thread rounds to nearest,
+ * normal; from a plane of coordinates it is a difference.  Returns 0 if its rounding is uncertain.  The thread rounds to nearest,
  * and the shape is in range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
                                         const pair from[3], plane_number above,
@@ -100,7 +93,7 @@ static inline int cylint_plane_distance(const cylint_shape *s,
 {
     const double *n = cylint_axis(s);
     for (int i = 0; i < 3; i++)
-        if (cylint_plane_is_across(n, i) && fabs(from[i].hi) > 0x1p-400) {
+        if (cylint_runs_along(n, i) && fabs(from[i].hi) > 0x1p-400) {
             *distance = from[i].hi * cylint_sign(n[i]);
             return 1;
         }
@@ -230,7 +223,7 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
 {
     const double *n = cylint_axis(s);
     const pair d = {line->d[i], line->d_lo[i]}, o = {line->o[i], 0};
-    const int is_across = cylint_plane_is_across(n, i);
+    const int is_across = cylint_runs_along(n, i);
     if (is_across || cylint_sign(d.hi) == 0 || cylint_is_exact_zero(t)) {
         *x = cylint_positive_zero(is_across ? cylint_base(s)[i] : line->o[i]);
         return 1;

@@ -200,12 +200,11 @@ INLINE int lies_in_plane(const source *from)
  * coordinate. */
 INLINE int runs_along_axis(const source *from)
 {
-    const double *w = cylint_axis(from->shape);
-    const cylint_line *line = from->line;
-    int coordinates = 0;
+    const double *w = cylint_axis(from->shape), *d = from->line->d;
+    int runs = 0;
     for (int i = 0; i < 3; i++)
-        coordinates += cylint_sign(w[i]) != 0 || cylint_sign(line->d[i]) != 0;
-    return coordinates == 1;
+        runs |= cylint_runs_along(w, i) && cylint_runs_along(d, i);
+    return runs;
 }
 
 /* A line parallel to the axis of a whole cylinder is on the side of its origin. */

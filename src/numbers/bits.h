@@ -132,6 +132,12 @@ static inline double cylint_next(double x, int up)
     return up ? cylint_next_above(x) : -cylint_next_above(-x);
 }
 
+/* Whether no component of v but i is other than 0. */
+static inline int cylint_runs_along(const double v[3], int i)
+{
+    return cylint_sign(v[(i + 1) % 3]) == 0 && cylint_sign(v[(i + 2) % 3]) == 0;
+}
+
 static inline double cylint_largest(const double x[3])
 {
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
