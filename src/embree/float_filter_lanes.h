@@ -245,7 +245,7 @@ INLINE void load_axis(questions *q, int is_round)
 /*
  * Decides lines that are nearly parallel to the lateral surface, so that Q has one
  * sign wherever z is that of a point of the shape.  There |s| is at most `far`.
- * All of a shape lies where Q <= 0.  eps(12) is twice the error of b, eps(6) is that
+ * All of a shape lies where Q <= 0.  eps(12) is twice the error of b, eps(6) that
  * of c.  dz is larger than 2^17 times its error; 1.01 covers this, and roundings.
  */
 INLINE void settle_parallel(questions *q, vm lanes, int is_round)

@@ -85,8 +85,9 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
 }
 
 /* Writes the signed distance of a point at `from` from p, with `above` along the
- * normal; from a plane of coordinates it is a difference.  Returns 0 if its rounding is uncertain.  The thread rounds to nearest,
- * and the shape is in range. */
+ * normal; from a plane of coordinates it is a difference.  Returns 0 if its
+ * rounding is uncertain.  The thread rounds to nearest, and the shape is in
+ * range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
                                         const pair from[3], plane_number above,
                                         double *distance)
