@@ -5,26 +5,12 @@
  */
 #include "intersect.h"
 
-/* The axis is 2^e times these pairs.  e is 0 unless a component of the axis
- * overflows. */
+/* A shape and the box that its ends extend. */
 typedef struct {
-    pair axis[3];
-    int e;
-} long_axis;
-
-static long_axis axis_of(const cylint_shape *s)
-{
-    long_axis k = {.e = 0};
-    const int fits = cylint_largest(cylint_axis(s)) <= DBL_MAX;
-    double hi[3], lo[3];
-    if (!fits) {
-        k.e = 2;
-        cylint_scaled_difference(hi, lo, cylint_top(s), cylint_base(s), -k.e);
-    }
-    for (int i = 0; i < 3; i++)
-        k.axis[i] = fits ? cylint_axis_pair(s, i) : (pair){hi[i], lo[i]};
-    return k;
-}
+    const cylint_shape *shape;
+    double *lo, *hi; /* [3] */
+    int serves;      /* pairs_serve() */
+} box;
 
 static void write_side(double lo[3], double hi[3], int j, double low,
                        double high)
@@ -56,24 +42,30 @@ static int outward(pair center, pair reach, int is_exact, int up, double *side)
         return 1;
     }
     const double moved = sum.hi + (up ? sum.lo + error : sum.lo - error);
-    *side = cylint_next(cylint_next(moved, up), up);
+    *side = cylint_from_rank(cylint_rank(moved) + (up ? 2 : -2));
     return error <= CYLINT_ROUNDING / 2 * fabs(sum.hi);
 }
 
-/* ----------------------------------------------------- by exact numbers -- */
-
-/* Whether pairs serve for a side of these terms: their sums are exact, or within
- * CYLINT_BOX_ERROR, only where rounding is to nearest, and nothing is flushed to
- * zero or overflows. */
-static int pairs_serve(double center, double offset, double reach)
+/* Whether no vector of the shape has a component, and no radius is a number, whose
+ * powers in a side could overflow or lose digits. */
+static int pairs_serve(const cylint_shape *s)
 {
-    const double most =
-        cylint_larger(cylint_larger(fabs(center), fabs(offset)), fabs(reach));
-    const int tiny = cylint_too_small(center) | cylint_too_small(offset) |
-                     cylint_too_small(reach);
-    return most <= cylint_power_of_two(CYLINT_LARGE_EXPONENT) &&
-           cylint_rounds_to_nearest() && !(tiny && cylint_flushes_subnormals());
+    enum { MOST = 250 };
+    const double *const vectors[] = {cylint_base(s), cylint_axis(s),
+                                     cylint_top(s), cylint_a(s), cylint_b(s)};
+    const int n = (int)(sizeof vectors / sizeof *vectors);
+    const double radii[3] = {cylint_r0(s), cylint_r1(s), 0};
+    int serve = cylint_rounds_to_nearest();
+    for (int i = 0; i <= n; i++) {
+        const double *x = i < n ? vectors[i] : radii;
+        serve &= cylint_largest(x) <= cylint_power_of_two(MOST) &&
+                 !cylint_is_small(x[0], MOST) && !cylint_is_small(x[1], MOST) &&
+                 !cylint_is_small(x[2], MOST);
+    }
+    return serve;
 }
+
+/* ----------------------------------------------------- by exact numbers -- */
 
 /* The number middle / unit + sqrt(square / by), where unit > 0 and by > 0, and unit
  * is 1 unless square is 0. */
@@ -173,65 +165,94 @@ static double exact_side_of_apex(cylint_query *q, int j, double guess, int up)
 /* ---------------------------------------------------------------- boxes -- */
 
 /* Extends the box by the sides center + offset -+ reach. */
-static void add_end(const cylint_shape *s, int end, int j, double center,
-                    double offset, pair reach, int is_exact, int serves,
-                    double lo[3], double hi[3])
+static void add_end(const box *to, int end, int j, double center, double offset,
+                    pair reach, int is_exact)
 {
     double side[2];
     const pair middle = pair_add((pair){center, 0}, (pair){offset, 0});
     for (int up = 0; up < 2; up++) {
-        if (!outward(middle, reach, is_exact, up, &side[up]) || !serves)
-            side[up] =
-                exact_side_of_end(s, end, j, center, offset, side[up], up);
+        if (!outward(middle, reach, is_exact, up, &side[up]) || !to->serves)
+            side[up] = exact_side_of_end(to->shape, end, j, center, offset,
+                                         side[up], up);
     }
-    extend_side(lo, hi, j, side[0], side[1]);
+    extend_side(to->lo, to->hi, j, side[0], side[1]);
 }
 
-/* Extends the box along coordinate j by the disc of a cap.  unit 2^e is the reach
- * of a disc of radius 1. */
-static void add_disc(const cylint_shape *s, int cap, int j, pair unit, int e,
-                     int is_exact, double lo[3], double hi[3])
+/* How far a section of radius 1 reaches along a coordinate: sqrt(square / by).  A
+ * disc perpendicular to the axis w reaches sqrt(1 - w_j^2 / w.w) from its centre,
+ * the ellipse with the semi-axes a and b sqrt(a_j^2 + b_j^2).  acone: the section
+ * at z = 1 of a cone of tangent 1. */
+typedef struct {
+    pair square[3], by;
+} unit_reaches;
+
+static pair square_of(pair x)
 {
-    const double r = cylint_end_factor(s, cap);
-    int er;
-    const pair radius = cylint_mantissa(r, &er);
-    const pair product = pair_mul(unit, radius);
-    double center = cylint_base(s)[j], offset = 0;
-    if (cap && cylint_has_end_points(s->kind))
-        center = cylint_top(s)[j];
-    else if (cap)
-        offset = cylint_axis(s)[j];
-    const pair reach = cylint_scaled_pair(product, e + er);
-    is_exact =
-        cylint_sign(r) == 0 ||
-        (is_exact && (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
-    /* not a reach that rounds to a subnormal number or 0 */
-    is_exact &= cylint_scaled(reach.hi, -e - er) == product.hi;
-    const int serves = pairs_serve(center, offset, reach.hi);
-    add_end(s, cap, j, center, offset, reach, is_exact, serves, lo, hi);
+    return pair_mul(x, x);
+}
+
+static unit_reaches reaches_of(const cylint_shape *s)
+{
+    unit_reaches u = {.by = {1, 0}};
+    if (cylint_is_elliptic(s->kind)) {
+        for (int j = 0; j < 3; j++)
+            u.square[j] = pair_add(square_of((pair){cylint_a(s)[j], 0}),
+                                   square_of((pair){cylint_b(s)[j], 0}));
+        return u;
+    }
+    pair along[3];
+    for (int j = 0; j < 3; j++)
+        along[j] = square_of(cylint_axis_pair(s, j));
+    for (int j = 0; j < 3; j++)
+        u.square[j] = pair_add(along[(j + 1) % 3], along[(j + 2) % 3]);
+    if (!cylint_has_tangent(s->kind))
+        u.by = pair_add(u.square[0], along[0]);
+    return u;
+}
+
+/* Whether a unit reach is a double. */
+static int is_plain_reach(const cylint_shape *s, int j, double *reach)
+{
+    if (!cylint_is_elliptic(s->kind)) {
+        *reach = cylint_runs_along(cylint_axis(s), j) ? 0 : 1;
+        return *reach == 0 || (cylint_sign(cylint_axis(s)[j]) == 0 &&
+                               !cylint_has_tangent(s->kind));
+    }
+    const double a = fabs(cylint_a(s)[j]), b = fabs(cylint_b(s)[j]);
+    *reach = cylint_larger(a, b);
+    return cylint_sign(a) == 0 || cylint_sign(b) == 0;
 }
 
 /* Extends the box by the discs of the first caps. */
-static void add_discs(const cylint_shape *s, int caps, double lo[3],
-                      double hi[3])
+static void add_discs(const box *to, int caps)
 {
-    const long_axis k = axis_of(s);
+    const cylint_shape *s = to->shape;
+    const unit_reaches u = reaches_of(s);
     for (int j = 0; j < 3; j++) {
-        int is_exact, e;
-        const pair unit = cylint_unit_reach(s, k.axis, j, &e, &is_exact);
-        for (int cap = 0; cap < caps; cap++)
-            add_disc(s, cap, j, unit, e, is_exact, lo, hi);
+        pair unit = {0, 0};
+        const int is_plain = is_plain_reach(s, j, &unit.hi);
+        if (!is_plain)
+            unit = pair_sqrt(pair_div(u.square[j], u.by));
+        for (int cap = 0; cap < caps; cap++) {
+            const pair reach =
+                pair_mul(unit, (pair){cylint_end_factor(s, cap), 0});
+            const int is_exact = reach.hi == 0 || (is_plain && reach.lo == 0);
+            double center = cylint_base(s)[j], offset = 0;
+            if (cap && cylint_has_end_points(s->kind))
+                center = cylint_top(s)[j];
+            else if (cap)
+                offset = cylint_axis(s)[j];
+            add_end(to, cap, j, center, offset, reach, is_exact);
+        }
     }
 }
 
 /* Extends the box by the ball about an end. */
-static void add_ball(const cylint_shape *s, int end, double lo[3], double hi[3])
+static void add_ball(const box *to, int end)
 {
-    const pair r = {cylint_end_factor(s, end), 0};
-    for (int j = 0; j < 3; j++) {
-        const double c = cylint_end_center(s, end, j);
-        add_end(s, end, j, c, 0, r, 1, pairs_serve(c, 0, r.hi), lo, hi);
-    }
+    const pair r = {cylint_end_factor(to->shape, end), 0};
+    for (int j = 0; j < 3; j++)
+        add_end(to, end, j, cylint_end_center(to->shape, end, j), 0, r, 1);
 }
 
 /* Whether |axis_j| is at least the growth of the disc's reach along coordinate
@@ -262,39 +283,32 @@ static int leans_inward(cylint_query *q, int j)
 
 /* Writes the box of a nappe.  It is unbounded, except on one side of each
  * coordinate along which no ruling runs backwards: there the apex bounds it. */
-static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
+static void write_nappe_box(const box *to)
 {
+    const cylint_shape *s = to->shape;
     cylint_line line;
     cylint_query q;
     cylint_open_at(&q, s, &line, cylint_base(s));
-    const long_axis k = axis_of(s);
-    const pair growth = cylint_radius_growth(s);
-    const int er = cylint_exponent(cylint_r0(s)),
-              ed = cylint_exponent(growth.hi);
-    const pair r0 = {cylint_scaled(cylint_r0(s), -er), 0};
-    const pair dr = cylint_scaled_pair(growth, -ed);
+    const pair r0 = {cylint_r0(s), 0}, growth = cylint_radius_growth(s);
+    const int at_base = cylint_sign(r0.hi) == 0;
     for (int j = 0; j < 3; j++) {
-        write_side(lo, hi, j, -HUGE_VAL, HUGE_VAL);
+        write_side(to->lo, to->hi, j, -HUGE_VAL, HUGE_VAL);
         if (!leans_inward(&q, j))
             continue;
         /* the apex: p0 - w r0 / dr */
-        pair quotient = {0, 0};
-        const int ew = cylint_exponent(k.axis[j].hi);
-        const int at_base = cylint_sign(cylint_r0(s)) == 0;
+        const pair w = cylint_axis_pair(s, j);
+        pair offset = {0, 0};
         if (!at_base)
-            quotient = pair_neg(
-                pair_div(pair_mul(cylint_scaled_pair(k.axis[j], -ew), r0), dr));
-        const pair offset = cylint_scaled_pair(quotient, k.e + ew + er - ed);
-        const int widens = cylint_sign(k.axis[j].hi) * cylint_sign(growth.hi);
+            offset = pair_neg(pair_div(pair_mul(w, r0), growth));
         /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
-        const int up = widens < 0;
+        const int up = cylint_sign(w.hi) * cylint_sign(growth.hi) < 0;
         const double base = cylint_base(s)[j];
         double apex;
         if (!outward((pair){base, 0}, up ? offset : pair_neg(offset), at_base,
                      up, &apex) ||
-            !pairs_serve(base, offset.hi, 0))
+            !to->serves)
             apex = exact_side_of_apex(&q, j, apex, up);
-        *(up ? &hi[j] : &lo[j]) = apex;
+        *(up ? &to->hi[j] : &to->lo[j]) = apex;
     }
 }
 
@@ -323,16 +337,17 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         write_half_space_box(shape, lo, hi);
         return;
     }
+    const box to = {shape, lo, hi, pairs_serve(shape)};
     if (cylint_is_nappe(shape)) {
-        write_nappe_box(shape, lo, hi);
+        write_nappe_box(&to);
         return;
     }
     if (cylint_is_round(kind)) {
-        add_ball(shape, 0, lo, hi);
+        add_ball(&to, 0);
         if (kind != CYLINT_KIND_SPHERE)
-            add_ball(shape, 1, lo, hi);
+            add_ball(&to, 1);
     } else if (bounded || !cylint_is_tapered(kind)) {
-        add_discs(shape, bounded ? 2 : 1, lo, hi);
+        add_discs(&to, bounded ? 2 : 1);
     }
     for (int j = 0; j < 3; j++)
         if (!bounded && (cylint_is_tapered(kind) ||

@@ -176,13 +176,6 @@ static inline pair cylint_scaled_pair(pair x, int e)
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
 }
 
-/* |x| / 2^*e, near 1, whatever the exponent of x. */
-static inline pair cylint_mantissa(double x, int *e)
-{
-    *e = cylint_any_exponent(x);
-    return (pair){cylint_scaled(fabs(x), -*e), 0};
-}
-
 /* (to - from) 2^e as pairs.  With this e nothing overflows. */
 void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
                               const double from[3], int e);

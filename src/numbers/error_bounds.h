@@ -174,7 +174,7 @@
 #define CYLINT_NEWTON_GAIN 0x1p-4
 
 /* Boxes (box.c): the error of a coordinate, relative to the sizes of its terms:
- * three sums, four products, two roots and two quotients of pairs. */
+ * five sums, three products, a root and a quotient of pairs. */
 #define CYLINT_BOX_ERROR 0x1p-98
 
 /* Below this many degrees the angle in radians has the same nearest double as

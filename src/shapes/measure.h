@@ -39,16 +39,6 @@ double cylint_tangent(double degrees);
 /* The binary exponent of the largest length of a shape. */
 int cylint_length_exponent(const cylint_shape *s);
 
-/*
- * How far a section of radius 1 reaches along coordinate j: the result times
- * 2^*e.  A disc perpendicular to the axis w reaches sqrt(1 - w_j^2 / w.w) from
- * its centre, the ellipse with the semi-axes a and b sqrt(a_j^2 + b_j^2).  acone:
- * the section at z = 1 of a cone of tangent 1.  *is_exact: 1 if nothing was
- * rounded.  The axis is a power of two times the pairs.
- */
-pair cylint_unit_reach(const cylint_shape *s, const pair axis[3], int j, int *e,
-                       int *is_exact);
-
 /* |x| < |y|. */
 static inline int cylint_is_smaller(pair x, pair y)
 {
