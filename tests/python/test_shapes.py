@@ -148,6 +148,9 @@ def test_the_arguments_are_members():
     assert table[:0].p0.shape == (0, 3, 3)
     with refused("cannot be changed", AttributeError):
         table.p0 = 1
+    for member in (*MEMBERS, "kind", "ends", "labels"):
+        with refused("read-only", ValueError):
+            getattr(table, member)[...] = 0
     assert abs(float(cylint.angle_cone(*UNIT, 45).tangent) - 1) < 1e-15
 
 

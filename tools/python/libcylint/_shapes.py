@@ -89,8 +89,8 @@ class Shapes:
 
     The arguments of the constructors are members: p0, p1, r, r0, r1, c, a, b, h,
     k, v, u, tangent, p, n.  They have the shapes of the arguments, (..., 3) or
-    (...), and are nan where a shape has no such argument.  A round cone that is a
-    ball has p0, r0, p1 and r1, too.
+    (...), are read-only, and are nan where a shape has no such argument.  A round
+    cone that is a ball has p0, r0, p1 and r1, too.
 
     `==` compares shapes one by one, as arrays of NumPy: two are equal if one
     constructor makes both from equal numbers and ends.  Labels do not count.
@@ -229,15 +229,15 @@ class Shapes:
                 if name not in table:
                     table[name] = self._member(name, kinds, numbers)
         if self._labels is not None:
-            table["labels"] = self.labels
+            table["labels"] = self._labels.astype(np.str_)
         return table
 
     @property
     def labels(self) -> NDArray[np.str_]:
         """(...) str, the names that `read_scene` found; "" for none."""
         if self._labels is None:
-            return np.full(self.shape, "")
-        return self._labels.astype(np.str_)
+            return _read_only(np.full(self.shape, ""))
+        return _read_only(self._labels.astype(np.str_))
 
     def with_labels(self, labels: ArrayLike) -> Shapes:
         """The same shapes with other labels.
@@ -425,10 +425,16 @@ def _fixed(shapes: Shapes, value: object) -> None:
     raise AttributeError("shapes cannot be changed")
 
 
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """The array, read-only: a change of it would not change the shapes."""
+    array.flags.writeable = False
+    return array
+
+
 for _name, _text in _MEMBERS.items():
 
     def _get(shapes: Shapes, name: str = _name) -> Doubles:
-        return shapes._member(name, *shapes._read())
+        return _read_only(shapes._member(name, *shapes._read()))
 
     setattr(Shapes, _name, property(_get, _fixed, None, _text))
 
