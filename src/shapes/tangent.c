@@ -13,22 +13,18 @@
 #include "../numbers/error_bounds.h"
 #include "../numbers/exact.h"
 
-static pair over(pair x, double n)
-{
-    return pair_div(x, (pair){n, 0});
-}
-
-/* sum over i of (-1)^i x^(2i+first) / (2i+first)!, 0 < x <= pi/4. */
+/* sum over i of (-1)^i x^(2i+first) / (2i+first)!, 0 < x <= pi/4, by Horner's rule:
+ * then no division waits for another. */
 static pair series(pair x, int first)
 {
-    const pair x2 = pair_neg(pair_mul(x, x));
-    pair term = first ? x : (pair){1, 0}, sum = term;
-    /* mutant '<' -> '<=': one more term, below the digits that are kept */
-    for (int n = first + 1; n < 34; n += 2) {
-        term = over(pair_mul(term, x2), (double)n * (n + 1));
-        sum = pair_add(sum, term);
+    const pair square = pair_neg(pair_mul(x, x)), one = {1, 0};
+    pair sum = one;
+    /* mutant '>' -> '>=': n - first is odd */
+    for (int n = first + 33; n > first; n -= 2) {
+        const pair ratio = pair_div(square, (pair){(double)n * (n + 1), 0});
+        sum = pair_add(one, pair_mul(ratio, sum));
     }
-    return sum;
+    return first ? pair_mul(x, sum) : sum;
 }
 
 /* The double nearest to x 2^e, in whatever rounding mode. */
