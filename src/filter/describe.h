@@ -163,8 +163,9 @@ INLINE bounded_value residual_beside(const source *from, const pair_line *in,
  * digits of a normal.  Where the error of the slope is at most a quarter of it, and
  * its quotient by c is at least 8 times the distance to the root, the root is this
  * one, the terms left out are at most 9 q^2 delta, and the errors of q do not
- * double those of delta.  Elsewhere, and where t is no such double, the error is
- * infinite or NaN.
+ * double those of delta.  Elsewhere the root is at the origin within twice the
+ * rounding of t, or CYLINT_MEMBER_NEAR: this serves members that do not change
+ * along the line.
  */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int solid)
@@ -189,8 +190,13 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                           v_le(v_set(8) * s.most * distance, v_abs(s.slope)));
     const vm near =
         m_and(v_le(v_abs(step.delta), distance), v_le(error, distance));
-    r.tail = -v_sum_of(step.delta, q, step.delta);
-    r.error = v_select(m_and(sure, near), error, v_set(HUGE_VAL));
+    const vm closer = m_and(sure, near);
+    const vm in_range = v_lt(v_set(fabs(t)), v_set(1 / CYLINT_ROOT_LEAST));
+    const vd rounding = v_select(
+        in_range, v_sum_of(v_set(2), distance, v_set(CYLINT_MEMBER_NEAR)),
+        v_set(HUGE_VAL));
+    r.tail = v_select(closer, -v_sum_of(step.delta, q, step.delta), v_set(0));
+    r.error = v_select(closer, error, rounding);
     return r;
 }
 
@@ -232,7 +238,7 @@ static unsigned describe_again(const cylint_shape *shape,
                              want & CYLINT_WANT_POINT) |
                describe_root(hit, &from, &in, &r,
                              want & ~(unsigned)CYLINT_WANT_POINT);
-        if (!(v_first(r.error) < HUGE_VAL))
+        if (!cylint_sign(v_first(r.tail)))
             break;
         tail += v_first(r.tail);
     }

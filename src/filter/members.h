@@ -411,11 +411,34 @@ INLINE bounded_pairs angle_of(const local_hit *h, const source *from)
     return (bounded_pairs){turns, error * v_set(1 / CYLINT_MEMBER_UNIT)};
 }
 
-INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
+/* Hits on an axis that runs along a coordinate: every term of x and y is 0. */
+INLINE vm lies_on_axis(const local_hit *h, const source *from,
+                       const pair_line *in, const hit_root *r)
 {
-    const vm certain = rounds(angle_of(h, from), CYLINT_MEMBER_TIE, to);
+    const vd none = v_set(0);
+    const vm stays = v_eq(v_abs(r->t) + r->error, none);
+    vm on_axis = m_not(m_from(0));
+    EACH(j, 3) {
+        const vd d = v_abs(direction_at(from, j).hi);
+        const vd entries = h->entry_size[0][j] + h->entry_size[1][j];
+        const vd sizes = v_select(stays, none, d) + world_size(in->size, j);
+        on_axis = m_and(on_axis, m_or(v_eq(entries, none), v_eq(sizes, none)));
+    }
+    return on_axis;
+}
+
+/* phi is 0 on the axis. */
+INLINE vm phi_of(vd *to, const local_hit *h, const source *from,
+                 const pair_line *in, const hit_root *r)
+{
+    vm certain = rounds(angle_of(h, from), CYLINT_MEMBER_TIE, to);
     *to =
         v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
+    if (m_any(m_not(certain))) {
+        const vm on_axis = m_and_not(lies_on_axis(h, from, in, r), certain);
+        *to = v_select(on_axis, v_set(0), *to);
+        certain = m_or(certain, on_axis);
+    }
     return certain;
 }
 
@@ -471,7 +494,8 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
         v_store(to->number[CYLINT_HIT_Z], nearest);
     }
     if (local & CYLINT_WANT_PHI) {
-        certain |= of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from));
+        certain |=
+            of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from, in, r));
         v_store(to->number[CYLINT_HIT_PHI], nearest);
     }
     to->certain = certain;

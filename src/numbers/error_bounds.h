@@ -344,6 +344,8 @@
  * operations are rounded, relative to the sum of its terms.
  * CYLINT_MEMBER_MOVED: the part of the terms of a moved origin that counts as its
  * size, so that bounds for the matrix cover their roundings.
+ * CYLINT_MEMBER_NEAR: no bound on the error of a root from its nearest double is
+ * less: the products of less with subnormal numbers can be 0.
  * CYLINT_MEMBER_LIKELY: members are likely to be certain where the error of the hit
  * is at most this part of the radius; only time depends on it.
  */
@@ -361,6 +363,7 @@
 #define CYLINT_MEMBER_TIE 0x1p-90
 #define CYLINT_MEMBER_SLOPE 0x1p-48
 #define CYLINT_MEMBER_MOVED 0x1p-6
+#define CYLINT_MEMBER_NEAR 0x1p-200
 #define CYLINT_MEMBER_LIKELY 0x1p-54
 
 /*
