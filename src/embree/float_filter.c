@@ -21,7 +21,7 @@
 
 /* ------------------------------------------------------------- accepting -- */
 
-/* HIT: the hit counts; MISS: it does not, but the next may. */
+/* HIT: the hit counts; MISS: it does not, but the next may.  e: 0 if t is exact. */
 INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
                                              question *of)
@@ -29,7 +29,7 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
     if (t + e < of->tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
     const float above = of->t = cylint_float_above(t);
-    if (!(t - e > of->tmin && cylint_is_float_above(above, t, e)))
+    if (e > 0 && !(t - e > of->tmin && cylint_is_float_above(above, t, e)))
         return CYLINT_FLOAT_FILTER_UNDECIDED;
     if (above > of->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
@@ -45,13 +45,30 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                             : CYLINT_FLOAT_FILTER_UNDECIDED;
 }
 
+/* Whether the line pierces a cap in a plane of coordinates where t is a float,
+ * which is written: data of few digits often do. */
+INLINE int pierces_at_float(const question *of, int top, double *t)
+{
+    const double *p0 = of->record.p0, *p1 = of->record.p1;
+    const double w[3] = {p1[0] - p0[0], p1[1] - p0[1], p1[2] - p0[2]};
+    EACH(j, 3) {
+        if (!cylint_runs_along(w, j))
+            continue;
+        const pair rise = cylint_difference(top ? p1[j] : p0[j], of->o[j]);
+        *t = (double)(float)(rise.hi / of->d[j]);
+        return rise.lo == 0 && *t * of->d[j] == rise.hi;
+    }
+    return 0;
+}
+
 /* The same for `lanes`.  Returns the lanes with a hit. */
 INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
-                            unsigned *uncertain)
+                            int is_round, unsigned *uncertain)
 {
     double t[LANES], e[LANES], z[LANES], z_error[LANES];
     const vd all = q->from + at->s;
     const unsigned capped = m_bits(at->capped), top = m_bits(at->top);
+    const unsigned planes = is_round ? 0 : capped & ~m_bits(q->is_angle);
     unsigned hits = 0;
     v_store(t, all);
     v_store(e, at->s_error + eps(1) * v_abs(all));
@@ -62,8 +79,11 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
         const int is_present =
             !(capped >> i & 1) ||
             cylint_caps_present(q->of[i]->ends) >> (top >> i & 1) & 1;
-        const cylint_float_filter_result is =
+        cylint_float_filter_result is =
             accept_hit(t[i], e[i], z[i], z_error[i], is_present, q->of[i]);
+        if (is == CYLINT_FLOAT_FILTER_UNDECIDED && planes >> i & 1 &&
+            pierces_at_float(q->of[i], (int)(top >> i & 1), &t[i]))
+            is = accept_hit(t[i], 0, z[i], 0, is_present, q->of[i]);
         hits |= (unsigned)(is == CYLINT_FLOAT_FILTER_HIT) << i;
         *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNDECIDED) << i;
     }
@@ -285,7 +305,7 @@ INLINE void answer_as(questions *q, int is_round)
         const unsigned inexact = open & need_step(q, &at, is_round);
         if (inexact)
             step_on_cone(q, end, m_from(inexact), &at);
-        const unsigned accepted = accept_hits(q, &at, open, &unsure);
+        const unsigned accepted = accept_hits(q, &at, open, is_round, &unsure);
         if (LANES == 1 || !hits)
             first = at;
         else

@@ -189,12 +189,12 @@ static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 
 /* -------------------------------------------------------- recording hits -- */
 
-/* Describes hit i in the question. */
+/* Describes hit i, of which z is known, in the question. */
 static void describe(ray_test *r, exact_hits *x, int i)
 {
     cylint_hit *at = &x->answer.hit[i];
-    cylint_describe(&x->shape, &x->line,
-                    CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI, at);
+    cylint_describe(&x->shape, &x->line, CYLINT_WANT_NORMAL | CYLINT_WANT_PHI,
+                    at);
     EACH(j, 3)
         r->q.floats[j] = (float)at->normal[j];
     r->q.floats[3] = (float)at->z;

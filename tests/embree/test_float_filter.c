@@ -292,6 +292,31 @@ TEST(known_cases_are_not_decided_wrongly)
     each_record("tests/embree/float_filter.txt", 6, check_known);
 }
 
+/* Rays of few digits, as those of a camera are; the last ones begin on the cap. */
+TEST(hits_on_upright_caps_at_floats_are_certain)
+{
+    static const char *const texts[] = {
+        "ray 0.25 0.125 5  0 0 -1  cylinder 0 0 0  0 0 2  0.5",
+        "ray 5 0.25 0.125  -2 0 0.0625  cone -1 0 0  0.25  2 0 0  0.5",
+        "ray 0.25 -5 0.125  0 1 0  cylinder 0 2 0  0 -1 0  0.5 ends=cap1",
+        "ray 0.25 0.125 2  0 0 -1  cylinder 0 0 0  0 0 2  0.5",
+        "ray 0.25 0.125 0  1 0 -1  cylinder 0 0 0  0 0 2  0.5"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct tally tally = {0, 0};
+        struct filter_case x;
+        struct family_case c;
+        cylint_float_filter_question *const one = &x.q;
+        CHECK(family_parse(texts[i], &c) &&
+              make_case(&x, &c.shape, c.line.o, c.line.d, 1));
+        for (int b = 0; b < n_builds; b++) {
+            builds[b].answer(&one, 1);
+            if (!CHECK(is_right(&x, &tally) &&
+                       x.q.is == CYLINT_FLOAT_FILTER_HIT))
+                REPORT("%s: %s", builds[b].name, texts[i]);
+        }
+    }
+}
+
 int main(void)
 {
     list_builds();
