@@ -300,6 +300,8 @@ def test_solids_of_a_file(tmp_path):
     scene = cylint.Scene.read(file)
     assert ends_of(scene.pieces([-5, 0, 3], [1, 0, 0])) == [(3.0, 4.0)]
     assert scene.shapes.labels[0] == "wall"
+    with pytest.warns(UserWarning, match="pipe: its solids are not kept: see Scene.read"):
+        assert (cylint.read_scene(file) == scene.shapes).all()
     scene.save(tmp_path / "saved")
     assert cylint.Scene.open(tmp_path / "saved").solids.tolist() == scene.solids.tolist()
     cylint.write_scene(tmp_path / "shapes", scene.shapes)

@@ -33,7 +33,7 @@ def read_scene(
     it gives a round cone, and each root a sphere.  swc="cones" is the default.
     What follows a shape on its line is its label, see `Shapes.labels`; that of a
     neuron's shape is the number of its node.  A scene of `Scene.save` is read, too.
-    Solids (in=NAME, out=NAME) are not kept: see `Scene.read`.
+    Solids (in=NAME, out=NAME) are not kept, with a warning: see `Scene.read`.
     ends: of shapes whose lines have no ends=.  Raises ValueError for the first
     bad line, OSError if the file cannot be read.
 
@@ -47,7 +47,11 @@ def read_scene(
     >>> cylint.read_scene(name, swc="round")
     <libcylint.Shapes (2,): 1 sphere, 1 rcone>
     """
-    begun, labels, _ = read_begun(path, ends=ends, swc=swc)
+    begun, labels, members = read_begun(path, ends=ends, swc=swc)
+    if members:
+        warnings.warn(
+            f"{os.fsdecode(path)}: its solids are not kept: see Scene.read", stacklevel=2
+        )
     return all_shapes(begun, labels)
 
 
