@@ -10,7 +10,9 @@
 static int is_on(const cylint_shape *shape, const cylint_line *line,
                  int surface)
 {
-    return CYLINT_OF_FMA(cylint_sign_at_origin)(shape, line, surface) == 0;
+    const pair origin = {0, 0};
+    return CYLINT_OF_FMA(cylint_sign_on_line)(shape, line, origin, surface) ==
+           0;
 }
 
 static int is_apex(const cylint_shape *shape, const cylint_line *line)

@@ -29,7 +29,7 @@ INLINE int contains_exactly(point_signs *at, const cylint_question *q,
                             int solid)
 {
     const int ball = cylint_solid_is_ball(solid);
-    if (!has_signs_at_origin(solid) || cylint_solid_is_nappe(solid) ||
+    if (!has_signs_on_line(solid) || cylint_solid_is_nappe(solid) ||
         !cylint_is_finite(q->line->o))
         return CYLINT_SIDE_UNDECIDED;
     settle(ball ? &at->ball[0] : &at->side, 1, 0, q, CYLINT_LATERAL_SURFACE);

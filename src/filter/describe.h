@@ -6,6 +6,7 @@
 #ifndef CYLINT_DESCRIBE_H
 #define CYLINT_DESCRIBE_H
 
+#include "../signs/origin.h"
 #include "members.h"
 #include "plane.h"
 
@@ -213,6 +214,40 @@ static unsigned describe_root(cylint_hit *hit, const source *from,
     return write_lane(hit, &m, want, 0);
 }
 
+/* ------------------------------------------------------- exact roots -- */
+
+/* Exact signs at points of the line serve these solids. */
+INLINE int has_signs_on_line(int solid)
+{
+    return !cylint_solid_is_round(solid) || cylint_solid_is_ball(solid);
+}
+
+/* The number near value + tail that has up to 24 digits more than a double.  Data
+ * of few digits have such roots, and often these, or coordinates of the hit, are
+ * the middle of two doubles. */
+INLINE vpair short_pair(vd value, vd tail)
+{
+    const vd coarse = v_set(0x1p-24) * v_abs(value);
+    return v_two_sum(value, (tail + coarse) - coarse);
+}
+
+/* Whether the root of a hit on `part` is such a number, next to t + tail, and its
+ * point follows without error: then writes the nearest doubles. */
+static int describe_exact_point(const source *from, double t, vd tail, int part,
+                                double point[3])
+{
+    const int solid = cylint_prepared(from->shape);
+    const int on_end =
+        part != CYLINT_PART_LATERAL && !cylint_solid_is_ball(solid);
+    const int surface =
+        on_end ? part - CYLINT_PART_CAP0 : CYLINT_LATERAL_SURFACE;
+    const vpair near = short_pair(v_set(t), tail);
+    const pair root = {v_first(near.hi), v_first(near.lo)};
+    return has_signs_on_line(solid) &&
+           CYLINT_SIGN_ON_LINE(from->shape, from->line, root, surface) == 0 &&
+           cylint_exact_point(from->line, root, point);
+}
+
 /* The same of the wanted members beside t, from t and part of `partial`.  The point
  * is computed from the line's origin, the others from an origin at t. */
 static unsigned describe_again(const cylint_shape *shape,
@@ -240,6 +275,10 @@ static unsigned describe_again(const cylint_shape *shape,
                              want & ~(unsigned)CYLINT_WANT_POINT);
         if (!cylint_sign(v_first(r.tail)))
             break;
+        if (want & CYLINT_WANT_POINT &&
+            describe_exact_point(&from, partial->t, from_origin.tail,
+                                 partial->part, hit->point))
+            want &= ~(unsigned)CYLINT_WANT_POINT;
         tail += v_first(r.tail);
     }
     return want;

@@ -10,8 +10,8 @@
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain
 #endif
-#ifndef CYLINT_SIGN_AT_ORIGIN
-#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin_plain
+#ifndef CYLINT_SIGN_ON_LINE
+#define CYLINT_SIGN_ON_LINE cylint_sign_on_line_plain
 #endif
 #include "../numbers/simd.h"
 #include "filter.h"

@@ -2,12 +2,12 @@
  * refine.h - questions that the kernels of one.c do not decide
  *
  * The signs of the line, or those at the ends of its domain, in pairs; then roots
- * by a second step of Newton's on residuals in levels.
+ * by a second step of Newton's on residuals in levels; then roots that have few
+ * more digits than a double, exactly.
  */
 #ifndef CYLINT_REFINE_H
 #define CYLINT_REFINE_H
 
-#include "../signs/origin.h"
 #include "levels.h"
 #include "one_answer.h"
 
@@ -274,12 +274,6 @@ static int refine_line(cylint_question *q)
 
 /* ------------------------------------------- a line that begins on the solid -- */
 
-/* Exact signs at the line's origin serve these solids. */
-INLINE int has_signs_at_origin(int solid)
-{
-    return !cylint_solid_is_round(solid) || cylint_solid_is_ball(solid);
-}
-
 /* Sets the uncertain sign in the lane of an end of the domain that is the line's
  * origin.  The domain is closed: a point of the surface counts as the one just
  * before tmin or after tmax.  rises: the sign of the slope there. */
@@ -288,7 +282,7 @@ INLINE void settle(signs *x, unsigned lane, int rises, const cylint_question *q,
 {
     if (m_bits(m_or(x->positive, x->negative)) & lane)
         return;
-    int sign = CYLINT_SIGN_AT_ORIGIN(q->shape, q->line, surface);
+    int sign = CYLINT_SIGN_ON_LINE(q->shape, q->line, (pair){0, 0}, surface);
     if (sign == 0)
         sign = lane == 1 ? -rises : rises;
     if (sign > 0)
@@ -328,28 +322,45 @@ INLINE unsigned limits_at_origin(const cylint_line *line)
            (cylint_sign(line->tmax) == 0 ? 2u : 0);
 }
 
-/* The lanes of `needed` whose root is 0, exactly: 0 lies within its bounds and
- * is a root of its surface, and the other root of that surface, which is
- * farther away than the slope over the curvature, does not lie within them. */
-INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
-                           const cylint_question *q, int solid)
+/* The lanes of `needed` whose root is exactly that of `exact`: its value lies
+ * within the bounds, it is a root of the surface, and the other root of that
+ * surface, which is as far away as the slope over the curvature, is farther than
+ * both can be from each other. */
+INLINE unsigned roots_at(const root *exact, const root *r, const estimate *at,
+                         unsigned needed, const cylint_question *q, int solid)
 {
-    const vd reach =
-        v_sum_of(v_set(4) * at->curvature, r->high - r->low, at->slope_error);
-    const vm near = m_and(v_le(r->low, v_set(0)), v_le(v_set(0), r->high));
-    unsigned zero = needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
-    if (!has_signs_at_origin(solid))
+    const vd distance = v_sum_of(v_set(2 * CYLINT_ROUNDING),
+                                 v_abs(exact->value), r->high - r->low),
+             reach =
+                 v_sum_of(v_set(4) * at->curvature, distance, at->slope_error);
+    const vm near =
+        m_and(v_le(r->low, exact->value), v_le(exact->value, r->high));
+    unsigned found =
+        needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
+    double t[2], tail[2];
+    if (!found || !has_signs_on_line(solid))
         return 0;
+    v_store(t, exact->value);
+    v_store(tail, exact->tail);
     EACH(i, 2) {
         const int plane =
             q->ends.on_end >> i & 1 && !cylint_solid_is_ball(solid);
         const int surface =
             plane ? (int)(q->ends.top >> i & 1) : CYLINT_LATERAL_SURFACE;
-        if (zero >> i & 1 &&
-            CYLINT_SIGN_AT_ORIGIN(q->shape, q->line, surface) != 0)
-            zero &= ~(1u << i);
+        if (found >> i & 1 &&
+            CYLINT_SIGN_ON_LINE(q->shape, q->line, (pair){t[i], tail[i]},
+                                surface) != 0)
+            found &= ~(1u << i);
     }
-    return zero;
+    return found;
+}
+
+/* A root that is exactly value + tail; the tail is at most half a step of the
+ * doubles. */
+INLINE root exact_root(vd value, vd tail)
+{
+    const vd step = v_set(2) * v_abs(tail);
+    return (root){value, tail, v_set(0), value - step, value + step, m_from(3)};
 }
 
 /* The roots of planes of coordinates, if the line's direction is a power of two
@@ -359,7 +370,7 @@ ASIDE vm exact_roots_of_planes(root *to, const cylint_question *q)
     const source from = {q->shape, q->line};
     const vd none = v_set(0);
     vm exact = m_from(0);
-    *to = (root){none, none, none, none, none, m_from(3)};
+    *to = exact_root(none, none);
     for (int i = 0; i < 3; i++) {
         const double o = q->line->o[i], d = q->line->d[i];
         vm is_fixed;
@@ -372,10 +383,8 @@ ASIDE vm exact_roots_of_planes(root *to, const cylint_question *q)
             continue;
         const vpair rise = v_two_sum(plane.hi, v_set(-o));
         exact = here;
-        to->value = v_sum_of(rise.hi, v_set(1 / d), none); /* no -0 */
-        to->tail = rise.lo * v_set(1 / d);
-        to->low = to->value - v_set(2) * v_abs(to->tail);
-        to->high = to->value + v_set(2) * v_abs(to->tail);
+        *to = exact_root(v_sum_of(rise.hi, v_set(1 / d), none), /* no -0 */
+                         rise.lo * v_set(1 / d));
     }
     return exact;
 }
@@ -389,12 +398,27 @@ INLINE root root_if(vm m, const root *x, const root *y)
         v_select(m, x->high, y->high),   m_if(m, x->nearest, y->nearest)};
 }
 
-/* The hits, of which those in the lanes have the root 0. */
-INLINE hits with_zero_hits(hits h, vm lanes, const cylint_line *line)
+/* The hits, of which those in the lanes have exact roots. */
+INLINE hits with_exact_hits(hits h, const root *r, unsigned lanes,
+                            const cylint_line *line)
 {
-    const int in = cylint_sign(line->tmin) <= 0 && cylint_sign(line->tmax) >= 0;
-    return (hits){in ? m_or(h.hit, lanes) : m_and_not(h.hit, lanes),
-                  m_and_not(h.undecided, lanes)};
+    double t[2], tail[2];
+    unsigned in = 0;
+    if (!lanes)
+        return h;
+    v_store(t, r->value);
+    v_store(tail, r->tail);
+    EACH(i, 2) {
+        const int after_first =
+            cylint_less(line->tmin, t[i]) ||
+            (!cylint_less(t[i], line->tmin) && tail[i] >= 0);
+        const int before_last =
+            cylint_less(t[i], line->tmax) ||
+            (!cylint_less(line->tmax, t[i]) && tail[i] <= 0);
+        in |= (unsigned)(after_first && before_last) << i;
+    }
+    return (hits){m_or(m_and_not(h.hit, m_from(lanes)), m_from(in & lanes)),
+                  m_and_not(h.undecided, m_from(lanes))};
 }
 
 /* ------------------------------------------------------------ stages --- */
@@ -419,7 +443,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
     const unsigned origin =
         limits_at_origin(q->line) &
         ~m_bits(m_or(m_or(where.before, where.inside), where.after));
-    if (origin && has_signs_at_origin(solid)) {
+    if (origin && has_signs_on_line(solid)) {
         EACH(i, 2)
             if (origin >> i & 1)
                 settle_at_origin(&at, 1u << i, q, solid);
@@ -442,8 +466,7 @@ static int refine_roots(cylint_question *q)
                          .inverse = v_load(q->inverse),
                          .slope_error = v_load(q->slope_error),
                          .curvature = v_load(q->curvature)};
-    const vd none = v_set(0);
-    const root zero = {none, none, none, none, none, m_from(3)};
+    const root zero = exact_root(v_set(0), v_set(0));
     root r = {v_load(q->value), v_load(q->tail), v_load(q->error),
               v_load(q->low),   v_load(q->high), m_from(q->nearest)};
     local_line l;
@@ -459,9 +482,9 @@ static int refine_roots(cylint_question *q)
     }
     hits h = hits_of_roots(&r, &l, present);
     unsigned needed = ends_needed(h, bits, q->want);
-    const vm zeros = m_from(zero_roots(&r, &at, needed, q, solid));
-    r = root_if(zeros, &zero, &r);
-    h = with_zero_hits(h, zeros, q->line);
+    unsigned exact = roots_at(&zero, &r, &at, needed, q, solid);
+    r = root_if(m_from(exact), &zero, &r);
+    h = with_exact_hits(h, &r, exact, q->line);
     needed = ends_needed(h, bits, q->want);
     if (!needed)
         return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);
@@ -477,11 +500,19 @@ static int refine_roots(cylint_question *q)
                                          (int)(q->ends.top >> i & 1),
                                          (int)(q->ends.on_end >> i & 1));
     }
-    const bounded_value exact = bounded_levels(
+    const bounded_value level = bounded_levels(
         v_load(residual), size_at(start, &l), m_from(q->ends.on_end), shape);
-    const root better = step_from(start, exact, &at);
+    const root better = step_from(start, level, &at);
     r = root_if(m_from(needed), &better, &r);
-    h = with_zero_hits(hits_of_roots(&r, &l, present), zeros, q->line);
+    h = with_exact_hits(hits_of_roots(&r, &l, present), &r, exact, q->line);
+    needed = ends_needed(h, bits, q->want);
+    if (needed) {
+        const vpair t = short_pair(r.value, r.tail);
+        const root near = exact_root(t.hi, t.lo);
+        const unsigned found = roots_at(&near, &r, &at, needed, q, solid);
+        r = root_if(m_from(found), &near, &r);
+        h = with_exact_hits(h, &r, found, q->line);
+    }
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
     return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);

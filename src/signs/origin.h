@@ -1,19 +1,26 @@
 /*
- * origin.h - on which side of a surface a line's origin lies, exactly
+ * origin.h - on which side of a surface a line's origin lies, exactly, or another
+ * point of the line
  */
 #ifndef CYLINT_ORIGIN_H
 #define CYLINT_ORIGIN_H
 
+#include "../numbers/double_double.h"
 #include "cylint.h"
 
 /* Not a cap: the lateral quadric, or the ball of a sphere. */
 enum { CYLINT_LATERAL_SURFACE = -1 };
 
-/* The sign of z from the plane of cap 0 or 1, or of the lateral quadric, which is
- * negative within. */
-int cylint_sign_at_origin_plain(const cylint_shape *shape,
-                                const cylint_line *line, int surface);
-int cylint_sign_at_origin_fma(const cylint_shape *shape,
-                              const cylint_line *line, int surface);
+/* The sign at o + t d of z from the plane of cap 0 or 1, or of the lateral quadric,
+ * which is negative within.  If t is not 0, it can be CYLINT_SIGN_UNDECIDED
+ * (sign.h). */
+int cylint_sign_on_line_plain(const cylint_shape *shape,
+                              const cylint_line *line, pair t, int surface);
+int cylint_sign_on_line_fma(const cylint_shape *shape, const cylint_line *line,
+                            pair t, int surface);
+
+/* Writes the doubles nearest to o + t d, and returns 1 if pairs computed them
+ * without error. */
+int cylint_exact_point(const cylint_line *line, pair t, double point[3]);
 
 #endif

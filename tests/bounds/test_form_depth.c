@@ -245,18 +245,27 @@ static int degree_of_product(int x, int y)
 #define MUL(x, y) degree_of_product(x, y)
 #include "signs/forms_template.h"
 
+/* The terms of a line from its origin, where D is 1, or from o + t d, where it is
+ * 2. */
+static void set_degrees(terms_degree *L, int kind, int D)
+{
+    memset(L, 0, sizeof *L);
+    L->kind = kind;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = L->w[i] = L->a[i] = L->b[i] = 1;
+        L->D[0][i] = L->D[1][i] = D;
+    }
+    L->r[0] = L->r[1] = L->dr = L->one = 1;
+    prepare_degree(L);
+}
+
 /* The degree that keeps pairs from underflow: of forms whose signs decide. */
 TEST(the_highest_degree_is_in_error_bounds_h)
 {
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
         terms_degree L;
-        memset(&L, 0, sizeof L);
-        L.kind = kind;
-        for (int i = 0; i < 3; i++)
-            L.u[i] = L.w[i] = L.D[0][i] = L.D[1][i] = L.a[i] = L.b[i] = 1;
-        L.r[0] = L.r[1] = L.dr = L.one = 1;
-        prepare_degree(&L);
+        set_degrees(&L, kind, 1);
         prepare_moments_degree(&L);
         prepare_top_degree(&L);
         for (cylint_form f = 0; f < CYLINT_FORMS; f++)
@@ -265,4 +274,18 @@ TEST(the_highest_degree_is_in_error_bounds_h)
     }
     if (!CHECK(most == CYLINT_DEGREE))
         REPORT("degree %d", most);
+}
+
+/* origin.c computes two forms there, of kinds that are not elliptic. */
+TEST(forms_at_other_points_of_a_line_are_of_no_higher_degree)
+{
+    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
+        terms_degree L;
+        if (cylint_is_elliptic(kind))
+            continue;
+        set_degrees(&L, kind, 2);
+        CHECK(form_degree(&L, FORM_C, 0) <= CYLINT_DEGREE);
+        CHECK(form_degree(&L, FORM_ALPHA, 0) <= CYLINT_DEGREE);
+        CHECK(form_degree(&L, FORM_ALPHA, 1) <= CYLINT_DEGREE);
+    }
 }

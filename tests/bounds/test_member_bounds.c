@@ -11,6 +11,7 @@
  * Shapes and lines are those of the families.
  */
 #define CYLINT_NARROW
+#define CYLINT_SIGN_ON_LINE cylint_sign_on_line_plain
 #include "numbers/simd.h"
 
 #if LANES == 2

@@ -8,7 +8,8 @@
  * c T = hi + lo is too long for one double, but the difference of the line's
  * origin -hi and the shape's place lo is exact.  So the even neighbour is known
  * without arithmetic of the library or the oracle.  Moving the shape by one ulp
- * must give the lower or the upper neighbour.
+ * must give the lower or the upper neighbour.  A domain that ends at a neighbour
+ * has the roots that it contains.
  */
 #include <math.h>
 #include <string.h>
@@ -239,6 +240,28 @@ static void expect(const struct plan *p, const struct family_case *c, double t,
     REPORT_CASE(c);
 }
 
+/* Domains that end at a neighbour of the root. */
+static void expect_in_domains(const struct family_case *c, double lower,
+                              double upper)
+{
+    const double domain[][2] = {{-HUGE_VAL, lower},
+                                {-HUGE_VAL, upper},
+                                {lower, HUGE_VAL},
+                                {upper, HUGE_VAL}};
+    for (int i = 0; i < 4; i++) {
+        struct family_case within = *c;
+        cylint_answer got;
+        cylint_span(&within.line, c->line.o, c->line.d, domain[i][0],
+                    domain[i][1]);
+        cylint_intersect(&c->shape, &within.line,
+                         CYLINT_WANT_T | CYLINT_WANT_PART, &got);
+        if (CHECK(agrees_with_oracle(&within, &got)))
+            continue;
+        REPORT("domain %a %a: %d", domain[i][0], domain[i][1], got.n);
+        REPORT_CASE(c);
+    }
+}
+
 /* Moves by one ulp the coordinate of the shape on which t depends: of the
  * plane, or else of the whole axis. */
 static int move_shape(const struct plan *p, int ulps, struct family_case *c)
@@ -264,6 +287,7 @@ static void try_plan(const struct plan *p)
     const double upper = p->sign * ldexp(p->m + 1, p->f + 1);
     const int odd = fmod(p->m, 2) != 0;
     expect(p, &c, odd ? upper : lower, "tie");
+    expect_in_domains(&c, lower, upper);
     if (p->where == APEX)
         return; /* a moved line misses the apex and has other roots */
     for (int ulps = -1; ulps <= 1; ulps += 2) {
