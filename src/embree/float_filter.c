@@ -24,7 +24,7 @@
 /* HIT: the hit counts; MISS: it does not, but the next may.  e: 0 if t is exact. */
 INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
-                                             question *of)
+                                             int on_ball, question *of)
 {
     if (t + e < of->tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
@@ -41,8 +41,8 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
         if (index != of->piece.index)
             return CYLINT_FLOAT_FILTER_MISS;
     }
-    return above < of->tfar ? CYLINT_FLOAT_FILTER_HIT
-                            : CYLINT_FLOAT_FILTER_UNDECIDED;
+    return above < of->tfar || on_ball ? CYLINT_FLOAT_FILTER_HIT
+                                       : CYLINT_FLOAT_FILTER_UNDECIDED;
 }
 
 /* Whether the line pierces a cap in a plane of coordinates where t is a float,
@@ -69,6 +69,7 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
     const vd all = q->from + at->s;
     const unsigned capped = m_bits(at->capped), top = m_bits(at->top);
     const unsigned planes = is_round ? 0 : capped & ~m_bits(q->is_angle);
+    const unsigned balls = is_round ? m_bits(is_on_end(q, at)) : 0;
     unsigned hits = 0;
     v_store(t, all);
     v_store(e, at->s_error + eps(1) * v_abs(all));
@@ -80,12 +81,14 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
             !(capped >> i & 1) ||
             cylint_caps_present(q->of[i]->ends) >> (top >> i & 1) & 1;
         cylint_float_filter_result is =
-            accept_hit(t[i], e[i], z[i], z_error[i], is_present, q->of[i]);
+            accept_hit(t[i], e[i], z[i], z_error[i], is_present,
+                       (int)(balls >> i & 1), q->of[i]);
         if (is == CYLINT_FLOAT_FILTER_UNDECIDED && planes >> i & 1 &&
             pierces_at_float(q->of[i], (int)(top >> i & 1), &t[i]))
-            is = accept_hit(t[i], 0, z[i], 0, is_present, q->of[i]);
+            is = accept_hit(t[i], 0, z[i], 0, is_present, 0, q->of[i]);
         hits |= (unsigned)(is == CYLINT_FLOAT_FILTER_HIT) << i;
         *uncertain |= (unsigned)(is == CYLINT_FLOAT_FILTER_UNDECIDED) << i;
+        q->of[i]->ball = balls >> i & 1 ? (int)(top >> i & 1) : -1;
     }
     return hits;
 }

@@ -118,6 +118,11 @@ typedef struct cylint_ray_test {
     float last;         /* tfar before the callback */
     unsigned rank;      /* of the shape */
     int found;          /* a hit was recorded */
+    /* the last recorded hit: members of `q`, and if it is on a ball also the others
+     * and its shape's rank */
+    int last_ball, last_leaves;
+    float last_t;
+    unsigned last_rank;
 } cylint_ray_test;
 
 enum { CYLINT_PACKET_MOST = 16 };

@@ -63,14 +63,20 @@ static inline int start_test(ray_test *r, const call *args, int any,
                      (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
     r->last = from->tfar;
     r->found = 0;
+    r->last_ball = -1;
     return (direction > 0) & (all + direction < HUGE_VAL) &
            (from->tnear <= from->tfar);
+}
+
+static inline unsigned number_at(const ray_test *r, unsigned rank)
+{
+    return r->data->number ? r->data->number[rank] : rank;
 }
 
 /* The number of the shape that is tested. */
 static inline unsigned tested_number(const ray_test *r)
 {
-    return r->data->number ? r->data->number[r->rank] : r->rank;
+    return number_at(r, r->rank);
 }
 
 /* Sets the question whether the ray hits a piece of the shape. */
@@ -264,6 +270,12 @@ static int record(ray_test *r)
     }
     if (r->any)
         r->ray->tfar = -HUGE_VALF;
+    r->last_ball = r->q.ball;
+    if (r->q.ball >= 0) {
+        r->last_rank = r->rank;
+        r->last_t = r->q.t;
+        r->last_leaves = r->q.leaves;
+    }
     return r->found = 1;
 }
 
@@ -289,6 +301,7 @@ ASIDE void test_exactly(ray_test *r)
         if (r->q.describes)
             describe(r, &x, i);
         r->q.t = rounded_up(at->t, r->ray->tfar);
+        r->q.ball = -1;
         if (record(r))
             return;
     }
@@ -300,18 +313,37 @@ CYLINT_INLINE void filter_one(ray_test *r)
     r->data->filter[0](&one, 1);
 }
 
+/* Whether the hit that the filter answers is the last recorded one, on a ball that
+ * the shapes have in common, as those of a chain of round cones do. */
+static int repeats_hit(const ray_test *r)
+{
+    cylint_record last;
+    if (r->last_ball < 0 || r->last_t != r->ray->tfar ||
+        r->last_leaves != r->q.leaves)
+        return 0;
+    cylint_embree_record(&r->data->shapes[0], r->last_rank, &last);
+    return memcmp(&last.p0[0] + 4 * r->last_ball,
+                  &r->q.record.p0[0] + 4 * r->q.ball, 4 * sizeof(double)) == 0;
+}
+
 /* Records the hit that the filter answers, if it is nearer than the present one
  * and the filter functions accept it, or else a later hit of the shape;
  * cylint_intersect() decides what is uncertain. */
 static void end_test(ray_test *r)
 {
     while (r->q.is == CYLINT_FLOAT_FILTER_HIT) {
+        if (r->q.t == r->ray->tfar) {
+            if (!repeats_hit(r))
+                break;
+            if (number_at(r, r->last_rank) < tested_number(r))
+                return;
+        }
         if (record(r) || r->q.leaves)
             return;
         r->q.exit_only = 1;
         filter_one(r);
     }
-    if (r->q.is == CYLINT_FLOAT_FILTER_UNDECIDED)
+    if (r->q.is != CYLINT_FLOAT_FILTER_MISS)
         test_exactly(r);
 }
 

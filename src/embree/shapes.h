@@ -84,7 +84,8 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
 typedef enum {
     CYLINT_FLOAT_FILTER_UNDECIDED = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,           /* no hit in the domain */
-    CYLINT_FLOAT_FILTER_HIT             /* t as a float is less than tfar */
+    /* t as a float is less than tfar or, on a ball, equal to it */
+    CYLINT_FLOAT_FILTER_HIT
 } cylint_float_filter_result;
 
 enum { CYLINT_HIT_FLOATS = 5 };
@@ -105,11 +106,12 @@ typedef struct cylint_float_filter_question {
     int exit_only; /* only where the line leaves the shape */
     int describes; /* `floats` are wanted */
     /* the answer; of a HIT: t rounded up to a float, whether the line leaves the
-     * shape there, and the floats if they are wanted: the normal, z and phi, equal
-     * to the library's doubles rounded to floats */
+     * shape there, the end of which the ball is hit, or -1, and the floats if they
+     * are wanted: the normal, z and phi, equal to the library's doubles rounded to
+     * floats */
     cylint_float_filter_result is;
     float t;
-    int leaves;
+    int leaves, ball;
     float floats[CYLINT_HIT_FLOATS];
 } cylint_float_filter_question;
 

@@ -371,6 +371,36 @@ TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
     }
 }
 
+/* Branches of round cones from one ball, away from rays that enter or leave it; or
+ * from balls a few doubles apart. */
+TEST(a_ball_in_common_is_hit_on_the_lowest_number)
+{
+    cylint_shape shapes[CAPS];
+    for (int turn = 0; turn < 300; turn++) {
+        double joint[3] = {0, 0, one_of(3) / 3.0};
+        const float x = (float)between(-0.5, 0.5),
+                    y = (float)between(-0.5, 0.5);
+        for (int i = 0; i < CAPS; i++) {
+            const double tip[3] = {between(-1, 1), between(-1, 1),
+                                   between(-9, -4)};
+            const double r = i % 4 ? between(0.2, 0.9) : 1;
+            joint[2] += turn % 2 ? (one_of(3) - 1) * 0x1p-50 : 0;
+            if (one_of(2))
+                cylint_round_cone(&shapes[i], joint, 1, tip, r, i % 3);
+            else
+                cylint_round_cone(&shapes[i], tip, r, joint, 1, i % 3);
+        }
+        cylint_sphere(&shapes[one_of(CAPS)], joint, 1, CYLINT_ENDS_CAPPED);
+        EACH_WAY(w, shapes, CAPS)
+            EACH_SIZE(n) {
+                traced(&w, n, (float[]){x, y, 8}, (float[]){0, y / 8, -1}, 0,
+                       HUGE_VALF);
+                traced(&w, n, (float[]){x, y, 0.125f}, (float[]){0, x, 1}, 0,
+                       HUGE_VALF);
+            }
+    }
+}
+
 /* Embree tests the primitives of several geometries in turns. */
 TEST(equal_hits_on_another_geometry_do_not_hide_lower_numbers)
 {

@@ -19,6 +19,7 @@
 #include "families.h"
 #include "records.h"
 #include "shapes/layout.h"
+#include "shapes/measure.h"
 
 enum { CASES = 10000, MOST = 16 };
 
@@ -176,6 +177,16 @@ static void gather(struct filter_call *c, int family, int other,
     }
 }
 
+/* The end of which the ball is hit, or -1. */
+static int ball_of(const struct filter_case *x, const cylint_hit *hit)
+{
+    if (!cylint_is_round(x->shape->kind))
+        return -1;
+    if (hit->part == CYLINT_PART_LATERAL)
+        return cylint_has_no_axis(x->shape) ? 0 : -1;
+    return hit->part == CYLINT_PART_CAP1;
+}
+
 /* Whether a certain answer is that of the library. */
 static int is_right(const struct filter_case *x, struct tally *tally)
 {
@@ -188,7 +199,8 @@ static int is_right(const struct filter_case *x, struct tally *tally)
         return 1;
     if (q->is == CYLINT_FLOAT_FILTER_MISS)
         return !hit || t > q->tfar;
-    return hit && q->t == t && t < q->tfar &&
+    return hit && q->t == t && q->ball == ball_of(x, hit) &&
+           (q->ball < 0 ? t < q->tfar : t <= q->tfar) &&
            q->leaves == (hit->side == CYLINT_SIDE_LEAVING) &&
            (!q->describes || same_floats(q->floats, hit));
 }
