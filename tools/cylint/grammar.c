@@ -293,8 +293,11 @@ static int read_line(struct reader *r, const struct grammar *g, int *kind,
         return refuse_field(r, reason);
     }
     const struct kind *k = &line_kinds[*kind];
-    if (read_numbers(r, v, k->numbers))
+    if (read_numbers(r, v, k->numbers)) {
+        if (r->p == at && find_word(WORDS(line_kinds), field(r)) != NOT_GIVEN)
+            advise(r->notes, "with -k records have no words");
         return EXIT_BAD;
+    }
     const cylint_status status = make_line(g, *kind, v, record);
     return status != CYLINT_OK &&
            refuse_status(r, at, g->line == NOT_GIVEN, k, v, status);
