@@ -1,5 +1,6 @@
 /*
- * boundary.c - the feature on which a point of the surface lies
+ * boundary.c - features from exact signs of surfaces at a point: of points on the
+ * surface, and next to the planes between two features
  */
 #include "../dispatch.h"
 #include "../intersect.h"
@@ -7,12 +8,17 @@
 #include "../signs/sign.h"
 #include "nearest.h"
 
+static int side_of(const cylint_shape *shape, const cylint_line *line,
+                   int surface)
+{
+    const pair origin = {0, 0};
+    return CYLINT_OF_FMA(cylint_sign_on_line)(shape, line, origin, surface);
+}
+
 static int is_on(const cylint_shape *shape, const cylint_line *line,
                  int surface)
 {
-    const pair origin = {0, 0};
-    return CYLINT_OF_FMA(cylint_sign_on_line)(shape, line, origin, surface) ==
-           0;
+    return side_of(shape, line, surface) == 0;
 }
 
 static int is_apex(const cylint_shape *shape, const cylint_line *line)
@@ -40,4 +46,37 @@ int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
     return at0 && (caps & 1)   ? CYLINT_FEATURE_CAP0
            : at1 && (caps & 2) ? CYLINT_FEATURE_CAP1
                                : CYLINT_NO_FEATURE;
+}
+
+/* Of a round cone. */
+static int feature_at_center(const cylint_shape *shape, const double point[3])
+{
+    int at_base = 1, at_top = 1;
+    for (int i = 0; i < 3; i++) {
+        at_base &= point[i] == cylint_base(shape)[i];
+        at_top &= point[i] == cylint_top(shape)[i];
+    }
+    return at_base  ? CYLINT_FEATURE_RIM0
+           : at_top ? CYLINT_FEATURE_RIM1
+                    : CYLINT_NO_FEATURE;
+}
+
+int cylint_feature_by_signs(const cylint_shape *shape, const double point[3])
+{
+    const int round = cylint_is_round(shape->kind);
+    cylint_line line;
+    if (shape->ends != CYLINT_ENDS_CAPPED)
+        return CYLINT_NO_FEATURE;
+    if (cylint_is_tapered(shape->kind))
+        return round ? feature_at_center(shape, point) : CYLINT_NO_FEATURE;
+    cylint_line_at(&line, point);
+    const int below = -side_of(shape, &line, 0),
+              above = side_of(shape, &line, 1);
+    const int end = above >= 0, beyond = below > 0 || above > 0;
+    const int outside =
+        round ? !beyond : side_of(shape, &line, CYLINT_LATERAL_SURFACE) >= 0;
+    if (!outside)
+        return beyond ? CYLINT_FEATURE_CAP0 + end : CYLINT_NO_FEATURE;
+    return below < 0 && above < 0 ? CYLINT_FEATURE_LATERAL
+                                  : CYLINT_FEATURE_RIM0 + end;
 }

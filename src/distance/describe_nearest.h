@@ -119,12 +119,14 @@ INLINE bounded step_along(vd from, bounded factor, bounded e)
                      v_sum_of(v_set(CYLINT_PAIR_PLACE), v_abs(from), error))};
 }
 
-/* The direction of D from the centre of a ball. */
+/* The direction of D from the centre of a ball; at one lane, in the centre of a
+ * sphere, that of the first coordinate. */
 typedef struct {
     vpair D[3], inverse;
 } from_center;
 
-INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top)
+INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top,
+                               int ball)
 {
     from_center c;
     vpair squares[3];
@@ -132,7 +134,10 @@ INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top)
         c.D[i] = v_two_sum(x[i], -v_select(is_top, s->top[i], s->base[i]));
         squares[i] = pairs_square(c.D[i]);
     }
-    pairs_root(pairs_sum3(squares), &c.inverse);
+    vpair square = pairs_sum3(squares);
+    if (LANES == 1 && ball && m_any(v_eq(square.hi, v_set(0))))
+        c.D[0].hi = square.hi = v_set(1);
+    pairs_root(square, &c.inverse);
     return c;
 }
 
@@ -191,7 +196,7 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     const int any_given = m_any(m_or(s->along, f.is_apex));
     from_center c;
     if (round)
-        c = load_center(s, x, f.is_top);
+        c = load_center(s, x, f.is_top, ball);
     const vm regular = is_regular(m, &f, r.hi, round ? &c : NULL);
     to->point_certain = to->normal_certain = m_and(n->certain, regular);
     EACH(i, 3) {

@@ -22,6 +22,7 @@ static double nowhere(cylint_closest *answer)
     return answer->distance = HUGE_VAL;
 }
 
+/* Writes the members `want`, with CYLINT_WANT_DISTANCE the distance. */
 ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
                               unsigned want, cylint_closest *answer)
 {
@@ -34,9 +35,12 @@ ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
         cylint_write_feature(shape, n.feature, answer);
     if (want & CYLINT_WANT_GEOMETRY)
         cylint_nearest_point(&m, n.feature, want, answer);
-    const double size =
-        n.sign != 0 ? cylint_rounded_distance(&m, n.feature) : 0;
-    return answer->distance = n.sign < 0 ? -size : size;
+    if (want & CYLINT_WANT_DISTANCE) {
+        const double size =
+            n.sign != 0 ? cylint_rounded_distance(&m, n.feature) : 0;
+        answer->distance = n.sign < 0 ? -size : size;
+    }
+    return answer->distance;
 }
 
 /* Whether the processor flushes subnormal numbers, and a radius or a coordinate of
@@ -83,6 +87,18 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
     return undecided & CYLINT_WANT_NORMAL;
 }
 
+/* Writes the members that pairs decide where exact signs decide the feature;
+ * returns the others. */
+ASIDE unsigned answer_by_signs(const cylint_shape *shape, const double point[3],
+                               unsigned want, cylint_in_pairs *in_pairs,
+                               cylint_closest *answer)
+{
+    const int feature = cylint_feature_by_signs(shape, point);
+    return feature == CYLINT_NO_FEATURE
+               ? want
+               : in_pairs(shape, point, feature, want, answer);
+}
+
 /* Writes what pairs and triples decide; returns the others. */
 CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
                                 const double point[3], unsigned want,
@@ -94,11 +110,14 @@ CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
         cylint_is_elliptic(shape->kind)
             ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
             : CYLINT_OF_FMA(cylint_one_distances)->pairs;
-    const unsigned undecided = in_pairs(shape, point, want, answer);
+    const unsigned undecided =
+        in_pairs(shape, point, CYLINT_NO_FEATURE, want, answer);
     return undecided & CYLINT_IS_ON_SURFACE ||
                    (undecided & CYLINT_ON_SURFACE &&
                     cylint_contains(shape, point) == 0)
                ? answer_on_boundary(shape, point, want, undecided, answer)
+           : undecided & CYLINT_FEATURE_UNDECIDED
+               ? answer_by_signs(shape, point, want, in_pairs, answer)
                : undecided;
 }
 
@@ -161,10 +180,11 @@ static int answer_for_plane(const cylint_shape *shape, const double point[3],
     return 1;
 }
 
-/* All answers that doubles do not decide. */
+/* All answers that pairs do not decide.  undecided: the members of them; those of
+ * an elliptic kind are computed together. */
 ASIDE double answer_beyond_doubles(const cylint_shape *shape,
                                    const double point[3], unsigned want,
-                                   cylint_closest *answer)
+                                   unsigned undecided, cylint_closest *answer)
 {
     if (shape->kind == CYLINT_KIND_NONE || !cylint_is_finite(point)) {
         answer->flags = CYLINT_FLAG_INVALID;
@@ -180,7 +200,7 @@ ASIDE double answer_beyond_doubles(const cylint_shape *shape,
         return answer->distance = 0;
     if (cylint_is_elliptic(shape->kind))
         return cylint_elliptic_distance(shape, point, want, answer);
-    return by_exact_numbers(shape, point, want, answer);
+    return by_exact_numbers(shape, point, undecided, answer);
 }
 
 #if CYLINT_IS_PARANOID
@@ -192,7 +212,7 @@ static int contradicts(const cylint_shape *shape, const double point[3],
     if (cylint_is_elliptic(shape->kind))
         cylint_elliptic_distance(shape, point, want, &a);
     else
-        by_exact_numbers(shape, point, want, &a);
+        by_exact_numbers(shape, point, want | CYLINT_WANT_DISTANCE, &a);
     int wrong = a.distance != answer->distance;
     if (want & CYLINT_WANT_PART)
         /* mutant '!=' -> '==': an effect with PARANOID=1 only */
@@ -222,9 +242,11 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
     if (want & CYLINT_SIGNED && !cylint_surface_is_whole(shape->ends))
         return from_closed_solid(shape, point, want, answer);
     want &= CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY;
-    if (!cylint_prepared(shape) ||
-        by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)
-        return answer_beyond_doubles(shape, point, want, answer);
+    unsigned undecided = want | CYLINT_WANT_DISTANCE;
+    if (cylint_prepared(shape))
+        undecided = by_doubles(shape, point, undecided, answer);
+    if (undecided)
+        return answer_beyond_doubles(shape, point, want, undecided, answer);
     answer->flags = 0;
 #if CYLINT_IS_PARANOID
     cylint_contradiction(contradicts(shape, point, want, answer));
@@ -238,5 +260,6 @@ double cylint_distance_alone(const cylint_shape *shape, const double point[3],
     *proved = cylint_prepared(shape) &&
               by_pairs(shape, point, CYLINT_WANT_DISTANCE, answer) == 0;
     return *proved ? answer->distance
-                   : answer_beyond_doubles(shape, point, 0, answer);
+                   : answer_beyond_doubles(shape, point, 0,
+                                           CYLINT_WANT_DISTANCE, answer);
 }

@@ -155,7 +155,11 @@ INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
                             int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
-    const vm low = v_lt(z, zero), top = v_lt(zero, above);
+    vm low = v_lt(z, zero), top = v_lt(zero, above);
+    if (ON_SURFACE && !with_part) {
+        low = v_eq(n->feature, v_set(CYLINT_FEATURE_CAP0));
+        top = v_eq(n->feature, v_set(CYLINT_FEATURE_CAP1));
+    }
     const vpair none = {zero, zero};
     const vpair y = pick(top, m->above, pick(low, m->z, none));
     const vd rough_y = v_select(top, above, v_select(low, z, zero));
@@ -222,13 +226,15 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
                            m->error);
 }
 
-/* A capped shape of this kind, and a point that is loaded. */
+/* A capped shape of this kind, and a point that is loaded.  with_part: 0: the
+ * feature is not wanted or, ON_SURFACE, is given. */
 INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
                             int kind, int with_part)
 {
     m->error = v_set(0);
     n->certain = m_not(m_from(0));
-    n->feature = v_set(CYLINT_FEATURE_LATERAL);
+    if (!ON_SURFACE || with_part)
+        n->feature = v_set(CYLINT_FEATURE_LATERAL);
     n->d = NUMBER(rounded)((vpair){m->error, m->error}, v_set(HUGE_VAL));
     if (kind == CYLINT_KIND_SPHERE)
         NUMBER(sphere)(n, m, s);

@@ -52,7 +52,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
     if (!n->certain)
-        return want;
+        return want | CYLINT_FEATURE_UNDECIDED;
     if (want & CYLINT_WANT_PART)
         cylint_write_feature(shape, (int)n->feature, answer);
     want &= ~(unsigned)CYLINT_WANT_PART;
@@ -76,7 +76,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
 
 /* kind: of the shape; a constant for spheres, which have no axis. */
 INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
-                                const double point[3], unsigned want,
+                                const double point[3], int given, unsigned want,
                                 cylint_closest *answer)
 {
     const int tangent = cylint_has_tangent(kind);
@@ -84,7 +84,7 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     shape_lanes s;
     half_plane m;
     vnearest n;
-    find_nearest(&n, &m, &s, point, shape, straight, tangent);
+    find_nearest(&n, &m, &s, point, shape, straight, tangent, given);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
@@ -96,12 +96,13 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
 }
 
 static unsigned in_pairs(const cylint_shape *shape, const double point[3],
-                         unsigned want, cylint_closest *answer)
+                         int given, unsigned want, cylint_closest *answer)
 {
     if (shape->kind != CYLINT_KIND_SPHERE)
-        return answer_in_pairs(shape, shape->kind, point, want, answer);
+        return answer_in_pairs(shape, shape->kind, point, given, want, answer);
     return cylint_part_is_present(shape->ends, cylint_surface(shape))
-               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point, want, answer)
+               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point,
+                                 CYLINT_NO_FEATURE, want, answer)
                : want; /* no surface */
 }
 

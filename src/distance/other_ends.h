@@ -113,10 +113,11 @@ static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
         pairs_rounded(pairs_turned(s, vpair_sub(rho, s->r[0]), m->z), m->error);
 }
 
-/* Of a shape of any kind and ends; the kind of an angle cone is that of a cone. */
+/* Of a shape of any kind and ends; the kind of an angle cone is that of a cone.
+ * given: the feature, if the shape is capped, or CYLINT_NO_FEATURE. */
 INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
                          const double point[3], const cylint_shape *shape,
-                         int kind, int tangent)
+                         int kind, int tangent, int given)
 {
     const cylint_shape *const at[1] = {shape};
     if (tangent)
@@ -125,7 +126,8 @@ INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
         pairs_load_shapes(s, at);
     pairs_load(m, s, point, kind != CYLINT_KIND_SPHERE);
     if (shape->ends == CYLINT_ENDS_CAPPED || kind == CYLINT_KIND_SPHERE) {
-        pairs_nearest(n, m, s, kind, 1);
+        n->feature = given;
+        pairs_nearest(n, m, s, kind, given == CYLINT_NO_FEATURE);
         return;
     }
     *n = (vnearest){{{0, 0}, 0, 0, 0}, CYLINT_FEATURE_LATERAL, 1};

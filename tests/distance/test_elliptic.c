@@ -11,6 +11,7 @@
 
 #include "closest.h"
 #include "distance/elliptic.h"
+#include "distance/nearest.h"
 #include "distance_points.h"
 
 enum {
@@ -31,7 +32,8 @@ struct tally {
 static int in_pairs(const cylint_shape *s, const double p[3],
                     cylint_closest *answer)
 {
-    return !cylint_elliptic_kernels_plain.pairs(s, p, ALL, answer);
+    return !cylint_elliptic_kernels_plain.pairs(s, p, CYLINT_NO_FEATURE, ALL,
+                                                answer);
 }
 
 static int check_safety(const cylint_shape *s, const double p[3], double size,

@@ -366,8 +366,8 @@ TEST(a_capped_shape_is_as_near_as_the_nearer_of_two_with_one_cap)
 static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
                               unsigned want, cylint_closest *answer)
 {
-    return cylint_one_distances_plain.pairs(s, p, want | CYLINT_WANT_DISTANCE,
-                                            answer);
+    return cylint_one_distances_plain.pairs(
+        s, p, CYLINT_NO_FEATURE, want | CYLINT_WANT_DISTANCE, answer);
 }
 
 /* The distance does not need the direction from the axis to the point. */
@@ -387,6 +387,25 @@ TEST(pairs_decide_the_distance_from_points_on_the_axis)
     }
     CHECK(!left_by_pairs(&tilted, middle, 0, &answer));
     CHECK(answer.distance == -0.1);
+}
+
+/* Where a capsule's ball ends, in the plane of a cap, in the centre of a ball. */
+TEST(pairs_decide_the_distance_if_signs_decide_the_feature)
+{
+    static const char *const words[] = {"capsule 0 0 0 3 0 4 1",
+                                        "cylinder 0 0 0 3 0 4 1",
+                                        "rcone 4 0 -3 2 0 0 5 1"};
+    static const double p[3] = {4, 0, -3};
+    for (int i = 0; i < 3; i++) {
+        const cylint_shape s = shape_of(words[i]);
+        const int feature = cylint_feature_by_signs(&s, p);
+        cylint_closest answer;
+        CHECK(feature == CYLINT_FEATURE_RIM0);
+        CHECK(left_by_pairs(&s, p, CYLINT_WANT_PART, &answer) != 0);
+        CHECK(!cylint_one_distances_plain.pairs(
+            &s, p, feature, CYLINT_WANT_PART | CYLINT_WANT_DISTANCE, &answer));
+        CHECK(answer.feature == feature);
+    }
 }
 
 /* Their product with a direction has no low part. */
