@@ -248,7 +248,6 @@ static int refine_line(cylint_question *q)
     const int in_plane = has_end_planes(solid) && lies_in_plane(&from);
     if (in_plane) {
         v.crosses = v_lt(v.G.e, v.G.v);
-        v.pierced[0] = m_from(0);
         v.sided = m_from(3);
     }
     q->is_along = in_plane && !cylint_solid_is_round(solid);
@@ -356,11 +355,10 @@ INLINE unsigned roots_at(const root *exact, const root *r, const estimate *at,
 }
 
 /* A root that is exactly value + tail; the tail is at most half a step of the
- * doubles. */
+ * doubles, so no double lies between. */
 INLINE root exact_root(vd value, vd tail)
 {
-    const vd step = v_set(2) * v_abs(tail);
-    return (root){value, tail, v_set(0), value - step, value + step, m_from(3)};
+    return (root){value, tail, v_set(0), value, value, m_from(3)};
 }
 
 /* The roots of planes of coordinates, if the line's direction is a power of two
