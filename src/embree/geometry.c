@@ -235,9 +235,10 @@ static void free_state(cylint_embree_data *data)
     cylint_memory_free(&data->order_memory);
 }
 
-/* Loads the present state of the shapes.  On failure the old one stays.  Returns
- * the status. */
-static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
+/* Loads the present state of the shapes and commits the geometry.  On failure the
+ * old state stays.  Returns the status. */
+static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
+                         cylint_embree_problem *problem)
 {
     cylint_embree_data next = *data;
     next.bvh = (cylint_bvh){0};
@@ -252,32 +253,22 @@ static int load_state(cylint_embree_data *data, cylint_embree_problem *problem)
         status = report(problem, CYLINT_EMBREE_EMEMORY, 0);
     if (status != CYLINT_EMBREE_OK) {
         free_state(&next);
+        /* Embree has no function that reports an error to its device.  This call
+         * makes it report RTC_ERROR_INVALID_ARGUMENT. */
+        if (status != CYLINT_EMBREE_EMEMORY)
+            rtcSetGeometryInstancedScene(geometry, NULL);
         return status;
     }
     next.pad = box_pad(&next.bvh.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
     free_state(data);
     *data = next;
+    rtcSetGeometryUserPrimitiveCount(
+        geometry, data->traversal ? data->bvh.n_leaves > 0 : (unsigned)data->n);
+    rtcCommitGeometry(geometry);
     return report(problem, CYLINT_EMBREE_OK, 0);
 }
 
 /* --------------------------------------------------------------- making -- */
-
-/* Loads the shapes and commits the geometry.  Returns the status. */
-static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
-                         cylint_embree_problem *problem)
-{
-    const int status = load_state(data, problem);
-    /* Embree has no function that reports an error to its device.  This call makes
-     * it report RTC_ERROR_INVALID_ARGUMENT. */
-    if (status != CYLINT_EMBREE_OK && status != CYLINT_EMBREE_EMEMORY)
-        rtcSetGeometryInstancedScene(geometry, NULL);
-    if (status != CYLINT_EMBREE_OK)
-        return status;
-    rtcSetGeometryUserPrimitiveCount(
-        geometry, data->traversal ? data->bvh.n_leaves > 0 : (unsigned)data->n);
-    rtcCommitGeometry(geometry);
-    return status;
-}
 
 /* Memory in buffers of the device. */
 static void *allocate_buffer(void *device, size_t bytes, void **handle)
