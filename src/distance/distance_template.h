@@ -96,19 +96,27 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
             n->d);
 }
 
-/* Where rho - r has no error and is the distance: in the plane of an end that from
- * a rim, too. */
-INLINE void NUMBER(without_error)(vnearest *n, const half_plane *m, vd r,
-                                  vpair lateral)
+/* Where root - r has no error, and is the distance. */
+INLINE void NUMBER(without_error)(vnearest *n, const half_plane *m, vm is,
+                                  vpair root, vd r)
 {
-    const vd zero = v_set(0), low = v_two_sum(m->rho.hi, -r).lo;
+    const vd zero = v_set(0), low = v_two_sum(root.hi, -r).lo;
     const vm exact =
-        m_and(m->rho_is_exact, v_eq(v_two_sum(low, m->rho.lo).lo, zero));
+        m_and(m->rho_is_exact, v_eq(v_two_sum(low, root.lo).lo, zero));
+    n->d = pick_distance(
+        m_and(exact, is),
+        NUMBER(rounded)(NUMBER(minus)(root, (vpair){r, zero}), zero), n->d);
+}
+
+/* Where rho - r is the distance from a cylinder: in the plane of an end that from a
+ * rim, too. */
+INLINE vm NUMBER(is_radial)(const vnearest *n, const half_plane *m)
+{
+    const vd zero = v_set(0);
     const vm at_end = m_or(v_eq(m->z.hi, zero), v_eq(m->above.hi, zero));
     const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), n->feature);
     const vm is_lateral = v_eq(n->feature, v_set(CYLINT_FEATURE_LATERAL));
-    n->d = pick_distance(m_and(exact, m_or(is_lateral, m_and(is_rim, at_end))),
-                         NUMBER(rounded)(lateral, zero), n->d);
+    return m_or(is_lateral, m_and(is_rim, at_end));
 }
 
 INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
@@ -139,7 +147,7 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     else
         NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
     if (ON_SURFACE && !tapered && m_any(m->rho_is_exact))
-        NUMBER(without_error)(n, m, s->r[0].hi, lateral);
+        NUMBER(without_error)(n, m, NUMBER(is_radial)(n, m), rho, s->r[0].hi);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
@@ -166,6 +174,13 @@ INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
     if (ON_SURFACE)
         NUMBER(rho)(m);
     n->d = NUMBER(from_ball)(y, rough_y, s->r[0], m, zero);
+    if (ON_SURFACE && LANES == 1 && !m_any(v_le(n->d.high, n->d.low))) {
+        const vm ball = m_or(low, top), on_axis = v_eq(m->rho.hi, zero);
+        const vpair up = pick(v_lt(y.hi, zero), opposite(y), y);
+        const vpair root = pick(ball, up, m->rho);
+        const vm is = m_or(m_not(ball), on_axis);
+        NUMBER(without_error)(n, m, is, root, s->r[0].hi);
+    }
     if (!with_part)
         return;
     const vd M = margin_of(m);
@@ -224,6 +239,10 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
     const vpair root = NUMBER(rho)(m);
     n->d = NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(s->r[0], m)),
                            m->error);
+    if (ON_SURFACE && LANES == 1 && !m_any(v_le(n->d.high, n->d.low))) {
+        load_one_component(m);
+        NUMBER(without_error)(n, m, m->rho_is_exact, m->rho, s->r[0].hi);
+    }
 }
 
 /* A capped shape of this kind, and a point that is loaded.  with_part: 0: the

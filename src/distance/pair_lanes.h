@@ -11,7 +11,8 @@
  * Where the axis runs along a coordinate, that of A is 0, and the others and z are
  * those of D, without an error: the zeros of such a shape are certain.  So are its
  * distances from planes and, where A has one component other than 0, from its
- * cylinder, also those midway between two doubles.
+ * cylinder, also those midway between two doubles.  At one lane so are those from
+ * the balls of a capsule on its axis, and from a sphere where D has one component.
  *
  * A is trimmed before it is squared: near the axis its tail is as large as its
  * head.
@@ -151,6 +152,20 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
     m->rough_square = rounded(m->square);
 }
 
+/* rho of a point other than the axis in one coordinate alone. */
+INLINE vpair rho_of_one(const vpair across[3])
+{
+    const vpair x = pairs_sum3(across);
+    return pick(v_lt(x.hi, v_set(0)), opposite(x), x);
+}
+
+/* rho of a sphere, and whether it has an error. */
+INLINE void load_one_component(half_plane *m)
+{
+    m->rho_is_exact = pairs_are_one(m->D);
+    m->rho = rho_of_one(m->D);
+}
+
 INLINE vpair pairs_rho(half_plane *m)
 {
     vpair rho = pairs_root(m->square, &m->inverse);
@@ -159,11 +174,8 @@ INLINE vpair pairs_rho(half_plane *m)
         m->rho_error = m->rho_error + m->across_error[i];
     m->error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size,
                         m->z_error + m->rho_error);
-    if (m_any(m->rho_is_exact)) {
-        const vpair x = pairs_sum3(m->across);
-        const vpair size = pick(v_lt(x.hi, v_set(0)), opposite(x), x);
-        rho = pick(m->rho_is_exact, size, rho);
-    }
+    if (m_any(m->rho_is_exact))
+        rho = pick(m->rho_is_exact, rho_of_one(m->across), rho);
     m->rho = rho;
     return rho;
 }

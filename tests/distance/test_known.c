@@ -408,6 +408,21 @@ TEST(pairs_decide_the_distance_if_signs_decide_the_feature)
     }
 }
 
+/* Along a coordinate from the centre of a ball, 0.5 - 0.1 is between doubles. */
+TEST(pairs_decide_the_distance_from_a_ball_midway_between_doubles)
+{
+    static const char *const words[] = {
+        "sphere 0 0 0 0.1", "capsule 0 0 0.5 0 0 2 0.1",
+        "capsule 0 0 -2 0 0 0 0.1", "capsule -1 0 0.5 2 0 0.5 0.1"};
+    cylint_closest answer;
+    for (int i = 0; i < 4; i++) {
+        const double q[3] = {0, 0, i == 1 || i == 3 ? 0 : 0.5};
+        const cylint_shape s = shape_of(words[i]);
+        CHECK(!left_by_pairs(&s, q, 0, &answer));
+        CHECK(answer.distance == 0.4);
+    }
+}
+
 /* Their product with a direction has no low part. */
 TEST(pairs_leave_the_point_on_a_ball_of_a_tiny_radius)
 {
@@ -461,10 +476,11 @@ TEST(all_paths_return_the_same_bits)
 TEST(upright_shapes_are_decided_by_all_digits)
 {
     static const family_shape words[] = {FAMILY_CYLINDER, FAMILY_CYLINDER,
-                                         FAMILY_CONE, FAMILY_CAPSULE};
+                                         FAMILY_CONE, FAMILY_CAPSULE,
+                                         FAMILY_SPHERE};
     stream = check_setting("CYLINT_SEED", 5);
     for (int i = 0; i < 20000; i++) {
-        struct family_case c = family_example(words[i % 4]);
+        struct family_case c = family_example(words[i % 5]);
         double base[3], top[3], p[3];
         const int along = one_of(3);
         random_vector(base, 3);
