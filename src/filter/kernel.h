@@ -233,10 +233,10 @@ INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
 
 /* Whether the quadric stays positive from plane k to the other one, where it is
  * positive at both, as along a line parallel to the axis.  If it is not convex, it
- * is least at a plane.  Else it falls from -E / w^2 at the plane by at most inward /
- * w^2 times the height, which is at most l->Q, before it rises to the other plane.
- * Twice that is subtracted: the bound of E is one of its sign.  Where E is far from
- * 0, its error is larger, but less than half of it. */
+ * is least at a plane.  Else it falls from -E / w^2 at the plane by at most
+ * inward / w^2 times the height, which is at most l->Q, before it rises to the
+ * other plane.  Twice that is subtracted: the bound of E is one of its sign.
+ * Where E is far from 0, its error is larger, but less than half of it. */
 INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 {
     return v_lt(v_set(2) * l->Q * inward, -E);
