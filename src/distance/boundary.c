@@ -65,11 +65,11 @@ int cylint_feature_by_signs(const cylint_shape *shape, const double point[3])
 {
     const int round = cylint_is_round(shape->kind);
     cylint_line line;
-    if (shape->ends != CYLINT_ENDS_CAPPED)
+    if (shape->ends != CYLINT_ENDS_CAPPED ||
+        cylint_line_at(&line, point) != CYLINT_OK)
         return CYLINT_NO_FEATURE;
     if (cylint_is_tapered(shape->kind))
         return round ? feature_at_center(shape, point) : CYLINT_NO_FEATURE;
-    cylint_line_at(&line, point);
     const int below = -side_of(shape, &line, 0),
               above = side_of(shape, &line, 1);
     const int end = above >= 0, beyond = below > 0 || above > 0;

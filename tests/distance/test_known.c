@@ -202,12 +202,18 @@ TEST(the_size_of_an_answer_is_that_of_the_header)
 /* A shape that was refused, and bad points. */
 TEST(refused_shapes_and_bad_points_have_an_infinite_distance)
 {
-    static const double p[3][3] = {{0, 0, 1}, {0, NAN, 0}, {HUGE_VAL, 0, 0}};
-    cylint_shape s[3];
+    static const double p[5][3] = {{0, 0, 1},
+                                   {0, NAN, 0},
+                                   {HUGE_VAL, 0, 0},
+                                   {0, NAN, NAN},
+                                   {NAN, 0x1p996, 0}};
+    cylint_shape s[5];
     cylint_cylinder(&s[0], origin, origin, 1, CYLINT_ENDS_CAPPED);
     s[1] = s[2] = shape_of("cylinder 0 0 0  0 0 2  1");
-    for (int i = 0; i < 3; i++) {
-        const cylint_closest a = answer_to(&s[i], p[i], i ? WANT : 0);
+    s[3] = shape_of("cylinder 1 0 0  2 0 0  0.25");
+    s[4] = shape_of("capsule 0 0 0  1 0 0  0.25");
+    for (int i = 0; i < 5; i++) {
+        const cylint_closest a = answer_to(&s[i], p[i], i % 3 ? WANT : 0);
         CHECK(a.distance == HUGE_VAL && a.part == -1 && a.feature == 0 &&
               a.flags == CYLINT_FLAG_INVALID);
         CHECK(cylint_safety(&s[i], p[i]) == HUGE_VAL);
