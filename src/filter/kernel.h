@@ -239,6 +239,7 @@ INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
  * Where E is far from 0, its error is larger, but less than half of it. */
 INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 {
+    /* mutant '2' -> '3', '-' -> '': slower, pairs decide */
     return v_lt(v_set(2) * l->Q * inward, -E);
 }
 
