@@ -212,7 +212,7 @@ CYLINT_INLINE void nearest_of_lane(const cylint_filter_group *g, int lane,
     }
 }
 
-/* fill_columns() for lanes that the filter decided and that cross. */
+/* fill_columns() for lanes that the filter decided and that do not miss. */
 static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
                        unsigned lanes)
 {
@@ -223,7 +223,9 @@ static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
                             (int)(g->hit[1] >> lane & 1)};
         const int first = !hit[0], both = hit[0] & hit[1];
         if (to->relation)
-            to->relation[i] = CYLINT_RELATION_CROSS;
+            to->relation[i] = (signed char)(g->in_cap_plane >> lane & 1
+                                                ? CYLINT_RELATION_ALONG
+                                                : CYLINT_RELATION_CROSS);
         if (!(hit[0] | hit[1]))
             continue;
         if (to->n)

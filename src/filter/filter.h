@@ -170,11 +170,12 @@ typedef struct {
     unsigned certain; /* bit 8 m + i: member m of lane i */
 } cylint_hit_lanes;
 
-/* Answers to up to 8 questions: those of lanes in `found` cross, or are
- * undecided; all others miss, or their hits are not wanted.  Masks have a bit
- * for each lane.  Hit 0 leaves and hit 1 enters in lanes of leaving_first. */
+/* Answers to up to 8 questions: those of lanes in `found` cross, or, in lanes of
+ * `in_cap_plane`, are along a cap, or they are undecided; all others miss, or
+ * their hits are not wanted.  Masks have a bit for each lane.  Hit 0 leaves and hit
+ * 1 enters in lanes of leaving_first. */
 typedef struct {
-    unsigned found, undecided, hit[2], leaving_first;
+    unsigned found, undecided, hit[2], leaving_first, in_cap_plane;
     const size_t *number;
     double t[2][8], part[2][8];
     cylint_hit_lanes member[2]; /* as far as wanted */

@@ -141,12 +141,13 @@ typedef struct {
 
 /* What is certain of a whole line.  pierced: it pierces the disc of a plane.
  * chord: all of its chord is in that ball.  exists: there is an end of the
- * overlap at that root.  sided: `pierced` is certain. */
+ * overlap at that root.  sided: `pierced` is certain.  in_plane: the line lies in
+ * the plane of an end, one of coordinates. */
 typedef struct {
     bounded_value G, A, B;
     balls ball;
     vm pierced[ENDS], chord[ENDS], exists[ENDS];
-    vm misses, crosses, sided;
+    vm misses, crosses, sided, in_plane;
 } verdict;
 
 INLINE void set_balls(balls *b, const local_line *l, vd A, const vd B[ENDS],
@@ -329,6 +330,22 @@ INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
     }
 }
 
+/* The planes that bound the lateral surface are those of the ends. */
+INLINE int has_end_planes(int solid)
+{
+    return cylint_solid_is_bounded(solid) &&
+           (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_CAPSULE);
+}
+
+/* In the plane of an end, which is that of a capsule's circle, a line that enters
+ * the lateral surface overlaps the solid as far as that.  No disc is pierced. */
+INLINE void judge_in_plane(verdict *v, vm lanes)
+{
+    v->in_plane = lanes;
+    v->crosses = m_if(lanes, v_lt(v->G.e, v->G.v), v->crosses);
+    v->sided = m_or(v->sided, lanes);
+}
+
 /* -------------------------------------- signs at an end of the domain ---- */
 
 /* Where a point of a line that crosses lies: before the overlap of line and
@@ -403,6 +420,13 @@ INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
     return (place){m_or(m_and(m_and(outside, past.negative), is_near), below),
                    m_and(inside, is_near),
                    m_or(m_and(m_and(outside, past.positive), is_near), above)};
+}
+
+/* A line in the plane of an end is nowhere beyond the planes. */
+INLINE void set_between_planes(point_signs *at, vm lanes)
+{
+    at->above[0].positive = m_or(at->above[0].positive, lanes);
+    at->above[1].negative = m_or(at->above[1].negative, lanes);
 }
 
 /* On which side of a point of the chord a point lies: of the disc that the line

@@ -255,6 +255,8 @@ static int next_numbers(cylint_filter_batch *from)
 
 /* The questions of a group.  shape: NULL if all have the same. */
 typedef struct {
+    const cylint_filter_batch *from;
+    const size_t *number;
     frames frame;
     line_lanes line;
     const cylint_shape *const *shape;
@@ -267,6 +269,8 @@ INLINE place place_at(const local_line *l, verdict *v, vd limit, int solid)
     point_signs at = no_point_signs;
     if (m_any(v_le(v_abs(limit), v_set(CYLINT_LATE))))
         set_point_signs(&at, l, v, near_limit(limit), solid);
+    if (has_end_planes(solid))
+        set_between_planes(&at, v->in_plane);
     return place_of(&at, v, limit, solid);
 }
 
@@ -418,6 +422,45 @@ INLINE vm answer_ends(group_questions *x, const local_line *l, verdict *v,
     return h.undecided;
 }
 
+/* Whether the axis from base to top runs along coordinate i, and a line from o with
+ * the direction d lies in the plane of an end; o and d are its coordinates i. */
+static int lies_in_end(const double base[3], const double top[3], double o,
+                       double d, int i)
+{
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    return cylint_sign(d) == 0 && cylint_rank(base[j]) == cylint_rank(top[j]) &&
+           cylint_rank(base[k]) == cylint_rank(top[k]) &&
+           (cylint_rank(o) == cylint_rank(base[i]) ||
+            cylint_rank(o) == cylint_rank(top[i]));
+}
+
+/* The lanes whose line lies in the plane of an end, one of coordinates.  Only
+ * shapes between two points are tested. */
+ASIDE unsigned lanes_in_plane(const group_questions *x, unsigned lanes)
+{
+    const cylint_filter_batch *from = x->from;
+    double o[3][LANES], d[3][LANES];
+    unsigned found = 0;
+    EACH(i, 3) {
+        v_store(o[i], x->line.o[i]);
+        v_store(d[i], x->line.d[i]);
+    }
+    for (int lane = 0; lane < LANES; lane++) {
+        const cylint_shape *s = x->shape ? x->shape[lane] : from->shapes;
+        const cylint_record *record =
+            from->records ? &from->records[x->number[lane]] : NULL;
+        if (!(lanes >> lane & 1) ||
+            (!record && !cylint_has_end_points(s->kind)))
+            continue;
+        const double *base = record ? record->p0 : cylint_base(s),
+                     *top = record ? record->p1 : cylint_top(s);
+        for (int i = 0; i < 3; i++)
+            if (lies_in_end(base, top, o[i][lane], d[i][lane], i))
+                found |= 1u << lane;
+    }
+    return found;
+}
+
 INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
                          int solid, cylint_filter_group *g)
 {
@@ -427,7 +470,8 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
     local_line l;
     forms f;
     verdict v;
-    g->found = g->undecided = g->hit[0] = g->hit[1] = g->leaving_first = 0;
+    g->found = g->undecided = g->hit[0] = g->hit[1] = 0;
+    g->leaving_first = g->in_cap_plane = 0;
     load_first(&l, &from, solid);
     first_form(&f, &l, solid);
     v.G = bounded_G(&f, &l, solid);
@@ -438,6 +482,13 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
     other_forms(&f, &l, solid);
     v.ball.computed = 0;
     judge(&v, &f, &l, solid);
+    v.in_plane = m_from(0);
+    if (has_end_planes(solid)) {
+        const vm open = m_and_not(m_and(alive, l.in_range),
+                                  m_or(v.misses, m_and(v.crosses, v.sided)));
+        if (m_any(open))
+            judge_in_plane(&v, m_from(lanes_in_plane(x, m_bits(open))));
+    }
     vm crosses = m_and(m_and(alive, l.in_range), m_and(v.crosses, v.sided));
     vm undecided = m_and_not(alive, m_or(m_and(v.misses, l.in_range), crosses));
     if (m_any(crosses)) {
@@ -451,6 +502,7 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
     g->hit[0] &= sure;
     g->hit[1] &= sure;
     g->undecided = m_bits(undecided);
+    g->in_cap_plane = cylint_solid_is_round(solid) ? 0 : m_bits(v.in_plane);
     g->leaving_first = solid == CYLINT_SOLID_DOUBLE_CONE
                            ? m_bits(is_backward(&l, &v, solid))
                            : 0;
@@ -529,6 +581,8 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
                          int lanes, group_questions *x, cylint_filter_group *g)
 {
     const cylint_shape *shape[LANES];
+    x->from = from;
+    x->number = list;
     if (!from->line)
         gather_lines(&x->line, from->lines, list);
     if (from->records) {

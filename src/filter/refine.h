@@ -172,13 +172,6 @@ INLINE arguments arguments_of(cylint_question *q)
     return (arguments){q->shape, q->line, q->want, q->answer, q};
 }
 
-/* The planes that bound the lateral surface are those of the ends. */
-INLINE int has_end_planes(int solid)
-{
-    return cylint_solid_is_bounded(solid) &&
-           (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_CAPSULE);
-}
-
 /* Whether the line certainly lies in the plane of an end, one of coordinates. */
 INLINE int lies_in_plane(const source *from)
 {
@@ -243,13 +236,9 @@ static int refine_line(cylint_question *q)
     judge(&v, &f, &l, solid);
     if (m_bits(m_or(v.misses, v_lt(v.G.v, -v.G.e))) & 1)
         return write_miss(q->answer);
-    /* In the plane of an end, which is that of a capsule's circle, a line that
-     * enters the lateral surface overlaps the solid as far as that. */
     const int in_plane = has_end_planes(solid) && lies_in_plane(&from);
-    if (in_plane) {
-        v.crosses = v_lt(v.G.e, v.G.v);
-        v.sided = m_from(3);
-    }
+    if (in_plane)
+        judge_in_plane(&v, m_from(3));
     q->is_along = in_plane && !cylint_solid_is_round(solid);
     const int sided = (m_bits(v.sided) & 1) != 0;
     if (!(m_bits(v.crosses) & 1) ||
@@ -263,8 +252,7 @@ static int refine_line(cylint_question *q)
     const vd t = near_limit(l.limit[0]);
     point_signs at = no_point_signs;
     point_in_pairs(&at, &l, &in, t, shape, solid);
-    if (in_plane)
-        at.above[0].positive = at.above[1].negative = m_from(3);
+    set_between_planes(&at, v.in_plane);
     set_past(&at, &l, &v, t, solid);
     const place where = place_of(&at, &v, l.limit[0], solid);
     return answer_by_places(&where, bits_of_end(&e, &l, &v, shape, solid), &a,
