@@ -46,7 +46,8 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
 }
 
 /* Whether the line pierces a cap in a plane of coordinates where t is a float,
- * which is written: data of few digits often do. */
+ * which is written: data of few digits often do.  What may be flushed to 0 does not
+ * change the double nearest to t. */
 INLINE int pierces_at_float(const question *of, int top, double *t)
 {
     const double *p0 = of->record.p0, *p1 = of->record.p1;
@@ -54,7 +55,7 @@ INLINE int pierces_at_float(const question *of, int top, double *t)
     EACH(j, 3) {
         if (!cylint_runs_along(w, j))
             continue;
-        const pair rise = cylint_difference(top ? p1[j] : p0[j], of->o[j]);
+        const pair rise = two_diff(top ? p1[j] : p0[j], of->o[j]);
         *t = (double)(float)(rise.hi / of->d[j]);
         return rise.lo == 0 && *t * of->d[j] == rise.hi;
     }
