@@ -244,6 +244,7 @@ static int describe_exact_point(const source *from, double t, vd tail, int part,
     const vpair near = short_pair(v_set(t), tail);
     const pair root = {v_first(near.hi), v_first(near.lo)};
     return has_signs_on_line(solid) &&
+           /* untaken 1 of 4: no inexact point of an exact sign is known */
            CYLINT_SIGN_ON_LINE(from->shape, from->line, root, surface) == 0 &&
            cylint_exact_point(from->line, root, point);
 }

@@ -182,7 +182,6 @@ INLINE int lies_in_plane(const source *from)
         const vpair plane = plane_coordinate(from, i, m_from(2), &here);
         here = m_and(here, m_and(v_eq(plane.hi, v_set(line->o[i])),
                                  v_eq(plane.lo, v_set(0))));
-        /* untaken 1 of 4: o can be too small only where subnormals are read as 0 */
         lies |= m_any(here) && !cylint_too_small(line->o[i]) &&
                 cylint_sign(line->d[i]) == 0;
     }
