@@ -51,10 +51,11 @@ static inline double cylint_smaller(double x, double y)
     return x < y ? x : y;
 }
 
-/* NaN of a negative number, for which sqrt() would set errno. */
+/* NaN of a negative number and of NaN, for which sqrt() of some C libraries sets
+ * errno. */
 static inline double cylint_sqrt(double x)
 {
-    return x < 0 ? NAN : sqrt(x);
+    return x >= 0 ? sqrt(x) : NAN;
 }
 
 /* The number of the lowest bit that is 1.  bits is not 0. */
