@@ -25,13 +25,6 @@ const char *cylint_strerror(int status)
                                                    : "unknown status";
 }
 
-static int equal3(const double x[3], const double y[3])
-{
-    return cylint_rank(x[0]) == cylint_rank(y[0]) &&
-           cylint_rank(x[1]) == cylint_rank(y[1]) &&
-           cylint_rank(x[2]) == cylint_rank(y[2]);
-}
-
 static void copy3(double to[3], const double from[3])
 {
     for (int i = 0; i < 3; i++)
@@ -94,7 +87,7 @@ static cylint_status make_of_points(cylint_shape *shape, const double p0[3],
     if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
         (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
         return refuse_shape(shape, CYLINT_ERADIUS);
-    if (!cylint_is_round(kind) && equal3(p0, p1))
+    if (!cylint_is_round(kind) && cylint_are_equal(p0, p1))
         return refuse_shape(shape, CYLINT_EAXIS);
     if (!cylint_ends_fit(kind, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
@@ -142,7 +135,7 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
     /* local coordinates that are accurate show that neither ball holds the
      * other */
     if (status == CYLINT_OK && !cylint_prepared(shape) &&
-        (equal3(p0, p1) || sign_of_S(shape) <= 0)) {
+        (cylint_are_equal(p0, p1) || sign_of_S(shape) <= 0)) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
         CYLINT_OF_FMA(cylint_measure_local)(shape);
@@ -304,7 +297,7 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
 {
     if (!cylint_is_finite(a) || !cylint_is_finite(b))
         return refuse_line(line, CYLINT_ENONFINITE);
-    if (equal3(a, b))
+    if (cylint_are_equal(a, b))
         return refuse_line(line, CYLINT_EDIRECTION);
     copy3(line->o, a);
     copy3(line->end, b);

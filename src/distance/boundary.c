@@ -51,14 +51,9 @@ int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
 /* Of a round cone. */
 static int feature_at_center(const cylint_shape *shape, const double point[3])
 {
-    int at_base = 1, at_top = 1;
-    for (int i = 0; i < 3; i++) {
-        at_base &= point[i] == cylint_base(shape)[i];
-        at_top &= point[i] == cylint_top(shape)[i];
-    }
-    return at_base  ? CYLINT_FEATURE_RIM0
-           : at_top ? CYLINT_FEATURE_RIM1
-                    : CYLINT_NO_FEATURE;
+    return cylint_are_equal(point, cylint_base(shape))  ? CYLINT_FEATURE_RIM0
+           : cylint_are_equal(point, cylint_top(shape)) ? CYLINT_FEATURE_RIM1
+                                                        : CYLINT_NO_FEATURE;
 }
 
 int cylint_feature_by_signs(const cylint_shape *shape, const double point[3])

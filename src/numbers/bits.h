@@ -133,6 +133,14 @@ static inline double cylint_next(double x, int up)
     return up ? cylint_next_above(x) : -cylint_next_above(-x);
 }
 
+/* Whether two points are equal, computed from the bits; both zeros are. */
+static inline int cylint_are_equal(const double x[3], const double y[3])
+{
+    return cylint_rank(x[0]) == cylint_rank(y[0]) &&
+           cylint_rank(x[1]) == cylint_rank(y[1]) &&
+           cylint_rank(x[2]) == cylint_rank(y[2]);
+}
+
 /* Whether no component of v but i is other than 0. */
 static inline int cylint_runs_along(const double v[3], int i)
 {
