@@ -10,6 +10,8 @@ wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev mandoc libembre
 [ "$1" = cross ] && wanted="$wanted clang clang-19 clang-tidy clang-format-14
     cppcheck qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
+    gcc-arm-linux-gnueabihf libc6-dev-armhf-cross
+    gcc-riscv64-linux-gnu libc6-dev-riscv64-cross
     libc6-dev-i386 lib32gcc-$(gcc -dumpversion | cut -d . -f 1)-dev
     gcc-mingw-w64-x86-64 wine64 musl-tools tcc"
 [ "$1" = cluster ] && wanted="$wanted bash parallel python3 python3-venv"

@@ -43,6 +43,8 @@ clang 19 -O3 -mfma|clang-19|-O3 -mfma||
 musl|musl-gcc|-O2|-static|
 gcc -m32 (SSE2)|gcc|-O2 -m32 -msse2 -mfpmath=sse $kernel_headers|-m32|
 aarch64 (qemu)|aarch64-linux-gnu-gcc|-O2|-static|qemu-aarch64
+ARM, 32 bits (qemu)|arm-linux-gnueabihf-gcc|-O2 -mfpu=neon|-static|qemu-arm
+RISC-V (qemu)|riscv64-linux-gnu-gcc|-O2|-static|qemu-riscv64
 s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x
 END
 }
@@ -131,6 +133,7 @@ grep '=>' tests/library/hard.txt | grep -v '^#' | sed 's/ *=>.*//' >"$build/inpu
 "$records" "${CYLINT_SEED:-1}" "${CYLINT_CASES:-100000}" >>"$build/input" ||
     exit
 printf '%d records\n' "$(wc -l <"$build/input")"
+unset CYLINT_CASES # each C test has a number of cases of its own
 
 builds >"$build/table"
 reference=
