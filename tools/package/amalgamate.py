@@ -92,6 +92,13 @@ def private_files(path):
     return {path}.union(*map(private_files, private))
 
 
+def included_once(files):
+    """The private headers that one other file includes: no part, as they stand there."""
+    reached = set().union(*map(private_files, files))
+    count = Counter(header for path in reached for header in included(path))
+    return {h for h, n in count.items() if n == 1 and is_private(h) and guard_of(h)}
+
+
 def shared_headers(files):
     """The other headers, each after those that it includes."""
     order = []
@@ -115,6 +122,7 @@ class Parts:
 
     def __init__(self, files, built_again):
         self.number = {}
+        self.alone = included_once(files)
         for path in files:
             self.collect(path)
         for path in filter(built_again.__contains__, files):
@@ -129,7 +137,7 @@ class Parts:
     def collect(self, path):
         for header in included(path):
             self.collect(header)
-            if is_private(header):
+            if is_private(header) and header not in self.alone:
                 self.add(header)
 
     def text(self, path):
@@ -142,6 +150,8 @@ class Parts:
                 lines.append(line)
             elif file in self.number:
                 lines += self.include(file)
+            elif file in self.alone:
+                lines += self.text(file)
         return lines
 
     def include(self, path):
