@@ -80,8 +80,9 @@ static   := -DCYLINT_STATIC
 endif
 
 # Flags by folder.  With -O3 gcc vectorizes loops.  The SLP vectorizer of gcc 12
-# compiles (double)(float)x to x where two of them are adjacent.
-posix   := -D_POSIX_C_SOURCE=200809L -D_DARWIN_C_SOURCE
+# compiles (double)(float)x to x where two of them are adjacent.  The BSDs declare more
+# than POSIX has, sysconf() of processors for example, unless a program names POSIX.
+posix   := $(if $(findstring bsd,$(MACHINE)),,-D_POSIX_C_SOURCE=200809L -D_DARWIN_C_SOURCE)
 hidden  := -fPIC -fvisibility=hidden
 floats  := -fno-tree-slp-vectorize
 vectors := -O3
