@@ -165,7 +165,7 @@ TEST(random_text_is_read_alike)
     static const char letters[] = "00123456789..+-eEpPxX ,af";
     for (int i = 0; i < 75000; i++) {
         char text[24];
-        const size_t n = next_random() % (sizeof text - 1);
+        const size_t n = (size_t)(next_random() % (sizeof text - 1));
         for (size_t j = 0; j < n; j++)
             text[j] = letters[next_random() % (sizeof letters - 1)];
         text[n] = '\0';

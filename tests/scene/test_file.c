@@ -581,8 +581,9 @@ TEST(no_changed_numbers_make_a_query_fail)
         const int changes = 1 + (int)(random_bits(&stream) % 3);
         for (int k = 0; k < changes; k++) {
             const size_t bytes = (size_t)1 << random_bits(&stream) % 4;
-            const size_t at = random_bits(&stream) % (b.n / bytes) * bytes;
-            const size_t from = random_bits(&stream) % (b.n / bytes) * bytes;
+            const size_t places = b.n / bytes;
+            const size_t at = (size_t)(random_bits(&stream) % places) * bytes;
+            const size_t from = (size_t)(random_bits(&stream) % places) * bytes;
             const uint64_t any = random_bits(&stream);
             /* any bits, a number from elsewhere, or a number near this one */
             switch (random_bits(&stream) % 3) {

@@ -681,7 +681,7 @@ TEST(every_status_has_its_text)
 
 int main(void)
 {
-    lines_of_a_kind = check_setting("CYLINT_CASES", LINES);
+    lines_of_a_kind = (size_t)check_setting("CYLINT_CASES", LINES);
     points_of_a_place += lines_of_a_kind / 200;
     const int failed = check_all();
     printf("note: %zu lines, %zu of them hit; %zu points, %zu of them inside\n",
