@@ -8,10 +8,11 @@ FLAGS, for gcc and clang on x86.
 
 Headers that are the same for all files come first.  What several sections need under
 different macros is a part: templates, headers that depend on the instruction set (they
-include a header of intrinsics), and files with several builds.  They stand beside OUTPUT,
-which includes them with CYLINT_PART, the number of a part, defined.  cylint_builds.h has
-headers and files, cylint_templates.h has templates; its part 1 undefines all macros of
-parts.  Two files, because compilers read a file to its end.
+include a header of intrinsics) if several files include them, and files with several
+builds.  They stand beside OUTPUT, which includes them with CYLINT_PART, the number of a
+part, defined.  cylint_builds.h has headers and files, cylint_templates.h has templates;
+its part 1 undefines all macros of parts.  Two files, because compilers read a file to
+its end.
 
 Names of file scope get the number of their section: all those of parts, and of other
 files those that several define.  The preprocessor (CC -E) shows the names, and #define
@@ -93,7 +94,7 @@ def private_files(path):
 
 
 def included_once(files):
-    """The private headers that one other file includes: no part, as they stand there."""
+    """The private headers that one file includes, once: their text stands in that file."""
     reached = set().union(*map(private_files, files))
     count = Counter(header for path in reached for header in included(path))
     return {h for h, n in count.items() if n == 1 and is_private(h) and guard_of(h)}
