@@ -150,15 +150,26 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
-/* Whether no point of the line is in the clause of member i, which the line misses:
- * no other member is in the clause, and member i is no complement. */
-static int is_empty_clause(const int *clause, const int32_t *number, size_t n,
-                           size_t i)
+/* Whether the solid is within shape i: no other member is in its clause, and it is
+ * no complement. */
+static int is_bound(const int *clause, const int32_t *number, size_t n,
+                    size_t i)
 {
     for (size_t j = 0; j < n; j++)
         if (number[j] == number[i] && (j != i || clause[j] < 0))
             return 0;
     return 1;
+}
+
+/* Writes the members in an order in which the bounds of the solid come first, and
+ * returns how many bounds there are. */
+static size_t order_members(const int *clause, const int32_t *number, size_t n,
+                            size_t *order)
+{
+    size_t bounds = 0, others = n;
+    for (size_t i = 0; i < n; i++)
+        order[is_bound(clause, number, n, i) ? bounds++ : --others] = i;
+    return bounds;
 }
 
 static int add_solid_piece(void *self, double t0, double t1)
@@ -176,16 +187,24 @@ int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
     int32_t number[CYLINT_SOLID_MEMBERS], holding[CYLINT_SOLID_MEMBERS] = {0};
     cylint_event event[EVENTS], spare[EVENTS];
     solid_pieces to = {pieces, 0, capacity};
-    size_t events = 0, failing = 0;
+    size_t order[CYLINT_SOLID_MEMBERS], events = 0, failing = 0;
+    double after = line->tmin, before = line->tmax; /* no piece is elsewhere */
     const int clauses =
         n > CYLINT_SOLID_MEMBERS ? -1 : number_clauses(clause, n, number);
     if (clauses <= 0 || !line->valid || capacity == 0)
         return clauses < 0 ? -1 : 0;
-    for (size_t i = 0; i < n; i++) {
+    const size_t bounds = order_members(clause, number, n, order);
+    for (size_t k = 0; k < n; k++) {
+        const size_t i = order[k];
         const int is_complement = clause[i] < 0;
         cylint_interval chord[2];
         const int chords = cylint_chord(&shapes[i], line, chord);
-        if (chords == 0 && is_empty_clause(clause, number, n, i))
+        if (k < bounds && chords > 0) {
+            const double t0 = chord[0].t0, t1 = chord[chords - 1].t1;
+            after = cylint_less(after, t0) ? t0 : after;
+            before = cylint_less(t1, before) ? t1 : before;
+        }
+        if (k < bounds && (chords == 0 || !cylint_less(after, before)))
             return 0;
         holding[number[i] - 1] += is_complement;
         for (int j = 0; j < chords; j++, events += 2)

@@ -19,7 +19,7 @@ typedef struct {
 /* x.n.  2^-900 covers products that underflow, and components of n that are read
  * as 0, where x is at most CYLINT_FAR.  Where each product has a factor 0, x.n is
  * exactly 0, and the error, too. */
-static inline plane_number cylint_along_normal(const pair x[3],
+CYLINT_INLINE plane_number cylint_along_normal(const pair x[3],
                                                const double n[3])
 {
     const pair X = two_prod(x[0].hi, n[0]), Y = two_prod(x[1].hi, n[1]),
@@ -29,8 +29,8 @@ static inline plane_number cylint_along_normal(const pair x[3],
     const double errors = ((X.lo + Y.lo) + Z.lo) + (two.lo + all.lo);
     const double size = fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi);
     int is_zero = !(size > 0);
-    for (int i = 0; i < 3 && is_zero; i++)
-        is_zero = cylint_sign(x[i].hi) == 0 || cylint_sign(n[i]) == 0;
+    EACH(i, 3)
+        is_zero = is_zero && (!cylint_sign(x[i].hi) || !cylint_sign(n[i]));
     return (plane_number){two_sum(all.hi, low + errors),
                           is_zero ? 0 : CYLINT_PLANE_ERROR * size + 0x1p-900};
 }
@@ -54,16 +54,19 @@ static inline int cylint_is_rounded(plane_number x)
            x.v.hi + (x.v.lo - x.error) == x.v.hi;
 }
 
-/* x - p as pairs, exactly.  Returns whether it is at most CYLINT_FAR. */
-static inline int cylint_from_plane(const cylint_shape *s, const double x[3],
+/* x - p as pairs, exactly.  Returns 0 if a coordinate is tiny, or a difference
+ * exceeds CYLINT_FAR. */
+CYLINT_INLINE int cylint_from_plane(const cylint_shape *s, const double x[3],
                                     pair from[3])
 {
-    int near = 1;
-    for (int i = 0; i < 3; i++) {
-        from[i] = cylint_difference(x[i], cylint_base(s)[i]);
-        near &= fabs(from[i].hi) <= CYLINT_FAR;
+    int serves = 1;
+    EACH(i, 3) {
+        const double p = cylint_base(s)[i];
+        from[i] = two_diff(x[i], p);
+        serves &= !cylint_too_small(x[i]) & !cylint_too_small(p) &
+                  (fabs(from[i].hi) <= CYLINT_FAR);
     }
-    return near;
+    return serves;
 }
 
 /* The length of the normal, with a relative error of 2^-103 + CYLINT_PAIR_SQRT. */
@@ -121,21 +124,21 @@ static inline int cylint_side_of_plane(const cylint_shape *s,
 
 /* The root -above / slope.  Its error: those of both numbers, the quotient's, and
  * 2^-1000, so that only an exact 0 has none. */
-static inline plane_number cylint_plane_root(plane_number above,
+CYLINT_INLINE plane_number cylint_plane_root(plane_number above,
                                              plane_number slope)
 {
     const pair t = pair_div(pair_neg(above.v), slope.v);
-    const double size = fabs(t.hi);
+    const double size = fabs(t.hi), inverse = fabs(1 / slope.v.hi);
     if (cylint_is_exact_zero(above))
         return (plane_number){{0, 0}, 0};
-    return (plane_number){t, (above.error + size * slope.error) /
-                                     fabs(slope.v.hi) * 0x1.01p0 +
+    return (plane_number){t, (above.error + size * slope.error) *
+                                     (inverse * 0x1.01p0) +
                                  size * (2 * CYLINT_PAIR_DIV) + 0x1p-1000};
 }
 
 /* Whether the root is after a limit of the domain: 1, 0 if it is the limit, or -1;
  * or CYLINT_SIDE_UNDECIDED. */
-static inline int cylint_root_side(plane_number t, double limit)
+CYLINT_INLINE int cylint_root_side(plane_number t, double limit)
 {
     const double x = (t.v.hi - limit) + t.v.lo; /* rounded twice */
     if (cylint_is_exact_zero(t))
@@ -149,13 +152,13 @@ static inline int cylint_root_side(plane_number t, double limit)
 /* The slope of the height above the plane along the line, in *slope, and the root.
  * Returns 0 if the line begins too far from p, or the slope is not certainly far
  * from 0. */
-static inline int cylint_line_to_plane(const cylint_shape *s,
+CYLINT_INLINE int cylint_line_to_plane(const cylint_shape *s,
                                        const cylint_line *line,
                                        plane_number *slope, plane_number *t)
 {
     pair from[3], d[3];
     const int near = cylint_from_plane(s, line->o, from);
-    for (int i = 0; i < 3; i++)
+    EACH(i, 3)
         d[i] = (pair){line->d[i], line->d_lo[i]};
     *slope = cylint_along_normal(d, cylint_axis(s));
     if (!near || !(fabs(slope->v.hi) > 0x1p60 * slope->error))

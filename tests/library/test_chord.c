@@ -278,3 +278,21 @@ TEST(refused_shapes_and_lines_have_no_chord)
     CHECK(cylint_segment(&far, low, high) == CYLINT_OK);
     CHECK(cylint_line_length(&far) == HUGE_VAL);
 }
+
+/* A processor that reads subnormal numbers as 0 has no order of these ends. */
+TEST(a_solid_has_the_pieces_of_a_subnormal_domain)
+{
+    const cylint_shape ball[2] = {shape_of("sphere 0 0 0 1"),
+                                  shape_of("sphere 0.5 0 0 1")};
+    const int clause[2] = {1, 2};
+    EACH_ENVIRONMENT(there) {
+        cylint_line line;
+        cylint_interval piece[2] = {{0, 0}, {0, 0}};
+        CHECK(cylint_span(&line, origin, ex, -0x1p-1074, 0x1p-1073) ==
+              CYLINT_OK);
+        environment_set(there);
+        const int n = cylint_solid_pieces(ball, clause, 2, &line, piece, 2);
+        environment_reset();
+        CHECK(n == 1 && piece[0].t0 == line.tmin && piece[0].t1 == line.tmax);
+    }
+}
