@@ -40,6 +40,9 @@ typedef struct {
 #define CYLINT_ANGLE_STEP 0x1p-20
 #define CYLINT_SECULAR_STEP 0x1p-10
 
+/* The step where Newton's is larger or goes down, as at skewed oblique cones. */
+#define CYLINT_LARGE_STEP 0.4
+
 /* Where a rough angle is enough. */
 #define CYLINT_ROUGH_STEP 0x1p-6
 #define CYLINT_ROUGH_ANGLE 0x1p-12
@@ -255,7 +258,7 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                      slope = slope_of_height(t, p);
         by = -g / slope;
         if (!(slope < 0) || !(fabs(by) < 0.5))
-            return 0;
+            by = copysign(CYLINT_LARGE_STEP, g); /* up */
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);

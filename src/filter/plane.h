@@ -63,8 +63,9 @@ CYLINT_INLINE int cylint_from_plane(const cylint_shape *s, const double x[3],
     EACH(i, 3) {
         const double p = cylint_base(s)[i];
         from[i] = two_diff(x[i], p);
-        serves &= !cylint_too_small(x[i]) & !cylint_too_small(p) &
-                  (fabs(from[i].hi) <= CYLINT_FAR);
+        serves &= !cylint_too_small(x[i]);
+        serves &= !cylint_too_small(p);
+        serves &= fabs(from[i].hi) <= CYLINT_FAR;
     }
     return serves;
 }
