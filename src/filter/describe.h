@@ -6,6 +6,7 @@
 #ifndef CYLINT_DESCRIBE_H
 #define CYLINT_DESCRIBE_H
 
+#include "../shapes/local.h"
 #include "../signs/origin.h"
 #include "members.h"
 #include "plane.h"
@@ -214,6 +215,28 @@ static unsigned describe_root(cylint_hit *hit, const source *from,
     return write_lane(hit, &m, want, 0);
 }
 
+/* z and phi on a ball that is the whole of a round cone.  They are those of a
+ * capsule with the same axis.  The root is that of the ball, from an origin at
+ * t + tail. */
+static unsigned describe_about_axis(cylint_hit *hit, const source *ball,
+                                    const hit_root *r, double t, double tail,
+                                    unsigned want)
+{
+    cylint_shape capsule;
+    pair_line in;
+    if (!want)
+        return 0;
+    cylint_ball_of(&capsule, ball->shape, cylint_is_reversed(ball->shape));
+    capsule.kind = CYLINT_KIND_CAPSULE;
+    capsule.library.number[CYLINT_AT_R1] = cylint_r0(&capsule);
+    cylint_measure_local_plain(&capsule);
+    const source from = {&capsule, ball->line};
+    if (!cylint_prepared(&capsule))
+        return want;
+    load_moved_pairs(&in, &from, t, tail, CYLINT_SOLID_CAPSULE);
+    return describe_root(hit, &from, &in, r, want);
+}
+
 /* ------------------------------------------------------- exact roots -- */
 
 /* Exact signs at points of the line serve these solids. */
@@ -257,6 +280,7 @@ static unsigned describe_again(const cylint_shape *shape,
 {
     const source from = {shape, line};
     const int solid = cylint_prepared(shape);
+    const unsigned axial = CYLINT_WANT_Z | CYLINT_WANT_PHI;
     pair_line in;
     if (solid == CYLINT_SOLID_NONE)
         return cylint_plane_members(shape, line, want, hit);
@@ -274,6 +298,10 @@ static unsigned describe_again(const cylint_shape *shape,
                              want & CYLINT_WANT_POINT) |
                describe_root(hit, &from, &in, &r,
                              want & ~(unsigned)CYLINT_WANT_POINT);
+        if (cylint_solid_is_ball(solid))
+            want = (want & ~axial) |
+                   describe_about_axis(hit, &from, &r, partial->t, tail,
+                                       want & axial);
         if (!cylint_sign(v_first(r.tail)))
             break;
         if (want & CYLINT_WANT_POINT &&

@@ -258,8 +258,8 @@ ASIDE void load_any_pairs(pair_line *to, const cylint_shape *shape,
 
 /* The line with its origin moved to o + (t + tail) d.  Its sizes count its error,
  * which is relative to terms that cancel, in multiples of that of the matrix. */
-INLINE void load_moved_pairs(pair_line *to, const source *from, double t,
-                             double tail, int solid)
+ASIDE void load_moved_pairs(pair_line *to, const source *from, double t,
+                            double tail, int solid)
 {
     const vq T = q_set(t), d = q_load(from->line->d);
     const vqpair o = origin_from_base(from);
