@@ -45,6 +45,11 @@ static bounded close_to_plane(const cylint_shape *s, const double point[3],
     load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
     bounded to = quotient_of_form(triple_dot(D, w), length, size, 0);
+    int in_plane = 1; /* every product is 0 */
+    EACH(i, 3)
+        in_plane &= cylint_sign(D[i].a) == 0 || cylint_sign(w[i].a) == 0;
+    if (in_plane)
+        return (bounded){{0, 0}, 0};
     if (!top)
         to.v = pair_neg(to.v);
     return to;
@@ -142,6 +147,97 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
     n->d = d;
     n->d.error = close.e;
     return 1;
+}
+
+/* ----------------------------------------------------------------- rims -- */
+
+enum { CYLINT_NO_SIGN = 2 };
+static int sign_within(bounded x)
+{
+    return x.v.hi > x.e                        ? 1
+           : x.v.hi < -x.e                     ? -1
+           : !(fabs(x.v.hi) > 0) && !(x.e > 0) ? 0
+                                               : CYLINT_NO_SIGN;
+}
+
+/* (x + f y) / by.  The relative errors of f and `by` are small beside
+ * CYLINT_CLOSE_LOSS. */
+static bounded combined(bounded x, pair f, bounded y, pair by)
+{
+    const pair fy = pair_mul(f, y.v);
+    const double error = x.e + fabs(f.hi) * y.e +
+                         CYLINT_CLOSE_LOSS * (fabs(x.v.hi) + fabs(fy.hi));
+    return (bounded){pair_div(pair_add(x.v, fy), by),
+                     error / by.hi * CYLINT_SLACK};
+}
+
+static bounded length_of(bounded x, bounded y)
+{
+    const pair d = pair_sqrt(pair_add(pair_mul(x.v, x.v), pair_mul(y.v, y.v)));
+    return (bounded){d, x.e + y.e + CYLINT_CLOSE_LOSS * d.hi};
+}
+
+/* The nearest feature to a point beside the rim of an end, and the distance.  From
+ * the rim the point is at `across` and `beyond` across and along the axis, at `after`
+ * along the lateral surface. */
+static int nearest_beside_rim(bounded *d, const half_plane *m,
+                              const cylint_shape *s, const double point[3],
+                              int top)
+{
+    const pair one = {1, 0}, sine = cylint_number_pair(s, CYLINT_AT_SINE),
+               C = cylint_number_pair(s, CYLINT_AT_COSINE),
+               S = top ? sine : pair_neg(sine);
+    const bounded none = {{0, 0}, 0},
+                  line = close_to_line(s, point, m->rho, m->error, m->size),
+                  beyond = close_to_plane(s, point, top, m->size),
+                  across = combined(line, S, beyond, C),
+                  after =
+                      combined(combined(none, C, beyond, one), S, across, one);
+    const int out = sign_within(line), up = sign_within(beyond),
+              side = sign_within(across), past = sign_within(after);
+    const int has_cap = cylint_caps_present(s->ends) >> top & 1;
+    if (has_cap && out < 0 && up < 0) {
+        const int less =
+            sign_within(combined(line, pair_neg(one), beyond, one));
+        *d = less > 0 ? line : beyond;
+        /* untaken 1 of 2: no known point is as far from both */
+        return less == CYLINT_NO_SIGN ? CYLINT_NO_FEATURE
+               : less > 0             ? CYLINT_FEATURE_LATERAL
+                                      : CYLINT_FEATURE_CAP0 + top;
+    }
+    *d = beyond;
+    if (has_cap && up == 1 && side == -1)
+        return CYLINT_FEATURE_CAP0 + top;
+    *d = past < 0 ? line : length_of(across, beyond);
+    const int outside = out == 1 || (up == 1 && past >= 0);
+    const int can_be_over = up > 0 && (side | 1) != 1; /* not 0 or 1 */
+    return past == CYLINT_NO_SIGN || (has_cap && (!outside || can_be_over))
+               ? CYLINT_NO_FEATURE
+           : past < 0 ? CYLINT_FEATURE_LATERAL
+                      : CYLINT_FEATURE_RIM0 + top;
+}
+
+/* Decides feature and distance of a point beside a rim of a cylinder or cone, in
+ * triples.  The other end is so far away that nothing there is nearer. */
+ASIDE void find_beside_rim(vnearest *n, const half_plane *m,
+                           const cylint_shape *s, const double point[3])
+{
+    const int top = rounded(m->z) + rounded(m->above) > 0;
+    const double off = fabs(rounded(top ? m->above : m->z)) +
+                       fabs(rounded(m->rho) - cylint_end_factor(s, top));
+    bounded d;
+    if (!(off <= CYLINT_CLOSE * m->size) ||
+        !(4 * off <= cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
+        /* untaken 1 of 2: no known rim is so large */
+        !(m->size <= CYLINT_CLOSE_MOST) ||
+        !(m->size < 2 * CYLINT_THINNEST * m->rho.hi))
+        return;
+    const int feature = nearest_beside_rim(&d, m, s, point, top);
+    if (feature == CYLINT_NO_FEATURE)
+        return;
+    const double margin = CYLINT_NEAREST_MARGIN * fabs(d.v.hi);
+    *n = (vnearest){pairs_rounded(d.v, d.e + margin), feature, 1};
+    n->d.error = d.e;
 }
 
 #endif

@@ -85,6 +85,10 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     half_plane m;
     vnearest n;
     find_nearest(&n, &m, &s, point, shape, straight, tangent, given);
+    if (!n.certain && given == CYLINT_NO_FEATURE &&
+        cylint_ends_are_planes(shape->ends) &&
+        (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE))
+        find_beside_rim(&n, &m, shape, point);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
