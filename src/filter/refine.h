@@ -492,8 +492,8 @@ static int refine_roots(cylint_question *q)
     h = with_exact_hits(hits_of_roots(&r, &l, present), &r, exact, q->line);
     needed = ends_needed(h, bits, q->want);
     if (needed) {
-        const vpair t = short_pair(r.value, r.tail);
-        const root near = exact_root(t.hi, t.lo);
+        const vpair coarse = short_pair(r.value, r.tail);
+        const root near = exact_root(coarse.hi, coarse.lo);
         const unsigned found = roots_at(&near, &r, &at, needed, q, solid);
         r = root_if(m_from(found), &near, &r);
         h = with_exact_hits(h, &r, found, q->line);
