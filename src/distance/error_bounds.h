@@ -61,12 +61,15 @@
  * are counted there.  Of elliptic kinds also tests/bounds/test_local_residuals.c.
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
  * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
- * the relative error of a few operations on pairs.
+ * the relative error of a few operations on pairs.  CYLINT_NEEDS_DIRECTION: the
+ * relative error of rho for which triples compute the direction from the axis; it
+ * affects only the speed.
  */
 #define CYLINT_CLOSE_ERROR 0x1p-144
 #define CYLINT_CLOSE_LOSS 0x1p-90
 #define CYLINT_CLOSE 0x1p-20
 #define CYLINT_CLOSE_MOST 0x1p64
+#define CYLINT_NEEDS_DIRECTION 0x1p-60
 
 /*
  * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes:

@@ -162,7 +162,7 @@ static int sign_within(bounded x)
 
 /* (x + f y) / by.  The relative errors of f and `by` are small beside
  * CYLINT_CLOSE_LOSS. */
-static bounded combined(bounded x, pair f, bounded y, pair by)
+static bounded sum_over(bounded x, pair f, bounded y, pair by)
 {
     const pair fy = pair_mul(f, y.v);
     const double error = x.e + fabs(f.hi) * y.e +
@@ -171,7 +171,7 @@ static bounded combined(bounded x, pair f, bounded y, pair by)
                      error / by.hi * CYLINT_SLACK};
 }
 
-static bounded length_of(bounded x, bounded y)
+static bounded hypotenuse(bounded x, bounded y)
 {
     const pair d = pair_sqrt(pair_add(pair_mul(x.v, x.v), pair_mul(y.v, y.v)));
     return (bounded){d, x.e + y.e + CYLINT_CLOSE_LOSS * d.hi};
@@ -190,15 +190,15 @@ static int nearest_beside_rim(bounded *d, const half_plane *m,
     const bounded none = {{0, 0}, 0},
                   line = close_to_line(s, point, m->rho, m->error, m->size),
                   beyond = close_to_plane(s, point, top, m->size),
-                  across = combined(line, S, beyond, C),
+                  across = sum_over(line, S, beyond, C),
                   after =
-                      combined(combined(none, C, beyond, one), S, across, one);
+                      sum_over(sum_over(none, C, beyond, one), S, across, one);
     const int out = sign_within(line), up = sign_within(beyond),
               side = sign_within(across), past = sign_within(after);
     const int has_cap = cylint_caps_present(s->ends) >> top & 1;
     if (has_cap && out < 0 && up < 0) {
         const int less =
-            sign_within(combined(line, pair_neg(one), beyond, one));
+            sign_within(sum_over(line, pair_neg(one), beyond, one));
         *d = less > 0 ? line : beyond;
         /* untaken 1 of 2: no known point is as far from both */
         return less == CYLINT_NO_SIGN ? CYLINT_NO_FEATURE
@@ -208,7 +208,7 @@ static int nearest_beside_rim(bounded *d, const half_plane *m,
     *d = beyond;
     if (has_cap && up == 1 && side == -1)
         return CYLINT_FEATURE_CAP0 + top;
-    *d = past < 0 ? line : length_of(across, beyond);
+    *d = past < 0 ? line : hypotenuse(across, beyond);
     const int outside = out == 1 || (up == 1 && past >= 0);
     const int can_be_over = up > 0 && (side | 1) != 1; /* not 0 or 1 */
     return past == CYLINT_NO_SIGN || (has_cap && (!outside || can_be_over))

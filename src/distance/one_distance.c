@@ -7,6 +7,7 @@
  */
 #define CYLINT_ONE_LANE
 #include "describe_nearest.h"
+#include "near_axis.h"
 #include "near_surface.h"
 #include "one_distance.h"
 #include "other_ends.h"
@@ -85,10 +86,13 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     half_plane m;
     vnearest n;
     find_nearest(&n, &m, &s, point, shape, straight, tangent, given);
-    if (!n.certain && given == CYLINT_NO_FEATURE &&
-        cylint_ends_are_planes(shape->ends) &&
+    if (!n.certain && cylint_ends_are_planes(shape->ends) &&
         (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE))
         find_beside_rim(&n, &m, shape, point);
+    if (want & CYLINT_WANT_GEOMETRY && kind != CYLINT_KIND_SPHERE &&
+        n.feature != CYLINT_FEATURE_CAP0 && n.feature != CYLINT_FEATURE_CAP1 &&
+        !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi))
+        find_direction(&m, shape, point);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
