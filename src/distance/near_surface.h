@@ -178,8 +178,8 @@ static bounded hypotenuse(bounded x, bounded y)
 }
 
 /* The nearest feature to a point beside the rim of an end, and the distance.  From
- * the rim the point is at `across` and `beyond` across and along the axis, at `after`
- * along the lateral surface. */
+ * the rim the point is at `across` and `beyond` across and along the axis, and at
+ * `after` along the lateral surface. */
 static int nearest_beside_rim(bounded *d, const half_plane *m,
                               const cylint_shape *s, const double point[3],
                               int top)
