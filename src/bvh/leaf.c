@@ -68,6 +68,7 @@ static double round_end(const double p[3], long to[3])
     return sqrt(square);
 }
 
+/* lint: the analyzer takes a shift that is not negative for one that is */
 static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
 {
     long p[2][3];

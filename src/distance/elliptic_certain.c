@@ -87,7 +87,8 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
 
 /* --------------------------------------------------------------- safety -- */
 
-/* The distance in doubles, less its error. */
+/* The distance in doubles, less its error.  lint: the search for this feature wrote
+ * what is read. */
 static double distance_in_doubles(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;

@@ -34,7 +34,8 @@
  * The sums are in tests/bounds/prove/ratios.txt;
  * tests/bounds/test_distance_bounds.c compares z, rho and rims with exact numbers.
  *
- * Triples serve points with S < 2 CYLINT_THINNEST rho.
+ * Triples serve points with S < 2 CYLINT_THINNEST rho: there the error of rho is at
+ * most 2^-60 of it.
  *
  * A combination of the high parts in doubles has fewer than 8 roundings of
  * terms of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3
@@ -48,7 +49,7 @@
 #define CYLINT_PAIR_DISTANCE 0x1p-92
 #define CYLINT_PAIR_QUOTIENT 0x1p-97
 #define CYLINT_PAIR_PLACE 0x1p-104
-#define CYLINT_THINNEST 0x1p12
+#define CYLINT_THINNEST 0x1p30
 #define CYLINT_FEATURE_MARGIN 0x1p-46
 #define CYLINT_DISTANCE_LEAST 0x1p-300
 

@@ -2,7 +2,7 @@
  * near_axis.h - the direction from the axis to a point beside it, in triples
  *
  * Of two nearly equal vectors D and z w the difference has few digits.  That of w x
- * (D x w), D the point from the base and w the axis, has all that count.
+ * (D x w), D the point from an end and w the axis, has all that count.
  */
 #ifndef CYLINT_NEAR_AXIS_H
 #define CYLINT_NEAR_AXIS_H
@@ -10,15 +10,16 @@
 #include "../shapes/measure.h"
 #include "near_surface.h"
 
-/* Whether D x w = X, all products of which are exact, is 0: the point is on the
- * axis. */
+/* Whether D is 0, or D x w = X is, all products of which are exact. */
 static int is_on_axis(const triple D[3], const triple w[3], const triple X[3])
 {
-    int is = 1;
-    EACH(i, 3)
-        is &= cylint_sign(D[i].b) == 0 && cylint_sign(w[i].b) == 0 &&
-              cylint_sign(X[i].a) == 0;
-    return is;
+    int is_end = 1, is_exact = 1;
+    EACH(i, 3) {
+        is_end &= cylint_sign(D[i].a) == 0;
+        is_exact &= cylint_sign(D[i].b) == 0 && cylint_sign(w[i].b) == 0 &&
+                    cylint_sign(X[i].a) == 0;
+    }
+    return is_end | is_exact;
 }
 
 /* The direction from the axis to a point beside it: that of w x (D x w), or on the
@@ -28,7 +29,9 @@ ASIDE void find_direction(half_plane *m, const cylint_shape *s,
 {
     triple D[3], w[3], X[3], A[3];
     pair squares[3];
-    load_difference(D, point, cylint_base(s));
+    const int top =
+        cylint_has_end_points(s->kind) && rounded(m->z) + rounded(m->above) > 0;
+    load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
     triple_cross(X, D, w);
     triple_cross(A, w, X);

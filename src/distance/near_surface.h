@@ -149,7 +149,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
     return 1;
 }
 
-/* ----------------------------------------------------------------- rims -- */
+/* ----------------------------------------------------------------- ends -- */
 
 enum { CYLINT_NO_SIGN = 2 };
 static int sign_within(bounded x)
@@ -177,10 +177,10 @@ static bounded hypotenuse(bounded x, bounded y)
     return (bounded){d, x.e + y.e + CYLINT_CLOSE_LOSS * d.hi};
 }
 
-/* The nearest feature to a point beside the rim of an end, and the distance.  From
- * the rim the point is at `across` and `beyond` across and along the axis, and at
- * `after` along the lateral surface. */
-static int nearest_beside_rim(bounded *d, const half_plane *m,
+/* The nearest feature to a point beside the plane of an end, and the distance.
+ * From the rim the point is at `across` and `beyond` across and along the axis, and
+ * at `after` along the lateral surface. */
+static int nearest_beside_end(bounded *d, const half_plane *m,
                               const cylint_shape *s, const double point[3],
                               int top)
 {
@@ -195,7 +195,8 @@ static int nearest_beside_rim(bounded *d, const half_plane *m,
                       sum_over(sum_over(none, C, beyond, one), S, across, one);
     const int out = sign_within(line), up = sign_within(beyond),
               side = sign_within(across), past = sign_within(after);
-    const int has_cap = cylint_caps_present(s->ends) >> top & 1;
+    const unsigned caps = cylint_caps_present(s->ends);
+    const int has_cap = caps >> top & 1;
     if (has_cap && out < 0 && up < 0) {
         const int less =
             sign_within(sum_over(line, pair_neg(one), beyond, one));
@@ -211,28 +212,34 @@ static int nearest_beside_rim(bounded *d, const half_plane *m,
     *d = past < 0 ? line : hypotenuse(across, beyond);
     const int outside = out == 1 || (up == 1 && past >= 0);
     const int can_be_over = up > 0 && (side | 1) != 1; /* not 0 or 1 */
-    return past == CYLINT_NO_SIGN || (has_cap && (!outside || can_be_over))
+    const int other_cap_is_far =
+        !caps ||
+        2 * fabs(d->v.hi) <= cylint_number_pair(s, CYLINT_AT_HEIGHT).hi;
+    return past == CYLINT_NO_SIGN ||
+                   !(has_cap ? outside && !can_be_over : other_cap_is_far)
                ? CYLINT_NO_FEATURE
            : past < 0 ? CYLINT_FEATURE_LATERAL
                       : CYLINT_FEATURE_RIM0 + top;
 }
 
-/* Decides feature and distance of a point beside a rim of a cylinder or cone, in
- * triples.  The other end is so far away that nothing there is nearer. */
-ASIDE void find_beside_rim(vnearest *n, const half_plane *m,
+/* Decides feature and distance of a point beside the plane of an end of a
+ * cylinder or cone, in triples, where the foot on the lateral surface is far from
+ * the other end. */
+ASIDE void find_beside_end(vnearest *n, const half_plane *m,
                            const cylint_shape *s, const double point[3])
 {
     const int top = rounded(m->z) + rounded(m->above) > 0;
-    const double off = fabs(rounded(top ? m->above : m->z)) +
-                       fabs(rounded(m->rho) - cylint_end_factor(s, top));
+    const double along = fabs(rounded(top ? m->above : m->z)),
+                 across = rounded(m->rho) - cylint_end_factor(s, top);
     bounded d;
-    if (!(off <= CYLINT_CLOSE * m->size) ||
-        !(4 * off <= cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
+    if (!(along <= CYLINT_CLOSE * m->size) ||
+        !(4 * (along + fabs(cylint_sine(s) * across)) <=
+          cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
         /* untaken 1 of 2: no known rim is so large */
         !(m->size <= CYLINT_CLOSE_MOST) ||
         !(m->size < 2 * CYLINT_THINNEST * m->rho.hi))
         return;
-    const int feature = nearest_beside_rim(&d, m, s, point, top);
+    const int feature = nearest_beside_end(&d, m, s, point, top);
     if (feature == CYLINT_NO_FEATURE)
         return;
     const double margin = CYLINT_NEAREST_MARGIN * fabs(d.v.hi);

@@ -88,7 +88,7 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     find_nearest(&n, &m, &s, point, shape, straight, tangent, given);
     if (!n.certain && cylint_ends_are_planes(shape->ends) &&
         (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE))
-        find_beside_rim(&n, &m, shape, point);
+        find_beside_end(&n, &m, shape, point);
     if (want & CYLINT_WANT_GEOMETRY && kind != CYLINT_KIND_SPHERE &&
         n.feature != CYLINT_FEATURE_CAP0 && n.feature != CYLINT_FEATURE_CAP1 &&
         !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi))

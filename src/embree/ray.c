@@ -314,7 +314,8 @@ CYLINT_INLINE void filter_one(ray_test *r)
 }
 
 /* Whether the hit that the filter answers is the last recorded one, on a ball that
- * the shapes have in common, as those of a chain of round cones do. */
+ * the shapes have in common, as those of a chain of round cones do.  lint: equal
+ * bits are meant. */
 static int repeats_hit(const ray_test *r)
 {
     cylint_record last;

@@ -152,6 +152,7 @@ static inline double cylint_largest(const double x[3])
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
 }
 
+/* lint: the analyzer takes three rounds of EACH for one */
 CYLINT_INLINE double cylint_dot(const double x[3], const double y[3])
 {
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];

@@ -162,7 +162,7 @@ static int count_numbers(struct reader r)
 
 /* The text around the first comma of the record, before r->p, if it is a decimal
  * comma: digits before it and a number after it, alone between blanks.  Else an
- * empty text. */
+ * empty text.  lint: a number ends at `to`, which is not NULL. */
 static struct string decimal_comma(const struct reader *r)
 {
     const char *const begin = r->notes->text, *const end = r->end;
