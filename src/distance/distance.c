@@ -93,7 +93,8 @@ ASIDE unsigned answer_by_signs(const cylint_shape *shape, const double point[3],
                                unsigned want, cylint_in_pairs *in_pairs,
                                cylint_closest *answer)
 {
-    const int feature = cylint_feature_by_signs(shape, point);
+    const int feature =
+        want ? cylint_feature_by_signs(shape, point) : CYLINT_NO_FEATURE;
     return feature == CYLINT_NO_FEATURE
                ? want
                : in_pairs(shape, point, feature, want, answer);
@@ -117,7 +118,8 @@ CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
                     cylint_contains(shape, point) == 0)
                ? answer_on_boundary(shape, point, want, undecided, answer)
            : undecided & CYLINT_FEATURE_UNDECIDED
-               ? answer_by_signs(shape, point, want, in_pairs, answer)
+               ? answer_by_signs(shape, point, undecided & want, in_pairs,
+                                 answer)
                : undecided;
 }
 

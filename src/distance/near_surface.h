@@ -132,7 +132,6 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
 {
     const double size = fabs(rounded(n->d.value));
     const int certain = n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
-    /* untaken 1 of 8: the feature is certain in every known case */
     if (certain || !n->certain || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
         (cylint_has_tangent(s->kind) &&
          n->feature > (double)CYLINT_FEATURE_LATERAL) ||
@@ -235,7 +234,6 @@ ASIDE void find_beside_end(vnearest *n, const half_plane *m,
     if (!(along <= CYLINT_CLOSE * m->size) ||
         !(4 * (along + fabs(cylint_sine(s) * across)) <=
           cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
-        /* untaken 1 of 2: no known rim is so large */
         !(m->size <= CYLINT_CLOSE_MOST) ||
         !(m->size < 2 * CYLINT_THINNEST * m->rho.hi))
         return;
