@@ -128,7 +128,7 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
     if (ON_SURFACE && !tapered && m_any(m->rho_is_exact))
         NUMBER(without_error)
-        (n, m, m_and(n->certain, NUMBER(is_radial)(n, m)), rho, s->r[0].hi);
+    (n, m, m_and(n->certain, NUMBER(is_radial)(n, m)), rho, s->r[0].hi);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
