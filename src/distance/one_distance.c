@@ -86,13 +86,21 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     half_plane m;
     vnearest n;
     find_nearest(&n, &m, &s, point, shape, straight, tangent, given);
+    /* by copies, so that other questions keep m and n in registers */
     if (!n.certain && cylint_ends_are_planes(shape->ends) &&
-        (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE))
-        find_beside_end(&n, &m, shape, point);
+        (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE)) {
+        const half_plane copy = m;
+        vnearest nearest = n;
+        find_beside_end(&nearest, &copy, shape, point);
+        n = nearest;
+    }
     if (want & CYLINT_WANT_GEOMETRY && kind != CYLINT_KIND_SPHERE &&
         n.feature != CYLINT_FEATURE_CAP0 && n.feature != CYLINT_FEATURE_CAP1 &&
-        !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi))
-        find_direction(&m, shape, point);
+        !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi)) {
+        half_plane copy = m;
+        find_direction(&copy, shape, point);
+        m = copy;
+    }
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
