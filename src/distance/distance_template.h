@@ -126,9 +126,9 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     if (with_part)
         find_feature(n, m, s, &p, ON_SURFACE);
     NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
+    const vm radial = m_and(n->certain, NUMBER(is_radial)(n, m));
     if (ON_SURFACE && !tapered && m_any(m->rho_is_exact))
-        NUMBER(without_error)
-    (n, m, m_and(n->certain, NUMBER(is_radial)(n, m)), rho, s->r[0].hi);
+        NUMBER(without_error)(n, m, radial, rho, s->r[0].hi);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
