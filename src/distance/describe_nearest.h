@@ -106,10 +106,12 @@ INLINE bounded sum_of_multiples(const multiples *k, bounded u, vpair w)
         v_sum_of(v_abs(k->a.hi), u.e, v_set(CYLINT_POINT_ROUNDING) * sizes)};
 }
 
-/* from + factor e. */
+/* from + factor e.  Where terms of both cancelled, their low parts can be as large
+ * as the high ones: they are trimmed. */
 INLINE bounded step_along(vd from, bounded factor, bounded e)
 {
-    const vpair step = pairs_product(factor.v, e.v);
+    const vpair step =
+        pairs_product(pairs_trimmed(factor.v), pairs_trimmed(e.v));
     vpair to = v_two_sum(from, step.hi);
     to.lo = to.lo + step.lo;
     const vd error =

@@ -93,8 +93,7 @@ ASIDE unsigned answer_by_signs(const cylint_shape *shape, const double point[3],
                                unsigned want, cylint_in_pairs *in_pairs,
                                cylint_closest *answer)
 {
-    const int feature =
-        want ? cylint_feature_by_signs(shape, point) : CYLINT_NO_FEATURE;
+    const int feature = cylint_feature_by_signs(shape, point);
     return feature == CYLINT_NO_FEATURE
                ? want
                : in_pairs(shape, point, feature, want, answer);
@@ -118,8 +117,7 @@ CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
                     cylint_contains(shape, point) == 0)
                ? answer_on_boundary(shape, point, want, undecided, answer)
            : undecided & CYLINT_FEATURE_UNDECIDED
-               ? answer_by_signs(shape, point, undecided & want, in_pairs,
-                                 answer)
+               ? answer_by_signs(shape, point, want, in_pairs, answer)
                : undecided;
 }
 

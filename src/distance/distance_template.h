@@ -53,6 +53,23 @@ INLINE vdistance NUMBER(from_rim)(vpair x, vpair y, const half_plane *m)
     return NUMBER(rounded)(root, error);
 }
 
+/* The distance from the feature. */
+INLINE void NUMBER(from_feature)(vnearest *n, const half_plane *m,
+                                 vpair lateral, vpair x0, vpair x1)
+{
+    const vd f = n->feature;
+    const vm is_top = m_or(v_eq(f, v_set(CYLINT_FEATURE_CAP1)),
+                           v_eq(f, v_set(CYLINT_FEATURE_RIM1)));
+    const vm is_lateral = v_eq(f, v_set(CYLINT_FEATURE_LATERAL));
+    const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), f);
+    const vpair y = pick(is_top, m->above, opposite(m->z));
+    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y),
+                           v_select(is_lateral, m->error, m->plane_error));
+    if (m_any(is_rim))
+        n->d = pick_distance(
+            is_rim, NUMBER(from_rim)(pick(is_top, x1, x0), y, m), n->d);
+}
+
 /* Of a convex section the largest of the distances from its lines counts, unless
  * a corner is nearest. */
 INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
@@ -60,9 +77,9 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
                                  vpair x1, int tapered)
 {
     const vd zero = v_set(0);
-    const vd error = ON_SURFACE ? m->plane_error : m->error;
-    const vdistance beyond = larger_of(NUMBER(rounded)(opposite(m->z), error),
-                                       NUMBER(rounded)(m->above, error));
+    const vdistance beyond =
+        larger_of(NUMBER(rounded)(opposite(m->z), m->error),
+                  NUMBER(rounded)(m->above, m->error));
     const vm top = v_lt(zero, p->after);
     n->d = larger_of(beyond, NUMBER(rounded)(lateral, m->error));
     vm rims = are_positive(beyond.low, p->a);
@@ -125,10 +142,12 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
         ON_SURFACE && !tapered ? v_select(s->upright, v_set(0), M) : M};
     if (with_part)
         find_feature(n, m, s, &p, ON_SURFACE);
-    NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
-    const vm radial = m_and(n->certain, NUMBER(is_radial)(n, m));
+    if (ON_SURFACE)
+        NUMBER(from_feature)(n, m, lateral, x0, x1);
+    else
+        NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
     if (ON_SURFACE && !tapered && m_any(m->rho_is_exact))
-        NUMBER(without_error)(n, m, radial, rho, s->r[0].hi);
+        NUMBER(without_error)(n, m, NUMBER(is_radial)(n, m), rho, s->r[0].hi);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
@@ -246,7 +265,7 @@ INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
         NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, with_part);
     /* Where the feature is not certain, the error of doubles that chose the feature
      * can exceed that of pairs. */
-    if (ON_SURFACE && cylint_is_round(kind))
+    if (ON_SURFACE)
         n->d = NUMBER(rounded)(
             n->d.value, v_select(n->certain, n->d.error, v_set(HUGE_VAL)));
 }

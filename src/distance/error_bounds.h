@@ -34,8 +34,8 @@
  * The sums are in tests/bounds/prove/ratios.txt;
  * tests/bounds/test_distance_bounds.c compares z, rho and rims with exact numbers.
  *
- * Triples serve points with S < 2 CYLINT_THINNEST rho: there the error of rho is at
- * most 2^-60 of it.
+ * Near the surface triples serve points of a size below 2 CYLINT_THINNEST rho:
+ * there the error of rho is at most 2^-59 of it.
  *
  * A combination of the high parts in doubles has fewer than 8 roundings of
  * terms of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3

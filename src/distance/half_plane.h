@@ -62,21 +62,18 @@ INLINE vpair pair_of_lanes(const cylint_shape *const at[LANES], int number)
     return (vpair){of_lanes(at, number), of_lanes(at, number + CYLINT_LOW)};
 }
 
+/* The larger bounds, value and error of a; NaN where b is NaN. */
+INLINE vdistance larger_of(vdistance a, vdistance b)
+{
+    return (vdistance){a.value, v_max(a.low, b.low), v_max(a.high, b.high),
+                       a.error};
+}
+
 INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
 {
     return (vdistance){pick(m, a.value, b.value), v_select(m, a.low, b.low),
                        v_select(m, a.high, b.high),
                        v_select(m, a.error, b.error)};
-}
-
-/* The larger bounds, and value and error of the larger one; NaN where b is NaN. */
-INLINE vdistance larger_of(vdistance a, vdistance b)
-{
-    vdistance larger =
-        pick_distance(v_lt(rounded(b.value), rounded(a.value)), a, b);
-    larger.low = v_max(a.low, b.low);
-    larger.high = v_max(a.high, b.high);
-    return larger;
 }
 
 /* ------------------------------------------------- features, in doubles -- */

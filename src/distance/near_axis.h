@@ -10,14 +10,17 @@
 #include "../shapes/measure.h"
 #include "near_surface.h"
 
-/* Whether D is 0, or D x w = X is, all products of which are exact. */
+/* Whether D is 0, or D x w = X is, all products of which are exact: no factor other
+ * than 0 is so small that one underflows. */
 static int is_on_axis(const triple D[3], const triple w[3], const triple X[3])
 {
     int is_end = 1, is_exact = 1;
     EACH(i, 3) {
         is_end &= cylint_sign(D[i].a) == 0;
-        is_exact &= cylint_sign(D[i].b) == 0 && cylint_sign(w[i].b) == 0 &&
-                    cylint_sign(X[i].a) == 0;
+        is_exact &=
+            cylint_sign(D[i].b) == 0 && cylint_sign(w[i].b) == 0 &&
+            cylint_sign(X[i].a) == 0 &&
+            (cylint_sign(D[i].a) == 0 || fabs(D[i].a) >= CYLINT_DISTANCE_LEAST);
     }
     return is_end | is_exact;
 }

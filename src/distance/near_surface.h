@@ -100,9 +100,10 @@ static bounded close_to_line(const cylint_shape *s, const double point[3],
     const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
     bounded to = quotient_of_form(form, pair_mul(pair_mul(unit, unit), sum),
                                   16 * size / sum.hi * size, error / sum.hi);
-    if (!round) {
+    if (!round) { /* the error of T counts the growth along D, too */
         to.v = pair_mul(to.v, C);
-        to.e *= cylint_cosine(s) * CYLINT_SLACK;
+        to.e = to.e * cylint_cosine(s) * CYLINT_SLACK +
+               16 * CYLINT_CLOSE_ERROR * size * fabs(cylint_sine(s));
     }
     if (!(radius.hi > 0)) /* beyond the apex: the other nappe can be nearer */
         to.e = HUGE_VAL;
@@ -132,6 +133,7 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
 {
     const double size = fabs(rounded(n->d.value));
     const int certain = n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
+    /* untaken 1 of 8: the feature is certain in every known case */
     if (certain || !n->certain || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
         (cylint_has_tangent(s->kind) &&
          n->feature > (double)CYLINT_FEATURE_LATERAL) ||
@@ -153,10 +155,10 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
 enum { CYLINT_NO_SIGN = 2 };
 static int sign_within(bounded x)
 {
-    return x.v.hi > x.e                        ? 1
-           : x.v.hi < -x.e                     ? -1
-           : !(fabs(x.v.hi) > 0) && !(x.e > 0) ? 0
-                                               : CYLINT_NO_SIGN;
+    return x.v.hi > x.e                    ? 1
+           : x.v.hi < -x.e                 ? -1
+           : fabs(x.v.hi) <= 0 && x.e <= 0 ? 0
+                                           : CYLINT_NO_SIGN;
 }
 
 /* (x + f y) / by.  The relative errors of f and `by` are small beside

@@ -94,8 +94,9 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
         find_beside_end(&nearest, &copy, shape, point);
         n = nearest;
     }
-    if (want & CYLINT_WANT_GEOMETRY && kind != CYLINT_KIND_SPHERE &&
-        n.feature != CYLINT_FEATURE_CAP0 && n.feature != CYLINT_FEATURE_CAP1 &&
+    if (want & CYLINT_WANT_GEOMETRY && n.certain &&
+        kind != CYLINT_KIND_SPHERE && n.feature != CYLINT_FEATURE_CAP0 &&
+        n.feature != CYLINT_FEATURE_CAP1 &&
         !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi)) {
         half_plane copy = m;
         find_direction(&copy, shape, point);

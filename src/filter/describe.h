@@ -228,7 +228,8 @@ static unsigned describe_about_axis(cylint_hit *hit, const source *ball,
         return 0;
     cylint_ball_of(&capsule, ball->shape, cylint_is_reversed(ball->shape));
     capsule.kind = CYLINT_KIND_CAPSULE;
-    capsule.library.number[CYLINT_AT_R1] = cylint_r0(&capsule);
+    capsule.library.number[CYLINT_AT_R0] = cylint_r0(ball->shape);
+    capsule.library.number[CYLINT_AT_R1] = cylint_r0(ball->shape);
     cylint_measure_local_plain(&capsule);
     const source from = {&capsule, ball->line};
     if (!cylint_prepared(&capsule))

@@ -151,18 +151,18 @@ CYLINT_INLINE int cylint_root_side(plane_number t, double limit)
 }
 
 /* The slope of the height above the plane along the line, in *slope, and the root.
- * Returns 0 if the line begins too far from p, or the slope is not certainly far
- * from 0. */
+ * Returns 0 if pairs do not serve the line's origin, or the slope is not certainly
+ * far from 0. */
 CYLINT_INLINE int cylint_line_to_plane(const cylint_shape *s,
                                        const cylint_line *line,
                                        plane_number *slope, plane_number *t)
 {
     pair from[3], d[3];
-    const int near = cylint_from_plane(s, line->o, from);
+    const int serves = cylint_from_plane(s, line->o, from);
     EACH(i, 3)
         d[i] = (pair){line->d[i], line->d_lo[i]};
     *slope = cylint_along_normal(d, cylint_axis(s));
-    if (!near || !(fabs(slope->v.hi) > 0x1p60 * slope->error))
+    if (!serves || !(fabs(slope->v.hi) > 0x1p60 * slope->error))
         return 0;
     *t = cylint_plane_root(cylint_along_normal(from, cylint_axis(s)), *slope);
     return 1;
