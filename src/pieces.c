@@ -150,25 +150,19 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
-/* Whether the solid is within shape i: no other member is in its clause, and it is
- * no complement. */
-static int is_bound(const int *clause, const int32_t *number, size_t n,
-                    size_t i)
-{
-    for (size_t j = 0; j < n; j++)
-        if (number[j] == number[i] && (j != i || clause[j] < 0))
-            return 0;
-    return 1;
-}
-
-/* Writes the members in an order in which the bounds of the solid come first, and
- * returns how many bounds there are. */
+/* Writes the members in an order in which the bounds come first, and returns how
+ * many there are: the solid is within a member that is no complement and alone in
+ * its clause. */
 static size_t order_members(const int *clause, const int32_t *number, size_t n,
                             size_t *order)
 {
+    int members[CYLINT_SOLID_MEMBERS] = {0}; /* of each clause */
     size_t bounds = 0, others = n;
     for (size_t i = 0; i < n; i++)
-        order[is_bound(clause, number, n, i) ? bounds++ : --others] = i;
+        members[number[i] - 1]++;
+    for (size_t i = 0; i < n; i++)
+        order[clause[i] > 0 && members[number[i] - 1] == 1 ? bounds++
+                                                           : --others] = i;
     return bounds;
 }
 

@@ -40,8 +40,10 @@ typedef struct {
 #define CYLINT_ANGLE_STEP 0x1p-20
 #define CYLINT_SECULAR_STEP 0x1p-10
 
-/* The step where Newton's is larger or goes down, as at skewed oblique cones. */
-#define CYLINT_LARGE_STEP 0.4
+/* A step of Newton's iteration is shorter than CYLINT_LONGEST_STEP.  Where it is
+ * not, or leads down, as at skewed oblique cones, CYLINT_STEP_UP leads up. */
+#define CYLINT_LONGEST_STEP 0.5
+#define CYLINT_STEP_UP 0.4
 
 /* Where a rough angle is enough. */
 #define CYLINT_ROUGH_STEP 0x1p-6
@@ -257,8 +259,8 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
         const double g = t->slope_of_n * t->q - t->n * t->half_q,
                      slope = slope_of_height(t, p);
         by = -g / slope;
-        if (!(slope < 0) || !(fabs(by) < 0.5))
-            by = copysign(CYLINT_LARGE_STEP, g); /* up */
+        if (!(slope < 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
+            by = copysign(CYLINT_STEP_UP, g);
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);
@@ -307,7 +309,7 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
             r->f * cylint_dot(r->v, r->v) + cylint_dot(r->R, r->u);
         by = cylint_dot(r->R, r->v) / slope;
         /* untaken 1 of 4: the secular angle is closer in every known case */
-        if (!(slope > 0) || !(fabs(by) < 0.5))
+        if (!(slope > 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
             return 0;
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;

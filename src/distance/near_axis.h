@@ -26,14 +26,14 @@ static int is_on_axis(const triple D[3], const triple w[3], const triple X[3])
 }
 
 /* The direction from the axis to a point beside it: that of w x (D x w), or on the
- * axis that of phi = 0, e x w (nearest_point.c).  m->across is a multiple of it. */
+ * axis that of phi = 0, e x w (nearest_point.c).  m->across is a multiple of
+ * it; m->inverse and m->rho_error are those of its length. */
 ASIDE void find_direction(half_plane *m, const cylint_shape *s,
                           const double point[3])
 {
     triple D[3], w[3], X[3], A[3];
     pair squares[3];
-    const int top =
-        cylint_has_end_points(s->kind) && rounded(m->z) + rounded(m->above) > 0;
+    const int top = cylint_has_end_points(s->kind) && is_nearer_to_top(m);
     load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
     triple_cross(X, D, w);

@@ -1,5 +1,6 @@
 /*
- * near_surface.h - distances near the surface, in triples
+ * near_surface.h - distances near the surface, and features beside the planes of
+ * ends, in triples
  *
  * Near a surface the distance is a small difference.  It is a form that is 0 on
  * the surface, divided by a number that is not small.  The terms of the form are
@@ -110,6 +111,27 @@ static bounded close_to_line(const cylint_shape *s, const double point[3],
     return to;
 }
 
+/* Whether the point is nearer to the plane of the top. */
+static int is_nearer_to_top(const half_plane *m)
+{
+    return rounded(m->z) + rounded(m->above) > 0;
+}
+
+/* Whether the error of rho is small beside it. */
+static int is_off_axis(const half_plane *m)
+{
+    return m->size < 2 * CYLINT_THINNEST * m->rho.hi;
+}
+
+/* A distance in triples takes the place of that in pairs. */
+static vdistance distance_of_triples(bounded d)
+{
+    const double margin = CYLINT_NEAREST_MARGIN * fabs(d.v.hi);
+    vdistance to = pairs_rounded(d.v, d.e + margin);
+    to.error = d.e;
+    return to;
+}
+
 /* Of a point near the surface: the distance from a feature that is no rim. */
 static bounded close_distance(const vnearest *n, const half_plane *m,
                               const cylint_shape *s, const double point[3])
@@ -119,7 +141,7 @@ static bounded close_distance(const vnearest *n, const half_plane *m,
         (cylint_is_round(s->kind) && feature != CYLINT_FEATURE_LATERAL))
         return close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
                              cylint_end_factor(s, top));
-    if (!(m->size < 2 * CYLINT_THINNEST * m->rho.hi))
+    if (!is_off_axis(m))
         return (bounded){{0, 0}, HUGE_VAL};
     return feature == CYLINT_FEATURE_LATERAL
                ? close_to_line(s, point, m->rho, m->error, m->size)
@@ -139,14 +161,11 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
          n->feature > (double)CYLINT_FEATURE_LATERAL) ||
         !(size <= CYLINT_CLOSE * m->size) || !(m->size <= CYLINT_CLOSE_MOST))
         return certain;
-    const bounded close = close_distance(n, m, s, point);
-    const vdistance d = pairs_rounded(close.v, close.e + CYLINT_NEAREST_MARGIN *
-                                                             fabs(close.v.hi));
+    const vdistance d = distance_of_triples(close_distance(n, m, s, point));
     /* untaken 1 of 4: no known distance of numbers in range is so small */
     if (!(d.high <= d.low) || !(fabs(d.low) >= CYLINT_DISTANCE_LEAST))
         return 0;
     n->d = d;
-    n->d.error = close.e;
     return 1;
 }
 
@@ -188,12 +207,12 @@ static int nearest_beside_end(bounded *d, const half_plane *m,
     const pair one = {1, 0}, sine = cylint_number_pair(s, CYLINT_AT_SINE),
                C = cylint_number_pair(s, CYLINT_AT_COSINE),
                S = top ? sine : pair_neg(sine);
-    const bounded none = {{0, 0}, 0},
+    const bounded zero = {{0, 0}, 0},
                   line = close_to_line(s, point, m->rho, m->error, m->size),
                   beyond = close_to_plane(s, point, top, m->size),
                   across = sum_over(line, S, beyond, C),
                   after =
-                      sum_over(sum_over(none, C, beyond, one), S, across, one);
+                      sum_over(sum_over(zero, C, beyond, one), S, across, one);
     const int out = sign_within(line), up = sign_within(beyond),
               side = sign_within(across), past = sign_within(after);
     const unsigned caps = cylint_caps_present(s->ends);
@@ -201,18 +220,18 @@ static int nearest_beside_end(bounded *d, const half_plane *m,
     if (has_cap && out < 0 && up < 0) {
         const int less =
             sign_within(sum_over(line, pair_neg(one), beyond, one));
+        const int feature =
+            less > 0 ? CYLINT_FEATURE_LATERAL : CYLINT_FEATURE_CAP0 + top;
         *d = less > 0 ? line : beyond;
         /* untaken 1 of 2: no known point is as far from both */
-        return less == CYLINT_NO_SIGN ? CYLINT_NO_FEATURE
-               : less > 0             ? CYLINT_FEATURE_LATERAL
-                                      : CYLINT_FEATURE_CAP0 + top;
+        return less == CYLINT_NO_SIGN ? CYLINT_NO_FEATURE : feature;
     }
     *d = beyond;
     if (has_cap && up == 1 && side == -1)
         return CYLINT_FEATURE_CAP0 + top;
     *d = past < 0 ? line : hypotenuse(across, beyond);
     const int outside = out == 1 || (up == 1 && past >= 0);
-    const int can_be_over = up > 0 && (side | 1) != 1; /* not 0 or 1 */
+    const int can_be_over = up > 0 && (side < 0 || side == CYLINT_NO_SIGN);
     const int other_cap_is_far =
         !caps ||
         2 * fabs(d->v.hi) <= cylint_number_pair(s, CYLINT_AT_HEIGHT).hi;
@@ -229,22 +248,19 @@ static int nearest_beside_end(bounded *d, const half_plane *m,
 ASIDE void find_beside_end(vnearest *n, const half_plane *m,
                            const cylint_shape *s, const double point[3])
 {
-    const int top = rounded(m->z) + rounded(m->above) > 0;
+    const int top = is_nearer_to_top(m);
     const double along = fabs(rounded(top ? m->above : m->z)),
                  across = rounded(m->rho) - cylint_end_factor(s, top);
     bounded d;
     if (!(along <= CYLINT_CLOSE * m->size) ||
         !(4 * (along + fabs(cylint_sine(s) * across)) <=
           cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
-        !(m->size <= CYLINT_CLOSE_MOST) ||
-        !(m->size < 2 * CYLINT_THINNEST * m->rho.hi))
+        !(m->size <= CYLINT_CLOSE_MOST) || !is_off_axis(m))
         return;
     const int feature = nearest_beside_end(&d, m, s, point, top);
     if (feature == CYLINT_NO_FEATURE)
         return;
-    const double margin = CYLINT_NEAREST_MARGIN * fabs(d.v.hi);
-    *n = (vnearest){pairs_rounded(d.v, d.e + margin), feature, 1};
-    n->d.error = d.e;
+    *n = (vnearest){distance_of_triples(d), feature, 1};
 }
 
 #endif

@@ -94,7 +94,13 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
         find_beside_end(&nearest, &copy, shape, point);
         n = nearest;
     }
-    if (want & CYLINT_WANT_GEOMETRY && n.certain &&
+    /* The top of an angle cone has no centre in doubles. */
+    const unsigned geometry =
+        tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
+                (int)n.feature != CYLINT_FEATURE_RIM0
+            ? want & CYLINT_WANT_GEOMETRY
+            : 0;
+    if (want & CYLINT_WANT_GEOMETRY & ~geometry && n.certain &&
         kind != CYLINT_KIND_SPHERE && n.feature != CYLINT_FEATURE_CAP0 &&
         n.feature != CYLINT_FEATURE_CAP1 &&
         !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi)) {
@@ -102,12 +108,6 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
         find_direction(&copy, shape, point);
         m = copy;
     }
-    /* The top of an angle cone has no centre in doubles. */
-    const unsigned geometry =
-        tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
-                (int)n.feature != CYLINT_FEATURE_RIM0
-            ? want & CYLINT_WANT_GEOMETRY
-            : 0;
     return geometry | write_certain(&n, &m, &s, shape, point, straight,
                                     want & ~geometry, answer);
 }

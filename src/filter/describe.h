@@ -218,9 +218,9 @@ static unsigned describe_root(cylint_hit *hit, const source *from,
 /* z and phi on a ball that is the whole of a round cone.  They are those of a
  * capsule with the same axis.  The root is that of the ball, from an origin at
  * t + tail. */
-static unsigned describe_about_axis(cylint_hit *hit, const source *ball,
-                                    const hit_root *r, double t, double tail,
-                                    unsigned want)
+static unsigned describe_z_and_phi(cylint_hit *hit, const source *ball,
+                                   const hit_root *r, double t, double tail,
+                                   unsigned want)
 {
     cylint_shape capsule;
     pair_line in;
@@ -300,9 +300,9 @@ static unsigned describe_again(const cylint_shape *shape,
                describe_root(hit, &from, &in, &r,
                              want & ~(unsigned)CYLINT_WANT_POINT);
         if (cylint_solid_is_ball(solid))
-            want = (want & ~axial) |
-                   describe_about_axis(hit, &from, &r, partial->t, tail,
-                                       want & axial);
+            want =
+                (want & ~axial) | describe_z_and_phi(hit, &from, &r, partial->t,
+                                                     tail, want & axial);
         if (!cylint_sign(v_first(r.tail)))
             break;
         if (want & CYLINT_WANT_POINT &&
