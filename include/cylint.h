@@ -131,7 +131,7 @@ typedef enum cylint_kind {
 } cylint_kind;
 
 /* A shape, written by one of the constructors below: 400 bytes.  Programs may
- * read kind and ends. */
+ * read kind and ends; cylint_arguments() returns the numbers. */
 typedef struct cylint_shape {
     int kind; /* cylint_kind */
     int ends; /* cylint_ends */
@@ -234,6 +234,32 @@ CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
  * EAXIS: n = 0. */
 CYLINT_API cylint_status cylint_halfspace(cylint_shape *shape,
                                           const double p[3], const double n[3]);
+
+enum { CYLINT_ARGUMENTS_MOST = 13 }; /* numbers of cylint_arguments() */
+
+/*
+ * cylint_arguments - the numbers from which a constructor made a shape
+ *
+ * Returns the kind of the shape's constructor.  Writes the numbers that this
+ * constructor takes, in its order and with the bits that were given:
+ *
+ *   CYLINDER, CAPSULE   p0 p1 r       7 numbers
+ *   CONE, RCONE         p0 r0 p1 r1   8
+ *   ACONE               v u tangent   7, those of cylint_tangent_cone()
+ *   ECYLINDER           c a b h       12
+ *   ECONE               c a b h k     13
+ *   SPHERE              c r           4
+ *   HALFSPACE           p n           6
+ *   NONE                              0, a refused shape
+ *
+ * The kind is shape->kind, except that it is RCONE for a capsule or round cone
+ * which is one ball.  So a cone of equal radii is returned as a cylinder, a round
+ * cone of equal radii as a capsule, an elliptic cone whose k is 1 as an elliptic
+ * cylinder.  The constructor of that kind makes the same shape of these numbers and
+ * shape->ends.
+ */
+CYLINT_API cylint_kind cylint_arguments(const cylint_shape *shape,
+                                        double numbers[CYLINT_ARGUMENTS_MOST]);
 
 /* --------------------------------------------------------------- lines -- */
 

@@ -314,6 +314,33 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
     return CYLINT_OK;
 }
 
+cylint_kind cylint_arguments(const cylint_shape *shape,
+                             double numbers[CYLINT_ARGUMENTS_MOST])
+{
+    /* By kind: p, r, q, R are p0, r0, p1 and r1 of the record. */
+    static const char *const parts[] = {
+        [CYLINT_KIND_NONE] = "",          [CYLINT_KIND_CYLINDER] = "pqr",
+        [CYLINT_KIND_CONE] = "prqR",      [CYLINT_KIND_ACONE] = "pqR",
+        [CYLINT_KIND_ECYLINDER] = "pabq", [CYLINT_KIND_ECONE] = "pabqR",
+        [CYLINT_KIND_SPHERE] = "pr",      [CYLINT_KIND_CAPSULE] = "pqr",
+        [CYLINT_KIND_RCONE] = "prqR",     [CYLINT_KIND_HALFSPACE] = "pq"};
+    const int kind = cylint_made_kind(shape);
+    cylint_record record;
+    cylint_set_record(&record, shape);
+    for (const char *p = parts[kind]; *p; p++) {
+        const double *from = *p == 'a'   ? cylint_a(shape)
+                             : *p == 'b' ? cylint_b(shape)
+                             : *p == 'p' ? record.p0
+                             : *p == 'q' ? record.p1
+                             : *p == 'r' ? &record.r0
+                                         : &record.r1;
+        const size_t count = *p == 'r' || *p == 'R' ? 1 : 3;
+        memcpy(numbers, from, count * sizeof *from);
+        numbers += count;
+    }
+    return (cylint_kind)kind;
+}
+
 cylint_status cylint_make_of_record(cylint_shape *shape, int kind, int ends,
                                     const cylint_record *from,
                                     const cylint_semi_axes *axes)

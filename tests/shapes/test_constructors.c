@@ -184,6 +184,76 @@ TEST(tangents_are_positive_and_finite)
     CHECK(cylint_tangent_cone(&s, origin, axis_z, 1, 6) == CYLINT_EENDS);
 }
 
+/* The shape that the constructor of a kind makes. */
+static cylint_shape made_of(cylint_kind kind, cylint_ends ends, const double *x)
+{
+    struct family_case c;
+    if (kind == CYLINT_KIND_ACONE) {
+        CHECK(cylint_tangent_cone(&c.shape, x, x + 3, x[6], ends) == CYLINT_OK);
+        return c.shape;
+    }
+    c = family_example((family_shape)(kind - CYLINT_KIND_CYLINDER));
+    memcpy(c.shape_data, x,
+           (size_t)family_shape_size(c.shape_word) * sizeof *x);
+    c.ends = ends;
+    CHECK(family_make(&c));
+    return c.shape;
+}
+
+TEST(a_constructor_makes_the_same_shape_of_its_arguments)
+{
+    EACH_CASE(c, 31, 200) {
+        double x[CYLINT_ARGUMENTS_MOST];
+        const cylint_kind kind = cylint_arguments(&c.shape, x);
+        const cylint_shape again = made_of(kind, (cylint_ends)c.shape.ends, x);
+        if (!CHECK(memcmp(&again, &c.shape, sizeof again) == 0))
+            REPORT("kind %d", kind);
+    }
+}
+
+/* But the angle, whose tangent is returned. */
+TEST(arguments_are_the_numbers_given)
+{
+    static const double bits[] = {-0.0, 0x1p-1074, DBL_MAX, 0.1};
+    for (int word = 0; word < FAMILY_SHAPES; word++) {
+        for (int i = 0; i < 4 * family_shape_size((family_shape)word); i++) {
+            struct family_case c = family_example((family_shape)word);
+            const int size = family_shape_size(c.shape_word);
+            const int given = size - (word == FAMILY_ACONE);
+            double x[CYLINT_ARGUMENTS_MOST];
+            c.shape_data[i % size] = bits[i / size];
+            const cylint_kind made =
+                family_make(&c) ? (cylint_kind)c.shape.kind : CYLINT_KIND_NONE;
+            const cylint_kind kind = cylint_arguments(&c.shape, x);
+            if (kind == CYLINT_KIND_CYLINDER + word)
+                CHECK(memcmp(x, c.shape_data, (size_t)given * sizeof *x) == 0);
+            else
+                CHECK(kind == made || (made == CYLINT_KIND_SPHERE &&
+                                       kind == CYLINT_KIND_RCONE));
+        }
+    }
+}
+
+/* Equal radii, k = 1, and one ball that holds the other. */
+TEST(arguments_of_special_cones_are_those_of_simpler_shapes)
+{
+    static const double axis_y[3] = {0, 1, 0};
+    double x[CYLINT_ARGUMENTS_MOST];
+    cylint_shape s;
+    cylint_cone(&s, origin, 2, axis_z, 2, CYLINT_ENDS_OPEN);
+    CHECK(cylint_arguments(&s, x) == CYLINT_KIND_CYLINDER && x[6] == 2);
+    cylint_round_cone(&s, origin, 2, axis_z, 2, CYLINT_ENDS_OPEN);
+    CHECK(cylint_arguments(&s, x) == CYLINT_KIND_CAPSULE && x[6] == 2);
+    cylint_elliptic_cone(&s, origin, axis_x, axis_y, axis_z, 1, 0);
+    CHECK(cylint_arguments(&s, x) == CYLINT_KIND_ECYLINDER && x[11] == 1);
+    for (int end = 0; end < 2; end++) {
+        cylint_round_cone(&s, origin, end ? 1 : 3, axis_z, end ? 3 : 1, 0);
+        CHECK(s.kind == CYLINT_KIND_SPHERE);
+        CHECK(cylint_arguments(&s, x) == CYLINT_KIND_RCONE);
+        CHECK(x[3] == (end ? 1 : 3) && x[6] == 1 && x[7] == (end ? 3 : 1));
+    }
+}
+
 TEST(an_empty_domain_has_the_status_of_both_names)
 {
     cylint_line l;

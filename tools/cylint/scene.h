@@ -101,10 +101,10 @@ void scene_free(struct scene *scene);
  * and a label. */
 enum { RECORD_MOST = 512 + 3 * LINE_MOST };
 
-/* Writes the numbers of a shape, in the grammar's order; that of an acone is its
- * tangent, not its angle.  Returns the enum shape_kind that made the shape: a round
- * cone can be a ball.  Of a refused shape it returns NOT_GIVEN. */
-int numbers_of_shape(const cylint_shape *shape, double number[13]);
+/* Writes the arguments of a shape's constructor; that of an acone is its tangent,
+ * not its angle.  Returns the enum shape_kind, of a refused shape NOT_GIVEN. */
+int numbers_of_shape(const cylint_shape *shape,
+                     double number[CYLINT_ARGUMENTS_MOST]);
 
 /* A record to write. */
 struct shape_record {

@@ -4,56 +4,37 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../../src/shapes/record.h"
 #include "numbers.h"
 #include "scene.h"
 
 /* ------------------------------------------------------------- numbers -- */
 
-int numbers_of_shape(const cylint_shape *s, double number[13])
+int numbers_of_shape(const cylint_shape *s,
+                     double number[CYLINT_ARGUMENTS_MOST])
 {
-    /* By kind, the constructor and its numbers: p, r, q, R are p0, r0, p1 and r1 of
-     * the record. */
-    static const struct {
-        int kind;
-        const char *parts;
-    } made[] = {[CYLINT_KIND_NONE] = {NOT_GIVEN, ""},
-                [CYLINT_KIND_CYLINDER] = {SHAPE_CYLINDER, "pqr"},
-                [CYLINT_KIND_CONE] = {SHAPE_CONE, "prqR"},
-                [CYLINT_KIND_ACONE] = {SHAPE_ACONE, "pqR"},
-                [CYLINT_KIND_ECYLINDER] = {SHAPE_ECYLINDER, "pabq"},
-                [CYLINT_KIND_ECONE] = {SHAPE_ECONE, "pabqR"},
-                [CYLINT_KIND_SPHERE] = {SHAPE_SPHERE, "pr"},
-                [CYLINT_KIND_CAPSULE] = {SHAPE_CAPSULE, "pqr"},
-                [CYLINT_KIND_RCONE] = {SHAPE_RCONE, "prqR"},
-                [CYLINT_KIND_HALFSPACE] = {SHAPE_HALFSPACE, "pq"}};
-    const int kind = cylint_made_kind(s);
-    cylint_record record;
-    cylint_set_record(&record, s);
-    for (const char *p = made[kind].parts; *p; p++) {
-        const double *from = *p == 'a'   ? cylint_a(s)
-                             : *p == 'b' ? cylint_b(s)
-                             : *p == 'p' ? record.p0
-                             : *p == 'q' ? record.p1
-                             : *p == 'r' ? &record.r0
-                                         : &record.r1;
-        const size_t count = *p == 'r' || *p == 'R' ? 1 : 3;
-        memcpy(number, from, count * sizeof *number);
-        number += count;
-    }
-    return made[kind].kind;
+    static const int made[] = {[CYLINT_KIND_NONE] = NOT_GIVEN,
+                               [CYLINT_KIND_CYLINDER] = SHAPE_CYLINDER,
+                               [CYLINT_KIND_CONE] = SHAPE_CONE,
+                               [CYLINT_KIND_ACONE] = SHAPE_ACONE,
+                               [CYLINT_KIND_ECYLINDER] = SHAPE_ECYLINDER,
+                               [CYLINT_KIND_ECONE] = SHAPE_ECONE,
+                               [CYLINT_KIND_SPHERE] = SHAPE_SPHERE,
+                               [CYLINT_KIND_CAPSULE] = SHAPE_CAPSULE,
+                               [CYLINT_KIND_RCONE] = SHAPE_RCONE,
+                               [CYLINT_KIND_HALFSPACE] = SHAPE_HALFSPACE};
+    return made[cylint_arguments(s, number)];
 }
 
 /*
  * Text has the angle of a cone in degrees, a shape its tangent.  The tangent
  * grows with the angle, so this steps from an approximation, of 15 digits, to the
  * first double whose tangent is not on the same side.  Returns 0 if no angle has
- * the tangent.
+ * the tangent.  number: apex, axis, tangent.
  */
-static double angle_of(const cylint_shape *shape)
+static double angle_of(const double number[7])
 {
     const double degree = 57.29577951308232; /* 180 / pi */
-    const double tangent = cylint_r1(shape);
+    const double tangent = number[6];
     char digits[NUMBER_CAPACITY + 1] = {0};
     double angle;
     const size_t length =
@@ -62,10 +43,12 @@ static double angle_of(const cylint_shape *shape)
     angle = fmin(angle, nextafter(90, 0));
     for (int before = 0;;) {
         cylint_shape made;
-        if (cylint_angle_cone(&made, cylint_base(shape), cylint_axis(shape),
-                              angle, CYLINT_ENDS_INFINITE) != CYLINT_OK)
+        double again[CYLINT_ARGUMENTS_MOST];
+        if (cylint_angle_cone(&made, number, number + 3, angle,
+                              CYLINT_ENDS_INFINITE) != CYLINT_OK)
             return 0;
-        const double reached = cylint_r1(&made);
+        cylint_arguments(&made, again);
+        const double reached = again[6];
         const int side = (reached < tangent) - (reached > tangent);
         if (side == 0)
             return angle;
@@ -137,14 +120,14 @@ static void put_member(struct text *t, const struct solids *s,
 
 const char *put_record(struct text *t, const struct shape_record *r, int digits)
 {
-    double number[13];
+    double number[CYLINT_ARGUMENTS_MOST];
     const size_t begin = t->length;
     const int kind = numbers_of_shape(r->shape, number);
     const char *fault =
         kind == NOT_GIVEN ? "text cannot hold a refused shape" : fault_of(r);
     if (fault)
         return fault;
-    if (kind == SHAPE_ACONE && (number[6] = angle_of(r->shape)) == 0)
+    if (kind == SHAPE_ACONE && (number[6] = angle_of(number)) == 0)
         return "text cannot hold a cone whose tangent no angle in degrees has";
     put_shape(t, r, kind, number, digits);
     for (size_t i = 0; i < r->members && t->length - begin <= LINE_MOST; i++)
