@@ -240,7 +240,7 @@ about.libcylint-scene = one line against very many cylinders and cones, exactly
 about.$(adapter)      = cylinders and cones in an Embree $(EMBREE) scene, exactly
 of_adapter = $(if $(filter $(adapter),$(1)),$(2))
 not_first  = $(if $(filter-out libcylint,$(1)),$(2))
-fill_in_pc = $(fill_in) -e 's|@NAME@|$(1:lib%=%)|; s|@ABOUT@|$(about.$(1))|; s|@REQUIRES@|$(call not_first,$(1),cylint)|; s|dir=$(PREFIX)/|dir=$${prefix}/|' \
+fill_in_pc = $(fill_in) -e 's|@NAME@|$(1:lib%=%)|; s|@ABOUT@|$(about.$(1))|; s|@REQUIRES@|$(call not_first,$(1),cylint = $(version))|; s|dir=$(PREFIX)/|dir=$${prefix}/|' \
 	  -e 's|@THREADS@|$(call not_first,$(1),$(threads_link))|; s|@LIBS@|$(call of_adapter,$(1),$(EMBREE_LIBS))|; s|@CFLAGS@|$(call of_adapter,$(1),$(EMBREE_CFLAGS))|'
 headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_pieces cylint_scene $(if $(EMBREE),cylint_embree))
 

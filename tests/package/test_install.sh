@@ -82,6 +82,17 @@ flags()
     fi
 }
 
+# cylint-scene needs the library that was built with it.
+test_versions()
+{
+    command -v pkg-config > /dev/null || return 0
+    mkdir "$scratch/older" &&
+        sed 's/^Version: .*/Version: 0.0.9/' "$lib/pkgconfig/cylint.pc" > "$scratch/older/cylint.pc" &&
+        PKG_CONFIG_LIBDIR=$lib/pkgconfig pkg-config --exists cylint-scene &&
+        ! PKG_CONFIG_LIBDIR=$scratch/older:$lib/pkgconfig pkg-config --exists cylint-scene
+    verdict another_version_of_the_library_is_refused $?
+}
+
 # archives: the static libraries of $packages and their dependencies.
 archives()
 {
@@ -468,6 +479,7 @@ test_uninstall()
 test_install
 test_strip
 test_forest
+test_versions
 test_example
 test_cxx
 test_readme_install
