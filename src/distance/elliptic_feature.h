@@ -318,6 +318,7 @@ static inline int is_nearer_nappe(const elliptic_question *q)
     angle e = {-q->e.cos, -q->e.sin};
     turn_place(&turned);
     load_tangent_plane(&other, &turned, e);
+    /* untaken 1 of 4: the iteration ends in every known case */
     return plane_less(&other, other.n, &turned) > most ||
            (find_lateral_angle(&e, &other, &turned, 1) &&
             plane_less(&other, other.n, &turned) > most);
