@@ -107,7 +107,8 @@ exact cylint_square_root(cylint_arena *arena, exact x)
 static const exact *coefficients(cylint_query *q)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
-    if (cylint_is_first(q, CYLINT_READY_QUADRATIC)) {
+    if (!q->has_coefficients) {
+        q->has_coefficients = 1;
         q->exact_coefficient[0] = cylint_form_exact(L, FORM_A, 0);
         q->exact_coefficient[1] = cylint_form_exact(L, FORM_B, 0);
         q->exact_coefficient[2] = cylint_form_exact(L, FORM_C, 0);

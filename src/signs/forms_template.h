@@ -70,13 +70,12 @@ typedef struct {
     NUM vv, n[3];                      /* circular */
     NUM e[3], p[3], q[3], det, U, V;   /* elliptic */
     NUM beta, M[2][3];
+    int ready; /* parts of the terms that are computed: prepare() */
 } FORM(terms);
 #endif
 
 #ifdef FORMS_DECLARED
-INLINE void FORM(prepare)(FORM(terms) *L);
-INLINE void FORM(prepare_moments)(FORM(terms) *L);
-INLINE void FORM(prepare_top)(FORM(terms) *L);
+INLINE void FORM(prepare)(FORM(terms) *L, cylint_form f, int end);
 INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
 #ifdef FORMS_OF_HITS
 INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3]);
@@ -144,28 +143,28 @@ INLINE void FORM(prepare_shape)(FORM(terms) *L)
     }
 }
 
-INLINE void FORM(prepare)(FORM(terms) *L)
+/* Computes the terms that form f of this end takes, each part once.  The caller sets
+ * the data, and `ready` to 0.  Part 3 is the moment about the top. */
+INLINE void FORM(prepare)(FORM(terms) *L, cylint_form f, int end)
 {
-    FORM(prepare_shape)(L);
-    L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
-}
-
-/* All moments but the one about the top. */
-INLINE void FORM(prepare_moments)(FORM(terms) *L)
-{
-    if (FORM(elliptic)(L)) {
-        L->U = FORM(dot)(L, L->u, L->p);
-        L->V = FORM(dot)(L, L->u, L->q);
-    } else {
-        FORM(cross)(L, L->u, L->w, L->n);
+    const int parts = f < FORM_E ? 1 : end ? 3 : 2;
+    if (L->ready < 1) {
+        FORM(prepare_shape)(L);
+        L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
     }
-    FORM(cross)(L, L->D[0], L->u, L->M[0]);
-}
-
-/* E, N and the ball of end 1 need this one as well. */
-INLINE void FORM(prepare_top)(FORM(terms) *L)
-{
-    FORM(cross)(L, L->D[1], L->u, L->M[1]);
+    if (L->ready < 2 && parts >= 2) {
+        if (FORM(elliptic)(L)) {
+            L->U = FORM(dot)(L, L->u, L->p);
+            L->V = FORM(dot)(L, L->u, L->q);
+        } else {
+            FORM(cross)(L, L->u, L->w, L->n);
+        }
+        FORM(cross)(L, L->D[0], L->u, L->M[0]);
+    }
+    if (L->ready < 3 && parts == 3)
+        FORM(cross)(L, L->D[1], L->u, L->M[1]);
+    if (L->ready < parts)
+        L->ready = parts;
 }
 
 /* |r0 n - dr M|^2. */

@@ -100,18 +100,13 @@ static bounded_double bounded_of(double x)
 #define RADIUS_GROWTH(s) bounded_of(cylint_radius_growth(s).hi)
 #include "load_template.h"
 
-/* The terms that the form takes, here and below: each part is computed once. */
+/* The terms that the form takes, here and below. */
 static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
 {
     terms_bounded *L = &q->bounded_terms;
-    if (cylint_is_first(q, CYLINT_READY_BOUNDED)) {
+    if (!L->ready)
         fill_bounded(L, q->near_shape, q->near_line, q->kind);
-        prepare_bounded(L);
-    }
-    if (f >= FORM_E && cylint_is_first(q, CYLINT_READY_MOMENTS))
-        prepare_moments_bounded(L);
-    if (f >= FORM_E && end && cylint_is_first(q, CYLINT_READY_TOP))
-        prepare_top_bounded(L);
+    prepare_bounded(L, f, end);
     return L;
 }
 
@@ -125,16 +120,12 @@ static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
 cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)
 {
     cylint_terms_pair *L = &q->pair_terms;
-    if (cylint_is_first(q, CYLINT_READY_PAIR)) {
+    if (!L->ready) {
         cylint_reached(PAIRS);
         cylint_fill_pair(L, q->near_shape, q->near_line, q->kind);
         cylint_shorten_axis(q, L->w);
-        cylint_prepare_pair(L);
     }
-    if (f >= FORM_E && cylint_is_first(q, CYLINT_READY_PAIR_MOMENTS))
-        cylint_prepare_moments_pair(L);
-    if (f >= FORM_E && end && cylint_is_first(q, CYLINT_READY_PAIR_TOP))
-        cylint_prepare_top_pair(L);
+    cylint_prepare_pair(L, f, end);
     return L;
 }
 
@@ -151,17 +142,13 @@ const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
                                             int end)
 {
     cylint_terms_exact *L = &q->exact;
-    if (cylint_is_first(q, CYLINT_READY_EXACT)) {
+    if (!L->ready) {
         cylint_reached(EXACT);
         L->arena = &q->arena;
         cylint_arena_open(L->arena);
         cylint_fill_exact(L, q->shape, q->line, q->kind);
-        cylint_prepare_exact(L);
     }
-    if (f >= FORM_E && cylint_is_first(q, CYLINT_READY_EXACT_MOMENTS))
-        cylint_prepare_moments_exact(L);
-    if (f >= FORM_E && end && cylint_is_first(q, CYLINT_READY_EXACT_TOP))
-        cylint_prepare_top_exact(L);
+    cylint_prepare_exact(L, f, end);
     return L;
 }
 
@@ -173,7 +160,9 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->kind = shape->kind;
     q->ends = shape->ends;
     q->t_exponent = 0;
-    q->ready = 0;
+    q->bounded_terms.ready = q->pair_terms.ready = q->exact.ready = 0;
+    q->has_coefficients = 0;
+    q->whole = -1;
     cylint_reached(FILTER);
     q->filters = filters_apply(shape, line);
     if (!q->filters)
@@ -196,7 +185,7 @@ static int pairs_are_whole(cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
-    if (cylint_is_first(q, CYLINT_READY_WHOLE))
+    if (q->whole < 0)
         q->whole = q->near_shape == s &&
                    are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
                    are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&

@@ -10,20 +10,6 @@
 
 /* --------------------------------------------------- one question ------ */
 
-enum { /* the parts of cylint_query that are computed */
-       CYLINT_READY_BOUNDED = 1,
-       CYLINT_READY_MOMENTS = 2,
-       CYLINT_READY_TOP = 4,
-       CYLINT_READY_PAIR = 8,
-       CYLINT_READY_PAIR_MOMENTS = 16,
-       CYLINT_READY_PAIR_TOP = 32,
-       CYLINT_READY_EXACT = 64,
-       CYLINT_READY_EXACT_MOMENTS = 128,
-       CYLINT_READY_EXACT_TOP = 256,
-       CYLINT_READY_QUADRATIC = 512,
-       CYLINT_READY_WHOLE = 1024
-};
-
 typedef struct {
     const cylint_shape *shape; /* as given, for exact answers */
     const cylint_line *line;
@@ -36,25 +22,17 @@ typedef struct {
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
     cylint_line scaled_line;
-    unsigned ready; /* which terms are there */
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
-    int whole; /* 1: no operation on the pairs underflows */
+    int whole; /* 1: no operation on the pairs underflows; -1: not yet known */
     cylint_terms_exact exact;
+    int has_coefficients;       /* these are computed: */
     exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
 } cylint_query;
 
 void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line);
-
-/* Whether a part is computed now for the first time. */
-static inline int cylint_is_first(cylint_query *q, unsigned part)
-{
-    const unsigned before = q->ready;
-    q->ready |= part;
-    return !(before & part);
-}
 
 /* The terms that a form of this end takes, in the slower arithmetics.  Computes
  * those that are not there yet. */

@@ -67,9 +67,7 @@ static void load(terms_depth *L, int kind, arithmetic in)
                          : depth_of_sum(L->D[0][i], L->w[i]);
     }
     L->dr = kind == CYLINT_KIND_ACONE ? 0 : difference;
-    prepare_depth(L);
-    prepare_moments_depth(L);
-    prepare_top_depth(L);
+    prepare_depth(L, FORM_END_BALL, 1);
 }
 
 static const char *const form_name[CYLINT_FORMS] = {
@@ -195,9 +193,7 @@ static void load_window(terms_sized *L, int kind)
     L->r[1] = datum;
     L->dr = kind == CYLINT_KIND_ACONE ? datum : difference;
     L->one = one;
-    prepare_sized(L);
-    prepare_moments_sized(L);
-    prepare_top_sized(L);
+    prepare_sized(L, FORM_END_BALL, 1);
 }
 
 static double lost(const terms_sized *L)
@@ -256,7 +252,7 @@ static void set_degrees(terms_degree *L, int kind, int D)
         L->D[0][i] = L->D[1][i] = D;
     }
     L->r[0] = L->r[1] = L->dr = L->one = 1;
-    prepare_degree(L);
+    prepare_degree(L, FORM_END_BALL, 1);
 }
 
 /* The degree that keeps pairs from underflow: of forms whose signs decide. */
@@ -266,8 +262,6 @@ TEST(the_highest_degree_is_in_error_bounds_h)
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
         terms_degree L;
         set_degrees(&L, kind, 1);
-        prepare_moments_degree(&L);
-        prepare_top_degree(&L);
         for (cylint_form f = 0; f < CYLINT_FORMS; f++)
             for (int end = 0; end < 2; end++)
                 most = longer(most, form_degree(&L, f, end));

@@ -240,7 +240,7 @@ static double tenths(int n)
 static void check_zero(cylint_query *q, cylint_form f)
 {
     const int sign = cylint_form_sign(q, f, 0);
-    if (!CHECK(sign == 0 && !(q->ready & CYLINT_READY_EXACT)))
+    if (!CHECK(sign == 0 && !q->exact.ready))
         REPORT("kind %d, form %d: sign %d", q->kind, (int)f, sign);
 }
 
@@ -309,7 +309,7 @@ static int is_paranoid(void)
     cylint_ray(&line, o, d);
     cylint_query_open(&q, &shape, &line);
     cylint_form_sign(&q, FORM_C, 0);
-    return (q.ready & CYLINT_READY_EXACT) != 0;
+    return q.exact.ready;
 }
 
 TEST(zeros_of_few_digits_need_no_exact_numbers)
