@@ -205,9 +205,10 @@ static void write_normal(const described *at, int part, int apex,
 static double z_of(const described *at)
 {
     cylint_arena *arena = &at->q->arena;
-    const exact unit = cylint_form_height_unit_exact(&at->at_o);
-    exact f0 = cylint_form_height_exact(&at->at_o),
-          f1 = cylint_form_height_exact(&at->along);
+    const cylint_terms_exact *L = &at->at_o;
+    const exact unit = cylint_is_elliptic(L->kind) ? L->det : L->vv;
+    exact f0 = cylint_dot_exact(L, L->D[0], cylint_axial_exact(L)),
+          f1 = L->beta;
     if (cylint_is_reversed(at->q->shape)) {
         f0 = cylint_exact_add(arena, unit, cylint_exact_neg(f0));
         f1 = cylint_exact_neg(f1);

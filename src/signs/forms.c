@@ -6,7 +6,6 @@
 #include "forms.h"
 
 #define INLINE
-#define MEMORY
 
 #define FORMS_DEFINED
 #define NUM bounded_pair
@@ -14,11 +13,7 @@
 #define ADD(x, y) bounded_pair_add(x, y)
 #define SUB(x, y) bounded_pair_sub(x, y)
 #define MUL(x, y) bounded_pair_mul(x, y)
-#define BEGIN (void)L;
-#define RETURN(x) return x;
 #include "forms_template.h"
-#undef BEGIN
-#undef RETURN
 
 #define FORMS_DEFINED
 #define FORMS_OF_HITS

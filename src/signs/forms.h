@@ -61,9 +61,6 @@ static inline bounded_double bounded_mul(bounded_double x, bounded_double y)
 #define ADD(x, y) bounded_add(x, y)
 #define SUB(x, y) bounded_sub(x, y)
 #define MUL(x, y) bounded_mul(x, y)
-#define MEMORY
-#define BEGIN (void)L;
-#define RETURN(x) return x;
 #include "forms_template.h"
 
 /*
@@ -117,8 +114,6 @@ static inline bounded_pair bounded_pair_difference(double x, double y)
 }
 
 #undef INLINE
-#undef BEGIN
-#undef RETURN
 
 /* forms.c defines these. */
 #define INLINE
@@ -126,7 +121,6 @@ static inline bounded_pair bounded_pair_difference(double x, double y)
 #define NUM bounded_pair
 #define FORM(name) cylint_##name##_pair
 #include "forms_template.h"
-#undef MEMORY
 
 #define FORMS_DECLARED
 #define FORMS_OF_HITS
@@ -135,7 +129,6 @@ static inline bounded_pair bounded_pair_difference(double x, double y)
 #define MEMORY cylint_arena *arena;
 #include "forms_template.h"
 #undef INLINE
-#undef MEMORY
 
 static inline double bounded_error(bounded_double x)
 {

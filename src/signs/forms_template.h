@@ -3,19 +3,19 @@
  *
  * Every sign that decides a verdict and every coefficient of a root is a
  * polynomial in the data.  They stand here as straight-line code over an
- * arithmetic that the including file names by macros, the first five of which
- * end with this file:
+ * arithmetic that the including file names by macros.  All but INLINE end with
+ * this file; those in brackets may be left out:
  *
+ *   INLINE                  how its functions are declared
  *   NUM                     the type of a number
  *   FORM(name)              how the functions of this arithmetic are called
  *   ADD SUB MUL (x, y)      its operations
- *   INLINE                  how its functions are declared
- *   MEMORY                  a declaration in the terms, if it needs room
- *   BEGIN, RETURN(x)        first and last words of a form, for arithmetics
- *                           whose intermediate results must be freed
- *   FORMS_DECLARED          the file defines the terms and declares the functions
- *   FORMS_DEFINED           it defines the functions only; neither: both
- *   FORMS_OF_HITS           with those of z, normal and phi of a hit, and
+ *   [MEMORY]                a declaration in the terms, if it needs room
+ *   [BEGIN, RETURN(x)]      first and last words of a form, if intermediate
+ *                           results must be freed
+ *   [FORMS_DECLARED]        the file defines the terms and declares the functions
+ *   [FORMS_DEFINED]         it defines the functions only; neither: both
+ *   [FORMS_OF_HITS]         with those of z, normal and phi of a hit, and
  *                           products of vectors
  *
  * The terms.  Line A + t u; D_i = A - p_i, the origin relative to the centre
@@ -61,6 +61,14 @@
  * E_1, N_0, N_1 and G determine their order.
  */
 
+#ifndef MEMORY
+#define MEMORY
+#endif
+#ifndef BEGIN
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#endif
+
 #ifndef FORMS_DEFINED
 typedef struct {
     MEMORY
@@ -82,8 +90,6 @@ INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3]);
 INLINE void FORM(cross)(const FORM(terms) *L, const NUM x[3], const NUM y[3],
                         NUM xy[3]);
 INLINE const NUM *FORM(axial)(const FORM(terms) *L);
-INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
-INLINE NUM FORM(form_height)(const FORM(terms) *L);
 INLINE void FORM(gradient)(const FORM(terms) *L, NUM N[3]);
 INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y);
 #endif
@@ -143,8 +149,8 @@ INLINE void FORM(prepare_shape)(FORM(terms) *L)
     }
 }
 
-/* Computes the terms that form f of this end takes, each part once.  The caller sets
- * the data, and `ready` to 0.  Part 3 is the moment about the top. */
+/* Computes the terms that form f of this end takes, each part once.  The caller
+ * sets the data, and `ready` to 0.  Part 3 is the moment about the top. */
 INLINE void FORM(prepare)(FORM(terms) *L, cylint_form f, int end)
 {
     const int parts = f < FORM_E ? 1 : end ? 3 : 2;
@@ -172,9 +178,8 @@ INLINE NUM FORM(square_of_Y)(const FORM(terms) *L)
 {
     BEGIN
     NUM Y[3];
-    Y[0] = FORM(combined)(L, L->r[0], L->n[0], L->dr, L->M[0][0]);
-    Y[1] = FORM(combined)(L, L->r[0], L->n[1], L->dr, L->M[0][1]);
-    Y[2] = FORM(combined)(L, L->r[0], L->n[2], L->dr, L->M[0][2]);
+    EACH(j, 3)
+        Y[j] = FORM(combined)(L, L->r[0], L->n[j], L->dr, L->M[0][j]);
     NUM Y2 = FORM(dot)(L, Y, Y);
     RETURN(Y2)
 }
@@ -415,18 +420,6 @@ INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end)
 }
 
 #ifdef FORMS_OF_HITS
-/* The denominator of z. */
-INLINE NUM FORM(form_height_unit)(const FORM(terms) *L)
-{
-    return FORM(elliptic)(L) ? L->det : L->vv;
-}
-
-/* The numerator of z at the origin. */
-INLINE NUM FORM(form_height)(const FORM(terms) *L)
-{
-    return FORM(dot)(L, L->D[0], FORM(axial)(L));
-}
-
 /* A component of the gradient of Q at the origin, halved: X = radial(),
  * slope = rho dr of tapered kinds that are not round. */
 INLINE NUM FORM(gradient_component)(const FORM(terms) *L, const NUM X[3],
@@ -491,6 +484,9 @@ INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)
 #undef ADD
 #undef SUB
 #undef MUL
+#undef MEMORY
+#undef BEGIN
+#undef RETURN
 #undef FORMS_DECLARED
 #undef FORMS_DEFINED
 #undef FORMS_OF_HITS

@@ -5,13 +5,20 @@
  * end with this file:
  *
  *   FORM(name)                the function, which is static
- *   DATUM(x)                  a datum in this arithmetic
+ *   DATUM(x)                  a datum in this arithmetic, and the next three; left
+ *                             out: in bounded pairs
  *   DIFFERENCE(x, y)          x - y of two data
  *   DIRECTION(l, i)           component i of the line's direction
  *   BEFORE_TOP(D, w)          D - w
  *   AXIS(s, i), RADIUS_GROWTH(s)
  *                             where these are no data or differences of data
  */
+#ifndef DATUM
+#define DATUM(x) bounded_pair_of(x, 0)
+#define DIFFERENCE(x, y) bounded_pair_difference(x, y)
+#define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
+#define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
+#endif
 #ifndef AXIS
 #define AXIS(s, i)                                         \
     (cylint_has_end_points(kind)                           \

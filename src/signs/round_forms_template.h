@@ -71,9 +71,8 @@ INLINE NUM FORM(round_E)(const FORM(terms) *L, int i)
 {
     BEGIN
     NUM x = MUL(L->r[i], L->beta), P[3];
-    P[0] = FORM(round_pierced)(L, i, 0);
-    P[1] = FORM(round_pierced)(L, i, 1);
-    P[2] = FORM(round_pierced)(L, i, 2);
+    EACH(j, 3)
+        P[j] = FORM(round_pierced)(L, i, j);
     NUM E = SUB(MUL(x, x), FORM(dot)(L, P, P));
     RETURN(E)
 }
@@ -142,9 +141,8 @@ INLINE NUM FORM(round_B)(const FORM(terms) *L)
     NUM B = FORM(dot)(L, X, L->n);
     if (L->kind == CYLINT_KIND_RCONE) {
         NUM V[3];
-        V[0] = FORM(round_V)(L, 0);
-        V[1] = FORM(round_V)(L, 1);
-        V[2] = FORM(round_V)(L, 2);
+        EACH(j, 3)
+            V[j] = FORM(round_V)(L, j);
         B = SUB(B, MUL(L->dr, FORM(dot)(L, V, L->u)));
     }
     RETURN(B)
@@ -159,9 +157,8 @@ INLINE NUM FORM(round_C)(const FORM(terms) *L)
     } else {
         NUM X[3], V[3];
         FORM(cross)(L, L->D[0], L->w, X);
-        V[0] = FORM(round_V)(L, 0);
-        V[1] = FORM(round_V)(L, 1);
-        V[2] = FORM(round_V)(L, 2);
+        EACH(j, 3)
+            V[j] = FORM(round_V)(L, j);
         C = SUB(FORM(dot)(L, X, X), FORM(dot)(L, V, V));
     }
     RETURN(C)

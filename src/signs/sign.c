@@ -111,10 +111,6 @@ static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
 }
 
 #define FORM(name) cylint_##name##_pair
-#define DATUM(x) bounded_pair_of(x, 0)
-#define DIFFERENCE(x, y) bounded_pair_difference(x, y)
-#define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
-#define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
 #include "load_template.h"
 
 cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)

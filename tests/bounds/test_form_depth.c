@@ -35,9 +35,6 @@ static int depth_of_product(int x, int y)
 #define ADD(x, y) depth_of_sum(x, y)
 #define SUB(x, y) depth_of_sum(x, y)
 #define MUL(x, y) depth_of_product(x, y)
-#define MEMORY
-#define BEGIN (void)L;
-#define RETURN(x) return x;
 #include "signs/forms_template.h"
 
 /* The rounding of a difference of data; see sign.c. */
