@@ -11,20 +11,16 @@
 #include "exact_distance.h"
 
 #define EXACT_ADD(x, y) cylint_exact_add(m->arena, x, y)
-#define EXACT_SUB(x, y) cylint_exact_add(m->arena, x, cylint_exact_neg(y))
+#define EXACT_SUB(x, y) cylint_exact_sub(m->arena, x, y)
 #define EXACT_MUL(x, y) cylint_exact_mul(m->arena, x, y)
 #define EXACT_BEGIN const int used_before = m->arena->used;
 #define EXACT_RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
 
-static inline exact exact_zero(const meridian *m)
-{
-    return (exact){m->arena->limb, 0, 0, 0};
-}
-
 /* a / d */
 static inline surd_quotient exact_quotient(const meridian *m, exact a, exact d)
 {
-    return (surd_quotient){{a, exact_zero(m), exact_zero(m)}, d};
+    const exact zero = cylint_exact_zero(m->arena);
+    return (surd_quotient){{a, zero, zero}, d};
 }
 
 /* W (g + dr^2). */

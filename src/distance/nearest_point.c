@@ -30,7 +30,7 @@ static void phi_direction(meridian *m, exact U[3])
     const exact *w = m->L->w;
     const int i = cylint_least_axis_component(m->shape);
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    U[i] = exact_zero(m);
+    U[i] = cylint_exact_zero(m->arena);
     U[j] = cylint_exact_neg(w[k]);
     U[k] = w[j];
 }

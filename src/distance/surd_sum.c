@@ -31,8 +31,7 @@ static exact norm(cylint_arena *arena, const surd_sum *x)
     const exact bb = cylint_exact_mul(arena, x->b, x->b);
     const exact bbc =
         cylint_exact_keep(arena, kept, cylint_exact_mul(arena, bb, x->c));
-    return cylint_exact_keep(
-        arena, used, cylint_exact_add(arena, aa, cylint_exact_neg(bbc)));
+    return cylint_exact_keep(arena, used, cylint_exact_sub(arena, aa, bbc));
 }
 
 int cylint_surd_sum_sign(cylint_arena *arena, const surd_sum *x)

@@ -109,8 +109,7 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
         return combine(arena, x, y, 0);
     const int larger = compare_sizes(x, y);
     if (larger == 0)
-        /* mutant '0' -> '1': a number without limbs or without sign is 0 */
-        return (exact){arena->limb, 0, 0, 0};
+        return cylint_exact_zero(arena);
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
 
@@ -163,8 +162,7 @@ static void add_two_products(uint32_t *sum, uint64_t x, const uint32_t *y,
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
-        /* mutant '0' -> '1': a number without limbs or without sign is 0 */
-        return (exact){arena->limb, 0, 0, 0};
+        return cylint_exact_zero(arena);
     uint32_t *limb = take(arena, x.n + y.n);
     memset(limb, 0, (size_t)(x.n + y.n) * sizeof *limb);
     int i = 0;
@@ -273,6 +271,5 @@ exact cylint_exact_difference(cylint_arena *arena, double x, double y)
     const int used = arena->used;
     const exact ex = cylint_exact_from(arena, x);
     const exact ey = cylint_exact_from(arena, y);
-    return cylint_exact_keep(arena, used,
-                             cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
+    return cylint_exact_keep(arena, used, cylint_exact_sub(arena, ex, ey));
 }

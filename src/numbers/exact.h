@@ -48,10 +48,21 @@ exact cylint_exact_from(cylint_arena *arena, double x);
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y);
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y);
 
+static inline exact cylint_exact_zero(const cylint_arena *arena)
+{
+    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
+    return (exact){arena->limb, 0, 0, 0};
+}
+
 static inline exact cylint_exact_neg(exact x)
 {
     x.sign = -x.sign;
     return x;
+}
+
+static inline exact cylint_exact_sub(cylint_arena *arena, exact x, exact y)
+{
+    return cylint_exact_add(arena, x, cylint_exact_neg(y));
 }
 
 /* x - y. */

@@ -47,8 +47,6 @@ pair cylint_difference_by_bits(double x, double y)
     pair d = {cylint_exact_nearest(all, 0), 0};
     if (fabs(d.hi) <= DBL_MAX)
         d.lo = cylint_exact_nearest(
-            cylint_exact_add(&arena, all,
-                             cylint_exact_neg(cylint_exact_from(&arena, d.hi))),
-            0);
+            cylint_exact_sub(&arena, all, cylint_exact_from(&arena, d.hi)), 0);
     return d;
 }

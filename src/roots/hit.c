@@ -17,8 +17,7 @@ static void write_unit_vector(cylint_arena *arena, const exact x[3], int sign,
                               double to[3])
 {
     const int used = arena->used;
-    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
-    exact sum = {arena->limb, 0, 0, 0};
+    exact sum = cylint_exact_zero(arena);
     /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++) {
         const exact digits = cylint_leading(x[i]);
@@ -210,7 +209,7 @@ static double z_of(const described *at)
     exact f0 = cylint_dot_exact(L, L->D[0], cylint_axial_exact(L)),
           f1 = L->beta;
     if (cylint_is_reversed(at->q->shape)) {
-        f0 = cylint_exact_add(arena, unit, cylint_exact_neg(f0));
+        f0 = cylint_exact_sub(arena, unit, f0);
         f1 = cylint_exact_neg(f1);
     }
     return cylint_nearest_at(at->q, &at->t, f0, f1, unit);

@@ -218,8 +218,7 @@ static double exact_value(cylint_query *q, cylint_root root)
 {
     const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
-    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
-    const exact zero = {q->arena.limb, 0, 0, 0};
+    const exact zero = cylint_exact_zero(&q->arena);
     const exact one = cylint_load_exact(q, FORM_ALPHA, 0)->one;
     const double value = cylint_nearest_at(q, &t, zero, one, one);
     q->arena.used = used;

@@ -72,8 +72,8 @@ exact cylint_inverse_root(cylint_arena *arena, exact x)
     for (int i = 0; i < 2; i++) {
         const exact xss =
             cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
-        const exact residual = cylint_leading(cylint_exact_add(
-            arena, cylint_exact_from(arena, 1), cylint_exact_neg(xss)));
+        const exact residual = cylint_leading(
+            cylint_exact_sub(arena, cylint_exact_from(arena, 1), xss));
         const exact step = cylint_exact_mul(
             arena, residual,
             cylint_exact_mul(arena, s, cylint_exact_from(arena, 0.5)));
@@ -142,8 +142,7 @@ static exact radical(cylint_query *q, const cylint_terms_exact *L)
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
-    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
-    const exact zero = {q->arena.limb, 0, 0, 0};
+    const exact zero = cylint_exact_zero(&q->arena);
     surd t = {L->beta, zero, zero, 0, zero, zero};
     if (root < ROOT_APEX) {
         const exact *c = coefficients(q);
@@ -183,28 +182,28 @@ typedef struct {
     int sum; /* the sign of X + s f1 R, or of X - s f1 R */
 } affine;
 
+/* a f0 - b f1. */
+static exact combined(cylint_arena *arena, exact a, exact f0, exact b, exact f1)
+{
+    const int used = arena->used;
+    const exact af = cylint_exact_mul(arena, a, f0);
+    return cylint_exact_keep(
+        arena, used,
+        cylint_exact_sub(arena, af, cylint_exact_mul(arena, b, f1)));
+}
+
 static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
 {
     cylint_arena *arena = &q->arena;
-    const int s = t->s * f1.sign, used = arena->used;
+    const int s = t->s * f1.sign;
     if (f1.sign == 0) /* whatever A is */
         return (affine){f0, cylint_load_exact(q, FORM_ALPHA, 0)->one, 0,
                         f0.sign};
-    const exact X = cylint_exact_keep(
-        arena, used,
-        cylint_exact_add(arena, cylint_exact_mul(arena, t->A, f0),
-                         cylint_exact_neg(cylint_exact_mul(arena, t->B, f1))));
+    const exact X = combined(arena, t->A, f0, t->B, f1);
     if (X.sign * s >= 0)
         return (affine){X, t->A, 0, X.sign != 0 ? X.sign : s};
-    const int kept = arena->used;
-    const exact Y = cylint_exact_keep(
-        arena, kept,
-        cylint_exact_add(arena, cylint_exact_mul(arena, t->B, f0),
-                         cylint_exact_neg(cylint_exact_mul(arena, t->C, f1))));
-    const exact N = cylint_exact_keep(
-        arena, kept,
-        cylint_exact_add(arena, cylint_exact_mul(arena, X, f0),
-                         cylint_exact_neg(cylint_exact_mul(arena, Y, f1))));
+    const exact Y = combined(arena, t->B, f0, t->C, f1),
+                N = combined(arena, X, f0, Y, f1);
     return (affine){X, N, 1, X.sign};
 }
 
@@ -247,8 +246,8 @@ double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
     size.sign = sign != 0;
     exact error = size;
     error.exponent -= ERROR_LIMBS;
-    int64_t low = cylint_rank(cylint_exact_nearest(
-        cylint_exact_add(arena, size, cylint_exact_neg(error)), 0));
+    int64_t low = cylint_rank(
+        cylint_exact_nearest(cylint_exact_sub(arena, size, error), 0));
     const int64_t high = cylint_rank(
         cylint_exact_nearest(cylint_exact_add(arena, size, error), 0));
     cylint_contradiction(high > low + 1);

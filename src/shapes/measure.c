@@ -145,8 +145,7 @@ ASIDE int least_overflowing_component(const cylint_shape *s)
         size[i] = cylint_exact_difference(&arena, cylint_top(s)[i],
                                           cylint_base(s)[i]);
         size[i].sign *= size[i].sign;
-        const exact less =
-            cylint_exact_add(&arena, size[i], cylint_exact_neg(size[least]));
+        const exact less = cylint_exact_sub(&arena, size[i], size[least]);
         least = less.sign < 0 ? i : least;
     }
     return least;

@@ -20,7 +20,7 @@
 #define NUM exact
 #define FORM(name) cylint_##name##_exact
 #define ADD(x, y) cylint_exact_add(L->arena, x, y)
-#define SUB(x, y) cylint_exact_add(L->arena, x, cylint_exact_neg(y))
+#define SUB(x, y) cylint_exact_sub(L->arena, x, y)
 #define MUL(x, y) cylint_exact_mul(L->arena, x, y)
 #define BEGIN const int used_before = L->arena->used;
 #define RETURN(x) return cylint_exact_keep(L->arena, used_before, x);

@@ -131,7 +131,7 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)
 #define DIFFERENCE(x, y) cylint_exact_difference(L->arena, x, y)
 #define DIRECTION(l, i) \
     (l->segment ? DIFFERENCE(l->end[i], l->o[i]) : DATUM(l->d[i]))
-#define BEFORE_TOP(D, w) cylint_exact_add(L->arena, D, cylint_exact_neg(w))
+#define BEFORE_TOP(D, w) cylint_exact_sub(L->arena, D, w)
 #include "load_template.h"
 
 const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,

@@ -39,15 +39,10 @@ static exact extent(cylint_arena *arena, int n, int exponent)
     return x;
 }
 
-static exact zero_extent(const cylint_arena *arena)
-{
-    return (exact){arena->limb, 0, 0, 0};
-}
-
 exact cylint_exact_from(cylint_arena *arena, double x)
 {
     (void)x;
-    return below(16) ? extent(arena, LEAF, LOWEST) : zero_extent(arena);
+    return below(16) ? extent(arena, LEAF, LOWEST) : cylint_exact_zero(arena);
 }
 
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
@@ -64,7 +59,7 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
-        return zero_extent(arena);
+        return cylint_exact_zero(arena);
     return extent(arena, x.n + y.n, x.exponent + y.exponent);
 }
 
@@ -73,8 +68,7 @@ exact cylint_exact_difference(cylint_arena *arena, double x, double y)
     const int used = arena->used;
     const exact ex = cylint_exact_from(arena, x);
     const exact ey = cylint_exact_from(arena, y);
-    return cylint_exact_keep(arena, used,
-                             cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
+    return cylint_exact_keep(arena, used, cylint_exact_sub(arena, ex, ey));
 }
 
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
