@@ -73,7 +73,7 @@ INLINE bounded across_axis(const half_plane *m, int i)
 {
     const vd relative =
         v_sum_of(m->rho_error, m->inverse.hi, v_set(CYLINT_PAIR_QUOTIENT));
-    const vpair u = pairs_product(m->across[i], m->inverse);
+    const vpair u = vpair_product(m->across[i], m->inverse);
     return (bounded){
         u, v_sum_of(m->across_error[i], m->inverse.hi, v_abs(u.hi) * relative)};
 }
@@ -98,8 +98,8 @@ INLINE multiples normal_of(const vfeature *f, const shape_lanes *s, int kind)
 
 INLINE bounded sum_of_multiples(const multiples *k, bounded u, vpair w)
 {
-    const vpair across = pairs_product(k->a, u.v),
-                along = pairs_product(k->b, w);
+    const vpair across = vpair_product(k->a, u.v),
+                along = vpair_product(k->b, w);
     const vd sizes = v_abs(across.hi) + v_abs(along.hi);
     return (bounded){
         vpair_add(across, along),
@@ -111,7 +111,7 @@ INLINE bounded sum_of_multiples(const multiples *k, bounded u, vpair w)
 INLINE bounded step_along(vd from, bounded factor, bounded e)
 {
     const vpair step =
-        pairs_product(pairs_trimmed(factor.v), pairs_trimmed(e.v));
+        vpair_product(pairs_trimmed(factor.v), pairs_trimmed(e.v));
     vpair to = v_two_sum(from, step.hi);
     to.lo = to.lo + step.lo;
     const vd error =
@@ -209,7 +209,7 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
             normal = sum_of_multiples(&k, u, s->axis[i]);
         }
         if (round) {
-            const vpair q = pairs_product(c.D[i], c.inverse);
+            const vpair q = vpair_product(c.D[i], c.inverse);
             const bounded radial = {q,
                                     v_set(CYLINT_PAIR_QUOTIENT) * v_abs(q.hi)};
             normal = ball ? radial : pick_bounded(f.is_ball, radial, normal);

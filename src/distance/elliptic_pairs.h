@@ -106,8 +106,8 @@ static inline direction_pair direction_of(vpair c, vpair s)
     const vpair square = vpair_add(pairs_square(c), pairs_square(s));
     const double excess = 0.5 * ((square.hi - 1) + square.lo);
     const vpair f = v_two_sum(1, -excess + 1.5 * excess * excess);
-    return (direction_pair){sized_of(pairs_trimmed(pairs_product(c, f))),
-                            sized_of(pairs_trimmed(pairs_product(s, f)))};
+    return (direction_pair){sized_of(pairs_trimmed(vpair_product(c, f))),
+                            sized_of(pairs_trimmed(vpair_product(s, f)))};
 }
 
 /* Turns it by a step of Newton's iteration.  One that is larger than those that end
@@ -117,8 +117,8 @@ static inline int turn_direction(direction_pair *e, double by)
     const vpair step = {by, 0};
     if (!(fabs(by) <= CYLINT_ANGLE_STEP))
         return 0;
-    *e = direction_of(vpair_sub(e->cos.v, pairs_product(e->sin.v, step)),
-                      vpair_add(e->sin.v, pairs_product(e->cos.v, step)));
+    *e = direction_of(vpair_sub(e->cos.v, vpair_product(e->sin.v, step)),
+                      vpair_add(e->sin.v, vpair_product(e->cos.v, step)));
     return 1;
 }
 
@@ -185,7 +185,7 @@ static inline double root_error(const sized *q, double turn_of_size)
 ASIDE bounded quotient_by_size(sized n, vpair inverse, double relative,
                                double error, double sign)
 {
-    const vpair d = pairs_product(n.v, inverse);
+    const vpair d = vpair_product(n.v, inverse);
     return (bounded){{sign * d.hi, sign * d.lo},
                      CYLINT_SIZED_ERROR * n.size * inverse.hi +
                          fabs(d.hi) * relative + error};

@@ -24,9 +24,9 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
     s->upright = m_from(0);
     s->height = pairs_trimmed(pairs_root(pairs_sum3(squares), &inverse));
     EACH(i, 3)
-        s->axis[i] = pairs_trimmed(pairs_product(s->axis[i], inverse));
+        s->axis[i] = pairs_trimmed(vpair_product(s->axis[i], inverse));
     s->r[1] =
-        pairs_trimmed(pairs_product(s->height, (vpair){cylint_r1(shape), 0}));
+        pairs_trimmed(vpair_product(s->height, (vpair){cylint_r1(shape), 0}));
     s->reach = (s->height.hi + s->r[1].hi) * CYLINT_SLACK;
 }
 
@@ -57,8 +57,8 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
     double foot[2];
     for (int k = 0; k < 2; k++) {
         const vpair r = s->r[k];
-        x[k] = vpair_sub(rho, round ? pairs_product(s->cosine, r) : r);
-        y[k] = round ? vpair_add(z[k], pairs_product(s->sine, r)) : z[k];
+        x[k] = vpair_sub(rho, round ? vpair_product(s->cosine, r) : r);
+        y[k] = round ? vpair_add(z[k], vpair_product(s->sine, r)) : z[k];
         foot[k] = C * rounded(z[k]) + S * rounded(round ? rho : x[k]);
     }
     const vfoot at = foot_of(foot[0], foot[1], margin_of(m));

@@ -30,8 +30,7 @@ typedef struct {
 
 INLINE vpair pairs_trimmed(vpair x)
 {
-    const vd s = x.hi + x.lo;
-    return (vpair){s, x.lo - (s - x.hi)};
+    return v_fast_two_sum(x.hi, x.lo);
 }
 
 INLINE vpair pairs_datum(vpair x, const half_plane *m)
@@ -55,12 +54,6 @@ INLINE vpair pairs_square(vpair x)
 {
     const vpair p = v_two_prod(x.hi, x.hi);
     return (vpair){p.hi, v_sum_of(x.hi + x.hi, x.lo, p.lo)};
-}
-
-INLINE vpair pairs_product(vpair x, vpair y)
-{
-    const vpair p = v_two_prod(x.hi, y.hi);
-    return (vpair){p.hi, v_sum_of(x.hi, y.lo, v_sum_of(x.lo, y.hi, p.lo))};
 }
 
 INLINE vpair pairs_sum3(const vpair x[3])
@@ -115,7 +108,7 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         m->D[i] = v_two_sum(x[i], -s->base[i]);
         size = size + v_abs(m->D[i].hi);
         p[i] =
-            axial ? pairs_product(m->D[i], s->axis[i]) : pairs_square(m->D[i]);
+            axial ? vpair_product(m->D[i], s->axis[i]) : pairs_square(m->D[i]);
     }
     m->size = size + s->reach;
     m->snap = v_set(0);
@@ -136,7 +129,7 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
     m->plane_error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size, m->z_error);
     m->above = vpair_sub(m->z, s->height);
     EACH(i, 3) {
-        const vpair along = pairs_product(m->z, s->axis[i]);
+        const vpair along = vpair_product(m->z, s->axis[i]);
         const vpair across = pairs_trimmed(vpair_sub(m->D[i], along));
         const vd error = v_sum_of(v_set(3) * size, v_abs(s->axis[i].hi),
                                   v_set(0x1p-6) * v_abs(m->D[i].hi));
@@ -201,7 +194,7 @@ INLINE vpair pairs_ball(vpair y, vd rough_y, const half_plane *m, vd *error)
 
 INLINE vpair pairs_turned(const shape_lanes *s, vpair x, vpair z)
 {
-    return vpair_sub(pairs_product(s->cosine, x), pairs_product(s->sine, z));
+    return vpair_sub(vpair_product(s->cosine, x), vpair_product(s->sine, z));
 }
 
 #endif

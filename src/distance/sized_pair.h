@@ -17,7 +17,7 @@ typedef struct {
 
 INLINE sized sized_product(sized x, sized y)
 {
-    return (sized){pairs_product(x.v, y.v), x.size * y.size};
+    return (sized){vpair_product(x.v, y.v), x.size * y.size};
 }
 
 INLINE sized sized_sum(sized x, sized y)

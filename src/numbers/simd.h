@@ -482,6 +482,13 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
 #endif
 }
 
+/* vpair_mul() with fewer roundings where the processor has a fused multiply-add. */
+INLINE vpair vpair_product(vpair a, vpair b)
+{
+    const vpair p = v_two_prod(a.hi, b.hi);
+    return (vpair){p.hi, v_sum_of(a.hi, b.lo, v_sum_of(a.lo, b.hi, p.lo))};
+}
+
 /* --------------------------------------------- two numbers a lane ------- */
 
 /*

@@ -17,13 +17,6 @@ static const double turn_series[4] = {
     0x1.219d7dd2f8fe4p-6, -0x1.7483745cd7891p-6, 0x1.04c26be3ae7c6p-5,
     -0x1.b2995e7b7b603p-5};
 
-/* a b, lo not trimmed. */
-INLINE vpair turn_product(vpair a, vpair b)
-{
-    const vpair p = v_two_prod(a.hi, b.hi);
-    return (vpair){p.hi, v_sum_of(a.hi, b.lo, v_sum_of(a.lo, b.hi, p.lo))};
-}
-
 /* The node next to the angle whose tangent is r, in turns, and its cosine and
  * sine.  Of NaN it is any. */
 INLINE vd turn_node(vd r, vpair *cosine, vpair *sine)
@@ -98,10 +91,11 @@ INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
     const vpair u = pick(steep, up, across), v = pick(steep, across, up);
     vpair cosine, sine;
     const vd node = turn_node(v.hi / u.hi, &cosine, &sine);
-    const vpair uc = turn_product(u, cosine), vs = turn_product(v, sine);
+    const vpair uc = vpair_product(u, cosine), vs = vpair_product(v, sine);
     const vpair sum = v_fast_two_sum(uc.hi, vs.hi); /* v sin <= u cos */
     const vpair den = {sum.hi, sum.lo + (uc.lo + vs.lo)};
-    const vpair num = vpair_sub(turn_product(v, cosine), turn_product(u, sine));
+    const vpair num =
+        vpair_sub(vpair_product(v, cosine), vpair_product(u, sine));
     vd inverse;
     const vpair q = turn_quotient(num, den, &inverse);
     const vd z = q.hi * q.hi;

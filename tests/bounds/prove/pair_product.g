@@ -1,4 +1,4 @@
-# pair_lanes.h, pairs_product(), relative to the size 1 of both factors: the low part
+# simd.h, vpair_product(), relative to the size 1 of both factors: the low part
 # of z has up to 13 2^-53.  The product of the low parts is left out and part of the
 # error.
 # modes: ne

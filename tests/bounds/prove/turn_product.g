@@ -1,4 +1,4 @@
-# turn_product() (src/numbers/turns_lanes.h) in units of a.hi b.hi: a.lo is x,
+# vpair_product() (src/numbers/simd.h) in units of a.hi b.hi: a.lo is x,
 # |x| <= 2^-50; b is a cosine or sine in a pair, b.lo is y, and what the pair lacks
 # is t; the error of the product of the high parts is w.  Each operation is
 # rounded; fused, fewer are.
