@@ -22,8 +22,8 @@ typedef enum {
     CYLINT_REFINE_LINE,  /* the signs of the line are uncertain */
     CYLINT_REFINE_ENDS,  /* only signs at an end of the domain are: `ends`,
                             `exists`, `past`, `rises` and A are set */
-    CYLINT_REFINE_ROOTS, /* only roots' nearest doubles are: `ends`,
-                            `nearest` and t[] to high[] are set */
+    CYLINT_REFINE_ROOTS, /* only roots' nearest doubles are: `ends` and t[] to
+                            error[] are set */
     CYLINT_REFINE_NONE   /* no other stage of the filter serves */
 } cylint_refinement;
 
@@ -47,14 +47,14 @@ typedef struct {
     unsigned want;
     cylint_refinement next;
     cylint_end_bits ends;
-    unsigned exists, past[2], nearest;
+    unsigned exists, past[2];
     int is_along; /* the line lies in the plane of an end */
     int rises;    /* the sign of Q's slope at the line's origin; 0: uncertain */
     double A;     /* of the lateral quadratic; only its sign counts */
     double Q, D;  /* no coordinate of the line's origin exceeds Q, none of its
                     direction D */
-    double t[2], slope[2], inverse[2], slope_error[2], curvature[2];
-    double value[2], tail[2], error[2], low[2], high[2];
+    double t[2], slope[2], slope_error[2], curvature[2];
+    double value[2], tail[2], error[2];
     /* If members beside t are wanted: their hits, and of each hit the members
      * that are not certain. */
     cylint_answer *described;

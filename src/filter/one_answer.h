@@ -184,17 +184,13 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     if (!ends_needed(h, bits, a->want))
         return write_hits(m_bits(h.hit), bits, &r, in, a, solid);
     question->ends = bits;
-    question->nearest = m_bits(r.nearest);
     v_store(question->t, at.t);
     v_store(question->slope, at.slope);
-    v_store(question->inverse, at.inverse);
     v_store(question->slope_error, at.slope_error);
     v_store(question->curvature, at.curvature);
     v_store(question->value, r.value);
     v_store(question->tail, r.tail);
     v_store(question->error, r.error);
-    v_store(question->low, r.low);
-    v_store(question->high, r.high);
     return leave_undecided(question, CYLINT_REFINE_ROOTS);
 }
 

@@ -448,12 +448,10 @@ static int refine_roots(cylint_question *q)
     const cylint_end_bits bits = q->ends;
     const estimate at = {.t = v_load(q->t),
                          .slope = v_load(q->slope),
-                         .inverse = v_load(q->inverse),
                          .slope_error = v_load(q->slope_error),
                          .curvature = v_load(q->curvature)};
     const root zero = exact_root(v_set(0), v_set(0));
-    root r = {v_load(q->value), v_load(q->tail), v_load(q->error),
-              v_load(q->low),   v_load(q->high), m_from(q->nearest)};
+    root r = bounded_root(v_load(q->value), v_load(q->tail), v_load(q->error));
     local_line l;
     pair_line in;
     if (q->want & CYLINT_WANT_BESIDE_T)

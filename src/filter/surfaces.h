@@ -101,12 +101,11 @@ INLINE quadratic quadratic_of_end(const verdict *v, const line_end *e,
 }
 
 /* An estimate t of a root, and what Newton's step needs: the slope of the residual
- * there, the inverse of the slope, a bound on its error, and half the
- * curvature of the residual.  is_near: t is nearer to its root than to the other
- * one, or the surface is a plane.  The root is at most off / scale from t, if
- * scale > 0. */
+ * there, a bound on its error, and half the curvature of the residual.  is_near: t
+ * is nearer to its root than to the other one, or the surface is a plane.  The root
+ * is at most off / scale from t, if scale > 0. */
 typedef struct {
-    vd t, slope, inverse, slope_error, curvature, scale, off;
+    vd t, slope, slope_error, curvature, scale, off;
     vm is_near;
 } estimate;
 
@@ -127,10 +126,9 @@ INLINE estimate estimate_end(const local_line *l, const verdict *v,
         at.slope = v_select(e->on_end, l->in.w, at.slope);
         at.curvature = v_select(e->on_end, v_set(0), at.curvature);
     }
-    at.inverse = v_set(1) / at.slope;
     at.t = num * (v_set(1) / den);
     /* 2 s has the error 2 e / s */
-    at.slope_error = v_set(4) * q.radicand.e * v_abs(at.inverse);
+    at.slope_error = v_set(4) * q.radicand.e * v_abs(v_set(1) / at.slope);
     const vd off = v_sum_of(v_abs(at.t), q.A.e, q.B.e);
     at.is_near = m_and(v_le(off, v_set(0.25) * s),
                        v_lt(v_set(4) * q.radicand.e, q.radicand.v));
@@ -286,29 +284,32 @@ typedef struct {
     vm nearest;
 } root;
 
+INLINE root bounded_root(vd value, vd tail, vd error)
+{
+    root r = {
+        value,    tail, error, value + (tail - error), value + (tail + error),
+        m_from(0)};
+    const vd size = v_abs(value);
+    const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
+                              v_lt(v_set(CYLINT_ROOT_LEAST), size));
+    r.nearest = m_and(m_and(v_eq(r.low, value), v_eq(r.high, value)), in_range);
+    return r;
+}
+
 /* From the estimate, or from t near it.  The difference of t and the step has no
  * error or, where the step is larger than t, one rounding of it. */
 INLINE root step_from(vd t, bounded_value residual, const estimate *at)
 {
     /* in multiples of CYLINT_LOCAL_DISTANCE, the curvature in its square */
-    const vd distance = v_sum_of(residual.e, v_abs(at->inverse),
-                                 v_abs(residual.v * at->inverse));
+    const vd inverse = v_set(1) / at->slope;
+    const vd distance =
+        v_sum_of(residual.e, v_abs(inverse), v_abs(residual.v * inverse));
     const newton_lanes step = newton_step_lanes(
         residual.v, residual.e, at->slope, at->slope_error,
         v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * at->curvature,
         distance);
-    root r;
-    r.value = t - step.delta;
-    r.tail = (t - r.value) - step.delta;
-    r.error = step.error;
-    r.low = r.value + (r.tail - step.error);
-    r.high = r.value + (r.tail + step.error);
-    const vd size = v_abs(r.value);
-    const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
-                              v_lt(v_set(CYLINT_ROOT_LEAST), size));
-    r.nearest =
-        m_and(m_and(v_eq(r.low, r.value), v_eq(r.high, r.value)), in_range);
-    return r;
+    const vd value = t - step.delta;
+    return bounded_root(value, (t - value) - step.delta, step.error);
 }
 
 /* -------------------------------------------------------------- hits ---- */
