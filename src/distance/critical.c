@@ -193,10 +193,7 @@ static void polynomial(const stationary *f, int sign, triple p[DEGREE + 1])
         x[i] = i < 2 ? triple_scale(f->linear[i], sign) : f->square[i - 2];
         size = cylint_larger(size, fabs(x[i].a));
     }
-    const int e = cylint_any_exponent(size);
-    const double power = cylint_power_of_two(e > 1000    ? -1000
-                                             : e < -1000 ? 1000
-                                                         : -e);
+    const double power = normalizer(size);
     for (int i = 0; i < 5; i++)
         x[i] = triple_scale(x[i], power);
     p[0] = triple_add(x[2], x[0]);

@@ -214,7 +214,7 @@ static void try_apex(search *s, const triple h[3], triple share)
 /* v times a power of two, so that its length is about 1. */
 static double load_unit(triple unit[3], const triple v[3])
 {
-    const double scale = triple_normalizer(v);
+    const double scale = normalizer(triple_largest(v));
     for (int i = 0; i < 3; i++)
         unit[i] = triple_scale(v[i], scale);
     return scale;

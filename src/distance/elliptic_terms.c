@@ -76,12 +76,6 @@ static void choose_unit(elliptic_terms *p, int most)
     p->near = cylint_power_of_two(larger(-MOST_FAR, -p->far));
 }
 
-static double largest_component(const triple v[3])
-{
-    const double x[3] = {v[0].a, v[1].a, v[2].a};
-    return cylint_largest(x);
-}
-
 /* Moves an unbounded cylinder along its axis.  Components of Q along which g is 0
  * keep all their digits. */
 static void move_along(elliptic_terms *p, const difference d[3])
@@ -121,7 +115,7 @@ static void load_point(elliptic_terms *p)
         p->Q[i] = in_unit(&d[i], p->e + p->far);
     p->whole = p->far;
     p->moved = triple_of(0);
-    p->length = largest_component(p->Q);
+    p->length = triple_largest(p->Q);
     if (!cylint_is_bounded(s) && !cylint_is_tapered(s->kind))
         move_along(p, d);
 }

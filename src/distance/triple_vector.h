@@ -107,14 +107,16 @@ static inline void triple_combine(triple to[3], const triple u[3], triple s,
         to[i] = triple_mul2(u[i], s, v[i], t);
 }
 
-/* 2^-e for the e of the largest component; 1 for the vector 0. */
-static inline double triple_normalizer(const triple v[3])
+static inline double triple_largest(const triple v[3])
 {
     const double x[3] = {v[0].a, v[1].a, v[2].a};
-    const double size = cylint_largest(x);
-    if (size == 0)
-        return 1;
-    const int e = cylint_any_exponent(size);
+    return cylint_largest(x);
+}
+
+/* 2^-e for the exponent e of a size, within 2^-1000 and 2^1000; 1 for 0. */
+static inline double normalizer(double size)
+{
+    const int e = size == 0 ? 0 : cylint_any_exponent(size);
     return cylint_power_of_two(e > 1000 ? -1000 : e < -1000 ? 1000 : -e);
 }
 
@@ -122,7 +124,7 @@ static inline double triple_normalizer(const triple v[3])
 static inline pair triple_norm(const triple v[3], double *scale)
 {
     triple unit[3];
-    *scale = triple_normalizer(v);
+    *scale = normalizer(triple_largest(v));
     for (int i = 0; i < 3; i++)
         unit[i] = triple_scale(v[i], *scale);
     const triple square = triple_dot(unit, unit);
