@@ -110,17 +110,12 @@ INLINE void set_line(local_line *l, const first_line *first, const source *from,
 INLINE vpair plane_coordinate(const source *from, int i, vm top, vm *is_fixed)
 {
     const cylint_shape *s = from->shape;
-    const double *h = cylint_axis(s);
     const double base = cylint_base(s)[i];
     const pair end = cylint_has_end_points(s->kind)
                          ? (pair){cylint_top(s)[i], 0}
-                         : two_sum(base, h[i]);
-    const int is_level = cylint_is_elliptic(s->kind)
-                             ? cylint_sign(cylint_a(s)[i]) == 0 &&
-                                   cylint_sign(cylint_b(s)[i]) == 0
-                             : cylint_runs_along(h, i);
-    const int fixed =
-        is_level && !cylint_too_small(base) && !cylint_too_small(end.hi);
+                         : two_sum(base, cylint_axis(s)[i]);
+    const int fixed = cylint_end_is_level(s, i) && !cylint_too_small(base) &&
+                      !cylint_too_small(end.hi);
     *is_fixed = m_from(fixed ? 3 : 0);
     return pick(top, all_lanes(end), vpair_set(base, 0));
 }

@@ -112,21 +112,12 @@ static described described_at(cylint_query *q, cylint_root root)
 
 /* ------------------------------------------------------------- point --- */
 
-/* Coordinate i of all points of a cap whose plane is perpendicular to that
- * coordinate's direction. */
-static int cap_coordinate(const cylint_shape *s, int cap, int i, double *x)
+/* Coordinate i of the centre of a cap, rounded. */
+static double cap_center(const cylint_shape *s, int cap, int i)
 {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const int perpendicular =
-        cylint_is_elliptic(s->kind)
-            ? !cylint_sign(cylint_a(s)[i]) && !cylint_sign(cylint_b(s)[i])
-            : !cylint_sign(cylint_axis(s)[j]) &&
-                  !cylint_sign(cylint_axis(s)[k]);
-    if (perpendicular)
-        *x = !cap || cylint_has_end_points(s->kind)
-                 ? cylint_end_center(s, cap, i)
-                 : cylint_difference(cylint_base(s)[i], -cylint_axis(s)[i]).hi;
-    return perpendicular;
+    return !cap || cylint_has_end_points(s->kind)
+               ? cylint_end_center(s, cap, i)
+               : cylint_difference(cylint_base(s)[i], -cylint_axis(s)[i]).hi;
 }
 
 /* The coordinates that do not depend on t; returns the bits of the others. */
@@ -136,13 +127,12 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
     const cylint_line *l = q->line;
     unsigned varying = 0;
     for (int i = 0; i < 3; i++) {
-        double x = l->o[i]; /* where d is 0; then d_lo is 0 too */
-        if (cylint_sign(l->d[i]) &&
-            !(is_on_cap(q, root) &&
-              cap_coordinate(q->shape, root == ROOT_CAP1, i, &x)))
+        const int rests = !cylint_sign(l->d[i]); /* then d_lo is 0 too */
+        if (!rests && !(is_on_cap(q, root) && cylint_end_is_level(q->shape, i)))
             varying |= 1u << i;
         else
-            point[i] = cylint_positive_zero(x);
+            point[i] = cylint_positive_zero(
+                rests ? l->o[i] : cap_center(q->shape, root == ROOT_CAP1, i));
     }
     return varying;
 }

@@ -272,6 +272,14 @@ CYLINT_INLINE pair cylint_number_pair(const cylint_shape *s, int i)
     return (pair){s->library.number[i], s->library.number[i + CYLINT_LOW]};
 }
 
+/* All points of the plane of an end have the same coordinate i. */
+CYLINT_INLINE int cylint_end_is_level(const cylint_shape *s, int i)
+{
+    return cylint_is_elliptic(s->kind) ? cylint_sign(cylint_a(s)[i]) == 0 &&
+                                             cylint_sign(cylint_b(s)[i]) == 0
+                                       : cylint_runs_along(cylint_axis(s), i);
+}
+
 /* r1 - r0 exactly; acone: the tangent. */
 static inline pair cylint_radius_growth(const cylint_shape *s)
 {
