@@ -130,15 +130,20 @@ static cylint_overlap bounded(cylint_query *q)
     return up == 0 ? parallel_to_caps(q) : slab(q, up > 0);
 }
 
+/* A line that is as a whole inside, on the surface or outside.  side: -1, 0, 1. */
+static cylint_overlap on_one_side(int side)
+{
+    cylint_overlap v = cylint_no_overlap();
+    v.relation = side < 0    ? CYLINT_RELATION_CROSS
+                 : side == 0 ? CYLINT_RELATION_ALONG
+                             : CYLINT_RELATION_MISS;
+    return v;
+}
+
 /* A line parallel to the axis of a whole cylinder, or to a ruling. */
 static cylint_overlap parallel_to_ruling(cylint_query *q)
 {
-    const int C = cylint_form_sign(q, FORM_C, 0);
-    cylint_overlap v = cylint_no_overlap();
-    v.relation = C < 0    ? CYLINT_RELATION_CROSS
-                 : C == 0 ? CYLINT_RELATION_ALONG
-                          : CYLINT_RELATION_MISS;
-    return v;
+    return on_one_side(cylint_form_sign(q, FORM_C, 0));
 }
 
 static cylint_overlap whole_cylinder(cylint_query *q)
@@ -180,12 +185,10 @@ static cylint_overlap nappe(cylint_query *q)
 {
     const int A = cylint_form_sign(q, FORM_A, 0);
     if (A > 0) {
-        const int G = cylint_form_sign(q, FORM_G, 0);
-        if (G < 0)
-            return cylint_no_overlap();
-        const int T = cylint_form_sign(q, FORM_T, 0);
-        return T < 0 ? cylint_no_overlap()
-                     : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, T == 0);
+        cylint_overlap v = cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
+        const int T = v.n > 0 ? cylint_form_sign(q, FORM_T, 0) : 1;
+        v.at[0].apex = v.n == 1 && T == 0;
+        return T < 0 ? cylint_no_overlap() : v;
     }
     /* A <= 0: rho changes along the line, and grows with t or shrinks */
     const int grows = cylint_form_sign(q, FORM_BETA, 0) *
@@ -212,12 +215,7 @@ static cylint_overlap half_space(cylint_query *q)
         return cylint_one_stop(
             CYLINT_RELATION_CROSS, ROOT_CAP0,
             slope > 0 ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING, 0);
-    const int above = cylint_form_sign(q, FORM_ALPHA, 0);
-    cylint_overlap v = cylint_no_overlap();
-    v.relation = above < 0    ? CYLINT_RELATION_CROSS
-                 : above == 0 ? CYLINT_RELATION_ALONG
-                              : CYLINT_RELATION_MISS;
-    return v;
+    return on_one_side(cylint_form_sign(q, FORM_ALPHA, 0));
 }
 
 cylint_overlap cylint_overlap_of(cylint_query *q)

@@ -265,7 +265,5 @@ double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
             low = high;
     }
     arena->used = used;
-    return sign < 0 && low > 0
-               ? cylint_from_bits((uint64_t)low | (uint64_t)1 << 63)
-               : cylint_from_bits((uint64_t)low);
+    return cylint_from_rank(sign * low);
 }
