@@ -34,11 +34,6 @@
 
 /* ----------------------------------------------------------- levels ----- */
 
-INLINE double product_error(double x, double y)
-{
-    return two_prod(x, y).lo;
-}
-
 /* Without a fused multiply-add a product's error is long. */
 #if V_HAS_FMA
 #define LEVELS_INLINE INLINE
@@ -53,9 +48,8 @@ INLINE double product_error(double x, double y)
 #define ADD(x, y) q_add(x, y)
 #define MUL(x, y) q_mul(x, y)
 #define SUM_OF(x, y, z) q_sum_of(x, y, z)
-#define TWO_SUM(x, y, s, e)               \
-    const vqpair s##_e = q_two_sum(x, y); \
-    const vq s = s##_e.hi, e = s##_e.lo
+#define PAIR vqpair
+#define TWO_SUM(x, y) q_two_sum(x, y)
 #define PRODUCT_ERROR(x, y) q_product_error(x, y)
 #define ZERO q_set(0)
 #include "levels_template.h"
@@ -77,10 +71,9 @@ LEVELS_INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
 #define ADD(x, y) ((x) + (y))
 #define MUL(x, y) ((x) * (y))
 #define SUM_OF(x, y, z) sum_of(x, y, z)
-#define TWO_SUM(x, y, s, e)           \
-    const pair s##_e = two_sum(x, y); \
-    const double s = s##_e.hi, e = s##_e.lo
-#define PRODUCT_ERROR(x, y) product_error(x, y)
+#define PAIR pair
+#define TWO_SUM(x, y) two_sum(x, y)
+#define PRODUCT_ERROR(x, y) two_prod(x, y).lo
 #define ZERO 0
 #include "levels_template.h"
 
@@ -305,10 +298,8 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     const near_point near = point_near(shape, line, t, cap);
     const vq_levels F = distance_from(&near, shape, line, t, 1);
     const vqpair sum = q_two_sum(F.a, F.b);
-    const vq low = q_add(sum.lo, F.c);
-    const vq hi[3] = {q_firsts(sum.hi), q_seconds(sum.hi), q_thirds(sum.hi)};
-    const vq lo[3] = {q_firsts(low), q_seconds(low), q_thirds(low)};
-    const vqpair f = transformed(shape, hi, lo);
+    const vqpair f =
+        local_in_pairs(shape, (vqpair){sum.hi, q_add(sum.lo, F.c)});
     double f_hi[4], f_lo[4];
     q_store(f_hi, f.hi);
     q_store(f_lo, f.lo);

@@ -6,11 +6,11 @@
  * and for vectors.  The including file names by macros, which end with this
  * file:
  *
- *   REAL, LEVELS              a number; the struct
+ *   REAL, PAIR, LEVELS        a number; a sum and its error; the struct
  *   FORM(name)                the functions
  *   ADD MUL (x, y)
  *   SUM_OF(x, y, z)           x y + z
- *   TWO_SUM(x, y, s, e)       declares s = x + y and its error e
+ *   TWO_SUM(x, y)             x + y and its error
  *   PRODUCT_ERROR(x, y)       of x y
  *   ZERO
  */
@@ -21,16 +21,16 @@ typedef struct {
 
 INLINE void FORM(add_b)(LEVELS *sum, REAL x)
 {
-    TWO_SUM(sum->b, x, s, e);
-    sum->b = s;
-    sum->c = ADD(sum->c, e);
+    const PAIR s = TWO_SUM(sum->b, x);
+    sum->b = s.hi;
+    sum->c = ADD(sum->c, s.lo);
 }
 
 INLINE void FORM(add_a)(LEVELS *sum, REAL x)
 {
-    TWO_SUM(sum->a, x, s, e);
-    sum->a = s;
-    FORM(add_b)(sum, e);
+    const PAIR s = TWO_SUM(sum->a, x);
+    sum->a = s.hi;
+    FORM(add_b)(sum, s.lo);
 }
 
 /* Adds x y to a, or a product of the size of b to b. */
@@ -58,6 +58,7 @@ LEVELS_INLINE LEVELS FORM(square)(const LEVELS *x)
 }
 
 #undef REAL
+#undef PAIR
 #undef LEVELS
 #undef FORM
 #undef ADD

@@ -191,11 +191,12 @@ INLINE vqpair origin_from_base(const source *from)
     return q_two_diff(q_load(from->line->o), q_load(cylint_base(from->shape)));
 }
 
-INLINE vqpair local_in_pairs(const source *from, vqpair x, int solid)
+/* The matrix times a vector in lanes 0, 1 and 2. */
+INLINE vqpair local_in_pairs(const cylint_shape *s, vqpair x)
 {
     const vq hi[3] = {q_firsts(x.hi), q_seconds(x.hi), q_thirds(x.hi)};
     const vq lo[3] = {q_firsts(x.lo), q_seconds(x.lo), q_thirds(x.lo)};
-    return cylint_solid_is_ball(solid) ? x : transformed(from->shape, hi, lo);
+    return transformed(s, hi, lo);
 }
 
 INLINE vqpair direction_in_pairs(const source *from, int solid)
@@ -225,7 +226,8 @@ INLINE vpair along_of(vqpair x)
 INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
                             int moves, int solid)
 {
-    const vqpair p = local_in_pairs(from, x, solid);
+    const vqpair p =
+        cylint_solid_is_ball(solid) ? x : local_in_pairs(from->shape, x);
     vqpair v = {q_set(0), q_set(0)};
     if (moves)
         v = direction_in_pairs(from, solid);
