@@ -31,12 +31,6 @@ static inline floating floating_div(floating x, floating y)
     return (floating){pair_div(x.v, y.v), x.e - y.e};
 }
 
-/* x 2^e as a pair. */
-static inline pair floating_scaled(floating x, int e)
-{
-    return cylint_scaled_pair(x.v, x.e + e);
-}
-
 /* |x|. */
 static inline floating floating_size(floating x)
 {

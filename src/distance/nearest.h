@@ -22,19 +22,16 @@ CYLINT_INLINE int cylint_feature_end(int feature)
     return (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
 }
 
-/* A cap or a rim of radius 0 is an apex. */
-CYLINT_INLINE int cylint_feature_is_apex(const cylint_shape *s, int feature)
-{
-    return feature != CYLINT_FEATURE_LATERAL &&
-           cylint_sign(cylint_end_factor(s, cylint_feature_end(feature))) == 0;
-}
-
-/* The feature that an answer states: a ball has one. */
+/* The feature that an answer states: a ball has one; a cap or a rim of radius 0 is
+ * an apex. */
 CYLINT_INLINE int cylint_stated_feature(const cylint_shape *s, int feature)
 {
     if (s->kind == CYLINT_KIND_SPHERE)
         return cylint_surface(s);
-    return cylint_feature_is_apex(s, feature) ? CYLINT_FEATURE_APEX : feature;
+    const double factor = cylint_end_factor(s, cylint_feature_end(feature));
+    return feature != CYLINT_FEATURE_LATERAL && cylint_sign(factor) == 0
+               ? CYLINT_FEATURE_APEX
+               : feature;
 }
 
 /* Rims and apex are lateral.  Caps have the numbers of their parts. */

@@ -210,7 +210,7 @@ static void normalise(meridian *m, const floating x[3], int sign, double to[3])
         if (x[i].v.hi != 0 && x[i].e > e)
             e = x[i].e;
     for (int i = 0; i < 3; i++) {
-        const pair y = floating_scaled(x[i], -e);
+        const pair y = cylint_scaled_pair(x[i].v, x[i].e - e);
         sum = pair_add(sum, pair_mul(y, y));
     }
     const floating size = {pair_sqrt(sum), e};

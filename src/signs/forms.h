@@ -140,9 +140,4 @@ static inline double bounded_pair_error(bounded_pair x)
     return CYLINT_SLACK * x.error + CYLINT_UNDERFLOW;
 }
 
-static inline int bounded_pair_is_certain(bounded_pair x)
-{
-    return fabs(x.v.hi) > bounded_pair_error(x);
-}
-
 #endif

@@ -192,7 +192,8 @@ static int pairs_are_whole(cylint_query *q)
 
 int cylint_sign_of_pair(cylint_query *q, bounded_pair x)
 {
-    return bounded_pair_is_certain(x) || (x.error == 0 && pairs_are_whole(q))
+    return fabs(x.v.hi) > bounded_pair_error(x) ||
+                   (x.error == 0 && pairs_are_whole(q))
                ? cylint_sign(x.v.hi)
                : CYLINT_SIGN_UNDECIDED;
 }
