@@ -77,19 +77,15 @@ static int sign_foot(meridian *m, int i)
     exact a = EXACT_MUL(m->g, m->height[i]);
     if (!cylint_is_round(m->L->kind))
         a = EXACT_SUB(a, EXACT_MUL(EXACT_MUL(m->L->r[i], m->dr), m->L->vv));
-    const int sign = sign_of(m, a, m->dr, m->T2);
-    m->arena->used = used;
-    return sign;
+    return cylint_only_sign(m->arena, used, sign_of(m, a, m->dr, m->T2));
 }
 
 /* The foot on the line of a nappe, from its apex. */
 static int sign_nappe_foot(meridian *m)
 {
     const int used = m->arena->used;
-    const int sign =
-        sign_of(m, EXACT_MUL(m->c, m->g), EXACT_MUL(m->dr, m->dr), m->T2);
-    m->arena->used = used;
-    return sign;
+    const exact a = EXACT_MUL(m->c, m->g), b = EXACT_MUL(m->dr, m->dr);
+    return cylint_only_sign(m->arena, used, sign_of(m, a, b, m->T2));
 }
 
 /* The radial coordinate against the radius of cap i. */
@@ -97,9 +93,8 @@ static int sign_disc(meridian *m, int i)
 {
     const int used = m->arena->used;
     const exact r = EXACT_MUL(m->L->r[i], m->L->vv);
-    const int sign = EXACT_SUB(m->T2, EXACT_MUL(r, r)).sign;
-    m->arena->used = used;
-    return sign;
+    const exact over = EXACT_SUB(m->T2, EXACT_MUL(r, r));
+    return cylint_only_sign(m->arena, used, over.sign);
 }
 
 /* The distance from a feature against that from the plane of cap i. */
@@ -108,11 +103,10 @@ static int sign_beyond_cap(meridian *m, int feature, int i)
     const int used = m->arena->used;
     const surd_quotient x = cylint_square_of_distance(m, feature);
     const exact square = EXACT_MUL(m->height[i], m->height[i]);
-    const int sign = sign_of(
-        m, EXACT_SUB(EXACT_MUL(x.n.a, m->L->vv), EXACT_MUL(square, x.d)),
-        EXACT_MUL(x.n.b, m->L->vv), x.n.c);
-    m->arena->used = used;
-    return sign;
+    const exact a =
+        EXACT_SUB(EXACT_MUL(x.n.a, m->L->vv), EXACT_MUL(square, x.d));
+    const exact b = EXACT_MUL(x.n.b, m->L->vv);
+    return cylint_only_sign(m->arena, used, sign_of(m, a, b, x.n.c));
 }
 
 /* ----------------------------------------------------------- features -- */
@@ -166,11 +160,9 @@ static int sign_of_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
     const int used = m->arena->used;
-    const int sign = EXACT_SUB(cylint_dot_exact(L, L->D[end], L->D[end]),
-                               EXACT_MUL(L->r[end], L->r[end]))
-                         .sign;
-    m->arena->used = used;
-    return sign;
+    const exact square = cylint_dot_exact(L, L->D[end], L->D[end]);
+    const exact over = EXACT_SUB(square, EXACT_MUL(L->r[end], L->r[end]));
+    return cylint_only_sign(m->arena, used, over.sign);
 }
 
 static nearest on_hull(meridian *m)

@@ -18,13 +18,10 @@ static int sign_at_middle(cylint_arena *arena, const surd_quotient *x,
                                        cylint_exact_of_rank(arena, rank + 1));
     const exact square =
         cylint_exact_mul(arena, cylint_exact_mul(arena, sum, sum), x->d);
-    const surd_sum at = {cylint_exact_add(arena,
-                                          cylint_exact_mul(arena, four, x->n.a),
-                                          cylint_exact_neg(square)),
+    const exact a = cylint_exact_mul(arena, four, x->n.a);
+    const surd_sum at = {cylint_exact_sub(arena, a, square),
                          cylint_exact_mul(arena, four, x->n.b), x->n.c};
-    const int sign = cylint_surd_sum_sign(arena, &at);
-    arena->used = used;
-    return sign;
+    return cylint_only_sign(arena, used, cylint_surd_sum_sign(arena, &at));
 }
 
 /* The rank of the double nearest to d (1 + error). */

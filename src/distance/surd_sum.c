@@ -39,9 +39,7 @@ int cylint_surd_sum_sign(cylint_arena *arena, const surd_sum *x)
     const int a = x->a.sign, b = x->b.sign * x->c.sign, used = arena->used;
     if (a * b >= 0)
         return a != 0 ? a : b;
-    const int larger = norm(arena, x).sign;
-    arena->used = used;
-    return larger * a;
+    return cylint_only_sign(arena, used, norm(arena, x).sign * a);
 }
 
 floating cylint_surd_sum_value(cylint_arena *arena, const surd_sum *x)

@@ -71,6 +71,13 @@ exact cylint_exact_difference(cylint_arena *arena, double x, double y);
 /* Frees all limbs from `used` on, except those of x, and returns x. */
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
 
+/* Frees all of them, and returns the sign that was computed with them. */
+static inline int cylint_only_sign(cylint_arena *arena, int used, int sign)
+{
+    arena->used = used;
+    return sign;
+}
+
 /* The double of a rank of 0 or more (bits.h), and 2^1024 for infinity. */
 static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
 {

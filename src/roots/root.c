@@ -231,10 +231,8 @@ static int root_against(cylint_query *q, cylint_root root, double m)
     const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
     const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
-    const int sign =
-        cylint_sign_at(q, &t, from, cylint_load_exact(q, FORM_ALPHA, 0)->one);
-    q->arena.used = used;
-    return sign;
+    const exact one = cylint_load_exact(q, FORM_ALPHA, 0)->one;
+    return cylint_only_sign(&q->arena, used, cylint_sign_at(q, &t, from, one));
 }
 
 /* ------------------------------------------------------ the value ------ */
