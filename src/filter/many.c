@@ -205,21 +205,6 @@ INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
     from->end = end;
 }
 
-ASIDE void first_pass_one_line(cylint_filter_batch *from, size_t enough)
-{
-    first_pass(from, enough, MODE_LINE);
-}
-
-ASIDE void first_pass_one_shape(cylint_filter_batch *from, size_t enough)
-{
-    first_pass(from, enough, MODE_SHAPE);
-}
-
-ASIDE void first_pass_pairs(cylint_filter_batch *from, size_t enough)
-{
-    first_pass(from, enough, MODE_PAIRS);
-}
-
 /* How many numbers a group waits for.  Where a hit can end the batch, groups grow
  * from one number on: few shapes are then tested in vain. */
 static size_t awaited(const cylint_filter_batch *from)
@@ -230,8 +215,6 @@ static size_t awaited(const cylint_filter_batch *from)
 /* Fills the list; returns how many of its numbers the next group has. */
 static int next_numbers(cylint_filter_batch *from)
 {
-    static void (*const pass[])(cylint_filter_batch *, size_t) = {
-        first_pass_one_line, first_pass_one_shape, first_pass_pairs};
     enum {
         CAPACITY =
             sizeof from->list / sizeof *from->list - AHEAD - BLOCK - 2 * LANES
@@ -245,7 +228,17 @@ static int next_numbers(cylint_filter_batch *from)
     }
     const size_t due = awaited(from);
     if (listed < due && from->lane < from->n) {
-        pass[mode_of(from)](from, from->first + (from->eager ? AHEAD : due));
+        const size_t enough = from->first + (from->eager ? AHEAD : due);
+        switch (mode_of(from)) {
+        case MODE_LINE:
+            first_pass(from, enough, MODE_LINE);
+            break;
+        case MODE_SHAPE:
+            first_pass(from, enough, MODE_SHAPE);
+            break;
+        default:
+            first_pass(from, enough, MODE_PAIRS);
+        }
         listed = from->end - from->first;
     }
     return listed < LANES ? (int)listed : LANES;
