@@ -73,14 +73,12 @@ TEST(a_ball_that_becomes_a_round_cone_is_hit_where_it_is)
 /* Embree flushes the distance to zero when it builds: the box must have room. */
 TEST(a_move_by_a_subnormal_distance_is_followed)
 {
-    const double c[3] = {0, 0x1p-125, 0}, other[3] = {0, -0x1p-125, 0};
-    const double to[3] = {0, 0x1p-125 + 0x1p-127, 0}, r = 0x1p-130;
-    const float o[3] = {-0x1p-125f, (float)to[1], 0}, d[3] = {0x1p-20f, 0, 0};
-    cylint_shape shapes[2], moved[2];
-    CHECK(!cylint_sphere(&shapes[0], c, r, CYLINT_ENDS_CAPPED) &&
-          !cylint_sphere(&moved[0], to, r, CYLINT_ENDS_CAPPED) &&
-          !cylint_sphere(&shapes[1], other, r, CYLINT_ENDS_CAPPED));
-    moved[1] = shapes[1];
+    const cylint_shape other = shape_of("sphere 0 -0x1p-125 0  0x1p-130");
+    const cylint_shape shapes[2] = {shape_of("sphere 0 0x1p-125 0  0x1p-130"),
+                                    other};
+    const cylint_shape moved[2] = {shape_of("sphere 0 0x1.4p-125 0  0x1p-130"),
+                                   other};
+    const float o[3] = {-0x1p-125f, 0x1.4p-125f, 0}, d[3] = {0x1p-20f, 0, 0};
     const cylint_embree_options options = {.moved = moved};
     OWN_WORLD w = world_made(shapes, 2, &options);
     EACH_SIZE(n) {

@@ -182,21 +182,17 @@ TEST(of_two_surfaces_at_one_t_the_lower_number_is_the_boundary)
 /* Both roots of the cone round to the t where the line enters the ball. */
 TEST(a_gap_whose_ends_are_one_double_is_no_boundary)
 {
-    const double apex[3] = {0, 0, 0}, axis[3] = {0, 0, 1}, p[3] = {0, 0, 1024};
-    const double o[3] = {1, 0, -0x1p60}, d[3] = {0, 0, 1};
     const cylint_member members[] = {{0, 0, 1}, {1, 0, 2}};
+    const struct family_case c = case_of(
+        "line 1 0 -0x1p60  0 0 1  acone 0 0 0  0 0 1  45 ends=infinite");
+    const cylint_shape shape[2] = {c.shape, shape_of("sphere 0 0 1024  1024")};
     cylint_workspace work = any_workspace();
-    cylint_shape shape[2];
-    cylint_line line;
     cylint_hit hit;
     size_t n;
-    cylint_tangent_cone(&shape[0], apex, axis, 1, CYLINT_ENDS_INFINITE);
-    cylint_sphere(&shape[1], p, 1024, CYLINT_ENDS_CAPPED);
-    cylint_whole_line(&line, o, d);
     OWN_SCENE *scene = cylint_scene_new(shape, 2, 1, NULL);
     CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);
     do
-        n = cylint_scene_first_boundary(scene, &line, CYLINT_WANT_T, &hit,
+        n = cylint_scene_first_boundary(scene, &c.line, CYLINT_WANT_T, &hit,
                                         &work);
     while (needs_more(n, &work));
     CHECK(n == 1 && hit.t == 0x1p60);
@@ -468,16 +464,12 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
 /* An end near the largest double does not make the sum finite. */
 TEST(a_sum_from_minus_infinity_is_infinite)
 {
-    const double p[3] = {0, 0, 0}, d[3] = {0, 0, 0x1p-1000},
-                 o[3] = {0, 0, 0x1.8p23};
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
-    cylint_shape below;
-    cylint_line line;
+    const struct family_case c =
+        case_of("line 0 0 0x1.8p23  0 0 0x1p-1000  halfspace 0 0 0  0 0 1");
     double sum = 0;
-    cylint_halfspace(&below, p, (double[]){0, 0, 1});
-    cylint_whole_line(&line, o, d);
-    OWN_SCENE *scene = cylint_scene_new(&below, 1, 1, NULL);
-    CHECK(cylint_scene_line_sums(scene, &line, &rule, NULL, 1, 0, &sum) ==
+    OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
+    CHECK(cylint_scene_line_sums(scene, &c.line, &rule, NULL, 1, 0, &sum) ==
               CYLINT_SCENE_OK &&
           sum == HUGE_VAL);
 }
@@ -485,17 +477,13 @@ TEST(a_sum_from_minus_infinity_is_infinite)
 /* The product of both would be NaN. */
 TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
 {
-    const double p[3] = {0, 0, 0}, d[3] = {0, 0, 0x1p-1074},
-                 axis[3] = {0, 0, 1};
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
-    cylint_shape shape;
-    cylint_line line;
+    const struct family_case c = case_of(
+        "ray 0 0 0  0 0 0x1p-1074  cylinder 0 0 0  0 0 1  1 ends=infinite");
     double sum = 0;
-    cylint_cylinder(&shape, p, axis, 1, CYLINT_ENDS_INFINITE);
-    cylint_ray(&line, p, d);
-    OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
     treat_subnormals(FLUSH | ZERO);
-    CHECK(cylint_scene_line_sums(scene, &line, &rule, NULL, 1, 1, &sum) ==
+    CHECK(cylint_scene_line_sums(scene, &c.line, &rule, NULL, 1, 1, &sum) ==
           CYLINT_SCENE_OK);
     treat_subnormals(0);
     CHECK(sum == HUGE_VAL);

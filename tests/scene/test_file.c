@@ -107,15 +107,13 @@ static void write_small(struct bytes *b)
     static const cylint_scene_labels labels = {ends, "abcdef"};
     static const cylint_member members[] = {
         {0, 0, 1}, {1, 0, -2}, {3, 1, 1}, {2, 1, 1}, {5, 1, -7}};
-    const double p[3] = {0, 0, 0}, q[3] = {3, 1, 2}, h[3] = {0, 0, 2},
-                 x[3] = {1, 0.5, 0}, y[3] = {0, 1, 0.25};
-    cylint_shape shape[SMALL];
-    cylint_cylinder(&shape[0], p, q, 0.125, CYLINT_ENDS_CAPPED);
-    cylint_sphere(&shape[1], q, 0.5, CYLINT_ENDS_CAPPED);
-    cylint_elliptic_cone(&shape[2], q, x, y, h, 0.5, CYLINT_ENDS_OPEN);
-    cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
-    cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
+    const cylint_shape shape[SMALL] = {
+        shape_of("cylinder 0 0 0  3 1 2  0.125"),
+        shape_of("sphere 3 1 2  0.5"),
+        shape_of("econe 3 1 2  1 0.5 0  0 1 0.25  0 0 2  0.5 ends=open"),
+        shape_of("rcone 0 0 0 0.5  1 0.5 0 0.25"),
+        shape_of("cylinder 0 0 0  3 1 2  0.25 ends=infinite"),
+        shape_of("acone 1 0.5 0  3 1 2  30")};
     OWN_SCENE *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
     CHECK(cylint_scene_set_solids(scene, members, 5) == CYLINT_SCENE_OK);
@@ -159,11 +157,9 @@ TEST(labels_are_saved)
 {
     static const char text[] = "axon\0dend";
     static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
-    const double p[3] = {0, 0, 0}, q[3] = {0, 0, 1};
-    cylint_shape shape[3];
+    const cylint_shape rod = shape_of("cylinder 0 0 0  0 0 1  1"),
+                       shape[3] = {rod, rod, rod};
     OWN_BYTES b = {NULL, NULL, 0};
-    for (int i = 0; i < 3; i++)
-        cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
     for (int k = 0; k < 2; k++) {
         const cylint_scene_labels labels = {ends[k], text};
         OWN_SCENE *scene = cylint_scene_new(shape, 3, 1, NULL);
@@ -469,16 +465,14 @@ TEST(no_changed_byte_makes_a_query_fail)
  * doubles, has become x. */
 static cylint_scene_status status_with(size_t at, double x)
 {
-    const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
+    const cylint_shape shape[4] = {
+        shape_of("rcone 0 0 0 1  1 0 0 1.5"),
+        shape_of("cylinder 0 0 0  1 0 0  1"),
+        shape_of("capsule 0 0 0  1 0 0  1 ends=open"),
+        shape_of("cone 0 0 0 1  1 0 0 2")};
     OWN_BYTES b = {NULL, NULL, 0};
-    cylint_shape shape[4];
-    cylint_round_cone(&shape[0], p, 1, q, 1.5, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&shape[1], p, q, 1, CYLINT_ENDS_CAPPED);
-    cylint_capsule(&shape[2], p, q, 1, CYLINT_ENDS_OPEN);
-    cylint_cone(&shape[3], p, 1, q, 2, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(shape, 4, 1, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shape, 4, 1, NULL);
     scene_file_write(scene, &b);
-    cylint_scene_free(scene);
     memcpy(b.data + at * sizeof x, &x, sizeof x);
     scene_file_repair(b.data, b.n);
     return scene_file_try(b.data, b.n);
@@ -522,12 +516,11 @@ TEST(numbers_of_shapes_in_another_order_are_refused)
 {
     static const uint32_t refused[][2] = {{2, 0}, {3, 1}, {0, 0}, {1, 1},
                                           {2, 2}, {3, 3}, {0, 4}, {4, 5}};
-    const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
+    const cylint_shape rod = shape_of("cylinder 0 0 0  1 0 0  1"),
+                       whole =
+                           shape_of("cylinder 0 0 0  1 0 0  1 ends=infinite"),
+                       shape[4] = {rod, whole, rod, whole};
     OWN_BYTES b = {NULL, NULL, 0};
-    cylint_shape shape[4];
-    for (int i = 0; i < 4; i++)
-        cylint_cylinder(&shape[i], p, q, 1 + i,
-                        i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_CAPPED);
     OWN_SCENE *scene = cylint_scene_new(shape, 4, 1, NULL);
     for (int section = BOUNDED; section <= OTHERS; section++)
         for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {

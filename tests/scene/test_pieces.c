@@ -94,17 +94,13 @@ TEST(pieces_of_solids_are_those_of_a_loop)
 /* The line passes the apex at 1, and comes from 2^60. */
 TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
 {
-    const double apex[3] = {0, 0, 0}, axis[3] = {0, 0, 1};
-    const double o[3] = {1, 0, -0x1p60}, d[3] = {0, 0, 1};
     const cylint_member own = {0, 0, 1};
-    cylint_shape cone;
-    cylint_line line;
+    const struct family_case c = case_of(
+        "line 1 0 -0x1p60  0 0 1  acone 0 0 0  0 0 1  45 ends=infinite");
     cylint_interval chord[2];
-    cylint_tangent_cone(&cone, apex, axis, 1, CYLINT_ENDS_INFINITE);
-    cylint_whole_line(&line, o, d);
-    CHECK(cylint_chord(&cone, &line, chord) == 1 && chord[0].t0 == -HUGE_VAL &&
-          chord[0].t1 == HUGE_VAL);
-    OWN_SCENE *scene = cylint_scene_new(&cone, 1, 1, NULL);
+    CHECK(cylint_chord(&c.shape, &c.line, chord) == 1 &&
+          chord[0].t0 == -HUGE_VAL && chord[0].t1 == HUGE_VAL);
+    OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
     for (int with_solid = 0; with_solid < 2; with_solid++) {
         CHECK(cylint_scene_set_solids(scene, &own, (size_t)with_solid) ==
               CYLINT_SCENE_OK);
@@ -113,7 +109,7 @@ TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
                                             NULL};
             cylint_workspace work = {workspace, sizeof workspace, 0};
             cylint_piece piece[2];
-            CHECK(cylint_scene_pieces(scene, &line, &rule, piece, 2, &work) ==
+            CHECK(cylint_scene_pieces(scene, &c.line, &rule, piece, 2, &work) ==
                       1 &&
                   piece[0].t0 == -HUGE_VAL && piece[0].t1 == HUGE_VAL);
         }

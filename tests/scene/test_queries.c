@@ -519,14 +519,11 @@ static double count_without_hit(void *context, size_t number,
 TEST(a_visit_without_wanted_members_gets_no_hit)
 {
     static const unsigned wants[] = {0, CYLINT_WANT_NEAREST, CYLINT_SIGNED};
-    const cylint_shape shape = shape_of("sphere 0 0 0 1");
-    const double o[3] = {-2, 0, 0}, d[3] = {1, 0, 0};
-    OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
-    cylint_line line;
+    const struct family_case c = case_of("ray -2 0 0  1 0 0  sphere 0 0 0 1");
+    OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
     int calls = 0;
-    cylint_ray(&line, o, d);
     for (int i = 0; i < 3; i++)
-        cylint_scene_visit(scene, &line, wants[i], count_without_hit, &calls);
+        cylint_scene_visit(scene, &c.line, wants[i], count_without_hit, &calls);
     CHECK(calls == 3);
 }
 
