@@ -37,22 +37,18 @@ static int depth_of_product(int x, int y)
 #define MUL(x, y) depth_of_product(x, y)
 #include "signs/forms_template.h"
 
-/* The rounding of a difference of data; see sign.c. */
-typedef enum {
-    EXACT_DIFFERENCE,  /* pairs, rounding to nearest */
-    ROUNDED_DIFFERENCE /* doubles, where it is a high part; and pairs in the
-                          directed modes, where the low part is rounded */
-} arithmetic;
-
 enum {
     FIRST_KIND = CYLINT_KIND_CYLINDER,
     LAST_KIND = CYLINT_KIND_RCONE,
     KINDS = LAST_KIND + 1
 };
 
-static void load(terms_depth *L, int kind, arithmetic in)
+/* A difference of data has a rounding in doubles, and in pairs in the directed
+ * modes, where the low part is rounded; in pairs that round to nearest it has none
+ * (sign.c). */
+static void load(terms_depth *L, int kind)
 {
-    const int difference = in == EXACT_DIFFERENCE ? 0 : 1;
+    const int difference = 1;
     memset(L, 0, sizeof *L);
     L->kind = kind;
     for (int i = 0; i < 3; i++) {
@@ -71,21 +67,21 @@ static const char *const form_name[CYLINT_FORMS] = {
     "alpha", "det or vv", "C", "rho0", "beta", "rho1", "along",
     "E",     "N",         "G", "A",    "B",    "T",    "ball"};
 
-/* The table of one arithmetic; returns its largest entry. */
-static int deepest(arithmetic in, const char *title)
+/* Prints the table; returns its largest entry. */
+static int deepest(void)
 {
     static const char *const kind_name[KINDS] = {
         "",      "cylinder", "cone",    "acone", "ecylinder",
         "econe", "sphere",   "capsule", "rcone"};
     int most = 0;
-    printf("note: %-12s", title);
+    printf("note: %-12s", "form");
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++)
         printf(" %9s", kind_name[kind]);
     for (cylint_form f = 0; f < CYLINT_FORMS; f++) {
         printf("\nnote: %-12s", form_name[f]);
         for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
             terms_depth L;
-            load(&L, kind, in);
+            load(&L, kind);
             const int depth =
                 longer(form_depth(&L, f, 0), form_depth(&L, f, 1));
             most = longer(most, depth);
@@ -98,14 +94,9 @@ static int deepest(arithmetic in, const char *title)
 
 TEST(the_deepest_form_has_the_depth_in_error_bounds_h)
 {
-    const int most = deepest(ROUNDED_DIFFERENCE, "in doubles");
+    const int most = deepest();
     if (!CHECK(most == CYLINT_DEPTH))
         REPORT("depth %d", most);
-}
-
-TEST(forms_in_pairs_are_no_deeper)
-{
-    CHECK(deepest(EXACT_DIFFERENCE, "in pairs") <= CYLINT_DEPTH);
 }
 
 /* The point of the line at a parameter given as a pair. */
@@ -122,7 +113,7 @@ TEST(values_at_a_point_of_the_line_are_no_deeper)
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
         terms_depth L;
-        load(&L, kind, ROUNDED_DIFFERENCE);
+        load(&L, kind);
         move_to_t(&L);
         most = longer(most, form_depth(&L, FORM_C, 0));
     }

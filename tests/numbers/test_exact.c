@@ -95,16 +95,6 @@ static exact cancelling_sum(real *sum)
     return x;
 }
 
-TEST(sums_are_exact)
-{
-    for (int i = 0; i < cases(); i++) {
-        real sum;
-        begin_case();
-        const exact x = cancelling_sum(&sum);
-        CHECK(is_real(x, sum));
-    }
-}
-
 TEST(products_of_sums_are_exact)
 {
     for (int i = 0; i < cases(); i++) {
