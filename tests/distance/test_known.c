@@ -194,11 +194,6 @@ TEST(the_oracle_has_the_known_answers)
 
 #endif
 
-TEST(the_size_of_an_answer_is_that_of_the_header)
-{
-    CHECK(cylint_sizeof_closest() == sizeof(cylint_closest));
-}
-
 /* A shape that was refused, and bad points. */
 TEST(refused_shapes_and_bad_points_have_an_infinite_distance)
 {

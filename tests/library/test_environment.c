@@ -1,6 +1,5 @@
 /*
- * test_environment.c - no floating-point environment changes constructors, and no
- * function changes it
+ * test_environment.c - no floating-point environment changes constructors
  *
  * The statuses and every bit of the differences that constructors compute must be
  * those of the default environment.  scene/test_paths.c tests the answers of all
@@ -150,20 +149,4 @@ TEST(the_selftest_detects_each_environment)
         if (!CHECK(found == want))
             REPORT("found %d, not %d", found, want);
     }
-}
-
-/* environment_reset() checks it, here and in all tests of environments. */
-TEST(no_function_changes_the_environment)
-{
-    EACH_ENVIRONMENT(there)
-        EACH_CASE(c, 1, 1) {
-            cylint_answer answer;
-            double lo[3], hi[3];
-            environment_set(there);
-            family_make(&c);
-            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answer);
-            cylint_contains(&c.shape, c.line.o);
-            cylint_bounds(&c.shape, lo, hi);
-            environment_reset();
-        }
 }

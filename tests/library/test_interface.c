@@ -1,16 +1,13 @@
 /*
- * test_interface.c - version, sizes, packs, and the kernels that a program
- * begins with
+ * test_interface.c - version, sizes, and the kernels that a program begins with
  */
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "check.h"
-#include "cylint.h"
+#include "cylint_distance.h"
 #include "dispatch.h"
-
-static const double origin[3] = {0, 0, 0}, axis_z[3] = {0, 0, 1};
 
 TEST(a_program_begins_with_the_best_kernels)
 {
@@ -34,35 +31,7 @@ TEST(version_and_sizes_of_structs_are_those_of_the_header)
     CHECK(cylint_sizeof_hit() == sizeof(cylint_hit));
     CHECK(cylint_sizeof_answer() == sizeof(cylint_answer));
     CHECK(cylint_sizeof_pack() == sizeof(cylint_pack));
-}
-
-/* Tests every address, and a copy of the pack. */
-TEST(a_pack_keeps_the_callers_pointer)
-{
-    enum { SHAPES = 20, MOST = 16000 };
-    static char memory[MOST + 64];
-    cylint_shape shapes[SHAPES];
-    cylint_line line;
-    cylint_ray(&line, origin, axis_z);
-    for (int i = 0; i < SHAPES; i++) {
-        const double p0[3] = {0, 0, 30 - i}, p1[3] = {0, 0, 31 - i};
-        cylint_cylinder(&shapes[i], p0, p1, 1, CYLINT_ENDS_CAPPED);
-    }
-    if (!CHECK(cylint_pack_bytes(SHAPES) <= MOST))
-        return;
-    for (int at = 0; at < 64; at++) {
-        cylint_pack pack;
-        cylint_hit hit;
-        memset(memory, 0x5a, sizeof memory);
-        cylint_pack_shapes(&pack, memory + at, shapes, SHAPES);
-        CHECK(pack.memory == memory + at);
-        const cylint_pack copy = pack;
-        CHECK(cylint_nearest(&copy, &line, CYLINT_WANT_T, &hit) == SHAPES - 1 &&
-              hit.t == 31 - SHAPES);
-        CHECK(cylint_count(&copy, &line, 0) == SHAPES);
-        for (int i = 0; i < 64; i++)
-            CHECK(i < at ? memory[i] == 0x5a : memory[MOST + i] == 0x5a);
-    }
+    CHECK(cylint_sizeof_closest() == sizeof(cylint_closest));
 }
 
 TEST(a_pack_of_too_many_shapes_has_no_size)

@@ -54,51 +54,6 @@ TEST(library_and_oracle_agree)
            (unsigned long long)check_seed(), n, hits);
 }
 
-/* Whether the point of the line near t is inside or outside. */
-static int inside_at(const struct family_case *c, double t)
-{
-    double p[3];
-    along3(p, c->line.o, t, c->line.d);
-    return oracle_contains(&c->shape, p);
-}
-
-/* Checks the oracle itself: points of the line just before and just after each
- * hit are inside or outside as the side of the hit states. */
-TEST(oracle_agrees_with_points_sampled_along_the_line)
-{
-    for (uint64_t i = 0; i < cases(); i++) {
-        struct family_case c;
-        cylint_answer answer;
-        family_case(check_seed(), 0, i, &c);
-        if (c.line_word == FAMILY_SEGMENT)
-            continue; /* its d is rounded */
-        c.line = whole_of(c.line);
-        c.shape.ends = c.shape.ends < CYLINT_ENDS_INFINITE ? CYLINT_ENDS_CAPPED
-                                                           : c.shape.ends;
-        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answer);
-        CHECK(answer.n > 0 || answer.relation == CYLINT_RELATION_MISS);
-        for (int k = 0; k < answer.n; k++) {
-            const double t = answer.hit[k].t, step = 1e-6;
-            const int in = answer.hit[k].side == CYLINT_SIDE_ENTERING ? 1 : -1;
-            if (answer.n == 2 && answer.hit[1].t - answer.hit[0].t < 4 * step)
-                continue;
-            if (!CHECK(inside_at(&c, t + step) == in &&
-                       inside_at(&c, t - step) == -in))
-                family_report(&c);
-        }
-    }
-}
-
-TEST(occluded_agrees_with_the_oracle)
-{
-    EACH_CASE(c, check_seed() + 1, cases() / 10) {
-        cylint_answer want;
-        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
-        if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n))
-            family_report(&c);
-    }
-}
-
 static void ends_at(const struct family_case *given, double tmin, double tmax)
 {
     struct family_case c = *given;
