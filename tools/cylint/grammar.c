@@ -140,8 +140,7 @@ static int is_next(const struct reader *r, const char *word)
     return begins_with(between(r->p, r->end), word);
 }
 
-/* Returns the end of the number at p if it is a whole field, else NULL. */
-static const char *end_of_number(const char *p, const char *end, double *value)
+const char *end_of_number(const char *p, const char *end, double *value)
 {
     const char *after = cylint_read_number(p, end, value);
     return after && (after == end || is_blank(*after) || *after == ',') ? after
@@ -207,7 +206,7 @@ void remark_decimal_comma(struct reader *r)
     }
 }
 
-static int read_numbers(struct reader *r, double *v, int count)
+int read_numbers(struct reader *r, double *v, int count)
 {
     const char *const end = r->end;
     for (int i = 0; i < count; i++) {

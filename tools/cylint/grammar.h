@@ -159,6 +159,12 @@ static inline void skip_field(struct reader *r)
 int refuse_field(struct reader *r, const char *what);
 int refuse_other_field(struct reader *r, const char *expected);
 
+/* Returns the end of the number at p if it is a whole field, else NULL. */
+const char *end_of_number(const char *p, const char *end, double *value);
+
+/* Reads fields that are finite numbers. */
+int read_numbers(struct reader *r, double *v, int count);
+
 /* If the next field is a number, but should not be, notes as a remark the first
  * decimal comma before it. */
 void remark_decimal_comma(struct reader *r);

@@ -38,10 +38,9 @@ struct swc_node {
 struct swc {
     struct scene *scene;
     struct swc_node *nodes; /* in the order of the file */
-    size_t count, capacity;
-    size_t *table;     /* a hash table of indices into nodes[], from 1 */
-    int bits;          /* it has 2^bits entries */
-    size_t skipped[3]; /* of each, by enum skip */
+    size_t capacity;
+    struct names numbers; /* of the nodes, in the same order; their bits */
+    size_t skipped[3];    /* of each, by enum skip */
 };
 
 /* Why a node gives no shape. */
@@ -57,62 +56,30 @@ int swc_is_name(const char *file)
     return strcmp(last, ".swc") == 0 || strcmp(last, ".SWC") == 0;
 }
 
-/* -------------------------------------------------- numbers to nodes -- */
-
-/* The hash.  Most nodes have consecutive numbers: eight of them stay together
- * in the table; the multiplier, 2^64 over the golden ratio, spreads the
- * groups of eight. */
-static size_t first_entry(const struct swc *swc, uint64_t number)
+static size_t node_count(const struct swc *swc)
 {
-    const uint64_t scattered = (number >> 3) * 0x9e3779b97f4a7c15u;
-    return (size_t)(scattered >> (64 - swc->bits) & ~(uint64_t)7) |
-           (size_t)(number & 7);
+    return swc->numbers.texts.count;
 }
 
-/* The entry of this number, or the free entry where it belongs. */
-static size_t *find_entry(const struct swc *swc, uint64_t number)
+static struct string bits_of(const uint64_t *number)
 {
-    const size_t mask = ((size_t)1 << swc->bits) - 1;
-    size_t i = first_entry(swc, number);
-    while (swc->table[i] > 0 && swc->nodes[swc->table[i] - 1].number != number)
-        i = (i + 1) & mask;
-    return &swc->table[i];
-}
-
-/* Doubles the capacity.  At least half of the entries stay free.  Returns 0
- * if there is no memory. */
-static int grow(struct swc *swc)
-{
-    const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
-    const size_t capacity = (size_t)1 << (bits - 1);
-    struct swc_node *nodes =
-        capacity > SIZE_MAX / sizeof *nodes
-            ? NULL
-            : realloc(swc->nodes, capacity * sizeof *nodes);
-    if (!nodes)
-        return 0;
-    swc->nodes = nodes;
-    size_t *table = calloc(2 * capacity, sizeof *table);
-    if (!table)
-        return 0;
-    free(swc->table);
-    swc->table = table;
-    swc->bits = bits;
-    swc->capacity = capacity;
-    for (size_t i = 0; i < swc->count; i++)
-        *find_entry(swc, nodes[i].number) = i + 1;
-    return 1;
+    return (struct string){(const char *)number, sizeof *number};
 }
 
 /* ------------------------------------------------------------- one node -- */
 
-/* Reads the field as a decimal number; other programs do not read SWC's
- * numbers as hexadecimal.  Returns whether it is one; it may be infinite. */
-static int is_decimal(const struct reader *r, double *value)
+/* Other programs do not read SWC's numbers as hexadecimal. */
+static int is_hexadecimal(const struct reader *r)
 {
-    const struct string s = field(r);
-    return cylint_read_number(r->p, r->end, value) == end_of(s) &&
-           !memchr(s.text, 'x', s.length) && !memchr(s.text, 'X', s.length);
+    const char *digits = r->p + (*r->p == '-' || *r->p == '+');
+    return *digits == '0' && (digits[1] | 0x20) == 'x';
+}
+
+/* The end of the field if it is a decimal number, which may be infinite, else
+ * NULL. */
+static const char *end_of_decimal(const struct reader *r, double *value)
+{
+    return is_hexadecimal(r) ? NULL : end_of_number(r->p, r->end, value);
 }
 
 /* Reads a node's number: at most 18 digits behind leading zeros, or a
@@ -123,8 +90,8 @@ static int read_node_number(struct reader *r, uint64_t *number,
     double value;
     unsigned long long whole;
     if (!read_whole(field(r), NUMBER_MOST, &whole)) {
-        if (!is_decimal(r, &value) || *r->p == '-' || !(value < DECIMAL_MOST) ||
-            (double)(uint64_t)value != value)
+        if (!end_of_decimal(r, &value) || *r->p == '-' ||
+            !(value < DECIMAL_MOST) || (double)(uint64_t)value != value)
             return refuse_other_field(r, expected);
         whole = (uint64_t)value;
     }
@@ -136,21 +103,18 @@ static int read_node_number(struct reader *r, uint64_t *number,
 static int read_parent(struct reader *r, uint64_t *parent)
 {
     double value;
-    *parent = NO_PARENT;
-    if (!is_decimal(r, &value) || value != -1)
+    const char *after = *r->p == '-' ? end_of_decimal(r, &value) : NULL;
+    if (!after || value != -1)
         return read_node_number(r, parent, "a node's number or -1");
-    skip_field(r);
+    *parent = NO_PARENT;
+    skip_to(r, after);
     return 0;
 }
 
 static int read_decimal(struct reader *r, double *value)
 {
-    if (!is_decimal(r, value))
-        return refuse_other_field(r, "a number");
-    if (*value - *value != 0)
-        return refuse_field(r, "number too large");
-    skip_field(r);
-    return 0;
+    return is_hexadecimal(r) ? refuse_other_field(r, "a number")
+                             : read_numbers(r, value, 1);
 }
 
 static int read_radius(struct reader *r, double *radius)
@@ -183,19 +147,24 @@ static int add_node(void *context, const char *text, const char *end,
     struct swc *swc = context;
     struct swc_node node = {0};
     struct reader r, first;
+    const size_t count = node_count(swc);
+    size_t index;
     if (begin_line(&r, text, end, notes))
         return EXIT_BAD;
     first = r;
     if (read_node(&r, &node))
         return EXIT_BAD;
-    if (swc->count == swc->capacity && !grow(swc))
+    struct swc_node *nodes =
+        grown(swc->nodes, count, &swc->capacity, sizeof *nodes);
+    if (!nodes)
         return out_of_memory();
+    swc->nodes = nodes;
     remark_decimal_comma(&r);
-    size_t *entry = find_entry(swc, node.number);
-    if (*entry > 0)
+    if (!names_add(&swc->numbers, bits_of(&node.number), &index))
+        return out_of_memory();
+    if (index < count)
         return refuse_field(&first, "this node was given before");
-    swc->nodes[swc->count++] = node;
-    *entry = swc->count;
+    nodes[count] = node;
     return 0;
 }
 
@@ -227,7 +196,7 @@ static size_t first_of_cycle(const struct swc *swc, size_t start)
  * to one of the same path, if they form a cycle. */
 static int refuse_cycles(const struct swc *swc)
 {
-    for (size_t start = 1; start <= swc->count; start++) {
+    for (size_t start = 1; start <= node_count(swc); start++) {
         size_t i = start;
         while (i > 0 && swc->nodes[i - 1].path_start == 0) {
             swc->nodes[i - 1].path_start = start;
@@ -242,11 +211,14 @@ static int refuse_cycles(const struct swc *swc)
 /* Sets the parents' indices.  Returns how many parents are missing. */
 static size_t find_parents(const struct swc *swc)
 {
+    const size_t count = node_count(swc);
     size_t missing = 0;
-    for (size_t i = 0; i < swc->count; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct swc_node *node = &swc->nodes[i];
         if (node->parent != NO_PARENT) {
-            node->parent_index = *find_entry(swc, node->parent);
+            const size_t found =
+                names_find(&swc->numbers, bits_of(&node->parent));
+            node->parent_index = found < count ? found + 1 : 0;
             missing += node->parent_index == 0;
         }
     }
@@ -319,11 +291,11 @@ static int convert_node(struct swc *swc, const struct swc_node *node)
 /* After all nodes were read. */
 static int add_shapes(struct swc *swc)
 {
-    if (swc->count == 0)
+    if (node_count(swc) == 0)
         return complain(EXIT_BAD, swc->scene->file, "no node was found");
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc);
-    for (size_t i = 0; i < swc->count && status == 0; i++)
+    for (size_t i = 0; i < node_count(swc) && status == 0; i++)
         status = convert_node(swc, &swc->nodes[i]);
     if (status != 0)
         return status;
@@ -345,6 +317,6 @@ int swc_read(struct scene *scene)
     if (status == 0)
         status = add_shapes(&swc);
     free(swc.nodes);
-    free(swc.table);
+    names_free(&swc.numbers);
     return status;
 }
