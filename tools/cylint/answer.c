@@ -35,7 +35,6 @@ void task_free(struct task *task)
     free(task->out.data);
     free(task->row.sums);
     piece_memory_free(&task->pieces);
-    free(task->found);
     free(task);
 }
 

@@ -66,8 +66,6 @@ struct task {
     struct left_out left_out;
     struct row row;
     struct piece_memory pieces;
-    size_t *found; /* shapes of `all` */
-    size_t found_capacity;
 };
 
 /* Allocates a task and what it needs.  Returns NULL if there is no memory. */

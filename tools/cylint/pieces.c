@@ -1,6 +1,6 @@
 /*
- * pieces.c - the pieces of a line, its first boundary, and the solids that
- * contain a point, in memory that grows
+ * pieces.c - the shapes and pieces of a line, its first boundary, the shapes near a
+ * point and the solids that contain it, in memory that grows
  */
 #include <stdlib.h>
 
@@ -12,6 +12,7 @@ void piece_memory_free(struct piece_memory *m)
 {
     free(m->work.memory);
     free(m->piece);
+    free(m->number);
 }
 
 /* Makes the workspace larger than a query wants.  Nothing stays in it. */
@@ -24,6 +25,34 @@ static int grow_work(cylint_workspace *work)
     if (!work->memory)
         work->bytes = 0;
     return work->memory != NULL;
+}
+
+static int grow_numbers(struct piece_memory *m)
+{
+    size_t *larger = grown(m->number, m->numbers, &m->numbers, sizeof *larger);
+    m->number = larger ? larger : m->number;
+    return larger != NULL;
+}
+
+size_t find_hit(const cylint_scene *scene, const cylint_line *line,
+                struct piece_memory *m)
+{
+    size_t found;
+    do
+        found = cylint_scene_all(scene, line, 0, m->number, m->numbers);
+    while (found == m->numbers && grow_numbers(m));
+    return found < m->numbers ? found : CYLINT_NO_ROOM;
+}
+
+size_t find_near(const cylint_scene *scene, const double point[3],
+                 double radius, unsigned want, struct piece_memory *m)
+{
+    size_t found;
+    do
+        found = cylint_scene_within(scene, point, radius, want, 0, m->number,
+                                    NULL, m->numbers);
+    while (found == m->numbers && grow_numbers(m));
+    return found < m->numbers ? found : CYLINT_NO_ROOM;
 }
 
 static int grow_pieces(struct piece_memory *m)

@@ -243,33 +243,21 @@ static int answer_all_one_by_one(struct task *task)
     return visit_shapes(&s, 0);
 }
 
-/* Each call of the library finds all shapes and returns as many as have room, so
- * the room grows. */
 static int answer_all(struct task *task)
 {
     const struct options *o = task->job->options;
     const cylint_scene *scene = task->job->scene.shapes;
     const struct record *r = &task->record;
-    size_t found = 0, first = 0;
     if (is_one_by_one(task))
         return answer_all_one_by_one(task);
-    do {
-        size_t *number =
-            grown(task->found, found, &task->found_capacity, sizeof *number);
-        if (!number)
-            return end_without_memory(task);
-        task->found = number;
-        const size_t room = task->found_capacity;
-        found =
-            r->is_point
-                ? cylint_scene_within(scene, r->point, o->radius,
-                                      o->signed_flag, first, number, NULL, room)
-                : cylint_scene_all(scene, &r->line, first, number, room);
-        for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++)
-            if (!is_left_out(task, number[i]))
-                put_shape(task, number[i] + 1);
-        first = found > 0 ? number[found - 1] + 1 : 0;
-    } while (found == task->found_capacity && task->delivery == DELIVERY_DONE);
+    const size_t found = r->is_point ? find_near(scene, r->point, o->radius,
+                                                 o->signed_flag, &task->pieces)
+                                     : find_hit(scene, &r->line, &task->pieces);
+    if (found == CYLINT_NO_ROOM)
+        return end_without_memory(task);
+    for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++)
+        if (!is_left_out(task, task->pieces.number[i]))
+            put_shape(task, task->pieces.number[i] + 1);
     return 0;
 }
 

@@ -13,8 +13,6 @@ extern "C" {
 namespace
 {
 
-enum { CAPACITY = 128 }; /* shapes of one call of the library */
-
 /* Answers that are written to the columns of the call. */
 struct Columns {
     enum { in_order = false };
@@ -75,7 +73,7 @@ template <size_t INTEGERS, size_t DOUBLES, bool pairs = false> struct Rows {
     }
 };
 
-/* The memory of a thread for pieces. */
+/* The memory of a thread for shapes and pieces. */
 struct Memory : piece_memory {
     Memory() : piece_memory()
     {
@@ -237,45 +235,24 @@ void boundary(const Question &q, const Ray &ray, const Answer &put)
 
 /* ------------------------------------------------------- one line, rows -- */
 
-/* Calls query(from, numbers, capacity), which finds at most so many shapes, until
- * all are found, and write(number) for each one.  Each call finds all of them and
- * returns some, so the capacity doubles. */
-template <class Query, class Write>
-void each_found(const Query &query, const Write &write)
-{
-    size_t few[CAPACITY], *numbers = few, capacity = CAPACITY, found, from = 0;
-    std::vector<size_t> many;
-    while ((found = query(from, numbers, capacity)) > 0) {
-        from = numbers[found - 1] + 1;
-        for (size_t i = 0; i < found; i++)
-            write(numbers[i]);
-        if (found < capacity)
-            return;
-        capacity *= 2;
-        many.resize(capacity);
-        numbers = many.data();
-    }
-}
-
 using Hit = Rows<2, 2, true>; /* line, index, both t */
 void all(const Question &q, const Ray &ray, int64_t number,
          std::vector<Hit::Row> &to)
 {
-    const auto query = [&](size_t from, size_t *numbers, size_t capacity) {
-        return cylint_scene_all(q.scene, &ray.line, from, numbers, capacity);
-    };
-    each_found(query, [&](size_t index) {
+    const size_t found = checked(find_hit(q.scene, &ray.line, &memory));
+    for (size_t i = 0; i < found; i++) {
+        const size_t index = memory.number[i];
         double t[2] = {not_a_number, not_a_number};
         cylint_shape shape;
         cylint_answer answer;
         if (integer(index) == ray.left_out)
-            return;
+            continue;
         cylint_scene_shape(q.scene, index, &shape);
         cylint_intersect(&shape, &ray.line, CYLINT_WANT_T, &answer);
         for (int k = 0; k < answer.n; k++)
             t[k] = answer.hit[k].t;
         to.push_back({{number, integer(index)}, {t[0], t[1]}});
-    });
+    }
 }
 
 using Piece = Rows<3, 2>; /* line, shape, depth, t0, t1 */
@@ -332,19 +309,17 @@ using Near = Rows<2, 1>; /* point, index, distance */
 void within(const Question &q, const Ball &ball, int64_t number,
             std::vector<Near::Row> &to)
 {
-    const auto query = [&](size_t from, size_t *numbers, size_t capacity) {
-        return cylint_scene_within(q.scene, ball.point, ball.radius,
-                                   q.want_of_points, from, numbers, nullptr,
-                                   capacity);
-    };
-    each_found(query, [&](size_t index) {
+    const size_t found = checked(
+        find_near(q.scene, ball.point, ball.radius, q.want_of_points, &memory));
+    for (size_t i = 0; i < found; i++) {
+        const size_t index = memory.number[i];
         cylint_shape shape;
         cylint_closest answer;
         cylint_scene_shape(q.scene, index, &shape);
         to.push_back(
             {{number, integer(index)},
              {cylint_distance(&shape, ball.point, q.want_of_points, &answer)}});
-    });
+    }
 }
 
 /* ------------------------------------------------ many lines or points -- */
