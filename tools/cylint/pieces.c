@@ -27,7 +27,7 @@ static int grow_work(cylint_workspace *work)
     return work->memory != NULL;
 }
 
-static int grow_numbers(struct piece_memory *m)
+int grow_numbers(struct piece_memory *m)
 {
     size_t *larger = grown(m->number, m->numbers, &m->numbers, sizeof *larger);
     m->number = larger ? larger : m->number;

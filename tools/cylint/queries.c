@@ -135,11 +135,17 @@ static double count_one(struct search *s, size_t number, double key)
     return ++s->count == s->most ? (double)NAN : HUGE_VAL;
 }
 
-static double put_one(struct search *s, size_t number, double key)
+/* Without memory the visit ends, and the count is CYLINT_NO_ROOM. */
+static double keep_number(struct search *s, size_t number, double key)
 {
+    struct piece_memory *m = &s->task->pieces;
     (void)key;
-    put_shape(s->task, number + 1);
-    return s->task->delivery == DELIVERY_DONE ? HUGE_VAL : (double)NAN;
+    if (s->count == m->numbers && !grow_numbers(m)) {
+        s->count = CYLINT_NO_ROOM;
+        return (double)NAN;
+    }
+    m->number[s->count++] = number;
+    return HUGE_VAL;
 }
 
 /* A shape that the record leaves out does not change the reach of the visit. */
@@ -232,30 +238,22 @@ static int answer_count(struct task *task)
     return 0;
 }
 
-/* The first visit finds shapes that the method does not support, so that a bad
- * record has no partial answer. */
-static int answer_all_one_by_one(struct task *task)
-{
-    struct search s = {.task = task, .handle_shape = count_one};
-    if (visit_shapes(&s, 0))
-        return EXIT_BAD;
-    s.handle_shape = put_one;
-    return visit_shapes(&s, 0);
-}
-
+/* The rows are written after the visit: a bad record has no partial answer. */
 static int answer_all(struct task *task)
 {
     const struct options *o = task->job->options;
     const cylint_scene *scene = task->job->scene.shapes;
     const struct record *r = &task->record;
-    if (is_one_by_one(task))
-        return answer_all_one_by_one(task);
-    const size_t found = r->is_point ? find_near(scene, r->point, o->radius,
-                                                 o->signed_flag, &task->pieces)
-                                     : find_hit(scene, &r->line, &task->pieces);
-    if (found == CYLINT_NO_ROOM)
+    struct search s = {.task = task, .handle_shape = keep_number};
+    if (!is_one_by_one(task))
+        s.count = r->is_point ? find_near(scene, r->point, o->radius,
+                                          o->signed_flag, &task->pieces)
+                              : find_hit(scene, &r->line, &task->pieces);
+    else if (visit_shapes(&s, 0))
+        return EXIT_BAD;
+    if (s.count == CYLINT_NO_ROOM)
         return end_without_memory(task);
-    for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++)
+    for (size_t i = 0; i < s.count && task->delivery == DELIVERY_DONE; i++)
         if (!is_left_out(task, task->pieces.number[i]))
             put_shape(task, task->pieces.number[i] + 1);
     return 0;

@@ -138,6 +138,9 @@ struct piece_memory {
 
 void piece_memory_free(struct piece_memory *memory);
 
+/* Makes space for more numbers.  Returns 0 if there is no memory. */
+int grow_numbers(struct piece_memory *memory);
+
 /* All return CYLINT_NO_ROOM if there is no memory. */
 
 /* Write the numbers of the shapes that the line hits, or that are near the point as
