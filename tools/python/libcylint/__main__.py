@@ -27,8 +27,7 @@ def _read_neuron(path: str, swc: str) -> Shapes:
         name = os.path.join(folder, "neuron.swc")
         with open(name, "wb") as file:
             file.write(contents(path))
-        begun, labels, _ = read_begun(name, ends=None, swc=swc, shown=path)
-        return all_shapes(begun, labels)
+        return all_shapes(read_begun(name, ends=None, swc=swc, shown=path))
 
 
 def _arguments() -> argparse.Namespace:

@@ -12,8 +12,7 @@ import zlib
 from collections.abc import Iterator
 from typing import Any, BinaryIO, TextIO
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._shapes import Shapes, all_shapes, checked, codes_of, encoded
@@ -47,20 +46,19 @@ def read_scene(
     >>> cylint.read_scene(name, swc="round")
     <libcylint.Shapes (2,): 1 sphere, 1 rcone>
     """
-    begun, labels, members = read_begun(path, ends=ends, swc=swc)
-    if members:
+    begun = read_begun(path, ends=ends, swc=swc)
+    if begun.has_solids():
         warnings.warn(
             f"{os.fsdecode(path)}: its solids are not kept: see Scene.read", stacklevel=2
         )
-    return all_shapes(begun, labels)
+    return all_shapes(begun)
 
 
 def read_begun(
     path: str | os.PathLike[str], *, ends: Any, swc: str | None, shown: str | None = None
-) -> tuple[_core.Scene, NDArray[np.object_] | None, list[tuple[int, int, int]]]:
-    """A scene that is begun, its labels, and members (shape, solid, clause) of its
-    solids, by the arguments of `read_scene`.  shown: the file's name in messages, if
-    it is another one."""
+) -> _core.Scene:
+    """A scene that is begun, by the arguments of `read_scene`.  shown: the file's name
+    in messages, if it is another one."""
     code = _NOT_GIVEN if ends is None else int(codes_of(ends))
     name = os.fsdecode(path)
     if swc not in (None, "cones", "round"):
@@ -72,9 +70,7 @@ def read_begun(
     if not os.access(name, os.R_OK):
         with open(name, "rb"):
             pass
-    status, begun, labels, members, messages = _core.read_scene(
-        os.fsencode(name), code, swc == "round"
-    )
+    status, begun, messages = _core.read_scene(os.fsencode(name), code, swc == "round")
     if shown is not None:
         messages = [text.replace(name, shown) for text in messages]
     if status != 0:
@@ -83,8 +79,7 @@ def read_begun(
         raise errors.get(status, OSError)(text)
     for text in messages:
         warnings.warn(text, stacklevel=3)
-    names = None if labels is None else np.array(labels, np.object_)
-    return begun or _core.Scene(0), names, members
+    return begun
 
 
 def write_scene(

@@ -175,16 +175,15 @@ class Scene:
             row = part._in_a_row()
             labels.append((len(row), row._labels))
             begun.add(row.kind)
-        self._start(begun, joined_labels(labels), threads, progress)
-
-    def _start(
-        self, begun: _core.Scene, labels: NDArray[np.object_] | None,
-        threads: int | None, progress: Progress | None,
-    ) -> None:
-        names = encoded(labels)
-        begun.finish(workers(threads), progress)
+        names = encoded(joined_labels(labels))
         if names is not None:
             begun.set_labels(names)
+        self._start(begun, threads, progress)
+
+    def _start(
+        self, begun: _core.Scene, threads: int | None, progress: Progress | None
+    ) -> None:
+        begun.finish(workers(threads), progress)
         self._scene = begun  # last: progress may call methods of a subclass
         self._threads = threads
 
@@ -197,20 +196,14 @@ class Scene:
 
         With the solids that the file states by in=NAME and out=NAME.
         """
-        begun, labels, members = read_begun(path, ends=ends, swc=swc)
         scene = cls.__new__(cls)
-        scene._start(begun, labels, threads, progress)
-        if members:
-            scene.set_solids(*np.array(members, np.int64).T)
+        scene._start(read_begun(path, ends=ends, swc=swc), threads, progress)
         return scene
 
     @property
     def shapes(self) -> Shapes:
         """The shapes, in their order: a copy, of 400 bytes a shape."""
-        labels = self._scene.labels()
-        return all_shapes(
-            self._scene, None if labels is None else np.array(labels, np.object_)
-        )
+        return all_shapes(self._scene)
 
     @property
     def nbytes(self) -> int:

@@ -63,11 +63,12 @@ def kinds_of(records: NDArray[np.void]) -> NDArray[np.int32]:
     return records.view(_readable)["kind"]
 
 
-def all_shapes(scene: _core.Scene, labels: NDArray[np.object_] | None) -> Shapes:
-    """The shapes of a scene, in their order, with these labels."""
+def all_shapes(scene: _core.Scene) -> Shapes:
+    """The shapes of a scene, in their order, with their labels."""
     records = np.empty(scene.size(), _record)
     scene.take(None, kinds_of(records), False)
-    return Shapes(records, labels)
+    labels = scene.labels()
+    return Shapes(records, None if labels is None else np.array(labels, np.object_))
 
 
 def shapes_at(

@@ -92,6 +92,10 @@ struct Scene {
     nb::object to_bytes() const;
     void set_labels(const nb::list &labels);
     nb::object labels() const;
+    bool has_solids() const
+    {
+        return !members.empty();
+    }
     void take(std::optional<Input> numbers, Output shapes, bool closed) const;
     void set_solids(Input members);
     nb::list solids() const;
@@ -113,8 +117,11 @@ struct Scene {
     /* Calls that read the scene without Python's lock hold it, too. */
     std::shared_ptr<char> use = std::make_shared<char>();
     nb::object memory; /* of the scene, if it was opened there */
+    /* Of a scene that is not opened: finish() sets them. */
+    bool has_labels = false;
     std::vector<uint64_t> label_ends;
     std::string label_text;
+    std::vector<cylint_member> members; /* of solids that were read */
     std::unique_ptr<cylint_scene, Free> scene;
     size_t n;
 };
@@ -143,10 +150,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round);
 nb::bytes write_scene(Input shapes, size_t first,
                       std::optional<nb::list> labels);
 
-/* Labels, one behind the other, as texts. */
-nb::object label_texts(const uint64_t *end, const char *text, size_t count);
-
-/* Takes a scene that was begun; None for NULL. */
-nb::object scene_object(cylint_scene *begun);
+/* A text in UTF-8; other bytes become surrogates. */
+nb::object decoded(const char *text, size_t length);
 
 #endif

@@ -98,6 +98,12 @@ void Scene::finish(int threads, const Callback &progress)
     if (build.failure)
         std::rethrow_exception(build.failure);
     check(status);
+    const cylint_scene_labels all{label_ends.data(), label_text.data()};
+    if (has_labels)
+        cylint_scene_set_labels(scene.get(), &all);
+    if (has_solids())
+        check(cylint_scene_set_solids(scene.get(), members.data(),
+                                      members.size()));
 }
 
 /* Opens a file.  name: of the path, in exceptions. */
@@ -167,23 +173,30 @@ nb::object Scene::to_bytes() const
     return bytes;
 }
 
-/* Gives a finished scene its labels, a list of bytes. */
+/* Gives a scene that is begun its labels, a list of bytes. */
 void Scene::set_labels(const nb::list &labels)
 {
+    has_labels = true;
     for (nb::handle label : labels) {
         const auto bytes = nb::cast<nb::bytes>(label);
         label_text.append(bytes.c_str(), bytes.size());
         label_ends.push_back(label_text.size());
     }
-    const cylint_scene_labels all{label_ends.data(), label_text.data()};
-    cylint_scene_set_labels(scene.get(), &all);
 }
 
 /* The labels as texts, or None if there are none. */
 nb::object Scene::labels() const
 {
-    const cylint_scene_labels *const all = cylint_scene_get_labels(scene.get());
-    return all ? label_texts(all->end, all->text, n) : nb::none();
+    const cylint_scene_labels own{label_ends.data(), label_text.data()};
+    const cylint_scene_labels *const all =
+        has_labels ? &own : cylint_scene_get_labels(scene.get());
+    nb::list list;
+    uint64_t begin = 0;
+    for (size_t i = 0; i < n && all; i++) {
+        list.append(decoded(all->text + begin, all->end[i] - begin));
+        begin = all->end[i];
+    }
+    return all ? nb::object(list) : nb::none();
 }
 
 /* Writes the shapes with these numbers (int64, contiguous), or all shapes if
@@ -228,11 +241,6 @@ nb::list Scene::solids() const
     return list;
 }
 
-nb::object scene_object(cylint_scene *begun)
-{
-    return begun ? nb::cast(std::make_unique<Scene>(begun)) : nb::none();
-}
-
 void register_scene(nb::module_ &module)
 {
     nb::class_<Scene> scene(module, "Scene");
@@ -245,6 +253,7 @@ void register_scene(nb::module_ &module)
         .def("to_bytes", &Scene::to_bytes)
         .def("set_labels", &Scene::set_labels)
         .def("labels", &Scene::labels)
+        .def("has_solids", &Scene::has_solids)
         .def("size", &Scene::size)
         .def("take", &Scene::take)
         .def("bytes", &Scene::bytes)

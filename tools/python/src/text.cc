@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <string>
 
+#include <nanobind/stl/unique_ptr.h>
+
 #include "calls.h"
 
 extern "C" {
@@ -41,26 +43,29 @@ extern "C" int is_interrupted(void)
     return PyErr_CheckSignals() != 0;
 }
 
-static nb::object decoded(const char *text, size_t length)
+nb::object decoded(const char *text, size_t length)
 {
     return nb::steal(PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(length),
                                           "surrogateescape"));
 }
 
-nb::object label_texts(const uint64_t *end, const char *text, size_t count)
+/* A scene that is begun, of the shapes that were read. */
+static std::unique_ptr<Scene> begun(struct scene *read)
 {
-    nb::list labels;
-    uint64_t begin = 0;
-    for (size_t i = 0; i < count; i++) {
-        labels.append(decoded(text + begin, end[i] - begin));
-        begin = end[i];
-    }
-    return labels;
+    const struct texts &labels = read->labels.texts;
+    const struct solids &solids = read->solids;
+    auto made = std::make_unique<Scene>(read->shapes ? read->shapes
+                                                     : cylint_scene_begin(0));
+    read->shapes = nullptr; /* the object's now */
+    made->has_labels = labels.length > 0;
+    made->label_ends.assign(labels.end, labels.end + labels.count);
+    made->label_text.assign(labels.bytes, labels.length);
+    made->members.assign(solids.member, solids.member + solids.count);
+    return made;
 }
 
 /* ends: of shapes whose line has no ends=, or -1.  Returns (status, a scene that is
- * begun, labels, members of solids, messages); None instead of a scene without
- * shapes and instead of labels that are all empty. */
+ * begun, or None, messages). */
 nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
 {
     std::vector<std::string> printed;
@@ -80,23 +85,12 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
         scene_free(&scene);
         throw nb::python_error();
     }
-    nb::object begun = nb::none(), labels = nb::none();
-    nb::list members, texts;
+    nb::list texts;
     for (const std::string &text : printed)
         texts.append(decoded(text.data(), text.size()));
-    if (status == 0) {
-        begun = scene_object(scene.shapes);
-        scene.shapes = nullptr; /* the object's now */
-        if (scene.labels.texts.length > 0)
-            labels = label_texts(scene.labels.table.end,
-                                 scene.labels.table.text, scene.count);
-        for (size_t i = 0; i < scene.solids.count; i++) {
-            const cylint_member &m = scene.solids.member[i];
-            members.append(nb::make_tuple(m.shape, m.solid, m.clause));
-        }
-    }
+    const nb::object made = status == 0 ? nb::cast(begun(&scene)) : nb::none();
     scene_free(&scene);
-    return nb::make_tuple(status, begun, labels, members, texts);
+    return nb::make_tuple(status, made, texts);
 }
 
 /* shapes: (n), the first of which has the number `first`; labels: a list of n
