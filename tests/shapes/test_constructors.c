@@ -88,8 +88,8 @@ TEST(good_shapes_are_accepted_with_all_ends)
 }
 
 /* Writes faults, bits, into an example of the shape.  NUMBER: the number at `place`
- * is not finite.  which: the wrong value, of three.  Returns the status of the first
- * fault. */
+ * is not finite.  which: the wrong value, of three.  Returns the status of the
+ * first fault. */
 static cylint_status add_faults(struct family_case *c, int faults, int place,
                                 int which)
 {

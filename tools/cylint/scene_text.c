@@ -105,6 +105,7 @@ static void put_shape(struct text *t, const struct shape_record *r, int kind,
     }
 }
 
+/* lint: member[] has r->members elements */
 /* A solid of a saved scene has no name: its number serves. */
 static void put_member(struct text *t, const struct solids *s,
                        const cylint_member *m)
