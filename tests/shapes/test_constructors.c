@@ -194,7 +194,7 @@ TEST(arguments_are_the_numbers_given)
             const cylint_kind made =
                 family_make(&c) ? (cylint_kind)c.shape.kind : CYLINT_KIND_NONE;
             const cylint_kind kind = cylint_arguments(&c.shape, x);
-            if (kind == CYLINT_KIND_CYLINDER + word)
+            if ((int)kind == CYLINT_KIND_CYLINDER + word)
                 CHECK(memcmp(x, c.shape_data, (size_t)given * sizeof *x) == 0);
             else
                 CHECK(kind == made || (made == CYLINT_KIND_SPHERE &&
