@@ -79,15 +79,13 @@ static int is_beyond(const exact_side *q, double x)
 {
     cylint_arena *m = q->arena;
     const int used = m->used;
-    const exact reach = cylint_exact_add(
-        m, cylint_exact_mul(m, cylint_exact_from(m, x), q->unit),
-        cylint_exact_neg(q->middle));
+    const exact scaled = cylint_exact_mul(m, cylint_exact_from(m, x), q->unit);
+    const exact reach = cylint_exact_sub(m, scaled, q->middle);
     const exact square =
         cylint_exact_mul(m, cylint_exact_mul(m, reach, reach), q->by);
-    const int sign =
-        cylint_exact_add(m, square, cylint_exact_neg(q->square)).sign;
+    const exact over = cylint_exact_sub(m, square, q->square);
     m->used = used;
-    return reach.sign >= 0 && sign >= 0;
+    return reach.sign >= 0 && over.sign >= 0;
 }
 
 /* The least double that is_beyond(), infinite if none is.  `guess` only saves
@@ -118,6 +116,17 @@ static double exactly_outward(exact_side *q, double guess, int up)
     return up ? least_beyond(q, guess) : -least_beyond(q, -guess);
 }
 
+/* The square of the reach of a section of radius 1 along a coordinate; of a circular
+ * kind with two end points times |w|^2. */
+static exact exact_square_across(cylint_arena *m, const cylint_terms_exact *L,
+                                 int kind, int j)
+{
+    if (cylint_is_elliptic(kind))
+        return cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
+                                cylint_exact_mul(m, L->b[j], L->b[j]));
+    return cylint_exact_sub(m, L->vv, cylint_exact_mul(m, L->w[j], L->w[j]));
+}
+
 /* A side of the disc or ball at an end, whose centre is center + offset. */
 ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
                                double center, double offset, double guess,
@@ -133,13 +142,8 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
     const exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
     exact_side side = {m, middle, L->one, square, L->one};
     if (!cylint_is_round(s->kind)) {
-        const exact w2 = cylint_exact_mul(m, L->w[j], L->w[j]);
-        const exact across =
-            cylint_is_elliptic(s->kind)
-                ? cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
-                                   cylint_exact_mul(m, L->b[j], L->b[j]))
-                : cylint_exact_add(m, L->vv, cylint_exact_neg(w2));
-        side.square = cylint_exact_mul(m, square, across);
+        side.square =
+            cylint_exact_mul(m, square, exact_square_across(m, L, s->kind, j));
         if (cylint_has_end_points(s->kind))
             side.by = L->vv;
     }
@@ -152,13 +156,14 @@ static double exact_side_of_apex(cylint_query *q, int j, double guess, int up)
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     cylint_arena *m = &q->arena;
     const exact base = cylint_exact_from(m, cylint_base(q->shape)[j]);
-    const exact middle = cylint_exact_add(
-        m, cylint_exact_mul(m, base, L->dr),
-        cylint_exact_neg(cylint_exact_mul(m, L->w[j], L->r[0])));
-    const int is_positive = L->dr.sign > 0;
-    exact_side side = {m, is_positive ? middle : cylint_exact_neg(middle),
-                       is_positive ? L->dr : cylint_exact_neg(L->dr),
-                       cylint_exact_from(m, 0), L->one};
+    const exact middle =
+        cylint_exact_sub(m, cylint_exact_mul(m, base, L->dr),
+                         cylint_exact_mul(m, L->w[j], L->r[0]));
+    exact_side side = {m, middle, L->dr, cylint_exact_zero(m), L->one};
+    if (L->dr.sign < 0) {
+        side.middle = cylint_exact_neg(middle);
+        side.unit = cylint_exact_neg(L->dr);
+    }
     return exactly_outward(&side, guess, up);
 }
 
@@ -262,23 +267,14 @@ static int leans_inward(cylint_query *q, int j)
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     cylint_arena *m = &q->arena;
     const int used = m->used;
-    exact along = cylint_exact_mul(m, L->w[j], L->w[j]), across;
+    exact along = cylint_exact_mul(m, L->w[j], L->w[j]);
     const exact dr2 = cylint_exact_mul(m, L->dr, L->dr);
-    if (cylint_is_elliptic(q->kind)) {
-        across = cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
-                                  cylint_exact_mul(m, L->b[j], L->b[j]));
-    } else {
-        const exact wj2 = along;
-        across = cylint_exact_add(m, L->vv, cylint_exact_neg(wj2));
-        if (cylint_has_end_points(q->kind))
-            along = cylint_exact_mul(m, along, L->vv);
-    }
-    const int sign =
-        cylint_exact_add(m, along,
-                         cylint_exact_neg(cylint_exact_mul(m, dr2, across)))
-            .sign;
-    m->used = used;
-    return sign >= 0;
+    const exact growth =
+        cylint_exact_mul(m, dr2, exact_square_across(m, L, q->kind, j));
+    if (cylint_has_end_points(q->kind))
+        along = cylint_exact_mul(m, along, L->vv);
+    const exact over = cylint_exact_sub(m, along, growth);
+    return cylint_only_sign(m, used, over.sign) >= 0;
 }
 
 /* Writes the box of a nappe.  It is unbounded, except on one side of each
