@@ -68,15 +68,6 @@ static int is_there(const search *s, const double p[3])
            (s->side > 0 || is_beyond_part(s, p));
 }
 
-/* Writes the hit's point to p, but from `stepped` the coordinates i whose bits i in
- * `mask` are 1. */
-static void step_by(const search *s, const double stepped[3], unsigned mask,
-                    double p[3])
-{
-    for (int i = 0; i < 3; i++)
-        p[i] = mask >> i & 1 ? stepped[i] : s->from[i];
-}
-
 /* Writes the coordinates in the order of the lengths of their steps, and these
  * lengths times a power of two that no processor flushes to zero. */
 static void order_steps(const search *s, const double stepped[3], int order[3],
@@ -121,11 +112,13 @@ static int try_neighbours(const search *s, int steps, double p[3])
     const unsigned a = 1u << order[0], b = 1u << order[1], c = 1u << order[2];
     const int ab_first =
         is_shorter(length[order[0]], length[order[1]], length[order[2]]);
+    /* bits: the coordinates that are stepped */
     const unsigned masks[] = {
         a,     b,        ab_first ? a | b : c, ab_first ? c : a | b, a | c,
         b | c, a | b | c};
     for (size_t i = 0; i < sizeof masks / sizeof *masks; i++) {
-        step_by(s, stepped, masks[i], p);
+        for (int j = 0; j < 3; j++)
+            p[j] = masks[i] >> j & 1 ? stepped[j] : s->from[j];
         if (!(masks[i] & ~useful) && is_there(s, p))
             return 1;
     }

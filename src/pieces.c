@@ -215,17 +215,10 @@ int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
 
 /* -------------------------------------------------------------- length -- */
 
-/* The double nearest to (hi + lo) 2^e, which is positive. */
-static double nearest_to(pair x, int e)
-{
-    cylint_arena arena;
-    cylint_arena_open(&arena);
-    return cylint_double_of_pair(&arena, x, e);
-}
-
 double cylint_line_length(const cylint_line *line)
 {
     const double size = cylint_largest(line->d);
+    cylint_arena arena;
     pair square = {0, 0};
     if (!line->valid)
         return 0;
@@ -237,5 +230,6 @@ double cylint_line_length(const cylint_line *line)
             cylint_scaled_pair((pair){line->d[i], line->d_lo[i]}, -e);
         square = pair_add(square, pair_mul(d, d));
     }
-    return nearest_to(pair_sqrt(square), e);
+    cylint_arena_open(&arena);
+    return cylint_double_of_pair(&arena, pair_sqrt(square), e);
 }
