@@ -97,6 +97,13 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
 
 /* ------------------------------------------------------ the questions -- */
 
+/* The columns of one of the hits; NULL: not wanted. */
+typedef struct {
+    double *t;
+    signed char *part;
+    double *number[CYLINT_HIT_NUMBERS];
+} hit_columns;
+
 /* A batch query, the use of its answers, and the result so far. */
 typedef struct {
     enum { FIND_NEAREST, COUNT_HITS, FILL_COLUMNS } purpose;
@@ -109,7 +116,7 @@ typedef struct {
     int part, side; /* of the nearest hit */
     int stopped;    /* no more answers are wanted */
     const cylint_columns *columns;
-    double *member[2][CYLINT_HIT_NUMBERS]; /* columns of both hits, or NULL */
+    hit_columns of_hit[2];
 } batch_job;
 
 static void keep_nearest(batch_job *job, size_t number, const cylint_answer *a)
@@ -127,34 +134,29 @@ static void keep_nearest(batch_job *job, size_t number, const cylint_answer *a)
     }
 }
 
-static void fill_members(double *const to[CYLINT_HIT_NUMBERS], size_t i,
-                         const cylint_hit *hit)
-{
-    const double number[CYLINT_HIT_NUMBERS] = {
-        hit->point[0],  hit->point[1],  hit->point[2], hit->normal[0],
-        hit->normal[1], hit->normal[2], hit->z,        hit->phi};
-    for (int k = 0; k < CYLINT_HIT_NUMBERS; k++)
-        if (to[k])
-            to[k][i] = number[k];
-}
-
+/* Columns say "miss" before. */
 static void fill_columns(const batch_job *job, size_t i, const cylint_answer *a)
 {
-    const cylint_columns *to = job->columns;
-    for (int k = 0; k < a->n && job->want & CYLINT_WANT_BESIDE_T; k++)
-        fill_members(job->member[k], i, &a->hit[k]);
-    if (to->relation)
-        to->relation[i] = (signed char)a->relation;
-    if (to->n)
-        to->n[i] = (signed char)a->n;
-    if (to->t0)
-        to->t0[i] = a->n > 0 ? a->hit[0].t : NAN;
-    if (to->t1)
-        to->t1[i] = a->n > 1 ? a->hit[1].t : NAN;
-    if (to->part0)
-        to->part0[i] = (signed char)(a->n > 0 ? a->hit[0].part : -1);
-    if (to->part1)
-        to->part1[i] = (signed char)(a->n > 1 ? a->hit[1].part : -1);
+    if (job->columns->relation)
+        job->columns->relation[i] = (signed char)a->relation;
+    if (job->columns->n)
+        job->columns->n[i] = (signed char)a->n;
+    for (int k = 0; k < a->n; k++) {
+        const hit_columns *to = &job->of_hit[k];
+        const cylint_hit *hit = &a->hit[k];
+        if (to->t)
+            to->t[i] = hit->t;
+        if (to->part)
+            to->part[i] = (signed char)hit->part;
+        if (!(job->want & CYLINT_WANT_BESIDE_T))
+            continue;
+        const double number[CYLINT_HIT_NUMBERS] = {
+            hit->point[0],  hit->point[1],  hit->point[2], hit->normal[0],
+            hit->normal[1], hit->normal[2], hit->z,        hit->phi};
+        for (int j = 0; j < CYLINT_HIT_NUMBERS; j++)
+            if (to->number[j])
+                to->number[j][i] = number[j];
+    }
 }
 
 /* Uses an answer that is no miss.  Returns 1 when no more are wanted. */
@@ -216,35 +218,29 @@ CYLINT_INLINE void nearest_of_lane(const cylint_filter_group *g, int lane,
 static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
                        unsigned lanes)
 {
-    const cylint_columns *to = job->columns;
+    signed char *const relation = job->columns->relation;
     EACH_BIT(lane, lanes) {
         const size_t i = g->number[lane];
-        const int hit[2] = {(int)(g->hit[0] >> lane & 1),
-                            (int)(g->hit[1] >> lane & 1)};
-        const int first = !hit[0], both = hit[0] & hit[1];
-        if (to->relation)
-            to->relation[i] = (signed char)(g->in_cap_plane >> lane & 1
-                                                ? CYLINT_RELATION_ALONG
-                                                : CYLINT_RELATION_CROSS);
-        if (!(hit[0] | hit[1]))
-            continue;
-        if (to->n)
-            to->n[i] = (signed char)(1 + both);
-        if (to->t0)
-            to->t0[i] = g->t[first][lane];
-        if (to->part0)
-            to->part0[i] = (signed char)g->part[first][lane];
-        if (to->t1 && both)
-            to->t1[i] = g->t[1][lane];
-        if (to->part1 && both)
-            to->part1[i] = (signed char)g->part[1][lane];
-        if (!(job->want & CYLINT_WANT_BESIDE_T))
-            continue;
-        for (int k = 0; k <= both; k++)
-            EACH(j, CYLINT_HIT_NUMBERS)
-                if (job->member[k][j])
-                    job->member[k][j][i] =
-                        g->member[k ? 1 : first].number[j][lane];
+        int n = 0;
+        for (int k = 0; k < 2; k++) {
+            if (!(g->hit[k] >> lane & 1))
+                continue;
+            const hit_columns *to = &job->of_hit[n++];
+            if (to->t)
+                to->t[i] = g->t[k][lane];
+            if (to->part)
+                to->part[i] = (signed char)g->part[k][lane];
+            if (job->want & CYLINT_WANT_BESIDE_T)
+                EACH(j, CYLINT_HIT_NUMBERS)
+                    if (to->number[j])
+                        to->number[j][i] = g->member[k].number[j][lane];
+        }
+        if (job->columns->n)
+            job->columns->n[i] = (signed char)n;
+        if (relation)
+            relation[i] = (signed char)(g->in_cap_plane >> lane & 1
+                                            ? CYLINT_RELATION_ALONG
+                                            : CYLINT_RELATION_CROSS);
     }
 }
 
@@ -373,54 +369,55 @@ static void fill_with_nan(double *to, size_t n)
     memcpy(to + i, nans, (n - i) * sizeof *nans);
 }
 
-/* The columns of members, and what is wanted of them. */
-static void set_members(batch_job *job, size_t n)
+/* Writes that the hit misses.  Returns what is wanted of it. */
+static unsigned start_columns(const hit_columns *to, size_t n)
 {
-    const cylint_columns *c = job->columns;
-    double *const all[2][CYLINT_HIT_NUMBERS] = {
-        {c->point0[0], c->point0[1], c->point0[2], c->normal0[0], c->normal0[1],
-         c->normal0[2], c->z0, c->phi0},
-        {c->point1[0], c->point1[1], c->point1[2], c->normal1[0], c->normal1[1],
-         c->normal1[2], c->z1, c->phi1}};
-    static const unsigned want[CYLINT_HIT_NUMBERS] = {
+    static const unsigned wanted[CYLINT_HIT_NUMBERS] = {
         CYLINT_WANT_POINT,  CYLINT_WANT_POINT,  CYLINT_WANT_POINT,
         CYLINT_WANT_NORMAL, CYLINT_WANT_NORMAL, CYLINT_WANT_NORMAL,
         CYLINT_WANT_Z,      CYLINT_WANT_PHI};
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < CYLINT_HIT_NUMBERS; k++) {
-            job->member[i][k] = all[i][k];
-            if (!all[i][k])
-                continue;
-            job->want |= want[k] | CYLINT_WANT_T;
-            if (i == 1)
-                job->want &= ~(unsigned)CYLINT_WANT_NEAREST;
-            fill_with_nan(all[i][k], n);
+    unsigned want = 0;
+    if (to->part) {
+        memset(to->part, -1, n);
+        want |= CYLINT_WANT_PART;
+    }
+    if (to->t) {
+        fill_with_nan(to->t, n);
+        want |= CYLINT_WANT_T;
+    }
+    for (int j = 0; j < CYLINT_HIT_NUMBERS; j++)
+        if (to->number[j]) {
+            fill_with_nan(to->number[j], n);
+            want |= wanted[j] | CYLINT_WANT_T;
         }
+    return want;
 }
 
 /* Everything misses until something is found. */
-static batch_job columns_job(const cylint_columns *to, size_t n)
+static batch_job columns_job(const cylint_columns *c, size_t n)
 {
     batch_job job = {
-        .purpose = FILL_COLUMNS, .nearest = HUGE_VAL, .columns = to};
-    job.relations = to->relation != NULL;
-    if (to->t0 || to->t1)
-        job.want |= CYLINT_WANT_T;
-    if (!to->t1 && !to->part1 && !to->n)
+        .purpose = FILL_COLUMNS,
+        .nearest = HUGE_VAL,
+        .columns = c,
+        .relations = c->relation != NULL,
+        .of_hit = {{c->t0,
+                    c->part0,
+                    {c->point0[0], c->point0[1], c->point0[2], c->normal0[0],
+                     c->normal0[1], c->normal0[2], c->z0, c->phi0}},
+                   {c->t1,
+                    c->part1,
+                    {c->point1[0], c->point1[1], c->point1[2], c->normal1[0],
+                     c->normal1[1], c->normal1[2], c->z1, c->phi1}}}};
+    const unsigned first = start_columns(&job.of_hit[0], n),
+                   second = start_columns(&job.of_hit[1], n);
+    job.want = first | second;
+    if (!second && !c->n)
         job.want |= CYLINT_WANT_NEAREST;
-    set_members(&job, n);
-    if (to->relation)
-        memset(to->relation, CYLINT_RELATION_MISS, n);
-    if (to->n)
-        memset(to->n, 0, n);
-    if (to->part0)
-        memset(to->part0, -1, n);
-    if (to->part1)
-        memset(to->part1, -1, n);
-    if (to->t0)
-        fill_with_nan(to->t0, n);
-    if (to->t1)
-        fill_with_nan(to->t1, n);
+    if (c->relation)
+        memset(c->relation, CYLINT_RELATION_MISS, n);
+    if (c->n)
+        memset(c->n, 0, n);
     return job;
 }
 
