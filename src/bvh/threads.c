@@ -28,19 +28,14 @@ int cylint_processors(void)
 #endif
 }
 
-static long smaller(long x, long y)
-{
-    return x < y ? x : y;
-}
-
 int cylint_threads_for(size_t n, size_t least, int wanted)
 {
-    const long most = wanted > 0 ? wanted : cylint_processors();
-    const size_t busy = n / least;
-    const long threads =
-        smaller(smaller(most, CYLINT_THREADS_MOST),
-                busy < CYLINT_THREADS_MOST ? (long)busy : CYLINT_THREADS_MOST);
-    return threads > 1 ? (int)threads : 1;
+    int threads = wanted > 0 ? wanted : cylint_processors();
+    if (threads > CYLINT_THREADS_MOST)
+        threads = CYLINT_THREADS_MOST;
+    if (threads > 1 && n / least < (size_t)threads)
+        threads = (int)(n / least);
+    return threads > 1 ? threads : 1;
 }
 
 #ifdef CYLINT_THREADS
