@@ -174,14 +174,6 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
     s->last = local_above(s, tmax);
 }
 
-static void start_far_ray(ray_state *s, const cylint_bvh *bvh,
-                          const cylint_float_ray *ray)
-{
-    const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
-    const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
-    start_line(s, bvh, o, d, ray->tnear, ray->tfar);
-}
-
 /* The key of -0 is not that of 0; nor is that of a subnormal number, which may be
  * read as 0. */
 static inline float with_one_zero(float t)
@@ -196,7 +188,9 @@ static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
     EACH(j, 3)
         x[j] = ray->o[j] - bvh->center[j];
     if (!(fabsf(x[0]) + fabsf(x[1]) + fabsf(x[2]) < bvh->near_distance)) {
-        start_far_ray(s, bvh, ray);
+        const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
+        const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
+        start_line(s, bvh, o, d, ray->tnear, ray->tfar);
         return;
     }
     s->t0 = s->t0_error = 0;
@@ -216,12 +210,10 @@ static inline int ends_outside(const cylint_bvh *bvh,
                                const cylint_float_ray *ray)
 {
     const double S = (double)bvh->near_distance / 256;
-    const float o[3] = {ray->o[0], ray->o[1], ray->o[2]};
-    const float d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     int out = 0;
     EACH(j, 3)
-        out |= fabs((double)o[j] - (double)bvh->center[j] +
-                    (double)ray->tfar * (double)d[j]) > S;
+        out |= fabs((double)ray->o[j] - (double)bvh->center[j] +
+                    (double)ray->tfar * (double)ray->d[j]) > S;
     return out;
 }
 
