@@ -31,18 +31,11 @@ static double half_surface(const cylint_swept_disc *t)
  */
 enum { FEW = 4, MANY = 8, NEEDLE = 64 };
 
-static const cylint_shape_piece whole = {0, 1};
-
 static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
 {
     const double balance = sqrt(cylint_half_area(box) / half_surface(t));
     const double most = balance > (double)NEEDLE ? MANY : FEW;
     return !(balance > 1) ? 1 : (int)fmin(balance + 0.5, most);
-}
-
-static uint32_t given_number(const cylint_bvh_input *input, size_t i)
-{
-    return input->numbers ? input->numbers[i] : (uint32_t)i;
 }
 
 /* The pieces of a shape. */
@@ -61,7 +54,8 @@ static int cut(cut_shape *to, const cylint_view *view, uint32_t number)
         return 0;
     cylint_swept_disc_of(&to->disc, view, shape);
     cylint_swept_disc_reach(&to->disc, to->reach);
-    const cylint_extent box = cylint_piece_box(&to->disc, to->reach, whole);
+    const cylint_extent box =
+        cylint_piece_box(&to->disc, to->reach, (cylint_shape_piece){0, 1});
     to->count = piece_count(&to->disc, &box);
     return cylint_extent_is_valid(&box);
 }
@@ -105,7 +99,7 @@ static cylint_bvh_status split_portion(const split_job *job, size_t k,
     for (size_t i = each * k; i < to; i++) {
         if (!cylint_watch_item(input->watch, i))
             return CYLINT_BVH_ESTOPPED;
-        s->refused = given_number(input, i);
+        s->refused = input->numbers ? input->numbers[i] : i;
         if (s->refused >= UINT32_MAX ||
             !cut(&shape, input->view, (uint32_t)s->refused))
             return CYLINT_BVH_ESHAPE;
@@ -220,10 +214,9 @@ enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
 /* Pieces to be stored in leaves, in the same memory. */
 typedef struct {
+    const cylint_bvh_input *input;
     cylint_boxed_piece *box;
     size_t n;
-    const cylint_view *view;
-    cylint_watch *watch;
 } leaf_job;
 
 /* The leaf of the pieces from `first` on, over their boxes. */
@@ -240,18 +233,19 @@ static void fill_group(const leaf_job *job, size_t first)
     const int n = ahead < TOGETHER ? (int)ahead : TOGETHER;
     memcpy(box, job->box + first, (size_t)n * sizeof *box);
     for (int i = 0; i < n; i++)
-        cylint_swept_disc_at(&disc[i], job->view, box[i].number);
+        cylint_swept_disc_at(&disc[i], job->input->view, box[i].number);
     for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
         cylint_leaf_fill(leaf_over(job, first + (size_t)i), disc + i, box + i,
                          n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
-                         job->view->line_error);
+                         job->input->view->line_error);
 }
 
 /* Fills the leaves of pieces [from, to). */
 static void fill_leaves(void *self, size_t from, size_t to)
 {
     const leaf_job *job = self;
-    for (; from < to && cylint_watch_item(job->watch, from); from += TOGETHER)
+    for (; from < to && cylint_watch_item(job->input->watch, from);
+         from += TOGETHER)
         fill_group(job, from);
 }
 
@@ -262,10 +256,7 @@ static cylint_bvh_status store_leaves(cylint_bvh *bvh,
                                       size_t pieces)
 {
     cylint_leaf *leaves = bvh->leaf_memory.data;
-    leaf_job job = {.box = bvh->leaf_memory.data,
-                    .n = pieces,
-                    .view = input->view,
-                    .watch = input->watch};
+    leaf_job job = {input, bvh->leaf_memory.data, pieces};
     cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, 2 * pieces);
     cylint_threads_share(input->threads, pieces, CYLINT_WATCHED, 1, fill_leaves,
                          &job);
