@@ -48,9 +48,8 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     const double ww = cylint_dot(t->axis, t->axis);
     t->length = sqrt(ww);
     t->elliptic = cylint_is_elliptic(s->kind);
-    const double unit = t->elliptic                   ? 1
-                        : cylint_has_factors(s->kind) ? t->length
-                                                      : scale;
+    const double unit =
+        cylint_has_factors(s->kind) ? cylint_radius_unit(s, t->length) : scale;
     t->k[0] = cylint_r0(s) * unit;
     t->k[1] = cylint_r1(s) * unit;
     t->across = 1;
@@ -146,13 +145,4 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
         hi[j] = cylint_larger(from + out0, to + out1);
     }
     return cylint_float_box(lo, hi);
-}
-
-cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
-{
-    cylint_swept_disc disc;
-    double reach[3];
-    cylint_swept_disc_at(&disc, view, number);
-    cylint_swept_disc_reach(&disc, reach);
-    return cylint_piece_box(&disc, reach, (cylint_shape_piece){0, 1});
 }

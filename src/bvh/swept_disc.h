@@ -100,9 +100,6 @@ cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
 cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
                                const double reach[3], cylint_shape_piece piece);
 
-/* The box of a whole shape. */
-cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number);
-
 /* The index of the piece that contains z.  The first and the last piece have
  * the round ends, where z is below 0 and above 1. */
 static inline int cylint_piece_at(double z, int count)

@@ -248,15 +248,17 @@ void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
  * disc is below a linear function, which the boxes contain at t = 0 and 1.
  */
 
-/* The box of the discs of a state, by f; writes g of each coordinate, 1 if f is
- * linear. */
-static cylint_extent box_of_discs(const cylint_shape *s, double g[3])
+/* The box of the discs of a state, if it moves by f; writes g of each coordinate, 1
+ * if f is linear. */
+static cylint_extent box_of_discs(const cylint_shape *s, int moves, double g[3])
 {
     const cylint_view view = cylint_plain_view(s);
     cylint_swept_disc disc;
     cylint_swept_disc_of(&disc, &view, s);
-    EACH(j, 3)
-        g[j] = disc.elliptic ? cylint_elliptic_reach(disc.a, disc.b, j) : 1;
+    if (moves && !disc.elliptic)
+        g[0] = g[1] = g[2] = 1;
+    else
+        cylint_swept_disc_reach(&disc, g);
     const cylint_extent box =
         cylint_piece_box(&disc, g, (cylint_shape_piece){0, 1});
     if (cylint_has_tangent(s->kind))
@@ -276,11 +278,10 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
                                 const cylint_shape *at_1, int step)
 {
     double g[2][3], lo[3], hi[3];
-    const cylint_view view = cylint_plain_view(at_0);
     if (!at_1)
-        return cylint_swept_disc_box(&view, 0);
-    const cylint_extent box[2] = {box_of_discs(at_0, g[0]),
-                                  box_of_discs(at_1, g[1])};
+        return box_of_discs(at_0, 0, g[0]);
+    const cylint_extent box[2] = {box_of_discs(at_0, 1, g[0]),
+                                  box_of_discs(at_1, 1, g[1])};
     const double dk = cylint_r1(at_1) - cylint_r1(at_0);
     EACH(j, 3) {
         const double product = dk * (g[1][j] - g[0][j]);
