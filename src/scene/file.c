@@ -130,22 +130,19 @@ typedef struct {
     uint64_t sum[8], sum_of_sums[8];
 } file_checksum;
 
-static void add_block(file_checksum *c, const void *block)
-{
-    uint64_t x[8];
-    memcpy(x, block, sizeof x);
-    for (int i = 0; i < 8; i++) {
-        c->sum[i] += x[i];
-        c->sum_of_sums[i] += c->sum[i];
-    }
-}
-
 /* Adds whole blocks. */
 static int add_blocks(void *context, const void *data, size_t bytes)
 {
+    file_checksum *c = context;
     const char *from = data;
-    for (; bytes > 0; bytes -= FILE_BLOCK, from += FILE_BLOCK)
-        add_block(context, from);
+    for (; bytes > 0; bytes -= FILE_BLOCK, from += FILE_BLOCK) {
+        uint64_t x[8];
+        memcpy(x, from, sizeof x);
+        for (int i = 0; i < 8; i++) {
+            c->sum[i] += x[i];
+            c->sum_of_sums[i] += c->sum[i];
+        }
+    }
     return 1;
 }
 
