@@ -70,11 +70,6 @@ size_t cylint_records_bytes(const cylint_records *r)
 
 /* ------------------------------------------------------------- shapes -- */
 
-static void copy_three(double to[3], const double from[3])
-{
-    memcpy(to, from, 3 * sizeof *to);
-}
-
 static uint8_t tag_of(const cylint_shape *s)
 {
     const int plain = cylint_prepared(s) != CYLINT_SOLID_NONE &&
@@ -156,8 +151,8 @@ void cylint_record_data(const cylint_records *r, size_t number,
     }
     shape->kind = cylint_record_kind(r, number);
     shape->ends = cylint_record_ends(r, number);
-    copy_three(x + CYLINT_AT_BASE, from->p0);
-    copy_three(x + CYLINT_AT_TOP, from->p1);
+    memcpy(x + CYLINT_AT_BASE, from->p0, sizeof from->p0);
+    memcpy(x + CYLINT_AT_TOP, from->p1, sizeof from->p1);
     x[CYLINT_AT_R0] = from->r0;
     x[CYLINT_AT_R1] = from->r1;
     for (int i = 0; i < 3; i++)
