@@ -17,16 +17,14 @@ typedef struct {
 static int measure_all(replacement *r)
 {
     const cylint_scene *s = r->scene;
-    cylint_shapes_box own;
     for (size_t i = 0; i < r->n; i++) {
         const cylint_shape *shape = &r->shapes[i];
         if (!cylint_record_takes(&s->records, r->first + i, shape))
             return 0;
-        if (shape->kind == CYLINT_KIND_NONE || cylint_is_other(s, r->first + i))
-            continue;
-        if (!cylint_box_of_shape(&own, shape))
+        if (shape->kind != CYLINT_KIND_NONE &&
+            !cylint_is_other(s, r->first + i) &&
+            !cylint_extend_by_shape(&r->box, shape))
             return 0;
-        cylint_extend_box(&r->box, &own);
     }
     return 1;
 }

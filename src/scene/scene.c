@@ -36,7 +36,7 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-void cylint_extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
+static void extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
 {
     for (int j = 0; j < 3; j++) {
         box->lo[j] = fmin(box->lo[j], by->lo[j]);
@@ -48,13 +48,12 @@ void cylint_extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
 /* Each number has at most 6 roundings and errors of its data.  Squares of lengths
  * may underflow later; multiplied by a larger factor, the lost part would
  * matter. */
-int cylint_box_of_shape(cylint_shapes_box *box, const cylint_shape *s)
+int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
 {
-    const int has_factors = cylint_has_factors(s->kind);
+    cylint_shapes_box own = {.n = 1};
     if (!cylint_is_bounded(s) ||
-        (has_factors && cylint_r1(s) > CYLINT_FRAME_MOST))
+        (cylint_has_factors(s->kind) && cylint_r1(s) > CYLINT_FRAME_MOST))
         return 0;
-    box->n = 1;
     for (int j = 0; j < 3; j++) {
         const double bottom = cylint_rough_reach(s, 0, j),
                      top = cylint_rough_reach(s, 1, j);
@@ -62,12 +61,13 @@ int cylint_box_of_shape(cylint_shapes_box *box, const cylint_shape *s)
         const double margin =
             DBL_MIN +
             0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
-        box->lo[j] = fmin(base - bottom, end - top) - margin;
-        box->hi[j] = fmax(base + bottom, end + top) + margin;
-        if (!(box->lo[j] >= -CYLINT_FRAME_MOST &&
-              box->hi[j] <= CYLINT_FRAME_MOST))
+        own.lo[j] = fmin(base - bottom, end - top) - margin;
+        own.hi[j] = fmax(base + bottom, end + top) + margin;
+        if (!(own.lo[j] >= -CYLINT_FRAME_MOST &&
+              own.hi[j] <= CYLINT_FRAME_MOST))
             return 0;
     }
+    extend_box(box, &own);
     return 1;
 }
 
@@ -92,17 +92,16 @@ typedef struct {
 static void count_shapes(void *self, size_t from, size_t to)
 {
     totals *sum = self;
-    cylint_shapes_box own, box = CYLINT_NO_BOX;
+    cylint_shapes_box box = CYLINT_NO_BOX;
     size_t valid = 0;
     for (size_t i = from; i < to && cylint_watch_item(sum->watch, i); i++) {
         cylint_shape shape;
         cylint_record_data(sum->records, i, &shape);
         valid += shape.kind != CYLINT_KIND_NONE;
-        if (cylint_box_of_shape(&own, &shape))
-            cylint_extend_box(&box, &own);
+        cylint_extend_by_shape(&box, &shape);
     }
     cylint_mutex_lock(&sum->mutex);
-    cylint_extend_box(&sum->box, &box);
+    extend_box(&sum->box, &box);
     sum->valid += valid;
     cylint_mutex_unlock(&sum->mutex);
 }
@@ -148,10 +147,10 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
     if (!bounded || !others)
         return CYLINT_SCENE_EMEMORY;
     for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
-        cylint_shapes_box box; /* not read */
+        cylint_shapes_box box = CYLINT_NO_BOX; /* not read */
         cylint_shape shape;
         cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && cylint_box_of_shape(&box, &shape))
+        if (s->n_bounded > 0 && cylint_extend_by_shape(&box, &shape))
             *bounded++ = (uint32_t)i;
         else if (shape.kind != CYLINT_KIND_NONE)
             *others++ = (uint32_t)i;

@@ -87,9 +87,8 @@ typedef struct cylint_shapes_box {
         {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0 \
     }
 
-/* Writes the box of a shape.  Returns 0 if no frame can contain the shape. */
-int cylint_box_of_shape(cylint_shapes_box *box, const cylint_shape *shape);
-void cylint_extend_box(cylint_shapes_box *box, const cylint_shapes_box *by);
+/* Adds a shape to the box, or returns 0 if no frame can contain the shape. */
+int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
 
 /* The number of shape i of those in the hierarchy. */
 static inline size_t cylint_bounded_number(const cylint_scene *scene, size_t i)
