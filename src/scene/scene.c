@@ -67,7 +67,8 @@ int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
               own.hi[j] <= CYLINT_FRAME_MOST))
             return 0;
     }
-    extend_box(box, &own);
+    if (box)
+        extend_box(box, &own);
     return 1;
 }
 
@@ -147,10 +148,9 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
     if (!bounded || !others)
         return CYLINT_SCENE_EMEMORY;
     for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
-        cylint_shapes_box box = CYLINT_NO_BOX; /* not read */
         cylint_shape shape;
         cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && cylint_extend_by_shape(&box, &shape))
+        if (s->n_bounded > 0 && cylint_extend_by_shape(NULL, &shape))
             *bounded++ = (uint32_t)i;
         else if (shape.kind != CYLINT_KIND_NONE)
             *others++ = (uint32_t)i;

@@ -87,7 +87,8 @@ typedef struct cylint_shapes_box {
         {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0 \
     }
 
-/* Adds a shape to the box, or returns 0 if no frame can contain the shape. */
+/* Adds a shape to the box, unless that is NULL.  Returns 0, and adds nothing, if no
+ * frame can contain the shape. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
 
 /* The number of shape i of those in the hierarchy. */
