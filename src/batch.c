@@ -134,7 +134,7 @@ static void keep_nearest(batch_job *job, size_t number, const cylint_answer *a)
     }
 }
 
-/* Columns say "miss" before. */
+/* Before this, the columns have the values of a miss. */
 static void fill_columns(const batch_job *job, size_t i, const cylint_answer *a)
 {
     if (job->columns->relation)

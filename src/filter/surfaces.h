@@ -284,11 +284,14 @@ typedef struct {
     vm nearest;
 } root;
 
+/* From its sum and error. */
 INLINE root bounded_root(vd value, vd tail, vd error)
 {
-    root r = {
-        value,    tail, error, value + (tail - error), value + (tail + error),
-        m_from(0)};
+    root r = {.value = value,
+              .tail = tail,
+              .error = error,
+              .low = value + (tail - error),
+              .high = value + (tail + error)};
     const vd size = v_abs(value);
     const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
                               v_lt(v_set(CYLINT_ROOT_LEAST), size));

@@ -186,7 +186,9 @@ static cylint_overlap nappe(cylint_query *q)
     const int A = cylint_form_sign(q, FORM_A, 0);
     if (A > 0) {
         cylint_overlap v = cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
-        const int T = v.n > 0 ? cylint_form_sign(q, FORM_T, 0) : 1;
+        if (v.n == 0)
+            return v;
+        const int T = cylint_form_sign(q, FORM_T, 0);
         v.at[0].apex = v.n == 1 && T == 0;
         return T < 0 ? cylint_no_overlap() : v;
     }

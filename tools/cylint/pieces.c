@@ -29,7 +29,8 @@ static int grow_work(cylint_workspace *work)
 
 int grow_numbers(struct piece_memory *m)
 {
-    size_t *larger = grown(m->number, m->numbers, &m->numbers, sizeof *larger);
+    size_t *larger = grown(m->number, m->number_capacity, &m->number_capacity,
+                           sizeof *larger);
     m->number = larger ? larger : m->number;
     return larger != NULL;
 }
@@ -39,9 +40,9 @@ size_t find_hit(const cylint_scene *scene, const cylint_line *line,
 {
     size_t found;
     do
-        found = cylint_scene_all(scene, line, 0, m->number, m->numbers);
-    while (found == m->numbers && grow_numbers(m));
-    return found < m->numbers ? found : CYLINT_NO_ROOM;
+        found = cylint_scene_all(scene, line, 0, m->number, m->number_capacity);
+    while (found == m->number_capacity && grow_numbers(m));
+    return found < m->number_capacity ? found : CYLINT_NO_ROOM;
 }
 
 size_t find_near(const cylint_scene *scene, const double point[3],
@@ -50,9 +51,9 @@ size_t find_near(const cylint_scene *scene, const double point[3],
     size_t found;
     do
         found = cylint_scene_within(scene, point, radius, want, 0, m->number,
-                                    NULL, m->numbers);
-    while (found == m->numbers && grow_numbers(m));
-    return found < m->numbers ? found : CYLINT_NO_ROOM;
+                                    NULL, m->number_capacity);
+    while (found == m->number_capacity && grow_numbers(m));
+    return found < m->number_capacity ? found : CYLINT_NO_ROOM;
 }
 
 static int grow_pieces(struct piece_memory *m)

@@ -140,7 +140,7 @@ static double keep_number(struct search *s, size_t number, double key)
 {
     struct piece_memory *m = &s->task->pieces;
     (void)key;
-    if (s->count == m->numbers && !grow_numbers(m)) {
+    if (s->count == m->number_capacity && !grow_numbers(m)) {
         s->count = CYLINT_NO_ROOM;
         return (double)NAN;
     }

@@ -133,7 +133,7 @@ struct piece_memory {
     cylint_piece *piece; /* those found last */
     size_t capacity;
     size_t *number; /* of the shapes found last */
-    size_t numbers; /* space for them */
+    size_t number_capacity;
 };
 
 void piece_memory_free(struct piece_memory *memory);

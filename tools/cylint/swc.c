@@ -71,8 +71,9 @@ static struct string bits_of(const uint64_t *number)
 /* Other programs do not read SWC's numbers as hexadecimal. */
 static int is_hexadecimal(const struct reader *r)
 {
-    const char *digits = r->p + (*r->p == '-' || *r->p == '+');
-    return *digits == '0' && (digits[1] | 0x20) == 'x';
+    const int has_sign = r->p < r->end && (*r->p == '-' || *r->p == '+');
+    const char *digits = r->p + has_sign;
+    return r->end - digits > 1 && *digits == '0' && (digits[1] | 0x20) == 'x';
 }
 
 /* The end of the field if it is a decimal number, which may be infinite, else
@@ -103,7 +104,8 @@ static int read_node_number(struct reader *r, uint64_t *number,
 static int read_parent(struct reader *r, uint64_t *parent)
 {
     double value;
-    const char *after = *r->p == '-' ? end_of_decimal(r, &value) : NULL;
+    const int is_negative = r->p < r->end && *r->p == '-';
+    const char *after = is_negative ? end_of_decimal(r, &value) : NULL;
     if (!after || value != -1)
         return read_node_number(r, parent, "a node's number or -1");
     *parent = NO_PARENT;
