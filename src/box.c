@@ -116,8 +116,8 @@ static double exactly_outward(exact_side *q, double guess, int up)
     return up ? least_beyond(q, guess) : -least_beyond(q, -guess);
 }
 
-/* The square of the reach of a section of radius 1 along a coordinate; of a circular
- * kind with two end points times |w|^2. */
+/* The square of the reach of a section of radius 1 along a coordinate; of a
+ * circular kind with two end points times |w|^2. */
 static exact exact_square_across(cylint_arena *m, const cylint_terms_exact *L,
                                  int kind, int j)
 {
