@@ -22,6 +22,28 @@ floating cylint_floating_sqrt(floating x)
     return (floating){pair_sqrt(even), (x.e - odd) / 2};
 }
 
+static floating floating_mul(floating x, floating y)
+{
+    return (floating){pair_mul(x.v, y.v), x.e + y.e};
+}
+
+/* |x|. */
+static floating floating_size(floating x)
+{
+    return x.v.hi < 0 ? (floating){pair_neg(x.v), x.e} : x;
+}
+
+/* x + y of x > 0 and y > 0. */
+static floating floating_sum_of_sizes(floating x, floating y)
+{
+    const floating large = x.e < y.e ? y : x, small = x.e < y.e ? x : y;
+    if (large.e - small.e > CYLINT_NEGLIGIBLE_EXPONENT)
+        return large;
+    const double w = cylint_power_of_two(small.e - large.e);
+    return (floating){pair_add(large.v, (pair){small.v.hi * w, small.v.lo * w}),
+                      large.e};
+}
+
 /* a^2 - b^2 c. */
 static exact norm(cylint_arena *arena, const surd_sum *x)
 {

@@ -4,7 +4,24 @@
 #ifndef CYLINT_SURD_SUM_H
 #define CYLINT_SURD_SUM_H
 
-#include "floating.h"
+#include "../numbers/exact.h"
+
+/* v 2^e, 1/4 < |v| < 4 or v = 0.  It neither overflows nor underflows. */
+typedef struct {
+    pair v;
+    int e;
+} floating;
+
+/* x, rounded to a pair. */
+floating cylint_floating(exact x);
+
+/* x > 0. */
+floating cylint_floating_sqrt(floating x);
+
+static inline floating floating_div(floating x, floating y)
+{
+    return (floating){pair_div(x.v, y.v), x.e - y.e};
+}
 
 /* a + b sqrt(c), c >= 0. */
 typedef struct {
