@@ -211,23 +211,14 @@ static void try_apex(search *s, const triple h[3], triple share)
     offer(s, &x);
 }
 
-/* v times a power of two, so that its length is about 1. */
-static double load_unit(triple unit[3], const triple v[3])
-{
-    const double scale = normalizer(triple_largest(v));
-    for (int i = 0; i < 3; i++)
-        unit[i] = triple_scale(v[i], scale);
-    return scale;
-}
-
 /* to = u x v, times a power of two. */
 static void cross_units(triple to[3], const triple u[3], const triple v[3])
 {
     triple x[3], y[3], z[3];
-    load_unit(x, u);
-    load_unit(y, v);
+    triple_unit(x, u);
+    triple_unit(y, v);
     triple_cross(z, x, y);
-    load_unit(to, z);
+    triple_unit(to, z);
 }
 
 /* The perpendicular on the plane of an end has the foot x a + y b from its
@@ -238,7 +229,7 @@ static void try_cap(search *s, int end)
     triple from[3], a[3], b[3], M[3], right[3], up[3];
     candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end);
     const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
-    const double of_a = load_unit(a, s->p.a), of_b = load_unit(b, s->p.b);
+    const double of_a = triple_unit(a, s->p.a), of_b = triple_unit(b, s->p.b);
     cylint_from_end(&s->p, end, from);
     triple_cross(M, a, b);
     triple_cross(right, from, b);
@@ -261,22 +252,20 @@ static void try_cap(search *s, int end)
 
 static pair length_of(const triple v[3])
 {
-    double scale;
-    const pair norm = triple_norm(v, &scale);
+    triple unit[3];
+    const double scale = triple_unit(unit, v);
+    const pair norm = triple_length(unit);
     return (pair){norm.hi / scale, norm.lo / scale};
 }
 
 /* |R.N| / |N| */
 static pair height_over(const triple R[3], const triple N[3])
 {
-    double scale;
-    const pair norm = triple_norm(N, &scale);
     triple unit[3];
-    for (int i = 0; i < 3; i++)
-        unit[i] = triple_scale(N[i], scale);
+    triple_unit(unit, N);
     const triple product = triple_dot(R, unit);
     const pair size = fast_two_sum(product.a, product.b);
-    return pair_div(size.hi < 0 ? pair_neg(size) : size, norm);
+    return pair_div(size.hi < 0 ? pair_neg(size) : size, triple_length(unit));
 }
 
 /* N is u' x v, the axis or a x b: outward times this sign. */
@@ -298,7 +287,7 @@ static void load_normal(search *s)
     triple u[3], v[3], du[3];
     const direction *at = &s->best.at;
     if (s->best.feature == CYLINT_FEATURE_APEX) {
-        load_unit(s->N, s->p.h);
+        triple_unit(s->N, s->p.h);
     } else if (cylint_is_on_end(s->best.feature)) {
         cross_units(s->N, s->p.a, s->p.b);
     } else {
@@ -350,7 +339,7 @@ static void measure_best(search *s)
         s->distance = length_of(s->best.R);
     }
     if (!is_direction(s->N))
-        load_unit(s->N, is_direction(s->p.a) ? s->p.a : s->p.h);
+        triple_unit(s->N, is_direction(s->p.a) ? s->p.a : s->p.h);
 }
 
 /* Whether there is a point of a cap or of the lateral surface from which the
@@ -494,11 +483,11 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
 
 static void write_elliptic_normal(const search *s, double to[3])
 {
-    double scale;
-    const pair norm = triple_norm(s->N, &scale);
+    triple unit[3];
+    triple_unit(unit, s->N);
+    const pair norm = triple_length(unit);
     for (int i = 0; i < 3; i++) {
-        const triple x = triple_scale(s->N[i], scale);
-        const double n = pair_div(fast_two_sum(x.a, x.b), norm).hi;
+        const double n = pair_div(fast_two_sum(unit[i].a, unit[i].b), norm).hi;
         to[i] = fabs(n) < VECTOR_ERROR ? 0 : n;
     }
 }

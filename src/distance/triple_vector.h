@@ -120,14 +120,19 @@ static inline double normalizer(double size)
     return cylint_power_of_two(e > 1000 ? -1000 : e < -1000 ? 1000 : -e);
 }
 
-/* |v| as a pair times 1 / *scale, a power of two. */
-static inline pair triple_norm(const triple v[3], double *scale)
+/* v times a power of two, which it returns, so that its length is about 1. */
+static inline double triple_unit(triple unit[3], const triple v[3])
 {
-    triple unit[3];
-    *scale = normalizer(triple_largest(v));
+    const double scale = normalizer(triple_largest(v));
     for (int i = 0; i < 3; i++)
-        unit[i] = triple_scale(v[i], *scale);
-    const triple square = triple_dot(unit, unit);
+        unit[i] = triple_scale(v[i], scale);
+    return scale;
+}
+
+/* |v| of such a vector. */
+static inline pair triple_length(const triple v[3])
+{
+    const triple square = triple_dot(v, v);
     return square.a > 0 ? pair_sqrt(fast_two_sum(square.a, square.b))
                         : (pair){0, 0};
 }
