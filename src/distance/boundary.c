@@ -15,12 +15,6 @@ static int side_of(const cylint_shape *shape, const cylint_line *line,
     return CYLINT_OF_FMA(cylint_sign_on_line)(shape, line, origin, surface);
 }
 
-static int is_on(const cylint_shape *shape, const cylint_line *line,
-                 int surface)
-{
-    return side_of(shape, line, surface) == 0;
-}
-
 static int is_apex(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_query q;
@@ -33,10 +27,12 @@ int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
     const unsigned caps = cylint_caps_present(shape->ends);
     const int bounded = cylint_is_bounded(shape);
     cylint_line line;
+    if (cylint_is_round(shape->kind) || cylint_has_tangent(shape->kind))
+        return CYLINT_NO_FEATURE;
     cylint_line_at(&line, point);
-    const int at0 = bounded && is_on(shape, &line, 0);
-    const int at1 = bounded && !at0 && is_on(shape, &line, 1);
-    if (is_on(shape, &line, CYLINT_LATERAL_SURFACE)) {
+    const int at0 = bounded && side_of(shape, &line, 0) == 0;
+    const int at1 = bounded && !at0 && side_of(shape, &line, 1) == 0;
+    if (side_of(shape, &line, CYLINT_LATERAL_SURFACE) == 0) {
         if (cylint_is_tapered(shape->kind) && is_apex(shape, &line))
             return CYLINT_FEATURE_APEX;
         return at0   ? CYLINT_FEATURE_RIM0

@@ -56,13 +56,6 @@ static int flushes_a_number(const cylint_shape *shape, const double point[3])
     return small && cylint_flushes_subnormals();
 }
 
-/* Whether cylint_boundary_feature() serves the shape. */
-static int has_boundary(const cylint_shape *shape)
-{
-    return shape->kind == CYLINT_KIND_CYLINDER ||
-           shape->kind == CYLINT_KIND_CONE || cylint_is_elliptic(shape->kind);
-}
-
 /* Writes the members `undecided` of a point for which cylint_contains() is 0.
  * Returns those that stay undecided: all where its part is missing. */
 ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
@@ -71,9 +64,7 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
 {
     if (!cylint_surface_is_whole(shape->ends) || undecided & CYLINT_WANT_PART ||
         cylint_is_elliptic(shape->kind)) {
-        const int feature = has_boundary(shape)
-                                ? cylint_boundary_feature(shape, point)
-                                : CYLINT_NO_FEATURE;
+        const int feature = cylint_boundary_feature(shape, point);
         if (feature == CYLINT_NO_FEATURE)
             return want;
         if (want & CYLINT_WANT_PART)

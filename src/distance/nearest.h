@@ -53,8 +53,9 @@ CYLINT_INLINE void cylint_write_feature(const cylint_shape *s, int feature,
     answer->part = cylint_feature_part(answer->feature);
 }
 
-/* Of a circular or elliptic shape and a point for which cylint_contains() is 0, by
- * exact signs; CYLINT_NO_FEATURE where `ends` leaves out that part. */
+/* Of a cylinder, cone or elliptic shape and a point for which cylint_contains() is
+ * 0, by exact signs; CYLINT_NO_FEATURE of other kinds, and where `ends` leaves out
+ * that part. */
 int cylint_boundary_feature(const cylint_shape *shape, const double point[3]);
 
 /* Of a capped shape, by exact signs: outside a cylinder, of a capsule, and in the
