@@ -61,6 +61,18 @@ static inline int cylint_end_of(const meridian *m, int feature)
     return m->L->kind != CYLINT_KIND_SPHERE && cylint_feature_end(feature);
 }
 
+static inline int cylint_is_on_ball(const meridian *m, int feature)
+{
+    return m->L->kind == CYLINT_KIND_SPHERE ||
+           (cylint_is_round(m->L->kind) && cylint_is_on_end(feature));
+}
+
+/* Of no ball: on a cap or a half-space. */
+static inline int cylint_is_on_plane(const meridian *m, int feature)
+{
+    return cylint_is_plane(m->L->kind) || cylint_is_on_end(feature);
+}
+
 /* The feature of a valid shape that is not elliptic. */
 nearest cylint_nearest_feature(meridian *m);
 

@@ -268,21 +268,14 @@ static surd_quotient from_apex(meridian *m)
 
 surd_quotient cylint_square_of_distance(meridian *m, int feature)
 {
-    const int round = cylint_is_round(m->L->kind);
     const int end = cylint_end_of(m, feature);
-    if (m->L->kind == CYLINT_KIND_SPHERE)
-        return from_ball(m, 0);
-    if (cylint_is_plane(m->L->kind))
-        return from_plane(m, 0);
-    switch (feature) {
-    case CYLINT_FEATURE_LATERAL:
+    if (cylint_is_on_ball(m, feature))
+        return from_ball(m, end);
+    if (cylint_is_on_plane(m, feature))
+        return from_plane(m, end);
+    if (feature == CYLINT_FEATURE_LATERAL)
         return from_lateral(m);
-    case CYLINT_FEATURE_CAP0:
-    case CYLINT_FEATURE_CAP1:
-        return round ? from_ball(m, end) : from_plane(m, end);
-    default:
-        return !cylint_ends_are_planes(m->shape->ends) ? from_apex(m)
-               : round                                 ? from_tangency(m, end)
-                                                       : from_rim(m, end);
-    }
+    return !cylint_ends_are_planes(m->shape->ends) ? from_apex(m)
+           : cylint_is_round(m->L->kind)           ? from_tangency(m, end)
+                                                   : from_rim(m, end);
 }

@@ -141,35 +141,20 @@ static surd_quotient on_plane(meridian *m, int end, int i)
                            m->height[end], m->L->vv, i);
 }
 
-/* The point is on a ball. */
-static int is_on_ball(const meridian *m, int feature)
-{
-    return m->L->kind == CYLINT_KIND_SPHERE ||
-           (cylint_is_round(m->L->kind) && cylint_is_on_end(feature));
-}
-
 static surd_quotient coordinate(meridian *m, int feature, const radial *d,
                                 int i)
 {
     const int end = cylint_end_of(m, feature);
-    if (is_on_ball(m, feature))
+    if (cylint_is_on_ball(m, feature))
         return on_circle(m, d, end, i, m->L->one, 0);
-    if (cylint_is_plane(m->L->kind))
-        return on_plane(m, 0, i);
-    switch (feature) {
-    case CYLINT_FEATURE_LATERAL:
-        return foot(m, d, i);
-    case CYLINT_FEATURE_CAP0:
-    case CYLINT_FEATURE_CAP1:
+    if (cylint_is_on_plane(m, feature))
         return on_plane(m, end, i);
-    default:
-        return !cylint_ends_are_planes(m->shape->ends)
-                   ? shifted_by_axis(m, centre(m, 0, i), m->L->r[0], m->L->dr,
-                                     i)
-               : cylint_is_round(m->L->kind)
-                   ? on_circle(m, d, end, i, m->L->vv, 1)
-                   : on_circle(m, d, end, i, m->g, 0);
-    }
+    if (feature == CYLINT_FEATURE_LATERAL)
+        return foot(m, d, i);
+    return !cylint_ends_are_planes(m->shape->ends)
+               ? shifted_by_axis(m, centre(m, 0, i), m->L->r[0], m->L->dr, i)
+           : cylint_is_round(m->L->kind) ? on_circle(m, d, end, i, m->L->vv, 1)
+                                         : on_circle(m, d, end, i, m->g, 0);
 }
 
 static double double_of(meridian *m, floating x)
@@ -225,19 +210,18 @@ static void normalise(meridian *m, const floating x[3], int sign, double to[3])
 static void write_nearest_normal(meridian *m, int feature, const radial *d,
                                  double normal[3])
 {
-    const int on_ball = is_on_ball(m, feature);
-    const int is_cap = !on_ball && cylint_is_on_end(feature);
+    const int on_ball = cylint_is_on_ball(m, feature);
+    const int on_plane = !on_ball && cylint_is_on_plane(m, feature);
     const int is_apex =
         cylint_stated_feature(m->shape, feature) == CYLINT_FEATURE_APEX;
-    const int is_plane = is_cap || cylint_is_plane(m->L->kind);
     floating x[3];
     for (int i = 0; i < 3; i++)
         x[i] = on_ball               ? cylint_floating(d->V[i])
-               : is_plane || is_apex ? cylint_floating(m->L->w[i])
+               : on_plane || is_apex ? cylint_floating(m->L->w[i])
                                      : lateral_normal(m, d, i);
-    const int sign = is_apex  ? cylint_apex_normal_sign(m->shape, 0)
-                     : is_cap ? (cylint_feature_end(feature) ? 1 : -1)
-                              : 1;
+    const int sign = is_apex ? cylint_apex_normal_sign(m->shape, 0)
+                     : feature == CYLINT_FEATURE_CAP0 && !on_ball ? -1
+                                                                  : 1;
     normalise(m, x, sign, normal);
 }
 
@@ -245,7 +229,7 @@ void cylint_nearest_point(meridian *m, int feature, unsigned want,
                           cylint_closest *answer)
 {
     const int used = m->arena->used;
-    const radial d = is_on_ball(m, feature)
+    const radial d = cylint_is_on_ball(m, feature)
                          ? ball_direction(m, cylint_end_of(m, feature))
                          : radial_direction(m);
     if (want & CYLINT_WANT_POINT)
