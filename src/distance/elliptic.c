@@ -268,34 +268,24 @@ static pair height_over(const triple R[3], const triple N[3])
     return pair_div(size.hi < 0 ? pair_neg(size) : size, triple_length(unit));
 }
 
-/* N is u' x v, the axis or a x b: outward times this sign. */
-static int outward_sign(const search *s)
-{
-    const int right = cylint_left_handed(s->p.shape) ? -1 : 1;
-    switch (s->best.feature) {
-    case CYLINT_FEATURE_APEX:
-        return cylint_apex_normal_sign(s->p.shape, 0);
-    case CYLINT_FEATURE_CAP0:
-        return -right;
-    default:
-        return s->best.nappe * right;
-    }
-}
-
+/* N is u' x v, a x b or the axis, outward. */
 static void load_normal(search *s)
 {
     triple u[3], v[3], du[3];
     const direction *at = &s->best.at;
+    const int right = cylint_left_handed(s->p.shape) ? -1 : 1;
+    int sign = s->best.nappe * right;
     if (s->best.feature == CYLINT_FEATURE_APEX) {
         triple_unit(s->N, s->p.h);
+        sign = cylint_apex_normal_sign(s->p.shape, 0);
     } else if (cylint_is_on_end(s->best.feature)) {
         cross_units(s->N, s->p.a, s->p.b);
+        sign = s->best.feature == CYLINT_FEATURE_CAP0 ? -right : right;
     } else {
         cylint_load_ruling(&s->p, at, u, v);
         triple_combine(du, s->p.b, at->cos, s->p.a, triple_neg(at->sin));
         cross_units(s->N, du, v);
     }
-    const int sign = outward_sign(s);
     for (int i = 0; i < 3; i++)
         s->N[i] = triple_scale(s->N[i], sign);
 }
