@@ -47,6 +47,29 @@ typedef struct {
     exact height[2]; /* D_i.w */
 } meridian;
 
+/* Sums and products in the arena of a meridian *m.  A function that begins with
+ * EXACT_BEGIN and ends with EXACT_RETURN(x) leaves only x in the arena. */
+#define EXACT_ADD(x, y) cylint_exact_add(m->arena, x, y)
+#define EXACT_SUB(x, y) cylint_exact_sub(m->arena, x, y)
+#define EXACT_MUL(x, y) cylint_exact_mul(m->arena, x, y)
+#define EXACT_BEGIN const int used_before = m->arena->used;
+#define EXACT_RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
+
+/* a / d */
+static inline surd_quotient exact_quotient(const meridian *m, exact a, exact d)
+{
+    const exact zero = cylint_exact_zero(m->arena);
+    return (surd_quotient){{a, zero, zero}, d};
+}
+
+/* W (g + dr^2). */
+static inline exact exact_unit(meridian *m)
+{
+    EXACT_BEGIN
+    exact x = EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
+    EXACT_RETURN(x)
+}
+
 /* The most data that are multiplied with each other in any of these numbers, so
  * none has more than 67 limbs (exact.h) times that; from a norm of nearest_point.c
  * (tests/bounds/test_arena.c counts them). */

@@ -2,7 +2,7 @@
  * meridian.c - the nearest feature, from exact signs
  */
 #include "../intersect.h"
-#include "exact_operators.h"
+#include "exact_distance.h"
 
 static exact scale_of_T(meridian *m)
 {

@@ -17,7 +17,7 @@
 #include <limits.h>
 
 #include "../roots/roots.h"
-#include "exact_operators.h"
+#include "exact_distance.h"
 
 /* The direction from the axis to the point: V / sqrt(K). */
 typedef struct {

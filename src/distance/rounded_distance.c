@@ -5,7 +5,7 @@
  * distance is above the middle of two doubles is the sign of another surd_sum.
  */
 #include "error_bounds.h"
-#include "exact_operators.h"
+#include "exact_distance.h"
 
 /* The sign of the distance minus the middle of the double of this rank and the
  * next. */
