@@ -67,17 +67,6 @@ static frame frame_of(const cylint_shape *shape)
     return f;
 }
 
-static void normal_at_apex(const cylint_shape *shape, const double d[3],
-                           double normal[3])
-{
-    const double climb = dot(d, cylint_axis(shape));
-    const int sign = cylint_apex_normal_sign(shape, (climb > 0) - (climb < 0));
-
-    for (int i = 0; i < 3; i++)
-        normal[i] = sign * cylint_axis(shape)[i];
-    unit(normal, normal);
-}
-
 /* x^2 + y^2 = rho^2: half the gradient is x dx + y dy - rho drho dz. */
 static void normal_at(const cylint_shape *shape, const frame *f,
                       const double d[3], double x, double y, double z, int part,
@@ -87,16 +76,18 @@ static void normal_at(const cylint_shape *shape, const frame *f,
         const double sign = part == CYLINT_PART_CAP0 ? -1 : 1;
         for (int i = 0; i < 3; i++)
             normal[i] = sign * f->row[2][i];
-        unit(normal, normal);
-        return;
+    } else if (x == 0 && y == 0) {
+        const double climb = dot(d, cylint_axis(shape));
+        const int sign =
+            cylint_apex_normal_sign(shape, (climb > 0) - (climb < 0));
+        for (int i = 0; i < 3; i++)
+            normal[i] = sign * cylint_axis(shape)[i];
+    } else {
+        const double slope = (f->rho + f->drho * z) * f->drho;
+        for (int i = 0; i < 3; i++)
+            normal[i] =
+                x * f->row[0][i] + y * f->row[1][i] - slope * f->row[2][i];
     }
-    if (x == 0 && y == 0) {
-        normal_at_apex(shape, d, normal);
-        return;
-    }
-    const double slope = (f->rho + f->drho * z) * f->drho;
-    for (int i = 0; i < 3; i++)
-        normal[i] = x * f->row[0][i] + y * f->row[1][i] - slope * f->row[2][i];
     unit(normal, normal);
 }
 
