@@ -39,16 +39,8 @@ static cylint_method_chord gullotti_chord(const double p[3], const double v[3])
     const double a = v[0] * v[0] + v[1] * v[1];
     const double b = 2 * (v[0] * p[0] + v[1] * p[1]);
     const double c = p[0] * p[0] + p[1] * p[1] - 1;
-    const double disc = b * b - 4 * a * c;
 
-    if (a == 0)
-        return parallel_chord(c);
-    if (!(disc >= 0))
-        return no_chord();
-    const double s = sqrt(disc);
-    return chord_between(disc > 0 ? CYLINT_RELATION_CROSS
-                                  : CYLINT_RELATION_TOUCH,
-                         (-b - s) / (2 * a), (-b + s) / (2 * a));
+    return a == 0 ? parallel_chord(c) : quadratic_chord(a, b, c);
 }
 
 cylint_status cylint_gullotti(const cylint_shape *shape,

@@ -93,6 +93,29 @@ static inline cylint_method_chord chord_between(int relation, double t0,
     return (cylint_method_chord){relation, 0, {t0, t1}, {0, 0}};
 }
 
+static inline cylint_method_chord chord_with_gap(double t0, double t1)
+{
+    cylint_method_chord chord = chord_between(CYLINT_RELATION_CROSS, t0, t1);
+    chord.gap = 1;
+    return chord;
+}
+
+/* The chord A t^2 + B t + C <= 0, A not 0. */
+static inline cylint_method_chord quadratic_chord(double A, double B, double C)
+{
+    const double disc = B * B - 4 * A * C;
+    if (!(disc >= 0))
+        return no_chord();
+
+    const double s = sqrt(disc);
+    const double t0 = (-B - s) / (2 * A), t1 = (-B + s) / (2 * A);
+    if (A > 0)
+        return chord_between(
+            disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
+    /* steeper than the rulings: outside only between the nappes */
+    return chord_with_gap(t1, t0);
+}
+
 /* The chord of a line parallel to a cylinder's axis.  `excess` has the sign
  * of the line's distance from the axis minus the radius. */
 static inline cylint_method_chord parallel_chord(double excess)
@@ -135,11 +158,8 @@ void cylint_chord_nappe(cylint_method_chord *chord, cylint_affine rho);
 
 /* -------------------------------------------------------------- answer -- */
 
-/* Writes a miss with CYLINT_FLAG_INVALID. */
-void cylint_method_refuse(cylint_answer *answer);
-
-/* Writes the same and returns CYLINT_EMETHOD: the method does not support
- * this shape or these ends. */
+/* Writes a miss with CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD: the method
+ * does not support this shape or these ends. */
 cylint_status cylint_method_not_applicable(cylint_answer *answer);
 
 /* Writes the chord as an answer.  Its hits are the ends of the chord that lie

@@ -93,26 +93,6 @@ static cylint_method_chord linear_chord(const quadric *q, int is_cone)
                     : chord_between(CYLINT_RELATION_CROSS, t, INFINITY);
 }
 
-static cylint_method_chord quadratic_chord(const quadric *q, int is_cone)
-{
-    if (q->A == 0)
-        return linear_chord(q, is_cone);
-    const double disc = q->B * q->B - 4 * q->A * q->C;
-    if (!(disc >= 0))
-        return no_chord();
-
-    const double s = sqrt(disc);
-    const double t0 = (-q->B - s) / (2 * q->A);
-    const double t1 = (-q->B + s) / (2 * q->A);
-    if (q->A > 0)
-        return chord_between(
-            disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
-    /* steeper than the rulings: outside only between the nappes */
-    cylint_method_chord chord = chord_between(CYLINT_RELATION_CROSS, t1, t0);
-    chord.gap = 1;
-    return chord;
-}
-
 cylint_status cylint_quadratic(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
                                cylint_answer *answer)
@@ -133,7 +113,8 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
         return cylint_method_not_applicable(answer);
     }
     const int is_cone = cylint_r0(shape) != cylint_r1(shape);
-    cylint_method_chord chord = quadratic_chord(&q, is_cone);
+    cylint_method_chord chord =
+        q.A == 0 ? linear_chord(&q, is_cone) : quadratic_chord(q.A, q.B, q.C);
     if (is_cone && shape->ends != CYLINT_ENDS_INFINITE)
         cylint_chord_nappe(&chord, q.rho);
     cylint_chord_ends(&chord, shape, q.z);

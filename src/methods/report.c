@@ -6,7 +6,7 @@
  */
 #include "methods.h"
 
-void cylint_method_refuse(cylint_answer *answer)
+static void refuse(cylint_answer *answer)
 {
     answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
@@ -15,7 +15,7 @@ void cylint_method_refuse(cylint_answer *answer)
 
 cylint_status cylint_method_not_applicable(cylint_answer *answer)
 {
-    cylint_method_refuse(answer);
+    refuse(answer);
     return CYLINT_EMETHOD;
 }
 
@@ -41,7 +41,7 @@ cylint_status cylint_method_report(const cylint_shape *shape,
                                    cylint_answer *answer)
 {
     if (!line->valid) {
-        cylint_method_refuse(answer);
+        refuse(answer);
         return CYLINT_OK;
     }
     answer->relation = chord->relation;

@@ -57,13 +57,6 @@ static cone cone_of(const cylint_shape *shape)
     return c;
 }
 
-static cylint_method_chord chord_with_gap(double t0, double t1)
-{
-    cylint_method_chord chord = chord_between(CYLINT_RELATION_CROSS, t0, t1);
-    chord.gap = 1;
-    return chord;
-}
-
 /* The line passes through V. */
 static cylint_method_chord through_apex(const cone *c, const double to_V[3],
                                         const double d[3])
