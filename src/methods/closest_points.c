@@ -28,6 +28,17 @@
  */
 #include "methods.h"
 
+/* The axial coordinate z along the line, by dot products. */
+static cylint_affine axial(const cylint_shape *shape, const cylint_line *line)
+{
+    const double scale = dot(cylint_axis(shape), cylint_axis(shape));
+    double D[3];
+
+    minus(line->o, cylint_base(shape), D);
+    return (cylint_affine){dot(D, cylint_axis(shape)) / scale,
+                           dot(line->d, cylint_axis(shape)) / scale};
+}
+
 static cylint_method_chord closest_points_chord(const cylint_shape *shape,
                                                 const cylint_line *line)
 {
@@ -64,6 +75,6 @@ cylint_status cylint_closest_points(const cylint_shape *shape,
         return cylint_method_not_applicable(answer);
     cylint_method_chord chord = closest_points_chord(shape, line);
     if (cylint_is_bounded(shape))
-        cylint_chord_ends(&chord, shape, cylint_axial(shape, line));
+        cylint_chord_ends(&chord, shape, axial(shape, line));
     return cylint_method_report(shape, line, want, &chord, answer);
 }

@@ -143,18 +143,12 @@ typedef struct cylint_affine {
     double at, slope;
 } cylint_affine;
 
-/* The axial coordinate z along the line, by dot products. */
-cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line);
-
 /* Clips the chord to f >= 0.  `part` is the part on the plane f = 0. */
 void cylint_chord_clip(cylint_method_chord *chord, cylint_affine f, int part);
 
 /* Clips the chord to 0 <= z <= 1 if the shape's ends bound it. */
 void cylint_chord_ends(cylint_method_chord *chord, const cylint_shape *shape,
                        cylint_affine z);
-
-/* Reduces a double cone's chord to the nappe where rho >= 0. */
-void cylint_chord_nappe(cylint_method_chord *chord, cylint_affine rho);
 
 /* -------------------------------------------------------------- answer -- */
 

@@ -93,6 +93,39 @@ static cylint_method_chord linear_chord(const quadric *q, int is_cone)
                     : chord_between(CYLINT_RELATION_CROSS, t, INFINITY);
 }
 
+/*
+ * Reduces a double cone's chord to the nappe where rho >= 0.  rho, the signed
+ * radius, is positive on one nappe and negative on the other.
+ *
+ *   gap        the chord has two pieces on opposite nappes: one of them stays
+ *   along      the line is a ruling: the part beyond the apex, rho = 0, stays
+ *   unbounded  parallel to a ruling: rho at the infinite end decides
+ *   bounded    the chord lies on one nappe: rho at its middle decides
+ */
+static void clip_to_nappe(cylint_method_chord *chord, cylint_affine rho)
+{
+    if (chord->relation == CYLINT_RELATION_MISS)
+        return;
+    const int ahead = rho.slope > 0; /* the nappe is at t = +inf */
+
+    if (chord->gap) {
+        chord->gap = 0;
+        chord->t[ahead ? 0 : 1] = chord->t[ahead ? 1 : 0];
+        chord->t[ahead ? 1 : 0] = ahead ? INFINITY : -INFINITY;
+    } else if (chord->relation == CYLINT_RELATION_ALONG) {
+        /* untaken 1 of 2: a ruling is not perpendicular to the axis */
+        if (rho.slope != 0)
+            chord->t[ahead ? 0 : 1] = -rho.at / rho.slope;
+    } else if (isinf(chord->t[0]) || isinf(chord->t[1])) {
+        if (isinf(chord->t[ahead ? 0 : 1]))
+            chord->relation = CYLINT_RELATION_MISS;
+    } else {
+        const double middle = 0.5 * chord->t[0] + 0.5 * chord->t[1];
+        if (!(rho.at + middle * rho.slope >= 0))
+            chord->relation = CYLINT_RELATION_MISS;
+    }
+}
+
 cylint_status cylint_quadratic(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
                                cylint_answer *answer)
@@ -116,7 +149,7 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
     cylint_method_chord chord =
         q.A == 0 ? linear_chord(&q, is_cone) : quadratic_chord(q.A, q.B, q.C);
     if (is_cone && shape->ends != CYLINT_ENDS_INFINITE)
-        cylint_chord_nappe(&chord, q.rho);
+        clip_to_nappe(&chord, q.rho);
     cylint_chord_ends(&chord, shape, q.z);
     return cylint_method_report(shape, line, want, &chord, answer);
 }
