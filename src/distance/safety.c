@@ -190,21 +190,6 @@ INLINE double less_error(double distance, double error, double size,
                : less_directed_error(distance, error, size, s, point);
 }
 
-ASIDE double open_safety(const cylint_shape *s, const double point[3])
-{
-    const double d =
-        from_cone(s, locate(s, point), cylint_cosine(s), cylint_sine(s), 0);
-    return less_error(d, CYLINT_SAFETY_ERROR, d + cylint_reach(s), s, point);
-}
-
-ASIDE double infinite_safety(const cylint_shape *s, const double point[3])
-{
-    const position at = locate(s, point);
-    const double d = from_infinite(s, at, cylint_cosine(s), cylint_sine(s));
-    return less_error(d, CYLINT_SAFETY_ERROR,
-                      root(at.square) + fabs(at.z) + cylint_reach(s), s, point);
-}
-
 /* 0 or less: the distance is below its error, or can overflow.  NaN: it
  * overflows. */
 INLINE double if_positive(double bound, const cylint_shape *s,
@@ -216,15 +201,22 @@ INLINE double if_positive(double bound, const cylint_shape *s,
 /* All but the capped shapes of circular and round kinds. */
 ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
+    const double C = cylint_cosine(s), S = cylint_sine(s);
     double bound = 0;
     if (!cylint_prepared(s) || cylint_has_tangent(s->kind))
         return below_distance(s, point);
-    if (cylint_is_elliptic(s->kind))
+    if (cylint_is_elliptic(s->kind)) {
         bound = CYLINT_OF_FMA(cylint_elliptic_kernels)->safety(s, point);
-    else if (s->ends == CYLINT_ENDS_INFINITE)
-        bound = infinite_safety(s, point);
-    else if (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind))
-        bound = open_safety(s, point);
+    } else if (s->ends == CYLINT_ENDS_INFINITE) {
+        const position at = locate(s, point);
+        bound = less_error(from_infinite(s, at, C, S), CYLINT_SAFETY_ERROR,
+                           root(at.square) + fabs(at.z) + cylint_reach(s), s,
+                           point);
+    } else if (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind)) {
+        const double d = from_cone(s, locate(s, point), C, S, 0);
+        bound =
+            less_error(d, CYLINT_SAFETY_ERROR, d + cylint_reach(s), s, point);
+    }
     return if_positive(bound, s, point);
 }
 
