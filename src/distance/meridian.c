@@ -111,11 +111,6 @@ static int sign_beyond_cap(meridian *m, int feature, int i)
 
 /* ----------------------------------------------------------- features -- */
 
-static int cap_is_present(const meridian *m, int end)
-{
-    return cylint_part_is_present(m->shape->ends, CYLINT_PART_CAP0 + end);
-}
-
 static nearest on_unbounded(meridian *m)
 {
     const int on_apex =
@@ -144,11 +139,12 @@ static int sign_of_solid(meridian *m)
 
 static nearest between_planes(meridian *m)
 {
+    const unsigned caps = cylint_caps_present(m->shape->ends);
     nearest n = {on_lateral(m), 1};
     for (int i = 0; i < 2; i++)
         /* mutant '0' -> '1', '<' -> '<=': on the rim it is as
          * near as the plane, so sign_beyond_cap() is not 1 */
-        if (cap_is_present(m, i) && sign_disc(m, i) < 0 &&
+        if (caps >> i & 1 && sign_disc(m, i) < 0 &&
             sign_beyond_cap(m, n.feature, i) > 0)
             n.feature = CYLINT_FEATURE_CAP0 + i;
     if (cylint_surface_is_whole(m->shape->ends))
@@ -170,7 +166,8 @@ static nearest on_hull(meridian *m)
     const int before = sign_foot(m, 0), after = sign_foot(m, 1);
     const int end = after >= 0, beyond = before < 0 || after > 0;
     const int whole = cylint_surface_is_whole(m->shape->ends);
-    if (beyond && cap_is_present(m, end) && m->L->r[end].sign != 0)
+    const unsigned caps = cylint_caps_present(m->shape->ends);
+    if (beyond && caps >> end & 1 && m->L->r[end].sign != 0)
         return (nearest){CYLINT_FEATURE_CAP0 + end,
                          whole ? sign_of_ball(m, end) : 1};
     return (nearest){before > 0 && after < 0 ? CYLINT_FEATURE_LATERAL

@@ -135,12 +135,6 @@ static surd_quotient shifted_by_axis(meridian *m, exact x, exact y, exact u,
         m, EXACT_SUB(EXACT_MUL(u, x), EXACT_MUL(y, m->L->w[i])), u);
 }
 
-static surd_quotient on_plane(meridian *m, int end, int i)
-{
-    return shifted_by_axis(m, cylint_exact_from(m->arena, m->point[i]),
-                           m->height[end], m->L->vv, i);
-}
-
 static surd_quotient coordinate(meridian *m, int feature, const radial *d,
                                 int i)
 {
@@ -148,7 +142,8 @@ static surd_quotient coordinate(meridian *m, int feature, const radial *d,
     if (cylint_is_on_ball(m, feature))
         return on_circle(m, d, end, i, m->L->one, 0);
     if (cylint_is_on_plane(m, feature))
-        return on_plane(m, end, i);
+        return shifted_by_axis(m, cylint_exact_from(m->arena, m->point[i]),
+                               m->height[end], m->L->vv, i);
     if (feature == CYLINT_FEATURE_LATERAL)
         return foot(m, d, i);
     return !cylint_ends_are_planes(m->shape->ends)
