@@ -4,7 +4,7 @@
  */
 #include "../numbers/bits.h"
 #include "../shapes/measure.h"
-#include "cylint_distance.h"
+#include "lanes.h"
 
 /* The exponent of the distance of |x| from the next larger double. */
 static int exponent_of_last_place(double x)
@@ -46,22 +46,19 @@ int cylint_on_surface(const cylint_shape *shape, const double point[3],
     return is_within_ulps(distance, point, ulps);
 }
 
-/* Points of a block. */
-enum { BLOCK = 256 };
-
 /* Answer i is that of point i and shape number each * i. */
 static void write_on_surface(const cylint_shape *shapes, size_t each,
                              const cylint_points *points, double ulps,
                              signed char *on)
 {
-    double distance[BLOCK];
+    double distance[CYLINT_POINT_BLOCK];
     const cylint_closest_columns to = {.distance = distance};
-    for (size_t first = 0; first < points->n; first += BLOCK) {
+    for (size_t first = 0; first < points->n; first += CYLINT_POINT_BLOCK) {
         const size_t ahead = points->n - first;
-        const cylint_points block = {ahead < BLOCK ? ahead : BLOCK,
-                                     {points->xyz[0] + first,
-                                      points->xyz[1] + first,
-                                      points->xyz[2] + first}};
+        const cylint_points block = {
+            ahead < CYLINT_POINT_BLOCK ? ahead : CYLINT_POINT_BLOCK,
+            {points->xyz[0] + first, points->xyz[1] + first,
+             points->xyz[2] + first}};
         if (each)
             cylint_distance_pairs(shapes + first, &block, &to);
         else
