@@ -285,10 +285,9 @@ static inline int feature_beside_cap(elliptic_question *q)
 static inline int feature_within(elliptic_question *q)
 {
     const int bounded = cylint_is_bounded(q->shape);
-    if (bounded && q->side && is_beyond_end(&q->at, 0))
-        return feature_of_end(q, 0);
-    if (bounded && q->side && is_beyond_end(&q->at, 1))
-        return feature_of_end(q, 1);
+    const int above = is_beyond_end(&q->at, 1);
+    if (bounded && q->side && (above || is_beyond_end(&q->at, 0)))
+        return feature_of_end(q, above);
     if (bounded && !is_between_ends(&q->at))
         return feature_beside_cap(q);
     if (!find_on_lateral(q))

@@ -216,8 +216,7 @@ static inline void write_foot(bounded to[3], const double point[3], bounded d,
  * triples. */
 static inline sized sized_form(triple form, double size)
 {
-    const pair x = pair_of_triple(form);
-    return (sized){{x.hi, x.lo},
+    return (sized){pair_of_triple(form),
                    CYLINT_CLOSE_ERROR / CYLINT_SIZED_ERROR * size};
 }
 
@@ -284,8 +283,9 @@ static inline void answer_on_lateral(elliptic_answer *to,
                                      const elliptic_question *q,
                                      const elliptic_numbers *m,
                                      const double point[3], int effort,
-                                     unsigned want, int tapered)
+                                     unsigned want)
 {
+    const int tapered = cylint_is_tapered(q->shape->kind);
     plane_in_pairs t;
     double by_length = 0, sign = copysign(1, m->volume.v.hi);
     uncertainty by = q->by;
@@ -322,9 +322,10 @@ static inline void keep_coordinate(elliptic_answer *to,
 static inline void answer_on_cap(elliptic_answer *to,
                                  const elliptic_question *q,
                                  const elliptic_numbers *m,
-                                 const double point[3], int end, int effort,
+                                 const double point[3], int effort,
                                  unsigned want)
 {
+    const int end = cylint_feature_end(q->feature);
     vpair inverse;
     const sized square = sized_dot(m->W, m->W);
     sized above = end ? sized_difference(m->z, m->volume) : m->z;
@@ -413,10 +414,11 @@ ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
 
 static inline void answer_on_rim(elliptic_answer *to,
                                  const elliptic_question *q,
-                                 const elliptic_numbers *m, int end, int effort,
-                                 unsigned want, int tapered)
+                                 const elliptic_numbers *m, int effort,
+                                 unsigned want)
 {
     const cylint_shape *s = q->shape;
+    const int end = cylint_feature_end(q->feature);
     const rim_place *doubles = &q->rim;
     rim_in_pairs r;
     sized F[3];
@@ -439,7 +441,7 @@ static inline void answer_on_rim(elliptic_answer *to,
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
     plane_in_pairs t;
-    load_plane(&t, m, &e, tapered);
+    load_plane(&t, m, &e, cylint_is_tapered(s->kind));
     load_slope(&t, m, &e);
     double ratio = 0;
     EACH(i, 3) {
@@ -461,22 +463,19 @@ static inline void answer_in_pairs(elliptic_answer *to,
                                    const double point[3], int effort,
                                    unsigned want)
 {
-    const int tapered = cylint_is_tapered(q->shape->kind);
     switch (q->feature) {
     case CYLINT_FEATURE_LATERAL:
-        answer_on_lateral(to, q, m, point, effort, want, tapered);
+        answer_on_lateral(to, q, m, point, effort, want);
         break;
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        answer_on_cap(to, q, m, point, q->feature == CYLINT_FEATURE_CAP1,
-                      effort, want);
+        answer_on_cap(to, q, m, point, effort, want);
         break;
     case CYLINT_FEATURE_APEX:
         answer_on_apex(to, q, m);
         break;
     default:
-        answer_on_rim(to, q, m, q->feature == CYLINT_FEATURE_RIM1, effort, want,
-                      tapered);
+        answer_on_rim(to, q, m, effort, want);
     }
 }
 
