@@ -24,34 +24,24 @@ typedef struct {
     exact V[3], K;
 } radial;
 
-/* e x w, e the coordinate direction of the axis's least component. */
-static void phi_direction(meridian *m, exact U[3])
-{
-    const exact *w = m->L->w;
-    const int i = cylint_least_axis_component(m->shape);
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    U[i] = cylint_exact_zero(m->arena);
-    U[j] = cylint_exact_neg(w[k]);
-    U[k] = w[j];
-}
-
 static radial radial_direction(meridian *m)
 {
+    const exact *w = m->L->w;
+    exact R[3], factor = m->g;
     radial d;
+    d.K = m->T2;
     if (m->q.sign != 0) {
-        exact R[3];
-        cylint_cross_exact(m->L, m->L->w, m->X, R);
-        for (int i = 0; i < 3; i++)
-            d.V[i] = EXACT_MUL(m->g, R[i]);
-        d.K = m->T2;
-        return d;
+        cylint_cross_exact(m->L, w, m->X, R);
+    } else { /* e x w, e along the axis's least component */
+        const int i = cylint_least_axis_component(m->shape);
+        R[i] = cylint_exact_zero(m->arena);
+        R[(i + 1) % 3] = cylint_exact_neg(w[(i + 2) % 3]);
+        R[(i + 2) % 3] = w[(i + 1) % 3];
+        factor = EXACT_MUL(m->g, m->L->vv);
+        d.K = EXACT_MUL(factor, cylint_dot_exact(m->L, R, R));
     }
-    exact U[3];
-    phi_direction(m, U);
-    const exact gW = EXACT_MUL(m->g, m->L->vv);
     for (int i = 0; i < 3; i++)
-        d.V[i] = EXACT_MUL(gW, U[i]);
-    d.K = EXACT_MUL(gW, cylint_dot_exact(m->L, U, U));
+        d.V[i] = EXACT_MUL(factor, R[i]);
     return d;
 }
 
