@@ -1,8 +1,7 @@
 /*
  * elliptic.c - the distance of elliptic kinds
  *
- * Q is the point minus the base c, k1 = k - 1, u = a cos + b sin, u' = b cos -
- * a sin.  The ruling of an angle is c + u + z v, v = h + k1 u.  Its point
+ * The point of the ruling c + u + z v of an angle (elliptic_terms.h) that is
  * nearest to Q has z = E.v / v.v, E = Q - u, and the residual R = E - z v.  The
  * distance |R| is stationary where R.u' = 0.  Times v.v this is a form of cos
  * and sin (critical.h):
@@ -381,13 +380,6 @@ static void search_ends(search *s)
     }
 }
 
-/* The apex of an unbounded cone is at -h / k1. */
-static void search_apex(search *s)
-{
-    if (s->p.k1.a != 0)
-        try_apex(s, s->p.g, triple_div(triple_of(-1), s->p.k1));
-}
-
 /*
  * Bounded shapes are convex.  A point outside has one nearest point of the
  * solid: where the solid lies on the inner side of the plane through it that is
@@ -419,7 +411,8 @@ static void search_all(search *s, int side)
         return;
     }
     search_lateral(s);
-    search_apex(s);
+    if (s->p.k1.a != 0) /* an unbounded cone: its apex is at -h / k1 */
+        try_apex(s, s->p.g, triple_div(triple_of(-1), s->p.k1));
 }
 
 /* ---------------------------------------------------------- the answer -- */

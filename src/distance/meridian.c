@@ -183,16 +183,12 @@ static nearest on_sphere(meridian *m)
                      cylint_surface_is_whole(ends) ? sign_of_ball(m, 0) : 1};
 }
 
-static nearest on_half_space(meridian *m)
-{
-    return (nearest){CYLINT_FEATURE_LATERAL, m->height[0].sign};
-}
-
 nearest cylint_nearest_feature(meridian *m)
 {
     const int kind = m->L->kind;
+    if (cylint_is_plane(kind))
+        return (nearest){CYLINT_FEATURE_LATERAL, m->height[0].sign};
     return kind == CYLINT_KIND_SPHERE               ? on_sphere(m)
-           : cylint_is_plane(kind)                  ? on_half_space(m)
            : cylint_is_round(kind)                  ? on_hull(m)
            : cylint_ends_are_planes(m->shape->ends) ? between_planes(m)
                                                     : on_unbounded(m);
