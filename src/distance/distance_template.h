@@ -240,7 +240,8 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
     n->d = NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(s->r[0], m)),
                            m->error);
     if (ON_SURFACE && LANES == 1 && !m_any(v_le(n->d.high, n->d.low))) {
-        load_one_component(m);
+        m->rho_is_exact = pairs_are_one(m->D);
+        m->rho = rho_of_one(m->D);
         NUMBER(without_error)(n, m, m->rho_is_exact, m->rho, s->r[0].hi);
     }
 }

@@ -345,15 +345,6 @@ static inline void answer_on_cap(elliptic_answer *to,
     keep_coordinate(to, q, m, end);
 }
 
-/* The vector from the centre of an end to the point. */
-static inline void load_from_end(sized F[3], const elliptic_numbers *m,
-                                 const cylint_shape *s, int end)
-{
-    EACH(i, 3)
-        F[i] = end ? sized_difference(m->D[i], sized_double(cylint_axis(s)[i]))
-                   : m->D[i];
-}
-
 static inline bounded length_of_pairs(const sized R[3], double error)
 {
     vpair inverse;
@@ -421,10 +412,12 @@ static inline void answer_on_rim(elliptic_answer *to,
     const int end = cylint_feature_end(q->feature);
     const rim_place *doubles = &q->rim;
     rim_in_pairs r;
-    sized F[3];
+    sized F[3]; /* the point from the centre */
     uncertainty by = q->by;
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
-    load_from_end(F, m, s, end);
+    EACH(i, 3)
+        F[i] = end ? sized_difference(m->D[i], sized_double(cylint_axis(s)[i]))
+                   : m->D[i];
     load_rim_in_pairs(&r, s, F, doubles->f, &e);
     if (effort) {
         const double slope =

@@ -152,13 +152,6 @@ INLINE vpair rho_of_one(const vpair across[3])
     return pick(v_lt(x.hi, v_set(0)), opposite(x), x);
 }
 
-/* rho of a sphere, and whether it has an error. */
-INLINE void load_one_component(half_plane *m)
-{
-    m->rho_is_exact = pairs_are_one(m->D);
-    m->rho = rho_of_one(m->D);
-}
-
 INLINE vpair pairs_rho(half_plane *m)
 {
     vpair rho = pairs_root(m->square, &m->inverse);

@@ -30,12 +30,6 @@ INLINE sized sized_difference(sized x, sized y)
     return (sized){vpair_sub(x.v, y.v), x.size + y.size};
 }
 
-INLINE sized sized_sum3(const sized x[3])
-{
-    const vpair v[3] = {x[0].v, x[1].v, x[2].v};
-    return (sized){pairs_sum3(v), x[0].size + x[1].size + x[2].size};
-}
-
 /* Where terms have cancelled, the low part can be as large as the high one. */
 INLINE sized sized_trimmed(sized x)
 {
@@ -62,21 +56,17 @@ INLINE sized sized_dot(const sized x[3], const sized y[3])
     sized p[3];
     EACH(i, 3)
         p[i] = sized_product(x[i], y[i]);
-    return sized_sum3(p);
-}
-
-/* x y - z t of doubles */
-INLINE sized sized_det(vd x, vd y, vd z, vd t)
-{
-    const vpair p = v_two_prod(x, y), q = v_two_prod(z, t);
-    return (sized){vpair_sub(p, q), v_abs(p.hi) + v_abs(q.hi)};
+    const vpair v[3] = {p[0].v, p[1].v, p[2].v};
+    return (sized){pairs_sum3(v), p[0].size + p[1].size + p[2].size};
 }
 
 INLINE void sized_cross(sized to[3], const double u[3], const double v[3])
 {
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        to[i] = sized_det(v_set(u[j]), v_set(v[k]), v_set(u[k]), v_set(v[j]));
+        const vpair p = v_two_prod(v_set(u[j]), v_set(v[k])),
+                    q = v_two_prod(v_set(u[k]), v_set(v[j]));
+        to[i] = (sized){vpair_sub(p, q), v_abs(p.hi) + v_abs(q.hi)};
     }
 }
 
