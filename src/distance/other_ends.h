@@ -85,30 +85,20 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
                          rounded(x[caps >> 1]), (int)caps >> 1);
 }
 
-/* Beyond the apex the nearest nappe of a double cone is the other one: the numbers
- * of *s become its. */
-static void choose_nappe(vnearest *n, const half_plane *m, shape_lanes *s)
-{
-    const double c = s->cosine.hi * s->r[0].hi + s->sine.hi * rounded(m->z);
-    n->certain = fabs(c) > margin_of(m);
-    if (c < 0) {
-        s->sine = opposite(s->sine);
-        s->r[0] = opposite(s->r[0]);
-    }
-}
-
-/* An unbounded shape. */
+/* An unbounded shape.  Beyond the apex the nearest nappe of a double cone is the
+ * other one: the numbers of *s become its. */
 static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
                                  int kind, int is_nappe)
 {
     const vpair rho = pairs_rho(m);
-    const double C = s->cosine.hi, S = s->sine.hi;
-    if (cylint_is_tapered(kind) && is_nappe)
-        n->certain =
-            C * (C * s->r[0].hi + S * rounded(m->z)) + S * S * rounded(rho) >
-            margin_of(m);
-    else if (cylint_is_tapered(kind))
-        choose_nappe(n, m, s);
+    const double C = s->cosine.hi, S = s->sine.hi, M = margin_of(m);
+    const double c = C * s->r[0].hi + S * rounded(m->z);
+    if (cylint_is_tapered(kind))
+        n->certain = is_nappe ? C * c + S * S * rounded(rho) > M : fabs(c) > M;
+    if (cylint_is_tapered(kind) && !is_nappe && c < 0) {
+        s->sine = opposite(s->sine);
+        s->r[0] = opposite(s->r[0]);
+    }
     n->d =
         pairs_rounded(pairs_turned(s, vpair_sub(rho, s->r[0]), m->z), m->error);
 }
