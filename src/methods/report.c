@@ -52,14 +52,12 @@ cylint_status cylint_method_report(const cylint_shape *shape,
 
     const int one_point = chord->relation == CYLINT_RELATION_TOUCH ||
                           (chord->gap && chord->t[0] == chord->t[1]);
-    if (one_point) {
-        add_hit(shape, line, want, chord->t[0], chord->part[0],
-                CYLINT_SIDE_BOTH, answer);
-        return CYLINT_OK;
-    }
-    const int first = chord->gap ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING;
+    const int first = one_point    ? CYLINT_SIDE_BOTH
+                      : chord->gap ? CYLINT_SIDE_LEAVING
+                                   : CYLINT_SIDE_ENTERING;
     const int second = chord->gap ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
     add_hit(shape, line, want, chord->t[0], chord->part[0], first, answer);
-    add_hit(shape, line, want, chord->t[1], chord->part[1], second, answer);
+    if (!one_point)
+        add_hit(shape, line, want, chord->t[1], chord->part[1], second, answer);
     return CYLINT_OK;
 }
