@@ -12,20 +12,6 @@ typedef struct {
     int serves;      /* pairs_serve() */
 } box;
 
-static void write_side(double lo[3], double hi[3], int j, double low,
-                       double high)
-{
-    lo[j] = low;
-    hi[j] = high;
-}
-
-static void extend_side(double lo[3], double hi[3], int j, double low,
-                        double high)
-{
-    write_side(lo, hi, j, cylint_less(low, lo[j]) ? low : lo[j],
-               cylint_less(hi[j], high) ? high : hi[j]);
-}
-
 /* Writes center + reach (up) or - reach, rounded outward.  If nothing was rounded
  * before, the sign of the sum's low part decides the rounding.  Otherwise the error
  * of the pairs is at most CYLINT_BOX_ERROR; it is added before the last rounding.
@@ -180,7 +166,8 @@ static void add_end(const box *to, int end, int j, double center, double offset,
             side[up] = exact_side_of_end(to->shape, end, j, center, offset,
                                          side[up], up);
     }
-    extend_side(to->lo, to->hi, j, side[0], side[1]);
+    to->lo[j] = cylint_less(side[0], to->lo[j]) ? side[0] : to->lo[j];
+    to->hi[j] = cylint_less(to->hi[j], side[1]) ? side[1] : to->hi[j];
 }
 
 /* How far a section of radius 1 reaches along a coordinate: sqrt(square / by).  A
@@ -288,7 +275,8 @@ static void write_nappe_box(const box *to)
     const pair r0 = {cylint_r0(s), 0}, growth = cylint_radius_growth(s);
     const int at_base = cylint_sign(r0.hi) == 0;
     for (int j = 0; j < 3; j++) {
-        write_side(to->lo, to->hi, j, -HUGE_VAL, HUGE_VAL);
+        to->lo[j] = -HUGE_VAL;
+        to->hi[j] = HUGE_VAL;
         if (!leans_inward(&q, j))
             continue;
         /* the apex: p0 - w r0 / dr */
@@ -317,16 +305,18 @@ static void write_half_space_box(const cylint_shape *s, double lo[3],
         const int k = (j + 1) % 3, m = (j + 2) % 3;
         const int side =
             cylint_sign(n[k]) || cylint_sign(n[m]) ? 0 : cylint_sign(n[j]);
-        write_side(lo, hi, j, side < 0 ? cylint_base(s)[j] : -HUGE_VAL,
-                   side > 0 ? cylint_base(s)[j] : HUGE_VAL);
+        lo[j] = side < 0 ? cylint_base(s)[j] : -HUGE_VAL;
+        hi[j] = side > 0 ? cylint_base(s)[j] : HUGE_VAL;
     }
 }
 
 void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
 {
     const int kind = shape->kind, bounded = cylint_is_bounded(shape);
-    for (int j = 0; j < 3; j++)
-        write_side(lo, hi, j, HUGE_VAL, -HUGE_VAL);
+    for (int j = 0; j < 3; j++) {
+        lo[j] = HUGE_VAL;
+        hi[j] = -HUGE_VAL;
+    }
     if (kind == CYLINT_KIND_NONE)
         return;
     if (cylint_is_plane(kind)) {
@@ -347,6 +337,8 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
     }
     for (int j = 0; j < 3; j++)
         if (!bounded && (cylint_is_tapered(kind) ||
-                         cylint_sign(cylint_axis(shape)[j]) != 0))
-            write_side(lo, hi, j, -HUGE_VAL, HUGE_VAL);
+                         cylint_sign(cylint_axis(shape)[j]) != 0)) {
+            lo[j] = -HUGE_VAL;
+            hi[j] = HUGE_VAL;
+        }
 }
