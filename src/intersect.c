@@ -207,16 +207,6 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-CYLINT_INLINE int answer_question(const cylint_shape *shape,
-                                  const cylint_line *line, unsigned want,
-                                  cylint_answer *answer)
-{
-    answer->flags = 0;
-    if (want & CYLINT_WANT_BESIDE_T)
-        return answer_all(shape, line, want, answer);
-    return answer_t(shape, line, want, answer);
-}
-
 void cylint_describe(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_hit *hit)
 {
@@ -235,7 +225,10 @@ void cylint_describe(const cylint_shape *shape, const cylint_line *line,
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
-    const int n = answer_question(shape, line, want, answer);
+    answer->flags = 0;
+    const int n = want & CYLINT_WANT_BESIDE_T
+                      ? answer_all(shape, line, want, answer)
+                      : answer_t(shape, line, want, answer);
 #if CYLINT_IS_PARANOID
     cylint_contradiction(signs_contradict(shape, line, want, answer));
 #endif
