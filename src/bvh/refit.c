@@ -141,16 +141,18 @@ static int keep_faces(const cylint_bvh *bvh, cylint_node *node,
     return 1;
 }
 
-/* Bounds a node again, where a child has moved.  Returns the box of its
- * children. */
+/* Bounds a node again, if a child has moved.  Returns the box of its children, or
+ * the empty box. */
 static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
                                 cylint_node *node,
                                 cylint_extent box[CYLINT_CHILDREN])
 {
     int n = 0, moved = 0;
-    cylint_extent all;
+    cylint_extent all = cylint_extent_empty();
     for (; n < CYLINT_CHILDREN && node->children >> n; n++)
         moved += has_moved(&box[n]);
+    if (moved == 0)
+        return all;
     if (moved < n && keep_faces(bvh, node, box, n, &all))
         return all;
     all = cylint_extent_empty();
@@ -172,16 +174,13 @@ void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
     refit_leaves(bvh, view, first, n, leaf_box);
     for (size_t i = bvh->n_nodes; i-- > 0;) { /* children come after nodes */
         cylint_extent box[CYLINT_CHILDREN];
-        int moved = 0;
         for (int k = 0; k < CYLINT_CHILDREN && nodes[i].children >> k; k++) {
             const uint32_t child = nodes[i].child[k];
             box[k] = child & CYLINT_LEAF_FLAG
                          ? leaf_box[child & ~CYLINT_LEAF_FLAG]
                          : node_box[child];
-            moved |= has_moved(&box[k]);
         }
-        node_box[i] = moved ? refit_node(bvh, view, &nodes[i], box)
-                            : cylint_extent_empty();
+        node_box[i] = refit_node(bvh, view, &nodes[i], box);
     }
 }
 
