@@ -13,8 +13,8 @@
 /* The shape of the least t or distance so far; of equal ones that of the lowest
  * number. */
 typedef struct {
-    size_t number, n; /* n: the number of all shapes; number = n: none yet */
-    double least;
+    size_t number; /* at first that of all shapes: none */
+    double least;  /* at first infinite */
     cylint_hit hit;
     double distance;
     int flags;
@@ -23,7 +23,7 @@ typedef struct {
 static double keep_least(void *context, const cylint_found *x)
 {
     least_shape *q = context;
-    if (q->number < q->n && !cylint_less(x->at, q->least) &&
+    if (!cylint_less(x->at, q->least) &&
         (cylint_less(q->least, x->at) || x->number > q->number))
         return q->least;
     q->number = x->number;
@@ -146,7 +146,7 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
                                   const cylint_line *line, size_t except,
                                   unsigned want, cylint_hit *hit)
 {
-    least_shape q = {.number = scene->n, .n = scene->n, .least = HUGE_VAL};
+    least_shape q = {.number = scene->n, .least = HUGE_VAL};
     cylint_shape shape;
     const cylint_visit_options options = {
         .except = except,
@@ -223,7 +223,7 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
                             cylint_closest *answer)
 {
-    least_shape q = {.number = scene->n, .n = scene->n};
+    least_shape q = {.number = scene->n, .least = HUGE_VAL};
     cylint_shape shape;
     cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 1,
                        keep_least, &q);
