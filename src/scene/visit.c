@@ -418,7 +418,6 @@ typedef struct {
     const double *point;
     double radius; /* no larger distance is wanted; negative: no lesser depth */
     double reach;  /* a lower bound above this is too far, in the frame */
-    double x[3];   /* the point in the frame */
     cylint_nearness nearness;
     int stopped;
     cylint_use_found *callback;
@@ -429,19 +428,15 @@ typedef struct {
 /* More than the error of cylint_distance(). */
 #define SLACK (1 + 0x1p-40)
 
-/* Whether no shape can be within the radius. */
-static int is_no_radius(cylint_nearness nearness, double radius)
-{
-    return nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
-}
-
+/* Stops the visit if no shape can be within the radius. */
 static void set_point_radius(point_visit *v, double radius)
 {
     const double outside = cylint_larger(radius, 0);
     v->radius = radius;
     v->reach =
         (outside * SLACK + DBL_MIN) * v->scene->frame.scale * SLACK + 0x1p-400;
-    v->stopped = is_no_radius(v->nearness, radius);
+    v->stopped =
+        v->nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
 }
 
 /* Makes the shape, or its closed solid. */
@@ -496,6 +491,13 @@ static int test_point_at(void *self, size_t number)
 
 /* ---------------------------------------------------- a point and leaves -- */
 
+static void point_to_frame(const cylint_frame *frame, const double point[3],
+                           double x[3])
+{
+    for (int j = 0; j < 3; j++)
+        x[j] = (point[j] - frame->center[j]) * frame->scale;
+}
+
 /* The axial coordinate of a point in the frame; 0 for a shape whose axis is lost to
  * underflow, all lanes of which are tested always. */
 static double axial_of(const cylint_swept_disc *disc, const double x[3])
@@ -523,7 +525,6 @@ static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
                               int lane)
 {
     const point_visit *v = self;
-    const cylint_frame *frame = &v->scene->frame;
     cylint_shape shape;
     cylint_swept_disc disc;
     cylint_closest answer;
@@ -532,9 +533,7 @@ static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
     cylint_distance(&shape, v->point, CYLINT_WANT_POINT, &answer);
     const int is_point =
         v->nearness != CYLINT_NEAR_SURFACE && answer.distance < 0;
-    const double *nearest = is_point ? v->point : answer.point;
-    for (int j = 0; j < 3; j++)
-        x[j] = (nearest[j] - frame->center[j]) * frame->scale;
+    point_to_frame(&v->scene->frame, is_point ? v->point : answer.point, x);
     cylint_swept_disc_of(&disc, &v->scene->view, &shape);
     return cylint_leaf_owns(leaf, lane, axial_of(&disc, x));
 }
@@ -561,27 +560,17 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
 
 /* ------------------------------------------------------ visits of points -- */
 
-/* Writes the point in the frame.  Returns 0 if it is too far away. */
-static int point_to_frame(point_visit *v)
-{
-    const cylint_frame *frame = &v->scene->frame;
-    int fits = cylint_rounds_to_nearest();
-    for (int j = 0; j < 3; j++) {
-        v->x[j] = (v->point[j] - frame->center[j]) * frame->scale;
-        fits &= fabs(v->x[j]) <= CYLINT_POINT_MOST;
-    }
-    return fits;
-}
-
 /* Traverses the hierarchy or, where the frame cannot hold the point, tests every
  * shape in it. */
 static void traverse_points(point_visit *v)
 {
     const cylint_scene *s = v->scene;
+    double x[3];
     if (s->n_bounded == 0 || v->stopped)
         return;
-    if (point_to_frame(v)) {
-        s->traversal->point(&s->bvh, v->x, &v->reach, test_point_leaf, v);
+    point_to_frame(&s->frame, v->point, x);
+    if (cylint_rounds_to_nearest() && cylint_largest(x) <= CYLINT_POINT_MOST) {
+        s->traversal->point(&s->bvh, x, &v->reach, test_point_leaf, v);
         return;
     }
     for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
@@ -593,7 +582,7 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         cylint_use_found *callback, void *context)
 {
     point_visit v;
-    if (is_no_radius(nearness, radius) || !cylint_is_finite(point))
+    if (!cylint_is_finite(point))
         return;
     v.scene = scene;
     v.point = point;
