@@ -413,7 +413,8 @@ CYLINT_INLINE float to_leaf_line(const cylint_leaf *b,
     return f_first(far);
 }
 
-/* all: the leaf's cylinders, or NULL.  certain: NULL, or as in test_lanes(). */
+/* all: the leaf's cylinders, or NULL.  certain: NULL, or 0 before and then as in
+ * test_lanes(). */
 CYLINT_INLINE unsigned test_ray(const cylint_leaf *b, const cylinders *all,
                                 const cylint_float_ray *ray, float E,
                                 float least[CYLINT_LEAF_SIZE],
@@ -421,11 +422,8 @@ CYLINT_INLINE unsigned test_ray(const cylint_leaf *b, const cylinders *all,
 {
     leaf_line l;
     const float far = to_leaf_line(b, ray, E, &l);
-    if (!(is_fit(E) & (far < FAR_LIMIT))) {
-        if (certain)
-            *certain = 0;
+    if (!(is_fit(E) & (far < FAR_LIMIT)))
         return test_far_ray(b, ray, least);
-    }
     const unsigned hit = test_cylinders(b, all, &l, least, certain);
     EACH_BIT(lane, hit & b->always)
         least[lane] = -HUGE_VALF;
