@@ -20,8 +20,8 @@
  * bins.  The split is as good as with all boxes. */
 enum { BINS = 16, SAMPLES = 2048 };
 
-/* A box, in vectors of one or four lanes.  The fourth of lower and of upper is not
- * a float and is not used. */
+/* A box, in vectors of one or four lanes.  The fourth of lower and of upper is what
+ * follows in memory, and is not used. */
 enum { PARTS = WIDTH == 1 ? 3 : 1 };
 typedef struct {
     vf lower[PARTS], upper[PARTS];
@@ -50,8 +50,8 @@ static inline bounds bounds_of(const cylint_boxed_piece *b)
 {
     bounds h;
     EACH(k, PARTS) {
-        h.lower[k] = f_load(b->lower + k * WIDTH);
-        h.upper[k] = f_load(b->upper + k * WIDTH);
+        h.lower[k] = f_load(b->box.lower + k * WIDTH);
+        h.upper[k] = f_load(b->box.upper + k * WIDTH);
     }
     return h;
 }
@@ -94,7 +94,7 @@ static inline bounds center_of(bounds h)
 
 static inline float key(const cylint_boxed_piece *b, int axis)
 {
-    return b->lower[axis] + b->upper[axis];
+    return b->box.lower[axis] + b->box.upper[axis];
 }
 
 static range measured(cylint_boxed_piece *boxes, size_t n)

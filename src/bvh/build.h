@@ -15,9 +15,8 @@ enum { CYLINT_LEAF_SIZE = 8, CYLINT_CHILDREN = 8 };
 
 /* The box of a piece of a shape. */
 typedef struct cylint_boxed_piece {
-    float lower[3];
-    uint32_t number; /* of the shape */
-    float upper[3];
+    cylint_extent box;
+    uint32_t number;       /* of the shape */
     uint16_t index, count; /* piece number `index` of `count` */
 } cylint_boxed_piece;
 

@@ -191,8 +191,7 @@ static cylint_bvh_status store_nodes(cylint_bvh *bvh,
                                     sizeof *bvh->nodes))
         return CYLINT_BVH_EMEMORY;
     cylint_watch_step(input->watch, CYLINT_STEP_NODES, pieces);
-    const cylint_extent all = bvh->box;
-    cylint_bvh_set_box(bvh, &all, input->view->line_error);
+    cylint_bvh_set_box(bvh, &bvh->box, input->view->line_error);
     bvh->n_nodes =
         cylint_build_nodes(bvh->node_memory.data, bvh->leaf_memory.data, pieces,
                            bvh->center, input->threads, input->watch);

@@ -26,12 +26,11 @@ static void set_center(cylint_leaf *leaf, const cylint_boxed_piece *boxes,
                        int used)
 {
     double most = 0;
+    cylint_extent all = boxes[0].box;
+    for (int lane = 1; lane < used; lane++)
+        cylint_extent_include(&all, &boxes[lane].box);
     for (int j = 0; j < 3; j++) {
-        double lower = boxes[0].lower[j], upper = boxes[0].upper[j];
-        for (int lane = 1; lane < used; lane++) {
-            lower = cylint_smaller(lower, boxes[lane].lower[j]);
-            upper = cylint_larger(upper, boxes[lane].upper[j]);
-        }
+        const double lower = all.lower[j], upper = all.upper[j];
         const float c = (float)((lower + upper) / 2);
         leaf->center[j] = c;
         most = cylint_larger(

@@ -48,10 +48,7 @@ static inline cylint_boxed_piece cylint_boxed(const cylint_extent *box,
                                               uint32_t number,
                                               cylint_shape_piece piece)
 {
-    return (cylint_boxed_piece){{box->lower[0], box->lower[1], box->lower[2]},
-                                number,
-                                {box->upper[0], box->upper[1], box->upper[2]},
-                                (uint16_t)piece.index,
+    return (cylint_boxed_piece){*box, number, (uint16_t)piece.index,
                                 (uint16_t)piece.count};
 }
 
