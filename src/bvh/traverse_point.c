@@ -45,19 +45,15 @@ static inline int is_needed(const traversal *t, const entry *e)
 CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
                                     const cylint_node *node, child_hits *hits)
 {
+    static const int lower_first[3] = {0, 0, 0};
     unsigned hit = 0;
     (void)e;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
-        vf sum = f_set(0);
+        vf lower[3], upper[3], sum = f_set(0);
+        child_faces(node, i, lower_first, lower, upper);
         EACH(j, 3) {
-            const vf corner = f_set(node->corner[j]);
-            const vf step = f_set(node->step[j]);
-            const vf lower =
-                f_mad(f_from_bytes(node->face[0][j] + i), step, corner);
-            const vf upper =
-                f_mad(f_from_bytes(node->face[1][j] + i), step, corner);
-            const vf out =
-                f_higher(lower - f_set(t->high[j]), f_set(t->low[j]) - upper);
+            const vf out = f_higher(lower[j] - f_set(t->high[j]),
+                                    f_set(t->low[j]) - upper[j]);
             const vf d = f_higher(out, f_set(0));
             sum = f_mad(d, d + f_set(t->twice[j]), sum);
         }
