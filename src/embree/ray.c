@@ -359,10 +359,8 @@ CYLINT_INLINE void prefetch_records(const cylint_embree_data *data,
 static inline int nearest_lane(unsigned lanes, const float *least)
 {
     int first = cylint_lowest(lanes);
-    while ((lanes &= lanes - 1)) {
-        const int lane = cylint_lowest(lanes);
+    EACH_BIT(lane, lanes & (lanes - 1))
         first = least[lane] < least[first] ? lane : first;
-    }
     return first;
 }
 
