@@ -148,27 +148,22 @@ typedef struct {
     int n_later;
 } line_visit;
 
-/* Whether the line hits the shape: 0, 1, or CYLINT_UNDECIDED. */
-static int is_hit_in_doubles(const line_visit *v, size_t number)
-{
-    const cylint_records *r = &v->scene->records;
-    return r->tag[number] & CYLINT_TAG_PLAIN
-               ? cylint_occluded_in_doubles(cylint_record_kind(r, number),
-                                            cylint_record_ends(r, number),
-                                            &r->record[number], &v->line)
-               : CYLINT_UNDECIDED;
-}
-
 /* Whether the line hits the shape; writes the wanted members. */
 static int line_hits(const line_visit *v, size_t number, unsigned want,
                      cylint_hit *hit)
 {
+    const cylint_records *r = &v->scene->records;
     cylint_shape shape;
     cylint_answer answer;
-    const int is = is_hit_in_doubles(v, number);
+    const int is =
+        r->tag[number] & CYLINT_TAG_PLAIN
+            ? cylint_occluded_in_doubles(cylint_record_kind(r, number),
+                                         cylint_record_ends(r, number),
+                                         &r->record[number], &v->line)
+            : CYLINT_UNDECIDED;
     if (is == 0 || (is == 1 && want == 0))
         return is;
-    cylint_record_shape(&v->scene->records, number, &shape);
+    cylint_record_shape(r, number, &shape);
     if (want == 0)
         return cylint_occluded(&shape, &v->line);
     if (!cylint_intersect(&shape, &v->line, want | CYLINT_WANT_NEAREST,
