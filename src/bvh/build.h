@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "float_bounds.h"
+#include "swept_disc.h"
 #include "watch.h"
 
 /* Pieces in a leaf, children of a node. */
@@ -16,8 +16,8 @@ enum { CYLINT_LEAF_SIZE = 8, CYLINT_CHILDREN = 8 };
 /* The box of a piece of a shape. */
 typedef struct cylint_boxed_piece {
     cylint_extent box;
-    uint32_t number;       /* of the shape */
-    uint16_t index, count; /* piece number `index` of `count` */
+    uint32_t number; /* of the shape */
+    cylint_shape_piece piece;
 } cylint_boxed_piece;
 
 /* The boxes of up to 8 children.  A box reaches from corner + step face[0] to

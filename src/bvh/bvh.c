@@ -31,18 +31,19 @@ static double half_surface(const cylint_swept_disc *t)
  */
 enum { FEW = 4, MANY = 8, NEEDLE = 64 };
 
-static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
+static uint16_t piece_count(const cylint_swept_disc *t,
+                            const cylint_extent *box)
 {
     const double balance = sqrt(cylint_half_area(box) / half_surface(t));
     const double most = balance > (double)NEEDLE ? MANY : FEW;
-    return !(balance > 1) ? 1 : (int)fmin(balance + 0.5, most);
+    return balance > 1 ? (uint16_t)fmin(balance + 0.5, most) : 1;
 }
 
 /* The pieces of a shape. */
 typedef struct {
     cylint_swept_disc disc;
     double reach[3];
-    int count;
+    uint16_t count;
 } cut_shape;
 
 /* Returns 0 if the shape is unbounded or its box is invalid. */
@@ -63,11 +64,11 @@ static int cut(cut_shape *to, const cylint_view *view, uint32_t number)
 static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
                          uint32_t number, cylint_extent *all)
 {
-    for (int i = 0; i < from->count; i++) {
+    for (uint16_t i = 0; i < from->count; i++) {
         const cylint_shape_piece piece = {i, from->count};
         const cylint_extent b =
             cylint_piece_box(&from->disc, from->reach, piece);
-        to[i] = cylint_boxed(&b, number, piece);
+        to[i] = (cylint_boxed_piece){b, number, piece};
         cylint_extent_include(all, &b);
     }
 }
@@ -106,7 +107,7 @@ static cylint_bvh_status split_portion(const split_job *job, size_t k,
         if (job->box)
             write_pieces(job->box + s->first + s->pieces, &shape,
                          (uint32_t)s->refused, &s->all);
-        s->pieces += (size_t)shape.count;
+        s->pieces += shape.count;
     }
     return CYLINT_BVH_OK;
 }

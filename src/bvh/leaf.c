@@ -185,7 +185,7 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
     leaf->used = (uint8_t)(used | solid | round);
     for (int lane = 0; lane < used; lane++) {
         const cylint_swept_disc *disc = discs + lane;
-        const cylint_shape_piece piece = {boxes[lane].index, boxes[lane].count};
+        const cylint_shape_piece piece = boxes[lane].piece;
         leaf->number[lane] = boxes[lane].number;
         store_numbers(leaf, lane, piece, disc->ends);
         if (!bound_piece(leaf, lane, disc, piece, line_error))

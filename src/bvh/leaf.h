@@ -10,7 +10,6 @@
 #include <stdint.h>
 
 #include "build.h"
-#include "swept_disc.h"
 
 /*
  * Each piece is bounded by a circular cylinder with the axis p[0] p[1] and the
@@ -44,14 +43,6 @@ enum {
 /* All pieces belong to cylinders with both caps; all to round shapes. */
 enum { CYLINT_LEAF_SOLID = 0x80, CYLINT_LEAF_ROUND = 0x40 };
 
-static inline cylint_boxed_piece cylint_boxed(const cylint_extent *box,
-                                              uint32_t number,
-                                              cylint_shape_piece piece)
-{
-    return (cylint_boxed_piece){*box, number, (uint16_t)piece.index,
-                                (uint16_t)piece.count};
-}
-
 /* Fills a leaf with `used` pieces, 1 to 8; discs[i] is the swept disc of the shape
  * of boxes[i].  line_error as in cylint_view. */
 void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
@@ -63,7 +54,7 @@ static inline cylint_shape_piece cylint_leaf_piece(const cylint_leaf *b,
 {
     return (cylint_shape_piece){
         b->r[lane] >> CYLINT_LEAF_R_BITS & 15,
-        (int)(b->p[0][lane] >> 30 | b->p[1][lane] >> 30 << 2) + 1};
+        (uint16_t)((b->p[0][lane] >> 30 | b->p[1][lane] >> 30 << 2) + 1)};
 }
 
 static inline int cylint_leaf_used(const cylint_leaf *b)

@@ -33,7 +33,7 @@ static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
         cylint_swept_disc_reach(&to->disc[i], reach);
         const cylint_extent b = cylint_piece_box(&to->disc[i], reach, piece);
         cylint_extent_include(&to->box, &b);
-        to->piece[i] = cylint_boxed(&b, leaf->number[i], piece);
+        to->piece[i] = (cylint_boxed_piece){b, leaf->number[i], piece};
     }
 }
 

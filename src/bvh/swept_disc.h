@@ -30,7 +30,7 @@ typedef struct cylint_swept_disc {
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
 typedef struct cylint_shape_piece {
-    int index, count;
+    uint16_t index, count;
 } cylint_shape_piece;
 
 /* Shapes in coordinates (x - center) scale, where scale is a power of two.

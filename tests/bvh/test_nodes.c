@@ -257,10 +257,10 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
     const int n = cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer);
     for (int i = 0; i < n; i++) {
         const cylint_hit *hit = &answer.hit[i];
-        const cylint_shape_piece piece = {cylint_piece_at(hit->z, count),
-                                          count};
+        const cylint_shape_piece piece = {
+            (uint16_t)cylint_piece_at(hit->z, count), (uint16_t)count};
         const cylint_extent box = cylint_piece_box(&swept, reach, piece);
-        const cylint_boxed_piece boxed = cylint_boxed(&box, 0, piece);
+        const cylint_boxed_piece boxed = {box, 0, piece};
         cylint_leaf leaf;
         double least[CYLINT_LEAF_SIZE];
         cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);

@@ -92,7 +92,8 @@ static void set_piece(struct filter_case *x, uint64_t i)
     const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
     x->q.tfar = HUGE_VALF;
     x->q.ends = x->shape->ends;
-    x->q.piece = (cylint_shape_piece){(int)(i / 48) % count, count};
+    x->q.piece = (cylint_shape_piece){(uint16_t)((int)(i / 48) % count),
+                                      (uint16_t)count};
     x->q.exit_only = i % 11 == 0;
     x->q.describes = i % 7 != 0;
     const double t = x->answer.hit[i / 4 % 2 && x->n ? x->n - 1 : 0].t;
