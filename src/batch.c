@@ -12,10 +12,6 @@
  * serve. */
 enum { RUNS = CYLINT_SOLIDS, PADDING = 8 };
 
-typedef struct {
-    cylint_run run[RUNS];
-} pack_head;
-
 static int run_of(const cylint_shape *s)
 {
     return cylint_surface(s) == CYLINT_PART_LATERAL ? cylint_prepared(s)
@@ -31,13 +27,13 @@ static size_t padded(size_t n)
     return lanes % 256 == 0 && lanes > 0 ? lanes + PADDING : lanes;
 }
 
-/* Room for the head, the numbers, and columns whose padding may add up to
+/* Room for the runs, the numbers, and columns whose padding may add up to
  * two PADDINGs a run; and for moving all to an aligned address. */
 size_t cylint_pack_bytes(size_t n)
 {
     const size_t lane = sizeof(size_t) + COLUMNS * sizeof(double);
     const size_t fixed =
-        sizeof(pack_head) + (size_t)RUNS * 2 * PADDING * lane + 3 * 64;
+        RUNS * (sizeof(cylint_run) + 2 * PADDING * lane) + 3 * 64;
     return n <= (SIZE_MAX - fixed) / lane ? fixed + n * lane : SIZE_MAX;
 }
 
@@ -47,9 +43,9 @@ static char *aligned(char *p)
     return p + (64 - (uintptr_t)p % 64) % 64;
 }
 
-static pack_head *head_of(void *memory)
+static cylint_run *runs_of(void *memory)
 {
-    return (pack_head *)(void *)aligned(memory);
+    return (cylint_run *)(void *)aligned(memory);
 }
 
 static void fill_lane(double *column, size_t stride, const cylint_shape *s)
@@ -63,19 +59,19 @@ static void fill_lane(double *column, size_t stride, const cylint_shape *s)
 void cylint_pack_shapes(cylint_pack *pack, void *memory,
                         const cylint_shape *shapes, size_t n)
 {
-    pack_head *head = head_of(memory);
-    size_t *number = (size_t *)(void *)aligned((char *)(head + 1));
+    cylint_run *runs = runs_of(memory);
+    size_t *number = (size_t *)(void *)aligned((char *)(runs + RUNS));
     double *column = (double *)(void *)aligned(
         (char *)(number + n + (size_t)RUNS * 2 * PADDING));
     size_t *fill[RUNS];
     pack->n = n;
     pack->shapes = shapes;
     pack->memory = memory;
-    memset(head, 0, sizeof *head);
+    memset(runs, 0, RUNS * sizeof *runs);
     for (size_t i = 0; i < n; i++)
-        head->run[run_of(&shapes[i])].n++;
+        runs[run_of(&shapes[i])].n++;
     for (int r = 0; r < RUNS; r++) {
-        cylint_run *run = &head->run[r];
+        cylint_run *run = &runs[r];
         run->solid = r;
         run->stride = padded(run->n);
         run->number = fill[r] = number;
@@ -86,7 +82,7 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
     for (size_t i = 0; i < n; i++)
         *fill[run_of(&shapes[i])]++ = i;
     for (int r = 0; r < RUNS; r++) {
-        const cylint_run *run = &head->run[r];
+        const cylint_run *run = &runs[r];
         for (size_t i = run->n; i < run->stride; i++)
             *fill[r]++ = run->number[run->n - 1];
         for (size_t i = 0; i < run->stride; i++)
@@ -308,12 +304,12 @@ static int lanes_serve(const batch_job *job)
 
 static void answer_pack(const cylint_pack *pack, batch_job *job)
 {
-    const pack_head *head = head_of(pack->memory);
+    const cylint_run *runs = runs_of(pack->memory);
     if (job->line && !job->line->valid)
         return;
     const int scalar = (job->line && !job->line->in_range) || !lanes_serve(job);
     for (int r = 0; r < RUNS; r++) {
-        const cylint_run *run = &head->run[r];
+        const cylint_run *run = &runs[r];
         if (run->n == 0)
             continue;
         if (!scalar && run->solid != CYLINT_SOLID_NONE) {
