@@ -410,13 +410,6 @@ size_t cylint_build_most_nodes(size_t leaves)
     return leaves < 2 ? 1 : (4 * leaves - 1) / 7;
 }
 
-static void post(builder *b, const task *t)
-{
-    cylint_mutex_lock(&b->lock);
-    b->next[b->n_next++] = *t;
-    cylint_mutex_unlock(&b->lock);
-}
-
 /* Builds the node and the nodes below it, except those it posts as tasks.  If the
  * build is to stop, some are missing. */
 static void make_nodes(builder *b, const task *t)
@@ -444,10 +437,13 @@ static void make_nodes(builder *b, const task *t)
         const task child = {*part, number, t->depth + 1};
         node->child[i] = (uint32_t)number;
         number += cylint_build_most_nodes(cylint_leaves_for(part->n));
-        if (part->n > b->task_size)
-            post(b, &child);
-        else
+        if (part->n > b->task_size) {
+            cylint_mutex_lock(&b->lock);
+            b->next[b->n_next++] = child;
+            cylint_mutex_unlock(&b->lock);
+        } else {
             make_nodes(b, &child);
+        }
         if (part->n < CYLINT_WATCHED && t->all.n >= CYLINT_WATCHED)
             cylint_watch_add(b->watch, part->n);
     }
