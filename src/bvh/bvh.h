@@ -65,13 +65,10 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * are bounded again.  No box is larger than a new build over the same leaves would
  * make it, but for one step of a node's faces.
  *
- * extents: memory for cylint_bvh_extents(bvh).
+ * extents: memory for one of each leaf and node.
  */
 void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
                       uint32_t n, cylint_extent *extents);
-
-/* The number of leaves and nodes. */
-size_t cylint_bvh_extents(const cylint_bvh *bvh);
 
 /* The mean number of boxes that a random line through the hierarchy's box hits:
  * the sum of their areas divided by that of their box [Goldsmith, Salmon 1987]. */

@@ -184,11 +184,6 @@ void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
     }
 }
 
-size_t cylint_bvh_extents(const cylint_bvh *bvh)
-{
-    return bvh->n_leaves + bvh->n_nodes;
-}
-
 double cylint_bvh_cost(const cylint_bvh *bvh)
 {
     double sum = 0, root = 0;

@@ -116,7 +116,7 @@ static cylint_scene_status refit_hierarchy(replacement *r)
     if (reframes && !make_frame(r, &frame))
         return CYLINT_SCENE_EREPLACE;
     cylint_extent *extents =
-        malloc(cylint_bvh_extents(&s->bvh) * sizeof *extents);
+        malloc((s->bvh.n_leaves + s->bvh.n_nodes) * sizeof *extents);
     if (!extents)
         return CYLINT_SCENE_EMEMORY;
     if (s->built_cost == 0)
