@@ -110,8 +110,8 @@ int cylint_scene_complete(cylint_scene *scene);
 /* Whether a shape is beside the hierarchy. */
 int cylint_is_other(const cylint_scene *scene, size_t number);
 
-/* Makes the other members from `given` and `n_members`, which the caller keeps.  On
- * a failure cylint_solids_free() is needed as well. */
+/* Makes the other members, which are 0, from `given` and `n_members`, which the
+ * caller keeps.  On a failure cylint_solids_free() is needed as well. */
 cylint_scene_status cylint_solids_make(cylint_solids *solids,
                                        const cylint_scene *scene);
 

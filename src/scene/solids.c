@@ -59,8 +59,6 @@ static void divide_memory(cylint_solids *s, const cylint_scene *scene)
 /* The arrays are 0. */
 static int allocate_solids(cylint_solids *s, const cylint_scene *scene)
 {
-    s->memory = NULL;
-    s->bytes = 0;
     divide_memory(s, scene);
     s->memory = calloc(1, s->bytes);
     if (s->memory)
@@ -70,7 +68,6 @@ static int allocate_solids(cylint_solids *s, const cylint_scene *scene)
 
 static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
 {
-    s->n = 0;
     for (size_t i = 0; i < s->n_members; i++) {
         const cylint_membership *m = &s->given[i];
         if (m->clause == 0 || m->clause == INT32_MIN)
@@ -136,7 +133,6 @@ static int has_bounded_clause(const cylint_scene *scene,
 static void make_each_solid(cylint_solids *s, const cylint_scene *scene)
 {
     uint32_t clauses = 0;
-    s->most_clauses = 0;
     for (size_t i = 0, n; i < s->n_members; i += n) {
         cylint_membership *const member = &s->late[i];
         cylint_scene_solid *solid = &s->solid[member->solid];
@@ -200,7 +196,6 @@ int cylint_is_late(const cylint_scene *scene, uint32_t shape)
 /* Keeps the late members only: those that not all lines test. */
 static void choose_late(cylint_solids *s, const cylint_scene *scene)
 {
-    s->n_late = 0;
     for (size_t i = 0; i < s->n_members; i++) {
         const cylint_membership m = s->late[i];
         cylint_scene_solid *solid = &s->solid[m.solid];
@@ -215,7 +210,6 @@ static void choose_late(cylint_solids *s, const cylint_scene *scene)
 /* Lists what all lines test. */
 static void list_always(cylint_solids *s, const cylint_scene *scene)
 {
-    s->n_always = s->n_holding = 0;
     for (size_t i = 0; i < s->n; i++)
         if (s->solid[i].clauses > 0 && s->solid[i].failing == 0)
             s->holding[s->n_holding++] = (uint32_t)i;
