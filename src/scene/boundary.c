@@ -100,16 +100,6 @@ static void describe_boundary(const boundary_search *q, unsigned want,
     }
 }
 
-/* The line from the double before t to the one after it.  A chord that begins or
- * ends at t does so on this line, too. */
-static cylint_line line_about(const cylint_line *line, double t)
-{
-    cylint_line part = *line;
-    part.tmin = cylint_next(t, 0);
-    part.tmax = cylint_next(t, 1);
-    return part;
-}
-
 size_t cylint_scene_first_boundary(const cylint_scene *scene,
                                    const cylint_line *line, unsigned want,
                                    cylint_hit *hit, cylint_workspace *work)
@@ -127,7 +117,10 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
     q.t = q.enters ? piece.t0 : piece.t1;
     if (!cylint_less(q.t, line->tmax))
         return scene->n;
-    const cylint_line part = line_about(line, q.t);
+    /* A chord that begins or ends at t does so on this line, too. */
+    cylint_line part = *line;
+    part.tmin = cylint_next(q.t, 0);
+    part.tmax = cylint_next(q.t, 1);
     if (!q.enters && cylint_scene_pieces(scene, &part, &owners, &piece, 1,
                                          work) == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
