@@ -215,8 +215,7 @@ static cylint_scene_status build(cylint_scene *s, int threads,
         return status;
     if (!cylint_scene_complete(s))
         return CYLINT_SCENE_EMEMORY;
-    return s->n_bounded > 0 ? build_hierarchy(s, threads, watch)
-                            : CYLINT_SCENE_OK;
+    return build_hierarchy(s, threads, watch);
 }
 
 cylint_scene *cylint_scene_begin(size_t expected)
