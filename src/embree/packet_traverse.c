@@ -106,31 +106,16 @@ CYLINT_INLINE unsigned test_rays(traversal *t, const cylint_leaf *leaf,
     return hit;
 }
 
-static void traverse(traversal *t)
-{
-    cylint_packet *const p = t->packet;
-    const cylint_leaf *leaf;
-    entry at;
-    t->stack[0] = (entry){keyed_child(0, 0), t->active};
-    t->n = 1;
-    while ((leaf = next_leaf(t, &at))) {
-        const unsigned hit = t->outside && leaf->used & CYLINT_LEAF_SOLID
-                                 ? test_rays(t, leaf, at.rays, 1)
-                                 : test_rays(t, leaf, at.rays, 0);
-        if (!hit)
-            continue;
-        t->active &= ~cylint_packet_test(p, leaf, hit);
-        EACH_BIT(k, hit)
-            shorten(&t->state[k], p->ray[k].ray.tfar);
-    }
-}
-
 void CYLINT_PACKET_TRACE(cylint_packet *p, unsigned rays, int certain)
 {
     const cylint_bvh *bvh = &p->test[cylint_lowest(rays)].data->bvh;
+    const cylint_leaf *leaf;
+    entry at;
     traversal t;
     t.bvh = bvh;
     t.packet = p;
+    t.stack[0] = (entry){keyed_child(0, 0), rays};
+    t.n = 1;
     t.active = rays;
     t.outside = 0;
     EACH_BIT(k, rays) {
@@ -140,5 +125,14 @@ void CYLINT_PACKET_TRACE(cylint_packet *p, unsigned rays, int certain)
         if (certain)
             t.outside |= (unsigned)ends_outside(bvh, ray) << k;
     }
-    traverse(&t);
+    while ((leaf = next_leaf(&t, &at))) {
+        const unsigned hit = t.outside && leaf->used & CYLINT_LEAF_SOLID
+                                 ? test_rays(&t, leaf, at.rays, 1)
+                                 : test_rays(&t, leaf, at.rays, 0);
+        if (!hit)
+            continue;
+        t.active &= ~cylint_packet_test(p, leaf, hit);
+        EACH_BIT(k, hit)
+            shorten(&t.state[k], p->ray[k].ray.tfar);
+    }
 }
