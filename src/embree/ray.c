@@ -68,15 +68,10 @@ static inline int start_test(ray_test *r, const call *args, int any,
            (from->tnear <= from->tfar);
 }
 
+/* The number of the shape of this rank. */
 static inline unsigned number_at(const ray_test *r, unsigned rank)
 {
     return r->data->number ? r->data->number[rank] : rank;
-}
-
-/* The number of the shape that is tested. */
-static inline unsigned tested_number(const ray_test *r)
-{
-    return number_at(r, r->rank);
 }
 
 /* Sets the question whether the ray hits a piece of the shape. */
@@ -91,13 +86,12 @@ CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 
 /* ------------------------------------------------------- exact answers -- */
 
-/* A shape, and the library's answer to the ray's line up to tfar; 0 hits for a line
- * that it refuses. */
+/* A shape, and the library's answer to the ray's line up to tfar.  A line that it
+ * refuses has no hits. */
 typedef struct {
     cylint_shape shape;
     cylint_line line;
     cylint_answer answer;
-    int n; /* hits */
 } exact_hits;
 
 /* ties: every root whose t, rounded to a double, is tfar counts. */
@@ -108,9 +102,8 @@ static void intersect(const ray_test *r, size_t rank, int ties, exact_hits *x)
     const double tfar = r->ray->tfar;
     const double tmax = ties ? nextafter(tfar, HUGE_VAL) : tfar;
     cylint_embree_shape(r->data->shapes, rank, r->ray->time, &x->shape);
-    x->n = cylint_span(&x->line, q->o, q->d, q->tmin, tmax) == CYLINT_OK
-               ? cylint_intersect(&x->shape, &x->line, want, &x->answer)
-               : 0;
+    cylint_span(&x->line, q->o, q->d, q->tmin, tmax);
+    cylint_intersect(&x->shape, &x->line, want, &x->answer);
 }
 
 /* The new tfar of a ray hit at t <= tfar. */
@@ -158,7 +151,7 @@ static int find_present(const ray_test *r, size_t number, exact_hits *x)
     const uint32_t *rank = r->data->rank;
     int found = -1;
     intersect(r, rank ? rank[number] : number, 1, x);
-    for (int i = x->n - 1; i >= 0; i--) {
+    for (int i = x->answer.n - 1; i >= 0; i--) {
         const cylint_hit *at = &x->answer.hit[i];
         if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
             (found < 0 || has_flag(r, CYLINT_EMBREE_BARE) ||
@@ -174,7 +167,7 @@ static int find_present(const ray_test *r, size_t number, exact_hits *x)
  * on the same shape is its other hit. */
 static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 {
-    const unsigned number = tested_number(r);
+    const unsigned number = number_at(r, r->rank);
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
@@ -212,7 +205,7 @@ static void write_ids(const ray_test *r)
     const uint32_t *array = r->data->array;
     const cylint_embree_array *at =
         r->data->arrays + (array ? array[r->rank] : 0);
-    r->hit->primID = tested_number(r) - (unsigned)at->first;
+    r->hit->primID = number_at(r, r->rank) - (unsigned)at->first;
     r->hit->geomID = array ? at->geomID : r->args->geomID;
     memcpy((char *)r->hit + offsetof(struct RTCHit, instID),
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
@@ -292,7 +285,7 @@ ASIDE void test_exactly(ray_test *r)
                                        : present_number(r) != r->data->n);
     exact_hits x;
     intersect(r, r->rank, ties, &x);
-    for (int i = r->q.exit_only; i < x.n; i++) {
+    for (int i = r->q.exit_only; i < x.answer.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
         if (cylint_piece_at(at->z, piece.count) != piece.index)
             continue;
@@ -336,7 +329,7 @@ static void end_test(ray_test *r)
         if (r->q.t == r->ray->tfar) {
             if (!repeats_hit(r))
                 break;
-            if (number_at(r, r->last_rank) < tested_number(r))
+            if (number_at(r, r->last_rank) < number_at(r, r->rank))
                 return;
         }
         if (record(r) || r->q.leaves)
