@@ -130,7 +130,7 @@ static int keep_whole(const copying *c)
     if (!cylint_memory_allocate(&to->whole_memory, c->source,
                                 n_whole * sizeof *whole))
         return 0;
-    to->whole = whole = to->whole_memory.data;
+    whole = to->whole_memory.data;
     for (size_t i = 0; i < c->n; i++)
         if (records[i].r0 != records[i].r0) {
             cylint_shape spare;
@@ -164,7 +164,7 @@ static void make_shape(const cylint_embree_shapes *s, size_t at,
     cylint_record x;
     cylint_embree_record(s, at, &x);
     if (x.r0 != x.r0) {
-        *shape = s->whole[(size_t)x.p0[0]];
+        *shape = ((const cylint_shape *)s->whole_memory.data)[(size_t)x.p0[0]];
         return;
     }
     x.r0 = fabs(x.r0);

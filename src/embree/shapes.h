@@ -23,11 +23,10 @@ enum {
 };
 
 typedef struct cylint_embree_shapes {
-    cylint_memory memory; /* the records, then `tag` */
-    cylint_memory whole_memory;
-    size_t size;               /* of a record */
-    uint8_t *tag;              /* with the kind of the constructor */
-    const cylint_shape *whole; /* p0[0] of the record is the index */
+    cylint_memory memory;       /* the records, then `tag` */
+    cylint_memory whole_memory; /* shapes: p0[0] of the record is the index */
+    size_t size;                /* of a record */
+    uint8_t *tag;               /* with the kind of the constructor */
 } cylint_embree_shapes;
 
 /* The record for the float filter. */
