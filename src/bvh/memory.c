@@ -83,7 +83,7 @@ int cylint_memory_resize(cylint_memory *memory,
 
 void *cylint_resized(void *array, size_t n, size_t size)
 {
-    return n > SIZE_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
+    return n > PTRDIFF_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
 }
 
 void *cylint_take_room(cylint_room *room, size_t n, size_t size)

@@ -74,10 +74,8 @@ int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
 
 static void *allocate(cylint_scene *s, size_t count, size_t size)
 {
-    if (count > PTRDIFF_MAX / size)
-        return NULL;
     s->own_bytes += count * size;
-    return malloc(count > 0 ? count * size : 1);
+    return cylint_resized(NULL, count, size);
 }
 
 /* Totals over all shapes. */
