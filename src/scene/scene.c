@@ -299,7 +299,7 @@ void cylint_scene_free(cylint_scene *scene)
         free((void *)(uintptr_t)scene->bounded);
         free((void *)(uintptr_t)scene->others);
     }
-    cylint_solids_free(&scene->solids);
+    free(scene->solids.memory);
     free(scene->given);
     free(scene->copies);
     free(scene->pack_memory);

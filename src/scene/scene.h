@@ -111,16 +111,13 @@ int cylint_scene_complete(cylint_scene *scene);
 int cylint_is_other(const cylint_scene *scene, size_t number);
 
 /* Makes the other members, which are 0, from `given` and `n_members`, which the
- * caller keeps.  On a failure cylint_solids_free() is needed as well. */
+ * caller keeps.  The caller frees `memory`, also after a failure. */
 cylint_scene_status cylint_solids_make(cylint_solids *solids,
                                        const cylint_scene *scene);
 
 /* Whether a shape is a late member, see cylint_scene_solid.  The scene has
  * solids. */
 int cylint_is_late(const cylint_scene *scene, uint32_t shape);
-
-/* Frees the memory of all but `given`. */
-void cylint_solids_free(cylint_solids *solids);
 
 static inline int cylint_is_member(const cylint_solids *solids, size_t shape)
 {

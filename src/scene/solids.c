@@ -21,12 +21,6 @@ static int is_before_in_solid(const cylint_membership *x,
 #define SORT sort_by_solid
 #include "../merge_sort_template.h"
 
-void cylint_solids_free(cylint_solids *s)
-{
-    free(s->memory);
-    s->memory = NULL;
-}
-
 int cylint_is_other(const cylint_scene *s, size_t number)
 {
     size_t from = 0, to = s->n_others;
@@ -260,11 +254,11 @@ cylint_scene_status cylint_scene_set_solids(cylint_scene *scene,
             members[i].clause};
     const cylint_scene_status status = cylint_solids_make(&solids, scene);
     if (status != CYLINT_SCENE_OK) {
-        cylint_solids_free(&solids);
+        free(solids.memory);
         free(given);
         return status;
     }
-    cylint_solids_free(&scene->solids);
+    free(scene->solids.memory);
     free(scene->given);
     scene->solids = solids;
     scene->given = given;
