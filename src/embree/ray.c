@@ -349,20 +349,14 @@ CYLINT_INLINE void prefetch_records(const cylint_embree_data *data,
             cylint_embree_record_at(&data->shapes[0], leaf->number[lane]));
 }
 
-static inline int nearest_lane(unsigned lanes, const float *least)
-{
-    int first = cylint_lowest(lanes);
-    EACH_BIT(lane, lanes & (lanes - 1))
-        first = least[lane] < least[first] ? lane : first;
-    return first;
-}
-
 /* Removes the nearest lane from *lanes and sets the question about it.  Returns 0
  * if no lane can hold the nearest hit. */
 CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
                                     unsigned *lanes, const float *least)
 {
-    const int lane = nearest_lane(*lanes, least);
+    int lane = cylint_lowest(*lanes);
+    EACH_BIT(other, *lanes & (*lanes - 1))
+        lane = least[other] < least[lane] ? other : lane;
     if (least[lane] > r->ray->tfar)
         return 0;
     *lanes &= ~(1u << lane);
