@@ -302,9 +302,7 @@ static void write_half_space_box(const cylint_shape *s, double lo[3],
 {
     const double *n = cylint_axis(s);
     for (int j = 0; j < 3; j++) {
-        const int k = (j + 1) % 3, m = (j + 2) % 3;
-        const int side =
-            cylint_sign(n[k]) || cylint_sign(n[m]) ? 0 : cylint_sign(n[j]);
+        const int side = cylint_runs_along(n, j) ? cylint_sign(n[j]) : 0;
         lo[j] = side < 0 ? cylint_base(s)[j] : -HUGE_VAL;
         hi[j] = side > 0 ? cylint_base(s)[j] : HUGE_VAL;
     }
