@@ -89,7 +89,7 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
                 "not; round it by astype(float)"
             )
         try:
-            array = np.require(given, np.float64, "A")
+            array = given.astype(np.float64)
         except TypeError as error:  # of Python's objects
             raise TypeError(f"{name}: {error}") from None
         except (OverflowError, ValueError) as error:
