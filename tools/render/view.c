@@ -12,10 +12,8 @@ static const double MARGIN =
 static const double DEGREE = 0.017453292519943295;
 
 /* The default direction: from the side where the scene is thinnest, so much aside
- * and above; a flat scene is viewed from above. */
-static const double ASIDE = 28 * 0.017453292519943295;
-static const double ABOVE = 14 * 0.017453292519943295;
-static const double ABOVE_FLAT = 32 * 0.017453292519943295;
+ * and above, in degrees; a flat scene is viewed from above. */
+enum { ASIDE = 28, ABOVE = 14, ABOVE_FLAT = 32 };
 
 /* ------------------------------------------------- the default direction -- */
 
@@ -52,8 +50,8 @@ static struct vector default_side(const struct boxes *boxes, struct vector up)
     const struct vector v = perpendicular(up), u = cross(v, up);
     const struct spread s = spread_of(boxes, u, v, up);
     const double longest = 0.5 * atan2(2 * s.uv, s.uu - s.vv);
-    const double turn = longest - 90 * DEGREE + ASIDE;
-    const double above = 4 * s.ww < s.uu + s.vv ? ABOVE_FLAT : ABOVE;
+    const double turn = longest - 90 * DEGREE + ASIDE * DEGREE;
+    const double above = DEGREE * (4 * s.ww < s.uu + s.vv ? ABOVE_FLAT : ABOVE);
     const struct vector horizontal = plus(times(cos(turn), u), sin(turn), v);
     return plus(times(cos(above), horizontal), sin(above), up);
 }
