@@ -37,11 +37,9 @@ static void draw_input(double radius)
         double o[3], d[3], at[3];
         draw_direction(&random, o);
         draw_in_ball(&random, radius, at);
-        for (int c = 0; c < 3; c++) {
-            o[c] *= 2 * radius + 4;
-            d[c] = at[c] - o[c];
-        }
-        normalise(d);
+        scale3(o, 2 * radius + 4);
+        minus3(d, at, o);
+        unit3(d, d);
         make_ray(&in.line[i], o, d);
         in.line[i + N] = in.line[i];
         for (int c = 0; c < 3; c++) {

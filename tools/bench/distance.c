@@ -38,8 +38,7 @@ static void draw_point(int shape, enum family family, double point[3])
     if (family == FAR) {
         off = power_between(&in.random, 5, 7);
         draw_direction(&in.random, d);
-        for (int c = 0; c < 3; c++)
-            point[c] += off * d[c];
+        add3(point, off, d);
     }
     if (family == SURFACE) {
         cylint_closest a;
@@ -48,8 +47,7 @@ static void draw_point(int shape, enum family family, double point[3])
             off = -off;
         cylint_distance(&in.shape[shape], point,
                         CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &a);
-        for (int c = 0; c < 3; c++)
-            point[c] = a.point[c] + off * a.normal[c];
+        along3(point, a.point, off, a.normal);
     }
 }
 

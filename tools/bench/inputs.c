@@ -24,21 +24,13 @@ double power_between(uint64_t *random, double low, double high)
     return pow(10, between(random, low, high));
 }
 
-double normalise(double v[3])
-{
-    const double size = length3(v);
-    for (int i = 0; i < 3; i++)
-        v[i] /= size;
-    return size;
-}
-
 void draw_direction(uint64_t *random, double d[3])
 {
     do
         for (int i = 0; i < 3; i++)
             d[i] = between(random, -1, 1);
     while (dot3(d, d) > 1 || dot3(d, d) < 0.01);
-    normalise(d);
+    unit3(d, d);
 }
 
 double approach(double (*function)(double), double most, double wanted)
@@ -171,7 +163,7 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
 
 static void set_ray(float ray[2][3], const double o[3], double d[3])
 {
-    normalise(d);
+    unit3(d, d);
     for (int j = 0; j < 3; j++) {
         ray[0][j] = (float)o[j];
         ray[1][j] = (float)d[j];

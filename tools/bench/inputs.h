@@ -17,9 +17,6 @@ double between(uint64_t *random, double low, double high);
 double power_between(uint64_t *random, double low, double high); /* of ten */
 void draw_direction(uint64_t *random, double d[3]);
 
-/* v / |v| in place; returns |v|. */
-double normalise(double v[3]);
-
 /* Even in a ball about the origin. */
 void draw_in_ball(uint64_t *random, double radius, double p[3]);
 

@@ -29,7 +29,7 @@ static void ordinary_ray(int i, double spread)
         o[c] = middle[c] + between(&in.random, -6, 6);
         d[c] = middle[c] + between(&in.random, -spread, spread) - o[c];
     }
-    normalise(d);
+    unit3(d, d);
     make_ray(&in.line[i], o, d);
 }
 
@@ -65,8 +65,7 @@ static void surface_ray(int i)
     while (cylint_intersect(&in.shape[i], &in.line[i],
                             CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &a) == 0);
     const double along = 2 * dot3(in.line[i].d, a.hit[0].normal);
-    for (int c = 0; c < 3; c++)
-        d[c] = in.line[i].d[c] - along * a.hit[0].normal[c];
+    along3(d, in.line[i].d, -along, a.hit[0].normal);
     make_ray(&in.line[i], a.hit[0].point, d);
 }
 

@@ -136,7 +136,8 @@ struct embree_chords *embree_chords_new(const cylint_shape *cylinders, size_t n)
         struct prepared *c = &made->cylinders[i];
         copy3(c->p, cylint_base(&cylinders[i]));
         copy3(c->axis, cylint_axis(&cylinders[i]));
-        c->length = normalise(c->axis);
+        c->length = length3(c->axis);
+        unit3(c->axis, c->axis);
         c->r = cylint_r0(&cylinders[i]);
     }
     made->device = embree_device();

@@ -259,7 +259,7 @@ void lean_prepare(struct lean *to, const cylint_shape *s)
     copy3(to->base, cylint_base(s));
     copy3(to->axis, cylint_axis(s));
     if (!is_hull)
-        normalise(to->axis);
+        unit3(to->axis, to->axis);
     if (s->kind == CYLINT_KIND_ECYLINDER)
         prepare_elliptic(to, s);
     if (s->ends == CYLINT_ENDS_INFINITE)
@@ -356,7 +356,7 @@ void lean_prepare_body(struct lean_body *to, const cylint_shape *s)
     const int is_capsule = s->kind == CYLINT_KIND_CAPSULE;
     copy3(to->axis, cylint_axis(s));
     if (!is_capsule)
-        normalise(to->axis);
+        unit3(to->axis, to->axis);
     copy3(to->base, cylint_base(s));
     if (s->kind == CYLINT_KIND_CYLINDER)
         middle_of(s, to->base);
