@@ -122,6 +122,12 @@ static inline const char *field_end(const char *p, const char *end)
     return p;
 }
 
+/* The field with which a text begins. */
+static inline struct string first_field(struct string s)
+{
+    return between(s.text, field_end(s.text, end_of(s)));
+}
+
 static inline const char *skip_separator(const char *p, const char *end)
 {
     p = skip_blanks(p, end);

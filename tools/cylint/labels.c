@@ -54,12 +54,6 @@ struct string labels_get(const struct labels *labels, size_t shape)
 
 /* --------------------------------------------------------------- groups -- */
 
-static struct string name_of_shape(const struct labels *labels, size_t shape)
-{
-    const struct string label = labels_get(labels, shape);
-    return between(label.text, field_end(label.text, end_of(label)));
-}
-
 int groups_make(struct groups *g, const struct labels *labels, int is_total)
 {
     size_t group;
@@ -67,7 +61,7 @@ int groups_make(struct groups *g, const struct labels *labels, int is_total)
     if (!g->group_of)
         return out_of_memory();
     for (size_t i = 0; i < g->shapes; i++) {
-        if (!names_add(&g->names, name_of_shape(labels, i), &group))
+        if (!names_add(&g->names, first_field(labels_get(labels, i)), &group))
             return out_of_memory();
         g->group_of[i] = (int)group;
     }

@@ -108,8 +108,7 @@ static uint32_t colour_in_tail(struct string tail)
 /* By the first field of the tail, the label of an atom or bond. */
 static uint32_t colour_of_atom(enum colouring how, struct string tail)
 {
-    const struct string label =
-        between(tail.text, field_end(tail.text, end_of(tail)));
+    const struct string label = first_field(tail);
     uint32_t colour;
     size_t chain;
     if (how == COLOUR_ELEMENT && colour_of_element(label, &colour))
