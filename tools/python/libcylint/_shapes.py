@@ -499,14 +499,12 @@ def _make(name: str, given: dict[str, Any]) -> Shapes:
     ]
     names = " ".join(_CONSTRUCTORS[name]) + " ends"
     shape = broadcast(names, *(a[..., 0] for a in arrays), codes)
-    numbers = np.empty((*shape, sum(a.shape[-1] for a in arrays)))
-    at = 0
-    for array in arrays:
-        numbers[..., at : at + array.shape[-1]] = array
-        at += array.shape[-1]
-    rows = np.empty(shape, np.int8)
-    rows[...] = codes
-    records = _build(name, numbers.reshape(-1, at), rows.reshape(-1), shape)
+    width = sum(_CONSTRUCTORS[name].values())
+    numbers = np.empty((*shape, width))
+    for array, at in zip(arrays, _PLACES[name].values(), strict=False):
+        numbers[..., at] = array
+    ends = np.full(shape, codes).reshape(-1)
+    records = _build(name, numbers.reshape(-1, width), ends, shape)
     return Shapes(records.reshape(shape))
 
 
