@@ -333,7 +333,7 @@ def test_bad_arguments(world):
     spoiled = (o[:2], [[1, 0, 0], [0, 0, 0]])
     for message, call in (
         ("mode: expected", lambda: scene.pieces(o, d, mode="all")),
-        ("rank: expected 30 integers", lambda: scene.pieces(o, d, rank=[1, 2])),
+        ("rank: expected an integer for each of the 30 shapes", lambda: scene.pieces(o, d, rank=[1, 2])),
         ("rank: a number does not fit", lambda: scene.pieces(o, d, rank=[2**31] * 30)),
         ("rank: a number does not fit", lambda: scene.pieces(o, d, rank=[-(2**31) - 1] * 30)),
         ("first: expected", lambda: scene.pieces(o, d, first=0)),
@@ -341,8 +341,10 @@ def test_bad_arguments(world):
         ("dimension", lambda: scene.sums(o, d, columns=2**70)),
         ("units: expected", lambda: scene.sums(o, d, units="m")),
         ("line 1: the direction", lambda: scene.pieces(*spoiled)),
-        (r"shape\[1\]: 99", lambda: scene.set_solids([0, 99], 0, 1)),
-        (r"clause\[0\]: 0", lambda: scene.set_solids([0, 1], 0, [0, 1])),
+        (r"shape\[1\]: expected 0 to 29, found 99", lambda: scene.set_solids([0, 99], 0, 1)),
+        (r"solid\[0\]: expected 0 to 1, found 2", lambda: scene.set_solids([0, 1], 2, 1)),
+        (r"clause\[0\]: expected -2147483647 to 2147483647, not 0, found 0",
+         lambda: scene.set_solids([0, 1], 0, [0, 1])),
         (r"broadcast: shape \(2,\), solid \(3,\), clause \(\)",
          lambda: scene.set_solids([0, 1], [0, 1, 2], 1)),
         ("same number", lambda: scene.set_solids([0, 0], [0, 1], 1)),

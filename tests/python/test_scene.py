@@ -185,6 +185,7 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
     for error, message, origins, exclude in (
         (IndexError, "exclude: found 2, the scene has 2", [0, 0, 0], 2),
         (IndexError, "exclude: found -2, the scene has 2", [0, 0, 0], -2),
+        (IndexError, "exclude 1: found 7, the scene has 2", [0, 0, 0], [0, 7]),
         (ValueError, "exclude: a number does not fit", [0, 0, 0], np.uint64(2**64 - 1)),
         (TypeError, "exclude: expected integers", [0, 0, 0], 1.0),
         (TypeError, "exclude: expected integers of 64 bits", [0, 0, 0], 2**70),

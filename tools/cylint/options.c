@@ -378,8 +378,8 @@ static int settle_fields(struct options *o)
         !g->no_points)
         g->no_points =
             o->writes_header
-                ? "the header is that of lines; for points use -k point"
-                : "binary output is of lines; for points use -k point";
+                ? "the header is that of lines; for points use -k point, and no words"
+                : "binary output is of lines; for points use -k point, and no words";
     return 0;
 }
 

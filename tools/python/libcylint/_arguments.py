@@ -278,12 +278,13 @@ class SceneLines(Lines):
 
     def core_of(self, shapes: int) -> _core.Lines:
         if self.left_out is not _NONE:
-            most = int(self.left_out.max(initial=-1))
-            least = int(self.left_out.min(initial=-1))
-            if most >= shapes or least < -1:
-                wrong = most if most >= shapes else least
+            numbers = self.left_out
+            wrong = (numbers < -1) | (numbers >= shapes)
+            if wrong.any():
+                at = int(np.argmax(wrong))
                 raise IndexError(
-                    f"exclude: found {wrong}, the scene has {shapes} shapes"
+                    f"exclude{place(at, numbers.shape)}: found {numbers.flat[at]}, "
+                    f"the scene has {shapes} shapes"
                 )
         return self.core()
 

@@ -345,7 +345,8 @@ class Scene:
         array = integers(name, values)
         if array.shape != (len(self),):
             raise ValueError(
-                f"{name}: expected {len(self)} integers, one a shape, found the shape {array.shape}"
+                f"{name}: expected an integer for each of the {len(self)} shapes, "
+                f"found an array of the shape {array.shape}"
             )
         limits = np.iinfo(np.int32)
         if array.size and not (limits.min <= array.min() and array.max() <= limits.max):
@@ -376,12 +377,16 @@ class Scene:
         if len(size) > 1:
             raise ValueError(f"shape, solid, clause: expected one axis, found the shape {size}")
         rows = np.column_stack([np.broadcast_to(x, size).reshape(-1) for x in given])
-        bad = (rows < [0, 0, 1 - 2**31]) | (rows >= [len(self), len(rows), 2**31])
+        least, most = [0, 0, 1 - 2**31], [len(self) - 1, len(rows) - 1, 2**31 - 1]
+        bad = (rows < least) | (rows > most)
         bad[:, 2] |= rows[:, 2] == 0
         for column, name in enumerate(names):
             if bad[:, column].any():
                 row = int(np.argmax(bad[:, column]))
-                raise ValueError(f"{name}[{row}]: {rows[row, column]} is not possible")
+                wanted = f"{least[column]} to {most[column]}" + ", not 0" * (column == 2)
+                raise ValueError(
+                    f"{name}[{row}]: expected {wanted}, found {rows[row, column]}"
+                )
         self._scene.set_solids(np.ascontiguousarray(rows, np.int64))
 
     @property
