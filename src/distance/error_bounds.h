@@ -57,12 +57,13 @@
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 
 /*
- * Distances in triples (distance/near_surface.h, distance/elliptic_pairs.h): fewer
- * than 2^5 operations with an error of CYLINT_TRIPLE_ROUNDING of terms whose sizes
- * are counted there.  Of elliptic kinds also tests/bounds/test_local_residuals.c.
+ * Distances in triples (distance/near_surface.h, distance/near_axis.h,
+ * distance/elliptic_pairs.h): CYLINT_CLOSE_ERROR times the sizes of terms that are
+ * counted there, with these factors (tests/bounds/test_local_residuals.c).
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
  * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
- * the relative error of a few operations on pairs.  CYLINT_NEEDS_DIRECTION: the
+ * the relative error of a few operations on pairs.  CYLINT_CLOSE_FLATTEST: the
+ * least cosine of cones for which the bound is proved.  CYLINT_NEEDS_DIRECTION: the
  * relative error of rho for which triples compute the direction from the axis; it
  * affects only the speed.
  */
@@ -70,7 +71,14 @@
 #define CYLINT_CLOSE_LOSS 0x1p-90
 #define CYLINT_CLOSE 0x1p-20
 #define CYLINT_CLOSE_MOST 0x1p64
+#define CYLINT_CLOSE_FLATTEST 0x1p-70
 #define CYLINT_NEEDS_DIRECTION 0x1p-60
+enum {
+    CYLINT_CLOSE_BALL = 2,
+    CYLINT_CLOSE_CYLINDER = 4,
+    CYLINT_CLOSE_CONE = 16,
+    CYLINT_CLOSE_DIRECTION = 4
+};
 
 /*
  * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes:

@@ -38,8 +38,8 @@ ASIDE void find_direction(half_plane *m, const cylint_shape *s,
     load_axis(w, s);
     triple_cross(X, D, w);
     triple_cross(A, w, X);
-    double error =
-        4 * CYLINT_CLOSE_ERROR * m->size * triple_dot(w, w).a * CYLINT_SLACK;
+    double error = CYLINT_CLOSE_DIRECTION * CYLINT_CLOSE_ERROR * m->size *
+                   triple_dot(w, w).a * CYLINT_SLACK;
     if (is_on_axis(D, w, X)) {
         const int i = cylint_least_axis_component(s);
         A[i] = triple_of(0);

@@ -65,7 +65,7 @@ static bounded close_to_ball(const double point[3], const double center[3],
     const triple form = triple_sub(square, triple_of_pair(two_prod(r, r)));
     const pair length = pair_sqrt(pair_of_triple(square));
     const pair divisor = pair_add(length, (pair){r, 0});
-    return quotient_of_form(form, divisor, 2 * divisor.hi, 0);
+    return quotient_of_form(form, divisor, CYLINT_CLOSE_BALL * divisor.hi, 0);
 }
 
 /* error: of rho. */
@@ -83,7 +83,8 @@ static bounded close_to_line(const cylint_shape *s, const double point[3],
         const triple form = triple_det(triple_sub(DD, rr), W, Dw, Dw);
         const pair sum = pair_add(rho, r);
         return quotient_of_form(form, pair_mul(W2, sum),
-                                4 * size / sum.hi * size, error / sum.hi);
+                                CYLINT_CLOSE_CYLINDER * size / sum.hi * size,
+                                error / sum.hi);
     }
     const triple dr = triple_of_pair(cylint_radius_growth(s));
     const triple T =
@@ -100,13 +101,16 @@ static bounded close_to_line(const cylint_shape *s, const double point[3],
     const pair radius = pair_div(pair_of_triple(T), unit);
     const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
     bounded to = quotient_of_form(form, pair_mul(pair_mul(unit, unit), sum),
-                                  16 * size / sum.hi * size, error / sum.hi);
+                                  CYLINT_CLOSE_CONE * size / sum.hi * size,
+                                  error / sum.hi);
     if (!round) { /* the error of T counts the growth along D, too */
         to.v = pair_mul(to.v, C);
         to.e = to.e * cylint_cosine(s) * CYLINT_SLACK +
-               16 * CYLINT_CLOSE_ERROR * size * fabs(cylint_sine(s));
+               CYLINT_CLOSE_CONE * CYLINT_CLOSE_ERROR * size *
+                   fabs(cylint_sine(s));
     }
-    if (!(radius.hi > 0)) /* beyond the apex: the other nappe can be nearer */
+    /* beyond the apex the other nappe can be nearer */
+    if (!(radius.hi > 0) || C.hi < CYLINT_CLOSE_FLATTEST)
         to.e = HUGE_VAL;
     return to;
 }

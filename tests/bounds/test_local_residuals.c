@@ -17,7 +17,7 @@ static constant TRIPLE = {"TRIPLE", CYLINT_LOCAL_LEVELS, 0},
 
 /*
  * Triples (triple.h).  After a triple_sum |b| is at most 2^-53 |a| + c and the
- * third number at most c, where c counts what cancelled before.  A
+ * third number at most c and 2^-52 |b|, where c counts what cancelled before.  A
  * fast_two_sum is exact if its first number is the larger one or a multiple of
  * the last digit of the other.  That is so but for what c adds to b, and then
  * it errs by at most 2^-52 of that.
@@ -41,14 +41,24 @@ static triple_number triple_plus(triple_number x, triple_number y)
     return triple_sum_of(size, c + 0x1p-53 * (b + u_hi), c, x.off + y.off);
 }
 
+static double second_of(triple_number x)
+{
+    return 0x1.001p-53 * x.size + x.c;
+}
+
+static double third_of(triple_number x)
+{
+    return fmin(x.c, 0x1p-52 * second_of(x));
+}
+
 static triple_number triple_times(triple_number x, triple_number y)
 {
     const double size = x.size * y.size;
-    const double xb = 0x1.001p-53 * x.size + x.c,
-                 yb = 0x1.001p-53 * y.size + y.c;
+    const double xb = second_of(x), yb = second_of(y);
     const double c = x.size * y.c + x.c * y.size;
     const double middle = x.size * yb + xb * y.size + 0x1p-53 * size;
-    const double left_out = xb * y.c + x.c * yb + x.c * y.c;
+    const double xc = third_of(x), yc = third_of(y);
+    const double left_out = xb * yc + xc * yb + xc * yc;
     const double off = x.off * y.size + x.size * y.off + x.off * y.off;
     return triple_sum_of(size, c + xb * yb + 3 * 0x1p-53 * middle, c,
                          off + left_out);
@@ -348,6 +358,80 @@ TEST(the_height_over_a_tangent_plane_has_its_bound)
         for (int j = -300; j <= 300; j++)
             elliptic_height(ldexp(1, i), ldexp(1, j));
     judge_in(&CLOSE, "elliptic kinds", "triples");
+}
+
+/* A value that is known to be at most `size`. */
+static triple_number at_most(triple_number x, double size)
+{
+    x.size = fmin(x.size, size);
+    return x;
+}
+
+static triple_number difference_of_squares(triple_number x, triple_number y,
+                                           triple_number z)
+{
+    return triple_plus(triple_times(x, y), triple_times(z, z));
+}
+
+/* near_surface.h, where |w| and the size of the question are 1, and near_axis.h. */
+static const triple_number ONE = {1, 0, 0},
+                           ONES[3] = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
+
+static void close_plane_ball_and_cylinder(void)
+{
+    const triple_number dot = triple_dot_of(ONES, ONES), one = at_most(dot, 1);
+    const triple_number ball = triple_plus(dot, ONE);
+    need(dot.off, 1);
+    need(ball.off, CYLINT_CLOSE_BALL);
+    need(difference_of_squares(at_most(ball, 1), one, one).off,
+         CYLINT_CLOSE_CYLINDER);
+}
+
+/* radius: of the cone beside the point. */
+static void close_cone(double dr, double rho, double radius, int is_round)
+{
+    const triple_number slope = {dr, 0, 0};
+    const triple_number dot = at_most(triple_dot_of(ONES, ONES), 1);
+    const triple_number across =
+        at_most(difference_of_squares(dot, dot, dot), square(rho));
+    const triple_number T = at_most(
+        triple_plus(triple_times(dot, ONE), triple_times(slope, dot)), radius);
+    const triple_number factor =
+        is_round ? triple_plus(dot, triple_times(slope, slope)) : dot;
+    const double form =
+        difference_of_squares(across, at_most(factor, 1), T).off;
+    /* T is in the divisor, too */
+    const double off = form + fabs(rho - radius) * T.off;
+    const double C = is_round ? sqrt(1 - dr * dr) : 1 / hypot(1, dr);
+    if (is_round)
+        need(off, CYLINT_CLOSE_CONE);
+    else
+        need(off / (rho + radius) * C,
+             CYLINT_CLOSE_CONE * (C / (rho + radius) + dr * C));
+}
+
+static void close_direction(void)
+{
+    const triple_number X = difference_of_squares(ONE, ONE, ONE);
+    need(triple_plus(triple_times(ONE, X), triple_times(ONE, X)).off,
+         CYLINT_CLOSE_DIRECTION);
+}
+
+TEST(a_distance_in_triples_has_its_bound)
+{
+    close_plane_ball_and_cylinder();
+    judge_in(&CLOSE, "planes, balls", "triples");
+    for (double rho = 1; rho > 0.5 / CYLINT_THINNEST; rho /= 4)
+        for (double dr = 1 / CYLINT_CLOSE_FLATTEST; dr > FIRST_SLOPE; dr /= 4)
+            for (double radius = 0x1p-200; radius <= 1 + CYLINT_CLOSE * dr;
+                 radius *= 2) {
+                close_cone(dr, rho, radius, 0);
+                if (dr < 1)
+                    close_cone(dr, rho, radius, 1);
+            }
+    judge_in(&CLOSE, "cones", "triples");
+    close_direction();
+    judge_in(&CLOSE, "directions", "triples");
 }
 
 TEST(no_constant_is_four_times_too_large)
