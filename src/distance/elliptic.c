@@ -17,7 +17,8 @@
  * the base, as G + z v, whose exponents can differ much (elliptic_terms.h).
  * The difference of two squares of distances is (F' - F).(R + R').  On one rim,
  * and on the lateral surface of a cylinder, it is proportional to that of the
- * integrals of the form, which has no terms of the size of R.  The first of
+ * integrals of the form, which has no terms of the size of R: it is better where R
+ * is large, the product where R is small.  The first of
  * those that are not farther by more than the rounding errors of that
  * difference is the answer.  At the lateral surface the distance is computed as
  * R.N / |N|, N = u' x v: its relative error is small beside the surface, too.
@@ -113,10 +114,14 @@ static int compare(const search *s, const candidate *x)
     triple between[3], sum[3];
     double error = 0;
     if (x->feature == best->feature && (x->feature != CYLINT_FEATURE_LATERAL ||
-                                        !cylint_is_tapered(s->p.shape->kind)))
-        return sign_beyond(triple_value(triple_sub(minus_integral(s, x),
-                                                   minus_integral(s, best))),
-                           ORDER_ERROR * s->form[x->feature].terms);
+                                        !cylint_is_tapered(s->p.shape->kind))) {
+        const triple more =
+            triple_sub(minus_integral(s, x), minus_integral(s, best));
+        const int order = sign_beyond(triple_value(more),
+                                      ORDER_ERROR * s->form[x->feature].terms);
+        if (order != 0)
+            return order;
+    }
     for (int i = 0; i < 3; i++) {
         between[i] =
             triple_add(triple_scale(triple_sub(best->G[i], x->G[i]), s->p.near),
