@@ -219,6 +219,10 @@
  * surface is larger: its cosine would have too few digits. */
 #define CYLINT_LOCAL_STEEPEST 0.998
 
+/* Nor are those of a cone with a smaller slope: low parts of it, and of its products
+ * with coordinates, would underflow. */
+#define CYLINT_LOCAL_LEAST_SLOPE 0x1p-600
+
 /*
  * CYLINT_LOCAL_NORM: the sizes of a unit vector's components have at most this
  * sum, the root of 3.

@@ -190,7 +190,9 @@ static int is_in_bounds(const cylint_shape *s)
 {
     const double norm = cylint_larger(cylint_norm(s), 1);
     return cylint_largest(cylint_base(s)) <= CYLINT_FAR &&
-           norm * norm * (1 + fabs(cylint_slope(s))) <= CYLINT_LOCAL_MOST;
+           norm * norm * (1 + fabs(cylint_slope(s))) <= CYLINT_LOCAL_MOST &&
+           (!cylint_is_tapered(s->kind) ||
+            fabs(cylint_slope(s)) >= CYLINT_LOCAL_LEAST_SLOPE);
 }
 
 void CYLINT_MEASURE_LOCAL(cylint_shape *s)
