@@ -21,8 +21,12 @@
 
 enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
-/* A cos or sin below UPRIGHT may be 0; one below TINY counts as 0. */
-#define UPRIGHT 0x1p-100
+/* A cos or sin below its error, AXIS_ERROR times the terms of the form over its
+ * slope, may be 0: one below LEAST_ON_AXIS in any case, one above MOST_ON_AXIS
+ * in none.  One below TINY counts as 0. */
+#define AXIS_ERROR (2 * CYLINT_TRIPLE_ROUNDING)
+#define LEAST_ON_AXIS 0x1p-100
+#define MOST_ON_AXIS 0x1p-60
 #define TINY 0x1p-950
 
 /* Relative to cos and sin; the error is 2^-50 of it. */
@@ -97,21 +101,21 @@ static void normalize(direction *d)
     d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
 }
 
-/* Sets a cos or sin that is nearly 0 to 0 if the form is 0 there, or if products of
- * it underflow.  Returns whether it did. */
-static int put_on_axis(const stationary *f, direction *at)
+/* Sets a cos or sin that is 0 within its error to 0 if the form is 0 there, or if
+ * products of it underflow. */
+static void put_on_axis(const stationary *f, direction *at)
 {
+    const double error = AXIS_ERROR * f->terms / fabs(slope_at(f, at)),
+                 near = cylint_smaller(MOST_ON_AXIS, error);
     const int small_sin = fabs(at->sin.a) < fabs(at->cos.a);
-    triple *small = small_sin ? &at->sin : &at->cos,
-           *large = small_sin ? &at->cos : &at->sin;
-    const direction exactly = {
-        triple_of(small_sin ? copysign(1, large->a) : 0),
-        triple_of(small_sin ? 0 : copysign(1, large->a))};
-    if (!(fabs(small->a) < UPRIGHT) ||
-        (!(fabs(small->a) < TINY) && triple_value(form_at(f, &exactly)) != 0))
-        return 0;
-    *at = exactly;
-    return 1;
+    const double small = small_sin ? at->sin.a : at->cos.a,
+                 large = copysign(1, small_sin ? at->cos.a : at->sin.a);
+    const direction exactly = {triple_of(small_sin ? large : 0),
+                               triple_of(small_sin ? 0 : large)};
+    if (fabs(small) < TINY ||
+        (fabs(small) < cylint_larger(LEAST_ON_AXIS, near) &&
+         triple_value(form_at(f, &exactly)) == 0))
+        *at = exactly;
 }
 
 /* Corrects a zero by Newton's iteration until the form gets no smaller, or until
@@ -136,8 +140,6 @@ static direction corrected(const stationary *f, direction at)
             error *= error;
         }
         normalize(&next);
-        if (put_on_axis(f, &next))
-            return next;
         const double least = cylint_smaller(fabs(next.cos.a), fabs(next.sin.a));
         const int is_last = fabs(by) <= LAST_CORRECTION * least;
         const double smaller = is_last ? 0 : triple_value(form_at(f, &next));
@@ -146,6 +148,7 @@ static direction corrected(const stationary *f, direction at)
         at = next;
         form = smaller;
     }
+    put_on_axis(f, &at);
     return at;
 }
 
