@@ -110,14 +110,14 @@ TEST(the_matrix_is_as_accurate_as_it_states)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_seed();
-    /* a slope of about 2^-1025, whose errors differ between the builds */
+    /* a slope of about 2^-1025, the low parts of which underflow */
     const double p0[3] = {0, 0, -0x1.8487cec45be26p-120},
                  p1[3] = {0, -0x1.bea8fae24911p+14, 0};
     cylint_shape thin;
     int usable = 0;
     cylint_round_cone(&thin, p0, 0, p1, 0x1.a7070b54813bcp-1011,
                       CYLINT_ENDS_CAPPED);
-    CHECK(matrix_is_accurate(&thin));
+    CHECK(!matrix_is_accurate(&thin));
     EACH_CASE(c, seed, cases) {
         usable += matrix_is_accurate(&c.shape);
     }
