@@ -226,3 +226,26 @@ TEST(far_from_a_cylinder_point_and_normal_are_right)
                    got.point[2]);
     }
 }
+
+/* Of two points that mirror each other in the plane y = 0 the one on the point's
+ * side is nearer.  The ellipse is 2^-thin times as wide as long, the point beside
+ * its tip. */
+TEST(on_a_thin_ellipse_the_nearer_of_two_mirror_images_is_found)
+{
+    static const double c[3] = {0, 0, 0}, b[3] = {0, 0, 1}, h[3] = {1, 0, 0};
+    int ends = 0;
+    for (int thin = 0; thin < 40; thin++)
+        for (int near = 1; near <= 52; near += 3)
+            for (int side = 4; side <= 100; side += 8) {
+                const double a[3] = {0, ldexp(1, -thin), 0};
+                const double p[3] = {0.5, ldexp(a[1], -side),
+                                     ldexp(1, -near) - 1};
+                cylint_shape s;
+                cylint_elliptic_cylinder(&s, c, a, b, h,
+                                         (cylint_ends)(ends++ % ENDS));
+                const cylint_closest got = answer_to(&s, p, WANT);
+                if (!CHECK(got.point[1] > 0))
+                    REPORT("ends %d, 2^-%d wide, %a %a: point %a %a", s.ends,
+                           thin, p[1], p[2], got.point[1], got.point[2]);
+            }
+}
