@@ -219,8 +219,8 @@
  * surface is larger: its cosine would have too few digits. */
 #define CYLINT_LOCAL_STEEPEST 0.998
 
-/* Nor are those of a cone with a smaller slope: low parts of it, and of its products
- * with coordinates, would underflow. */
+/* Nor are those of a cone with a smaller slope: low parts of it, and of its
+ * products with coordinates, would underflow. */
 #define CYLINT_LOCAL_LEAST_SLOPE 0x1p-600
 
 /*

@@ -376,10 +376,11 @@ static int settle_fields(struct options *o)
     /* A header and rows of doubles have one set of columns. */
     if ((o->writes_header || o->style.is_binary) && !g->no_lines &&
         !g->no_points)
-        g->no_points =
-            o->writes_header
-                ? "the header is that of lines; for points use -k point, and no words"
-                : "binary output is of lines; for points use -k point, and no words";
+        g->no_points = o->writes_header
+                           ? "the header is that of lines; for points use "
+                             "-k point, and no words"
+                           : "binary output is of lines; for points use "
+                             "-k point, and no words";
     return 0;
 }
 
