@@ -136,7 +136,6 @@ static inline angle secular_angle(double along, double across, double excess,
         const double c = u < excess ? u / excess : 1;
         return (angle){copysign(c, along), sqrt((1 - c) * (1 + c))};
     }
-    /* untaken 1 of 2: no known case takes all steps */
     for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
         const double to_u = 1 / (s + excess), to_v = 1 / s;
         const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
