@@ -21,12 +21,8 @@
 
 enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
-/* A cos or sin below its error, AXIS_ERROR times the terms of the form over its
- * slope, may be 0: one below LEAST_ON_AXIS in any case, one above MOST_ON_AXIS
- * in none.  One below TINY counts as 0. */
-#define AXIS_ERROR (2 * CYLINT_TRIPLE_ROUNDING)
-#define LEAST_ON_AXIS 0x1p-100
-#define MOST_ON_AXIS 0x1p-60
+/* A cos or sin below UPRIGHT may be 0; one below TINY counts as 0. */
+#define UPRIGHT 0x1p-100
 #define TINY 0x1p-950
 
 /* Relative to cos and sin; the error is 2^-50 of it. */
@@ -101,20 +97,17 @@ static void normalize(direction *d)
     d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
 }
 
-/* Sets a cos or sin that is 0 within its error to 0 if the form is 0 there, or if
- * products of it underflow. */
+/* Sets a cos or sin that is nearly 0 to 0 if the form is 0 there, or if products of
+ * it underflow. */
 static void put_on_axis(const stationary *f, direction *at)
 {
-    const double error = AXIS_ERROR * f->terms / fabs(slope_at(f, at)),
-                 near = cylint_smaller(MOST_ON_AXIS, error);
     const int small_sin = fabs(at->sin.a) < fabs(at->cos.a);
     const double small = small_sin ? at->sin.a : at->cos.a,
                  large = copysign(1, small_sin ? at->cos.a : at->sin.a);
     const direction exactly = {triple_of(small_sin ? large : 0),
                                triple_of(small_sin ? 0 : large)};
     if (fabs(small) < TINY ||
-        (fabs(small) < cylint_larger(LEAST_ON_AXIS, near) &&
-         triple_value(form_at(f, &exactly)) == 0))
+        (fabs(small) < UPRIGHT && triple_value(form_at(f, &exactly)) == 0))
         *at = exactly;
 }
 

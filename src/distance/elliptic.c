@@ -18,10 +18,10 @@
  * The difference of two squares of distances is (F' - F).(R + R').  On one rim,
  * and on the lateral surface of a cylinder, it is proportional to that of the
  * integrals of the form, which has no terms of the size of R: it is better where R
- * is large, the product where R is small.  The first of
- * those that are not farther by more than the rounding errors of that
- * difference is the answer.  At the lateral surface the distance is computed as
- * R.N / |N|, N = u' x v: its relative error is small beside the surface, too.
+ * is large, the product where R is small.  The first of those that are not farther
+ * by more than the rounding errors of that difference is the answer.  At the
+ * lateral surface the distance is computed as R.N / |N|, N = u' x v: its relative
+ * error is small beside the surface, too.
  */
 #include "elliptic.h"
 
