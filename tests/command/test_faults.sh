@@ -307,11 +307,13 @@ for j in $WORKERS; do
 done
 check_wrong 'a file that may not grow, a disk that is full'
 
-# A signal that ends the work removes what was written.
+# A signal that ends the work removes what was written.  nohup ignores SIGHUP.
 mkfifo waits
+heeds='env --default-signal=HUP'
+$heeds true 2>/dev/null || heeds=
 for j in $WORKERS; do
     for signal in HUP TERM USR1 USR2 XCPU; do
-        "$cylint" -j $j -o kept/old <waits 2>err &
+        $heeds "$cylint" -j $j -o kept/old <waits 2>err &
         pid=$!
         { cat pairs
           for i in $(seq 100); do
