@@ -193,7 +193,7 @@ enum delivery answer_block(struct task *task)
     task->delivery = DELIVERY_DONE;
     task->is_stopped = 0;
     task->row.record = (double)b->record;
-    task->notes.record = b->record;
+    task->notes.record = b->record_of_file;
     task->notes.line = b->line;
     task->notes.text = task->notes.end = NULL;
     task->notes.wanted = task->job->options->remarks;

@@ -159,9 +159,16 @@ static int count_numbers(struct reader r)
     return count;
 }
 
+static const char *skip_digits(const char *p, const char *end)
+{
+    while (p < end && *p >= '0' && *p <= '9')
+        p++;
+    return p;
+}
+
 /* The text around the first comma of the record, before r->p, if it is a decimal
- * comma: digits before it and a number after it, alone between blanks.  Else an
- * empty text.  lint: a number ends at `to`, which is not NULL. */
+ * comma: digits before it, digits and perhaps an exponent after it, alone between
+ * blanks.  Else an empty text.  lint: a number ends at `to`, which is not NULL. */
 static struct string decimal_comma(const struct reader *r)
 {
     const char *const begin = r->notes->text, *const end = r->end;
@@ -172,9 +179,11 @@ static struct string decimal_comma(const struct reader *r)
     from -= from > begin && (from[-1] == '-' || from[-1] == '+');
     if (!comma || from == comma || (from > begin && !is_blank(from[-1])))
         return between(begin, begin);
-    const char *const to = field_end(comma + 1, end);
+    const char *const to = field_end(comma + 1, end),
+                      *after = skip_digits(comma + 1, to);
     double value;
-    return end_of_number(comma + 1, to, &value) == to &&
+    return (after == to || *after == 'e' || *after == 'E') &&
+                   end_of_number(comma + 1, to, &value) == to &&
                    (end - to < 2 || *to != ',' || is_blank(to[1]))
                ? between(from, to)
                : between(begin, begin);
@@ -328,12 +337,16 @@ static int read_shape(struct reader *r, const struct grammar *g,
     if (kind == NOT_GIVEN)
         return refuse_shape_kind(r, g);
     const struct kind *k = &shape_kinds[kind];
-    if (read_numbers(r, v, k->numbers) || read_ends(r, &ends))
+    if (read_numbers(r, v, k->numbers))
+        return EXIT_BAD;
+    const char *const behind = r->p;
+    if (read_ends(r, &ends))
         return EXIT_BAD;
     const cylint_status status =
         shape_of_numbers(kind, ends, v, &record->shape);
     return status != CYLINT_OK &&
-           refuse_status(r, at, g->shape == NOT_GIVEN, k, v, status);
+           refuse_status(r, status == CYLINT_EENDS && r->has_word ? behind : at,
+                         g->shape == NOT_GIVEN, k, v, status);
 }
 
 /* -------------------------------------------- words behind, and tail -- */

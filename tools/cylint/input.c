@@ -84,6 +84,7 @@ static int open_next(struct input *in, struct block *b)
     struct stat s;
     in->is_regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
     in->line = 1;
+    in->before = in->record - 1;
     in->is_fresh = 1;
     in->has_ended = in->has_header = 0;
     in->bytes_returned = 0;
@@ -212,6 +213,7 @@ static void count_records(struct input *in, struct block *b)
     const char *const end = b->text + b->length;
     b->line = in->record_size > 0 ? 0 : in->line;
     b->record = in->record;
+    b->record_of_file = in->record - in->before;
     if (in->record_size > 0)
         b->records = (b->length + in->record_size - 1) / in->record_size;
     else

@@ -17,6 +17,7 @@ struct block {
     const char *name;              /* of the file, for messages */
     unsigned long long line;       /* number of the first line, from 1 */
     unsigned long long record;     /* number of the first record, from 1 */
+    unsigned long long record_of_file; /* the same, counted in its file */
     unsigned long long records;    /* number of records */
     unsigned long long bytes_read; /* of all input so far */
 
@@ -37,6 +38,7 @@ struct input {
     char *carry; /* read, but not yet in a block: part of a record */
     size_t carried;
     unsigned long long line, record; /* numbers of the next line and record */
+    unsigned long long before;       /* records of the files before this one */
 
     int is_fresh;   /* no block has bytes of this file yet */
     int has_header; /* of .npy, which states the number of rows */

@@ -145,7 +145,8 @@ static int answer(struct job *job)
     if (status == 0)
         status = o->writes_text ? write_text(job) : answer_input(job);
     input_close(&job->in);
-    const int closed = output_close(&job->out, status == 0);
+    const int is_stopped = o->bad_policy == BAD_STOP && job->report.bad > 0;
+    const int closed = output_close(&job->out, status == 0 && !is_stopped);
     if (status != 0 || closed != 0)
         return status != 0 ? status : closed;
     return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;

@@ -101,7 +101,7 @@ static int answer_pair(struct task *task)
     else if (intersect_shape(task, &r->shape, 0, fields_of(task)->want,
                              &task->row.answer))
         return EXIT_BAD;
-    put_answer(task, r->is_point || task->row.answer.n > 0);
+    put_answer(task, task->row.answer.n > 0);
     return 0;
 }
 
