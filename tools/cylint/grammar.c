@@ -402,19 +402,32 @@ static int has_surplus(struct reader *r, const struct grammar *g)
     return 1;
 }
 
-/* The start of this word, which ends at `equals`, if a field of the tail other than
- * the first begins with it; else NULL. */
+/* The start of this word, which ends at `equals`, if a field of the tail begins
+ * with it; else NULL. */
 static const char *late_word_at(struct string tail, const char *equals,
                                 const char *word)
 {
     const size_t length = strlen(word);
-    if ((size_t)(equals + 1 - tail.text) <= length)
+    if ((size_t)(equals + 1 - tail.text) < length)
         return NULL;
     const char *const begin = equals + 1 - length;
-    return (is_blank(begin[-1]) || begin[-1] == ',') &&
+    return (begin == tail.text || is_blank(begin[-1]) || begin[-1] == ',') &&
                    memcmp(begin, word, length) == 0
                ? begin
                : NULL;
+}
+
+/* Whether the tail begins with a shape, which a record with a scene does not have.
+ * Notes it. */
+static int has_late_shape(struct reader r, const struct grammar *g)
+{
+    const struct string word = field(&r);
+    if (g->has_shape || find_word(WORDS(shape_kinds), word) == NOT_GIVEN)
+        return 0;
+    skip_field(&r);
+    return count_numbers(r) > 0 &&
+           refuse_text(r.notes, "with -s the shapes are those of the scene",
+                       word);
 }
 
 /* Whether the tail has a word that is read only before the tail.  Notes the first
@@ -425,12 +438,11 @@ static int has_late_word(const struct reader *r, const struct grammar *g,
     const char *const end = end_of(tail), *word = NULL;
     for (const char *p = tail.text;
          !word && (p = memchr(p, '=', (size_t)(end - p))); p++) {
-        if (!g->has_shape)
+        if (g->has_line)
             word = late_word_at(tail, p, NOT_WORD);
-        else if (!r->has_word)
+        if (!word && !r->has_word)
             word = late_word_at(tail, p, ENDS_WORD);
-        if (!word && g->has_shape && !g->has_line &&
-            !(word = late_word_at(tail, p, IN_WORD)))
+        if (!word && !g->has_line && !(word = late_word_at(tail, p, IN_WORD)))
             word = late_word_at(tail, p, OUT_WORD);
     }
     return word &&
@@ -461,7 +473,7 @@ static int read_tail(struct reader *r, const struct grammar *g,
     }
     remark_decimal_comma(r);
     if (wants_remark(r->notes, REMARK_LATE_WORD) &&
-        has_late_word(r, g, record->tail))
+        (has_late_shape(*r, g) || has_late_word(r, g, record->tail)))
         make_remark(r->notes, REMARK_LATE_WORD);
     return 0;
 }

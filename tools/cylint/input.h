@@ -14,12 +14,12 @@ struct block {
     char *text;
     size_t length;
     int is_full; /* has BLOCK_GOAL bytes or more: there may be more input */
-    const char *name;              /* of the file, for messages */
-    unsigned long long line;       /* number of the first line, from 1 */
-    unsigned long long record;     /* number of the first record, from 1 */
+    const char *name;                  /* of the file, for messages */
+    unsigned long long line;           /* number of the first line, from 1 */
+    unsigned long long record;         /* number of the first record, from 1 */
     unsigned long long record_of_file; /* the same, counted in its file */
-    unsigned long long records;    /* number of records */
-    unsigned long long bytes_read; /* of all input so far */
+    unsigned long long records;        /* number of records */
+    unsigned long long bytes_read;     /* of all input so far */
 
     char fault[NPY_WRONG]; /* why the input failed, or "" */
 };
