@@ -61,7 +61,7 @@ test_mcstas()
 {
     sh tests/support/recipe.sh mcstas > "$scratch/mcstas.c"
     cat tests/command/mcstas_cases.c >> "$scratch/mcstas.c"
-    quiet "${CC:-cc}" -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude \
+    quiet "${CC:-cc}" ${CFLAGS:-} -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude \
         -o "$scratch/mcstas" "$scratch/mcstas.c" "$build/libcylint.a" -lm
     verdict the_function_for_mcstas_compiles $? && {
         "$scratch/mcstas" > "$scratch/log"

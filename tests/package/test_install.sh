@@ -118,18 +118,10 @@ example()
     esac
     rm -f "$scratch/example"
     quiet "$@" -Wall -Wextra -Wpedantic -Werror -o "$scratch/example" \
-        "$scratch/$source" $with $sanitizers &&
+        "$scratch/$source" $with &&
         LD_LIBRARY_PATH=$lib "$scratch/example" > "$scratch/said" &&
         diff "$scratch/example.said" "$scratch/said"
     verdict "$name" $?
-}
-
-# A library built with sanitizers needs them at linking.
-sanitizers_of()
-{
-    if nm "$lib/libcylint.a" | grep -q '__asan\|__ubsan'; then
-        echo -fsanitize=address,undefined
-    fi
 }
 
 test_example()
@@ -139,7 +131,6 @@ test_example()
     [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
     verdict the_readme_has_an_example_and_its_output $?
     cp "$scratch/example.c" "$scratch/example.cc"
-    sanitizers=$(sanitizers_of)
     for linking in static shared; do
         source=example.c
         example "the_example_as_c_$linking" $linking $cc -std=c99
@@ -180,7 +171,7 @@ END
 static const char *const first = cylint_kernels_in_use();
 int main() { return std::strcmp(first, cylint_kernels_name(0)); }
 END
-    quiet $cxx -Iinclude -o "$scratch/first" "$scratch/first.cc" $(archives) -lm $sanitizers &&
+    quiet $cxx -Iinclude -o "$scratch/first" "$scratch/first.cc" $(archives) -lm &&
         "$scratch/first"
     verdict static_objects_of_cxx_use_the_best_kernels $?
 }
@@ -190,8 +181,8 @@ END
 # lines.
 test_readme_install()
 {
-    [ -z "$(sanitizers_of)" ] && command -v pkg-config > /dev/null || {
-        echo 'note: sanitized or no pkg-config, the README is not installed'
+    command -v pkg-config > /dev/null || {
+        echo 'note: no pkg-config, the README is not installed'
         return
     }
     home=$scratch/home
@@ -274,7 +265,6 @@ END
 
 test_manual_examples()
 {
-    sanitizers=$(sanitizers_of)
     source=example.c
     sed -n 's/^ \*     //p' include/cylint.h | sed '/^}/q' > "$scratch/example.c"
     sed -n 's/^ \* prints "\(.*\)"\..*/\1/p' include/cylint.h > "$scratch/example.said"
@@ -396,10 +386,10 @@ test_symbols()
     command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
     for library in libcylint libcylint-scene; do
         none "$(nm -D --defined-only "$lib/$library.so" |
-            awk '$3 !~ /^(cylint_|__odr_asan)/ { print $3 }')" \
+            awk '$3 !~ /^(cylint_)/ { print $3 }')" \
             "shared_${library}_exports_only_its_own_names"
         none "$(nm -g --defined-only "$lib/$library.a" |
-            awk 'NF == 3 && $3 !~ /^(cylint_|__odr_asan)/ { print $3 }')" \
+            awk 'NF == 3 && $3 !~ /^(cylint_)/ { print $3 }')" \
             "static_${library}_defines_only_its_own_names"
     done
     none "$(declared cylint.h cylint_distance.h cylint_pieces.h cylint_methods.h |
@@ -407,12 +397,8 @@ test_symbols()
     none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
         libcylint_scene_exports_every_function_of_its_header
     none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
-        awk '$3 !~ /^(cylint_scene_|cylint_piece_rows_|__odr_asan)/ { print $3 }')" \
+        awk '$3 !~ /^(cylint_scene_|cylint_piece_rows_)/ { print $3 }')" \
         a_scenes_library_exports_only_scenes
-    if [ -n "$(sanitizers_of)" ]; then
-        echo 'note: sanitized, so what the libraries use is not looked at'
-        return
-    fi
     # Functions of math.h, and those that compilers call for loops and copies.
     math='acos asin atan atan2 ceil copysign cos cospi fabs floor fma fmax fmin fmod frexp
         hypot ilogb ldexp log log2 logb lrint modf nearbyint nextafter pow rint round scalbln
