@@ -458,11 +458,10 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * shape; else along a diagonal of the coordinates, as at the apex of a double
  * cone.  Returns 0 and writes hit->point if none of these is on the side.  This
  * happens for side 1 if the solid is thinner than the steps of the doubles, if
- * the shape was refused, and if hit->point is infinite; for side -1 only between
- * the nappes of a double cone, where they are nearer to each other than these
- * steps.  Where subnormal numbers
- * are flushed to zero, it can happen if all coordinates of the hit are below
- * 2^-969 in absolute value.
+ * the shape was refused, and perhaps if hit->point is infinite; for side -1 only
+ * between the nappes of a double cone, where they are nearer to each other than
+ * these steps.  Where subnormal numbers are flushed to zero, it can happen if all
+ * coordinates of the hit are below 2^-969 in absolute value.
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of

@@ -117,10 +117,11 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * if a, b and h differ in length by factors up to 1e12, |a.(b x h)| is at least
  * 2^-60 of the cube of the longest, and k is 0 or from 1e-6 to 1e6, a distance of
  * 2^-60 L or more is within 1 unit in its last place, and a smaller one has an
- * error of at most 2^-113 L.  The components of point and normal are within 4 units
- * in their last places, or 0 if they are below 2^-100 of their terms, but where
- * stationary points coincide.  Part and feature are those of a distance that
- * exceeds the least one by at most 2^-113 L.  Of points with equal distances on one
+ * error of at most 2^-113 L.  Point, normal, part and feature are those of a point
+ * whose distance exceeds the least one by at most 2^-113 L.  Their components are
+ * within 4 units in their last places, or 0 if they are below 2^-100 of their
+ * terms, but where stationary points coincide and where components of the vector
+ * from c to the point are below 2^-900.  Of points with equal distances on one
  * ellipse the answer is the one with the least phi.  For other shapes only the sign
  * is right, and components of point and normal can be NaN.
  *

@@ -125,7 +125,8 @@ CYLINT_API size_t cylint_scene_bytes(const cylint_scene *scene);
 CYLINT_API size_t cylint_scene_size(const cylint_scene *scene);
 
 /* Makes shape `number` again by its constructor: the same bits in the same
- * floating-point environment.  cylint_arguments() returns its numbers. */
+ * floating-point environment with the same kernels, the same answers with others.
+ * cylint_arguments() returns its numbers. */
 CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
                                    cylint_shape *shape);
 

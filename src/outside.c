@@ -151,13 +151,15 @@ static int try_diagonals(const search *s, double least, double p[3])
     return try_directions(s, d, DIAGONALS, least, HUGE_VAL, p);
 }
 
-/* The largest step of the doubles at the hit. */
+/* The largest step of the doubles at the hit, finite also at the largest double. */
 static double largest_step(const search *s)
 {
     double most = 0;
-    for (int i = 0; i < 3; i++)
-        most = cylint_larger(most, cylint_next(fabs(s->from[i]), 1) -
-                                       fabs(s->from[i]));
+    for (int i = 0; i < 3; i++) {
+        const double x =
+            cylint_smaller(fabs(s->from[i]), cylint_next(DBL_MAX, 0));
+        most = cylint_larger(most, cylint_next(x, 1) - x);
+    }
     return most;
 }
 

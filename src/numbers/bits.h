@@ -175,9 +175,9 @@ static inline int cylint_is_zero(const double x[3])
 pair cylint_difference_by_bits(double x, double y);
 static inline pair cylint_difference(double x, double y)
 {
-    const pair d = two_diff(x, y);
+    const pair d = two_diff(x, y); /* beside DBL_MAX, lo can be NaN */
     const int is_exact = !cylint_too_small(x) && !cylint_too_small(y) &&
-                         fabs(d.hi) <= DBL_MAX && cylint_rounds_to_nearest();
+                         fabs(d.lo) <= DBL_MAX && cylint_rounds_to_nearest();
     return is_exact ? d : cylint_difference_by_bits(x, y);
 }
 

@@ -267,6 +267,29 @@ TEST(the_outside_of_a_double_cone_at_its_apex_is_found)
     }
 }
 
+TEST(at_the_largest_double_both_sides_are_found)
+{
+    const double v[3] = {DBL_MAX, 0, 0}, u[3] = {1, 0, 0},
+                 n[3] = {0x1p-100, 0, 0x1p+1000}, up[3] = {0, 0, 1};
+    for (int i = 0; i < 3; i++) {
+        const double o[3] = {i == 0 ? DBL_MAX : 0, 0,
+                             i == 0   ? -1
+                             : i == 1 ? -0x1p-131
+                                      : 0x1p-131};
+        cylint_shape s;
+        cylint_line line;
+        cylint_answer a;
+        double p[3];
+        CHECK((i == 0 ? cylint_tangent_cone(&s, v, u, 1, CYLINT_ENDS_INFINITE)
+                      : cylint_halfspace(&s, v, n)) == CYLINT_OK &&
+              cylint_whole_line(&line, o, i == 0 ? up : u) == CYLINT_OK);
+        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 1);
+        for (int side = -1; side <= 1; side += 2)
+            CHECK(cylint_outside(&s, &a.hit[0], side, p) == 1 &&
+                  cylint_contains(&s, p) == side);
+    }
+}
+
 TEST(no_double_is_inside_a_solid_that_is_too_thin)
 {
     const cylint_shape thin =

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "cylint.h"
+#include "cylint_pieces.h"
 #include "draw.h"
 #include "environment.h"
 #include "families.h"
@@ -387,6 +387,12 @@ TEST(differences_have_their_low_parts)
             CHECK(!isfinite(cylint_axis(s)[i]) || oracle_sum_sign(w, 4) == 0);
         }
     }
+    /* In two_diff() a sum overflows. */
+    const double a[3] = {0, 0, DBL_MAX}, b[3] = {0, 0, 0x1.bdd868b689d97p+1022};
+    cylint_line line;
+    CHECK(cylint_segment(&line, a, b) == CYLINT_OK &&
+          line.d[2] == -0x1.2113cba4bb134p+1023 && line.d_lo[2] == 0x1p+970 &&
+          cylint_line_length(&line) == 0x1.2113cba4bb134p+1023);
 }
 
 #endif
