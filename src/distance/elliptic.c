@@ -277,6 +277,7 @@ static void load_normal(search *s)
 {
     triple u[3], v[3], du[3];
     const direction *at = &s->best.at;
+    /* mutant '1' -> '2': no effect, unit vectors follow from N */
     const int right = cylint_left_handed(s->p.shape) ? -1 : 1;
     int sign = s->best.nappe * right;
     if (s->best.feature == CYLINT_FEATURE_APEX) {
@@ -489,6 +490,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     cylint_load_elliptic(&s.p, shape, point);
     s.only = ANY_FEATURE;
     s.best.feature = CYLINT_NO_FEATURE;
+    /* mutant '0' -> '1': no effect, feet beyond the ends are then passed over */
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
     s.has_lateral = 0;
     if (side == 0)

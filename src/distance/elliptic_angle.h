@@ -130,6 +130,7 @@ static inline angle secular_angle(double along, double across, double excess,
 {
     const double u = fabs(along), v = fabs(across);
     const double last = rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP;
+    /* mutant '>' -> '>=': no effect */
     double s = v > u - excess ? v : u - excess, by;
     angle to;
     if (!(v > 0)) { /* on the long axis */

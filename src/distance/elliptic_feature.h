@@ -234,7 +234,8 @@ static inline int feature_of_end(elliptic_question *q, int end)
 
 /* Inside, and beside the lateral surface: that or the nearer of the caps that are
  * present.  A cap that is nearer than the lateral surface without ends has the foot
- * of the perpendicular on its plane. */
+ * of the perpendicular on its plane; the foot on a lateral surface that is nearer
+ * than both planes is between them. */
 static inline int feature_inside(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
@@ -248,9 +249,8 @@ static inline int feature_inside(elliptic_question *q)
                          q->by.distance +
                          8 * p->relative * (1 / p->z_norm + lateral);
     if (lateral < cap - error)
-        return (caps == 3 && q->side > 0) || place_of_foot(q).is_within
-                   ? CYLINT_FEATURE_LATERAL
-                   : CYLINT_NO_FEATURE;
+        return caps == 3 || place_of_foot(q).is_within ? CYLINT_FEATURE_LATERAL
+                                                       : CYLINT_NO_FEATURE;
     if (q->side == 0 || !(cap < lateral - error) || !(fabs(high - low) > error))
         return CYLINT_NO_FEATURE;
     return CYLINT_FEATURE_CAP0 + end;
