@@ -91,6 +91,8 @@ def test_masked_elements_are_refused():
     assert np.array_equal(ball.distance(points), ball.distance(points.data))
     points[1, 2] = np.ma.masked
     with refused("points: an element is masked"):
+        ball.distance([*points])
+    with refused("points: an element is masked"):
         ball.distance(points)
     with refused("exclude: an element is masked"):
         cylint.Scene(ball).any(

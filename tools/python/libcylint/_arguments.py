@@ -63,7 +63,8 @@ def takes(make: Callable[_P, _Made]) -> Callable[
 
 def array_of(name: str, value: ArrayLike, kind: Any = None) -> NDArray[Any]:
     """An array without masked elements: NumPy would take their numbers for data."""
-    if isinstance(value, np.ma.MaskedArray) and value.mask.any():
+    rows = value if isinstance(value, (list, tuple)) else (value,)
+    if any(isinstance(row, np.ma.MaskedArray) and row.mask.any() for row in rows):
         raise ValueError(f"{name}: an element is masked")
     try:
         return np.asarray(value, kind)

@@ -360,7 +360,7 @@ class Scene:
         `shape` is a member of a clause of solid number `solid`; of a negative
         clause its complement is.  A point is in a solid if each clause has a member
         that contains the point.  A shape in no solid is itself a solid.  The number
-        of a solid is that of its first shape that is not a complement.
+        of a solid is the least of its shapes that are not complements.
 
         `pieces`, `sums`, `depth` and `first_boundary` are about solids, all others
         about shapes.  Raises ValueError during a query of another thread.
@@ -546,8 +546,8 @@ class Scene:
         """All shapes near each point, as flat arrays.
 
         Near are those whose surface is at most r from the point.
-        points: (..., 3); r: (...), the radius, inf for all shapes.  They
-        broadcast.  Distances are compared as by `closest`; signed: those whose
+        points: (..., 3); r: (...), the radius, inf for all shapes that have a
+        surface.  They broadcast.  Distances are compared as by `closest`; signed: those whose
         signed distance is at most r.
 
         >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)

@@ -31,6 +31,7 @@ def read_qsm(
     round: capsules, whose round ends fill the joints, in place of cylinders.
     The label of a shape is its ID, or if there is none, the number of its row, from 1.
     Cylinders without length or radius are left out; a warning has their number.
+    With `round` those without length are balls.
 
     Raises ValueError for the first bad row, OSError if the file cannot be read.
 
