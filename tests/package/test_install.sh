@@ -386,10 +386,10 @@ test_symbols()
     command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
     for library in libcylint libcylint-scene; do
         none "$(nm -D --defined-only "$lib/$library.so" |
-            awk '$3 !~ /^(cylint_)/ { print $3 }')" \
+            awk '$3 !~ /^cylint_/ { print $3 }')" \
             "shared_${library}_exports_only_its_own_names"
         none "$(nm -g --defined-only "$lib/$library.a" |
-            awk 'NF == 3 && $3 !~ /^(cylint_)/ { print $3 }')" \
+            awk 'NF == 3 && $3 !~ /^cylint_/ { print $3 }')" \
             "static_${library}_defines_only_its_own_names"
     done
     none "$(declared cylint.h cylint_distance.h cylint_pieces.h cylint_methods.h |

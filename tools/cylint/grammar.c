@@ -440,7 +440,7 @@ static int has_late_word(const struct reader *r, const struct grammar *g,
          !word && (p = memchr(p, '=', (size_t)(end - p))); p++) {
         if (g->has_line)
             word = late_word_at(tail, p, NOT_WORD);
-        if (!word && !r->has_word)
+        if (!word && !(g->has_shape && r->has_word))
             word = late_word_at(tail, p, ENDS_WORD);
         if (!word && !g->has_line && !(word = late_word_at(tail, p, IN_WORD)))
             word = late_word_at(tail, p, OUT_WORD);
