@@ -161,7 +161,7 @@ static int count_numbers(struct reader r)
 
 static const char *skip_digits(const char *p, const char *end)
 {
-    while (p < end && *p >= '0' && *p <= '9')
+    while (p < end && is_digit(*p))
         p++;
     return p;
 }
@@ -174,7 +174,7 @@ static struct string decimal_comma(const struct reader *r)
     const char *const begin = r->notes->text, *const end = r->end;
     const char *comma = memchr(begin, ',', (size_t)(r->p - begin));
     const char *from = comma ? comma : begin;
-    while (from > begin && from[-1] >= '0' && from[-1] <= '9')
+    while (from > begin && is_digit(from[-1]))
         from--;
     from -= from > begin && (from[-1] == '-' || from[-1] == '+');
     if (!comma || from == comma || (from > begin && !is_blank(from[-1])))

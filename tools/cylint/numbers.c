@@ -12,11 +12,6 @@
 #include "numbers.h"
 #include "text.h"
 
-static int is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 static const char *read_digits(const char *p, uint64_t *count)
 {
     for (; is_digit(*p); p++)

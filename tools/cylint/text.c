@@ -8,7 +8,7 @@ int read_whole(struct string s, unsigned long long most,
 {
     const char *p = s.text;
     *value = 0;
-    for (; p < end_of(s) && *p >= '0' && *p <= '9' && *value <= most; p++)
+    for (; p < end_of(s) && is_digit(*p) && *value <= most; p++)
         *value = 10 * *value + (unsigned long long)(*p - '0');
     return s.length > 0 && p == end_of(s) && *value <= most;
 }

@@ -55,6 +55,11 @@ static inline int begins_with(struct string s, const char *word)
     return s.length >= length && memcmp(s.text, word, length) == 0;
 }
 
+static inline int is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
 /* Whether a string is digits, a number up to `most`, which is below 2^60. */
 int read_whole(struct string s, unsigned long long most,
                unsigned long long *value);

@@ -547,8 +547,8 @@ class Scene:
 
         Near are those whose surface is at most r from the point.
         points: (..., 3); r: (...), the radius, inf for all shapes that have a
-        surface.  They broadcast.  Distances are compared as by `closest`; signed: those whose
-        signed distance is at most r.
+        surface.  They broadcast.  Distances are compared as by `closest`; signed:
+        those whose signed distance is at most r.
 
         >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
