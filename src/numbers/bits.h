@@ -121,7 +121,6 @@ static inline int cylint_less(double x, double y)
 /* The least double above x, computed from the bits; infinity for infinity. */
 static inline double cylint_next_above(double x)
 {
-    /* untaken 1 of 2: no test steps from infinity */
     if (x > DBL_MAX)
         return x;
     return cylint_from_rank(cylint_rank(x) + 1);
