@@ -1,7 +1,9 @@
 """Shapes: constructors, members, indexing, boxes, points inside, files."""
 
+import locale
 import os
 import pickle
+import struct
 
 import numpy as np
 import pytest
@@ -361,6 +363,31 @@ def test_angles_in_text_keep_the_tangent(tmp_path):
     assert (cylint.read_scene(tmp_path / "scene") == cones).all()
     with refused("shape 1: text cannot hold a cone whose tangent"):
         cylint.write_scene(tmp_path / "scene", cylint.tangent_cone(*UNIT, [0.5, 1e300]))
+
+
+def test_text_does_not_depend_on_the_locale(tmp_path, monkeypatch):
+    # a locale of glibc with a decimal comma: the table of its file LC_NUMERIC
+    comma = struct.pack("=8I", 0x20031114, 6, 32, 34, 36, 40, 44, 48)
+    comma += b",\0.\0\3\3\0\0" + struct.pack("=2I", ord(","), ord(".")) + b"UTF-8\0"
+    (tmp_path / "comma").mkdir()
+    (tmp_path / "comma/LC_NUMERIC").write_bytes(comma)
+    monkeypatch.setenv("LOCPATH", str(tmp_path))
+    try:
+        locale.setlocale(locale.LC_NUMERIC, "comma")
+    except locale.Error:
+        pytest.skip("no locales of glibc")
+    try:
+        assert locale.localeconv()["decimal_point"] == ","
+        (tmp_path / "scene").write_text("sphere 4.9e-330 0x1.8p+3 0.1 2.5\n")
+        ball = cylint.read_scene(tmp_path / "scene")
+        cylint.write_scene(tmp_path / "again", ball)
+        (tmp_path / "large").write_text("sphere 1.5e400 0 0 1\n")
+        with refused("large:1:8: number too large"):
+            cylint.read_scene(tmp_path / "large")
+    finally:
+        locale.setlocale(locale.LC_NUMERIC, "C")
+    assert (ball == cylint.sphere([0, 12, 0.1], 2.5)).all()
+    assert (tmp_path / "again").read_text() == "sphere 0 12 0.1 2.5\n"
 
 
 def test_refused_shapes_have_no_kind(tmp_path):

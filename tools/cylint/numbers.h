@@ -1,7 +1,8 @@
 /*
  * numbers.h - converts text to double and double to text
  *
- * The command never calls setlocale(), so the locale has no effect.
+ * The numbers are those of the C locale.  The command never calls setlocale(); the
+ * Python module sets that locale for its thread.
  */
 #ifndef CYLINT_NUMBERS_H
 #define CYLINT_NUMBERS_H

@@ -7,6 +7,10 @@
  */
 #include <cstdarg>
 #include <cstdio>
+#include <locale.h>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
 #include <string>
 
 #include <nanobind/stl/unique_ptr.h>
@@ -24,7 +28,26 @@ const char *const program = "cylint";
 namespace
 {
 thread_local std::vector<std::string> *messages;
-}
+
+/* While one exists, numbers of its thread have a decimal point, whatever locale the
+ * process has set.  Windows has no locale of a thread; its from_chars() reads all
+ * but numbers out of range. */
+struct DecimalPoint {
+#ifndef _WIN32
+    DecimalPoint()
+    {
+        static const locale_t c = newlocale(LC_ALL_MASK, "C", nullptr);
+        before = uselocale(c);
+    }
+    ~DecimalPoint()
+    {
+        uselocale(before);
+    }
+
+    locale_t before;
+#endif
+};
+} // namespace
 
 extern "C" void message(const char *format, ...)
 {
@@ -73,6 +96,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
     int status;
     {
         const Unlocked unlocked;
+        const DecimalPoint locale{};
         messages = &printed;
         scene.file = file.c_str();
         scene.ends = ends;
@@ -98,6 +122,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
 nb::bytes write_scene(Input shapes, size_t first,
                       std::optional<nb::list> labels)
 {
+    const DecimalPoint locale{};
     std::string text;
     std::vector<char> line(RECORD_MOST);
     const struct solids none = {};
