@@ -87,8 +87,10 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     struct grammar g = {0};
     g.has_line = a % 3 != 0;
     g.has_shape = a % 3 != 1;
-    g.line = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
-    g.shape = (int)(a / 18 % (SHAPE_KINDS + 1)) - 1;
+    const int kind = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
+    g.line = g.has_line ? kind : NOT_GIVEN;
+    g.shape = g.has_shape && g.line != NOT_GIVEN ? (int)(a / 18 % SHAPE_KINDS)
+                                                 : NOT_GIVEN;
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
     g.no_tail = b / 14 % 2 != 0;
@@ -119,8 +121,7 @@ static void check_doubles(const struct grammar *g, const char *bytes,
     double numbers[MOST_NUMBERS] = {0};
     struct record record;
     struct notes notes = {0};
-    if ((g->has_line && g->line == NOT_GIVEN) ||
-        (g->has_shape && g->shape == NOT_GIVEN))
+    if (g->line == NOT_GIVEN)
         return;
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
     memset(&record, 0, sizeof record);

@@ -88,7 +88,7 @@ void put_answer(struct task *task, int is_hit)
 
 /* --------------------------------------------------------- good and bad -- */
 
-/* A record that the options do not allow has the columns of the others. */
+/* A point where only lines are allowed has the columns of lines, and the reverse. */
 static void mark_bad(struct task *task)
 {
     const struct options *o = task->job->options;
@@ -101,21 +101,15 @@ static void mark_bad(struct task *task)
                         NULL);
 }
 
-static int read_left_out(struct task *task)
-{
-    const struct job *job = task->job;
-    task->left_out.count = 0;
-    return task->record.words.length > 0 &&
-           left_out_read(&task->left_out, &job->groups, job->options->not_label,
-                         task->record.words, &task->notes);
-}
-
 /* status: of reading the record. */
 static void answer_or_mark(struct task *task, int status)
 {
+    const struct job *job = task->job;
     task->row.tail = task->record.tail;
     if (status == 0)
-        status = read_left_out(task);
+        status = left_out_read(&task->left_out, &job->groups,
+                               job->options->not_label, task->record.words,
+                               &task->notes);
     if (status == 0)
         status = answer_record(task);
     if (status != 0)

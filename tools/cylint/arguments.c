@@ -30,8 +30,10 @@ static const char *dashes_of(const struct option *o)
     return o->name[1] ? "--" : "-";
 }
 
-int usage_value(const struct option *o, const char *value, const char *expected,
-                const char *meant)
+/* usage() for a wrong value.  `meant` is the word nearest to it that is right, or
+ * NULL. */
+static int usage_value(const struct option *o, const char *value,
+                       const char *expected, const char *meant)
 {
     char shown[SHOWN_CAPACITY];
     return usage("%s%s: expected %s, found '%s'%s%s%s", dashes_of(o), o->name,
@@ -142,15 +144,15 @@ static int set_next(struct arguments *args, const struct option *o)
 static int refuse_option(const struct option *table, const char *dashes,
                          struct string name)
 {
-    struct similar similar = similar_begin(name);
+    const char *meant = NULL;
     char text[SHOWN_CAPACITY];
     const char *shown = escape(text, name, VALUE_MOST);
     for (const struct option *o = table; o->name; o++)
         if (o->name[1])
-            similar_try(&similar, o->name);
-    return similar.word ? usage("unknown option '%s%s'; did you mean --%s?",
-                                dashes, shown, similar.word)
-                        : usage("unknown option '%s%s'", dashes, shown);
+            meant = nearer_word(name, meant, o->name);
+    return meant ? usage("unknown option '%s%s'; did you mean --%s?", dashes,
+                         shown, meant)
+                 : usage("unknown option '%s%s'", dashes, shown);
 }
 
 static int take_long(struct arguments *args, const char *text)

@@ -48,17 +48,13 @@ option_reader read_about; /* a const char *, the word or the option's name */
 
 /* Prints a message and a hint to --help.  Returns EXIT_USAGE. */
 int usage(const char *format, ...) LIKE_PRINTF(1, 2);
-/* The same for a wrong value.  `meant` is the word nearest to it that is
- * right, or NULL. */
-int usage_value(const struct option *o, const char *value, const char *expected,
-                const char *meant);
 
 /* Returns 0 if the value is right; else prints what was expected, o->extra, and
  * returns EXIT_USAGE. */
 int check_value(const struct option *o, const char *value, int is_right);
 
-/* Both read a number at p and return the byte after it, or NULL.  The ends of a
- * domain may be inf or -inf; the numbers of a record may not. */
+/* Both read a number at p and return the byte after it, or NULL.  read_bound() also
+ * reads inf and -inf. */
 const char *read_finite(const char *p, double *value);
 const char *read_bound(const char *p, double *bound);
 

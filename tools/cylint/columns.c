@@ -163,11 +163,11 @@ static int has_query(const struct column *c, int query)
 
 const char *similar_field(struct string name, int query)
 {
-    struct similar similar = similar_begin(name);
+    const char *best = NULL;
     for (const struct column *c = columns; c->name; c++)
         if (has_query(c, query))
-            similar_try(&similar, c->name);
-    return similar.word;
+            best = nearer_word(name, best, c->name);
+    return best;
 }
 
 static void add_field(struct fields *fields, const struct column *c, int query)

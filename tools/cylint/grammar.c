@@ -35,7 +35,7 @@ const char *const ends_words[] = {"capped",   "open",  "cap0", "cap1",
 
 int numbers_of_record(const struct grammar *g)
 {
-    return (g->has_line ? line_kinds[g->line].numbers : 0) +
+    return line_kinds[g->line].numbers +
            (g->has_shape ? shape_kinds[g->shape].numbers : 0);
 }
 
@@ -132,7 +132,9 @@ int refuse_other_field(struct reader *r, const char *expected)
 static int refuse_word(struct reader *r, struct words expected)
 {
     char list[WORDS_CAPACITY];
-    return refuse_other_field(r, list_words(list, expected));
+    refuse_other_field(r, list_words(list, expected));
+    suggest(r->notes, expected, field(r));
+    return EXIT_BAD;
 }
 
 static int is_next(const struct reader *r, const char *word)
@@ -191,7 +193,8 @@ static struct string decimal_comma(const struct reader *r)
 
 #define SEPARATORS "write a decimal point, and blanks or commas between fields"
 
-/* Of a bad record whose field at r is wrong. */
+/* Appends advice to the note if the wrong field, at r, suggests a decimal comma or
+ * semicolons. */
 static void advise_on_separators(struct reader *r)
 {
     double value;
@@ -208,10 +211,10 @@ void remark_decimal_comma(struct reader *r)
         return;
     const struct string found = decimal_comma(r);
     if (found.length > 0 && count_numbers(*r) > 0 &&
-        wants_remark(r->notes, REMARK_SURPLUS)) {
+        wants_remark(r->notes, REMARK_NUMBERS)) {
         refuse_text(r->notes, "these are two numbers", found);
         advise(r->notes, SEPARATORS);
-        make_remark(r->notes, REMARK_SURPLUS);
+        make_remark(r->notes, REMARK_NUMBERS);
     }
 }
 
@@ -241,8 +244,6 @@ static int refuse_line_kind(struct reader *r, const struct grammar *g)
                                        : "for bare numbers use -k ray");
     else if (find_word(WORDS(shape_kinds), field(r)) != NOT_GIVEN)
         advise(r->notes, "for a scene use -s");
-    else
-        suggest(r->notes, WORDS(line_kinds), field(r));
     return EXIT_BAD;
 }
 
@@ -255,8 +256,6 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
         advise(r->notes, g->convert);
     else if (!g->has_line && count_numbers(*r) > 0)
         advise(r->notes, "a neuron needs a name that ends in .swc");
-    else
-        suggest(r->notes, WORDS(shape_kinds), field(r));
     return EXIT_BAD;
 }
 
@@ -318,11 +317,8 @@ static int read_ends(struct reader *r, int *ends)
         return 0;
     r->p += strlen(ENDS_WORD);
     *ends = find_word(WORDS(ends_words), field(r));
-    if (*ends == NOT_GIVEN) {
-        refuse_word(r, WORDS(ends_words));
-        suggest(r->notes, WORDS(ends_words), field(r));
-        return EXIT_BAD;
-    }
+    if (*ends == NOT_GIVEN)
+        return refuse_word(r, WORDS(ends_words));
     r->has_word = 1;
     skip_field(r);
     return 0;
@@ -356,8 +352,8 @@ static int is_solid_next(const struct reader *r)
     return is_next(r, IN_WORD) || is_next(r, OUT_WORD);
 }
 
-/* Finds the end of the words in=NAME and out=NAME, or not=NAME, which are read
- * together with the scene. */
+/* Finds the end of the words in=NAME and out=NAME, or not=NAME; solids_read() or
+ * left_out_read() reads them. */
 static int read_words(struct reader *r, const struct grammar *g,
                       struct record *record)
 {
@@ -386,10 +382,8 @@ static const char *article(const char *word)
  * begin with a number. */
 static int has_surplus(struct reader *r, const struct grammar *g)
 {
-    const int is_bare = g->line != NOT_GIVEN &&
-                        (!g->has_shape || g->shape != NOT_GIVEN) &&
-                        !r->has_word;
-    const int surplus = is_bare ? count_numbers(*r) : 0;
+    const int surplus =
+        g->line != NOT_GIVEN && !r->has_word ? count_numbers(*r) : 0;
     if (surplus == 0)
         return 0;
     const char *line = line_kinds[g->line].word;
@@ -400,21 +394,6 @@ static int has_surplus(struct reader *r, const struct grammar *g)
            *shape ? article(shape) : "", *shape ? " " : "", shape,
            *shape ? "have" : "has", numbers);
     return 1;
-}
-
-/* The start of this word, which ends at `equals`, if a field of the tail begins
- * with it; else NULL. */
-static const char *late_word_at(struct string tail, const char *equals,
-                                const char *word)
-{
-    const size_t length = strlen(word);
-    if ((size_t)(equals + 1 - tail.text) < length)
-        return NULL;
-    const char *const begin = equals + 1 - length;
-    return (begin == tail.text || is_blank(begin[-1]) || begin[-1] == ',') &&
-                   memcmp(begin, word, length) == 0
-               ? begin
-               : NULL;
 }
 
 /* Whether the tail begins with a shape, which a record with a scene does not have.
@@ -431,23 +410,17 @@ static int has_late_shape(struct reader r, const struct grammar *g)
 }
 
 /* Whether the tail has a word that is read only before the tail.  Notes the first
- * one.  After another word ends= belongs to the tail. */
-static int has_late_word(const struct reader *r, const struct grammar *g,
-                         struct string tail)
+ * one.  After another word of a shape ends= belongs to the tail. */
+static int has_late_word(struct reader r, const struct grammar *g)
 {
-    const char *const end = end_of(tail), *word = NULL;
-    for (const char *p = tail.text;
-         !word && (p = memchr(p, '=', (size_t)(end - p))); p++) {
-        if (g->has_line)
-            word = late_word_at(tail, p, NOT_WORD);
-        if (!word && !(g->has_shape && r->has_word))
-            word = late_word_at(tail, p, ENDS_WORD);
-        if (!word && !g->has_line && !(word = late_word_at(tail, p, IN_WORD)))
-            word = late_word_at(tail, p, OUT_WORD);
-    }
-    return word &&
-           refuse_text(r->notes, "this word has no effect within the tail",
-                       between(word, field_end(word, end)));
+    if (!memchr(r.p, '=', (size_t)(r.end - r.p)))
+        return 0;
+    for (; r.p < r.end; skip_field(&r))
+        if ((g->has_line && is_next(&r, NOT_WORD)) ||
+            (!(g->has_shape && r.has_word) && is_next(&r, ENDS_WORD)) ||
+            (!g->has_line && is_solid_next(&r)))
+            return refuse_field(&r, "this word has no effect within the tail");
+    return 0;
 }
 
 /* The tail is copied unchanged.  A NUL is refused, because text tools that read
@@ -467,21 +440,20 @@ static int read_tail(struct reader *r, const struct grammar *g,
     if (g->no_tail)
         return has_surplus(r, g) ||
                refuse_other_field(r, "the end of the line");
-    if (wants_remark(r->notes, REMARK_SURPLUS) && has_surplus(r, g)) {
+    if (wants_remark(r->notes, REMARK_NUMBERS) && has_surplus(r, g)) {
         advise(r->notes, "what follows is copied as the tail");
-        make_remark(r->notes, REMARK_SURPLUS);
+        make_remark(r->notes, REMARK_NUMBERS);
     }
     remark_decimal_comma(r);
     if (wants_remark(r->notes, REMARK_LATE_WORD) &&
-        (has_late_shape(*r, g) || has_late_word(r, g, record->tail)))
+        (has_late_shape(*r, g) || has_late_word(*r, g)))
         make_remark(r->notes, REMARK_LATE_WORD);
     return 0;
 }
 
-static void remark_domain(const struct grammar *g, int kind, const char *at,
-                          struct notes *notes)
+static void remark_domain(int kind, const char *at, struct notes *notes)
 {
-    if (g->has_domain && kind >= LINE_SEGMENT && kind < LINE_KINDS &&
+    if (kind >= LINE_SEGMENT && kind < LINE_KINDS &&
         wants_remark(notes, REMARK_DOMAIN)) {
         refuse(notes, at, "-t has no effect on a %s", line_kinds[kind].word);
         make_remark(notes, REMARK_DOMAIN);
@@ -529,24 +501,20 @@ int read_record(const struct grammar *g, const char *text, const char *end,
         advise_on_separators(&r);
         return EXIT_BAD;
     }
-    remark_domain(g, kind, at, notes);
+    remark_domain(kind, at, notes);
     return 0;
 }
 
 int record_of_numbers(const struct grammar *g, const double *numbers,
                       struct record *record, struct notes *notes)
 {
-    cylint_status status = CYLINT_OK;
+    cylint_status status = make_line(g, g->line, numbers, record);
+    numbers += line_kinds[g->line].numbers;
     record->tail.length = record->words.length = 0;
-    if (g->has_line) {
-        status = make_line(g, g->line, numbers, record);
-        numbers += line_kinds[g->line].numbers;
-    }
     if (g->has_shape && status == CYLINT_OK)
         status = shape_of_numbers(g->shape, g->ends, numbers, &record->shape);
     if (status != CYLINT_OK)
         return refuse(notes, NULL, "%s", cylint_strerror((int)status));
-    if (g->has_line)
-        remark_domain(g, g->line, NULL, notes);
+    remark_domain(g->line, NULL, notes);
     return 0;
 }

@@ -93,24 +93,16 @@ static int open_next(struct input *in, struct block *b)
 
 /* ------------------------------------------------------------ reading -- */
 
-/* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns
- * whether there is input, or its end; writes whether the work ended meanwhile. */
-static int wait_for_input(const struct input *in, int timeout,
-                          int *has_work_ended)
+/* Waits at most `timeout` milliseconds, -1: as long as it takes.  Returns 1 if
+ * there is input, or its end; 0 if there is none yet; -1 if the work has ended. */
+static int wait_for_input(const struct input *in, int timeout)
 {
     struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->end_fd, POLLIN, 0}};
     int ready = 1, ends = 0;
     while (!in->is_regular && !ends && (ready = poll(p, 2, timeout)) < 0 &&
            errno == EINTR)
         ends = is_interrupted();
-    *has_work_ended = ends || p[1].revents != 0;
-    return ready != 0;
-}
-
-static int would_wait(const struct input *in)
-{
-    int has_work_ended;
-    return !wait_for_input(in, 0, &has_work_ended);
+    return ends || p[1].revents != 0 ? -1 : ready != 0;
 }
 
 /* From `from` on, replaces each CR by LF unless an LF follows.  A CR at the end
@@ -130,8 +122,7 @@ static void end_lines_at_cr(struct block *b, size_t from)
  * an error, and if the work has ended. */
 static void read_bytes(struct input *in, struct block *b)
 {
-    int has_work_ended;
-    while (wait_for_input(in, -1, &has_work_ended) && !has_work_ended) {
+    while (wait_for_input(in, -1) > 0) {
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
@@ -159,18 +150,13 @@ static void drop_front(struct block *b, size_t n)
 /* Skips the remaining bytes of a line that was too long. */
 static void skip_line(struct input *in, struct block *b)
 {
-    while (in->is_skipping && !in->has_ended) {
+    while (in->is_skipping) {
         b->length = 0;
         read_bytes(in, b);
         const char *end = memchr(b->text, '\n', b->length);
-        if (end) {
+        if (end)
             drop_front(b, (size_t)(end - b->text) + 1);
-            in->is_skipping = 0;
-        }
-    }
-    if (in->is_skipping) {
-        b->length = 0;
-        in->is_skipping = 0;
+        in->is_skipping = !end && !in->has_ended;
     }
 }
 
@@ -194,8 +180,8 @@ static size_t find_whole(const struct input *in, const struct block *b,
 static size_t read_whole_records(struct input *in, struct block *b)
 {
     size_t whole = find_whole(in, b, 0, 0);
-    while (!in->has_ended &&
-           !(whole > 0 && (b->length >= BLOCK_GOAL || would_wait(in)))) {
+    while (!in->has_ended && !(whole > 0 && (b->length >= BLOCK_GOAL ||
+                                             wait_for_input(in, 0) == 0))) {
         if (whole == 0 && b->length > LINE_MOST) {
             in->is_skipping = 1;
             return b->length = LINE_MOST + 1;
@@ -234,32 +220,24 @@ static void skip_byte_order_mark(struct block *b)
         drop_front(b, 3);
 }
 
-static int read_until(struct input *in, struct block *b, size_t length)
-{
-    while (b->length < length && npy_begins(b->text, b->length) &&
-           !in->has_ended)
-        read_bytes(in, b);
-    return b->length >= length;
-}
-
 /* Skips a .npy header.  Returns 0 after a failure. */
 static int skip_npy_header(struct input *in, struct block *b)
 {
-    if (!read_until(in, b, NPY_PREFIX) || !npy_begins(b->text, b->length)) {
-        return !npy_is_damaged(b->text, b->length) ||
-               fail(b, ".npy header: magic: expected \\x93NUMPY");
-    }
-    char wrong[NPY_WRONG];
-    const size_t length = npy_length(b->text, wrong);
+    const size_t columns = in->record_size / sizeof(double);
+    char wrong[FAULT_CAPACITY] = "";
     unsigned long long rows = 0;
-    if (length > 0 && !read_until(in, b, length))
-        return fail(b, ".npy header: length: the file ends within the header");
-    if (length == 0 ||
-        !npy_read(b->text, length, in->record_size / sizeof(double), &rows,
-                  wrong))
+    size_t length;
+    while ((length = npy_read(b->text, b->length, columns, &rows, wrong)) >
+               b->length &&
+           !in->has_ended)
+        read_bytes(in, b);
+    if (wrong[0])
         return fail(b, wrong);
+    if (length > b->length)
+        return length == NPY_PREFIX ||
+               fail(b, ".npy header: length: the file ends within the header");
     drop_front(b, length);
-    in->has_header = 1;
+    in->has_header = length > 0;
     in->bytes_stated = rows * in->record_size;
     return 1;
 }
@@ -330,8 +308,9 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
     b->text[b->length] = '\0';
 }
 
-/* Returns what is wrong with a file that begins so, or NULL.  No line begins so; of
- * doubles four bytes are compared, which do not occur in data by chance. */
+/* Returns why a file with this beginning is refused, or NULL.  No line of text has
+ * such a beginning; of doubles four bytes are compared, which do not
+ * occur in data by chance. */
 static const char *fault_of_beginning(const struct input *in,
                                       const struct block *b)
 {
@@ -396,8 +375,8 @@ int block_make(struct block *block)
 
 /* ----------------------------------------------------- lines of one file -- */
 
-static int read_block(struct block *b, struct notes *notes,
-                      line_handler *handle, void *context)
+static int handle_lines(struct block *b, struct notes *notes,
+                        line_handler *handle, void *context)
 {
     const char *const end = b->text + b->length, *stop;
     int status = 0;
@@ -421,7 +400,7 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
     char *const files[] = {(char *)(uintptr_t)file};
     struct input in;
     struct block block;
-    struct notes notes = {.wanted = 1u << REMARK_SURPLUS |
+    struct notes notes = {.wanted = 1u << REMARK_NUMBERS |
                                     1u << REMARK_LATE_WORD |
                                     1u << REMARK_LABEL};
     struct report report = {0};
@@ -432,7 +411,7 @@ int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
             input_read(&in, &block);
             status = block.fault[0]
                          ? complain(EXIT_IO, block.name, "%s", block.fault)
-                         : read_block(&block, &notes, handle, context);
+                         : handle_lines(&block, &notes, handle, context);
             report_notes(&report, &notes, block.name);
         } while (status == 0 && block.length > 0);
         input_close(&in);

@@ -9,7 +9,7 @@
 
 /* Whole records, and why the input ends after them. */
 struct block {
-    /* With a NUL byte.  The last record may be the beginning of a line that is
+    /* A NUL byte follows.  The last record may be the beginning of a line that is
      * too long, or a binary record cut off by the end of the input. */
     char *text;
     size_t length;
@@ -21,7 +21,7 @@ struct block {
     unsigned long long records;        /* number of records */
     unsigned long long bytes_read;     /* of all input so far */
 
-    char fault[NPY_WRONG]; /* why the input failed, or "" */
+    char fault[FAULT_CAPACITY]; /* why the input failed, or "" */
 };
 
 struct input {

@@ -63,7 +63,7 @@ struct left_out {
 int left_out_read(struct left_out *left_out, const struct groups *groups,
                   int by_label, struct string words, struct notes *notes);
 
-/* Whether it has the shape's group. */
+/* Whether the group is left out. */
 int left_out_has(const struct left_out *left_out, size_t group);
 
 #endif

@@ -55,8 +55,8 @@ static int reads_terminal(const struct options *o)
     return strcmp(o->files[0], "-") == 0 && isatty(0);
 }
 
-/* The scene of an input without a byte is not read, unless its labels are the
- * columns.  It must exist. */
+/* If the input has no byte, the scene is not read, unless its labels are the
+ * columns; but its file must exist. */
 static int read_scene_if_needed(struct job *job)
 {
     const struct options *o = job->options;

@@ -14,19 +14,13 @@ static const char magic[] = "\x93NUMPY";
 
 enum {
     MAGIC = sizeof magic - 1,
-    MAGIC_SURE = 4, /* bytes of it that do not occur in data by chance */
-    VALUE_MOST = 40 /* bytes of a value in a message */
+    MAGIC_SURE = 4,  /* bytes of it that do not occur in data by chance */
+    VALUE_SHOWN = 40 /* bytes of a value in a message */
 };
 
-int npy_begins(const char *bytes, size_t length)
+static int begins(const char *bytes, size_t length)
 {
     return memcmp(bytes, magic, length < MAGIC ? length : MAGIC) == 0;
-}
-
-int npy_is_damaged(const char *bytes, size_t length)
-{
-    return length >= MAGIC && npy_begins(bytes, MAGIC_SURE) &&
-           !npy_begins(bytes, length);
 }
 
 /* Bytes before the dictionary. */
@@ -35,11 +29,12 @@ static size_t prefix_length(const char *header)
     return header[MAGIC] == 1 ? 10 : 12;
 }
 
-size_t npy_length(const char *bytes, char wrong[NPY_WRONG])
+/* Bytes of the whole header, or 0 and a message. */
+static size_t header_length(const char *bytes, char wrong[FAULT_CAPACITY])
 {
     const unsigned char *b = (const unsigned char *)bytes + MAGIC;
     if (b[0] < 1 || b[0] > 3 || b[1] != 0) {
-        snprintf(wrong, NPY_WRONG,
+        snprintf(wrong, FAULT_CAPACITY,
                  ".npy header: version: expected 1.0, 2.0 or 3.0, found %d.%d",
                  b[0], b[1]);
         return 0;
@@ -48,7 +43,7 @@ size_t npy_length(const char *bytes, char wrong[NPY_WRONG])
     if (b[0] > 1)
         text += ((unsigned long)b[4] << 16) + ((unsigned long)b[5] << 24);
     if (text < 2 || text > NPY_HEADER_MOST) {
-        snprintf(wrong, NPY_WRONG,
+        snprintf(wrong, FAULT_CAPACITY,
                  ".npy header: length: expected 2 to %d bytes, found %lu",
                  NPY_HEADER_MOST, text);
         return 0;
@@ -69,17 +64,17 @@ static const char *value_of(const char *dictionary, const char *key)
 
 /* Writes the message that the value of a key is wrong.  The value ends before
  * `last`, or with it if it is a bracket.  Returns 0. */
-static int refuse_value(char wrong[NPY_WRONG], const char *key,
+static int refuse_value(char wrong[FAULT_CAPACITY], const char *key,
                         const char *expected, const char *value, char last)
 {
     char found[SHOWN_CAPACITY] = "nothing";
     if (value) {
         const char *end = strchr(value, last);
         end = end ? end + (last == ')') : value + strlen(value);
-        escape(found, between(value, end), VALUE_MOST);
+        escape(found, between(value, end), VALUE_SHOWN);
     }
-    snprintf(wrong, NPY_WRONG, ".npy header: %s: expected %s, found %s", key,
-             expected, found);
+    snprintf(wrong, FAULT_CAPACITY, ".npy header: %s: expected %s, found %s",
+             key, expected, found);
     return 0;
 }
 
@@ -96,8 +91,8 @@ static int read_array_shape(const char *shape, size_t columns,
            found == columns && (last == ')' || (last == ',' && bracket == ')'));
 }
 
-int npy_read(char *header, size_t length, size_t columns,
-             unsigned long long *rows, char wrong[NPY_WRONG])
+static int read_dictionary(char *header, size_t length, size_t columns,
+                           unsigned long long *rows, char wrong[FAULT_CAPACITY])
 {
     const char *dictionary = header + prefix_length(header);
     char expected[40];
@@ -112,6 +107,21 @@ int npy_read(char *header, size_t length, size_t columns,
     snprintf(expected, sizeof expected, "(ROWS, %lu)", (unsigned long)columns);
     return read_array_shape(shape, columns, rows) ||
            refuse_value(wrong, "shape", expected, shape, ')');
+}
+
+size_t npy_read(char *bytes, size_t length, size_t columns,
+                unsigned long long *rows, char wrong[FAULT_CAPACITY])
+{
+    const size_t whole = !begins(bytes, length) ? 0
+                         : length < NPY_PREFIX  ? NPY_PREFIX
+                                                : header_length(bytes, wrong);
+    if (whole > 0 && whole <= length)
+        read_dictionary(bytes, whole, columns, rows, wrong);
+    else if (length >= MAGIC && !begins(bytes, length) &&
+             begins(bytes, MAGIC_SURE))
+        snprintf(wrong, FAULT_CAPACITY,
+                 ".npy header: magic: expected \\x93NUMPY");
+    return whole;
 }
 
 void npy_write(char header[NPY_WRITTEN], unsigned long long rows,

@@ -19,23 +19,6 @@ static const char *read_digits(const char *p, uint64_t *count)
     return p;
 }
 
-/* Whether none of eight bytes is below '.', as separators and signs are.  A
- * borrow can only make a further byte count as below. */
-static int has_no_separator(const char *p)
-{
-    const uint64_t ones = 0x0101010101010101u;
-    uint64_t x;
-    memcpy(&x, p, sizeof x);
-    return ((x - ones * '.') & ~x & (ones << 7)) == 0;
-}
-
-/* Numbers of 17 characters or more are rarely short and are not tested. */
-static int is_long(const char *text, const char *end)
-{
-    return end - text > 17 &&
-           (has_no_separator(text + 1) & has_no_separator(text + 9));
-}
-
 /*
  * Reads digits with a point but without an exponent, the most frequent form.
  * The number is M / 10^k, where M has all the digits and k of them are after
@@ -44,7 +27,7 @@ static int is_long(const char *text, const char *end)
  * numbers accurately, 1990].  This needs arithmetic without excess precision.
  * Returns NULL for other numbers.
  */
-static const char *read_short(const char *text, const char *end, double *value)
+static const char *read_short(const char *text, double *value)
 {
     static const double powers[2][19] = {
         {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
@@ -52,7 +35,7 @@ static const char *read_short(const char *text, const char *end, double *value)
         {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
          -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18}};
     enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
-    if (FLT_EVAL_METHOD != 0 || is_long(text, end))
+    if (FLT_EVAL_METHOD != 0)
         return NULL;
     const int is_negative = *text == '-';
     const char *const digits = text + (is_negative || *text == '+');
@@ -75,7 +58,7 @@ static const char *read_short(const char *text, const char *end, double *value)
 /* The libraries read inf and nan, too, and not all of them read a plus sign. */
 const char *cylint_read_number(const char *text, const char *end, double *value)
 {
-    const char *after = read_short(text, end, value);
+    const char *after = read_short(text, value);
     if (after)
         return after;
     const char *p = text + (text < end && (*text == '+' || *text == '-'));

@@ -256,7 +256,7 @@ static int uses_stdin(const struct options *o)
     return is_used;
 }
 
-/* Before the files are completed: --save without one answers no records. */
+/* Without files --save answers no records; otherwise standard input is read. */
 static int settle_files(struct options *o)
 {
     static char dash[] = "-";
@@ -304,7 +304,7 @@ static int settle_pieces(struct options *o)
     return check_rules(rules);
 }
 
-/* Whether the options allow only lines or only points. */
+/* Sets why records may not have lines, points or not=NAME. */
 static int settle_records(struct options *o)
 {
     struct grammar *g = &o->grammar;
@@ -410,7 +410,7 @@ static int settle_binary(struct options *o)
 static unsigned wanted_remarks(const struct options *o)
 {
     const struct grammar *g = &o->grammar;
-    const unsigned tail = 1u << REMARK_SURPLUS | 1u << REMARK_LATE_WORD;
+    const unsigned tail = 1u << REMARK_NUMBERS | 1u << REMARK_LATE_WORD;
     return (o->tail_policy == TAIL_WITH_REMARK ? tail : 0) |
            (unsigned)g->has_domain << REMARK_DOMAIN |
            (unsigned)!g->has_shape << REMARK_LABEL;

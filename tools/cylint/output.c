@@ -242,8 +242,10 @@ int output_begin_array(struct output *out)
                             !(fcntl(out->fd, F_GETFL) & O_APPEND);
     if (!is_seekable)
         return complain(EXIT_IO, out->name, "a .npy array must go to a file");
-    out->header_at = (long long)lseek(out->fd, 0, SEEK_CUR);
-    return put_array_header(out, 0);
+    const off_t at = lseek(out->fd, 0, SEEK_CUR);
+    const int status = put_array_header(out, 0);
+    out->header_at = status == 0 ? (long long)at : -1;
+    return status;
 }
 
 /* Reports a closed standard output even if there is no output. */

@@ -28,15 +28,15 @@ struct output {
 };
 
 /* Opens those of the descriptors 0 to 2 that are closed.  Otherwise the next
- * file opened would become standard output.  A write beyond the limit of a
- * file's size then fails, as other writes do.  Call it first. */
+ * file opened would become standard output.  Also ignores SIGXFSZ, so that a write
+ * beyond the limit of a file's size fails as other writes do.  Call it first. */
 void guard_standard_streams(void);
 
 /* open(), repeated if a signal interrupts it. */
 int open_file(const char *name, int flags, unsigned mode);
 
-/* Whether a regular file, NULL: standard output, is also this other one; "-" is
- * standard input.  Prints the fault if so. */
+/* Whether file (NULL: standard output) and other ("-": standard input) are one
+ * regular file.  Prints the fault if so. */
 int output_is_file(const char *file, const char *other, const char *fault);
 /* The same, where the other one is an input. */
 int output_is_input(const char *file, const char *input);

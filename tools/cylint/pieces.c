@@ -64,7 +64,7 @@ static int grow_pieces(struct piece_memory *m)
     return larger != NULL;
 }
 
-/* A search that finds more pieces than before begins again. */
+/* Searches again with more memory until all pieces have space. */
 size_t find_pieces(const cylint_scene *scene, const cylint_line *line,
                    const cylint_piece_rule *rule, size_t most,
                    struct piece_memory *m)

@@ -96,7 +96,8 @@ void make_remark(struct notes *notes, enum remark remark)
 
 /* In text, control characters other than tabs and line ends are rare; in
  * random bytes every ninth is one.  A file looks binary if they are more than
- * one in 20 of its first 512 bytes.  A few of them may be typing errors. */
+ * one in 20 of the 512 bytes from the bad record on.  A few of them may be
+ * typing errors. */
 static int looks_binary(const char *text, const char *end)
 {
     enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
@@ -110,7 +111,8 @@ static int looks_binary(const char *text, const char *end)
     return control > SLIPS && control > looked_at / ONE_IN;
 }
 
-/* With advice the text does not depend on how much of a pipe was read. */
+/* A note with advice is not tested for a binary file: that test depends on how many
+ * bytes of a pipe were read. */
 void count_bad(struct notes *notes)
 {
     struct note *note = present_note(notes);

@@ -30,9 +30,6 @@ enum {
 #define LIKE_PRINTF(format_, first)
 #endif
 
-/* The terminal's last line is one of progress, which a message replaces. */
-extern int has_progress_line;
-
 /* Prints `PROGRAM: `, the text as printf() writes it, and a line feed. */
 void message(const char *format, ...) LIKE_PRINTF(1, 2);
 
@@ -42,11 +39,12 @@ int is_interrupted(void);
 /* Messages about good records.  Each is printed for the first such record
  * only. */
 enum remark {
-    REMARK_NONE,      /* the record is bad */
-    REMARK_SURPLUS,   /* its tail begins with a number */
-    REMARK_DOMAIN,    /* -t does not apply to its line or point */
-    REMARK_LABEL,     /* it has a label that no shape has */
-    REMARK_LATE_WORD, /* its tail has a word without effect there */
+    REMARK_NONE,    /* the record is bad */
+    REMARK_NUMBERS, /* its tail begins with a number, or a number has a decimal
+                       * comma */
+    REMARK_DOMAIN,  /* -t does not apply to its line or point */
+    REMARK_LABEL,   /* it has a label that no shape has */
+    REMARK_LATE_WORD, /* its tail has a word or a shape without effect there */
     REMARKS
 };
 
@@ -80,7 +78,7 @@ struct report {
 };
 
 /* All write the note that the present record is bad, and return EXIT_BAD.
- * The place is in its text, or NULL. */
+ * at: the place in the record's text, or NULL. */
 /* A text in the format of printf(). */
 int refuse(struct notes *notes, const char *at, const char *format, ...)
     LIKE_PRINTF(3, 4);
@@ -92,9 +90,9 @@ int refuse_other(struct notes *notes, const char *expected, struct string text);
 void advise(struct notes *notes, const char *advice);
 void suggest(struct notes *notes, struct words words, struct string text);
 
-/* Whether to test the present record for a remark.  If so, the caller writes it
- * as if the record were bad; make_remark() then makes it this remark, which stays
- * whatever follows. */
+/* Whether to test the present record for a remark.  If so, the caller writes a
+ * note as for a bad record and calls make_remark(): the note becomes the remark,
+ * also if the record is bad. */
 int wants_remark(struct notes *notes, enum remark remark);
 void make_remark(struct notes *notes, enum remark remark);
 

@@ -97,8 +97,8 @@ void scene_free(struct scene *scene);
 
 /* --------------------------------------------------------------- text -- */
 
-/* Bytes of a record: numbers, solids of a line, one more, which makes it too long,
- * and a label. */
+/* Bytes of a record that is refused as too long at the latest: 512 for the shape, a
+ * line of solids, one more solid, and a label. */
 enum { RECORD_MOST = 512 + 3 * LINE_MOST };
 
 /* Writes the arguments of a shape's constructor; that of an acone is its tangent,

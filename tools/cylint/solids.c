@@ -69,7 +69,8 @@ int solids_read(struct solids *s, size_t shape, struct string words,
 /* ------------------------------------------------------ equal numbers -- */
 
 /* Writes the number that the library gives to each solid, from 1: that of its
- * first shape.  Shapes ascend. */
+ * first shape with in=, or of its first shape if it has none.  The members' shapes
+ * ascend. */
 static void number_solids(const struct solids *s, size_t *number)
 {
     for (int is_complement = 0; is_complement < 2; is_complement++)

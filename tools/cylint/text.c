@@ -112,29 +112,20 @@ static int edit_distance(struct string s, struct string word)
 
 /* A word is near if the distance is at most a third of the text's length, or
  * 1, and less than the length. */
-struct similar similar_begin(struct string s)
+const char *nearer_word(struct string s, const char *best, const char *word)
 {
-    const int length = s.length > COMPARED_MOST ? 0 : (int)s.length;
-    const int third = length < 6 ? 1 : length / 3;
-    return (struct similar){s, NULL, lesser(third, length - 1)};
-}
-
-void similar_try(struct similar *similar, const char *word)
-{
-    const struct string s = string_of(word);
-    if (similar->most < 0 || s.length > COMPARED_MOST)
-        return;
-    const int d = edit_distance(similar->string, s);
-    if (d <= similar->most) {
-        similar->word = word;
-        similar->most = d - 1;
-    }
+    if (s.length > COMPARED_MOST || strlen(word) > COMPARED_MOST)
+        return best;
+    const int length = (int)s.length, third = length < 6 ? 1 : length / 3;
+    const int most = best ? edit_distance(s, string_of(best)) - 1
+                          : lesser(third, length - 1);
+    return edit_distance(s, string_of(word)) <= most ? word : best;
 }
 
 const char *similar_word(struct words words, struct string s)
 {
-    struct similar similar = similar_begin(s);
+    const char *best = NULL;
     for (int i = 0; word_of_table(words, i); i++)
-        similar_try(&similar, word_of_table(words, i));
-    return similar.word;
+        best = nearer_word(s, best, word_of_table(words, i));
+    return best;
 }

@@ -16,12 +16,11 @@
 #endif
 
 enum {
-    LINE_MOST = (1 << 20) / CYLINT_SHRINK, /* of a line, without its end */
-    BLOCK_GOAL =
-        (1 << 18) / CYLINT_SHRINK,  /* a block is answered from this on */
+    LINE_MOST = (1 << 20) / CYLINT_SHRINK,  /* of a line, without its end */
+    BLOCK_GOAL = (1 << 18) / CYLINT_SHRINK, /* bytes of a full block */
     BLOCK_CAPACITY = 2 * LINE_MOST, /* a long line and the bytes read with it */
     TEXT_FULL =
-        (1 << 18) / CYLINT_SHRINK, /* answers are written from this on */
+        (1 << 18) / CYLINT_SHRINK, /* answers of so many bytes are written */
     NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK,
     SHOWN_MOST = 256, /* bytes of a text in a message */
     SHOWN_CAPACITY = 4 * SHOWN_MOST + 4
@@ -146,21 +145,11 @@ int find_word(struct words words, struct string s);
 /* Writes `a, b or c`.  Returns `to`. */
 const char *list_words(char to[WORDS_CAPACITY], struct words words);
 
-/* A string that is not one of the expected words, and the nearest of those that
- * were compared. */
-struct similar {
-    struct string string;
-    const char *word; /* NULL: no word is near */
-    int most;         /* the largest distance of a word that is nearer */
-};
+/* Returns the word if it is near to the string, and nearer than `best`; else
+ * `best`, which is NULL at first. */
+const char *nearer_word(struct string s, const char *best, const char *word);
 
-/* No word is compared yet. */
-struct similar similar_begin(struct string s);
-/* Compares a word that the caller keeps.  Of equally near ones the first
- * stays. */
-void similar_try(struct similar *similar, const char *word);
-
-/* The nearest word of a table, or NULL. */
+/* The nearest word of a table, of equally near ones the first; or NULL. */
 const char *similar_word(struct words words, struct string s);
 
 /* -------------------------------------------------- growing texts, names -- */
