@@ -218,7 +218,7 @@ all: $(foreach l,$(libraries),$(call archive,$l)) $(commands) $(foreach l,$(libr
 
 # The demo's command has only the builds for every processor, which are half of what
 # there is to compile: the files that choose a build are compiled without the others.
-choosing := $(if $(X86),$(basename $(shell grep -lE '(dispatch|kernels_used)[.]h"' src/*.c src/*/*.c)))
+choosing := $(if $(X86),$(basename $(shell grep -l 'dispatch[.]h"' src/*.c src/*/*.c)))
 $(choosing:%=$(BUILD)/%-portable.o): $(BUILD)/%-portable.o: %.c $$(@D)/flags
 	$(call say,CC $< portable)$(compile) -UCYLINT_BUILDS_X86 -c -o $@ $<
 $(BUILD)/demo/cylint: $(filter-out $(isa_builds:%=$(BUILD)/%.o) $(choosing:%=$(BUILD)/%.o),$(library_objects) $(scene_objects)) \

@@ -4,6 +4,8 @@
 #ifndef CYLINT_DISPATCH_H
 #define CYLINT_DISPATCH_H
 
+#include <string.h>
+
 #include "filter/filter.h"
 
 /* Each needs a processor that runs all before it. */
@@ -19,14 +21,20 @@ typedef enum {
 extern cylint_build cylint_build_used CYLINT_HIDDEN;
 
 /* The build in use, of three of an object.  A program links the builds of what it
- * calls only. */
+ * calls only.  OF_KERNELS: the same in the other libraries, to which the variable is
+ * hidden. */
 #ifdef CYLINT_BUILDS_X86
 #define CYLINT_OF_BUILD(plain, avx2, avx512)             \
     (cylint_build_used == CYLINT_BUILD_AVX512 ? (avx512) \
      : cylint_build_used == CYLINT_BUILD_AVX2 ? (avx2)   \
                                               : (plain))
+#define CYLINT_OF_KERNELS(plain, avx2, avx512)                 \
+    (strcmp(cylint_kernels_in_use(), "avx512") == 0 ? (avx512) \
+     : strcmp(cylint_kernels_in_use(), "avx2") == 0 ? (avx2)   \
+                                                    : (plain))
 #else
 #define CYLINT_OF_BUILD(plain, avx2, avx512) (plain)
+#define CYLINT_OF_KERNELS(plain, avx2, avx512) (plain)
 #endif
 
 /* The same for questions in lanes.  enough: whether there are so many that AVX-512

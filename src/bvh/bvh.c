@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "kernels_used.h"
+#include "../dispatch.h"
 #include "threads.h"
 #include "traverse.h"
 
@@ -73,8 +73,7 @@ static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
     }
 }
 
-/* Of the shapes of one thread, the pieces, which begin at `first`, and the box of
- * these. */
+/* The pieces of a block of shapes: `first` is the first of them. */
 typedef struct {
     size_t first, pieces;
     cylint_extent all;
@@ -85,52 +84,45 @@ typedef struct {
 typedef struct {
     const cylint_bvh_input *input;
     cylint_boxed_piece *box; /* NULL: the pieces are only counted */
+    size_t block;            /* shapes */
     portion portion[CYLINT_THREADS_MOST];
 } split_job;
 
-static cylint_bvh_status split_portion(const split_job *job, size_t k,
-                                       portion *s)
+/* Splits shapes [from, to), a block. */
+static void split_block(void *self, size_t from, size_t to)
 {
+    split_job *job = self;
     const cylint_bvh_input *input = job->input;
-    const size_t threads = (size_t)input->threads, each = input->n / threads,
-                 to = k + 1 < threads ? each * (k + 1) : input->n;
+    portion *s = &job->portion[from / job->block];
     cut_shape shape;
     s->pieces = 0;
     s->all = cylint_extent_empty();
-    for (size_t i = each * k; i < to; i++) {
-        if (!cylint_watch_item(input->watch, i))
-            return CYLINT_BVH_ESTOPPED;
+    for (size_t i = from; i < to && s->status == CYLINT_BVH_OK; i++) {
         s->refused = input->numbers ? input->numbers[i] : i;
-        if (s->refused >= UINT32_MAX ||
-            !cut(&shape, input->view, (uint32_t)s->refused))
-            return CYLINT_BVH_ESHAPE;
-        if (job->box)
-            write_pieces(job->box + s->first + s->pieces, &shape,
-                         (uint32_t)s->refused, &s->all);
-        s->pieces += shape.count;
+        if (!cylint_watch_item(input->watch, i)) {
+            s->status = CYLINT_BVH_ESTOPPED;
+        } else if (s->refused >= UINT32_MAX ||
+                   !cut(&shape, input->view, (uint32_t)s->refused)) {
+            s->status = CYLINT_BVH_ESHAPE;
+        } else {
+            if (job->box)
+                write_pieces(job->box + s->first + s->pieces, &shape,
+                             (uint32_t)s->refused, &s->all);
+            s->pieces += shape.count;
+        }
     }
-    return CYLINT_BVH_OK;
 }
 
-/* Splits portions [from, to). */
-static void split_portions(void *self, size_t from, size_t to)
-{
-    split_job *job = self;
-    for (; from < to; from++)
-        job->portion[from].status =
-            split_portion(job, from, &job->portion[from]);
-}
-
-/* Counts or writes the pieces of all portions. */
+/* Counts or writes the pieces of all blocks. */
 static cylint_bvh_status split_all(split_job *job, size_t *refused)
 {
     const cylint_bvh_input *input = job->input;
-    const size_t threads = (size_t)input->threads;
     cylint_watch_step(input->watch,
                       job->box ? CYLINT_STEP_SPLIT : CYLINT_STEP_COUNT,
                       input->n);
-    cylint_threads_share(input->threads, threads, 1, 1, split_portions, job);
-    for (size_t i = 0; i < threads; i++)
+    cylint_threads_share(input->threads, input->n, job->block, 1, split_block,
+                         job);
+    for (size_t i = 0; i * job->block < input->n; i++)
         if (job->portion[i].status != CYLINT_BVH_OK) {
             *refused = job->portion[i].refused;
             return job->portion[i].status;
@@ -144,12 +136,13 @@ static cylint_bvh_status split_shapes(cylint_bvh *bvh,
                                       const cylint_bvh_input *input, size_t *n,
                                       size_t *refused)
 {
-    split_job job = {.input = input};
+    split_job job = {.input = input,
+                     .block = (input->n - 1) / (size_t)input->threads + 1};
     cylint_bvh_status status = split_all(&job, refused);
     if (status != CYLINT_BVH_OK)
         return status;
     *n = 0;
-    for (int i = 0; i < input->threads; i++) {
+    for (size_t i = 0; i * job.block < input->n; i++) {
         job.portion[i].first = *n;
         *n += job.portion[i].pieces;
     }
@@ -159,7 +152,7 @@ static cylint_bvh_status split_shapes(cylint_bvh *bvh,
         return CYLINT_BVH_EMEMORY;
     job.box = bvh->leaf_memory.data;
     status = split_all(&job, refused);
-    for (int i = 0; i < input->threads; i++)
+    for (size_t i = 0; i * job.block < input->n; i++)
         cylint_extent_include(&bvh->box, &job.portion[i].all);
     return status;
 }

@@ -11,7 +11,8 @@
 
 #include "../numbers/compiler.h"
 
-/* The float `places` floats after x, in size; no subnormal floats between. */
+/* The float `places` floats above x, below it if negative; no subnormal floats
+ * between. */
 static inline float cylint_float_after(float x, int places)
 {
     uint32_t bits;
@@ -47,7 +48,7 @@ static inline float cylint_float_below(double x)
 }
 
 /* Half floats: the upper 16 bits of a float.  This one is not above x >= 0. */
-static inline uint16_t cylint_half_below(double x)
+static inline uint16_t cylint_bfloat16_below(double x)
 {
     const float f = cylint_float_below(x);
     uint32_t bits;
@@ -55,7 +56,7 @@ static inline uint16_t cylint_half_below(double x)
     return (uint16_t)(bits >> 16);
 }
 
-static inline float cylint_float_of_half(uint16_t half)
+static inline float cylint_float_of_bfloat16(uint16_t half)
 {
     const uint32_t bits = (uint32_t)half << 16;
     float f;

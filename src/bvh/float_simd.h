@@ -18,8 +18,8 @@
  *                        returns how many.  May write up to 10 integers
  *   i_highest(x)         the highest bits of 8 integers x[]
  */
-#ifndef CYLINT_FLOAT_SIMD_H
-#define CYLINT_FLOAT_SIMD_H
+#ifndef CYLINT_BVH_FLOAT_SIMD_H
+#define CYLINT_BVH_FLOAT_SIMD_H
 
 #include <stdint.h>
 #include <string.h>

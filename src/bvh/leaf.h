@@ -71,7 +71,7 @@ static inline int cylint_leaf_ends(const cylint_leaf *b, int lane)
 /* Steps per unit of length. */
 static inline float cylint_leaf_steps(const cylint_leaf *b)
 {
-    return cylint_float_of_half(b->steps);
+    return cylint_float_of_bfloat16(b->steps);
 }
 
 /*

@@ -1,8 +1,8 @@
 /*
  * ray.h - the state of a line in a traversal, and its test against boxes
  *
- * For traverse.c and packet_traverse.c, which are compiled for several
- * instruction sets.
+ * For traverse.c, traverse_point.c and packet_traverse.c, which are compiled for
+ * several instruction sets.
  */
 #ifndef CYLINT_BVH_RAY_H
 #define CYLINT_BVH_RAY_H
@@ -106,17 +106,6 @@ static inline float larger_float(float x, float y) /* fmaxf() is a call */
     return x > y ? x : y;
 }
 
-/* The state's t for the line's t, rounded up or down. */
-static inline float local_above(const ray_state *s, double t)
-{
-    return cylint_float_above(t - s->t0 + s->t0_error);
-}
-
-static inline float local_below(const ray_state *s, double t)
-{
-    return cylint_float_below(t - s->t0 - s->t0_error);
-}
-
 /* x may have an error of x_error. */
 static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
                          const float d[3], float x_error)
@@ -135,6 +124,7 @@ static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
     }
 }
 
+/* From doubles.  x may have an error of x_error. */
 static inline void start_doubles(ray_state *s, const cylint_bvh *bvh,
                                  const double x[3], const double d[3],
                                  float x_error)
@@ -144,34 +134,16 @@ static inline void start_doubles(ray_state *s, const cylint_bvh *bvh,
     start(s, bvh, X, D, x_error);
 }
 
-/* Moves the origin to the line's point nearest to the centre: floats are coarse
- * far away.  x, t0 d and their sum are rounded. */
-static void start_nearer(ray_state *s, const cylint_bvh *bvh, const double x[3],
-                         const double d[3])
-{
-    const double far = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
-    double near[3];
-    s->t0 = -cylint_dot(x, d) / cylint_dot(d, d);
-    s->t0_error = 0x1p-51 * fabs(s->t0);
-    EACH(j, 3)
-        near[j] = x[j] + s->t0 * d[j];
-    start_doubles(s, bvh, near, d, cylint_float_above(0x1p-49 * far));
-}
-
+/* Of a line in doubles that begins within bvh->near_distance. */
 static inline void start_line(ray_state *s, const cylint_bvh *bvh,
-                              const double o[3], const double d[3], double tmin,
-                              double tmax)
+                              const double o[3], const double d[3], double tmax)
 {
     double x[3];
     EACH(j, 3)
         x[j] = o[j] - (double)bvh->center[j];
-    s->t0 = s->t0_error = 0;
-    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) < (double)bvh->near_distance)
-        start_doubles(s, bvh, x, d, 0);
-    else
-        start_nearer(s, bvh, x, d);
-    s->first = local_below(s, tmin);
-    s->last = local_above(s, tmax);
+    start_doubles(s, bvh, x, d, 0);
+    s->first = 0;
+    s->last = cylint_float_above(tmax);
 }
 
 /* The key of -0 is not that of 0; nor is that of a subnormal number, which may be
@@ -181,28 +153,41 @@ static inline float with_one_zero(float t)
     return t == 0 ? 0 : t;
 }
 
+/* Reduces the domain after tfar was reduced. */
+static inline void shorten(ray_state *s, float tfar)
+{
+    s->last = s->t0_error > 0
+                  ? cylint_float_above((double)tfar - s->t0 + s->t0_error)
+                  : with_one_zero(tfar);
+}
+
+/* Moves the origin of a ray from far away to its point nearest to the centre:
+ * floats are coarse far away.  x, t0 d and their sum are rounded. */
 static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
                              const cylint_float_ray *ray)
 {
     float x[3];
+    double o[3], d[3], far = 0;
+    s->t0 = s->t0_error = 0;
+    s->first = with_one_zero(ray->tnear);
     EACH(j, 3)
         x[j] = ray->o[j] - bvh->center[j];
-    if (!(fabsf(x[0]) + fabsf(x[1]) + fabsf(x[2]) < bvh->near_distance)) {
-        const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
-        const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
-        start_line(s, bvh, o, d, ray->tnear, ray->tfar);
-        return;
+    if (fabsf(x[0]) + fabsf(x[1]) + fabsf(x[2]) < bvh->near_distance) {
+        start(s, bvh, x, ray->d, 0);
+    } else {
+        EACH(j, 3) {
+            o[j] = (double)ray->o[j] - (double)bvh->center[j];
+            d[j] = ray->d[j];
+            far += fabs(o[j]);
+        }
+        s->t0 = -cylint_dot(o, d) / cylint_dot(d, d);
+        s->t0_error = 0x1p-51 * fabs(s->t0);
+        EACH(j, 3)
+            o[j] += s->t0 * d[j];
+        start_doubles(s, bvh, o, d, cylint_float_above(0x1p-49 * far));
+        s->first = cylint_float_below(ray->tnear - s->t0 - s->t0_error);
     }
-    s->t0 = s->t0_error = 0;
-    start(s, bvh, x, ray->d, 0);
-    s->first = with_one_zero(ray->tnear);
-    s->last = with_one_zero(ray->tfar);
-}
-
-/* Reduces the domain after tfar was reduced. */
-static inline void shorten(ray_state *s, float tfar)
-{
-    s->last = s->t0_error > 0 ? local_above(s, tfar) : with_one_zero(tfar);
+    shorten(s, ray->tfar);
 }
 
 /* Whether the domain ends outside the box of all; S is its longest side. */

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* The box of what has not moved: empty. */
+/* Boxes of leaves and nodes that have not moved are empty. */
 static int has_moved(const cylint_extent *box)
 {
     return box->lower[0] <= box->upper[0];

@@ -97,8 +97,8 @@ static double radius_at(double k0, double k1, double z)
  * The lateral part of a round shape at z belongs to the ball at z + s, where s is
  * at most `shift` in size and has one sign for all z.  If all planes of cuts are
  * farther than that from the ends, then they cut the lateral part, which is a
- * cone, and each section is at most as wide as that ball.  Else, which takes a
- * shape too thick for several pieces, each piece is bounded as the whole.
+ * cone, and each section is at most as wide as that ball.  Else each piece is
+ * bounded as the whole; such a shape is so thick that it is rarely cut.
  */
 cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
                                        double k1, int round, double shift)

@@ -2,9 +2,9 @@
  * swept_disc.h - a bounded shape as a disc that is swept along an axis
  *
  * The section at z has its centre at base + z axis.  With k(z) = k0 + (k1-k0) z
- * its points are at most k(z) across from the axis and at most k(z) along
- * from the centre along the axis.  A round shape is swept by a ball: then both
- * are k(z).  Pieces are cut by planes across the axis.
+ * its points are at most k(z) `across` from the axis, and along the axis at most
+ * k(z) `along` from the centre (the members below).  A round shape is swept by a
+ * ball: then both members are 1.  Pieces are cut by planes across the axis.
  */
 #ifndef CYLINT_BVH_SWEPT_DISC_H
 #define CYLINT_BVH_SWEPT_DISC_H
@@ -76,11 +76,11 @@ static inline void cylint_swept_disc_at(cylint_swept_disc *disc,
  * coordinate j; of a round shape a disc across the axis does. */
 void cylint_swept_disc_reach(const cylint_swept_disc *disc, double reach[3]);
 
-/* The cone of a round shape has the radius k(z) at z at most `shift` from here,
- * and touches the balls of the ends at most `shift` from them. */
+/* The lateral part of a round shape at z belongs to the ball at z + s.  Returns an
+ * upper bound of |s|, in z.  square: of the axis's length. */
 static inline double cylint_section_shift(double k0, double k1, double square)
 {
-    const double slack = 1 + 0x1p-10; /* for k0 and k1 as floats */
+    const double slack = 1 + 0x1p-10; /* far more than the roundings */
     const double growth = fabs(k1 - k0);
     return growth > 0 ? cylint_larger(k0, k1) * growth / square * slack : 0;
 }

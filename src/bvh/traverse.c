@@ -93,7 +93,7 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     double least[CYLINT_LEAF_SIZE];
     ray_state state;
     traversal t;
-    start_line(&state, bvh, o, d, 0, *tmax);
+    start_line(&state, bvh, o, d, *tmax);
     push_start(&t, bvh, &state);
     leaf_ahead ahead = {NULL, {0}};
     while ((leaf = take_leaf(&t, &ahead))) {
@@ -102,14 +102,14 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
             continue;
         if (callback(self, leaf, lanes, least))
             return;
-        state.last = local_above(&state, *tmax);
+        state.last = cylint_float_above(*tmax);
     }
 }
 
 /* ----------------------------------------------------------- in no order -- */
 
-/* Nodes that are visited together, leaves that are, and the most children of such
- * nodes. */
+/* The most nodes that are visited together, the least leaves that are tested
+ * together, and the most children of those nodes. */
 enum { AHEAD = 16, LEAVES = 32, MOST_PUSHED = AHEAD * CYLINT_CHILDREN };
 
 /*
@@ -172,7 +172,7 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
 {
     ray_state state;
     waiting w;
-    start_line(&state, bvh, o, d, 0, *tmax);
+    start_line(&state, bvh, o, d, *tmax);
     w.bvh = bvh;
     w.stack[0] = 0;
     w.n = 1;

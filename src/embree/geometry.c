@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "../bvh/float_bounds.h"
-#include "../bvh/kernels_used.h"
+#include "../dispatch.h"
 #include "geometry.h"
 
 int cylint_embree_version(void)

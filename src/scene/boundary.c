@@ -9,7 +9,7 @@
 #include "../shapes/shape_facts.h"
 #include "visit.h"
 
-/* Of the shapes on whose surface the line is at t. */
+/* A search among the shapes on whose surface the line is at t. */
 typedef struct {
     const cylint_scene *scene;
     const cylint_line *line;
@@ -20,7 +20,8 @@ typedef struct {
     int is_complement;
 } boundary_search;
 
-/* A chord of a shape begins or ends at t. */
+/* Keeps the shape, of which a chord begins (is_entered) or ends at t, if t is q->t,
+ * the line enters or leaves the solid there as wanted, and no kept number is lower. */
 static void consider_end(boundary_search *q, size_t number, double t,
                          int is_entered)
 {

@@ -24,8 +24,8 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
         is_box &= lo[j] <= hi[j]; /* false for NaN, from a file */
         frame->lo[j] = lo[j];
         frame->hi[j] = hi[j];
-        frame->center[j] = lo[j] / 2 + hi[j] / 2;
-        half[j] = fmax(hi[j] - frame->center[j], frame->center[j] - lo[j]);
+        const double c = frame->view.center[j] = lo[j] / 2 + hi[j] / 2;
+        half[j] = fmax(hi[j] - c, c - lo[j]);
     }
     const double size = cylint_largest(half);
     if (!is_box || !(cylint_largest(lo) <= CYLINT_FRAME_MOST) ||
@@ -33,7 +33,8 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
         !(size >= CYLINT_FRAME_LEAST))
         return 0;
     frexp(size, &e);
-    frame->scale = ldexp(1, -e);
+    frame->view.scale = ldexp(1, -e);
+    frame->view.line_error = CYLINT_FRAME_ERROR;
     return 1;
 }
 
@@ -101,14 +102,14 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     clip(frame, line, size, &ray->entry, &to);
     if (ray->entry > to)
         return CYLINT_FRAME_MISSED;
-    ray->per_t = size * frame->scale;
+    ray->per_t = size * frame->view.scale;
     for (int j = 0; j < 3; j++) {
-        const pair from = two_diff(line->o[j], frame->center[j]);
+        const pair from = two_diff(line->o[j], frame->view.center[j]);
         pair step = two_prod(ray->entry, line->d[j]);
         step.lo += ray->entry * line->d_lo[j];
-        ray->o[j] = pair_add(from, step).hi * frame->scale;
+        ray->o[j] = pair_add(from, step).hi * frame->view.scale;
         ray->d[j] = line->d[j] / size;
-        const double far = (fabs(from.hi) + fabs(step.hi)) * frame->scale;
+        const double far = (fabs(from.hi) + fabs(step.hi)) * frame->view.scale;
         if (!(fabs(ray->o[j]) < 2) || !(far <= 0x1p50))
             return CYLINT_FRAME_UNUSABLE;
     }
@@ -116,7 +117,7 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_UNUSABLE;
 }
 
-/* Such a root is less than the double after t.  The difference and the products
+/* A root that rounds to t or less is less than the double after t.  The difference and the products
  * have errors of less than 2^-51 of s. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t)
 {

@@ -8,12 +8,13 @@
 #ifndef CYLINT_SCENE_FRAME_H
 #define CYLINT_SCENE_FRAME_H
 
-#include "cylint.h"
+#include "../bvh/swept_disc.h"
 
-/* The caller's x becomes (x - center) scale, within [-1, 1]. */
+/* A box of the caller's, and the view of the scene's shapes in which it lies within
+ * [-1, 1]. */
 typedef struct {
-    double center[3], lo[3], hi[3];
-    double scale; /* a power of two */
+    double lo[3], hi[3];
+    cylint_view view;
 } cylint_frame;
 
 /* Larger coordinates and smaller boxes have no frame, so that nothing overflows
@@ -28,7 +29,7 @@ typedef struct {
     double entry, per_t;
 } cylint_frame_ray;
 
-/* The largest error of the points of such a ray, in doubles. */
+/* The largest error of the points of such a ray, in the frame's coordinates. */
 #define CYLINT_FRAME_ERROR 0x1p-50
 
 typedef enum {
@@ -41,7 +42,8 @@ typedef enum {
  * keeps the box alone. */
 void cylint_frame_round_box(double lo[3], double hi[3]);
 
-/* Makes the frame of the box.  Returns 0 if the box has none. */
+/* Makes the frame of the box, but for the shapes of the view.  Returns 0 if the box
+ * has none. */
 int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3]);
 

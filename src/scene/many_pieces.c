@@ -10,7 +10,7 @@
 #include "scene.h"
 
 enum {
-    LINES_AT_ONCE = 64, /* that a thread takes */
+    LINES_AT_ONCE = 64, /* of a block, which a thread takes at a time */
     LINES_A_THREAD = 256,
     FIRST_BYTES = 1 << 14,
     FIRST_PIECES = 256

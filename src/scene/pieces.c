@@ -45,9 +45,9 @@ typedef struct {
     numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
-    /* a search for the first pieces; the chords are sorted */
+    /* of a search for the first pieces: how many are wanted */
     size_t pieces;
-    double floor; /* at least to here */
+    double least_complete; /* `complete` is not reduced below this */
 } collector;
 
 static double keep_chord(void *context, size_t number, cylint_interval chord)
@@ -99,7 +99,8 @@ static double keep_first_chord(void *context, size_t number,
     memmove(&c->chord[i + 1], &c->chord[i], (c->n++ - i) * sizeof x);
     c->chord[i] = x;
     const double end = end_of_last_piece(c),
-                 limit = cylint_less(end, c->floor) ? c->floor : end;
+                 limit = cylint_less(end, c->least_complete) ? c->least_complete
+                                                             : end;
     if (cylint_less(limit, c->complete))
         c->complete = limit;
     return c->complete;
@@ -119,16 +120,25 @@ static size_t sort_and_unite(numbered_chord *chord, size_t n,
 
 /* ----------------------------------------------------- chords of solids -- */
 
-/* The chords of a shape, as cylint_chord() writes them, for a line or for a point
- * ([0, 1] for a shape that contains it). */
-typedef int chords_of_shape(const void *line, const cylint_shape *shape,
-                            cylint_interval chord[2]);
-
+/* A line or, where it is NULL, a point: a shape that contains the point has the chord
+ * [0, 1] of the domain [0, 1]. */
 typedef struct {
     double tmin, tmax;
-    chords_of_shape *chords;
-    const void *line;
+    const cylint_line *line;
+    const double *point;
 } chord_domain;
+
+static const cylint_interval whole_domain = {0, 1};
+
+/* As cylint_chord(). */
+static int chords_of_shape(const chord_domain *domain,
+                           const cylint_shape *shape, cylint_interval chord[2])
+{
+    if (domain->line)
+        return cylint_chord(shape, domain->line, chord);
+    chord[0] = whole_domain;
+    return cylint_contains(shape, domain->point) >= 0;
+}
 
 /* Each chord of a member gives two events.  These are sorted by solid and t; a
  * sweep over those of a solid gives its chords. */
@@ -171,7 +181,7 @@ static void add_late_member(assembly *a, const cylint_membership *member)
     cylint_shape shape;
     cylint_interval chord[2];
     cylint_record_shape(&a->scene->records, member->shape, &shape);
-    const int n = a->domain->chords(a->domain->line, &shape, chord);
+    const int n = chords_of_shape(a->domain, &shape, chord);
     for (int i = 0; i < n; i++, a->n_events += 2)
         cylint_add_events(a->event + a->n_events, chord[i], member->solid,
                           member->clause);
@@ -229,7 +239,7 @@ static void sweep_solids(assembly *a)
         sweep_events(a, s->holding[next], NULL, 0);
 }
 
-/* Not less than the numbers of events and of chords. */
+/* Writes upper bounds of the numbers of events and of chords in solids. */
 static void count_events(const collector *c, size_t *events, size_t *chords)
 {
     const cylint_solids *s = &c->scene->solids;
@@ -248,9 +258,9 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
     *chords += *events;
 }
 
-/* Makes the chords in solids from those in shapes, which have no duplicates and at
- * which the workspace begins.  Returns their number, or CYLINT_NO_ROOM.  They stand
- * behind those in shapes, in no order; *spare: as much memory as they take.  A
+/* Makes the chords in solids from those in shapes (c->chord, sorted, without
+ * duplicates, at the start of the workspace).  Returns their number, or
+ * CYLINT_NO_ROOM.  They follow those in shapes, in no order; *spare: as much memory as they take.  A
  * scene without solids has the chords of its shapes, and *spare stays. */
 static size_t chords_of_solids(const collector *c, const chord_domain *domain,
                                cylint_workspace *work,
@@ -420,7 +430,7 @@ static size_t write_swept_pieces(sweep *s, void *spare)
 
 /* -------------------------------------------------------------- lines -- */
 
-/* Whether the workspace has memory at all; else writes how much to try. */
+/* Whether the workspace has memory for a few chords; else writes how much to try. */
 static int has_room(cylint_workspace *work)
 {
     enum { SOME = 16 * sizeof(numbered_chord) };
@@ -430,18 +440,12 @@ static int has_room(cylint_workspace *work)
     return 0;
 }
 
-static int chords_of_line(const void *line, const cylint_shape *shape,
-                          cylint_interval chord[2])
-{
-    return cylint_chord(shape, line, chord);
-}
-
-/* Writes the pieces of n chords in shapes, which c->capacity chords of spare memory
- * follow. */
+/* Writes the pieces of the c->n chords.  The memory has room for 2 c->capacity
+ * chords; the second half is spare. */
 static size_t pieces_of_chords(const cylint_line *line, collector *c,
                                cylint_workspace *work, sweep *s)
 {
-    const chord_domain domain = {line->tmin, line->tmax, chords_of_line, line};
+    const chord_domain domain = {line->tmin, line->tmax, line, NULL};
     numbered_chord *spare = c->chord + c->capacity, *of_solids;
     s->complete = c->complete;
     c->n = sort_and_unite(c->chord, c->n, spare);
@@ -456,13 +460,13 @@ static size_t pieces_of_chords(const cylint_line *line, collector *c,
 
 /* Collects all chords, or enough for some pieces. */
 static void collect(collector *c, const cylint_line *line, size_t pieces,
-                    double floor)
+                    double least_complete)
 {
     cylint_scene_chord *keep = pieces > 0 ? keep_first_chord : keep_chord;
     c->n = 0;
     c->complete = HUGE_VAL;
     c->pieces = pieces;
-    c->floor = floor;
+    c->least_complete = least_complete;
     cylint_visit_chords(c->scene, line, pieces > 0, keep, c);
 }
 
@@ -474,9 +478,9 @@ enum { FEW_PIECES = 4, SEARCHES = 2 };
 static int has_first_pieces(const cylint_line *line, collector *c,
                             cylint_workspace *work, sweep *s)
 {
-    double floor = -HUGE_VAL;
+    double least_complete = -HUGE_VAL;
     for (int i = 0; i < SEARCHES; i++) {
-        collect(c, line, s->capacity, floor);
+        collect(c, line, s->capacity, least_complete);
         if (c->n > c->capacity)
             return 0;
         const int are_all = !cylint_less(c->complete, line->tmax);
@@ -487,7 +491,7 @@ static int has_first_pieces(const cylint_line *line, collector *c,
             return 0;
         if (n == s->capacity || are_all)
             return 1;
-        floor = end + 2 * (end - begin);
+        least_complete = end + 2 * (end - begin);
     }
     return 0;
 }
@@ -517,30 +521,16 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
 
 /* -------------------------------------------------------------- points -- */
 
-/* A shape that contains the point has the chord [0, 1] of the domain [0, 1]. */
-static const cylint_interval whole_domain = {0, 1};
-
-static int chord_of_point(const void *point, const cylint_shape *shape,
-                          cylint_interval chord[2])
-{
-    chord[0] = whole_domain;
-    return cylint_contains(shape, point) >= 0;
-}
-
 static double keep_container(void *context, const cylint_found *found)
 {
-    const collector *c = context;
-    if (c->scene->solids.n == 0 ||
-        !cylint_is_late(c->scene, (uint32_t)found->number))
-        keep_chord(context, found->number, whole_domain);
-    return 0;
+    return keep_chord(context, found->number, whole_domain);
 }
 
 size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
                           const int *rank, size_t *owner,
                           cylint_workspace *work)
 {
-    const chord_domain domain = {0, 1, chord_of_point, point};
+    const chord_domain domain = {0, 1, NULL, point};
     collector c = {.scene = scene,
                    .chord = work->memory,
                    .capacity = work->bytes / sizeof *c.chord};
@@ -550,7 +540,8 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
         return 0;
     if (!has_room(work))
         return CYLINT_NO_ROOM;
-    cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
+    cylint_visit_point(scene, point, 0, CYLINT_HOLDING_EARLY, 0, keep_container,
+                       &c);
     work->wanted = c.n * sizeof *c.chord;
     if (c.n > c.capacity)
         return CYLINT_NO_ROOM;

@@ -122,12 +122,12 @@ static size_t sort_numbers(lowest_numbers *heap)
 
 /* -------------------------------------------------------------- lines --- */
 
-/* Members of hits that are no longer the nearest later; the others are computed
- * at the end. */
+/* The members computed for each hit.  The others are computed once, for the nearest
+ * hit. */
 enum { EARLY_MEMBERS = CYLINT_WANT_T | CYLINT_WANT_PART };
 
-/* Stores the nearest of the shapes beside the hierarchy.  Returns whether it is
- * not left out; if it is, each of them is tested later. */
+/* Stores the nearest of the shapes beside the hierarchy.  Returns 0 and stores nothing if that shape is `except`: the visit then tests each
+ * of them. */
 static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
                               const cylint_line *line, size_t except)
 {

@@ -166,9 +166,10 @@ static int is_radius(double x)
     return cylint_sign(x) >= 0 && x <= CYLINT_WINDOW;
 }
 
-/* What is true of each record whose tag has CYLINT_TAG_PLAIN.  Of lengths twice the
- * axis is compared, and of sines more than CYLINT_LOCAL_STEEPEST^2, so that the
- * rounding mode does not matter.  A shape so made is one that its constructor
+/* What is true of each record whose tag has CYLINT_TAG_PLAIN.  The limits are wider
+ * than the constructor's, that of lengths by a factor 2, that of squared sines
+ * CYLINT_LOCAL_STEEPEST in place of its square, so that the rounding mode does not
+ * matter.  A shape so made is one that its constructor
  * accepts. */
 static int is_plain(const cylint_records *r, size_t number)
 {

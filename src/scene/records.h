@@ -71,8 +71,8 @@ void cylint_record_data(const cylint_records *records, size_t number,
 /*
  * Whether the records, of a file perhaps, can have been made of shapes: their
  * constructors accept them, the tags are right, and the elliptic ones have
- * semi-axes.  In time of a few nanoseconds a record, cylint_local_in_doubles()
- * is only shown to compute finite numbers for plain ones.
+ * semi-axes.  It takes a few nanoseconds a plain record: of these it only
+ * shows that cylint_local_in_doubles() computes finite numbers.
  */
 int cylint_records_are_sound(const cylint_records *records);
 

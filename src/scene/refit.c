@@ -36,8 +36,8 @@ static void load_box_of_pieces(const cylint_frame *f, const double lo[3],
                                double upper[3])
 {
     for (int j = 0; j < 3; j++) {
-        lower[j] = (lo[j] - f->center[j]) * f->scale - 0x1p-20;
-        upper[j] = (hi[j] - f->center[j]) * f->scale + 0x1p-20;
+        lower[j] = (lo[j] - f->view.center[j]) * f->view.scale - 0x1p-20;
+        upper[j] = (hi[j] - f->view.center[j]) * f->view.scale + 0x1p-20;
     }
 }
 
@@ -78,6 +78,7 @@ static int make_frame(const replacement *r, cylint_frame *frame)
         hi[j] = fmin(hi[j] + room, CYLINT_FRAME_MOST);
     }
     cylint_frame_round_box(lo, hi);
+    *frame = *old; /* for the shapes of its view */
     return cylint_frame_make(frame, lo, hi);
 }
 
@@ -95,7 +96,6 @@ static void set_frame(cylint_scene *s, const cylint_frame *frame)
 {
     double lo[3], hi[3];
     s->frame = *frame;
-    cylint_scene_set_view(s);
     load_box_of_pieces(frame, frame->lo, frame->hi, lo, hi);
     const cylint_extent box = cylint_float_box(lo, hi);
     cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);
@@ -124,7 +124,7 @@ static cylint_scene_status refit_hierarchy(replacement *r)
     if (reframes)
         set_frame(s, &frame);
     replace_records(r);
-    cylint_bvh_refit(&s->bvh, &s->view, reframes ? 0 : (uint32_t)r->first,
+    cylint_bvh_refit(&s->bvh, &s->frame.view, reframes ? 0 : (uint32_t)r->first,
                      reframes ? UINT32_MAX : (uint32_t)r->n, extents);
     free(extents);
     return CYLINT_SCENE_OK;

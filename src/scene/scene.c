@@ -45,9 +45,8 @@ static void extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
     box->n += by->n;
 }
 
-/* Each number has at most 6 roundings and errors of its data.  Squares of lengths
- * may underflow later; multiplied by a larger factor, the lost part would
- * matter. */
+/* Each number has at most 6 roundings and errors of its data.  A larger factor is refused: squares of lengths may underflow later, and it would
+ * multiply what that loses. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
 {
     cylint_shapes_box own = {.n = 1};
@@ -163,20 +162,11 @@ void cylint_scene_pack_others(cylint_scene *s)
     cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_others);
 }
 
-void cylint_scene_set_view(cylint_scene *s)
-{
-    s->view = (cylint_view){
-        .center = {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
-        .scale = s->frame.scale,
-        .line_error = CYLINT_FRAME_ERROR,
-        .shape_at = data_at,
-        .owner = s};
-}
-
 int cylint_scene_complete(cylint_scene *s)
 {
     s->traversal = cylint_traversal_used();
-    cylint_scene_set_view(s);
+    s->frame.view.shape_at = data_at;
+    s->frame.view.owner = s;
     s->copies = allocate(s, s->n_others, sizeof *s->copies);
     s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);
     if (!s->copies || !s->pack_memory)
@@ -189,7 +179,7 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,
                                            cylint_watch *watch)
 {
     size_t refused; /* not used: all shapes are bounded */
-    const cylint_bvh_input members = {.view = &s->view,
+    const cylint_bvh_input members = {.view = &s->frame.view,
                                       .numbers = s->bounded,
                                       .n = s->n_bounded,
                                       .threads = threads,

@@ -57,7 +57,6 @@ struct cylint_scene {
     size_t n;
     int is_finished;
     cylint_frame frame;
-    cylint_view view; /* the shapes in the frame */
     cylint_bvh bvh;
     const cylint_traversal *traversal;
     const uint32_t
@@ -72,8 +71,9 @@ struct cylint_scene {
     cylint_scene_labels labels; /* end is NULL: none */
     cylint_solids solids;
     cylint_membership *given; /* the members of solids, unless in the file */
-    cylint_memory file; /* of an opened scene; then the records, the hierarchy,
-                            the lists and the labels lie in it */
+    cylint_memory
+        file; /* of an opened scene; then the records, the hierarchy, the lists, the labels and
+ * solids.given lie in it */
 };
 
 /* The box of n shapes that a frame can contain. */
@@ -97,9 +97,6 @@ static inline size_t cylint_bounded_number(const cylint_scene *scene, size_t i)
     return scene->bounded ? scene->bounded[i] : i;
 }
 
-/* Sets the view to that of the frame. */
-void cylint_scene_set_view(cylint_scene *scene);
-
 /* Writes the shapes that are not in the hierarchy into their pack. */
 void cylint_scene_pack_others(cylint_scene *scene);
 
@@ -114,10 +111,6 @@ int cylint_is_other(const cylint_scene *scene, size_t number);
  * caller keeps.  The caller frees `memory`, also after a failure. */
 cylint_scene_status cylint_solids_make(cylint_solids *solids,
                                        const cylint_scene *scene);
-
-/* Whether a shape is a late member, see cylint_scene_solid.  The scene has
- * solids. */
-int cylint_is_late(const cylint_scene *scene, uint32_t shape);
 
 static inline int cylint_is_member(const cylint_solids *solids, size_t shape)
 {

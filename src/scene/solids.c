@@ -50,7 +50,7 @@ static void divide_memory(cylint_solids *s, const cylint_scene *scene)
     s->bytes = room.wanted;
 }
 
-/* The arrays are 0. */
+/* Allocates the arrays, filled with 0. */
 static int allocate_solids(cylint_solids *s, const cylint_scene *scene)
 {
     divide_memory(s, scene);
@@ -75,53 +75,31 @@ static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
 }
 
 /* lint: memory for the clauses of all members was allocated */
-/* Numbers the clauses of a solid and counts the complements in each.  `member` has
- * its n members, sorted by clause. */
-static void number_clauses_of(cylint_scene_solid *solid,
-                              cylint_membership *member, size_t n,
-                              int32_t *complements)
-{
-    int32_t given = 0;
-    for (size_t i = 0; i < n; i++) {
-        const int is_complement = member[i].clause < 0;
-        if (abs(member[i].clause) != given) {
-            given = abs(member[i].clause);
-            complements[solid->clauses++] = 0;
-        }
-        complements[solid->clauses - 1] += is_complement;
-        member[i].clause =
-            is_complement ? -(int32_t)solid->clauses : (int32_t)solid->clauses;
-    }
-    for (uint32_t c = 0; c < solid->clauses; c++)
-        solid->failing += complements[c] == 0;
-}
-
-/* The number of the shape that stands for a solid of these members. */
-static uint32_t number_of_solid(const cylint_membership *member, size_t n)
+/* Makes a solid of its n members, which are sorted by clause: numbers its clauses,
+ * and counts the complements in each.  It is bounded if a clause consists of shapes
+ * in the hierarchy. */
+static void make_solid(cylint_scene_solid *solid, const cylint_scene *scene,
+                       cylint_membership *member, size_t n,
+                       int32_t *complements)
 {
     uint32_t least = UINT32_MAX, least_complement = UINT32_MAX;
-    for (size_t i = 0; i < n; i++) {
-        uint32_t *smallest = member[i].clause < 0 ? &least_complement : &least;
-        if (member[i].shape < *smallest)
-            *smallest = member[i].shape;
-    }
-    return least < UINT32_MAX ? least : least_complement;
-}
-
-/* Whether a clause consists of shapes in the hierarchy. */
-static int has_bounded_clause(const cylint_scene *scene,
-                              const cylint_membership *member, size_t n)
-{
-    for (size_t i = 0; i < n;) {
-        const int32_t clause = abs(member[i].clause);
+    for (size_t i = 0; i < n; complements++) {
+        const int32_t given = abs(member[i].clause),
+                      clause = (int32_t)++solid->clauses;
         int is_bounded = 1;
-        for (; i < n && abs(member[i].clause) == clause; i++)
-            is_bounded &= member[i].clause > 0 &&
-                          !cylint_is_other(scene, member[i].shape);
-        if (is_bounded)
-            return 1;
+        for (; i < n && abs(member[i].clause) == given; i++) {
+            const uint32_t shape = member[i].shape;
+            const int is_complement = member[i].clause < 0;
+            uint32_t *lowest = is_complement ? &least_complement : &least;
+            *lowest = shape < *lowest ? shape : *lowest;
+            *complements += is_complement;
+            is_bounded &= !is_complement && !cylint_is_other(scene, shape);
+            member[i].clause = is_complement ? -clause : clause;
+        }
+        solid->failing += *complements == 0;
+        solid->is_bounded |= is_bounded;
     }
-    return 0;
+    solid->number = least < UINT32_MAX ? least : least_complement;
 }
 
 static void make_each_solid(cylint_solids *s, const cylint_scene *scene)
@@ -133,9 +111,7 @@ static void make_each_solid(cylint_solids *s, const cylint_scene *scene)
         for (n = 1; i + n < s->n_members && member[n].solid == member->solid;)
             n++;
         solid->first_clause = clauses;
-        number_clauses_of(solid, member, n, s->complements + clauses);
-        solid->number = number_of_solid(member, n);
-        solid->is_bounded = has_bounded_clause(scene, member, n);
+        make_solid(solid, scene, member, n, s->complements + clauses);
         clauses += solid->clauses;
         if (solid->clauses > s->most_clauses)
             s->most_clauses = solid->clauses;
@@ -156,8 +132,8 @@ static int have_own_numbers(cylint_solids *s)
     return are_own;
 }
 
-/* Sorts the members by shape: counts those of each, adds up where they end, and
- * stores them from behind.  `late` has them all, with numbered clauses. */
+/* Sorts the members by shape: counts those of each, sums up where the members of each shape end, and stores them from the last to the
+ * first.  `late` has them all, with numbered clauses. */
 static void list_by_shape(cylint_solids *s, size_t shapes)
 {
     uint32_t *first = s->first_of_shape, end = 0;
@@ -179,12 +155,6 @@ static int is_always_tested(const cylint_solids *s, uint32_t shape)
     for (uint32_t i = first; i < end; i++)
         is_tested |= !s->solid[s->of_shapes[i].solid].is_bounded;
     return is_tested;
-}
-
-int cylint_is_late(const cylint_scene *scene, uint32_t shape)
-{
-    return cylint_is_other(scene, shape) &&
-           !is_always_tested(&scene->solids, shape);
 }
 
 /* Keeps the late members only: those that not all lines test. */

@@ -251,8 +251,7 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 }
 
 /* lint: all n counts are written, and a chord where its count is 1 */
-/* The chords of the shapes that wait and of which constructors made records of this
- * kind. */
+/* Visits the chords of n waiting shapes, whose records are plain and of this kind. */
 static void visit_chords_of_kind(line_visit *v, int kind,
                                  const uint32_t *number, size_t n)
 {
@@ -347,6 +346,14 @@ static void traverse_lines(line_visit *v, int in_no_order)
     }
 }
 
+/* The shapes beside the hierarchy that are no late members. */
+static const uint32_t *early_others(const cylint_scene *scene, size_t *n)
+{
+    const int has_solids = scene->solids.n > 0;
+    *n = has_solids ? scene->solids.n_always : scene->n_others;
+    return has_solids ? scene->solids.always : scene->others;
+}
+
 static void begin_visit(line_visit *v, const cylint_scene *scene,
                         const cylint_line *line, int may_repeat, void *context)
 {
@@ -379,9 +386,8 @@ void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
                          int in_order, cylint_scene_chord *callback,
                          void *context)
 {
-    const int has_solids = scene->solids.n > 0;
-    const uint32_t *others = has_solids ? scene->solids.always : scene->others;
-    const size_t n = has_solids ? scene->solids.n_always : scene->n_others;
+    size_t n;
+    const uint32_t *others = early_others(scene, &n);
     line_visit v;
     begin_visit(&v, scene, line, 1, context);
     v.want = CYLINT_WANT_T;
@@ -429,7 +435,8 @@ static void set_point_radius(point_visit *v, double radius)
     const double outside = cylint_larger(radius, 0);
     v->radius = radius;
     v->reach =
-        (outside * SLACK + DBL_MIN) * v->scene->frame.scale * SLACK + 0x1p-400;
+        (outside * SLACK + DBL_MIN) * v->scene->frame.view.scale * SLACK +
+        0x1p-400;
     v->stopped =
         v->nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
 }
@@ -462,7 +469,7 @@ static int point_is_near(const point_visit *v, size_t number,
     if (v->nearness != CYLINT_NEAR_SURFACE && cylint_sign(v->radius) <= 0 &&
         cylint_contains(&shape, v->point) < 0)
         return 0;
-    if (v->nearness == CYLINT_HOLDING)
+    if (v->nearness >= CYLINT_HOLDING)
         return 1;
     answer->part = 0; /* written only if there is no surface */
     cylint_distance(&shape, v->point, 0, answer);
@@ -490,7 +497,7 @@ static void point_to_frame(const cylint_frame *frame, const double point[3],
                            double x[3])
 {
     for (int j = 0; j < 3; j++)
-        x[j] = (point[j] - frame->center[j]) * frame->scale;
+        x[j] = (point[j] - frame->view.center[j]) * frame->view.scale;
 }
 
 /* The axial coordinate of a point in the frame; 0 for a shape whose axis is lost to
@@ -529,7 +536,7 @@ static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
     const int is_point =
         v->nearness != CYLINT_NEAR_SURFACE && answer.distance < 0;
     point_to_frame(&v->scene->frame, is_point ? v->point : answer.point, x);
-    cylint_swept_disc_of(&disc, &v->scene->view, &shape);
+    cylint_swept_disc_of(&disc, &v->scene->frame.view, &shape);
     return cylint_leaf_owns(leaf, lane, axial_of(&disc, x));
 }
 
@@ -576,6 +583,10 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, cylint_nearness nearness, int may_repeat,
                         cylint_use_found *callback, void *context)
 {
+    size_t n = scene->n_others;
+    const uint32_t *others = nearness == CYLINT_HOLDING_EARLY
+                                 ? early_others(scene, &n)
+                                 : scene->others;
     point_visit v;
     if (!cylint_is_finite(point))
         return;
@@ -586,7 +597,7 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     v.context = context;
     begin_tests(&v.tested, may_repeat);
     set_point_radius(&v, radius);
-    for (size_t i = 0; i < scene->n_others && !v.stopped; i++)
-        test_point_at(&v, scene->others[i]);
+    for (size_t i = 0; i < n && !v.stopped; i++)
+        test_point_at(&v, others[i]);
     traverse_points(&v);
 }

@@ -51,8 +51,9 @@ void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
 typedef enum cylint_nearness {
     CYLINT_NEAR_SURFACE, /* those whose surface is within the radius */
     CYLINT_NEAR_SOLID, /* those whose closed solid is, by the signed distance */
-    CYLINT_HOLDING     /* those whose closed solid holds the point; the radius
+    CYLINT_HOLDING,    /* those whose closed solid holds the point; the radius
                             is 0, and the callback gets no distance */
+    CYLINT_HOLDING_EARLY /* the same without late members (scene.h) */
 } cylint_nearness;
 
 /* The nearness that the `want` of a query selects. */
