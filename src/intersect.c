@@ -8,14 +8,8 @@
 #include "intersect.h"
 
 #include "roots/overlap.h"
-#include "shapes/local_doubles.h"
+#include "shapes/local.h"
 #include "dispatch.h"
-
-static cylint_overlap overlap_of(cylint_query *q)
-{
-    return cylint_is_round(q->kind) ? cylint_round_overlap(q)
-                                    : cylint_overlap_of(q);
-}
 
 /* ------------------------------------------------------- the domain ---- */
 
@@ -91,7 +85,7 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     }
     cylint_query q;
     cylint_query_open(&q, shape, line);
-    const cylint_overlap v = overlap_of(&q);
+    const cylint_overlap v = cylint_overlap_of(&q);
     answer->relation = v.relation;
     answer->n = 0;
     for (int i = 0; i < v.n; i++) {

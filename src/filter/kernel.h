@@ -182,22 +182,6 @@ typedef struct {
     signs G;
 } cap_signs;
 
-#define FORM(name) line_##name
-#define OVERLAP_INLINE INLINE
-#define TRUTH vm
-#define AND(a, b) m_and(a, b)
-#define OR(a, b) m_or(a, b)
-#define CAPS const cap_signs
-#define G(c) (c)->G
-#define POSITIVE(x) (x).positive
-#define NEGATIVE(x) (x).negative
-#define NOT_POSITIVE(x) (x).negative
-#define E(c) (c)->E
-#define INWARD(c) (c)->inward
-#define EITHER_END(SIGN, FORM, c) either_end(SIGN(FORM(c)))
-#define BOTH_ENDS(SIGN, FORM, c) both_ends(SIGN(FORM(c)))
-#include "../signs/overlap_template.h"
-
 INLINE void set_end_signs(end_signs *to, const vd x[ENDS], const vd error[ENDS])
 {
     EACH(k, ENDS) {
@@ -269,8 +253,12 @@ INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
         sided[k] = m_or(c.E.positive[k], c.E.negative[k]);
     }
     v->sided = both_ends(sided);
-    v->misses = line_misses(&c);
-    v->crosses = line_crosses(&c);
+    /* roots/overlap.c */
+    v->misses =
+        m_or(m_and(both_ends(c.E.negative), either_end(c.inward.negative)),
+             c.G.negative);
+    v->crosses = m_or(either_end(c.E.positive),
+                      m_and(both_ends(c.inward.positive), c.G.positive));
     if (cylint_solid_is_round(solid))
         judge_balls(v, l, &c);
 }

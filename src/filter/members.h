@@ -23,7 +23,6 @@
 #ifndef CYLINT_MEMBERS_H
 #define CYLINT_MEMBERS_H
 
-#include "../numbers/turns.h"
 #include "../numbers/turns_lanes.h"
 #include "surfaces.h"
 

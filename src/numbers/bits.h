@@ -2,8 +2,8 @@
  * bits.h - exponent, sign and order of doubles from their bits, exact scaling
  * and differences
  *
- * All are right in every floating-point environment, except cylint_largest(),
- * cylint_dot() and cylint_scaled_difference().
+ * All are right in every floating-point environment, except cylint_largest() and
+ * cylint_dot().
  */
 #ifndef CYLINT_BITS_H
 #define CYLINT_BITS_H
@@ -47,7 +47,8 @@ static inline uint64_t cylint_bits(double x)
     return bits;
 }
 
-/* The e of 2^e <= |x| < 2^(e+1) for normal x; below -1022 otherwise. */
+/* The e of 2^e <= |x| < 2^(e+1) for normal x; below -1022 for 0 and subnormal x,
+ * 1024 for infinite x. */
 static inline int cylint_exponent(double x)
 {
     return (int)(cylint_bits(x) >> 52 & 0x7ff) - 1023;
@@ -56,7 +57,7 @@ static inline int cylint_exponent(double x)
 /* x 2^e, rounded at most once. */
 double cylint_scaled(double x, int e);
 
-/* The same for any finite x other than 0. */
+/* The same as cylint_exponent(), also for subnormal x. */
 static inline int cylint_any_exponent(double x)
 {
     const int e = cylint_exponent(x);
@@ -184,9 +185,5 @@ static inline pair cylint_scaled_pair(pair x, int e)
 {
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
 }
-
-/* (to - from) 2^e as pairs.  With this e nothing overflows. */
-void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
-                              const double from[3], int e);
 
 #endif

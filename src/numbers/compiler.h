@@ -71,7 +71,7 @@ static inline int cylint_lowest(uint64_t bits)
 #endif
 }
 
-/* For each bit k, below 31, of a mask that is 1. */
+/* For the number k, below 31, of each bit of the mask that is 1. */
 #define EACH_BIT(k, mask)                                    \
     for (int k##_of = (int)(mask), k;                        \
          k##_of && (k = cylint_lowest((unsigned)k##_of), 1); \

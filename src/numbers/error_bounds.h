@@ -1,7 +1,8 @@
 /*
- * error_bounds.h - the constants on which decisions depend, with their reasons;
- * those of distances are in distance/error_bounds.h, and a few limits beside the
- * only comparison that reads them
+ * error_bounds.h - the constants on which decisions depend, with their reasons
+ *
+ * Those of distances are in distance/error_bounds.h.  A few limits stand beside the
+ * only comparison that reads them.
  *
  * `make prove` proves every constant that is called proved here, as [Melquiond,
  * Pion 2007].  It also shows that the proof fails for a constant 1 % smaller.
@@ -188,7 +189,7 @@
  * coordinates are not used.  CYLINT_LOCAL_LEAST: nor with a shorter axis or
  * semi-axis; above it no low part of the matrix, or of a form in triples,
  * underflows.  Nor where a component of these is below 2^-CYLINT_LOCAL_TINY and not
- * 0: then an entry of the matrix that is computed as 0 is 0.
+ * 0: without such components an entry of the matrix that is computed as 0 is 0.
  */
 #define CYLINT_LOCAL_ERROR 0x1p-96
 #define CYLINT_LOCAL_WORST 0x1p-70

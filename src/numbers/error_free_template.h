@@ -6,8 +6,8 @@
  * names EFT(name) of the functions, INLINE for their declarations, and
  * BROADCAST(x) for a constant.  It defines FUSED(a, b, c) if the processor
  * computes a b + c with one rounding.  The compiler must not reorder or
- * contract the operations; environment.h stops with an error for the flags
- * that would.
+ * contract the operations: environment.h stops with an error for flags that a
+ * macro shows, and cylint_selftest() detects the others.
  *
  * [Dekker 1971], [Knuth TAOCP 2, 4.2.2].
  */

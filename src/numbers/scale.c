@@ -8,8 +8,8 @@ double cylint_scaled(double x, int e)
 {
     if (cylint_sign(x) == 0 || !(fabs(x) <= DBL_MAX))
         return x;
-    if (cylint_exponent(x) <
-        -1022) { /* subnormal: the processor may read it as 0 */
+    /* the processor may read a subnormal number as 0 */
+    if (cylint_exponent(x) < -1022) {
         x = cylint_sign(x) * (double)(cylint_bits(x) << 12 >> 12);
         e -= 1074;
     }
@@ -26,17 +26,6 @@ double cylint_scaled(double x, int e)
         m * cylint_power_of_two(sum > -1200 ? sum + 1074 : -126);
     const double rounded = x < 0 ? steps - 0x1p52 : steps + 0x1p52;
     return cylint_from_bits(cylint_bits(rounded) - cylint_bits(0x1p52));
-}
-
-void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
-                              const double from[3], int e)
-{
-    for (int i = 0; i < 3; i++) {
-        const pair d =
-            two_diff(cylint_scaled(to[i], e), cylint_scaled(from[i], e));
-        hi[i] = d.hi;
-        lo[i] = d.lo;
-    }
 }
 
 pair cylint_difference_by_bits(double x, double y)

@@ -11,9 +11,9 @@
  * lanes with branch-free masks, for one line and one shape; compilers with GNU's
  * vectors have two lanes on every processor.  With two lanes there are also
  * functions that join two numbers, join the first or the second lanes of two
- * vectors, swap the lanes, and return the first lane; and, where CYLINT_NARROW is
- * defined, vectors vq of four lanes.  Every operation rounds once, so every width
- * gives the same bits.
+ * vectors, swap the lanes, and return the first lane.  vq is two vectors, and with
+ * CYLINT_NARROW and AVX2 one of four lanes.  Every operation rounds once, so every
+ * width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H
@@ -313,7 +313,7 @@ static inline vd v_pick(const double *x, const size_t *at)
 }
 
 /* Writes those of the numbers from[0], from[1], ... whose bits are 1, in their
- * order, and then others up to LANES in all.  Returns how many have their bits. */
+ * order, and then others up to LANES in all.  Returns the count of these bits. */
 #if LANES == 8 && SIZE_MAX == UINT64_MAX
 static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
 {

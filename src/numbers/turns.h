@@ -30,11 +30,11 @@ extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 #define CYLINT_TURN_PER_RADIAN_LO -0x1.6b01ec5417056p-57
 
 /*
- * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1];
- * 1 is a pair a little below 1.  The larger of |x| and |y| is in [1/4, 4], the
- * other is 0 or at least 2^-200.  The error is at most CYLINT_TURN_PAIR_ERROR
- * of the result, in directed rounding modes CYLINT_TURN_DIRECTED_ERROR of it
- * (error_bounds.h).
+ * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1]: a
+ * little below the positive x axis hi is 1 and lo is negative.  The larger of |x|
+ * and |y| is in [1/4, 4], the other is 0 or at least 2^-200.  The error is at most
+ * CYLINT_TURN_PAIR_ERROR of the result, in directed rounding modes
+ * CYLINT_TURN_DIRECTED_ERROR of it (error_bounds.h).
  */
 pair cylint_turn_pair(pair x, pair y);
 

@@ -1,7 +1,5 @@
 /*
  * turns_lanes.h - the angle of a point in turns, in lanes (turns.h)
- *
- * If simd.h is included before this, turns.h is included before it.
  */
 #ifndef CYLINT_NUMBERS_TURNS_LANES_H
 #define CYLINT_NUMBERS_TURNS_LANES_H

@@ -44,7 +44,7 @@ static double below_one(double turns)
 }
 
 /* The angle of (x, y) in turns.  Where one of x and y is 2^CYLINT_STEEP_EXPONENT
- * times the other or more, the angle is a quarter turn's multiple, rounded, but
+ * times the other or more, the angle rounds to a multiple of a quarter turn, except
  * next to 0, where it is y / (2 pi x). */
 static double angle_of(cylint_arena *arena, exact x, exact y)
 {
@@ -239,7 +239,6 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
                                (has_phi ? want & CYLINT_WANT_PHI : 0);
     if (!varying && !from_root)
         return;
-    const int used = cylint_exact_mark(q, root);
     const described at = described_at(q, root);
     const int kept = q->arena.used;
     write_point(&at, varying, hit->point);
@@ -251,5 +250,5 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
     q->arena.used = kept;
     if (from_root & CYLINT_WANT_PHI)
         hit->phi = phi_of(&at);
-    q->arena.used = used;
+    q->arena.used = at.t.mark;
 }

@@ -17,8 +17,8 @@
  */
 #include "roots.h"
 
-/* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
- * rounding modes neither these additions nor the error bounds are valid. */
+/* Whether hi is the double nearest to every number within the error of hi + lo.
+ * In other rounding modes neither these additions nor the error bounds are valid. */
 static int rounds_to_hi(pair t, double error)
 {
     /* untaken 1 of 6: callers have tested the rounding mode */
@@ -81,9 +81,9 @@ static number radical_of(cylint_query *q)
                                CYLINT_PAIR_RADICAL_ROUNDING)};
 }
 
-/* |B| + R, which one of the two forms of a root divides by.  *near: the other
- * number of that form is C, for of the two roots this one is nearer to the
- * line's origin. */
+/* |B| + R: the divisor or the dividend of the form of a root in which nothing
+ * cancels.  *near: whether it is the divisor, and the dividend is C.  That is so of
+ * the root nearer to the line's origin; of the other one the divisor is A. */
 static number divisor(cylint_query *q, int exits, int *near)
 {
     const number B = form_in_pairs(q, FORM_B, 0), R = radical_of(q);
@@ -132,66 +132,35 @@ static number root_by_quotient(cylint_query *q, cylint_root root)
 #define SLACK CYLINT_ROOT_SLACK
 #include "newton_template.h"
 
-static int move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
-                       bounded_pair kept[3])
-{
-    int in_window = 1;
-    for (int i = 0; i < 3; i++) {
-        kept[i] = L->D[cap][i];
-        L->D[cap][i] = bounded_pair_add(kept[i], bounded_pair_mul(t, L->u[i]));
-        in_window &= fabs(L->D[cap][i].v.hi) <= CYLINT_WINDOW;
-    }
-    return in_window;
-}
-
-static void restore_origin(cylint_terms_pair *L, int cap,
-                           const bounded_pair kept[3])
-{
-    for (int i = 0; i < 3; i++)
-        L->D[cap][i] = kept[i];
-}
-
-/* One step of Newton's from t.  slope: half the slope of f there; curvature: half
- * the second derivative or more.  Undecided for a point outside the window of
- * error_bounds.h. */
-static number step_from(number t, int in_window, bounded_pair f, number slope,
+/* One step of Newton's from t.  With the line's origin moved to t, near the shape,
+ * a far origin costs no digits: f is C there, with the slope 2 B, or alpha of a
+ * cap, with the slope beta.  curvature: half the second derivative or more.
+ * Undecided for a point outside the window of error_bounds.h. */
+static number step_from(cylint_query *q, number t, cylint_form f, int cap,
                         double curvature)
 {
-    const double s = 2 * slope.v.hi, s_error = 2 * slope.error;
+    const cylint_form f_slope = f == FORM_C ? FORM_B : FORM_BETA;
+    const double factor = f == FORM_C ? 2 : 1;
+    cylint_terms_pair *L = cylint_load_pairs(q, f_slope, cap);
+    bounded_pair *D = L->D[cap];
+    const bounded_pair kept[3] = {D[0], D[1], D[2]};
+    int in_window = 1;
+    for (int i = 0; i < 3; i++) {
+        D[i] = bounded_pair_add(
+            D[i], bounded_pair_mul((bounded_pair){t.v, 0}, L->u[i]));
+        in_window &= fabs(D[i].v.hi) <= CYLINT_WINDOW;
+    }
+    const number at = form_in_pairs(q, f, cap);
+    const number slope = form_in_pairs(q, f_slope, cap);
+    memcpy(D, kept, sizeof kept);
+    const double s = factor * slope.v.hi, s_error = factor * slope.error;
     if (!in_window || !(s_error < CYLINT_FIRST_ORDER * fabs(s)))
         return undecided;
-    const newton_double step = newton_step_double(
-        f.v.hi, bounded_pair_error(f), s, s_error, curvature, t.error);
+    const newton_double step =
+        newton_step_double(at.v.hi, at.error, s, s_error, curvature, t.error);
     /* with the rounding of t.lo - delta and CYLINT_NEAREST_MARGIN */
     return (number){fast_two_sum(t.v.hi, t.v.lo - step.delta),
                     step.error + CYLINT_PAIR_ROUNDING * fabs(t.v.hi)};
-}
-
-/* Towards a root of the lateral quadric.  With the line's origin moved to t, C is
- * Q there and B half its slope, near the shape, so that a far origin costs no
- * digits. */
-static number step_to_lateral(cylint_query *q, number t, double curvature)
-{
-    cylint_terms_pair *L = cylint_load_pairs(q, FORM_B, 0);
-    bounded_pair kept[3];
-    const int in_window = move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
-    const bounded_pair C = cylint_form_pair(L, FORM_C, 0);
-    const number slope = form_in_pairs(q, FORM_B, 0);
-    restore_origin(L, 0, kept);
-    return step_from(t, in_window, C, slope, curvature);
-}
-
-/* Towards the plane of a cap. */
-static number step_to_plane(cylint_query *q, number t, int cap)
-{
-    cylint_terms_pair *L = cylint_load_pairs(q, FORM_ALPHA, cap);
-    bounded_pair kept[3];
-    const int in_window = move_origin(L, cap, (bounded_pair){t.v, 0}, kept);
-    const bounded_pair alpha = cylint_form_pair(L, FORM_ALPHA, cap);
-    restore_origin(L, cap, kept);
-    const number half = {{L->beta.v.hi / 2, 0},
-                         bounded_pair_error(L->beta) / 2};
-    return step_from(t, in_window, alpha, half, 0);
 }
 
 /* Newton's steps from t until it has all but a few digits of a pair, or they gain
@@ -200,13 +169,13 @@ static number newton_from(cylint_query *q, cylint_root root, number t)
 {
     double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1)
-        return step_to_plane(q, t, root == ROOT_CAP1);
+        return step_from(q, t, FORM_ALPHA, root == ROOT_CAP1, 0);
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return undecided;
     const number A = form_in_pairs(q, FORM_A, 0);
     do {
         before = t.error;
-        t = step_to_lateral(q, t, fabs(A.v.hi) + A.error);
+        t = step_from(q, t, FORM_C, 0, fabs(A.v.hi) + A.error);
     } while (t.error >= CYLINT_POLISHED * fabs(t.v.hi) &&
              t.error < CYLINT_NEWTON_GAIN * before);
     return t;
@@ -216,23 +185,22 @@ static number newton_from(cylint_query *q, cylint_root root, number t)
 
 static double exact_value(cylint_query *q, cylint_root root)
 {
-    const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
     const exact zero = cylint_exact_zero(&q->arena);
     const exact one = cylint_load_exact(q, FORM_ALPHA, 0)->one;
     const double value = cylint_nearest_at(q, &t, zero, one, one);
-    q->arena.used = used;
+    q->arena.used = t.mark;
     return value;
 }
 
 /* The sign of root - m, exactly. */
 static int root_against(cylint_query *q, cylint_root root, double m)
 {
-    const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
     const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
     const exact one = cylint_load_exact(q, FORM_ALPHA, 0)->one;
-    return cylint_only_sign(&q->arena, used, cylint_sign_at(q, &t, from, one));
+    return cylint_only_sign(&q->arena, t.mark,
+                            cylint_sign_at(q, &t, from, one));
 }
 
 /* ------------------------------------------------------ the value ------ */

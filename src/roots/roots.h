@@ -44,13 +44,12 @@ typedef struct {
     exact A, B, C;
     int s;          /* 1 at the exit, -1 at the entry, else 0 */
     exact R, per_A; /* leading digits of R and of 1 / A, 0 where not needed */
+    int mark;       /* arena.used before numbers of this root alone */
 } surd;
 
-/* Computes all numbers of the root that must stay in the arena.  The caller can
- * free later ones by setting arena.used to the result.  Until then no sign that
- * needs the moment about the top may be computed for the first time. */
-int cylint_exact_mark(cylint_query *q, cylint_root root);
-
+/* The caller frees the numbers of the root by setting arena.used to its mark.
+ * Until then no sign that needs the moment about the top may be computed for the
+ * first time. */
 surd cylint_surd(cylint_query *q, cylint_root root);
 
 /* f0 + f1 t: its sign, exactly; leading digits of its value, with an error below

@@ -116,14 +116,6 @@ static const exact *coefficients(cylint_query *q)
     return q->exact_coefficient;
 }
 
-int cylint_exact_mark(cylint_query *q, cylint_root root)
-{
-    if (root < ROOT_APEX)
-        coefficients(q);
-    cylint_load_exact(q, FORM_A, 0);
-    return q->arena.used;
-}
-
 /* R = sqrt(S G). */
 static exact radical(cylint_query *q, const cylint_terms_exact *L)
 {
@@ -142,10 +134,10 @@ static exact radical(cylint_query *q, const cylint_terms_exact *L)
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
+    const exact *c = root < ROOT_APEX ? coefficients(q) : NULL;
     const exact zero = cylint_exact_zero(&q->arena);
-    surd t = {L->beta, zero, zero, 0, zero, zero};
-    if (root < ROOT_APEX) {
-        const exact *c = coefficients(q);
+    surd t = {L->beta, zero, zero, 0, zero, zero, q->arena.used};
+    if (c) {
         t.A = c[0];
         t.B = c[1];
         t.C = c[2];
@@ -182,28 +174,17 @@ typedef struct {
     int sum; /* the sign of X + s f1 R, or of X - s f1 R */
 } affine;
 
-/* a f0 - b f1. */
-static exact combined(cylint_arena *arena, exact a, exact f0, exact b, exact f1)
-{
-    const int used = arena->used;
-    const exact af = cylint_exact_mul(arena, a, f0);
-    return cylint_exact_keep(
-        arena, used,
-        cylint_exact_sub(arena, af, cylint_exact_mul(arena, b, f1)));
-}
-
 static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
 {
-    cylint_arena *arena = &q->arena;
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     const int s = t->s * f1.sign;
     if (f1.sign == 0) /* whatever A is */
-        return (affine){f0, cylint_load_exact(q, FORM_ALPHA, 0)->one, 0,
-                        f0.sign};
-    const exact X = combined(arena, t->A, f0, t->B, f1);
+        return (affine){f0, L->one, 0, f0.sign};
+    const exact X = cylint_combined_exact(L, t->A, f0, t->B, f1);
     if (X.sign * s >= 0)
         return (affine){X, t->A, 0, X.sign != 0 ? X.sign : s};
-    const exact Y = combined(arena, t->B, f0, t->C, f1),
-                N = combined(arena, X, f0, Y, f1);
+    const exact Y = cylint_combined_exact(L, t->B, f0, t->C, f1),
+                N = cylint_combined_exact(L, X, f0, Y, f1);
     return (affine){X, N, 1, X.sign};
 }
 

@@ -31,7 +31,7 @@
 
 #include "../numbers/bits.h"
 #include "../numbers/error_bounds.h"
-#include "cylint.h"
+#include "record.h"
 
 /* A vector is so long that no low part underflows, and no product of its
  * components with those of others does: an entry computed as 0 is 0. */
@@ -48,5 +48,14 @@ static inline int cylint_is_long_enough(const double x[3])
  * processors with AVX2 and a fused multiply-add. */
 void cylint_measure_local_plain(cylint_shape *shape);
 void cylint_measure_local_fma(cylint_shape *shape);
+
+/*
+ * Writes a shape for the kernels that decide by signs (filter.h), and for nothing
+ * else: without low parts and without the members that hits take.  The kind is
+ * cylinder, cone, capsule or round cone.  A constructor has made this shape of
+ * the record, and its local coordinates were accurate.
+ */
+void cylint_local_in_doubles(cylint_shape *shape, int kind, int ends,
+                             const cylint_record *from);
 
 #endif

@@ -9,7 +9,7 @@
 #else
 #define CYLINT_ONE_LANE
 #endif
-#include "local_doubles.h"
+#include "local.h"
 
 #include <math.h>
 

@@ -7,7 +7,7 @@
 #include "../numbers/error_bounds.h"
 #include "../numbers/exact.h"
 
-static double largest_length(const cylint_shape *s)
+double cylint_largest_length(const cylint_shape *s)
 {
     double most = cylint_axis_size(s);
     if (cylint_is_elliptic(s->kind))
@@ -20,18 +20,12 @@ static double largest_length(const cylint_shape *s)
     return most;
 }
 
-int cylint_length_exponent(const cylint_shape *s)
-{
-    const double most = largest_length(s);
-    return most <= DBL_MAX ? cylint_any_exponent(most) : 1024;
-}
-
 static int within_window(double x)
 {
     return x >= 1 / CYLINT_WINDOW && x <= CYLINT_WINDOW;
 }
 
-/* Of subnormal numbers, which may be read as 0. */
+/* cylint_largest() of numbers that the processor may read as 0. */
 ASIDE double largest_by_bits(const double x[3])
 {
     double most = 0;
@@ -98,7 +92,7 @@ double cylint_ball_about(const cylint_shape *s, double center[3])
 
 int cylint_is_in_window(const cylint_shape *s)
 {
-    return within_window(largest_length(s)) &&
+    return within_window(cylint_largest_length(s)) &&
            /* mutant '<=' -> '<': slower, exact arithmetic decides at
             * the window's end */
            (!cylint_has_factors(s->kind) || cylint_r1(s) <= CYLINT_WINDOW);
@@ -133,8 +127,8 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along)
     return cylint_sign(cylint_r0(s)) == 0 ? -1 : grows;
 }
 
-/* From exact differences: pairs that do not overflow would lose digits of
- * subnormal ones, and so could be equal. */
+/* From exact differences.  Pairs scaled against overflow would lose digits of
+ * subnormal coordinates, so that different sizes could be equal. */
 ASIDE int least_overflowing_component(const cylint_shape *s)
 {
     cylint_arena arena;

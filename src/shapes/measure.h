@@ -15,7 +15,8 @@ int cylint_is_in_window(const cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
 
 /* Writes the centre of a ball that holds the solid, and returns its radius:
- * infinite, if there is none. */
+ * infinite, if there is none.  The shape is in range: of others squares underflow
+ * or overflow. */
 double cylint_ball_about(const cylint_shape *shape, double center[3]);
 
 /* The axis has length 0: z and phi of all points are 0. */
@@ -27,17 +28,17 @@ static inline int cylint_has_no_axis(const cylint_shape *s)
 /* The ball about an end of a capsule or rcone, as a sphere. */
 void cylint_ball_of(cylint_shape *ball, const cylint_shape *shape, int end);
 
-/* The unit normal at a cone's apex is the axis's direction times this: away
- * from the solid; of a double cone against a line's direction, whose sign along
- * the axis is `along`, and for 0 towards the base or, where that is the apex
- * itself, against the axis. */
+/* The unit normal at a cone's apex is the axis's direction times this.  It points
+ * away from the solid.  Of a double cone it points against the line's direction;
+ * `along` is the sign of that direction along the axis.  If that is 0, the normal
+ * points towards the base, or against the axis if the base is the apex. */
 int cylint_apex_normal_sign(const cylint_shape *s, int along);
 
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
 
-/* The binary exponent of the largest length of a shape. */
-int cylint_length_exponent(const cylint_shape *s);
+/* The largest length of a shape; infinite or DBL_MAX if its axis overflows. */
+double cylint_largest_length(const cylint_shape *s);
 
 /* |x| < |y|. */
 static inline int cylint_is_smaller(pair x, pair y)

@@ -1,8 +1,8 @@
 /*
  * shape_facts.h - all facts about the kinds of shapes
  *
- * Other files call these functions and do not compare kinds.  The polynomials
- * of each kind are in signs/forms_template.h.
+ * Other files call these functions, and compare kinds only where one kind differs
+ * from all others.  The polynomials of each kind are in signs/forms_template.h.
  *
  *              elliptic  tapered  end points  factors   the radius at z
  *   cylinder      -         -         yes        -      r0
@@ -204,8 +204,9 @@ CYLINT_INLINE int cylint_solid(int kind, int ends)
                                        : CYLINT_SOLID_DOUBLE_CONE;
 }
 
-/* Of a solid: the radius of its section changes along the axis; two planes bound
- * it; the plane through the apex does; its ends are balls; it is one ball. */
+/* Of a solid: the radius of its section changes along the axis; it is bounded; the
+ * plane through the apex bounds it; its ends are balls, or it is one; it is one
+ * ball. */
 CYLINT_INLINE int cylint_solid_is_tapered(int solid)
 {
     return solid == CYLINT_SOLID_CONE || solid == CYLINT_SOLID_DOUBLE_CONE ||

@@ -32,7 +32,7 @@ typedef enum {
 } cylint_form;
 
 /* R = sqrt(S G), half the square root of the discriminant, over an arithmetic.
- * Of kinds whose S is a square, S is form_root_of_S(). */
+ * The argument S is form_root_of_S(): of kinds whose S is a square, its root. */
 #define CYLINT_RADICAL(kind, S, G, MUL, SQRT) \
     (cylint_S_is_square(kind) ? MUL(S, SQRT(G)) : SQRT(MUL(S, G)))
 

@@ -47,7 +47,6 @@
  *                             lone vv: k^2 vv |M|^2 - (1 + k^2) (w.M)^2
  *   elliptic   S = det^2  G = (U + kappa b.M)^2 + (V - kappa a.M)^2 - (w.M)^2
  *                             with U = u.p, V = u.q
- *   round                 round_forms_template.h
  *
  * In this form far origins cost no digits; b^2 - ac loses all of them.
  *
@@ -56,6 +55,35 @@
  *
  *   E_i = -beta^2 (distance^2 - radius^2): positive within the cap's disc
  *   N_i = dQ/dz up to a positive factor: on which side of the chord's middle
+ *
+ * Round kinds.  Sphere, the ball about the base: X = D_0, X1 = n = u, rho = r_0,
+ *
+ *   S = 1,  G = r_0^2 |u|^2 - |M_0|^2.
+ *
+ * A capsule has the forms of its cylinder.  Round cone: the cone that touches both
+ * balls touches ball i on a circle in the plane alpha_i = 0,
+ *
+ *   alpha_i = D_i.w + r_i dr,
+ *
+ * and is vv (vv - dr^2) |D_i|^2 - ... = 0, which is vv times
+ *
+ *   Q = (vv - dr^2) (|D_i|^2 - r_i^2) - alpha_i^2
+ *     = |D_0 x w|^2 - |V|^2,   V = r_0 w + dr D_0.
+ *
+ * The first form of Q shows that the cone touches ball i where alpha_i = 0.  In the
+ * second one the vector V = V_0 + t V_1 has the place of rho; V_1 = dr u.
+ *
+ *   S = vv - dr^2,  G = |r_0 n - dr M_0|^2 - (w.M_0)^2.
+ *
+ * The line crosses the plane of circle i at P / beta from p_i,
+ *
+ *   P = w x M_i - r_i dr u,
+ *
+ * and the disc in that circle is the part of the plane in ball i:
+ *
+ *   E_i = r_i^2 beta^2 - |P|^2        positive within the disc,
+ *   N_i = P.u                         beta times half the growth of |D_i|^2
+ *                                     along the line; dQ/dz has its sign.
  *
  * The side's roots are never compared with the planes: the signs of E_0,
  * E_1, N_0, N_1 and G determine their order.
@@ -89,6 +117,7 @@ INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
 INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3]);
 INLINE void FORM(cross)(const FORM(terms) *L, const NUM x[3], const NUM y[3],
                         NUM xy[3]);
+INLINE NUM FORM(combined)(const FORM(terms) *L, NUM a, NUM x, NUM b, NUM y);
 INLINE const NUM *FORM(axial)(const FORM(terms) *L);
 INLINE void FORM(gradient)(const FORM(terms) *L, NUM N[3]);
 INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y);
@@ -162,6 +191,9 @@ INLINE void FORM(prepare)(FORM(terms) *L, cylint_form f, int end)
         if (FORM(elliptic)(L)) {
             L->U = FORM(dot)(L, L->u, L->p);
             L->V = FORM(dot)(L, L->u, L->q);
+        } else if (L->kind == CYLINT_KIND_SPHERE) {
+            EACH(i, 3)
+                L->n[i] = L->u[i];
         } else {
             FORM(cross)(L, L->u, L->w, L->n);
         }
@@ -184,24 +216,26 @@ INLINE NUM FORM(square_of_Y)(const FORM(terms) *L)
     RETURN(Y2)
 }
 
-#include "round_forms_template.h"
-
 /* z of the origin from the plane at end i, times a positive factor.  The plane
  * is that of the cap, or of the circle of a round kind. */
 INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_alpha)(L, i);
-    return FORM(dot)(L, L->D[i], FORM(axial)(L));
+    BEGIN
+    NUM alpha = FORM(dot)(L, L->D[i], FORM(axial)(L));
+    if (L->kind == CYLINT_KIND_RCONE)
+        alpha = ADD(alpha, MUL(L->r[i], L->dr));
+    RETURN(alpha)
 }
 
-/* rho = rho0 + t rho1 along the line. */
+/* rho = rho0 + t rho1 along the line; not of a round cone. */
 INLINE NUM FORM(form_rho0)(const FORM(terms) *L)
 {
     BEGIN
     NUM rho;
     switch (L->kind) {
     case CYLINT_KIND_CYLINDER:
+    case CYLINT_KIND_SPHERE:
+    case CYLINT_KIND_CAPSULE:
         rho = L->r[0];
         break;
     case CYLINT_KIND_CONE:
@@ -216,10 +250,46 @@ INLINE NUM FORM(form_rho0)(const FORM(terms) *L)
     RETURN(rho)
 }
 
+/* Component j of V_0 or V_1 of a round cone. */
+INLINE NUM FORM(component_of_V)(const FORM(terms) *L, int number, int j)
+{
+    BEGIN
+    NUM V = MUL(L->dr, number ? L->u[j] : L->D[0][j]);
+    if (number == 0)
+        V = ADD(MUL(L->r[0], L->w[j]), V);
+    RETURN(V)
+}
+
+/* rho_i rho_j; of a round cone V_i.V_j. */
+INLINE NUM FORM(rho_product)(const FORM(terms) *L, int i, int j)
+{
+    BEGIN
+    NUM product, x[3], y[3];
+    if (L->kind == CYLINT_KIND_RCONE) {
+        EACH(k, 3) {
+            x[k] = FORM(component_of_V)(L, i, k);
+            y[k] = i == j ? x[k] : FORM(component_of_V)(L, j, k);
+        }
+        product = FORM(dot)(L, x, y);
+    } else {
+        x[0] = i ? MUL(L->dr, L->beta) : FORM(form_rho0)(L);
+        product = MUL(x[0], i == j ? x[0] : MUL(L->dr, L->beta));
+    }
+    RETURN(product)
+}
+
+/* Component j of P, where the line crosses the plane of end i, times beta. */
+INLINE NUM FORM(crossing)(const FORM(terms) *L, int i, int j)
+{
+    BEGIN
+    NUM P = FORM(minor)(L, L->w, L->M[i], (j + 1) % 3, (j + 2) % 3);
+    if (L->kind == CYLINT_KIND_RCONE)
+        P = SUB(P, MUL(MUL(L->r[i], L->dr), L->u[j]));
+    RETURN(P)
+}
+
 INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_E)(L, i);
     BEGIN
     NUM x = MUL(L->r[i], L->beta), E;
     if (FORM(elliptic)(L)) {
@@ -228,7 +298,8 @@ INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
         E = SUB(MUL(x, x), ADD(MUL(am, am), MUL(bm, bm)));
     } else {
         NUM P[3], x2 = MUL(x, x);
-        FORM(cross)(L, L->w, L->M[i], P);
+        EACH(j, 3)
+            P[j] = FORM(crossing)(L, i, j);
         if (L->kind == CYLINT_KIND_ACONE)
             x2 = MUL(x2, L->vv);
         E = SUB(x2, FORM(dot)(L, P, P));
@@ -238,8 +309,6 @@ INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
 
 INLINE NUM FORM(form_N)(const FORM(terms) *L, int i)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_N)(L, i);
     BEGIN
     NUM N;
     if (FORM(elliptic)(L)) {
@@ -247,23 +316,37 @@ INLINE NUM FORM(form_N)(const FORM(terms) *L, int i)
         NUM bm = FORM(dot)(L, L->b, L->M[i]);
         N = SUB(MUL(am, L->V), MUL(bm, L->U));
     } else {
-        N = FORM(dot)(L, L->M[i], L->n);
+        N = FORM(dot)(L, L->M[i], L->n); /* (w x M_i).u */
         if (L->kind == CYLINT_KIND_CONE)
             N = MUL(L->vv, N);
     }
     if (cylint_is_tapered(L->kind))
-        N = SUB(N, MUL(MUL(L->r[i], L->dr), MUL(L->beta, L->beta)));
+        N = SUB(N, MUL(MUL(L->r[i], L->dr), L->kind == CYLINT_KIND_RCONE
+                                                ? FORM(dot)(L, L->u, L->u)
+                                                : MUL(L->beta, L->beta)));
     RETURN(N)
+}
+
+/* The ball about end i: below 0 if the line passes at a distance of more than its
+ * radius. */
+INLINE NUM FORM(form_end_ball)(const FORM(terms) *L, int i)
+{
+    BEGIN
+    NUM r2 = MUL(L->r[i], L->r[i]);
+    NUM x =
+        SUB(MUL(r2, FORM(dot)(L, L->u, L->u)), FORM(dot)(L, L->M[i], L->M[i]));
+    RETURN(x)
 }
 
 INLINE NUM FORM(form_G)(const FORM(terms) *L)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_G)(L);
+    if (L->kind == CYLINT_KIND_SPHERE)
+        return FORM(form_end_ball)(L, 0);
     BEGIN
     NUM h = FORM(dot)(L, L->w, L->M[0]), h2 = MUL(h, h), G;
     switch (L->kind) {
     case CYLINT_KIND_CYLINDER:
+    case CYLINT_KIND_CAPSULE:
         G = SUB(MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->n, L->n)), h2);
         break;
     case CYLINT_KIND_CONE:
@@ -276,6 +359,9 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
                 MUL(ADD(L->one, k2), h2));
         break;
     }
+    case CYLINT_KIND_RCONE:
+        G = SUB(FORM(square_of_Y)(L), h2);
+        break;
     case CYLINT_KIND_ECYLINDER:
         G = SUB(ADD(MUL(L->U, L->U), MUL(L->V, L->V)), h2);
         break;
@@ -292,15 +378,21 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
  * square (cone vv, elliptic det); S itself for other kinds. */
 INLINE NUM FORM(form_root_of_S)(const FORM(terms) *L)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_S)(L);
-    return FORM(elliptic)(L) ? L->det : L->vv;
+    switch (L->kind) {
+    case CYLINT_KIND_SPHERE:
+        return L->one;
+    case CYLINT_KIND_RCONE: {
+        BEGIN
+        NUM S = SUB(L->vv, MUL(L->dr, L->dr));
+        RETURN(S)
+    }
+    default:
+        return FORM(elliptic)(L) ? L->det : L->vv;
+    }
 }
 
 INLINE NUM FORM(form_A)(const FORM(terms) *L)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_A)(L);
     BEGIN
     NUM A;
     if (FORM(elliptic)(L)) {
@@ -310,29 +402,27 @@ INLINE NUM FORM(form_A)(const FORM(terms) *L)
         if (L->kind == CYLINT_KIND_CONE)
             A = MUL(L->vv, A);
     }
-    if (cylint_is_tapered(L->kind)) {
-        NUM rho1 = MUL(L->dr, L->beta);
-        A = SUB(A, MUL(rho1, rho1));
-    }
+    if (cylint_is_tapered(L->kind))
+        A = SUB(A, FORM(rho_product)(L, 1, 1));
     RETURN(A)
 }
 
 /* X0 of the line's origin: three numbers, or two for elliptic kinds. */
-INLINE int FORM(radial)(const FORM(terms) *L, NUM X[3])
+INLINE void FORM(radial)(const FORM(terms) *L, NUM X[3])
 {
-    if (!FORM(elliptic)(L)) {
+    if (FORM(elliptic)(L)) {
+        X[0] = FORM(dot)(L, L->D[0], L->p);
+        X[1] = X[2] = FORM(dot)(L, L->D[0], L->q);
+    } else if (L->kind == CYLINT_KIND_SPHERE) {
+        EACH(i, 3)
+            X[i] = L->D[0][i];
+    } else {
         FORM(cross)(L, L->D[0], L->w, X);
-        return 3;
     }
-    X[0] = FORM(dot)(L, L->D[0], L->p);
-    X[1] = X[2] = FORM(dot)(L, L->D[0], L->q);
-    return 2;
 }
 
 INLINE NUM FORM(form_B)(const FORM(terms) *L)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_B)(L);
     BEGIN
     NUM X[3], B;
     FORM(radial)(L, X);
@@ -344,24 +434,23 @@ INLINE NUM FORM(form_B)(const FORM(terms) *L)
             B = MUL(L->vv, B);
     }
     if (cylint_is_tapered(L->kind))
-        B = SUB(B, MUL(FORM(form_rho0)(L), MUL(L->dr, L->beta)));
+        B = SUB(B, FORM(rho_product)(L, 0, 1));
     RETURN(B)
 }
 
 /* C = Q at the line's origin: its sign shows whether that point is inside. */
 INLINE NUM FORM(form_C)(const FORM(terms) *L)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_C)(L);
     BEGIN
-    NUM X[3], C, rho = FORM(form_rho0)(L), rho2 = MUL(rho, rho);
-    if (FORM(radial)(L, X) == 2) {
+    NUM X[3], C, rho2 = FORM(rho_product)(L, 0, 0);
+    FORM(radial)(L, X);
+    if (FORM(elliptic)(L)) {
         C = ADD(MUL(X[0], X[0]), MUL(X[1], X[1]));
     } else {
         C = FORM(dot)(L, X, X);
         if (L->kind == CYLINT_KIND_CONE)
             C = MUL(L->vv, C);
-        else if (L->kind == CYLINT_KIND_CYLINDER)
+        if (L->kind == CYLINT_KIND_CYLINDER || L->kind == CYLINT_KIND_CAPSULE)
             rho2 = MUL(rho2, L->vv);
     }
     C = SUB(C, rho2);
@@ -436,8 +525,9 @@ INLINE NUM FORM(gradient_component)(const FORM(terms) *L, const NUM X[3],
             N = MUL(L->vv, N);
     }
     if (cylint_is_tapered(L->kind))
-        N = SUB(N, cylint_is_round(L->kind) ? MUL(L->dr, FORM(round_V)(L, i))
-                                            : MUL(slope, FORM(axial)(L)[i]));
+        N = SUB(N, L->kind == CYLINT_KIND_RCONE
+                       ? MUL(L->dr, FORM(component_of_V)(L, 0, i))
+                       : MUL(slope, FORM(axial)(L)[i]));
     RETURN(N)
 }
 

@@ -5,28 +5,18 @@
  * end with this file:
  *
  *   FORM(name)                the function, which is static
- *   DATUM(x)                  a datum in this arithmetic, and the next three; left
- *                             out: in bounded pairs
+ *   DATUM(x)                  a datum in this arithmetic
  *   DIFFERENCE(x, y)          x - y of two data
  *   DIRECTION(l, i)           component i of the line's direction
  *   BEFORE_TOP(D, w)          D - w
- *   AXIS(s, i), RADIUS_GROWTH(s)
- *                             where these are no data or differences of data
+ *
+ * Without DATUM and those after it, the arithmetic is that of bounded pairs.
  */
 #ifndef DATUM
 #define DATUM(x) bounded_pair_of(x, 0)
 #define DIFFERENCE(x, y) bounded_pair_difference(x, y)
 #define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
 #define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
-#endif
-#ifndef AXIS
-#define AXIS(s, i)                                         \
-    (cylint_has_end_points(kind)                           \
-         ? DIFFERENCE(cylint_top(s)[i], cylint_base(s)[i]) \
-         : DATUM(cylint_axis(s)[i]))
-#define RADIUS_GROWTH(s)                \
-    (cylint_has_tangent(kind) ? L->r[1] \
-                              : DIFFERENCE(cylint_r1(s), cylint_r0(s)))
 #endif
 
 static void FORM(fill)(FORM(terms) *L, const cylint_shape *s,
@@ -35,11 +25,14 @@ static void FORM(fill)(FORM(terms) *L, const cylint_shape *s,
     L->kind = kind;
     EACH(i, 3) {
         L->u[i] = DIRECTION(l, i);
-        L->w[i] = AXIS(s, i);
         L->D[0][i] = DIFFERENCE(l->o[i], cylint_base(s)[i]);
-        L->D[1][i] = cylint_has_end_points(kind)
-                         ? DIFFERENCE(l->o[i], cylint_top(s)[i])
-                         : BEFORE_TOP(L->D[0][i], L->w[i]);
+        if (cylint_has_end_points(kind)) {
+            L->w[i] = DIFFERENCE(cylint_top(s)[i], cylint_base(s)[i]);
+            L->D[1][i] = DIFFERENCE(l->o[i], cylint_top(s)[i]);
+        } else {
+            L->w[i] = DATUM(cylint_axis(s)[i]);
+            L->D[1][i] = BEFORE_TOP(L->D[0][i], L->w[i]);
+        }
         if (cylint_is_elliptic(kind)) {
             const double b = cylint_b(s)[i];
             L->a[i] = DATUM(cylint_a(s)[i]);
@@ -48,7 +41,7 @@ static void FORM(fill)(FORM(terms) *L, const cylint_shape *s,
     }
     L->r[0] = DATUM(cylint_r0(s));
     L->r[1] = DATUM(cylint_r1(s));
-    L->dr = RADIUS_GROWTH(s);
+    L->dr = DIFFERENCE(cylint_r1(s), cylint_r0(s));
     L->one = DATUM(1);
 }
 
@@ -57,5 +50,3 @@ static void FORM(fill)(FORM(terms) *L, const cylint_shape *s,
 #undef DIFFERENCE
 #undef DIRECTION
 #undef BEFORE_TOP
-#undef AXIS
-#undef RADIUS_GROWTH

@@ -47,7 +47,7 @@ static void scale_query(cylint_query *q)
     const cylint_line *l = q->line;
     /* mutant '-' -> '': slower, the filters do not apply and exact
      * arithmetic decides */
-    const int e = -cylint_length_exponent(s);
+    const int e = -cylint_any_exponent(cylint_largest_length(s));
     cylint_shape *to = &q->scaled_shape;
     *to = *s;
     double *x = to->library.number;
@@ -63,16 +63,15 @@ static void scale_query(cylint_query *q)
         scale_vector(x + CYLINT_AT_A, cylint_a(s), e);
         scale_vector(x + CYLINT_AT_B, cylint_b(s), e);
     }
-    const double most = cylint_largest(l->d);
-    /* mutant '1024' -> '1025': any power that brings the size into range */
-    const int f = most > DBL_MAX ? -1024 : -cylint_any_exponent(most);
+    const int f = -cylint_any_exponent(cylint_largest(l->d));
     q->scaled_line = *l;
     scale_vector(q->scaled_line.o, l->o, e);
-    if (l->segment) {
-        cylint_scaled_difference(q->scaled_line.d, q->scaled_line.d_lo, l->end,
-                                 l->o, f);
-    } else {
-        scale_vector(q->scaled_line.d, l->d, f);
+    scale_vector(q->scaled_line.d, l->d, f);
+    for (int i = 0; i < 3 && l->segment; i++) {
+        const pair d =
+            two_diff(cylint_scaled(l->end[i], f), cylint_scaled(l->o[i], f));
+        q->scaled_line.d[i] = d.hi;
+        q->scaled_line.d_lo[i] = d.lo;
     }
     to->library.flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(to);
     cylint_measure_line(&q->scaled_line);
@@ -95,9 +94,7 @@ static bounded_double bounded_of(double x)
 #define DATUM(x) bounded_of(x)
 #define DIFFERENCE(x, y) bounded_of((x) - (y))
 #define DIRECTION(l, i) bounded_of(l->d[i])
-#define AXIS(s, i) bounded_of(cylint_axis(s)[i])
 #define BEFORE_TOP(D, w) bounded_sub(D, w)
-#define RADIUS_GROWTH(s) bounded_of(cylint_radius_growth(s).hi)
 #include "load_template.h"
 
 /* The terms that the form takes, here and below. */

@@ -24,7 +24,7 @@ typedef struct {
     cylint_line scaled_line;
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
-    int whole; /* 1: no operation on the pairs underflows; -1: not yet known */
+    int whole; /* 1: no operation on the pairs underflows; -1: not computed */
     cylint_terms_exact exact;
     int has_coefficients;       /* these are computed: */
     exact exact_coefficient[3]; /* A, B, C */

@@ -35,8 +35,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from reasons import beside_lines, sources, without_comments
 
-CORE = ["signs/forms_template.h", "signs/overlap_template.h",
-        "roots/newton_template.h",
+CORE = ["signs/forms_template.h", "roots/newton_template.h",
         "numbers/double_double.h", "numbers/error_free_template.h",
         "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
         "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
