@@ -461,7 +461,8 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * the shape was refused, and perhaps if hit->point is infinite; for side -1 only
  * between the nappes of a double cone, where they are nearer to each other than
  * these steps.  Where subnormal numbers are flushed to zero, it can happen if all
- * coordinates of the hit are below 2^-969 in absolute value.
+ * coordinates of the hit are below 2^-969 in absolute value.  If hit->point is
+ * infinite, the point can be infinite, too: cylint_ray() refuses it.
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of

@@ -18,8 +18,7 @@ static int run_of(const cylint_shape *s)
                                                     : CYLINT_SOLID_NONE;
 }
 
-/* Whole vectors; and never a power of two of a page, where all columns would
- * fall into the same sets of the cache. */
+/* Whole vectors; and a multiple of PADDING, but not of 256 doubles: then all columns would fall into the same sets of the cache. */
 static size_t padded(size_t n)
 {
     const size_t lanes = (n + PADDING - 1) / PADDING * PADDING;
@@ -172,7 +171,7 @@ CYLINT_INLINE int use_answer(batch_job *job, size_t number,
     }
 }
 
-/* The line of a number; 0 if there is no such line. */
+/* Writes the line of a number.  Returns 0 if the line is invalid. */
 static int line_of(const batch_job *job, size_t number, cylint_line *line)
 {
     if (job->line) {
@@ -290,7 +289,8 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.lane = from.first = from.end = 0;
     if (!run)
         from.radius = cylint_ball_about(shapes, from.center);
-    cylint_many_used(n >= CYLINT_LANES_AVX512)(&from, use_group, job);
+    CYLINT_OF_LANES(n >= CYLINT_LANES_AVX512, cylint_many)
+    (&from, use_group, job);
     return job->stopped;
 }
 
@@ -462,8 +462,7 @@ static void write_sides(const cylint_shape *shapes, size_t each,
                         const cylint_points *points, signed char *side)
 {
     const size_t n = points->n;
-    CYLINT_OF_LANES(n >= CYLINT_LANES_AVX512, cylint_sides_plain,
-                    cylint_sides_avx2, cylint_sides_avx512)
+    CYLINT_OF_LANES(n >= CYLINT_LANES_AVX512, cylint_sides)
     (shapes, each, points, side);
 #if CYLINT_IS_PARANOID
     for (size_t i = 0; i < n; i++)

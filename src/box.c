@@ -1,7 +1,7 @@
 /*
  * box.c - the least axis-parallel box of a shape, rounded outward
  *
- * A bounded shape is the convex hull of its two discs.
+ * A bounded shape is the convex hull of the discs, ellipses or balls at its ends.
  */
 #include "intersect.h"
 
@@ -32,8 +32,8 @@ static int outward(pair center, pair reach, int is_exact, int up, double *side)
     return error <= CYLINT_ROUNDING / 2 * fabs(sum.hi);
 }
 
-/* Whether no vector of the shape has a component, and no radius is a number, whose
- * powers in a side could overflow or lose digits. */
+/* Whether all numbers of the shape are 0 or of moderate size: no power of them in a
+ * side overflows or loses digits. */
 static int pairs_serve(const cylint_shape *s)
 {
     enum { MOST = 250 };
@@ -202,7 +202,7 @@ static unit_reaches reaches_of(const cylint_shape *s)
     return u;
 }
 
-/* Whether a unit reach is a double. */
+/* Whether a unit reach is a double; then writes it. */
 static int is_plain_reach(const cylint_shape *s, int j, double *reach)
 {
     if (!cylint_is_elliptic(s->kind)) {
@@ -215,7 +215,7 @@ static int is_plain_reach(const cylint_shape *s, int j, double *reach)
     return cylint_sign(a) == 0 || cylint_sign(b) == 0;
 }
 
-/* Extends the box by the discs of the first caps. */
+/* Extends the box by the discs of the first `caps` ends. */
 static void add_discs(const box *to, int caps)
 {
     const cylint_shape *s = to->shape;

@@ -20,8 +20,7 @@ typedef enum {
  * loaded, or one that cylint_use_kernels() chose. */
 extern cylint_build cylint_build_used CYLINT_HIDDEN;
 
-/* The build in use, of three of an object.  A program links the builds of what it
- * calls only.  OF_KERNELS: the same in the other libraries, to which the variable is
+/* The build in use, of three of an object.  A program links only the builds of what it calls.  OF_KERNELS: the same in the other libraries, to which the variable is
  * hidden. */
 #ifdef CYLINT_BUILDS_X86
 #define CYLINT_OF_BUILD(plain, avx2, avx512)             \
@@ -42,21 +41,14 @@ extern cylint_build cylint_build_used CYLINT_HIDDEN;
  * Measured: of batches and points a full vector, of chords and distances more than
  * half of one. */
 enum { CYLINT_LANES_AVX512 = 8 };
-#define CYLINT_OF_LANES(enough, plain, avx2, avx512) \
-    CYLINT_OF_BUILD(plain, avx2, (enough) ? (avx512) : (avx2))
+#define CYLINT_OF_LANES(enough, name)            \
+    CYLINT_OF_BUILD(&name##_plain, &name##_avx2, \
+                    (enough) ? &name##_avx512 : &name##_avx2)
 
 /* The address of NAME_plain or, on processors with a fused multiply-add, of
  * NAME_fma. */
 #define CYLINT_OF_FMA(name) \
     CYLINT_OF_BUILD(&name##_plain, &name##_fma, &name##_fma)
-
-/* The kernel for many questions. */
-static inline cylint_filter_many *cylint_many_used(int enough)
-{
-    (void)enough;
-    return CYLINT_OF_LANES(enough, cylint_many_plain, cylint_many_avx2,
-                           cylint_many_avx512);
-}
 
 /* The kernels for one line and one shape. */
 extern const cylint_one_kernels *cylint_one_used CYLINT_HIDDEN;

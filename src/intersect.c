@@ -11,8 +11,6 @@
 #include "shapes/local.h"
 #include "dispatch.h"
 
-/* ------------------------------------------------------- the domain ---- */
-
 #if CYLINT_IS_PARANOID
 /* Whether wanted members beside t differ in a bit. */
 static int members_differ(const cylint_hit *x, const cylint_hit *y,

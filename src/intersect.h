@@ -45,7 +45,8 @@ CYLINT_API cylint_status cylint_make_of_record(cylint_shape *shape, int kind,
  * For libcylint-scene: the chords of a line in shapes that constructors made of
  * records, all of one kind: cylinder, cone, capsule or round cone, with accurate
  * local coordinates.  Writes the chord of the record number[i] and count[i], 0 or
- * 1; or CYLINT_UNDECIDED: then cylint_chord() answers.  n <= CYLINT_MOST_RECORDS.
+ * 1; or CYLINT_UNDECIDED: then cylint_chord() answers.  The
+ * thread rounds to nearest.  n <= CYLINT_MOST_RECORDS.
  */
 enum { CYLINT_MOST_RECORDS = 64 };
 CYLINT_API void cylint_chords_of_records(const cylint_record *records,

@@ -42,7 +42,7 @@ static int is_beyond_part(const search *s, const double p[3])
     const int part = s->part;
     cylint_line line;
     cylint_query q;
-    /* untaken 1 of 6: every known step is finite */
+    /* untaken 1 of 6: no test has a hit at infinity */
     if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape) ||
         cylint_open_at(&q, shape, &line, p) != CYLINT_OK)
         return 1;
@@ -69,7 +69,7 @@ static int is_there(const search *s, const double p[3])
 }
 
 /* Writes the coordinates in the order of the lengths of their steps, and these
- * lengths times a power of two that no processor flushes to zero. */
+ * lengths times a power of two, so that no processor flushes them to zero. */
 static void order_steps(const search *s, const double stepped[3], int order[3],
                         double length[3])
 {
@@ -86,9 +86,9 @@ static void order_steps(const search *s, const double stepped[3], int order[3],
     }
 }
 
-/* Whether a^2 + b^2 < c^2, where c is the largest.  They are multiples of powers of
- * two up to 4, so the sum is exact, or it loses a part of the smaller square, and
- * then it is not less than c^2 if b is c. */
+/* Whether a^2 + b^2 < c^2, where c is the largest.  Each is a power of two
+ * times an integer of at most 7, so the sum is exact, or it loses a part of the
+ * smaller square, and then it is not less than c^2 if b is c. */
 static int is_shorter(double a, double b, double c)
 {
     const int e = -cylint_exponent(c);
@@ -97,7 +97,7 @@ static int is_shorter(double a, double b, double c)
     return x * x + y * y < z * z;
 }
 
-/* The nearest neighbour of those `steps` away. */
+/* Tries the neighbours `steps` away, the nearest first. */
 static int try_neighbours(const search *s, int steps, double p[3])
 {
     double stepped[3], length[3];
@@ -125,7 +125,8 @@ static int try_neighbours(const search *s, int steps, double p[3])
     return 0;
 }
 
-/* Points from + x d of n directions d, x doubling from `least` on, below `most`. */
+/* Tries the points from + x d along n directions d: x = least, 2 least, 4 least ...
+ * below `most`. */
 static int try_directions(const search *s, double d[][3], int n, double least,
                           double most, double p[3])
 {

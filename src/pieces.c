@@ -16,7 +16,7 @@
 
 /* -------------------------------------------------------------- chords -- */
 
-/* Adds the part of [t0, t1] in the domain. */
+/* Writes the part of [t0, t1] in the domain.  Returns 1 if it is a chord, else 0. */
 static int add_chord(const cylint_line *line, double t0, double t1,
                      cylint_interval *to)
 {
@@ -101,15 +101,11 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
                               const cylint_line *line, cylint_interval *chord,
                               signed char *count)
 {
-    /* untaken 2 of 4: scenes find the shapes of other lines one by one */
-    const int is_served = line->in_range && cylint_rounds_to_nearest();
     const cylint_line whole = whole_of(line);
     record_chords to = {line, chord, count};
     cylint_filter_batch from;
-    /* untaken 1 of 2: the same */
-    memset(count, is_served ? 0 : CYLINT_UNDECIDED, n);
-    /* untaken 1 of 2: the same */
-    if (!is_served)
+    memset(count, line->in_range ? 0 : CYLINT_UNDECIDED, n);
+    if (!line->in_range)
         return;
     from.shapes = NULL;
     from.records = records;
@@ -124,7 +120,8 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
     from.end = n;
     for (size_t i = 0; i < n; i++)
         from.list[i] = number[i];
-    cylint_many_used(n > CYLINT_LANES_AVX512 / 2)(&from, keep_group, &to);
+    CYLINT_OF_LANES(n > CYLINT_LANES_AVX512 / 2, cylint_many)
+    (&from, keep_group, &to);
 }
 
 /* -------------------------------------------------------------- solids -- */

@@ -1,7 +1,7 @@
 /*
  * shape.c - the constructors of shapes and lines, and their checks
  *
- * No other function of the library can fail.  A refused shape or line is all
+ * No other function of cylint.h can fail.  A refused shape or line is all
  * zero; every query then returns "miss".
  */
 #include "dispatch.h"
@@ -317,7 +317,8 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
 cylint_kind cylint_arguments(const cylint_shape *shape,
                              double numbers[CYLINT_ARGUMENTS_MOST])
 {
-    /* By kind: p, r, q, R are p0, r0, p1 and r1 of the record. */
+    /* By kind: p, r, q, R are p0, r0, p1 and r1 of the record; a and b are the
+ * semi-axes. */
     static const char *const parts[] = {
         [CYLINT_KIND_NONE] = "",          [CYLINT_KIND_CYLINDER] = "pqr",
         [CYLINT_KIND_CONE] = "prqR",      [CYLINT_KIND_ACONE] = "pqR",

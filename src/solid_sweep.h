@@ -42,8 +42,9 @@ static inline void cylint_add_events(cylint_event *to, cylint_interval chord,
 }
 
 /* Calls `use` for each piece in [tmin, tmax], ascending.  Events are sorted by t.
- * Outside all shapes holding[c - 1] members of clause c hold, as far as events have
- * the clause, and `failing` clauses of all have none. */
+ * holding[c - 1]: how many members of clause c hold outside all shapes; read and
+ * changed for the clauses of events.  failing: how many of all clauses have no such
+ * member. */
 static inline void cylint_sweep_solid(const cylint_event *event, size_t n,
                                       int32_t *holding, size_t failing,
                                       double tmin, double tmax,

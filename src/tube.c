@@ -18,26 +18,22 @@ static void to_size_of_one(const double x[3], double to[3])
         to[i] = cylint_scaled(x[i], -e);
 }
 
-/* The direction of the axis: of one along a coordinate, that of length 1, so that
- * cross products with it are exact. */
-static void along_axis(const double x[3], double to[3])
+/* The direction of the cone's axis: of one along a coordinate, that of length 1, so
+ * that cross products with it are exact. */
+static void along_axis(const cylint_shape *cone, double to[3])
 {
+    /* so that a difference does not overflow */
+    const int e = cylint_is_finite(cylint_axis(cone)) ? 0 : -1;
     int components = 0;
-    to_size_of_one(x, to);
+    for (int i = 0; i < 3; i++)
+        to[i] = cylint_difference(cylint_scaled(cylint_top(cone)[i], e),
+                                  cylint_scaled(cylint_base(cone)[i], e))
+                    .hi;
+    to_size_of_one(to, to);
     for (int i = 0; i < 3; i++)
         components += cylint_sign(to[i]) != 0;
     for (int i = 0; i < 3; i++)
         to[i] = components == 1 ? cylint_sign(to[i]) : to[i];
-}
-
-/* (to - from) 2^e: the nearest doubles. */
-static void difference(const double to[3], const double from[3], int e,
-                       double d[3])
-{
-    for (int i = 0; i < 3; i++)
-        d[i] = cylint_difference(cylint_scaled(to[i], e),
-                                 cylint_scaled(from[i], e))
-                   .hi;
 }
 
 static void cross_product(const double x[3], const double y[3], double to[3])
@@ -70,15 +66,12 @@ static int turn_sign(const double axis[3], const double x[3], const double y[3])
 }
 
 /* Writes the two half-spaces of a sector, and their clauses from 3 on. */
-static cylint_status make_sector(const double p0[3], const double p1[3],
+static cylint_status make_sector(const cylint_shape *cone,
                                  const double sector[2][3],
                                  cylint_shape shape[2], int clause[2])
 {
     double axis[3], direction[2][3], normal[2][3];
-    difference(p1, p0, 0, axis);
-    if (!cylint_is_finite(axis))
-        difference(p1, p0, -1, axis);
-    along_axis(axis, axis);
+    along_axis(cone, axis);
     for (int i = 0; i < 2; i++) {
         if (!cylint_is_finite(sector[i]))
             return CYLINT_ENONFINITE;
@@ -91,8 +84,8 @@ static cylint_status make_sector(const double p0[3], const double p1[3],
     if (turn == 0 && dot_product(normal[0], normal[1]).hi < 0)
         return CYLINT_EDIRECTION;
     for (int i = 0; i < 2; i++) {
-        /* p0 is finite: a cone has been made of it */
-        if (cylint_halfspace(&shape[i], p0, normal[i]) != CYLINT_OK)
+        if (cylint_halfspace(&shape[i], cylint_base(cone), normal[i]) !=
+            CYLINT_OK)
             return CYLINT_EDIRECTION;
         clause[i] = turn >= 0 ? 3 + i : 3;
     }
@@ -118,7 +111,7 @@ cylint_status cylint_tube(const double p0[3], const double p1[3],
     }
     if (status == CYLINT_OK && sector) {
         status =
-            make_sector(p0, p1, sector, &shapes[members], &clauses[members]);
+            make_sector(shapes, sector, &shapes[members], &clauses[members]);
         members += 2;
     }
     *n = status == CYLINT_OK ? members : 0;

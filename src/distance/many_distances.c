@@ -45,10 +45,9 @@ static void write_rows(const cylint_shape *shapes, size_t each,
         end = i + (ahead < CYLINT_POINT_BLOCK ? ahead : CYLINT_POINT_BLOCK);
         size_t n = end - i;
         if (in_lanes)
-            n = CYLINT_OF_LANES(
-                end - i > CYLINT_LANES_AVX512 / 2, cylint_distance_lanes_plain,
-                cylint_distance_lanes_avx2, cylint_distance_lanes_avx512)(
-                shapes, each, points, i, end, answers, uncertain);
+            n = CYLINT_OF_LANES(end - i > CYLINT_LANES_AVX512 / 2,
+                                cylint_distance_lanes)(shapes, each, points, i,
+                                                       end, answers, uncertain);
         for (size_t k = 0; k < n; k++) {
             const size_t row = in_lanes ? uncertain[k] : i + k;
             answer_row(shapes + each * row, points, row, want, answers);

@@ -6,7 +6,6 @@
 #ifndef CYLINT_CONTAINS_H
 #define CYLINT_CONTAINS_H
 
-#include "inside.h"
 #include "refine.h"
 
 /* 1 inside, -1 outside, 0 neither for certain. */
@@ -39,9 +38,10 @@ INLINE int contains_exactly(point_signs *at, const cylint_question *q,
     return side_of_place(place_of_point(at, solid));
 }
 
-INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
-                             int solid)
+/* A point near the surface of any solid. */
+static int contains_in_pairs(const cylint_shape *shape, const double point[3])
 {
+    const int solid = cylint_prepared(shape);
     const cylint_line line = {
         .o = {point[0], point[1], point[2]}, .d = {1}, .in_range = 1};
     cylint_question q = {.shape = shape, .line = &line};
@@ -49,6 +49,8 @@ INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
     point_signs at = no_point_signs;
     pair_line in;
     first_line first;
+    if (!cylint_rounds_to_nearest())
+        return CYLINT_SIDE_UNDECIDED;
     load_point(&first, point, shape, solid);
     q.Q = v_first(first.Q);
     set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);

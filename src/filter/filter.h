@@ -36,7 +36,7 @@ typedef struct {
 
 /*
  * One line and one shape, and what the stages compute.  Lane i of the roots
- * belongs to end i (kernel.h).  exists, past: bits of members of `verdict` and
+ * belongs to end i (frame.h).  exists, past: bits of members of `verdict` and
  * `point_signs`.  The others are the members of `estimate` and `root`
  * (surfaces.h).
  */
@@ -51,7 +51,8 @@ typedef struct {
     int is_along; /* the line lies in the plane of an end */
     int rises;    /* the sign of Q's slope at the line's origin; 0: uncertain */
     double A;     /* of the lateral quadratic; only its sign counts */
-    double Q, D;  /* no coordinate of the line's origin exceeds Q, none of its
+    double Q,
+        D; /* no local coordinate of the line's origin exceeds Q, none of its
                     direction D */
     double t[2], slope[2], slope_error[2], curvature[2];
     double value[2], tail[2], error[2];
@@ -109,9 +110,7 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
 
 /* --------------------------------------------------- many questions ----- */
 
-/* A question of a batch is a line and a shape, and it has a number.  All
- * questions of one cylint_filter_batch have the same solid, and either the shape or
- * the line may be the same in all. */
+/* The columns of a run: the centre and the radius of the ball about a shape. */
 enum { COLUMN_CENTER = 0, COLUMN_BALL = 3, COLUMNS };
 
 /* Shapes of one solid: number[i] is the shape of lane i.  The columns hold the
@@ -123,7 +122,9 @@ typedef struct {
     const double *column;
 } cylint_run;
 
-/* The questions, set by the caller, who sets `lane`, `first` and `end` to 0.  Of
+/* A question of a batch is a line and a shape, and it has a number.  All
+ * questions of one cylint_filter_batch have the same solid, and either the shape or
+ * the line may be the same in all.  The questions are set by the caller, who sets `lane`, `first` and `end` to 0.  Of
  * records, `list` has the numbers instead, `end` is how many, and n is 0: there is
  * no first pass.  The line is one for all, only t is wanted, and both caps are
  * present. */

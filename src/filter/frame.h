@@ -44,7 +44,7 @@ INLINE vm both_ends(const vm x[ENDS])
     return m_and(x[0], m_turned(x[0]));
 }
 
-/* x[k] of end 0 and of end 1. */
+/* Member k of an array of ENDS, from what belongs to base and top. */
 INLINE vd ends_of(vd of_base, vd of_top, int k)
 {
     (void)k;

@@ -16,8 +16,11 @@
 
 #include <float.h>
 
+#ifdef CYLINT_NARROW
 #include "narrow_frame.h"
+#else
 #include "wide_frame.h"
+#endif
 
 /* A value with a bound on its error. */
 typedef struct {
@@ -182,10 +185,10 @@ typedef struct {
     signs G;
 } cap_signs;
 
-INLINE void set_end_signs(end_signs *to, const vd x[ENDS], const vd error[ENDS])
+INLINE void set_end_signs(end_signs *to, const vd x[ENDS], vd error)
 {
     EACH(k, ENDS) {
-        const signs s = signs_of(x[k], error[k]);
+        const signs s = signs_of(x[k], error);
         to->positive[k] = s.positive;
         to->negative[k] = s.negative;
     }
@@ -220,8 +223,8 @@ INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
  * positive at both, as along a line parallel to the axis.  If it is not convex, it
  * is least at a plane.  Else it falls from -E / w^2 at the plane by at most
  * inward / w^2 times the height, which is at most l->Q, before it rises to the
- * other plane.  Twice that is subtracted: the bound of E is one of its sign.
- * Where E is far from 0, its error is larger, but less than half of it. */
+ * other plane.  The test takes twice that: the bound of E is right only where E is near 0;
+ * elsewhere the error of E is less than half of E. */
 INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 {
     /* mutant '2' -> '3', '-' -> '': slower, pairs decide */
@@ -231,24 +234,21 @@ INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
                           int solid)
 {
+    /* of round solids the larger radius is that of a circle, or more */
+    const vd eE = disc_error(l, CYLINT_LOCAL_FORM, l->widest);
     const vd eN = cubic_error(l);
     cap_signs c;
-    vd inward[ENDS], eE[ENDS], eI[ENDS];
+    vd inward[ENDS];
     vm sided[ENDS];
-    EACH(k, ENDS) {
-        /* of round solids the larger radius is that of a circle, or more */
-        eE[k] = disc_error(l, CYLINT_LOCAL_FORM, l->widest);
-        eI[k] = eN;
-        inward[k] = f->N[k] * ends_of(v_set(-1), v_set(1), k);
-    }
-    set_end_signs(&c.E, f->E, eE);
-    set_end_signs(&c.inward, inward, eI);
     EACH(k, ENDS)
-        c.inward.negative[k] =
-            m_or(c.inward.negative[k],
-                 stays_outside(l, f->E[k] + eE[k], inward[k] + eI[k]));
+        inward[k] = f->N[k] * ends_of(v_set(-1), v_set(1), k);
+    set_end_signs(&c.E, f->E, eE);
+    set_end_signs(&c.inward, inward, eN);
     c.G = signs_of(v->G.v, v->G.e);
     EACH(k, ENDS) {
+        c.inward.negative[k] =
+            m_or(c.inward.negative[k],
+                 stays_outside(l, f->E[k] + eE, inward[k] + eN));
         v->pierced[k] = c.E.positive[k];
         sided[k] = m_or(c.E.positive[k], c.E.negative[k]);
     }
@@ -293,10 +293,8 @@ INLINE void judge_unbounded(verdict *v, const forms *f, const local_line *l,
     const vm both = v_lt(v_set(0), v->A.v);
     v->misses = m_and(A.positive, T.negative);
     v->crosses = m_and(v->crosses, m_or(A.negative, T.positive));
-    EACH(k, ENDS) {
-        const vm exits = v_lt(v_set(0), ends_of(v_set(-1), v_set(1), k));
-        v->exists[k] = m_or(both, m_if(exits, leaves, m_not(leaves)));
-    }
+    EACH(k, ENDS)
+        v->exists[k] = m_or(both, m_if(last_end(k), leaves, m_not(leaves)));
 }
 
 /* The verdict on lines that G does not reject; v->G is set. */
@@ -325,8 +323,9 @@ INLINE int has_end_planes(int solid)
            (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_CAPSULE);
 }
 
-/* In the plane of an end, which is that of a capsule's circle, a line that enters
- * the lateral surface overlaps the solid as far as that.  No disc is pierced. */
+/* A line in the plane of an end overlaps the solid between its roots on the lateral
+ * surface, if G > 0.  It pierces no disc.  The circles of a capsule lie in these
+ * planes. */
 INLINE void judge_in_plane(verdict *v, vm lanes)
 {
     v->in_plane = lanes;
@@ -436,7 +435,7 @@ INLINE signs past_chord(const point_signs *at, const verdict *v,
     return past;
 }
 
-/* A t + B, from terms of which D is at most k D. */
+/* A t + B and a bound on its error.  k: 1 + |slope|, or 1 for a ball. */
 INLINE bounded_value slope_at(const local_line *l, vd A, vd B, vd t, vd k)
 {
     const vd size = v_sum_of(v_abs(t), l->D, l->Q);
@@ -487,8 +486,8 @@ INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
     }
 }
 
-INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
-                            vd t, int solid)
+INLINE void set_point_signs(point_signs *at, const local_line *l,
+                            const verdict *v, vd t, int solid)
 {
     const signs none = {m_from(0), m_from(0)};
     signs of_ball[2] = {none, none};
@@ -496,7 +495,6 @@ INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
     if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid) &&
         m_any(either_end(v->chord))) {
         vd B[ENDS];
-        compute_balls(&v->ball, l);
         EACH(n, ENDS)
             B[n] = v->ball.B[n].v;
         EACH(i, 2)
@@ -509,7 +507,7 @@ INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
 
 /* Whether part of the overlap of a line that crosses certainly lies ahead of its
  * origin. */
-INLINE vm is_ahead(const local_line *l, verdict *v, int solid)
+INLINE vm is_ahead(const local_line *l, const verdict *v, int solid)
 {
     const vd eZ = v_set(2 * CYLINT_LOCAL_POSITION) * l->unit * l->Q * l->D;
     vm ahead = v_lt(v->B.v, -v->B.e), cap[ENDS], plane[ENDS];
@@ -523,14 +521,37 @@ INLINE vm is_ahead(const local_line *l, verdict *v, int solid)
         if (cylint_solid_is_round(solid))
             plane[k] = m_or(plane[k], v->chord[k]);
     }
-    if (cylint_solid_is_round(solid) && m_any(either_end(v->chord))) {
-        compute_balls(&v->ball, l);
+    if (cylint_solid_is_round(solid) && m_any(either_end(v->chord)))
         EACH(k, ENDS) {
             const bounded_value B = v->ball.B[k];
             cap[k] = m_or(cap[k], m_and(v->chord[k], v_lt(B.v, -B.e)));
         }
-    }
     return m_or(either_end(cap), m_and_not(ahead, either_end(plane)));
+}
+
+/* ------------------------------------------------------------ points ---- */
+
+/* A point is a line's origin: its signs are those of the line at t = 0.  Outside,
+ * it is both before the overlap and after it. */
+INLINE place place_of_point(point_signs *at, int solid)
+{
+    const vm all = m_not(m_from(0));
+    verdict v;
+    v.A.v = v_set(1); /* of a double cone: outside where Q > 0 */
+    EACH(k, ENDS)
+        v.exists[k] = all;
+    at->past = (signs){all, all};
+    /* mutant '0' -> '1': a point's line has no direction */
+    return place_of(at, &v, v_set(0), solid);
+}
+
+/* Call load_place() before. */
+INLINE place place_in_doubles(const local_line *l, int solid)
+{
+    point_signs at = no_point_signs;
+    /* mutant '0' -> '1': the same */
+    set_place_signs(&at, l, v_set(0), solid);
+    return place_of_point(&at, solid);
 }
 
 #endif

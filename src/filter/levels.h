@@ -34,14 +34,14 @@
 
 /* ----------------------------------------------------------- levels ----- */
 
-/* Without a fused multiply-add a product's error is long. */
+/* Without a fused multiply-add the code for a product's error is long. */
 #if V_HAS_FMA
 #define LEVELS_INLINE INLINE
 #else
 #define LEVELS_INLINE ASIDE
 #endif
 
-/* In four lanes, of which the fourth is not used; in one. */
+/* The text for four lanes, of which three are used, and for one double. */
 #define REAL vq
 #define LEVELS vq_levels
 #define FORM(name) q_##name
@@ -90,21 +90,13 @@ INLINE pair total_pair(const levels *x)
     return fast_two_sum(s.hi, s.lo + x->c);
 }
 
-/* Lanes 0, 1 and 2. */
-INLINE void split_lanes(double x[3], vq lanes)
-{
-    x[0] = v_first(q_low(lanes));
-    x[1] = v_first(v_turned(q_low(lanes)));
-    x[2] = v_first(q_high(lanes));
-}
-
 /* Adds lanes 0, 1 and 2. */
 INLINE void add_lanes(levels *sum, const vq_levels *x)
 {
-    double a[3], b[3], c[3];
-    split_lanes(a, x->a);
-    split_lanes(b, x->b);
-    split_lanes(c, x->c);
+    double a[4], b[4], c[4];
+    q_store(a, x->a);
+    q_store(b, x->b);
+    q_store(c, x->c);
     EACH(i, 3)
         add_a(sum, a[i]);
     EACH(i, 3)
@@ -112,18 +104,11 @@ INLINE void add_lanes(levels *sum, const vq_levels *x)
     sum->c += (c[0] + c[1]) + c[2];
 }
 
-/* Their sum. */
+/* The sum of lanes 0, 1 and 2. */
 INLINE levels sum_of_lanes(const vq_levels *x)
 {
-    double a[3], b[3], c[3];
-    split_lanes(a, x->a);
-    split_lanes(b, x->b);
-    split_lanes(c, x->c);
-    levels sum = {a[0], b[0], (c[0] + c[1]) + c[2]};
-    add_a(&sum, a[1]);
-    add_a(&sum, a[2]);
-    add_b(&sum, b[1]);
-    add_b(&sum, b[2]);
+    levels sum = {0, 0, 0};
+    add_lanes(&sum, x);
     return sum;
 }
 
@@ -156,13 +141,9 @@ typedef struct {
 INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
                              double t, int cap)
 {
-    const double o[3] = {line->o[0] - cylint_base(shape)[0],
-                         line->o[1] - cylint_base(shape)[1],
-                         line->o[2] - cylint_base(shape)[2]};
-    double q[3];
+    double q[3], p[2];
     EACH(i, 3)
-        q[i] = sum_of(t, line->d[i], o[i]);
-    double p[2];
+        q[i] = sum_of(t, line->d[i], line->o[i] - cylint_base(shape)[i]);
     v_store(p, across(shape, v_set(q[0]), v_set(q[1]), v_set(q[2])));
     const double s =
         v_first(along(shape, q[0], q[1], q[2])) * (1 / cylint_height(shape));
@@ -170,8 +151,8 @@ INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
 }
 
 /* P - center in lanes 0, 1 and 2.  A double follows the center. */
-INLINE vq_levels distance_from_center(const double center[3],
-                                      const cylint_line *line, double t)
+INLINE vq_levels vector_from_center(const double center[3],
+                                    const cylint_line *line, double t)
 {
     const vqpair from = q_two_diff(q_load(line->o), q_load(center));
     const vq T = q_set(t);
@@ -191,12 +172,11 @@ INLINE vqpair axis_of(const cylint_shape *shape)
 }
 
 /* F in lanes 0, 1 and 2.  A number follows each vector of the shape. */
-INLINE vq_levels distance_from(const near_point *near,
-                               const cylint_shape *shape,
-                               const cylint_line *line, double t, int elliptic)
+INLINE vq_levels vector_from(const near_point *near, const cylint_shape *shape,
+                             const cylint_line *line, double t, int elliptic)
 {
     const vq s = q_set(-near->s);
-    vq_levels F = distance_from_center(cylint_base(shape), line, t);
+    vq_levels F = vector_from_center(cylint_base(shape), line, t);
     if (elliptic) {
         q_add_product_to_a(&F, q_set(-near->x), q_load(cylint_a(shape)));
         q_add_product_to_a(&F, q_set(-near->y), q_load(cylint_b(shape)));
@@ -239,9 +219,9 @@ INLINE double small_product(const vq_levels *F, vq w, vq w_lo)
     const vq high = q_mul(F->a, w);
     const vq low =
         q_sum_of(F->b, w, q_sum_of(F->a, w_lo, q_product_error(F->a, w)));
-    double h[3], l[3];
-    split_lanes(h, high);
-    split_lanes(l, low);
+    double h[4], l[4];
+    q_store(h, high);
+    q_store(l, low);
     const pair two = two_sum(h[0], h[1]), all = two_sum(two.hi, h[2]);
     return all.hi + ((all.lo + two.lo) + ((l[0] + l[1]) + l[2]));
 }
@@ -259,7 +239,7 @@ INLINE double circular_residual(const cylint_shape *shape,
                                 int tapered)
 {
     const near_point near = point_near(shape, line, t, cap);
-    const vq_levels F = distance_from(&near, shape, line, t, 0);
+    const vq_levels F = vector_from(&near, shape, line, t, 0);
     const vqpair axis = axis_of(shape);
     const vq w = axis.hi, w_lo = axis.lo;
     if (cap < 0 && !tapered) {
@@ -296,7 +276,7 @@ INLINE double elliptic_residual(const cylint_shape *shape,
                                 int tapered)
 {
     const near_point near = point_near(shape, line, t, cap);
-    const vq_levels F = distance_from(&near, shape, line, t, 1);
+    const vq_levels F = vector_from(&near, shape, line, t, 1);
     const vqpair sum = q_two_sum(F.a, F.b);
     const vqpair f =
         local_in_pairs(shape, (vqpair){sum.hi, q_add(sum.lo, F.c)});
@@ -326,7 +306,7 @@ INLINE double ball_residual_in_levels(const cylint_shape *shape,
                                       const cylint_line *line, double t,
                                       int top)
 {
-    const vq_levels F = distance_from_center(
+    const vq_levels F = vector_from_center(
         top ? cylint_top(shape) : cylint_base(shape), line, t);
     const levels Q = surplus_in_levels(&F, cylint_end_factor(shape, top));
     return total(&Q);
@@ -338,13 +318,12 @@ INLINE double round_cone_residual_in_levels(const cylint_shape *shape,
     const vqpair axis = axis_of(shape);
     const vq w = axis.hi, w_lo = axis.lo;
     const vq_levels W = {w, w_lo, q_set(0)}, WW = q_square(&W);
-    const vq_levels F = distance_from_center(cylint_base(shape), line, t);
+    const vq_levels F = vector_from_center(cylint_base(shape), line, t);
     const vq_levels Fw = q_product(&F, w, w_lo);
     const levels surplus = surplus_in_levels(&F, cylint_r0(shape));
     const pair growth = cylint_radius_growth(shape);
     const levels dr = {growth.hi, growth.lo, 0};
-    levels lateral2 = {0, 0, 0}, height = {0, 0, 0};
-    add_lanes(&lateral2, &WW);
+    levels lateral2 = sum_of_lanes(&WW), height = {0, 0, 0};
     subtract_square(&lateral2, &dr);
     add_product_to_a(&height, growth.hi, cylint_r0(shape));
     add_product_to_b(&height, growth.lo, cylint_r0(shape));

@@ -22,11 +22,6 @@
  * pass is compiled for each. */
 typedef enum { MODE_LINE, MODE_SHAPE, MODE_PAIRS } mode;
 
-static mode mode_of(const cylint_filter_batch *from)
-{
-    return !from->run ? MODE_SHAPE : from->line ? MODE_LINE : MODE_PAIRS;
-}
-
 /* ---------------------------------------- the first pass: balls about -- */
 
 /* Elements of an array; in_a_row: their numbers follow each other. */
@@ -40,14 +35,6 @@ typedef struct {
     frames frame;
     line_lanes line;
 } ball_pass;
-
-INLINE local_line line_and_ball(const ball_pass *pass)
-{
-    const source from = {&pass->frame, &pass->line};
-    local_line l;
-    load_first(&l, &from, CYLINT_SOLID_SPHERE);
-    return l;
-}
 
 /* The lanes that pass by for certain. */
 INLINE vm passes_ball(const local_line *l)
@@ -93,7 +80,7 @@ INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
     return c;
 }
 
-/* Those of lanes from `lane` on, as far as they differ from lane to lane. */
+/* Loads what differs from lane to lane, from lane `lane` on. */
 INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 {
     const cylint_lines *lines = &from->lines;
@@ -121,6 +108,7 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
     }
 }
 
+/* Loads what all lanes have in common. */
 INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
 {
     if (m == MODE_SHAPE)
@@ -145,8 +133,11 @@ enum { BLOCK = 16, VECTORS = BLOCK / LANES };
 INLINE local_line ball_at(const pass_columns *columns, size_t lane, mode m,
                           ball_pass *pass)
 {
+    const source from = {&pass->frame, &pass->line};
+    local_line l;
     pass_at(columns, lane, m, pass);
-    return line_and_ball(pass);
+    load_first(&l, &from, CYLINT_SOLID_SPHERE);
+    return l;
 }
 
 /* The lanes of a vector whose ball the line does not certainly pass by. */
@@ -161,7 +152,7 @@ INLINE unsigned lanes_kept(const pass_columns *columns, size_t lane, mode m,
     return there & m_bits(m_not(passes_ball(&ball)));
 }
 
-/* Puts those numbers of a vector into the list; returns how many. */
+/* Puts the numbers of the lanes `kept` into the list; returns how many. */
 INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
                            size_t lane, mode m, unsigned kept)
 {
@@ -229,16 +220,12 @@ static int next_numbers(cylint_filter_batch *from)
     const size_t due = awaited(from);
     if (listed < due && from->lane < from->n) {
         const size_t enough = from->first + (from->eager ? AHEAD : due);
-        switch (mode_of(from)) {
-        case MODE_LINE:
-            first_pass(from, enough, MODE_LINE);
-            break;
-        case MODE_SHAPE:
+        if (!from->run)
             first_pass(from, enough, MODE_SHAPE);
-            break;
-        default:
+        else if (from->line)
+            first_pass(from, enough, MODE_LINE);
+        else
             first_pass(from, enough, MODE_PAIRS);
-        }
         listed = from->end - from->first;
     }
     return listed < LANES ? (int)listed : LANES;
@@ -246,7 +233,7 @@ static int next_numbers(cylint_filter_batch *from)
 
 /* ------------------------------------------------------- the answers ---- */
 
-/* The questions of a group.  shape: NULL if all have the same. */
+/* The questions of a group.  shape: NULL if all have the same, or frames are made of records. */
 typedef struct {
     const cylint_filter_batch *from;
     const size_t *number;
@@ -254,10 +241,10 @@ typedef struct {
     line_lanes line;
     const cylint_shape *const *shape;
     unsigned in_use;
-    double nearest; /* hits beyond it are not wanted */
 } group_questions;
 
-INLINE place place_at(const local_line *l, verdict *v, vd limit, int solid)
+INLINE place place_at(const local_line *l, const verdict *v, vd limit,
+                      int solid)
 {
     point_signs at = no_point_signs;
     if (m_any(v_le(v_abs(limit), v_set(CYLINT_LATE))))
@@ -323,7 +310,8 @@ INLINE void lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
     load_pairs(to, &from, solid);
 }
 
-/* One function for all solids but spheres, of which it is short. */
+/* One function for all solids but spheres; for spheres the code is short and
+ * inlined. */
 ASIDE void any_lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
                               int solid)
 {
@@ -345,8 +333,8 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
         const estimate at = estimate_end(l, v, &end_k, solid);
         if (k == 0) {
             if (nearest)
-                *crosses =
-                    m_and(*crosses, may_be_nearest(&at, v, x->nearest, solid));
+                *crosses = m_and(
+                    *crosses, may_be_nearest(&at, v, x->from->nearest, solid));
             if (!m_any(*crosses))
                 return;
             if (cylint_solid_is_ball(solid))
@@ -375,7 +363,7 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
 }
 
 /* By signs at the ends of the domain. */
-INLINE void find_places(lane_hits *to, const local_line *l, verdict *v,
+INLINE void find_places(lane_hits *to, const local_line *l, const verdict *v,
                         int solid)
 {
     const place first = place_at(l, v, l->limit[0], solid);
@@ -454,15 +442,19 @@ ASIDE unsigned lanes_in_plane(const group_questions *x, unsigned lanes)
     return found;
 }
 
-INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
-                         int solid, cylint_filter_group *g)
+typedef void lanes_kernel(group_questions *x, cylint_filter_group *g);
+
+INLINE void answer_lanes(group_questions *x, int solid, cylint_filter_group *g)
 {
+    const unsigned want = x->from->want;
     const source from = {&x->frame, &x->line};
     const vm in_use =
         m_and(m_from(x->in_use), v_le(x->line.limit[0], x->line.limit[1]));
     local_line l;
     forms f;
     verdict v;
+    if (x->shape)
+        gather_shapes(&x->frame, x->shape, solid);
     g->found = g->undecided = g->hit[0] = g->hit[1] = 0;
     g->leaving_first = g->in_cap_plane = 0;
     load_first(&l, &from, solid);
@@ -499,31 +491,19 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
     g->leaving_first = solid == CYLINT_SOLID_DOUBLE_CONE
                            ? m_bits(is_backward(&l, &v, solid))
                            : 0;
-    g->found = g->undecided | (relations ? sure : g->hit[0] | g->hit[1]);
+    g->found =
+        g->undecided | (x->from->relations ? sure : g->hit[0] | g->hit[1]);
 }
 
-typedef void lanes_kernel(group_questions *x, unsigned want, int relations,
-                          int solid, cylint_filter_group *g);
-
-INLINE void load_and_answer(group_questions *x, unsigned want, int relations,
-                            int solid, cylint_filter_group *g)
-{
-    if (x->shape)
-        gather_shapes(&x->frame, x->shape, solid);
-    answer_lanes(x, want, relations, solid, g);
-}
-
-#define KERNEL(name, constant)                                                \
-    ASIDE void name##_lanes(group_questions *x, unsigned want, int relations, \
-                            int solid, cylint_filter_group *g)                \
-    {                                                                         \
-        (void)solid;                                                          \
-        load_and_answer(x, want, relations, constant, g);                     \
+#define KERNEL(name, solid)                                             \
+    ASIDE void name##_lanes(group_questions *x, cylint_filter_group *g) \
+    {                                                                   \
+        answer_lanes(x, solid, g);                                      \
     }
 KERNEL(cylinder, CYLINT_SOLID_CYLINDER)
 KERNEL(cone, CYLINT_SOLID_CONE)
 KERNEL(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
-KERNEL(double_cone, cylint_whole_cone(solid))
+KERNEL(double_cone, cylint_whole_cone(x->from->solid))
 #define nappe_lanes double_cone_lanes
 KERNEL(sphere, CYLINT_SOLID_SPHERE)
 KERNEL(capsule, CYLINT_SOLID_CAPSULE)
@@ -551,7 +531,7 @@ static void broadcast_line(line_lanes *to, const cylint_line *l)
     to->segment = l->segment;
 }
 
-/* The lines of so many numbers. */
+/* The lines with these numbers, one in each lane. */
 static void gather_lines(line_lanes *to, const cylint_lines *from,
                          const size_t *number)
 {
@@ -589,8 +569,7 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
         x->shape = shape;
     }
     x->in_use = (1u << lanes) - 1;
-    x->nearest = from->nearest;
-    of_solid[from->solid](x, from->want, from->relations, from->solid, g);
+    of_solid[from->solid](x, g);
 }
 
 void CYLINT_MANY(cylint_filter_batch *from, cylint_filter_use *use, void *self)

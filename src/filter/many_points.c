@@ -4,7 +4,7 @@
  * Compiled once for each instruction set.  Signs are computed in doubles only: a
  * point near a surface is undecided, and so are points that do not fill the lanes.
  */
-#include "inside.h"
+#include "kernel.h"
 
 #ifndef CYLINT_SIDES
 #define CYLINT_SIDES cylint_sides_plain

@@ -151,8 +151,8 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
 
 /* ---------------------------------------------------------- roundings -- */
 
-/* Lanes in which x is certainly rounded to *to, if each real number within its
- * bound, and `beside` relative to it, rounds so. */
+/* Writes the double nearest to x.  Returns the lanes in which it is certain: all
+ * numbers within x.e + beside |x| of x round to it. */
 INLINE vm rounds(bounded_pairs x, double beside, vd *to)
 {
     const vpair s = v_two_sum(x.v.hi, x.v.lo);

@@ -6,8 +6,6 @@
 
 #include "frame.h"
 
-#ifdef CYLINT_NARROW
-
 /* Rows x and y of the matrix times a vector. */
 INLINE vd across(const cylint_shape *s, vd x, vd y, vd z)
 {
@@ -209,20 +207,20 @@ INLINE vqpair direction_in_pairs(const source *from, int solid)
     return transformed(from->shape, hi, from->line->segment ? lo : NULL);
 }
 
-/* x and y: (x, x, y, y).  z in both lanes. */
+/* (x, x, y, y). */
 INLINE vqpair across_of(vqpair x)
 {
     return (vqpair){q_spread(q_low(x.hi)), q_spread(q_low(x.lo))};
 }
 
+/* z in both lanes. */
 INLINE vpair along_of(vqpair x)
 {
     const vd hi = q_high(x.hi), lo = q_high(x.lo);
     return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
 }
 
-/* A line with the origin x from the base, but for its sizes.  moves: with v and w,
- * which are 0 else. */
+/* A line with the origin x from the base, but for its sizes.  moves: 1 computes v and w; 0 sets them to 0. */
 INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
                             int moves, int solid)
 {
@@ -270,7 +268,5 @@ ASIDE void load_moved_pairs(pair_line *to, const source *from, double t,
     to->size = q_sum_of(q_set(CYLINT_MEMBER_MOVED),
                         q_add(q_abs(o.hi), q_abs(step)), q_abs(x.hi));
 }
-
-#endif
 
 #endif

@@ -28,11 +28,6 @@ static int no_solid(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-static int no_solid_contains(const cylint_shape *shape, const double point[3])
-{
-    return cylint_side_of_plane(shape, point);
-}
-
 #if LANES == 2
 
 #include "contains.h"
@@ -41,7 +36,7 @@ static int no_solid_contains(const cylint_shape *shape, const double point[3])
     const cylint_shape *shape, const cylint_line *line, unsigned want, \
         cylint_answer *answer, cylint_question *question
 
-/* Below this share of G an error of it makes residuals in levels likely.  Only
+/* An error of G above this share of it makes residuals in levels likely.  Only
  * time depends on it. */
 #define CYLINT_LOCAL_GRAZING 0x1p-13
 
@@ -156,20 +151,12 @@ OTHERS(sphere, CYLINT_SOLID_SPHERE)
 OTHERS(capsule, CYLINT_SOLID_CAPSULE)
 OTHERS(round_cone, CYLINT_SOLID_ROUND_CONE)
 
-/* A point near the surface of any solid. */
-static int contains_nearly(const cylint_shape *shape, const double point[3])
-{
-    return cylint_rounds_to_nearest()
-               ? contains_in_pairs(shape, point, cylint_prepared(shape))
-               : CYLINT_SIDE_UNDECIDED;
-}
-
 #define CONTAINS(name, solid)                                      \
     static int name##_contains(const cylint_shape *shape,          \
                                const double point[3])              \
     {                                                              \
         const int side = contains_in_doubles(shape, point, solid); \
-        return side != 0 ? side : contains_nearly(shape, point);   \
+        return side != 0 ? side : contains_in_pairs(shape, point); \
     }
 CYLINT_EACH_SOLID(CONTAINS)
 
@@ -214,12 +201,12 @@ static unsigned describe_again(const cylint_shape *shape,
 }
 
 #define ONE(name, solid) [solid] = no_solid,
-#define SIDE(name, solid) [solid] = no_solid_contains,
+#define SIDE(name, solid) [solid] = cylint_side_of_plane,
 
 #endif
 
 const cylint_one_kernels CYLINT_ONE = {
     {[CYLINT_SOLID_NONE] = no_solid, CYLINT_EACH_SOLID(ONE)},
     refine,
-    {[CYLINT_SOLID_NONE] = no_solid_contains, CYLINT_EACH_SOLID(SIDE)},
+    {[CYLINT_SOLID_NONE] = cylint_side_of_plane, CYLINT_EACH_SOLID(SIDE)},
     describe_again};

@@ -127,8 +127,8 @@ INLINE int leave_undecided(cylint_question *question, cylint_refinement next)
     return CYLINT_UNDECIDED;
 }
 
-INLINE int answer_by_signs(const local_line *l, verdict *v, const arguments *a,
-                           int solid)
+INLINE int answer_by_signs(const local_line *l, const verdict *v,
+                           const arguments *a, int solid)
 {
     const cylint_line *line = a->line;
     cylint_question *question = a->question;

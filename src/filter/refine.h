@@ -133,7 +133,7 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
         set_planes(plane, r, in, shape, solid);
         EACH(i, 2)
             at->above[i] =
-                signs_of(height_at(pairs_of_end(plane, i), in->w, t), eZ);
+                signs_of(rounded(moved(pairs_of_end(plane, i), in->w, t)), eZ);
         between = m_not(m_or(at->above[0].negative, at->above[1].positive));
     }
     if (cylint_solid_is_round(solid))
@@ -258,7 +258,7 @@ static int refine_line(cylint_question *q)
                             solid);
 }
 
-/* ------------------------------------------- a line that begins on the solid -- */
+/* ------------------------------------------- a line that begins or ends at a surface -- */
 
 /* Sets the uncertain sign in the lane of an end of the domain that is the line's
  * origin.  The domain is closed: a point of the surface counts as the one just

@@ -75,7 +75,7 @@ INLINE bounded_value choose(vm m, bounded_value x, bounded_value y)
     return (bounded_value){v_select(m, x.v, y.v), v_select(m, x.e, y.e)};
 }
 
-/* The same of a bounded value. */
+/* of_ball() of a bounded value. */
 INLINE bounded_value bounded_of_ball(const line_end *e,
                                      const bounded_value x[ENDS])
 {
@@ -159,18 +159,6 @@ INLINE vpair vpair_square(vpair x)
 {
     const vpair square = v_two_prod(x.hi, x.hi);
     return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
-}
-
-/* z + t w, rounded: the error is relative to it, but for that of z and w. */
-INLINE vd height_at(vpair z, vpair w, vd t)
-{
-    const vd low = v_sum_of(t, w.lo, z.lo);
-#if V_HAS_FMA
-    return v_fma(t, w.hi, z.hi) + low;
-#else
-    const vpair step = v_two_prod(t, w.hi);
-    return (z.hi + step.hi) + (step.lo + low);
-#endif
 }
 
 /* Not less than any coordinate at t. */
@@ -260,7 +248,7 @@ INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
     if (!cylint_solid_is_bounded(solid))
         return side;
     const vpair z = {at_end(e->top, hi), at_end(e->top, lo)};
-    const bounded_value plane = {height_at(z, in->w, t),
+    const bounded_value plane = {rounded(moved(z, in->w, t)),
                                  height_error(in, size_at(t, l))};
     return choose(e->on_end, plane, side);
 }

@@ -6,8 +6,6 @@
 
 #include "frame.h"
 
-#ifndef CYLINT_NARROW
-
 INLINE vm m_if_all(int condition)
 {
     return m_from(condition ? (1u << LANES) - 1 : 0);
@@ -190,7 +188,5 @@ INLINE void load_pairs(pair_line *to, const source *from, int solid)
     to->error = v_if(ball, v_set(CYLINT_LOCAL_ERROR), f->of[CYLINT_AT_ERROR]);
     set_heights(to, p[2], from, solid);
 }
-
-#endif
 
 #endif

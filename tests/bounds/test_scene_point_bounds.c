@@ -116,7 +116,7 @@ static void draw_leaf(cylint_leaf *b)
 {
     memset(b, 0, sizeof *b);
     b->used = CYLINT_LEAF_SIZE;
-    b->steps = cylint_half_below(pow(2, between(6, 20)));
+    b->steps = cylint_bfloat16_below(pow(2, between(6, 20)));
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
         const int spread = 1 << one_of(11);
         for (int j = 0; j < 3; j++) {

@@ -260,7 +260,7 @@ static inline cylint_line any_line(void)
         const int axis = one_of(3);
         double o[3] = {line.o[0], line.o[1], line.o[2]}, d[3] = {0, 0, 0};
         o[axis] = -ldexp(1, 50 + one_of(6));
-        d[axis] = 1;
+        d[axis] = one_of(2) ? 1 : 0x1p100; /* in range, or not */
         cylint_whole_line(&line, o, d);
     }
     return line;
