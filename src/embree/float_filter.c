@@ -13,11 +13,10 @@
 
 #include "float_filter_lanes.h"
 
-/* For each lane i of `lanes`: at most once where there is one lane. */
-#define EACH_LANE(i, lanes)                                                   \
-    for (unsigned i##_of = (lanes), i;                                        \
-         i##_of && (i = LANES == 1 ? 0 : (unsigned)cylint_lowest(i##_of), 1); \
-         i##_of = LANES == 1 ? 0 : i##_of & (i##_of - 1))
+/* For each lane i of `lanes`. */
+#define EACH_LANE(i, lanes)         \
+    for (int i = 0; i < LANES; i++) \
+        if ((lanes) >> i & 1)
 
 /* ------------------------------------------------------------- accepting -- */
 
@@ -46,8 +45,7 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
 }
 
 /* Whether the line pierces a cap in a plane of coordinates where t is a float,
- * which is written: data of few digits often do.  What may be flushed to 0 does not
- * change the double nearest to t. */
+ * which is written: data of few digits often do.  A low part flushed to 0 is too small to change the double nearest to t. */
 INLINE int pierces_at_float(const question *of, int top, double *t)
 {
     const double *p0 = of->record.p0, *p1 = of->record.p1;
@@ -68,9 +66,9 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
 {
     double t[LANES], e[LANES], z[LANES], z_error[LANES];
     const vd all = q->from + at->s;
-    const unsigned capped = m_bits(at->capped), top = m_bits(at->top);
-    const unsigned planes = is_round ? 0 : capped & ~m_bits(q->is_angle);
-    const unsigned balls = is_round ? m_bits(is_on_end(q, at)) : 0;
+    const unsigned at_end = m_bits(at->at_end), top = m_bits(at->top);
+    const unsigned planes = is_round ? 0 : at_end & ~m_bits(q->is_angle);
+    const unsigned balls = is_round ? at_end : 0;
     unsigned hits = 0;
     v_store(t, all);
     v_store(e, at->s_error + eps(1) * v_abs(all));
@@ -79,7 +77,7 @@ INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
     *uncertain = 0;
     EACH_LANE(i, lanes) {
         const int is_present =
-            !(capped >> i & 1) ||
+            !(at_end >> i & 1) ||
             cylint_caps_present(q->of[i]->ends) >> (top >> i & 1) & 1;
         cylint_float_filter_result is =
             accept_hit(t[i], e[i], z[i], z_error[i], is_present,
@@ -189,8 +187,8 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
 {
     vd per_far;
     const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
-    /* both have an error of at most W e_c, so the angle one of less than
-     * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
+    /* both have an error of at most W e_c, so the angle's is less than
+ * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
     const vd part = q->W * e_c * per_far;
     const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
     const vm inside =
@@ -199,28 +197,21 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
                  to_float(turn, e, phi));
 }
 
-/* least[j]: the axis is least along coordinate j, the first such.  low: the low
- * parts of the sizes of its coordinates, needed where two of these are equal. */
+/* least[1], least[2]: the axis is least along this coordinate; neither: along the
+ * first.  Of equal coordinates the low parts decide, then the order. */
 INLINE void find_least(const questions *q, vm least[3])
 {
-    const vd zero = v_set(0), x = v_abs(q->w[0]), y = v_abs(q->w[1]),
-             z = v_abs(q->w[2]);
-    vd low[3] = {zero, zero, zero};
-    if (m_any(v_eq((x - y) * (y - z) * (z - x), zero))) {
-        vd base[4], top[4];
-        load_columns(q, offsetof(question, record.p0), base);
-        load_columns(q, offsetof(question, record.p1), top);
-        EACH(j, 3)
-            low[j] = v_select(q->is_angle, zero,
-                              v_like(v_set(1), q->w[j]) *
-                                  v_two_sum(top[j], -base[j]).lo);
+    const vd zero = v_set(0), one = v_set(1);
+    vd size[3], low[3];
+    EACH(j, 3) {
+        size[j] = v_abs(q->w[j]);
+        low[j] = v_like(one, q->w[j]) * q->w_low[j];
     }
-    const vm y_less = v_lt((y - x) + (low[1] - low[0]), zero);
-    const vd xy = v_select(y_less, y, x);
+    const vm y_less = v_lt((size[1] - size[0]) + (low[1] - low[0]), zero);
+    const vd xy = v_select(y_less, size[1], size[0]);
     const vd xy_low = v_select(y_less, low[1], low[0]);
-    least[2] = v_lt((z - xy) + (low[2] - xy_low), zero);
+    least[2] = v_lt((size[2] - xy) + (low[2] - xy_low), zero);
     least[1] = m_and_not(y_less, least[2]);
-    least[0] = m_not(m_or(least[1], least[2]));
 }
 
 /* The component of x along which the axis is least. */
@@ -233,8 +224,7 @@ INLINE vd along_least(const vd x[3], const vm least[3])
 INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
                           bounded_vector *a, vd normal[3])
 {
-    const vm at_end = is_on_end(q, at);
-    const vm lateral = m_not(at_end);
+    const vm at_end = at->at_end, lateral = m_not(at_end);
     vm certain = at_end;
     if (m_any(lateral))
         certain = m_or(at_end, lean_on_cone(q, at, lateral, a));
@@ -285,13 +275,13 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
     return lanes;
 }
 
-/* Hits for which a step pays: of these the floats would be uncertain, between discs
- * about one of 2^6, on round shapes one of 2^11. */
+/* Hits for which a step pays: without it about one hit in 2^6 between discs, and one in 2^11 on round shapes,
+ * would have uncertain floats. */
 INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 {
     const vd share = v_set(is_round ? 0x1p-38 : 0x1p-33);
     return m_bits(
-        m_and_not(v_lt(share * q->R, at->s_error * q->U), is_on_end(q, at)));
+        m_and_not(v_lt(share * q->R, at->s_error * q->U), at->at_end));
 }
 
 /* ------------------------------------------------------------- answering -- */

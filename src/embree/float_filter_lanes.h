@@ -79,7 +79,7 @@ typedef struct {
     question *of[LANES];
     unsigned used; /* bits of lanes */
     /* the line from the shape's base on: t = from + s */
-    vd u[3], D[3], w[3], r0, dr, from;
+    vd u[3], D[3], w[3], w_low[3], r0, dr, from;
     vd uu, Du, DD, ww, per_ww, U, Dn, W, per_W; /* per_W = W / ww */
     vd alpha, beta, z0, dz;                     /* D.w, u.w */
     vd S, T, y0, K, R;                          /* K: Dn + r0, R: r0 + |dr| */
@@ -91,12 +91,12 @@ typedef struct {
     vm may, uncertain; /* the line may hit the shape; that is undecided */
 } questions;
 
-/* A hit at s and z with their errors.  capped: on a cap or on the ball of an end;
+/* A hit at s and z with their errors.  at_end: on a cap or on the ball of an end;
  * top: of the top one. */
 typedef struct {
     vd s, s_error, z, z_error;
     vm is, uncertain; /* neither: certainly no hit */
-    vm capped, top;
+    vm at_end, top;
 } hit;
 
 /* n eps. */
@@ -134,7 +134,7 @@ INLINE void select_hit(hit *at, vm where, const hit *other)
     at->s_error = v_select(where, other->s_error, at->s_error);
     at->z = v_select(where, other->z, at->z);
     at->z_error = v_select(where, other->z_error, at->z_error);
-    at->capped = m_if(where, other->capped, at->capped);
+    at->at_end = m_if(where, other->at_end, at->at_end);
     at->top = m_if(where, other->top, at->top);
 }
 
@@ -157,7 +157,7 @@ INLINE void load_columns(const questions *q, size_t at, vd to[4])
 INLINE void load_questions(questions *q)
 {
     const vd zero = v_set(0);
-    vd x[8], base[4], top[4], D0[3];
+    vd x[8], base[4], top[4];
     /* base and r0, top and r1; of an angle cone v and -k, u and k */
     load_columns(q, offsetof(question, record.p0), base);
     load_columns(q, offsetof(question, record.p1), top);
@@ -166,20 +166,20 @@ INLINE void load_questions(questions *q)
     q->r0 = base[3];
     q->dr = top[3] - base[3];
     q->is_angle = v_lt(base[3] * top[3], zero);
+    q->from = x[7];
     EACH(j, 3) {
-        q->w[j] = top[j] - base[j];
-        D0[j] = x[j] - base[j];
+        const vpair o = v_two_sum(x[j], -base[j]);
+        const vd p0 = v_select(q->is_angle, zero, base[j]);
+        const vpair w = v_two_sum(top[j], -p0);
+        q->w[j] = w.hi;
+        q->w_low[j] = w.lo;
         q->u[j] = x[3 + j];
+        q->D[j] = (o.hi + q->from * q->u[j]) + o.lo;
     }
     if (m_any(q->is_angle)) {
-        EACH(j, 3)
-            q->w[j] = v_select(q->is_angle, top[j], q->w[j]);
         q->r0 = v_select(q->is_angle, zero, q->r0);
         q->dr = v_select(q->is_angle, top[3] * v_sqrt(dot(q->w, q->w)), q->dr);
     }
-    q->from = x[7];
-    EACH(j, 3)
-        q->D[j] = (D0[j] + q->from * q->u[j]) + v_two_sum(x[j], -base[j]).lo;
     q->uu = dot(q->u, q->u);
     q->Du = dot(q->D, q->u);
     q->DD = dot(q->D, q->D);
@@ -222,25 +222,6 @@ INLINE void cross_surface(quadratic *c, vd G, vm lanes)
 #define MUL(x, y) ((x) * (y))
 #define MOST(x, T) (x)
 #include "cone_form_template.h"
-
-/* Sets what follows from the axis.  Does not wait for roots. */
-INLINE void load_axis(questions *q, int is_round)
-{
-    const vd one = v_set(1);
-    q->is_ball = is_round ? m_not(v_lt(v_set(0), size(q->w))) : m_from(0);
-    q->per_ww = one / v_select(q->is_ball, one, q->ww);
-    q->per_W = q->W * q->per_ww;
-    q->alpha = dot(q->D, q->w);
-    q->beta = dot(q->u, q->w);
-    q->R = q->r0 + v_abs(q->dr);
-    q->K = q->Dn + q->r0;
-    const vd slope2 = q->dr * q->dr * q->per_ww;
-    q->S = q->T = one;
-    if (is_round)
-        q->S = one - slope2;
-    else if (m_any(m_not(v_eq(q->dr, v_set(0)))))
-        q->T = one + slope2;
-}
 
 /*
  * Decides lines that are nearly parallel to the lateral surface, so that Q has one
@@ -286,9 +267,21 @@ INLINE void settle_parallel(questions *q, vm lanes, int is_round)
  */
 INLINE void cross_shape(questions *q, int is_round)
 {
-    const vd least = v_set(0x1p-90);
+    const vd least = v_set(0x1p-90), one = v_set(1);
     quadratic *c = &q->cone;
-    load_axis(q, is_round);
+    q->is_ball = is_round ? m_not(v_lt(v_set(0), size(q->w))) : m_from(0);
+    q->per_ww = one / v_select(q->is_ball, one, q->ww);
+    q->per_W = q->W * q->per_ww;
+    q->alpha = dot(q->D, q->w);
+    q->beta = dot(q->u, q->w);
+    q->R = q->r0 + v_abs(q->dr);
+    q->K = q->Dn + q->r0;
+    const vd slope2 = q->dr * q->dr * q->per_ww;
+    q->S = q->T = one;
+    if (is_round)
+        q->S = one - slope2;
+    else
+        q->T = one + slope2;
     const vd G = cone_G(q, c);
     c->e_a = eps(8) * (q->T * q->uu);
     c->e_G =
@@ -319,14 +312,13 @@ INLINE vd size_at(const questions *q, vd s)
     return q->Dn + v_abs(s) * q->U;
 }
 
-/* z at s, and its error.  The bound includes the error of the library's z: its
- * dividend and divisor are right to 2^-54 of themselves (hit.c), so with its
- * roundings it is right to eps |z| / 2.  eps / 16 of it is to spare. */
+/* z at s, and its error with that of the library's z, u |z|: 17 u of size_at() / W
+ * besides that of s. */
 INLINE void set_z(const questions *q, hit *at)
 {
     at->z = q->z0 + at->s * q->dz;
-    at->z_error = at->s_error * v_abs(q->dz) +
-                  eps(3) * (size_at(q, at->s) * q->per_W + v_set(0.0625));
+    at->z_error =
+        at->s_error * v_abs(q->dz) + eps(3) * size_at(q, at->s) * q->per_W;
 }
 
 /*
@@ -343,7 +335,7 @@ INLINE hit chord_end(const quadratic *c, const questions *q, int end)
         (c->e_G * c->per_root + v_abs(at.s) * c->e_a) * v_abs(c->per_a);
     at.is = c->is;
     at.uncertain = c->uncertain;
-    at.capped = at.top = m_from(0);
+    at.at_end = at.top = m_from(0);
     set_z(q, &at);
     return at;
 }
@@ -371,8 +363,8 @@ INLINE hit lateral_end(const questions *q, int is_round, int end, vd *y)
     return at;
 }
 
-/* Where the line enters (end 0) or leaves the solid on a cap, to which the lateral
- * end is beyond.  It does if the chord's other end is not beyond. */
+/* Where the line enters (end 0) or leaves the solid on a cap beyond which the lateral end lies.  It does if the
+ * chord's other end does not lie beyond it. */
 INLINE hit end_on_cap(const questions *q, int top, int end)
 {
     const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);
@@ -442,8 +434,8 @@ INLINE hit end_on_shape(const questions *q, int is_round, int end)
         if (!m_any(mine[top]))
             continue;
         hit on = is_round ? end_on_ball(q, top, end) : end_on_cap(q, top, end);
-        on.capped = m_not(q->is_ball);
-        on.top = top ? on.capped : m_from(0);
+        on.at_end = mine[top];
+        on.top = top ? mine[top] : m_from(0);
         const vd before = end ? on.s - at.s : at.s - on.s;
         const vd error = on.s_error + at.s_error;
         const vm is = m_and(mine[top], on.is);
@@ -460,14 +452,10 @@ INLINE hit end_on_shape(const questions *q, int is_round, int end)
     return at;
 }
 
-INLINE vm is_on_end(const questions *q, const hit *at)
-{
-    return m_or(at->capped, q->is_ball);
-}
-
 /* ---------------------------------------------------------------- steps -- */
 
-/* c = P x w, where P = D + s u and s has this error, and the error of c. */
+/* Writes c = P x w, where P = D + s u.  Returns the error of c, where that of s is
+ * s_error. */
 INLINE vd across(const questions *q, vd s, vd s_error, vd c[3])
 {
     vd P[3];
@@ -519,7 +507,7 @@ INLINE void step_on_cone(const questions *q, int end, vm where, hit *at)
 
 /*
  * atan2(y, x) / (2 pi), in [0, 1], with an error of at most
- * CYLINT_ATAN2_TURNS_ERROR.  *per_far is between 11/12 and 1 times
+ * CYLINT_ATAN2_TURNS_ERROR.  *per_far is between 12/13 and 1 times
  * 1 / hypotenuse.
  *
  * The signs and the order of x and y reduce the angle to one between 0 and

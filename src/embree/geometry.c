@@ -226,7 +226,7 @@ static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
                   shape);
 }
 
-/* What follows from the shapes. */
+/* Frees what was computed from the shapes. */
 static void free_state(cylint_embree_data *data)
 {
     cylint_bvh_free(&data->bvh);

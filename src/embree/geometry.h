@@ -111,6 +111,8 @@ typedef struct RTCIntersectFunctionNArguments cylint_embree_call;
 typedef struct cylint_ray_test {
     cylint_float_filter_question q; /* first: the filter's pointers are ours */
     const cylint_embree_data *data;
+    cylint_float_filter *const
+        *filter; /* data's, or one that decides nothing */
     const cylint_embree_call *args;
     int any; /* the callback is that for occlusion */
     struct RTCRay *ray;
@@ -118,8 +120,7 @@ typedef struct cylint_ray_test {
     float last;         /* tfar before the callback */
     unsigned rank;      /* of the shape */
     int found;          /* a hit was recorded */
-    /* the last recorded hit: members of `q`, and if it is on a ball also the others
-     * and its shape's rank */
+    /* the last recorded hit: members of `q`, and its shape's rank */
     int last_ball, last_leaves;
     float last_t;
     unsigned last_rank;

@@ -10,6 +10,7 @@
 
 #include "../bvh/float_bounds.h"
 #include "../numbers/compiler.h"
+#include "../numbers/environment.h"
 #include "geometry.h"
 
 /* The layouts that geometry.h states. */
@@ -37,6 +38,16 @@ static inline int has_flag(const ray_test *r, unsigned flag)
     return (r->data->options.flags & flag) != 0;
 }
 
+/* Where the bounds of the filter do not hold: not in rounding to nearest. */
+static void decide_nothing(cylint_float_filter_question *const of[], int n)
+{
+    for (int i = 0; i < n; i++)
+        of[i]->is = CYLINT_FLOAT_FILTER_UNDECIDED;
+}
+
+static cylint_float_filter *const no_filter[2] = {decide_nothing,
+                                                  decide_nothing};
+
 /* Sets what all questions about the ray share.  Returns whether cylint_span()
  * accepts it.  The box tests do not reject all rays that it refuses.  Sums of six
  * floats do not overflow doubles.  Clearing the whole struct would take longer than
@@ -47,6 +58,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
     const cylint_float_ray *from = float_ray(ray);
     double direction = 0, all = 0;
     r->data = args->geometryUserPtr;
+    r->filter = cylint_rounds_to_nearest() ? r->data->filter : no_filter;
     r->args = args;
     r->any = any;
     r->ray = ray;
@@ -197,7 +209,8 @@ static void describe(ray_test *r, exact_hits *x, int i)
     EACH(j, 3)
         r->q.floats[j] = (float)at->normal[j];
     r->q.floats[3] = (float)at->z;
-    r->q.floats[4] = cylint_angle_as_float(at->phi);
+    const float v = (float)at->phi;
+    r->q.floats[4] = v < 1 ? v : 1 - FLT_EPSILON / 2; /* below 1 */
 }
 
 static void write_ids(const ray_test *r)
@@ -264,17 +277,15 @@ static int record(ray_test *r)
     if (r->any)
         r->ray->tfar = -HUGE_VALF;
     r->last_ball = r->q.ball;
-    if (r->q.ball >= 0) {
-        r->last_rank = r->rank;
-        r->last_t = r->q.t;
-        r->last_leaves = r->q.leaves;
-    }
+    r->last_rank = r->rank;
+    r->last_t = r->q.t;
+    r->last_leaves = r->q.leaves;
     return r->found = 1;
 }
 
 /* -------------------------------------------------------- testing shapes -- */
 
-/* Tests the hits that the filter has not tested with cylint_intersect(); z decides
+/* Tests with cylint_intersect() the hits that the filter has not tested; z decides
  * which piece owns them.  If a hit has reduced tfar, the domain holds every root
  * whose double is tfar; of primitives another callback may have reduced it. */
 ASIDE void test_exactly(ray_test *r)
@@ -303,7 +314,7 @@ ASIDE void test_exactly(ray_test *r)
 CYLINT_INLINE void filter_one(ray_test *r)
 {
     cylint_float_filter_question *const one = &r->q;
-    r->data->filter[0](&one, 1);
+    r->filter[0](&one, 1);
 }
 
 /* Whether the hit that the filter answers is the last recorded one, on a ball that
@@ -466,7 +477,7 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
             else
                 rays &= ~(1u << k);
         }
-        data->filter[n > 1](question, n);
+        first->filter[n > 1](question, n);
         for (int i = 0; i < n; i++)
             end_test((ray_test *)question[i]);
         if (any)

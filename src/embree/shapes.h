@@ -8,7 +8,6 @@
 #ifndef CYLINT_EMBREE_SHAPES_H
 #define CYLINT_EMBREE_SHAPES_H
 
-#include <float.h>
 #include <stdint.h>
 
 #include "../bvh/memory.h"
@@ -91,7 +90,7 @@ enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
  * A ray, the question which is its first hit on a piece of a shape, and the
- * answer.  o, d and near are floats, not checked yet.  near: a t near the shape.
+ * answer.  o, d and near are floats; cylint_span() accepts the line.  near: a t near the shape.
  */
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;
@@ -113,13 +112,6 @@ typedef struct cylint_float_filter_question {
     int leaves, ball;
     float floats[CYLINT_HIT_FLOATS];
 } cylint_float_filter_question;
-
-/* phi as a float below 1. */
-static inline float cylint_angle_as_float(double phi)
-{
-    const float v = (float)phi;
-    return v < 1 ? v : 1 - FLT_EPSILON / 2;
-}
 
 /* Answers n questions. */
 typedef void cylint_float_filter(cylint_float_filter_question *const of[],

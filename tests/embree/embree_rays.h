@@ -91,7 +91,7 @@ unsigned rays_filter_prim(const struct RTCFilterFunctionNArguments *, int i);
 int rays_hit(struct rays *, int i);
 int rays_shadowed(struct rays *, int i);
 
-/* The words that the last query changed and had no right to: those of
+/* The number of words that the last query changed without a right to: those of
  * inactive rays, of an active ray's input, beyond the last; after
  * rays_occluded() all but tfar of active rays. */
 int rays_strayed(const struct rays *, int occlusion);

@@ -132,8 +132,7 @@ static int same_float(float x, double y)
 
 static int same_floats(const float f[CYLINT_HIT_FLOATS], const cylint_hit *hit)
 {
-    int same = same_float(f[3], hit->z) &&
-               same_float(f[4], cylint_angle_as_float(hit->phi));
+    int same = same_float(f[3], hit->z) && same_float(f[4], hit->phi);
     for (int j = 0; j < 3; j++)
         same &= same_float(f[j], hit->normal[j]);
     return same;
@@ -258,7 +257,7 @@ TEST(round_shapes_and_others_are_answered_together)
         ask_families(&builds[b], family, round, FAMILY_RCONE);
 }
 
-/* The rest of round shapes are balls that hold one another, and shapes of which
+/* The rest of round shapes are balls of which one holds the other, and shapes of which
  * the line passes near the circle between ball and cone. */
 TEST(ordinary_shapes_are_certain)
 {

@@ -1,8 +1,7 @@
 /*
  * view.c - the camera, and the line for each point of the picture
  *
- * The eye is placed so that all boxes of shapes lie within the four planes
- * through the picture's edges and touch them.
+ * The eye is placed so that all boxes of shapes lie, with a margin, within the four planes through the picture's edges.
  */
 #include "sampling.h"
 #include "view.h"
@@ -80,49 +79,35 @@ static const char *set_directions(struct view *view, struct vector forward,
 
 /*
  * A point p lies between the left and the right plane through the eye e if
- * (p - e).(cos a (+-right) - sin a forward) <= 0, where tan a is half the
- * picture's width at the distance 1.  Let m be the maximum of p.(...) over the
- * scene, for each sign: then e.(...) >= m.  The sum of the two bounds how far
- * forward e may be; the difference gives its place between the planes.
+ * (p - e).(+-right - h forward) <= 0, where h is half the picture's width at the
+ * distance 1.  Let m be the maximum of p.(...) over the scene, for each sign: then
+ * e.(...) >= m.  The sum of the two bounds how far forward e may be; the difference
+ * gives its place between the planes.  *half_width is divided by a margin first.
  */
-static double forward_most(double m_right, double m_left, double half)
+static struct vector between_edges(const struct boxes *boxes,
+                                   struct vector right, struct vector forward,
+                                   double half, double *most_forward)
 {
-    const double sine = half / sqrt(1 + half * half);
-    return -(m_right + m_left) / (2 * sine);
-}
-
-static double halfway(double m_right, double m_left, double half)
-{
-    const double cosine = 1 / sqrt(1 + half * half);
-    return (m_right - m_left) / (2 * cosine);
-}
-
-static struct vector edge_plane(struct vector outward, struct vector forward,
-                                double half)
-{
-    const double cosine = 1 / sqrt(1 + half * half);
-    return plus(times(cosine, outward), -cosine * half, forward);
+    const struct vector planes[2] = {plus(right, -half, forward),
+                                     plus(times(-1, right), -half, forward)};
+    double most[2];
+    for (int k = 0; k < 2; k++)
+        most[k] = reach(boxes, planes[k]) - dot(planes[k], boxes->middle);
+    *most_forward = fmin(*most_forward, -(most[0] + most[1]) / (2 * half));
+    return times(0.5 * (most[0] - most[1]), right);
 }
 
 static void place_eye(struct view *view, const struct boxes *boxes)
 {
     /* the margin widens the scene */
     const double w = view->half_width / MARGIN, h = view->half_height / MARGIN;
-    const struct vector left = times(-1, view->right);
-    const struct vector down = times(-1, view->up);
-    const struct vector planes[4] = {edge_plane(view->right, view->forward, w),
-                                     edge_plane(left, view->forward, w),
-                                     edge_plane(view->up, view->forward, h),
-                                     edge_plane(down, view->forward, h)};
-    double most[4];
-    for (int k = 0; k < 4; k++)
-        most[k] = reach(boxes, planes[k]) - dot(planes[k], boxes->middle);
-    view->eye = plus(
-        plus(plus(boxes->middle, halfway(most[0], most[1], w), view->right),
-             halfway(most[2], most[3], h), view->up),
-        fmin(forward_most(most[0], most[1], w),
-             forward_most(most[2], most[3], h)),
-        view->forward);
+    double forward = HUGE_VAL;
+    const struct vector across =
+        between_edges(boxes, view->right, view->forward, w, &forward);
+    const struct vector up =
+        between_edges(boxes, view->up, view->forward, h, &forward);
+    view->eye = plus(plus(plus(boxes->middle, 1, across), 1, up), forward,
+                     view->forward);
 }
 
 /* The picture is as wide as the scene.  The eye is the scene's size before it, so
