@@ -170,7 +170,7 @@ void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
         bvh->center[j] = (float)((lower + upper) / 2);
     }
     bvh->box = *box;
-    bvh->pad = cylint_float_above(longest * 0x1p-20 + line_error);
+    bvh->pad = cylint_float_above(longest * 0x1p-19 + line_error);
     bvh->near_distance = cylint_float_above(longest * 256);
 }
 

@@ -18,7 +18,7 @@ typedef struct cylint_bvh {
     size_t n_leaves, n_nodes;  /* 0 and 0, or neither */
     cylint_extent box;         /* of all shapes, empty if there are none */
     float center[3];           /* of the box: the origin of nodes' corners */
-    float pad;                 /* the error of each side of a box, beside 2^-20
+    float pad;                 /* the error of each side of a box, beside 2^-19
                                   of the distance of the line's origin */
     float near_distance;       /* origins within it are near the centre */
 } cylint_bvh;

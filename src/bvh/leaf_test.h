@@ -29,7 +29,7 @@
  * domain.  All is multiplied by nn, so that a line parallel to the axis needs no
  * division; there the errors below are merely larger beside nn.
  *
- * Errors.  u = 2^-24; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D.  Cylinders
+ * Errors.  u = 2^-23, of floats in any rounding mode; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D.  Cylinders
  * lie within 2^11 of the centre, as a sum of sizes of components, so K also
  * bounds s e where it matters, and r < K / 4.
  *
@@ -69,7 +69,7 @@
  *   A <= |e| |w| C,  that is  A^2 <= ee ww C^2,
  *
  * in place of A <= |e.w| C, and the ends are not longer.  The error of A is that
- * above.  C^2 = (g2 - f^2) ww, ee and ww are rounded by less than 2^-18 together.
+ * above.  C^2 = (g2 - f^2) ww, ee and ww are rounded by less than 2^-17 together.
  * A number that overflows is infinite, and then the greater side is infinite.
  * The line enters where it is within r of the axis, and not before the plane
  * that is r beyond the end on its side.
@@ -317,7 +317,7 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
         along += from[j] * (d[j] * per_length);
         far += fabs(from[j]);
     }
-    const double q_error = 0x1p-49 * far * steps;
+    const double q_error = 0x1p-48 * far * steps;
     if (!(q_error <= Q_ERROR_LIMIT))
         return all_lanes(b, tmin, least);
     for (int j = 0; j < 3; j++) {
@@ -329,7 +329,7 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
     }
     if (apart > (double)CYLINDER_REACH + 2 * Q_ERROR_LIMIT)
         return 0;
-    l.k = f_set(cylint_float_above((apart + (double)CYLINDER_REACH) * 0x1p-20 +
+    l.k = f_set(cylint_float_above((apart + (double)CYLINDER_REACH) * 0x1p-19 +
                                    q_error));
     l.first = f_set(clamped((tmin * length + along) * steps - q_error));
     l.last = f_set(clamped((tmax * length + along) * steps + q_error));
@@ -362,7 +362,7 @@ CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
     if (!(is_fit(E) & (far < FAR_LIMIT)))
         return test_far_line(b, o, d, tmin, tmax, least);
     l.E = f_set(E);
-    l.k = f_set((far + CYLINDER_REACH) * 0x1p-20f);
+    l.k = f_set((far + CYLINDER_REACH) * 0x1p-19f);
     l.first = f_set((float)(tmin * steps));
     l.last = f_set((float)(tmax * steps));
     l.t_per_s = f_set((float)(1 / steps));
@@ -406,7 +406,7 @@ CYLINT_INLINE float to_leaf_line(const cylint_leaf *b,
     }
     const vf far = f_abs(l->q[0]) + f_abs(l->q[1]) + f_abs(l->q[2]);
     l->E = f_set(E);
-    l->k = (far + f_set(CYLINDER_REACH)) * f_set(0x1p-20f);
+    l->k = (far + f_set(CYLINDER_REACH)) * f_set(0x1p-19f);
     l->first = f_set(ray->tnear) * steps;
     l->last = f_set(ray->tfar) * steps;
     l->t_per_s = f_set(1 / per_unit);

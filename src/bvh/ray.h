@@ -27,8 +27,9 @@ typedef struct {
 
 /*
  * Which boxes of a node the line may hit, and where it enters them.  The line
- * crosses a face at F = corner + q step at t = (F - x) r.  With u = 2^-24, S the
- * longest side of the box of all, |corner| and q step at most S:
+ * crosses a face at F = corner + q step at t = (F - x) r.  With u = 2^-23, of floats
+ * in any rounding mode, S the longest side of the box of all, |corner| and q step at
+ * most S:
  *
  *   r has an error of u r, so t one of 2 u S |r| and, as x r is computed from
  *   another r, one of u |x r|; F is rounded once or, without fused operations,
@@ -38,7 +39,7 @@ typedef struct {
  * in all less than 10 u (|x| + S) |r|.  start() allows 16 u.  A component of d
  * below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
  * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
- * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-20 of x r
+ * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-19 of x r
  * and F r: where it is 2^100 or more these may overflow, and start() makes it
  * infinite.  Then each box is between its faces; f_higher() and f_lower() ignore
  * a NaN.
@@ -115,7 +116,7 @@ static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
     EACH(j, 3) {
         const float size = larger_float(fabsf(d[j]), least);
         const float r = copysignf(1 / size, d[j]), at = x[j] * r;
-        const float off = fabsf(x[j]) * 0x1p-20f + (bvh->pad + x_error);
+        const float off = fabsf(x[j]) * 0x1p-19f + (bvh->pad + x_error);
         const float e = fabsf(r) * off + 16 * FLT_MIN;
         s->near_faces[j] = signbit(d[j]) != 0;
         s->r[j] = r;

@@ -83,9 +83,9 @@ static inline void update_last(traversal *t)
  * within r of its axis.  With D = q - p the nearest point of the axis is p + z w,
  * z = D.w / ww in [0, 1].
  *
- * With u = 2^-24, and K >= |q| + 2^11 >= |D|: q, D, z w, their difference and the
+ * With u = 2^-23, and K >= |q| + 2^11 >= |D|: q, D, z w, their difference and the
  * root are rounded by less than 8 u K together; the error of z, 8 u of K / |w|,
- * moves z w by 8 u K.  Twice that is subtracted.
+ * moves z w by 8 u K.
  */
 CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
                               float least[CYLINT_LEAF_SIZE])
