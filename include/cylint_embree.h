@@ -127,7 +127,8 @@ typedef enum cylint_embree_status {
                               was refused by its constructor, is unbounded
                               (infinite, nappe), or has a box with a coordinate
                               at or beyond 1.844e18, where Embree silently drops
-                              primitives; or a number in the array of 2^32 - 1 or more */
+                              primitives; or its number in the array is
+                              2^32 - 1 or more */
     CYLINT_EMBREE_EMOTION,  /* the two states of a moving shape differ in
                               ends or in kind: cylinders and cones are one
                               kind, elliptic cylinders and cones, capsules and

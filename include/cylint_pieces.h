@@ -88,7 +88,8 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
 
 /*
  * Writes the shapes and clauses of a hollow cylinder or cone, or of a sector of
- * one, as cylint_solid_pieces() takes them, and *n, how many: 1 to CYLINT_TUBE_MEMBERS; 0 after a failure.  It only calls constructors.
+ * one, as cylint_solid_pieces() takes them, and *n, how many: 1 to
+ * CYLINT_TUBE_MEMBERS; 0 after a failure.  It only calls constructors.
  *
  * The axis runs from p0 to p1.  outer[0], outer[1]: the radii at p0 and p1.  inner:
  * those of the bore, whose boundary does not belong to the solid; NULL, or two

@@ -18,7 +18,8 @@ static int run_of(const cylint_shape *s)
                                                     : CYLINT_SOLID_NONE;
 }
 
-/* Whole vectors; and a multiple of PADDING, but not of 256 doubles: then all columns would fall into the same sets of the cache. */
+/* Whole vectors; and a multiple of PADDING, but not of 256 doubles: then all
+ * columns would fall into the same sets of the cache. */
 static size_t padded(size_t n)
 {
     const size_t lanes = (n + PADDING - 1) / PADDING * PADDING;

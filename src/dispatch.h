@@ -20,7 +20,8 @@ typedef enum {
  * loaded, or one that cylint_use_kernels() chose. */
 extern cylint_build cylint_build_used CYLINT_HIDDEN;
 
-/* The build in use, of three of an object.  A program links only the builds of what it calls.  OF_KERNELS: the same in the other libraries, to which the variable is
+/* The build in use, of three of an object.  A program links only the builds of what
+ * it calls.  OF_KERNELS: the same in the other libraries, to which the variable is
  * hidden. */
 #ifdef CYLINT_BUILDS_X86
 #define CYLINT_OF_BUILD(plain, avx2, avx512)             \

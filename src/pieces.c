@@ -16,7 +16,8 @@
 
 /* -------------------------------------------------------------- chords -- */
 
-/* Writes the part of [t0, t1] in the domain.  Returns 1 if it is a chord, else 0. */
+/* Writes the part of [t0, t1] in the domain.  Returns 1 if it is a chord, else
+ * 0. */
 static int add_chord(const cylint_line *line, double t0, double t1,
                      cylint_interval *to)
 {

@@ -61,8 +61,8 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
                           size_t n, const float center[3], int threads,
                           cylint_watch *watch);
 
-/* Writes the corner, relative to the centre of the hierarchy, the steps and the faces
- * of n children with these boxes. */
+/* Writes the corner, relative to the centre of the hierarchy, the steps and the
+ * faces of n children with these boxes. */
 void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
                        const float center[3], float least_step);
 

@@ -44,16 +44,17 @@ typedef struct {
     double p[2][3], r;
 } step_cylinder;
 
-/* The nearest whole number, in every rounding mode.  rint() would not give the same number with every
- * compiler: gcc's code rounds |x|, so that halves below 0 differ in directed modes. */
+/* The nearest whole number, in every rounding mode.  rint() would not give the same
+ * number with every compiler: gcc's code rounds |x|, so that halves below 0 differ
+ * in directed modes. */
 static long nearest_whole(double x)
 {
     const long n = lrint(x);
     return n + (x - (double)n > 0.5) - ((double)n - x > 0.5);
 }
 
-/* Rounds an end to whole steps.  Returns the distance by which that moves it, or -1 if the end is too many steps from the centre for
- * a leaf. */
+/* Rounds an end to whole steps.  Returns the distance by which that moves it, or -1
+ * if the end is too many steps from the centre for a leaf. */
 static double round_end(const double p[3], long to[3])
 {
     double square = 0;

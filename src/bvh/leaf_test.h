@@ -29,9 +29,9 @@
  * domain.  All is multiplied by nn, so that a line parallel to the axis needs no
  * division; there the errors below are merely larger beside nn.
  *
- * Errors.  u = 2^-23, of floats in any rounding mode; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D.  Cylinders
- * lie within 2^11 of the centre, as a sum of sizes of components, so K also
- * bounds s e where it matters, and r < K / 4.
+ * Errors.  u = 2^-23, of floats in any rounding mode; W >= |w|, E >= |e|, N = |n|
+ * <= E W.  K bounds D.  Cylinders lie within 2^11 of the centre, as a sum of sizes
+ * of components, so K also bounds s e where it matters, and r < K / 4.
  *
  *  - q, e and D are rounded, by 3 u K together, and q has an error q_error
  *    before.  Both count as a wider and longer cylinder.

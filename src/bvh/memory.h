@@ -27,8 +27,8 @@ int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes);
 
 /* Makes the memory `bytes` bytes long, with the first bytes of before; it may move.
- * Returns 0, and the memory stays as it is, if the source refuses memory.  A malloc()
- * that refuses to shorten it is no failure: the memory stays longer. */
+ * Returns 0, and the memory stays as it is, if the source refuses memory.  A
+ * malloc() that refuses to shorten it is no failure: the memory stays longer. */
 int cylint_memory_resize(cylint_memory *memory,
                          const cylint_memory_source *source, size_t bytes);
 

@@ -27,9 +27,9 @@ typedef struct {
 
 /*
  * Which boxes of a node the line may hit, and where it enters them.  The line
- * crosses a face at F = corner + q step at t = (F - x) r.  With u = 2^-23, of floats
- * in any rounding mode, S the longest side of the box of all, |corner| and q step at
- * most S:
+ * crosses a face at F = corner + q step at t = (F - x) r.  With u = 2^-23, of
+ * floats in any rounding mode, S the longest side of the box of all, |corner| and q
+ * step at most S:
  *
  *   r has an error of u r, so t one of 2 u S |r| and, as x r is computed from
  *   another r, one of u |x r|; F is rounded once or, without fused operations,

@@ -45,7 +45,8 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
 }
 
 /* Whether the line pierces a cap in a plane of coordinates where t is a float,
- * which is written: data of few digits often do.  A low part flushed to 0 is too small to change the double nearest to t. */
+ * which is written: data of few digits often do.  A low part flushed to 0 is too
+ * small to change the double nearest to t. */
 INLINE int pierces_at_float(const question *of, int top, double *t)
 {
     const double *p0 = of->record.p0, *p1 = of->record.p1;
@@ -275,8 +276,8 @@ INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
     return lanes;
 }
 
-/* Hits for which a step pays: without it about one hit in 2^6 between discs, and one in 2^11 on round shapes,
- * would have uncertain floats. */
+/* Hits for which a step pays: without it about one hit in 2^6 between discs, and
+ * one in 2^11 on round shapes, would have uncertain floats. */
 INLINE unsigned need_step(const questions *q, const hit *at, int is_round)
 {
     const vd share = v_set(is_round ? 0x1p-38 : 0x1p-33);

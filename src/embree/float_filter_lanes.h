@@ -363,8 +363,8 @@ INLINE hit lateral_end(const questions *q, int is_round, int end, vd *y)
     return at;
 }
 
-/* Where the line enters (end 0) or leaves the solid on a cap beyond which the lateral end lies.  It does if the
- * chord's other end does not lie beyond it. */
+/* Where the line enters (end 0) or leaves the solid on a cap beyond which the
+ * lateral end lies.  It does if the chord's other end does not lie beyond it. */
 INLINE hit end_on_cap(const questions *q, int top, int end)
 {
     const vd zero = v_set(0), one = v_set(1), dz = v_abs(q->dz);

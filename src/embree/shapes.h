@@ -89,8 +89,9 @@ typedef enum {
 enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
- * A ray, the question which is its first hit on a piece of a shape, and the
- * answer.  o, d and near are floats; cylint_span() accepts the line.  near: a t near the shape.
+ * A ray, the question which is its first hit on a piece of a shape, and the answer.
+ * o, d and near are floats; cylint_span() accepts the line.  near: a t near the
+ * shape.
  */
 typedef struct cylint_float_filter_question {
     double o[3], d[3], tmin, near;

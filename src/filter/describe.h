@@ -49,8 +49,9 @@ INLINE vm precise_lanes(const hit_root *r, const pair_line *in, double D,
     return cylint_solid_is_round(solid) ? precise : m_or(precise, r->on_end);
 }
 
-/* Writes the wanted members of the n hits, of which hit i is in lane `lane ^ i`, and to
- * q->undecided those that are not certain: all where they are not likely to be. */
+/* Writes the wanted members of the n hits, of which hit i is in lane `lane ^ i`,
+ * and to q->undecided those that are not certain: all where they are not likely to
+ * be. */
 ASIDE void describe_roots(cylint_question *q, const pair_line *in,
                           const hit_root *at, int n, int lane)
 {

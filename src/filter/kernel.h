@@ -221,10 +221,10 @@ INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
 
 /* Whether the quadric stays positive from plane k to the other one, where it is
  * positive at both, as along a line parallel to the axis.  If it is not convex, it
- * is least at a plane.  Else it falls from -E / w^2 at the plane by at most
- * inward / w^2 times the height, which is at most l->Q, before it rises to the
- * other plane.  The test takes twice that: the bound of E is right only where E is near 0;
- * elsewhere the error of E is less than half of E. */
+ * is least at a plane.  Else it falls from -E / w^2 at the plane by at most inward
+ * / w^2 times the height, which is at most l->Q, before it rises to the other
+ * plane.  The test takes twice that: the bound of E is right only where E is near
+ * 0; elsewhere the error of E is less than half of E. */
 INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 {
     /* mutant '2' -> '3', '-' -> '': slower, pairs decide */

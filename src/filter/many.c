@@ -233,7 +233,8 @@ static int next_numbers(cylint_filter_batch *from)
 
 /* ------------------------------------------------------- the answers ---- */
 
-/* The questions of a group.  shape: NULL if all have the same, or frames are made of records. */
+/* The questions of a group.  shape: NULL if all have the same, or frames are made
+ * of records. */
 typedef struct {
     const cylint_filter_batch *from;
     const size_t *number;

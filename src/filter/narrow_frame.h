@@ -220,7 +220,8 @@ INLINE vpair along_of(vqpair x)
     return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
 }
 
-/* A line with the origin x from the base, but for its sizes.  moves: 1 computes v and w; 0 sets them to 0. */
+/* A line with the origin x from the base, but for its sizes.  moves: 1 computes v
+ * and w; 0 sets them to 0. */
 INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
                             int moves, int solid)
 {

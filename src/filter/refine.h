@@ -258,7 +258,7 @@ static int refine_line(cylint_question *q)
                             solid);
 }
 
-/* ------------------------------------------- a line that begins or ends at a surface -- */
+/* ------------------------------ a line that begins or ends at a surface -- */
 
 /* Sets the uncertain sign in the lane of an end of the domain that is the line's
  * origin.  The domain is closed: a point of the surface counts as the one just

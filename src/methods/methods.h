@@ -127,8 +127,8 @@ static inline cylint_method_chord parallel_chord(double excess)
                          -INFINITY, INFINITY);
 }
 
-/* The same for two parallel lines of direction d.  D is a vector from a point of one
- * to a point of the other. */
+/* The same for two parallel lines of direction d.  D is a vector from a point of
+ * one to a point of the other. */
 static inline cylint_method_chord parallel_lines(const double D[3],
                                                  const double d[3], double r)
 {

@@ -18,7 +18,8 @@
 #include "roots.h"
 
 /* Whether hi is the double nearest to every number within the error of hi + lo.
- * In other rounding modes neither these additions nor the error bounds are valid. */
+ * In other rounding modes neither these additions nor the error bounds are
+ * valid. */
 static int rounds_to_hi(pair t, double error)
 {
     /* untaken 1 of 6: callers have tested the rounding mode */

@@ -21,7 +21,8 @@ typedef struct {
 } boundary_search;
 
 /* Keeps the shape, of which a chord begins (is_entered) or ends at t, if t is q->t,
- * the line enters or leaves the solid there as wanted, and no kept number is lower. */
+ * the line enters or leaves the solid there as wanted, and no kept number is
+ * lower. */
 static void consider_end(boundary_search *q, size_t number, double t,
                          int is_entered)
 {

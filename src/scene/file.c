@@ -153,7 +153,8 @@ static uint64_t mixed(uint64_t x)
 }
 
 /* A change of one byte changes one of the sums by some m, not a multiple of 2^64,
- * and, where j blocks follow from its own on, its sum of sums by j m.  So it changes x by m (1 + 2 j): an odd multiple. */
+ * and, where j blocks follow from its own on, its sum of sums by j m.  So it
+ * changes x by m (1 + 2 j): an odd multiple. */
 static uint64_t checksum_of(const file_checksum *c)
 {
     uint64_t x = 0;

@@ -117,8 +117,8 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_UNUSABLE;
 }
 
-/* A root that rounds to t or less is less than the double after t.  The difference and the products
- * have errors of less than 2^-51 of s. */
+/* A root that rounds to t or less is less than the double after t.  The difference
+ * and the products have errors of less than 2^-51 of s. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t)
 {
     const double s = (cylint_next_above(t) - ray->entry) * ray->per_t;

@@ -120,8 +120,8 @@ static size_t sort_and_unite(numbered_chord *chord, size_t n,
 
 /* ----------------------------------------------------- chords of solids -- */
 
-/* A line or, where it is NULL, a point: a shape that contains the point has the chord
- * [0, 1] of the domain [0, 1]. */
+/* A line or, where it is NULL, a point: a shape that contains the point has the
+ * chord [0, 1] of the domain [0, 1]. */
 typedef struct {
     double tmin, tmax;
     const cylint_line *line;
@@ -260,8 +260,9 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
 
 /* Makes the chords in solids from those in shapes (c->chord, sorted, without
  * duplicates, at the start of the workspace).  Returns their number, or
- * CYLINT_NO_ROOM.  They follow those in shapes, in no order; *spare: as much memory as they take.  A
- * scene without solids has the chords of its shapes, and *spare stays. */
+ * CYLINT_NO_ROOM.  They follow those in shapes, in no order; *spare: as much memory
+ * as they take.  A scene without solids has the chords of its shapes, and *spare
+ * stays. */
 static size_t chords_of_solids(const collector *c, const chord_domain *domain,
                                cylint_workspace *work,
                                numbered_chord **of_solids,
@@ -430,7 +431,8 @@ static size_t write_swept_pieces(sweep *s, void *spare)
 
 /* -------------------------------------------------------------- lines -- */
 
-/* Whether the workspace has memory for a few chords; else writes how much to try. */
+/* Whether the workspace has memory for a few chords; else writes how much to
+ * try. */
 static int has_room(cylint_workspace *work)
 {
     enum { SOME = 16 * sizeof(numbered_chord) };

@@ -126,8 +126,8 @@ static size_t sort_numbers(lowest_numbers *heap)
  * hit. */
 enum { EARLY_MEMBERS = CYLINT_WANT_T | CYLINT_WANT_PART };
 
-/* Stores the nearest of the shapes beside the hierarchy.  Returns 0 and stores nothing if that shape is `except`: the visit then tests each
- * of them. */
+/* Stores the nearest of the shapes beside the hierarchy.  Returns 0 and stores
+ * nothing if that shape is `except`: the visit then tests each of them. */
 static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
                               const cylint_line *line, size_t except)
 {

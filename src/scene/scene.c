@@ -45,8 +45,9 @@ static void extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
     box->n += by->n;
 }
 
-/* Each number has at most 6 roundings and errors of its data.  A larger factor is refused: squares of lengths may underflow later, and it would
- * multiply what that loses. */
+/* Each number has at most 6 roundings and errors of its data.  A larger factor is
+ * refused: squares of lengths may underflow later, and it would multiply what that
+ * loses. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
 {
     cylint_shapes_box own = {.n = 1};

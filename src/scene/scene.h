@@ -72,8 +72,8 @@ struct cylint_scene {
     cylint_solids solids;
     cylint_membership *given; /* the members of solids, unless in the file */
     cylint_memory
-        file; /* of an opened scene; then the records, the hierarchy, the lists, the labels and
- * solids.given lie in it */
+        file; /* of an opened scene; then the records, the hierarchy, the lists,
+                 the labels and solids.given lie in it */
 };
 
 /* The box of n shapes that a frame can contain. */

@@ -132,8 +132,9 @@ static int have_own_numbers(cylint_solids *s)
     return are_own;
 }
 
-/* Sorts the members by shape: counts those of each, sums up where the members of each shape end, and stores them from the last to the
- * first.  `late` has them all, with numbered clauses. */
+/* Sorts the members by shape: counts those of each, sums up where the members of
+ * each shape end, and stores them from the last to the first.  `late` has them all,
+ * with numbered clauses. */
 static void list_by_shape(cylint_solids *s, size_t shapes)
 {
     uint32_t *first = s->first_of_shape, end = 0;

@@ -251,7 +251,8 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 }
 
 /* lint: all n counts are written, and a chord where its count is 1 */
-/* Visits the chords of n waiting shapes, whose records are plain and of this kind. */
+/* Visits the chords of n waiting shapes, whose records are plain and of this
+ * kind. */
 static void visit_chords_of_kind(line_visit *v, int kind,
                                  const uint32_t *number, size_t n)
 {

@@ -69,8 +69,8 @@ float world_turn(double phi);
  * bit for bit; `complete`: u, v and Ng too. */
 int world_agrees(const struct world *w, struct rays *r, int i, int complete);
 
-/* The number of hits of a shape on ray i whose t, rounded up to a float, is t; entry and exit may be one
- * float. */
+/* The number of hits of a shape on ray i whose t, rounded up to a float, is t;
+ * entry and exit may be one float. */
 int world_hits_at(const struct world *w, const struct rays *r, int i,
                   unsigned shape, float t);
 

@@ -138,21 +138,6 @@ TEST(a_ray_that_leaves_a_hit_at_the_floats_of_the_manual_misses_the_shape)
     CHECK(hits > 20000);
 }
 
-/* An axis along a coordinate, and one of which two coordinates nearly are equal. */
-TEST(answers_do_not_depend_on_the_rounding_mode)
-{
-    static const int modes[3] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    const cylint_shape shapes[2] = {
-        shape_of("cylinder 0 0 0  0 0 2  1"),
-        shape_of("cylinder -0x1p-54 0x1p-53 0  1 -1 5  1")};
-    EACH_WAY(w, shapes, 2)
-        for (int m = 0; m < 3; m++) {
-            fesetround(modes[m]); /* also that of the expected floats */
-            check_some_rays(&w);
-            fesetround(FE_TONEAREST);
-        }
-}
-
 /* Ends of the domain, on the hit itself and one float beside it. */
 TEST(the_domain_holds_its_ends)
 {

@@ -257,8 +257,8 @@ TEST(round_shapes_and_others_are_answered_together)
         ask_families(&builds[b], family, round, FAMILY_RCONE);
 }
 
-/* The rest of round shapes are balls of which one holds the other, and shapes of which
- * the line passes near the circle between ball and cone. */
+/* The rest of round shapes are balls of which one holds the other, and shapes of
+ * which the line passes near the circle between ball and cone. */
 TEST(ordinary_shapes_are_certain)
 {
     static const struct {

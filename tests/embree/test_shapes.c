@@ -2,6 +2,7 @@
  * test_shapes.c - shapes of a geometry move, change, have a box, or are refused
  * with their number
  */
+#include <fenv.h>
 #include <math.h>
 #include <string.h>
 
@@ -390,6 +391,21 @@ TEST(u_is_z_below_0_and_above_1_on_round_ends)
                 CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
             }
     }
+}
+
+/* An axis along a coordinate, and one of which two coordinates nearly are equal. */
+TEST(answers_do_not_depend_on_the_rounding_mode)
+{
+    static const int modes[3] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    const cylint_shape shapes[2] = {
+        shape_of("cylinder 0 0 0  0 0 2  1"),
+        shape_of("cylinder -0x1p-54 0x1p-53 0  1 -1 5  1")};
+    EACH_WAY(w, shapes, 2)
+        for (int m = 0; m < 3; m++) {
+            fesetround(modes[m]); /* also that of the expected floats */
+            check_some_rays(&w);
+            fesetround(FE_TONEAREST);
+        }
 }
 
 TEST(every_status_has_its_text)

@@ -227,6 +227,8 @@ def test_mmcif_has_texts_quotes_and_rows_over_lines(molecule):
     "text, options, message",
     [
         (atom(1, " C", 0, "oops", 0, "C"), {}, r":1: expected a number in columns 39 to 46, found 'oops'"),
+        (atom(1, " C", 0, "1_2.5", 0, "C"), {}, r":1: expected a number in .* found '1_2.5'"),
+        ("REMARK 2 \u00c5, 3 \u00c5\n" + atom(1, " C", 0, "oops", 0, "C"), {}, r":2: expected a number"),
         (atom(1, " C", 0, 0, "nan", "C"), {}, r"atom A:1:GLY:C has no coordinates"),
         (atom(1, "XX", 0, 0, 0, "XX"), {}, r"atom A:1:GLY:XX has no known element"),
         (CIF.replace("1.50(2)", "1.5x"), {}, r"atom A:1:U:C2\" has no coordinates"),

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 import libcylint as cylint
+from libcylint._arguments import doubles
 
 UNIT = ([0, 0, 0], [0, 0, 1])
 AXES = ([0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1])
@@ -132,6 +133,12 @@ def arguments(random):
         "round_cone": {"p0": x, "r0": 9 * r, "p1": y, "r1": [1, 50, 2]},
         "tangent_cone": {"v": x, "u": y, "tangent": r},
     }
+
+
+def test_arrays_of_another_process_are_used_in_place():
+    # their dtype is another object than that of NumPy's float64
+    given = pickle.loads(pickle.dumps(np.ones((2, 3))))
+    assert doubles("origins", given, 3) is given
 
 
 def test_the_arguments_are_members():

@@ -81,8 +81,8 @@ static inline void check_run(void (*test)(void), const char *name)
     }
 }
 
-/* The statuses 0 to n - 1 have texts of their own, with no full stop; all others are
- * unknown. */
+/* The statuses 0 to n - 1 have texts of their own, with no full stop; all others
+ * are unknown. */
 static inline void check_texts(const char *(*text_of)(int status), int n)
 {
     CHECK(strcmp(text_of(0), "no error") == 0);

@@ -3,11 +3,11 @@
  *
  *     bench [-s SECONDS] [-n MOST] [-k KERNELS] [-o TEXT] CASE...
  *
- * Each contest takes SECONDS (0.3), but at least three turns of each
- * contestant. Scenes have at most MOST shapes.  KERNELS: only these, in place
- * of all that the processor runs.  TEXT: only subjects that contain it.
- * Without a CASE the program prints their names.  Output is CSV; a ratio below
- * 1 means that the library is faster.
+ * Each contest takes SECONDS (0.3), but at least three turns of each contestant.
+ * Scenes have at most MOST shapes; `stages` takes MOST cases of each family.
+ * KERNELS: only these, in place of all that the processor runs.  TEXT: only
+ * subjects that contain it.  Without a CASE the program prints their names.  Output
+ * is CSV; a ratio below 1 means that the library is faster.
  */
 #define _GNU_SOURCE /* sched_setaffinity(), getopt() */
 #include "bench.h"

@@ -44,8 +44,9 @@ struct contest {
     const void *input;  /* of both, */
     const void *others; /* or of the rival, if this is not NULL */
     int questions;
-    double units;    /* in a question, so that a time is that of one; 0: 1 */
-    int is_shuffled; /* also in a new random order each turn */
+    double
+        units; /* of work in a question; times are per unit; 0 stands for 1 */
+    int is_shuffled;       /* also in a new random order each turn */
     int only_best_kernels; /* measured with the best kernels only */
 };
 

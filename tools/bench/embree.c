@@ -48,7 +48,7 @@ static bool count_bytes(void *user, ssize_t bytes, bool post)
     return true;
 }
 
-/* Cone or round curves of the shapes first to last. */
+/* Cone or round curves of the shapes first to last - 1. */
 static RTCGeometry curves_of(RTCDevice device, const struct sticks *s,
                              size_t first, size_t last)
 {

@@ -2,7 +2,7 @@
  * scene.c - queries of scenes, and what it takes to build, move, save and open
  * them
  *
- * The time to move or open a scene stands beside that to build it, which is
+ * The time to refit, save or open a scene stands beside that to build it, which is
  * "theirs".
  */
 #include <string.h>
@@ -82,10 +82,10 @@ static void measure_building(const struct sticks *s)
     print_figure(s->name, "build", NULL, NULL, "s", NAN, build);
     print_figure(s->name, "a shape", NULL, NULL, "bytes", NAN,
                  (double)cylint_scene_bytes(scene) / (double)s->n);
-    print_figure(s->name, "move 1 % of the shapes", NULL, "build", "s", build,
-                 seconds_of_refit(scene, s, s->n / 100));
-    print_figure(s->name, "move half of the shapes", NULL, "build", "s", build,
-                 seconds_of_refit(scene, s, s->n / 2));
+    print_figure(s->name, "refit 1 % of the shapes, unmoved", NULL, "build",
+                 "s", build, seconds_of_refit(scene, s, s->n / 100));
+    print_figure(s->name, "refit half of the shapes, unmoved", NULL, "build",
+                 "s", build, seconds_of_refit(scene, s, s->n / 2));
     const double saved = seconds_of(CLOCK_MONOTONIC);
     require(cylint_scene_save(scene, path) == CYLINT_SCENE_OK,
             "a scene was not saved");

@@ -15,7 +15,7 @@
 
 enum { MOST = 1 << 16 };
 
-/* One line of a cache. */
+/* 64 bytes, the length of a cache line. */
 struct prepared {
     double p[3], axis[3], length, r;
 };

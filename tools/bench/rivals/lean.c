@@ -6,17 +6,11 @@
  */
 #include "lean.h"
 
+#include "numbers/compiler.h"
 #include "shapes/layout.h"
 
 /* What holds an end of the overlap: the side, the base or the top. */
 enum place { SIDE, BASE, TOP };
-
-static inline void from_base(const struct lean *s, const double o[3],
-                             double q[3])
-{
-    for (int i = 0; i < 3; i++)
-        q[i] = o[i] - s->base[i];
-}
 
 static inline int hits_of(const double t[2], double t0, double t1)
 {
@@ -54,22 +48,22 @@ static inline int clip(const struct lean *s, double z, double speed,
     return t[0] <= t[1];
 }
 
-static inline int cylinder(const struct lean *s, const double o[3],
+CYLINT_INLINE int cylinder(const struct lean *s, const double o[3],
                            const double d[3], double t[2], enum place *on)
 {
     double q[3];
-    from_base(s, o, q);
+    minus3(q, o, s->base);
     const double speed = dot3(d, s->axis), z = dot3(q, s->axis);
     const double A = dot3(d, d) - speed * speed, B = dot3(q, d) - z * speed;
     const double C = dot3(q, q) - z * z - s->r0_squared;
     return roots(A, B, C, t) && clip(s, z, speed, t, on);
 }
 
-static inline int cone(const struct lean *s, const double o[3],
+CYLINT_INLINE int cone(const struct lean *s, const double o[3],
                        const double d[3], double t[2], enum place *on)
 {
     double q[3];
-    from_base(s, o, q);
+    minus3(q, o, s->base);
     const double speed = dot3(d, s->axis), z = dot3(q, s->axis);
     const double rho = s->r0 + s->slope * z, growth = s->slope * speed;
     const double A = dot3(d, d) - speed * speed - growth * growth;
@@ -85,11 +79,11 @@ static inline int cone(const struct lean *s, const double o[3],
     return clip(s, z, speed, t, on);
 }
 
-static inline int elliptic(const struct lean *s, const double o[3],
+CYLINT_INLINE int elliptic(const struct lean *s, const double o[3],
                            const double d[3], double t[2], enum place *on)
 {
     double q[3];
-    from_base(s, o, q);
+    minus3(q, o, s->base);
     const double x = dot3(q, s->row[0]), y = dot3(q, s->row[1]);
     const double u = dot3(d, s->row[0]), v = dot3(d, s->row[1]);
     const double A = u * u + v * v, B = x * u + y * v;
@@ -98,11 +92,11 @@ static inline int elliptic(const struct lean *s, const double o[3],
            clip(s, dot3(q, s->axis), dot3(d, s->axis), t, on);
 }
 
-static inline int sphere(const struct lean *s, const double o[3],
+CYLINT_INLINE int sphere(const struct lean *s, const double o[3],
                          const double d[3], double t[2], enum place *on)
 {
     double q[3];
-    from_base(s, o, q);
+    minus3(q, o, s->base);
     if (on)
         on[0] = on[1] = BASE;
     return roots(dot3(d, d), dot3(q, d), dot3(q, q) - s->r0_squared, t);
@@ -111,11 +105,11 @@ static inline int sphere(const struct lean *s, const double o[3],
 /* Capsule and round cone [Quilez, iquilezles.org/articles/intersectors],
  * with both ends of the overlap: a root beyond the circles is replaced by
  * that of the ball. */
-static inline int hull(const struct lean *s, const double o[3],
+CYLINT_INLINE int hull(const struct lean *s, const double o[3],
                        const double d[3], double t[2], enum place *on)
 {
     double q[3];
-    from_base(s, o, q);
+    minus3(q, o, s->base);
     const double *w = s->axis;
     const double ww = s->height, shrink = -s->slope, shift = shrink * s->r0;
     const double wq = dot3(w, q), wd = dot3(w, d), dq = dot3(d, q);
@@ -153,24 +147,26 @@ static inline void straight_normal(const struct lean *s, const double p[3],
     const double z = dot3(p, s->axis);
     const double back = z + s->slope * (s->r0 + s->slope * z);
     const double scale = s->scale / fabs(s->r0 + s->slope * z);
-    for (int i = 0; i < 3; i++)
-        normal[i] = on == SIDE   ? (p[i] - back * s->axis[i]) * scale
-                    : on == BASE ? -s->axis[i]
-                                 : s->axis[i];
+    if (on == SIDE)
+        along3(normal, p, -back, s->axis);
+    else
+        copy3(normal, s->axis);
+    scale3(normal, on == SIDE ? scale : on == BASE ? -1 : 1);
 }
 
 static inline void elliptic_normal(const struct lean *s, const double p[3],
                                    enum place on, double normal[3])
 {
     const double x = dot3(p, s->row[0]), y = dot3(p, s->row[1]);
-    double n[3];
-    for (int i = 0; i < 3; i++)
-        n[i] = x * s->row[0][i] + y * s->row[1][i];
-    const double scale = on == SIDE   ? 1 / sqrt(dot3(n, n))
-                         : on == BASE ? -s->outside
-                                      : s->outside;
-    for (int i = 0; i < 3; i++)
-        normal[i] = (on == SIDE ? n[i] : s->axis[i]) * scale;
+    copy3(normal, s->axis);
+    if (on == SIDE) {
+        copy3(normal, s->row[0]);
+        scale3(normal, x);
+        along3(normal, normal, y, s->row[1]);
+    }
+    scale3(normal, on == SIDE   ? 1 / length3(normal)
+                   : on == BASE ? -s->outside
+                                : s->outside);
 }
 
 /* From the centre of the ball that touches the surface there. */
@@ -183,16 +179,16 @@ static inline void round_normal(const struct lean *s, const double p[3],
     if (on == SIDE)
         at = (wp - rise * s->r0) / d2;
     const double scale = 1 / (s->r0 + s->slope * at);
-    for (int i = 0; i < 3; i++)
-        normal[i] = (p[i] - at * s->axis[i]) * scale;
+    along3(normal, p, -at, s->axis);
+    scale3(normal, scale);
 }
 
 static inline void ball_normal(const struct lean *s, const double p[3],
                                enum place on, double normal[3])
 {
     (void)on;
-    for (int i = 0; i < 3; i++)
-        normal[i] = p[i] * s->scale;
+    copy3(normal, p);
+    scale3(normal, s->scale);
 }
 
 #define DEFINE(name, normal_of)                                        \
@@ -210,8 +206,8 @@ static inline void ball_normal(const struct lean *s, const double p[3],
         if (!name(s, o, d, both, on) || !(both[1] >= 0))               \
             return 0;                                                  \
         *t = both[0] >= 0 ? both[0] : both[1];                         \
-        for (int i = 0; i < 3; i++)                                    \
-            p[i] = o[i] - s->base[i] + *t * d[i];                      \
+        minus3(p, o, s->base);                                         \
+        along3(p, p, *t, d);                                           \
         normal_of(s, p, both[0] >= 0 ? on[0] : on[1], n);              \
         return 1;                                                      \
     }
@@ -283,8 +279,7 @@ static inline double along_and_across(const struct lean_body *s,
                                       const double point[3], double *across)
 {
     double q[3];
-    for (int i = 0; i < 3; i++)
-        q[i] = point[i] - s->base[i];
+    minus3(q, point, s->base);
     const double z = dot3(q, s->axis);
     *across = sqrt(positive(dot3(q, q) - z * z));
     return z;
@@ -321,19 +316,16 @@ static double cone_distance(const struct lean_body *s, const double point[3])
 static double sphere_distance(const struct lean_body *s, const double point[3])
 {
     double q[3];
-    for (int i = 0; i < 3; i++)
-        q[i] = point[i] - s->base[i];
+    minus3(q, point, s->base);
     return sqrt(dot3(q, q)) - s->r0;
 }
 
 static double capsule_distance(const struct lean_body *s, const double point[3])
 {
     double q[3];
-    for (int i = 0; i < 3; i++)
-        q[i] = point[i] - s->base[i];
+    minus3(q, point, s->base);
     const double at = clamped(dot3(q, s->axis) * s->inverse);
-    for (int i = 0; i < 3; i++)
-        q[i] -= at * s->axis[i];
+    along3(q, q, -at, s->axis);
     return sqrt(dot3(q, q)) - s->r0;
 }
 

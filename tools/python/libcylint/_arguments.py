@@ -79,7 +79,7 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     new array is read-only, so that `owned` does not copy it.
     """
     given = array = array_of(name, value)
-    if given.dtype is not _FLOAT64 or not given.flags.aligned:
+    if given.dtype != _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
             raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
         if given.dtype.kind == "O" and any(x is None for x in given.flat):

@@ -31,30 +31,23 @@ class ClosestPoints(Described):
 
     _columns = ("distance", "part", "feature", "point", "normal")
 
-    def __init__(self, given: Points, distance: Doubles, threads: int | None) -> None:
-        super().__init__(given, threads)
+    def __init__(self, given: Points, distance: Doubles) -> None:
+        super().__init__(given, distance.shape)
         self.distance = distance
-
-    def _axes(self) -> tuple[int, ...]:
-        return self.distance.shape
 
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
         shapes, index = self._shapes
-        points, threads = self._given.array, workers(self._threads)
+        points, threads = self._given.array, workers(self._given.threads)
         _core.closest(shapes.kind, index, points, None, columns, threads, None)
 
     part: NDArray[np.int8] = member(
-        "part", "(...) int8, a value of `Part`; -1 for none.", kind=np.int8
+        "(...) int8, a value of `Part`; -1 for none.", kind=np.int8
     )
     feature: NDArray[np.int8] = member(
-        "feature", "(...) int8, a value of `Feature`; -1 for none.", kind=np.int8
+        "(...) int8, a value of `Feature`; -1 for none.", kind=np.int8
     )
-    point: Doubles = member(
-        "point", "(..., 3): the closest points of the surfaces; nan for none.", 3
-    )
-    normal: Doubles = member(
-        "normal", "(..., 3): the outward unit normals there; nan for none.", 3
-    )
+    point: Doubles = member("(..., 3): the closest points of the surfaces; nan for none.", 3)
+    normal: Doubles = member("(..., 3): the outward unit normals there; nan for none.", 3)
 
     def __repr__(self) -> str:
         found = np.count_nonzero(np.isfinite(self.distance))

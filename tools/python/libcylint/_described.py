@@ -18,31 +18,29 @@ class Described:
     """An array of shapes, and the numbers of the shapes in it, -1 for none; None: they
     broadcast with the lines or points.  The arrays must not change."""
 
-    def __init__(self, given: Any, threads: int | None) -> None:
+    def __init__(self, given: Any, axes: tuple[int, ...]) -> None:
         self._given = given
-        self._threads = threads
+        self._axes = axes  # of the members of width 1
 
     def __getstate__(self) -> dict[str, Any]:
         state = self.__dict__ | {"_shapes": self._shapes}
         state.pop("_scene", None)
         return state
 
-    def _axes(self) -> tuple[int, ...]:
-        raise NotImplementedError
-
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
         """Computes the columns that are not None."""
         raise NotImplementedError
 
 
-def member(name: str, text: str, width: int = 1, kind: Any = np.float64) -> Any:
+def member(text: str, width: int = 1, kind: Any = np.float64) -> Any:
     """A member that has the axes of the answers, and if width is not 1 one more."""
 
     def compute(answers: Described) -> NDArray[Any]:
-        axes = answers._axes()
+        axes, name = answers._axes, made.attrname
         column = np.empty(axes if width == 1 else (*axes, width), kind)
         answers._write([column if name == c else None for c in answers._columns])
         return column
 
     compute.__doc__ = text
-    return cached_property(compute)
+    made = cached_property(compute)
+    return made

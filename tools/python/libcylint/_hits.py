@@ -21,28 +21,18 @@ class DescribedHits(Described):
 
     _columns = ("point", "normal", "z", "phi", "side", "outside", "inside")
 
-    def _axes(self) -> tuple[int, ...]:
-        return self.t.shape
-
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
-        """Of shapes that are numbered the nearest hits, else two of each."""
+        """With numbers of shapes: the nearest hit of each line.  Without: both hits."""
         shapes, index = self._shapes
-        lines, threads = self._given.core(), workers(self._threads)
+        lines, threads = self._given.core(), workers(self._given.threads)
         _core.describe(shapes.kind, index, lines, columns, threads, None)
 
-    point: Doubles = member("point", "(..., 3): the points o + t d; nan for none.", 3)
-    normal: Doubles = member(
-        "normal", "(..., 3): the outward unit normals; nan for none.", 3
-    )
-    z: Doubles = member("z", "(...): axial coordinates, 0 at the base, 1 at the top.")
-    phi: Doubles = member(
-        "phi", "(...): angles about the axis divided by 2 pi, in [0, 1)."
-    )
-    side: NDArray[np.int8] = member(
-        "side", "(...) int8, a value of `Side`; -1 for none.", kind=np.int8
-    )
+    point: Doubles = member("(..., 3): the points o + t d; nan for none.", 3)
+    normal: Doubles = member("(..., 3): the outward unit normals; nan for none.", 3)
+    z: Doubles = member("(...): axial coordinates, 0 at the base, 1 at the top.")
+    phi: Doubles = member("(...): angles about the axis divided by 2 pi, in [0, 1).")
+    side: NDArray[np.int8] = member("(...) int8, a value of `Side`; -1 for none.", kind=np.int8)
     outside: Doubles = member(
-        "outside",
         """(..., 3): points next to `point` that are outside the shape.
 
         `point` is rounded, so it is as often inside the shape as outside.  A ray
@@ -63,7 +53,6 @@ class DescribedHits(Described):
         3,
     )
     inside: Doubles = member(
-        "inside",
         """(..., 3): points next to `point` that are inside the shape.
 
         A ray that starts there hits a capped shape once.
@@ -99,7 +88,7 @@ class Hits(DescribedHits):
         self.t = np.empty((*shape, 2))
         self.part = np.empty((*shape, 2), np.int8)
         self._shapes = shapes, None
-        super().__init__(lines, lines.threads)
+        super().__init__(lines, self.t.shape)
 
     def __repr__(self) -> str:
         hits = counted(int(self.n.sum()), "hit")

@@ -100,12 +100,12 @@ def _model(name: str, waters: bool) -> Any:
 
 
 def _check_columns(name: str, text: str) -> None:
-    """gemmi reads what is no number as 0."""
-    for row, line in enumerate(text.splitlines(), 1):
+    """gemmi reads what is no number as 0; Python accepts 1_2."""
+    for row, line in enumerate(text.split("\n"), 1):
         if line.startswith(("ATOM  ", "HETATM")):
             for column in (30, 38, 46):
                 try:
-                    float(line[column : column + 8])
+                    float(line[column : column + 8].replace("_", "?"))
                 except ValueError:
                     raise ValueError(
                         f"{name}:{row}: expected a number in columns {column + 1} to "

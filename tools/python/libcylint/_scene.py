@@ -40,12 +40,10 @@ class NearestHits(DescribedHits):
     index: NDArray[np.int64]
     part: NDArray[np.int8]
 
-    def __init__(
-        self, scene: _core.Scene, lines: SceneLines, columns: Any, threads: int | None
-    ) -> None:
+    def __init__(self, scene: _core.Scene, lines: SceneLines, columns: Any) -> None:
         self.index, self.t, self.part = columns
         self._scene = scene, self.index.copy(), False
-        super().__init__(lines, threads)
+        super().__init__(lines, self.t.shape)
 
     _shapes = cached_property(_shapes_of)
 
@@ -67,12 +65,10 @@ class ClosestShapes(ClosestPoints):
 
     index: NDArray[np.int64]
 
-    def __init__(
-        self, scene: _core.Scene, around: Balls, columns: Any, threads: int | None
-    ) -> None:
+    def __init__(self, scene: _core.Scene, around: Balls, columns: Any) -> None:
         self.index, distance = columns
         self._scene = scene, self.index.copy(), around.signed
-        super().__init__(around, distance, threads)
+        super().__init__(around, distance)
 
     _shapes = cached_property(_shapes_of)
 
@@ -183,16 +179,16 @@ class Scene:
     def _start(
         self, begun: _core.Scene, threads: int | None, progress: Progress | None
     ) -> None:
+        self._threads = threads
         begun.finish(workers(threads), progress)
         self._scene = begun  # last: progress may call methods of a subclass
-        self._threads = threads
 
     @classmethod
     def read(
         cls, path: str | os.PathLike[str], *, ends: Any = None, swc: str | None = None,
         threads: int | None = None, progress: Progress | None = None,
     ) -> Scene:
-        """`Scene(read_scene(path, ends=ends, swc=swc))` in a sixth of the memory.
+        """`Scene(read_scene(path, ends=ends, swc=swc))` in about a quarter of the memory.
 
         With the solids that the file states by in=NAME and out=NAME.
         """
@@ -266,20 +262,19 @@ class Scene:
         made = _core.Scene.open_bytes(state["_scene"])
         self.__dict__.update(state | {"_scene": made})
 
-    def _choose(self, threads: int | None) -> int | None:
-        return self._threads if threads is None else threads
-
     def _answer(
         self, query: Any, given: Any, columns: str | list[NDArray[Any]], rule: Any = None
     ) -> Any:
         """Calls a function of _core for lines or points, which writes the columns, or
         columns of these types: i index, t number, b byte, ? bool, v vector; "": it
         returns flat arrays."""
+        if given.threads is None:
+            given.threads = self._threads
         if isinstance(columns, str):
             columns = _columns(given.shape, columns)
         found = query(
             self._scene, given.core_of(len(self)), rule or _PLAIN, columns,
-            workers(self._choose(given.threads)), given.progress,
+            workers(given.threads), given.progress,
         )
         if not found:
             raise given.refuse()
@@ -303,8 +298,7 @@ class Scene:
         """
         columns = self._answer(_core.Scene.nearest, lines, "itb")
         lines.keep()
-        chosen = self._choose(lines.threads)
-        return NearestHits(self._scene, lines, columns, chosen)
+        return NearestHits(self._scene, lines, columns)
 
     @takes(SceneLines)
     def any(self, lines: SceneLines) -> NDArray[np.bool_]:
@@ -359,8 +353,10 @@ class Scene:
         shape, solid, clause: integers that broadcast to one axis.  Shape number
         `shape` is a member of a clause of solid number `solid`; of a negative
         clause its complement is.  A point is in a solid if each clause has a member
-        that contains the point.  A shape in no solid is itself a solid.  The number
-        of a solid is the least of its shapes that are not complements.
+        that contains the point.  A shape in no solid is itself a solid.
+        `solid` only distinguishes solids: 0 to the number of rows - 1.  The number
+        of a solid in answers is the least of its shapes that are not complements;
+        if there is none, the least of its shapes.
 
         `pieces`, `sums`, `depth` and `first_boundary` are about solids, all others
         about shapes.  Raises ValueError during a query of another thread.
@@ -538,8 +534,7 @@ class Scene:
         """
         columns = self._answer(_core.Scene.closest, around, "it", _signed(around))
         around.keep()
-        chosen = self._choose(around.threads)
-        return ClosestShapes(self._scene, around, columns, chosen)
+        return ClosestShapes(self._scene, around, columns)
 
     @takes(Balls)
     def within(self, around: Balls) -> ShapesWithin:

@@ -91,8 +91,9 @@ class Shapes:
     The arguments of the constructors are members: p0, p1, r, r0, r1, c, a, b, h,
     k, v, u, tangent, p, n.  They have the shapes of the arguments, (..., 3) or
     (...), are read-only, and are nan where a shape has no such argument.  A round
-    cone that is a ball has p0, r0, p1 and r1, too; a capsule whose ends are equal
-    is one, without r.  An elliptic cone with k = 1 is a cylinder, without k.
+    cone that is a ball, and a capsule whose ends are equal, have the kind SPHERE,
+    but p0, r0, p1 and r1 in place of c and r.  An elliptic cone with k = 1 has the
+    kind ECYLINDER and no k.
 
     `==` compares shapes one by one, as arrays of NumPy: two are equal if one
     constructor makes both from equal numbers and ends.  Labels do not count.
@@ -347,7 +348,7 @@ class Shapes:
         """
         distance = self._answer(_core.closest, points, np.float64, 0)
         points.keep()
-        answers = ClosestPoints(points, distance, points.threads)
+        answers = ClosestPoints(points, distance)
         answers._shapes = self, None
         return answers
 

@@ -114,10 +114,12 @@ struct Scene {
             cylint_scene_free(p);
         }
     };
-    /* Calls that read the scene without Python's lock hold it, too. */
+    /* Queries, save() and to_bytes() hold a reference while they run without Python's
+     * lock; set_solids() then refuses. */
     std::shared_ptr<char> use = std::make_shared<char>();
     nb::object memory; /* of the scene, if it was opened there */
-    /* Of a scene that is not opened: finish() sets them. */
+    /* Labels and solids of a scene that is not opened; finish() gives them to the
+     * scene. */
     bool has_labels = false;
     std::vector<uint64_t> label_ends;
     std::string label_text;

@@ -96,9 +96,7 @@ class Grid
     size_t count = 0;
 };
 
-enum {
-    BLOCK = 512
-}; /* elements of a block at most: their columns fit the first cache */
+enum { BLOCK = 512 }; /* elements of a block at most; its columns have 43 kB */
 
 /* A block: successive elements of a row. */
 class Part

@@ -303,7 +303,7 @@ void describe(Input shapes, std::optional<Input> index, const Lines &lines,
              }
              cylint_answer answer;
              answer.n = 0;
-             if (shape) /* a refused line hits nothing */
+             if (shape) /* of a refused line cylint_intersect() writes no hit */
                  cylint_intersect(shape, &ray.line, want, &answer);
              for (int k = 0; k < (nearest ? 1 : 2); k++)
                  write_hit(part, i, static_cast<size_t>(k), shape,

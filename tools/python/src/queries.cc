@@ -203,7 +203,8 @@ void count(const Question &q, const Ray &ray, const Answer &put)
 {
     cylint_shape shape;
     size_t hits = cylint_scene_count(q.scene, &ray.line, 0);
-    if (q.except(ray) < q.n) { /* the caller may have changed the numbers */
+    if (q.except(ray) < q.n) { /* `exclude` was checked, but another thread may
+                                    * have changed it since */
         cylint_scene_shape(q.scene, q.except(ray), &shape);
         hits -= cylint_occluded(&shape, &ray.line) != 0;
     }
