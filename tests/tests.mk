@@ -45,7 +45,7 @@ $(BUILD)/tests/numbers/test_turns.o: extra += $(x86)
 
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
-$(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc posix_memalign free pthread_create))
+$(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
 
 $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/command/pixels:
 	$(link)
@@ -53,7 +53,7 @@ $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/command/pixels:
 # The command, with system calls that fail as tests/command/faults.c says.
 $(BUILD)/tests/command/faulty: $(BUILD)/tests/command/faults.o $(tool_objects) $(scene_library)
 $(BUILD)/tests/command/faulty: wrapped := $(call wrap,read write poll open close fsync rename \
-	malloc calloc realloc posix_memalign free pipe pthread_create)
+	malloc calloc realloc free pipe pthread_create)
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.

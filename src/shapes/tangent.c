@@ -4,7 +4,7 @@
  * By the series of sine and cosine in pairs of doubles: about 2^-96 off
  * before the last rounding, so that only an angle whose tangent lies within
  * 2^-43 ulp of a middle between doubles could be rounded the wrong way.  None
- * is known (observed: tests/shapes/test_constructors.c against MPFR).  Of the
+ * is known (observed: tests/shapes/test_errors.c against MPFR).  Of the
  * tangents of rational degrees only that of 45 is rational, so there are no ties.
  */
 #include "measure.h"

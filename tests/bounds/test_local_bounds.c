@@ -263,7 +263,7 @@ static void position_cell(cell *c)
 {
     need(c->l.p[0].off, u);
     need(top_z.off, u);
-    need(c->l.w.off, u); /* the slope of a cap'c->s residual, with D for Q */
+    need(c->l.w.off, u); /* the slope of a cap's residual, with D for Q */
     /* is_ahead(): z w against 2 POSITION u Q D */
     need(product(top_z, c->l.w).off, 2 * u);
 }

@@ -384,7 +384,7 @@ TEST(errors_of_members_are_within_their_bounds)
         }
 }
 
-TEST(bounds_are_not_far_above_the_errors)
+TEST(each_number_was_compared_and_had_an_error)
 {
     (void)describe_again;
     (void)load_any_pairs;

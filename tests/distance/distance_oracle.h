@@ -26,12 +26,6 @@ struct oracle_closest {
                      2^-113 of the longest of a, b and h */
 };
 
-static inline int has_cap(const cylint_shape *shape, int end)
-{
-    return shape->ends == CYLINT_ENDS_CAPPED ||
-           shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
-}
-
 void oracle_distance(const cylint_shape *shape, const double point[3],
                      struct oracle_closest *expected);
 

@@ -93,10 +93,10 @@ static cylint_closest_columns lay_answers(size_t n, unsigned mask, size_t gap,
 
 /* ------------------------------------------------------------- batches -- */
 
-/* of: point i and shape i, or point i and the one shape. */
-static void ask(const cylint_shape *shapes, int each,
-                const cylint_points *points, double ulps,
-                const cylint_closest_columns *to)
+/* each: point i and shape i; else point i and the one shape. */
+static void answer_batches(const cylint_shape *shapes, int each,
+                           const cylint_points *points, double ulps,
+                           const cylint_closest_columns *to)
 {
     (each ? cylint_distance_pairs : cylint_distance_points)(shapes, points, to);
     if (column[SIDE])
@@ -163,7 +163,7 @@ static void check_batch(size_t one, size_t n, const struct layout *at)
     const cylint_points points = lay_points(n, at->gap, at->at_end);
     const cylint_closest_columns to =
         lay_answers(n, at->mask, at->gap, at->at_end);
-    ask(each ? shapes : shapes + one, each, &points, at->ulps, &to);
+    answer_batches(each ? shapes : shapes + one, each, &points, at->ulps, &to);
     for (int k = 0; k < COLUMNS; k++)
         CHECK(
             guarded_kept(&pages[k], column[k], column[k] ? n * size_of(k) : 0));
@@ -197,7 +197,7 @@ static void draw_points(size_t n, uint64_t seed)
     }
 }
 
-/* Points about the first case, with its shape in front. */
+/* n times this case, with points about its shape. */
 static void draw_points_about(const struct family_case *c, size_t n,
                               uint64_t seed)
 {
@@ -227,7 +227,7 @@ static void draw_mixed(size_t n)
     }
 }
 
-/* Capped ones in lanes, two of three of each family, and their points together. */
+/* Cases of a family, two of three with both caps, which lanes serve; their points. */
 static void draw_family(int family, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -292,7 +292,8 @@ TEST(batches_of_all_lengths_serve_all_addresses)
     }
 }
 
-/* Without the others; in lanes, and of a shape with one cap one by one. */
+/* Of a shape with both caps, which lanes serve, and of one with one cap, whose
+ * questions are answered one by one. */
 TEST(every_column_can_be_wanted_alone)
 {
     struct family_case c;
@@ -310,7 +311,7 @@ TEST(every_column_can_be_wanted_alone)
             draw_points_about(&c, 60, 5);
             check_batch(0, 60, &at);
             check_batch(MOST, 60, &at);
-            for (int i = 0; i < 60; i++) /* nothing is left by lanes */
+            for (int i = 0; i < 60; i++) /* points that lanes decide */
                 for (int j = 0; j < 3; j++)
                     place_of_case[i][j] =
                         cylint_top(&c.shape)[j] +
@@ -337,10 +338,10 @@ static void check_environment(struct environment there)
     const cylint_points points = lay_points(N, 0, 1);
     const cylint_closest_columns to = lay_answers(N, ALL, 0, 1);
     environment_set(there);
-    ask(&shapes[1], 0, &points, 2, &to);
+    answer_batches(&shapes[1], 0, &points, 2, &to);
     for (size_t i = 0; i < N; i++)
         same &= is_answer(i, &shapes[1], place_of_case[i], 2);
-    ask(shapes, 1, &points, 2, &to);
+    answer_batches(shapes, 1, &points, 2, &to);
     for (size_t i = 0; i < N; i++)
         same &= is_answer(i, &shapes[i], place_of_case[i], 2);
     environment_reset();
@@ -398,7 +399,7 @@ TEST(refused_shapes_and_points_answer_as_documented)
             for (int i = 0; i < 4; i++)
                 cylint_cylinder(&s[i], origin, refused ? origin : top, 1,
                                 CYLINT_ENDS_CAPPED);
-            ask(s, each, &points, refused ? HUGE_VAL : 0, &to);
+            answer_batches(s, each, &points, refused ? HUGE_VAL : 0, &to);
             for (int i = 0; i < 4; i++) {
                 const int none = refused || i > 1;
                 CHECK(((signed char *)column[SIDE])[i] ==

@@ -22,7 +22,8 @@ enum {
     ALL = WANT | CYLINT_WANT_DISTANCE
 };
 
-/* safe: the number and the sum of the ratios of safety and distance. */
+/* n: answers; left: of these, left to triples.  safe, ratios: the number and the sum
+ * of the ratios of safety and distance. */
 struct tally {
     long n, left, safe;
     double ratios;
@@ -192,16 +193,6 @@ TEST(coincidences_have_one_answer)
             check_point(&c, p, 0, &sum);
     }
     CHECK(sum.left < sum.n / 2);
-}
-
-TEST(on_the_axis_the_answer_has_the_least_phi)
-{
-    const double p[3] = {1, 2, 6.7};
-    const cylint_shape s = shape_of("ecylinder 1 2 3  2 0 0  0 1 0  0 0 8");
-    const cylint_closest a = answer_to(&s, p, WANT);
-    CHECK(a.distance == -1 && a.feature == CYLINT_FEATURE_LATERAL);
-    CHECK(a.point[0] == 1 && a.point[1] == 3 && a.point[2] == 6.7 &&
-          a.normal[1] == 1);
 }
 
 /* The axis is x, the radius 1000: point and normal are multiples of (y, z). */

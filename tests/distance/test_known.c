@@ -507,23 +507,14 @@ static double length_of(const double v[3])
  * an end of it, within 1e-9, where no other feature is near. */
 TEST(a_foot_at_an_end_is_decided_by_all_digits)
 {
-    const cylint_shape shapes[2] = {shape_of("cone 3 -2 -2 0  3 -2 2 3"),
-                                    shape_of("rcone 3 -2 -2 1  3 -2 2 3")};
-    for (int k = 0; k < 2; k++) {
-        cylint_shape unprepared = shapes[k];
-        unprepared.library.flag[CYLINT_AT_PREPARED] = 0;
+    static const char *const shapes[] = {"cone 3 -2 -2 0  3 -2 2 3",
+                                         "rcone 3 -2 -2 1  3 -2 2 3"};
+    for (int k = 0; k < 2; k++)
         for (int i = -64; i <= 64; i++) {
+            const struct family_case c = case_of(shapes[k]);
             const double p[3] = {6 + ldexp(i, -33), 2, 0.5 - ldexp(i, -35)};
-            for (unsigned w = 0; w < 3; w++) {
-                const unsigned want = w == 0   ? 0
-                                      : w == 1 ? CYLINT_WANT_PART
-                                               : WANT;
-                const cylint_closest exact = answer_to(&unprepared, p, want);
-                const cylint_closest usual = answer_to(&shapes[k], p, want);
-                CHECK(same(&exact, &usual));
-            }
+            check_paths(&c, p);
         }
-    }
 }
 
 /* The size that the manual relates the error of the safety to. */

@@ -275,7 +275,7 @@ static void strain(struct family_case *c)
             x[v + i] *= by;
     }
     if (mode == 4 && c->shape_word == FAMILY_ECONE)
-        x[12] = 1 + draw_small();
+        x[12] = 1 + small(-17, -1);
     if (mode == 5 && c->shape_word == FAMILY_ECONE)
         x[12] = power(-STRAIN, STRAIN);
     family_make(c);

@@ -22,6 +22,7 @@
 #include "shapes/local.h"
 #include "shapes/measure.h"
 #include "true_shape.h"
+#include "ulps.h"
 
 enum { CASES = 200, BITS = 2200 }; /* holds any axis */
 
@@ -242,10 +243,7 @@ static int compare(const cylint_shape *s, const cylint_line *l,
 /* x moved by up to two ulps. */
 static double beside(double x)
 {
-    const double to = one_of(2) ? HUGE_VAL : -HUGE_VAL;
-    for (int n = one_of(3); n > 0; n--)
-        x = nextafter(x, to);
-    return x;
+    return stepped(x, whole_between(-2, 2));
 }
 
 /* The line, and the same with domains that end at its hits or beside them. */

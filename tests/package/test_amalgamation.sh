@@ -78,8 +78,8 @@ for part in support/families support/family_records support/oracle support/scene
     [ -f "$build/tests/$part.o" ] && common="$common $build/tests/$part.o"
 done
 for t in library/test_batch:1 library/test_environment:5 numbers/test_exact:2000 \
-    library/test_intersect:200 library/test_interface: methods/test_ordinary: \
-    methods/test_degenerate: methods/test_misprints: library/test_outside:50 \
+    library/test_intersect:200 methods/test_methods: \
+    library/test_outside:50 \
     library/test_properties:50 shapes/test_constructors: library/test_hits: \
     roots/test_midpoints: bvh/test_nodes: scene/test_paths:2 scene/test_many: \
     bounds/test_scene_point_bounds:; do

@@ -105,8 +105,9 @@ static void write_small(struct bytes *b)
 {
     static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
     static const cylint_scene_labels labels = {ends, "abcdef"};
-    static const cylint_member members[] = {
-        {0, 0, 1}, {1, 0, -2}, {3, 1, 1}, {2, 1, 1}, {5, 1, -7}};
+    static const cylint_member members[] = {{0, 0, 1}, {1, 0, -2}, {3, 1, 1},
+                                            {2, 1, 1}, {5, 1, -7}, {4, 1, -7},
+                                            {4, 1, 8}};
     const cylint_shape shape[SMALL] = {
         shape_of("cylinder 0 0 0  3 1 2  0.125"),
         shape_of("sphere 3 1 2  0.5"),
@@ -116,7 +117,7 @@ static void write_small(struct bytes *b)
         shape_of("acone 1 0.5 0  3 1 2  30")};
     OWN_SCENE *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
-    CHECK(cylint_scene_set_solids(scene, members, 5) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_set_solids(scene, members, 7) == CYLINT_SCENE_OK);
     scene_file_write(scene, b);
 }
 
@@ -496,21 +497,6 @@ TEST(numbers_that_constructors_refuse_are_refused)
 
 enum { BOUNDED = 5, OTHERS, RANKS = 10 };
 
-/* Bytes of the sections. */
-static uint64_t *section_bytes(const struct bytes *b)
-{
-    return (uint64_t *)(void *)(b->data + 56);
-}
-
-/* The numbers of shapes that a section lists. */
-static uint32_t *numbers_of(const struct bytes *b, int section)
-{
-    size_t at = 512;
-    for (int i = 0; i < section; i++)
-        at += (size_t)(section_bytes(b)[i] + 63) / 64 * 64;
-    return (uint32_t *)(void *)(b->data + at);
-}
-
 /* Of four shapes, numbers 0 and 2 are bounded. */
 TEST(numbers_of_shapes_in_another_order_are_refused)
 {
@@ -525,7 +511,7 @@ TEST(numbers_of_shapes_in_another_order_are_refused)
     for (int section = BOUNDED; section <= OTHERS; section++)
         for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {
             scene_file_write(scene, &b);
-            uint32_t *number = numbers_of(&b, section);
+            uint32_t *number = scene_file_section(&b, section);
             const uint32_t first = (uint32_t)(section - BOUNDED);
             CHECK(number[0] == first && number[1] == first + 2);
             memcpy(number, refused[k], sizeof refused[k]);
@@ -541,7 +527,7 @@ TEST(a_file_with_ranks_is_of_another_version)
     write_small(&b);
     memset(b.data + b.n, 0, 64);
     b.n += 64;
-    section_bytes(&b)[RANKS] = 64;
+    scene_file_sizes(&b)[RANKS] = 64;
     memcpy(b.data + 24, &b.n, sizeof b.n);
     scene_file_repair(b.data, b.n);
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EVERSION);

@@ -262,25 +262,6 @@ TEST(small_scenes_answer_as_a_loop)
     points_of_a_place = points;
 }
 
-TEST(real_scenes_answer_as_a_loop)
-{
-    static const char *const real[][2] = {
-        {"neuron", "awk '{ at[$1] = $3 \" \" $4 \" \" $5 \" \" $6 } at[$7] "
-                   "{ print \"cone\", at[$1], at[$7] }' "
-                   "../shared/data/medulla_7114.swc 2>/dev/null | head -1900"},
-        {"tree", "awk -F, 'NR > 1 { print \"cylinder\", $1, $2, $3, $4, $5, "
-                 "$6, $10 }' ../shared/data/tree_archi.csv 2>/dev/null"},
-    };
-    for (size_t i = 0; i < sizeof real / sizeof *real; i++) {
-        OWN_SHAPES of;
-        if (!scene_from(real[i][0], real[i][1], &of)) {
-            printf("note: no %s in ../shared/data\n", real[i][0]);
-            continue;
-        }
-        check_lines(&of, i);
-    }
-}
-
 /* Nearly parallel shapes of the length 1 that begin within `width` of 0: each has
  * several boxes, and more of them are found than the set of a query holds. */
 static void fill_bundle(struct scene_shapes *of, double width)
@@ -470,6 +451,9 @@ static double count_visits(void *context, size_t number, const cylint_hit *hit)
 
 TEST(a_callback_may_end_a_visit_or_query_the_scene)
 {
+    /* none of these is a member of a hit */
+    static const unsigned no_members[] = {0, CYLINT_WANT_NEAREST,
+                                          CYLINT_SIGNED};
     OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, check_seed());
     OWN_SCENE *scene = open_scene(&of, 1);
     int visited = 0;
@@ -489,7 +473,8 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         cylint_scene_visit(scene, &line, CYLINT_WANT_T, end_visit, &less);
         cylint_scene_visit(scene, &line, CYLINT_WANT_POINT, query_again,
                            &again);
-        cylint_scene_visit(scene, &line, 0, count_visits, &unwanted);
+        cylint_scene_visit(scene, &line, no_members[i % 3], count_visits,
+                           &unwanted);
         CHECK(one.calls == 1 && less.calls <= all.calls &&
               again.calls == all.calls && unwanted.calls == all.calls &&
               less.least == hit.t);
@@ -504,27 +489,6 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
         visited++;
     }
     CHECK(visited > 20);
-}
-
-static double count_without_hit(void *context, size_t number,
-                                const cylint_hit *hit)
-{
-    int *calls = context;
-    (void)number;
-    *calls += CHECK(!hit);
-    return HUGE_VAL;
-}
-
-/* CYLINT_WANT_NEAREST is no member. */
-TEST(a_visit_without_wanted_members_gets_no_hit)
-{
-    static const unsigned wants[] = {0, CYLINT_WANT_NEAREST, CYLINT_SIGNED};
-    const struct family_case c = case_of("ray -2 0 0  1 0 0  sphere 0 0 0 1");
-    OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
-    int calls = 0;
-    for (int i = 0; i < 3; i++)
-        cylint_scene_visit(scene, &c.line, wants[i], count_without_hit, &calls);
-    CHECK(calls == 3);
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */

@@ -136,24 +136,7 @@ TEST(solids_replace_those_before)
 
 /* -------------------------------------------------------- saved scenes -- */
 
-/* Section 9 is that of the solids; a header has the bytes of each from byte 56
- * on. */
-enum { SECTION_OF_SOLIDS = 9, SECTIONS = 11, BYTES_OF_SECTIONS = 56 };
-
-static uint64_t bytes_of_section(const struct bytes *b, int section)
-{
-    uint64_t n;
-    memcpy(&n, b->data + BYTES_OF_SECTIONS + 8 * section, sizeof n);
-    return n;
-}
-
-static size_t begin_of_solids(const struct bytes *b)
-{
-    uint64_t at = 512;
-    for (int i = 0; i < SECTION_OF_SOLIDS; i++)
-        at += (bytes_of_section(b, i) + 63) / 64 * 64;
-    return (size_t)at;
-}
+enum { SECTION_OF_SOLIDS = 9 };
 
 /* Draws a world and lines, and writes its file. */
 static void begin_saved_world(uint64_t seed, struct bytes *b)
@@ -192,13 +175,12 @@ TEST(saved_solids_are_the_same)
 /* The status after word `at` of the members has become x. */
 static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
 {
-    char *word = b->data + begin_of_solids(b) + 4 * at;
-    uint32_t old;
-    memcpy(&old, word, sizeof old);
-    memcpy(word, &x, sizeof x);
+    uint32_t *word = scene_file_section(b, SECTION_OF_SOLIDS);
+    const uint32_t old = word[at];
+    word[at] = x;
     scene_file_repair(b->data, b->n);
     const cylint_scene_status status = scene_file_try(b->data, b->n);
-    memcpy(word, &old, sizeof old);
+    word[at] = old;
     return status;
 }
 
@@ -206,7 +188,7 @@ TEST(damaged_members_are_refused)
 {
     OWN_BYTES b;
     begin_saved_world(4, &b);
-    CHECK(bytes_of_section(&b, SECTION_OF_SOLIDS) == 12 * world.members);
+    CHECK(scene_file_sizes(&b)[SECTION_OF_SOLIDS] == 12 * world.members);
     for (size_t i = 0; i < world.members; i++) {
         const uint32_t shape = (uint32_t)world.member[i].shape,
                        n = (uint32_t)world.members;
@@ -218,25 +200,6 @@ TEST(damaged_members_are_refused)
         CHECK(status_with(&b, 3 * i + 2, 0) == CYLINT_SCENE_EDAMAGED);
         CHECK(status_with(&b, 3 * i + 2, UINT32_C(1) << 31) ==
               CYLINT_SCENE_EDAMAGED);
-    }
-}
-
-/* The sizes of the sections of solids and of ranks, which this version does not
- * have. */
-TEST(damaged_sizes_are_refused)
-{
-    OWN_BYTES b;
-    begin_saved_world(5, &b);
-    for (int i = SECTION_OF_SOLIDS; i < SECTIONS; i++) {
-        char *const size = b.data + BYTES_OF_SECTIONS + 8 * i;
-        for (int change = 1; change < 256; change++) {
-            *size = (char)(*size ^ change);
-            scene_file_repair(b.data, b.n);
-            const cylint_scene_status status = scene_file_try(b.data, b.n);
-            CHECK(i == SECTION_OF_SOLIDS ? status != CYLINT_SCENE_EVERSION
-                                         : status == CYLINT_SCENE_EVERSION);
-            *size = (char)(*size ^ change);
-        }
     }
 }
 
@@ -479,59 +442,5 @@ TEST(solids_with_a_common_face_have_whole_chords)
         }
         CHECK(piece[n - 1].t1 == end);
         CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_CHORDS, piece) == n);
-    }
-}
-
-/* ROOT, issue 23192: the sum over materials is that of all lengths.  A full rod
- * lies between two hollow ones, in a larger one; the radii and ends touch. */
-TEST(the_sum_over_materials_is_the_whole_length)
-{
-    const double p0[3] = {0, 0, -4}, p1[3] = {0, 0, 4};
-    const int rank[4] = {0, 1, 2, 3}, label[4] = {0, 1, 2, 3};
-    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_OWNER, .rank = rank};
-    cylint_shape rod[4];
-    for (int i = 0; i < 4; i++)
-        cylint_cylinder(&rod[i], p0, p1, i + 1, CYLINT_ENDS_CAPPED);
-    OWN_SCENE *scene = cylint_scene_new(rod, 4, 1, NULL);
-    for (int i = -40; i <= 40; i++) {
-        const double x = -8, y = i / 8.0, z = i % 4, d[3] = {2, 0, 0};
-        const double tmin = 0, tmax = HUGE_VAL;
-        const cylint_lines lines = {
-            1, {&x, &y, &z}, {d, d + 1, d + 2}, &tmin, &tmax};
-        double sums[4], all;
-        CHECK(cylint_scene_sums(scene, &lines, &rule, label, 4, 1, 1, sums) ==
-              CYLINT_SCENE_OK);
-        CHECK(cylint_scene_sums(scene, &lines, &rule, NULL, 1, 1, 1, &all) ==
-              CYLINT_SCENE_OK);
-        const double sum = sums[0] + sums[1] + sums[2] + sums[3];
-        const double half = fabs(y) < 4 ? 2 * sqrt(16 - y * y) : 0;
-        CHECK(fabs(sum - all) <= 4e-15 * all && fabs(all - half) <= 8e-15);
-        CHECK(sums[0] >= 0 && sums[1] >= 0 && (fabs(y) < 1) == (sums[0] > 0));
-    }
-}
-
-/* McCode, issues 2502 and 997: a hollow cylinder, a ray from 64 m along a
- * diameter. */
-TEST(a_hollow_sample_far_away_has_two_pieces)
-{
-    const cylint_member members[] = {{0, 0, 1}, {1, 0, -2}};
-    const int clause[] = {1, -2};
-    const struct family_case c =
-        case_of("ray -64 0 0  1 0 0  cylinder 0 0 -0.25  0 0 0.25  0x1.4p-7");
-    const cylint_shape rod[2] = {
-        c.shape, shape_of("cylinder 0 0 -0.25  0 0 0.25  0x1p-7")};
-    cylint_interval wall[CYLINT_SOLID_PIECES];
-    cylint_piece piece[8];
-    CHECK(cylint_solid_pieces(rod, clause, 2, &c.line, wall,
-                              CYLINT_SOLID_PIECES) == 2);
-    OWN_SCENE *scene = cylint_scene_new(rod, 2, 1, NULL);
-    CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);
-    CHECK(pieces_along_x(scene, -64, CYLINT_PIECES_UNION, piece) == 2);
-    for (int i = 0; i < 2; i++) {
-        const double near = i ? 0x1p-7 : -0x1.4p-7,
-                     far = i ? 0x1.4p-7 : -0x1p-7;
-        CHECK(piece[i].t0 == 64 + near && piece[i].t1 == 64 + far);
-        CHECK(wall[i].t0 == piece[i].t0 && wall[i].t1 == piece[i].t1);
-        CHECK(piece[i].shape == 0 && piece[i].depth == 1);
     }
 }

@@ -14,6 +14,7 @@
 #include "draw.h"
 #include "families.h"
 #include "shapes/shape_facts.h"
+#include "ulps.h"
 
 enum place {
     PLACE_ORIGIN,   /* of the case's line */
@@ -36,21 +37,6 @@ static const char *const place_names[PLACES] = {
 /* The case and the point, within a test of check.h, for its first failures only. */
 #define REPORT_POINT(c, p) \
     (REPORT_CASE(c), REPORT("point %a %a %a", (p)[0], (p)[1], (p)[2]))
-
-/* 0, or either sign and 10^-17 to 10^-1. */
-static double draw_small(void)
-{
-    const double x = power(-17, -1);
-    const int what = one_of(5);
-    return what == 0 ? 0 : what % 2 ? x : -x;
-}
-
-static double draw_step(double x)
-{
-    for (int n = one_of(4); n > 1; n--)
-        x = nextafter(x, one_of(2) ? HUGE_VAL : -HUGE_VAL);
-    return x;
-}
 
 /* Points base + x a + y b + z h; the lateral surface has x^2 + y^2 =
  * rho(z)^2. */
@@ -121,9 +107,10 @@ static void put_on_bisector(const struct point_frame *f, double p[3])
     double z = between(0, 1);
     z *= between(0, 1);
     if (one_of(2) && on_axis < 1)
-        z = on_axis * (1 - fabs(draw_small()));
+        z = on_axis * (1 - fabs(small(-17, -1)));
     const double at = end ? 1 - z : z;
-    put(f, fabs(rho_at(f, at) - z * slant) * (1 + draw_small() * 0.01), at, p);
+    put(f, fabs(rho_at(f, at) - z * slant) * (1 + small(-17, -1) * 0.01), at,
+        p);
 }
 
 static double any_z_of(void)
@@ -150,7 +137,7 @@ static void put_hit(const struct family_case *c, double p[3])
     const int n = cylint_intersect(&c->shape, &line,
                                    CYLINT_WANT_T | CYLINT_WANT_POINT, &a);
     for (int i = 0; i < 3; i++)
-        p[i] = n > 0 ? draw_step(a.hit[n - 1].point[i])
+        p[i] = n > 0 ? stepped(a.hit[n - 1].point[i], whole_between(-2, 2))
                      : c->line.o[i] + c->line.d[i];
 }
 
@@ -162,8 +149,8 @@ static void put_near_apex(const struct point_frame *f, double p[3])
                             : cylint_r0(s) / (cylint_r0(s) - cylint_r1(s));
     const double big = fmax(rho_at(f, 0), rho_at(f, 1));
     const int plane = one_of(3) == 0;
-    const double z = apex + (one_of(2) ? draw_small() : 0);
-    put(f, big * (plane ? between(0, 2) : draw_small()), z, p);
+    const double z = apex + (one_of(2) ? small(-17, -1) : 0);
+    put(f, big * (plane ? between(0, 2) : small(-17, -1)), z, p);
 }
 
 /* Writes a point for the case; returns its place. */
@@ -182,12 +169,12 @@ static enum place draw_point(const struct family_case *c, double p[3])
         put_hit(c, p);
         break;
     case PLACE_AXIS:
-        put(&f, one_of(2) ? 0 : big * draw_small(), z, p);
+        put(&f, one_of(2) ? 0 : big * small(-17, -1), z, p);
         break;
     case PLACE_RIM: {
         const int end = one_of(2);
-        const double at = end + draw_small();
-        put(&f, rho_at(&f, end) + big * draw_small(), at, p);
+        const double at = end + small(-17, -1);
+        put(&f, rho_at(&f, end) + big * small(-17, -1), at, p);
         break;
     }
     case PLACE_BISECTOR:

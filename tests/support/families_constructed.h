@@ -16,7 +16,7 @@
 #define CYLINT_FAMILIES_CONSTRUCTED_H
 
 typedef struct {
-    double c[3], a[3], b[3], h[3]; /* a = a' and b = b' until written */
+    double c[3], a[3], b[3], h[3]; /* of a and b: a' and b' */
     double p, q, r;                /* the triple */
     double rho0, slope;            /* rho = rho0 + slope z */
 } exact_frame;

@@ -24,12 +24,10 @@ static struct {
 void *__real_malloc(size_t);
 void *__real_calloc(size_t, size_t);
 void *__real_realloc(void *, size_t);
-int __real_posix_memalign(void **, size_t, size_t);
 void __real_free(void *);
 void *__wrap_malloc(size_t);
 void *__wrap_calloc(size_t, size_t);
 void *__wrap_realloc(void *, size_t);
-int __wrap_posix_memalign(void **, size_t, size_t);
 void __wrap_free(void *);
 
 static int heap_refuses(void)
@@ -69,15 +67,6 @@ void *__wrap_realloc(void *p, size_t size)
     }
     void *q = __real_realloc(p, size);
     return p ? q : heap_hold(q);
-}
-
-int __wrap_posix_memalign(void **p, size_t alignment, size_t size)
-{
-    if (heap_refuses())
-        return ENOMEM;
-    const int status = __real_posix_memalign(p, alignment, size);
-    ADD(heap.held, !heap.unwatched && status == 0);
-    return status;
 }
 
 void __wrap_free(void *p)

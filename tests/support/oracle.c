@@ -545,18 +545,6 @@ static int part_at(const cylint_shape *s, const critical *at)
                                                 : CYLINT_PART_CAP1;
 }
 
-static int part_is_present(int part, int ends)
-{
-    switch (part) {
-    case CYLINT_PART_CAP0:
-        return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
-    case CYLINT_PART_CAP1:
-        return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
-    default:
-        return 1;
-    }
-}
-
 static void describe(real t, unsigned want, cylint_hit *hit)
 {
     const int has_axis = sign_of(o_.whole) != 0;
@@ -593,7 +581,8 @@ static void find_hits(const cylint_shape *s, const cylint_line *line,
             is_beyond(o_.at[i].t, line->tmax, 1))
             continue;
         const int part = part_at(s, &o_.at[i]);
-        if (!part_is_present(part, s->ends))
+        if (part != CYLINT_PART_LATERAL &&
+            !has_cap(s, part == CYLINT_PART_CAP1))
             continue;
         cylint_hit *hit = &expected->hit[expected->n++];
         hit->side = side;

@@ -35,6 +35,13 @@ struct oracle_place {
 
 struct oracle_place oracle_place(void);
 
+/* Whether the shape has the cap at this end. */
+static inline int has_cap(const cylint_shape *shape, int end)
+{
+    return shape->ends == CYLINT_ENDS_CAPPED ||
+           shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
+}
+
 /* The sign of x[0] + ... + x[n-1], exactly. */
 int oracle_sum_sign(const double *x, int n);
 

@@ -23,7 +23,7 @@ static inline uint64_t random_below(uint64_t *stream, uint64_t n)
     return (random_bits(stream) >> 11) % n;
 }
 
-/* The same as an int; the streams of both functions differ. */
+/* The same as an int, of other bits: both functions return other numbers. */
 static inline int random_int(uint64_t *stream, int n)
 {
     return (int)(random_bits(stream) >> 33) % n;

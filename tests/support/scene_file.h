@@ -66,6 +66,20 @@ static inline void scene_file_repair(void *data, size_t bytes)
     }
 }
 
+/* The bytes of each section, in the order of FILE_ARRAYS (src/scene/file.c). */
+static inline uint64_t *scene_file_sizes(const struct bytes *b)
+{
+    return (uint64_t *)(void *)(b->data + 56);
+}
+
+static inline void *scene_file_section(const struct bytes *b, int section)
+{
+    char *at = b->data + 512;
+    for (int i = 0; i < section; i++)
+        at += (scene_file_sizes(b)[i] + 63) / 64 * 64;
+    return at;
+}
+
 /* -------------------------------------------------------------- queries -- */
 
 enum { SCENE_FILE_FOUND = 8 };

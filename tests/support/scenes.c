@@ -22,28 +22,9 @@ static void begin(uint64_t seed, uint64_t kind, uint64_t index)
     stream = random_bits(&stream) + index;
 }
 
-static uint64_t bits(void)
-{
-    return random_bits(&stream);
-}
-
-/* 0 to n - 1 */
-static size_t any_of(size_t n)
-{
-    return (size_t)(bits() % n);
-}
-
 static cylint_ends any_ends(void)
 {
-    return (cylint_ends)any_of(4);
-}
-
-/* At most 1 in size, never 0. */
-static void direction(double d[3])
-{
-    do
-        random_vector(d, 1);
-    while (dot3(d, d) > 1 || dot3(d, d) == 0);
+    return (cylint_ends)one_of(4);
 }
 
 /* -------------------------------------------------------------- scenes -- */
@@ -61,10 +42,9 @@ static cylint_status stick(const double at[3], double length, double radius,
 {
     double d[3], top[3];
     const cylint_ends ends = any_ends();
-    direction(d);
-    unit3(d, d);
+    random_direction(d);
     along3(top, at, length, d);
-    if (bits() % 4 == 0)
+    if (one_of(4) == 0)
         return cylint_cone(shape, at, radius, top, radius * between(0, 1),
                            ends);
     return cylint_cylinder(shape, at, top, radius, ends);
@@ -75,19 +55,19 @@ static cylint_status any_shape(const double at[3], double size,
                                cylint_ends ends, cylint_shape *shape)
 {
     double d[3], a[3], b[3], top[3];
-    direction(d);
-    direction(a);
-    direction(b);
+    random_direction(d);
+    random_direction(a);
+    random_direction(b);
     scale3(d, size);
     scale3(a, size / 3);
     scale3(b, size / 5);
     along3(top, at, 1, d);
-    switch (bits() % 6) {
+    switch (one_of(6)) {
     case 0:
         return cylint_cylinder(shape, at, top, size * 0.2, ends);
     case 1:
         return cylint_cone(shape, at, size * 0.3, top,
-                           bits() % 2 ? 0 : size * 0.1, ends);
+                           one_of(2) ? 0 : size * 0.1, ends);
     case 2:
         return cylint_cone(shape, at, 0, top, size * 0.2, ends);
     case 3:
@@ -106,12 +86,12 @@ static cylint_status lattice_shape(size_t n, cylint_shape *shape)
     const size_t side = (size_t)cbrt((double)n) + 1;
     double at[3], top[3];
     for (int j = 0; j < 3; j++)
-        top[j] = at[j] = (double)any_of(side);
-    top[any_of(3)] += 1;
-    const int is_cone = bits() % 3 == 0;
+        top[j] = at[j] = (double)below(side);
+    top[below(3)] += 1;
+    const int is_cone = one_of(3) == 0;
     const cylint_ends ends = any_ends();
     if (is_cone)
-        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4), ends);
+        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)below(4), ends);
     return cylint_cylinder(shape, at, top, 0.5, ends);
 }
 
@@ -121,11 +101,10 @@ static cylint_status round_shape(const double at[3], double length,
                                  double radius, cylint_shape *shape)
 {
     double d[3], top[3];
-    const cylint_ends ends = bits() % 2 ? CYLINT_ENDS_CAPPED : any_ends();
-    direction(d);
-    unit3(d, d);
+    const cylint_ends ends = one_of(2) ? CYLINT_ENDS_CAPPED : any_ends();
+    random_direction(d);
     along3(top, at, length, d);
-    switch (bits() % 6) {
+    switch (one_of(6)) {
     case 0:
         return cylint_sphere(shape, at, radius, CYLINT_ENDS_CAPPED);
     case 1:
@@ -147,11 +126,11 @@ static cylint_status round_lattice_shape(size_t n, cylint_shape *shape)
     const size_t side = (size_t)cbrt((double)n) + 1;
     double at[3], top[3];
     for (int j = 0; j < 3; j++)
-        top[j] = at[j] = (double)any_of(side);
-    if (bits() % 4)
-        top[any_of(3)] += 1;
+        top[j] = at[j] = (double)below(side);
+    if (one_of(4))
+        top[below(3)] += 1;
     const cylint_ends ends = any_ends();
-    return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)any_of(4),
+    return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)below(4),
                              ends);
 }
 
@@ -166,11 +145,10 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
     case SCENE_MIXED:
         return any_shape(at, 1, any_ends(), shape);
     case SCENE_UNBOUNDED: /* and some that are refused */
-        if (bits() % 64 == 0)
+        if (one_of(64) == 0)
             at[1] = NAN;
-        return any_shape(at, 1,
-                         (cylint_ends)(bits() % 16 ? any_of(4) : 4 + any_of(2)),
-                         shape);
+        return any_shape(
+            at, 1, (cylint_ends)(one_of(16) ? below(4) : 4 + below(2)), shape);
     case SCENE_DISTANT:
         for (int j = 0; j < 3; j++)
             at[j] += 1e6 * side * (j - 0.7);
@@ -191,11 +169,11 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
     case SCENE_HUGE: { /* some beyond what a frame holds */
         const cylint_ends ends = any_ends();
         scale3(at, 1e110);
-        return any_shape(at, bits() % 32 ? 2e110 : 1e150, ends, shape);
+        return any_shape(at, one_of(32) ? 2e110 : 1e150, ends, shape);
     }
     case SCENE_ROUND:
-        return bits() % 4 ? round_shape(at, 1.5, 0.3, shape)
-                          : round_lattice_shape(n, shape);
+        return one_of(4) ? round_shape(at, 1.5, 0.3, shape)
+                         : round_lattice_shape(n, shape);
     case SCENE_STRANDS:
         return round_shape(at, 10, 0.02, shape);
     default:
@@ -245,35 +223,6 @@ struct scene_shapes scene_generate(int kind, size_t n, uint64_t seed)
     return scene;
 }
 
-int scene_from(const char *name, const char *command,
-               struct scene_shapes *scene)
-{
-    char text[4096];
-    size_t full = 1024;
-    FILE *lines = popen(command, "r");
-    scene->name = name;
-    scene->n = 0;
-    scene->shapes = allocate(full);
-    while (lines && fgets(text, sizeof text, lines)) {
-        if (scene->n == full) {
-            cylint_shape *more = allocate(2 * full);
-            memcpy(more, scene->shapes, full * sizeof *more);
-            free(scene->shapes);
-            scene->shapes = more;
-            full *= 2;
-        }
-        struct family_case c;
-        if (family_parse(text, &c))
-            scene->shapes[scene->n++] = c.shape;
-    }
-    if (lines)
-        pclose(lines);
-    measure(scene);
-    if (scene->n == 0)
-        scene_release(scene);
-    return scene->n > 0;
-}
-
 void scene_release(struct scene_shapes *scene)
 {
     free(scene->shapes);
@@ -281,10 +230,6 @@ void scene_release(struct scene_shapes *scene)
 }
 
 /* --------------------------------------------------------------- lines -- */
-
-const char *const scene_lines_name[LINES_KINDS] = {
-    "camera", "random",  "grazing", "axis",     "far", "shadow",
-    "beyond", "segment", "span",    "parallel", "wild"};
 
 static void point_in(const struct scene_shapes *s, double to[3])
 {
@@ -294,7 +239,7 @@ static void point_in(const struct scene_shapes *s, double to[3])
 
 static const cylint_shape *some_shape(const struct scene_shapes *s)
 {
-    return &s->shapes[any_of(s->n)];
+    return &s->shapes[below(s->n)];
 }
 
 /* A point of the shape or near it. */
@@ -360,10 +305,10 @@ static cylint_status grazing_line(const struct scene_shapes *s,
     double other[3], d[3], o[3], at[3];
     if (!some_hit(s, line, &hit))
         return random_line(s, line);
-    direction(other);
+    random_direction(other);
     cross3(d, hit.normal, other);
     const double size = longest_side(s);
-    double off = bits() % 3 == 0 ? 0 : bits() % 2 ? size : -size;
+    double off = one_of(3) == 0 ? 0 : one_of(2) ? size : -size;
     off *= power(-18, -8);
     along3(at, hit.point, off, hit.normal);
     along3(o, at, -between(0, 1) * size, d);
@@ -374,24 +319,24 @@ static cylint_status axis_line(const struct scene_shapes *s, cylint_line *line)
 {
     const cylint_shape *shape = some_shape(s);
     double d[3], o[3], off[3];
-    direction(off);
+    random_direction(off);
     copy3(d, cylint_axis(shape));
-    if (bits() % 2 == 0)
+    if (one_of(2) == 0)
         along3(d, d, power(-14, -3) * sqrt(dot3(d, d)), off);
-    direction(off);
+    random_direction(off);
     along3(o, cylint_base(shape), 0.5 * cylint_r0(shape), off);
     along3(o, o, -between(0, 5), d);
     for (int j = 0; j < 3; j++)
-        d[j] *= bits() % 4096 ? 1 : -1;
+        d[j] *= one_of(4096) ? 1 : -1;
     return cylint_ray(line, o, d);
 }
 
 static cylint_status far_line(const struct scene_shapes *s, cylint_line *line)
 {
     double to[3], d[3], o[3];
-    const double size = longest_side(s), away = power(3, bits() % 4 ? 6.5 : 16);
+    const double size = longest_side(s), away = power(3, one_of(4) ? 6.5 : 16);
     point_near(some_shape(s), to);
-    direction(d);
+    random_direction(d);
     scale3(d, size);
     along3(o, to, -away, d);
     return cylint_ray(line, o, d);
@@ -406,8 +351,8 @@ static cylint_status shadow_line(const struct scene_shapes *s,
     const double size = longest_side(s),
                  light[3] = {s->hi[0] + size, s->hi[1] + 2 * size,
                              s->hi[2] + 3 * size};
-    return bits() % 2 ? cylint_segment(line, hit.point, light)
-                      : ray_to(hit.point, light, 1 / size, line);
+    return one_of(2) ? cylint_segment(line, hit.point, light)
+                     : ray_to(hit.point, light, 1 / size, line);
 }
 
 static cylint_status beyond_line(const struct scene_shapes *s,
@@ -427,8 +372,8 @@ static cylint_status segment_line(const struct scene_shapes *s,
     double from[3], to[3];
     point_in(s, from);
     point_in(s, to);
-    if (bits() % 2 == 0) { /* a short one, or one that begins far away */
-        const double k = power(-4, bits() % 2 ? 0 : 13);
+    if (one_of(2) == 0) { /* a short one, or one that begins far away */
+        const double k = power(-4, one_of(2) ? 0 : 13);
         minus3(from, from, to);
         along3(from, to, k, from);
     }
@@ -442,7 +387,7 @@ static cylint_status span_line(const struct scene_shapes *s, cylint_line *line)
     point_in(s, to);
     minus3(d, to, from);
     const double tmin = between(-2, 2), length = between(0, 2);
-    switch (bits() % 4) {
+    switch (one_of(4)) {
     case 0:
         return cylint_whole_line(line, from, d);
     case 1:
@@ -457,16 +402,16 @@ static cylint_status parallel_line(const struct scene_shapes *s,
 {
     double o[3], d[3] = {0, 0, 0};
     point_in(s, o);
-    if (bits() % 2 == 0)
+    if (one_of(2) == 0)
         for (int j = 0; j < 3; j++)
-            o[j] = bits() % 4   ? floor(o[j]) + 0.5 * (double)any_of(3)
-                   : bits() % 2 ? s->lo[j]
-                                : s->hi[j];
+            o[j] = one_of(4)   ? floor(o[j]) + 0.5 * (double)below(3)
+                   : one_of(2) ? s->lo[j]
+                               : s->hi[j];
     for (int j = 0; j < 3; j++)
-        d[j] = bits() % 2 ? 0.0 : -0.0;
-    set_any(d, bits() % 2 ? 1 : -3);
-    if (bits() % 4 == 0)
-        set_any(d, bits() % 2 ? 2 : -5);
+        d[j] = one_of(2) ? 0.0 : -0.0;
+    set_any(d, one_of(2) ? 1 : -3);
+    if (one_of(4) == 0)
+        set_any(d, one_of(2) ? 2 : -5);
     return cylint_whole_line(line, o, d);
 }
 
@@ -478,7 +423,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
     minus3(d, to, o);
     const double size = longest_side(s);
     double u[3] = {d[0] / size, d[1] / size, d[2] / size};
-    switch (bits() % 8) {
+    switch (one_of(8)) {
     case 0: /* no directions but subnormal ones */
         scale3(u, 0x1p-1060);
         return cylint_ray(line, o, u);
@@ -486,7 +431,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
         scale3(u, 0x1p1000);
         return cylint_ray(line, o, u);
     case 2: /* one component next to nothing */
-        set_any(d, bits() % 2 ? 0x1p-1070 : -0x1p-300);
+        set_any(d, one_of(2) ? 0x1p-1070 : -0x1p-300);
         return cylint_ray(line, o, d);
     case 3:
         along3(o, to, -0x1p1010, u);
@@ -496,7 +441,7 @@ static cylint_status wild_line(const struct scene_shapes *s, cylint_line *line)
         set3(o, -u[0], -u[1], -u[2]);
         return cylint_segment(line, o, u);
     case 5: /* refused */
-        set_any(d, bits() % 2 ? NAN : HUGE_VAL);
+        set_any(d, one_of(2) ? NAN : HUGE_VAL);
         return cylint_ray(line, o, d);
     case 6: /* where the line begins, t is in the millions */
         return cylint_span(line, o, d, 0x1p-1074,

@@ -56,11 +56,6 @@ static inline int scene_is_slow(int kind)
 /* Generates a scene of a kind.  The caller frees it with scene_release(). */
 struct scene_shapes scene_generate(int kind, size_t n, uint64_t seed);
 
-/* Reads a scene file from the output of a shell command.  Returns 0 if there is
- * none. */
-int scene_from(const char *name, const char *command,
-               struct scene_shapes *scene);
-
 void scene_release(struct scene_shapes *scene);
 
 /* Shapes, or a scene, that are freed at the end of their block. */
@@ -86,8 +81,6 @@ enum scene_lines {
     LINES_WILD,     /* subnormal or huge data, and lines that are refused */
     LINES_KINDS
 };
-
-extern const char *const scene_lines_name[LINES_KINDS];
 
 /* Writes line `index` of a kind.  Returns its status. */
 cylint_status scene_line(const struct scene_shapes *scene,
