@@ -4,7 +4,7 @@
 #ifndef CYLINT_CRITICAL_H
 #define CYLINT_CRITICAL_H
 
-#include "triple_vector.h"
+#include "triple.h"
 
 /*
  * A point of the ellipse is cos a + sin b.  Its distance from something is

@@ -25,7 +25,7 @@ typedef struct {
     vm point_certain, normal_certain;
 } described_point;
 
-/* What a point is nearest to: is_top: at the top, which end. */
+/* What a point is nearest to.  is_top: it belongs to the top. */
 typedef struct {
     vm is_lateral, is_plane, is_ball, is_apex, is_top;
 } vfeature;
@@ -55,7 +55,7 @@ INLINE vfeature feature_of(const vnearest *n, const shape_lanes *s, int kind)
 }
 
 /* Where x certainly rounds to *to.  A certain zero has no error. */
-INLINE vm rounds(bounded x, vd *to)
+INLINE vm rounds(bounded_pairs x, vd *to)
 {
     const vpair s = pairs_trimmed(x.v);
     const vd e = v_sum_of(v_set(CYLINT_NEAREST_MARGIN), v_abs(s.hi), x.e);
@@ -63,18 +63,13 @@ INLINE vm rounds(bounded x, vd *to)
     return v_eq(s.hi + (s.lo + e), s.hi + (s.lo - e));
 }
 
-INLINE bounded pick_bounded(vm m, bounded a, bounded b)
-{
-    return (bounded){pick(m, a.v, b.v), v_select(m, a.e, b.e)};
-}
-
 /* Component i of the direction from the axis. */
-INLINE bounded across_axis(const half_plane *m, int i)
+INLINE bounded_pairs across_axis(const half_plane *m, int i)
 {
     const vd relative =
         v_sum_of(m->rho_error, m->inverse.hi, v_set(CYLINT_PAIR_QUOTIENT));
     const vpair u = vpair_product(m->across[i], m->inverse);
-    return (bounded){
+    return (bounded_pairs){
         u, v_sum_of(m->across_error[i], m->inverse.hi, v_abs(u.hi) * relative)};
 }
 
@@ -96,19 +91,20 @@ INLINE multiples normal_of(const vfeature *f, const shape_lanes *s, int kind)
                        pick(axial, side, S)};
 }
 
-INLINE bounded sum_of_multiples(const multiples *k, bounded u, vpair w)
+INLINE bounded_pairs sum_of_multiples(const multiples *k, bounded_pairs u,
+                                      vpair w)
 {
     const vpair across = vpair_product(k->a, u.v),
                 along = vpair_product(k->b, w);
     const vd sizes = v_abs(across.hi) + v_abs(along.hi);
-    return (bounded){
+    return (bounded_pairs){
         vpair_add(across, along),
         v_sum_of(v_abs(k->a.hi), u.e, v_set(CYLINT_POINT_ROUNDING) * sizes)};
 }
 
 /* from + factor e.  Where terms of both cancelled, their low parts can be as large
  * as the high ones: they are trimmed. */
-INLINE bounded step_along(vd from, bounded factor, bounded e)
+INLINE bounded_pairs step_along(vd from, bounded_pairs factor, bounded_pairs e)
 {
     const vpair step =
         vpair_product(pairs_trimmed(factor.v), pairs_trimmed(e.v));
@@ -116,7 +112,7 @@ INLINE bounded step_along(vd from, bounded factor, bounded e)
     to.lo = to.lo + step.lo;
     const vd error =
         v_sum_of(factor.e, v_abs(e.v.hi) + e.e, v_abs(factor.v.hi) * e.e);
-    return (bounded){
+    return (bounded_pairs){
         to, v_sum_of(v_set(CYLINT_PAIR_QUOTIENT), v_abs(step.hi),
                      v_sum_of(v_set(CYLINT_PAIR_PLACE), v_abs(from), error))};
 }
@@ -134,7 +130,7 @@ INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top,
     vpair squares[3];
     EACH(i, 3) {
         c.D[i] = v_two_sum(x[i], -v_select(is_top, s->top[i], s->base[i]));
-        squares[i] = pairs_square(c.D[i]);
+        squares[i] = vpair_square(c.D[i]);
     }
     vpair square = pairs_sum3(squares);
     if (LANES == 1 && ball && m_any(v_eq(square.hi, v_set(0))))
@@ -192,8 +188,8 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     const vfeature f = feature_of(n, s, kind);
     const vpair r = pick(f.is_top, s->r[1], s->r[0]);
     const vm from_x = m_or(f.is_lateral, f.is_plane);
-    const bounded factor = {pick(from_x, opposite(n->d.value), r),
-                            v_select(from_x, n->d.error, zero)};
+    const bounded_pairs factor = {pick(from_x, opposite(n->d.value), r),
+                                  v_select(from_x, n->d.error, zero)};
     const multiples k = normal_of(&f, s, kind);
     const int any_given = m_any(m_or(s->along, f.is_apex));
     from_center c;
@@ -203,20 +199,20 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     to->point_certain = to->normal_certain = m_and(n->certain, regular);
     EACH(i, 3) {
         const vd center = v_select(f.is_top, s->top[i], s->base[i]);
-        bounded u = {{zero, zero}, zero}, normal = u;
+        bounded_pairs u = {{zero, zero}, zero}, normal = u;
         if (!ball) {
             u = across_axis(m, i);
             normal = sum_of_multiples(&k, u, s->axis[i]);
         }
         if (round) {
             const vpair q = vpair_product(c.D[i], c.inverse);
-            const bounded radial = {q,
-                                    v_set(CYLINT_PAIR_QUOTIENT) * v_abs(q.hi)};
-            normal = ball ? radial : pick_bounded(f.is_ball, radial, normal);
+            const bounded_pairs radial = {q, v_set(CYLINT_PAIR_QUOTIENT) *
+                                                 v_abs(q.hi)};
+            normal = ball ? radial : choose_pairs(f.is_ball, radial, normal);
         }
         /* x - d n, or the centre and r times a direction */
-        const bounded direction =
-            tapered && !round ? pick_bounded(from_x, normal, u) : normal;
+        const bounded_pairs direction =
+            tapered && !round ? choose_pairs(from_x, normal, u) : normal;
         const vm certain = rounds(
             step_along(v_select(from_x, x[i], center), factor, direction),
             &to->point[i]);

@@ -3,9 +3,9 @@
  * the distance from it, over a type of numbers and any number of lanes
  *
  * The including file defines NUMBER(name), the names of the functions below
- * and of the operations that they use: load, rho, length, ball, turned, datum,
+ * and of the operations that they use: rho, length, ball, turned, datum,
  * unit, minus and trimmed of head_tail.h or pair_lanes.h.  ON_SURFACE: whether
- * features of points on the surface are wanted.
+ * features of points on the surface are wanted.  Both macros end with this file.
  *
  * Every lane computes all features, and masks choose.  The distance is a
  * continuous function of z and rho that changes by no more than they do, so
@@ -270,3 +270,6 @@ INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
         n->d = NUMBER(rounded)(
             n->d.value, v_select(n->certain, n->d.error, v_set(HUGE_VAL)));
 }
+
+#undef NUMBER
+#undef ON_SURFACE

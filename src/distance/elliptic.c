@@ -23,7 +23,7 @@
  * lateral surface the distance is computed as R.N / |N|, N = u' x v: its relative
  * error is small beside the surface, too.
  */
-#include "elliptic.h"
+#include "one_distance.h"
 
 #include "../shapes/shape_facts.h"
 #include "../signs/sign.h"
@@ -99,13 +99,6 @@ static int sign_beyond(double x, double error)
     return fabs(x) <= error ? 0 : x < 0 ? -1 : 1;
 }
 
-/* Of a rim and of a cylinder: half the square of the distance, but for a
- * constant. */
-static triple minus_integral(const search *s, const candidate *x)
-{
-    return triple_neg(cylint_integral_at(&s->form[x->feature], &x->at));
-}
-
 /* -1: x is nearer than the best so far, 1: it is farther, 0: the difference of
  * their distances is not certain. */
 static int compare(const search *s, const candidate *x)
@@ -115,10 +108,12 @@ static int compare(const search *s, const candidate *x)
     double error = 0;
     if (x->feature == best->feature && (x->feature != CYLINT_FEATURE_LATERAL ||
                                         !cylint_is_tapered(s->p.shape->kind))) {
-        const triple more =
-            triple_sub(minus_integral(s, x), minus_integral(s, best));
-        const int order = sign_beyond(triple_value(more),
-                                      ORDER_ERROR * s->form[x->feature].terms);
+        /* half of the difference of the squares */
+        const stationary *form = &s->form[x->feature];
+        const triple more = triple_sub(cylint_integral_at(form, &best->at),
+                                       cylint_integral_at(form, &x->at));
+        const int order =
+            sign_beyond(triple_value(more), ORDER_ERROR * form->terms);
         if (order != 0)
             return order;
     }

@@ -79,7 +79,7 @@ static inline void locate(elliptic_place *p, const cylint_shape *s,
         p->Y[i] = cylint_column(s, i)[1];
         p->Z[i] = cylint_column(s, i)[2] * unit;
     }
-    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    p->slope = cylint_r1(s) - 1;
     p->x = cylint_dot(p->D, p->X);
     p->y = cylint_dot(p->D, p->Y);
     p->z = cylint_dot(p->D, p->Z);

@@ -10,14 +10,14 @@
  * answer that is certain is the same in both.
  */
 #define CYLINT_ONE_LANE
-#include "elliptic.h"
+#include "one_distance.h"
 #include "elliptic_pairs.h"
 
 #ifndef CYLINT_ELLIPTIC_KERNELS
 #define CYLINT_ELLIPTIC_KERNELS cylint_elliptic_kernels_plain
 #endif
 
-static int rounds_to(const bounded from[3], double to[3])
+static int rounds_to(const bounded_pairs from[3], double to[3])
 {
     int certain = 1;
     EACH(i, 3)

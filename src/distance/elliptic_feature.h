@@ -20,7 +20,8 @@ typedef struct {
     const cylint_shape *shape;
     elliptic_place at;
     int feature, is_turned;
-    int side;    /* 1: inside, -1: outside, 0: beside the surface, uncertain */
+    int side; /* 1: within the lateral surface, -1: outside it, 0: uncertain: beside
+                  * it or, within it, beside the plane of an end */
     double room; /* rho less the distance from the axis, at least */
     int rough;   /* a rough angle is enough */
     angle e;

@@ -19,8 +19,78 @@
 #include "describe_nearest.h"
 #include "elliptic_feature.h"
 #include "one_distance.h"
-#include "sized_pair.h"
-#include "triple_vector.h"
+#include "triple.h"
+
+/* --------------------- pairs with the sum of the sizes of their terms ---- */
+
+/* The error of a sum of products of numbers without an error is at most
+ * CYLINT_SIZED_ERROR times the sum of the sizes of its terms: where all terms are
+ * 0, so is the error. */
+typedef struct {
+    vpair v;
+    vd size;
+} sized;
+
+INLINE sized sized_product(sized x, sized y)
+{
+    return (sized){vpair_product(x.v, y.v), x.size * y.size};
+}
+
+INLINE sized sized_sum(sized x, sized y)
+{
+    return (sized){vpair_add(x.v, y.v), x.size + y.size};
+}
+
+INLINE sized sized_difference(sized x, sized y)
+{
+    return (sized){vpair_sub(x.v, y.v), x.size + y.size};
+}
+
+/* Where terms have cancelled, the low part can be as large as the high one. */
+INLINE sized sized_trimmed(sized x)
+{
+    return (sized){pairs_trimmed(x.v), x.size};
+}
+
+INLINE sized sized_of(vpair v)
+{
+    return (sized){v, v_abs(v.hi)};
+}
+
+INLINE sized sized_double(double x)
+{
+    return sized_of((vpair){v_set(x), v_set(0)});
+}
+
+INLINE sized sized_opposite(sized x)
+{
+    return (sized){opposite(x.v), x.size};
+}
+
+INLINE sized sized_dot(const sized x[3], const sized y[3])
+{
+    sized p[3];
+    EACH(i, 3)
+        p[i] = sized_product(x[i], y[i]);
+    const vpair v[3] = {p[0].v, p[1].v, p[2].v};
+    return (sized){pairs_sum3(v), p[0].size + p[1].size + p[2].size};
+}
+
+INLINE void sized_cross(sized to[3], const double u[3], const double v[3])
+{
+    EACH(i, 3) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const vpair p = v_two_prod(v_set(u[j]), v_set(v[k])),
+                    q = v_two_prod(v_set(u[k]), v_set(v[j]));
+        to[i] = (sized){vpair_sub(p, q), v_abs(p.hi) + v_abs(q.hi)};
+    }
+}
+
+/* x p + y q */
+INLINE sized sized_sum2(sized x, sized p, sized y, sized q)
+{
+    return sized_sum(sized_product(x, p), sized_product(y, q));
+}
 
 /* A question in pairs; a double cone whose other nappe is nearer is turned about
  * its apex. */
@@ -49,13 +119,10 @@ ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
     m->x = sized_trimmed(sized_dot(m->D, m->U));
     m->y = sized_trimmed(sized_dot(m->D, m->V));
     m->z = sized_trimmed(sized_dot(m->D, m->W));
-    m->rho = m->volume;
-    if (cylint_is_tapered(s->kind)) {
-        const sized k1 = sized_of(v_two_sum(cylint_r1(s), -1));
-        EACH(i, 3)
-            m->bent[i] = sized_product(k1, m->W[i]);
-        m->rho = sized_trimmed(sized_sum(m->rho, sized_product(k1, m->z)));
-    }
+    const sized k1 = sized_of(v_two_sum(cylint_r1(s), -1));
+    EACH(i, 3)
+        m->bent[i] = sized_product(k1, m->W[i]);
+    m->rho = sized_trimmed(sized_sum(m->volume, sized_product(k1, m->z)));
 }
 
 static inline void turn_numbers_about_apex(elliptic_numbers *m)
@@ -98,12 +165,12 @@ typedef struct {
 
 /* What is written, but for the sign of the distance. */
 typedef struct {
-    bounded distance, point[3], normal[3];
+    bounded_pairs distance, point[3], normal[3];
 } elliptic_answer;
 
 static inline direction_pair direction_of(vpair c, vpair s)
 {
-    const vpair square = vpair_add(pairs_square(c), pairs_square(s));
+    const vpair square = vpair_add(vpair_square(c), vpair_square(s));
     const double excess = 0.5 * ((square.hi - 1) + square.lo);
     const vpair f = v_two_sum(1, -excess + 1.5 * excess * excess);
     return (direction_pair){sized_of(pairs_trimmed(vpair_product(c, f))),
@@ -122,20 +189,19 @@ static inline int turn_direction(direction_pair *e, double by)
     return 1;
 }
 
-/* The tangent plane at an angle; tapered: W counts. */
+/* The tangent plane at an angle. */
 ASIDE void load_plane(plane_in_pairs *t, const elliptic_numbers *m,
-                      const direction_pair *e, int tapered)
+                      const direction_pair *e)
 {
-    EACH(i, 3) {
-        const sized N = sized_sum2(e->cos, m->U[i], e->sin, m->V[i]);
-        t->N[i] = tapered ? sized_difference(N, m->bent[i]) : N;
-    }
+    EACH(i, 3)
+        t->N[i] = sized_difference(sized_sum2(e->cos, m->U[i], e->sin, m->V[i]),
+                                   m->bent[i]);
     t->n = sized_difference(sized_sum2(e->cos, m->x, e->sin, m->y), m->rho);
     t->q = sized_dot(t->N, t->N);
     pairs_root(t->q.v, &t->inverse);
 }
 
-/* n' - n N.V / N.N, at most. */
+/* n' N.N - n N.V, which is 0 at the nearest point.  Writes n' and N', too. */
 ASIDE sized load_slope(plane_in_pairs *t, const elliptic_numbers *m,
                        const direction_pair *e)
 {
@@ -156,7 +222,7 @@ static inline double at_most(sized x)
 /* The angle in pairs, and what is uncertain then. */
 static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
                                  uncertainty *by, const elliptic_numbers *m,
-                                 const elliptic_question *q, int tapered)
+                                 const elliptic_question *q)
 {
     const double slope = slope_of_height(&q->plane, &q->at);
     const double cube = m->unit * m->unit * m->unit;
@@ -165,14 +231,14 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     *by = uncertain_angle;
     if (!turn_direction(e, -sign * rounded(before.v) * cube / slope))
         return;
-    load_plane(t, m, e, tapered);
+    load_plane(t, m, e);
     const sized after = load_slope(t, m, e);
     *by = uncertainty_of_plane(q, at_most(after) * cube / q->plane.q);
 }
 
-static inline bounded bounded_by(sized x, double error)
+static inline bounded_pairs bounded_by(sized x, double error)
 {
-    return (bounded){x.v, CYLINT_SIZED_ERROR * x.size + error};
+    return (bounded_pairs){x.v, CYLINT_SIZED_ERROR * x.size + error};
 }
 
 /* The relative error of |N|. */
@@ -182,20 +248,20 @@ static inline double root_error(const sized *q, double turn_of_size)
 }
 
 /* n / |N| times `sign`; relative: the relative error of |N|; error: another. */
-ASIDE bounded quotient_by_size(sized n, vpair inverse, double relative,
-                               double error, double sign)
+ASIDE bounded_pairs quotient_by_size(sized n, vpair inverse, double relative,
+                                     double error, double sign)
 {
     const vpair d = vpair_product(n.v, inverse);
-    return (bounded){{sign * d.hi, sign * d.lo},
-                     CYLINT_SIZED_ERROR * n.size * inverse.hi +
-                         fabs(d.hi) * relative + error};
+    return (bounded_pairs){{sign * d.hi, sign * d.lo},
+                           CYLINT_SIZED_ERROR * n.size * inverse.hi +
+                               fabs(d.hi) * relative + error};
 }
 
 /* The unit normal, outward.  turn: the error of the angle, by which N changes as
  * `slope`. */
-static inline void write_unit(bounded to[3], const sized N[3], vpair inverse,
-                              double relative, const sized *slope, double turn,
-                              double sign)
+static inline void write_unit(bounded_pairs to[3], const sized N[3],
+                              vpair inverse, double relative,
+                              const sized *slope, double turn, double sign)
 {
     EACH(i, 3)
         to[i] = quotient_by_size(N[i], inverse, relative,
@@ -204,10 +270,10 @@ static inline void write_unit(bounded to[3], const sized N[3], vpair inverse,
 }
 
 /* x - d n */
-static inline void write_foot(bounded to[3], const double point[3], bounded d,
-                              const bounded n[3])
+static inline void write_foot(bounded_pairs to[3], const double point[3],
+                              bounded_pairs d, const bounded_pairs n[3])
 {
-    const bounded back = {opposite(d.v), d.e};
+    const bounded_pairs back = {opposite(d.v), d.e};
     EACH(i, 3)
         to[i] = step_along(point[i], back, n[i]);
 }
@@ -285,14 +351,13 @@ static inline void answer_on_lateral(elliptic_answer *to,
                                      const double point[3], int effort,
                                      unsigned want)
 {
-    const int tapered = cylint_is_tapered(q->shape->kind);
     plane_in_pairs t;
     double by_length = 0, sign = copysign(1, m->volume.v.hi);
     uncertainty by = q->by;
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
-    load_plane(&t, m, &e, tapered);
+    load_plane(&t, m, &e);
     if (effort)
-        correct_plane(&t, &e, &by, m, q, tapered);
+        correct_plane(&t, &e, &by, m, q);
     const double ratio = q->at.norm / sqrt(q->plane.q);
     if (effort > 1)
         by_length = ratio * refine_height(&t, q, point, &e);
@@ -314,7 +379,7 @@ static inline void keep_coordinate(elliptic_answer *to,
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         if (m->W[j].size == 0 && m->W[k].size == 0)
-            to->point[i] = (bounded){
+            to->point[i] = (bounded_pairs){
                 v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0), 0};
     }
 }
@@ -345,13 +410,13 @@ static inline void answer_on_cap(elliptic_answer *to,
     keep_coordinate(to, q, m, end);
 }
 
-static inline bounded length_of_pairs(const sized R[3], double error)
+static inline bounded_pairs length_of_pairs(const sized R[3], double error)
 {
     vpair inverse;
     const sized square = sized_dot(R, R);
     const vpair d = pairs_root(square.v, &inverse);
-    return (bounded){d, CYLINT_SIZED_ERROR * (square.size * inverse.hi + d.hi) +
-                            error};
+    return (bounded_pairs){
+        d, CYLINT_SIZED_ERROR * (square.size * inverse.hi + d.hi) + error};
 }
 
 /* The apex is at base - h / (k - 1), the top if k is 0. */
@@ -380,7 +445,7 @@ static inline void answer_on_apex(elliptic_answer *to,
                cylint_apex_normal_sign(s, 0));
 }
 
-/* A rim at an angle. */
+/* A rim at an angle: u and v are multiplied by its factor. */
 typedef struct {
     sized u[3], v[3], R[3];
 } rim_in_pairs;
@@ -389,16 +454,14 @@ ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
                              const sized F[3], double f,
                              const direction_pair *e)
 {
-    const sized minus = sized_opposite(e->sin), factor = sized_double(f);
+    const sized factor = sized_double(f), cos = sized_product(factor, e->cos),
+                sin = sized_product(factor, e->sin),
+                minus = sized_opposite(sin);
     EACH(i, 3) {
         const sized a = sized_double(cylint_a(s)[i]),
                     b = sized_double(cylint_b(s)[i]);
-        r->u[i] = sized_sum2(e->cos, a, e->sin, b);
-        r->v[i] = sized_sum2(e->cos, b, minus, a);
-        if (f != 1) {
-            r->u[i] = sized_product(factor, r->u[i]);
-            r->v[i] = sized_product(factor, r->v[i]);
-        }
+        r->u[i] = sized_sum2(cos, a, sin, b);
+        r->v[i] = sized_sum2(cos, b, minus, a);
         r->R[i] = sized_difference(F[i], r->u[i]);
     }
 }
@@ -434,7 +497,7 @@ static inline void answer_on_rim(elliptic_answer *to,
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
     plane_in_pairs t;
-    load_plane(&t, m, &e, cylint_is_tapered(s->kind));
+    load_plane(&t, m, &e);
     load_slope(&t, m, &e);
     double ratio = 0;
     EACH(i, 3) {

@@ -66,8 +66,7 @@ static difference difference_of(double x, double y)
 
 static triple in_unit(const difference *d, int unit)
 {
-    const triple x = {d->x.hi, d->x.lo, 0};
-    return triple_scaled(x, d->e - unit);
+    return triple_scaled(triple_of_pair(d->x), d->e - unit);
 }
 
 static void choose_unit(elliptic_terms *p, int most)

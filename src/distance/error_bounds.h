@@ -57,7 +57,7 @@
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 
 /*
- * Distances in triples (distance/near_surface.h, distance/near_axis.h,
+ * Distances in triples (distance/near_surface.h,
  * distance/elliptic_pairs.h): CYLINT_CLOSE_ERROR times the sizes of terms that are
  * counted there, with these factors (tests/bounds/test_local_residuals.c).
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
@@ -104,12 +104,13 @@ enum {
  * to three times the above; their sum is still below CYLINT_HEAD_TAIL_ERROR
  * (tests/bounds/prove/ratios.txt).
  *
- * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of
- * the sums and products that follow; CYLINT_HEAD_TAIL_ERROR is 2^2 times that.
- * The root in doubles begins with an error of 17 u size^2 of its square: the
- * second term of the series is below 2^-97 size thin^3, so thin <=
- * CYLINT_HEAD_TAIL_THINNEST. Where thin is larger, rho is below
- * CYLINT_AXIS_MARGIN S, and is taken as 0.
+ * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of the
+ * sums and products that follow; CYLINT_HEAD_TAIL_ERROR is 2^2 times that.  The
+ * root in doubles begins with an error of 17 u size^2 of its square: the second
+ * term of the series is below 2^-97 size thin^3, so thin <=
+ * CYLINT_HEAD_TAIL_THINNEST. Where thin is larger, rho is below 2^-13 S and its
+ * error counts as infinite.  Of a round cone only a ball whose foot is more than
+ * CYLINT_AXIS_MARGIN S from its circle is then certain.
  */
 #define CYLINT_SNAP 0x1p27
 #define CYLINT_UNIT_SNAP 0x1.8p26
@@ -140,7 +141,8 @@ enum {
  * is as near to the rim.  The distance is then wrong by half the square of that
  * over the distance.
  *
- * The same of a sphere, relative to the distance plus the radius.  Proved.
+ * CYLINT_SPHERE_SAFETY_ERROR: the same of a sphere, relative to the distance plus
+ * the radius.  Proved.
  *
  * The squares of the differences of coordinates up to CYLINT_SAFETY_MOST do not
  * overflow.
@@ -152,7 +154,7 @@ enum {
 /*
  * Elliptic kinds.
  *
- *   CYLINT_SIZED_ERROR      of a sum of products in pairs (distance/sized_pair.h),
+ *   CYLINT_SIZED_ERROR      of a sum of products in pairs (distance/elliptic_pairs.h),
  *                           relative to the sizes of its terms: a term passes fewer
  *                           than 16 operations, with CYLINT_PAIR_PRODUCT each
  *   CYLINT_NEEDS_TRIPLES    n / rho of the lateral surface for which pairs do not

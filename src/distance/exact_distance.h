@@ -7,7 +7,47 @@
 
 #include "../signs/sign.h"
 #include "nearest.h"
-#include "surd_sum.h"
+
+/* ---------------------------------------------- a + b sqrt(c), exactly --- */
+
+/* v 2^e, 1/16 < |v| < 16 or v = 0.  It neither overflows nor underflows. */
+typedef struct {
+    pair v;
+    int e;
+} floating;
+
+/* x, rounded to a pair. */
+floating cylint_floating(exact x);
+
+/* x > 0. */
+floating cylint_floating_sqrt(floating x);
+
+static inline floating floating_div(floating x, floating y)
+{
+    return (floating){pair_div(x.v, y.v), x.e - y.e};
+}
+
+/* a + b sqrt(c), c >= 0. */
+typedef struct {
+    exact a, b, c;
+} surd_sum;
+
+/* n / d */
+typedef struct {
+    surd_sum n;
+    exact d;
+} surd_quotient;
+
+/* The sign, exactly. */
+int cylint_surd_sum_sign(cylint_arena *arena, const surd_sum *x);
+
+/* The value, with a relative error of CYLINT_SURD_ERROR, or
+ * CYLINT_DIRECTED_SURD_ERROR where rounding is directed.  0 exactly for 0. */
+floating cylint_surd_sum_value(cylint_arena *arena, const surd_sum *x);
+floating cylint_surd_quotient_value(cylint_arena *arena,
+                                    const surd_quotient *x);
+
+/* ------------------------------------------------------ the half plane -- */
 
 /*
  * The point and the shape in the half plane through the axis and the point.
@@ -71,8 +111,8 @@ static inline exact exact_unit(meridian *m)
 }
 
 /* The most data that are multiplied with each other in any of these numbers, so
- * none has more than 67 limbs (exact.h) times that; from a norm of nearest_point.c
- * (tests/bounds/test_arena.c counts them). */
+ * none has more than 67 limbs (exact.h) times that; from norm() (surd_sum.c) of a
+ * number of nearest_point.c (tests/bounds/test_arena.c counts them). */
 enum { CYLINT_DISTANCE_DEGREE = 22 };
 
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
@@ -96,8 +136,9 @@ static inline int cylint_is_on_plane(const meridian *m, int feature)
     return cylint_is_plane(m->L->kind) || cylint_is_on_end(feature);
 }
 
-/* The feature of a valid shape that is not elliptic. */
-nearest cylint_nearest_feature(meridian *m);
+/* The feature of a valid shape that is not elliptic; CYLINT_NO_FEATURE where there
+ * is no surface.  A rim of radius 0 is an apex: cylint_stated_feature(). */
+int cylint_nearest_feature(meridian *m);
 
 surd_quotient cylint_square_of_distance(meridian *m, int feature);
 

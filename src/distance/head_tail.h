@@ -11,7 +11,7 @@
 #ifndef CYLINT_HEAD_TAIL_H
 #define CYLINT_HEAD_TAIL_H
 
-#include "half_plane.h"
+#include "pair_lanes.h"
 
 INLINE vpair head_tail_split(vd x, vd snap)
 {
@@ -38,42 +38,34 @@ INLINE vpair head_tail_minus(vpair a, vpair b)
     return (vpair){a.hi - b.hi, a.lo - b.lo};
 }
 
-/* a + x^2; whole: x rounded to a double. */
-INLINE vpair head_tail_plus_square(vpair a, vpair x, vd whole)
+/* a + x y, y = x or -x.  whole: x rounded to a double. */
+INLINE vpair head_tail_add_square(vpair a, vpair y, vpair x, vd whole)
 {
-    return (vpair){v_sum_of(x.hi, x.hi, a.hi),
-                   v_sum_of(x.lo, whole + x.hi, a.lo)};
+    return (vpair){v_sum_of(y.hi, x.hi, a.hi),
+                   v_sum_of(y.lo, whole + x.hi, a.lo)};
 }
 
-INLINE vpair head_tail_minus_square(vpair a, vpair x, vd whole)
-{
-    return (vpair){v_sum_of(-x.hi, x.hi, a.hi),
-                   v_sum_of(-x.lo, whole + x.hi, a.lo)};
-}
-
-/* The point x from the base.  The roots begin with the doubles rough_z and
+/* The point from the base.  The roots begin with the doubles rough_z and
  * rough_square, before heads and tails are there. */
-INLINE void head_tail_load(half_plane *m, const shape_lanes *s, const vd x[3],
-                           int axial)
+INLINE void head_tail_load(half_plane *m, const shape_lanes *s,
+                           const vd point[3], int axial)
 {
     const vd zero = v_set(0);
     vpair D[3], square = {zero, zero}, z = square;
     vd rough = zero, rough_square = zero;
     m->size = s->reach;
     EACH(i, 3) {
-        D[i] = v_two_sum(x[i], -s->base[i]);
+        D[i] = v_two_sum(point[i], -s->base[i]);
         m->size = m->size + v_abs(D[i].hi);
         rough = v_sum_of(D[i].hi, s->axis[i].hi + s->axis[i].lo, rough);
         rough_square = v_sum_of(D[i].hi, D[i].hi, rough_square);
     }
     m->snap = v_set(CYLINT_SNAP) * m->size;
     EACH(i, 3) {
-        const vd head = (D[i].hi + m->snap) - m->snap;
-        const vd tail = (D[i].hi - head) + D[i].lo;
-        square.hi = v_sum_of(head, head, square.hi);
-        square.lo = v_sum_of(tail, D[i].hi + head, square.lo);
-        z.hi = v_sum_of(head, s->axis[i].hi, z.hi);
-        z.lo = v_sum_of(tail, s->axis[i].hi,
+        const vpair x = head_tail_datum(D[i], m);
+        square = head_tail_add_square(square, x, x, D[i].hi);
+        z.hi = v_sum_of(x.hi, s->axis[i].hi, z.hi);
+        z.lo = v_sum_of(x.lo, s->axis[i].hi,
                         v_sum_of(D[i].hi, s->axis[i].lo, z.lo));
     }
     m->rough_square = rough_square;
@@ -84,7 +76,8 @@ INLINE void head_tail_load(half_plane *m, const shape_lanes *s, const vd x[3],
     m->rough_square = v_sum_of(-rough, rough, rough_square);
     m->z.hi = (rough + m->snap) - m->snap;
     m->z.lo = (z.hi - m->z.hi) + z.lo;
-    m->square = head_tail_minus_square(square, m->z, m->z.hi + m->z.lo);
+    m->square =
+        head_tail_add_square(square, opposite(m->z), m->z, rounded(m->z));
     m->above = head_tail_minus(m->z, head_tail_datum(s->height, m));
 }
 
@@ -93,7 +86,8 @@ INLINE vpair head_tail_root(vpair a, vd rough, const half_plane *m, vd *error)
 {
     const vd root = v_sqrt(rough), half = v_set(0.5) / root;
     const vpair start = head_tail_split(root, m->snap);
-    const vpair residual = head_tail_minus_square(a, start, root);
+    const vpair residual =
+        head_tail_add_square(a, opposite(start), start, root);
     const vd unit = v_set(CYLINT_HEAD_TAIL_ERROR) * m->size;
     const vd thin = m->size * half;
     *error = *error + v_select(v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST)),
@@ -112,16 +106,15 @@ INLINE vpair head_tail_rho(half_plane *m)
 INLINE vpair head_tail_length(vpair x, vpair y, const half_plane *m, vd *error)
 {
     const vpair zero = {v_set(0), v_set(0)};
-    const vd x2 = x.hi + x.lo, y2 = y.hi + y.lo;
-    const vpair square =
-        head_tail_plus_square(head_tail_plus_square(zero, x, x2), y, y2);
-    return head_tail_root(square, square.hi + square.lo, m, error);
+    const vpair square = head_tail_add_square(
+        head_tail_add_square(zero, x, x, rounded(x)), y, y, rounded(y));
+    return head_tail_root(square, rounded(square), m, error);
 }
 
 /* The distance from a point of the axis at the height y below. */
 INLINE vpair head_tail_ball(vpair y, vd rough_y, const half_plane *m, vd *error)
 {
-    return head_tail_root(head_tail_plus_square(m->square, y, y.hi + y.lo),
+    return head_tail_root(head_tail_add_square(m->square, y, y, rounded(y)),
                           v_sum_of(rough_y, rough_y, m->rough_square), m,
                           error);
 }
@@ -140,5 +133,9 @@ INLINE vpair head_tail_trimmed(vpair x)
 {
     return x;
 }
+
+#define NUMBER(name) head_tail_##name
+#define ON_SURFACE 0
+#include "distance_template.h"
 
 #endif

@@ -4,9 +4,8 @@
  */
 #include "lanes.h"
 
-#include "columns.h"
 #include "describe_nearest.h"
-#include "distance_types.h"
+#include "head_tail.h"
 
 #ifndef CYLINT_DISTANCE_LANES
 #define CYLINT_DISTANCE_LANES cylint_distance_lanes_plain
@@ -15,17 +14,11 @@
 /* The points from i on, the last of n one again where there are no more. */
 INLINE void load_points(vd x[3], const double *const xyz[3], size_t i, size_t n)
 {
-    EACH(k, 3) {
-        const double *from = xyz[k] + i;
-        double padded[LANES];
-        if (n >= LANES) {
-            x[k] = v_load(from);
-            continue;
-        }
-        for (size_t lane = 0; lane < LANES; lane++)
-            padded[lane] = from[lane < n ? lane : n - 1];
-        x[k] = v_load(padded);
-    }
+    size_t at[LANES];
+    for (size_t lane = 0; lane < LANES; lane++)
+        at[lane] = i + (lane < n ? lane : n - 1);
+    EACH(k, 3)
+        x[k] = n >= LANES ? v_load(xyz[k] + i) : v_pick(xyz[k], at);
 }
 
 /* The shapes, the last of n one again where there are no more.  Whether the kernels
@@ -83,7 +76,7 @@ INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
     write_features(to, i, n, at, of_lane);
 }
 
-/* Where all numbers within the error round to the same double. */
+/* Lanes in which the distance and the feature are certain. */
 INLINE vm is_certain(const vnearest *n)
 {
     return m_and(v_le(n->d.high, n->d.low), n->certain);

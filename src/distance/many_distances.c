@@ -1,12 +1,11 @@
 /*
- * many_distances.c - many points and shapes
+ * many_distances.c - many points and shapes; points on a surface or beside it
  *
  * Capped shapes are answered in lanes.  What these leave is answered one by one.
  */
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../shapes/measure.h"
-#include "columns.h"
 #include "lanes.h"
 
 static void answer_row(const cylint_shape *shape, const cylint_points *points,
@@ -22,8 +21,8 @@ static void answer_row(const cylint_shape *shape, const cylint_points *points,
     cylint_write_closest(answers, row, &answer);
 }
 
-/* Lanes round to nearest, and flush no coordinate.  One or two points take
- * less time by themselves. */
+/* Lanes need rounding to nearest, and for point and normal a processor that does
+ * not flush subnormal numbers.  One or two points take less time by themselves. */
 static int has_lanes(unsigned want, size_t n)
 {
     return n > 2 && cylint_rounds_to_nearest() &&
@@ -71,10 +70,10 @@ void cylint_distance_pairs(const cylint_shape *shapes,
 
 /*
  * Whether the surface and the solid of a shape are certainly farther away than
- * `least`, because the ball about the shape is.  Where that is negative, whether
- * the point is outside.  The slack covers the roundings of both squares, eight at
- * most each.  The square of a `most` below 2^511 does not overflow.  2^-400 covers
- * what underflows.
+ * `least`, because the ball about the shape is.  For a negative `least`: whether
+ * the point is outside the ball.  The slack covers the roundings of both squares,
+ * eight at most each.  The square of a `most` below 2^511 does not overflow.
+ * 2^-400 covers what underflows.
  */
 static int is_farther(const cylint_shape *s, const double point[3],
                       double least)
@@ -116,4 +115,83 @@ size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
     if (best < n)
         cylint_distance(shapes + best, point, want, answer);
     return best;
+}
+
+/* --------------------------------------------------- on the surface --- */
+
+/* The exponent of the distance of |x| from the next larger double. */
+static int exponent_of_last_place(double x)
+{
+    const int e = cylint_exponent(x) - 52;
+    /* mutant '>' -> '>=': -1074 gives -1074, too */
+    return e > -1074 ? e : -1074;
+}
+
+/* Whether x <= y 2^e, for positive finite x and y.  A subnormal product would
+ * be rounded. */
+static int is_at_most(double x, double y, int e)
+{
+    const int of_x = cylint_any_exponent(x), of_y = cylint_any_exponent(y);
+    return of_x != of_y + e
+               ? of_x < of_y + e
+               : cylint_scaled(x, -of_x) <= cylint_scaled(y, -of_y);
+}
+
+/* Whether the distance of the point is at most `ulps` units. */
+static int is_within_ulps(double distance, const double point[3], double ulps)
+{
+    const double size = fabs(distance);
+    if (!(size <= DBL_MAX) || ulps != ulps || cylint_sign(ulps) < 0)
+        return 0;
+    if (cylint_sign(size) == 0 || ulps > DBL_MAX)
+        return 1;
+    return cylint_sign(ulps) != 0 &&
+           is_at_most(size, ulps,
+                      exponent_of_last_place(cylint_largest(point)));
+}
+
+int cylint_on_surface(const cylint_shape *shape, const double point[3],
+                      double ulps)
+{
+    cylint_closest answer;
+    /* mutant '0' -> '1': CYLINT_WANT_T has no effect here */
+    const double distance = cylint_distance(shape, point, 0, &answer);
+    return is_within_ulps(distance, point, ulps);
+}
+
+/* Answer i is that of point i and shape number each * i. */
+static void write_on_surface(const cylint_shape *shapes, size_t each,
+                             const cylint_points *points, double ulps,
+                             signed char *on)
+{
+    double distance[CYLINT_POINT_BLOCK];
+    const cylint_closest_columns to = {.distance = distance};
+    for (size_t first = 0; first < points->n; first += CYLINT_POINT_BLOCK) {
+        const size_t ahead = points->n - first;
+        const cylint_points block = {
+            ahead < CYLINT_POINT_BLOCK ? ahead : CYLINT_POINT_BLOCK,
+            {points->xyz[0] + first, points->xyz[1] + first,
+             points->xyz[2] + first}};
+        write_rows(shapes + each * first, each, &block, &to);
+        for (size_t i = 0; i < block.n; i++) {
+            double point[3];
+            cylint_read_point(&block, i, point);
+            on[first + i] =
+                (signed char)is_within_ulps(distance[i], point, ulps);
+        }
+    }
+}
+
+void cylint_on_surface_points(const cylint_shape *shape,
+                              const cylint_points *points, double ulps,
+                              signed char *on)
+{
+    write_on_surface(shape, 0, points, ulps, on);
+}
+
+void cylint_on_surface_pairs(const cylint_shape *shapes,
+                             const cylint_points *points, double ulps,
+                             signed char *on)
+{
+    write_on_surface(shapes, 1, points, ulps, on);
 }

@@ -1,7 +1,9 @@
 /*
- * meridian.c - the nearest feature, from exact signs
+ * meridian.c - the nearest feature, from exact signs, and the double nearest to the
+ * distance
  */
 #include "../intersect.h"
+#include "error_bounds.h"
 #include "exact_distance.h"
 
 static exact scale_of_T(meridian *m)
@@ -64,12 +66,6 @@ static int sign_of(meridian *m, exact a, exact b, exact c)
     return cylint_surd_sum_sign(m->arena, &x);
 }
 
-/* T - c: outside or inside the lateral surface. */
-static int sign_lateral(meridian *m)
-{
-    return sign_of(m, cylint_exact_neg(m->c), m->L->one, m->T2);
-}
-
 /* The foot on the lateral line, from end i towards z = 1. */
 static int sign_foot(meridian *m, int i)
 {
@@ -111,13 +107,12 @@ static int sign_beyond_cap(meridian *m, int feature, int i)
 
 /* ----------------------------------------------------------- features -- */
 
-static nearest on_unbounded(meridian *m)
+static int on_unbounded(meridian *m)
 {
     const int on_apex =
         (cylint_is_nappe(m->shape) && sign_nappe_foot(m) <= 0) ||
         (cylint_is_tapered(m->L->kind) && m->c.sign == 0 && m->q.sign == 0);
-    return (nearest){on_apex ? CYLINT_FEATURE_APEX : CYLINT_FEATURE_LATERAL,
-                     sign_lateral(m)};
+    return on_apex ? CYLINT_FEATURE_APEX : CYLINT_FEATURE_LATERAL;
 }
 
 /* On the lateral surface and its rims. */
@@ -128,67 +123,42 @@ static int on_lateral(meridian *m)
                                   : CYLINT_FEATURE_LATERAL;
 }
 
-/* -1, 0, 1: inside, on, outside of the solid between the planes. */
-static int sign_of_solid(meridian *m)
-{
-    const int below = -m->height[0].sign, above = m->height[1].sign;
-    const int beyond = below > above ? below : above;
-    const int side = sign_lateral(m);
-    return side > beyond ? side : beyond;
-}
-
-static nearest between_planes(meridian *m)
+static int between_planes(meridian *m)
 {
     const unsigned caps = cylint_caps_present(m->shape->ends);
-    nearest n = {on_lateral(m), 1};
+    int feature = on_lateral(m);
     for (int i = 0; i < 2; i++)
         /* mutant '0' -> '1', '<' -> '<=': on the rim it is as
          * near as the plane, so sign_beyond_cap() is not 1 */
         if (caps >> i & 1 && sign_disc(m, i) < 0 &&
-            sign_beyond_cap(m, n.feature, i) > 0)
-            n.feature = CYLINT_FEATURE_CAP0 + i;
-    if (cylint_surface_is_whole(m->shape->ends))
-        n.sign = sign_of_solid(m);
-    return n;
+            sign_beyond_cap(m, feature, i) > 0)
+            feature = CYLINT_FEATURE_CAP0 + i;
+    return feature;
 }
 
-static int sign_of_ball(meridian *m, int end)
-{
-    const cylint_terms_exact *L = m->L;
-    const int used = m->arena->used;
-    const exact square = cylint_dot_exact(L, L->D[end], L->D[end]);
-    const exact over = EXACT_SUB(square, EXACT_MUL(L->r[end], L->r[end]));
-    return cylint_only_sign(m->arena, used, over.sign);
-}
-
-static nearest on_hull(meridian *m)
+static int on_hull(meridian *m)
 {
     const int before = sign_foot(m, 0), after = sign_foot(m, 1);
     const int end = after >= 0, beyond = before < 0 || after > 0;
-    const int whole = cylint_surface_is_whole(m->shape->ends);
     const unsigned caps = cylint_caps_present(m->shape->ends);
     if (beyond && caps >> end & 1 && m->L->r[end].sign != 0)
-        return (nearest){CYLINT_FEATURE_CAP0 + end,
-                         whole ? sign_of_ball(m, end) : 1};
-    return (nearest){before > 0 && after < 0 ? CYLINT_FEATURE_LATERAL
-                                             : CYLINT_FEATURE_RIM0 + end,
-                     whole ? sign_lateral(m) : 1};
+        return CYLINT_FEATURE_CAP0 + end;
+    return before > 0 && after < 0 ? CYLINT_FEATURE_LATERAL
+                                   : CYLINT_FEATURE_RIM0 + end;
 }
 
-static nearest on_sphere(meridian *m)
+static int on_sphere(const meridian *m)
 {
-    const int part = cylint_surface(m->shape), ends = m->shape->ends;
-    return (nearest){cylint_part_is_present(ends, part) ? part
-                                                        : CYLINT_NO_FEATURE,
-                     cylint_surface_is_whole(ends) ? sign_of_ball(m, 0) : 1};
+    const int part = cylint_surface(m->shape);
+    return cylint_part_is_present(m->shape->ends, part) ? part
+                                                        : CYLINT_NO_FEATURE;
 }
 
-nearest cylint_nearest_feature(meridian *m)
+int cylint_nearest_feature(meridian *m)
 {
     const int kind = m->L->kind;
-    if (cylint_is_plane(kind))
-        return (nearest){CYLINT_FEATURE_LATERAL, m->height[0].sign};
-    return kind == CYLINT_KIND_SPHERE               ? on_sphere(m)
+    return cylint_is_plane(kind)                    ? CYLINT_FEATURE_LATERAL
+           : kind == CYLINT_KIND_SPHERE             ? on_sphere(m)
            : cylint_is_round(kind)                  ? on_hull(m)
            : cylint_ends_are_planes(m->shape->ends) ? between_planes(m)
                                                     : on_unbounded(m);
@@ -271,4 +241,68 @@ surd_quotient cylint_square_of_distance(meridian *m, int feature)
     return !cylint_ends_are_planes(m->shape->ends) ? from_apex(m)
            : cylint_is_round(m->L->kind)           ? from_tangency(m, end)
                                                    : from_rim(m, end);
+}
+
+/* --------------------------------------------------- rounded distance --- */
+
+/* The square of the distance is (a + b sqrt(c)) / d, so whether the distance is
+ * above the middle of two doubles is the sign of another surd_sum. */
+
+/* The sign of the distance minus the middle of the double of this rank and the
+ * next. */
+static int sign_at_middle(meridian *m, const surd_quotient *x, int64_t rank)
+{
+    const int used = m->arena->used;
+    const exact four = cylint_exact_from(m->arena, 4);
+    const exact sum = EXACT_ADD(cylint_exact_of_rank(m->arena, rank),
+                                cylint_exact_of_rank(m->arena, rank + 1));
+    const exact square = EXACT_MUL(EXACT_MUL(sum, sum), x->d);
+    const surd_sum at = {EXACT_SUB(EXACT_MUL(four, x->n.a), square),
+                         EXACT_MUL(four, x->n.b), x->n.c};
+    return cylint_only_sign(m->arena, used,
+                            cylint_surd_sum_sign(m->arena, &at));
+}
+
+/* The rank of the double nearest to d (1 + error). */
+static int64_t nearest_rank(meridian *m, floating d, double error)
+{
+    const int used = m->arena->used;
+    const exact low = cylint_exact_from(m->arena, d.v.lo),
+                more = cylint_exact_from(m->arena, d.v.hi * error);
+    const exact sum =
+        EXACT_ADD(cylint_exact_from(m->arena, d.v.hi), EXACT_ADD(low, more));
+    m->arena->used = used;
+    return cylint_rank(cylint_exact_nearest(sum, d.e));
+}
+
+double cylint_rounded_distance(meridian *m, int feature)
+{
+    const int used = m->arena->used;
+    const surd_quotient x = cylint_square_of_distance(m, feature);
+    const floating square = cylint_surd_quotient_value(m->arena, &x);
+    double distance = 0;
+    if (square.v.hi > 0) {
+        const double error = cylint_rounds_to_nearest()
+                                 ? CYLINT_SURD_ERROR
+                                 : CYLINT_DIRECTED_SURD_ERROR;
+        const floating d = cylint_floating_sqrt(square);
+        int64_t low = nearest_rank(m, d, -error);
+        int64_t high = nearest_rank(m, d, error);
+        while (low < high) {
+            /* mutant '2' -> '3': slower, any rank between both is right */
+            const int64_t middle = low + (high - low) / 2;
+            const int sign = sign_at_middle(m, &x, middle);
+            if (sign == 0) /* a tie, to even */
+                low = high = middle + (middle & 1);
+            else if (sign > 0)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        /* 0 is on the surface */
+        /* mutant '0' -> '1': a rank of 1 gives 1 in both cases */
+        distance = cylint_from_bits(low > 0 ? (uint64_t)low : 1);
+    }
+    m->arena->used = used;
+    return distance;
 }

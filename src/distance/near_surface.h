@@ -1,6 +1,6 @@
 /*
- * near_surface.h - distances near the surface, and features beside the planes of
- * ends, in triples
+ * near_surface.h - distances near the surface, features beside the planes of ends,
+ * and directions from the axis beside it, in triples
  *
  * Near a surface the distance is a small difference.  It is a form that is 0 on
  * the surface, divided by a number that is not small.  The terms of the form are
@@ -19,8 +19,9 @@
 #ifndef CYLINT_NEAR_SURFACE_H
 #define CYLINT_NEAR_SURFACE_H
 
-#include "distance_types.h"
-#include "triple_vector.h"
+#include "../shapes/measure.h"
+#include "pair_lanes.h"
+#include "triple.h"
 
 static void load_axis(triple w[3], const cylint_shape *s)
 {
@@ -30,34 +31,34 @@ static void load_axis(triple w[3], const cylint_shape *s)
 
 /* form / divisor, where the terms of the form divided by the divisor are at most
  * `size` and the divisor has the relative error `relative`. */
-static bounded quotient_of_form(triple form, pair divisor, double size,
-                                double relative)
+static bounded_pairs quotient_of_form(triple form, pair divisor, double size,
+                                      double relative)
 {
     const pair d = pair_div(pair_of_triple(form), divisor);
-    return (bounded){d, CYLINT_CLOSE_ERROR * size +
-                            (relative + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
+    return (bounded_pairs){d, CYLINT_CLOSE_ERROR * size +
+                                  (relative + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-static bounded close_to_plane(const cylint_shape *s, const double point[3],
-                              int top, double size)
+static bounded_pairs close_to_plane(const cylint_shape *s,
+                                    const double point[3], int top, double size)
 {
     triple D[3], w[3];
     const pair length = cylint_number_pair(s, CYLINT_AT_HEIGHT);
     load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
-    bounded to = quotient_of_form(triple_dot(D, w), length, size, 0);
+    bounded_pairs to = quotient_of_form(triple_dot(D, w), length, size, 0);
     int in_plane = 1; /* every product is 0 */
     EACH(i, 3)
         in_plane &= cylint_sign(D[i].a) == 0 || cylint_sign(w[i].a) == 0;
     if (in_plane)
-        return (bounded){{0, 0}, 0};
+        return (bounded_pairs){{0, 0}, 0};
     if (!top)
         to.v = pair_neg(to.v);
     return to;
 }
 
-static bounded close_to_ball(const double point[3], const double center[3],
-                             double r)
+static bounded_pairs close_to_ball(const double point[3],
+                                   const double center[3], double r)
 {
     triple D[3];
     load_difference(D, point, center);
@@ -69,8 +70,8 @@ static bounded close_to_ball(const double point[3], const double center[3],
 }
 
 /* error: of rho. */
-static bounded close_to_line(const cylint_shape *s, const double point[3],
-                             pair rho, double error, double size)
+static bounded_pairs close_to_line(const cylint_shape *s, const double point[3],
+                                   pair rho, double error, double size)
 {
     triple D[3], w[3];
     load_difference(D, point, cylint_base(s));
@@ -100,9 +101,9 @@ static bounded close_to_line(const cylint_shape *s, const double point[3],
     const pair unit = tangent ? pair_sqrt(W2) : W2; /* of T */
     const pair radius = pair_div(pair_of_triple(T), unit);
     const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
-    bounded to = quotient_of_form(form, pair_mul(pair_mul(unit, unit), sum),
-                                  CYLINT_CLOSE_CONE * size / sum.hi * size,
-                                  error / sum.hi);
+    bounded_pairs to = quotient_of_form(
+        form, pair_mul(pair_mul(unit, unit), sum),
+        CYLINT_CLOSE_CONE * size / sum.hi * size, error / sum.hi);
     if (!round) { /* the error of T counts the growth along D, too */
         to.v = pair_mul(to.v, C);
         to.e = to.e * cylint_cosine(s) * CYLINT_SLACK +
@@ -128,7 +129,7 @@ static int is_off_axis(const half_plane *m)
 }
 
 /* A distance in triples takes the place of that in pairs. */
-static vdistance distance_of_triples(bounded d)
+static vdistance distance_of_triples(bounded_pairs d)
 {
     const double margin = CYLINT_NEAREST_MARGIN * fabs(d.v.hi);
     vdistance to = pairs_rounded(d.v, d.e + margin);
@@ -137,8 +138,9 @@ static vdistance distance_of_triples(bounded d)
 }
 
 /* Of a point near the surface: the distance from a feature that is no rim. */
-static bounded close_distance(const vnearest *n, const half_plane *m,
-                              const cylint_shape *s, const double point[3])
+static bounded_pairs close_distance(const vnearest *n, const half_plane *m,
+                                    const cylint_shape *s,
+                                    const double point[3])
 {
     const int feature = (int)n->feature, top = cylint_feature_end(feature);
     if (s->kind == CYLINT_KIND_SPHERE ||
@@ -146,7 +148,7 @@ static bounded close_distance(const vnearest *n, const half_plane *m,
         return close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
                              cylint_end_factor(s, top));
     if (!is_off_axis(m))
-        return (bounded){{0, 0}, HUGE_VAL};
+        return (bounded_pairs){{0, 0}, HUGE_VAL};
     return feature == CYLINT_FEATURE_LATERAL
                ? close_to_line(s, point, m->rho, m->error, m->size)
                : close_to_plane(s, point, top, m->size);
@@ -175,48 +177,49 @@ ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
 
 /* ----------------------------------------------------------------- ends -- */
 
-enum { CYLINT_NO_SIGN = 2 };
-static int sign_within(bounded x)
+enum { CYLINT_CLOSE_UNDECIDED = 2 };
+static int sign_within(bounded_pairs x)
 {
     return x.v.hi > x.e                    ? 1
            : x.v.hi < -x.e                 ? -1
            : fabs(x.v.hi) <= 0 && x.e <= 0 ? 0
-                                           : CYLINT_NO_SIGN;
+                                           : CYLINT_CLOSE_UNDECIDED;
 }
 
 /* (x + f y) / by.  The relative errors of f and `by` are small beside
  * CYLINT_CLOSE_LOSS. */
-static bounded sum_over(bounded x, pair f, bounded y, pair by)
+static bounded_pairs sum_over(bounded_pairs x, pair f, bounded_pairs y, pair by)
 {
     const pair fy = pair_mul(f, y.v);
     const double error = x.e + fabs(f.hi) * y.e +
                          CYLINT_CLOSE_LOSS * (fabs(x.v.hi) + fabs(fy.hi));
-    return (bounded){pair_div(pair_add(x.v, fy), by),
-                     error / by.hi * CYLINT_SLACK};
+    return (bounded_pairs){pair_div(pair_add(x.v, fy), by),
+                           error / by.hi * CYLINT_SLACK};
 }
 
-static bounded hypotenuse(bounded x, bounded y)
+static bounded_pairs hypotenuse(bounded_pairs x, bounded_pairs y)
 {
     const pair d = pair_sqrt(pair_add(pair_mul(x.v, x.v), pair_mul(y.v, y.v)));
-    return (bounded){d, x.e + y.e + CYLINT_CLOSE_LOSS * d.hi};
+    return (bounded_pairs){d, x.e + y.e + CYLINT_CLOSE_LOSS * d.hi};
 }
 
 /* The nearest feature to a point beside the plane of an end, and the distance.
  * From the rim the point is at `across` and `beyond` across and along the axis, and
  * at `after` along the lateral surface. */
-static int nearest_beside_end(bounded *d, const half_plane *m,
+static int nearest_beside_end(bounded_pairs *d, const half_plane *m,
                               const cylint_shape *s, const double point[3],
                               int top)
 {
     const pair one = {1, 0}, sine = cylint_number_pair(s, CYLINT_AT_SINE),
                C = cylint_number_pair(s, CYLINT_AT_COSINE),
                S = top ? sine : pair_neg(sine);
-    const bounded zero = {{0, 0}, 0},
-                  line = close_to_line(s, point, m->rho, m->error, m->size),
-                  beyond = close_to_plane(s, point, top, m->size),
-                  across = sum_over(line, S, beyond, C),
-                  after =
-                      sum_over(sum_over(zero, C, beyond, one), S, across, one);
+    const bounded_pairs zero = {{0, 0}, 0},
+                        line =
+                            close_to_line(s, point, m->rho, m->error, m->size),
+                        beyond = close_to_plane(s, point, top, m->size),
+                        across = sum_over(line, S, beyond, C),
+                        after = sum_over(sum_over(zero, C, beyond, one), S,
+                                         across, one);
     const int out = sign_within(line), up = sign_within(beyond),
               side = sign_within(across), past = sign_within(after);
     const unsigned caps = cylint_caps_present(s->ends);
@@ -228,18 +231,19 @@ static int nearest_beside_end(bounded *d, const half_plane *m,
             less > 0 ? CYLINT_FEATURE_LATERAL : CYLINT_FEATURE_CAP0 + top;
         *d = less > 0 ? line : beyond;
         /* untaken 1 of 2: no known point is as far from both */
-        return less == CYLINT_NO_SIGN ? CYLINT_NO_FEATURE : feature;
+        return less == CYLINT_CLOSE_UNDECIDED ? CYLINT_NO_FEATURE : feature;
     }
     *d = beyond;
     if (has_cap && up == 1 && side == -1)
         return CYLINT_FEATURE_CAP0 + top;
     *d = past < 0 ? line : hypotenuse(across, beyond);
     const int outside = out == 1 || (up == 1 && past >= 0);
-    const int can_be_over = up > 0 && (side < 0 || side == CYLINT_NO_SIGN);
+    const int can_be_over =
+        up > 0 && (side < 0 || side == CYLINT_CLOSE_UNDECIDED);
     const int other_cap_is_far =
         !caps ||
         2 * fabs(d->v.hi) <= cylint_number_pair(s, CYLINT_AT_HEIGHT).hi;
-    return past == CYLINT_NO_SIGN ||
+    return past == CYLINT_CLOSE_UNDECIDED ||
                    !(has_cap ? outside && !can_be_over : other_cap_is_far)
                ? CYLINT_NO_FEATURE
            : past < 0 ? CYLINT_FEATURE_LATERAL
@@ -255,7 +259,7 @@ ASIDE void find_beside_end(vnearest *n, const half_plane *m,
     const int top = is_nearer_to_top(m);
     const double along = fabs(rounded(top ? m->above : m->z)),
                  across = rounded(m->rho) - cylint_end_factor(s, top);
-    bounded d;
+    bounded_pairs d;
     if (!(along <= CYLINT_CLOSE * m->size) ||
         !(4 * (along + fabs(cylint_sine(s) * across)) <=
           cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
@@ -265,6 +269,57 @@ ASIDE void find_beside_end(vnearest *n, const half_plane *m,
     if (feature == CYLINT_NO_FEATURE)
         return;
     *n = (vnearest){distance_of_triples(d), feature, 1};
+}
+
+/* ----------------------------------------- the direction from the axis -- */
+
+/* Of two nearly equal vectors D and z w the difference has few digits.  That of w x
+ * (D x w), D the point from an end and w the axis, has all that count. */
+
+/* Whether D is 0, or D x w = X is, all products of which are exact: no factor other
+ * than 0 is so small that one underflows. */
+static int is_on_axis(const triple D[3], const triple w[3], const triple X[3])
+{
+    int is_end = 1, is_exact = 1;
+    EACH(i, 3) {
+        is_end &= cylint_sign(D[i].a) == 0;
+        is_exact &=
+            cylint_sign(D[i].b) == 0 && cylint_sign(w[i].b) == 0 &&
+            cylint_sign(X[i].a) == 0 &&
+            (cylint_sign(D[i].a) == 0 || fabs(D[i].a) >= CYLINT_DISTANCE_LEAST);
+    }
+    return is_end | is_exact;
+}
+
+/* The direction from the axis to a point beside it: that of w x (D x w), or on the
+ * axis that of phi = 0, e x w (nearest_point.c).  m->across is a multiple of
+ * it; m->inverse and m->rho_error are those of its length. */
+ASIDE void find_direction(half_plane *m, const cylint_shape *s,
+                          const double point[3])
+{
+    triple D[3], w[3], X[3], A[3];
+    pair squares[3];
+    const int top = cylint_has_end_points(s->kind) && is_nearer_to_top(m);
+    load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
+    load_axis(w, s);
+    triple_cross(X, D, w);
+    triple_cross(A, w, X);
+    double error = CYLINT_CLOSE_DIRECTION * CYLINT_CLOSE_ERROR * m->size *
+                   triple_dot(w, w).a * CYLINT_SLACK;
+    if (is_on_axis(D, w, X)) {
+        const int i = cylint_least_axis_component(s);
+        A[i] = triple_of(0);
+        A[(i + 1) % 3] = triple_neg(w[(i + 2) % 3]);
+        A[(i + 2) % 3] = w[(i + 1) % 3];
+        error = 0;
+    }
+    EACH(i, 3) {
+        m->across[i] = pair_of_triple(A[i]);
+        m->across_error[i] = error + CYLINT_CLOSE_LOSS * fabs(m->across[i].hi);
+        squares[i] = vpair_square(m->across[i]);
+    }
+    const pair length = pairs_root(pairs_sum3(squares), &m->inverse);
+    m->rho_error = 3 * error + 2 * CYLINT_CLOSE_LOSS * length.hi;
 }
 
 #endif

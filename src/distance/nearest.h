@@ -10,12 +10,6 @@
 
 enum { CYLINT_NO_FEATURE = -1 };
 
-/* A rim of radius 0 is an apex: cylint_stated_feature(). */
-typedef struct {
-    int feature; /* CYLINT_NO_FEATURE: there is no surface */
-    int sign;    /* of the distance */
-} nearest;
-
 /* The end that a cap or a rim belongs to; 0 for the lateral surface. */
 CYLINT_INLINE int cylint_feature_end(int feature)
 {

@@ -7,7 +7,7 @@
  */
 #define CYLINT_ONE_LANE
 #include "describe_nearest.h"
-#include "near_axis.h"
+#include "head_tail.h"
 #include "near_surface.h"
 #include "one_distance.h"
 #include "other_ends.h"

@@ -1,14 +1,15 @@
 /*
- * other_ends.h - distances in pairs, at one lane: from shapes that are not capped,
- * from angle cones and from all others
+ * other_ends.h - distances in pairs, at one lane: from shapes with any ends, and
+ * from angle cones
  *
- * The distance is that from the side of the feature that is outside a solid.
- * Where the surface does not enclose one, the driver takes the absolute value.
+ * The distance is that from the side of the feature that is outside a solid.  Where
+ * the surface does not enclose a solid, write_certain() (one_distance.c) takes the
+ * absolute value.
  */
 #ifndef CYLINT_OTHER_ENDS_H
 #define CYLINT_OTHER_ENDS_H
 
-#include "distance_types.h"
+#include "pair_lanes.h"
 
 /* The numbers of an angle cone in the lengths of the world: its local coordinates
  * count axis lengths.  Its top is not made of doubles. */
@@ -19,7 +20,7 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
     pairs_load_shapes(s, at);
     EACH(i, 3) {
         s->axis[i] = (vpair){cylint_axis(shape)[i], 0};
-        squares[i] = pairs_square(s->axis[i]);
+        squares[i] = vpair_square(s->axis[i]);
     }
     s->upright = m_from(0);
     s->height = pairs_trimmed(pairs_root(pairs_sum3(squares), &inverse));
@@ -63,7 +64,7 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
     }
     const vfoot at = foot_of(foot[0], foot[1], margin_of(m));
     const int end = foot[1] > 0, beyond = (foot[0] < 0) | end;
-    /* Far from what is missing: a point of the solid's boundary is on a part. */
+    /* Uncertain of a shape that is not higher than twice the margin. */
     n->certain =
         (at.before | at.on | at.after) & (s->height.hi > 2 * margin_of(m));
     if (!beyond) {
@@ -76,9 +77,8 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
         n->feature = CYLINT_FEATURE_CAP0 + end;
         n->d = pairs_from_ball(z[end], 0, s->r[end], m, 0);
     } else {
-        double error = 0;
         n->feature = CYLINT_FEATURE_RIM0 + end;
-        n->d = pairs_rounded(pairs_length(x[end], y[end], m, &error), m->error);
+        n->d = pairs_from_rim(x[end], y[end], m);
     }
     if (!round && caps)
         compare_with_cap(n, m, caps & 1 ? opposite(m->z) : m->above,

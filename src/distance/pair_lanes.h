@@ -22,12 +22,6 @@
 
 #include "half_plane.h"
 
-/* A number and the bound on its error. */
-typedef struct {
-    vpair v;
-    vd e;
-} bounded;
-
 INLINE vpair pairs_trimmed(vpair x)
 {
     return v_fast_two_sum(x.hi, x.lo);
@@ -47,13 +41,6 @@ INLINE vpair pairs_unit(vpair x)
 INLINE vpair pairs_minus(vpair a, vpair b)
 {
     return vpair_sub(a, b);
-}
-
-/* lint: the analyzer takes three rounds of EACH for one */
-INLINE vpair pairs_square(vpair x)
-{
-    const vpair p = v_two_prod(x.hi, x.hi);
-    return (vpair){p.hi, v_sum_of(x.hi + x.hi, x.lo, p.lo)};
 }
 
 INLINE vpair pairs_sum3(const vpair x[3])
@@ -85,7 +72,8 @@ INLINE vm pairs_are_one(const vpair x[3])
     return m_or(m_and(is[0], is[1]), m_and(is[2], m_or(is[0], is[1])));
 }
 
-/* Of upright shapes: z and above, without an error, and whether rho has one. */
+/* Of upright shapes: z and above, which have no error there, and whether rho has
+ * none. */
 INLINE void load_upright(half_plane *m, const shape_lanes *s, const vd x[3])
 {
     EACH(i, 3) {
@@ -108,11 +96,9 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         m->D[i] = v_two_sum(x[i], -s->base[i]);
         size = size + v_abs(m->D[i].hi);
         p[i] =
-            axial ? vpair_product(m->D[i], s->axis[i]) : pairs_square(m->D[i]);
+            axial ? vpair_product(m->D[i], s->axis[i]) : vpair_square(m->D[i]);
     }
     m->size = size + s->reach;
-    m->snap = v_set(0);
-    m->rough_square = v_set(0);
     if (!axial) {
         const vd zero = v_set(0);
         m->square = pairs_sum3(p);
@@ -135,14 +121,13 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
                                   v_set(0x1p-6) * v_abs(m->D[i].hi));
         m->across[i] = pick(s->own[i], (vpair){zero, zero}, across);
         m->across_error[i] = v_select(s->along, zero, u * error);
-        p[i] = pairs_square(m->across[i]);
+        p[i] = vpair_square(m->across[i]);
     }
     m->square = pairs_sum3(p);
     m->rho_is_exact = m_from(0);
     if (m_any(s->upright))
         load_upright(m, s, x);
     m->rough_z = rounded(m->z);
-    m->rough_square = rounded(m->square);
 }
 
 /* rho of a point other than the axis in one coordinate alone. */
@@ -168,8 +153,7 @@ INLINE vpair pairs_rho(half_plane *m)
 
 INLINE vpair pairs_length(vpair x, vpair y, const half_plane *m, vd *error)
 {
-    const vpair a = pairs_square(pairs_trimmed(x)),
-                b = pairs_square(pairs_trimmed(y));
+    const vpair a = vpair_square(x), b = vpair_square(y);
     vpair inverse;
     (void)m;
     (void)error;
@@ -181,13 +165,16 @@ INLINE vpair pairs_ball(vpair y, vd rough_y, const half_plane *m, vd *error)
     (void)rough_y;
     vpair inverse;
     *error = *error + m->error;
-    return pairs_root(vpair_add(m->square, pairs_square(pairs_trimmed(y))),
-                      &inverse);
+    return pairs_root(vpair_add(m->square, vpair_square(y)), &inverse);
 }
 
 INLINE vpair pairs_turned(const shape_lanes *s, vpair x, vpair z)
 {
     return vpair_sub(vpair_product(s->cosine, x), vpair_product(s->sine, z));
 }
+
+#define NUMBER(name) pairs_##name
+#define ON_SURFACE 1
+#include "distance_template.h"
 
 #endif

@@ -1,11 +1,11 @@
 /*
  * safety.c - a lower bound of a distance, in doubles
  *
- * The distance is computed in the half plane through the axis and the point,
- * with a bound on its error (error_bounds.h), which is subtracted.  Rounding to
- * nearest halves the bound.  Where the distance is below the bound or overflows,
- * where local coordinates (shapes/local.h) are not accurate enough, and for other
- * ends, the result is the double below the distance.
+ * The distance is computed in the half plane through the axis and the point, with a
+ * bound on its error (error_bounds.h), which is subtracted.  Rounding to nearest
+ * halves the bound.  Where the distance is below the bound or overflows, where
+ * local coordinates (shapes/local.h) are not accurate enough, and for the other
+ * shapes that cylint_distance.h names, the result is the double below the distance.
  *
  * Which feature is nearest is hard to predict, so maxima and masks take the
  * place of branches.
@@ -23,7 +23,7 @@
 #include "../shapes/measure.h"
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
-#include "elliptic.h"
+#include "one_distance.h"
 #include "error_bounds.h"
 
 ASIDE double below_distance(const cylint_shape *shape, const double point[3])

@@ -4,7 +4,7 @@
  * If a and b have opposite signs, a + b sqrt(c) = N / (a - b sqrt(c)) with
  * N = a^2 - b^2 c, in whose denominator sizes are added.
  */
-#include "surd_sum.h"
+#include "exact_distance.h"
 
 floating cylint_floating(exact x)
 {

@@ -32,12 +32,6 @@ typedef struct {
     vm on_end, top;
 } hit_root;
 
-/* A number and a bound on its error, in units of CYLINT_MEMBER_UNIT. */
-typedef struct {
-    vpair v;
-    vd e;
-} bounded_pairs;
-
 /* ------------------------------------------------- the shape and line -- */
 
 /* Column j of a row of the matrix. */
@@ -177,11 +171,6 @@ INLINE vm round_vector(double to[3][8], const bounded_pairs x[3], double beside)
 }
 
 /* ------------------------------------------------------------ members -- */
-
-INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
-{
-    return (bounded_pairs){pick(m, x.v, y.v), v_select(m, x.e, y.e)};
-}
 
 /* o + t d: no local coordinates.  In a plane of coordinates exactly. */
 INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r,

@@ -154,13 +154,6 @@ INLINE estimate estimate_end(const local_line *l, const verdict *v,
 
 /* --------------------------------------------------------- residuals ---- */
 
-/* x^2.  x.lo may be larger than a rounding of x.hi. */
-INLINE vpair vpair_square(vpair x)
-{
-    const vpair square = v_two_prod(x.hi, x.hi);
-    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
-}
-
 /* Not less than any coordinate at t. */
 INLINE vd size_at(vd t, const local_line *l)
 {

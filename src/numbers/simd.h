@@ -489,6 +489,24 @@ INLINE vpair vpair_product(vpair a, vpair b)
     return (vpair){p.hi, v_sum_of(a.hi, b.lo, v_sum_of(a.lo, b.hi, p.lo))};
 }
 
+/* x^2.  x.lo may be larger than a rounding of x.hi. */
+INLINE vpair vpair_square(vpair x)
+{
+    const vpair square = v_two_prod(x.hi, x.hi);
+    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
+}
+
+/* A number and a bound on its error. */
+typedef struct {
+    vpair v;
+    vd e;
+} bounded_pairs;
+
+INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
+{
+    return (bounded_pairs){pick(m, x.v, y.v), v_select(m, x.e, y.e)};
+}
+
 /* --------------------------------------------- two numbers a lane ------- */
 
 /*

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "../bvh/threads.h"
-#include "../distance/columns.h"
+#include "../distance/lanes.h"
 #include "../intersect.h"
 #include "../shapes/measure.h"
 #include "scene.h"

@@ -10,7 +10,7 @@
 
 #include "check.h"
 #include "distance/exact_distance.h"
-#include "distance/distance_types.h"
+#include "distance/head_tail.h"
 #include "distance_points.h"
 #include "shapes/layout.h"
 

@@ -81,7 +81,7 @@ static void check_point(const cylint_shape *s, const double point[3])
     const double turn = between(0, 6.283185307179586);
     const direction_pair at =
         direction_of((vpair){cos(turn), 0}, (vpair){sin(turn), 0});
-    load_plane(&plane, &m, &at, cylint_is_tapered(s->kind));
+    load_plane(&plane, &m, &at);
     CHECK(is_exact(plane.n, height_in_triples(&t, &at)));
 }
 

@@ -373,7 +373,7 @@ static triple_number difference_of_squares(triple_number x, triple_number y,
     return triple_plus(triple_times(x, y), triple_times(z, z));
 }
 
-/* near_surface.h, where |w| and the size of the question are 1, and near_axis.h. */
+/* near_surface.h, where |w| and the size of the question are 1. */
 static const triple_number ONE = {1, 0, 0},
                            ONES[3] = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "closest.h"
-#include "distance/elliptic.h"
+#include "distance/one_distance.h"
 #include "distance/nearest.h"
 #include "distance_points.h"
 
