@@ -154,7 +154,7 @@ enum {
 /*
  * Elliptic kinds.
  *
- *   CYLINT_SIZED_ERROR      of a sum of products in pairs (distance/elliptic_pairs.h),
+ *   CYLINT_SIZED_ERROR      of a sum of products in pairs (elliptic_pairs.h),
  *                           relative to the sizes of its terms: a term passes fewer
  *                           than 16 operations, with CYLINT_PAIR_PRODUCT each
  *   CYLINT_NEEDS_TRIPLES    n / rho of the lateral surface for which pairs do not

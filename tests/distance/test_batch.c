@@ -227,7 +227,8 @@ static void draw_mixed(size_t n)
     }
 }
 
-/* Cases of a family, two of three with both caps, which lanes serve; their points. */
+/* Cases of a family, two of three with both caps, which lanes serve; their
+ * points. */
 static void draw_family(int family, size_t n)
 {
     for (size_t i = 0; i < n; i++) {

@@ -22,8 +22,8 @@ enum {
     ALL = WANT | CYLINT_WANT_DISTANCE
 };
 
-/* n: answers; left: of these, left to triples.  safe, ratios: the number and the sum
- * of the ratios of safety and distance. */
+/* n: answers; left: of these, left to triples.  safe, ratios: the number and the
+ * sum of the ratios of safety and distance. */
 struct tally {
     long n, left, safe;
     double ratios;

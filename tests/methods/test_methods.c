@@ -1,12 +1,12 @@
 /*
  * test_methods.c - the published methods, against the library
  *
- * Each method agrees with cylint_intersect() on well-conditioned input of its shapes,
- * and returns CYLINT_EMETHOD for all others.  A case is well-conditioned if the exact
- * answer changes little where the line moves a little.  On degenerate input that
- * doubles represent exactly (degenerate.txt) the methods keep the contract: tangents,
- * rims, lines along a ruling, in a cap's plane or through an apex, and where the print
- * of a method is wrong or leaves out a case.
+ * Each method agrees with cylint_intersect() on well-conditioned input of its
+ * shapes, and returns CYLINT_EMETHOD for all others.  A case is well-conditioned if
+ * the exact answer changes little where the line moves a little.  On degenerate
+ * input that doubles represent exactly (degenerate.txt) the methods keep the
+ * contract: tangents, rims, lines along a ruling, in a cap's plane or through an
+ * apex, and where the print of a method is wrong or leaves out a case.
  */
 #include <math.h>
 #include <string.h>

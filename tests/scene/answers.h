@@ -169,8 +169,8 @@ static inline void sort_found(struct found *f)
         }
 }
 
-/* Takes the shapes from a visit.  Lists of all of them, and of a third at a time, must
- * hold the same ones. */
+/* Takes the shapes from a visit.  Lists of all of them, and of a third at a time,
+ * must hold the same ones. */
 static inline void line_in_scene(const cylint_scene *scene,
                                  const cylint_line *line,
                                  struct line_answers *a)

@@ -197,8 +197,8 @@ TEST(hits_of_a_domain_are_those_of_the_whole_line)
     }
 }
 
-/* So near that no arithmetic but an exact one finds the difference; then so near that
- * the square of the distance underflows, and t is rounded to 0. */
+/* So near that no arithmetic but an exact one finds the difference; then so near
+ * that the square of the distance underflows, and t is rounded to 0. */
 TEST(a_line_that_begins_beside_a_surface_has_no_hit_at_0)
 {
     for (int i = 0; i < CASES; i++) {

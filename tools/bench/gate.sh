@@ -8,16 +8,16 @@ work=$BUILD/gate
 commit=$(git rev-parse --verify "$COMMIT^{commit}") && mkdir -p "$work" || exit 2
 [ -d "$work/tree" ] || git worktree add -q --detach "$work/tree" || exit 2
 git -C "$work/tree" checkout -q --force --detach "$commit" || exit 2
-for folder in tools/bench tests/support tests/package; do
+for folder in tools/bench tests/support tests/distance tests/package; do
     rm -rf "${work:?}/tree/$folder"
     cp -r $folder "$work/tree/$folder" || exit 2
 done
 make -C "$work/tree" BUILD=build build/tools/bench/bench build/tests/package/answers \
     >"$work/make.log" 2>&1 || { tail "$work/make.log"; exit 2; }
 
-"$BUILD/tests/package/records" 1 "$COUNT" "$work/records" || exit 2
-"$BUILD/tests/package/answers" "$work/records" >"$work/new" || exit 2
-"$work/tree/build/tests/package/answers" "$work/records" >"$work/old" || exit 2
+"$BUILD/tests/package/records" 1 "$COUNT" >"$work/records" || exit 2
+"$BUILD/tests/package/answers" <"$work/records" >"$work/new" || exit 2
+"$work/tree/build/tests/package/answers" <"$work/records" >"$work/old" || exit 2
 status=0
 if cmp "$work/old" "$work/new"; then
     echo "$(wc -l <"$work/new") answers are the same"

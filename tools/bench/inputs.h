@@ -28,8 +28,8 @@ cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
 /* The middle of the axis; of a sphere the centre. */
 void middle_of(const cylint_shape *s, double middle[3]);
 
-/* Finds by bisection the argument, from 0 to `most`, at which a falling function has
- * the value `wanted`.  The last call is near it, so the input that the function
+/* Finds by bisection the argument, from 0 to `most`, at which a falling function
+ * has the value `wanted`.  The last call is near it, so the input that the function
  * draws stays; returns the value of that call. */
 double approach(double (*function)(double), double most, double wanted);
 

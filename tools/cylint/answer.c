@@ -88,7 +88,8 @@ void put_answer(struct task *task, int is_hit)
 
 /* --------------------------------------------------------- good and bad -- */
 
-/* A point where only lines are allowed has the columns of lines, and the reverse. */
+/* A point where only lines are allowed has the columns of lines, and the
+ * reverse. */
 static void mark_bad(struct task *task)
 {
     const struct options *o = task->job->options;

@@ -1,7 +1,8 @@
 /*
  * view.c - the camera, and the line for each point of the picture
  *
- * The eye is placed so that all boxes of shapes lie, with a margin, within the four planes through the picture's edges.
+ * The eye is placed so that all boxes of shapes lie, with a margin, within the four
+ * planes through the picture's edges.
  */
 #include "sampling.h"
 #include "view.h"

@@ -114,8 +114,8 @@ struct Scene {
             cylint_scene_free(p);
         }
     };
-    /* Queries, save() and to_bytes() hold a reference while they run without Python's
-     * lock; set_solids() then refuses. */
+    /* Queries, save() and to_bytes() hold a reference while they run without
+     * Python's lock; set_solids() then refuses. */
     std::shared_ptr<char> use = std::make_shared<char>();
     nb::object memory; /* of the scene, if it was opened there */
     /* Labels and solids of a scene that is not opened; finish() gives them to the
