@@ -318,7 +318,7 @@ cylint_kind cylint_arguments(const cylint_shape *shape,
                              double numbers[CYLINT_ARGUMENTS_MOST])
 {
     /* By kind: p, r, q, R are p0, r0, p1 and r1 of the record; a and b are the
- * semi-axes. */
+     * semi-axes. */
     static const char *const parts[] = {
         [CYLINT_KIND_NONE] = "",          [CYLINT_KIND_CYLINDER] = "pqr",
         [CYLINT_KIND_CONE] = "prqR",      [CYLINT_KIND_ACONE] = "pqR",

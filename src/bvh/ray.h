@@ -162,8 +162,8 @@ static inline void shorten(ray_state *s, float tfar)
                   : with_one_zero(tfar);
 }
 
-/* Moves the origin of a ray from far away to its point nearest to the centre:
- * floats are coarse far away.  x, t0 d and their sum are rounded. */
+/* Of a ray.  One from far away begins at its point nearest to the centre, because
+ * floats are coarse there.  That point's terms and their sum are rounded. */
 static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
                              const cylint_float_ray *ray)
 {

@@ -83,7 +83,7 @@ static inline void update_last(traversal *t)
  * within r of its axis.  With D = q - p the nearest point of the axis is p + z w,
  * z = D.w / ww in [0, 1].
  *
- * With u = 2^-23, and K >= |q| + 2^11 >= |D|: q, D, z w, their difference and the
+ * With u = 2^-23, and K >= |q| + 2^11 >= |D|: q, D, z w, the differences and the
  * root are rounded by less than 8 u K together; the error of z, 8 u of K / |w|,
  * moves z w by 8 u K.
  */

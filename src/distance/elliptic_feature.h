@@ -20,8 +20,9 @@ typedef struct {
     const cylint_shape *shape;
     elliptic_place at;
     int feature, is_turned;
-    int side; /* 1: within the lateral surface, -1: outside it, 0: uncertain: beside
-                  * it or, within it, beside the plane of an end */
+    /* 1: within the lateral surface, -1: outside it, 0: uncertain: beside it or,
+     * within it, beside the plane of an end */
+    int side;
     double room; /* rho less the distance from the axis, at least */
     int rough;   /* a rough angle is enough */
     angle e;

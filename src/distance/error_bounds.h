@@ -57,9 +57,9 @@
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 
 /*
- * Distances in triples (distance/near_surface.h,
- * distance/elliptic_pairs.h): CYLINT_CLOSE_ERROR times the sizes of terms that are
- * counted there, with these factors (tests/bounds/test_local_residuals.c).
+ * Distances in triples (near_surface.h, elliptic_pairs.h): CYLINT_CLOSE_ERROR times
+ * the sizes of terms that are counted there, with these factors
+ * (tests/bounds/test_local_residuals.c).
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
  * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
  * the relative error of a few operations on pairs.  CYLINT_CLOSE_FLATTEST: the

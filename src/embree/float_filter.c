@@ -189,7 +189,7 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
     vd per_far;
     const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
     /* both have an error of at most W e_c, so the angle's is less than
- * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
+     * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
     const vd part = q->W * e_c * per_far;
     const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
     const vm inside =

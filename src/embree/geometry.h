@@ -111,8 +111,7 @@ typedef struct RTCIntersectFunctionNArguments cylint_embree_call;
 typedef struct cylint_ray_test {
     cylint_float_filter_question q; /* first: the filter's pointers are ours */
     const cylint_embree_data *data;
-    cylint_float_filter *const
-        *filter; /* data's, or one that decides nothing */
+    cylint_float_filter *const *filter; /* data's, or those of no_filter */
     const cylint_embree_call *args;
     int any; /* the callback is that for occlusion */
     struct RTCRay *ray;

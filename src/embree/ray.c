@@ -38,7 +38,7 @@ static inline int has_flag(const ray_test *r, unsigned flag)
     return (r->data->options.flags & flag) != 0;
 }
 
-/* Where the bounds of the filter do not hold: not in rounding to nearest. */
+/* The filter where the bounds of data's do not hold: not in rounding to nearest. */
 static void decide_nothing(cylint_float_filter_question *const of[], int n)
 {
     for (int i = 0; i < n; i++)

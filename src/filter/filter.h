@@ -51,9 +51,9 @@ typedef struct {
     int is_along; /* the line lies in the plane of an end */
     int rises;    /* the sign of Q's slope at the line's origin; 0: uncertain */
     double A;     /* of the lateral quadratic; only its sign counts */
-    double Q,
-        D; /* no local coordinate of the line's origin exceeds Q, none of its
-                    direction D */
+    /* no local coordinate of the line's origin exceeds Q, none of its direction
+     * exceeds D */
+    double Q, D;
     double t[2], slope[2], slope_error[2], curvature[2];
     double value[2], tail[2], error[2];
     /* If members beside t are wanted: their hits, and of each hit the members

@@ -169,8 +169,7 @@ static int is_radius(double x)
 /* What is true of each record whose tag has CYLINT_TAG_PLAIN.  The limits are wider
  * than the constructor's, that of lengths by a factor 2, that of squared sines
  * CYLINT_LOCAL_STEEPEST in place of its square, so that the rounding mode does not
- * matter.  A shape so made is one that its constructor
- * accepts. */
+ * matter.  A shape so made is one that its constructor accepts. */
 static int is_plain(const cylint_records *r, size_t number)
 {
     const cylint_record *at = &r->record[number];
