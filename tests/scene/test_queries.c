@@ -619,7 +619,25 @@ TEST(threads_share_a_scene_with_the_same_answers)
 
 TEST(every_status_has_its_text)
 {
-    check_texts(cylint_scene_strerror, CYLINT_SCENE_ESOLID + 1);
+    static const char *const texts[] = {
+        [CYLINT_SCENE_OK] = "no error",
+        [CYLINT_SCENE_EMEMORY] = "out of memory",
+        [CYLINT_SCENE_ESIZE] = "no such shape or solid, or more than 2^28",
+        [CYLINT_SCENE_ESTOPPED] = "stopped by a function of the caller",
+        [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
+        [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
+        [CYLINT_SCENE_EFILE] = "the file cannot be read or written",
+        [CYLINT_SCENE_EFORMAT] = "not a saved scene",
+        [CYLINT_SCENE_EVERSION] =
+            "the file is of another version or machine: make it again",
+        [CYLINT_SCENE_EDAMAGED] = "the file is damaged",
+        [CYLINT_SCENE_EOPENED] = "the shapes of an opened scene do not change",
+        [CYLINT_SCENE_EREPLACE] =
+            "a shape cannot take the place of the one before: make a new "
+            "scene",
+        "a member of a solid has no clause, or two solids have the same "
+        "number"};
+    check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
 }
 
 int main(void)

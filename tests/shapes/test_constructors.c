@@ -248,7 +248,18 @@ TEST(lines_of_numbers_that_are_not_finite_are_refused)
 
 TEST(every_status_has_its_text)
 {
-    check_texts(cylint_strerror, CYLINT_EMETHOD + 1);
+    static const char *const texts[] = {
+        [CYLINT_OK] = "no error",
+        [CYLINT_ENONFINITE] = "a number is not finite",
+        [CYLINT_EAXIS] = "the axis or normal has no length",
+        [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
+        [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
+        [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees",
+        [CYLINT_EENDS] = "this kind of shape has no such ends",
+        [CYLINT_EDIRECTION] = "the direction has no length",
+        [CYLINT_EDOMAIN] = "the domain is empty or not a number",
+        [CYLINT_EMETHOD] = "this method does not support such a shape"};
+    check_texts(cylint_strerror, texts, sizeof texts / sizeof *texts);
 }
 
 TEST(an_invalid_shape_or_line_misses_with_the_flag)
