@@ -71,8 +71,8 @@ struct cylint_scene {
     cylint_scene_labels labels; /* end is NULL: none */
     cylint_solids solids;
     cylint_membership *given; /* the members of solids, unless in the file */
-    /* of an opened scene; then the records, the hierarchy, the lists, the labels and
-     * solids.given lie in it */
+    /* of an opened scene; then the records, the hierarchy, the lists, the labels
+     * and solids.given lie in it */
     cylint_memory file;
 };
 
