@@ -175,12 +175,8 @@ def positive(name: str, value: int) -> int:
 
 
 def workers(threads: int | None) -> int:
-    """The number of threads: None stands for one per processor."""
-    if threads is None:
-        if hasattr(os, "sched_getaffinity"):
-            return len(os.sched_getaffinity(0))
-        return os.cpu_count() or 1
-    return positive("threads", threads)
+    """The number of threads; 0, for None, stands for one per processor."""
+    return 0 if threads is None else positive("threads", threads)
 
 
 def counted(count: int | np.integer[Any], noun: str) -> str:

@@ -1,5 +1,5 @@
 /*
- * calls.h - what the module's files offer to module.cc
+ * calls.h - what the module's files share
  *
  * The Python code has checked all arrays; they broadcast.  Arrays named shapes are
  * the member `kind` of arrays of cylint_shape.  columns: arrays for the answers.
@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <new>
 #include <string>
 
 #include "cylint_scene.h"
@@ -75,37 +76,15 @@ bool each(const Grid &grid, const From &from, int threads,
 
 /* A scene with the memory that it needs. */
 struct Scene {
-    /* expected: the number of shapes, if it is known; else 0 */
-    explicit Scene(size_t expected) : Scene(cylint_scene_begin(expected))
+    /* Takes a scene that was begun or opened; nullptr: there was no memory. */
+    explicit Scene(cylint_scene *taken) : scene(taken)
     {
+        if (!taken)
+            throw std::bad_alloc();
     }
-    /* Takes a scene that was begun or opened. */
-    explicit Scene(cylint_scene *begun);
-
-    void add(Input shapes);
-    void finish(int threads, const Callback &progress);
-    static std::unique_ptr<Scene> open(const nb::bytes &path,
-                                       const nb::object &name, bool read,
-                                       bool trusted);
-    static std::unique_ptr<Scene> open_bytes(const nb::bytes &bytes);
-    void save(const nb::bytes &path, const nb::object &name) const;
-    nb::object to_bytes() const;
-    void set_labels(const nb::list &labels);
-    nb::object labels() const;
-    bool has_solids() const
-    {
-        return !members.empty();
-    }
-    void take(std::optional<Input> numbers, Output shapes, bool closed) const;
-    void set_solids(Input members);
-    nb::list solids() const;
     size_t size() const
     {
-        return n;
-    }
-    size_t bytes() const
-    {
-        return cylint_scene_bytes(scene.get());
+        return cylint_scene_size(scene.get());
     }
 
     struct Free {
@@ -125,32 +104,15 @@ struct Scene {
     std::string label_text;
     std::vector<cylint_member> members; /* of solids that were read */
     std::unique_ptr<cylint_scene, Free> scene;
-    size_t n;
 };
 
-/* shapes.cc */
-nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
-                    Output clauses);
-int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
-                Output statuses);
-void read_shapes(Input shapes, Output kinds, Output numbers);
-nb::dict shape_members();
-void bounds(Input shapes, Output boxes);
-
-/* intersect.cc */
-bool intersect(Input shapes, const Lines &lines, Outputs columns, int threads,
-               const Callback &progress);
-void describe(Input shapes, std::optional<Input> index, const Lines &lines,
-              Outputs columns, int threads, const Callback &progress);
-nb::tuple first_bad_line(const Lines &lines);
-
-/* points.cc, queries.cc, scene.cc, text.cc */
+/* Each adds what its file offers to Python: shapes.cc, intersect.cc and so on. */
+void register_shapes(nb::module_ &module);
+void register_intersect(nb::module_ &module);
 void register_points(nb::module_ &module);
-void register_queries(nb::module_ &module, nb::class_<Scene> &scene);
 void register_scene(nb::module_ &module);
-nb::tuple read_scene(const nb::bytes &file, int ends, bool round);
-nb::bytes write_scene(Input shapes, size_t first,
-                      std::optional<nb::list> labels);
+void register_queries(nb::module_ &module, nb::class_<Scene> &scene);
+void register_text(nb::module_ &module);
 
 /* A text in UTF-8; other bytes become surrogates. */
 nb::object decoded(const char *text, size_t length);

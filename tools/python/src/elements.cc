@@ -7,7 +7,6 @@
 #include <mutex>
 #include <thread>
 
-#define CYLINT_THREADS
 extern "C" {
 #include "bvh/threads.h"
 }
@@ -151,25 +150,26 @@ void Listener::end() const
 
 int workers_for(size_t blocks, int threads)
 {
-    return static_cast<int>(
-        std::min(blocks / blocks_a_thread + 1,
-                 static_cast<size_t>(std::max(threads, 1))));
+    return cylint_threads_for(blocks + blocks_a_thread, blocks_a_thread,
+                              threads);
 }
 
 void work(size_t blocks, size_t total, int workers, const Callback &progress,
           const std::function<bool(int, size_t)> &task)
 {
     Listener listener(progress, total);
+    const auto caller = std::this_thread::get_id();
     std::atomic<size_t> next{0}, done{0};
     std::atomic<bool> stopped{false};
     std::mutex lock;
     std::exception_ptr failure;
-    const auto loop = [&](int worker) {
+    std::function<void(int)> loop = [&](int worker) {
+        const bool listens = std::this_thread::get_id() == caller;
         try {
             for (size_t i; !stopped && (i = next++) < blocks; done++) {
                 if (!task(worker, i))
                     stopped = true;
-                if (worker == 0)
+                if (listens)
                     listener.listen(static_cast<double>(done) /
                                     static_cast<double>(blocks));
             }
@@ -181,28 +181,11 @@ void work(size_t blocks, size_t total, int workers, const Callback &progress,
         }
     };
     const Unlocked unlocked;
-    struct Other {
-        const decltype(loop) *function;
-        int worker;
-        cylint_thread thread;
+    const auto run = [](void *function, size_t worker, size_t) {
+        (*static_cast<decltype(loop) *>(function))(static_cast<int>(worker));
     };
-    const auto run = [](void *context) -> void * {
-        const auto *other = static_cast<Other *>(context);
-        (*other->function)(other->worker);
-        return nullptr;
-    };
-    std::vector<Other> others(static_cast<size_t>(workers));
-    int started = 1; /* fewer threads do the same work */
-    for (; started < workers; started++) {
-        Other &other = others[static_cast<size_t>(started)];
-        other.function = &loop;
-        other.worker = started;
-        if (!cylint_thread_start(&other.thread, run, &other))
-            break;
-    }
-    loop(0);
-    while (--started > 0)
-        pthread_join(others[static_cast<size_t>(started)].thread, nullptr);
+    cylint_threads_share(workers, static_cast<size_t>(workers), 1, 1, run,
+                         &loop);
     if (failure)
         std::rethrow_exception(failure);
     if (!stopped)

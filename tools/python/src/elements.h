@@ -215,7 +215,8 @@ class Listener
     Clock::time_point due;
 };
 
-/* The number of threads for so many blocks, 1 to `threads`. */
+/* The number of threads for so many blocks, 1 to `threads`; 0 stands for one per
+ * processor. */
 int workers_for(size_t blocks, int threads);
 
 /*

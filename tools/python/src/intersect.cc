@@ -212,8 +212,6 @@ class Block
     signed char relation[BLOCK], n[BLOCK], parts[2][BLOCK];
 };
 
-} // namespace
-
 /* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins
  * and the directions (..., 3), None where they are not wanted.  Returns false
  * if a line is refused and not masked; the answers are then not complete. */
@@ -229,9 +227,6 @@ bool intersect(Input shapes, const Lines &lines, Outputs columns, int threads,
     grid.finish(false);
     return each_block(grid, threads, progress, [&] { return Block(lines); });
 }
-
-namespace
-{
 
 /* The columns of describe(), in the order of _MEMBERS in _hits.py. */
 enum { POINT, NORMAL, Z, PHI, SIDE, OUTSIDE, INSIDE, MEMBERS };
@@ -265,8 +260,6 @@ void write_hit(const Part &part, size_t i, size_t k, const cylint_shape *shape,
         std::copy(from, from + width, &part.value<double>(array, i, k * width));
     }
 }
-
-} // namespace
 
 /*
  * Computes members of hits one by one.  columns: point (..., 2, 3), normal,
@@ -328,4 +321,15 @@ nb::tuple first_bad_line(const Lines &lines)
         }
     }
     return nb::make_tuple(-1, 0);
+}
+
+} // namespace
+
+void register_intersect(nb::module_ &module)
+{
+    nb::class_<Lines>(module, "Lines")
+        .def(nb::init<Input, Input, Input, Input, Input, bool, bool>());
+    module.def("first_bad_line", &first_bad_line);
+    module.def("intersect", &intersect);
+    module.def("describe", &describe);
 }

@@ -352,7 +352,7 @@ template <class From, class Answers, auto query>
 nb::object answer(const Scene &scene, const From &from, const Rule &rule,
                   Outputs columns, int threads, const Callback &progress)
 {
-    const Question q = {scene.scene.get(), scene.n, rule,
+    const Question q = {scene.scene.get(), scene.size(), rule,
                         rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
     const auto held = scene.use;
     Grid grid;

@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <exception>
-#include <new>
 
 #include <nanobind/stl/unique_ptr.h>
 
@@ -42,9 +41,15 @@ int copy_bytes(void *to, const void *from, size_t size)
     return 1;
 }
 
-/* Raises the exception of a status; name: what it is about, error: errno. */
-void check(cylint_scene_status status, const nb::object &name = nb::none(),
-           int error = 0)
+/* Makes a call without Python's lock.  errno stays: taking the lock restores it. */
+template <class Call> auto unlocked(const Call &call)
+{
+    const Unlocked released;
+    return call();
+}
+
+/* Raises the exception of a status; name: the file that it is about, with errno. */
+void check(cylint_scene_status status, const nb::object &name = nb::none())
 {
     const char *const text = cylint_scene_strerror(status);
     if (status == CYLINT_SCENE_OK)
@@ -53,8 +58,7 @@ void check(cylint_scene_status status, const nb::object &name = nb::none(),
         throw std::bad_alloc();
     if (name.is_none())
         throw nb::value_error(text);
-    errno = error;
-    if (status == CYLINT_SCENE_EFILE && error != 0)
+    if (status == CYLINT_SCENE_EFILE && errno != 0)
         PyErr_SetFromErrnoWithFilenameObject(PyExc_OSError, name.ptr());
     else
         PyErr_SetObject(PyExc_ValueError,
@@ -62,80 +66,69 @@ void check(cylint_scene_status status, const nb::object &name = nb::none(),
     throw nb::python_error();
 }
 
-} // namespace
-
-Scene::Scene(cylint_scene *begun) : scene(begun), n(0)
+/* expected: the number of shapes, if it is known; else 0 */
+std::unique_ptr<Scene> begin(size_t expected)
 {
-    if (!scene)
-        throw std::bad_alloc();
-    n = cylint_scene_size(begun);
+    return std::make_unique<Scene>(cylint_scene_begin(expected));
 }
 
 /* shapes: (n), contiguous */
-void Scene::add(Input shapes)
+void add(Scene &s, Input shapes)
 {
-    const size_t added = shapes.shape(0);
-    cylint_scene_status status;
-    {
-        const Unlocked unlocked;
-        status = cylint_scene_add(scene.get(), as_shape(shapes.data()), added);
-    }
-    check(status);
-    n += added;
+    check(unlocked([&] {
+        return cylint_scene_add(s.scene.get(), as_shape(shapes.data()),
+                                shapes.shape(0));
+    }));
 }
 
-void Scene::finish(int threads, const Callback &progress)
+bool has_solids(const Scene &s)
+{
+    return !s.members.empty();
+}
+
+void finish(Scene &s, int threads, const Callback &progress)
 {
     cylint_scene_status status;
-    Build build{Listener(progress, n), nullptr};
+    Build build{Listener(progress, s.size()), nullptr};
     {
         const Unlocked unlocked;
         status =
-            cylint_scene_finish(scene.get(), threads, Build::listen, &build);
+            cylint_scene_finish(s.scene.get(), threads, Build::listen, &build);
         if (status == CYLINT_SCENE_OK)
             build.listener.end();
     }
     if (build.failure)
         std::rethrow_exception(build.failure);
     check(status);
-    const cylint_scene_labels all{label_ends.data(), label_text.data()};
-    if (has_labels)
-        cylint_scene_set_labels(scene.get(), &all);
-    if (has_solids())
-        check(cylint_scene_set_solids(scene.get(), members.data(),
-                                      members.size()));
+    const cylint_scene_labels all{s.label_ends.data(), s.label_text.data()};
+    if (s.has_labels)
+        cylint_scene_set_labels(s.scene.get(), &all);
+    if (has_solids(s))
+        check(cylint_scene_set_solids(s.scene.get(), s.members.data(),
+                                      s.members.size()));
 }
 
 /* Opens a file.  name: of the path, in exceptions. */
-std::unique_ptr<Scene> Scene::open(const nb::bytes &path,
-                                   const nb::object &name, bool read,
-                                   bool trusted)
+std::unique_ptr<Scene> open_file(const nb::bytes &path, const nb::object &name,
+                                 bool read, bool trusted)
 {
     const unsigned flags =
         read * static_cast<unsigned>(CYLINT_SCENE_READ) |
         trusted * static_cast<unsigned>(CYLINT_SCENE_TRUSTED);
     cylint_scene_status status;
-    cylint_scene *opened;
-    int error;
-    {
-        const Unlocked unlocked;
-        opened = cylint_scene_open(path.c_str(), flags, &status);
-        error = errno;
-    }
-    check(status, name, error);
+    cylint_scene *const opened = unlocked(
+        [&] { return cylint_scene_open(path.c_str(), flags, &status); });
+    check(status, name);
     return std::make_unique<Scene>(opened);
 }
 
 /* Opens the bytes of a file. */
-std::unique_ptr<Scene> Scene::open_bytes(const nb::bytes &bytes)
+std::unique_ptr<Scene> open_bytes(const nb::bytes &bytes)
 {
     cylint_scene_status status;
-    cylint_scene *opened;
-    {
-        const Unlocked unlocked;
-        opened =
-            cylint_scene_open_memory(bytes.data(), bytes.size(), 0, &status);
-    }
+    cylint_scene *const opened = unlocked([&] {
+        return cylint_scene_open_memory(bytes.data(), bytes.size(), 0, &status);
+    });
     check(status, nb::str("pickled scene"));
     auto made = std::make_unique<Scene>(opened);
     /* The library copies bytes at other addresses. */
@@ -144,55 +137,50 @@ std::unique_ptr<Scene> Scene::open_bytes(const nb::bytes &bytes)
     return made;
 }
 
-void Scene::save(const nb::bytes &path, const nb::object &name) const
+void save(const Scene &s, const nb::bytes &path, const nb::object &name)
 {
-    const auto held = use;
-    cylint_scene_status status;
-    int error;
-    {
-        const Unlocked unlocked;
-        status = cylint_scene_save(scene.get(), path.c_str());
-        error = errno;
-    }
-    check(status, name, error);
+    const auto held = s.use;
+    check(unlocked(
+              [&] { return cylint_scene_save(s.scene.get(), path.c_str()); }),
+          name);
 }
 
 /* The bytes of the file that save() writes. */
-nb::object Scene::to_bytes() const
+nb::object to_bytes(const Scene &s)
 {
     size_t size = 0;
-    check(cylint_scene_write(scene.get(), count_bytes, &size));
+    check(cylint_scene_write(s.scene.get(), count_bytes, &size));
     nb::object bytes = nb::steal(
         PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
     if (!bytes.is_valid())
         throw std::bad_alloc();
     char *to = PyBytes_AsString(bytes.ptr());
-    const auto held = use;
+    const auto held = s.use;
     const Unlocked unlocked;
-    cylint_scene_write(scene.get(), copy_bytes, &to);
+    cylint_scene_write(s.scene.get(), copy_bytes, &to);
     return bytes;
 }
 
 /* Gives a scene that is begun its labels, a list of bytes. */
-void Scene::set_labels(const nb::list &labels)
+void set_labels(Scene &s, const nb::list &labels)
 {
-    has_labels = true;
+    s.has_labels = true;
     for (nb::handle label : labels) {
         const auto bytes = nb::cast<nb::bytes>(label);
-        label_text.append(bytes.c_str(), bytes.size());
-        label_ends.push_back(label_text.size());
+        s.label_text.append(bytes.c_str(), bytes.size());
+        s.label_ends.push_back(s.label_text.size());
     }
 }
 
 /* The labels as texts, or None if there are none. */
-nb::object Scene::labels() const
+nb::object labels(const Scene &s)
 {
-    const cylint_scene_labels own{label_ends.data(), label_text.data()};
+    const cylint_scene_labels own{s.label_ends.data(), s.label_text.data()};
     const cylint_scene_labels *const all =
-        has_labels ? &own : cylint_scene_get_labels(scene.get());
+        s.has_labels ? &own : cylint_scene_get_labels(s.scene.get());
     nb::list list;
     uint64_t begin = 0;
-    for (size_t i = 0; i < n && all; i++) {
+    for (size_t i = 0; i < s.size() && all; i++) {
         list.append(decoded(all->text + begin, all->end[i] - begin));
         begin = all->end[i];
     }
@@ -201,7 +189,8 @@ nb::object Scene::labels() const
 
 /* Writes the shapes with these numbers (int64, contiguous), or all shapes if
  * numbers is None.  closed: as closed solids. */
-void Scene::take(std::optional<Input> numbers, Output shapes, bool closed) const
+void take(const Scene &s, std::optional<Input> numbers, Output shapes,
+          bool closed)
 {
     auto *const shape = static_cast<cylint_shape *>(shapes.data());
     const auto *const number =
@@ -209,14 +198,14 @@ void Scene::take(std::optional<Input> numbers, Output shapes, bool closed) const
     const Unlocked unlocked;
     for (size_t i = 0; i < shapes.shape(0); i++) {
         const size_t at = number ? static_cast<size_t>(number[i]) : i;
-        cylint_scene_shape(scene.get(), at, &shape[i]);
+        cylint_scene_shape(s.scene.get(), at, &shape[i]);
         if (closed && shape[i].ends < CYLINT_ENDS_INFINITE)
             shape[i].ends = CYLINT_ENDS_CAPPED;
     }
 }
 
 /* Members of solids: (k, 3) int64, contiguous: shape, solid, clause. */
-void Scene::set_solids(Input members)
+void set_solids(Scene &s, Input members)
 {
     const auto *const row = static_cast<const int64_t *>(members.data());
     std::vector<cylint_member> all;
@@ -224,40 +213,47 @@ void Scene::set_solids(Input members)
         all.push_back({static_cast<size_t>(row[3 * i]),
                        static_cast<size_t>(row[3 * i + 1]),
                        static_cast<int>(row[3 * i + 2])});
-    if (use.use_count() > 1)
+    if (s.use.use_count() > 1)
         throw nb::value_error("solids cannot be set during a query");
-    check(cylint_scene_set_solids(scene.get(), all.data(), all.size()));
+    check(cylint_scene_set_solids(s.scene.get(), all.data(), all.size()));
 }
 
 /* The same as a list of tuples. */
-nb::list Scene::solids() const
+nb::list solids(const Scene &s)
 {
     nb::list list;
-    for (size_t i = 0; i < cylint_scene_members(scene.get()); i++) {
+    for (size_t i = 0; i < cylint_scene_members(s.scene.get()); i++) {
         cylint_member member;
-        cylint_scene_member(scene.get(), i, &member);
+        cylint_scene_member(s.scene.get(), i, &member);
         list.append(nb::make_tuple(member.shape, member.solid, member.clause));
     }
     return list;
 }
 
+size_t bytes(const Scene &s)
+{
+    return cylint_scene_bytes(s.scene.get());
+}
+
+} // namespace
+
 void register_scene(nb::module_ &module)
 {
     nb::class_<Scene> scene(module, "Scene");
-    scene.def(nb::init<size_t>())
-        .def("add", &Scene::add)
-        .def("finish", &Scene::finish)
-        .def_static("open", &Scene::open)
-        .def_static("open_bytes", &Scene::open_bytes)
-        .def("save", &Scene::save)
-        .def("to_bytes", &Scene::to_bytes)
-        .def("set_labels", &Scene::set_labels)
-        .def("labels", &Scene::labels)
-        .def("has_solids", &Scene::has_solids)
+    scene.def(nb::new_(&begin))
+        .def("add", &add)
+        .def("finish", &finish)
+        .def_static("open", &open_file)
+        .def_static("open_bytes", &open_bytes)
+        .def("save", &save)
+        .def("to_bytes", &to_bytes)
+        .def("set_labels", &set_labels)
+        .def("labels", &labels)
+        .def("has_solids", &has_solids)
         .def("size", &Scene::size)
-        .def("take", &Scene::take)
-        .def("bytes", &Scene::bytes)
-        .def("set_solids", &Scene::set_solids)
-        .def("solids", &Scene::solids);
+        .def("take", &take)
+        .def("bytes", &bytes)
+        .def("set_solids", &set_solids)
+        .def("solids", &solids);
     register_queries(module, scene);
 }

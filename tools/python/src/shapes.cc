@@ -7,8 +7,11 @@ extern "C" {
 #include "scene.h"
 }
 
+namespace
+{
+
 /* The rows of an array of doubles (n, k), contiguous. */
-template <class Array> static auto row(const Array &array, size_t i)
+template <class Array> auto row(const Array &array, size_t i)
 {
     using Number = std::remove_pointer_t<decltype(array.data())>;
     using Double =
@@ -17,7 +20,7 @@ template <class Array> static auto row(const Array &array, size_t i)
 }
 
 /* The member `kind` of writable shapes (n). */
-static cylint_shape *shape_at(const Output &shapes, size_t i)
+cylint_shape *shape_at(const Output &shapes, size_t i)
 {
     return static_cast<cylint_shape *>(shapes.data()) + i;
 }
@@ -79,7 +82,7 @@ nb::tuple make_tube(Input numbers, bool is_sector, Output shapes,
 
 /* Calls function(i, shape) for each of shapes (n). */
 template <class Function>
-static void each_shape(const Input &shapes, const Function &function)
+void each_shape(const Input &shapes, const Function &function)
 {
     const Unlocked unlocked;
     for (size_t i = 0; i < shapes.shape(0); i++)
@@ -102,4 +105,15 @@ void bounds(Input shapes, Output boxes)
     each_shape(shapes, [&](size_t i, const cylint_shape *s) {
         cylint_bounds(s, row(boxes, i), row(boxes, i) + 3);
     });
+}
+
+} // namespace
+
+void register_shapes(nb::module_ &module)
+{
+    module.def("shape_members", &shape_members);
+    module.def("make_shapes", &make_shapes);
+    module.def("make_tube", &make_tube);
+    module.def("read_shapes", &read_shapes);
+    module.def("bounds", &bounds);
 }

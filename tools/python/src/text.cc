@@ -72,8 +72,11 @@ nb::object decoded(const char *text, size_t length)
                                           "surrogateescape"));
 }
 
+namespace
+{
+
 /* A scene that is begun, of the shapes that were read. */
-static std::unique_ptr<Scene> begun(struct scene *read)
+std::unique_ptr<Scene> begun(struct scene *read)
 {
     const struct texts &labels = read->labels.texts;
     const struct solids &solids = read->solids;
@@ -144,4 +147,12 @@ nb::bytes write_scene(Input shapes, size_t first,
         text.append(record.data, record.length);
     }
     return nb::bytes(text.data(), text.size());
+}
+
+} // namespace
+
+void register_text(nb::module_ &module)
+{
+    module.def("read_scene", &read_scene);
+    module.def("write_scene", &write_scene);
 }
