@@ -10,7 +10,6 @@
 #include "cylint.h"
 #include "cylint_scene.h"
 #include "picture.h"
-#include "scene.h"
 #include "vector.h"
 
 enum shading {
@@ -39,24 +38,6 @@ struct stage {
     struct vector up;  /* unit vector */
     const struct backdrop *backdrop;
 };
-
-/* The stage as one thread traces it.  Its memory is zero before use. */
-struct tracer {
-    const struct stage *stage;
-    struct piece_memory memory;
-    int has_failed; /* there was no memory: the samples are wrong */
-};
-
-/* Light times opacity, and opacity: 1 on a shape, 0 on none, between these where
- * the ground fades. */
-struct sample {
-    struct vector light;
-    double opacity;
-};
-
-/* Sample i of the pixel whose hash is `seed`. */
-struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
-                           uint32_t i, uint32_t seed);
 
 /* Fills the picture, on several threads.  Returns 0 or an exit status. */
 int trace(const struct drawing *drawing, const struct stage *stage);
