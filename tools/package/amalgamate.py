@@ -14,8 +14,9 @@ part, defined.  cylint_builds.h has headers and files, cylint_templates.h has te
 its part 1 undefines all macros of parts.  Two files, because compilers read a file to
 its end.
 
-Names of file scope get the number of their section: all names of parts, and the names of other files that several files define.  The preprocessor (CC -E) shows the names, and #define
-renames them.
+Names of file scope get the number of their section: all names of parts, and the names of
+other files that several files define.  The preprocessor (CC -E) shows the names, and
+#define renames them.
 """
 
 import functools
