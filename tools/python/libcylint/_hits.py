@@ -109,8 +109,8 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     Hits are on surfaces: a ray that begins inside a solid has no hit there.
     `Scene.pieces` and `Scene.sums` compute how long lines are inside.
 
-    threads: at most this many; None: one per processor.  The answer does not
-    depend on it.  progress: called with (done, total) several times a second
+    threads: at most this many, and at most 64; None: one per processor.  The answer
+    does not depend on it.  progress: called with (done, total) several times a second
     and at the end.  A signal such as Ctrl-C ends the call.
 
     Raises ValueError for the first line that is refused: a number that is not
