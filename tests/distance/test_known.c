@@ -216,44 +216,36 @@ TEST(refused_shapes_and_bad_points_have_an_infinite_distance)
     }
 }
 
-static struct {
+/* Not within less, within enough, in every environment. */
+static const char *check_place(const char *text, const char *known)
+{
     struct family_case c;
     double p[3], bounds[2];
-} places[MOST];
-static int place_count;
-
-static const char *take_place(const char *text, const char *known)
-{
-    if (place_count == MOST ||
-        !(text = family_numbers(text, 3, places[place_count].p)) ||
-        !family_parse(text, &places[place_count].c))
+    if (!(text = family_numbers(text, 3, p)) || !family_parse(text, &c) ||
+        !(known = family_numbers(known, 2, bounds)))
         return NULL;
-    return family_numbers(known, 2, places[place_count++].bounds);
+    const double less = bounds[0], enough = bounds[1];
+    const double ulps[] = {NAN,     -0x1p-1074, fmin(less, 0x1p-1074),
+                           less,    enough,     enough + 1.5,
+                           HUGE_VAL};
+    EACH_ENVIRONMENT(there) {
+        int within = 0;
+        environment_set(there);
+        for (int k = 0; k < 7; k++)
+            within |= cylint_on_surface(&c.shape, p, ulps[k]) << k;
+        environment_reset();
+        if (!CHECK(within == (isnan(enough) ? 0 : 0x70))) {
+            REPORT_POINT(&c, p);
+            REPORT("not within %a, within %a: %x", less, enough,
+                   (unsigned)within);
+        }
+    }
+    return known;
 }
 
 TEST(a_point_is_on_a_surface_exactly_or_within_ulps)
 {
-    each_record("tests/distance/on_surface.txt", 9, take_place);
-    EACH_ENVIRONMENT(there)
-        for (int i = 0; i < place_count; i++) {
-            const double less = places[i].bounds[0],
-                         enough = places[i].bounds[1];
-            const double ulps[] = {NAN,     -0x1p-1074, fmin(less, 0x1p-1074),
-                                   less,    enough,     enough + 1.5,
-                                   HUGE_VAL};
-            int within = 0;
-            environment_set(there);
-            for (int k = 0; k < 7; k++)
-                within |=
-                    cylint_on_surface(&places[i].c.shape, places[i].p, ulps[k])
-                    << k;
-            environment_reset();
-            if (!CHECK(within == (isnan(enough) ? 0 : 0x70))) {
-                REPORT_CASE(&places[i].c);
-                REPORT("not within %a, within %a: %x", less, enough,
-                       (unsigned)within);
-            }
-        }
+    each_record("tests/distance/on_surface.txt", 9, check_place);
 }
 
 /* Squares of the coordinates overflow, and rounding downward and toward zero an
