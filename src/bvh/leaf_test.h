@@ -341,11 +341,11 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
     return hit;
 }
 
-/* least may be NULL.  Near the leaf floats are accurate enough without that: q, e
- * and the domain are rounded once, which the errors above contain. */
+/* For the domain from 0 to tmax; least may be NULL.  Near the leaf floats are
+ * accurate enough without that: q, e and tmax are rounded once, which the errors
+ * above contain. */
 CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
-                                 const double d[3], double tmin, double tmax,
-                                 double *least)
+                                 const double d[3], double tmax, double *least)
 {
     const double steps = cylint_leaf_steps(b);
     float s[CYLINT_LEAF_SIZE] = {0}, *const to = least ? s : NULL;
@@ -360,15 +360,15 @@ CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
         E += fabsf(e);
     }
     if (!(is_fit(E) & (far < FAR_LIMIT)))
-        return test_far_line(b, o, d, tmin, tmax, least);
+        return test_far_line(b, o, d, 0, tmax, least);
     l.E = f_set(E);
     l.k = f_set((far + CYLINDER_REACH) * 0x1p-19f);
-    l.first = f_set((float)(tmin * steps));
+    l.first = f_set(0);
     l.last = f_set((float)(tmax * steps));
     l.t_per_s = f_set((float)(1 / steps));
     const unsigned hit = test_cylinders(b, NULL, &l, to, NULL);
     if (least)
-        write_least(b, hit, s, 0, 1, tmin, least);
+        write_least(b, hit, s, 0, 1, 0, least);
     return hit;
 }
 

@@ -97,7 +97,7 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     push_start(&t, bvh, &state);
     leaf_ahead ahead = {NULL, {0}};
     while ((leaf = take_leaf(&t, &ahead))) {
-        const unsigned lanes = test_line(leaf, o, d, 0, *tmax, least);
+        const unsigned lanes = test_line(leaf, o, d, *tmax, least);
         if (!lanes)
             continue;
         if (callback(self, leaf, lanes, least))
@@ -184,7 +184,7 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
         for (int i = 0; i < w.n_leaves; i++) {
             const cylint_leaf *leaf =
                 &bvh->leaves[w.leaves[i] & ~CYLINT_LEAF_FLAG];
-            const unsigned lanes = test_line(leaf, o, d, 0, *tmax, NULL);
+            const unsigned lanes = test_line(leaf, o, d, *tmax, NULL);
             if (lanes && callback(self, leaf, lanes, NULL))
                 return;
         }

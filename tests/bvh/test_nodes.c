@@ -212,7 +212,7 @@ static void draw_tapered(int round, cylint_shape *shape)
 }
 
 /* Each hit lies in the box of the piece that owns it, and the leaf test does not
- * reject that piece where the domain is the hit. */
+ * reject that piece where the domain ends at the hit, or is the hit. */
 static long check_pieces(const cylint_shape *shape, const cylint_line *line,
                          int count)
 {
@@ -235,7 +235,8 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
         for (int j = 0; j < 3; j++)
             CHECK((double)box.lower[j] <= hit->point[j] &&
                   hit->point[j] <= (double)box.upper[j]);
-        if (!CHECK(test_line(&leaf, line->o, line->d, hit->t, hit->t, least)))
+        if (!CHECK(test_line(&leaf, line->o, line->d, hit->t, least) &&
+                   test_line(&leaf, hit->point, line->d, 0, least)))
             REPORT("piece %d of %d, kind %d, radii %g and %g", piece.index,
                    count, shape->kind, cylint_r0(shape), cylint_r1(shape));
     }
@@ -257,7 +258,7 @@ TEST(pieces_contain_the_hits_that_they_own)
             o[j] = along + (i % 3 ? 30 : 3e5) * between(-0.5, 0.5);
             d[j] = along + between(-0.8, 0.8) - o[j];
         }
-        CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
+        CHECK(cylint_ray(&line, o, d) == CYLINT_OK);
         hits += check_pieces(&shape, &line, 1 + i % 8);
     }
     CHECK(hits > 20000);
