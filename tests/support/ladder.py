@@ -21,6 +21,18 @@ TOP = os.path.normpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 SRC = os.path.join(TOP, "src")
 
 
+def closure(graph):
+    """{node: all nodes that it reaches by one step or more}"""
+    def reached(start):
+        seen, todo = set(), [start]
+        while todo:
+            new = graph.get(todo.pop(), set()) - seen
+            seen |= new
+            todo += new
+        return seen
+    return {node: reached(node) for node in graph}
+
+
 def read_floors():
     """{floor: set of floors that it may use, itself included}"""
     direct = {}
@@ -28,23 +40,13 @@ def read_floors():
         for line in text:
             row = re.match(r"\| `([\w.]+)` \| ([^|]*)\|", line)
             if row:
-                direct[row[1]] = re.findall(r"[\w.]+", row[2])
-    reach = {}
-
-    def visit(floor, path):
-        if floor in path:
-            sys.exit("ladder: the table of src/README.md has a circle: "
-                     + " ".join(path + (floor,)))
-        if floor not in direct:
-            sys.exit("ladder: %s has no row in src/README.md" % floor)
-        if floor not in reach:
-            reach[floor] = {floor}.union(
-                *(visit(f, path + (floor,)) for f in direct[floor]))
-        return reach[floor]
-
-    for floor in direct:
-        visit(floor, ())
-    return reach
+                direct[row[1]] = set(re.findall(r"[\w.]+", row[2]))
+    reach = closure(direct)
+    for floor, below in reach.items():
+        if floor in below or not below <= set(direct):
+            sys.exit("ladder: in the table of src/README.md %s stands on itself, or "
+                     "on a floor that has no row" % floor)
+    return {floor: below | {floor} for floor, below in reach.items()}
 
 
 def floor_of(path):
@@ -124,17 +126,7 @@ def circles(arrows):
     for a, b, _ in arrows:
         if a != b:
             graph.setdefault(a, set()).add(b)
-
-    def reached(start):
-        seen, todo = set(), [start]
-        while todo:
-            for b in graph.get(todo.pop(), ()):
-                if b not in seen:
-                    seen.add(b)
-                    todo.append(b)
-        return seen
-
-    reach = {a: reached(a) for a in graph}
+    reach = closure(graph)
     return sorted({tuple(sorted(b for b in reach[a] if a in reach.get(b, ())))
                    for a in reach if a in reach[a]})
 
