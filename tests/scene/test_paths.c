@@ -20,10 +20,9 @@
 #include <math.h>
 
 #define CHECK_OWN_MAIN
+#include "answers.h"
 #include "check.h"
 #include "columns.h"
-#include "cylint_scene.h"
-#include "draw.h"
 #include "environment.h"
 #include "ulps.h"
 
@@ -36,9 +35,9 @@ static struct {
     cylint_shape shape[GROUP];
     cylint_answer all[GROUP][GROUP];    /* of line i and shape j */
     cylint_answer column[GROUP][GROUP]; /* of line i as a batch reads it */
-    cylint_answer whole[GROUP]; /* of shape i and line i without domain */
-    int side[GROUP][GROUP];     /* of line i's origin in shape j */
-    size_t nearest[GROUP], other[GROUP], hits[GROUP];
+    cylint_answer whole[GROUP];     /* of shape i and line i without domain */
+    int side[GROUP][GROUP];         /* of line i's origin in shape j */
+    struct line_answers due[GROUP]; /* of line i and all shapes */
     cylint_scene *scene;
     char name[80];
 } g;
@@ -52,11 +51,6 @@ static cylint_answer intersect(const cylint_shape *shape,
     return a;
 }
 
-static double first_t(int i, size_t j)
-{
-    return g.all[i][j].hit[0].t;
-}
-
 static void answer_one_by_one(void)
 {
     for (int i = 0; i < GROUP; i++) {
@@ -64,24 +58,12 @@ static void answer_one_by_one(void)
         const cylint_line as_column = column_line(line, 3);
         const cylint_line whole = whole_of(*line);
         g.whole[i] = intersect(&g.shape[i], &whole, CYLINT_WANT_ALL);
-        g.nearest[i] = g.other[i] = GROUP;
-        g.hits[i] = 0;
-        for (size_t j = 0; j < GROUP; j++) {
+        line_by_loop(g.shape, GROUP, line, &g.due[i]);
+        for (int j = 0; j < GROUP; j++) {
             g.all[i][j] = intersect(&g.shape[j], line, CYLINT_WANT_ALL);
             g.column[i][j] =
                 intersect(&g.shape[j], &as_column, CYLINT_WANT_ALL);
             g.side[i][j] = cylint_contains(&g.shape[j], line->o);
-            if (g.all[i][j].n == 0)
-                continue;
-            g.hits[i]++;
-            if (g.nearest[i] == GROUP ||
-                first_t(i, j) < first_t(i, g.nearest[i])) {
-                g.other[i] = g.nearest[i];
-                g.nearest[i] = j;
-            } else if (g.other[i] == GROUP ||
-                       first_t(i, j) < first_t(i, g.other[i])) {
-                g.other[i] = j;
-            }
         }
     }
 }
@@ -109,10 +91,14 @@ static void expect(int holds, int i, size_t j, const char *path, unsigned want)
         failed(i, j, path, want);
 }
 
-static void expect_hit(const cylint_hit *got, int i, size_t j, const char *path,
-                       unsigned want)
+/* Of line i: the number of the nearest shape, and the hit. */
+static void expect_nearest(size_t got, const cylint_hit *hit, int i,
+                           const char *path, unsigned want)
 {
-    expect(same_hit(got, &g.all[i][j].hit[0], want), i, j, path, want);
+    const size_t near = g.due[i].nearest[0];
+    expect(got == near &&
+               (near == GROUP || same_hit(hit, &g.due[i].first[0], want)),
+           i, near % GROUP, path, want);
 }
 
 /* ------------------------------------------------------------ the paths -- */
@@ -246,43 +232,25 @@ static void nearest_of_a_pack(int i)
 {
     const cylint_pack pack = pack_all();
     const unsigned want = any_want();
-    const size_t near = g.nearest[i];
+    const size_t hits = g.due[i].hit.n;
     cylint_hit hit;
     const size_t got = cylint_nearest(&pack, &g.c[i].line, want, &hit);
-    expect(got == near, i, near % GROUP, "nearest of a pack", want);
-    if (got == near && near < GROUP)
-        expect_hit(&hit, i, near, "nearest of a pack", want);
+    expect_nearest(got, &hit, i, "nearest of a pack", want);
     for (size_t enough = 0; enough < 4; enough++)
         expect(cylint_count(&pack, &g.c[i].line, enough) ==
-                   (enough && enough < g.hits[i] ? enough : g.hits[i]),
-               i, near % GROUP, "count of a pack", 0);
+                   (enough && enough < hits ? enough : hits),
+               i, (size_t)i, "count of a pack", 0);
 }
 
 static void queries_of_a_scene(int i)
 {
-    const cylint_line *line = &g.c[i].line;
+    static struct line_answers got;
     const unsigned want = any_want();
-    const size_t near = g.nearest[i], other = g.other[i];
-    size_t number[GROUP + 1];
     cylint_hit hit;
-    size_t got = cylint_scene_nearest(g.scene, line, want, &hit);
-    expect(got == near, i, near % GROUP, "nearest of a scene", want);
-    if (got == near && near < GROUP)
-        expect_hit(&hit, i, near, "nearest of a scene", want);
-    got = cylint_scene_nearest_other(g.scene, line, near, want, &hit);
-    expect(got == other, i, other % GROUP, "other of a scene", want);
-    if (got == other && other < GROUP)
-        expect_hit(&hit, i, other, "other of a scene", want);
-    expect(cylint_scene_occluded(g.scene, line, GROUP) == (g.hits[i] > 0) &&
-               cylint_scene_occluded(g.scene, line, near) == (g.hits[i] > 1) &&
-               cylint_scene_count(g.scene, line, 0) == g.hits[i],
-           i, near % GROUP, "count of a scene", 0);
-    const size_t n = cylint_scene_all(g.scene, line, 0, number, GROUP + 1);
-    size_t k = 0;
-    for (size_t j = 0; j < GROUP; j++)
-        if (g.all[i][j].n > 0)
-            expect(k < n && number[k++] == j, i, j, "all of a scene", 0);
-    expect(k == n, i, near % GROUP, "all of a scene", 0);
+    const size_t near = cylint_scene_nearest(g.scene, &g.c[i].line, want, &hit);
+    expect_nearest(near, &hit, i, "nearest of a scene", want);
+    line_in_scene(g.scene, &g.c[i].line, &got);
+    expect(same_line_answers(&got, &g.due[i]), i, (size_t)i, "a scene", 0);
 }
 
 static void (*const paths[])(int) = {single_questions,  described_hits,
