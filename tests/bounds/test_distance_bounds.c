@@ -1,20 +1,53 @@
 /*
- * test_distance_bounds.c - floor distance: the errors of the half plane
+ * test_distance_bounds.c - floor distance: the errors of pairs, heads and tails
  *
  * Computes z and rho with heads and tails and with pairs, and the distance from a
  * rim, beside the same from exact numbers, and compares the differences with the
- * bounds that the kernels use.
+ * bounds that the kernels use.  Of elliptic kinds x, y, z, the volume and the
+ * height over a tangent plane in pairs and in triples, with CYLINT_SIZED_ERROR
+ * times the sizes of the terms; and the same numbers in doubles with the bounds
+ * that features depend on.  CYLINT_CASES is the number of elliptic cases of each
+ * family, of others a tenth; CYLINT_SEED changes the points.
  */
 #define CYLINT_ONE_LANE
 #include <math.h>
 
 #include "check.h"
 #include "distance/exact_distance.h"
+#include "distance/elliptic_pairs.h"
 #include "distance/head_tail.h"
 #include "distance_points.h"
 #include "shapes/layout.h"
 
-enum { CASES = 100, POINTS = 4 };
+enum { CASES = 4000 };
+
+static int is_below(double error, double bound, double *most)
+{
+    const double ratio = bound > 0 ? error / bound : error > 0 ? HUGE_VAL : 0;
+    *most = fmax(*most, ratio);
+    return ratio <= 1;
+}
+
+/* Calls check() with a point of each prepared shape, elliptic or not; of elliptic
+ * ones without the families of extreme sizes. */
+static void over_families(int elliptic, uint64_t cases,
+                          void check(const struct family_case *c,
+                                     const double p[3]))
+{
+    stream = check_seed();
+    EACH_CASE(c, 9, cases) {
+        double p[3];
+        if (cylint_is_elliptic(c.shape.kind) != elliptic ||
+            !cylint_prepared(&c.shape) ||
+            (elliptic && (family_is_wild(family) || family_is_scaled(family))))
+            continue;
+        draw_point(&c, p);
+        if (is_finite3(p))
+            check(&c, p);
+    }
+}
+
+/* ------------------------------------------------------- the half plane -- */
 
 static double most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho;
 
@@ -31,17 +64,11 @@ static floating root_of_quotient(exact x, exact y)
                                                            cylint_floating(y)));
 }
 
-static double difference(vpair x, pair y)
+/* |x - y| */
+static double from_pair(vpair x, pair y)
 {
     const pair d = pair_sub(two_sum(x.hi, x.lo), y);
     return fabs(d.hi + d.lo);
-}
-
-static int is_below(double error, double bound, double *most)
-{
-    const double ratio = bound > 0 ? error / bound : error > 0 ? HUGE_VAL : 0;
-    *most = fmax(*most, ratio);
-    return ratio <= 1;
 }
 
 static void check_head_tail(const struct family_case *c, const double p[3],
@@ -56,20 +83,23 @@ static void check_head_tail(const struct family_case *c, const double p[3],
     const vpair root = head_tail_rho(&m);
     if (!(m.error <= 0x1p-53 * m.size)) /* no distance is accepted */
         return;
-    if (!CHECK(is_below(difference(m.z, z), CYLINT_HEAD_TAIL_ERROR / 4 * m.size,
+    if (!CHECK(is_below(from_pair(m.z, z), CYLINT_HEAD_TAIL_ERROR / 4 * m.size,
                         &most_head_tail_z) &&
-               is_below(difference(root, rho), m.error, &most_head_tail_rho))) {
+               is_below(from_pair(root, rho), m.error, &most_head_tail_rho))) {
         REPORT_POINT(c, p);
         REPORT("heads and tails");
     }
 }
 
-static void check_point(const struct family_case *c, const double p[3])
+static void check_half_plane(const struct family_case *c, const double p[3])
 {
     const cylint_shape *const at[1] = {&c->shape};
     static meridian exactly;
     shape_lanes s;
     half_plane m;
+    if (cylint_has_tangent(c->shape.kind) ||
+        c->shape.kind == CYLINT_KIND_SPHERE)
+        return;
     pairs_load_shapes(&s, at);
     pairs_load(&m, &s, p, 1);
     const vpair got_rho = pairs_rho(&m);
@@ -86,7 +116,7 @@ static void check_point(const struct family_case *c, const double p[3])
     if (rho.hi != 0 && rho.hi < CYLINT_DISTANCE_LEAST) /* is left to them */
         return;
     check_head_tail(c, p, z, rho);
-    const double off_z = difference(m.z, z), off_rho = difference(got_rho, rho);
+    const double off_z = from_pair(m.z, z), off_rho = from_pair(got_rho, rho);
     /* The comparison itself errs by 2^-100 of rho. */
     if (!CHECK(is_below(off_z, m.z_error + 0x1p-101 * fabs(z.hi), &most_z) &&
                is_below(off_rho, m.rho_error + 0x1p-100 * rho.hi, &most_rho))) {
@@ -106,30 +136,97 @@ static void check_point(const struct family_case *c, const double p[3])
     const vpair got = pairs_length(vpair_sub(got_rho, s.r[0]), m.z, &m, &error);
     if (!(got.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */
         return;
-    if (!CHECK(is_below(difference(got, true_rim), error, &most_rim))) {
+    if (!CHECK(is_below(from_pair(got, true_rim), error, &most_rim))) {
         REPORT_POINT(c, p);
         REPORT("rim");
     }
 }
 
-TEST(errors_are_below_their_bounds)
+TEST(errors_of_the_half_plane_are_below_their_bounds)
 {
-    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
-    EACH_CASE(c, 9, cases) {
-        stream = number * 64 + (uint64_t)family;
-        if (!cylint_prepared(&c.shape) || cylint_is_elliptic(c.shape.kind) ||
-            cylint_has_tangent(c.shape.kind) ||
-            c.shape.kind == CYLINT_KIND_SPHERE)
-            continue;
-        for (int k = 0; k < POINTS; k++) {
-            double p[3];
-            draw_point(&c, p);
-            if (is_finite3(p))
-                check_point(&c, p);
-        }
-    }
+    over_families(0, check_setting("CYLINT_CASES", CASES) / 10,
+                  check_half_plane);
     printf("note: largest errors: z %.2g, rho %.2g, rim %.2g; with heads and "
            "tails z %.2g, rho %.2g of the bounds\n",
            most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho);
     CHECK(most_rho > 0 && most_head_tail_rho > 0);
+}
+
+/* ------------------------------------------------------- elliptic kinds -- */
+
+static double most_in_pairs, most_in_doubles;
+
+/* n of an angle, whose length is brought to 1 in triples. */
+static triple height_in_triples(const elliptic_triples *t,
+                                const direction_pair *e)
+{
+    const triple c = triple_of_pair(e->cos.v), d = triple_of_pair(e->sin.v);
+    const triple more = triple_sub(triple_mul2(c, c, d, d), triple_of(1));
+    const triple turned = triple_mul2(c, t->place[0], d, t->place[1]);
+    const triple less = triple_times(turned, -0.5 * triple_value(more));
+    return triple_sub(triple_add(turned, less), t->place[2]);
+}
+
+/* |x - y| */
+static double from_triple(vpair x, triple y)
+{
+    const triple d =
+        triple_sub(triple_add(triple_of(x.hi), triple_of(x.lo)), y);
+    return fabs(triple_value(d));
+}
+
+static int is_exact(sized x, triple y)
+{
+    return is_below(from_triple(x.v, y), CYLINT_SIZED_ERROR * x.size,
+                    &most_in_pairs);
+}
+
+/* The error of x as the quotient of y and the volume. */
+static double off_by(double x, triple y, triple volume)
+{
+    const triple d = triple_sub(triple_times(volume, x), y);
+    return fabs(triple_value(d) / triple_value(volume));
+}
+
+static void check_place(const elliptic_numbers *m, const elliptic_triples *t,
+                        const elliptic_place *p)
+{
+    const double off = off_by(p->x, t->place[0], t->volume) +
+                       off_by(p->y, t->place[1], t->volume) +
+                       off_by(p->rho, t->place[2], t->volume);
+    CHECK(is_exact(m->x, t->place[0]) && is_exact(m->y, t->place[1]) &&
+          is_exact(m->rho, t->place[2]));
+    CHECK(is_exact(m->z, t->z) && is_exact(m->volume, t->volume));
+    CHECK(is_below(off, p->error, &most_in_doubles));
+    CHECK(
+        is_below(off_by(p->z, t->z, t->volume), p->z_error, &most_in_doubles));
+}
+
+static void check_elliptic(const struct family_case *c, const double point[3])
+{
+    const cylint_shape *s = &c->shape;
+    elliptic_numbers m;
+    elliptic_place p;
+    elliptic_triples t;
+    plane_in_pairs plane;
+    if (cylint_largest(point) > CYLINT_FAR) /* a hit can overflow */
+        return;
+    load_numbers(&m, s, point);
+    locate(&p, s, point, CYLINT_ELLIPTIC_ERROR);
+    load_triples(&t, s, point);
+    check_place(&m, &t, &p);
+    const double turn = between(0, 6.283185307179586);
+    const direction_pair at =
+        direction_of((vpair){cos(turn), 0}, (vpair){sin(turn), 0});
+    load_plane(&plane, &m, &at);
+    CHECK(is_exact(plane.n, height_in_triples(&t, &at)));
+}
+
+TEST(errors_of_elliptic_kinds_are_below_their_bounds)
+{
+    over_families(1, check_setting("CYLINT_CASES", CASES), check_elliptic);
+    printf("note: the largest error is %.3f of its bound in pairs, %.3f in "
+           "doubles\n",
+           most_in_pairs, most_in_doubles);
+    CHECK(most_in_pairs > 0x1p-13 && most_in_doubles > 0x1p-13);
 }

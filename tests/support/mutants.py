@@ -58,11 +58,10 @@ FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
         ("numbers/test_double_double", {}), ("shapes/test_errors", {}),
         ("library/test_properties", {}), ("library/test_batch", {})]
 DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
-            ("bounds/test_distance_bounds", {"CYLINT_CASES": "10"}),
+            ("bounds/test_distance_bounds", {"CYLINT_CASES": "400"}),
             ("distance/test_batch", {"CYLINT_CASES": "3"}),
             ("distance/test_oracle", {"CYLINT_CASES": "2"}),
-            ("distance/test_elliptic", {}),
-            ("bounds/test_elliptic_bounds", {})]
+            ("distance/test_elliptic", {})]
 POINTS = [("bounds/test_scene_point_bounds", {}), ("scene/test_queries", {})]
 SCENE = [("scene/test_many", {}), ("scene/test_pieces", {"CYLINT_CASES": "10"}),
          ("scene/test_boundary", {"CYLINT_CASES": "20"}), ("scene/test_solids", {}),
