@@ -8,7 +8,7 @@
  * has the largest error of a number over its bound, which must be at most 1.  A
  * bound 0 is that of an exact number.
  *
- * Shapes and lines are those of the families.
+ * Shapes and lines are those of the families.  CYLINT_CASES is the number of hits.
  */
 #define CYLINT_NARROW
 #define CYLINT_SIGN_ON_LINE cylint_sign_on_line_plain

@@ -4,6 +4,7 @@
  *
  * Compares the bounds of traverse_point.c with distances in long double: they are
  * never above these, and below by no more than the errors that are stated there.
+ * CYLINT_SEED changes all cases.
  */
 #define CYLINT_TRAVERSE_POINT cylint_traverse_point_tested
 #include "bvh/traverse.h"

@@ -5,7 +5,8 @@
  * families have the properties.  The oracle's tests of families are in
  * test_oracle.c.  CYLINT_CASES is the number of shapes of each family, with POINTS
  * points each.  CYLINT_FAR is the number of cases whose numbers have any exponents
- * of doubles.  on_surface.txt has the units within which points are on surfaces.
+ * of doubles.  CYLINT_SEED changes both.  on_surface.txt has the units within which
+ * points are on surfaces.
  */
 #include <errno.h>
 #include <float.h>
@@ -547,8 +548,8 @@ struct answers {
 
 static double ulps_of_questions;
 
-/* A question is computed in the default environment, and in each other one whose turn
- * is a multiple of this. */
+/* A question is computed in the default environment, and in each other one whose
+ * turn is a multiple of this. */
 static int every_environment, turn_of_environment;
 
 static void answer_all(const cylint_shape *s, const double p[3],

@@ -5,6 +5,7 @@
  * The statuses and every bit of the differences that constructors compute must be
  * those of the default environment.  scene/test_paths.c tests the answers of all
  * calls, test_hits.c those of named cases, shapes/test_constructors.c statuses.
+ * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes them.
  */
 #include <math.h>
 

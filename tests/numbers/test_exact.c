@@ -1,5 +1,7 @@
 /*
  * test_exact.c - exact arithmetic against MPFR, its memory, and scaling
+ *
+ * CYLINT_CASES is the number of cases of most tests; others take a share of it.
  */
 #include <float.h>
 #include <gmp.h> /* before mpfr.h */

@@ -3,7 +3,8 @@
  *
  * Computes the nodes and constants again.  Measures the errors of angles over
  * their bounds: in lanes of every width, with and without fused multiply-add,
- * of exact and of inexact points, and in pairs in each rounding mode.
+ * of exact and of inexact points, and in pairs in each rounding mode.  CYLINT_CASES
+ * is the number of points.
  */
 #include <fenv.h>
 #include <math.h>

@@ -1,6 +1,8 @@
 /*
  * test_pieces.c - the pieces of a line in solids, in every mode, against a loop
  * over all cells
+ *
+ * CYLINT_CASES: scenes in each test.
  */
 #include <float.h>
 #include <math.h>

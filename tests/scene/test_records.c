@@ -3,7 +3,8 @@
  * decide right or not at all
  *
  * The shapes are those of the families of families.h.  A decision is compared with
- * cylint_occluded() in every rounding mode.
+ * cylint_occluded() in every rounding mode.  CYLINT_CASES is the number of cases of
+ * each family.
  */
 #include "check.h"
 #include "cylint_scene.h"

@@ -1,6 +1,8 @@
 /*
  * test_solids.c - solids that are set, refused and saved, workspaces of every
  * size, and named cases
+ *
+ * CYLINT_CASES: scenes in tests of random ones.
  */
 #include <limits.h>
 #include <math.h>

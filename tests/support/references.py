@@ -3,13 +3,15 @@
 A file in a comment has a name of three letters or more; it is in the repository, or
 some file includes it as <name>.  A function has an underscore and is a word of the
 code.  A path in a page is one from the top or from the page's folder.  A citation in
-src, [AUTHORS YEAR], is in the list of references of cylint(3).
+src, [AUTHORS YEAR], is in the list of references of cylint(3).  The first comment of a
+test in C names the settings that it reads.
 """
 import os
 import re
 import sys
 
 os.chdir(os.path.join(os.path.dirname(os.path.abspath(sys.argv[0])), "../.."))
+SETTING = re.compile(r'check_setting\("(\w+)"|check_(seed)\(')
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 PATH = re.compile(r"`((?!build/)\w+/[\w./-]+\.\w+)`")
 CITATION = re.compile(r"\[([A-Z][a-z]+)(?:, [A-Z][a-z]+)* (\d{4})(?:\]|, [A-Z])")
@@ -30,6 +32,9 @@ for folder, folders, files in os.walk("."):
                       if not os.path.exists(x) and not os.path.exists(os.path.join(folder, x))]
         if file.endswith((".c", ".h", ".cc")):
             comments[path] = " ".join(COMMENT.findall(text))
+            read = {name or "CYLINT_SEED" for name, _ in SETTING.findall(text)}
+            found += [(path, "first comment that names " + x) for x in sorted(read)
+                      if file.startswith("test_") and x not in COMMENT.search(text)[0]]
             text = COMMENT.sub(" ", text)
         names |= set(re.findall(r"#\s*include <([\w/.]+)>", text))
         code |= set(re.findall(r"\w+", text))
