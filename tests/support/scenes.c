@@ -79,20 +79,22 @@ static cylint_status any_shape(const double at[3], double size,
     }
 }
 
-/* Whole numbers: neighbours share caps, rims and tangents, and some shapes
- * occur twice. */
-static cylint_status lattice_shape(size_t n, cylint_shape *shape)
+/* Whole numbers: neighbours share caps, rims and tangents, and some shapes occur
+ * twice.  Round cones, of which some are balls, or cylinders and cones. */
+static cylint_status lattice_shape(size_t n, int round, cylint_shape *shape)
 {
     const size_t side = (size_t)cbrt((double)n) + 1;
     double at[3], top[3];
     for (int j = 0; j < 3; j++)
         top[j] = at[j] = (double)below(side);
-    top[below(3)] += 1;
-    const int is_cone = one_of(3) == 0;
+    if (!round || one_of(4))
+        top[below(3)] += 1;
+    const int is_cylinder = !round && one_of(3) != 0;
     const cylint_ends ends = any_ends();
-    if (is_cone)
-        return cylint_cone(shape, at, 0.5, top, 0.25 * (double)below(4), ends);
-    return cylint_cylinder(shape, at, top, 0.5, ends);
+    if (is_cylinder)
+        return cylint_cylinder(shape, at, top, 0.5, ends);
+    return (round ? cylint_round_cone : cylint_cone)(
+        shape, at, 0.5, top, 0.25 * (double)below(4), ends);
 }
 
 /* A capsule, round cone or sphere; some are pointed, of some one ball holds the
@@ -119,19 +121,6 @@ static cylint_status round_shape(const double at[3], double length,
     default:
         return cylint_capsule(shape, at, top, radius, ends);
     }
-}
-
-static cylint_status round_lattice_shape(size_t n, cylint_shape *shape)
-{
-    const size_t side = (size_t)cbrt((double)n) + 1;
-    double at[3], top[3];
-    for (int j = 0; j < 3; j++)
-        top[j] = at[j] = (double)below(side);
-    if (one_of(4))
-        top[below(3)] += 1;
-    const cylint_ends ends = any_ends();
-    return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)below(4),
-                             ends);
 }
 
 /* In a cube of side cbrt(n), so that neighbours are about 1 apart. */
@@ -162,7 +151,7 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
         return stick(at, length, length * power(-2, 0), shape);
     }
     case SCENE_LATTICE:
-        return lattice_shape(n, shape);
+        return lattice_shape(n, 0, shape);
     case SCENE_SMALL:
         scale3(at, 1e-130);
         return any_shape(at, 2e-130, any_ends(), shape);
@@ -173,7 +162,7 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
     }
     case SCENE_ROUND:
         return one_of(4) ? round_shape(at, 1.5, 0.3, shape)
-                         : round_lattice_shape(n, shape);
+                         : lattice_shape(n, 1, shape);
     case SCENE_STRANDS:
         return round_shape(at, 10, 0.02, shape);
     default:
