@@ -232,6 +232,36 @@ static inline size_t pieces_in_world(const cylint_line *line,
     return n;
 }
 
+/* All pieces in each mode and what else is computed from chords, of a line and of
+ * its origin. */
+typedef struct {
+    size_t n[4];
+    cylint_piece piece[4][MOST];
+    double sum;
+    size_t depth, owner, boundary;
+    cylint_hit hit;
+} world_answers;
+
+/* scene: of the world, or one like it. */
+static inline void answer_all(const cylint_scene *scene,
+                              const cylint_line *line, world_answers *to)
+{
+    cylint_workspace work = {workspace, sizeof workspace, 0};
+    cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION, .rank = world.rank};
+    memset(to, 0, sizeof *to);
+    for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
+        rule.mode = (cylint_piece_mode)mode;
+        to->n[mode] = cylint_scene_pieces(scene, line, &rule, to->piece[mode],
+                                          MOST, &work);
+    }
+    CHECK(cylint_scene_line_sums(scene, line, &rule, NULL, 1, 0, &to->sum) ==
+          CYLINT_SCENE_OK);
+    to->boundary = cylint_scene_first_boundary(scene, line, CYLINT_WANT_ALL,
+                                               &to->hit, &work);
+    to->depth =
+        cylint_scene_depth(scene, line->o, world.rank, &to->owner, &work);
+}
+
 /* ------------------------------------------------------ random scenes -- */
 
 static inline struct family_case whole_case(void)

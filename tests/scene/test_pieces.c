@@ -120,38 +120,10 @@ TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
 
 /* --------------------------------------------------------- environment -- */
 
-typedef struct {
-    size_t n[4];
-    cylint_piece piece[4][MOST];
-    double sum;
-    size_t depth, owner, boundary;
-    cylint_hit hit;
-} scene_answers;
-
-/* All pieces in each mode and what else is computed from chords, of lines and
- * of their origins. */
-static void answer_all(const cylint_line *line, scene_answers *to)
-{
-    cylint_workspace work = {workspace, sizeof workspace, 0};
-    cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION, .rank = world.rank};
-    memset(to, 0, sizeof *to);
-    for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
-        rule.mode = (cylint_piece_mode)mode;
-        to->n[mode] = cylint_scene_pieces(world.scene, line, &rule,
-                                          to->piece[mode], MOST, &work);
-    }
-    CHECK(cylint_scene_line_sums(world.scene, line, &rule, NULL, 1, 0,
-                                 &to->sum) == CYLINT_SCENE_OK);
-    to->boundary = cylint_scene_first_boundary(
-        world.scene, line, CYLINT_WANT_ALL, &to->hit, &work);
-    to->depth =
-        cylint_scene_depth(world.scene, line->o, world.rank, &to->owner, &work);
-}
-
 /* Half of the lines have such long directions that t is subnormal. */
 TEST(pieces_are_the_same_in_every_environment)
 {
-    static scene_answers expected, got;
+    static world_answers expected, got;
     cylint_line asked;
     long subnormal_ends = 0;
     stream = 3;
@@ -166,10 +138,10 @@ TEST(pieces_are_the_same_in_every_environment)
         const double d[3] = {line.d[0] * size, line.d[1] * size,
                              line.d[2] * size};
         cylint_span(&asked, line.o, d, line.tmin / size, line.tmax / size);
-        answer_all(&asked, &expected);
+        answer_all(world.scene, &asked, &expected);
         EACH_ENVIRONMENT(there) {
             environment_set(there);
-            answer_all(&asked, &got);
+            answer_all(world.scene, &asked, &got);
             environment_reset();
             CHECK(same_bytes(&expected, &got, sizeof got));
         }

@@ -24,26 +24,9 @@ static void draw_lines(void)
         line[i] = any_line();
 }
 
-/* All bits of the pieces of the lines in all modes. */
-static size_t all_pieces(const cylint_scene *scene, cylint_piece *to)
-{
-    cylint_workspace work = {workspace, sizeof workspace, 0};
-    size_t n = 0;
-    memset(to, 0, MOST * sizeof *to);
-    for (int i = 0; i < FEW; i++)
-        for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
-            const cylint_piece_rule rule = {.mode = (cylint_piece_mode)mode};
-            const size_t more = cylint_scene_pieces(scene, &line[i], &rule,
-                                                    to + n, MOST - n, &work);
-            MUST(more < MOST - n);
-            n += more;
-        }
-    return n;
-}
-
 static int same_solids(const cylint_scene *x, const cylint_scene *y)
 {
-    static cylint_piece p[MOST], q[MOST];
+    static world_answers p, q;
     const size_t n = cylint_scene_members(x);
     int same = cylint_scene_members(y) == n;
     for (size_t i = 0; i < n && same; i++) {
@@ -52,8 +35,12 @@ static int same_solids(const cylint_scene *x, const cylint_scene *y)
         cylint_scene_member(y, i, &b);
         same = a.shape == b.shape && a.solid == b.solid && a.clause == b.clause;
     }
-    return same && all_pieces(x, p) == all_pieces(y, q) &&
-           memcmp(p, q, sizeof p) == 0;
+    for (int i = 0; i < FEW && same; i++) {
+        answer_all(x, &line[i], &p);
+        answer_all(y, &line[i], &q);
+        same = same_bytes(&p, &q, sizeof p);
+    }
+    return same;
 }
 
 /* -------------------------------------------------------------- errors -- */
