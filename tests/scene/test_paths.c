@@ -6,10 +6,9 @@
  * environment, with all members.  The calls of `paths`, with other members
  * wanted, must return the same bits, in an environment and with kernels that
  * change from group to group; every second group is also made there.  The
- * groups are those of the families; runs of one kind with the same ends; exact
- * coincidences and their neighbours; plain numbers; and numbers of extreme
- * exponents, which are answered in each environment.  Many domains begin or end
- * at a hit, or one double beside it.
+ * groups are those of the families; exact coincidences and their neighbours;
+ * plain numbers; and numbers of extreme exponents, which are answered in each
+ * environment.  Many domains begin or end at a hit, or one double beside it.
  *
  * CYLINT_CASES is the number of groups of each kind, CYLINT_SEED changes them.
  * The program prints a digest of all answers, which must be the same from all
@@ -392,34 +391,6 @@ TEST(families_have_the_same_answers)
     for (int family = 0; family < family_count(); family++)
         test_family(family,
                     groups(family_is_wild(family) ? GROUPS / 4 : GROUPS), 0);
-}
-
-/* All lanes of a batch are of one kind with the same ends; the families in turn. */
-TEST(runs_of_one_kind_have_the_same_answers)
-{
-    uint64_t index = 5000;
-    for (int kind = FAMILY_CYLINDER; kind < FAMILY_SHAPES; kind++)
-        for (int ends = 0; ends <= CYLINT_ENDS_NAPPE; ends++)
-            for (uint64_t k = 0; k < (groups(GROUPS) + 3) / 4; k++) {
-                int n = 0;
-                if (kind >= FAMILY_SPHERE && kind <= FAMILY_RCONE &&
-                    ends > CYLINT_ENDS_CAP1)
-                    continue;
-                begin_group(100 + (uint64_t)kind, k);
-                for (int i = 0; n < GROUP && i < 20000; i++, index++) {
-                    family_case(check_seed(),
-                                (int)(index % (uint64_t)family_count()), index,
-                                &g.c[n]);
-                    if ((int)g.c[n].shape_word != kind)
-                        continue;
-                    g.c[n].ends = kind == FAMILY_SPHERE ? CYLINT_ENDS_CAPPED
-                                                        : (cylint_ends)ends;
-                    n += family_make(&g.c[n]);
-                }
-                CHECK(n == GROUP);
-                snprintf(g.name, sizeof g.name, "kind %d, ends %d", kind, ends);
-                test_group(k + (uint64_t)ends, 0);
-            }
 }
 
 TEST(coincidences_have_the_same_answers)
