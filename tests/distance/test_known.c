@@ -333,28 +333,6 @@ TEST(signed_distances_are_those_of_the_closed_solid)
     over_exponents(check_signed, 1);
 }
 
-/* The surface of a capped shape is that of both shapes with one cap. */
-static void check_caps(const struct family_case *c, const double p[3])
-{
-    static const cylint_ends ends[] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_CAP0,
-                                       CYLINT_ENDS_CAP1};
-    struct family_case capped = *c;
-    double x[3];
-    for (int i = 0; i < 3; i++) {
-        capped.ends = ends[i];
-        family_make(&capped);
-        x[i] = fabs(answer_to(&capped.shape, p, 0).distance);
-    }
-    if (!CHECK(c->shape_word == FAMILY_SPHERE || x[0] == fmin(x[1], x[2])))
-        REPORT_POINT(c, p);
-}
-
-TEST(a_capped_shape_is_as_near_as_the_nearer_of_two_with_one_cap)
-{
-    over_families(check_caps);
-    over_exponents(check_caps, 0);
-}
-
 /* The members of `want` that pairs leave, and the distance; all are certain where
  * this is 0. */
 static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
