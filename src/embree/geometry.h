@@ -57,8 +57,8 @@ typedef struct cylint_embree_array {
 /* Traces rays (bits) of a packet through a hierarchy that is not empty.  They go
  * into the same octant: their d have the same signs, of zeros too.  certain: for a
  * ray that certainly hits some shape, records only that it is hit. */
-struct cylint_packet;
-typedef void cylint_packet_trace(struct cylint_packet *p, unsigned rays,
+struct cylint_ray_test;
+typedef void cylint_packet_trace(struct cylint_ray_test *packet, unsigned rays,
                                  int certain);
 
 /* The user data of the geometry. */
@@ -123,22 +123,18 @@ typedef struct cylint_ray_test {
     int last_ball, last_leaves;
     float last_t;
     unsigned last_rank;
+    /* of a packet: how the ray may hit a leaf, as in cylint_ray_leaf_callback, and
+     * a copy of the ray */
+    unsigned lanes;
+    float least[CYLINT_LEAF_SIZE];
+    struct RTCRayHit copy;
 } cylint_ray_test;
 
 enum { CYLINT_PACKET_MOST = 16 };
 
-/* Rays of a packet, and how they may hit a leaf: lanes (bits) and least[] as in
- * cylint_ray_leaf_callback. */
-typedef struct cylint_packet {
-    struct RTCRayHit ray[CYLINT_PACKET_MOST];
-    cylint_ray_test test[CYLINT_PACKET_MOST];
-    unsigned lanes[CYLINT_PACKET_MOST];
-    float least[CYLINT_PACKET_MOST][CYLINT_LEAF_SIZE];
-} cylint_packet;
-
-/* Tests rays (bits) against the lanes that they may hit.  Returns the rays that
- * need no other hit. */
-unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
+/* Tests rays (bits) of a packet against the lanes that they may hit.  Returns the
+ * rays that need no other hit. */
+unsigned cylint_packet_test(cylint_ray_test packet[], const cylint_leaf *leaf,
                             unsigned rays);
 
 /* Records a hit of a ray of which nothing else is wanted. */

@@ -32,7 +32,7 @@ typedef struct {
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
     ray_state state[CYLINT_PACKET_MOST];
     float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
-    cylint_packet *packet;
+    cylint_ray_test *packet;
 } traversal;
 
 /* ----------------------------------------------------------------- nodes -- */
@@ -86,40 +86,40 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
 CYLINT_INLINE unsigned test_rays(traversal *t, const cylint_leaf *leaf,
                                  unsigned rays, int certain)
 {
-    cylint_packet *const p = t->packet;
     cylinders all[CYLINT_LEAF_SIZE / WIDTH];
     unsigned hit = 0, stopped = 0;
     for (int i = 0; i < CYLINT_LEAF_SIZE; i += WIDTH)
         all[i / WIDTH] = cylinders_of(leaf, i);
     EACH_BIT(k, rays) {
+        cylint_ray_test *const r = &t->packet[k];
         unsigned sure = 0;
-        p->lanes[k] = test_ray(leaf, all, float_ray(&p->ray[k].ray), t->E[k],
-                               p->least[k], certain ? &sure : NULL);
+        r->lanes = test_ray(leaf, all, float_ray(r->ray), t->E[k], r->least,
+                            certain ? &sure : NULL);
         if (sure && t->outside >> k & 1)
             stopped |= 1u << k;
         else
-            hit |= (unsigned)(p->lanes[k] != 0) << k;
+            hit |= (unsigned)(r->lanes != 0) << k;
     }
     EACH_BIT(k, stopped)
-        cylint_record_any(&p->test[k]);
+        cylint_record_any(&t->packet[k]);
     t->active &= ~stopped;
     return hit;
 }
 
-void CYLINT_PACKET_TRACE(cylint_packet *p, unsigned rays, int certain)
+void CYLINT_PACKET_TRACE(cylint_ray_test *packet, unsigned rays, int certain)
 {
-    const cylint_bvh *bvh = &p->test[cylint_lowest(rays)].data->bvh;
+    const cylint_bvh *bvh = &packet[cylint_lowest(rays)].data->bvh;
     const cylint_leaf *leaf;
     entry at;
     traversal t;
     t.bvh = bvh;
-    t.packet = p;
+    t.packet = packet;
     t.stack[0] = (entry){keyed_child(0, 0), rays};
     t.n = 1;
     t.active = rays;
     t.outside = 0;
     EACH_BIT(k, rays) {
-        const cylint_float_ray *ray = float_ray(&p->ray[k].ray);
+        const cylint_float_ray *ray = float_ray(packet[k].ray);
         t.E[k] = size_of(ray);
         start_ray(&t.state[k], bvh, ray);
         if (certain)
@@ -131,8 +131,8 @@ void CYLINT_PACKET_TRACE(cylint_packet *p, unsigned rays, int certain)
                                  : test_rays(&t, leaf, at.rays, 0);
         if (!hit)
             continue;
-        t.active &= ~cylint_packet_test(p, leaf, hit);
+        t.active &= ~cylint_packet_test(packet, leaf, hit);
         EACH_BIT(k, hit)
-            shorten(&t.state[k], p->ray[k].ray.tfar);
+            shorten(&t.state[k], packet[k].ray->tfar);
     }
 }

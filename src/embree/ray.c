@@ -458,22 +458,22 @@ static void copy_words(void *to, unsigned step_to, const void *from,
 }
 
 /* Tests the lanes of all rays in turns, the nearest lane of each ray first. */
-unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
+unsigned cylint_packet_test(ray_test packet[], const cylint_leaf *leaf,
                             unsigned rays)
 {
-    const ray_test *first = &p->test[cylint_lowest(rays)];
+    const ray_test *first = &packet[cylint_lowest(rays)];
     const cylint_embree_data *data = first->data;
     const int any = first->any;
     unsigned stopped = 0;
     EACH_BIT(k, rays)
-        prefetch_records(data, leaf, p->lanes[k]);
+        prefetch_records(data, leaf, packet[k].lanes);
     while (rays) {
         cylint_float_filter_question *question[CYLINT_PACKET_MOST];
         int n = 0;
         EACH_BIT(k, rays) {
-            if (p->lanes[k] &&
-                take_nearest_lane(&p->test[k], leaf, &p->lanes[k], p->least[k]))
-                question[n++] = &p->test[k].q;
+            ray_test *const r = &packet[k];
+            if (r->lanes && take_nearest_lane(r, leaf, &r->lanes, r->least))
+                question[n++] = &r->q;
             else
                 rays &= ~(1u << k);
         }
@@ -482,7 +482,7 @@ unsigned cylint_packet_test(cylint_packet *p, const cylint_leaf *leaf,
             end_test((ray_test *)question[i]);
         if (any)
             EACH_BIT(k, rays)
-                stopped |= (unsigned)(p->test[k].found != 0) << k;
+                stopped |= (unsigned)(packet[k].found != 0) << k;
         rays &= ~stopped;
     }
     return stopped;
@@ -497,15 +497,16 @@ static int octant_of(const struct RTCRay *ray)
 /* Of the rays those that go into the octant of the first one and begin near it,
  * within 1/8 of the longest side S of the hierarchy's box, if they are enough, or
  * else none: fewer often share an octant by chance.  Without a hierarchy S is 0. */
-static unsigned near_first(const cylint_packet *p, unsigned rays, unsigned N)
+static unsigned near_first(const ray_test packet[], unsigned rays, unsigned N)
 {
     unsigned near = 0, n = 0;
     if (!rays)
         return 0;
-    const struct RTCRay *first = &p->ray[cylint_lowest(rays)].ray;
-    const float S = p->test[cylint_lowest(rays)].data->bvh.near_distance / 256;
+    const ray_test *r = &packet[cylint_lowest(rays)];
+    const struct RTCRay *first = r->ray;
+    const float S = r->data->bvh.near_distance / 256;
     EACH_BIT(k, rays) {
-        const struct RTCRay *x = &p->ray[k].ray;
+        const struct RTCRay *x = packet[k].ray;
         const float far = fabsf(x->org_x - first->org_x) +
                           fabsf(x->org_y - first->org_y) +
                           fabsf(x->org_z - first->org_z);
@@ -521,27 +522,28 @@ static void trace_packet(const call *a, int any)
 {
     const cylint_embree_data *data = a->geometryUserPtr;
     const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
-    const unsigned words = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
-    float *const packet = (float *)a->rayhit;
+    const unsigned n = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
+    float *const words = (float *)a->rayhit;
     unsigned all = 0, open, together;
-    cylint_packet p;
+    ray_test packet[CYLINT_PACKET_MOST];
     for (unsigned i = 0; i < a->N; i++) {
-        struct RTCRayHit *one = &p.ray[i];
+        struct RTCRayHit *one = &packet[i].copy;
         if (!a->valid[i])
             continue;
         one->hit = (struct RTCHit){0};
-        copy_words(one, 1, packet + i, a->N, words);
+        copy_words(one, 1, words + i, a->N, n);
         set_valid(a->valid, i, 0);
-        if (start_test(&p.test[i], a, any, &one->ray, &one->hit))
+        if (start_test(&packet[i], a, any, &one->ray, &one->hit))
             all |= 1u << i;
     }
-    for (open = all; (together = near_first(&p, open, a->N)); open &= ~together)
-        data->trace_packet(&p, together, certain);
+    for (open = all; (together = near_first(packet, open, a->N));
+         open &= ~together)
+        data->trace_packet(packet, together, certain);
     EACH_BIT(i, open)
-        trace_single(&p.test[i]);
+        trace_single(&packet[i]);
     EACH_BIT(i, all) {
-        if (p.test[i].found) {
-            copy_words(packet + i, a->N, &p.ray[i], 1, words);
+        if (packet[i].found) {
+            copy_words(words + i, a->N, &packet[i].copy, 1, n);
             set_valid(a->valid, (unsigned)i, 1);
         }
     }
