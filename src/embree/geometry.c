@@ -109,21 +109,16 @@ static int report(cylint_embree_problem *problem, int status, size_t shape)
     return status;
 }
 
-static const cylint_shape *numbered_shape(const void *owner, uint32_t number,
-                                          cylint_shape *spare)
+/* The shape of a rank or, without ranks, of a number. */
+static const cylint_shape *shape_of_rank(const void *owner, uint32_t rank,
+                                         cylint_shape *spare)
 {
     const cylint_embree_data *data = owner;
+    const uint32_t number = data->number ? data->number[rank] : rank;
     const cylint_embree_array *from =
         data->arrays + cylint_embree_array_at(data, 0, number);
     (void)spare;
     return &from->shapes[number - from->first];
-}
-
-static cylint_view view_of(const cylint_embree_data *data, int time)
-{
-    return time ? cylint_plain_view(data->options.moved)
-                : (cylint_view){
-                      .scale = 1, .shape_at = numbered_shape, .owner = data};
 }
 
 /* The numbers of merged arrays ascend. */
@@ -137,9 +132,10 @@ static int check_arrays(const cylint_embree_data *data,
 }
 
 /* Writes the box of all shapes, each of which can be a primitive. */
-static int check_shapes(const cylint_embree_data *data, cylint_extent *all,
+static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
+    cylint_extent *all = &data->bvh.box;
     const int moves = data->options.moved != NULL;
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
@@ -195,30 +191,12 @@ static int rank_by_leaves(cylint_embree_data *data)
     return 1;
 }
 
-/* Copies the shapes in the order of their ranks.  Returns 0 if memory is
- * refused. */
-static int copy_shapes(cylint_embree_data *data)
+static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
+                     cylint_embree_problem *problem)
 {
-    for (int i = 0; i <= (data->options.moved != NULL); i++) {
-        const cylint_view from = view_of(data, i);
-        if (!cylint_embree_shapes_copy(&data->shapes[i], &from, data->number,
-                                       data->n, data->options.threads,
-                                       &data->source))
-            return 0;
-    }
-    return 1;
-}
-
-static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
-{
-    const cylint_view view = view_of(data, 0);
     size_t shape = 0;
-    const cylint_bvh_input input = {.view = &view,
-                                    .n = data->n,
-                                    .threads = data->options.threads,
-                                    .source = &data->source};
     const cylint_bvh_status status =
-        cylint_bvh_build(&data->bvh, &input, &shape);
+        cylint_bvh_build(&data->bvh, input, &shape);
     return report(problem,
                   status == CYLINT_BVH_OK       ? CYLINT_EMBREE_OK
                   : status == CYLINT_BVH_ESHAPE ? CYLINT_EMBREE_ESHAPE
@@ -230,9 +208,35 @@ static int build_bvh(cylint_embree_data *data, cylint_embree_problem *problem)
 static void free_state(cylint_embree_data *data)
 {
     cylint_bvh_free(&data->bvh);
-    cylint_embree_shapes_free(&data->shapes[0]);
-    cylint_embree_shapes_free(&data->shapes[1]);
+    cylint_memory_free(&data->shapes[0].memory);
+    cylint_memory_free(&data->shapes[1].memory);
     cylint_memory_free(&data->order_memory);
+}
+
+/* Computes from the shapes what rays read, of which there is nothing yet.  Returns
+ * the status. */
+static int compute_state(cylint_embree_data *data,
+                         cylint_embree_problem *problem)
+{
+    const cylint_view now = {
+        .scale = 1, .shape_at = shape_of_rank, .owner = data};
+    const cylint_view moved = cylint_plain_view(data->options.moved);
+    cylint_bvh_input from = {.view = &now,
+                             .n = data->n,
+                             .threads = data->options.threads,
+                             .source = &data->source};
+    int status = check_arrays(data, problem);
+    if (status == CYLINT_EMBREE_OK)
+        status = data->traversal ? build_bvh(data, &from, problem)
+                                 : check_shapes(data, problem);
+    if (status != CYLINT_EMBREE_OK || data->n == 0)
+        return status;
+    int has_memory = (!data->traversal || rank_by_leaves(data)) &&
+                     cylint_embree_shapes_copy(&data->shapes[0], &from);
+    from.view = &moved;
+    if (has_memory && data->options.moved)
+        has_memory = cylint_embree_shapes_copy(&data->shapes[1], &from);
+    return has_memory ? status : report(problem, CYLINT_EMBREE_EMEMORY, 0);
 }
 
 /* Loads the present state of the shapes and commits the geometry.  On failure the
@@ -243,14 +247,9 @@ static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
     cylint_embree_data next = *data;
     next.bvh = (cylint_bvh){0};
     next.order_memory = (cylint_memory){0};
+    next.number = NULL;
     next.shapes[0] = next.shapes[1] = (cylint_embree_shapes){0};
-    int status = check_arrays(data, problem);
-    if (status == CYLINT_EMBREE_OK)
-        status = data->traversal ? build_bvh(&next, problem)
-                                 : check_shapes(data, &next.bvh.box, problem);
-    if (status == CYLINT_EMBREE_OK && data->n > 0 &&
-        ((data->traversal && !rank_by_leaves(&next)) || !copy_shapes(&next)))
-        status = report(problem, CYLINT_EMBREE_EMEMORY, 0);
+    const int status = compute_state(&next, problem);
     if (status != CYLINT_EMBREE_OK) {
         free_state(&next);
         /* Embree has no function that reports an error to its device.  This call
@@ -401,9 +400,7 @@ void cylint_embree_release(RTCGeometry geometry)
 size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
-    const cylint_embree_shapes *shapes = data->shapes;
     return data->self.bytes + data->bvh.node_memory.bytes +
            data->bvh.leaf_memory.bytes + data->order_memory.bytes +
-           shapes[0].memory.bytes + shapes[0].whole_memory.bytes +
-           shapes[1].memory.bytes + shapes[1].whole_memory.bytes;
+           data->shapes[0].memory.bytes + data->shapes[1].memory.bytes;
 }

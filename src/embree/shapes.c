@@ -66,21 +66,17 @@ static int set_record(const cylint_embree_shapes *s, size_t at,
 /* --------------------------------------------------------------- copying -- */
 
 typedef struct {
-    const cylint_view *from;
-    const uint32_t *number;
-    size_t n;
-    const cylint_memory_source *source;
+    const cylint_bvh_input *from;
     cylint_embree_shapes *to;
 } copying;
 
 /* The tag of a shape that does not fit into a small record. */
 enum { TOO_LARGE = 255 };
 
-static const cylint_shape *source_of(const copying *c, size_t i,
-                                     cylint_shape *spare)
+/* The views of the adapter write no *spare. */
+static const cylint_shape *source_of(const copying *c, size_t i)
 {
-    return c->from->shape_at(c->from->owner,
-                             c->number ? c->number[i] : (uint32_t)i, spare);
+    return c->from->view->shape_at(c->from->view->owner, (uint32_t)i, NULL);
 }
 
 /* Of small records only up to the first shape that does not fit. */
@@ -88,8 +84,7 @@ static void copy_some(void *self, size_t from, size_t to)
 {
     copying *c = self;
     for (size_t i = from; i < to; i++) {
-        cylint_shape spare;
-        const cylint_shape *shape = source_of(c, i, &spare);
+        const cylint_shape *shape = source_of(c, i);
         c->to->tag[i] = (uint8_t)(cylint_constructor_kind(shape) +
                                   shape->ends * CYLINT_TAG_ENDS);
         if (!set_record(c->to, i, shape)) {
@@ -100,16 +95,17 @@ static void copy_some(void *self, size_t from, size_t to)
 }
 
 /* Makes small records or, if a shape does not fit, large ones. */
-static int copy_records(copying *c, int threads)
+static int copy_records(copying *c)
 {
-    const size_t n = c->n;
+    const size_t n = c->from->n;
     cylint_embree_shapes *to = c->to;
     for (to->size = CYLINT_SMALL_RECORD;; to->size = sizeof(cylint_record)) {
-        if (!cylint_memory_allocate(&to->memory, c->source, n * (to->size + 1)))
+        if (!cylint_memory_allocate(&to->memory, c->from->source,
+                                    n * (to->size + 1)))
             return 0;
         to->tag = (uint8_t *)to->memory.data + n * to->size;
         memset(to->tag, 0, n);
-        cylint_threads_share(threads, n, CYLINT_THREADS_LEAST_SHAPES,
+        cylint_threads_share(c->from->threads, n, CYLINT_THREADS_LEAST_SHAPES,
                              CYLINT_THREADS_LEAST_SHAPES, copy_some, c);
         if (to->size != CYLINT_SMALL_RECORD || !memchr(to->tag, TOO_LARGE, n))
             return 1;
@@ -117,41 +113,37 @@ static int copy_records(copying *c, int threads)
     }
 }
 
-static int keep_whole(const copying *c)
+static int keep_whole(copying *c)
 {
+    const size_t n = c->from->n,
+                 at = (n * (sizeof(cylint_record) + 1) + 7) / 8 * 8;
     cylint_embree_shapes *to = c->to;
-    cylint_record *records = to->memory.data;
-    cylint_shape *whole;
+    cylint_record *record = to->memory.data;
     size_t next = 0, n_whole = 0;
-    for (size_t i = 0; i < c->n && to->size != CYLINT_SMALL_RECORD; i++)
-        n_whole += records[i].r0 != records[i].r0;
+    for (size_t i = 0; i < n && to->size != CYLINT_SMALL_RECORD; i++)
+        n_whole += record[i].r0 != record[i].r0;
     if (n_whole == 0)
         return 1;
-    if (!cylint_memory_allocate(&to->whole_memory, c->source,
-                                n_whole * sizeof *whole))
+    if (!cylint_memory_resize(&to->memory, c->from->source,
+                              at + n_whole * sizeof(cylint_shape)))
         return 0;
-    whole = to->whole_memory.data;
-    for (size_t i = 0; i < c->n; i++)
-        if (records[i].r0 != records[i].r0) {
-            cylint_shape spare;
-            records[i].p0[0] = (double)next;
-            whole[next++] = *source_of(c, i, &spare);
+    record = to->memory.data;
+    to->tag = (uint8_t *)(record + n);
+    cylint_shape *whole = (cylint_shape *)((char *)record + at);
+    to->whole = whole;
+    for (size_t i = 0; i < n; i++)
+        if (record[i].r0 != record[i].r0) {
+            record[i].p0[0] = (double)next;
+            whole[next++] = *source_of(c, i);
         }
     return 1;
 }
 
-int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
-                              const uint32_t *number, size_t n, int threads,
-                              const cylint_memory_source *source)
+int cylint_embree_shapes_copy(cylint_embree_shapes *to,
+                              const cylint_bvh_input *from)
 {
-    copying c = {from, number, n, source, to};
-    return copy_records(&c, threads) && keep_whole(&c);
-}
-
-void cylint_embree_shapes_free(cylint_embree_shapes *s)
-{
-    cylint_memory_free(&s->memory);
-    cylint_memory_free(&s->whole_memory);
+    copying c = {from, to};
+    return copy_records(&c) && keep_whole(&c);
 }
 
 /* --------------------------------------------------- reading, motion -- */
@@ -164,7 +156,7 @@ static void make_shape(const cylint_embree_shapes *s, size_t at,
     cylint_record x;
     cylint_embree_record(s, at, &x);
     if (x.r0 != x.r0) {
-        *shape = ((const cylint_shape *)s->whole_memory.data)[(size_t)x.p0[0]];
+        *shape = s->whole[(size_t)x.p0[0]];
         return;
     }
     x.r0 = fabs(x.r0);

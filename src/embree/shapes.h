@@ -10,8 +10,7 @@
 
 #include <stdint.h>
 
-#include "../bvh/memory.h"
-#include "../bvh/swept_disc.h"
+#include "../bvh/bvh.h"
 #include "../shapes/record.h"
 #include "cylint_embree.h"
 
@@ -22,10 +21,10 @@ enum {
 };
 
 typedef struct cylint_embree_shapes {
-    cylint_memory memory;       /* the records, then `tag` */
-    cylint_memory whole_memory; /* shapes: p0[0] of the record is the index */
-    size_t size;                /* of a record */
-    uint8_t *tag;               /* with the kind of the constructor */
+    cylint_memory memory;      /* the records, then `tag`, then `whole` */
+    size_t size;               /* of a record */
+    uint8_t *tag;              /* with the kind of the constructor */
+    const cylint_shape *whole; /* p0[0] of the record is the index */
 } cylint_embree_shapes;
 
 /* The record for the float filter. */
@@ -52,13 +51,10 @@ static inline void cylint_embree_record(const cylint_embree_shapes *s,
         number[j] = (double)small[j];
 }
 
-/* Copies n > 0 shapes of a view: number[0], number[1], ... or, if number is NULL,
- * 0, 1, ...  *to holds none before.  Returns 0 if memory is refused; the caller
- * frees *to then too. */
-int cylint_embree_shapes_copy(cylint_embree_shapes *to, const cylint_view *from,
-                              const uint32_t *number, size_t n, int threads,
-                              const cylint_memory_source *source);
-void cylint_embree_shapes_free(cylint_embree_shapes *s);
+/* Copies the n shapes of a view, at least one.  *to holds none
+ * before.  Returns 0 if memory is refused; the caller frees its memory then too. */
+int cylint_embree_shapes_copy(cylint_embree_shapes *to,
+                              const cylint_bvh_input *from);
 
 /* Makes the shape at a time by its constructor.  Without shapes of time 1 it does
  * not move. */

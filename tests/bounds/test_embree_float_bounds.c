@@ -126,10 +126,11 @@ static int is_kept_small(const cylint_shape *shape, cylint_record *read)
     const cylint_view view = cylint_plain_view(shape);
     cylint_embree_shapes one = {.size = 0};
     cylint_record large;
-    CHECK(cylint_embree_shapes_copy(&one, &view, NULL, 1, 1, NULL));
+    CHECK(cylint_embree_shapes_copy(
+        &one, &(cylint_bvh_input){.view = &view, .n = 1, .threads = 1}));
     cylint_filter_record_of(&large, shape);
     cylint_embree_record(&one, 0, read);
-    cylint_embree_shapes_free(&one);
+    cylint_memory_free(&one.memory);
     return one.size == CYLINT_SMALL_RECORD &&
            CHECK(memcmp(&large, read, sizeof large) == 0);
 }
