@@ -488,12 +488,6 @@ unsigned cylint_packet_test(ray_test packet[], const cylint_leaf *leaf,
     return stopped;
 }
 
-static int octant_of(const struct RTCRay *ray)
-{
-    return (signbit(ray->dir_x) != 0) | (signbit(ray->dir_y) != 0) << 1 |
-           (signbit(ray->dir_z) != 0) << 2;
-}
-
 /* Of the rays those that go into the octant of the first one and begin near it,
  * within 1/8 of the longest side S of the hierarchy's box, if they are enough, or
  * else none: fewer often share an octant by chance.  Without a hierarchy S is 0. */
@@ -502,15 +496,17 @@ static unsigned near_first(const ray_test packet[], unsigned rays, unsigned N)
     unsigned near = 0, n = 0;
     if (!rays)
         return 0;
-    const ray_test *r = &packet[cylint_lowest(rays)];
-    const struct RTCRay *first = r->ray;
-    const float S = r->data->bvh.near_distance / 256;
+    const ray_test *first = &packet[cylint_lowest(rays)];
+    const double S = (double)first->data->bvh.near_distance / 256;
     EACH_BIT(k, rays) {
-        const struct RTCRay *x = packet[k].ray;
-        const float far = fabsf(x->org_x - first->org_x) +
-                          fabsf(x->org_y - first->org_y) +
-                          fabsf(x->org_z - first->org_z);
-        const int is = (far < S / 8) & (octant_of(x) == octant_of(first));
+        const ray_test *r = &packet[k];
+        double far = 0;
+        int is = 1;
+        EACH(j, 3) {
+            far += fabs(r->q.o[j] - first->q.o[j]);
+            is &= !signbit(r->q.d[j]) == !signbit(first->q.d[j]);
+        }
+        is &= far < S / 8;
         near |= (unsigned)is << k;
         n += (unsigned)is;
     }
