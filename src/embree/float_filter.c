@@ -182,12 +182,26 @@ INLINE void set_end_normal(const questions *q, const hit *at, int is_round,
 
 /*
  * phi = atan2(P.(w x v), P.v |w|) over 2 pi, where v = e x w, e being the unit
- * vector along which the axis is least.  That is atan2((w x c).e, -c.e |w|).
+ * vector along which the axis is least.  That is atan2((w x c).e, -c.e |w|).  Of
+ * equal coordinates of the axis the low parts decide, then the order.
  */
-INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
+INLINE vm describe_phi(const questions *q, const vd across_w[3], const vd c[3],
+                       vd e_c, vd *phi)
 {
-    vd per_far;
-    const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
+    const vd zero = v_set(0), one = v_set(1);
+    vd size[3], low[3], per_far;
+    EACH(j, 3) {
+        size[j] = v_abs(q->w[j]);
+        low[j] = v_like(one, q->w[j]) * q->w_low[j];
+    }
+    const vm y = v_lt((size[1] - size[0]) + (low[1] - low[0]), zero);
+    const vd xy = v_select(y, size[1], size[0]);
+    const vd xy_low = v_select(y, low[1], low[0]);
+    const vm z = v_lt((size[2] - xy) + (low[2] - xy_low), zero);
+    const vd up =
+        v_select(z, across_w[2], v_select(y, across_w[1], across_w[0]));
+    const vd along = v_select(z, c[2], v_select(y, c[1], c[0]));
+    const vd turn = cylint_atan2_turns(up, -along * q->W, &per_far);
     /* both have an error of at most W e_c, so the angle's is less than
      * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
     const vd part = q->W * e_c * per_far;
@@ -196,29 +210,6 @@ INLINE vm describe_phi(const questions *q, vd e_c, vd across_w, vd c, vd *phi)
         m_and(v_lt(e, turn), v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
     return m_and(m_and(v_lt(part, v_set(0.125)), inside),
                  to_float(turn, e, phi));
-}
-
-/* least[1], least[2]: the axis is least along this coordinate; neither: along the
- * first.  Of equal coordinates the low parts decide, then the order. */
-INLINE void find_least(const questions *q, vm least[3])
-{
-    const vd zero = v_set(0), one = v_set(1);
-    vd size[3], low[3];
-    EACH(j, 3) {
-        size[j] = v_abs(q->w[j]);
-        low[j] = v_like(one, q->w[j]) * q->w_low[j];
-    }
-    const vm y_less = v_lt((size[1] - size[0]) + (low[1] - low[0]), zero);
-    const vd xy = v_select(y_less, size[1], size[0]);
-    const vd xy_low = v_select(y_less, low[1], low[0]);
-    least[2] = v_lt((size[2] - xy) + (low[2] - xy_low), zero);
-    least[1] = m_and_not(y_less, least[2]);
-}
-
-/* The component of x along which the axis is least. */
-INLINE vd along_least(const vd x[3], const vm least[3])
-{
-    return v_select(least[1], x[1], v_select(least[2], x[2], x[0]));
 }
 
 /* The unit normal N / |N|, from *a, that of lateral_direction(). */
@@ -243,18 +234,14 @@ INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
 INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
                               int is_round)
 {
-    vm least[3];
     vd c[3];
     bounded_vector normal;
     vd f[CYLINT_HIT_FLOATS]; /* the normal, z, phi */
     double stored[CYLINT_HIT_FLOATS][LANES];
-    find_least(q, least);
     const vd e_c = across(q, at->s, at->s_error, c);
     lateral_direction(q, c, e_c, &normal);
-    vm certain = to_float(at->z, at->z_error, &f[3]);
-    const vm phi = describe_phi(q, e_c, along_least(normal.N, least),
-                                along_least(c, least), &f[4]);
-    certain = m_and(certain, phi);
+    vm certain = m_and(to_float(at->z, at->z_error, &f[3]),
+                       describe_phi(q, normal.N, c, e_c, &f[4]));
     if (is_round) {
         EACH(j, 2)
             f[3 + j] = v_select(q->is_ball, v_set(0), f[3 + j]);
