@@ -118,7 +118,7 @@ static const cylint_shape *shape_of_rank(const void *owner, uint32_t rank,
     const cylint_embree_array *from =
         data->arrays + cylint_embree_array_at(data, 0, number);
     (void)spare;
-    return &from->shapes[number - from->first];
+    return &from->part.shapes[number - from->first];
 }
 
 /* The numbers of merged arrays ascend. */
@@ -126,7 +126,7 @@ static int check_arrays(const cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
     for (size_t i = 1; i < data->n_arrays; i++)
-        if (data->arrays[i].geomID <= data->arrays[i - 1].geomID)
+        if (data->arrays[i].part.geomID <= data->arrays[i - 1].part.geomID)
             return report(problem, CYLINT_EMBREE_EPART, i);
     return CYLINT_EMBREE_OK;
 }
@@ -139,7 +139,7 @@ static int check_shapes(cylint_embree_data *data,
     const int moves = data->options.moved != NULL;
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
-        const cylint_shape *shape = data->arrays->shapes + i;
+        const cylint_shape *shape = data->arrays->part.shapes + i;
         const cylint_shape *moved = moves ? data->options.moved + i : NULL;
         if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
             (moved && !cylint_is_bounded(moved)))
@@ -292,7 +292,7 @@ cylint_float_filter *cylint_float_filter_used(int many)
                                     cylint_float_filter_fma);
 }
 
-/* The arrays are behind the data. */
+/* The arrays, at least one, are behind the data. */
 static cylint_embree_data *new_data(RTCDevice device,
                                     const cylint_embree_part *parts, size_t n,
                                     int is_merged,
@@ -301,11 +301,10 @@ static cylint_embree_data *new_data(RTCDevice device,
     const cylint_memory_source source = {device, allocate_buffer,
                                          release_buffer};
     const size_t size = sizeof(cylint_embree_array);
-    const size_t n_arrays = n > 0 ? n : 1;
     cylint_memory self;
-    if (n_arrays > SIZE_MAX / 2 / size ||
+    if (n > SIZE_MAX / 2 / size ||
         !cylint_memory_allocate(&self, &source,
-                                sizeof(cylint_embree_data) + n_arrays * size))
+                                sizeof(cylint_embree_data) + n * size))
         return NULL;
     cylint_embree_data *data = self.data;
     cylint_embree_array *arrays = (cylint_embree_array *)(data + 1);
@@ -313,7 +312,7 @@ static cylint_embree_data *new_data(RTCDevice device,
         .self = self,
         .source = source,
         .arrays = arrays,
-        .n_arrays = n_arrays,
+        .n_arrays = n,
         .is_merged = is_merged,
         .filter = {cylint_float_filter_used(0), cylint_float_filter_used(1)},
         .trace_packet = CYLINT_OF_KERNELS(cylint_packet_trace_plain,
@@ -328,10 +327,8 @@ static cylint_embree_data *new_data(RTCDevice device,
     if (is_merged ||
         !(data->options.flags & CYLINT_EMBREE_SINGLE || data->options.moved))
         data->traversal = cylint_traversal_used();
-    arrays[0] = (cylint_embree_array){.n = 0};
     for (size_t i = 0; i < n; data->n += parts[i++].n)
-        arrays[i] = (cylint_embree_array){parts[i].shapes, data->n, parts[i].n,
-                                          parts[i].geomID};
+        arrays[i] = (cylint_embree_array){parts[i], data->n};
     return data;
 }
 
@@ -376,7 +373,9 @@ RTCGeometry cylint_embree_merge(RTCDevice device,
                                 const cylint_embree_options *options,
                                 cylint_embree_problem *problem)
 {
-    return make(device, parts, n, 1, options, problem);
+    const cylint_embree_part none = {NULL, 0, 0};
+    return make(device, n > 0 ? parts : &none, n > 0 ? n : 1, 1, options,
+                problem);
 }
 
 int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)

@@ -46,12 +46,11 @@ static inline const void *cylint_rtc_instance(const cylint_rtc_context *context)
 
 /* ------------------------------------------------- geometries -- */
 
-/* An array of the caller's; `first`: the number of its first shape.  Of a merged
- * geometry, hits name its shapes by this geomID. */
+/* An array of the caller's; `first`: the number of its first shape.  Of a geometry
+ * that is not merged, the geomID is not used. */
 typedef struct cylint_embree_array {
-    const cylint_shape *shapes;
-    size_t first, n;
-    unsigned geomID;
+    cylint_embree_part part;
+    size_t first;
 } cylint_embree_array;
 
 /* Traces rays (bits) of a packet through a hierarchy that is not empty.  They go
@@ -90,7 +89,7 @@ static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
     for (size_t n = data->n_arrays; n > 1; n -= half) {
         half = n / 2;
         const cylint_embree_array *at = &data->arrays[low + half];
-        low += (by_geomID ? at->geomID : at->first) <= x ? half : 0;
+        low += (by_geomID ? at->part.geomID : at->first) <= x ? half : 0;
     }
     return low;
 }

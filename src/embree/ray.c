@@ -135,9 +135,9 @@ static size_t number_of_hit(const cylint_embree_data *data,
     const cylint_embree_array *at = data->arrays;
     if (data->is_merged) {
         at += cylint_embree_array_at(data, 1, hit->geomID);
-        geomID = at->geomID;
+        geomID = at->part.geomID;
     }
-    return hit->geomID == geomID && hit->primID < at->n
+    return hit->geomID == geomID && hit->primID < at->part.n
                ? at->first + hit->primID
                : data->n;
 }
@@ -219,7 +219,7 @@ static void write_ids(const ray_test *r)
     const cylint_embree_array *at =
         r->data->arrays + (array ? array[r->rank] : 0);
     r->hit->primID = number_at(r, r->rank) - (unsigned)at->first;
-    r->hit->geomID = array ? at->geomID : r->args->geomID;
+    r->hit->geomID = array ? at->part.geomID : r->args->geomID;
     memcpy((char *)r->hit + offsetof(struct RTCHit, instID),
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
 }
