@@ -61,7 +61,7 @@ INLINE int pierces_at_float(const question *of, int top, double *t)
     return 0;
 }
 
-/* The same for `lanes`.  Returns the lanes with a hit. */
+/* Accepts hits in `lanes`.  Returns those with a hit that counts. */
 INLINE unsigned accept_hits(const questions *q, const hit *at, unsigned lanes,
                             int is_round, unsigned *uncertain)
 {

@@ -234,9 +234,7 @@ INLINE void settle_parallel(questions *q, vm lanes, int is_round)
     quadratic *c = &q->cone;
     const vd one = v_set(1), dz = v_abs(q->dz), TK = q->T * q->K;
     const vm steep = m_and(lanes, v_lt(v_set(0x1p-30) * q->U * q->per_W, dz));
-    vd beyond = v_set(0);
-    if (is_round)
-        beyond = q->R * q->per_W;
+    const vd reach = q->R * q->per_W, beyond = is_round ? reach : v_set(0);
     const vd far =
         v_set(1.01) *
         ((one + v_abs(q->z0)) + (beyond + eps(2) * q->Dn * q->per_W)) /
@@ -277,11 +275,9 @@ INLINE void cross_shape(questions *q, int is_round)
     q->R = q->r0 + v_abs(q->dr);
     q->K = q->Dn + q->r0;
     const vd slope2 = q->dr * q->dr * q->per_ww;
-    q->S = q->T = one;
-    if (is_round)
-        q->S = one - slope2;
-    else
-        q->T = one + slope2;
+    const vd S = one - slope2, T = one + slope2;
+    q->S = is_round ? S : one;
+    q->T = is_round ? one : T;
     const vd G = cone_G(q, c);
     c->e_a = eps(8) * (q->T * q->uu);
     c->e_G =
@@ -348,12 +344,10 @@ INLINE hit lateral_end(const questions *q, int is_round, int end, vd *y)
 {
     hit at = chord_end(&q->cone, q, end);
     const vd zero = v_set(0), along = end ? q->dz : -q->dz;
-    *y = at.z;
-    if (is_round)
-        *y = q->y0 + at.s * q->dz;
-    vm endless = q->within;
-    if (!is_round)
-        endless = m_or(endless, m_and(q->apart, v_lt(zero, q->dr * along)));
+    const vm apart = m_and(q->apart, v_lt(zero, q->dr * along));
+    const vm endless = is_round ? q->within : m_or(q->within, apart);
+    const vd from_circle = q->y0 + at.s * q->dz;
+    *y = is_round ? from_circle : at.z;
     if (m_any(endless)) {
         const vd beyond = v_select(v_lt(zero, along), v_set(2), v_set(-1));
         *y = v_select(endless, beyond, *y);
@@ -387,23 +381,19 @@ INLINE hit end_on_cap(const questions *q, int top, int end)
 /* Where the line enters or leaves the ball about an end. */
 INLINE hit end_on_ball(const questions *q, int top, int end)
 {
-    vd DD = q->DD, r = q->r0, N = q->Dn;
+    const vd r1 = q->r0 + q->dr, r = top ? r1 : q->r0;
+    const vd N1 = q->Dn + q->W, K = (top ? N1 : q->Dn) + q->R;
     quadratic c;
-    c.b = q->Du;
-    if (top) {
-        vd D1[3];
-        EACH(j, 3)
-            D1[j] = q->D[j] - q->w[j];
-        DD = dot(D1, D1);
-        c.b = dot(D1, q->u);
-        r = q->r0 + q->dr;
-        N = N + q->W;
+    vd x[3];
+    EACH(j, 3) {
+        const vd x1 = q->D[j] - q->w[j];
+        x[j] = top ? x1 : q->D[j];
     }
-    const vd K = N + q->R;
     c.a = q->uu;
+    c.b = dot(x, q->u);
     c.e_G = eps(6) * q->uu * (K * K);
     c.e_a = eps(1) * q->uu;
-    cross_surface(&c, ball_G(q->uu, c.b, DD, r), m_not(m_from(0)));
+    cross_surface(&c, ball_G(q->uu, c.b, dot(x, x), r), m_not(m_from(0)));
     return chord_end(&c, q, end);
 }
 
