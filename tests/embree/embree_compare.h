@@ -113,15 +113,23 @@ static inline int check_both_queries(const struct world *w, struct rays *r,
     return hits;
 }
 
-/* Traces n rays that are the same and checks the answers. */
-static inline struct rays traced(const struct world *w, int n, const float o[3],
-                                 const float d[3], float tnear, float tfar)
+/* Traces n rays that are the same. */
+static inline struct rays equal_rays(RTCScene scene, int n, const float o[3],
+                                     const float d[3], float tnear, float tfar)
 {
     struct rays r;
     rays_begin(&r, n);
     for (int i = 0; i < n; i++)
         rays_add(&r, i, o, d, tnear, tfar);
-    rays_intersect(&r, w->scene, NULL);
+    rays_intersect(&r, scene, NULL);
+    return r;
+}
+
+/* The same, and checks the answers. */
+static inline struct rays traced(const struct world *w, int n, const float o[3],
+                                 const float d[3], float tnear, float tfar)
+{
+    struct rays r = equal_rays(w->scene, n, o, d, tnear, tfar);
     check_answers_of(w, &r);
     return r;
 }

@@ -8,10 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
-#include "embree_world.h"
+#include "embree_compare.h"
 
-enum { SOME = 150, MOST_OFFERS = 4 * SOME };
+enum { MOST_OFFERS = 4 * SOME };
 
 typedef enum rule { ACCEPT, REJECT, EXITS, HALF, RULES } rule;
 
@@ -309,24 +308,16 @@ TEST(hits_of_one_float_are_in_the_order_of_their_doubles)
 {
     const double first[2] = {8 + 0x1p-40, 8 + 0x2p-40}, thick = 0x2p-40;
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
-    struct rays_query query = {0};
-    struct rays r;
-    for (unsigned how = 0; how <= CYLINT_EMBREE_SINGLE;
-         how += CYLINT_EMBREE_SINGLE) {
-        const cylint_embree_options options = {.flags = how};
-        for (rejected = 0; rejected < 2; rejected++) {
-            cylint_shape plate[2];
-            for (unsigned i = 0; i < 2; i++) {
-                const double z = first[i != rejected];
-                cylint_cylinder(&plate[i], (double[]){0, 0, z},
-                                (double[]){0, 0, z + thick}, 1,
-                                CYLINT_ENDS_CAPPED);
-            }
-            OWN_WORLD w = world_made(plate, 2, &options);
+    for (rejected = 0; rejected < 2; rejected++) {
+        cylint_shape plate[2];
+        for (unsigned i = 0; i < 2; i++) {
+            const double z = first[i != rejected];
+            cylint_cylinder(&plate[i], (double[]){0, 0, z},
+                            (double[]){0, 0, z + thick}, 1, CYLINT_ENDS_CAPPED);
+        }
+        EACH_WAY(w, plate, 2) {
             world_filter(&w, reject_entry);
-            rays_begin(&r, 1);
-            rays_add(&r, 0, o, d, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, &query);
+            struct rays r = equal_rays(w.scene, 1, o, d, 0, HUGE_VALF);
             CHECK(rays_hit(&r, 0) && rays_at(&r, HIT_PRIM, 0)->u == !rejected &&
                   rays_at(&r, HIT_U, 0)->f == 0);
         }
@@ -349,20 +340,14 @@ TEST(a_tfar_that_a_filter_writes_stays_if_it_accepts_the_hit)
 {
     static const float values[] = {1.5f, 3, 9};
     const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
-    const cylint_embree_options options = {.flags = 0};
-    cylint_shape ball;
-    CHECK(cylint_sphere(&ball, (double[]){3, 0, 0}, 1, CYLINT_ENDS_CAPPED) ==
-          CYLINT_OK);
-    OWN_WORLD w = world_made(&ball, 1, &options);
+    const cylint_shape ball = shape_of("sphere 3 0 0  1");
+    OWN_WORLD w = world_with(&ball, 1, 0);
     world_filter(&w, writing_filter);
     for (int i = 0; i < 6; i++)
         EACH_SIZE(n) {
-            struct rays r;
             written = values[i / 2];
             accepts = i % 2;
-            rays_begin(&r, n);
-            rays_add(&r, n - 1, o, d, 0, 8);
-            rays_intersect(&r, w.scene, NULL);
+            struct rays r = equal_rays(w.scene, n, o, d, 0, 8);
             CHECK(rays_hit(&r, n - 1) == accepts);
             CHECK(rays_at(&r, RAY_TFAR, n - 1)->f == (accepts ? written : 8));
         }

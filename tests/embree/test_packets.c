@@ -156,11 +156,10 @@ static void query_scene(const struct world *w, const struct scene_shapes *s,
         const double share = turn % 2 ? 1 : between(0, 1);
         struct rays r;
         rays_begin(&r, rays_sizes[1 + turn / MANNERS % 3]);
-        for (int i = 0; i < r.n; i++)
-            if (chance(share))
-                add(&a, manner, &r, i);
-            else
-                r.valid[i] = 0;
+        for (int i = 0; i < r.n; i++) {
+            add(&a, manner, &r, i);
+            r.valid[i] = chance(share) ? -1 : 0; /* it too would hit */
+        }
         hits += compare_packet(w, &r, turn / 2 % 2, how);
     }
     if (!CHECK(hits > (strcmp(s->name, "needles") ? turns : 0)))

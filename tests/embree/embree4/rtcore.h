@@ -6,8 +6,8 @@
  * and 4.4 (github.com/RenderKit/embree, doc/ and include/), in its default
  * configuration: one level of instances, instance arrays present.  They hold
  * only the names that the adapter and its tests use; other programs must use
- * Embree's headers.  tests/embree/test_layout.c tests by canaries that the
- * library's structures have this layout.
+ * Embree's headers.  tests/embree/test_answers.c tests by canaries that
+ * the library's structures have this layout.
  */
 #ifndef CYLINT_TESTS_EMBREE4_RTCORE_H
 #define CYLINT_TESTS_EMBREE4_RTCORE_H
