@@ -63,6 +63,13 @@ enum RTCError world_last_error(void)
     return last_error;
 }
 
+int world_refused(const cylint_embree_problem *problem, int status,
+                  size_t number)
+{
+    return world_errors() == 1 && last_error == RTC_ERROR_INVALID_ARGUMENT &&
+           problem->status == status && problem->shape == number;
+}
+
 /* --------------------------------------------------------------- scene -- */
 
 RTCScene world_new_scene(void)

@@ -17,6 +17,11 @@ RTCDevice world_device(void);
 int world_errors(void); /* since the last call */
 enum RTCError world_last_error(void);
 
+/* Whether a status is reported with the number of a shape or part and, by the device,
+ * as one invalid argument since the last call. */
+int world_refused(const cylint_embree_problem *problem, int status,
+                  size_t number);
+
 /* What the device's memory monitor saw. */
 struct world_memory {
     long long bytes; /* in use now */

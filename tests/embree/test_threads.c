@@ -7,20 +7,18 @@
  * answers must not.  `make check-threads` runs this under the thread sanitizer.
  * CYLINT_CASES sets the number of questions.
  */
-#include <math.h>
 #include <pthread.h>
-#include <string.h>
 
-#include "check.h"
 #include "cylint_scene.h"
-#include "embree_world.h"
+#include "embree_compare.h"
 #include "environment.h"
 
-enum { THREADS = 8, SHAPES = 500, MOST = 1 << 16 };
+enum { THREADS = 8, MOST = 1 << 14 };
 
 static int n_questions;
 static struct world w;
 static cylint_scene *scene;
+static struct rays questions[MOST];
 
 /* An answer, as bytes that can be compared. */
 struct answer {
@@ -32,36 +30,22 @@ struct answer {
 
 static struct answer answers[THREADS + 1][MOST];
 
-/* Question `number`, the same for all threads. */
 static void answer_question(int number, struct answer *a)
 {
-    const double side = cbrt(SHAPES);
-    uint64_t state = (uint64_t)number;
-    const int n = rays_sizes[number % 4];
-    struct rays r;
-    cylint_line line;
+    struct rays r = questions[number];
+    const int last = r.n - 1;
     cylint_hit hit;
     memset(a, 0, sizeof *a);
-    rays_begin(&r, n);
-    for (int i = 0; i < n; i++) {
-        float o[3], d[3];
-        for (int k = 0; k < 3; k++)
-            d[k] = (float)(random_unit(&state) - 0.5);
-        for (int k = 0; k < 3; k++)
-            o[k] =
-                (float)(side * (random_unit(&state) - 0.5 - 2 * (double)d[k]));
-        rays_add(&r, i, o, d, 0, HUGE_VALF);
-    }
     rays_intersect(&r, w.scene, NULL);
     for (int m = RAY_TFAR; m < RAY_MEMBERS; m++)
-        a->word[m - RAY_TFAR] = rays_at(&r, (enum ray_member)m, n - 1)->u;
-    line = rays_line(&r, n - 1);
+        a->word[m - RAY_TFAR] = rays_at(&r, (enum ray_member)m, last)->u;
+    const cylint_line line = rays_line(&r, last);
     memcpy(r.word, r.before, sizeof r.word);
     rays_occluded(&r, w.scene, NULL);
-    a->shadowed = (unsigned)rays_shadowed(&r, n - 1);
+    a->shadowed = (unsigned)rays_shadowed(&r, last);
     a->shape =
         (unsigned long)cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit);
-    a->t = a->shape < SHAPES ? hit.t : 0;
+    a->t = a->shape < SOME ? hit.t : 0;
     a->count = (unsigned long)cylint_scene_count(scene, &line, 0);
 }
 
@@ -78,16 +62,18 @@ static void *work(void *p)
 
 TEST(eight_threads_get_the_answers_of_one)
 {
-    static cylint_shape shapes[SHAPES];
+    cylint_shape shapes[SOME];
     pthread_t thread[THREADS];
     int number[THREADS + 1];
     long hits = 0;
-    world_shapes(SCENE_MIXED, shapes, SHAPES);
-    scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
-    w = world_made(shapes, SHAPES, NULL);
+    world_shapes(SCENE_MIXED, shapes, SOME);
+    scene = cylint_scene_new(shapes, SOME, 1, NULL);
+    w = world_made(shapes, SOME, NULL);
     n_questions = (int)check_setting("CYLINT_CASES", 2000);
     if (!CHECK(scene && n_questions > 0 && n_questions <= MOST))
         return;
+    for (int i = 0; i < n_questions; i++)
+        aim_all(&questions[i], rays_sizes[i % 4]);
     for (int i = 0; i <= THREADS; i++)
         number[i] = i;
     work(&number[THREADS]); /* alone, before the others */
@@ -99,7 +85,7 @@ TEST(eight_threads_get_the_answers_of_one)
         const struct answer *alone = &answers[THREADS][i];
         const int hit = alone->word[HIT_GEOM - RAY_TFAR] == 0;
         hits += hit;
-        CHECK((alone->shape < SHAPES) == hit && hit == (int)alone->shadowed);
+        CHECK((alone->shape < SOME) == hit && hit == (int)alone->shadowed);
         for (int t = 0; t < THREADS; t++)
             if (!CHECK(memcmp(&answers[t][i], alone, sizeof *alone) == 0))
                 REPORT("question %d, thread %d", i, t);
