@@ -49,30 +49,22 @@ struct call {
     void *user;
 };
 
+int rays_are_native(RTCScene scene, int n)
+{
 #if RTC_VERSION_MAJOR >= 4
-
-int rays_are_native(RTCScene scene, int n)
-{
     (void)scene;
-    (void)n;
-    return 1;
-}
-
+    return n > 0;
 #else
-
-int rays_are_native(RTCScene scene, int n)
-{
     RTCDevice device = rtcGetSceneDevice(scene);
     const enum RTCDeviceProperty property =
-        n == 16 ? RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED
+        n == 16  ? RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED
         : n == 8 ? RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED
                  : RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED;
     const int native = n == 1 || rtcGetDeviceProperty(device, property) != 0;
     rtcReleaseDevice(device);
     return native;
-}
-
 #endif
+}
 
 static void remember(struct rays *r, RTCScene scene)
 {
@@ -85,24 +77,36 @@ static void remember(struct rays *r, RTCScene scene)
     memcpy(r->before, r->word, sizeof r->before);
 }
 
+static struct call call_of(const struct rays_query *query)
+{
+    struct call call = {.user = query ? query->user : NULL};
+    const RTCFilterFunctionN filter = query ? query->filter : NULL;
+#if RTC_VERSION_MAJOR >= 4
+    rtcInitRayQueryContext(&call.context);
+    call.filter = filter;
+#else
+    rtcInitIntersectContext(&call.context);
+    call.context.filter = filter;
+    call.context.flags = query && query->coherent
+                             ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                             : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+#endif
+    if (query && query->instance)
+        call.context.instID[0] = query->instance;
+    return call;
+}
+
 #if RTC_VERSION_MAJOR >= 4
 
-#define SET_ARGUMENTS(TYPE, INIT)                                             \
-    struct call call = {0};                                                   \
-    struct TYPE arguments;                                                    \
-    rtcInitRayQueryContext(&call.context);                                    \
-    INIT(&arguments);                                                         \
-    arguments.context = &call.context;                                        \
-    if (query) {                                                              \
-        call.user = query->user;                                              \
-        if (query->instance)                                                  \
-            call.context.instID[0] = query->instance;                         \
-        call.filter = query->filter;                                          \
-        arguments.filter = query->filter;                                     \
-        arguments.flags = (enum RTCRayQueryFlags)(                            \
-            (query->filter ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0) | \
-            (query->coherent ? RTC_RAY_QUERY_FLAG_COHERENT : 0));             \
-    }
+#define SET_ARGUMENTS(TYPE, INIT)                                       \
+    struct call call = call_of(query);                                  \
+    struct TYPE arguments;                                              \
+    INIT(&arguments);                                                   \
+    arguments.context = &call.context;                                  \
+    arguments.filter = call.filter;                                     \
+    arguments.flags = (enum RTCRayQueryFlags)(                          \
+        (call.filter ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0) | \
+        (query && query->coherent ? RTC_RAY_QUERY_FLAG_COHERENT : 0));
 
 #define TRACE(CALL, TYPE, N) \
     CALL##N(r->valid, scene, (struct TYPE##N *)(void *)r->word, &arguments)
@@ -111,18 +115,7 @@ static void remember(struct rays *r, RTCScene scene)
 
 #else
 
-#define SET_ARGUMENTS(TYPE, INIT)                                         \
-    struct call call = {0};                                               \
-    rtcInitIntersectContext(&call.context);                               \
-    if (query) {                                                          \
-        call.user = query->user;                                          \
-        if (query->instance)                                              \
-            call.context.instID[0] = query->instance;                     \
-        call.context.filter = query->filter;                              \
-        call.context.flags = query->coherent                              \
-                                 ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT    \
-                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT; \
-    }
+#define SET_ARGUMENTS(TYPE, INIT) struct call call = call_of(query);
 
 #define TRACE(CALL, TYPE, N) \
     CALL##N(r->valid, scene, &call.context, (struct TYPE##N *)(void *)r->word)
