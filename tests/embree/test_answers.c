@@ -215,41 +215,33 @@ TEST(masks_select_the_visible_geometries)
 
 /* ----------------------------------------------------------------- ties -- */
 
-/* Of shapes hit at the same t the lowest number is reported, whichever leaf
- * they are in; of shapes whose t differ by less than a float's last place the
- * nearer one. */
-TEST(equal_and_nearly_equal_hits_are_distinguished)
-{
-    enum { MANY = 40 };
-    cylint_shape shapes[MANY];
-    const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
-    for (int turn = 0; turn < 120; turn++) {
-        for (int i = 0; i < MANY; i++) {
-            /* caps toward the ray, from 0 to a few doubles apart, and solids
-             * of different sizes, so that they are grouped in some order */
-            double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
-            p0[2] = turn < 60 ? 0 : one_of(4) * 0x1p-50;
-            p1[2] = 1 + one_of(8);
-            cylint_cylinder(&shapes[i], p0, p1, (float)between(0.5, 1.5),
-                            turn % 3 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_CAP0);
-        }
-        EACH_WAY(w, shapes, MANY)
-            EACH_SIZE(n)
-                traced(&w, n, o, d, 0, HUGE_VALF);
-    }
-}
-
 enum { CAPS = 20 };
 
-/* Cylinders whose axes are up to `spread` beside the z axis, with a cap at z = 0,
- * `step` or twice that. */
-static void draw_caps(cylint_shape shapes[CAPS], double spread, double step)
+/* Cylinders whose axes are up to `spread` beside the z axis, with a cap at z from
+ * `first` to first + 2 steps. */
+static void draw_caps(cylint_shape shapes[CAPS], double spread, int first,
+                      double step)
 {
     for (int i = 0; i < CAPS; i++) {
         const double x = between(-spread, spread), y = between(-spread, spread);
-        const double p0[3] = {x, y, one_of(3) * step};
+        const double p0[3] = {x, y, (first + one_of(3)) * step};
         const double p1[3] = {x, y, between(0.2, 3)};
-        cylint_cylinder(&shapes[i], p0, p1, between(1, 4), CYLINT_ENDS_CAPPED);
+        cylint_cylinder(&shapes[i], p0, p1, between(1, 4),
+                        one_of(2) ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_CAP0);
+    }
+}
+
+/* Of shapes hit at the same t the lowest number is reported, whichever leaf they are
+ * in; of shapes whose t differ by less than a float's last place the nearer one. */
+TEST(equal_and_nearly_equal_hits_are_distinguished)
+{
+    cylint_shape shapes[CAPS];
+    const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
+    for (int turn = 0; turn < 120; turn++) {
+        draw_caps(shapes, 0.2, 1, turn % 2 ? 0x1p-51 : 0);
+        EACH_WAY(w, shapes, CAPS)
+            EACH_SIZE(n)
+                traced(&w, n, o, d, 0, HUGE_VALF);
     }
 }
 
@@ -260,7 +252,7 @@ TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
     cylint_shape shapes[CAPS];
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
-        draw_caps(shapes, 0.2, 0x1p-60);
+        draw_caps(shapes, 0.2, 0, 0x1p-60);
         OWN_WORLD w = world_with(shapes, CAPS, 0);
         EACH_SIZE(n) {
             traced(&w, n, o, d, 0, 1);
@@ -300,14 +292,17 @@ TEST(a_ball_in_common_is_hit_on_the_lowest_number)
 }
 
 /* Embree tests the primitives of several geometries in turns. */
-TEST(equal_hits_on_another_geometry_do_not_hide_lower_numbers)
+TEST(hits_on_another_geometry_do_not_hide_lower_numbers_or_nearer_hits)
 {
-    cylint_shape shapes[CAPS];
+    cylint_shape shapes[CAPS], others[CAPS];
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
-        draw_caps(shapes, 3, 0);
+        draw_caps(shapes, 3, 1, turn % 3 ? 0x1p-51 : 0);
+        memcpy(others, shapes, sizeof others);
+        if (turn % 3)
+            draw_caps(others, 3, 1, 0x1p-20);
         OWN_WORLD w = world_with(shapes, CAPS, CYLINT_EMBREE_SINGLE);
-        OWN_WORLD other = world_with(shapes, CAPS, both_ways[turn % 2]);
+        OWN_WORLD other = world_with(others, CAPS, both_ways[turn % 2]);
         rtcAttachGeometry(w.scene, other.geometry);
         rtcCommitScene(w.scene);
         EACH_SIZE(n)
