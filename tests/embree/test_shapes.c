@@ -189,41 +189,28 @@ TEST(an_update_reads_the_changed_shapes)
  * header states and a rounding to float. */
 TEST(the_scenes_box_is_the_padded_box_of_the_shapes)
 {
-    cylint_shape shapes[SOME];
+    static const double per_size[2] = {0x1p-9, 0x1p-19}; /* of both_ways */
     for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
         for (int n = 1; n <= SOME; n += 33) {
-            world_shapes(kind, shapes, (size_t)n);
-            EACH_WAY(w, shapes, (size_t)n) {
-                double lo[3], hi[3], least[3], most[3];
-                double size = 0, most_of_all = 0;
+            OWN_SHAPES s =
+                scene_generate(kind, (size_t)n, random_bits(&stream));
+            double largest = 0;
+            for (int k = 0; k < 3; k++)
+                largest = fmax(largest, fmax(-s.lo[k], s.hi[k]));
+            EACH_WAY(w, s.shapes, s.n) {
+                const double pad =
+                    longest_side(&s) * per_size[way] + 0x1p-23 * largest;
+                const double more = 0x1.1p0 * pad;
                 struct RTCBounds box;
                 const float *lower = &box.lower_x, *upper = &box.upper_x;
-                for (int i = 0; i < n; i++) {
-                    cylint_bounds(&shapes[i], lo, hi);
-                    for (int k = 0; k < 3; k++) {
-                        least[k] = i && least[k] < lo[k] ? least[k] : lo[k];
-                        most[k] = i && most[k] > hi[k] ? most[k] : hi[k];
-                    }
-                }
-                for (int k = 0; k < 3; k++) {
-                    size = fmax(size, most[k] - least[k]);
-                    most_of_all = fmax(most_of_all, fmax(-least[k], most[k]));
-                }
                 rtcGetSceneBounds(w.scene, &box);
                 for (int k = 0; k < 3; k++) {
-                    const double per_size =
-                        both_ways[way] & CYLINT_EMBREE_SINGLE ? 0x1p-19
-                                                              : 0x1p-9;
-                    const double pad = size * per_size + 0x1p-23 * most_of_all;
-                    const double more = 0x1.1p0 * pad;
-                    CHECK(lower[k] <= least[k] - pad &&
-                          lower[k] >=
-                              -nextafterf(world_float_above(more - least[k]),
-                                          HUGE_VALF));
-                    CHECK(upper[k] >= most[k] + pad &&
-                          upper[k] <=
-                              nextafterf(world_float_above(more + most[k]),
-                                         HUGE_VALF));
+                    const float least = world_float_above(more - s.lo[k]);
+                    const float most = world_float_above(more + s.hi[k]);
+                    CHECK(lower[k] <= s.lo[k] - pad &&
+                          lower[k] >= -nextafterf(least, HUGE_VALF));
+                    CHECK(upper[k] >= s.hi[k] + pad &&
+                          upper[k] <= nextafterf(most, HUGE_VALF));
                 }
             }
         }
