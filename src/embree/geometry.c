@@ -66,24 +66,11 @@ static double box_pad(const cylint_extent *all, int sizes)
     return 0x1p-21 * (sizes + 1) * S + 0x1p-23 * M + 0x1p-124;
 }
 
-/* The padded box, within the limits of Embree. */
-static struct RTCBounds padded_box(const cylint_extent *box, double pad)
-{
-    const double most = (double)CYLINT_EXTENT_LIMIT * (1 - 0x1p-23);
-    double lo[3], hi[3];
-    for (int j = 0; j < 3; j++) {
-        lo[j] = fmax(box->lower[j] - pad, -most);
-        hi[j] = fmin(box->upper[j] + pad, most);
-    }
-    const cylint_extent wider = cylint_float_box(lo, hi);
-    return (struct RTCBounds){
-        wider.lower[0], wider.lower[1], wider.lower[2], 0,
-        wider.upper[0], wider.upper[1], wider.upper[2], 0};
-}
-
+/* Writes the padded box, within the limits of Embree. */
 static void write_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
+    const double most = (double)CYLINT_EXTENT_LIMIT * (1 - 0x1p-23);
     const int moves = data->options.moved != NULL;
     cylint_extent box = data->bvh.box;
     if (!data->traversal) {
@@ -93,7 +80,12 @@ static void write_bounds(const struct RTCBoundsFunctionArguments *args)
         box = cylint_embree_box(&shape[0], moves ? &shape[1] : NULL,
                                 (int)args->timeStep);
     }
-    *args->bounds_o = padded_box(&box, data->pad);
+    *args->bounds_o = (struct RTCBounds){.align0 = 0};
+    float *lower = &args->bounds_o->lower_x, *upper = &args->bounds_o->upper_x;
+    for (int j = 0; j < 3; j++) {
+        lower[j] = cylint_float_below(fmax(box.lower[j] - data->pad, -most));
+        upper[j] = cylint_float_above(fmin(box.upper[j] + data->pad, most));
+    }
 }
 
 /* Boxes are padded for rays that begin within FAR_SIZES sizes of the geometry

@@ -462,17 +462,18 @@ unsigned cylint_packet_test(ray_test packet[], const cylint_leaf *leaf,
                             unsigned rays)
 {
     const ray_test *first = &packet[cylint_lowest(rays)];
-    const cylint_embree_data *data = first->data;
-    const int any = first->any;
     unsigned stopped = 0;
     EACH_BIT(k, rays)
-        prefetch_records(data, leaf, packet[k].lanes);
+        prefetch_records(first->data, leaf, packet[k].lanes);
     while (rays) {
         cylint_float_filter_question *question[CYLINT_PACKET_MOST];
         int n = 0;
         EACH_BIT(k, rays) {
             ray_test *const r = &packet[k];
-            if (r->lanes && take_nearest_lane(r, leaf, &r->lanes, r->least))
+            const int stops = r->any && r->found;
+            stopped |= (unsigned)stops << k;
+            if (!stops && r->lanes &&
+                take_nearest_lane(r, leaf, &r->lanes, r->least))
                 question[n++] = &r->q;
             else
                 rays &= ~(1u << k);
@@ -480,10 +481,6 @@ unsigned cylint_packet_test(ray_test packet[], const cylint_leaf *leaf,
         first->filter[n > 1](question, n);
         for (int i = 0; i < n; i++)
             end_test((ray_test *)question[i]);
-        if (any)
-            EACH_BIT(k, rays)
-                stopped |= (unsigned)(packet[k].found != 0) << k;
-        rays &= ~stopped;
     }
     return stopped;
 }
@@ -537,12 +534,11 @@ static void trace_packet(const call *a, int any)
         data->trace_packet(packet, together, certain);
     EACH_BIT(i, open)
         trace_single(&packet[i]);
-    EACH_BIT(i, all) {
+    EACH_BIT(i, all)
         if (packet[i].found) {
             copy_words(words + i, a->N, &packet[i].copy, 1, n);
             set_valid(a->valid, (unsigned)i, 1);
         }
-    }
 }
 
 /* ---------------------------------------------- callbacks, completion -- */

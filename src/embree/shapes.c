@@ -240,24 +240,6 @@ void cylint_embree_moving_record(const cylint_embree_shapes s[2], size_t at,
  * disc is below a linear function, which the boxes contain at t = 0 and 1.
  */
 
-/* The box of the discs of a state, if it moves by f; writes g of each coordinate, 1
- * if f is linear. */
-static cylint_extent box_of_discs(const cylint_shape *s, int moves, double g[3])
-{
-    const cylint_view view = cylint_plain_view(s);
-    cylint_swept_disc disc;
-    cylint_swept_disc_of(&disc, &view, s);
-    if (moves && !disc.elliptic)
-        g[0] = g[1] = g[2] = 1;
-    else
-        cylint_swept_disc_reach(&disc, g);
-    const cylint_extent box =
-        cylint_piece_box(&disc, g, (cylint_shape_piece){0, 1});
-    if (cylint_has_tangent(s->kind))
-        g[0] = g[1] = g[2] = disc.length;
-    return box;
-}
-
 /*
  * Roundings.  Embree stores lower0 and upper0 and their differences to lower1 and
  * upper1, and adds t times these, in floats.  M is the largest of these sizes: the
@@ -269,11 +251,23 @@ static cylint_extent box_of_discs(const cylint_shape *s, int moves, double g[3])
 cylint_extent cylint_embree_box(const cylint_shape *at_0,
                                 const cylint_shape *at_1, int step)
 {
-    double g[2][3], lo[3], hi[3];
+    const cylint_shape *const at[2] = {at_0, at_1};
+    cylint_extent box[2];
+    double g[2][3], lo[3], hi[3]; /* g is 1 if f is linear */
+    for (int i = 0; i < 2 && at[i]; i++) {
+        const cylint_view view = cylint_plain_view(at[i]);
+        cylint_swept_disc disc;
+        cylint_swept_disc_of(&disc, &view, at[i]);
+        if (at_1 && !disc.elliptic)
+            g[i][0] = g[i][1] = g[i][2] = 1;
+        else
+            cylint_swept_disc_reach(&disc, g[i]);
+        box[i] = cylint_piece_box(&disc, g[i], (cylint_shape_piece){0, 1});
+        if (cylint_has_tangent(at[i]->kind))
+            g[i][0] = g[i][1] = g[i][2] = disc.length;
+    }
     if (!at_1)
-        return box_of_discs(at_0, 0, g[0]);
-    const cylint_extent box[2] = {box_of_discs(at_0, 1, g[0]),
-                                  box_of_discs(at_1, 1, g[1])};
+        return box[0];
     const double dk = cylint_r1(at_1) - cylint_r1(at_0);
     EACH(j, 3) {
         const double product = dk * (g[1][j] - g[0][j]);
