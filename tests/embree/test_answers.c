@@ -276,9 +276,11 @@ TEST(a_ball_in_common_is_hit_on_the_lowest_number)
             const double r = i % 4 ? between(0.2, 0.9) : 1;
             joint[2] += turn % 2 ? (one_of(3) - 1) * 0x1p-50 : 0;
             if (one_of(2))
-                cylint_round_cone(&shapes[i], joint, 1, tip, r, i % 3);
+                cylint_round_cone(&shapes[i], joint, 1, tip, r,
+                                  (cylint_ends)(i % 3));
             else
-                cylint_round_cone(&shapes[i], tip, r, joint, 1, i % 3);
+                cylint_round_cone(&shapes[i], tip, r, joint, 1,
+                                  (cylint_ends)(i % 3));
         }
         cylint_sphere(&shapes[one_of(CAPS)], joint, 1, CYLINT_ENDS_CAPPED);
         EACH_WAY(w, shapes, CAPS)
