@@ -17,8 +17,8 @@ RTCDevice world_device(void);
 int world_errors(void); /* since the last call */
 enum RTCError world_last_error(void);
 
-/* Whether a status is reported with the number of a shape or part and, by the device,
- * as one invalid argument since the last call. */
+/* Whether a status is reported with the number of a shape or part and, by the
+ * device, as one invalid argument since the last call of world_errors(). */
 int world_refused(const cylint_embree_problem *problem, int status,
                   size_t number);
 

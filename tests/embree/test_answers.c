@@ -231,8 +231,9 @@ static void draw_caps(cylint_shape shapes[CAPS], double spread, int first,
     }
 }
 
-/* Of shapes hit at the same t the lowest number is reported, whichever leaf they are
- * in; of shapes whose t differ by less than a float's last place the nearer one. */
+/* Of shapes hit at the same t the lowest number is reported, whichever leaf
+ * they are in; of shapes whose t differ by less than a float's last place the
+ * nearer one. */
 TEST(equal_and_nearly_equal_hits_are_distinguished)
 {
     cylint_shape shapes[CAPS];
@@ -604,9 +605,9 @@ static void count_call(const struct RTCFilterFunctionNArguments *a)
                            a->context->instID[0] != INSTANCE_ID;
 }
 
-/* The adapter is not used: rays with a known pattern around them hit one of Embree's
- * own curves in an instance.  With a wrong declaration, possible for a library
- * without its header (tests/embree/embree4), Embree writes elsewhere. */
+/* The adapter is not used: rays with a known pattern around them hit one of
+ * Embree's own curves in an instance.  With a wrong declaration, possible for a
+ * library without its header (tests/embree/embree4), Embree writes elsewhere. */
 TEST(a_hit_is_written_where_it_is_declared)
 {
     const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
