@@ -9,14 +9,14 @@
 #include "../shapes/shape_facts.h"
 #include "visit.h"
 
-/* A search among the shapes on whose surface the line is at t. */
+/* A search among the members of a solid on whose surface the line is at t. */
 typedef struct {
     const cylint_scene *scene;
     const cylint_line *line;
     double t;
-    int enters;          /* the line enters the solid */
-    size_t solid_number; /* the solid has this number */
-    size_t number;       /* of the shape with the lowest number so far */
+    int enters;     /* the line enters the solid */
+    uint32_t solid; /* which of the scene's */
+    size_t number;  /* of the shape with the lowest number so far */
     int is_complement;
 } boundary_search;
 
@@ -29,15 +29,10 @@ static void consider_end(boundary_search *q, size_t number, double t,
     const cylint_solids *s = &q->scene->solids;
     if (number >= q->number || cylint_less(t, q->t) || cylint_less(q->t, t))
         return;
-    if (!cylint_is_member(s, number)) {
-        if (number == q->solid_number && is_entered == q->enters)
-            q->number = number;
-        return;
-    }
     for (uint32_t i = s->first_of_shape[number];
          i < s->first_of_shape[number + 1]; i++) {
         const int is_complement = s->of_shapes[i].clause < 0;
-        if (s->solid[s->of_shapes[i].solid].number == q->solid_number &&
+        if (s->of_shapes[i].solid == q->solid &&
             (is_entered != is_complement) == q->enters) {
             q->number = number;
             q->is_complement = is_complement;
@@ -45,12 +40,11 @@ static void consider_end(boundary_search *q, size_t number, double t,
     }
 }
 
-static double consider_chord(void *context, size_t number,
-                             cylint_interval chord)
+static double consider_chord(void *context, const cylint_found *x)
 {
     boundary_search *q = context;
-    consider_end(q, number, chord.t0, 1);
-    consider_end(q, number, chord.t1, 0);
+    consider_end(q, x->number, x->chord.t0, 1);
+    consider_end(q, x->number, x->chord.t1, 0);
     return HUGE_VAL;
 }
 
@@ -61,21 +55,23 @@ static void consider_late_member(boundary_search *q, uint32_t number)
     cylint_record_shape(&q->scene->records, number, &shape);
     const int n = cylint_chord(&shape, q->line, chord);
     for (int i = 0; i < n; i++)
-        consider_chord(q, number, chord[i]);
+        consider_chord(q, &(cylint_found){.number = number, .chord = chord[i]});
 }
 
-static void consider_late_members(boundary_search *q)
+/* Finds the shape among the members of the solid that has this number.  A chord
+ * that begins or ends at t does so on `part`, too. */
+static void search_solid(boundary_search *q, size_t solid_number,
+                         const cylint_line *part)
 {
     const cylint_solids *s = &q->scene->solids;
-    const size_t number = q->solid_number;
-    if (!cylint_is_member(s, number))
-        return;
-    for (uint32_t i = s->first_of_shape[number];
-         i < s->first_of_shape[number + 1]; i++) {
-        const cylint_scene_solid *solid = &s->solid[s->of_shapes[i].solid];
-        for (uint32_t j = 0; solid->number == number && j < solid->n_late; j++)
-            consider_late_member(q, s->late[solid->first_late + j].shape);
-    }
+    const cylint_visit_options options = {.is_of_chords = 1, .in_no_order = 1};
+    const cylint_membership *m = s->of_shapes + s->first_of_shape[solid_number];
+    while (s->solid[m->solid].number != solid_number)
+        m++;
+    const cylint_scene_solid *solid = &s->solid[q->solid = m->solid];
+    for (uint32_t i = 0; i < solid->n_late; i++)
+        consider_late_member(q, s->late[solid->first_late + i].shape);
+    cylint_visit_line(q->scene, part, &options, HUGE_VAL, consider_chord, q);
 }
 
 /* Writes the wanted members of the hit at t. */
@@ -119,16 +115,16 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
     q.t = q.enters ? piece.t0 : piece.t1;
     if (!cylint_less(q.t, line->tmax))
         return scene->n;
-    /* A chord that begins or ends at t does so on this line, too. */
     cylint_line part = *line;
     part.tmin = cylint_next(q.t, 0);
     part.tmax = cylint_next(q.t, 1);
     if (!q.enters && cylint_scene_pieces(scene, &part, &owners, &piece, 1,
                                          work) == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
-    q.solid_number = piece.shape;
-    consider_late_members(&q);
-    cylint_visit_chords(scene, &part, 0, consider_chord, &q);
+    if (cylint_is_member(&scene->solids, piece.shape))
+        search_solid(&q, piece.shape, &part);
+    else
+        q.number = piece.shape;
     describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
     return q.number;
 }

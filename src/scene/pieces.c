@@ -50,11 +50,16 @@ typedef struct {
     double least_complete; /* `complete` is not reduced below this */
 } collector;
 
-static double keep_chord(void *context, size_t number, cylint_interval chord)
+static numbered_chord chord_of(const cylint_found *x)
+{
+    return (numbered_chord){x->chord.t0, x->chord.t1, (uint32_t)x->number};
+}
+
+static double keep_chord(void *context, const cylint_found *found)
 {
     collector *c = context;
     if (c->n < c->capacity)
-        c->chord[c->n] = (numbered_chord){chord.t0, chord.t1, (uint32_t)number};
+        c->chord[c->n] = chord_of(found);
     c->n++;
     return HUGE_VAL;
 }
@@ -82,13 +87,12 @@ enum { SORTED_CHORDS = 64 };
 
 /* Later chords can join two pieces, and so move the end of the last piece: the
  * search is complete up to the least of these ends. */
-static double keep_first_chord(void *context, size_t number,
-                               cylint_interval chord)
+static double keep_first_chord(void *context, const cylint_found *found)
 {
     collector *c = context;
-    const numbered_chord x = {chord.t0, chord.t1, (uint32_t)number};
+    const numbered_chord x = chord_of(found);
     if (c->n >= c->capacity || c->n >= SORTED_CHORDS) {
-        keep_chord(c, number, chord);
+        keep_chord(c, found);
         return c->complete;
     }
     size_t i = c->n;
@@ -464,12 +468,14 @@ static size_t pieces_of_chords(const cylint_line *line, collector *c,
 static void collect(collector *c, const cylint_line *line, size_t pieces,
                     double least_complete)
 {
-    cylint_scene_chord *keep = pieces > 0 ? keep_first_chord : keep_chord;
+    const cylint_visit_options options = {
+        .want = CYLINT_WANT_T, .is_of_chords = 1, .in_no_order = pieces == 0};
     c->n = 0;
     c->complete = HUGE_VAL;
     c->pieces = pieces;
     c->least_complete = least_complete;
-    cylint_visit_chords(c->scene, line, pieces > 0, keep, c);
+    cylint_visit_line(c->scene, line, &options, HUGE_VAL,
+                      pieces > 0 ? keep_first_chord : keep_chord, c);
 }
 
 /* The most pieces for which the line is searched in order, and how often. */
@@ -525,7 +531,8 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
 
 static double keep_container(void *context, const cylint_found *found)
 {
-    return keep_chord(context, found->number, whole_domain);
+    return keep_chord(context, &(cylint_found){.number = found->number,
+                                               .chord = whole_domain});
 }
 
 size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],

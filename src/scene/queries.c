@@ -138,7 +138,9 @@ static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
         return 1;
     if (scene->others[first] == except)
         return 0;
-    keep_least(q, &(cylint_found){scene->others[first], hit.t, &hit, NULL});
+    keep_least(q, &(cylint_found){.number = scene->others[first],
+                                  .at = hit.t,
+                                  .hit = &hit});
     return 1;
 }
 

@@ -137,8 +137,8 @@ typedef struct {
     size_t except;
     unsigned want;
     int stopped;
-    cylint_use_found *callback; /* NULL: a visit of chords */
-    cylint_scene_chord *chord;
+    int is_of_chords;
+    cylint_use_found *callback;
     void *context;
     tested_shapes tested;
     struct {
@@ -184,6 +184,12 @@ static void shorten_line(line_visit *v, double t)
     v->line.tmax = cylint_next_above(t);
 }
 
+static void visit_chord(line_visit *v, size_t number, cylint_interval chord)
+{
+    const cylint_found found = {.number = number, .chord = chord};
+    shorten_line(v, v->callback(v->context, &found));
+}
+
 /* lint: cylint_chord() wrote n chords */
 /* Returns whether the shape has chords. */
 static int visit_chords_at(line_visit *v, size_t number)
@@ -193,7 +199,7 @@ static int visit_chords_at(line_visit *v, size_t number)
     cylint_record_shape(&v->scene->records, number, &shape);
     const int n = cylint_chord(&shape, v->domain, chord);
     for (int i = 0; i < n; i++)
-        shorten_line(v, v->chord(v->context, number, chord[i]));
+        visit_chord(v, number, chord[i]);
     return n > 0;
 }
 
@@ -202,7 +208,7 @@ static int test_line_at(void *self, size_t number)
 {
     line_visit *v = self;
     cylint_hit hit;
-    if (!v->callback)
+    if (v->is_of_chords)
         return visit_chords_at(v, number);
     if (number == v->except || !line_hits(v, number, v->want, &hit))
         return 0;
@@ -268,7 +274,7 @@ static void visit_chords_of_kind(line_visit *v, int kind,
                              v->domain, chord, count);
     for (size_t i = 0; i < n; i++)
         if (count[i] > 0)
-            v->chord(v->context, number[i], chord[i]);
+            visit_chord(v, number[i], chord[i]);
         else if (count[i] < 0)
             visit_chords_at(v, number[i]);
 }
@@ -297,7 +303,7 @@ static void visit_later_chords(line_visit *v)
 
 static int test_later(line_visit *v)
 {
-    if (!v->callback)
+    if (v->is_of_chords)
         visit_later_chords(v);
     else
         for (int i = 0; i < v->n_later && !v->stopped; i++)
@@ -347,56 +353,37 @@ static void traverse_lines(line_visit *v, int in_no_order)
     }
 }
 
-/* The shapes beside the hierarchy that are no late members. */
-static const uint32_t *early_others(const cylint_scene *scene, size_t *n)
+/* The shapes beside the hierarchy; are_early: without late members. */
+static const uint32_t *others_of(const cylint_scene *scene, int are_early,
+                                 size_t *n)
 {
-    const int has_solids = scene->solids.n > 0;
-    *n = has_solids ? scene->solids.n_always : scene->n_others;
-    return has_solids ? scene->solids.always : scene->others;
-}
-
-static void begin_visit(line_visit *v, const cylint_scene *scene,
-                        const cylint_line *line, int may_repeat, void *context)
-{
-    v->scene = scene;
-    v->line = *line;
-    v->domain = line;
-    v->last = line->tmax;
-    v->stopped = v->n_later = 0;
-    v->context = context;
-    begin_tests(&v->tested, may_repeat);
+    are_early &= scene->solids.n > 0;
+    *n = are_early ? scene->solids.n_always : scene->n_others;
+    return are_early ? scene->solids.always : scene->others;
 }
 
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
                        cylint_use_found *callback, void *context)
 {
+    size_t n;
+    const uint32_t *others = others_of(scene, options->is_of_chords, &n);
     line_visit v;
-    begin_visit(&v, scene, line, options->may_repeat, context);
+    v.scene = scene;
+    v.line = *line;
+    v.domain = line;
+    v.last = line->tmax;
+    v.stopped = v.n_later = 0;
     v.except = options->except;
     v.want = options->want;
+    v.is_of_chords = options->is_of_chords;
     v.callback = callback;
+    v.context = context;
+    begin_tests(&v.tested, options->may_repeat || options->is_of_chords);
     shorten_line(&v, last);
-    for (size_t i = options->first_other; i < scene->n_others && !v.stopped;
-         i++)
-        test_line_at(&v, scene->others[i]);
+    for (size_t i = options->first_other; i < n && !v.stopped; i++)
+        test_line_at(&v, others[i]);
     traverse_lines(&v, options->in_no_order);
-}
-
-void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
-                         int in_order, cylint_scene_chord *callback,
-                         void *context)
-{
-    size_t n;
-    const uint32_t *others = early_others(scene, &n);
-    line_visit v;
-    begin_visit(&v, scene, line, 1, context);
-    v.want = CYLINT_WANT_T;
-    v.callback = NULL;
-    v.chord = callback;
-    for (size_t i = 0; i < n; i++)
-        visit_chords_at(&v, others[i]);
-    traverse_lines(&v, !in_order);
 }
 
 /* --------------------------------------------------- a point and a shape -- */
@@ -584,10 +571,9 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, cylint_nearness nearness, int may_repeat,
                         cylint_use_found *callback, void *context)
 {
-    size_t n = scene->n_others;
-    const uint32_t *others = nearness == CYLINT_HOLDING_EARLY
-                                 ? early_others(scene, &n)
-                                 : scene->others;
+    size_t n;
+    const uint32_t *others =
+        others_of(scene, nearness == CYLINT_HOLDING_EARLY, &n);
     point_visit v;
     if (!cylint_is_finite(point))
         return;

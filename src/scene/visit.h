@@ -16,6 +16,7 @@ typedef struct cylint_found {
                   where it is that to a solid */
     const cylint_hit *hit;         /* of a line; NULL if no member is wanted */
     const cylint_closest *closest; /* of a point: distance and flags */
+    cylint_interval chord;         /* of a line, in a visit of chords */
 } cylint_found;
 
 /* Returns what a cylint_scene_hit or a cylint_scene_near does. */
@@ -25,27 +26,23 @@ typedef struct cylint_visit_options {
     size_t except; /* the number of a shape that is left out, or the number of
                       all shapes */
     unsigned want;
+    int is_of_chords;
     int may_repeat;     /* a shape may come more than once: faster */
     int in_no_order;    /* no nearer hit makes others unwanted: faster */
     size_t first_other; /* the first of scene->others that is tested */
 } cylint_visit_options;
 
-/* As cylint_scene_visit().  Hits beyond t = `last` are not wanted. */
+/*
+ * As cylint_scene_visit().  Hits beyond t = `last` are not wanted.
+ *
+ * is_of_chords: calls back for each chord of each shape, except late members
+ * (scene.h).  A shape may come more than once, with the same chords.  `except` has no
+ * effect; `want` is CYLINT_WANT_T, or 0 in no order.  Chords that begin beyond the t
+ * that the callback returned last are not wanted.
+ */
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
                        cylint_use_found *callback, void *context);
-
-/* Gets a chord of shape `number`.  A shape may come more than once, with the same
- * chords.  Returns what cylint_scene_hit does. */
-typedef double cylint_scene_chord(void *context, size_t number,
-                                  cylint_interval chord);
-
-/* Calls back for the chords of all shapes but late members (scene.h).  in_order:
- * nearer shapes tend to come first, and chords that begin beyond the t that the
- * callback returned last are not wanted. */
-void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
-                         int in_order, cylint_scene_chord *callback,
-                         void *context);
 
 /* Which shapes a visit of a point finds. */
 typedef enum cylint_nearness {
