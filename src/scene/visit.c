@@ -245,9 +245,9 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
         const int lane =
             v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
         const double last = v->last;
-        if (least[lane] > v->ray.length)
-            break;
         lanes &= ~(1u << lane);
+        if (least[lane] > v->ray.length)
+            continue;
         test_line_lane(v, leaf, lane);
         if (v->last < last)
             v->ray.length =

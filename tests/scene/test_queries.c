@@ -491,6 +491,46 @@ TEST(a_callback_may_end_a_visit_or_query_the_scene)
     CHECK(visited > 20);
 }
 
+struct visit_to_bound {
+    double bound;
+    int n_before; /* shapes that are hit up to the bound */
+    signed char is_before[SHAPES];
+};
+
+static double note_before(void *context, size_t number, const cylint_hit *hit)
+{
+    struct visit_to_bound *v = context;
+    v->is_before[number] = hit->t <= v->bound;
+    v->n_before += v->is_before[number];
+    return HUGE_VAL;
+}
+
+static double forget_before(void *context, size_t number, const cylint_hit *hit)
+{
+    struct visit_to_bound *v = context;
+    (void)hit;
+    v->n_before -= v->is_before[number];
+    return v->bound;
+}
+
+TEST(a_callback_that_shortens_the_line_gets_all_shapes_up_to_there)
+{
+    OWN_SHAPES of = scene_generate(SCENE_FAT, SHAPES, check_seed());
+    OWN_SCENE *scene = open_scene(&of, 1);
+    for (uint64_t i = 0; i < 2000; i++) {
+        cylint_line line;
+        cylint_hit hit;
+        scene_line(&of, LINES_RANDOM, check_seed(), i, &line);
+        if (cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == of.n)
+            continue;
+        struct visit_to_bound v = {.bound = hit.t};
+        cylint_scene_visit(scene, &line, CYLINT_WANT_T, note_before, &v);
+        cylint_scene_visit(scene, &line, i % 2 ? CYLINT_WANT_T : 0,
+                           forget_before, &v);
+        CHECK(v.n_before == 0);
+    }
+}
+
 /* Of circular and round shapes, whose distances are correctly rounded. */
 TEST(points_have_the_same_answers_in_every_environment)
 {
