@@ -71,13 +71,10 @@ static double end_of_last_piece(const collector *c)
     double end = -HUGE_VAL;
     for (size_t i = 0; i < c->n; i++) {
         const numbered_chord *x = &c->chord[i];
-        if (pieces == 0 || cylint_less(end, x->t0)) {
-            if (pieces++ == c->pieces)
-                return end;
+        if ((i == 0 || cylint_less(end, x->t0)) && pieces++ == c->pieces)
+            return end;
+        if (cylint_less(end, x->t1))
             end = x->t1;
-        } else if (cylint_less(end, x->t1)) {
-            end = x->t1;
-        }
     }
     return pieces == c->pieces ? end : HUGE_VAL;
 }
@@ -481,29 +478,6 @@ static void collect(collector *c, const cylint_line *line, size_t pieces,
 /* The most pieces for which the line is searched in order, and how often. */
 enum { FEW_PIECES = 4, SEARCHES = 2 };
 
-/* Returns whether the wanted pieces are written, or all.  Each search is complete
- * up to farther on than the one before. */
-static int has_first_pieces(const cylint_line *line, collector *c,
-                            cylint_workspace *work, sweep *s)
-{
-    double least_complete = -HUGE_VAL;
-    for (int i = 0; i < SEARCHES; i++) {
-        collect(c, line, s->capacity, least_complete);
-        if (c->n > c->capacity)
-            return 0;
-        const int are_all = !cylint_less(c->complete, line->tmax);
-        const double begin = c->n > 0 ? c->chord[0].t0 : 0,
-                     end = end_of_last_piece(c);
-        const size_t n = pieces_of_chords(line, c, work, s);
-        if (n == CYLINT_NO_ROOM)
-            return 0;
-        if (n == s->capacity || are_all)
-            return 1;
-        least_complete = end + 2 * (end - begin);
-    }
-    return 0;
-}
-
 size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
                            const cylint_piece_rule *rule, cylint_piece *pieces,
                            size_t capacity, cylint_workspace *work)
@@ -512,19 +486,28 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
     collector c = {.scene = scene,
                    .chord = work->memory,
                    .capacity = work->bytes / (2 * sizeof *c.chord)};
+    const int are_few =
+        capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS;
+    double least_complete = -HUGE_VAL;
     if (!line->valid || capacity == 0)
         return 0;
     if (!has_room(work))
         return CYLINT_NO_ROOM;
-    if (capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS &&
-        has_first_pieces(line, &c, work, &s))
-        return s.n_pieces;
-    collect(&c, line, 0, 0);
-    if (c.n > c.capacity) {
-        work->wanted = c.n * 2 * sizeof *c.chord;
-        return CYLINT_NO_ROOM;
+    /* each search is complete up to farther on, the last one up to the end */
+    for (int i = are_few ? SEARCHES : 0;; i--) {
+        collect(&c, line, i > 0 ? capacity : 0, least_complete);
+        if (c.n > c.capacity) {
+            work->wanted = c.n * 2 * sizeof *c.chord;
+            return CYLINT_NO_ROOM;
+        }
+        const double begin = c.n > 0 ? c.chord[0].t0 : 0,
+                     end = end_of_last_piece(&c);
+        const size_t n = pieces_of_chords(line, &c, work, &s);
+        if (n == capacity || n == CYLINT_NO_ROOM ||
+            !cylint_less(c.complete, line->tmax))
+            return n;
+        least_complete = end + 2 * (end - begin);
     }
-    return pieces_of_chords(line, &c, work, &s);
 }
 
 /* -------------------------------------------------------------- points -- */
