@@ -133,7 +133,9 @@ static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
 {
     cylint_hit hit;
     const size_t first =
-        cylint_nearest(&scene->pack, line, EARLY_MEMBERS, &hit);
+        scene->n_others > 0
+            ? cylint_nearest(&scene->pack, line, EARLY_MEMBERS, &hit)
+            : 0;
     if (first == scene->n_others)
         return 1;
     if (scene->others[first] == except)
@@ -174,11 +176,12 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
     return cylint_scene_nearest_other(scene, line, scene->n, want, hit);
 }
 
-/* The shapes beside the hierarchy are counted together, unless one is left out. */
+/* The shapes beside the hierarchy are counted together, unless one of them is left
+ * out. */
 static size_t count_except(const cylint_scene *scene, const cylint_line *line,
                            size_t except, size_t enough)
 {
-    const int together = except >= scene->n;
+    const int together = !cylint_is_other(scene, except);
     const cylint_visit_options options = {.except = except,
                                           .may_repeat = enough == 1,
                                           .in_no_order = enough == 0,
