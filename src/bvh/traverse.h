@@ -64,7 +64,7 @@ typedef struct cylint_traversal {
     cylint_traverse_ray *ray;
     cylint_traverse_line *line;
     cylint_traverse_line *all; /* in no order, and the callback gets no least[];
-                                  does not read *tmax again */
+                                  boxes beyond a lesser *tmax are visited, too */
     cylint_traverse_point *point;
 } cylint_traversal;
 

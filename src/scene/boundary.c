@@ -58,17 +58,23 @@ static void consider_late_member(boundary_search *q, uint32_t number)
         consider_chord(q, &(cylint_found){.number = number, .chord = chord[i]});
 }
 
-/* Finds the shape among the members of the solid that has this number.  A chord
- * that begins or ends at t does so on `part`, too. */
-static void search_solid(boundary_search *q, size_t solid_number,
+/* Finds the shape of the solid that has this number: the shape itself, or one of
+ * its members.  A chord that begins or ends at t does so on `part`, too. */
+static void search_solid(boundary_search *q, size_t number,
                          const cylint_line *part)
 {
     const cylint_solids *s = &q->scene->solids;
     const cylint_visit_options options = {.is_of_chords = 1, .in_no_order = 1};
-    const cylint_membership *m = s->of_shapes + s->first_of_shape[solid_number];
-    while (s->solid[m->solid].number != solid_number)
+    if (s->n == 0 ||
+        s->first_of_shape[number] == s->first_of_shape[number + 1]) {
+        q->number = number;
+        return;
+    }
+    const cylint_membership *m = s->of_shapes + s->first_of_shape[number];
+    while (s->solid[m->solid].number != number)
         m++;
-    const cylint_scene_solid *solid = &s->solid[q->solid = m->solid];
+    q->solid = m->solid;
+    const cylint_scene_solid *solid = &s->solid[m->solid];
     for (uint32_t i = 0; i < solid->n_late; i++)
         consider_late_member(q, s->late[solid->first_late + i].shape);
     cylint_visit_line(q->scene, part, &options, HUGE_VAL, consider_chord, q);
@@ -121,10 +127,7 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
     if (!q.enters && cylint_scene_pieces(scene, &part, &owners, &piece, 1,
                                          work) == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
-    if (cylint_is_member(&scene->solids, piece.shape))
-        search_solid(&q, piece.shape, &part);
-    else
-        q.number = piece.shape;
+    search_solid(&q, piece.shape, &part);
     describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
     return q.number;
 }

@@ -39,9 +39,15 @@ static int begins_before(const numbered_chord *x, const numbered_chord *y)
 
 /* ----------------------------------------------------------- collecting -- */
 
-/* All chords that begin at `complete` or before are collected. */
+static const cylint_interval whole_domain = {0, 1};
+
+/* All chords that begin at `complete` or before are collected: of a line or, where
+ * it is NULL, of a point.  A shape that contains the point has the chord [0, 1] of
+ * the domain [0, 1]. */
 typedef struct {
     const cylint_scene *scene;
+    const cylint_line *line;
+    const double *point;
     numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
@@ -121,31 +127,20 @@ static size_t sort_and_unite(numbered_chord *chord, size_t n,
 
 /* ----------------------------------------------------- chords of solids -- */
 
-/* A line or, where it is NULL, a point: a shape that contains the point has the
- * chord [0, 1] of the domain [0, 1]. */
-typedef struct {
-    double tmin, tmax;
-    const cylint_line *line;
-    const double *point;
-} chord_domain;
-
-static const cylint_interval whole_domain = {0, 1};
-
 /* As cylint_chord(). */
-static int chords_of_shape(const chord_domain *domain,
-                           const cylint_shape *shape, cylint_interval chord[2])
+static int chords_of_shape(const collector *c, const cylint_shape *shape,
+                           cylint_interval chord[2])
 {
-    if (domain->line)
-        return cylint_chord(shape, domain->line, chord);
+    if (c->line)
+        return cylint_chord(shape, c->line, chord);
     chord[0] = whole_domain;
-    return cylint_contains(shape, domain->point) >= 0;
+    return cylint_contains(shape, c->point) >= 0;
 }
 
 /* Each chord of a member gives two events.  These are sorted by solid and t; a
  * sweep over those of a solid gives its chords. */
 typedef struct {
-    const cylint_scene *scene;
-    const chord_domain *domain;
+    const collector *from; /* chords in shapes */
     cylint_event *event;
     size_t n_events;
     void *spare; /* memory for as many chords as there can be, or events */
@@ -166,7 +161,7 @@ static int add_solid_chord(void *self, double t0, double t1)
  * is its own. */
 static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
 {
-    const cylint_solids *s = &a->scene->solids;
+    const cylint_solids *s = &a->from->scene->solids;
     const uint32_t first = s->first_of_shape[chord->number],
                    end = s->first_of_shape[chord->number + 1];
     if (first == end)
@@ -181,8 +176,8 @@ static void add_late_member(assembly *a, const cylint_membership *member)
 {
     cylint_shape shape;
     cylint_interval chord[2];
-    cylint_record_shape(&a->scene->records, member->shape, &shape);
-    const int n = chords_of_shape(a->domain, &shape, chord);
+    cylint_record_shape(&a->from->scene->records, member->shape, &shape);
+    const int n = chords_of_shape(a->from, &shape, chord);
     for (int i = 0; i < n; i++, a->n_events += 2)
         cylint_add_events(a->event + a->n_events, chord[i], member->solid,
                           member->clause);
@@ -192,7 +187,7 @@ static void add_late_member(assembly *a, const cylint_membership *member)
  * events. */
 static void add_late_members(assembly *a)
 {
-    const cylint_solids *s = &a->scene->solids;
+    const cylint_solids *s = &a->from->scene->solids;
     const size_t n = a->n_events;
     for (size_t i = 0; i < n; i++) {
         const cylint_scene_solid *solid = &s->solid[a->event[i].solid];
@@ -209,23 +204,25 @@ static void add_late_members(assembly *a)
 static void sweep_events(assembly *a, uint32_t solid, const cylint_event *event,
                          size_t n)
 {
-    const cylint_solids *s = &a->scene->solids;
+    const cylint_solids *s = &a->from->scene->solids;
     const cylint_scene_solid *of = &s->solid[solid];
+    const cylint_line *line = a->from->line;
     for (size_t i = 0; i < n; i++) {
         const int32_t c = event[i].clause;
         const size_t clause = (size_t)(c < 0 ? -c : c) - 1;
         a->holding[clause] = s->complements[of->first_clause + clause];
     }
     a->number = of->number;
-    cylint_sweep_solid(event, n, a->holding, of->failing, a->domain->tmin,
-                       a->domain->tmax, add_solid_chord, a);
+    cylint_sweep_solid(event, n, a->holding, of->failing,
+                       line ? line->tmin : whole_domain.t0,
+                       line ? line->tmax : whole_domain.t1, add_solid_chord, a);
 }
 
 /* In the order of solids: those with events, and those that contain all points
  * outside their shapes. */
 static void sweep_solids(assembly *a)
 {
-    const cylint_solids *s = &a->scene->solids;
+    const cylint_solids *s = &a->from->scene->solids;
     size_t next = 0, n;
     for (size_t i = 0; i < a->n_events; i += n) {
         const uint32_t solid = a->event[i].solid;
@@ -264,15 +261,14 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
  * CYLINT_NO_ROOM.  They follow those in shapes, in no order; *spare: as much memory
  * as they take.  A scene without solids has the chords of its shapes, and *spare
  * stays. */
-static size_t chords_of_solids(const collector *c, const chord_domain *domain,
-                               cylint_workspace *work,
+static size_t chords_of_solids(const collector *c, cylint_workspace *work,
                                numbered_chord **of_solids,
                                numbered_chord **spare)
 {
     const cylint_solids *s = &c->scene->solids;
     const size_t used = c->n * sizeof *c->chord;
     cylint_room room = {(char *)(c->chord + c->n), work->bytes - used, used};
-    assembly a = {.scene = c->scene, .domain = domain};
+    assembly a = {.from = c};
     size_t events, chords;
     *of_solids = c->chord;
     if (s->n == 0)
@@ -445,14 +441,12 @@ static int has_room(cylint_workspace *work)
 
 /* Writes the pieces of the c->n chords.  The memory has room for 2 c->capacity
  * chords; the second half is spare. */
-static size_t pieces_of_chords(const cylint_line *line, collector *c,
-                               cylint_workspace *work, sweep *s)
+static size_t pieces_of_chords(collector *c, cylint_workspace *work, sweep *s)
 {
-    const chord_domain domain = {line->tmin, line->tmax, line, NULL};
     numbered_chord *spare = c->chord + c->capacity, *of_solids;
     s->complete = c->complete;
     c->n = sort_and_unite(c->chord, c->n, spare);
-    s->n = chords_of_solids(c, &domain, work, &of_solids, &spare);
+    s->n = chords_of_solids(c, work, &of_solids, &spare);
     if (s->n == CYLINT_NO_ROOM)
         return CYLINT_NO_ROOM;
     if (of_solids != c->chord)
@@ -462,8 +456,7 @@ static size_t pieces_of_chords(const cylint_line *line, collector *c,
 }
 
 /* Collects all chords, or enough for some pieces. */
-static void collect(collector *c, const cylint_line *line, size_t pieces,
-                    double least_complete)
+static void collect(collector *c, size_t pieces, double least_complete)
 {
     const cylint_visit_options options = {
         .want = CYLINT_WANT_T, .is_of_chords = 1, .in_no_order = pieces == 0};
@@ -471,7 +464,7 @@ static void collect(collector *c, const cylint_line *line, size_t pieces,
     c->complete = HUGE_VAL;
     c->pieces = pieces;
     c->least_complete = least_complete;
-    cylint_visit_line(c->scene, line, &options, HUGE_VAL,
+    cylint_visit_line(c->scene, c->line, &options, HUGE_VAL,
                       pieces > 0 ? keep_first_chord : keep_chord, c);
 }
 
@@ -484,6 +477,7 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
 {
     sweep s = {.rule = rule, .pieces = pieces, .capacity = capacity};
     collector c = {.scene = scene,
+                   .line = line,
                    .chord = work->memory,
                    .capacity = work->bytes / (2 * sizeof *c.chord)};
     const int are_few =
@@ -495,14 +489,14 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
         return CYLINT_NO_ROOM;
     /* each search is complete up to farther on, the last one up to the end */
     for (int i = are_few ? SEARCHES : 0;; i--) {
-        collect(&c, line, i > 0 ? capacity : 0, least_complete);
+        collect(&c, i > 0 ? capacity : 0, least_complete);
         if (c.n > c.capacity) {
             work->wanted = c.n * 2 * sizeof *c.chord;
             return CYLINT_NO_ROOM;
         }
         const double begin = c.n > 0 ? c.chord[0].t0 : 0,
                      end = end_of_last_piece(&c);
-        const size_t n = pieces_of_chords(line, &c, work, &s);
+        const size_t n = pieces_of_chords(&c, work, &s);
         if (n == capacity || n == CYLINT_NO_ROOM ||
             !cylint_less(c.complete, line->tmax))
             return n;
@@ -522,8 +516,8 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
                           const int *rank, size_t *owner,
                           cylint_workspace *work)
 {
-    const chord_domain domain = {0, 1, NULL, point};
     collector c = {.scene = scene,
+                   .point = point,
                    .chord = work->memory,
                    .capacity = work->bytes / sizeof *c.chord};
     numbered_chord *chord, *spare;
@@ -537,7 +531,7 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
     work->wanted = c.n * sizeof *c.chord;
     if (c.n > c.capacity)
         return CYLINT_NO_ROOM;
-    const size_t n = chords_of_solids(&c, &domain, work, &chord, &spare);
+    const size_t n = chords_of_solids(&c, work, &chord, &spare);
     for (size_t i = 0; n != CYLINT_NO_ROOM && i < n; i++)
         if (i == 0 || outranks(rank, chord[i].number, *owner))
             *owner = chord[i].number;

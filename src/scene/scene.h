@@ -112,12 +112,6 @@ int cylint_is_other(const cylint_scene *scene, size_t number);
 cylint_scene_status cylint_solids_make(cylint_solids *solids,
                                        const cylint_scene *scene);
 
-static inline int cylint_is_member(const cylint_solids *solids, size_t shape)
-{
-    return solids->n > 0 &&
-           solids->first_of_shape[shape] < solids->first_of_shape[shape + 1];
-}
-
 /* The place of the checksum in the file, in bytes. */
 enum { CYLINT_FILE_CHECKSUM = 32 };
 
