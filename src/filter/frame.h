@@ -23,25 +23,15 @@
 
 #define ENDS 1
 
-/* x of end i, in all lanes. */
-INLINE vd of_end(const vd x[ENDS], int i)
+/* What an array of ENDS has of end i, in all lanes. */
+INLINE vd of_all(vd x, int i)
 {
-    return i ? v_seconds(x[0], x[0]) : v_firsts(x[0], x[0]);
+    return i ? v_seconds(x, x) : v_firsts(x, x);
 }
 
-INLINE vm m_of_end(const vm x[ENDS], int i)
+INLINE vm m_of_all(vm x, int i)
 {
-    return i ? m_seconds(x[0]) : m_firsts(x[0]);
-}
-
-INLINE vm either_end(const vm x[ENDS])
-{
-    return m_or(x[0], m_turned(x[0]));
-}
-
-INLINE vm both_ends(const vm x[ENDS])
-{
-    return m_and(x[0], m_turned(x[0]));
+    return i ? m_seconds(x) : m_firsts(x);
 }
 
 /* Member k of an array of ENDS, from what belongs to base and top. */
@@ -51,48 +41,20 @@ INLINE vd ends_of(vd of_base, vd of_top, int k)
     return v_firsts(of_base, of_top);
 }
 
-/* Lanes of end 1 in member k. */
-INLINE vm last_end(int k)
-{
-    (void)k;
-    return m_from(2);
-}
-
-/* In lanes of `top` the x of the top, in others the x of the base. */
-INLINE vd at_end(vm top, const vd x[ENDS])
-{
-    (void)top;
-    return x[0];
-}
-
-INLINE vm m_at_end(vm top, const vm x[ENDS])
-{
-    (void)top;
-    return x[0];
-}
-
 #else
 
 #define ENDS 2
 
-INLINE vd of_end(const vd x[ENDS], int i)
+INLINE vd of_all(vd x, int i)
 {
-    return x[i];
+    (void)i;
+    return x;
 }
 
-INLINE vm m_of_end(const vm x[ENDS], int i)
+INLINE vm m_of_all(vm x, int i)
 {
-    return x[i];
-}
-
-INLINE vm either_end(const vm x[ENDS])
-{
-    return m_or(x[0], x[1]);
-}
-
-INLINE vm both_ends(const vm x[ENDS])
-{
-    return m_and(x[0], x[1]);
+    (void)i;
+    return x;
 }
 
 INLINE vd ends_of(vd of_base, vd of_top, int k)
@@ -100,22 +62,57 @@ INLINE vd ends_of(vd of_base, vd of_top, int k)
     return k ? of_top : of_base;
 }
 
-INLINE vm last_end(int k)
+#endif
+
+/* x of end i, in all lanes. */
+INLINE vd of_end(const vd x[ENDS], int i)
 {
-    return m_from(k ? (1u << LANES) - 1 : 0);
+    return of_all(x[i % ENDS], i);
 }
 
+INLINE vm m_of_end(const vm x[ENDS], int i)
+{
+    return m_of_all(x[i % ENDS], i);
+}
+
+INLINE vpair pairs_of_end(const vpair x[ENDS], int i)
+{
+    return (vpair){of_all(x[i % ENDS].hi, i), of_all(x[i % ENDS].lo, i)};
+}
+
+INLINE vm either_end(const vm x[ENDS])
+{
+    return m_or(m_of_end(x, 0), m_of_end(x, 1));
+}
+
+INLINE vm both_ends(const vm x[ENDS])
+{
+    return m_and(m_of_end(x, 0), m_of_end(x, 1));
+}
+
+/* In lanes of `top` the x of the top, in others the x of the base; narrow each lane
+ * has that of its end. */
 INLINE vd at_end(vm top, const vd x[ENDS])
 {
-    return v_select(top, x[1], x[0]);
+    return ENDS == 1 ? x[0] : v_select(top, x[ENDS - 1], x[0]);
 }
 
 INLINE vm m_at_end(vm top, const vm x[ENDS])
 {
-    return m_if(top, x[1], x[0]);
+    return ENDS == 1 ? x[0] : m_if(top, x[ENDS - 1], x[0]);
 }
 
-#endif
+/* All lanes or none. */
+INLINE vm m_if_all(int condition)
+{
+    return m_from(condition ? (1u << LANES) - 1 : 0);
+}
+
+/* Lanes of end 1 in member k. */
+INLINE vm last_end(int k)
+{
+    return ENDS == 1 ? m_from(2) : m_if_all(k);
+}
 
 /* x or y, by one condition for all lanes. */
 INLINE vd v_if(int condition, vd x, vd y)
@@ -127,17 +124,6 @@ INLINE vpair pairs_of_ends(vpair of_base, vpair of_top, int k)
 {
     return (vpair){ends_of(of_base.hi, of_top.hi, k),
                    ends_of(of_base.lo, of_top.lo, k)};
-}
-
-/* x of end i, in all lanes. */
-INLINE vpair pairs_of_end(const vpair x[ENDS], int i)
-{
-    vd hi[ENDS], lo[ENDS];
-    EACH(k, ENDS) {
-        hi[k] = x[k].hi;
-        lo[k] = x[k].lo;
-    }
-    return (vpair){of_end(hi, i), of_end(lo, i)};
 }
 
 /* The first numbers, or the second. */

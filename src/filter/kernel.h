@@ -27,6 +27,12 @@ typedef struct {
     vd v, e;
 } bounded_value;
 
+/* x of end i, in all lanes. */
+INLINE bounded_value bounded_of_end(const bounded_value x[ENDS], int i)
+{
+    return (bounded_value){of_all(x[i % ENDS].v, i), of_all(x[i % ENDS].e, i)};
+}
+
 /* Which signs are certain. */
 typedef struct {
     vm positive, negative;
@@ -275,7 +281,7 @@ INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
 INLINE void judge_unbounded(verdict *v, const forms *f, const local_line *l,
                             int solid)
 {
-    const vm all = m_not(m_from(0));
+    const vm all = m_if_all(1);
     const signs A = signs_of(v->A.v, v->A.e);
     v->crosses = v_lt(v->G.e, v->G.v);
     v->misses = m_from(0);
@@ -308,7 +314,7 @@ INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
             v->pierced[k] = m_from(0);
         v->misses = g.negative;
         v->crosses = g.positive;
-        v->sided = m_not(m_from(0));
+        v->sided = m_if_all(1);
     } else if (cylint_solid_is_bounded(solid)) {
         judge_bounded(v, f, l, solid);
     } else {
@@ -435,19 +441,33 @@ INLINE signs past_chord(const point_signs *at, const verdict *v,
     return past;
 }
 
-/* A t + B and a bound on its error.  k: 1 + |slope|, or 1 for a ball. */
-INLINE bounded_value slope_at(const local_line *l, vd A, vd B, vd t, vd k)
+/* A t + B and a bound on its error. */
+INLINE bounded_value slope_at(bounded_value A, bounded_value B, vd t)
 {
-    const vd size = v_sum_of(v_abs(t), l->D, l->Q);
-    return (bounded_value){v_sum_of(t, A, B), v_set(2 * CYLINT_LOCAL_FORM) *
-                                                  l->unit * l->D * size *
-                                                  (k * k)};
+    const vd At = A.v * t;
+    return (bounded_value){At + B.v, v_sum_of(v_abs(t), A.e, B.e) +
+                                         v_set(2 * CYLINT_ROUNDING) *
+                                             (v_abs(At) + v_abs(B.v))};
 }
 
-INLINE signs slope_signs(const local_line *l, vd A, vd B, vd t, vd k)
+INLINE signs slope_signs(bounded_value A, bounded_value B, vd t)
 {
-    const bounded_value slope = slope_at(l, A, B, t, k);
+    const bounded_value slope = slope_at(A, B, t);
     return signs_of(slope.v, slope.e);
+}
+
+/* On which side of a point of the chord the point at t lies, after at->above. */
+INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
+                     vd t, int solid)
+{
+    signs of_ball[2] = {at->past, at->past};
+    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid) &&
+        m_any(either_end(v->chord)))
+        EACH(i, 2)
+            of_ball[i] =
+                slope_signs(v->ball.A, bounded_of_end(v->ball.B, i), t);
+    at->past = past_chord(at, v, of_ball, slope_signs(v->A, v->B, t),
+                          v_lt(l->in.w, v_set(0)), solid);
 }
 
 /* In doubles, at t, but for at->past. */
@@ -489,20 +509,8 @@ INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
 INLINE void set_point_signs(point_signs *at, const local_line *l,
                             const verdict *v, vd t, int solid)
 {
-    const signs none = {m_from(0), m_from(0)};
-    signs of_ball[2] = {none, none};
     set_place_signs(at, l, t, solid);
-    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid) &&
-        m_any(either_end(v->chord))) {
-        vd B[ENDS];
-        EACH(n, ENDS)
-            B[n] = v->ball.B[n].v;
-        EACH(i, 2)
-            of_ball[i] = slope_signs(l, v->ball.A.v, of_end(B, i), t, v_set(1));
-    }
-    at->past =
-        past_chord(at, v, of_ball, slope_signs(l, v->A.v, v->B.v, t, l->taper),
-                   v_lt(l->in.w, v_set(0)), solid);
+    set_past(at, l, v, t, solid);
 }
 
 /* Whether part of the overlap of a line that crosses certainly lies ahead of its
@@ -535,7 +543,7 @@ INLINE vm is_ahead(const local_line *l, const verdict *v, int solid)
  * it is both before the overlap and after it. */
 INLINE place place_of_point(point_signs *at, int solid)
 {
-    const vm all = m_not(m_from(0));
+    const vm all = m_if_all(1);
     verdict v;
     v.A.v = v_set(1); /* of a double cone: outside where Q > 0 */
     EACH(k, ENDS)

@@ -52,10 +52,11 @@ INLINE unsigned within_reach(const local_line *l,
 {
     const cylint_line *line = from->line;
     const vd reach = l->in.r * v_set(from->speed), one = v_set(1);
-    const vd A = ball_A_doubles(&l->in), B = ball_B_doubles(&l->in, l->in.z);
+    const bounded_value A = bounded_A(ball_A_doubles(&l->in), l, one),
+                        B = bounded_B(ball_B_doubles(&l->in, l->in.z), l, one);
     const double end = from->nearest < line->tmax ? from->nearest : line->tmax;
-    const bounded_value first = slope_at(l, A, B, v_set(line->tmin), one),
-                        last = slope_at(l, A, B, v_set(end), one);
+    const bounded_value first = slope_at(A, B, v_set(line->tmin)),
+                        last = slope_at(A, B, v_set(end));
     const vm before = v_lt(reach, first.v - first.e);
     const vm beyond = v_lt(last.v + last.e, -reach);
     return m_bits(m_not(m_or(before, beyond)));

@@ -161,7 +161,7 @@ INLINE vm rounds(bounded_pairs x, double beside, vd *to)
 /* The same of three components, which are stored. */
 INLINE vm round_vector(double to[3][8], const bounded_pairs x[3], double beside)
 {
-    vm certain = m_not(m_from(0));
+    vm certain = m_if_all(1);
     EACH(i, 3) {
         vd nearest;
         certain = m_and(certain, rounds(x[i], beside, &nearest));
@@ -230,7 +230,7 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
 /* The lanes of hits on a ball of a round solid. */
 INLINE vm on_ball(const hit_root *r, int solid)
 {
-    return cylint_solid_is_ball(solid) ? m_not(m_from(0)) : r->on_end;
+    return cylint_solid_is_ball(solid) ? m_if_all(1) : r->on_end;
 }
 
 /* x, y and z of the normal x X + y Y + z Z on the lateral surface or on a ball, of
@@ -405,7 +405,7 @@ INLINE vm lies_on_axis(const local_hit *h, const source *from,
 {
     const vd none = v_set(0);
     const vm stays = v_eq(v_abs(r->t) + r->error, none);
-    vm on_axis = m_not(m_from(0));
+    vm on_axis = m_if_all(1);
     EACH(j, 3) {
         const vd d = v_abs(direction_at(from, j).hi);
         const vd entries = h->entry_size[0][j] + h->entry_size[1][j];

@@ -103,15 +103,6 @@ INLINE void count_all_roundings(verdict *v, int solid)
     count_roundings(&v->ball.B[0], 1);
 }
 
-/* The signs of A t + B, whose A and B are rounded. */
-INLINE signs rounded_slope(bounded_value A, bounded_value B, vd t)
-{
-    const vd At = A.v * t;
-    return signs_of(At + B.v,
-                    v_sum_of(v_abs(t), A.e, B.e) +
-                        v_set(2 * CYLINT_ROUNDING) * (v_abs(At) + v_abs(B.v)));
-}
-
 /* The signs at the ends of the domain, in pairs, but for at->past.  What no lane
  * needs is not computed. */
 INLINE void point_in_pairs(point_signs *at, const local_line *l,
@@ -151,20 +142,6 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
     const bounded_value side =
         square_residual(in, l, t, none, in->z[0], l->in.r, solid);
     at->side = signs_of(side.v, side.e);
-}
-
-INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
-                     vd t, int solid)
-{
-    signs of_ball[2] = {{m_from(0), m_from(0)}, {m_from(0), m_from(0)}};
-    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
-        EACH(i, 2) {
-            const bounded_value B = {of_end(&v->ball.B[0].v, i),
-                                     of_end(&v->ball.B[0].e, i)};
-            of_ball[i] = rounded_slope(v->ball.A, B, t);
-        }
-    at->past = past_chord(at, v, of_ball, rounded_slope(v->A, v->B, t),
-                          v_lt(l->in.w, v_set(0)), solid);
 }
 
 INLINE arguments arguments_of(cylint_question *q)

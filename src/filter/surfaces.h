@@ -79,12 +79,7 @@ INLINE bounded_value choose(vm m, bounded_value x, bounded_value y)
 INLINE bounded_value bounded_of_ball(const line_end *e,
                                      const bounded_value x[ENDS])
 {
-    vd v[ENDS], error[ENDS];
-    EACH(k, ENDS) {
-        v[k] = x[k].v;
-        error[k] = x[k].e;
-    }
-    return (bounded_value){of_ball(e, v), of_ball(e, error)};
+    return choose(e->top, bounded_of_end(x, 1), bounded_of_end(x, 0));
 }
 
 /* Call compute_balls() before. */
@@ -223,24 +218,21 @@ INLINE bounded_value square_residual(const pair_line *in, const local_line *l,
 INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
                                  const line_end *e, int solid)
 {
-    vd hi[ENDS], lo[ENDS];
-    EACH(k, ENDS) {
-        hi[k] = in->z[k].hi;
-        lo[k] = in->z[k].lo;
-    }
     if (cylint_solid_is_round(solid)) {
         const int ball = cylint_solid_is_ball(solid);
-        const vpair z = {v_if(ball, of_end(hi, 0), of_ball(e, hi)),
-                         v_if(ball, of_end(lo, 0), of_ball(e, lo))};
+        const vpair base = pairs_of_end(in->z, 0);
+        const vpair z =
+            ball ? base : pick(e->top, pairs_of_end(in->z, 1), base);
         const vd r = v_if(ball, l->in.r, of_ball(e, l->ball_r));
-        return square_residual(in, l, t, ball ? m_not(m_from(0)) : e->on_end, z,
-                               r, solid);
+        return square_residual(in, l, t, ball ? m_if_all(1) : e->on_end, z, r,
+                               solid);
     }
     const bounded_value side =
         square_residual(in, l, t, e->on_end, in->z[0], l->in.r, solid);
     if (!cylint_solid_is_bounded(solid))
         return side;
-    const vpair z = {at_end(e->top, hi), at_end(e->top, lo)};
+    const vpair z =
+        ENDS == 1 ? in->z[0] : pick(e->top, in->z[ENDS - 1], in->z[0]);
     const bounded_value plane = {rounded(moved(z, in->w, t)),
                                  height_error(in, size_at(t, l))};
     return choose(e->on_end, plane, side);
@@ -318,7 +310,7 @@ INLINE vm is_present(const local_line *l, const verdict *v, const line_end *e,
                      int k, int solid)
 {
     if (cylint_solid_is_ball(solid))
-        return m_not(m_from(0));
+        return m_if_all(1);
     if (!cylint_solid_is_bounded(solid))
         return v->exists[k];
     const vm cap = cylint_solid_is_round(solid)

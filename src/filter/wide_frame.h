@@ -6,11 +6,6 @@
 
 #include "frame.h"
 
-INLINE vm m_if_all(int condition)
-{
-    return m_from(condition ? (1u << LANES) - 1 : 0);
-}
-
 /* The same shape in all lanes. */
 INLINE void broadcast_shape(frames *to, const cylint_shape *shape)
 {
