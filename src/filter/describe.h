@@ -9,6 +9,7 @@
 #include "../shapes/local.h"
 #include "../signs/origin.h"
 #include "members.h"
+#include "pair_forms.h"
 #include "plane.h"
 
 /* Whether a coordinate of the line, or its difference from the base, can be
@@ -81,78 +82,43 @@ INLINE void describe_hits(cylint_question *q, const pair_line *in,
 
 /* ---------------------------------------------- from the nearest double -- */
 
-/* The slope of the residual at a hit and half its curvature, each with a bound on
- * its error.  most: at least |curvature|. */
+/* The surface of a hit at a moved origin, in lane 0: its residual there, the slope
+ * of that along the line, and half its curvature. */
 typedef struct {
-    vd slope, error, curvature, curvature_error, most;
-} slope_at_hit;
+    bounded_value residual, slope, curvature;
+} surface_beside;
 
-/* D: no coordinate of the direction exceeds it.  Where one cancels, its low
- * part can be as large as its high part, and its error is relative to D. */
-INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
-                             const hit_root *r, const source *from, vd D,
-                             int solid)
+INLINE surface_beside surface_of(const source *from, const pair_line *in,
+                                 const hit_root *r, int solid)
 {
-    const int round = cylint_solid_is_round(solid);
-    const double slope =
-        cylint_solid_is_tapered(solid) ? fabs(cylint_slope(from->shape)) : 0;
-    const vm ball = on_ball(r, solid);
-    const vd z = v_select(ball, rounded(from_center(h, r, from, solid).v),
-                          rounded(h->rho.v));
-    const vd axial = rounded(in->w), error = h->unit * D;
-    const vd w = v_select(ball, axial, -rounded(in->growth));
-    const vd vx = rounded(pairs_of_two(in->v, 0)),
-             vy = rounded(pairs_of_two(in->v, 1));
-    const vd x = rounded(h->x.v), y = rounded(h->y.v);
-    const vd xv = x * vx, yv = y * vy, zw = z * w;
-    const vd sizes = v_abs(xv) + v_abs(yv) + v_abs(zw);
-    const vd across = v_abs(x) + v_abs(y);
-    slope_at_hit s;
-    s.slope = v_set(2) * (xv + yv + zw);
-    s.error = v_sum_of(
-        v_set(2 * CYLINT_MEMBER_UNIT),
-        v_sum_of(v_abs(vx), h->x.e,
-                 v_sum_of(v_abs(vy), h->y.e,
-                          v_sum_of(error,
-                                   v_sum_of(v_set(1 + slope), v_abs(z), across),
-                                   v_abs(w) * (h->z.e + h->rho.e)))),
-        v_set(CYLINT_MEMBER_SLOPE) * sizes);
-    const vd xy = v_sum_of(vx, vx, vy * vy), ww = w * w;
-    const vd direction_error = v_set(CYLINT_MEMBER_UNIT) * error;
-    s.curvature = xy + v_select(ball, ww, -ww);
-    s.most = v_set(1.01) * v_sum_of(direction_error, direction_error, xy + ww);
-    s.curvature_error =
-        v_sum_of(v_set(4 * CYLINT_MEMBER_SLOPE), s.most,
-                 v_set(4) * direction_error *
-                     (v_abs(vx) + v_abs(vy) + v_abs(w) + direction_error));
-    if (cylint_solid_is_bounded(solid) && !round) {
-        s.slope = v_select(r->on_end, axial, s.slope);
-        s.error = v_select(r->on_end,
-                           v_sum_of(v_set(CYLINT_MEMBER_SLOPE), v_abs(axial),
-                                    v_set(CYLINT_MEMBER_UNIT) * error),
-                           s.error);
-        s.curvature = v_select(r->on_end, v_set(0), s.curvature);
-        s.curvature_error = v_select(r->on_end, v_set(0), s.curvature_error);
-        s.most = v_select(r->on_end, v_set(0), s.most);
-    }
-    return s;
-}
-
-/* The residual at the moved origin in lane 0. */
-INLINE bounded_value residual_beside(const source *from, const pair_line *in,
-                                     const hit_root *r, vd D, int solid)
-{
-    const line_end e = {r->top, r->on_end, v_set(0)};
-    const vd most =
+    const vd none = v_set(0), two = v_set(2);
+    const vd size =
         v_max(v_max(world_size(in->size, 0), world_size(in->size, 1)),
               world_size(in->size, 2));
-    const vd Q = origin_bound(most, from->shape);
-    local_line l;
-    set_sizes(&l, from->shape, from->line, v_first(Q), v_first(D), solid);
-    /* lane 1 is that of the top */
-    const bounded_value x = residual_at(in, &l, r->t, &e, solid);
-    return (bounded_value){v_select(r->top, v_turned(x.v), x.v),
-                           v_select(r->top, v_turned(x.e), x.e)};
+    const line_end e = {r->top, r->on_end, none};
+    local_line l = no_line;
+    forms f = no_forms;
+    verdict v = no_verdict;
+    set_sizes(&l, from->shape, from->line,
+              v_first(origin_bound(size, from->shape)),
+              v_first(direction_bound(from)), solid);
+    forms_in_pairs(&f, &v.ball, &l, in, from->shape, solid);
+    v.A = bounded_A(f.A, &l, l.taper);
+    v.B = bounded_B(f.B, &l, l.taper);
+    count_all_roundings(&v, solid);
+    const quadratic q = quadratic_of_end(&v, &e, solid);
+    surface_beside s = {
+        residual_at(in, &l, none, &e, solid), {two * q.B.v, two * q.B.e}, q.A};
+    if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid)) {
+        bounded_value w = {l.in.w, v_set(CYLINT_LOCAL_POSITION) * l.unit * l.D};
+        count_roundings(&w, 1);
+        s.slope = choose(r->on_end, w, s.slope);
+        s.curvature = choose(r->on_end, (bounded_value){none, none}, q.A);
+    }
+    /* lane 1 is that of the plane at the top */
+    s.residual.v = v_select(r->top, v_turned(s.residual.v), s.residual.v);
+    s.residual.e = v_select(r->top, v_turned(s.residual.e), s.residual.e);
+    return s;
 }
 
 /*
@@ -173,24 +139,22 @@ INLINE bounded_value residual_beside(const source *from, const pair_line *in,
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int solid)
 {
-    const int end = part == CYLINT_PART_CAP1;
-    const int on_end = part != CYLINT_PART_LATERAL;
-    const vd D = direction_bound(from);
-    hit_root r = {v_set(0), v_set(0), v_set(0), m_from(on_end ? 3 : 0),
-                  m_from(end ? 3 : 0)};
-    const local_hit h = hit_at(from, in, &r, 1, solid);
-    const slope_at_hit s = slope_of(&h, in, &r, from, D, solid);
-    const bounded_value residual = residual_beside(from, in, &r, D, solid);
-    const vd distance = v_set(CYLINT_ROUNDING * fabs(t));
-    const newton_lanes step = newton_step_lanes(residual.v, residual.e, s.slope,
-                                                s.error, v_set(0), distance);
-    const vd share = step.delta / s.slope, q = share * s.curvature;
-    const vd most = v_abs(share) * s.most;
+    const vm on_end = m_if_all(part != CYLINT_PART_LATERAL),
+             top = m_if_all(part == CYLINT_PART_CAP1);
+    hit_root r = {v_set(0), v_set(0), v_set(0), on_end, top};
+    const surface_beside s = surface_of(from, in, &r, solid);
+    const vd distance = v_set(CYLINT_ROUNDING * fabs(t)),
+             size = v_abs(s.slope.v);
+    const newton_lanes step = newton_step_lanes(
+        s.residual.v, s.residual.e, s.slope.v, s.slope.e, v_set(0), distance);
+    const vd share = step.delta / s.slope.v, q = share * s.curvature.v;
+    const vd curvature = v_abs(s.curvature.v) + s.curvature.e,
+             most = v_abs(share) * curvature;
     const vd second =
-        v_sum_of(v_set(9) * most, most, v_abs(share) * s.curvature_error);
+        v_sum_of(v_set(9) * most, most, v_abs(share) * s.curvature.e);
     const vd error = v_sum_of(v_abs(step.delta), second, v_set(2) * step.error);
-    const vm sure = m_and(v_le(v_set(4) * s.error, v_abs(s.slope)),
-                          v_le(v_set(8) * s.most * distance, v_abs(s.slope)));
+    const vm sure = m_and(v_le(v_set(4) * s.slope.e, size),
+                          v_le(v_set(8) * curvature * distance, size));
     const vm near =
         m_and(v_le(v_abs(step.delta), distance), v_le(error, distance));
     const vm closer = m_and(sure, near);

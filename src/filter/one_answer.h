@@ -9,11 +9,6 @@
 
 #include "describe.h"
 
-/* Zeros, without which compilers warn where `solid` is not a constant. */
-static const local_line no_line;
-static const forms no_forms;
-static const verdict no_verdict;
-
 /* The arguments of a kernel, in registers where functions are inlined. */
 typedef struct {
     const cylint_shape *shape;

@@ -345,8 +345,6 @@
  * of two doubles, relative to them, are not certain.
  * CYLINT_MEMBER_SCALE: sizes of terms are multiplied by it, so that they do not
  * underflow.
- * CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer than sixteen
- * operations are rounded, relative to the sum of its terms.
  * CYLINT_MEMBER_MOVED: the part of the terms of a moved origin that counts as its
  * size, so that bounds for the matrix cover their roundings.
  * CYLINT_MEMBER_NEAR: no bound on the error of a root from its nearest double is
@@ -366,7 +364,6 @@
 #define CYLINT_MEMBER_SCALE 0x1p300
 #define CYLINT_MEMBER_LEAST 0x1p-300
 #define CYLINT_MEMBER_TIE 0x1p-90
-#define CYLINT_MEMBER_SLOPE 0x1p-48
 #define CYLINT_MEMBER_MOVED 0x1p-6
 #define CYLINT_MEMBER_NEAR 0x1p-200
 #define CYLINT_MEMBER_LIKELY 0x1p-54

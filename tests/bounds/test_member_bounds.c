@@ -35,7 +35,7 @@ static struct {
     real r0, r1, rho, growth;
     int has_normal;
     vector at, point, normal; /* of the hit; at: local coordinates */
-    real t, radius, z, phi, slope;
+    real t, radius, z, phi;
 } the;
 
 static void set_true_line(const cylint_shape *s, const cylint_line *line)
@@ -144,11 +144,6 @@ static void set_true_hit(const cylint_shape *s, const cylint_line *line,
     }
     the.radius = at_t(the.rho, the.growth);
     set_true_normal(f);
-    vector from_end = {the.at[0], the.at[1], above_end(the.at[2], f)};
-    the.slope = f->on_end && !f->ball
-                    ? the.v[2]
-                    : times(real_of(2),
-                            form(f, from_end, the.radius, the.v, the.growth));
     if (s->kind == CYLINT_KIND_SPHERE)
         return;
     the.z = over(the.at[2], the.shape.height);
@@ -175,7 +170,6 @@ static number X = {"local x", 0, 0, 0, 0}, Y = {"local y", 0, 0, 0, 0},
               OF_PLANE = {"normal, plane", 0, 0, 0, 1},
               OF_SKEW_PLANE = {"normal, skew plane", 0, 0, 0, 1},
               HEIGHT = {"z", 0, 0, 0, 0}, PHI = {"phi", 0, 0, 0, 0},
-              SLOPE = {"slope", 0, 0, 0, 0},
               ROOT[2] = {{"root_beside(), 1st", 0, 0, 0, 0},
                          {"root_beside(), 2nd", 0, 0, 0, 0}};
 
@@ -242,17 +236,6 @@ static number *normal_now(int solid)
                   : &OF_SIDE;
 }
 
-static void judge_slope(const local_hit *h, const pair_line *in,
-                        const hit_root *r, const source *from, int solid)
-{
-    double slope[LANES], error[LANES];
-    const slope_at_hit s =
-        slope_of(h, in, r, from, load_first(from, solid).D, solid);
-    v_store(slope, s.slope);
-    v_store(error, v_set(1 / CYLINT_MEMBER_UNIT) * s.error);
-    judge_number(&SLOPE, 0, slope[0], 0, error[0], the.slope);
-}
-
 static void judge_members(const source *from, const pair_line *in,
                           const hit_root *r, int solid)
 {
@@ -267,7 +250,6 @@ static void judge_members(const source *from, const pair_line *in,
     normal_of(x, &h, from, r, solid);
     for (int j = 0; j < 3; j++)
         judge_pairs(normal_now(solid), j, &x[j], the.normal[j]);
-    judge_slope(&h, in, r, from, solid);
     if (ball)
         return;
     x[0] = height_share(&h, from);
@@ -391,7 +373,7 @@ TEST(each_number_was_compared_and_had_an_error)
     static const number *const all[] = {
         &X,       &Y,       &Z,       &RHO,      &POINT,
         &OF_SIDE, &OF_SKEW, &OF_BALL, &OF_PLANE, &OF_SKEW_PLANE,
-        &HEIGHT,  &PHI,     &SLOPE,   &ROOT[0],  &ROOT[1]};
+        &HEIGHT,  &PHI,     &ROOT[0], &ROOT[1]};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         printf(
             "note: %-18s error over its bound: %.6f, of a root in pairs %.3g; "
