@@ -3,6 +3,7 @@
  *
  * A bounded shape is the convex hull of the discs, ellipses or balls at its ends.
  */
+#include "roots/roots.h"
 #include "intersect.h"
 
 /* A shape and the box that its ends extend. */
@@ -53,53 +54,23 @@ static int pairs_serve(const cylint_shape *s)
 
 /* ----------------------------------------------------- by exact numbers -- */
 
-/* The number middle / unit + sqrt(square / by), where unit > 0 and by > 0, and unit
- * is 1 unless square is 0. */
-typedef struct {
-    cylint_arena *arena;
-    exact middle, unit, square, by;
-} exact_side;
-
-/* Whether a double is at least this number. */
-static int is_beyond(const exact_side *q, double x)
+/* The greatest double that is not above the root (-B + s R) / A of A x^2 + 2 B x +
+ * C, R^2 = B^2 - A C, or the least one that is not below it (up). */
+static double exactly_outward(cylint_query *q, exact A, exact B, exact C, int s,
+                              int up)
 {
-    cylint_arena *m = q->arena;
-    const int used = m->used;
-    const exact scaled = cylint_exact_mul(m, cylint_exact_from(m, x), q->unit);
-    const exact reach = cylint_exact_sub(m, scaled, q->middle);
-    const exact square =
-        cylint_exact_mul(m, cylint_exact_mul(m, reach, reach), q->by);
-    const exact over = cylint_exact_sub(m, square, q->square);
-    m->used = used;
-    return reach.sign >= 0 && over.sign >= 0;
-}
-
-/* The least double that is_beyond(), infinite if none is.  `guess` only saves
- * time: the steps away from it double, and end before a rank can overflow. */
-static double least_beyond(const exact_side *q, double guess)
-{
-    const int64_t longest = (int64_t)1 << 52;
-    int64_t out = cylint_rank(HUGE_VAL), in = -out, step = 1;
-    int64_t at = fabs(guess) <= DBL_MAX ? cylint_rank(guess) : 0;
-    while (in + 1 < out) {
-        if (at <= in || at >= out || step == longest)
-            at = in + (int64_t)(((uint64_t)out - (uint64_t)in) / 2);
-        if (is_beyond(q, cylint_from_rank(at)))
-            at = (out = at) - step;
-        else
-            at = (in = at) + step;
-        step = step < longest ? 2 * step : longest;
-    }
-    return cylint_from_rank(out);
-}
-
-/* The greatest double that is not above middle / unit - sqrt(square / by), or the
- * least one that is not below it (up). */
-static double exactly_outward(exact_side *q, double guess, int up)
-{
-    if (!up)
-        q->middle = cylint_exact_neg(q->middle);
-    return up ? least_beyond(q, guess) : -least_beyond(q, -guess);
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
+    cylint_arena *m = &q->arena;
+    const exact zero = cylint_exact_zero(m);
+    surd x = {A, B, C, s, zero, cylint_inverse(m, A), 0};
+    if (s != 0)
+        x.R = cylint_square_root(m, cylint_combined_exact(L, B, B, A, C));
+    const double side = cylint_nearest_at(q, &x, zero, L->one, L->one);
+    /* an infinite one counts as 2^1024 */
+    const exact from = cylint_exact_neg(cylint_exact_from(m, side));
+    return cylint_sign_at(q, &x, from, L->one) == (up ? 1 : -1)
+               ? cylint_positive_zero(cylint_next(side, up))
+               : side;
 }
 
 /* The square of the reach of a section of radius 1 along a coordinate; of a
@@ -113,10 +84,10 @@ static exact exact_square_across(cylint_arena *m, const cylint_terms_exact *L,
     return cylint_exact_sub(m, L->vv, cylint_exact_mul(m, L->w[j], L->w[j]));
 }
 
-/* A side of the disc or ball at an end, whose centre is center + offset. */
+/* A side of the disc or ball at an end: x = middle -+ sqrt(square / by), where
+ * middle is center + offset. */
 ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
-                               double center, double offset, double guess,
-                               int up)
+                               double center, double offset, int up)
 {
     cylint_line line;
     cylint_query q;
@@ -125,32 +96,30 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
     cylint_arena *m = &q.arena;
     const exact middle = cylint_exact_add(m, cylint_exact_from(m, center),
                                           cylint_exact_from(m, offset));
-    const exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
-    exact_side side = {m, middle, L->one, square, L->one};
-    if (!cylint_is_round(s->kind)) {
-        side.square =
+    const exact by = !cylint_is_round(s->kind) && cylint_has_end_points(s->kind)
+                         ? L->vv
+                         : L->one;
+    exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
+    if (!cylint_is_round(s->kind))
+        square =
             cylint_exact_mul(m, square, exact_square_across(m, L, s->kind, j));
-        if (cylint_has_end_points(s->kind))
-            side.by = L->vv;
-    }
-    return exactly_outward(&side, guess, up);
+    const exact B = cylint_exact_neg(cylint_exact_mul(m, by, middle));
+    const exact C = cylint_exact_neg(
+        cylint_combined_exact(L, middle, B, cylint_exact_neg(L->one), square));
+    return exactly_outward(&q, by, B, C,
+                           square.sign == 0 ? 0
+                           : up             ? 1
+                                            : -1,
+                           up);
 }
 
 /* A coordinate of the apex: base - w r0 / dr. */
-static double exact_side_of_apex(cylint_query *q, int j, double guess, int up)
+static double exact_side_of_apex(cylint_query *q, int j, int up)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
-    cylint_arena *m = &q->arena;
-    const exact base = cylint_exact_from(m, cylint_base(q->shape)[j]);
-    const exact middle =
-        cylint_exact_sub(m, cylint_exact_mul(m, base, L->dr),
-                         cylint_exact_mul(m, L->w[j], L->r[0]));
-    exact_side side = {m, middle, L->dr, cylint_exact_zero(m), L->one};
-    if (L->dr.sign < 0) {
-        side.middle = cylint_exact_neg(middle);
-        side.unit = cylint_exact_neg(L->dr);
-    }
-    return exactly_outward(&side, guess, up);
+    const exact base = cylint_exact_from(&q->arena, cylint_base(q->shape)[j]);
+    const exact B = cylint_combined_exact(L, L->w[j], L->r[0], base, L->dr);
+    return exactly_outward(q, L->dr, B, cylint_exact_zero(&q->arena), 0, up);
 }
 
 /* ---------------------------------------------------------------- boxes -- */
@@ -163,8 +132,7 @@ static void add_end(const box *to, int end, int j, double center, double offset,
     const pair middle = pair_add((pair){center, 0}, (pair){offset, 0});
     for (int up = 0; up < 2; up++) {
         if (!outward(middle, reach, is_exact, up, &side[up]) || !to->serves)
-            side[up] = exact_side_of_end(to->shape, end, j, center, offset,
-                                         side[up], up);
+            side[up] = exact_side_of_end(to->shape, end, j, center, offset, up);
     }
     to->lo[j] = cylint_less(side[0], to->lo[j]) ? side[0] : to->lo[j];
     to->hi[j] = cylint_less(to->hi[j], side[1]) ? side[1] : to->hi[j];
@@ -291,7 +259,7 @@ static void write_nappe_box(const box *to)
         if (!outward((pair){base, 0}, up ? offset : pair_neg(offset), at_base,
                      up, &apex) ||
             !to->serves)
-            apex = exact_side_of_apex(&q, j, apex, up);
+            apex = exact_side_of_apex(&q, j, up);
         *(up ? &to->hi[j] : &to->lo[j]) = apex;
     }
 }

@@ -6,6 +6,8 @@
  * the nearest double is tested in library/test_intersect.c.  CYLINT_CASES and
  * CYLINT_SEED change the cases.
  */
+#include <string.h>
+
 #include "check.h"
 #include "environment.h"
 #include "families.h"
@@ -149,6 +151,12 @@ TEST(boxes_and_tangents_are_within_their_errors)
 
 /* ---------------------------------------------------------- named boxes -- */
 
+static int is_negative_zero(double x)
+{
+    const double zero = -0.0;
+    return memcmp(&x, &zero, sizeof x) == 0;
+}
+
 static const char *check_box(const char *text, const char *known)
 {
     struct family_case c;
@@ -162,7 +170,8 @@ static const char *check_box(const char *text, const char *known)
         for (int k = 0; k < 3; k++)
             if (!CHECK(lo[k] <= x[1 + k] && hi[k] >= x[4 + k] &&
                        lo[k] >= stepped(x[1 + k], -(int)x[0]) &&
-                       hi[k] <= stepped(x[4 + k], (int)x[0])))
+                       hi[k] <= stepped(x[4 + k], (int)x[0]) &&
+                       !is_negative_zero(lo[k]) && !is_negative_zero(hi[k])))
                 REPORT("%s: coordinate %d from %a to %a", text, k, lo[k],
                        hi[k]);
         CHECK(lo[3] == 7 && hi[3] == 7);
