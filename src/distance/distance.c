@@ -138,7 +138,7 @@ static unsigned by_doubles(const cylint_shape *shape, const double point[3],
 }
 
 /* x.n in triples: cylint_along_normal() near the plane. */
-static plane_number along_normal_in_triples(const pair x[3], const double n[3])
+static bounded_pair along_normal_in_triples(const pair x[3], const double n[3])
 {
     triple D[3], N[3];
     double size = 0;
@@ -147,7 +147,7 @@ static plane_number along_normal_in_triples(const pair x[3], const double n[3])
         N[i] = triple_of(n[i]);
         size += fabs(x[i].hi * n[i]);
     }
-    return (plane_number){pair_of_triple(triple_dot_doubles(D, N)),
+    return (bounded_pair){pair_of_triple(triple_dot_doubles(D, N)),
                           CYLINT_CLOSE_ERROR * size + 0x1p-900};
 }
 

@@ -10,16 +10,10 @@
 #include "../numbers/error_bounds.h"
 #include "filter.h"
 
-/* A number and a bound of its error. */
-typedef struct {
-    pair v;
-    double error;
-} plane_number;
-
 /* x.n.  2^-900 covers products that underflow, and components of n that are read
  * as 0, where x is at most CYLINT_FAR.  Where each product has a factor 0, x.n is
  * exactly 0, and the error, too. */
-CYLINT_INLINE plane_number cylint_along_normal(const pair x[3],
+CYLINT_INLINE bounded_pair cylint_along_normal(const pair x[3],
                                                const double n[3])
 {
     const pair X = two_prod(x[0].hi, n[0]), Y = two_prod(x[1].hi, n[1]),
@@ -31,24 +25,24 @@ CYLINT_INLINE plane_number cylint_along_normal(const pair x[3],
     int is_zero = !(size > 0);
     EACH(i, 3)
         is_zero = is_zero && (!cylint_sign(x[i].hi) || !cylint_sign(n[i]));
-    return (plane_number){two_sum(all.hi, low + errors),
+    return (bounded_pair){two_sum(all.hi, low + errors),
                           is_zero ? 0 : CYLINT_PLANE_ERROR * size + 0x1p-900};
 }
 
 /* Whether x is 0, exactly. */
-static inline int cylint_is_exact_zero(plane_number x)
+static inline int cylint_is_exact_zero(bounded_pair x)
 {
     return !(fabs(x.v.hi) > 0) && !(x.error > 0);
 }
 
 /* Far from 0 and from the largest double. */
-static inline int cylint_is_moderate(plane_number x)
+static inline int cylint_is_moderate(bounded_pair x)
 {
     return fabs(x.v.hi) > 0x1p-400 && fabs(x.v.hi) < 0x1p400;
 }
 
 /* Whether x is moderate, and all numbers within its error round to x.v.hi. */
-static inline int cylint_is_rounded(plane_number x)
+static inline int cylint_is_rounded(bounded_pair x)
 {
     return cylint_is_moderate(x) && x.v.hi + (x.v.lo + x.error) == x.v.hi &&
            x.v.hi + (x.v.lo - x.error) == x.v.hi;
@@ -80,10 +74,10 @@ static inline pair cylint_normal_length(const double n[3])
 }
 
 /* x over the length of the normal. */
-static inline plane_number cylint_over_length(plane_number x, pair length)
+static inline bounded_pair cylint_over_length(bounded_pair x, pair length)
 {
     const pair q = pair_div(x.v, length);
-    return (plane_number){q, x.error / length.hi * 0x1.01p0 +
+    return (bounded_pair){q, x.error / length.hi * 0x1.01p0 +
                                  fabs(q.hi) * (0x1p-103 + CYLINT_PAIR_SQRT +
                                                2 * CYLINT_PAIR_DIV)};
 }
@@ -93,7 +87,7 @@ static inline plane_number cylint_over_length(plane_number x, pair length)
  * rounding is uncertain.  The thread rounds to nearest, and the shape is in
  * range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
-                                        const pair from[3], plane_number above,
+                                        const pair from[3], bounded_pair above,
                                         double *distance)
 {
     const double *n = cylint_axis(s);
@@ -102,7 +96,7 @@ static inline int cylint_plane_distance(const cylint_shape *s,
             *distance = from[i].hi * cylint_sign(n[i]);
             return 1;
         }
-    const plane_number d = cylint_over_length(above, cylint_normal_length(n));
+    const bounded_pair d = cylint_over_length(above, cylint_normal_length(n));
     *distance = d.v.hi + 0.0; /* no -0 */
     return cylint_is_rounded(d) || cylint_is_exact_zero(above);
 }
@@ -116,7 +110,7 @@ static inline int cylint_side_of_plane(const cylint_shape *s,
     if (!cylint_is_plane(s->kind) || !cylint_in_range(s) ||
         !cylint_rounds_to_nearest() || !cylint_from_plane(s, point, from))
         return CYLINT_SIDE_UNDECIDED;
-    const plane_number above = cylint_along_normal(from, cylint_axis(s));
+    const bounded_pair above = cylint_along_normal(from, cylint_axis(s));
     return cylint_is_exact_zero(above)     ? 0
            : above.v.hi > 2 * above.error  ? -1
            : above.v.hi < -2 * above.error ? 1
@@ -125,21 +119,21 @@ static inline int cylint_side_of_plane(const cylint_shape *s,
 
 /* The root -above / slope.  Its error: those of both numbers, the quotient's, and
  * 2^-1000, so that only an exact 0 has none. */
-CYLINT_INLINE plane_number cylint_plane_root(plane_number above,
-                                             plane_number slope)
+CYLINT_INLINE bounded_pair cylint_plane_root(bounded_pair above,
+                                             bounded_pair slope)
 {
     const pair t = pair_div(pair_neg(above.v), slope.v);
     const double size = fabs(t.hi), inverse = fabs(1 / slope.v.hi);
     if (cylint_is_exact_zero(above))
-        return (plane_number){{0, 0}, 0};
-    return (plane_number){t, (above.error + size * slope.error) *
+        return (bounded_pair){{0, 0}, 0};
+    return (bounded_pair){t, (above.error + size * slope.error) *
                                      (inverse * 0x1.01p0) +
                                  size * (2 * CYLINT_PAIR_DIV) + 0x1p-1000};
 }
 
 /* Whether the root is after a limit of the domain: 1, 0 if it is the limit, or -1;
  * or CYLINT_SIDE_UNDECIDED. */
-CYLINT_INLINE int cylint_root_side(plane_number t, double limit)
+CYLINT_INLINE int cylint_root_side(bounded_pair t, double limit)
 {
     const double x = (t.v.hi - limit) + t.v.lo; /* rounded twice */
     if (cylint_is_exact_zero(t))
@@ -155,7 +149,7 @@ CYLINT_INLINE int cylint_root_side(plane_number t, double limit)
  * far from 0. */
 CYLINT_INLINE int cylint_line_to_plane(const cylint_shape *s,
                                        const cylint_line *line,
-                                       plane_number *slope, plane_number *t)
+                                       bounded_pair *slope, bounded_pair *t)
 {
     pair from[3], d[3];
     const int serves = cylint_from_plane(s, line->o, from);
@@ -191,7 +185,7 @@ static inline int cylint_intersect_plane(const cylint_shape *s,
                                          const cylint_line *line, unsigned want,
                                          cylint_answer *answer)
 {
-    plane_number slope, t;
+    bounded_pair slope, t;
     if (!cylint_pairs_serve(s, line))
         return CYLINT_UNDECIDED;
     if (!cylint_line_to_plane(s, line, &slope, &t))
@@ -224,7 +218,7 @@ static inline int cylint_intersect_plane(const cylint_shape *s,
  * all points of the plane have that of p. */
 static inline int cylint_plane_coordinate(const cylint_shape *s,
                                           const cylint_line *line,
-                                          plane_number t, int i, double *x)
+                                          bounded_pair t, int i, double *x)
 {
     const double *n = cylint_axis(s);
     const pair d = {line->d[i], line->d_lo[i]}, o = {line->o[i], 0};
@@ -235,7 +229,7 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
     }
     const pair step = pair_mul(t.v, d);
     const double size = fabs(step.hi) + fabs(o.hi);
-    const plane_number at = {pair_add(o, step),
+    const bounded_pair at = {pair_add(o, step),
                              fabs(d.hi) * t.error * 0x1.01p0 + 0x1p-102 * size};
     *x = at.v.hi;
     return cylint_is_rounded(at);
@@ -248,8 +242,8 @@ static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
     const pair length = cylint_normal_length(n);
     int certain = 1;
     for (int i = 0; i < 3; i++) {
-        const plane_number x = {{n[i], 0}, 0};
-        const plane_number unit = cylint_over_length(x, length);
+        const bounded_pair x = {{n[i], 0}, 0};
+        const bounded_pair unit = cylint_over_length(x, length);
         normal[i] = unit.v.hi + 0.0; /* no -0 */
         certain &= cylint_sign(n[i]) == 0 || cylint_is_rounded(unit);
     }
@@ -262,7 +256,7 @@ static inline unsigned cylint_plane_members(const cylint_shape *s,
                                             const cylint_line *line,
                                             unsigned want, cylint_hit *hit)
 {
-    plane_number slope, t;
+    bounded_pair slope, t;
     unsigned undecided = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
     if (!cylint_pairs_serve(s, line))
         return want;

@@ -16,6 +16,12 @@ typedef struct {
     double hi, lo;
 } pair;
 
+/* A number and a bound on its error. */
+typedef struct {
+    pair v;
+    double error;
+} bounded_pair;
+
 #define REAL double
 #define PAIR pair
 #define EFT(name) name

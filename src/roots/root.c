@@ -29,77 +29,71 @@ static int rounds_to_hi(pair t, double error)
 
 /* ------------------------------------------------------ quotients ------ */
 
-/* A form, or a number computed from forms, in pairs. */
-typedef struct {
-    pair v;
-    double error;
-} number;
-
-static number form_in_pairs(cylint_query *q, cylint_form f, int end)
+static bounded_pair form_in_pairs(cylint_query *q, cylint_form f, int end)
 {
-    const bounded_pair x =
-        cylint_form_pair(cylint_load_pairs(q, f, end), f, end);
-    return (number){x.v, bounded_pair_error(x)};
+    bounded_pair x = cylint_form_pair(cylint_load_pairs(q, f, end), f, end);
+    x.error = bounded_pair_error(x);
+    return x;
 }
 
-static double relative_error(number x)
+static double relative_error(bounded_pair x)
 {
     return x.error / fabs(x.v.hi);
 }
 
 /* x / y.  Relative errors are added to first order: CYLINT_ROOT_SLACK covers their
  * products, each of which is below 2^-10.  A larger error counts as infinite. */
-static number quotient_of_numbers(number x, number y)
+static bounded_pair quotient_of_numbers(bounded_pair x, bounded_pair y)
 {
     const pair t = pair_div(x.v, y.v);
     const double error = relative_error(x) + relative_error(y);
-    return (number){t, error < CYLINT_FIRST_ORDER
-                           ? CYLINT_ROOT_SLACK * fabs(t.hi) *
-                                 (error + CYLINT_PAIR_RADICAL_ROUNDING)
-                           : HUGE_VAL};
+    return (bounded_pair){t, error < CYLINT_FIRST_ORDER
+                                 ? CYLINT_ROOT_SLACK * fabs(t.hi) *
+                                       (error + CYLINT_PAIR_RADICAL_ROUNDING)
+                                 : HUGE_VAL};
 }
 
-static number negative(number x)
+static bounded_pair negative(bounded_pair x)
 {
-    return (number){pair_neg(x.v), x.error};
+    return (bounded_pair){pair_neg(x.v), x.error};
 }
 
 /* R = sqrt(S G), with an infinite error unless G is certainly positive. */
-static number radical_of(cylint_query *q)
+static bounded_pair radical_of(cylint_query *q)
 {
-    const number G = form_in_pairs(q, FORM_G, 0);
-    const number S = form_in_pairs(q, FORM_ROOT_OF_S, 0);
+    const bounded_pair G = form_in_pairs(q, FORM_G, 0);
+    const bounded_pair S = form_in_pairs(q, FORM_ROOT_OF_S, 0);
     /* mutant '&&' -> '||': roots are computed where G > 0, and pairs that
      * compute G <= 0 decide nothing */
     /* mutant '>' -> '<': slower, the next stage decides */
     if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER))
-        return (number){G.v, HUGE_VAL};
+        return (bounded_pair){G.v, HUGE_VAL};
     /* without a square, S G may have underflowed */
     const pair R = CYLINT_RADICAL(q->kind, S.v, G.v, pair_mul, pair_sqrt);
     if (!cylint_S_is_square(q->kind) && !(R.hi > CYLINT_RADICAL_LEAST))
-        return (number){R, HUGE_VAL};
-    return (number){R, R.hi * (relative_error(G) + relative_error(S) +
-                               CYLINT_PAIR_RADICAL_ROUNDING)};
+        return (bounded_pair){R, HUGE_VAL};
+    return (bounded_pair){R, R.hi * (relative_error(G) + relative_error(S) +
+                                     CYLINT_PAIR_RADICAL_ROUNDING)};
 }
 
 /* |B| + R: the divisor or the dividend of the form of a root in which nothing
  * cancels.  *near: whether it is the divisor, and the dividend is C.  That is so of
  * the root nearer to the line's origin; of the other one the divisor is A. */
-static number divisor(cylint_query *q, int exits, int *near)
+static bounded_pair divisor(cylint_query *q, int exits, int *near)
 {
-    const number B = form_in_pairs(q, FORM_B, 0), R = radical_of(q);
+    const bounded_pair B = form_in_pairs(q, FORM_B, 0), R = radical_of(q);
     /* mutant '<' -> '<=': for B = 0 either sign is right */
     const int falls = B.v.hi < 0;
     const pair sum = pair_add(R.v, falls ? pair_neg(B.v) : B.v);
     *near = falls != exits;
-    return (number){sum, B.error + R.error +
-                             CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
+    return (bounded_pair){sum, B.error + R.error +
+                                   CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
 }
 
-static const number undecided = {{HUGE_VAL, 0}, HUGE_VAL};
+static const bounded_pair undecided = {{HUGE_VAL, 0}, HUGE_VAL};
 
 /* Undecided if the root is no quotient of forms, or pairs are not certain. */
-static number root_by_quotient(cylint_query *q, cylint_root root)
+static bounded_pair root_by_quotient(cylint_query *q, cylint_root root)
 {
     const int exits = root == ROOT_EXIT;
     int near;
@@ -112,11 +106,11 @@ static number root_by_quotient(cylint_query *q, cylint_root root)
         return quotient_of_numbers(
             negative(form_in_pairs(q, FORM_ALPHA, root == ROOT_CAP1)),
             form_in_pairs(q, FORM_BETA, 0));
-    const number sum = divisor(q, exits, &near);
+    const bounded_pair sum = divisor(q, exits, &near);
     if (!(sum.error < HUGE_VAL))
         return undecided;
-    const number x = form_in_pairs(q, near ? FORM_C : FORM_A, 0);
-    const number t =
+    const bounded_pair x = form_in_pairs(q, near ? FORM_C : FORM_A, 0);
+    const bounded_pair t =
         near ? quotient_of_numbers(x, sum) : quotient_of_numbers(sum, x);
     return near == exits ? negative(t) : t;
 }
@@ -137,8 +131,8 @@ static number root_by_quotient(cylint_query *q, cylint_root root)
  * a far origin costs no digits: f is C there, with the slope 2 B, or alpha of a
  * cap, with the slope beta.  curvature: half the second derivative or more.
  * Undecided for a point outside the window of error_bounds.h. */
-static number step_from(cylint_query *q, number t, cylint_form f, int cap,
-                        double curvature)
+static bounded_pair step_from(cylint_query *q, bounded_pair t, cylint_form f,
+                              int cap, double curvature)
 {
     const cylint_form f_slope = f == FORM_C ? FORM_B : FORM_BETA;
     const double factor = f == FORM_C ? 2 : 1;
@@ -151,8 +145,8 @@ static number step_from(cylint_query *q, number t, cylint_form f, int cap,
             D[i], bounded_pair_mul((bounded_pair){t.v, 0}, L->u[i]));
         in_window &= fabs(D[i].v.hi) <= CYLINT_WINDOW;
     }
-    const number at = form_in_pairs(q, f, cap);
-    const number slope = form_in_pairs(q, f_slope, cap);
+    const bounded_pair at = form_in_pairs(q, f, cap);
+    const bounded_pair slope = form_in_pairs(q, f_slope, cap);
     memcpy(D, kept, sizeof kept);
     const double s = factor * slope.v.hi, s_error = factor * slope.error;
     if (!in_window || !(s_error < CYLINT_FIRST_ORDER * fabs(s)))
@@ -160,20 +154,21 @@ static number step_from(cylint_query *q, number t, cylint_form f, int cap,
     const newton_double step =
         newton_step_double(at.v.hi, at.error, s, s_error, curvature, t.error);
     /* with the rounding of t.lo - delta and CYLINT_NEAREST_MARGIN */
-    return (number){fast_two_sum(t.v.hi, t.v.lo - step.delta),
-                    step.error + CYLINT_PAIR_ROUNDING * fabs(t.v.hi)};
+    return (bounded_pair){fast_two_sum(t.v.hi, t.v.lo - step.delta),
+                          step.error + CYLINT_PAIR_ROUNDING * fabs(t.v.hi)};
 }
 
 /* Newton's steps from t until it has all but a few digits of a pair, or they gain
  * little. */
-static number newton_from(cylint_query *q, cylint_root root, number t)
+static bounded_pair newton_from(cylint_query *q, cylint_root root,
+                                bounded_pair t)
 {
     double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1)
         return step_from(q, t, FORM_ALPHA, root == ROOT_CAP1, 0);
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return undecided;
-    const number A = form_in_pairs(q, FORM_A, 0);
+    const bounded_pair A = form_in_pairs(q, FORM_A, 0);
     do {
         before = t.error;
         t = step_from(q, t, FORM_C, 0, fabs(A.v.hi) + A.error);
@@ -208,7 +203,7 @@ static int root_against(cylint_query *q, cylint_root root, double m)
 
 /* Whether t certainly rounds to t.v.hi, also in its true scale, and no product of t
  * can have underflowed. */
-static int settles(const cylint_query *q, number t)
+static int settles(const cylint_query *q, bounded_pair t)
 {
     const double size = fabs(t.v.hi);
     const int e = cylint_exponent(t.v.hi) + q->t_exponent;
@@ -230,12 +225,12 @@ static int is_at_origin(cylint_query *q, cylint_root root)
 /* Improves *t, a quotient of pairs: it becomes 0 where exact signs prove that,
  * which Newton's steps cannot, or takes these steps.  Returns whether its rounding
  * is certain. */
-static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
+static int root_in_pairs(cylint_query *q, cylint_root root, bounded_pair *t)
 {
     const int can_be_zero =
         fabs(t->v.hi) < HUGE_VAL && fabs(t->v.hi) <= t->error;
     if (can_be_zero && is_at_origin(q, root)) {
-        *t = (number){{0, 0}, 0};
+        *t = (bounded_pair){{0, 0}, 0};
         return 1;
     }
     if (!settles(q, *t) && t->error < HUGE_VAL)
@@ -244,7 +239,7 @@ static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
 }
 
 /* *is_zero: whether the root is certainly 0. */
-static double root_value(cylint_query *q, cylint_root root, number t,
+static double root_value(cylint_query *q, cylint_root root, bounded_pair t,
                          int *is_zero)
 {
     *is_zero = 0;
@@ -267,7 +262,7 @@ static double in_scale(const cylint_query *q, double t)
 /* Where a root with a bounded error lies: 1 within the domain, -1 outside, 0 if
  * it is too near a limit.  In other rounding modes an operation on pairs is less
  * accurate, but far more accurate than one on doubles. */
-static int placed(const cylint_query *q, number x)
+static int placed(const cylint_query *q, bounded_pair x)
 {
     const double from = in_scale(q, q->line->tmin);
     const double to = in_scale(q, q->line->tmax);
@@ -293,7 +288,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t)
         return 0; /* beyond all numbers, though t may be rounded to that */
     if (!wanted && !limited)
         return 1;
-    const number at = root_by_quotient(q, root);
+    const bounded_pair at = root_by_quotient(q, root);
     if (limited) {
         const int place = placed(q, at);
         if (place < 0)

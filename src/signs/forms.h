@@ -64,19 +64,14 @@ static inline bounded_double bounded_mul(bounded_double x, bounded_double y)
 #include "forms_template.h"
 
 /*
- * A pair of doubles and a bound on its error: the sum of all that the operations
- * on the way lost, times the factors that followed.  Every operation is a sum of
- * doubles, whose low parts are exact in rounding to nearest; it returns the two
- * largest and counts the rest.  So an error of 0 proves that nothing was lost,
- * unless something underflowed, and unlike a size the error stays small when a sum
- * that cancels is squared.  With x' for x and y' for y the error of x y is
+ * The error of a bounded pair (double_double.h) is the sum of all that the
+ * operations on the way lost, times the factors that followed.  Every operation is
+ * a sum of doubles, whose low parts are exact in rounding to nearest; it returns
+ * the two largest and counts the rest.  So an error of 0 proves that nothing was
+ * lost, unless something underflowed, and unlike a size the error stays small when
+ * a sum that cancels is squared.  With x' for x and y' for y the error of x y is
  * x' (y' - y) + y (x' - x).
  */
-typedef struct {
-    pair v;
-    double error;
-} bounded_pair;
-
 static inline bounded_pair bounded_pair_add(bounded_pair x, bounded_pair y)
 {
     const pair high = two_sum(x.v.hi, y.v.hi);

@@ -21,6 +21,7 @@
 #undef CYLINT_DOUBLE_DOUBLE_H
 #define __FMA__ 1
 #define pair fused_pair
+#define bounded_pair fused_bounded_pair
 #define two_sum fused_two_sum
 #define two_diff fused_two_diff
 #define fast_two_sum fused_fast_two_sum
@@ -33,6 +34,7 @@
 #define pair_sqrt fused_pair_sqrt
 #include "numbers/double_double.h"
 #undef pair
+#undef bounded_pair
 #undef two_sum
 #undef two_diff
 #undef fast_two_sum
