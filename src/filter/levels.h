@@ -352,20 +352,15 @@ ASIDE double residual_in_levels(const cylint_shape *shape,
                : circular_residual(shape, line, t, cap, tapered);
 }
 
-/* Such residuals with the bounds on their errors.  size: size_at(). */
-INLINE bounded_value bounded_levels(vd residual, vd size, vm on_end,
-                                    const cylint_shape *shape)
+/* Such residuals at t with the bounds on their errors. */
+INLINE bounded_value bounded_levels(vd residual, vd t, const local_line *l,
+                                    vm on_end, int solid)
 {
-    const int solid = cylint_prepared(shape);
-    const double error = cylint_frame_error(shape);
-    const double taper =
-        cylint_solid_is_tapered(solid) ? 1 + fabs(cylint_slope(shape)) : 1;
-    const vd wide = v_set(taper) * size;
-    const vm plane =
-        m_and(on_end, m_from(cylint_solid_is_round(solid) ? 0 : 3));
-    const vd sizes = v_select(plane, size, wide * wide);
+    const vd size = size_at(t, l), wide = l->taper * size;
+    const vm plane = m_and(on_end, m_if_all(!cylint_solid_is_round(solid)));
     return (bounded_value){residual,
-                           v_set(CYLINT_LOCAL_LEVELS * error * error) * sizes +
+                           v_set(CYLINT_LOCAL_LEVELS) * (l->unit * l->unit) *
+                                   v_select(plane, size, wide * wide) +
                                v_set(CYLINT_LOCAL_SCALING) * v_abs(residual)};
 }
 

@@ -368,8 +368,8 @@ static int refine_roots(cylint_question *q)
                                          (int)(q->ends.top >> i & 1),
                                          (int)(q->ends.on_end >> i & 1));
     }
-    const bounded_value level = bounded_levels(
-        v_load(residual), size_at(start, &l), m_from(q->ends.on_end), shape);
+    const bounded_value level = bounded_levels(v_load(residual), start, &l,
+                                               m_from(q->ends.on_end), solid);
     const root better = step_from(start, level, &at);
     r = root_if(m_from(needed), &better, &r);
     h = with_exact_hits(hits_of_roots(&r, &l, present), &r, exact, q->line);
