@@ -9,153 +9,107 @@ line `#include "..."`; a call is an undefined symbol cylint_... of an object
 below BUILD/src that another object defines.  Files must not include or call
 each other in a circle either.  Functions that include/ declares count as
 calls of the file that defines them, except from src/methods, which is written
-for the public interface.  Every arrow that points up and every circle is
-printed with its place.
+for the public interface.  Every arrow that points up is printed with its place,
+and a circle if there is one.
 """
+import glob
 import os
 import re
 import subprocess
 import sys
+from graphlib import CycleError, TopologicalSorter
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(__file__), "..", ".."))
-SRC = os.path.join(TOP, "src")
-
-
-def closure(graph):
-    """{node: all nodes that it reaches by one step or more}"""
-    def reached(start):
-        seen, todo = set(), [start]
-        while todo:
-            new = graph.get(todo.pop(), set()) - seen
-            seen |= new
-            todo += new
-        return seen
-    return {node: reached(node) for node in graph}
+os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../.."))
 
 
-def read_floors():
-    """{floor: set of floors that it may use, itself included}"""
-    direct = {}
-    with open(os.path.join(SRC, "README.md")) as text:
-        for line in text:
-            row = re.match(r"\| `([\w.]+)` \| ([^|]*)\|", line)
-            if row:
-                direct[row[1]] = set(re.findall(r"[\w.]+", row[2]))
-    reach = closure(direct)
-    for floor, below in reach.items():
-        if floor in below or not below <= set(direct):
-            sys.exit("ladder: in the table of src/README.md %s stands on itself, or "
-                     "on a floor that has no row" % floor)
-    return {floor: below | {floor} for floor, below in reach.items()}
+def text_of(path):
+    with open(path) as file:
+        return file.read()
+
+
+def sources(ending):
+    return sorted(glob.glob("src/**/*." + ending, recursive=True))
+
+
+def circle(arrows):
+    """One circle of a graph {from: [to]}, or None."""
+    try:
+        TopologicalSorter(arrows).prepare()
+    except CycleError as error:
+        return error.args[1][::-1]
+
+
+def floors():
+    """{floor: floors that it may use, itself included}"""
+    rows = re.findall(r"(?m)^\| `([\w.]+)` \| ([^|]*)\|", text_of("src/README.md"))
+    below = {floor: re.findall(r"[\w.]+", text) for floor, text in rows}
+    may_use = {}
+    if circle(below):
+        sys.exit("ladder: src/README.md has a circle: " + " ".join(circle(below)))
+    for floor in TopologicalSorter(below).static_order():
+        if floor not in below:
+            sys.exit("ladder: %s has no row in src/README.md" % floor)
+        may_use[floor] = {floor}.union(*(may_use[f] for f in below[floor]))
+    return may_use
+
+
+def includes():
+    """(file, included file, how a message begins)"""
+    for path in sources("[ch]"):
+        for number, line in enumerate(text_of(path).split("\n"), 1):
+            found = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
+            for place in (os.path.dirname(path), "src") if found else ():
+                target = os.path.normpath(os.path.join(place, found[1]))
+                if os.path.exists(target):  # else of include/
+                    yield path, target, "%s:%d: includes %s" % (path, number, target)
+                    break
+
+
+def calls(build):
+    """The same of objects: (file, file that defines the symbol, how a message begins)"""
+    defined, used, home = {}, {}, {}
+    for path in sources("c"):
+        stem = os.path.join(build, path[:-2])
+        for object in glob.glob(stem + ".o") + glob.glob(stem + "-*.o"):
+            listed = subprocess.run(
+                ["nm", object], capture_output=True, check=True, text=True).stdout
+            for kind, symbol in re.findall(r"(\w) (cylint_\w+)", listed):
+                (used if kind == "U" else defined).setdefault(path, set()).add(symbol)
+        home.update(dict.fromkeys(defined.get(path, ()), path))
+    public = {name for header in glob.glob("include/*.h")
+              for name in re.findall(r"\bcylint_\w+(?=\()", text_of(header))}
+    for path in used:
+        for symbol in sorted(used[path] - defined[path]):
+            is_public = symbol in public and path.startswith("src/methods/")
+            if symbol in home and not is_public:
+                where = path, symbol, home[symbol]
+                yield path, home[symbol], "%s: calls %s of %s" % where
 
 
 def floor_of(path):
-    """The folder of a file that is named relative to src/."""
-    return os.path.dirname(path) or "."
+    """The folder of a file below src."""
+    return os.path.dirname(path)[len("src/"):] or "."
 
 
-def include_arrows():
-    """(file, included file, line number), named relative to src/"""
-    for place, _, names in os.walk(SRC):
-        for name in sorted(names):
-            if not name.endswith((".c", ".h")):
-                continue
-            path = os.path.join(place, name)
-            with open(path) as text:
-                for number, line in enumerate(text, 1):
-                    found = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
-                    if not found:
-                        continue
-                    target = os.path.join(place, found[1])
-                    if not os.path.exists(target):
-                        target = os.path.join(SRC, found[1])
-                    if not os.path.exists(target):
-                        continue  # of include/, or the compiler finds out
-                    yield (os.path.relpath(path, SRC),
-                           os.path.relpath(target, SRC), number)
-
-
-def symbols(build):
-    """{file: (symbols it defines, symbols it uses)} of the objects of src/"""
-    found = {}
-    below = os.path.join(build, "src")
-    for place, _, names in os.walk(below):
-        for name in names:
-            if not name.endswith(".o"):
-                continue
-            path = os.path.join(place, name)
-            source = re.sub(r"(-\w+)?\.o$", ".c",
-                            os.path.relpath(path, below))
-            if not os.path.exists(os.path.join(SRC, source)):
-                continue
-            defined, used = found.setdefault(source, (set(), set()))
-            for line in subprocess.run(["nm", path], capture_output=True,
-                                       check=True, text=True).stdout.split("\n"):
-                fields = line.split()
-                if len(fields) < 2 or not fields[-1].startswith("cylint_"):
-                    continue
-                (used if fields[-2] == "U" else defined).add(fields[-1])
-    return found
-
-
-def public_names():
-    """What include/ declares."""
-    names = set()
-    for name in os.listdir(os.path.join(TOP, "include")):
-        with open(os.path.join(TOP, "include", name)) as text:
-            names.update(re.findall(r"\bcylint_\w+(?=\()", text.read()))
-    return names
-
-
-def call_arrows(build):
-    """(file, file that defines the symbol, symbol)"""
-    objects = symbols(build)
-    public = public_names()
-    home = {s: path for path, (defined, _) in objects.items() for s in defined}
-    for path, (defined, used) in sorted(objects.items()):
-        for symbol in sorted(used - defined):
-            if symbol in public and floor_of(path) == "methods":
-                continue
-            if symbol in home:
-                yield path, home[symbol], symbol
-
-
-def circles(arrows):
-    """Each set of files that reach each other, once."""
+def faults(arrows, may_use):
     graph = {}
-    for a, b, _ in arrows:
-        if a != b:
-            graph.setdefault(a, set()).add(b)
-    reach = closure(graph)
-    return sorted({tuple(sorted(b for b in reach[a] if a in reach.get(b, ())))
-                   for a in reach if a in reach[a]})
+    for path, target, message in arrows:
+        if floor_of(path) not in may_use:
+            yield "%s: its folder has no row in src/README.md" % path
+        elif floor_of(target) not in may_use[floor_of(path)]:
+            yield message + ", which stands above it"
+        if path != target:
+            graph.setdefault(path, []).append(target)
+    if circle(graph):
+        yield "a circle: " + " ".join(circle(graph))
 
 
-def main():
-    floors = read_floors()
-    includes = list(include_arrows())
-    calls = list(call_arrows(sys.argv[1])) if len(sys.argv) > 1 else []
-    if len(sys.argv) > 1 and not calls:
+kinds = [list(includes())]
+if len(sys.argv) > 1:
+    kinds.append(list(calls(sys.argv[1])))
+    if not kinds[1]:
         sys.exit("ladder: no objects below %s/src" % sys.argv[1])
-    found = 0
-    for kind, arrows in (("includes", includes), ("calls", calls)):
-        for path, target, where in arrows:
-            allowed = floors.get(floor_of(path))
-            if allowed is None:
-                print("src/%s: its folder has no row in src/README.md" % path)
-            elif floor_of(target) in allowed:
-                continue
-            elif kind == "includes":
-                print("src/%s:%d: includes %s, which stands above it"
-                      % (path, where, target))
-            else:
-                print("src/%s: calls %s of %s, which stands above it"
-                      % (path, where, target))
-            found += 1
-        for circle in circles(arrows):
-            print("a circle of %s: %s" % (kind, " ".join(circle)))
-            found += 1
-    return found != 0
-
-
-sys.exit(main())
+may_use = floors()
+found = [fault for arrows in kinds for fault in faults(arrows, may_use)]
+print("\n".join(found), end="\n" if found else "")
+sys.exit(bool(found))
