@@ -6,14 +6,6 @@
 mkdir "$scratch/work"
 PATH=$build:$PATH
 
-# Prints, unescaped, the literal displays of a manual that have a command.
-examples() {
-    awk '/^\.Bd -literal/ { show = 1; next }
-         /^\.Ed/ { show = 0; print "" }
-         show { gsub(/\\e/, "\\"); gsub(/\\&/, ""); gsub(/\\-/, "-"); print }
-    ' "$1"
-}
-
 covered() { # word: is it in cli.txt, not as a part of another?
     grep -Eq -e "(^|[^a-z0-9-])$1([^a-z0-9]|\$)" "$top/tests/command/cli.txt"
     verdict "no transcript for $1" $?
@@ -27,7 +19,7 @@ for page in cylint.1 cylint.7; do
     rm -rf "$scratch/work"
     mkdir "$scratch/work"
     ln -s "$top/tools" "$scratch/work"
-    examples "$top/man/$page" >"$scratch/examples"
+    sh tests/support/recipe.sh all $page >"$scratch/examples"
     run_transcripts $page <"$scratch/examples"
     [ "$(grep -c '^\$ ' "$scratch/examples")" -ge 4 ]
     verdict "$page has examples" $?

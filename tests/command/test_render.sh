@@ -3,7 +3,6 @@
 # those of the README.  The program pixels prints the pixels of a file.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
-page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] ||
     skip_all 'no libpng, so no cylint-render (make deps)'
 PATH=$build:$build/tests/command:$PATH
@@ -15,10 +14,8 @@ cd "$scratch" || exit 1
 test_manual()
 {
     mkdir manual && cd manual || return 1
-    awk '/^\.Bd -literal/ { show = 1; next }
-         /^\.Ed/ { show = 0 }
-         show && /^\$ / { sub(/^\$ /, ""); gsub(/\\e/, "\\"); sub(/480x270/, "96x54"); print }' \
-        "$page" > commands
+    sh "$top/tests/support/recipe.sh" all cylint-render.1 |
+        sed -n 's/480x270/96x54/; s/^\$ //p' > commands
     while read -r command; do
         sh -c "$command" < /dev/null > out 2>&1 || {
             cat out

@@ -28,10 +28,5 @@ block()
 # EXAMPLES, or in another section.
 display()
 {
-    awk -v wanted="$2" -v section="${3:-EXAMPLES}" '
-        /^\.Sh/ { examples = $2 == section }
-        /^\.Ed/ { inside = 0 }
-        inside { gsub(/\\e/, "\\"); print }
-        examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
-    ' "man/$1"
+    sh "$top/tests/support/recipe.sh" "${3:-EXAMPLES}:$2" "$1"
 }
