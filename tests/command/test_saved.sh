@@ -99,7 +99,7 @@ for what in '-q first -f id,shape,label,t,part,side,x,nx,h,phi' '-q pieces' \
     same saved.solids solids $what many
 done
 same saved scene -f shape,label,distance,feature,x,nx points
-same saved scene --method quadratic records
+same tubes 'rods --ends open' --method quadratic records
 [ "$(cylint -s saved -q all -f label numbers -k ray | grep -c ' of ')" -gt 100 ]
 verdict 'labels are saved' $?
 

@@ -19,14 +19,14 @@ awk 'BEGIN {
         if (i % 1999 == 0) print "# comment " i
         if (i % 1777 == 0 || (i > 15000 && i < 15020)) print "nonsense " i
         else printf "%.6f %.6f %.6f, 0 %.6f 1, %.6f 0 1, 0 %.6f 4, %.3f id%d\n",
-            i % 97 - 50, i % 89 / 7, i % 13 - 30, i % 11 / 11 - 0.5,
+            i % 23 - 11, i % 89 / 7 - 6, i % 13 - 30, i % 11 / 11 - 0.5,
             i % 17 - 9, i % 19 / 5, 1 + i % 7, i
     }
 }' >records
 for i in 1 2 3 4 5 6; do cat records; done >many
 grep -v '[a-z#]s' many | grep -v '#' >good
-printf '%s\n' 'cylinder 0 0 0  0 0 9  3' 'cone 5 5 0 2  5 5 4 0' \
-    'ecylinder 3 0 0  9 0 0  0 4 0  1 0 7' >scene
+printf '%s\n' 'cylinder 0 0 0  0 0 9  9' 'cone 5 5 0 8  5 5 4 0' \
+    'ecylinder 3 0 0  9 0 0  0 14 0  1 0 7' >scene
 cut -d, -f1,2 many >rays
 is 'the input has many blocks' "$(wc -c <many)" -gt 6000000
 
@@ -38,7 +38,7 @@ same() { # NAME, then the command's arguments
     for workers in 2 3 8; do
         cylint -j $workers "$@" >out 2>err
         echo $? >>err
-        cmp want out && cmp want.err err
+        [ -s want ] && cmp want out && cmp want.err err
         verdict "$name, -j $workers" $?
     done
 }
@@ -54,10 +54,11 @@ same 'several files'        -k ray,cylinder -f id,n many records good many
 same 'a missing file'       -k ray,cylinder -f id,n good missing many
 same 'nearest'              -k ray -s scene rays
 same 'all, more answers than records' -k ray -s scene -q all rays
+is 'there are more answers' "$(wc -l <want)" -gt 125000
 awk '!/[a-z#]/ { print $1, $2, $3, "p" NR }' rays | head -n 60000 >near
 same 'points, nearest'      -k point -s scene -f shape,distance,part,feature,x near
 is 'every point has an answer' "$(grep -c 'p[0-9]' want)" -eq 60000
-same 'points, all within a radius' -k point -s scene -q all --within 4 near
+same 'points, all within a radius' -k point -s scene -q all --within 20 near
 sed 's/ id/ /' good >numbered
 { cat good; cat numbered numbered; } >late
 same 'one warning about the tail' -k ray,cylinder late
@@ -68,9 +69,9 @@ same 'a method'             -k ray,cylinder --method=quadratic many
 same 'binary answers'       -k ray,cylinder --binary-out many
 
 cut -d' ' -f1-13 good | sed 's/ id.*//' >bare
-cylint -k ray,cylinder --binary-out -f t0,t1,n,t0,t1,n,t0,t1,n,t0,t1,n,n bare |
-    cat - - >doubles 2>/dev/null
+cylint -k ray,cylinder --binary-out -f t0,t1,n,t0,t1,n,t0,t1,n,t1,t0,n,n bare >doubles 2>/dev/null
 same 'binary input with many bad records' -b -k ray,cylinder doubles
+is 'others are good' "$(od -An -v -tf8 -w32 want | grep -cv '^ *nan')" -gt 10000
 
 cat many | cylint -k ray,cylinder -j 3 >out 2>err
 cylint -k ray,cylinder -j 1 many >want 2>/dev/null
