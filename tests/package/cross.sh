@@ -28,32 +28,28 @@ members=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
 # compilers, does not find the kernel's headers.
 kernel_headers="-idirafter /usr/include/$(gcc -print-multiarch 2>/dev/null)"
 
-# name | compiler | its flags | flags to link | what runs the program
+# name | compiler | its flags | flags to link | what runs the program | what is built:
+# nothing: the command and answers.c; library: answers.c by the Makefile; bare: answers.c
+# by the compiler alone
 builds() {
     cat <<END
-gcc -O2|gcc|-O2||
-gcc -O0|gcc|-O0||
-gcc -O3|gcc|-O3||
-gcc -O3 -march=native|gcc|-O3 -march=native||
-clang -O0|clang|-O0||
-clang -O3|clang|-O3||
-clang -O3 -mfma|clang|-O3 -mfma||
-clang 19 -O2|clang-19|-O2||
-clang 19 -O3 -mfma|clang-19|-O3 -mfma||
-musl|musl-gcc|-O2|-static|
-gcc -m32 (SSE2)|gcc|-O2 -m32 -msse2 -mfpmath=sse $kernel_headers|-m32|
-aarch64 (qemu)|aarch64-linux-gnu-gcc|-O2|-static|qemu-aarch64
-ARM, 32 bits (qemu)|arm-linux-gnueabihf-gcc|-O2 -mfpu=neon|-static|qemu-arm
-RISC-V (qemu)|riscv64-linux-gnu-gcc|-O2|-static|qemu-riscv64
-s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x
-END
-}
-
-# the same, of the library alone
-libraries() {
-    cat <<END
-tcc, without the Makefile|tcc|-O2||
-Windows (mingw-w64, wine)|x86_64-w64-mingw32-gcc|-O2|-static|/usr/lib/wine/wine64
+gcc -O2|gcc|-O2|||
+gcc -O0|gcc|-O0|||
+gcc -O3|gcc|-O3|||
+gcc -O3 -march=native|gcc|-O3 -march=native|||
+clang -O0|clang|-O0|||
+clang -O3|clang|-O3|||
+clang -O3 -mfma|clang|-O3 -mfma|||
+clang 19 -O2|clang-19|-O2|||
+clang 19 -O3 -mfma|clang-19|-O3 -mfma|||
+musl|musl-gcc|-O2|-static||
+gcc -m32 (SSE2)|gcc|-O2 -m32 -msse2 -mfpmath=sse $kernel_headers|-m32||
+aarch64 (qemu)|aarch64-linux-gnu-gcc|-O2|-static|qemu-aarch64|
+ARM, 32 bits (qemu)|arm-linux-gnueabihf-gcc|-O2 -mfpu=neon|-static|qemu-arm|
+RISC-V (qemu)|riscv64-linux-gnu-gcc|-O2|-static|qemu-riscv64|
+s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x|
+tcc, without the Makefile|tcc|-O2|||bare
+Windows (mingw-w64, wine)|x86_64-w64-mingw32-gcc|-O2|-static|/usr/lib/wine/wine64|library
 END
 }
 
@@ -87,9 +83,12 @@ built() {
         targets="$targets $folder/$target"
     done
     ${MAKE:-make} -s -C "$top" CC="$compiler" CXX17= CFLAGS="$flags" \
-        LDFLAGS="$link" BUILD="$folder" $targets >"$build/messages" 2>&1 &&
-        return
-    verdict "$what: it cannot be built" 1 || tail -n 5 "$build/messages"
+        LDFLAGS="$link" BUILD="$folder" $targets >"$build/messages" 2>&1 ||
+        not_built "$what"
+}
+
+not_built() { # NAME
+    verdict "$1: it cannot be built" 1 || tail -n 5 "$build/messages"
     return 1
 }
 
@@ -135,61 +134,45 @@ grep '=>' tests/library/hard.txt | grep -v '^#' | sed 's/ *=>.*//' >"$build/inpu
 printf '%d records\n' "$(wc -l <"$build/input")"
 unset CYLINT_CASES # each C test has a number of cases of its own
 
-builds >"$build/table"
-reference=
-while IFS='|' read -r name compiler flags link runner; do
-    missing=$(usable "$compiler" "$flags" "$link" "$runner") || {
-        skip "$name" "$missing"
-        continue
-    }
-    folder=$(folder_of "$name")
-    built "$name" cylint tests/package/answers || continue
-    [ -n "$reference" ] || reference=$name
-    compare "$name" exact "$folder/cylint" -x -f "$exact"
-    compare "$name, members" members "$folder/cylint" -x -f "$members"
-    compare "$name, the library's answers" library "$folder/tests/package/answers"
-done <"$build/table"
-
-printf 'answers of %s are the measure\n' "$reference"
-
-# ------------------------------------------- the library without the command --
-
-# bare FOLDER: $compiler on all files but those of scenes, and answers.c
+# bare: $compiler on all files but those of scenes, and answers.c, in $folder
 bare() {
-    mkdir -p "$1/tests/package"
+    mkdir -p "$folder/tests/package"
     for file in $(find src -name '*.c' ! -path 'src/bvh/*' ! -path 'src/scene/*' \
         ! -path 'src/embree/*') tests/support/families.c tests/support/family_records.c \
         tests/package/answers.c; do
-        object=$1/$(printf '%s' "${file%.c}" | tr / -).o
+        object=$folder/$(printf '%s' "${file%.c}" | tr / -).o
         $compiler $flags -ffp-contract=off -Iinclude -Isrc -Itests/support \
             -c -o "$object" "$file" || return
     done >"$build/messages" 2>&1
-    $compiler $link -o "$1/tests/package/answers" "$1"/*.o -lm
+    $compiler $link -o "$folder/tests/package/answers" "$folder"/*.o -lm
 }
 
-libraries >"$build/table"
-while IFS='|' read -r name compiler flags link runner; do
+builds >"$build/table"
+reference=
+while IFS='|' read -r name compiler flags link runner parts; do
     missing=$(usable "$compiler" "$flags" "$link" "$runner") || {
         skip "$name" "$missing"
         continue
     }
     folder=$(folder_of "$name")
-    case $name in
-    *'without the Makefile')
+    part=
+    case $parts in
+    bare)
         part='s/ |.*//' # safeties need vectors of two lanes
-        bare "$folder" || {
-            result "$name: it cannot be built" 1
-            tail -n 5 "$build/messages"
-            continue
-        } ;;
+        bare || not_built "$name" || continue ;;
+    library) built "$name" tests/package/answers || continue ;;
     *)
-        part=
-        built "$name" tests/package/answers || continue ;;
+        built "$name" cylint tests/package/answers || continue
+        [ -n "$reference" ] || reference=$name
+        compare "$name" exact "$folder/cylint" -x -f "$exact"
+        compare "$name, members" members "$folder/cylint" -x -f "$members" ;;
     esac
     program=$folder/tests/package/answers
     [ -e "$program" ] || program=$program.exe
-    compare "$name: the library's answers" library "$program"
+    compare "$name, the library's answers" library "$program"
 done <"$build/table"
+
+printf 'answers of %s are the measure\n' "$reference"
 
 # ----------------------------------------------------------- tests of systems --
 
