@@ -43,7 +43,7 @@ text_is_read()
 # Nodes of a random tree; ids have gaps, some edges have length 0 or radius 0.
 random_neuron()
 {
-    awk -v seed="$1" -v nodes="$2" 'BEGIN {
+    awk -v seed="$1" -v nodes="$2" -v OFMT=%.17g 'BEGIN {
         srand(seed)
         for (n = 1; n <= nodes; n++) {
             step = rand() < 0.1 ? 0 : 1
@@ -89,35 +89,6 @@ test_same_shapes()
     is_plain swc_numbers_may_be_multiples_of_a_power_of_two
 }
 
-# 300 neurons with one byte changed: refused with one message, or read, and then the
-# text of the scene is the same scene.
-test_one_byte_changed()
-{
-    random_neuron 2 20 > "$scratch/good"
-    wrong=0 refused=0
-    i=0
-    while [ $i -lt 300 ]; do
-        i=$((i + 1))
-        awk -v seed=$i 'BEGIN { srand(seed); RS = "\001" } {
-            at = 1 + int(rand() * length($0))
-            bytes = "0123456789-+.eExX# \t,,a\n\r"
-            new = substr(bytes, 1 + int(rand() * length(bytes)), 1)
-            printf "%s", substr($0, 1, at - 1) new substr($0, at + 1)
-        }' "$scratch/good" > "$native"
-        text_is_read > "$scratch/log" 2>&1 && continue
-        if [ "$(grep -c "^cylint: $native:" "$scratch/messages")" -eq 1 ] &&
-            ! cylint --save "$scratch/saved" -s "$native" 2> /dev/null; then
-            refused=$((refused + 1))
-        else
-            wrong=$((wrong + 1))
-            cat "$scratch/messages"
-        fi
-    done
-    [ $wrong -eq 0 ] && [ $refused -gt 30 ] && [ $refused -lt 270 ] ||
-        { echo "$wrong of 300 differ, $refused were refused"; false; }
-    verdict swc_with_a_byte_changed_is_refused_or_read $?
-}
-
 test_real_neuron()
 {
     cp $data/medulla_7114.swc "$native"
@@ -129,7 +100,6 @@ test_real_neuron()
 }
 
 test_same_shapes
-test_one_byte_changed
 if [ -d $data ]; then
     test_real_neuron
 else
