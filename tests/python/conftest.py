@@ -1,4 +1,4 @@
-"""Helpers of the tests: the command, seeded families, the profile of hypothesis."""
+"""Helpers of the tests: the command, comparison, seeded families."""
 
 import os
 import subprocess
@@ -7,22 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, settings
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 
 import libcylint as cylint
-
-settings.register_profile(
-    "check",
-    max_examples=400,
-    deadline=None,
-    derandomize=True,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-)
-settings.load_profile("check")
-
 
 # Shapes by the command's text for them.
 TEXTS = {
@@ -49,10 +35,6 @@ def shapes_of(text):
 
 SHAPES = dict(zip(TEXTS, shapes_of("\n".join(TEXTS.values()))))
 ROD = SHAPES["cylinder"]
-
-number = st.floats(allow_nan=False, allow_infinity=False, width=64)
-small = st.integers(-3, 3).map(float)
-vectors = arrays(np.float64, (5, 3), elements=st.one_of(small, small, number))
 
 
 def refused(message, error=ValueError):
@@ -140,16 +122,6 @@ def drawn(n, seed):
     tiny = kind == 3
     d[tiny] *= 10.0 ** random.uniform(-150, 150, (tiny.sum(), 1))
     return o, d
-
-
-def rods_in_a_file(n, random, path):
-    """n thin cylinders in the unit cube, written to a scene as well."""
-    p0 = random.random((n, 3))
-    rods = cylint.cylinder(
-        p0, p0 + random.normal(size=(n, 3)) * 0.05, random.uniform(0.002, 0.02, n)
-    )
-    path.write_text(records("cylinder", rods.p0, rods.p1, rods.r))
-    return rods
 
 
 def forest(n, seed):

@@ -18,7 +18,7 @@ from conftest import ROD, drawn, equal, forest, refused, same
 
 import libcylint as cylint
 
-BIG = 2_000_000
+BIG = 500_000
 
 
 def test_threads_make_no_difference():
@@ -231,59 +231,6 @@ def test_a_scene_keeps_its_shapes_alive():
     assert len(junk) == 50
 
 
-HITS = ("point", "normal", "z", "phi", "side", "outside", "inside")
-DISTANCES = ("part", "feature", "point", "normal")
-
-
-def answers(call, query, members, *arguments, **named):
-    """Of pairs, of a table and of a scene."""
-    shapes = forest(300, 50)
-    asked = (
-        call(shapes, *arguments, **named), call(shapes[:5, None], *arguments, **named),
-        getattr(cylint.Scene(shapes), query)(*arguments, **named),
-    )  # fmt: skip
-    return [(answer, members) for answer in asked]
-
-
-def values(results):
-    return [getattr(result, name) for result, all in results for name in all]
-
-
-def spoiled(arrays):
-    for array in arrays:
-        array += 100
-
-
-def rays_and_domains():
-    o, d = drawn(300, 51)
-    return o * 0.1 + 0.5, d, np.full(300, -50.0), np.full(300, 50.0)
-
-
-@pytest.mark.parametrize("kind", ["rays", "segments", "points"])
-def test_results_own_what_they_need(kind):
-    """Members are computed after the caller has changed its arrays."""
-
-    def ask():
-        o, d, start, end = given = rays_and_domains()
-        if kind == "rays":
-            return given, answers(cylint.intersect, "nearest", HITS, *given)
-        if kind == "points":
-            return [o], answers(cylint.Shapes.closest, "closest", DISTANCES, o)
-        ends = np.roll(o, 1, axis=0)
-        return [o, ends], answers(cylint.intersect, "nearest", HITS, o, to=ends)
-
-    want = values(ask()[1])
-    given, results = ask()
-    spoiled(given)
-    for result, _ in results:
-        if hasattr(result, "index"):
-            result.index[:] = 2**40
-    got = values(results)
-    assert [a.tobytes() for a in want] == [a.tobytes() for a in got]
-    finite = [a for a in want if a.dtype == np.float64]
-    assert all(np.isfinite(a).any() for a in finite)
-
-
 def read_only(array):
     array.flags.writeable = False
     return array
@@ -292,12 +239,14 @@ def read_only(array):
 def test_results_own_what_views_show():
     """A view can be read-only, and what it shows not; its axes can be long."""
     shape = (100_000, 300, 3)
-    o, d, start, end = rays_and_domains()
+    o, d = drawn(300, 51)
+    o, start, end = o * 0.1 + 0.5, np.full(300, -50.0), np.full(300, 50.0)
     want = cylint.intersect(ROD, o, d, start, end)
     for view in (lambda a: read_only(a[:]), lambda a: a[::-1][::-1], memoryview):
         given = [np.array(a, order="F") for a in (o, d, start, end)]
         hit = cylint.intersect(ROD, *(view(a) for a in given))
-        spoiled(given)
+        for array in given:
+            array += 100
         assert same(hit.point, want.point)
     base = np.array(o)
     wide = np.broadcast_to(base, shape)[:, :1]
@@ -309,7 +258,7 @@ def test_results_own_what_views_show():
         tracemalloc.stop()
     assert held < 30 * wide[..., 0].size
     point = cylint.Scene(ROD).nearest(base[0], [0, 0, 1]).point
-    spoiled([base])
+    base += 100
     assert same(hit.point[99_999, 0], point)
 
 

@@ -1,18 +1,14 @@
-"""Distances: equal to the command, to brute force, for every layout."""
+"""Distances: equal to the command, of one shape and of scenes; messages."""
 
 import numpy as np
 import pytest
 from conftest import (
-    ROD, SHAPES, TEXTS, equal, forest, records, refused, rods_in_a_file, same, vectors,
+    ROD, SHAPES, TEXTS, forest, records, refused, same,
 )
-from hypothesis import given
-from hypothesis import strategies as st
 
 import libcylint as cylint
 
-ANSWER = ("distance", "part", "feature", "point", "normal")
 NOWHERE = cylint.round_cone([0, 0, 0], 5, [0, 0, 1], 1, ends="cap1")
-WITHOUT_INSIDE = ("open", "econe", "capsule")
 
 
 def scattered(n, seed):
@@ -38,56 +34,6 @@ def test_every_member_equals_the_command(command, name):
     )  # fmt: skip
     assert same(near.distance, SHAPES[name].distance(points))
     assert near.distance.dtype == np.float64 and near.feature.dtype == np.int8
-
-
-@pytest.mark.parametrize("name", SHAPES)
-def test_the_sign_is_that_of_contains_and_safety_is_not_above(name):
-    shape, points = SHAPES[name], scattered(300 if name == "econe" else 2000, 52)
-    distance, side = shape.distance(points), shape.contains(points)
-    if name in WITHOUT_INSIDE:
-        assert not np.signbit(distance).any()
-    else:
-        assert np.array_equal(np.sign(distance), -side)
-        assert (side == 1).any() and (side == -1).any()
-    assert same(shape.on_surface(points), distance == 0)
-    safety, size = shape.safety(points), abs(distance)
-    assert (safety >= 0).all() and (safety <= size).all()
-    ordinary = (size > 0.1) & (size < 100)
-    if name != "econe":
-        assert (safety[ordinary] > 0.999 * size[ordinary]).all()
-
-
-def test_batches_of_every_layout_equal_single_questions():
-    """contains, safety and on_surface; more elements than a block has."""
-    kinds = cylint.concatenate(SHAPES.values())
-    n = 77 * kinds.size
-    which = np.arange(n) % kinds.size
-    shapes, points = kinds[which], scattered(n, 55)
-    points[::9] = shapes[::9].closest(points[::9]).point
-    points[5] = np.nan
-    ulps = np.where(which % 2, 0.25, 8.0)
-
-    def ask(shapes, points, ulps):
-        return (
-            shapes.contains(points), shapes.safety(points), shapes.on_surface(points, ulps),
-            shapes.on_surface(points, 8),
-        )  # fmt: skip
-
-    singly = (ask(*one) for one in zip(shapes, points, ulps, strict=True))
-    want = [np.array(column) for column in zip(*singly, strict=True)]
-    assert set(want[0]) == {-1, 0, 1} and 0 < want[2].sum() < want[3].sum()
-    whole = slice(None)
-    back = slice(None, None, -3)
-    asked = [
-        (whole, shapes, points, ulps), (back, shapes[back], points[back], ulps[back]),
-        (whole, shapes, np.asfortranarray(points), ulps),
-    ]  # fmt: skip
-    for kind in range(kinds.size):
-        rows = which == kind
-        asked += [(rows, kinds[kind], points[rows], u) for u in (ulps[kind], ulps[rows])]
-    for rows, *given_arrays in asked:
-        for found, column in zip(ask(*given_arrays), want, strict=True):
-            assert found.dtype == column.dtype and same(found, column[rows])
 
 
 def test_on_surface_counts_units_in_the_last_place():
@@ -126,58 +72,13 @@ def test_a_shape_without_a_surface_has_no_distance():
     assert scene.within([0, 0, 9], np.inf).index.tolist() == [1]
 
 
-def test_a_table_equals_its_rows_and_columns():
-    """Batches of one shape, of pairs, and pairs one by one."""
-    shapes, points = forest(300, 55), np.random.default_rng(56).random((260, 3))
-    table, all_ = shapes[:, None].closest(points), np.arange(260)
-    assert table.distance.shape == (300, 260)
-    assert table.point.shape == table.normal.shape == (300, 260, 3)
-    for i in range(0, 300, 37):
-        row = shapes[i].closest(points)
-        for member in ("distance", "point", "feature"):
-            assert same(getattr(table, member)[i], getattr(row, member))
-    for j in range(0, 260, 51):
-        column = shapes.closest(points[j])
-        for member in ("distance", "normal", "part"):
-            assert same(getattr(table, member)[:, j], getattr(column, member))
-    pairs = shapes[:260].closest(points)
-    assert same(pairs.distance, table.distance[all_, all_])
-    for i in range(0, 260, 20):
-        assert same(shapes[i].closest(points[i]).point, pairs.point[i])
-    spread = shapes[259::-1].closest(points[::-1])
-    assert same(spread.distance[::-1], pairs.distance) and same(spread.point[::-1], pairs.point)
-    assert same(shapes[:260:2].distance(points[::2]), pairs.distance[::2])
-    assert same(shapes.distance(points[:, None]).T, table.distance)
-    assert same(shapes[:, None].safety(points)[7], shapes[7].safety(points))
-    assert shapes[:3, None, None].distance(points[None, :, None]).shape == (3, 260, 1)
-    assert table.point is table.point
-
-
-@given(vectors, st.integers(1, 7), st.integers(0, 6))
-def test_strides_and_types_make_no_difference(points, step, offset):
-    want = ROD.closest(points)
-    spread = np.full((5 * step + offset, 9), np.nan)
-    spread[offset::step, 1:6:2] = points
-    packed = np.zeros(5, dtype=[("tag", "i1"), ("x", "f8", 3)])
-    packed["x"] = points
-    for again in (
-        spread[offset::step, 1:6:2], np.asfortranarray(points), points.astype(">f8"),
-        points.tolist(), packed["x"],
-    ):  # fmt: skip
-        assert equal(want, ROD.closest(again), *ANSWER)
-
-
-def test_empty_arrays():
-    none, nothing = np.empty((0, 3)), forest(5, 1)[:0]
-    near = ROD.closest(none)
-    assert near.distance.shape == (0,) and near.point.shape == (0, 3)
-    assert nothing.distance([0, 0, 0]).shape == (0,)
-    assert forest(5, 1)[:, None].safety(none).shape == (5, 0)
-    scene = cylint.Scene(nothing)
-    assert scene.closest([0, 0, 0]).index == -1
-    assert scene.within_count([[0, 0, 0]], 1).tolist() == [0]
-    assert len(scene.within(none, 1).point) == 0
-    assert cylint.Scene(ROD).closest(none).point.shape == (0, 3)
+def test_scenes_without_shapes_and_calls_without_points():
+    none, nothing = np.empty((0, 3)), cylint.Scene(forest(5, 1)[:0])
+    assert nothing.closest([0, 0, 0]).index == -1
+    assert nothing.within_count([[0, 0, 0]], 1).tolist() == [0]
+    for scene in (nothing, cylint.Scene(ROD)):
+        assert len(scene.within(none, 1).point) == 0
+        assert scene.closest(none).point.shape == (0, 3)
 
 
 def test_arguments_that_do_not_fit_are_named():
@@ -208,28 +109,6 @@ def test_arguments_that_do_not_fit_are_named():
 # ------------------------------------------------------------------ scenes --
 
 
-@given(st.integers(0, 2**32), st.integers(1, 60), st.integers(0, 20), st.floats(0, 0.5))
-def test_a_scene_equals_brute_force(seed, n, count, radius):
-    shapes = forest(n, seed)
-    points = np.random.default_rng(seed).uniform(-0.5, 1.5, (count, 3))
-    scene = cylint.Scene(shapes)
-    signed = shapes[:, None].distance(points)
-    size, column = abs(signed), np.arange(count)
-    first = size.argmin(axis=0) if count else np.empty(0, int)
-    near = scene.closest(points)
-    assert same(near.index, first) and same(near.distance, signed[first, column])
-    assert equal(near, shapes[first].closest(points), *ANSWER)
-    near, found = scene.closest(points, within=radius), size[first, column] <= radius
-    assert same(near.index, np.where(found, first, -1))
-    assert np.isnan(near.distance[~found]).all() and np.isnan(near.point[~found]).all()
-    assert (near.feature[~found] == -1).all()
-    point, index = np.nonzero((size <= radius).T)
-    every = scene.within(points, radius)
-    assert same(every.point, point) and same(every.index, index)
-    assert same(every.distance, signed[index, point])
-    assert same(scene.within_count(points, radius), (size <= radius).sum(axis=0))
-
-
 def test_a_scene_counts_the_shapes_that_hold_a_point():
     """Those whose closed solids are not farther than 0."""
     shapes, points = forest(120, 77), np.random.default_rng(78).random((3000, 3))
@@ -248,16 +127,20 @@ def test_a_scene_counts_the_shapes_that_hold_a_point():
 @pytest.mark.parametrize("signed", [False, np.True_])
 def test_20000_points_equal_the_command(command, tmp_path, signed):
     random, path, radius = np.random.default_rng(57), tmp_path / "scene", 0.03
-    scene = cylint.Scene(rods_in_a_file(500, random, path))
-    points = random.random((20_000, 3))
+    shapes, points = forest(200, 57), random.random((20_000, 3))
+    cylint.write_scene(path, shapes)
+    scene = cylint.Scene(shapes)
     near = scene.closest(points, signed=signed)
     every = scene.within(points, radius, signed=signed)
     text, options = records("point", points), ["-s", path] + ["--signed"] * int(signed)
     command(
         text, *options, shape=near.index + 1, part=near.part, feature=near.feature,
-        distance=near.distance, x_y_z=near.point,
+        distance=near.distance, x_y_z=near.point, nx_ny_nz=near.normal,
     )  # fmt: skip
     options += ["--within", radius]
+    near = scene.closest(points, within=radius, signed=signed)
+    command(text, *options, shape=near.index + 1, distance=near.distance, x_y_z=near.point)
+    assert 1000 < np.count_nonzero(near.index < 0) < 19_000
     assert 1000 < len(every.point)
     command(
         text, *options, "-q", "all",
@@ -266,33 +149,6 @@ def test_20000_points_equal_the_command(command, tmp_path, signed):
     counts = scene.within_count(points, radius, signed=signed)
     command(text, *options, "-q", "count", count=counts)
     command(text, *options, "-q", "any", any=counts > 0)
-
-
-def test_points_and_radii_of_several_axes():
-    scene = cylint.Scene(forest(200, 58))
-    points = np.random.default_rng(59).random((4, 15, 3))
-    radii = np.array([0.05, 0.1, 0.2, 0.4])[:, None]
-    table = scene.closest(points, within=radii)
-    assert table.index.shape == (4, 15) and table.point.shape == (4, 15, 3)
-    counts, every = scene.within_count(points, radii), scene.within(points, radii)
-    assert same(np.bincount(every.point, minlength=60).reshape(4, 15), counts)
-    for i in range(4):
-        row = scene.closest(points[i], float(radii[i, 0]))
-        assert same(row.index, table.index[i]) and same(row.point, table.point[i])
-        assert same(scene.within_count(points[i], radii[i]), counts[i])
-    one = scene.within(points[2, 7], 0.2)
-    assert same(one.index, every.index[every.point == 2 * 15 + 7])
-    assert scene.within_count(points[0, 0], radii).shape == (4, 1)
-
-
-@pytest.mark.parametrize("n", [511, 512, 513])
-def test_each_row_has_its_answers(n):  # a block has 512 elements
-    scene = cylint.Scene(forest(50, 71))
-    points, radii = np.random.default_rng(72).random((n, 3)), [0.05, 0.2]
-    every = scene.within(points, np.array(radii)[:, None])
-    rows = [scene.within(points, r) for r in radii]
-    assert same(every.index, np.concatenate([row.index for row in rows]))
-    assert same(every.point, np.concatenate([i * n + row.point for i, row in enumerate(rows)]))
 
 
 def test_more_shapes_near_a_point_than_a_buffer_holds():

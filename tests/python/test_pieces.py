@@ -1,163 +1,15 @@
-"""Pieces of lines in solids, sums, depths and first boundaries, against loops."""
+"""Pieces of lines in solids, sums, depths and first boundaries: those of the command."""
 
 from __future__ import annotations
 
 import math
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import records, refused, same
 
 import libcylint as cylint
-
-SHAPES, LINES = 30, 60
-
-
-def whole_numbers(rng, most, *shape):
-    return rng.integers(-most, most + 1, shape).astype(float)
-
-
-@pytest.fixture(scope="module")
-def world():
-    rng = np.random.default_rng(1)
-    p0 = whole_numbers(rng, 4, SHAPES, 3)
-    axis = whole_numbers(rng, 3, SHAPES, 3)
-    axis[~axis.any(1)] = 1
-    rods = cylint.cylinder(p0[:20], (p0 + axis)[:20], rng.integers(1, 3, 20))
-    balls = cylint.sphere(p0[20:], rng.integers(1, 4, SHAPES - 20))
-    shapes = cylint.concatenate([rods, balls])
-    o = whole_numbers(rng, 4, LINES, 3)
-    d = whole_numbers(rng, 2, LINES, 3)
-    d[~d.any(1)] = 1
-    return shapes, cylint.Scene(shapes, threads=2), o, d, rng.integers(0, 3, SHAPES)
-
-
-def chords(shapes, o, d):
-    """Of all t >= 0: (t0, t1, shape)."""
-    whole = cylint.intersect(shapes, o, d, tmin=-np.inf)
-    t0, t1 = np.fmax(0.0, whole.t[:, 0]), whole.t[:, 1]
-    i = np.flatnonzero((whole.relation >= cylint.Relation.ALONG) & (t0 < t1))
-    found = zip(t0[i].tolist(), t1[i].tolist(), i.tolist(), strict=True)
-    return sorted(found, key=lambda chord: (chord[0], chord[2]))
-
-
-def merged(parts, mode, rank):
-    """The pieces: cells between neighbouring ends, joined as the mode says."""
-    if mode == "chords":
-        return [(*part, 1) for part in parts]
-    pieces = []
-    ends = sorted({t for part in parts for t in part[:2]})
-    for t0, t1 in zip(ends, ends[1:], strict=False):
-        inside = [i for a, b, i in parts if a <= t0 and t1 <= b]
-        if not inside:
-            continue
-        owner = min(inside, key=lambda i: (rank[i], i))
-        last = pieces[-1] if pieces else (0, None, None, 0)
-        if last[1] == t0 and (mode == "union" or (mode == "owner" and last[2] == owner)):
-            pieces[-1] = (last[0], t1, last[2], max(last[3], len(inside)))
-        else:
-            pieces.append((t0, t1, owner, len(inside)))
-    return pieces
-
-
-def rows(found, line):
-    columns = (found.t0, found.t1, found.shape, found.depth)
-    return [*zip(*(c[found.line == line].tolist() for c in columns), strict=True)]
-
-
-def ends_of(found):
-    return [*zip(found.t0.tolist(), found.t1.tolist(), strict=True)]
-
-
-@pytest.mark.parametrize("mode", ["union", "owner", "cells", "chords"])
-@pytest.mark.parametrize("ranked", [False, True])
-def test_pieces_are_those_of_a_loop(world, mode, ranked):
-    shapes, scene, o, d, ranks = world
-    rank = ranks if ranked else [0] * SHAPES
-    found = scene.pieces(o, d, mode=mode, rank=rank if ranked else None)
-    first = scene.pieces(o, d, mode=mode, rank=rank, first=2)
-    assert len(found.t0) > LINES // 2
-    for i in range(LINES):
-        expected = merged(chords(shapes, o[i], d[i]), mode, rank)
-        assert rows(found, i) == expected and rows(first, i) == expected[:2]
-
-
-def test_more_pieces_may_be_wanted_than_memory_holds(world):
-    _, scene, o, d, _ = world
-    found, first = scene.pieces(o, d), scene.pieces(o, d, first=10**13)
-    assert all(same(a, b) for a, b in zip(found, first, strict=True))
-
-
-def test_sums_are_exact_and_rounded_once(world):
-    shapes, scene, o, d, _ = world
-    labels = np.arange(SHAPES) % 4 - 1
-    sums = scene.sums(o, d, labels=labels, units="t")
-    assert sums.shape == (LINES, 3)
-    for i in range(LINES):
-        ends = [[], [], [], []]
-        for t0, t1, owner, _ in merged(chords(shapes, o[i], d[i]), "owner", [0] * SHAPES):
-            ends[labels[owner]] += [t1, -t0]
-        assert sums[i].tolist() == [math.fsum(e) for e in ends[:3]]
-    lengths = scene.sums(o, d, labels=labels, columns=5)
-    assert lengths.shape == (LINES, 5) and not lengths[:, 3:].any()
-    size = np.sqrt((d**2).sum(1))  # exact squares
-    assert np.allclose(lengths[:, :3], sums * size[:, None], rtol=2e-16, atol=0)
-    assert (scene.sums(o, d, threads=1) == scene.sums(o, d, threads=3)).all()
-    grid = scene.sums(o.reshape(6, 10, 3), d.reshape(6, 10, 3))
-    assert (grid.reshape(-1) == scene.sums(o, d)).all()
-
-
-REAL = Path(__file__).parents[3] / "shared" / "data" / "medulla_7114.swc"
-
-
-@pytest.fixture(scope="module")
-def neuron():
-    """A neuron, five names for its shapes, and rays through it of whole lengths."""
-    if REAL.exists():
-        nodes = cylint.read_scene(REAL)
-    else:
-        rng, n = np.random.default_rng(9), np.arange(1, 5000)
-        up = n - 1 - (rng.random(len(n)) * n / 4).astype(int)
-        at = np.cumsum(rng.uniform(-3, 3, (5000, 3)), axis=0)
-        r = rng.uniform(1, 4, 5000)
-        nodes = cylint.cone(at[n], r[n], at[up], r[up])
-    i = np.arange(len(nodes))
-    names = np.where((7 * i + i // 64) % 5 > 0, [f"type{x}" for x in i // 100 % 4], "")
-    some = nodes[::97]
-    d = np.array([[1.0, 2, 2], [-2, 3, 6], [0, 3, -4], [1, 0, 0]])[i[: len(some)] % 4]
-    return nodes, names, some.p0 - 40 * d, d
-
-
-RANKS = {"type2": -1, "type0": 5}
-
-
-@pytest.mark.parametrize("ranked", [False, True])
-def test_a_neuron_has_the_path_lengths_of_a_loop(command, neuron, tmp_path, ranked):
-    """By the command and by a loop over all shapes, with exact sums."""
-    shapes, names, o, d = neuron
-    cylint.write_scene(tmp_path / "scene", shapes, names)
-    (tmp_path / "ranks").write_text("".join(f"{k} {v}\n" for k, v in RANKS.items()))
-    options = ["-s", tmp_path / "scene", "-q", "pieces"]
-    options += ["--rank", tmp_path / "ranks"] if ranked else []
-    rank = [RANKS.get(name, 0) * ranked for name in names]
-    columns = [*dict.fromkeys(names)]
-    pieces, sums = [], []
-    for line, (origin, direction) in enumerate(zip(o, d, strict=True)):
-        found = merged(chords(shapes, origin, direction), "owner", rank)
-        pieces += [(line + 1, t0, t1, owner + 1, depth) for t0, t1, owner, depth in found]
-        ends = {name: [] for name in columns}
-        for t0, t1, owner, _ in found:
-            ends[names[owner]] += [t1, -t0]
-        length = math.sqrt((direction**2).sum())
-        sums.append([math.fsum(ends[name]) * length for name in columns])
-    record, t0, t1, shape, depth = np.array(pieces).T
-    assert len(pieces) > 2 * len(o)
-    text = records("ray", o, d)
-    command(text, *options, record=record, t0_t1=np.c_[t0, t1], shape=shape, depth=depth)
-    assert same(command(text, *options, "--sum", "label"), sums)
-
 
 SOLIDS = """
 sphere 0 0 0  4  in=shell a
@@ -173,34 +25,61 @@ halfspace 0 0 5  0 0 -1  c
 """
 
 
+def ends_of(found):
+    return [*zip(found.t0.tolist(), found.t1.tolist(), strict=True)]
+
+
+def whole_numbers(rng, n):
+    """Lines of whole numbers."""
+    o, d = (rng.integers(-3, 4, (n, 3)).astype(float) for _ in "od")
+    d[~d.any(1)] = 1
+    return o, d
+
+
 @pytest.mark.parametrize("mode", ["union", "owner", "cells", "chords"])
-def test_the_command_has_the_pieces_of_the_package(command, tmp_path, mode):
+@pytest.mark.parametrize("ranked", [False, True])
+def test_the_command_has_the_pieces_of_the_package(command, tmp_path, mode, ranked):
     path = tmp_path / "scene"
     path.write_text(SOLIDS)
-    scene, rng = cylint.Scene.read(path), np.random.default_rng(4)
+    scene, (o, d) = cylint.Scene.read(path), whole_numbers(np.random.default_rng(4), 200)
     names = [label.split()[0] if label else "" for label in scene.shapes.labels]
     columns = [*dict.fromkeys(names)]
-    o, d = whole_numbers(rng, 3, 200, 3), whole_numbers(rng, 3, 200, 3)
-    d[~d.any(1)] = 1
     text, options = records("line", o, d), ["-s", path, "-q", "pieces", "--pieces", mode]
-    found = scene.pieces(o, d, -np.inf, mode=mode)
-    assert len(found.t0) > 200 and np.isinf(found.t0).any()
-    command(
-        text, *options, record=found.line + 1, t0=found.t0, t1=found.t1, shape=found.shape + 1,
-        depth=found.depth,
-    )  # fmt: skip
+    rule = {"mode": mode, "tmin": -np.inf}
+    if ranked:
+        ranks = {"a": 2, "c": -1}
+        (tmp_path / "ranks").write_text("".join(f"{k} {v}\n" for k, v in ranks.items()))
+        options += ["--rank", tmp_path / "ranks"]
+        rule["rank"] = [ranks.get(name, 0) for name in names]
+    for first in (None, 2):
+        found = scene.pieces(o, d, first=first, **rule)
+        assert len(found.t0) > 200 and np.isinf(found.t0).any()
+        command(
+            text, *options, *(["--first", first] if first else []), record=found.line + 1,
+            t0=found.t0, t1=found.t1, shape=found.shape + 1, depth=found.depth,
+        )  # fmt: skip
     labels = [columns.index(name) for name in names]
     for units, what in (("length", "label"), ("t", "label:t")):
-        sums = scene.sums(o, d, -np.inf, mode=mode, labels=labels, units=units)
+        sums = scene.sums(o, d, labels=labels, units=units, **rule)
         assert same(command(text, *options, "--sum", what), sums)
+
+
+def test_sums_have_the_columns_that_are_wanted():
+    scene = cylint.Scene(cylint.sphere([[0, 0, 0], [4, 0, 0], [8, 0, 0]], [1, 2, 1]))
+    lines = [[-9, 0, 0], [-9, 0, 9]], [1, 0, 0]
+    for given, right in (
+        ({}, [8, 0]), ({"columns": 1}, [[8], [0]]), ({"labels": [0, -1, 1]}, [[2, 2], [0, 0]]),
+        ({"labels": [2, 0, 0], "columns": 4}, [[6, 0, 2, 0], [0, 0, 0, 0]]),
+        ({"labels": [2, 0, 1], "columns": 1}, [[4], [0]]),
+    ):  # fmt: skip
+        assert same(scene.sums(*lines, **given), np.array(right, float))
 
 
 def test_the_command_has_the_boundaries_and_depths_of_the_package(command, tmp_path):
     path, rng = tmp_path / "scene", np.random.default_rng(5)
     path.write_text(SOLIDS)
     scene, options = cylint.Scene.read(path), ["-s", path, "-q"]
-    o, d = whole_numbers(rng, 3, 500, 3), whole_numbers(rng, 3, 500, 3)
-    d[~d.any(1)] = 1
+    o, d = whole_numbers(rng, 500)
     first, (depth, owner) = scene.first_boundary(o, d, -np.inf), scene.depth(o)
     assert 0 < np.sum(first.index < 0) < 200 and set(depth) >= {0, 1, 2}
     command(
@@ -328,9 +207,9 @@ def test_unbounded_pieces_and_no_pieces():
     assert scene.sums([[0, 0, 0]], [1, 0, 0]).tolist() == [0.0]
 
 
-def test_bad_arguments(world):
-    _, scene, o, d, _ = world
-    spoiled = (o[:2], [[1, 0, 0], [0, 0, 0]])
+def test_bad_arguments():
+    scene, o, d = cylint.Scene(cylint.sphere([0, 0, 0], np.arange(1, 31))), *np.eye(3)[:2]
+    spoiled = (o, [[1, 0, 0], [0, 0, 0]])
     for message, call in (
         ("mode: expected", lambda: scene.pieces(o, d, mode="all")),
         ("rank: expected an integer for each of the 30 shapes", lambda: scene.pieces(o, d, rank=[1, 2])),
@@ -360,6 +239,7 @@ def test_bad_arguments(world):
     with refused(r"allocate .* shape \(1048576, 2147483648\)", MemoryError):
         labels = np.arange(len(scene)) + 2**31 - len(scene)
         scene.sums(np.zeros((2**20, 3)), [1, 0, 0], labels=labels)
-    assert len(scene.pieces(o, d, first=2**70).t0) == len(scene.pieces(o, d).t0)
+    for most in (10**13, 2**70):  # more than memory holds
+        assert len(scene.pieces(o, d, first=most).t0) == len(scene.pieces(o, d).t0) > 0
     assert (scene.pieces(*spoiled, errors="mask").line == 0).all()
     assert len(scene.solids) == 0

@@ -1,4 +1,4 @@
-"""Scene: equal to brute force and to the command."""
+"""Scene: equal to loops and to the command; files, copies, messages."""
 
 import copy
 import os
@@ -8,74 +8,12 @@ from subprocess import CalledProcessError
 
 import numpy as np
 import pytest
-from conftest import forest, rays, records, refused, rods_in_a_file, same
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from conftest import forest, rays, records, refused, same
 
 import libcylint as cylint
 
 UNIT = ([0, 0, 0], [0, 0, 1])
-
-
-def brute_force(shapes, o, d, **domain):
-    hit = cylint.intersect(shapes[:, None], o, d, **domain)
-    t = np.where(hit.n > 0, hit.t[..., 0], np.inf)
-    return hit, np.where(hit.n.any(axis=0), t.argmin(axis=0), -1)
-
-
-@given(st.integers(0, 2**32), st.integers(0, 300), st.integers(0, 60))
-def test_a_scene_equals_brute_force(seed, n, lines):
-    shapes, (o, d) = forest(n, seed), rays(lines, seed)
-    scene = cylint.Scene(shapes)
-    if n == 0:
-        assert (scene.nearest(o, d).index == -1).all()
-        return
-    hit, index = brute_force(shapes, o, d, tmin=0.1, tmax=1.1)
-    near, found = scene.nearest(o, d, 0.1, 1.1), index >= 0
-    assert same(near.index, index)
-    at = index[found], np.flatnonzero(found), 0
-    assert same(near.t[found], hit.t[at]) and same(near.part[found], hit.part[at])
-    assert np.isnan(near.t[~found]).all() and (near.part[~found] == -1).all()
-    assert same(scene.count(o, d, 0.1, 1.1), (hit.n > 0).sum(axis=0))
-    assert same(scene.any(o, d, 0.1, 1.1), found)
-    line, shape = np.nonzero((hit.n > 0).T)
-    every = scene.all(o, d, 0.1, 1.1)
-    assert same(every.line, line) and same(every.index, shape)
-    assert same(every.t, hit.t[shape, line])
-
-
-def test_lazy_members_are_those_of_the_nearest_shape():
-    shapes, (o, d) = forest(400, 21), rays(500, 22)
-    near = cylint.Scene(shapes).nearest(o, d)
-    found = near.index >= 0
-    assert 50 < found.sum() < 500
-    hit = cylint.intersect(shapes[near.index[found]], o[found], d[found])
-    for member in ("point", "normal", "z", "phi", "side", "outside", "inside"):
-        value = getattr(near, member)
-        assert same(value[found], getattr(hit, member)[:, 0])
-        none = value[~found]
-        assert (none == -1).all() if member == "side" else np.isnan(none).all()
-
-
-def test_1e5_rays_equal_the_command(command, tmp_path):
-    path = tmp_path / "scene"
-    rods = rods_in_a_file(2000, np.random.default_rng(23), path)
-    o, d = rays(100_000, 24)
-    near = cylint.Scene(rods).nearest(o, d)
-    command(records("ray", o, d), "-s", path, shape=near.index + 1, t=near.t)
-    assert 50_000 < np.count_nonzero(near.index >= 0) < 95_000
-
-
-def test_lines_of_several_axes():
-    scene, (o, d) = cylint.Scene(forest(300, 25)), rays(60, 26)
-    flat = scene.nearest(o, d)
-    table = scene.nearest(o.reshape(3, 20, 3), d.reshape(3, 20, 3))
-    assert same(table.index, flat.index.reshape(3, 20)) and table.point.shape == (3, 20, 3)
-    spread = scene.nearest(o[:, None], d[:5])
-    assert spread.index.shape == (60, 5)
-    assert spread.index[7, 2] == scene.nearest(o[7], d[2]).index
-    every, one = scene.all(o[:, None], d[:5]), scene.all(o[7], d[2])
-    assert same(every.index[every.line == 7 * 5 + 2], one.index)
+HITS = ("point", "normal", "z", "phi", "outside", "inside")
 
 
 @pytest.mark.parametrize("n", [128, 384, 1000])
@@ -87,6 +25,26 @@ def test_more_hits_of_one_line_than_a_buffer_holds(n):
     assert every.index.tolist() == list(range(n))
     assert same(every.t, np.c_[x + 0.75, x + 1.25])
     assert scene.within([0, 0, 0], np.inf).index.tolist() == list(range(n))
+
+
+@pytest.mark.parametrize("n", [511, 512, 513])  # a block has 512 elements
+@pytest.mark.parametrize("axis", [0, 1])
+def test_answers_are_in_the_order_of_lines_and_points(n, axis):
+    scene, (o, d) = cylint.Scene(forest(50, 71)), rays(n, 72)
+
+    def asked(o, d, x):
+        near = scene.nearest(o, d, tmax=4 * x)
+        yield near.index.reshape(-1), near.t.reshape(-1)
+        yield from (scene.within(o, x), scene.all(o, d, tmax=4 * x))
+        yield scene.pieces(o, d, tmax=4 * x)
+
+    o, d = (np.expand_dims(a, axis) for a in (o, d))
+    x = np.expand_dims([0.25, 0.5], 1 - axis)
+    wide = [np.repeat(a, 2, axis) for a in (o, d)]
+    flat = [a.reshape(-1, 3) for a in wide] + [np.repeat(x, n, 1 - axis).reshape(-1)]
+    for table, row in zip(asked(wide[0], d, x), asked(*flat), strict=True):
+        assert len(table[0]) > n / 8
+        assert all(same(a, b) for a, b in zip(table, row, strict=True))
 
 
 def test_scenes_of_nothing_and_of_one():
@@ -111,29 +69,30 @@ def test_a_scene_joins_lists_of_shapes():
         cylint.Scene([parts[0][:, None], parts[0][:, None]])
 
 
-@settings(max_examples=settings().max_examples // 4)
-@given(st.integers(0, 2**32))
-def test_lines_leave_out_their_shapes(seed):
-    shapes, (o, d) = forest(200, seed), rays(60, seed)
+def test_a_scene_finds_what_a_loop_finds():
+    """All lines, and lines that leave out a shape: the nearest, the last or another."""
+    random, (o, d), column = np.random.default_rng(22), rays(500, 22), np.arange(500)
     unbounded = cylint.tangent_cone([0.5, 0.5, 0.5], [[0, 0, 1], [0, 1, 0]], 0.3)
-    shapes = cylint.concatenate([shapes[:70], unbounded, shapes[70:]])
-    scene, column = cylint.Scene(shapes), np.arange(60)
-    hit, index = brute_force(shapes, o, d)
-    another = np.where(hit.n.any(axis=0), 201 - (hit.n > 0)[::-1].argmax(axis=0), -1)
-    chance = np.random.default_rng(seed).integers(-1, 202, 60)
-    for exclude in (index, another, chance, np.int8(-1)):
-        left = (hit.n > 0) & (np.arange(202)[:, None] != exclude)
-        t = np.where(left, hit.t[..., 0], np.inf)
-        want = np.where(left.any(axis=0), t.argmin(axis=0), -1)
-        near, none = scene.nearest(o, d, exclude=exclude), want < 0
-        assert same(near.index, want)
-        assert same(near.t, np.where(none, np.nan, t[want, column]))
-        assert same(near.point, np.where(none[:, None], np.nan, hit.point[want, column, 0]))
-        assert same(scene.any(o, d, exclude=exclude), ~none)
-        assert same(scene.count(o, d, exclude=exclude), left.sum(axis=0))
-        every = scene.all(o, d, exclude=exclude)
-        line, shape = np.nonzero(left.T)
+    shapes = cylint.concatenate([forest(70, 21), unbounded, forest(128, 23)])
+    scene, number = cylint.Scene(shapes), np.arange(200)[:, None]
+    hit = cylint.intersect(shapes[:, None], o, d, 0.1, 1.1)
+    t = np.where(hit.n > 0, hit.t[..., 0], np.inf)
+    nearest, last = t.argmin(axis=0), 199 - (hit.n > 0)[::-1].argmax(axis=0)
+    for exclude in (-1, nearest, last, random.integers(-1, 200, 500), np.int8(3)):
+        left = (hit.n > 0) & (number != exclude)
+        index, none = np.where(left, t, np.inf).argmin(axis=0), ~left.any(axis=0)
+        lines = {"tmin": 0.1, "tmax": 1.1, "exclude": exclude}
+        near = scene.nearest(o, d, **lines)
+        assert same(near.index, np.where(none, -1, index)) and 50 < none.sum() < 450
+        for member in ("t", "part", "side", *HITS):
+            right = getattr(hit, member)[index, column, 0]
+            right[none] = -1 if right.dtype == np.int8 else np.nan
+            assert same(getattr(near, member), right), member
+        assert same(scene.any(o, d, **lines), ~none)
+        assert same(scene.count(o, d, **lines), left.sum(axis=0))
+        every, (line, shape) = scene.all(o, d, **lines), np.nonzero(left.T)
         assert same(every.line, line) and same(every.index, shape)
+        assert same(every.t, hit.t[shape, line])
 
 
 @pytest.mark.parametrize("accel", ["auto", "none"])
@@ -212,30 +171,19 @@ def test_numbers_that_are_left_out_may_change_during_a_query():
 
 
 def test_refused_lines_hit_nothing_on_request():
-    scene, (o, d) = cylint.Scene(forest(300, 83)), rays(400, 84)
-    spoiled, start = d.copy(), np.zeros(400)
-    spoiled[::7] = np.nan
-    spoiled[3::50] = 0
-    start[5::60] = np.inf
-    bad = np.isnan(spoiled).any(-1) | (spoiled == 0).all(-1) | (start > 1)
-    with refused("line 0: a number is not finite"):
-        scene.nearest(o, spoiled, start)
-    given_lines = (o, spoiled, start)
-    want, near = scene.nearest(o, d), scene.nearest(*given_lines, errors="mask")
-    assert same(near.index, np.where(bad, -1, want.index))
-    assert same(near.t, np.where(bad, np.nan, want.t))
-    for member in ("point", "outside"):
-        wanted = np.where(bad[:, None], np.nan, getattr(want, member))
-        assert same(getattr(near, member), wanted)
-    counts = scene.count(*given_lines, errors="mask")
-    assert same(counts, np.where(bad, 0, scene.count(o, d)))
-    assert same(scene.any(*given_lines, errors="mask"), scene.any(o, d) & ~bad)
-    every = scene.all(*given_lines, errors="mask")
-    assert not bad[every.line].any() and len(every.line) == counts.sum()
-    near = scene.nearest(o, to=np.where(bad[:, None], np.nan, o + d), errors="mask")
-    assert same(near.index, np.where(bad, -1, scene.nearest(o, to=o + d).index))
+    scene = cylint.Scene(cylint.sphere([0, 0, 0], 1))
+    d = [[1, 0, 0], [np.nan, 0, 0], [0, 0, 0], [1, 0, 0]]
+    lines = {"origins": [-3, 0, 0], "directions": d, "tmin": [0, 0, 0, np.inf]}
+    with refused("line 1: a number is not finite"):
+        scene.nearest(**lines)
+    lines["errors"] = "mask"
+    near = scene.nearest(**lines)
+    assert near.index.tolist() == [0, -1, -1, -1] and near.t[0] == 2
+    assert all(np.isnan(member[1:]).all() for member in (near.t, near.point, near.outside))
+    assert scene.count(**lines).tolist() == scene.any(**lines).tolist() == [1, 0, 0, 0]
+    assert scene.all(**lines).line.tolist() == [0]
     with refused("expected raise or mask, found 'all'"):
-        scene.any(o, d, errors="all")
+        scene.any(*UNIT, errors="all")
 
 
 def test_one_is_not_plural():
