@@ -271,8 +271,9 @@ static void write_half_space_box(const cylint_shape *s, double lo[3],
     const double *n = cylint_axis(s);
     for (int j = 0; j < 3; j++) {
         const int side = cylint_runs_along(n, j) ? cylint_sign(n[j]) : 0;
-        lo[j] = side < 0 ? cylint_base(s)[j] : -HUGE_VAL;
-        hi[j] = side > 0 ? cylint_base(s)[j] : HUGE_VAL;
+        const double at = cylint_positive_zero(cylint_base(s)[j]);
+        lo[j] = side < 0 ? at : -HUGE_VAL;
+        hi[j] = side > 0 ? at : HUGE_VAL;
     }
 }
 
