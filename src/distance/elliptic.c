@@ -318,10 +318,8 @@ static void describe_best(search *s)
  * vanished is replaced by a. */
 static void measure_best(search *s)
 {
-    /* untaken 1 of 2: a stationary point is found on every known ellipse */
     if (s->best.feature != CYLINT_NO_FEATURE)
         describe_best(s);
-    /* untaken 1 of 4: the same */
     if (s->best.feature == CYLINT_NO_FEATURE || !(s->distance.hi <= DBL_MAX)) {
         s->best = candidate_of(CYLINT_FEATURE_LATERAL);
         place(s, &s->best, nowhere, s->p.a, triple_of(1), s->p.b, triple_of(0));

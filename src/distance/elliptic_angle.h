@@ -311,6 +311,7 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
         /* untaken 1 of 4: the secular angle is closer in every known case */
         if (!(slope > 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
             return 0;
+        /* untaken 1 of 4: the first step is as small in every known case */
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);

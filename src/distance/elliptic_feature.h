@@ -276,7 +276,6 @@ static inline int feature_beside_cap(elliptic_question *q)
     const int end = p->z > 0.5;
     const double off = fabs(end ? p->z - 1 : p->z) + p->z_error;
     return cylint_caps_present(q->shape->ends) >> end & 1 && off < 0x1p-10 &&
-                   /* untaken 1 of 2: every known place near a cap is accurate */
                    p->relative < 0x1p-10 &&
                    2 * off * p->norm < q->room * p->z_norm
                ? CYLINT_FEATURE_CAP0 + end
