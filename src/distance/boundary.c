@@ -43,31 +43,3 @@ int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
            : at1 && (caps & 2) ? CYLINT_FEATURE_CAP1
                                : CYLINT_NO_FEATURE;
 }
-
-/* Of a round cone. */
-static int feature_at_center(const cylint_shape *shape, const double point[3])
-{
-    return cylint_are_equal(point, cylint_base(shape))  ? CYLINT_FEATURE_RIM0
-           : cylint_are_equal(point, cylint_top(shape)) ? CYLINT_FEATURE_RIM1
-                                                        : CYLINT_NO_FEATURE;
-}
-
-int cylint_feature_by_signs(const cylint_shape *shape, const double point[3])
-{
-    const int round = cylint_is_round(shape->kind);
-    cylint_line line;
-    if (shape->ends != CYLINT_ENDS_CAPPED ||
-        cylint_line_at(&line, point) != CYLINT_OK)
-        return CYLINT_NO_FEATURE;
-    if (cylint_is_tapered(shape->kind))
-        return round ? feature_at_center(shape, point) : CYLINT_NO_FEATURE;
-    const int below = -side_of(shape, &line, 0),
-              above = side_of(shape, &line, 1);
-    const int end = above >= 0, beyond = below > 0 || above > 0;
-    const int outside =
-        round ? !beyond : side_of(shape, &line, CYLINT_LATERAL_SURFACE) >= 0;
-    if (!outside)
-        return beyond ? CYLINT_FEATURE_CAP0 + end : CYLINT_NO_FEATURE;
-    return below < 0 && above < 0 ? CYLINT_FEATURE_LATERAL
-                                  : CYLINT_FEATURE_RIM0 + end;
-}

@@ -90,18 +90,6 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
     return undecided & CYLINT_WANT_NORMAL;
 }
 
-/* Writes the members that pairs decide where exact signs decide the feature;
- * returns the others. */
-ASIDE unsigned answer_by_signs(const cylint_shape *shape, const double point[3],
-                               unsigned want, cylint_in_pairs *in_pairs,
-                               cylint_closest *answer)
-{
-    const int feature = cylint_feature_by_signs(shape, point);
-    return feature == CYLINT_NO_FEATURE
-               ? want
-               : in_pairs(shape, point, feature, want, answer);
-}
-
 /* Writes what pairs and triples decide; returns the others. */
 CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
                                 const double point[3], unsigned want,
@@ -113,14 +101,11 @@ CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
         cylint_is_elliptic(shape->kind)
             ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
             : CYLINT_OF_FMA(cylint_one_distances)->pairs;
-    const unsigned undecided =
-        in_pairs(shape, point, CYLINT_NO_FEATURE, want, answer);
+    const unsigned undecided = in_pairs(shape, point, want, answer);
     return undecided & CYLINT_IS_ON_SURFACE ||
                    (undecided & CYLINT_ON_SURFACE &&
                     cylint_contains(shape, point) == 0)
                ? answer_on_boundary(shape, point, want, undecided, answer)
-           : undecided & CYLINT_FEATURE_UNDECIDED
-               ? answer_by_signs(shape, point, want, in_pairs, answer)
                : undecided;
 }
 

@@ -4,8 +4,8 @@
  *
  * The including file defines NUMBER(name), the names of the functions below
  * and of the operations that they use: rho, length, ball, turned, datum,
- * unit, minus and trimmed of head_tail.h or pair_lanes.h.  ON_SURFACE: whether
- * features of points on the surface are wanted.  Both macros end with this file.
+ * rough_rho, unit, minus and trimmed of head_tail.h or pair_lanes.h.  The macro
+ * ends with this file.
  *
  * Every lane computes all features, and masks choose.  The distance is a
  * continuous function of z and rho that changes by no more than they do, so
@@ -36,7 +36,7 @@ INLINE void NUMBER(load_shapes)(shape_lanes *v,
     }
     EACH(i, 3)
         v->own[i] = m_and(is_zero[(i + 1) % 3], is_zero[(i + 2) % 3]);
-    v->along = v->upright = m_or(v->own[0], m_or(v->own[1], v->own[2]));
+    v->along = m_or(v->own[0], m_or(v->own[1], v->own[2]));
     v->cosine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_COSINE));
     v->sine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_SINE));
     v->height = pair_of_lanes(at, CYLINT_AT_HEIGHT);
@@ -51,23 +51,6 @@ INLINE vdistance NUMBER(from_rim)(vpair x, vpair y, const half_plane *m)
     vd error = m->error;
     const vpair root = NUMBER(length)(x, y, m, &error);
     return NUMBER(rounded)(root, error);
-}
-
-/* The distance from the feature. */
-INLINE void NUMBER(from_feature)(vnearest *n, const half_plane *m,
-                                 vpair lateral, vpair x0, vpair x1)
-{
-    const vd f = n->feature;
-    const vm is_top = m_or(v_eq(f, v_set(CYLINT_FEATURE_CAP1)),
-                           v_eq(f, v_set(CYLINT_FEATURE_RIM1)));
-    const vm is_lateral = v_eq(f, v_set(CYLINT_FEATURE_LATERAL));
-    const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), f);
-    const vpair y = pick(is_top, m->above, opposite(m->z));
-    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y),
-                           v_select(is_lateral, m->error, m->plane_error));
-    if (m_any(is_rim))
-        n->d = pick_distance(
-            is_rim, NUMBER(from_rim)(pick(is_top, x1, x0), y, m), n->d);
 }
 
 /* Of a convex section the largest of the distances from its lines counts, unless
@@ -96,29 +79,6 @@ INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
             n->d);
 }
 
-/* Where root - r has no error, and is the distance. */
-INLINE void NUMBER(without_error)(vnearest *n, const half_plane *m, vm is,
-                                  vpair root, vd r)
-{
-    const vd zero = v_set(0), low = v_two_sum(root.hi, -r).lo;
-    const vm exact =
-        m_and(m->rho_is_exact, v_eq(v_two_sum(low, root.lo).lo, zero));
-    n->d = pick_distance(
-        m_and(exact, is),
-        NUMBER(rounded)(NUMBER(minus)(root, (vpair){r, zero}), zero), n->d);
-}
-
-/* Where rho - r is the distance from a cylinder: in the plane of an end that from a
- * rim, too. */
-INLINE vm NUMBER(is_radial)(const vnearest *n, const half_plane *m)
-{
-    const vd zero = v_set(0);
-    const vm at_end = m_or(v_eq(m->z.hi, zero), v_eq(m->above.hi, zero));
-    const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), n->feature);
-    const vm is_lateral = v_eq(n->feature, v_set(CYLINT_FEATURE_LATERAL));
-    return m_or(is_lateral, m_and(is_rim, at_end));
-}
-
 INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
                                    const shape_lanes *s, int tapered,
                                    int with_part)
@@ -128,26 +88,18 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     const vpair x1 =
         tapered ? NUMBER(minus)(rho, NUMBER(datum)(s->r[1], m)) : x0;
     const vpair lateral = tapered ? NUMBER(turned)(s, x0, m->z) : x0;
-    const vd M = margin_of(m);
     const vd C = rounded(s->cosine), S = rounded(s->sine);
     const vd z = rounded(m->z), above = rounded(m->above);
-    const vsection p = {
-        z,
-        above,
-        rounded(lateral),
-        rounded(x0),
-        rounded(x1),
-        tapered ? v_sum_of(C, z, S * rounded(x0)) : z,
-        tapered ? v_sum_of(C, above, S * rounded(x1)) : above,
-        ON_SURFACE && !tapered ? v_select(s->upright, v_set(0), M) : M};
+    const vsection p = {z,
+                        above,
+                        rounded(lateral),
+                        rounded(x0),
+                        rounded(x1),
+                        tapered ? v_sum_of(C, z, S * rounded(x0)) : z,
+                        tapered ? v_sum_of(C, above, S * rounded(x1)) : above};
     if (with_part)
-        find_feature(n, m, s, &p, ON_SURFACE);
-    if (ON_SURFACE)
-        NUMBER(from_feature)(n, m, lateral, x0, x1);
-    else
-        NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
-    if (ON_SURFACE && !tapered && m_any(m->rho_is_exact))
-        NUMBER(without_error)(n, m, NUMBER(is_radial)(n, m), rho, s->r[0].hi);
+        find_feature(n, m, s, &p);
+    NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
@@ -163,24 +115,11 @@ INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
                             int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
-    vm low = v_lt(z, zero), top = v_lt(zero, above);
-    if (ON_SURFACE && !with_part) {
-        low = v_eq(n->feature, v_set(CYLINT_FEATURE_CAP0));
-        top = v_eq(n->feature, v_set(CYLINT_FEATURE_CAP1));
-    }
+    const vm low = v_lt(z, zero), top = v_lt(zero, above);
     const vpair none = {zero, zero};
     const vpair y = pick(top, m->above, pick(low, m->z, none));
     const vd rough_y = v_select(top, above, v_select(low, z, zero));
-    if (ON_SURFACE)
-        NUMBER(rho)(m);
     n->d = NUMBER(from_ball)(y, rough_y, s->r[0], m, zero);
-    if (ON_SURFACE && LANES == 1 && !m_any(v_le(n->d.high, n->d.low))) {
-        const vm ball = m_or(low, top), on_axis = v_eq(m->rho.hi, zero);
-        const vpair up = pick(v_lt(y.hi, zero), opposite(y), y);
-        const vpair root = pick(ball, up, m->rho);
-        const vm is = m_or(m_not(ball), on_axis);
-        NUMBER(without_error)(n, m, is, root, s->r[0].hi);
-    }
     if (!with_part)
         return;
     const vd M = margin_of(m);
@@ -197,8 +136,8 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
                                int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
-    const vd rho = ON_SURFACE ? rounded(NUMBER(rho)(m))
-                              : v_sqrt(v_max(m->rough_square, zero));
+    vd margin;
+    const vd rho = NUMBER(rough_rho)(m, &margin);
     const vd C = rounded(s->cosine), lean = rounded(s->sine) * rho;
     const vd before = v_sum_of(C, z, lean);
     const vd after = v_sum_of(C, above, lean);
@@ -207,11 +146,10 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
     const vd thin = m->size * (v_set(0.5) / rho);
     const vm thick = v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST));
     const vd near = v_set(CYLINT_AXIS_MARGIN) * m->size;
-    const vm sure = ON_SURFACE ? m_not(m_from(0))
-                               : m_or(thick, m_and(v_lt(near, v_abs(before)),
-                                                   v_lt(near, v_abs(after))));
+    const vm sure =
+        m_or(thick, m_and(v_lt(near, v_abs(before)), v_lt(near, v_abs(after))));
     const vd error = v_select(sure, zero, v_set(HUGE_VAL));
-    if (ON_SURFACE || m_any(m_not(balls))) {
+    if (m_any(m_not(balls))) {
         const vpair exact_rho = NUMBER(rho)(m);
         const vpair line = NUMBER(minus)(NUMBER(turned)(s, exact_rho, m->z),
                                          NUMBER(datum)(s->r[0], m));
@@ -225,9 +163,7 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
     }
     if (!with_part)
         return;
-    const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size;
-    const vfoot foot = foot_of(
-        before, after, ON_SURFACE ? margin_of(m) : v_sum_of(M, thin, M));
+    const vfoot foot = foot_of(before, after, margin);
     n->certain = m_or(foot.on, m_or(foot.before, foot.after));
     n->feature = v_select(
         balls, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
@@ -239,23 +175,16 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
     const vpair root = NUMBER(rho)(m);
     n->d = NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(s->r[0], m)),
                            m->error);
-    if (ON_SURFACE && LANES == 1 && !m_any(v_le(n->d.high, n->d.low))) {
-        m->rho_is_exact = pairs_are_one(m->D);
-        m->rho = rho_of_one(m->D);
-        NUMBER(without_error)(n, m, m->rho_is_exact, m->rho, s->r[0].hi);
-    }
 }
 
-/* A capped shape of this kind, and a point that is loaded.  with_part: 0: the
- * feature is not wanted or, ON_SURFACE, is given. */
+/* A capped shape of this kind, and a point that is loaded.  with_part: the feature
+ * is wanted. */
 INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
                             int kind, int with_part)
 {
-    m->error = v_set(0);
     n->certain = m_not(m_from(0));
-    if (!ON_SURFACE || with_part)
-        n->feature = v_set(CYLINT_FEATURE_LATERAL);
-    n->d = NUMBER(rounded)((vpair){m->error, m->error}, v_set(HUGE_VAL));
+    n->feature = v_set(CYLINT_FEATURE_LATERAL);
+    n->d = NUMBER(rounded)((vpair){v_set(0), v_set(0)}, v_set(HUGE_VAL));
     if (kind == CYLINT_KIND_SPHERE)
         NUMBER(sphere)(n, m, s);
     else if (kind == CYLINT_KIND_CAPSULE)
@@ -264,12 +193,6 @@ INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
         NUMBER(round_cone)(n, m, s, with_part);
     else
         NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, with_part);
-    /* Where the feature is not certain, the error of doubles that chose the feature
-     * can exceed that of pairs. */
-    if (ON_SURFACE)
-        n->d = NUMBER(rounded)(
-            n->d.value, v_select(n->certain, n->d.error, v_set(HUGE_VAL)));
 }
 
 #undef NUMBER
-#undef ON_SURFACE

@@ -49,8 +49,8 @@ static int first_effort(const elliptic_question *q, unsigned want)
 }
 
 static unsigned elliptic_in_pairs(const cylint_shape *shape,
-                                  const double point[3], int given,
-                                  unsigned want, cylint_closest *answer)
+                                  const double point[3], unsigned want,
+                                  cylint_closest *answer)
 {
     elliptic_question q;
     elliptic_numbers m;
@@ -58,7 +58,6 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     double d;
     int effort, certain;
     const unsigned all = want | CYLINT_ON_SURFACE;
-    (void)given;
     if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
         return all;
     if (!locate_question(&q, shape, point, 0))

@@ -15,12 +15,11 @@
 #include "nearest.h"
 
 /* The numbers of the shapes of all lanes, in the form of a type of numbers.
- * own[i]: the axis runs along coordinate i; along: along any.  upright: so it does,
- * and the planes of both ends are at doubles. */
+ * own[i]: the axis runs along coordinate i; along: along any. */
 typedef struct {
     vpair axis[3], cosine, sine, height, r[2];
     vd base[3], top[3], reach;
-    vm own[3], along, upright;
+    vm own[3], along;
 } shape_lanes;
 
 /* A point.  above: z minus the height.  square: of rho.  error: of rho, z and
@@ -32,7 +31,7 @@ typedef struct {
     vd snap, rough_z, rough_square;
     vpair rho, D[3], across[3], inverse; /* inverse: of rho */
     vd across_error[3], z_error, rho_error;
-    vd plane_error; /* of z and above as distances */
+    vd plane_error; /* of z and above as distances; at one lane */
     vm rho_is_exact;
 } half_plane;
 
@@ -62,11 +61,12 @@ INLINE vpair pair_of_lanes(const cylint_shape *const at[LANES], int number)
     return (vpair){of_lanes(at, number), of_lanes(at, number + CYLINT_LOW)};
 }
 
-/* The larger bounds, value and error of a; NaN where b is NaN. */
+/* The larger bounds, and value and error of the larger one; NaN where b is NaN. */
 INLINE vdistance larger_of(vdistance a, vdistance b)
 {
-    return (vdistance){a.value, v_max(a.low, b.low), v_max(a.high, b.high),
-                       a.error};
+    const vm is_b = v_lt(a.low, b.low);
+    return (vdistance){pick(is_b, b.value, a.value), v_max(a.low, b.low),
+                       v_max(a.high, b.high), v_select(is_b, b.error, a.error)};
 }
 
 INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
@@ -97,10 +97,9 @@ INLINE vd feature_at(vm top, int at_base, int at_top)
 }
 
 /* A point and a shape between two planes: a from the lateral line, x0 and x1 across
- * the axis from the ends of it, before and after the foot from them, whose signs
- * are right above foot_margin. */
+ * the axis from the ends of it, before and after the foot from them. */
 typedef struct {
-    vd z, above, a, x0, x1, before, after, foot_margin;
+    vd z, above, a, x0, x1, before, after;
 } vsection;
 
 /* Doubles have the right sign of every number that is larger than this. */
@@ -109,10 +108,9 @@ INLINE vd margin_of(const half_plane *m)
     return v_sum_of(v_set(CYLINT_FEATURE_MARGIN), m->size, m->error);
 }
 
-/* The feature of a closed shape, and where it is certain.  on_surface: also of
- * points on a part and far from others, whose side is not certain. */
+/* The feature of a closed shape, and where it is certain. */
 INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
-                         const vsection *p, int on_surface)
+                         const vsection *p)
 {
     const vd M = margin_of(m);
     const vd t = p->z + p->above, a = p->a;
@@ -126,20 +124,12 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
     const vm outside = m_or(v_lt(M + M, a), v_lt(M, b));
     const vm beyond = m_and(v_lt(M, b), v_lt(x, -M));
     const vm not_beyond = m_or(v_lt(b, -M), v_lt(M, x));
-    const vfoot foot = foot_of(p->before, p->after, p->foot_margin);
+    const vfoot foot = foot_of(p->before, p->after, M);
     const vm sides = m_or(foot.on, m_or(foot.before, foot.after));
-    vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
-    vm lateral = m_or(inside, m_or(beyond, foot.on));
+    const vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
+    const vm lateral = m_or(inside, m_or(beyond, foot.on));
     n->certain = m_or(m_and(inside, m_not(tie)),
                       m_and(outside, m_or(beyond, m_and(not_beyond, sides))));
-    if (on_surface) {
-        const vd far = v_set(-4) * M;
-        const vm on_side = m_and(v_le(v_abs(a), M + M), v_lt(b, far));
-        const vm on_cap = m_and(m_and(v_le(v_abs(b), M), v_lt(a, far)), half);
-        cap = m_or(m_and_not(cap, on_side), on_cap);
-        lateral = m_or(lateral, on_side);
-        n->certain = m_or(n->certain, m_or(on_side, on_cap));
-    }
     n->feature = v_select(
         lateral, v_set(CYLINT_FEATURE_LATERAL),
         feature_at(foot.after, CYLINT_FEATURE_RIM0, CYLINT_FEATURE_RIM1));

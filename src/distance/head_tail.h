@@ -54,6 +54,7 @@ INLINE void head_tail_load(half_plane *m, const shape_lanes *s,
     vpair D[3], square = {zero, zero}, z = square;
     vd rough = zero, rough_square = zero;
     m->size = s->reach;
+    m->error = zero;
     EACH(i, 3) {
         D[i] = v_two_sum(point[i], -s->base[i]);
         m->size = m->size + v_abs(D[i].hi);
@@ -102,6 +103,15 @@ INLINE vpair head_tail_rho(half_plane *m)
     return head_tail_root(m->square, m->rough_square, m, &m->error);
 }
 
+/* rho in doubles; margin: above it the sign of a foot is right. */
+INLINE vd head_tail_rough_rho(const half_plane *m, vd *margin)
+{
+    const vd rho = v_sqrt(v_max(m->rough_square, v_set(0)));
+    const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size;
+    *margin = v_sum_of(M, m->size * (v_set(0.5) / rho), M);
+    return rho;
+}
+
 /* sqrt(x^2 + y^2). */
 INLINE vpair head_tail_length(vpair x, vpair y, const half_plane *m, vd *error)
 {
@@ -135,7 +145,6 @@ INLINE vpair head_tail_trimmed(vpair x)
 }
 
 #define NUMBER(name) head_tail_##name
-#define ON_SURFACE 0
 #include "distance_template.h"
 
 #endif

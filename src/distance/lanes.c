@@ -109,6 +109,7 @@ INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
     vnearest nearest;
     described_point members;
     pairs_load(&m, s, x, kind != CYLINT_KIND_SPHERE);
+    pairs_load_rho(&m);
     pairs_nearest(&nearest, &m, s, kind, 1);
     describe_nearest(&members, &nearest, &m, s, x, kind);
     vm certain = m_and(is_certain(&nearest), v_le(v_set(CYLINT_DISTANCE_LEAST),

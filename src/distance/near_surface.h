@@ -1,6 +1,6 @@
 /*
- * near_surface.h - distances near the surface, features beside the planes of ends,
- * and directions from the axis beside it, in triples
+ * near_surface.h - distances near the surface, and directions from the axis beside
+ * it, in triples
  *
  * Near a surface the distance is a small difference.  It is a form that is 0 on
  * the surface, divided by a number that is not small.  The terms of the form are
@@ -128,16 +128,27 @@ static int is_off_axis(const half_plane *m)
     return m->size < 2 * CYLINT_THINNEST * m->rho.hi;
 }
 
-/* A distance in triples takes the place of that in pairs. */
-static vdistance distance_of_triples(bounded_pairs d)
+/* From the rim the point is at `across` and `beyond` across and along the axis. */
+static bounded_pairs close_to_rim(const cylint_shape *s, const double point[3],
+                                  const half_plane *m, int top)
 {
-    const double margin = CYLINT_NEAREST_MARGIN * fabs(d.v.hi);
-    vdistance to = pairs_rounded(d.v, d.e + margin);
-    to.error = d.e;
-    return to;
+    const bounded_pairs line =
+                            close_to_line(s, point, m->rho, m->error, m->size),
+                        beyond = close_to_plane(s, point, top, m->size);
+    const pair sine = cylint_number_pair(s, CYLINT_AT_SINE),
+               C = cylint_number_pair(s, CYLINT_AT_COSINE),
+               y = pair_mul(top ? sine : pair_neg(sine), beyond.v),
+               across = pair_div(pair_add(line.v, y), C);
+    const double error = line.e + fabs(sine.hi) * beyond.e +
+                         CYLINT_CLOSE_LOSS * (fabs(line.v.hi) + fabs(y.hi));
+    const pair d = pair_sqrt(
+        pair_add(pair_mul(across, across), pair_mul(beyond.v, beyond.v)));
+    return (bounded_pairs){d, error / C.hi * CYLINT_SLACK + beyond.e +
+                                  CYLINT_CLOSE_LOSS * d.hi};
 }
 
-/* Of a point near the surface: the distance from a feature that is no rim. */
+/* Of a point near the surface: the distance from a feature but the circle of
+ * tangency of a ball, and of an angle cone that from the lateral surface. */
 static bounded_pairs close_distance(const vnearest *n, const half_plane *m,
                                     const cylint_shape *s,
                                     const double point[3])
@@ -151,124 +162,35 @@ static bounded_pairs close_distance(const vnearest *n, const half_plane *m,
         return (bounded_pairs){{0, 0}, HUGE_VAL};
     return feature == CYLINT_FEATURE_LATERAL
                ? close_to_line(s, point, m->rho, m->error, m->size)
-               : close_to_plane(s, point, top, m->size);
+           : cylint_is_on_end(feature) ? close_to_plane(s, point, top, m->size)
+                                       : close_to_rim(s, point, m, top);
 }
 
-/* Whether the distance in pairs is certain, or that in triples, which then takes
- * its place. */
-ASIDE int find_distance(vnearest *n, const half_plane *m, const cylint_shape *s,
-                        const double point[3])
+static int is_certain(const vdistance *d)
 {
-    const double size = fabs(rounded(n->d.value));
-    const int certain = n->d.high <= n->d.low && size >= CYLINT_DISTANCE_LEAST;
-    /* untaken 1 of 8: the feature is certain in every known case */
-    if (certain || !n->certain || n->feature >= (double)CYLINT_FEATURE_RIM0 ||
+    return d->high <= d->low &&
+           fabs(rounded(d->value)) >= CYLINT_DISTANCE_LEAST;
+}
+
+/* The distance in triples, or that in pairs where these do not serve. */
+ASIDE vdistance distance_in_triples(const vnearest *n, const half_plane *m,
+                                    const cylint_shape *s,
+                                    const double point[3])
+{
+    /* untaken 1 of 4: the feature is certain in every known case */
+    if (!n->certain ||
+        (cylint_is_round(s->kind) &&
+         n->feature >= (double)CYLINT_FEATURE_RIM0) ||
         (cylint_has_tangent(s->kind) &&
          n->feature > (double)CYLINT_FEATURE_LATERAL) ||
-        !(size <= CYLINT_CLOSE * m->size) || !(m->size <= CYLINT_CLOSE_MOST))
-        return certain;
-    const vdistance d = distance_of_triples(close_distance(n, m, s, point));
-    /* untaken 1 of 4: no known distance of numbers in range is so small */
-    if (!(d.high <= d.low) || !(fabs(d.low) >= CYLINT_DISTANCE_LEAST))
-        return 0;
-    n->d = d;
-    return 1;
-}
-
-/* ----------------------------------------------------------------- ends -- */
-
-enum { CYLINT_CLOSE_UNDECIDED = 2 };
-static int sign_within(bounded_pairs x)
-{
-    return x.v.hi > x.e                    ? 1
-           : x.v.hi < -x.e                 ? -1
-           : fabs(x.v.hi) <= 0 && x.e <= 0 ? 0
-                                           : CYLINT_CLOSE_UNDECIDED;
-}
-
-/* (x + f y) / by.  The relative errors of f and `by` are small beside
- * CYLINT_CLOSE_LOSS. */
-static bounded_pairs sum_over(bounded_pairs x, pair f, bounded_pairs y, pair by)
-{
-    const pair fy = pair_mul(f, y.v);
-    const double error = x.e + fabs(f.hi) * y.e +
-                         CYLINT_CLOSE_LOSS * (fabs(x.v.hi) + fabs(fy.hi));
-    return (bounded_pairs){pair_div(pair_add(x.v, fy), by),
-                           error / by.hi * CYLINT_SLACK};
-}
-
-static bounded_pairs hypotenuse(bounded_pairs x, bounded_pairs y)
-{
-    const pair d = pair_sqrt(pair_add(pair_mul(x.v, x.v), pair_mul(y.v, y.v)));
-    return (bounded_pairs){d, x.e + y.e + CYLINT_CLOSE_LOSS * d.hi};
-}
-
-/* The nearest feature to a point beside the plane of an end, and the distance.
- * From the rim the point is at `across` and `beyond` across and along the axis, and
- * at `after` along the lateral surface. */
-static int nearest_beside_end(bounded_pairs *d, const half_plane *m,
-                              const cylint_shape *s, const double point[3],
-                              int top)
-{
-    const pair one = {1, 0}, sine = cylint_number_pair(s, CYLINT_AT_SINE),
-               C = cylint_number_pair(s, CYLINT_AT_COSINE),
-               S = top ? sine : pair_neg(sine);
-    const bounded_pairs zero = {{0, 0}, 0},
-                        line =
-                            close_to_line(s, point, m->rho, m->error, m->size),
-                        beyond = close_to_plane(s, point, top, m->size),
-                        across = sum_over(line, S, beyond, C),
-                        after = sum_over(sum_over(zero, C, beyond, one), S,
-                                         across, one);
-    const int out = sign_within(line), up = sign_within(beyond),
-              side = sign_within(across), past = sign_within(after);
-    const unsigned caps = cylint_caps_present(s->ends);
-    const int has_cap = caps >> top & 1;
-    if (has_cap && out < 0 && up < 0) {
-        const int less =
-            sign_within(sum_over(line, pair_neg(one), beyond, one));
-        const int feature =
-            less > 0 ? CYLINT_FEATURE_LATERAL : CYLINT_FEATURE_CAP0 + top;
-        *d = less > 0 ? line : beyond;
-        /* untaken 1 of 2: no known point is as far from both */
-        return less == CYLINT_CLOSE_UNDECIDED ? CYLINT_NO_FEATURE : feature;
-    }
-    *d = beyond;
-    if (has_cap && up == 1 && side == -1)
-        return CYLINT_FEATURE_CAP0 + top;
-    *d = past < 0 ? line : hypotenuse(across, beyond);
-    const int outside = out == 1 || (up == 1 && past >= 0);
-    const int can_be_over =
-        up > 0 && (side < 0 || side == CYLINT_CLOSE_UNDECIDED);
-    const int other_cap_is_far =
-        !caps ||
-        2 * fabs(d->v.hi) <= cylint_number_pair(s, CYLINT_AT_HEIGHT).hi;
-    return past == CYLINT_CLOSE_UNDECIDED ||
-                   !(has_cap ? outside && !can_be_over : other_cap_is_far)
-               ? CYLINT_NO_FEATURE
-           : past < 0 ? CYLINT_FEATURE_LATERAL
-                      : CYLINT_FEATURE_RIM0 + top;
-}
-
-/* Decides feature and distance of a point beside the plane of an end of a
- * cylinder or cone, in triples, where the foot on the lateral surface is far from
- * the other end. */
-ASIDE void find_beside_end(vnearest *n, const half_plane *m,
-                           const cylint_shape *s, const double point[3])
-{
-    const int top = is_nearer_to_top(m);
-    const double along = fabs(rounded(top ? m->above : m->z)),
-                 across = rounded(m->rho) - cylint_end_factor(s, top);
-    bounded_pairs d;
-    if (!(along <= CYLINT_CLOSE * m->size) ||
-        !(4 * (along + fabs(cylint_sine(s) * across)) <=
-          cylint_number_pair(s, CYLINT_AT_HEIGHT).hi) ||
-        !(m->size <= CYLINT_CLOSE_MOST) || !is_off_axis(m))
-        return;
-    const int feature = nearest_beside_end(&d, m, s, point, top);
-    if (feature == CYLINT_NO_FEATURE)
-        return;
-    *n = (vnearest){distance_of_triples(d), feature, 1};
+        !(fabs(rounded(n->d.value)) <= CYLINT_CLOSE * m->size) ||
+        !(m->size <= CYLINT_CLOSE_MOST))
+        return n->d;
+    const bounded_pairs d = close_distance(n, m, s, point);
+    vdistance to =
+        pairs_rounded(d.v, d.e + CYLINT_NEAREST_MARGIN * fabs(d.v.hi));
+    to.error = d.e;
+    return to;
 }
 
 /* ----------------------------------------- the direction from the axis -- */

@@ -52,8 +52,4 @@ CYLINT_INLINE void cylint_write_feature(const cylint_shape *s, int feature,
  * that part. */
 int cylint_boundary_feature(const cylint_shape *shape, const double point[3]);
 
-/* Of a capped shape, by exact signs: outside a cylinder, of a capsule, and in the
- * centre of a ball of a round cone.  Elsewhere CYLINT_NO_FEATURE. */
-int cylint_feature_by_signs(const cylint_shape *shape, const double point[3]);
-
 #endif

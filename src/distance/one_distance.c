@@ -7,10 +7,10 @@
  */
 #define CYLINT_ONE_LANE
 #include "describe_nearest.h"
+#include "find_nearest.h"
 #include "head_tail.h"
 #include "near_surface.h"
 #include "one_distance.h"
-#include "other_ends.h"
 
 #ifndef CYLINT_ONE_DISTANCES
 #define CYLINT_ONE_DISTANCES cylint_one_distances_plain
@@ -47,13 +47,19 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
 {
     if (!(fabs(rounded(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
-    } else if (find_distance(n, m, shape, point)) {
+    } else if (!is_certain(&n->d)) {
+        /* by copies: other questions keep m and n in registers */
+        const vnearest nearest = *n;
+        const half_plane copy = *m;
+        n->d = distance_in_triples(&nearest, &copy, shape, point);
+    }
+    if (!(want & CYLINT_ON_SURFACE) && is_certain(&n->d)) {
         answer->distance =
             cylint_surface_is_whole(shape->ends) ? n->d.low : fabs(n->d.low);
         want &= ~(unsigned)CYLINT_WANT_DISTANCE;
     }
     if (!n->certain)
-        return want | CYLINT_FEATURE_UNDECIDED;
+        return want;
     if (want & CYLINT_WANT_PART)
         cylint_write_feature(shape, (int)n->feature, answer);
     want &= ~(unsigned)CYLINT_WANT_PART;
@@ -77,7 +83,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
 
 /* kind: of the shape; a constant for spheres, which have no axis. */
 INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
-                                const double point[3], int given, unsigned want,
+                                const double point[3], unsigned want,
                                 cylint_closest *answer)
 {
     const int tangent = cylint_has_tangent(kind);
@@ -85,15 +91,7 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     shape_lanes s;
     half_plane m;
     vnearest n;
-    find_nearest(&n, &m, &s, point, shape, straight, tangent, given);
-    /* by copies, so that other questions keep m and n in registers */
-    if (!n.certain && cylint_ends_are_planes(shape->ends) &&
-        (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE)) {
-        const half_plane copy = m;
-        vnearest nearest = n;
-        find_beside_end(&nearest, &copy, shape, point);
-        n = nearest;
-    }
+    find_nearest(&n, &m, &s, point, shape, straight, tangent);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
@@ -101,9 +99,9 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
             ? want & CYLINT_WANT_GEOMETRY
             : 0;
     if (want & CYLINT_WANT_GEOMETRY & ~geometry && n.certain &&
-        kind != CYLINT_KIND_SPHERE && n.feature != CYLINT_FEATURE_CAP0 &&
-        n.feature != CYLINT_FEATURE_CAP1 &&
-        !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi)) {
+        kind != CYLINT_KIND_SPHERE &&
+        !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi) &&
+        n.feature != CYLINT_FEATURE_CAP0 && n.feature != CYLINT_FEATURE_CAP1) {
         half_plane copy = m;
         find_direction(&copy, shape, point);
         m = copy;
@@ -113,13 +111,12 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
 }
 
 static unsigned in_pairs(const cylint_shape *shape, const double point[3],
-                         int given, unsigned want, cylint_closest *answer)
+                         unsigned want, cylint_closest *answer)
 {
     if (shape->kind != CYLINT_KIND_SPHERE)
-        return answer_in_pairs(shape, shape->kind, point, given, want, answer);
+        return answer_in_pairs(shape, shape->kind, point, want, answer);
     return cylint_part_is_present(shape->ends, cylint_surface(shape))
-               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point,
-                                 CYLINT_NO_FEATURE, want, answer)
+               ? answer_in_pairs(shape, CYLINT_KIND_SPHERE, point, want, answer)
                : want; /* no surface */
 }
 

@@ -9,12 +9,11 @@
 #include "cylint_distance.h"
 
 /* Bits beside those of wanted members: the distance; the distance can be 0; it
- * is 0; the feature is undecided, whether it is wanted or not. */
+ * is 0. */
 enum {
     CYLINT_WANT_DISTANCE = CYLINT_WANT_T,
     CYLINT_ON_SURFACE = CYLINT_WANT_NEAREST,
     CYLINT_IS_ON_SURFACE = CYLINT_WANT_PHI,
-    CYLINT_FEATURE_UNDECIDED = CYLINT_WANT_Z,
     CYLINT_WANT_GEOMETRY = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL
 };
 
@@ -29,11 +28,10 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
  * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
  * is undecided and the point can be on the surface: other members are then right if
  * it is and the surface is whole.  Of elliptic kinds also CYLINT_IS_ON_SURFACE.
- * given: the feature of a capped shape that is not elliptic, or CYLINT_NO_FEATURE.
  * want: CYLINT_WANT_DISTANCE too. */
 typedef unsigned cylint_in_pairs(const cylint_shape *shape,
-                                 const double point[3], int given,
-                                 unsigned want, cylint_closest *answer);
+                                 const double point[3], unsigned want,
+                                 cylint_closest *answer);
 
 /* By kind, without and with the feature; NULL: none.  `pairs` serves all
  * prepared shapes that are not elliptic. */

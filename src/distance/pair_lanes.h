@@ -8,11 +8,8 @@
  *   A_i      u (3 |D| |w_i| + 2^-6 |D_i|),  A = D - z w
  *   rho      the sum of these, and CYLINT_PAIR_QUOTIENT rho
  *
- * Where the axis runs along a coordinate, that of A is 0, and the others and z are
- * those of D, without an error: the zeros of such a shape are certain.  So are its
- * distances from planes and, where A has one component other than 0, from its
- * cylinder, also those midway between two doubles.  At one lane so are those from
- * the balls of a capsule on its axis, and from a sphere where D has one component.
+ * Where the axis runs along a coordinate, that of A is 0, and the others are those
+ * of D, without an error: the zeros of such a shape are certain.
  *
  * A is trimmed before it is squared: near the axis its tail is as large as its
  * head.
@@ -63,30 +60,6 @@ INLINE vpair pairs_root(vpair a, vpair *inverse)
     return (vpair){s, step};
 }
 
-/* Where two of three numbers are 0. */
-INLINE vm pairs_are_one(const vpair x[3])
-{
-    vm is[3];
-    EACH(i, 3)
-        is[i] = v_eq(x[i].hi, v_set(0));
-    return m_or(m_and(is[0], is[1]), m_and(is[2], m_or(is[0], is[1])));
-}
-
-/* Of upright shapes: z and above, which have no error there, and whether rho has
- * none. */
-INLINE void load_upright(half_plane *m, const shape_lanes *s, const vd x[3])
-{
-    EACH(i, 3) {
-        const vm own = m_and(s->upright, s->own[i]);
-        const vm down = v_lt(s->axis[i].hi, v_set(0));
-        const vpair D = m->D[i], D1 = v_two_sum(x[i], -s->top[i]);
-        m->z = pick(own, pick(down, opposite(D), D), m->z);
-        m->above = pick(own, pick(down, opposite(D1), D1), m->above);
-    }
-    m->plane_error = v_select(s->upright, v_set(0), m->plane_error);
-    m->rho_is_exact = m_and(s->upright, pairs_are_one(m->across));
-}
-
 INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
                        int axial)
 {
@@ -104,7 +77,6 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         m->square = pairs_sum3(p);
         m->z = (vpair){zero, zero};
         m->z_error = zero;
-        m->rho_is_exact = m_from(0);
         EACH(i, 3)
             m->across_error[i] = zero;
         return;
@@ -112,7 +84,6 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
     m->z = pairs_sum3(p);
     const vd zero = v_set(0), u = v_set(CYLINT_POINT_ROUNDING);
     m->z_error = u * size;
-    m->plane_error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size, m->z_error);
     m->above = vpair_sub(m->z, s->height);
     EACH(i, 3) {
         const vpair along = vpair_product(m->z, s->axis[i]);
@@ -124,31 +95,30 @@ INLINE void pairs_load(half_plane *m, const shape_lanes *s, const vd x[3],
         p[i] = vpair_square(m->across[i]);
     }
     m->square = pairs_sum3(p);
-    m->rho_is_exact = m_from(0);
-    if (m_any(s->upright))
-        load_upright(m, s, x);
     m->rough_z = rounded(m->z);
 }
 
-/* rho of a point other than the axis in one coordinate alone. */
-INLINE vpair rho_of_one(const vpair across[3])
+/* Then rho, with the errors of it and of all.  One lane takes less time if it is
+ * computed where it is used. */
+INLINE void pairs_load_rho(half_plane *m)
 {
-    const vpair x = pairs_sum3(across);
-    return pick(v_lt(x.hi, v_set(0)), opposite(x), x);
-}
-
-INLINE vpair pairs_rho(half_plane *m)
-{
-    vpair rho = pairs_root(m->square, &m->inverse);
-    m->rho_error = v_set(CYLINT_PAIR_QUOTIENT) * rho.hi;
+    m->rho = pairs_root(m->square, &m->inverse);
+    m->rho_error = v_set(CYLINT_PAIR_QUOTIENT) * m->rho.hi;
     EACH(i, 3)
         m->rho_error = m->rho_error + m->across_error[i];
     m->error = v_sum_of(v_set(CYLINT_PAIR_DISTANCE), m->size,
                         m->z_error + m->rho_error);
-    if (m_any(m->rho_is_exact))
-        rho = pick(m->rho_is_exact, rho_of_one(m->across), rho);
-    m->rho = rho;
-    return rho;
+}
+
+INLINE vpair pairs_rho(const half_plane *m)
+{
+    return m->rho;
+}
+
+INLINE vd pairs_rough_rho(const half_plane *m, vd *margin)
+{
+    *margin = margin_of(m);
+    return m->rho.hi;
 }
 
 INLINE vpair pairs_length(vpair x, vpair y, const half_plane *m, vd *error)
@@ -174,7 +144,6 @@ INLINE vpair pairs_turned(const shape_lanes *s, vpair x, vpair z)
 }
 
 #define NUMBER(name) pairs_##name
-#define ON_SURFACE 1
 #include "distance_template.h"
 
 #endif

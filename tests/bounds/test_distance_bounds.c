@@ -79,7 +79,6 @@ static void check_head_tail(const struct family_case *c, const double p[3],
     half_plane m;
     head_tail_load_shapes(&s, at);
     head_tail_load(&m, &s, p, 1);
-    m.error = 0;
     const vpair root = head_tail_rho(&m);
     if (!(m.error <= 0x1p-53 * m.size)) /* no distance is accepted */
         return;
@@ -102,7 +101,8 @@ static void check_half_plane(const struct family_case *c, const double p[3])
         return;
     pairs_load_shapes(&s, at);
     pairs_load(&m, &s, p, 1);
-    const vpair got_rho = pairs_rho(&m);
+    pairs_load_rho(&m);
+    const vpair got_rho = m.rho;
     if (!(m.error < HUGE_VAL) || !(m.size < 0x1p60) || !(m.size > 0x1p-60))
         return;
     cylint_load_meridian(&exactly, &c->shape, p);

@@ -33,8 +33,7 @@ struct tally {
 static int in_pairs(const cylint_shape *s, const double p[3],
                     cylint_closest *answer)
 {
-    return !cylint_elliptic_kernels_plain.pairs(s, p, CYLINT_NO_FEATURE, ALL,
-                                                answer);
+    return !cylint_elliptic_kernels_plain.pairs(s, p, ALL, answer);
 }
 
 static int check_safety(const cylint_shape *s, const double p[3], double size,

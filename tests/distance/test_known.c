@@ -338,8 +338,8 @@ TEST(signed_distances_are_those_of_the_closed_solid)
 static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
                               unsigned want, cylint_closest *answer)
 {
-    return cylint_one_distances_plain.pairs(
-        s, p, CYLINT_NO_FEATURE, want | CYLINT_WANT_DISTANCE, answer);
+    return cylint_one_distances_plain.pairs(s, p, want | CYLINT_WANT_DISTANCE,
+                                            answer);
 }
 
 /* The distance does not need the direction from the axis to the point. */
@@ -361,22 +361,40 @@ TEST(pairs_decide_the_distance_from_points_on_the_axis)
     CHECK(answer.distance == -0.1);
 }
 
-/* Where a capsule's ball ends, in the plane of a cap, in the centre of a ball. */
-TEST(pairs_decide_the_distance_if_signs_decide_the_feature)
+/* Where a ball ends, in the plane of an end, in the centres of ends; a last place
+ * above and below the plane of a tilted cylinder's base, and beside its rim. */
+TEST(pairs_decide_features_that_doubles_do_not_decide)
 {
-    static const char *const words[] = {"capsule 0 0 0 3 0 4 1",
-                                        "cylinder 0 0 0 3 0 4 1",
-                                        "rcone 4 0 -3 2 0 0 5 1"};
-    static const double p[3] = {4, 0, -3};
-    for (int i = 0; i < 3; i++) {
-        const cylint_shape s = shape_of(words[i]);
-        const int feature = cylint_feature_by_signs(&s, p);
+    static const struct {
+        const char *shape;
+        double point[3];
+        int feature;
+    } of[] = {
+        {"capsule 0 0 0  0 0 5  1", {3, 0, 0}, CYLINT_FEATURE_RIM0},
+        {"cylinder 0 0 0  0 0 5  1", {3, 0, 5}, CYLINT_FEATURE_RIM1},
+        {"cylinder 0 0 0  0 0 5  1", {1, 0, -2}, CYLINT_FEATURE_RIM0},
+        {"cylinder 0 0 0  0 0 8  2", {1, 0, 1}, CYLINT_FEATURE_LATERAL},
+        {"rcone 4 0 -3 2  0 0 5 1", {4, 0, -3}, CYLINT_FEATURE_RIM0},
+        {"rcone 4 0 -3 2  0 0 5 1", {0, 0, 5}, CYLINT_FEATURE_RIM1},
+        {"capsule 4 0 -3  0 0 5 1", {0, 0, 5}, CYLINT_FEATURE_RIM1},
+        {"cylinder 1 2 3  4 6 4  0.1",
+         {5, -1, 0x1.8000000000001p+1},
+         CYLINT_FEATURE_LATERAL},
+        {"cylinder 1 2 3  4 6 4  0.1",
+         {5, -1, 0x1.7ffffffffffffp+1},
+         CYLINT_FEATURE_RIM0},
+        {"cylinder 1 2 3  4 6 4  0x1.3ffffffffffffp+2",
+         {5, -1, 0x1.7ffffffffffffp+1},
+         CYLINT_FEATURE_RIM0},
+        {"cylinder 1 2 3  4 6 4  0x1.4000000000001p+2",
+         {5, -1, 0x1.7ffffffffffffp+1},
+         CYLINT_FEATURE_CAP0},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        const cylint_shape s = shape_of(of[i].shape);
         cylint_closest answer;
-        CHECK(feature == CYLINT_FEATURE_RIM0);
-        CHECK(left_by_pairs(&s, p, CYLINT_WANT_PART, &answer) != 0);
-        CHECK(!cylint_one_distances_plain.pairs(
-            &s, p, feature, CYLINT_WANT_PART | CYLINT_WANT_DISTANCE, &answer));
-        CHECK(answer.feature == feature);
+        CHECK(!left_by_pairs(&s, of[i].point, CYLINT_WANT_PART, &answer));
+        CHECK(answer.feature == of[i].feature);
     }
 }
 

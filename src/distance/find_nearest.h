@@ -1,0 +1,284 @@
+/*
+ * find_nearest.h - the nearest feature and the distance in pairs, at one lane: of
+ * shapes with any ends, and of angle cones
+ *
+ * Signs decide the feature as in meridian.c: those of the foot on the lateral line
+ * from its ends, then for each cap that is present those of the point against its
+ * circle and of the distance found against that from its plane.  Of shapes along an
+ * axis of coordinates, and in the centres of balls, signs of 0 are certain, too.
+ *
+ * The distance is that from the side of the feature that is outside a solid.  Where
+ * the surface does not enclose a solid, write_certain() (one_distance.c) takes the
+ * absolute value.
+ */
+#ifndef CYLINT_FIND_NEAREST_H
+#define CYLINT_FIND_NEAREST_H
+
+#include "pair_lanes.h"
+
+/* The numbers of an angle cone in the lengths of the world: its local coordinates
+ * count axis lengths.  Its top is not made of doubles. */
+static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
+{
+    const cylint_shape *const at[1] = {shape};
+    vpair squares[3], inverse;
+    pairs_load_shapes(s, at);
+    EACH(i, 3) {
+        s->axis[i] = (vpair){cylint_axis(shape)[i], 0};
+        squares[i] = vpair_square(s->axis[i]);
+    }
+    s->height = pairs_trimmed(pairs_root(pairs_sum3(squares), &inverse));
+    EACH(i, 3)
+        s->axis[i] = pairs_trimmed(vpair_product(s->axis[i], inverse));
+    s->r[1] =
+        pairs_trimmed(vpair_product(s->height, (vpair){cylint_r1(shape), 0}));
+    s->reach = (s->height.hi + s->r[1].hi) * CYLINT_SLACK;
+}
+
+static int is_one_number(const pair x[3])
+{
+    int zeros = 0;
+    EACH(i, 3)
+        zeros += x[i].hi == 0;
+    return zeros > 1;
+}
+
+static pair size_of(pair x)
+{
+    return rounded(x) < 0 ? opposite(x) : x;
+}
+
+/* Of a shape whose axis runs along a coordinate and whose ends are made of
+ * doubles: z and above, which have no error, and rho where it has none. */
+static void load_upright(half_plane *m, const shape_lanes *s, const double x[3])
+{
+    EACH(i, 3)
+        if (s->own[i]) {
+            const pair D = m->D[i], D1 = two_diff(x[i], s->top[i]);
+            const int down = s->axis[i].hi < 0;
+            m->z = down ? opposite(D) : D;
+            m->above = down ? opposite(D1) : D1;
+        }
+    m->plane_error = 0;
+    m->rho_is_exact = is_one_number(m->across);
+    if (m->rho_is_exact)
+        m->rho = size_of(pairs_sum3(m->across));
+}
+
+/* ---------------------------------------------------------------- signs -- */
+
+enum { SIGN_UNDECIDED = 2 };
+static int sign_within(pair x, double error)
+{
+    const double v = rounded(x);
+    return v > error                    ? 1
+           : v < -error                 ? -1
+           : fabs(v) <= 0 && error <= 0 ? 0
+                                        : SIGN_UNDECIDED;
+}
+
+/* 1 where the foot on the lateral line, which is at cosine z + sine x from the end
+ * of it, is beyond that end, 0 at it, -1 before it.  z is that from the end itself.
+ * In the centre of a ball the sign is 0.  x: `across`. */
+ASIDE int sign_beyond(const half_plane *m, const shape_lanes *s,
+                      const cylint_shape *shape, const double point[3], int end,
+                      pair across)
+{
+    const int round = cylint_is_round(shape->kind);
+    const double u = CYLINT_POINT_ROUNDING, sine = fabs(s->sine.hi);
+    const double least = 0x1p-500; /* covers squares that underflow */
+    double error = m->plane_error;
+    pair z = end ? m->above : m->z;
+    if (error > 0 && (!end || cylint_has_end_points(shape->kind))) {
+        const double *center = end ? s->top : s->base;
+        double size = 0;
+        pair p[3];
+        EACH(i, 3) {
+            const pair D = two_diff(point[i], center[i]);
+            p[i] = vpair_product(D, s->axis[i]);
+            size += fabs(D.hi);
+        }
+        if (round && !(size > 0))
+            return 0;
+        z = pairs_sum3(p);
+        error = u * size + least;
+    }
+    const pair x = vpair_product(s->cosine, z),
+               y = vpair_product(s->sine, across), foot = vpair_add(x, y);
+    error = s->cosine.hi * error + sine * m->rho_error +
+            2 * u * (fabs(x.hi) + sine * (m->rho.hi + s->r[end].hi)) +
+            (sine > 0 ? least : 0);
+    return sign_within(end ? foot : opposite(foot), error);
+}
+
+/* ------------------------------------------------------------- distances -- */
+
+/* root - r takes the place of the distance where rho, and with it this number, has
+ * no error. */
+static void without_error(vnearest *n, const half_plane *m, pair root, pair r)
+{
+    const double low = two_sum(root.hi, -r.hi).lo;
+    if (m->rho_is_exact && fabs(two_sum(low, root.lo).lo) <= 0)
+        n->d = pairs_rounded(vpair_sub(root, r), 0);
+}
+
+/* The cap at the end `top`, the plane of which is at the signed distance `plane`,
+ * if it is nearer than the feature found.  x: across the axis from its circle. */
+INLINE void compare_with_cap(vnearest *n, const half_plane *m, pair plane,
+                             pair x, int top)
+{
+    const double M = margin_of(m), across = rounded(x);
+    const double difference = fabs(rounded(n->d.value)) - fabs(rounded(plane));
+    if (across > M || difference < -M)
+        return;
+    if (across < -M && difference > M) {
+        n->certain = 1;
+    } else {
+        const double by_foot = n->certain ? 0 : 4 * m->error;
+        const int within = sign_within(x, m->rho_is_exact ? 0 : m->error),
+                  less = sign_within(
+                      vpair_sub(size_of(n->d.value), size_of(plane)),
+                      n->d.error + m->plane_error + by_foot);
+        if (within == 0 || within == 1 || less == 0 || less == -1)
+            return;
+        n->certain = within == -1 && less == 1;
+    }
+    n->feature = CYLINT_FEATURE_CAP0 + top;
+    n->d = pairs_rounded(plane, m->plane_error);
+}
+
+/* The feature and the distance without the caps between planes.  The foot on the
+ * lateral line is beyond its end `end` (1), at it (0) or within (-1).  Where it is
+ * at the end or undecided, both formulas give the same distance.  Numbers are
+ * trimmed before they are squared: near a rim or a centre their terms cancel. */
+INLINE void nearest_to_side(vnearest *n, const half_plane *m,
+                            const shape_lanes *s, const pair x[2], int kind,
+                            int end, int foot, int has_cap)
+{
+    const int round = cylint_is_round(kind), is_beyond = foot == 1;
+    const pair rho = m->rho, none = {0, 0}, z[2] = {m->z, m->above};
+    const pair r = s->r[end], y = pairs_trimmed(z[end]);
+    if (kind == CYLINT_KIND_CAPSULE && (has_cap | !is_beyond)) {
+        n->d = pairs_from_ball(pick(is_beyond, y, none), 0, r, m, 0);
+        n->feature =
+            is_beyond ? CYLINT_FEATURE_CAP0 + end : CYLINT_FEATURE_LATERAL;
+        if (m->rho_is_exact && (!is_beyond || rho.hi == 0))
+            without_error(n, m, is_beyond ? size_of(y) : rho, r);
+    } else if (foot < 0 || (round && !is_beyond)) {
+        const pair line = round ? vpair_sub(pairs_turned(s, rho, m->z), s->r[0])
+                                : pairs_turned(s, x[0], m->z);
+        n->d = pairs_rounded(line, m->error);
+        n->feature = CYLINT_FEATURE_LATERAL;
+        if (kind == CYLINT_KIND_CYLINDER)
+            without_error(n, m, rho, r);
+    } else if (round && has_cap) {
+        n->d = pairs_from_ball(y, 0, r, m, 0);
+        n->feature = CYLINT_FEATURE_CAP0 + end;
+    } else {
+        pair across = x[end], along = y;
+        if (round) {
+            across = vpair_sub(rho, vpair_product(s->cosine, r));
+            along = vpair_add(y, vpair_product(s->sine, r));
+        }
+        n->d = pairs_from_rim(pairs_trimmed(across), pairs_trimmed(along), m);
+        n->feature = CYLINT_FEATURE_RIM0 + end;
+        if (!round && y.hi == 0)
+            without_error(n, m, rho, r);
+    }
+    if (foot == 0 || foot == SIGN_UNDECIDED)
+        n->feature = CYLINT_FEATURE_RIM0 + end;
+}
+
+/* Of a shape between two planes or with two balls. */
+ASIDE void nearest_to_bounded(vnearest *n, half_plane *m, const shape_lanes *s,
+                              const double point[3], const cylint_shape *shape,
+                              int kind)
+{
+    const unsigned caps = cylint_caps_present(shape->ends);
+    const int round = cylint_is_round(kind);
+    const double C = s->cosine.hi, S = s->sine.hi;
+    pair x[2];
+    pairs_load_rho(m);
+    m->plane_error = CYLINT_PAIR_DISTANCE * m->size + m->z_error;
+    m->rho_is_exact = 0;
+    if (s->along && cylint_has_end_points(shape->kind))
+        load_upright(m, s, point);
+    for (int k = 0; k < 2; k++)
+        x[k] = round ? m->rho : vpair_sub(m->rho, s->r[k]);
+    const double M = margin_of(m);
+    double before = -rounded(m->z), after = rounded(m->above);
+    const double t = after - before;
+    if (cylint_is_tapered(kind)) {
+        before = C * before - S * rounded(x[0]);
+        after = C * after + S * rounded(x[1]);
+    }
+    const int end = after > before;
+    int foot = 2 * ((before > 0) | (after > 0)) - 1;
+    n->certain = 1;
+    if (!((fabs(before) > M) & (fabs(after) > M))) {
+        foot = sign_beyond(m, s, shape, point, end, x[end]);
+        /* A line that is not longer than the margin can begin and end here. */
+        n->certain = foot != SIGN_UNDECIDED && before + after < -4 * M;
+    }
+    nearest_to_side(n, m, s, x, kind, end, foot, caps >> end & 1);
+    if (round || !caps)
+        return;
+    /* Only of points near the middle both caps can be nearest. */
+    const int top = caps == 3 ? t > M : caps == 2;
+    compare_with_cap(n, m, top ? m->above : opposite(m->z), x[top], top);
+    if (caps == 3 && fabs(t) <= M)
+        compare_with_cap(n, m, m->above, x[1], 1);
+}
+
+/* An unbounded shape.  Beyond the apex the nearest nappe of a double cone is the
+ * other one: the numbers of *s become its. */
+static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
+                                 int kind, int is_nappe)
+{
+    pairs_load_rho(m);
+    const vpair rho = m->rho;
+    const double C = s->cosine.hi, S = s->sine.hi, M = margin_of(m);
+    const double c = C * s->r[0].hi + S * rounded(m->z);
+    if (cylint_is_tapered(kind))
+        n->certain = is_nappe ? C * c + S * S * rounded(rho) > M : fabs(c) > M;
+    if (cylint_is_tapered(kind) && !is_nappe && c < 0) {
+        s->sine = opposite(s->sine);
+        s->r[0] = opposite(s->r[0]);
+    }
+    n->d =
+        pairs_rounded(pairs_turned(s, vpair_sub(rho, s->r[0]), m->z), m->error);
+}
+
+static void nearest_to_sphere(vnearest *n, half_plane *m, const shape_lanes *s)
+{
+    pairs_load_rho(m);
+    n->d = pairs_rounded(vpair_sub(m->rho, s->r[0]), m->error);
+    if (n->d.high <= n->d.low)
+        return;
+    m->rho_is_exact = is_one_number(m->D);
+    without_error(n, m, size_of(pairs_sum3(m->D)), s->r[0]);
+}
+
+/* Of a shape of any kind and ends; the kind of an angle cone is that of a cone. */
+INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
+                         const double point[3], const cylint_shape *shape,
+                         int kind, int tangent)
+{
+    const cylint_shape *const at[1] = {shape};
+    if (tangent)
+        load_angle_cone(s, shape);
+    else
+        pairs_load_shapes(s, at);
+    pairs_load(m, s, point, kind != CYLINT_KIND_SPHERE);
+    *n = (vnearest){{{0, 0}, 0, 0, 0}, CYLINT_FEATURE_LATERAL, 1};
+    if (kind == CYLINT_KIND_SPHERE)
+        nearest_to_sphere(n, m, s);
+    else if (cylint_ends_are_planes(shape->ends))
+        nearest_to_bounded(n, m, s, point, shape, kind);
+    else
+        nearest_to_unbounded(n, m, s, kind, shape->ends == CYLINT_ENDS_NAPPE);
+    if (!n->certain) /* another feature can be far nearer */
+        n->d = pairs_rounded(n->d.value, HUGE_VAL);
+}
+
+#endif
