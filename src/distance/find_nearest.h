@@ -77,6 +77,22 @@ static int sign_within(pair x, double error)
                                         : SIGN_UNDECIDED;
 }
 
+/* Whether x . y is certainly 0: no operation rounds, as with data of few digits. */
+static int is_exactly_across(const pair x[3], const pair y[3])
+{
+    pair sum = {0, 0};
+    double lost = 0;
+    EACH(i, 3) {
+        const pair p = two_prod(x[i].hi, y[i].hi);
+        const int is_zero = x[i].hi == 0 || y[i].hi == 0;
+        sum = two_sum(sum.hi, p.hi);
+        lost += fabs(sum.lo) + fabs(p.lo) + fabs(x[i].lo) + fabs(y[i].lo);
+        if (!is_zero && !(fabs(p.hi) > 0x1p-900)) /* p.lo can underflow */
+            return 0;
+    }
+    return sum.hi == 0 && lost == 0;
+}
+
 /* 1 where the foot on the lateral line, which is at cosine z + sine x from the end
  * of it, is beyond that end, 0 at it, -1 before it.  z is that from the end itself.
  * In the centre of a ball the sign is 0.  x: `across`. */
@@ -92,16 +108,21 @@ ASIDE int sign_beyond(const half_plane *m, const shape_lanes *s,
     if (error > 0 && (!end || cylint_has_end_points(shape->kind))) {
         const double *center = end ? s->top : s->base;
         double size = 0;
-        pair p[3];
+        pair p[3], D[3], w[3];
         EACH(i, 3) {
-            const pair D = two_diff(point[i], center[i]);
-            p[i] = vpair_product(D, s->axis[i]);
-            size += fabs(D.hi);
+            D[i] = two_diff(point[i], center[i]);
+            w[i] = two_diff(s->top[i], s->base[i]);
+            p[i] = vpair_product(D[i], s->axis[i]);
+            size += fabs(D[i].hi);
         }
         if (round && !(size > 0))
             return 0;
         z = pairs_sum3(p);
         error = u * size + least;
+        if (cylint_has_end_points(shape->kind) && is_exactly_across(D, w)) {
+            z = (pair){0, 0};
+            error = 0;
+        }
     }
     const pair x = vpair_product(s->cosine, z),
                y = vpair_product(s->sine, across), foot = vpair_add(x, y);
