@@ -495,7 +495,7 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
             return CYLINT_NO_ROOM;
         }
         const double begin = c.n > 0 ? c.chord[0].t0 : 0,
-                     end = end_of_last_piece(&c);
+                     end = i > 0 ? end_of_last_piece(&c) : 0;
         const size_t n = pieces_of_chords(&c, work, &s);
         if (n == capacity || n == CYLINT_NO_ROOM ||
             !cylint_less(c.complete, line->tmax))
