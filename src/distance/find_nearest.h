@@ -96,9 +96,9 @@ static int is_exactly_across(const pair x[3], const pair y[3])
 /* 1 where the foot on the lateral line, which is at cosine z + sine x from the end
  * of it, is beyond that end, 0 at it, -1 before it.  z is that from the end itself.
  * In the centre of a ball the sign is 0.  x: `across`. */
-ASIDE int sign_beyond(const half_plane *m, const shape_lanes *s,
-                      const cylint_shape *shape, const double point[3], int end,
-                      pair across)
+ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
+                       const cylint_shape *shape, const double point[3],
+                       int end, pair across)
 {
     const int round = cylint_is_round(shape->kind);
     const double u = CYLINT_POINT_ROUNDING, sine = fabs(s->sine.hi);
@@ -237,7 +237,7 @@ ASIDE void nearest_to_bounded(vnearest *n, half_plane *m, const shape_lanes *s,
     int foot = 2 * ((before > 0) | (after > 0)) - 1;
     n->certain = 1;
     if (!((fabs(before) > M) & (fabs(after) > M))) {
-        foot = sign_beyond(m, s, shape, point, end, x[end]);
+        foot = sign_of_foot(m, s, shape, point, end, x[end]);
         /* A line that is not longer than the margin can begin and end here. */
         n->certain = foot != SIGN_UNDECIDED && before + after < -4 * M;
     }
@@ -281,9 +281,10 @@ static void nearest_to_sphere(vnearest *n, half_plane *m, const shape_lanes *s)
 }
 
 /* Of a shape of any kind and ends; the kind of an angle cone is that of a cone. */
-INLINE void find_nearest(vnearest *n, half_plane *m, shape_lanes *s,
-                         const double point[3], const cylint_shape *shape,
-                         int kind, int tangent)
+INLINE void find_nearest_in_pairs(vnearest *n, half_plane *m, shape_lanes *s,
+                                  const double point[3],
+                                  const cylint_shape *shape, int kind,
+                                  int tangent)
 {
     const cylint_shape *const at[1] = {shape};
     if (tangent)

@@ -91,7 +91,7 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     shape_lanes s;
     half_plane m;
     vnearest n;
-    find_nearest(&n, &m, &s, point, shape, straight, tangent);
+    find_nearest_in_pairs(&n, &m, &s, point, shape, straight, tangent);
     /* The top of an angle cone has no centre in doubles. */
     const unsigned geometry =
         tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
