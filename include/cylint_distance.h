@@ -100,15 +100,16 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * be proved from 90 bits, which is nearly always.  A component that is 0 is
  * returned as 0, never as -0.
  *
- * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the
- * point is on the surface.  In rounding to nearest, where 90 bits prove it, part
- * and feature are exact, and the distance and each component of point and normal is
- * the double nearest to the real number.  That is proved for nearly all points, if
- * the lengths a, b, h and the vector from c to the point are below 2^100,
- * components are 0 or at least 2^-100, and |a.(b x h)| is at least 2^-40 of its
- * largest term.  It is not proved for a point whose distances from two features,
- * inside also from two points of the lateral surface, differ by no more than
- * rounding errors of doubles, and for many points inside open ends and beside rims.
+ * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the point
+ * is on the surface.  In rounding to nearest, where 90 bits prove it, part and
+ * feature are exact, and the distance and each component of point and normal is the
+ * double nearest to the real number.  That is proved for nearly all points, if the
+ * lengths a, b, h and the vector from c to the point are below 2^100, components
+ * are 0 or at least 2^-100, a, b and h differ in length by factors up to 1000, and
+ * |a.(b x h)| is at least 2^-16 of its largest term.  It is not proved for a point
+ * whose distances from two features, inside also from two points of the lateral
+ * surface, differ by no more than rounding errors of doubles, and for many points
+ * inside open ends and beside rims.
  *
  * Other answers are measured, not proved.  The lateral surface and each rim have at
  * most four stationary points.  All of them are computed in sums of three doubles,
@@ -119,11 +120,12 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * 2^-60 L or more is within 1 unit in its last place, and a smaller one has an
  * error of at most 2^-113 L.  Point, normal, part and feature are those of a point
  * whose distance exceeds the least one by at most 2^-113 L.  Their components are
- * within 4 units in their last places, or 0 if they are below 2^-100 of their
- * terms, but where stationary points coincide and where components of the vector
- * from c to the point are below 2^-900.  Of points with equal distances on one
- * ellipse the answer is the one with the least phi.  For other shapes only the sign
- * is right, and components of point and normal can be NaN.
+ * within 4 units in their last places, but where they are below 2^-100 of their
+ * terms (then they can be 0), where stationary points coincide, and where
+ * components of the vector from c to the point are below 2^-900.  Of points with
+ * equal distances on one ellipse the answer is the one with the least phi.  For
+ * other shapes only the sign is right, and components of point and normal can be
+ * NaN.
  *
  * A proved distance takes 0.4 to 0.6 microseconds (AVX2), with point and normal
  * 0.5 to 0.8, within 1e-10 of the surface 0.7 to 1.4; another one takes 6 to 16,

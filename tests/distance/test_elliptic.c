@@ -97,10 +97,23 @@ static void check_point(const struct family_case *c, const double p[3],
         REPORT_POINT(c, p);
 }
 
+/* Families.  Of the last ones b and h are made shorter, so that a, b and h differ
+ * in length by about 1000. */
 static const char *const forms[] = {"ordinary", "elliptic, thin",
-                                    "elliptic, skewed"};
-enum { FORMS = sizeof forms / sizeof *forms };
+                                    "elliptic, skewed", "ordinary"};
+enum { FORMS = sizeof forms / sizeof *forms, UNEQUAL = FORMS - 1 };
 static struct tally tallies[ENDS][FORMS][PLACES + 1];
+
+static const char *name_of(int form)
+{
+    return form == UNEQUAL ? "unequal" : forms[form];
+}
+
+static void shorten(struct family_case *c, int vector, double by)
+{
+    for (int i = 0; i < 3; i++)
+        c->shape_data[3 * vector + i] *= by;
+}
 
 /* A point in every fourth case is beside the lateral surface. */
 static void check_form(int ends, int form)
@@ -112,6 +125,10 @@ static void check_form(int ends, int form)
         double p[3];
         family_case(random_bits(&stream), family_named(forms[form]), 0, &c);
         c.ends = (cylint_ends)ends;
+        if (form == UNEQUAL && cylint_is_elliptic(c.shape.kind)) {
+            shorten(&c, 2, power(-3, 0));
+            shorten(&c, 3, power(-3, 0));
+        }
         if (!family_make(&c) || !cylint_is_elliptic(c.shape.kind))
             continue;
         int place = BESIDE;
@@ -135,17 +152,16 @@ static double most_of(long n, double mean)
 
 /* Counts the answers that are left to triples, about the places from first to last.
  * share: of all answers. */
-static void check_left(int ends, const char *where, int first, int last,
-                       double share)
+static void check_left(int form, int ends, int first, int last, double share)
 {
     long n = 0, left = 0;
     for (int place = first; place <= last; place++) {
-        n += tallies[ends][0][place].n;
-        left += tallies[ends][0][place].left;
+        n += tallies[ends][form][place].n;
+        left += tallies[ends][form][place].left;
     }
-    printf(
-        "note: ordinary, ends %d, %s: %ld of %ld answers are left to triples\n",
-        ends, where, left, n);
+    printf("note: %s, ends %d, %s: %ld of %ld answers are left to triples\n",
+           name_of(form), ends, first == BESIDE ? "beside" : "anywhere", left,
+           n);
     CHECK(n > 0 && (double)left < most_of(n, share));
 }
 
@@ -155,9 +171,11 @@ TEST(no_point_is_nearer_and_nearly_all_answers_are_certain)
         for (int form = 0; form < FORMS; form++)
             check_form(ends, form);
         /* Inside a shape without a cap the nearest point can be on either rim. */
-        check_left(ends, "anywhere", PLACE_FAR, PLACE_ANY,
-                   ends == CYLINT_ENDS_CAPPED ? 0.0125 : 0.062);
-        check_left(ends, "beside", BESIDE, BESIDE, 0.0302);
+        const int capped = ends == CYLINT_ENDS_CAPPED;
+        check_left(0, ends, PLACE_FAR, PLACE_ANY, capped ? 0.02 : 0.062);
+        check_left(UNEQUAL, ends, PLACE_FAR, PLACE_ANY, capped ? 0.04 : 0.125);
+        check_left(0, ends, BESIDE, BESIDE, 0.001);
+        check_left(UNEQUAL, ends, BESIDE, BESIDE, 0.001);
     }
 }
 
@@ -171,10 +189,10 @@ TEST(the_safety_is_close_to_the_distance)
             for (int ends = 0; ends < ENDS; ends++) {
                 const struct tally *of = &tallies[ends][form][where];
                 mean = fmin(mean, of->ratios / (double)of->safe);
-                CHECK((double)of->safe - of->ratios < most_of(of->safe, 0.083));
+                CHECK((double)of->safe - of->ratios < most_of(of->safe, 0.12));
             }
             printf("note: %s, %s: safety / distance %.4f in the mean\n",
-                   forms[form], name, mean);
+                   name_of(form), name, mean);
         }
 }
 
