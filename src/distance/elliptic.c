@@ -446,8 +446,9 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
             ? cylint_direction_error(&s->form[best->feature], &best->at)
             : 0;
     triple u[3], v[3];
-    const triple z =
-        triple_add(triple_scaled(best->z, p->far - p->whole), p->moved);
+    const triple beside = triple_scaled(best->z, p->far - p->whole),
+                 z = triple_add(beside, p->moved);
+    const double z_terms = fabs(beside.a) + fabs(p->moved.a);
     cylint_load_ruling(p, &best->at, u, v);
     for (int i = 0; i < 3; i++) {
         const double turned = turn * fabs(p->b[i].a * best->at.cos.a -
@@ -458,7 +459,7 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
                              ? p->point[i]
                              : point_of(s, i, triple_mul(z, v[i]),
                                         best->terms[i] + best->factor * turned,
-                                        fabs(z.a) * v_terms);
+                                        z_terms * v_terms);
         to[i] = cylint_positive_zero(x);
     }
 }
