@@ -173,8 +173,10 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
     const vf kEW = l->k * EW;
     const vf gg = f_mad(r * r, nn, (r + r + l->k) * (kEW * EW));
     unsigned hit = f_not_greater(ff, gg);
-    if (hit & greater(gg, (r + r) * r * nn))
-        hit &= near_middle(b, lane, l);
+    if (hit & greater(gg, (r + r) * r * nn)) {
+        const leaf_line copy = *l; /* so that *l stays in registers */
+        hit &= near_middle(b, lane, &copy);
+    }
     const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf CC = (gg - ff) * ww, C = f_sqrt(CC);
