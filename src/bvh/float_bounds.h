@@ -110,13 +110,10 @@ static inline void cylint_extent_include(cylint_extent *box,
     }
 }
 
-/* Half the area of the box. */
-static inline double cylint_half_area(const cylint_extent *box)
+/* Half the area of a box with these sides. */
+static inline double cylint_half_area(const double side[3])
 {
-    const double x = (double)box->upper[0] - (double)box->lower[0],
-                 y = (double)box->upper[1] - (double)box->lower[1],
-                 z = (double)box->upper[2] - (double)box->lower[2];
-    return x * y + y * z + z * x;
+    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
 }
 
 #endif

@@ -184,6 +184,14 @@ void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
     }
 }
 
+static double half_area_of(const cylint_extent *box)
+{
+    double side[3];
+    EACH(j, 3)
+        side[j] = (double)box->upper[j] - (double)box->lower[j];
+    return cylint_half_area(side);
+}
+
 double cylint_bvh_cost(const cylint_bvh *bvh)
 {
     double sum = 0, root = 0;
@@ -193,10 +201,10 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
         for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
             const cylint_extent box = child_box(bvh, node, k);
             cylint_extent_include(&all, &box);
-            sum += cylint_half_area(&box);
+            sum += half_area_of(&box);
         }
         if (i == 0)
-            root = cylint_half_area(&all);
+            root = half_area_of(&all);
     }
     return root > 0 ? sum / root : 0;
 }
