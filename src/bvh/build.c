@@ -321,25 +321,39 @@ typedef struct {
     size_t n_next;
 } builder;
 
-/* Among parts of more than a leaf, the one with the largest box or, if `evenly`,
- * with the most boxes; -1 if there is none. */
-static int largest_part(const range *parts, int n, int evenly)
+/* Among parts of `least` to `most` leaves, the one with the largest box or, if
+ * `evenly`, with the most boxes; -1 if there is none. */
+static int largest_part(const range *parts, int n, size_t least, size_t most,
+                        int evenly)
 {
     int best = -1;
-    for (int i = 0; i < n; i++)
-        if (parts[i].n > CYLINT_LEAF_SIZE &&
+    for (int i = 0; i < n; i++) {
+        const size_t leaves = cylint_leaves_for(parts[i].n);
+        if (leaves >= least && leaves <= most &&
             (best < 0 || (evenly ? parts[i].n > parts[best].n
                                  : area(parts[i].box) > area(parts[best].box))))
             best = i;
+    }
     return best;
 }
 
-/* Splits until there are 8 parts or no part can be split.  Returns their number,
+/* The part to split next, or -1.  One of up to 8 leaves can be a node above them.
+ * It is split only if all its leaves can be children here: then that node is not
+ * needed, while a few leaves in each of several nodes make more nodes. */
+static int part_to_split(const range *parts, int n, int evenly)
+{
+    const size_t room = CYLINT_CHILDREN - (size_t)n;
+    const int large =
+        largest_part(parts, n, CYLINT_CHILDREN + 1, SIZE_MAX, evenly);
+    return large >= 0 ? large : largest_part(parts, n, 2, room + 1, evenly);
+}
+
+/* Splits until there are 8 parts or no part is to be split.  Returns their number,
  * or 0 if the build is to stop.  The parts are in the order of their boxes. */
 static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
 {
     int n = 1, i;
-    while (n < CYLINT_CHILDREN && (i = largest_part(parts, n, evenly)) >= 0) {
+    while (n < CYLINT_CHILDREN && (i = part_to_split(parts, n, evenly)) >= 0) {
         const range all = parts[i];
         if (all.n >= CYLINT_WATCHED && !cylint_watch_add(b->watch, 0))
             return 0;
@@ -398,12 +412,15 @@ enum { EVEN_DEPTH = 24 };
 
 /*
  * The most nodes above B leaves.  With it the index of a node is known before
- * the nodes beside it are built.  A node over less than 8 leaves has these as
- * its children, any other has 8 children.  By induction there are at most
- * (4 B - 1) / 7 nodes where B >= 2: if all children are leaves, there is 1
- * node; and if L of 8 children are leaves, at most
+ * the nodes beside it are built.  By induction there are at most (4 B - 1) / 7
+ * nodes where B >= 2.  Let L children be leaves and I be nodes above B_i leaves.
+ * If I = 0, there is 1 node.  If there are 8 children, there are at most
  *
  *   1 + sum (4 B_i - 1) / 7 = 1 + (4 (B - L) - (8 - L)) / 7 <= (4 B - 1) / 7.
+ *
+ * If there are fewer, no B_i is more than 8, so that there are 1 + I nodes, and
+ * the leaves of none had room: B_i >= 10 - (L + I), which is 3 or more.  So this
+ * holds, too: B >= 3 I, and if I = 1, then B >= 9.
  */
 size_t cylint_build_most_nodes(size_t leaves)
 {
