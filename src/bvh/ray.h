@@ -13,13 +13,14 @@
 
 /*
  * The line x + t d, where x is relative to the centre of the hierarchy, and
- * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
- * into boxes and exits from them.
+ * r = 1 / d.  It enters a face at F not before F r + enter and leaves a face not
+ * after F r + leave: -x r, minus and plus the error bound.
  */
 typedef struct {
-    float r[3], near[3], far[3];
-    int near_faces[3];   /* where it enters boxes: 0 or 1 */
+    float r[3], enter[3], leave[3];
+    int near_face[3]; /* where it enters boxes: 0, or FACES for the upper one */
     float first, last;   /* the domain; its t is the line's t ... */
+    uint32_t last_key;   /* of last: order_key() */
     double t0, t0_error; /* ... minus t0, with this error */
 } ray_state;
 
@@ -45,18 +46,22 @@ typedef struct {
  * a NaN.
  */
 
+/* Bytes of a node's lower faces; the upper ones follow. */
+enum { FACES = 3 * CYLINT_CHILDREN };
+
 /* lint: a box has three sides */
-/* The faces where lines with this `entry` enter and leave the boxes of children
+/* The faces where lines with this near_face[] enter and leave the boxes of children
  * from `from` on. */
 CYLINT_INLINE void child_faces(const cylint_node *node, int from,
-                               const int entry[3], vf enter[3], vf leave[3])
+                               const int near_face[3], vf enter[3], vf leave[3])
 {
     EACH(j, 3) {
         const vf corner = f_set(node->corner[j]), step = f_set(node->step[j]);
-        const uint8_t(*face)[3][CYLINT_CHILDREN] = node->face;
-        enter[j] = f_mad(f_from_bytes(face[entry[j]][j] + from), step, corner);
+        const uint8_t *face =
+            (const uint8_t *)node->face + j * CYLINT_CHILDREN + from;
+        enter[j] = f_mad(f_from_bytes(face + near_face[j]), step, corner);
         leave[j] =
-            f_mad(f_from_bytes(face[1 - entry[j]][j] + from), step, corner);
+            f_mad(f_from_bytes(face + (FACES - near_face[j])), step, corner);
     }
 }
 
@@ -68,8 +73,8 @@ CYLINT_INLINE vm hit_boxes(const vf enter[3], const vf leave[3],
     *from = f_set(s->first);
     EACH(j, 3) {
         const vf r = f_set(s->r[j]);
-        *from = f_higher(f_mad(enter[j], r, -f_set(s->near[j])), *from);
-        to = f_lower(f_mad(leave[j], r, -f_set(s->far[j])), to);
+        *from = f_higher(f_mad(enter[j], r, f_set(s->enter[j])), *from);
+        to = f_lower(f_mad(leave[j], r, f_set(s->leave[j])), to);
     }
     return m_not_greater(*from, to);
 }
@@ -107,6 +112,12 @@ static inline float larger_float(float x, float y) /* fmaxf() is a call */
     return x > y ? x : y;
 }
 
+static inline void set_last(ray_state *s, float last)
+{
+    s->last = last;
+    s->last_key = order_key(last);
+}
+
 /* x may have an error of x_error. */
 static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
                          const float d[3], float x_error)
@@ -115,13 +126,14 @@ static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
     const float least = larger_float(xy, fabsf(d[2])) * 0x1p-60f;
     EACH(j, 3) {
         const float size = larger_float(fabsf(d[j]), least);
-        const float r = copysignf(1 / size, d[j]), at = x[j] * r;
+        const float per_size = 1 / size, r = copysignf(per_size, d[j]);
+        const float at = -x[j] * r;
         const float off = fabsf(x[j]) * 0x1p-19f + (bvh->pad + x_error);
-        const float e = fabsf(r) * off + 16 * FLT_MIN;
-        s->near_faces[j] = signbit(d[j]) != 0;
+        const float e = per_size * off + 16 * FLT_MIN;
+        s->near_face[j] = FACES * (signbit(d[j]) != 0);
         s->r[j] = r;
-        s->near[j] = e < 0x1p100f ? at + e : HUGE_VALF;
-        s->far[j] = e < 0x1p100f ? at - e : -HUGE_VALF;
+        s->enter[j] = e < 0x1p100f ? at - e : -HUGE_VALF;
+        s->leave[j] = e < 0x1p100f ? at + e : HUGE_VALF;
     }
 }
 
@@ -144,7 +156,7 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
         x[j] = o[j] - (double)bvh->center[j];
     start_doubles(s, bvh, x, d, 0);
     s->first = 0;
-    s->last = cylint_float_above(tmax);
+    set_last(s, cylint_float_above(tmax));
 }
 
 /* The key of -0 is not that of 0; nor is that of a subnormal number, which may be
@@ -157,9 +169,9 @@ static inline float with_one_zero(float t)
 /* Reduces the domain after tfar was reduced. */
 static inline void shorten(ray_state *s, float tfar)
 {
-    s->last = s->t0_error > 0
-                  ? cylint_float_above((double)tfar - s->t0 + s->t0_error)
-                  : with_one_zero(tfar);
+    set_last(s, s->t0_error > 0
+                    ? cylint_float_above((double)tfar - s->t0 + s->t0_error)
+                    : with_one_zero(tfar));
 }
 
 /* Of a ray.  One from far away begins at its point nearest to the centre, because

@@ -19,7 +19,7 @@ typedef struct {
 
 static inline int is_needed(const traversal *t, const entry *e)
 {
-    return e->key >> 32 <= order_key(t->ray->last);
+    return e->key >> 32 <= t->ray->last_key;
 }
 
 CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
@@ -29,7 +29,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
     (void)e;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], from;
-        child_faces(node, i, t->ray->near_faces, enter, leave);
+        child_faces(node, i, t->ray->near_face, enter, leave);
         hit |= m_bits(hit_boxes(enter, leave, t->ray, &from)) << i;
         f_store_keys(hits->enter + i, from);
     }
@@ -102,7 +102,7 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
             continue;
         if (callback(self, leaf, lanes, least))
             return;
-        state.last = cylint_float_above(*tmax);
+        set_last(&state, cylint_float_above(*tmax));
     }
 }
 

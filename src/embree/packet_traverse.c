@@ -42,7 +42,7 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 {
     unsigned rays = 0;
     EACH_BIT(k, e->rays & p->active) {
-        const uint32_t last = order_key(p->state[k].last);
+        const uint32_t last = p->state[k].last_key;
         rays |= (unsigned)(e->key >> 32 <= last) << k;
     }
     e->rays = rays;
@@ -52,12 +52,12 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
 CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
                                     const cylint_node *node, child_hits *hits)
 {
-    const int *near_faces = p->state[cylint_lowest(e->rays)].near_faces;
+    const int *near_face = p->state[cylint_lowest(e->rays)].near_face;
     unsigned hit = 0;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], first = f_set(HUGE_VALF);
         vi rays = i_set(0);
-        child_faces(node, i, near_faces, enter, leave);
+        child_faces(node, i, near_face, enter, leave);
         EACH_BIT(k, e->rays) {
             vf from;
             const vm is = hit_boxes(enter, leave, &p->state[k], &from);
