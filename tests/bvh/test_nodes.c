@@ -57,6 +57,35 @@ TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
         }
 }
 
+TEST(needles_are_cut_and_shapes_as_wide_as_long_are_not)
+{
+    static const struct {
+        int kind;
+        size_t least, most; /* pieces of a shape */
+    } of[] = {{SCENE_FAT, 1, 1}, {SCENE_THIN, 2, 3}, {SCENE_FIBRES, 3, 4}};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        OWN_SHAPES shapes = scene_generate(of[k].kind, 2000, 6);
+        cylint_bvh bvh;
+        if (!build_bvh(&bvh, &shapes, 1))
+            return;
+        CHECK(bvh.n_leaves >= cylint_leaves_for(of[k].least * shapes.n) &&
+              bvh.n_leaves <= cylint_leaves_for(of[k].most * shapes.n));
+        cylint_bvh_free(&bvh);
+    }
+}
+
+/* With 8 parts in each node, as long as a part has more than a leaf, the root's
+ * parts of 15 leaves each would make 53 nodes. */
+TEST(nodes_have_many_leaves)
+{
+    cylint_bvh bvh;
+    OWN_SHAPES of = scene_generate(SCENE_FAT, 1000, 7);
+    if (!build_bvh(&bvh, &of, 1))
+        return;
+    CHECK(bvh.n_leaves == 125 && bvh.n_nodes <= 125 / 4);
+    cylint_bvh_free(&bvh);
+}
+
 /* Shapes that no split separates, and shapes of which each split separates
  * one. */
 TEST(scenes_without_good_splits_have_correct_nodes)
