@@ -456,13 +456,13 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * each coordinate, towards the side, for the least k from 1 to 4; else a point
  * further along the normal; else, on the inside, towards the middle of the
  * shape; else along a diagonal of the coordinates, as at the apex of a double
- * cone.  Returns 0 and writes hit->point if none of these is on the side.  This
- * happens for side 1 if the solid is thinner than the steps of the doubles, if
- * the shape was refused, and perhaps if hit->point is infinite; for side -1 only
- * between the nappes of a double cone, where they are nearer to each other than
- * these steps.  Where subnormal numbers are flushed to zero, it can happen if all
- * coordinates of the hit are below 2^-969 in absolute value.  If hit->point is
- * infinite, the point can be infinite, too: cylint_ray() refuses it.
+ * cone.  Returns 0 and writes hit->point if none of these is finite and on the
+ * side.  This happens for side 1 if the solid is thinner than the steps of the
+ * doubles, or if the shape was refused; for side -1 between the nappes of a double
+ * cone, where they are nearer to each other than these steps, and where the outside
+ * is beyond the largest double; perhaps if hit->point is infinite.  Where
+ * subnormal numbers are flushed to zero, it can happen if all coordinates of the
+ * hit are below 2^-969 in absolute value.
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of

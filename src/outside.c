@@ -1,7 +1,7 @@
 /*
  * outside.c - a point near a hit that is certainly outside or inside the solid
  *
- * The exact sign of cylint_contains() tests every point.  The first ones are
+ * The exact sign of cylint_contains() tests every finite point.  The first ones are
  * the hit's point and its neighbours in the direction of the normal, 1 to NEAR
  * steps of the doubles in some of the coordinates; of these the nearest is
  * chosen.  A hit's coordinates are the nearest doubles, so one step nearly always
@@ -42,10 +42,9 @@ static int is_beyond_part(const search *s, const double p[3])
     const int part = s->part;
     cylint_line line;
     cylint_query q;
-    /* untaken 1 of 6: no test has a hit at infinity */
-    if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape) ||
-        cylint_open_at(&q, shape, &line, p) != CYLINT_OK)
+    if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape))
         return 1;
+    cylint_open_at(&q, shape, &line, p);
     if ((part == CYLINT_PART_CAP0 || cylint_form_sign(&q, FORM_ALPHA, 0) > 0) &&
         (part == CYLINT_PART_CAP1 || cylint_form_sign(&q, FORM_ALPHA, 1) < 0) &&
         (part == CYLINT_PART_LATERAL || cylint_form_sign(&q, FORM_C, 0) < 0))
@@ -62,10 +61,11 @@ static int is_beyond_part(const search *s, const double p[3])
     }
 }
 
+/* Whether p is taken.  cylint_contains() is -1 for an infinite point. */
 static int is_there(const search *s, const double p[3])
 {
     return cylint_contains(s->shape, p) == s->side &&
-           (s->side > 0 || is_beyond_part(s, p));
+           (s->side > 0 || (cylint_is_finite(p) && is_beyond_part(s, p)));
 }
 
 /* Writes the coordinates in the order of the lengths of their steps, and these
