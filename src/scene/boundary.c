@@ -80,7 +80,9 @@ static void search_solid(boundary_search *q, size_t number,
     cylint_visit_line(q->scene, part, &options, HUGE_VAL, consider_chord, q);
 }
 
-/* Writes the wanted members of the hit at t. */
+/* Writes the wanted members of the hit at t.  It is the only one: a chord that
+ * begins or ends at t has a length, and so has the gap between the chords of a
+ * double cone. */
 static void describe_boundary(const boundary_search *q, unsigned want,
                               cylint_hit *hit)
 {
@@ -92,9 +94,7 @@ static void describe_boundary(const boundary_search *q, unsigned want,
                      &answer);
     for (int i = 0; i < answer.n; i++) {
         cylint_hit found = answer.hit[i];
-        const int enters = found.side == CYLINT_SIDE_ENTERING;
-        if (cylint_less(found.t, q->t) || cylint_less(q->t, found.t) ||
-            enters == (q->enters == q->is_complement))
+        if (cylint_less(found.t, q->t) || cylint_less(q->t, found.t))
             continue;
         found.side = q->enters ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
         for (int j = 0;

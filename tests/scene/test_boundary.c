@@ -157,47 +157,6 @@ TEST(the_first_boundary_is_that_of_a_loop)
            in_bores);
 }
 
-/* A cylinder begins where the half-space ends that is cut off it.  The query finds
- * the half-space first. */
-TEST(of_two_surfaces_at_one_t_the_lower_number_is_the_boundary)
-{
-    const cylint_line line = case_of("ray 0 0 -5  0 0 1  sphere 0 0 0 1").line;
-    stream = 10;
-    make_shapes();
-    cylint_scene_free(world.scene);
-    world.n = world.members = 2;
-    world.solids = 1;
-    world.shape[0] = shape_of("cylinder 0 0 0  0 0 1  1");
-    world.shape[1] = shape_of("halfspace 0 0 0  0 0 1");
-    world.member[0] = (cylint_member){0, 0, 1};
-    world.member[1] = (cylint_member){1, 0, -2};
-    world.scene = cylint_scene_new(world.shape, world.n, 1, NULL);
-    CHECK(cylint_scene_set_solids(world.scene, world.member, world.members) ==
-          CYLINT_SCENE_OK);
-    find_chords(&line);
-    CHECK(expected_boundary().number == 0);
-    check_boundary();
-}
-
-/* Both roots of the cone round to the t where the line enters the ball. */
-TEST(a_gap_whose_ends_are_one_double_is_no_boundary)
-{
-    const cylint_member members[] = {{0, 0, 1}, {1, 0, 2}};
-    const struct family_case c = case_of(
-        "line 1 0 -0x1p60  0 0 1  acone 0 0 0  0 0 1  45 ends=infinite");
-    const cylint_shape shape[2] = {c.shape, shape_of("sphere 0 0 1024  1024")};
-    cylint_workspace work = any_workspace();
-    cylint_hit hit;
-    size_t n;
-    OWN_SCENE *scene = cylint_scene_new(shape, 2, 1, NULL);
-    CHECK(cylint_scene_set_solids(scene, members, 2) == CYLINT_SCENE_OK);
-    do
-        n = cylint_scene_first_boundary(scene, &c.line, CYLINT_WANT_T, &hit,
-                                        &work);
-    while (needs_more(n, &work));
-    CHECK(n == 1 && hit.t == 0x1p60);
-}
-
 TEST(an_invalid_line_has_no_boundary)
 {
     cylint_workspace work = {NULL, 0, 0};
@@ -250,46 +209,6 @@ TEST(the_depth_is_that_of_a_loop)
     }
     CHECK(inside > worlds);
     printf("note: %ld points in solids\n", inside);
-}
-
-/* Points of integers lie on many surfaces.  Of a point of the union the least
- * signed distance is not positive, and 0 on a boundary if no solid has the point
- * inside; the nearest surface can be one inside another shape. */
-TEST(the_boundary_belongs_to_the_solid)
-{
-    const long worlds = (long)check_setting("CYLINT_CASES", 300) / 4;
-    long on = 0, positive = 0;
-    stream = 9;
-    for (long i = 0; i < worlds; i++) {
-        begin_world();
-        for (int j = 0; j < 50; j++) {
-            cylint_closest solid, surface;
-            double point[3];
-            size_t holding = 0, inside = 0;
-            whole_point(point, 7);
-            for (size_t k = 0; k < world.n; k++) {
-                const int side = cylint_contains(&world.shape[k], point);
-                holding += side >= 0;
-                inside += side > 0;
-            }
-            cylint_scene_closest(world.scene, point, HUGE_VAL, CYLINT_SIGNED,
-                                 &solid);
-            cylint_scene_closest(world.scene, point, HUGE_VAL, 0, &surface);
-            const double d = solid.distance;
-            if (!CHECK(cylint_scene_contains(world.scene, point, 0) ==
-                           holding &&
-                       (inside    ? d < 0
-                        : holding ? d == 0
-                                  : d > 0)))
-                REPORT("point %g %g %g: %g, not in %zu of %zu", point[0],
-                       point[1], point[2], d, inside, holding);
-            on += d == 0;
-            positive += holding > 0 && surface.distance > 0;
-        }
-    }
-    CHECK(on > worlds / 4 && positive > worlds);
-    printf("note: %ld points on boundaries, %ld outside the nearest surface\n",
-           on, positive);
 }
 
 TEST(no_solid_contains_an_infinite_point)

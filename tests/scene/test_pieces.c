@@ -91,33 +91,6 @@ TEST(pieces_of_solids_are_those_of_a_loop)
     check_worlds((long)check_setting("CYLINT_CASES", 60), 1);
 }
 
-/* ----------------------------------------------------------- double cone -- */
-
-/* The line passes the apex at 1, and comes from 2^60. */
-TEST(a_gap_between_nappes_that_rounds_to_one_double_is_none)
-{
-    const cylint_member own = {0, 0, 1};
-    const struct family_case c = case_of(
-        "line 1 0 -0x1p60  0 0 1  acone 0 0 0  0 0 1  45 ends=infinite");
-    cylint_interval chord[2];
-    CHECK(cylint_chord(&c.shape, &c.line, chord) == 1 &&
-          chord[0].t0 == -HUGE_VAL && chord[0].t1 == HUGE_VAL);
-    OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
-    for (int with_solid = 0; with_solid < 2; with_solid++) {
-        CHECK(cylint_scene_set_solids(scene, &own, (size_t)with_solid) ==
-              CYLINT_SCENE_OK);
-        for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
-            const cylint_piece_rule rule = {(cylint_piece_mode)mode, NULL,
-                                            NULL};
-            cylint_workspace work = {workspace, sizeof workspace, 0};
-            cylint_piece piece[2];
-            CHECK(cylint_scene_pieces(scene, &c.line, &rule, piece, 2, &work) ==
-                      1 &&
-                  piece[0].t0 == -HUGE_VAL && piece[0].t1 == HUGE_VAL);
-        }
-    }
-}
-
 /* --------------------------------------------------------- environment -- */
 
 /* Half of the lines have such long directions that t is subnormal. */
