@@ -65,6 +65,16 @@ static void check_line(void)
         }
 }
 
+/* The solids of the scene stay. */
+static void move_a_shape(void)
+{
+    const int i = one_of(SHAPES);
+    const cylint_shape moved = any_shape();
+    if (cylint_scene_refit(world.scene, (size_t)i, 1, &moved) ==
+        CYLINT_SCENE_OK)
+        world.shape[i] = moved;
+}
+
 static void check_worlds(long worlds, int with_solids)
 {
     pieces_compared = 0;
@@ -72,8 +82,10 @@ static void check_worlds(long worlds, int with_solids)
         make_shapes();
         if (with_solids)
             make_solids();
-        for (int j = 0; j < LINES; j++)
+        for (int j = 0; j < LINES; j++) {
             check_line();
+            move_a_shape();
+        }
     }
     CHECK(pieces_compared > 100 * worlds);
     printf("note: %ld pieces\n", pieces_compared);
