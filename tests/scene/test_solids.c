@@ -1,6 +1,6 @@
 /*
- * test_solids.c - solids that are set, refused and saved, workspaces of every
- * size, and named cases
+ * test_solids.c - solids that are set, refused and saved, and workspaces of every
+ * size
  *
  * CYLINT_CASES: scenes in tests of random ones.
  */
@@ -390,46 +390,4 @@ TEST(bad_members_of_one_solid_are_refused)
                               9) == 1 &&
           piece[0].t0 == CYLINT_SOLID_MEMBERS - 2 &&
           piece[0].t1 == (double)CYLINT_SOLID_MEMBERS);
-}
-
-/* --------------------------------------------------------- named cases -- */
-
-static const double ex[3] = {1, 0, 0};
-
-/* All pieces of a ray from `o` along x; at most 8. */
-static size_t pieces_along_x(const cylint_scene *scene, double ox,
-                             cylint_piece_mode mode, cylint_piece piece[8])
-{
-    static double memory[1 << 12];
-    cylint_workspace work = {memory, sizeof memory, 0};
-    const cylint_piece_rule rule = {.mode = mode};
-    const double o[3] = {ox, 0, 0};
-    cylint_line ray;
-    cylint_ray(&ray, o, ex);
-    return cylint_scene_pieces(scene, &ray, &rule, piece, 8, &work);
-}
-
-/* SIREN, issue 186: neighbours have a common face.  Each entry has an exit, and the
- * lengths add up. */
-TEST(solids_with_a_common_face_have_whole_chords)
-{
-    cylint_shape rod[8];
-    cylint_piece piece[8];
-    for (int i = 0; i < 8; i++) {
-        const double p[3] = {0.1 * i, 0, 0}, q[3] = {0.1 * (i + 1), 0, 0};
-        cylint_cylinder(&rod[i], p, q, 0.5, CYLINT_ENDS_CAPPED);
-    }
-    for (size_t n = 2; n < 8; n++) {
-        OWN_SCENE *scene = cylint_scene_new(rod, n, 1, NULL);
-        CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_UNION, piece) == 1);
-        const double end = piece[0].t1;
-        CHECK(piece[0].t0 == 1 && piece[0].depth == 1);
-        CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_OWNER, piece) == n);
-        for (size_t i = 0; i < n; i++) {
-            CHECK(piece[i].shape == i && piece[i].t0 < piece[i].t1);
-            CHECK(i == 0 || piece[i].t0 == piece[i - 1].t1);
-        }
-        CHECK(piece[n - 1].t1 == end);
-        CHECK(pieces_along_x(scene, -1, CYLINT_PIECES_CHORDS, piece) == n);
-    }
 }
