@@ -6,14 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A sort by these in turn: solid, clause, shape. */
+/* By solid, then by clause. */
 static int is_before_in_solid(const cylint_membership *x,
                               const cylint_membership *y)
 {
-    const int32_t c = abs(x->clause), d = abs(y->clause);
-    if (x->solid != y->solid)
-        return x->solid < y->solid;
-    return c != d ? c < d : x->shape < y->shape;
+    return x->solid != y->solid ? x->solid < y->solid
+                                : abs(x->clause) < abs(y->clause);
 }
 
 #define SORTED cylint_membership
