@@ -357,24 +357,26 @@ static inline v_row v_row_at(const double *x) { return _mm256_loadu_pd(x); }
 
 static inline void v_transpose(const v_row row[LANES], vd to[4])
 {
-    __m256d c[LANES / 4][4];
-    for (int i = 0; i < LANES; i += 4) {
-        const __m256d even01 = _mm256_unpacklo_pd(row[i], row[i + 1]);
-        const __m256d odd01 = _mm256_unpackhi_pd(row[i], row[i + 1]);
-        const __m256d even23 = _mm256_unpacklo_pd(row[i + 2], row[i + 3]);
-        const __m256d odd23 = _mm256_unpackhi_pd(row[i + 2], row[i + 3]);
-        c[i / 4][0] = _mm256_permute2f128_pd(even01, even23, 0x20);
-        c[i / 4][1] = _mm256_permute2f128_pd(odd01, odd23, 0x20);
-        c[i / 4][2] = _mm256_permute2f128_pd(even01, even23, 0x31);
-        c[i / 4][3] = _mm256_permute2f128_pd(odd01, odd23, 0x31);
-    }
-    for (int k = 0; k < 4; k++)
-#if LANES == 8
-        to[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(c[0][k]),
-                                   c[1][k], 1);
+#if LANES == 8 /* two rows in each vector */
+#define ROWS(i, j) \
+    _mm512_insertf64x4(_mm512_castpd256_pd512(row[i]), row[j], 1)
+    const vd a = ROWS(0, 2), b = ROWS(1, 3), c = ROWS(4, 6), d = ROWS(5, 7);
+#undef ROWS
+#define FIRSTS(x, y) _mm512_shuffle_f64x2(x, y, 0x88)
+#define SECONDS(x, y) _mm512_shuffle_f64x2(x, y, 0xdd)
 #else
-        to[k] = c[0][k];
+    const vd a = row[0], b = row[1], c = row[2], d = row[3];
+#define FIRSTS(x, y) _mm256_permute2f128_pd(x, y, 0x20)
+#define SECONDS(x, y) _mm256_permute2f128_pd(x, y, 0x31)
 #endif
+    const vd even_ab = MM(unpacklo_pd)(a, b), odd_ab = MM(unpackhi_pd)(a, b);
+    const vd even_cd = MM(unpacklo_pd)(c, d), odd_cd = MM(unpackhi_pd)(c, d);
+    to[0] = FIRSTS(even_ab, even_cd);
+    to[1] = FIRSTS(odd_ab, odd_cd);
+    to[2] = SECONDS(even_ab, even_cd);
+    to[3] = SECONDS(odd_ab, odd_cd);
+#undef FIRSTS
+#undef SECONDS
 }
 #else
 typedef struct {
