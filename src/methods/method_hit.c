@@ -91,10 +91,13 @@ static void normal_at(const cylint_shape *shape, const frame *f,
     unit(normal, normal);
 }
 
-/* An angle of at most pi in size, in radians, as turns: in [0, 1). */
-static double turns_of_angle(double angle)
+/* The angle of (x, y) in turns: in [0, 1).  An angle that underflows is a quotient:
+ * atan2() would set errno. */
+static double angle_in_turns(double x, double y)
 {
-    const double pi = 3.14159265358979323846, turns = angle / (2 * pi);
+    const int is_tiny = x > 0 && fabs(y) < x * DBL_MIN;
+    const double pi = 3.14159265358979323846;
+    const double turns = (is_tiny ? y / x : atan2(y, x)) / (2 * pi);
     const double positive = turns < 0 ? turns + 1 : turns;
     return positive < 1 ? fabs(positive) : 0; /* no -0 */
 }
@@ -129,7 +132,7 @@ void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
     if (want & CYLINT_WANT_Z)
         hit->z = z;
     if (want & CYLINT_WANT_PHI)
-        hit->phi = x == 0 && y == 0 ? 0 : turns_of_angle(atan2(y, x));
+        hit->phi = x == 0 && y == 0 ? 0 : angle_in_turns(x, y);
     if (want & CYLINT_WANT_NORMAL)
         normal_at(shape, &f, line->d, x, y, z, part, hit->normal);
 }

@@ -24,7 +24,7 @@
  *     All of it is inside the solid: it crosses, without a hit.
  *
  * Kept as printed: 1 - (u.v)^2, which cancels where u is nearly parallel to
- * v.
+ * v.  Where it becomes negative, the hits are NaN and are left out.
  */
 #include "methods.h"
 
@@ -47,7 +47,7 @@ static cylint_method_chord shene_cylinder_chord(const double D[3],
     if (d == r)
         return chord_between(CYLINT_RELATION_TOUCH, t_P, t_P);
     const double cosine = dot(u, v);
-    const double half = sqrt((r * r - d * d) / (1 - cosine * cosine));
+    const double half = cylint_sqrt((r * r - d * d) / (1 - cosine * cosine));
     return chord_between(CYLINT_RELATION_CROSS, t_P - half, t_P + half);
 }
 

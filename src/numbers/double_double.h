@@ -8,8 +8,7 @@
 #ifndef CYLINT_DOUBLE_DOUBLE_H
 #define CYLINT_DOUBLE_DOUBLE_H
 
-#include <math.h>
-
+#include "compiler.h"
 #include "environment.h"
 
 typedef struct {
@@ -76,10 +75,11 @@ static inline pair pair_div(pair a, pair b)
     return fast_two_sum(q, remainder / b.hi);
 }
 
-/* a > 0.  Relative error at most CYLINT_PAIR_SQRT. */
+/* a > 0.  Relative error at most CYLINT_PAIR_SQRT.  NaN where a number that
+ * underflowed is negative. */
 static inline pair pair_sqrt(pair a)
 {
-    const double s = sqrt(a.hi);
+    const double s = cylint_sqrt(a.hi);
     const pair p = two_prod(s, s);
     return fast_two_sum(s, (((a.hi - p.hi) - p.lo) + a.lo) / (2 * s));
 }

@@ -8,6 +8,7 @@
  * contract: tangents, rims, lines along a ruling, in a cap's plane or through an
  * apex, and where the print of a method is wrong or leaves out a case.
  */
+#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -313,6 +314,25 @@ TEST(each_member_is_written_by_itself)
         cylint_quadratic(&c.shape, &c.line, wants[i], &a);
         CHECK(a.relation == all.relation && a.n == want.n &&
               same_bytes(a.hit, want.hit, sizeof a.hit));
+    }
+}
+
+/* Square roots of negative numbers and angles that underflow set errno in some C
+ * libraries. */
+TEST(methods_do_not_change_errno)
+{
+    EACH_CASE(c, 20240229, 400) {
+        c.ends = number % 2 ? CYLINT_ENDS_INFINITE : c.ends;
+        family_make(&c);
+        for (const cylint_method *m = cylint_methods(); m->name; m++) {
+            cylint_answer a;
+            errno = 0;
+            m->answer(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
+            if (!CHECK(errno == 0)) {
+                REPORT("--method=%s: errno %d", m->name, errno);
+                REPORT_CASE(&c);
+            }
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #ifndef CYLINT_TEST_ENVIRONMENT_H
 #define CYLINT_TEST_ENVIRONMENT_H
 
+#include <errno.h>
 #include <fenv.h>
 #include <stdint.h>
 
@@ -111,14 +112,15 @@ static inline void environment_set(struct environment e)
     treat_subnormals(e.tiny);
     environment_as_set.rounding = e.rounding;
     environment_as_set.found = cylint_selftest();
+    errno = 0;
 }
 
 /* Sets the default one.  What was called since environment_set() must not have
- * changed it. */
+ * changed it, nor errno. */
 static inline void environment_reset(void)
 {
     CHECK(fegetround() == environment_as_set.rounding &&
-          cylint_selftest() == environment_as_set.found);
+          cylint_selftest() == environment_as_set.found && errno == 0);
     environment_set(environment_of(0));
 }
 

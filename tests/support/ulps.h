@@ -4,6 +4,7 @@
 #ifndef CYLINT_ULPS_H
 #define CYLINT_ULPS_H
 
+#include <errno.h>
 #include <math.h>
 
 /* The unit in the last place of x. */
@@ -17,10 +18,12 @@ static inline double ulp(double x)
 /* x moved by the given number of ulp, at most to the largest double. */
 static inline double stepped(double x, int ulps)
 {
+    const int kept = errno; /* nextafter() sets it beside 0 */
     for (; ulps > 0; ulps--)
         x = nextafter(x, HUGE_VAL);
     for (; ulps < 0; ulps++)
         x = nextafter(x, -HUGE_VAL);
+    errno = kept;
     return x;
 }
 
