@@ -14,6 +14,7 @@
 #include "cylint_pieces.h"
 #include "same.h"
 #include "shapes/shape_facts.h"
+#include "ulps.h"
 #include "vectors.h"
 
 /* All members but phi, whose reference direction may change. */
@@ -287,15 +288,6 @@ static inline int may_be_cut_at_hits(const struct family_case *c)
     return good;
 }
 
-/* The sum, and whether it is exact. */
-static inline int add_exactly(double *x, double y)
-{
-    const double sum = *x + y;
-    const int exact = fabs(sum) <= DBL_MAX && sum - *x == y && sum - y == *x;
-    *x = sum;
-    return exact;
-}
-
 /* A whole line from o + 2 d along 3 d has the same hits. */
 static inline int may_begin_anywhere(const struct family_case *given)
 {
@@ -361,18 +353,6 @@ static inline int is_permuted(const struct family_case *c)
 static inline int is_mirrored(const struct family_case *c)
 {
     return is_moved(c, 0, 1) && is_moved(c, 0, 6) && is_moved(c, 1, 4);
-}
-
-/* Multiplies by 2^e; returns whether that is exact. */
-static inline int scale_exactly(double *x, int n, int e)
-{
-    int exact = 1;
-    for (int i = 0; i < n; i++) {
-        const double y = ldexp(x[i], e);
-        exact = exact && fabs(y) <= DBL_MAX && ldexp(y, -e) == x[i];
-        x[i] = y;
-    }
-    return exact;
 }
 
 /* Whether y is 2^e x, or one of them may be rounded: it is no normal number. */

@@ -1,10 +1,11 @@
 /*
- * ulps.h - the difference of two numbers in units in the last place (ulp)
+ * ulps.h - units in the last place (ulp), and operations that must not round
  */
 #ifndef CYLINT_ULPS_H
 #define CYLINT_ULPS_H
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 
 /* The unit in the last place of x. */
@@ -25,6 +26,27 @@ static inline double stepped(double x, int ulps)
         x = nextafter(x, -HUGE_VAL);
     errno = kept;
     return x;
+}
+
+/* Adds y; returns whether that is exact. */
+static inline int add_exactly(double *x, double y)
+{
+    const double sum = *x + y;
+    const int exact = fabs(sum) <= DBL_MAX && sum - *x == y && sum - y == *x;
+    *x = sum;
+    return exact;
+}
+
+/* Multiplies by 2^e; returns whether that is exact. */
+static inline int scale_exactly(double *x, int n, int e)
+{
+    int exact = 1;
+    for (int i = 0; i < n; i++) {
+        const double y = ldexp(x[i], e);
+        exact = exact && fabs(y) <= DBL_MAX && ldexp(y, -e) == x[i];
+        x[i] = y;
+    }
+    return exact;
 }
 
 #endif
