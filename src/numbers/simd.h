@@ -134,7 +134,6 @@ static inline vm m_not(vm m)
 {
     return _mm_xor_pd(m, _mm_castsi128_pd(_mm_set1_epi32(-1)));
 }
-static inline vm m_turned(vm m) { return v_turned(m); }
 static inline vm m_firsts(vm m) { return v_firsts(m, m); }
 static inline vm m_seconds(vm m) { return v_seconds(m, m); }
 static inline vm m_from(unsigned bits)
@@ -210,7 +209,6 @@ static inline vm m_not(vm m) { return ~m; }
 static inline vm m_and(vm a, vm b) { return a & b; }
 static inline vm m_or(vm a, vm b) { return a | b; }
 static inline vm m_and_not(vm a, vm b) { return a & ~b; }
-static inline vm m_turned(vm m) { return (vm){m[1], m[0]}; }
 static inline vm m_firsts(vm m) { return (vm){m[0], m[0]}; }
 static inline vm m_seconds(vm m) { return (vm){m[1], m[1]}; }
 static inline unsigned m_bits(vm m)

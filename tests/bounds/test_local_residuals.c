@@ -11,7 +11,7 @@
 #include "distance/error_bounds.h"
 #define INLINE static inline
 
-static constant TRIPLE = {"TRIPLE", CYLINT_LOCAL_LEVELS, 0},
+static constant LEVELS = {"LEVELS", CYLINT_LOCAL_LEVELS, 0},
                 ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0},
                 CLOSE = {"CLOSE_ERROR", CYLINT_CLOSE_ERROR, 0};
 
@@ -305,9 +305,9 @@ TEST(a_residual_in_levels_has_its_bound)
         tangent_levels(s, s * STEP);
         elliptic_levels(s, s * STEP);
     }
-    judge_in(&TRIPLE, "levels", "levels");
+    judge_in(&LEVELS, "levels", "levels");
     round_levels();
-    judge_in(&TRIPLE, "round levels", "levels");
+    judge_in(&LEVELS, "round levels", "levels");
 }
 
 /* One operation on triples of the size 1, |c| <= 2^-104. */
@@ -436,6 +436,6 @@ TEST(a_distance_in_triples_has_its_bound)
 
 TEST(no_constant_is_four_times_too_large)
 {
-    check_slack(&TRIPLE);
+    check_slack(&LEVELS);
     check_slack(&ROUNDING);
 }
