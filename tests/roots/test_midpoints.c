@@ -138,7 +138,7 @@ static void expect_in_domains(const struct family_case *c, double t)
     }
 }
 
-/* Beside the midpoint: the shape is moved along the line by one ulp of its point. */
+/* Beside the midpoint: the shape is moved along the line by an ulp of its point. */
 static void expect_beside(const struct family_case *c, double lower,
                           double upper)
 {
