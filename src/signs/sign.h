@@ -42,13 +42,17 @@ const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
 
 /* Signs and roots of a cylinder or capsule do not depend on the length of the axis
  * w.  Along a coordinate's direction it becomes a unit vector, by which products
- * are exact.  A scaled axis stays as it is: a component can have become 0. */
+ * are exact.  The bits of the stored axis show that: a component of w, or of a
+ * scaled axis, can have been flushed to 0. */
 static inline void cylint_shorten_axis(const cylint_query *q, bounded_pair w[3])
 {
-    const int x = w[0].v.hi != 0, y = w[1].v.hi != 0, z = w[2].v.hi != 0;
-    if (x + y + z == 1 && q->near_shape == q->shape &&
-        (q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_CAPSULE))
-        w[y + 2 * z] = bounded_pair_of(w[y + 2 * z].v.hi > 0 ? 1 : -1, 0);
+    const double *axis = cylint_axis(q->shape);
+    if (q->near_shape != q->shape ||
+        (q->kind != CYLINT_KIND_CYLINDER && q->kind != CYLINT_KIND_CAPSULE))
+        return;
+    for (int i = 0; i < 3; i++)
+        if (cylint_runs_along(axis, i))
+            w[i] = bounded_pair_of(cylint_sign(axis[i]), 0);
 }
 
 /* The sign of a form, exactly, by the cheapest arithmetic that is certain. */
