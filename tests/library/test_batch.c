@@ -8,7 +8,6 @@
  * most MOST lines and MOST pairs.
  */
 #include <math.h>
-#include <pthread.h>
 #include <stdint.h>
 
 #define CHECK_OWN_MAIN
@@ -422,46 +421,6 @@ TEST(the_lower_number_is_nearest_for_equal_t)
               (size_t)ahead);
         check_nearest_and_count(&line, cases, FEW, &usual);
     }
-}
-
-/* -------------------------------------------------------------- threads -- */
-
-enum { SHARED_LINES = 24 };
-
-struct share {
-    const cylint_pack *pack;
-    size_t nearest[SHARED_LINES], count[SHARED_LINES];
-    double t[SHARED_LINES], t0[MOST];
-};
-
-static void *query_all(void *at)
-{
-    struct share *s = at;
-    cylint_columns columns = {.t0 = s->t0};
-    for (size_t i = 0; i < SHARED_LINES; i++) {
-        cylint_hit hit = {0};
-        s->nearest[i] =
-            cylint_nearest(s->pack, &drawn[i].line, CYLINT_WANT_T, &hit);
-        s->t[i] = hit.t;
-        s->count[i] = cylint_count(s->pack, &drawn[i].line, 0);
-        cylint_intersect_shapes(s->pack, &drawn[i].line, &columns);
-    }
-    return NULL;
-}
-
-TEST(threads_share_a_pack)
-{
-    static struct share of[2];
-    pthread_t thread[2];
-    draw_mixed(MOST);
-    const cylint_pack pack = lay_pack(drawn, MOST, &usual);
-    for (int i = 0; i < 2; i++) {
-        of[i].pack = &pack;
-        CHECK(pthread_create(&thread[i], NULL, query_all, &of[i]) == 0);
-    }
-    for (int i = 0; i < 2; i++)
-        CHECK(pthread_join(thread[i], NULL) == 0);
-    CHECK(same_bytes(&of[0], &of[1], sizeof of[0]));
 }
 
 /* The last test: the best kernels are in use then. */

@@ -380,6 +380,12 @@ test_symbols()
     none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
         awk '$3 !~ /^(cylint_scene_|cylint_piece_rows_)/ { print $3 }')" \
         a_scenes_library_exports_only_scenes
+    # So threads share only what callers pass.  `tiny` and `least` are volatile
+    # constants; PARANOID=1 counts stages.
+    [ -n "${PARANOID:-}" ] || ! objdump -t "$lib"/libcylint*.a |
+        awk '/ O (\.t?(data|bss)|\*COM\*)[ \t]/ && $NF !~ /(^|\.)(tiny|least)(\.[0-9]+)?$/ { print $NF }' |
+        grep -v '^cylint_build_used$'
+    verdict the_only_state_is_the_choice_of_kernels $?
     # Functions of math.h, and those that compilers call for loops and copies.
     math='acos asin atan atan2 ceil copysign cos cospi fabs floor fma fmax fmin fmod frexp
         hypot ilogb ldexp log log2 logb lrint modf nearbyint nextafter pow rint round scalbln

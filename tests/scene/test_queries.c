@@ -8,8 +8,6 @@
  */
 #include <float.h>
 #include <math.h>
-#include <pthread.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define CHECK_OWN_MAIN
@@ -18,7 +16,7 @@
 #include "environment.h"
 #include "shapes/shape_facts.h"
 
-enum { SHAPES = 1200, NEAR = 150, LINES = 20, POINTS = 1, THREADS = 8 };
+enum { SHAPES = 1200, NEAR = 150, LINES = 20, POINTS = 1 };
 
 static size_t lines_of_a_kind, points_of_a_place = POINTS;
 static size_t n_lines, n_hit, n_points, n_near, n_inside, most_found;
@@ -597,64 +595,6 @@ TEST(a_scene_made_in_any_environment_finds_its_shapes)
                     REPORT("tip %a, line %d", tip, i);
             }
         }
-}
-
-/* -------------------------------------------------------------- threads -- */
-
-enum { QUESTIONS = 10 * LINES_KINDS };
-
-static cylint_line drawn[QUESTIONS];
-
-/* What one thread found, of lines and of their origins. */
-static struct part {
-    pthread_t thread;
-    const cylint_scene *scene;
-    struct {
-        size_t nearest, count, all, closest, within;
-        double t, distance;
-    } found[QUESTIONS];
-} parts[THREADS];
-
-static void *answer_part(void *argument)
-{
-    struct part *p = argument;
-    for (int i = 0; i < QUESTIONS; i++) {
-        const cylint_line *line = &drawn[i];
-        cylint_hit hit = {0};
-        cylint_closest near = {0};
-        size_t numbers[16];
-        p->found[i].nearest =
-            cylint_scene_nearest(p->scene, line, CYLINT_WANT_T, &hit);
-        p->found[i].count = cylint_scene_count(p->scene, line, 2);
-        p->found[i].all = cylint_scene_all(p->scene, line, 0, numbers, 16);
-        p->found[i].closest =
-            cylint_scene_closest(p->scene, line->o, HUGE_VAL, 0, &near);
-        p->found[i].within =
-            cylint_scene_within(p->scene, line->o, 2 * fabs(near.distance), 0,
-                                0, numbers, NULL, 16);
-        p->found[i].t = hit.t;
-        p->found[i].distance = near.distance;
-    }
-    return NULL;
-}
-
-TEST(threads_share_a_scene_with_the_same_answers)
-{
-    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, check_seed());
-    OWN_SCENE *scene = open_scene(&of, 2);
-    for (uint64_t i = 0; i < QUESTIONS; i++)
-        scene_line(&of, (enum scene_lines)(i % LINES_KINDS), check_seed(), i,
-                   &drawn[i]);
-    for (int i = 0; i < THREADS; i++) {
-        parts[i].scene = scene;
-        if (pthread_create(&parts[i].thread, NULL, answer_part, &parts[i]))
-            abort();
-    }
-    for (int i = 0; i < THREADS; i++) {
-        pthread_join(parts[i].thread, NULL);
-        CHECK(
-            same_bytes(parts[i].found, parts[0].found, sizeof parts[0].found));
-    }
 }
 
 TEST(every_status_has_its_text)
