@@ -21,8 +21,6 @@ enum { MOST = 600, FEW = 21, COLUMNS = 12 };
 enum { DISTANCE, PART, FEATURE, POINT, SIDE = 9, ON, SAFETY };
 enum { ALL = (1 << COLUMNS) - 1, MEMBERS = 0x3f << POINT };
 
-static const double origin[3] = {0, 0, 0};
-
 /* -------------------------------------------------------------- layout -- */
 
 static struct guarded coordinates[3], shape_pages, pages[COLUMNS];
@@ -383,33 +381,6 @@ TEST(of_equal_shapes_the_first_is_closest)
     CHECK(cylint_closest_shape(s, 1, p, HUGE_VAL, 0, &a) == 1);
     CHECK(cylint_closest_shape(s, 3, odd, HUGE_VAL, 0, &a) == 3);
     CHECK(cylint_closest_shape(&refused, 1, p, HUGE_VAL, 0, &a) == 1);
-}
-
-/* Known by hand, without families. */
-TEST(refused_shapes_and_points_answer_as_documented)
-{
-    static const double top[3] = {0, 0, 2};
-    static const double x[4] = {0, 1, NAN, 9}, y[4] = {0, 0, 0, HUGE_VAL},
-                        z[4] = {1, 1, 1, 1};
-    static const signed char want[4] = {1, 0, -1, -1};
-    const cylint_points points = {4, {x, y, z}};
-    cylint_shape s[4];
-    for (int refused = 0; refused < 2; refused++)
-        for (int each = 0; each < 2; each++) {
-            const cylint_closest_columns to = lay_answers(4, ALL, 0, 1);
-            for (int i = 0; i < 4; i++)
-                cylint_cylinder(&s[i], origin, refused ? origin : top, 1,
-                                CYLINT_ENDS_CAPPED);
-            answer_batches(s, each, &points, refused ? HUGE_VAL : 0, &to);
-            for (int i = 0; i < 4; i++) {
-                const int none = refused || i > 1;
-                CHECK(((signed char *)column[SIDE])[i] ==
-                      (refused ? -1 : want[i]));
-                CHECK(((signed char *)column[ON])[i] == (!none && i == 1));
-                CHECK(none ? ((double *)column[SAFETY])[i] == HUGE_VAL
-                           : ((double *)column[SAFETY])[i] <= 1 - i);
-            }
-        }
 }
 
 int main(void)
