@@ -30,11 +30,6 @@ typedef struct {
     vm is_lateral, is_plane, is_ball, is_apex, is_top;
 } vfeature;
 
-INLINE vm is_feature(const vnearest *n, int feature)
-{
-    return v_eq(n->feature, v_set(feature));
-}
-
 INLINE vfeature feature_of(const vnearest *n, const shape_lanes *s, int kind)
 {
     const vm none = m_from(0);

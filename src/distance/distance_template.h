@@ -100,6 +100,10 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     if (with_part)
         find_feature(n, m, s, &p);
     NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
+    /* Of a cone that is nearly a disc, `low` of a plane can be the same. */
+    if (with_part && tapered)
+        n->d.value =
+            pick(is_feature(n, CYLINT_FEATURE_LATERAL), lateral, n->d.value);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */

@@ -139,6 +139,11 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
     n->certain = m_and(n->certain, v_lt(M + M, s->height.hi));
 }
 
+INLINE vm is_feature(const vnearest *n, int feature)
+{
+    return v_eq(n->feature, v_set(feature));
+}
+
 /* Where both are positive. */
 INLINE vm are_positive(vd x, vd y)
 {

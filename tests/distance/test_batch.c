@@ -364,6 +364,27 @@ TEST(batches_answer_as_single_questions_in_any_environment)
     }
 }
 
+/* Above the upper end of the lateral line its distance and that of the end's plane
+ * are one double: lanes have to subtract the right one from the point. */
+TEST(cones_that_are_nearly_discs_have_their_nearest_points)
+{
+    enum { N = 40 };
+    struct family_case c = case_of("cone 0 0 0 1.25  0 0 1 0.5");
+    stream = 45;
+    EACH_KERNELS(k)
+        for (int flat = 24; flat < 60; flat++) {
+            c.shape_data[6] = ldexp(1, -flat);
+            family_make(&c);
+            for (size_t i = 0; i < N; i++) {
+                drawn[i] = c;
+                place_of_case[i][0] = 0.5 + power(-12, -1);
+                place_of_case[i][1] = 0;
+                place_of_case[i][2] = between(0, 1);
+            }
+            check_batch(0, N, &usual);
+        }
+}
+
 /* Of shape 0 no part is present. */
 TEST(of_equal_shapes_the_first_is_closest)
 {
