@@ -98,7 +98,7 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
                         tapered ? v_sum_of(C, z, S * rounded(x0)) : z,
                         tapered ? v_sum_of(C, above, S * rounded(x1)) : above};
     if (with_part)
-        find_feature(n, m, s, &p);
+        find_feature(n, m, &p);
     NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
     /* Of a cone that is nearly a disc, `low` of a plane can be the same. */
     if (with_part && tapered)

@@ -109,8 +109,7 @@ INLINE vd margin_of(const half_plane *m)
 }
 
 /* The feature of a closed shape, and where it is certain. */
-INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
-                         const vsection *p)
+INLINE void find_feature(vnearest *n, const half_plane *m, const vsection *p)
 {
     const vd M = margin_of(m);
     const vd t = p->z + p->above, a = p->a;
@@ -136,7 +135,6 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
     n->feature =
         v_select(cap, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
                  n->feature);
-    n->certain = m_and(n->certain, v_lt(M + M, s->height.hi));
 }
 
 INLINE vm is_feature(const vnearest *n, int feature)

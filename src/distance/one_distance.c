@@ -30,7 +30,6 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
     head_tail_nearest(&n, &m, &s, kind, with_part);
     if (!(n.d.high <= n.d.low) || !n.certain || !cylint_rounds_to_nearest())
         return 0;
-    answer->flags = 0;
     if (with_part)
         cylint_write_feature(shape, (int)n.feature, answer);
     answer->distance = n.d.low;
