@@ -177,6 +177,7 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
                              const half_plane *m, const shape_lanes *s,
                              const vd x[3], int kind)
 {
+    /* mutant '0' -> '1': slower, the members are left to the next stage */
     const vd zero = v_set(0);
     const int round = cylint_is_round(kind), ball = kind == CYLINT_KIND_SPHERE;
     const int tapered = cylint_is_tapered(kind);

@@ -32,6 +32,7 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
         s->axis[i] = pairs_trimmed(vpair_product(s->axis[i], inverse));
     s->r[1] =
         pairs_trimmed(vpair_product(s->height, (vpair){cylint_r1(shape), 0}));
+    /* mutant '*' -> '+': slower, the errors of small shapes are larger */
     s->reach = (s->height.hi + s->r[1].hi) * CYLINT_SLACK;
 }
 
@@ -93,9 +94,10 @@ static int is_exactly_across(const pair x[3], const pair y[3])
     return sum.hi == 0 && lost == 0;
 }
 
-/* 1 where the foot on the lateral line, which is at cosine z + sine x from the end
- * of it, is beyond that end, 0 at it, -1 before it.  z is that from the end itself.
- * In the centre of a ball the sign is 0.  x: `across`. */
+/* 1 where the point's foot on the lateral line is beyond end `end` of the line, 0
+ * where it is that end, -1 before it: the sign of cosine z + sine across, of the base
+ * the opposite, with z and `across` from the rim or from the centre of a ball.  In that
+ * centre it is 0. */
 ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
                        const cylint_shape *shape, const double point[3],
                        int end, pair across)

@@ -86,6 +86,7 @@ static int is_farther(const cylint_shape *s, const double point[3],
                  Z = point[2] - center[2];
     const double most =
         (cylint_larger(least, 0) + radius) * CYLINT_SLACK + 0x1p-400;
+    /* mutant '+' -> '-': slower, more distances are computed */
     return most < 0x1p511 && X * X + Y * Y + Z * Z > most * most;
 }
 

@@ -33,6 +33,7 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
     if (with_part)
         cylint_write_feature(shape, (int)n.feature, answer);
     answer->distance = n.d.low;
+    /* mutant '1' -> '2': only whether it is 0 is used */
     return 1;
 }
 
@@ -44,6 +45,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
                               const double point[3], int kind, unsigned want,
                               cylint_closest *answer)
 {
+    /* mutant '>' -> '>=': slower, where a distance of 0 has no error */
     if (!(fabs(rounded(n->d.value)) > n->d.error)) {
         want |= CYLINT_ON_SURFACE;
     } else if (!is_certain(&n->d)) {
@@ -80,6 +82,18 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     return want;
 }
 
+/* Whether the nearest point or the normal depends on the direction from the axis, and
+ * pairs have too few digits of it. */
+INLINE int needs_direction(const vnearest *n, const half_plane *m, int kind)
+{
+    return n->certain && kind != CYLINT_KIND_SPHERE &&
+           /* mutant '<' -> '<=', '&&' -> '||': slower, triples have all digits */
+           !(m->rho_error < CYLINT_NEEDS_DIRECTION * m->rho.hi) &&
+           /* mutant '&&' -> '||': slower */
+           n->feature != CYLINT_FEATURE_CAP0 &&
+           n->feature != CYLINT_FEATURE_CAP1;
+}
+
 /* kind: of the shape; a constant for spheres, which have no axis. */
 INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
                                 const double point[3], unsigned want,
@@ -97,10 +111,9 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
                 (int)n.feature != CYLINT_FEATURE_RIM0
             ? want & CYLINT_WANT_GEOMETRY
             : 0;
-    if (want & CYLINT_WANT_GEOMETRY & ~geometry && n.certain &&
-        kind != CYLINT_KIND_SPHERE &&
-        !(m.rho_error < CYLINT_NEEDS_DIRECTION * m.rho.hi) &&
-        n.feature != CYLINT_FEATURE_CAP0 && n.feature != CYLINT_FEATURE_CAP1) {
+    /* mutant '&&' -> '||': slower */
+    if (want & CYLINT_WANT_GEOMETRY & ~geometry &&
+        needs_direction(&n, &m, kind)) {
         half_plane copy = m;
         find_direction(&copy, shape, point);
         m = copy;

@@ -25,6 +25,7 @@ INLINE vd sides_of_lanes(const frames *f, const vd point[3], int solid)
     const place where = place_in_doubles(&l, solid);
     const vm inside = m_and(l.in_range, where.inside);
     const vm outside = m_and(l.in_range, where.before);
+    /* mutant '1' -> '2': slower, that is undecided */
     return v_select(inside, v_set(1),
                     v_select(outside, v_set(-1), v_set(CYLINT_SIDE_UNDECIDED)));
 }
@@ -58,6 +59,7 @@ static void answer_points(const cylint_shape *shape,
     if (solid == CYLINT_SOLID_NONE || points->n < LANES)
         return;
     broadcast_shape(&f, shape);
+    /* mutant '<' -> '<=': slower, the last lanes once more */
     for (size_t i = 0; i < points->n; i += BLOCK) {
         const size_t ahead = points->n - i;
         const size_t first = ahead < LANES ? points->n - LANES : i;
