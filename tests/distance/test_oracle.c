@@ -178,26 +178,6 @@ static int is_as_near(const cylint_shape *s, const double p[3],
            !(fabs(size - fabs(got->distance)) > 8 * fmax(of_p, of_point));
 }
 
-/* Without point and normal the distance comes from other kernels. */
-static void check_less_wanted(const struct family_case *c, const double p[3],
-                              const cylint_closest *all)
-{
-    for (unsigned want = 0; want <= CYLINT_WANT_PART;
-         want += CYLINT_WANT_PART) {
-        cylint_closest got;
-        memset(&got, 0, sizeof got);
-        const double returned = cylint_distance(&c->shape, p, want, &got);
-        if (!CHECK(returned == all->distance && got.distance == all->distance &&
-                   got.flags == 0 &&
-                   (!want ||
-                    (got.part == all->part && got.feature == all->feature)))) {
-            REPORT_POINT(c, p);
-            REPORT("want %u gives %.17g part %d feature %d", want, got.distance,
-                   got.part, got.feature);
-        }
-    }
-}
-
 /* Of elliptic kinds a nearest point that the oracle does not choose may be right:
  * it is on the surface, and as far away. */
 static int is_right_too(const cylint_shape *s, const double p[3],
@@ -236,9 +216,7 @@ static void check_point(const struct family_case *c, const double p[3],
                              : error_of(got.point, want.point, 0);
         off.normal = error_of(got.normal, want.normal, elliptic ? 0x1p-80 : 0);
     }
-    if (!elliptic)
-        check_less_wanted(c, p, &got);
-    else if (is_right_too(s, p, &got, &want, off.feature))
+    if (elliptic && is_right_too(s, p, &got, &want, off.feature))
         sum->ties++, off.feature = 0, off.point = off.normal = 0;
     check_differences(c, p, sum, &got, &want, off);
 }
