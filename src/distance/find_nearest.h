@@ -94,10 +94,10 @@ static int is_exactly_across(const pair x[3], const pair y[3])
     return sum.hi == 0 && lost == 0;
 }
 
-/* 1 where the point's foot on the lateral line is beyond end `end` of the line, 0
- * where it is that end, -1 before it: the sign of cosine z + sine across, of the base
- * the opposite, with z and `across` from the rim or from the centre of a ball.  In that
- * centre it is 0. */
+/* 1 where the point's foot on the lateral line is beyond the end of it, 0 where it
+ * is that end, -1 before it: at the top the sign of cosine z + sine across, at the
+ * base the opposite, with z and `across` from the rim or from the centre of a ball.
+ * In that centre it is 0. */
 ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
                        const cylint_shape *shape, const double point[3],
                        int end, pair across)

@@ -82,8 +82,8 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     return want;
 }
 
-/* Whether the nearest point or the normal depends on the direction from the axis, and
- * pairs have too few digits of it. */
+/* Whether the nearest point or the normal depends on the direction from the axis,
+ * and pairs have too few digits of it. */
 INLINE int needs_direction(const vnearest *n, const half_plane *m, int kind)
 {
     return n->certain && kind != CYLINT_KIND_SPHERE &&

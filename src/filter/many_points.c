@@ -99,7 +99,7 @@ static void answer_pairs(const cylint_shape *shapes,
                          const cylint_points *points, signed char *side)
 {
     size_t number[CYLINT_SOLIDS][LANES];
-    /* mutant '0' -> '1': the first is that of no solid, whose pairs stay undecided */
+    /* mutant '0' -> '1': the first is of no solid, and is not used */
     int count[CYLINT_SOLIDS] = {0};
     for (size_t i = 0; i < points->n; i++) {
         const int solid = cylint_prepared(&shapes[i]);
