@@ -56,7 +56,8 @@ SHORT = [("library/test_hits", {}), ("shapes/test_constructors", {}),
 FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
         ("numbers/test_exact", {}), ("scene/test_paths", {}),
         ("numbers/test_double_double", {}), ("shapes/test_errors", {}),
-        ("library/test_properties", {}), ("library/test_batch", {})]
+        ("library/test_properties", {}), ("library/test_batch", {}),
+        ("distance/test_batch", {"CYLINT_CASES": "3"})]  # batches of contains
 DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
             ("bounds/test_distance_bounds", {"CYLINT_CASES": "400"}),
             ("distance/test_batch", {"CYLINT_CASES": "3"}),
