@@ -4,8 +4,9 @@
  *
  * The hierarchy finds a shape of several pieces several times.  A direct-mapped
  * cache of the shapes that were tested last saves repeated tests.  A hash table
- * with open addressing has those that were visited; if it is full, the piece that
- * contains the first hit or the nearest point decides.
+ * with open addressing has those that were visited; if it is full, one piece of a
+ * shape decides: the one that contains the first hit, or has the least bound of its
+ * distance from the point.
  */
 #include <math.h>
 #include <stddef.h>
@@ -59,8 +60,7 @@ static inline uint32_t *slot_of(tested_shapes *s, uint32_t number)
 /* Tests a shape and calls back for it.  Returns whether it did. */
 typedef int shape_test(void *visit, size_t number);
 
-/* Whether the lane's piece contains the first hit or the nearest point of its
- * shape. */
+/* Whether the lane's piece is the one that decides about its shape. */
 typedef int owner_test(const void *visit, const cylint_leaf *leaf, int lane);
 
 /* Tests the shape of a lane, unless it was tested. */
@@ -488,44 +488,87 @@ static void point_to_frame(const cylint_frame *frame, const double point[3],
         x[j] = (point[j] - frame->view.center[j]) * frame->view.scale;
 }
 
-/* The axial coordinate of a point in the frame; 0 for a shape whose axis is lost to
- * underflow, all lanes of which are tested always. */
-static double axial_of(const cylint_swept_disc *disc, const double x[3])
+/* The pieces of a shape and a point, in the frame. */
+typedef struct {
+    cylint_swept_disc disc;
+    double reach[3], x[3];
+    uint16_t count;
+} shape_pieces;
+
+/* The distance of the point from the box of piece i. */
+static double from_box(const shape_pieces *p, uint16_t i)
 {
-    double across[3], zz = 0, zx = 0;
+    const cylint_extent box =
+        cylint_piece_box(&p->disc, p->reach, (cylint_shape_piece){i, p->count});
+    double square = 0;
     for (int j = 0; j < 3; j++) {
-        const int k = (j + 1) % 3, l = (j + 2) % 3;
-        across[j] = disc->elliptic
-                        ? disc->a[k] * disc->b[l] - disc->a[l] * disc->b[k]
-                        : disc->axis[j];
-        zz += across[j] * disc->axis[j];
-        zx += across[j] * (x[j] - disc->base[j]);
+        const double x = p->x[j];
+        const double d =
+            x - cylint_smaller(cylint_larger(x, (double)box.lower[j]),
+                               (double)box.upper[j]);
+        square += d * d;
     }
-    return fabs(zz) > 0 ? zx / zz : 0;
+    return sqrt(square);
 }
 
 /*
- * Whether the lane's piece contains the nearest point of the surface or solid,
- * computed in doubles; of a solid that holds the point it is the point.  That
- * piece is within v->radius, but for an error that is less than the bounds of
- * traverse_point.c allow for, so its lane is never rejected; and it is the same
- * piece whenever the shape is tested.
+ * The same for a capsule that contains piece i, negative in it.  Its axis is longer
+ * than the piece by what an oblique section reaches along it; where balls end the
+ * piece, it is shorter at the smaller one.  So it lies in the bound of leaf.c.
+ * NaN if the axis is lost to underflow.
  */
-static int owns_nearest_point(const void *self, const cylint_leaf *leaf,
-                              int lane)
+static double from_capsule(const shape_pieces *p, uint16_t i)
+{
+    const cylint_swept_disc *disc = &p->disc;
+    const cylint_piece_hull h =
+        cylint_piece_hull_of((cylint_shape_piece){i, p->count}, disc->k[0],
+                             disc->k[1], disc->round, disc->shift);
+    const double k = cylint_larger(h.k[0], h.k[1]);
+    double D[3], z[2], square = 0;
+    for (int end = 0; end < 2; end++) {
+        const double shorter =
+            cylint_smaller((k - h.k[end]) / disc->length, h.z[1] - h.z[0]);
+        const double longer =
+            disc->round ? -shorter : k * disc->along / disc->length;
+        z[end] = h.z[end] + (end ? longer : -longer);
+    }
+    for (int j = 0; j < 3; j++)
+        D[j] = p->x[j] - disc->base[j];
+    const double nearest =
+        cylint_dot(D, disc->axis) / cylint_dot(disc->axis, disc->axis);
+    const double at = cylint_smaller(cylint_larger(nearest, z[0]), z[1]);
+    for (int j = 0; j < 3; j++) {
+        const double d = D[j] - at * disc->axis[j];
+        square += d * d;
+    }
+    return sqrt(square) - k * disc->across;
+}
+
+/*
+ * Whether the lane's piece is the first of those of its shape for which the larger
+ * of the two distances is least.  For the piece with the nearest point neither is
+ * above v->radius if the shape is near.  So that holds for this piece, but for an
+ * error that is less than traverse_point.c allows for: its lane is never rejected.
+ */
+static int owns_point(const void *self, const cylint_leaf *leaf, int lane)
 {
     const point_visit *v = self;
-    cylint_shape shape;
-    cylint_swept_disc disc;
-    cylint_closest answer;
-    double x[3];
-    make_tested(v, leaf->number[lane], &shape);
-    cylint_distance(&shape, v->point, CYLINT_WANT_POINT, &answer);
-    const int is_point =
-        v->nearness != CYLINT_NEAR_SURFACE && answer.distance < 0;
-    point_to_frame(&v->scene->frame, is_point ? v->point : answer.point, x);
-    cylint_swept_disc_of(&disc, &v->scene->frame.view, &shape);
-    return cylint_leaf_owns(leaf, lane, axial_of(&disc, x));
+    const cylint_shape_piece own = cylint_leaf_piece(leaf, lane);
+    shape_pieces p = {.count = own.count};
+    point_to_frame(&v->scene->frame, v->point, p.x);
+    cylint_swept_disc_at(&p.disc, &v->scene->frame.view, leaf->number[lane]);
+    cylint_swept_disc_reach(&p.disc, p.reach);
+    const double most =
+        cylint_larger(from_capsule(&p, own.index), from_box(&p, own.index));
+    for (uint16_t i = 0; i < own.count; i++) {
+        const double capsule = from_capsule(&p, i);
+        if (i == own.index || capsule > most)
+            continue;
+        const double larger = cylint_larger(capsule, from_box(&p, i));
+        if (i < own.index ? larger <= most : larger < most)
+            return 0;
+    }
+    return 1;
 }
 
 static int test_point_leaf(void *self, const cylint_leaf *leaf,
@@ -543,7 +586,7 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
         if (least[lane] > v->reach)
             break;
         lanes &= ~(1u << lane);
-        test_lane(&v->tested, leaf, lane, test_point_at, owns_nearest_point, v);
+        test_lane(&v->tested, leaf, lane, test_point_at, owns_point, v);
     }
     return v->stopped;
 }

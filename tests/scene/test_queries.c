@@ -319,6 +319,38 @@ TEST(shapes_of_many_pieces_count_once)
     CHECK(most_found > 250);
 }
 
+/* Elliptic cylinders that are flat but for the last bits of their semi-axes, so
+ * that no plane between two pieces can be computed in doubles.  All hold 0: their
+ * numbers have so few bits that c is exact. */
+static void fill_sheets(struct scene_shapes *of)
+{
+    for (size_t i = 0; i < of->n;) {
+        const double z = (double)below(1024) * 0x1p-10,
+                     u = (double)below(9) * 0.125 - 0.5;
+        double c[3], a[3], b[3], h[3];
+        for (int j = 0; j < 3; j++) {
+            a[j] = (double)below(1 << 24) * 0x1p-28;
+            b[j] = a[j] + ((double)below(5) - 2) * 0x1p-57;
+            h[j] = 0.625 + (double)below(1 << 20) * 0x1p-24;
+            c[j] = -z * h[j] - u * a[j];
+        }
+        i += cylint_elliptic_cylinder(&of->shapes[i], c, a, b, h,
+                                      CYLINT_ENDS_CAPPED) == CYLINT_OK;
+    }
+}
+
+TEST(flat_shapes_of_several_pieces_hold_their_points)
+{
+    static const double zero[3] = {0, 0, 0};
+    static cylint_shape shapes[BUNDLED];
+    struct scene_shapes of = {.name = "sheets", .shapes = shapes, .n = BUNDLED};
+    for (int k = 0; k < 8; k++) {
+        fill_sheets(&of);
+        OWN_SCENE *scene = open_scene(&of, 1);
+        CHECK(cylint_scene_contains(scene, zero, 0) == BUNDLED);
+    }
+}
+
 /* Copies of one shape, and points as near to two of its pieces. */
 TEST(equal_shapes_are_found_in_order)
 {
