@@ -27,14 +27,15 @@ static void set_elliptic_reach(cylint_swept_disc *t, double ww)
 }
 
 /* A single ball: its centre moves by a small part of its radius, because a leaf
- * needs the direction of an axis. */
+ * needs the direction of an axis.  Its z can be that of a round cone of which it is
+ * an end, so each piece is the whole ball. */
 static void set_one_ball(cylint_swept_disc *t)
 {
     t->k[1] = t->k[0];
     t->axis[0] = t->k[0] * 0x1p-10;
     t->axis[1] = t->axis[2] = 0;
     t->length = t->axis[0];
-    t->shift = 0;
+    t->shift = 1;
 }
 
 void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,

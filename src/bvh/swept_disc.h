@@ -25,7 +25,7 @@ typedef struct cylint_swept_disc {
     int elliptic, round;
     int solid;    /* a cylinder with both caps */
     int ends;     /* a cylint_ends */
-    double shift; /* of a round shape: cylint_section_shift() */
+    double shift; /* of a round shape: cylint_section_shift(); of one ball 1 */
 } cylint_swept_disc;
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */

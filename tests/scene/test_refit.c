@@ -144,6 +144,45 @@ TEST(shapes_move_to_the_ends_of_the_range)
         }
 }
 
+/* Round cones that begin near 0, of this length along each coordinate. */
+static void fill_round_cones(cylint_shape shapes[SHAPES], double length,
+                             double radius)
+{
+    for (int i = 0; i < SHAPES; i++) {
+        double p[3], q[3];
+        for (int j = 0; j < 3; j++) {
+            p[j] = between(-0.025, 0.025);
+            q[j] = p[j] + length;
+        }
+        cylint_round_cone(&shapes[i], p, radius * between(1, 1.5), q, 0.001,
+                          CYLINT_ENDS_CAPPED);
+    }
+}
+
+/* One ball holds the other, whose pieces are those of the needles.  There are more
+ * of them than the set of a query holds. */
+TEST(needles_become_balls)
+{
+    static cylint_shape shapes[SHAPES];
+    static struct line_answers got, due;
+    fill_round_cones(shapes, 1, 0.001);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    fill_round_cones(shapes, 0.05, 0.2);
+    CHECK(cylint_scene_refit(scene, 0, SHAPES, shapes) == CYLINT_SCENE_OK);
+    for (int k = 0; k < 100; k++) {
+        cylint_line line;
+        double p[3], q[3];
+        for (int j = 0; j < 3; j++) {
+            p[j] = between(-1, 1);
+            q[j] = between(-0.15, 0.15);
+        }
+        cylint_segment(&line, p, q);
+        line_by_loop(shapes, SHAPES, &line, &due);
+        line_in_scene(scene, &line, &got);
+        CHECK(same_line_answers(&got, &due));
+    }
+}
+
 TEST(what_is_refused_changes_nothing)
 {
     static cylint_shape shapes[SHAPES], moved[SHAPES];
