@@ -14,10 +14,12 @@
 
 /* -------------------------------------------------------------- pieces -- */
 
-/* About half the area of the cylinder around the swept disc, of the larger k. */
+/* About half the area of the cylinder around the swept disc, of the larger k, which
+ * boxes of floats make thicker by some units in the last place of their sides. */
 static double half_surface(const cylint_swept_disc *t, double k)
 {
-    const double pi = 3.14159265358979323846, r = k * t->across;
+    const double pi = 3.14159265358979323846;
+    const double r = k * t->across + 0x1p-22 * cylint_largest(t->base);
     return pi * r * (r + t->length + k * t->along);
 }
 

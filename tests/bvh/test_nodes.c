@@ -105,6 +105,27 @@ TEST(scenes_without_good_splits_have_correct_nodes)
     }
 }
 
+/* A piece of a shape that is smaller than the steps of floats has the same box. */
+TEST(tiny_shapes_are_not_cut)
+{
+    enum { N = 800 };
+    static cylint_shape shapes[N];
+    const struct scene_shapes of = {.shapes = shapes, .n = N};
+    for (int e = 0; e < 60; e += 2) {
+        const double r = ldexp(0.01, -e);
+        cylint_bvh bvh;
+        for (int i = 0; i < N; i++) {
+            const double p[3] = {between(1, 2), between(1, 2), between(1, 2)};
+            CHECK(cylint_sphere(&shapes[i], p, r, CYLINT_ENDS_CAPPED) ==
+                  CYLINT_OK);
+        }
+        if (!build_bvh(&bvh, &of, 1))
+            return;
+        CHECK(bvh.n_leaves == N / CYLINT_LEAF_SIZE);
+        cylint_bvh_free(&bvh);
+    }
+}
+
 /* -------------------------------------------------------------- threads -- */
 
 /* Enough shapes for five threads; some calls use more. */
