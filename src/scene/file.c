@@ -81,15 +81,14 @@ static size_t elements_of(const file_header *h, section i)
 #if defined(__unix__) || defined(__APPLE__)
 
 /* Whether another file can take the place of this one: not of a pipe, a device, a
- * folder, or a link that leads to no file. */
+ * folder, or a link that leads to no name, as /dev/stdout to a removed file. */
 static int is_replaceable(const char *path)
 {
     struct stat about;
-    return stat(path, &about) == 0 ? S_ISREG(about.st_mode)
-                                   : lstat(path, &about) != 0;
+    return lstat(path, &about) != 0 || S_ISREG(about.st_mode);
 }
 
-/* The file that a path or a link leads to, to be freed; NULL: there is none. */
+/* The name that a path or a link leads to, to be freed; NULL: there is none. */
 #define file_of(path) realpath(path, NULL)
 
 static void unmap_file(void *memory)
@@ -368,7 +367,7 @@ static cylint_scene_status read_file(cylint_memory *m, FILE *file)
         bytes += fread((char *)m->data + bytes, 1, m->bytes - bytes, file);
         if (bytes < m->bytes)
             break;
-        if (m->bytes > SIZE_MAX / 2 ||
+        if (m->bytes > PTRDIFF_MAX / 2 ||
             !cylint_memory_resize(m, NULL, 2 * m->bytes))
             return CYLINT_SCENE_EMEMORY;
     }

@@ -283,6 +283,22 @@ TEST(a_link_stays_a_link)
     CHECK(created && remove(link) == 0 && remove(path) == 0);
 }
 
+/* As /dev/stdout, if that is a temporary file that has no name. */
+TEST(a_link_to_a_removed_file_is_written_through)
+{
+    char name[64];
+    struct stat about;
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    FILE *file = fopen(path, "wb");
+    if (!CHECK(file && remove(path) == 0))
+        return;
+    snprintf(name, sizeof name, "/proc/self/fd/%d", fileno(file));
+    if (access(name, W_OK) == 0)
+        CHECK(cylint_scene_save(empty, name) == CYLINT_SCENE_OK &&
+              fstat(fileno(file), &about) == 0 && about.st_size == 512);
+    fclose(file);
+}
+
 TEST(a_name_of_255_bytes_is_saved)
 {
     char folder[64], here[1024], name[256];
