@@ -496,7 +496,7 @@ typedef struct {
 } shape_pieces;
 
 /* The distance of the point from the box of piece i. */
-static double from_box(const shape_pieces *p, uint16_t i)
+static double distance_from_box(const shape_pieces *p, uint16_t i)
 {
     const cylint_extent box =
         cylint_piece_box(&p->disc, p->reach, (cylint_shape_piece){i, p->count});
@@ -517,7 +517,7 @@ static double from_box(const shape_pieces *p, uint16_t i)
  * piece, it is shorter at the smaller one.  So it lies in the bound of leaf.c.
  * NaN if the axis is lost to underflow.
  */
-static double from_capsule(const shape_pieces *p, uint16_t i)
+static double distance_from_capsule(const shape_pieces *p, uint16_t i)
 {
     const cylint_swept_disc *disc = &p->disc;
     const cylint_piece_hull h =
@@ -558,13 +558,13 @@ static int owns_point(const void *self, const cylint_leaf *leaf, int lane)
     point_to_frame(&v->scene->frame, v->point, p.x);
     cylint_swept_disc_at(&p.disc, &v->scene->frame.view, leaf->number[lane]);
     cylint_swept_disc_reach(&p.disc, p.reach);
-    const double most =
-        cylint_larger(from_capsule(&p, own.index), from_box(&p, own.index));
+    const double most = cylint_larger(distance_from_capsule(&p, own.index),
+                                      distance_from_box(&p, own.index));
     for (uint16_t i = 0; i < own.count; i++) {
-        const double capsule = from_capsule(&p, i);
+        const double capsule = distance_from_capsule(&p, i);
         if (i == own.index || capsule > most)
             continue;
-        const double larger = cylint_larger(capsule, from_box(&p, i));
+        const double larger = cylint_larger(capsule, distance_from_box(&p, i));
         if (i < own.index ? larger <= most : larger < most)
             return 0;
     }
