@@ -198,8 +198,9 @@ enum {
 
 /* Writes a finished scene to a file: writes PATH.NUMBER.new, which then takes the
  * place of PATH, or of the file to which a link PATH leads.  A pipe or a device is
- * written directly, and so is a new file to which a link leads.  EFILE: errno has
- * the reason, and PATH.NUMBER.new is removed. */
+ * written directly, and so is a file to which a link leads, if it is new or has no
+ * name (/dev/stdout).  EFILE: errno has the reason, and PATH.NUMBER.new is
+ * removed. */
 CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                                  const char *path);
 
