@@ -197,7 +197,8 @@ enum {
 };
 
 /* Writes a finished scene to a file: writes PATH.NUMBER.new, which then takes the
- * place of PATH, or of the file to which a link PATH leads.  A pipe or a device is
+ * place of PATH, or of the file to which a link PATH leads, and keeps that file's
+ * permissions and, if the system allows it, its owner.  A pipe or a device is
  * written directly, and so is a file to which a link leads, if it is new or has no
  * name (/dev/stdout).  EFILE: errno has the reason, and PATH.NUMBER.new is
  * removed. */

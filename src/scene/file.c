@@ -11,6 +11,7 @@
 #define _DEFAULT_SOURCE 1 /* fileno(), mmap(), realpath()... with -std=c99 */
 #endif
 #if defined(__unix__) || defined(__APPLE__)
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -91,6 +92,28 @@ static int is_replaceable(const char *path)
 /* The name that a path or a link leads to, to be freed; NULL: there is none. */
 #define file_of(path) realpath(path, NULL)
 
+/* Creates a file, which fails if the name exists, a link too.  It gets the
+ * permissions of the file `old`, if there is one, and its owner, if that is
+ * allowed. */
+static FILE *create_file(const char *name, const char *old)
+{
+    struct stat about;
+    const int has_old = stat(old, &about) == 0;
+    const int fd = open(name, O_WRONLY | O_CREAT | O_EXCL,
+                        has_old ? about.st_mode & 0777 : 0666);
+    if (fd < 0)
+        return NULL;
+    if (has_old &&
+        (fchown(fd, about.st_uid, about.st_gid) == 0 || errno == EPERM))
+        fchmod(fd, about.st_mode & 0777); /* open() leaves some out */
+    FILE *file = fdopen(fd, "wb");
+    if (!file) {
+        close(fd);
+        remove(name);
+    }
+    return file;
+}
+
 static void unmap_file(void *memory)
 {
     const cylint_memory *m = memory;
@@ -115,6 +138,11 @@ static int map_file(cylint_memory *m, FILE *file)
 
 #else
 
+#ifdef _WIN32
+#define create_file(name, old) fopen(name, "wb")
+#else
+#define create_file(name, old) fopen(name, "wbx")
+#endif
 #define getpid() 0
 #define is_replaceable(path) ((void)(path), 1)
 #define file_of(path) NULL
@@ -267,12 +295,6 @@ static int write_to_file(void *context, const void *data, size_t bytes)
     return fwrite(data, 1, bytes, context) == bytes;
 }
 
-#ifdef _WIN32
-#define NEW_FILE "wb"
-#else
-#define NEW_FILE "wbx" /* fails if the file or a link of this name exists */
-#endif
-
 /* Creates PATH.NUMBER.new and writes its name; of the last name of PATH, which can
  * have 255 bytes, it keeps 200.  Another thread, or a process of this number on
  * another machine, may write beside the same path. */
@@ -284,7 +306,7 @@ static FILE *create_beside(const char *path, char *beside, size_t bytes)
     FILE *file = NULL;
     for (long i = 0; !file && (i == 0 || (i < TRIES && errno == EEXIST)); i++) {
         snprintf(beside, bytes, "%.*s.%ld.new", kept, path, (long)getpid() + i);
-        file = fopen(beside, NEW_FILE);
+        file = create_file(beside, path);
     }
     return file;
 }

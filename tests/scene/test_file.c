@@ -283,6 +283,21 @@ TEST(a_link_stays_a_link)
     CHECK(created && remove(link) == 0 && remove(path) == 0);
 }
 
+/* Whatever the umask. */
+TEST(the_permissions_of_an_old_file_are_kept)
+{
+    static const mode_t modes[] = {0600, 0640, 0666, 0755};
+    struct stat about;
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
+    for (int i = 0; i < 4; i++) {
+        CHECK(chmod(path, modes[i]) == 0);
+        CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
+        CHECK(stat(path, &about) == 0 && (about.st_mode & 07777) == modes[i]);
+    }
+    CHECK(remove(path) == 0);
+}
+
 /* As /dev/stdout, if that is a temporary file that has no name. */
 TEST(a_link_to_a_removed_file_is_written_through)
 {
