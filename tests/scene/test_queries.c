@@ -372,6 +372,32 @@ TEST(equal_shapes_are_found_in_order)
     }
 }
 
+/* Thick oblique shapes of few pieces, whose boxes overlap, and radii at which a
+ * piece that is only a little farther is rejected. */
+TEST(one_piece_decides_about_a_shape_near_a_point)
+{
+    enum { COPIES = 220, TURNS = 90, POINTS_EACH = 60 };
+    static const double p[3] = {0, 0, 0}, q[3] = {8, 8, 8};
+    static cylint_shape shapes[COPIES];
+    stream = check_seed();
+    for (int k = 0; k < TURNS; k++) {
+        const double r = between(0.3, 1.2), end = r * between(0, 1);
+        for (int i = 0; i < COPIES; i++)
+            (k % 3 ? cylint_round_cone : cylint_cone)(
+                &shapes[i], p, r, q, k % 3 == 1 ? r : end, CYLINT_ENDS_CAPPED);
+        OWN_SCENE *scene = cylint_scene_new(shapes, COPIES, 1, NULL);
+        for (int i = 0; i < POINTS_EACH; i++) {
+            cylint_closest near;
+            double at[3];
+            const double middle = between(0, 8);
+            for (int j = 0; j < 3; j++)
+                at[j] = middle + r * between(-1, 1);
+            const double d = fabs(cylint_distance(shapes, at, 0, &near));
+            CHECK(cylint_scene_within_count(scene, at, d, 0, 0) == COPIES);
+        }
+    }
+}
+
 /* ------------------------------------------------------------ contracts -- */
 
 TEST(an_empty_scene_has_no_answers)
