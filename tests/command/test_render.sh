@@ -90,6 +90,10 @@ test_forest()
         [ ! -e $other.scene ] || cmp awk.scene $other.scene
         verdict "a_forest_is_the_same_under_$other" $?
     done
+    shapes=$(awk -v trees=48 -f "$top/tools/render/autumn.awk" | grep -vc '^#')
+    [ "$(sed -n 's/.*48 trees of \([0-9,]*\) .*/\1/p' "$top/README.md" \
+        "$top/man/cylint-render.1" | tr -d ,)" = "$(printf '%s\n' $shapes $shapes)" ]
+    verdict the_forest_of_the_README_has_so_many_shapes $?
 }
 
 test_manual
