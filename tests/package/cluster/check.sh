@@ -54,7 +54,7 @@ make_bad_input()
 
 clear_answers()
 {
-    rm -rf "$scratch/answers" "$scratch"/rays/*.answers "$scratch"/rays/*.part
+    rm -rf "$scratch/answers" "$scratch"/rays/*.answers
 }
 
 # Runs a recipe in the scratch folder, as the manual describes.
