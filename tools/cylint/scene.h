@@ -41,6 +41,11 @@ int solids_add(struct solids *solids, const cylint_member *member);
  * same first shape. */
 int solids_complete(struct solids *solids, size_t shapes, const char *file);
 
+/* Returns a new array with the number that the library gives to each solid, from 1:
+ * that of its first shape with in=, or of its first shape if it has none; 0 for a
+ * solid without members.  NULL: no memory.  All members have clauses. */
+size_t *solids_numbers(const struct solids *solids);
+
 void solids_free(struct solids *solids);
 
 /* -------------------------------------------------------------- scene -- */

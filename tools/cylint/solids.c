@@ -68,17 +68,20 @@ int solids_read(struct solids *s, size_t shape, struct string words,
 
 /* ------------------------------------------------------ equal numbers -- */
 
-/* Writes the number that the library gives to each solid, from 1: that of its
- * first shape with in=, or of its first shape if it has none.  The members' shapes
- * ascend. */
-static void number_solids(const struct solids *s, size_t *number)
+/* Complements count behind all other shapes. */
+size_t *solids_numbers(const struct solids *s)
 {
-    for (int is_complement = 0; is_complement < 2; is_complement++)
-        for (size_t i = 0; i < s->count; i++) {
-            const cylint_member *m = &s->member[i];
-            if (number[m->solid] == 0 && (m->clause < 0) == is_complement)
-                number[m->solid] = m->shape + 1;
-        }
+    const size_t behind = SIZE_MAX / 2;
+    size_t *number = calloc(s->count + 1, sizeof *number);
+    for (size_t i = 0; i < s->count && number; i++) {
+        const cylint_member *m = &s->member[i];
+        const size_t rank = m->shape + 1 + (m->clause < 0 ? behind : 0);
+        if (number[m->solid] == 0 || rank < number[m->solid])
+            number[m->solid] = rank;
+    }
+    for (size_t i = 0; i < s->count && number; i++)
+        number[i] -= number[i] > behind ? behind : 0;
+    return number;
 }
 
 static int refuse_number(const struct solids *s, const char *file, size_t solid,
@@ -95,22 +98,21 @@ static int refuse_number(const struct solids *s, const char *file, size_t solid,
 
 int solids_complete(struct solids *s, size_t shapes, const char *file)
 {
-    const size_t solids = s->names.texts.count;
     int status = 0;
     for (size_t i = 0; i < s->count; i++)
         if (s->member[i].clause == 0)
             s->member[i].clause = -++s->last_clause;
-    size_t *number = calloc(solids + shapes + 1, sizeof *number);
-    if (!number)
-        return out_of_memory();
-    size_t *solid_of = number + solids; /* of each number, from 1 */
-    number_solids(s, number);
-    for (size_t i = 0; i < solids && status == 0; i++) {
+    size_t *number = solids_numbers(s);
+    size_t *solid_of = calloc(shapes + 1, sizeof *solid_of); /* of a number */
+    if (!number || !solid_of)
+        status = out_of_memory();
+    for (size_t i = 0; status == 0 && i < s->names.texts.count; i++) {
         size_t *other = &solid_of[number[i]];
         if (*other > 0)
             status = refuse_number(s, file, *other - 1, i, number[i]);
         *other = i + 1;
     }
     free(number);
+    free(solid_of);
     return status;
 }

@@ -215,47 +215,31 @@ static uint32_t colour_of_shape(const struct colours *c, size_t i)
     }
 }
 
-/* Writes for each shape the first one of its solid that is not a complement; of
- * several solids that of the first, since members are sorted by solid
- * (boxes_make()).  Other shapes stand for themselves.  Returns NULL if there is no
- * memory. */
-static size_t *first_shapes_of_solids(const struct scene *scene)
+static void colour_one(struct colours *c, size_t i)
 {
-    const cylint_member *m = scene->solids.member;
-    const size_t n = scene->solids.count;
-    size_t *first_of = malloc((scene->count + 1) * sizeof *first_of);
-    for (size_t i = 0; i < scene->count && first_of; i++)
-        first_of[i] = scene->count;
-    for (size_t i = 0, end = 0; i < n && first_of; i = end) {
-        size_t first = scene->count;
-        for (; end < n && m[end].solid == m[i].solid; end++)
-            if (m[end].clause > 0 && m[end].shape < first)
-                first = m[end].shape;
-        for (size_t k = i; k < end; k++)
-            if (first_of[m[k].shape] == scene->count)
-                first_of[m[k].shape] = first;
-    }
-    for (size_t i = 0; i < scene->count && first_of; i++)
-        if (first_of[i] == scene->count)
-            first_of[i] = i;
-    return first_of;
+    if (c->of[i] == NO_COLOUR)
+        c->of[i] = colour_of_shape(c, i);
 }
 
-/* Members of a solid without a colour of their own have that of its first one,
- * which can be a member of an earlier solid. */
+/* Members of a solid without a colour of their own have that of its first shape.
+ * Members are sorted by solid (boxes_make()), so a shape of several solids has it
+ * from the first of them. */
 static int colour_others(struct colours *c)
 {
-    size_t *first_of = first_shapes_of_solids(c->scene);
-    if (!first_of)
+    const struct solids *s = &c->scene->solids;
+    size_t *number = solids_numbers(s);
+    if (!number)
         return out_of_memory();
-    for (size_t i = 0; i < c->scene->count; i++) {
-        size_t from = i;
-        while (c->of[from] == NO_COLOUR && first_of[from] != from)
-            from = first_of[from];
-        c->of[i] =
-            c->of[from] == NO_COLOUR ? colour_of_shape(c, from) : c->of[from];
+    for (size_t i = 0; i < s->count; i++) {
+        const size_t first = number[s->member[i].solid] - 1;
+        uint32_t *of_member = &c->of[s->member[i].shape];
+        colour_one(c, first);
+        if (*of_member == NO_COLOUR)
+            *of_member = c->of[first];
     }
-    free(first_of);
+    free(number);
+    for (size_t i = 0; i < c->scene->count; i++)
+        colour_one(c, i);
     return 0;
 }
 
