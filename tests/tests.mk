@@ -96,7 +96,7 @@ run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	$(MAKE) --no-print-directory -f tests/support/run.mk
 
-check: all $(BUILD)/tools/cylint.a $(if $(POSIX),$(BUILD)/demo/cylint) $(test_programs) $(BUILD)/tests/package/records $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) $(filter deps,$(MAKECMDGOALS)) ## run every test (PARANOID=1: each decision twice)
+check: all $(BUILD)/tools/cylint.a $(if $(POSIX),$(BUILD)/demo/cylint) $(test_programs) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels) $(filter deps,$(MAKECMDGOALS)) ## run every test (PARANOID=1: each decision twice)
 	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one
