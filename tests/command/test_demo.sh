@@ -41,15 +41,6 @@ awk -v counted="$(awk '$1 > 0' "$scan/answers.txt" | wc -l)" '
                  counted > 8000 && counted < 20000) }' "$scratch/first"
 verdict the_summary_agrees_with_the_answers $?
 
-# Hits on the ground have z = 0, to nine digits of d.
-paste "$scan/rays.txt" "$scan/answers.txt" | awk '
-    $10 == 1 { n++
-               z = $4 + $11 * $7
-               if (z > 1e-6 || z < -1e-6 || $12 != "cap1") wrong++ }
-    $10 == 0 && $7 < -0.1 { wrong++ }
-    END { exit !(n > 1000 && !wrong) }'
-verdict hits_on_the_ground_are_on_its_upper_cap_at_height_0 $?
-
 # The tallest hit is in a crown, not above the tallest tree.
 awk -v tallest="$(sed -n 's/^tallest hit: \([0-9.]*\) m.*/\1/p' "$scratch/first")" '
     /^cone/ && $8 > top { top = $8 }
