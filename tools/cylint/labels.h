@@ -22,7 +22,7 @@ struct labels {
 /* Adds the label of the next shape.  Returns 0, or an exit status after a
  * message. */
 int labels_add(struct labels *labels, struct string label);
-/* Uses the labels of a scene that was opened from `file`, in their place.
+/* Uses the labels of a scene that was opened from `file`, without a copy.
  * Returns 0, or an exit status after a message. */
 int labels_use(struct labels *labels, const cylint_scene *scene,
                const char *file);

@@ -58,7 +58,8 @@ struct note {
     char text[NOTE_CAPACITY];
 };
 
-/* The notes of a block, and of its present record, which is counted later. */
+/* The notes of a block.  note[kept] is that of the present record, until
+ * count_bad() or make_remark() keeps it. */
 struct notes {
     unsigned long long line, record; /* the present record's numbers */
     const char *text,

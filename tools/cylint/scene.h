@@ -102,8 +102,8 @@ void scene_free(struct scene *scene);
 
 /* --------------------------------------------------------------- text -- */
 
-/* Bytes of a record that is refused as too long at the latest: 512 for the shape, a
- * line of solids, one more solid, and a label. */
+/* The most bytes that put_record() writes before it refuses a record as too long:
+ * 512 for the shape, a line of solids, one more solid, and a label. */
 enum { RECORD_MOST = 512 + 3 * LINE_MOST };
 
 /* Writes the arguments of a shape's constructor; that of an acone is its tangent,

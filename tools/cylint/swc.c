@@ -194,8 +194,8 @@ static size_t first_of_cycle(const struct swc *swc, size_t start)
     return first;
 }
 
-/* Follows the parents of each node to a root or to a node followed before:
- * to one of the same path, if they form a cycle. */
+/* Follows the parents of each node to a root or to a node of an earlier path.  A
+ * path that comes to a node of its own has a cycle. */
 static int refuse_cycles(const struct swc *swc)
 {
     for (size_t start = 1; start <= node_count(swc); start++) {

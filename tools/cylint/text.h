@@ -26,7 +26,7 @@ enum {
     SHOWN_CAPACITY = 4 * SHOWN_MOST + 4
 };
 
-/* A part of a text; its end is not marked. */
+/* A part of a text; no NUL follows. */
 struct string {
     const char *text;
     size_t length;

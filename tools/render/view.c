@@ -83,7 +83,7 @@ static const char *set_directions(struct view *view, struct vector forward,
  * (p - e).(+-right - h forward) <= 0, where h is half the picture's width at the
  * distance 1.  Let m be the maximum of p.(...) over the scene, for each sign: then
  * e.(...) >= m.  The sum of the two bounds how far forward e may be; the difference
- * gives its place between the planes.  *half_width is divided by a margin first.
+ * gives its place between the planes.
  */
 static struct vector between_edges(const struct boxes *boxes,
                                    struct vector right, struct vector forward,
