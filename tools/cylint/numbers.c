@@ -79,17 +79,25 @@ static size_t write_not_finite(char *out, double value)
     return strlen(word);
 }
 
-/* Writes the mantissa as a number from 1 to 2, because libraries differ in the
- * leading digits of others and of subnormals.  It ends with p+0. */
+/* Libraries differ in the leading digits of numbers and of subnormals: here the
+ * leading digit is 1, or 0 of zero. */
 static size_t write_hex(char *out, double value)
 {
     struct text t = {out, 0};
     int exponent;
-    const double mantissa = 2 * frexp(fabs(value), &exponent);
+    double digits = 2 * frexp(fabs(value), &exponent);
+    const int leading = (int)digits;
+    exponent -= leading;
     put_word(&t, signbit(value) ? "-0x" : "0x");
-    t.length += cylint_write_digits(out + t.length, mantissa, NUMBER_HEX) - 2;
-    exponent = mantissa > 0 ? exponent - 1 : 0;
-    put_char(&t, exponent < 0 ? '-' : '+');
+    put_whole(&t, (unsigned)leading);
+    digits -= leading;
+    if (digits > 0)
+        put_char(&t, '.');
+    for (; digits > 0; digits -= (int)digits) {
+        digits *= 16;
+        put_char(&t, "0123456789abcdef"[(int)digits]);
+    }
+    put_word(&t, exponent < 0 ? "p-" : "p+");
     put_whole(&t, (unsigned)abs(exponent));
     return t.length;
 }

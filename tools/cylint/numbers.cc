@@ -20,9 +20,8 @@ extern "C" size_t cylint_write_digits(char *out, double value, int digits)
 {
     char *const end = out + NUMBER_CAPACITY;
     const auto written =
-        digits == NUMBER_SHORTEST ? std::to_chars(out, end, value)
-        : digits == NUMBER_HEX
-            ? std::to_chars(out, end, value, std::chars_format::hex)
+        digits == NUMBER_SHORTEST
+            ? std::to_chars(out, end, value)
             : std::to_chars(out, end, value, std::chars_format::general,
                             digits);
     return static_cast<size_t>(written.ptr - out);

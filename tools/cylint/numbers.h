@@ -45,7 +45,7 @@ size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits);
  * the C library (numbers_c.c) where no compiler has it.  Both write the same
  * bytes. cylint_read_decimal() reads a decimal number that begins with a digit,
  * a point or a minus sign before them.  cylint_write_digits() writes a finite
- * value; with NUMBER_HEX one from 1 to 2, or 0, without "0x".
+ * value in decimal digits.
  */
 const char *cylint_read_decimal(const char *text, const char *end,
                                 double *value);

@@ -56,12 +56,7 @@ static size_t write_shortest(char out[NUMBER_CAPACITY], double value)
 
 size_t cylint_write_digits(char *out, double value, int digits)
 {
-    char text[NUMBER_CAPACITY];
-    if (digits == NUMBER_SHORTEST)
-        return write_shortest(out, value);
-    if (digits != NUMBER_HEX)
-        return (size_t)snprintf(out, NUMBER_CAPACITY, "%.*g", digits, value);
-    const int length = snprintf(text, sizeof text, "%a", value) - 2;
-    memcpy(out, text + 2, (size_t)length);
-    return (size_t)length;
+    return digits == NUMBER_SHORTEST
+               ? write_shortest(out, value)
+               : (size_t)snprintf(out, NUMBER_CAPACITY, "%.*g", digits, value);
 }
