@@ -53,7 +53,7 @@ run_pytest()
         "$python" -m pytest -q -p no:cacheprovider "$top/tests/python") \
         > "$scratch/pytest" 2>&1
     status=$?
-    # nanobind prints its notices after pytest's last line
+    # nanobind prints what it leaks at exit after pytest's last line
     sums=$(grep -E '^[0-9]+ [a-z]+(, .*)? in [0-9.]+s' "$scratch/pytest")
     passed_here=$(echo "$sums" | sed -n 's/^.*\b\([0-9][0-9]*\) passed.*/\1/p')
     failed_here=$(echo "$sums" | sed -n 's/^.*\b\([0-9][0-9]*\) \(failed\|error\).*/\1/p')
@@ -62,6 +62,8 @@ run_pytest()
     [ $status -eq 0 ] && [ "${passed_here:-0}" -gt 50 ] ||
         { cat "$scratch/pytest"; false; }
     verdict pytest_ran_the_tests_and_examples $?
+    ! grep -A 9 '^nanobind: leaked' "$scratch/pytest"
+    verdict no_instance_of_the_module_is_left_at_exit $?
 }
 
 make_sdist

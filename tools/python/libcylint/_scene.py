@@ -273,7 +273,7 @@ class Scene:
         if isinstance(columns, str):
             columns = _columns(given.shape, columns)
         found = query(
-            self._scene, given.core_of(len(self)), rule or _PLAIN, columns,
+            self._scene, given.core_of(len(self)), rule, columns,
             workers(given.threads), given.progress,
         )
         if not found:
@@ -575,7 +575,6 @@ class Scene:
         return self._answer(_core.Scene.contains, points, "i")[0]
 
 
-_PLAIN = _core.Scene.Rule(0, None, None, 0, False)
 _TYPES = {"i": np.int64, "t": np.float64, "b": np.int8, "?": np.bool_}
 
 

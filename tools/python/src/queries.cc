@@ -349,9 +349,11 @@ struct Balls {
  * which are in the order of the lines or points.  Returns True or the arrays of
  * rows; None if a line is refused. */
 template <class From, class Answers, auto query>
-nb::object answer(const Scene &scene, const From &from, const Rule &rule,
-                  Outputs columns, int threads, const Callback &progress)
+nb::object answer(const Scene &scene, const From &from,
+                  const std::optional<Rule> &given, Outputs columns,
+                  int threads, const Callback &progress)
 {
+    const Rule rule = given.value_or(Rule{0, {}, {}, 0, false});
     const Question q = {scene.scene.get(), scene.size(), rule,
                         rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
     const auto held = scene.use;
