@@ -387,46 +387,25 @@ def test_convert_writes_the_scene_that_is_read(convert, tmp_path):
     assert text.count("\n") == 6
 
 
-def test_convert_reads_trees_and_neurons(convert, tmp_path):
+def test_convert_reads_trees(convert):
     assert convert("qsm", "-t", given=TREEQSM.encode())[1] == (
         "cylinder 1 2 3 1 2 5 0.5 1\ncylinder 1 2 3 1.1 2 3 0.4 2\n"
     )
     status, text, said = convert("qsm", "--round", given=(HEAD + POINTS).encode())
     assert text == "capsule 1 2 3 1 2 4 0.5 7\nrcone 1 2 4 0.5 1 2 4 0.5 8\n"
     assert said == "libcylint: -: 1 cylinder of no radius skipped\n"
-    nodes = b"1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n"
-    cone = "cone 0 0 10 1 0 0 0 2 2\n"
-    assert convert("swc", given=nodes) == (0, cone, "")
-    for name in ("a.swc", "a=b"):
-        (tmp_path / name).write_bytes(nodes)
-        assert convert("swc", tmp_path / name) == (0, cone, "")
-    assert convert("swc", "--swc=round", tmp_path / "a=b", tmp_path / "a.swc")[1] == (
-        2 * "sphere 0 0 0 2 1\nrcone 0 0 10 1 0 0 0 2 2\n"
-    )
 
 
 def test_convert_has_the_status_of_the_command(convert, tmp_path):
     bad = tmp_path / "bad"
     bad.write_text("1 1 0 0 0 2 x\n")
-    status, text, said = convert("swc", bad)
-    assert (status, text) == (1, "")
-    assert said == f"libcylint: {bad}:1:13: expected a node's number or -1, found 'x'\n"
     assert convert("qsm", bad)[0] == convert("pdb", bad)[0] == 1
-    status, text, said = convert("molecule", tmp_path / "none")
-    assert (status, text) == (3, "")
-    assert said == f"libcylint: {tmp_path / 'none'}: No such file or directory\n"
-    folder = tmp_path / "a.swc"
-    folder.mkdir()
-    said = f"libcylint: {folder}: Is a directory\n"
-    assert convert("swc", folder) == (3, "", said)
-    point = tmp_path / "point"  # named in messages, although a copy is read
-    point.write_text("1 1 0 0 0 2 -1\n2 3 0 0 0 1 1\n")
-    said = f"libcylint: {point}: 1 edge of no length skipped\n"
-    assert convert("swc", point) == (0, "", said)
-    for wrong in ((), ("pov",), ("swc", "--swc=oval"), ("pdb", "-r", "thick")):
+    for name, why in ((tmp_path / "none", "No such file or directory"), (tmp_path, "Is a directory")):
+        assert convert("molecule", name) == (3, "", f"libcylint: {name}: {why}\n")
+    for wrong in ((), ("pov",), ("pdb", "-r", "thick")):
         status, text, said = convert(*wrong)
         assert status == 2 and text == "" and said.startswith("usage: ")
-    for kind in ((), ("molecule",), ("qsm",), ("swc",)):
+    for kind in ((), ("molecule",), ("qsm",)):
         status, text, _ = convert(*kind, "--help")
         assert status == 0 and "usage: python -m libcylint convert" in text
     if os.path.exists("/dev/full"):
@@ -494,13 +473,11 @@ def recipe(tmp_path):
 def test_the_formats_of_the_manual(recipe, tmp_path):
     (tmp_path / "molecule.pdb").write_text(CHAIN)
     (tmp_path / "tree.csv").write_text(HEAD + POINTS[:17])
-    (tmp_path / "neuron.swc").write_text("1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n")
     recipe(display("formats").replace("pip ", ": pip "))
     count = {
-        name: len(cylint.read_scene(tmp_path / f"{name}.scene"))
-        for name in ("molecule", "tree", "neuron")
+        name: len(cylint.read_scene(tmp_path / f"{name}.scene")) for name in ("molecule", "tree")
     }
-    assert count == {"molecule": 6 + 5, "tree": 1, "neuron": 2}
+    assert count == {"molecule": 6 + 5, "tree": 1}
 
 
 def test_half_of_the_points_are_near_a_stem(recipe, tmp_path):

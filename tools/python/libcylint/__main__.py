@@ -3,31 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import os
 import signal
 import sys
-import tempfile
 import warnings
 from contextlib import suppress
 from typing import Any
 
-from ._files import (
-    BAD, IO, MEMORY, contents, read_begun, read_scene, scene_text, standard,
-)
+from ._files import BAD, IO, MEMORY, scene_text, standard
 from ._molecules import read_molecule
-from ._shapes import Shapes, all_shapes
 from ._trees import read_qsm
-
-
-def _read_neuron(path: str, swc: str) -> Shapes:
-    """A neuron in a file of any name, or of standard input."""
-    if path.endswith((".swc", ".SWC")):
-        return read_scene(path, swc=swc)
-    with tempfile.TemporaryDirectory() as folder:
-        name = os.path.join(folder, "neuron.swc")
-        with open(name, "wb") as file:
-            file.write(contents(path))
-        return all_shapes(read_begun(name, ends=None, swc=swc, shown=path))
 
 
 def _arguments() -> argparse.Namespace:
@@ -58,9 +42,6 @@ def _arguments() -> argparse.Namespace:
     add = kind("qsm", read_qsm, "trees as tables of cylinders")
     add("-t", "--treeqsm", action="store_true", help="text of TreeQSM, without header")
     add("--round", action="store_true", help="capsules in place of cylinders")
-    add = kind("swc", _read_neuron, "neurons: a frustum from each node to its parent")
-    add("--swc", choices=["cones", "round"], default="cones",
-        help="round: round cones, and a ball at each root")
     return parser.parse_args()
 
 

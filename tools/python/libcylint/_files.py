@@ -55,10 +55,9 @@ def read_scene(
 
 
 def read_begun(
-    path: str | os.PathLike[str], *, ends: Any, swc: str | None, shown: str | None = None
+    path: str | os.PathLike[str], *, ends: Any, swc: str | None
 ) -> _core.Scene:
-    """A scene that is begun, by the arguments of `read_scene`.  shown: the file's name
-    in messages, if it is another one."""
+    """A scene that is begun, by the arguments of `read_scene`."""
     code = _NOT_GIVEN if ends is None else int(codes_of(ends))
     name = os.fsdecode(path)
     if swc not in (None, "cones", "round"):
@@ -71,8 +70,6 @@ def read_begun(
         with open(name, "rb"):
             pass
     status, begun, messages = _core.read_scene(os.fsencode(name), code, swc == "round")
-    if shown is not None:
-        messages = [text.replace(name, shown) for text in messages]
     if status != 0:
         text = "; ".join(messages)
         errors = {BAD: ValueError, USAGE: ValueError, MEMORY: MemoryError}
