@@ -63,8 +63,10 @@ def takes(make: Callable[_P, _Made]) -> Callable[
 
 def array_of(name: str, value: ArrayLike, kind: Any = None) -> NDArray[Any]:
     """An array without masked elements: NumPy would take their numbers for data."""
-    rows = value if isinstance(value, (list, tuple)) else (value,)
-    if any(isinstance(row, np.ma.MaskedArray) and row.mask.any() for row in rows):
+    rows = (value,) if isinstance(value, np.ma.MaskedArray) else value
+    if isinstance(rows, (list, tuple)) and any(
+        isinstance(row, np.ma.MaskedArray) and row.mask.any() for row in rows
+    ):
         raise ValueError(f"{name}: an element is masked")
     try:
         return np.asarray(value, kind)
@@ -78,7 +80,7 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     An aligned array of float64 is returned as it is, whatever its strides.  A
     new array is read-only, so that `owned` does not copy it.
     """
-    given = array = array_of(name, value)
+    given = array = value if type(value) is np.ndarray else array_of(name, value)
     if given.dtype != _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
             raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
@@ -95,7 +97,7 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
             raise TypeError(f"{name}: {error}") from None
         except (OverflowError, ValueError) as error:
             raise ValueError(f"{name}: {error}") from None
-    if array is not given or isinstance(value, (list, tuple)):
+    if array is not given or isinstance(value, (list, tuple, float, int)):
         array.flags.writeable = False
     if width > 1 and (array.ndim == 0 or array.shape[-1] != width):
         raise ValueError(
