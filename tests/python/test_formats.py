@@ -139,6 +139,20 @@ def test_the_first_location_and_the_first_model_are_read(molecule, form):
     assert sorted([*sticks.p0[:, 0], *sticks.p1[:, 0]]) == [-1.7, 0]
 
 
+@pytest.mark.parametrize("form", [str, twin])
+def test_alternate_are_atoms_with_a_letter_alone(molecule, form):
+    """Not atoms of one name, as Open Babel writes them, or residues of one number, as
+    after 9999.  A residue with letters can be the alternate of another one."""
+    text = "".join(
+        atom(i, name, 5 * i, 0, 0, name.strip()[0], alt=alt, residue=residue)
+        for i, (name, alt, residue) in enumerate((
+            (" C", "", "UNL A   1"), (" C", "", "UNL A   1"), (" O", "", "ION A   1"),
+            (" N", "A", "SER A   2"), (" N", "B", "THR A   2"), (" CB", "B", "THR A   2"),
+        ))  # fmt: skip
+    )
+    assert molecule(form(text), stick=0, ball=1).c[:, 0].tolist() == [0, 5, 10, 15]
+
+
 def test_waters_may_be_left_out(molecule):
     text = CHAIN + atom(9, " O", 30, 0, 0, "O", residue="HOH A 401")
     assert len(molecule(text, stick=0, ball=1)) == 7
@@ -229,6 +243,7 @@ def test_mmcif_has_texts_quotes_and_rows_over_lines(molecule):
         (atom(1, " C", 0, "oops", 0, "C"), {}, r":1: expected a number in columns 39 to 46, found 'oops'"),
         (atom(1, " C", 0, "1_2.5", 0, "C"), {}, r":1: expected a number in .* found '1_2.5'"),
         ("REMARK 2 \u00c5, 3 \u00c5\n" + atom(1, " C", 0, "oops", 0, "C"), {}, r":2: expected a number"),
+        (atom(1, " C", 0, "oops", 0, "C").lower(), {}, r":1: expected a number in columns 39 to 46"),
         (atom(1, " C", 0, 0, "nan", "C"), {}, r"atom A:1:GLY:C has no coordinates"),
         (atom(1, "XX", 0, 0, 0, "XX"), {}, r"atom A:1:GLY:XX has no known element"),
         (CIF.replace("1.50(2)", "1.5x"), {}, r"atom A:1:U:C2\" has no coordinates"),

@@ -58,9 +58,9 @@ def read_molecule(
     if stick == 0 and ball == 0:
         raise ValueError("stick and ball are 0: nothing to make")
     name = os.fspath(path)
-    model = _model(name, waters)
-    atoms = [*model.all()]
+    model = _model(name, waters)  # its atoms live as long as it does
     try:
+        atoms = _first_locations(model)
         labels = np.array([_label(cra) for cra in atoms], object)
     except UnicodeDecodeError as error:
         raise ValueError(f"{name}: {error}") from None
@@ -79,7 +79,7 @@ def read_molecule(
 
 
 def _model(name: str, waters: bool) -> Any:
-    """The first model of a file, with one location for each atom."""
+    """The first model of a file."""
     try:
         import gemmi  # type: ignore[import-not-found, unused-ignore]
     except ImportError:
@@ -91,7 +91,6 @@ def _model(name: str, waters: bool) -> Any:
         raise ValueError(f"{name}: {error}") from None
     if structure.input_format == gemmi.CoorFormat.Pdb:
         _check_columns(name, data.decode("latin-1"))
-    structure.remove_alternative_conformations()
     if not waters:
         structure.remove_waters()
     if len(structure) == 0 or structure[0].count_atom_sites() == 0:
@@ -99,10 +98,27 @@ def _model(name: str, waters: bool) -> Any:
     return structure[0]
 
 
+def _first_locations(model: Any) -> list[Any]:
+    """The atoms of a model, of alternate locations the first.  Atoms without a letter
+    for the location may have one name: Open Babel writes C, C, C."""
+    parts = [part for part, chain in enumerate(model) for residue in chain for _ in residue]
+    residues: dict[Any, str] = {}  # the first one of each number; another is alternate
+    letters: dict[Any, str] = {}
+    atoms = []
+    for part, cra in zip(parts, model.all(), strict=True):
+        place, name, letter = (part, str(cra.residue.seqid)), cra.atom.name, cra.atom.altloc
+        residue = residues.setdefault(place, cra.residue.name)
+        first = letters.setdefault((place, name), letter)
+        if letter == "\0" or (residue, first) == (cra.residue.name, letter):
+            atoms.append(cra)
+    return atoms
+
+
 def _check_columns(name: str, text: str) -> None:
-    """gemmi reads what is no number as 0; Python accepts 1_2."""
+    """gemmi reads what is no number as 0; Python accepts 1_2.  gemmi finds a record by
+    four letters."""
     for row, line in enumerate(text.split("\n"), 1):
-        if line.startswith(("ATOM  ", "HETATM")):
+        if line[:4].upper() in ("ATOM", "HETA"):
             for column in (30, 38, 46):
                 try:
                     float(line[column : column + 8].replace("_", "?"))
