@@ -221,16 +221,6 @@ def test_no_reference_is_kept_or_lost():
     assert references(*watched) == before
 
 
-def test_a_scene_keeps_its_shapes_alive():
-    scene = cylint.Scene(forest(1000, 46))
-    o, d = drawn(500, 47)
-    want = scene.nearest(o, d).t
-    gc.collect()
-    junk = [np.full(29_000, np.nan) for _ in range(50)]
-    assert same(want, scene.nearest(o, d).t)
-    assert len(junk) == 50
-
-
 def read_only(array):
     array.flags.writeable = False
     return array

@@ -72,15 +72,6 @@ def test_a_shape_without_a_surface_has_no_distance():
     assert scene.within([0, 0, 9], np.inf).index.tolist() == [1]
 
 
-def test_scenes_without_shapes_and_calls_without_points():
-    none, nothing = np.empty((0, 3)), cylint.Scene(forest(5, 1)[:0])
-    assert nothing.closest([0, 0, 0]).index == -1
-    assert nothing.within_count([[0, 0, 0]], 1).tolist() == [0]
-    for scene in (nothing, cylint.Scene(ROD)):
-        assert len(scene.within(none, 1).point) == 0
-        assert scene.closest(none).point.shape == (0, 3)
-
-
 def test_arguments_that_do_not_fit_are_named():
     scene, two, three = cylint.Scene(ROD), np.zeros((2, 3)), [1, 2, 3]
     for call in (ROD.distance, ROD.closest, ROD.safety, ROD.on_surface):
@@ -149,13 +140,3 @@ def test_20000_points_equal_the_command(command, tmp_path, signed):
     counts = scene.within_count(points, radius, signed=signed)
     command(text, *options, "-q", "count", count=counts)
     command(text, *options, "-q", "any", any=counts > 0)
-
-
-def test_more_shapes_near_a_point_than_a_buffer_holds():
-    x = np.arange(1000.0)
-    p0 = np.c_[x, 0 * x, 0 * x]
-    scene = cylint.Scene(cylint.cylinder(p0, p0 + [0, 0, 1], 0.25))
-    every = scene.within([[-1, 0, 0.5], [-1, 0, 0.5]], [[600], [2000]])
-    assert every.point.tolist()[:3] == [0, 0, 0]
-    assert same(every.index[every.point == 0], np.arange(600))
-    assert same(every.distance[every.point == 3], x + 0.75)

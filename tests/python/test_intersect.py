@@ -7,7 +7,6 @@ from conftest import ROD, SHAPES, TEXTS, drawn, forest, records, refused, same
 import libcylint as cylint
 
 
-
 @pytest.mark.parametrize("name", SHAPES)
 def test_every_member_equals_the_command(command, name):
     o, d = drawn(2000, 11)
@@ -69,16 +68,6 @@ def test_points_outside_and_inside_are_next_to_hits():
     thin = cylint.cylinder([0, 0, 1], [0, 0, np.nextafter(1, 2)], 1)
     hit = cylint.intersect(thin, [0.5, 0.25, -1], [0, 0, 1])
     assert hit.n == 2 and np.isnan(hit.inside).all() and np.isfinite(hit.outside).all()
-
-
-def test_refused_lines_have_no_relation_on_request():
-    lines = [[0, 0, -5], [np.nan, 0, -5]], [0, 0, 1]
-    with refused("line 1: a number is not finite"):
-        cylint.intersect(ROD, *lines)
-    hit = cylint.intersect(ROD, *lines, errors="mask")
-    assert hit.n.tolist() == [2, 0] and same(hit.t, [[5, 6], [np.nan, np.nan]])
-    assert hit.relation.tolist() == [cylint.Relation.CROSS, cylint.Relation.NONE]
-    assert hit.part[1].tolist() == [-1, -1] and np.isnan(hit.point[1]).all()
 
 
 def test_integers_and_singles_are_converted():

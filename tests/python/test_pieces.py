@@ -197,14 +197,11 @@ def test_half_spaces_keep_their_arguments():
     assert set(mixed.to_dict()) >= {"p", "n", "c", "r"}
 
 
-def test_unbounded_pieces_and_no_pieces():
+def test_unbounded_pieces():
     scene = cylint.Scene(cylint.halfspace([1, 0, 0], [-1, 0, 0]))
     assert scene.pieces([0, 0, 0], [1, 0, 0]).t1.tolist() == [math.inf]
     assert scene.sums([0, 0, 0], [1, 0, 0]) == math.inf
     assert scene.sums([0, 0, 0], to=[3, 0, 0]) == 2.0
-    scene = cylint.Scene([])
-    assert len(scene.pieces(np.empty((0, 3)), np.empty((0, 3))).t0) == 0
-    assert scene.sums([[0, 0, 0]], [1, 0, 0]).tolist() == [0.0]
 
 
 def test_bad_arguments():

@@ -1,6 +1,8 @@
 """Scene: equal to loops and to the command; files, copies, messages."""
 
 import copy
+import functools
+import gc
 import os
 import pickle
 from pathlib import Path
@@ -17,14 +19,17 @@ HITS = ("point", "normal", "z", "phi", "outside", "inside")
 
 
 @pytest.mark.parametrize("n", [128, 384, 1000])
-def test_more_hits_of_one_line_than_a_buffer_holds(n):
+def test_more_shapes_at_one_line_or_point_than_a_buffer_holds(n):
     x = np.arange(float(n))
     p0 = np.c_[x, 0 * x, 0 * x]
     scene = cylint.Scene(cylint.cylinder(p0, p0 + [0, 0, 1], 0.25))
     every = scene.all([-1, 0, 0.5], [1, 0, 0])
     assert every.index.tolist() == list(range(n))
     assert same(every.t, np.c_[x + 0.75, x + 1.25])
-    assert scene.within([0, 0, 0], np.inf).index.tolist() == list(range(n))
+    near = scene.within([-1, 0, 0.5], [n // 2, np.inf])
+    assert near.point.tolist() == [0] * (n // 2) + [1] * n
+    assert near.index.tolist() == [*range(n // 2), *range(n)]
+    assert same(near.distance[n // 2 :], x + 0.75)
 
 
 @pytest.mark.parametrize("n", [511, 512, 513])  # a block has 512 elements
@@ -47,26 +52,39 @@ def test_answers_are_in_the_order_of_lines_and_points(n, axis):
         assert all(same(a, b) for a, b in zip(table, row, strict=True))
 
 
-def test_scenes_of_nothing_and_of_one():
-    none = cylint.Scene(forest(4, 1)[:0])
-    assert none.nearest(*UNIT).index == -1 and not none.any(*UNIT)
-    assert len(none.all(np.empty((0, 3)), [0, 0, 1]).line) == 0
-    assert cylint.Scene(cylint.cylinder(*UNIT, 1)).nearest([0, 0, -2], [0, 0, 1]).t == 2
-    with refused("expected one axis"):
-        cylint.Scene(forest(4, 1)[:, None])
+def test_scenes_of_nothing_and_calls_of_nothing():
+    for none in (cylint.Scene(forest(4, 1)[:0]), cylint.Scene([])):
+        assert len(none) == 0 and not none.any(*UNIT)
+        assert none.nearest(*UNIT).index == none.closest([0, 0, 0]).index == -1
+        assert none.within_count([[0, 0, 0]], 1).tolist() == [0]
+        assert none.sums([[0, 0, 0]], [1, 0, 0]).tolist() == [0]
+    empty = np.empty((0, 3))
+    for scene in (none, cylint.Scene(forest(4, 1))):
+        for found in (
+            scene.all(empty, [0, 0, 1]), scene.within(empty, 1), scene.pieces(empty, empty)
+        ):  # fmt: skip
+            assert all(len(column) == 0 for column in found)
+        assert scene.nearest(empty, UNIT[1]).point.shape == scene.closest(empty).point.shape == (0, 3)
 
 
-def test_a_scene_joins_lists_of_shapes():
-    parts = [forest(20, 81), cylint.sphere([0.5, 0.5, 0.5], 0.1), forest(9, 82)]
-    joined = cylint.concatenate(parts)
-    for given_parts in (parts, tuple(parts), iter(parts)):
+def test_a_scene_joins_shapes_and_keeps_none_of_them():
+    parts = [forest(900, 81), cylint.sphere([0.5, 0.5, 0.5], 0.1), forest(999, 82)]
+    joined, (o, d) = cylint.concatenate(parts), rays(200, 5)
+    hit = cylint.intersect(joined[:, None], o, d)
+    for given_parts in (parts, tuple(parts), (part[...] for part in parts)):
         scene = cylint.Scene(given_parts)
-        assert len(scene) == 30 and (scene.shapes == joined).all()
-    assert len(cylint.Scene([])) == 0
+        assert len(scene) == 1900 and (scene.shapes == joined).all()
+        assert 65 * 1900 < scene.nbytes < 200 * 1900
+    del parts, given_parts
+    gc.collect()
+    junk = [np.full(29_000, np.nan) for _ in range(50)]
+    assert same(scene.count(o, d), (hit.n > 0).sum(axis=0)) and len(junk) == 50
+    assert len(cylint.Scene(cylint.cylinder(*UNIT, 1))) == 1
     with refused("expected Shapes, found str", TypeError):
-        cylint.Scene([parts[0], "x"])
-    with refused("expected one axis"):
-        cylint.Scene([parts[0][:, None], parts[0][:, None]])
+        cylint.Scene([joined, "x"])
+    for shapes in (joined[:, None], [joined[:, None], joined[:, None]]):
+        with refused("expected one axis"):
+            cylint.Scene(shapes)
 
 
 def test_a_scene_finds_what_a_loop_finds():
@@ -171,12 +189,18 @@ def test_numbers_that_are_left_out_may_change_during_a_query():
 
 
 def test_refused_lines_hit_nothing_on_request():
-    scene = cylint.Scene(cylint.sphere([0, 0, 0], 1))
+    ball = cylint.sphere([0, 0, 0], 1)
+    scene = cylint.Scene(ball)
     d = [[1, 0, 0], [np.nan, 0, 0], [0, 0, 0], [1, 0, 0]]
     lines = {"origins": [-3, 0, 0], "directions": d, "tmin": [0, 0, 0, np.inf]}
-    with refused("line 1: a number is not finite"):
-        scene.nearest(**lines)
+    for ask in (scene.nearest, functools.partial(cylint.intersect, ball)):
+        with refused("line 1: a number is not finite"):
+            ask(**lines)
     lines["errors"] = "mask"
+    hit = cylint.intersect(ball, **lines)
+    assert [cylint.Relation(r).name for r in hit.relation] == ["CROSS", "NONE", "NONE", "CROSS"]
+    assert hit.n.tolist() == [2, 0, 0, 0] and (hit.part[1:] == -1).all()
+    assert np.isnan(hit.t[1:]).all() and np.isnan(hit.point[1:]).all()
     near = scene.nearest(**lines)
     assert near.index.tolist() == [0, -1, -1, -1] and near.t[0] == 2
     assert all(np.isnan(member[1:]).all() for member in (near.t, near.point, near.outside))
@@ -257,18 +281,6 @@ def test_names_of_files_are_any_bytes(tmp_path):
         file.write("barrel\n")
     with refused(r"\\xe9:3:1: expected"):
         cylint.read_scene(scene)
-
-
-def test_a_scene_takes_shapes_from_a_generator_and_keeps_none_of_them():
-    def blocks():
-        return (forest(50, seed) for seed in range(40))
-
-    scene, joined = cylint.Scene(blocks()), cylint.concatenate(blocks())
-    assert len(scene) == 2000 and (scene.shapes == joined).all()
-    assert 65 * 2000 < scene.nbytes < 200 * 2000
-    o, d = rays(200, 5)
-    near, whole = scene.nearest(o, d), cylint.Scene(joined).nearest(o, d)
-    assert same(near.point, whole.point) and same(near.index, whole.index)
 
 
 def labelled(n, seed):
