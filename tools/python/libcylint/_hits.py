@@ -19,13 +19,13 @@ class DescribedHits(Described):
 
     t: Doubles
 
-    _columns = ("point", "normal", "z", "phi", "side", "outside", "inside")
+    _columns = ("point", "normal", "outside", "inside", "z", "phi", "side")
 
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
         """With numbers of shapes: the nearest hit of each line.  Without: both hits."""
         shapes, index = self._shapes
         lines, threads = self._given.core(), workers(self._given.threads)
-        _core.describe(shapes.kind, index, lines, columns, threads, None)
+        _core.intersect(shapes.kind, index, lines, [None] * 6 + columns, threads, None)
 
     point: Doubles = member("(..., 3): the points o + t d; nan for none.", 3)
     normal: Doubles = member("(..., 3): the outward unit normals; nan for none.", 3)
@@ -147,7 +147,7 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     o, d, _, _ = lines.arrays
     copies = new_copy(o, shape), new_copy(d, shape)
     if not _core.intersect(
-        kinds, lines.core(), [hits.relation, hits.n, hits.t, hits.part, *copies],
+        kinds, None, lines.core(), [hits.relation, hits.n, hits.t, hits.part, *copies],
         workers(lines.threads), lines.progress,
     ):
         raise lines.refuse()

@@ -32,6 +32,16 @@ inline const cylint_shape *shape_of(const Input &shapes, size_t i)
                     static_cast<ptrdiff_t>(i) * last_step(shapes));
 }
 
+/* The shapes that an index numbers; nullptr if there is none. */
+inline const cylint_shape *numbered_shapes(const Input &shapes,
+                                           const std::optional<Input> &index)
+{
+    static const cylint_shape none = {};
+    return !index               ? nullptr
+           : shapes.size() == 0 ? &none
+                                : as_shape(shapes.data());
+}
+
 /* A line, and the number of the shape that it leaves out, below 0 for none. */
 struct Ray {
     cylint_line line;

@@ -96,7 +96,7 @@ class Grid
     size_t count = 0;
 };
 
-enum { BLOCK = 512 }; /* elements of a block at most; its columns have 43 kB */
+enum { BLOCK = 512 }; /* elements of a block at most; its columns have 75 kB */
 
 /* A block: successive elements of a row. */
 class Part

@@ -3,8 +3,9 @@
  *
  * If the shape does not change in a block, its lines go to
  * cylint_intersect_lines(); if the line does not change, its shapes to
- * cylint_intersect_shapes(); else both to cylint_intersect_pairs().  Batches have
- * no exact segments: these go to cylint_intersect() one by one.
+ * cylint_intersect_shapes(); else both to cylint_intersect_pairs().  Exact segments,
+ * shapes that are numbered, and members that batches have not go to
+ * cylint_intersect() one by one.
  */
 #include "calls.h"
 
@@ -34,20 +35,50 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/* The numbers of further arrays in the grid. */
+/* The members of a hit that there is not. */
+const cylint_hit no_hit = {not_a_number,
+                           {not_a_number, not_a_number, not_a_number},
+                           {not_a_number, not_a_number, not_a_number},
+                           not_a_number,
+                           not_a_number,
+                           -1,
+                           -1};
+
+/* The numbers of further arrays in the grid; SHAPES: of the shapes or their numbers. */
 enum { SHAPES = Lines::ARRAYS, COLUMNS };
-enum { RELATION, N, T, PART, COPIED_ORIGINS, COPIED_DIRECTIONS };
+enum {
+    RELATION,
+    N,
+    T,
+    PART,
+    COPIED_ORIGINS,
+    COPIED_DIRECTIONS,
+    /* the members, in the order of _columns in _hits.py: first the vectors */
+    POINT,
+    NORMAL,
+    OUTSIDE,
+    INSIDE,
+    Z,
+    PHI,
+    SIDE,
+    END,
+    MEMBERS = POINT
+};
 
 /* What a worker keeps from block to block. */
 class Block
 {
   public:
-    explicit Block(const Lines &l) : source(l)
+    Block(const Lines &l, const cylint_shape *shapes)
+        : source(l), numbered(shapes)
     {
     }
     bool operator()(const Part &p)
     {
         part = &p;
+        for (int column = MEMBERS; column < END; column++)
+            if (part->at(COLUMNS + column))
+                member = column;
         gather();
         const bool valid = answer();
         if (!valid && !source.masked)
@@ -82,14 +113,13 @@ class Block
     /* Returns false if a line is refused; the other answers are right. */
     bool answer()
     {
-        if (source.segments)
-            return run_segments();
+        if (source.segments || numbered || member == OUTSIDE ||
+            member == INSIDE || member == SIDE)
+            return answer_singly();
         bool one_line = part->stride(SHAPES) != 0;
         for (int array = Lines::ORIGINS; array <= Lines::ENDS; array++)
             one_line = one_line && part->stride(array) == 0;
-        cylint_columns to{};
-        to.relation = relation, to.n = n, to.t0 = t[0], to.t1 = t[1];
-        to.part0 = parts[0], to.part1 = parts[1];
+        const cylint_columns to = columns();
         if (part->stride(SHAPES) == 0) {
             cylint_intersect_lines(shape_at(0), &lines, &to);
         } else if (pack_shapes(); one_line) {
@@ -102,25 +132,83 @@ class Block
         return lines_valid;
     }
 
-    bool run_segments()
+    /* The wanted columns. */
+    cylint_columns columns()
     {
+        const auto wanted = [this](int column, auto *array) {
+            return part->at(COLUMNS + column) ? array : nullptr;
+        };
+        cylint_columns to{};
+        to.relation = wanted(RELATION, relation), to.n = wanted(N, n);
+        to.t0 = wanted(T, number[0]), to.t1 = wanted(T, number[1]);
+        to.part0 = wanted(PART, small[0]), to.part1 = wanted(PART, small[1]);
+        to.z0 = wanted(Z, number[0]), to.z1 = wanted(Z, number[1]);
+        to.phi0 = wanted(PHI, number[0]), to.phi1 = wanted(PHI, number[1]);
+        for (int axis = 0; axis < 3; axis++) {
+            to.point0[axis] = wanted(POINT, vector[0][axis]);
+            to.point1[axis] = wanted(POINT, vector[1][axis]);
+            to.normal0[axis] = wanted(NORMAL, vector[0][axis]);
+            to.normal1[axis] = wanted(NORMAL, vector[1][axis]);
+        }
+        return to;
+    }
+
+    /* Of cylint_intersect(). */
+    unsigned want() const
+    {
+        constexpr unsigned first = CYLINT_WANT_T | CYLINT_WANT_PART,
+                           moved = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
+                                   CYLINT_WANT_PART;
+        static const unsigned wants[] = {
+            CYLINT_WANT_POINT, CYLINT_WANT_NORMAL, moved,           moved,
+            CYLINT_WANT_Z,     CYLINT_WANT_PHI,    CYLINT_WANT_PART};
+        return (numbered ? unsigned{CYLINT_WANT_NEAREST} : 0U) |
+               (member == 0 ? first : wants[member - MEMBERS]);
+    }
+
+    bool answer_singly()
+    {
+        const unsigned wanted = want();
         bool valid = true;
         for (size_t i = 0; i < part->size; i++) {
+            const cylint_shape *shape = shape_at(i);
             Ray ray;
-            valid &= source.make(*part, i, &ray) == CYLINT_OK;
             cylint_answer answer;
-            cylint_intersect(shape_at(i), &ray.line,
-                             CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
+            answer.relation = answer.n = 0;
+            valid &= source.make(*part, i, &ray) == CYLINT_OK;
+            if (shape) /* of a refused line there is no hit */
+                cylint_intersect(shape, &ray.line, wanted, &answer);
             relation[i] = static_cast<signed char>(answer.relation);
             n[i] = static_cast<signed char>(answer.n);
-            for (int k = 0; k < 2; k++) {
-                const bool there = k < answer.n;
-                t[k][i] = there ? answer.hit[k].t : not_a_number;
-                parts[k][i] =
-                    static_cast<signed char>(there ? answer.hit[k].part : -1);
-            }
+            for (int k = 0; k < 2; k++)
+                set_hit(i, k, shape, k < answer.n ? answer.hit[k] : no_hit);
         }
         return valid;
+    }
+
+    /* Sets the member, or t and part. */
+    void set_hit(size_t i, int k, const cylint_shape *shape,
+                 const cylint_hit &hit)
+    {
+        if (member == 0) {
+            number[k][i] = hit.t;
+            small[k][i] = static_cast<signed char>(hit.part);
+        } else if (member == SIDE) {
+            small[k][i] = static_cast<signed char>(hit.side);
+        } else if (member == Z || member == PHI) {
+            number[k][i] = member == Z ? hit.z : hit.phi;
+        } else {
+            double moved[3];
+            const double *from = member == POINT ? hit.point : hit.normal;
+            if (member == OUTSIDE || member == INSIDE)
+                from = hit.part >= 0 &&
+                               cylint_outside(shape, &hit,
+                                              member == OUTSIDE ? -1 : 1, moved)
+                           ? moved
+                           : no_hit.point;
+            for (int axis = 0; axis < 3; axis++)
+                vector[k][axis][i] = from[axis];
+        }
     }
 
     /* A refused line has no relation. */
@@ -134,7 +222,10 @@ class Block
 
     const cylint_shape *shape_at(size_t i) const
     {
-        return as_shape(part->at(SHAPES, i));
+        if (!numbered)
+            return as_shape(part->at(SHAPES, i));
+        const auto number = part->value<int64_t>(SHAPES, i);
+        return number < 0 ? nullptr : numbered + number;
     }
 
     /* Consecutive blocks often have the same shapes. */
@@ -188,9 +279,15 @@ class Block
     {
         part->write(relation, COLUMNS + RELATION);
         part->write(n, COLUMNS + N);
-        for (size_t k = 0; k < 2; k++) {
-            part->write(t[k], COLUMNS + T, k);
-            part->write(parts[k], COLUMNS + PART, k);
+        for (size_t k = 0; k < (numbered ? 1 : 2); k++) {
+            for (int of : {T, Z, PHI})
+                part->write(number[k], COLUMNS + of, k);
+            for (int of : {PART, SIDE})
+                part->write(small[k], COLUMNS + of, k);
+            for (int column = POINT; column < Z; column++)
+                for (size_t axis = 0; axis < 3; axis++)
+                    part->write(vector[k][axis], COLUMNS + column,
+                                3 * k + axis);
         }
         for (size_t axis = 0; axis < 3; axis++) {
             part->write(column[axis], COLUMNS + COPIED_ORIGINS, axis);
@@ -200,6 +297,8 @@ class Block
 
     const Part *part = nullptr;
     const Lines &source;
+    const cylint_shape *numbered; /* shapes that are numbered, or nullptr */
+    int member = 0; /* the one that is wanted; 0: the columns before them */
     const char *from[4] = {};
     double column[8][BLOCK]; /* o, d, tmin, tmax */
     cylint_lines lines{};
@@ -208,100 +307,32 @@ class Block
     const cylint_shape *packed = nullptr;
     std::vector<cylint_shape> gathered;
     std::vector<char> memory;
-    double t[2][BLOCK];
-    signed char relation[BLOCK], n[BLOCK], parts[2][BLOCK];
+    double number[2][BLOCK], vector[2][3][BLOCK]; /* number: t, z or phi */
+    signed char relation[BLOCK], n[BLOCK], small[2][BLOCK]; /* part or side */
 };
 
-/* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins
- * and the directions (..., 3), None where they are not wanted.  Returns false
- * if a line is refused and not masked; the answers are then not complete. */
-bool intersect(Input shapes, const Lines &lines, Outputs columns, int threads,
-               const Callback &progress)
-{
-    static const size_t inner[] = {0, 0, 1, 1, 1, 1};
-    Grid grid;
-    lines.add_to(grid);
-    grid.add(shapes);
-    for (size_t k = 0; k < columns.size(); k++)
-        grid.add(columns[k], inner[k]);
-    grid.finish(false);
-    return each_block(grid, threads, progress, [&] { return Block(lines); });
-}
-
-/* The columns of describe(), in the order of _MEMBERS in _hits.py. */
-enum { POINT, NORMAL, Z, PHI, SIDE, OUTSIDE, INSIDE, MEMBERS };
-
-/* Writes hit k of an element to the wanted columns.  hit: NULL if there is none. */
-void write_hit(const Part &part, size_t i, size_t k, const cylint_shape *shape,
-               const cylint_hit *hit)
-{
-    for (int member = 0; member < MEMBERS; member++) {
-        const int array = COLUMNS + member;
-        const double none[3] = {not_a_number, not_a_number, not_a_number};
-        double moved[3];
-        const double *from = none;
-        if (!part.at(array))
-            continue;
-        if (member == SIDE) {
-            part.value<signed char>(array, i, k) = static_cast<signed char>(
-                hit ? static_cast<int>(hit->side) : -1);
-            continue;
-        }
-        if (hit && (member == OUTSIDE || member == INSIDE))
-            from = cylint_outside(shape, hit, member == OUTSIDE ? -1 : 1, moved)
-                       ? moved
-                       : none;
-        else if (hit)
-            from = member == POINT    ? hit->point
-                   : member == NORMAL ? hit->normal
-                   : member == Z      ? &hit->z
-                                      : &hit->phi;
-        const size_t width = member == Z || member == PHI ? 1 : 3;
-        std::copy(from, from + width, &part.value<double>(array, i, k * width));
-    }
-}
-
 /*
- * Computes members of hits one by one.  columns: point (..., 2, 3), normal,
- * z (..., 2), phi, side, outside (..., 2, 3), inside; None where it is not
- * wanted.  With `index` the shapes are numbered by it, -1 is a miss, and there
- * is one hit, not two: the first.
+ * columns: relation, n, t (..., 2), part (..., 2), copies of the origins and the
+ * directions (..., 3), then at most one of the members (..., 2), vectors with one
+ * axis more; None where it is not wanted.  With `index` the shapes are numbered by
+ * it, -1 is a miss, and there is one hit, not two: the first.  Returns false if a
+ * line is refused and not masked; the answers are then not complete.
  */
-void describe(Input shapes, std::optional<Input> index, const Lines &lines,
-              Outputs columns, int threads, const Callback &progress)
+bool intersect(Input shapes, std::optional<Input> index, const Lines &lines,
+               Outputs columns, int threads, const Callback &progress)
 {
-    static const unsigned wants[] = {CYLINT_WANT_POINT, CYLINT_WANT_NORMAL,
-                                     CYLINT_WANT_Z, CYLINT_WANT_PHI,
-                                     CYLINT_WANT_PART};
-    const bool nearest = index.has_value();
-    const auto *const records = static_cast<const char *>(shapes.data());
-    unsigned want = nearest ? CYLINT_WANT_NEAREST : 0;
     Grid grid;
     lines.add_to(grid);
-    grid.add(nearest ? *index : shapes);
-    for (size_t member = 0; member < columns.size(); member++) {
-        grid.add(columns[member], (member < Z || member > SIDE) + !nearest);
-        if (columns[member])
-            want |= member <= SIDE ? wants[member]
-                                   : CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
-                                         CYLINT_WANT_PART;
+    grid.add(index ? *index : shapes);
+    columns.resize(END);
+    for (size_t k = 0; k < END; k++) {
+        const bool is_vector = k >= POINT && k < Z;
+        grid.add(columns[k], k < MEMBERS ? k >= T : is_vector + !index);
     }
     grid.finish(false);
-    each(grid, lines, threads, progress,
-         [&](const Part &part, size_t i, const Ray &ray) {
-             const cylint_shape *shape = as_shape(part.at(SHAPES, i));
-             if (nearest) {
-                 const auto number = part.value<int64_t>(SHAPES, i);
-                 shape = number < 0 ? nullptr : as_shape(records) + number;
-             }
-             cylint_answer answer;
-             answer.n = 0;
-             if (shape) /* of a refused line cylint_intersect() writes no hit */
-                 cylint_intersect(shape, &ray.line, want, &answer);
-             for (int k = 0; k < (nearest ? 1 : 2); k++)
-                 write_hit(part, i, static_cast<size_t>(k), shape,
-                           k < answer.n ? &answer.hit[k] : nullptr);
-         });
+    const cylint_shape *numbered = numbered_shapes(shapes, index);
+    return each_block(grid, threads, progress,
+                      [&] { return Block(lines, numbered); });
 }
 
 /* Returns (number of the first refused line in C order, status), or (-1, 0). */
@@ -331,5 +362,4 @@ void register_intersect(nb::module_ &module)
         .def(nb::init<Input, Input, Input, Input, Input, bool, bool>());
     module.def("first_bad_line", &first_bad_line);
     module.def("intersect", &intersect);
-    module.def("describe", &describe);
 }

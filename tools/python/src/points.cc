@@ -140,10 +140,7 @@ void answer(Input shapes, std::optional<Input> index, Input points,
     for (size_t k = 0; k < columns.size(); k++)
         grid.add(columns[k], k >= POINT);
     grid.finish(false);
-    const cylint_shape *numbered = !index ? nullptr
-                                   : shapes.size() == 0
-                                       ? &none
-                                       : as_shape(shapes.data());
+    const cylint_shape *numbered = numbered_shapes(shapes, index);
     each_block(grid, threads, progress,
                [&] { return Block(query, points, numbered); });
 }
