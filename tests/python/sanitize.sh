@@ -12,7 +12,6 @@ at=$build/python/sanitized
 rm -rf "$at"
 CFLAGS="$flags" CXXFLAGS="$flags" CC=$cc "$python" -m pip install -q \
     --no-build-isolation --no-deps --no-index --target "$at" \
-    --config-settings cmake.define.CYLINT_STUB=OFF \
     --config-settings build-dir="$build/python/sanitized-build" \
     --config-settings "cmake.define.CYLINT_MAKE_FLAGS=CFLAGS=$flags" ./tools/python
 cd "$build/python"

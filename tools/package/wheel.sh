@@ -22,11 +22,10 @@ bin=$folder/environment/bin
 PATH=$bin:$PATH
 export PATH
 
-# compile TARGET OUT [OPTION]...: one wheel from the source distribution
+# compile TARGET OUT: one wheel from the source distribution
 compile()
 {
     target=$1 out=$2
-    shift 2
     # nanobind's headers name stderr and rely on others to include <cstdio>
     for language in cc 'c++ -include cstdio'; do
         printf '#!/bin/sh\nexec "%s/python" -m ziglang %s -target %s "$@"\n' \
@@ -35,7 +34,7 @@ compile()
     done
     env -u CFLAGS -u CXXFLAGS -u MAKEFLAGS -u MAKELEVEL -u BUILD \
         CC="$scratch/cc" CXX="$scratch/c++" \
-        pip wheel -q --no-build-isolation --no-deps -w "$out" "$@" "$folder"/libcylint-*.tar.gz
+        pip wheel -q --no-build-isolation --no-deps -w "$out" "$folder"/libcylint-*.tar.gz
 }
 
 rm -f "$folder"/*.whl "$folder"/*.tar.gz
@@ -45,15 +44,11 @@ backend.build_sdist(sys.argv[1])' "$folder")
 
 machine=$(uname -m)
 compile "$machine-linux-gnu.2.17" "$scratch/gnu"
-compile "$machine-linux-musl" "$scratch/musl" \
-    --config-settings cmake.define.CYLINT_STUB=OFF
+compile "$machine-linux-musl" "$scratch/musl"
 
-# This Python (of glibc) cannot load the module for musl: its stub comes from the
-# other wheel, and the file's name says musl instead of gnu.
-wheel unpack -d "$scratch/gnu" "$scratch"/gnu/*.whl > "$scratch/log"
+# This Python is one of glibc: the name of the module for musl gets musl for gnu.
 wheel unpack -d "$scratch/musl" "$scratch"/musl/*.whl > "$scratch/log"
 rm "$scratch"/musl/*.whl
-cp "$scratch"/gnu/*/libcylint/_core.pyi "$scratch"/musl/*/libcylint/
 for module in "$scratch"/musl/*/libcylint/_core*-linux-gnu.so; do
     [ -e "$module" ] && mv "$module" "${module%gnu.so}musl.so"
 done

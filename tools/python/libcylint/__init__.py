@@ -15,8 +15,8 @@ All lengths have the same unit, which may be any.  A line is o + t d; t counts
 multiples of d, which need not have length 1.
 """
 
+from . import _core
 from ._closest import ClosestPoints, ShapesWithin
-from ._core import version as __version__
 from ._enums import Ends, Feature, Kind, Part, Relation, Side
 from ._files import read_scene, write_scene
 from ._hits import Hits, intersect
@@ -27,6 +27,8 @@ from ._shapes import (
     elliptic_cylinder, halfspace, round_cone, sphere, tangent_cone, tube,
 )
 from ._trees import read_qsm
+
+__version__: str = _core.version
 
 __all__ = [
     "AllHits", "Boundaries", "ClosestPoints", "ClosestShapes", "Ends", "Feature",
