@@ -3,8 +3,8 @@
  *
  * If the shape does not change in a block, its lines go to
  * cylint_intersect_lines(); if the line does not change, its shapes to
- * cylint_intersect_shapes(); else both to cylint_intersect_pairs().  Exact segments,
- * shapes that are numbered, and members that batches have not go to
+ * cylint_intersect_shapes(); else both to cylint_intersect_pairs().  Exact
+ * segments, shapes that are numbered, and members that batches have not go to
  * cylint_intersect() one by one.
  */
 #include "calls.h"
@@ -44,7 +44,7 @@ const cylint_hit no_hit = {not_a_number,
                            -1,
                            -1};
 
-/* The numbers of further arrays in the grid; SHAPES: of the shapes or their numbers. */
+/* The numbers of further arrays in the grid; SHAPES: shapes or their numbers. */
 enum { SHAPES = Lines::ARRAYS, COLUMNS };
 enum {
     RELATION,
