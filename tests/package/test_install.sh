@@ -401,7 +401,8 @@ test_symbols()
         attr_init attr_getstacksize attr_setstacksize attr_destroy)"
     # of a saved scene
     files='fileno fstat lstat stat mmap munmap getpid fopen fread fwrite fclose ferror fseek ftell rewind
-        rename remove realpath snprintf strrchr __errno_location'
+        rename remove realpath snprintf strrchr __errno_location
+        open close fdopen fchmod fchown'
     none "$(foreign_to libcylint-scene "$math $memory $others $heap $threads $files sqrtf")" \
         scenes_use_memory_threads_and_files_and_nothing_else
 }
