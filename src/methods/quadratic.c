@@ -113,7 +113,6 @@ static void clip_to_nappe(cylint_method_chord *chord, cylint_affine rho)
         chord->t[ahead ? 0 : 1] = chord->t[ahead ? 1 : 0];
         chord->t[ahead ? 1 : 0] = ahead ? INFINITY : -INFINITY;
     } else if (chord->relation == CYLINT_RELATION_ALONG) {
-        /* untaken 1 of 2: a ruling is not perpendicular to the axis */
         if (rho.slope != 0)
             chord->t[ahead ? 0 : 1] = -rho.at / rho.slope;
     } else if (isinf(chord->t[0]) || isinf(chord->t[1])) {

@@ -110,7 +110,6 @@ static cylint_method_chord across_rulings(const cone *c, const double to_V[3],
     const int met0 = intersect_ruling(to_V, d, delta[0], &t0);
     const int met1 = intersect_ruling(to_V, d, delta[1], &t1);
 
-    /* untaken 1 of 4: two rulings are not both parallel to the line */
     if (!met0 && !met1)
         return no_chord();
     if (!met1)
