@@ -32,14 +32,27 @@ inline const cylint_shape *shape_of(const Input &shapes, size_t i)
                     static_cast<ptrdiff_t>(i) * last_step(shapes));
 }
 
+/* A shape that was refused: it has no hits and no distance. */
+inline const cylint_shape no_shape = {};
+
 /* The shapes that an index numbers; nullptr if there is none. */
 inline const cylint_shape *numbered_shapes(const Input &shapes,
                                            const std::optional<Input> &index)
 {
-    static const cylint_shape none = {};
     return !index               ? nullptr
-           : shapes.size() == 0 ? &none
+           : shapes.size() == 0 ? &no_shape
                                 : as_shape(shapes.data());
+}
+
+/* The shape of element i.  The array of the part has the shapes or, if `numbered`
+ * is not nullptr, their numbers there; -1 is no shape. */
+inline const cylint_shape *shape_at(const Part &part, int array, size_t i,
+                                    const cylint_shape *numbered)
+{
+    if (!numbered)
+        return as_shape(part.at(array, i));
+    const auto number = part.value<int64_t>(array, i);
+    return number < 0 ? &no_shape : numbered + number;
 }
 
 /* A line, and the number of the shape that it leaves out, below 0 for none. */
@@ -65,24 +78,6 @@ struct Lines {
     const Input origins, directions, starts, ends, left_out;
     const bool segments, masked;
 };
-
-/* Makes the elements of a grid, and calls function(part, i, element) for each.
- * Returns false, and stops, if an element is refused and not masked. */
-template <class From, class Function>
-bool each(const Grid &grid, const From &from, int threads,
-          const Callback &progress, const Function &function)
-{
-    const auto block = [&](const Part &part) {
-        for (size_t i = 0; i < part.size; i++) {
-            typename From::Element element;
-            if (from.make(part, i, &element) != CYLINT_OK && !from.masked)
-                return false;
-            function(part, i, element);
-        }
-        return true;
-    };
-    return each_block(grid, threads, progress, [&] { return block; });
-}
 
 /* A scene with the memory that it needs. */
 struct Scene {

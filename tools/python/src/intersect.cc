@@ -121,7 +121,7 @@ class Block
             one_line = one_line && part->stride(array) == 0;
         const cylint_columns to = columns();
         if (part->stride(SHAPES) == 0) {
-            cylint_intersect_lines(shape_at(0), &lines, &to);
+            cylint_intersect_lines(shape_of_element(0), &lines, &to);
         } else if (pack_shapes(); one_line) {
             Ray ray;
             source.make(*part, 0, &ray);
@@ -171,13 +171,11 @@ class Block
         const unsigned wanted = want();
         bool valid = true;
         for (size_t i = 0; i < part->size; i++) {
-            const cylint_shape *shape = shape_at(i);
+            const cylint_shape *shape = shape_of_element(i);
             Ray ray;
-            cylint_answer answer;
-            answer.relation = answer.n = 0;
+            cylint_answer answer; /* of a refused line or shape without hits */
             valid &= source.make(*part, i, &ray) == CYLINT_OK;
-            if (shape) /* of a refused line there is no hit */
-                cylint_intersect(shape, &ray.line, wanted, &answer);
+            cylint_intersect(shape, &ray.line, wanted, &answer);
             relation[i] = static_cast<signed char>(answer.relation);
             n[i] = static_cast<signed char>(answer.n);
             for (int k = 0; k < 2; k++)
@@ -220,25 +218,22 @@ class Block
                 relation[i] = -1;
     }
 
-    const cylint_shape *shape_at(size_t i) const
+    const cylint_shape *shape_of_element(size_t i) const
     {
-        if (!numbered)
-            return as_shape(part->at(SHAPES, i));
-        const auto number = part->value<int64_t>(SHAPES, i);
-        return number < 0 ? nullptr : numbered + number;
+        return shape_at(*part, SHAPES, i, numbered);
     }
 
     /* Consecutive blocks often have the same shapes. */
     void pack_shapes()
     {
-        const cylint_shape *shapes = shape_at(0);
+        const cylint_shape *shapes = shape_of_element(0);
         if (shapes == packed && pack.n == part->size)
             return;
         packed = shapes;
         if (part->stride(SHAPES) != sizeof(cylint_shape)) {
             gathered.resize(part->size);
             for (size_t i = 0; i < part->size; i++)
-                gathered[i] = *shape_at(i);
+                gathered[i] = *shape_of_element(i);
             shapes = gathered.data();
         }
         memory.resize(cylint_pack_bytes(part->size));

@@ -17,9 +17,6 @@ enum { DISTANCE, PART, FEATURE, POINT, NORMAL };
 
 enum Query { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
 
-/* A shape that was refused: it has no distance. */
-const cylint_shape none = {};
-
 /* What a worker keeps from block to block. */
 class Block
 {
@@ -48,18 +45,10 @@ class Block
     }
 
   private:
-    const cylint_shape *shape(size_t i) const
-    {
-        if (!numbered)
-            return as_shape(part->at(SHAPES, i));
-        const auto number = part->value<int64_t>(SHAPES, i);
-        return number < 0 ? &none : numbered + number;
-    }
-
     /* Of count elements from element i, which have one shape or one each. */
     void answer(bool one_shape, size_t i, size_t count)
     {
-        const cylint_shape *s = shape(i);
+        const cylint_shape *s = shape_at(*part, SHAPES, i, numbered);
         const cylint_points p = {count, {xyz[0] + i, xyz[1] + i, xyz[2] + i}};
         switch (query) {
         case CONTAINS:

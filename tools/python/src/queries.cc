@@ -345,6 +345,24 @@ struct Balls {
     const Input points, radii;
 };
 
+/* Makes the elements of a grid, and calls function(part, i, element) for each.
+ * Returns false, and stops, if an element is refused and not masked. */
+template <class From, class Function>
+bool each(const Grid &grid, const From &from, int threads,
+          const Callback &progress, const Function &function)
+{
+    const auto block = [&](const Part &part) {
+        for (size_t i = 0; i < part.size; i++) {
+            typename From::Element element;
+            if (from.make(part, i, &element) != CYLINT_OK && !from.masked)
+                return false;
+            function(part, i, element);
+        }
+        return true;
+    };
+    return each_block(grid, threads, progress, [&] { return block; });
+}
+
 /* Answers lines or points.  columns: for the answers, unless these are rows,
  * which are in the order of the lines or points.  Returns True or the arrays of
  * rows; None if a line is refused. */
