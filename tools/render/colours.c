@@ -20,17 +20,21 @@ enum { NO_COLOUR = 1 << 24 };
 /* -------------------------------------------------------------- light -- */
 
 /* IEC 61966-2-1 */
-static double light_of_byte(unsigned byte)
+static double light_of_share(double c)
 {
-    const double c = byte / 255.0;
     return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
+
+struct vector light_of_shares(double red, double green, double blue)
+{
+    return vector(light_of_share(red), light_of_share(green),
+                  light_of_share(blue));
 }
 
 struct vector light_of_colour(uint32_t colour)
 {
-    return vector(light_of_byte(colour >> 16 & 255),
-                  light_of_byte(colour >> 8 & 255),
-                  light_of_byte(colour & 255));
+    return light_of_shares((colour >> 16 & 255) / 255.0,
+                           (colour >> 8 & 255) / 255.0, (colour & 255) / 255.0);
 }
 
 unsigned char byte_of_light(double light)

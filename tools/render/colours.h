@@ -36,8 +36,10 @@ uint32_t *colours_make(const struct scene *scene, enum colouring how,
 /* Reads #rrggbb.  Returns 0 if the text is anything else. */
 int read_colour(struct string s, uint32_t *colour);
 
-/* Converts 0xrrggbb to shares of the brightest light, and back. */
+/* Converts a colour in sRGB, 0xrrggbb or three numbers from 0 to 1, to shares of
+ * the brightest light, and back. */
 struct vector light_of_colour(uint32_t colour);
+struct vector light_of_shares(double red, double green, double blue);
 unsigned char byte_of_light(double light);
 
 /* -------------------------------------------------------- atoms, groups -- */

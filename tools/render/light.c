@@ -148,7 +148,9 @@ static struct vector shaded(struct tracer *tracer, const struct place *at,
     const struct vector d = vector_of(ray->d);
     switch (tracer->stage->shading) {
     case SHADE_NORMAL:
-        return plus(vector(0.5, 0.5, 0.5), 0.5, at->facing);
+        return light_of_shares(0.5 + 0.5 * at->facing.v[0],
+                               0.5 + 0.5 * at->facing.v[1],
+                               0.5 + 0.5 * at->facing.v[2]);
     case SHADE_PLAIN:
         return times(-dot(unit(d), at->facing), colour);
     default:
@@ -232,10 +234,11 @@ static struct sample pixel_of_samples(const struct work *w,
     return (struct sample){times(share, sum.light), share * sum.opacity};
 }
 
-/* Bright light saturates slowly instead of being clipped. */
-static double exposed(double light)
+/* The light of sun and sky is brighter than white; it saturates slowly instead of
+ * being clipped. */
+static double exposed(const struct stage *stage, double light)
 {
-    return 1 - exp(-light);
+    return stage->shading == SHADE_LIGHT ? 1 - exp(-light) : light;
 }
 
 static void put_pixel(const struct work *w, int y, struct sample mean,
@@ -246,7 +249,8 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {
         const double light =
-            mean.opacity > 0 ? exposed(mean.light.v[i] / mean.opacity) : 0;
+            mean.opacity > 0 ? exposed(w->stage, mean.light.v[i] / mean.opacity)
+                             : 0;
         bytes[i] = byte_of_light(b->is_transparent
                                      ? light
                                      : mean.opacity * light +

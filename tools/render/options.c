@@ -168,7 +168,8 @@ static const struct option option_table[] = {
     {"from", "X,Y,Z", read_direction, AT(viewing.from), direction, 0, 0,
      "only the direction to the camera"},
     {"up", "X,Y,Z", read_direction, AT(viewing.up), direction, 0, 0,
-     "the upward direction, default 0,0,1"},
+     "the upward direction, default 0,0,1; 0,1,0 for\n"
+     "--from along z"},
     {"fov", "DEGREES", read_factor, AT(viewing.fov),
      "degrees above 0 and below 180", 180, 0, "from bottom to top, default 30"},
     {"ortho", 0, read_flag, AT(viewing.is_parallel), 0, 1, 0, "parallel rays"},
@@ -224,6 +225,9 @@ static int settle(struct options *o, char **argv, int files)
     v->has_target = is_given(o, "look-at");
     v->has_from = is_given(o, "from");
     v->aspect = (double)o->size[0] / o->size[1];
+    if (v->has_from && v->from.v[0] == 0 && v->from.v[1] == 0 &&
+        !is_given(o, "up"))
+        v->up = vector(0, 1, 0);
     if (files != 1)
         return usage("expected one scene, found %d", files);
     o->scene = argv[0];

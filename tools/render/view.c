@@ -138,7 +138,7 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
 {
     const int is_placed = camera->has_eye && !camera->is_parallel;
     if (boxes->size == 0 && !(is_placed && camera->has_target))
-        return "no shape is bounded; use --eye and --look-at";
+        return "no bounded shape; use --eye and --look-at";
     if (!is_placed && !(boxes->size < HUGE_VAL))
         return TOO_LARGE;
     const struct vector up = unit(camera->up);
