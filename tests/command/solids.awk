@@ -7,7 +7,8 @@
 # shape, t0, t1.  inside() is the other program's definition, written from its manual,
 # not from this library: negative inside, positive outside.  Along a line its sign must
 # change within 1e-7 (1 + |t|) of each end of a piece, and nowhere else.  There must be
-# at least so many solids, each hit and missed by 20 lines and by so many in two pieces.
+# at least so many solids, each hit by 20 lines and by so many in two pieces, and missed by
+# 20 if it is no half-space.
 
 function max(a, b) { return a > b ? a : b }
 function min(a, b) { return a < b ? a : b }
@@ -165,6 +166,14 @@ function inside(name,   s, f, d)
         return distance(p[1], p[2], p[3]) - p[4]
     if (name == "sphere_sweep")
         return from_sweep()
+    if (name == "cylinder")
+        return bounded(off_axis(1, p[4] - p[1], p[5] - p[2], p[6] - p[3]) - square(p[7]))
+    if (name == "cone") {
+        d = off_axis(1, p[5] - p[1], p[6] - p[2], p[7] - p[3])
+        return bounded(sqrt(d) - p[4] - along * (p[8] - p[4]))
+    }
+    if (name == "plane")
+        return p[1] * x + p[2] * y + p[3] * z - p[4]
     if (name == "G4EllipticalTube")
         return max(square(x / p[1]) + square(y / p[2]) - 1,
                    max(z, -z) - p[3])
@@ -287,7 +296,8 @@ END {
     }
     for (solid in text_of) {
         solids++
-        if (hits[solid] < 20 || hits[solid] > lines - 20 || many[solid] < twice) {
+        missed = text_of[solid] ~ /^plane/ ? 20 : lines - hits[solid]
+        if (hits[solid] < 20 || missed < 20 || many[solid] < twice) {
             print text_of[solid] ": hit by " hits[solid] + 0 ", twice by " many[solid] + 0
             wrong++
         }

@@ -17,7 +17,7 @@ test_foreign_solids()
                      printf "line %.6f %.6f %.6f  %.6f %.6f %.6f\n", ox, oy, oz,
                             1 + pick(reach) - ox, 2 + pick(reach) - oy, 3 + pick(reach) - oz
                  } }' > "$scratch/lines"
-    for display in mcnp,18,0 geant4,5,0 openmc,13,0 povray,2,0 solids,9,5; do
+    for display in mcnp,18,0 geant4,5,0 openmc,13,0 povray,5,0 solids,9,5; do
         counts=${display#*,} display=${display%%,*}
         sh tests/support/recipe.sh $display > "$scratch/solids"
         cylint -s "$scratch/solids" -q pieces --pieces chords -f record,shape,t0,t1 \
