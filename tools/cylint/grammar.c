@@ -234,10 +234,25 @@ int read_numbers(struct reader *r, double *v, int count)
 
 /* ------------------------------------------------------ lines and shapes -- */
 
+/* Appends advice if the record is the first line of its file and its first two
+ * fields, from r on, are no numbers. */
+static int advise_on_names(struct reader r)
+{
+    if (r.notes->line != 1 || count_numbers(r) > 0)
+        return 0;
+    skip_field(&r);
+    if (r.p == r.end || count_numbers(r) > 0)
+        return 0;
+    advise(r.notes, "'tail -n +2' leaves out a line of column names");
+    return 1;
+}
+
 static int refuse_line_kind(struct reader *r, const struct grammar *g)
 {
     const int numbers = count_numbers(*r);
     refuse_word(r, WORDS(line_kinds));
+    if (advise_on_names(*r))
+        return EXIT_BAD;
     if (numbers > 0)
         advise(r->notes, g->has_shape  ? "for bare numbers use -k ray,cylinder"
                          : numbers < 6 ? "for bare numbers use -k point"
@@ -303,6 +318,8 @@ static int read_line(struct reader *r, const struct grammar *g, int *kind,
     if (read_numbers(r, v, k->numbers)) {
         if (r->p == at && find_word(WORDS(line_kinds), field(r)) != NOT_GIVEN)
             advise(r->notes, "with -k records have no words");
+        else if (r->p == at)
+            advise_on_names(*r);
         return EXIT_BAD;
     }
     const cylint_status status = make_line(g, *kind, v, record);

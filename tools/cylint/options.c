@@ -201,10 +201,13 @@ static int settle_kinds(struct options *o)
         (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL))
         return 0;
     char found[SHOWN_CAPACITY];
-    return usage("-k: expected %s, found '%s'",
+    return usage("-k: expected %s, found '%s'%s",
                  g->has_shape ? "LINE,SHAPE, as in -k ray,cylinder"
                               : "LINE, as in -k ray",
-                 escape(found, string_of(o->kinds), VALUE_MOST));
+                 escape(found, string_of(o->kinds), VALUE_MOST),
+                 g->has_shape && !shape && g->line != NOT_GIVEN
+                     ? "; with a scene, -s FILE, it is right"
+                     : "");
 }
 
 static int settle_needs(struct options *o)
