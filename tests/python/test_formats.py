@@ -287,6 +287,7 @@ def test_gemmi_is_needed(monkeypatch, tmp_path):
          '"7";0;0.50;1;2;3.10;1;2;4\n', {}),
         ("ID\tradius\tStart X\tStart Y\tStart Z\tend.X\tend.Y\tend.Z\r\n"
          "7\t.5\t1\t2\t3.1\t1\t2\t4\r\n# 8\n\n", {}),
+        ('"ID"  radius startX startY startZ endX endY endZ\n 7 .5 1 2  3.1 1 2 4\n', {}),
         ("\n# of a program\nID,radius,startX,startY,startZ,endX,endY,endZ\r"
          "7,.5,1,2,3.1,1,2,4,,\r", {}),
         ("\N{BYTE ORDER MARK}ID,length,radius,startX,startY,startZ,axis_x,axis_y,axis_z\n"
@@ -300,6 +301,8 @@ def test_columns_are_found_by_name(tree, text, options):
     assert shapes.r.tolist() == [0.5] and shapes.labels.tolist() == ["7"]
     assert shapes.kind == cylint.Kind.CYLINDER
     assert tree(text, round=True).kind == cylint.Kind.CAPSULE
+    for options in ({}, {"round": True}):
+        assert tree(text, ends="open", **options).ends == cylint.Ends.OPEN
 
 
 TREEQSM = "0.5\t2\t1\t2\t3\t0\t0\t1\t0\t2\t1\n0.4\t0.1\t1\t2\t3\t1\t0\t0\t1\t0\t1\n"
@@ -341,6 +344,7 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
     [
         ("radius,startX,startY\n1,2,3\n", ":1: the header names no column 'startz'"),
         (HEAD + "7,1,2,3,4,5,6\n", ":2: expected 8 columns, found 7"),
+        (HEAD.replace(",", " ") + "7 1 2 3 4 5 6 7 8\n", ":2: expected 8 columns, found 9"),
         (HEAD + '7,1,2,3,4,5,6,7\n"8",8,1,2,3,4,5,6,7\n', ":3: expected 8 columns, found 9"),
         (HEAD[:-1] + ",note\n" + '7,1,2,3,4,5,6,7,"5" inch"\n8,1,2,3,4,5,6,7,"old\n' * 2,
          ":3: a quote has no end"),

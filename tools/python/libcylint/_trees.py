@@ -17,18 +17,20 @@ _TREEQSM = "radius length startx starty startz axisx axisy axisz"
 
 
 def read_qsm(
-    path: str | os.PathLike[str], *, round: bool = False, treeqsm: bool = False
+    path: str | os.PathLike[str], *, round: bool = False, treeqsm: bool = False,
+    ends: str = "capped",
 ) -> Shapes:
     """Reads a tree as a table of cylinders, also of a file *.gz; `-`: standard input.
 
     The table has a header line, as aRchi, rTwig and SimpleForest write it.  Columns
     are found by their names, whatever the case and punctuation: startX or start_x and
     so on; endX, or else axis_x and length; radius or radius_cyl; ID or cyl_ID.
-    Commas, semicolons or tabs separate them.  Blank lines and lines that begin with #
-    are skipped.
+    Commas, semicolons or tabs separate them, or blanks, if the header has none of
+    these.  Blank lines and lines that begin with # are skipped.
     treeqsm: text of TreeQSM, which has no header: radius, length, start and axis.
 
     round: capsules, whose round ends fill the joints, in place of cylinders.
+    ends: those of all shapes; with "open", distances are from the bark alone.
     The label of a shape is its ID, or if there is none, the number of its row, from 1.
     Cylinders without length or radius are left out; a warning has their number.
     With `round` those without length are balls.
@@ -70,7 +72,7 @@ def read_qsm(
             )
     kept = long & (r != 0)
     make = capsule if round else cylinder
-    return make(p0[kept], p1[kept], r[kept]).with_labels(labels[kept])
+    return make(p0[kept], p1[kept], r[kept], ends=ends).with_labels(labels[kept])
 
 
 class _Table:
@@ -89,13 +91,13 @@ class _Table:
             self.names = _TREEQSM.split()
             has_header = re.match(r'\s*"?radius', header, re.IGNORECASE) is not None
         elif self.rows:
-            self.separator = next((s for s in ";\t" if s in header), ",")
+            self.separator = next((s for s in ";\t," if s in header), None)
             self.names = [_plain(field) for field in header.split(self.separator)]
             has_header = True
         else:
             raise ValueError(f"{name}: expected a header line, found the end of the file")
         del self.rows[:has_header]
-        if self.separator is not None:
+        if not treeqsm:
             self._check_widths()
 
     def refuse(self, number: int, text: str) -> ValueError:
