@@ -254,7 +254,7 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
     const cylint_shape *const at[2] = {at_0, at_1};
     cylint_extent box[2];
     double g[2][3], lo[3], hi[3]; /* g is 1 if f is linear */
-    for (int i = 0; i < 2 && at[i]; i++) {
+    for (int i = 0; i < (at_1 ? 2 : 1); i++) {
         const cylint_view view = cylint_plain_view(at[i]);
         cylint_swept_disc disc;
         cylint_swept_disc_of(&disc, &view, at[i]);

@@ -93,9 +93,10 @@ static size_t write_hex(char *out, double value)
     digits -= leading;
     if (digits > 0)
         put_char(&t, '.');
-    for (; digits > 0; digits -= (int)digits) {
+    while (digits > 0) {
         digits *= 16;
         put_char(&t, "0123456789abcdef"[(int)digits]);
+        digits -= (int)digits;
     }
     put_word(&t, exponent < 0 ? "p-" : "p+");
     put_whole(&t, (unsigned)abs(exponent));
