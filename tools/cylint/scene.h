@@ -24,7 +24,6 @@ struct solids {
     struct names names;    /* of the solids */
     cylint_member *member; /* clause 0: a clause of its own */
     size_t count, capacity;
-    int last_clause; /* the largest number of a clause in the file */
 };
 
 /* Adds the members that a record's words in=NAME and out=NAME state. Returns 0;
@@ -36,15 +35,18 @@ int solids_read(struct solids *solids, size_t shape, struct string words,
  * after a message. */
 int solids_add(struct solids *solids, const cylint_member *member);
 
-/* Numbers the clauses of their own, when all members of the file are added.
- * Returns 0, or an exit status after a message: EXIT_BAD if two solids have the
- * same first shape. */
+/* Numbers the clauses of their own, when all members of the file are added: each has
+ * the lowest number that is free in its solid.  Returns 0, or an exit status after a
+ * message: EXIT_BAD if two solids have the same first shape. */
 int solids_complete(struct solids *solids, size_t shapes, const char *file);
 
 /* Returns a new array with the number that the library gives to each solid, from 1:
  * that of its first shape with in=, or of its first shape if it has none; 0 for a
  * solid without members.  NULL: no memory.  All members have clauses. */
 size_t *solids_numbers(const struct solids *solids);
+
+/* For qsort(): by solid, then by the clause's number, then by shape. */
+int compare_by_solid(const void *a, const void *b);
 
 void solids_free(struct solids *solids);
 

@@ -45,8 +45,6 @@ static int read_member(struct solids *s, struct string word,
          clause == 0))
         return refuse_other(notes, "/CLAUSE, an integer from 1 to 999999999",
                             between(slash, end_of(word)));
-    if ((int)clause > s->last_clause)
-        s->last_clause = (int)clause;
     member->clause = is_out ? -(int)clause : (int)clause;
     return names_add(&s->names, name, &member->solid) ? 0 : out_of_memory();
 }
@@ -64,6 +62,47 @@ int solids_read(struct solids *s, size_t shape, struct string words,
         p = skip_separator(after, end_of(words));
     }
     return status;
+}
+
+/* ------------------------------------------------------------- clauses -- */
+
+int compare_by_solid(const void *a, const void *b)
+{
+    const cylint_member *m = a, *n = b;
+    const int p = abs(m->clause), q = abs(n->clause);
+    return m->solid != n->solid ? (m->solid > n->solid ? 1 : -1)
+           : p != q             ? (p > q ? 1 : -1)
+                                : (m->shape > n->shape) - (m->shape < n->shape);
+}
+
+/* Gives each clause of its own the lowest number that its solid does not have.
+ * Members of clause 0 come first, in the order of the file.  Returns 0 if there is no
+ * memory. */
+static int number_clauses(struct solids *s)
+{
+    cylint_member *sorted = malloc((s->count + 1) * sizeof *sorted);
+    if (!sorted)
+        return 0;
+    for (size_t i = 0; i < s->count; i++)
+        sorted[i] = (cylint_member){i, s->member[i].solid, s->member[i].clause};
+    qsort(sorted, s->count, sizeof *sorted, compare_by_solid);
+    int clause = 0;
+    for (size_t i = 0, given = 0; i < s->count; i++) {
+        const size_t solid = sorted[i].solid;
+        if (i == 0 || solid != sorted[i - 1].solid) {
+            clause = 0;
+            given = i;
+        }
+        if (sorted[i].clause != 0)
+            continue;
+        for (clause++; given < s->count && sorted[given].solid == solid &&
+                       abs(sorted[given].clause) <= clause;
+             given++)
+            clause += abs(sorted[given].clause) == clause;
+        s->member[sorted[i].shape].clause = -clause;
+    }
+    free(sorted);
+    return 1;
 }
 
 /* ------------------------------------------------------ equal numbers -- */
@@ -98,14 +137,9 @@ static int refuse_number(const struct solids *s, const char *file, size_t solid,
 
 int solids_complete(struct solids *s, size_t shapes, const char *file)
 {
-    int status = 0;
-    for (size_t i = 0; i < s->count; i++)
-        if (s->member[i].clause == 0)
-            s->member[i].clause = -++s->last_clause;
-    size_t *number = solids_numbers(s);
+    size_t *number = number_clauses(s) ? solids_numbers(s) : NULL;
     size_t *solid_of = calloc(shapes + 1, sizeof *solid_of); /* of a number */
-    if (!number || !solid_of)
-        status = out_of_memory();
+    int status = number && solid_of ? 0 : out_of_memory();
     for (size_t i = 0; status == 0 && i < s->names.texts.count; i++) {
         size_t *other = &solid_of[number[i]];
         if (*other > 0)

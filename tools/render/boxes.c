@@ -67,15 +67,6 @@ static void add_box(struct boxes *boxes, const struct box *box)
 
 /* ------------------------------------------------------------- solids -- */
 
-/* By solid, then by clause.  Clause 0 is a complement alone. */
-static int compare_by_solid(const void *a, const void *b)
-{
-    const cylint_member *x = a, *y = b;
-    const long p = labs((long)x->clause), q = labs((long)y->clause);
-    return x->solid != y->solid ? (x->solid < y->solid ? -1 : 1)
-                                : (p > q) - (p < q);
-}
-
 /* The box of the clause that begins with member `first`; complements have no box.
  * Returns the number of the next member. */
 static size_t box_of_clause(const struct scene *scene, const cylint_member *m,
@@ -83,7 +74,9 @@ static size_t box_of_clause(const struct scene *scene, const cylint_member *m,
 {
     size_t i = first;
     *box = NOWHERE;
-    for (; i < count && compare_by_solid(&m[i], &m[first]) == 0; i++) {
+    for (; i < count && m[i].solid == m[first].solid &&
+           abs(m[i].clause) == abs(m[first].clause);
+         i++) {
         const struct box one =
             m[i].clause > 0 ? box_of_shape(scene, m[i].shape) : EVERYWHERE;
         enclose(box, &one);
