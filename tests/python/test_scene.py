@@ -247,11 +247,14 @@ def test_faults_of_files_are_raised(tmp_path):
         return tmp_path / name
 
     neuron, tube = written("n.swc", NEURON), written("tube", "cylinder 0 0 0 0 0 1 1\n")
+    saved = tmp_path / "saved.swc"
+    cylint.Scene.read(neuron, swc="round").save(saved)
     bad = written("bad.txt", "cylinder 0 0 0 0 0 1 1\nbarrel 0 0 0\n")
     for error, message, path, named in (
         (ValueError, "expected cones or round, found 'x'", neuron, {"swc": "x"}),
         (ValueError, r"n\.swc:2:1: .*no such ends", neuron, {"swc": "round", "ends": "infinite"}),
         (ValueError, r"swc: not a neuron, \*\.swc: .*tube", tube, {"swc": "round"}),
+        (ValueError, r"saved\.swc: is a saved scene, not a neuron", saved, {"swc": "cones"}),
         (ValueError, r"bad\.txt:2:1: expected .*found 'barrel'", bad, {}),
         (FileNotFoundError, "none", tmp_path / "none.swc", {}),
         (OSError, "", tmp_path, {}),

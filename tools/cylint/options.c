@@ -443,7 +443,7 @@ static int settle(struct options *o)
 int read_options(struct options *o, int argc, char **argv)
 {
     memset(o, 0, sizeof *o);
-    o->grammar.line = o->grammar.shape = o->grammar.ends = NOT_GIVEN;
+    o->grammar.line = o->grammar.shape = o->grammar.ends = o->swc = NOT_GIVEN;
     o->style.separator = '\t';
     o->radius = HUGE_VAL;
     o->files = argv;

@@ -32,7 +32,7 @@ struct options {
     const char *save;  /* the file to save the scene to, or NULL */
     int only_saves;    /* answers no records */
     int writes_text;   /* the scene as text instead of answers */
-    int swc;           /* enum swc_form of a neuron */
+    int swc;           /* enum swc_form of a neuron, or NOT_GIVEN */
     int accel;         /* enum accel */
     enum query query;
     int piece_mode;                        /* the words of --pieces, from 0 */

@@ -155,6 +155,8 @@ int scene_open(struct scene *scene)
         return complain(
             EXIT_USAGE, file,
             "is a saved scene, whose shapes have their ends already");
+    if (status == CYLINT_SCENE_OK && scene->swc_form != NOT_GIVEN)
+        return complain(EXIT_USAGE, file, "is a saved scene, not a neuron");
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
     return status == CYLINT_SCENE_OK && scene->keeps_labels
                ? labels_use(&scene->labels, scene->shapes, file)
@@ -180,7 +182,8 @@ static int add_saved(struct scene *scene, const struct scene *saved)
 
 int scene_read(struct scene *scene)
 {
-    struct scene saved = {scene->file, scene->ends, .keeps_labels = 1};
+    struct scene saved = {scene->file, scene->ends, scene->swc_form,
+                          .keeps_labels = 1};
     int status = scene_open(&saved);
     if (status == NOT_SAVED)
         status = scene_read_text(scene);

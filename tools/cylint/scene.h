@@ -64,7 +64,7 @@ int swc_is_name(const char *file);
 struct scene {
     const char *file; /* where it is read from */
     int ends;     /* of shapes whose records do not state them, or NOT_GIVEN */
-    int swc_form; /* enum swc_form, of a neuron */
+    int swc_form; /* enum swc_form of a neuron, or NOT_GIVEN: SWC_CONES */
     cylint_scene *shapes; /* NULL: none yet */
     size_t count;
     struct solids solids; /* that were read, for scene_build() */
@@ -86,7 +86,7 @@ enum { NOT_SAVED = -1 };
 
 /* Opens a saved scene.  Its file is mapped and checked.  Returns NOT_SAVED
  * if the file is something else, cannot be opened or is no regular file.
- * `ends` must be NOT_GIVEN, as the shapes have ends. */
+ * `ends` and `swc_form` must be NOT_GIVEN, as the shapes are made. */
 int scene_open(struct scene *scene);
 
 /* As scene_read_text(), or adds the shapes of a saved scene, with their

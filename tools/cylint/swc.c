@@ -245,7 +245,7 @@ static int is_same_place(const double a[3], const double b[3])
 static size_t *skipped_by(struct swc *swc, const struct swc_node *node,
                           const struct swc_node *parent)
 {
-    if (parent && swc->scene->swc_form == SWC_CONES &&
+    if (parent && swc->scene->swc_form != SWC_ROUND &&
         is_same_place(node->ball, parent->ball))
         return &swc->skipped[SKIP_NO_LENGTH];
     if (node->ball[3] > 0 || (parent && parent->ball[3] > 0))
@@ -281,7 +281,7 @@ static int convert_node(struct swc *swc, const struct swc_node *node)
 {
     const struct swc_node *parent =
         node->parent_index > 0 ? &swc->nodes[node->parent_index - 1] : NULL;
-    if (!parent && swc->scene->swc_form == SWC_CONES)
+    if (!parent && swc->scene->swc_form != SWC_ROUND)
         return 0;
     size_t *skipped = skipped_by(swc, node, parent);
     if (!skipped)

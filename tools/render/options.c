@@ -250,7 +250,7 @@ int read_options(struct options *o, int argc, char **argv)
 {
     int files;
     memset(o, 0, sizeof *o);
-    o->ends = NOT_GIVEN;
+    o->ends = o->swc = NOT_GIVEN;
     o->size[0] = 1280;
     o->size[1] = 720;
     o->samples = 8;

@@ -15,7 +15,7 @@ struct options {
     unsigned long long given; /* a bit for each option in the table */
     const char *scene, *output;
     int ends;    /* of records without ends, or NOT_GIVEN */
-    int swc;     /* enum swc_form */
+    int swc;     /* enum swc_form, or NOT_GIVEN */
     int size[2]; /* width and height */
     int samples;
     int workers; /* at most; 0: one per processor */

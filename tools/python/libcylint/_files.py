@@ -18,6 +18,7 @@ from . import _core
 from ._shapes import Shapes, all_shapes, checked, codes_of, encoded
 
 _NOT_GIVEN = -1
+_FORMS = None, "cones", "round"
 BAD, USAGE, IO, MEMORY = 1, 2, 3, 4  # exit statuses of the command
 _AT_ONCE = 1 << 16  # shapes; Ctrl-C ends the writing between them
 
@@ -60,7 +61,7 @@ def read_begun(
     """A scene that is begun, by the arguments of `read_scene`."""
     code = _NOT_GIVEN if ends is None else int(codes_of(ends))
     name = os.fsdecode(path)
-    if swc not in (None, "cones", "round"):
+    if swc not in _FORMS:
         raise ValueError(f"swc: expected cones or round, found {swc!r}")
     if swc is not None and not name.endswith((".swc", ".SWC")):
         raise ValueError(f"swc: not a neuron, *.swc: {name}")
@@ -69,7 +70,7 @@ def read_begun(
     if not os.access(name, os.R_OK):
         with open(name, "rb"):
             pass
-    status, begun, messages = _core.read_scene(os.fsencode(name), code, swc == "round")
+    status, begun, messages = _core.read_scene(os.fsencode(name), code, _FORMS.index(swc) - 1)
     if status != 0:
         text = "; ".join(messages)
         errors = {BAD: ValueError, USAGE: ValueError, MEMORY: MemoryError}

@@ -90,9 +90,9 @@ std::unique_ptr<Scene> begun(struct scene *read)
     return made;
 }
 
-/* ends: of shapes whose line has no ends=, or -1.  Returns (status, a scene that is
- * begun, or None, messages). */
-nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
+/* ends: of shapes whose line has no ends=, or -1; swc: enum swc_form, or -1.  Returns
+ * (status, a scene that is begun, or None, messages). */
+nb::tuple read_scene(const nb::bytes &file, int ends, int swc)
 {
     std::vector<std::string> printed;
     struct scene scene = {};
@@ -103,7 +103,7 @@ nb::tuple read_scene(const nb::bytes &file, int ends, bool round)
         messages = &printed;
         scene.file = file.c_str();
         scene.ends = ends;
-        scene.swc_form = round ? SWC_ROUND : SWC_CONES;
+        scene.swc_form = swc;
         scene.keeps_labels = 1;
         status = scene_read(&scene);
         messages = nullptr;
