@@ -307,20 +307,40 @@ void depth(const Question &q, const Ball &ball, const Answer &put)
 }
 
 using Near = Rows<2, 1>; /* point, index, distance */
+
+/* A visit of the shapes near a point.  It is in C, which exceptions cannot cross. */
+struct NearVisit {
+    const int64_t number;
+    const double radius;
+    std::vector<Near::Row> &to;
+    bool has_failed;
+};
+
+double add_near(void *context, size_t index, double distance, int)
+{
+    auto *const visit = static_cast<NearVisit *>(context);
+    try {
+        visit->to.push_back({{visit->number, integer(index)}, {distance}});
+    } catch (const std::bad_alloc &) {
+        visit->has_failed = true;
+        return not_a_number;
+    }
+    return visit->radius;
+}
+
 void within(const Question &q, const Ball &ball, int64_t number,
             std::vector<Near::Row> &to)
 {
-    const size_t found = checked(
-        find_near(q.scene, ball.point, ball.radius, q.want_of_points, &memory));
-    for (size_t i = 0; i < found; i++) {
-        const size_t index = memory.number[i];
-        cylint_shape shape;
-        cylint_closest answer;
-        cylint_scene_shape(q.scene, index, &shape);
-        to.push_back(
-            {{number, integer(index)},
-             {cylint_distance(&shape, ball.point, q.want_of_points, &answer)}});
-    }
+    NearVisit visit = {number, ball.radius, to, false};
+    const auto begin = static_cast<ptrdiff_t>(to.size());
+    cylint_scene_visit_point(q.scene, ball.point, ball.radius, q.want_of_points,
+                             add_near, &visit);
+    if (visit.has_failed)
+        throw std::bad_alloc();
+    std::sort(to.begin() + begin, to.end(),
+              [](const Near::Row &a, const Near::Row &b) {
+                  return a.integer[1] < b.integer[1];
+              });
 }
 
 /* ------------------------------------------------ many lines or points -- */
