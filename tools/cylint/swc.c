@@ -22,8 +22,6 @@
 #define NUMBER_MOST 999999999999999999u /* of a node: 18 digits */
 
 #define NO_PARENT UINT64_MAX
-/* All whole numbers below this one are doubles. */
-#define DECIMAL_MOST 9007199254740992.0 /* 2^53 */
 
 struct swc_node {
     uint64_t number, parent;
@@ -83,32 +81,58 @@ static const char *end_of_decimal(const struct reader *r, double *value)
     return is_hexadecimal(r) ? NULL : end_of_number(r->p, r->end, value);
 }
 
-/* Reads a node's number: at most 18 digits behind leading zeros, or a
- * decimal number that is whole. */
-static int read_node_number(struct reader *r, uint64_t *number,
-                            const char *expected)
+/* Multiplies by a power of ten.  Returns 0 if the product has more than 18 digits. */
+static int shift_digits(uint64_t *number, double places)
 {
-    double value;
-    unsigned long long whole;
-    if (!read_whole(field(r), NUMBER_MOST, &whole)) {
-        if (!end_of_decimal(r, &value) || *r->p == '-' ||
-            !(value < DECIMAL_MOST) || (double)(uint64_t)value != value)
-            return refuse_other_field(r, expected);
-        whole = (uint64_t)value;
+    for (; places > 0 && *number > 0; places--) {
+        if (*number > NUMBER_MOST / 10)
+            return 0;
+        *number *= 10;
     }
-    *number = whole;
-    skip_field(r);
-    return 0;
+    return 1;
 }
 
-static int read_parent(struct reader *r, uint64_t *parent)
+/* Reads the size of a field, exactly, if it is a decimal number that is whole and
+ * has at most 18 digits behind leading zeros.  Returns its end, or NULL. */
+static const char *read_size(const struct reader *r, uint64_t *size)
 {
-    double value;
-    const int is_negative = r->p < r->end && *r->p == '-';
-    const char *after = is_negative ? end_of_decimal(r, &value) : NULL;
-    if (!after || value != -1)
-        return read_node_number(r, parent, "a node's number or -1");
-    *parent = NO_PARENT;
+    double exponent;
+    int zeros = 0, places = 0, is_behind_point = 0;
+    const char *const after = end_of_decimal(r, &exponent), *p = r->p;
+    if (!after)
+        return NULL;
+    *size = 0;
+    for (; p < after && (*p | 0x20) != 'e'; p++) {
+        is_behind_point |= *p == '.';
+        if (!is_digit(*p))
+            continue;
+        places += is_behind_point;
+        zeros++;
+        if (*p != '0') {
+            if (!shift_digits(size, zeros))
+                return NULL;
+            *size += (uint64_t)(*p - '0');
+            zeros = 0;
+        }
+    }
+    exponent = 0;
+    if (p < after)
+        cylint_read_number(p + 1, after, &exponent);
+    exponent += zeros - places;
+    return (exponent >= 0 || *size == 0) && shift_digits(size, exponent) ? after
+                                                                         : NULL;
+}
+
+/* The number of a node, or of its parent, which may be -1. */
+static int read_node_number(struct reader *r, int is_parent, uint64_t *number)
+{
+    const char *const after = read_size(r, number);
+    const int is_negative = after && *r->p == '-';
+    if (!after || (is_negative && !(is_parent && *number == 1)))
+        return refuse_other_field(r, is_parent ? "a node's number or -1"
+                                               : "a node's number");
+    if (is_negative)
+        *number = NO_PARENT;
     skip_to(r, after);
     return 0;
 }
@@ -129,7 +153,7 @@ static int read_radius(struct reader *r, double *radius)
 /* Reads the node of a line, from its first field on. */
 static int read_node(struct reader *r, struct swc_node *node)
 {
-    if (read_node_number(r, &node->number, "a node's number"))
+    if (read_node_number(r, 0, &node->number))
         return EXIT_BAD;
     skip_field(r); /* the type */
     for (int i = 0; i < 3; i++)
@@ -139,7 +163,7 @@ static int read_node(struct reader *r, struct swc_node *node)
         return EXIT_BAD;
     node->line = r->notes->line;
     node->column = (unsigned long long)(r->p - r->notes->text) + 1;
-    return read_parent(r, &node->parent);
+    return read_node_number(r, 1, &node->parent);
 }
 
 /* Adds the node of a line. */
