@@ -94,8 +94,8 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
     g.no_tail = b / 14 % 2 != 0;
-    g.tmin = g.has_domain ? -1 : 0;
-    g.tmax = g.has_domain ? HUGE_VAL : 0;
+    g.domain[0] = g.has_domain ? -1 : 0;
+    g.domain[1] = g.has_domain ? HUGE_VAL : 0;
     return g;
 }
 

@@ -98,20 +98,26 @@ int read_about(const struct option *o, const char *value, void *place)
     return value ? read_word(o, value, &index) : 0;
 }
 
-const char *read_finite(const char *p, double *value)
-{
-    const char *after = cylint_read_number(p, p + strlen(p), value);
-    return after && *value - *value == 0 ? after : NULL;
-}
-
-const char *read_bound(const char *p, double *bound)
+/* Returns the byte after it, or NULL. */
+static const char *read_bound(const char *p, double *bound)
 {
     const char *word = p + (*p == '-' || *p == '+');
     if (strncmp(word, "inf", 3) == 0) {
         *bound = *p == '-' ? -HUGE_VAL : HUGE_VAL;
         return word + 3;
     }
-    return read_finite(p, bound);
+    p = cylint_read_number(p, p + strlen(p), bound);
+    return p && *bound - *bound == 0 ? p : NULL;
+}
+
+int read_bounds(const char *p, double *bounds, int count)
+{
+    for (int i = 0; i < count; i++) {
+        p = read_bound(p, &bounds[i]);
+        if (!p || *p++ != (i + 1 < count ? ',' : '\0'))
+            return 0;
+    }
+    return 1;
 }
 
 /* ------------------------------------------------------------ arguments -- */

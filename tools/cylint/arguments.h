@@ -53,10 +53,9 @@ int usage(const char *format, ...) LIKE_PRINTF(1, 2);
  * returns EXIT_USAGE. */
 int check_value(const struct option *o, const char *value, int is_right);
 
-/* Both read a number at p and return the byte after it, or NULL.  read_bound() also
- * reads inf and -inf. */
-const char *read_finite(const char *p, double *value);
-const char *read_bound(const char *p, double *bound);
+/* Reads a text of `count` numbers, inf or -inf with commas between them.  Returns 0
+ * if it is anything else. */
+int read_bounds(const char *text, double *bounds, int count);
 
 /* Reads argv[1..argc) into *options, moves the files to the front of argv
  * and their number to *files, and adds a bit to *given for each option by

@@ -65,7 +65,7 @@ static cylint_status make_line(const struct grammar *g, int kind,
     if (kind == LINE_SPAN)
         return cylint_span(line, v, v + 3, v[6], v[7]);
     if (g->has_domain)
-        return cylint_span(line, v, v + 3, g->tmin, g->tmax);
+        return cylint_span(line, v, v + 3, g->domain[0], g->domain[1]);
     return kind == LINE_RAY ? cylint_ray(line, v, v + 3)
                             : cylint_whole_line(line, v, v + 3);
 }

@@ -63,7 +63,7 @@ struct grammar {
     int shape; /* enum shape_kind likewise */
     int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
-    double tmin, tmax;
+    double domain[2];
     int no_tail;         /* a tail makes a record bad */
     const char *convert; /* how to convert a file that is no scene, or NULL */
 };
@@ -132,6 +132,15 @@ static inline const char *skip_separator(const char *p, const char *end)
 {
     p = skip_blanks(p, end);
     return p < end && *p == ',' ? skip_blanks(p + 1, end) : p;
+}
+
+/* Takes the first field off a text, with the separator behind it. */
+static inline struct string take_field(struct string *text)
+{
+    const struct string first = first_field(*text);
+    *text =
+        between(skip_separator(end_of(first), end_of(*text)), end_of(*text));
+    return first;
 }
 
 /* The next field of a line, and where its faults are noted. */

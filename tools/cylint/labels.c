@@ -180,9 +180,11 @@ static int find_group(const struct groups *g, int by_label, struct string name,
     return is_number && number > 0;
 }
 
-static int leave_out_name(struct left_out *l, const struct groups *g,
-                          int by_label, struct string name, struct notes *notes)
+static int leave_out(struct left_out *l, const struct groups *g, int by_label,
+                     struct string word, struct notes *notes)
 {
+    const struct string name =
+        between(word.text + strlen(NOT_WORD), end_of(word));
     size_t group;
     if (name.length == 0)
         return refuse_text(notes, "not= without a number or label", name);
@@ -206,11 +208,7 @@ int left_out_read(struct left_out *l, const struct groups *g, int by_label,
 {
     int status = 0;
     l->count = 0;
-    for (const char *p = words.text; p < end_of(words) && status == 0;) {
-        const char *name = p + strlen(NOT_WORD),
-                   *after = field_end(name, end_of(words));
-        status = leave_out_name(l, g, by_label, between(name, after), notes);
-        p = skip_separator(after, end_of(words));
-    }
+    while (words.length > 0 && status == 0)
+        status = leave_out(l, g, by_label, take_field(&words), notes);
     return status;
 }

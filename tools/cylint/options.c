@@ -36,16 +36,15 @@ static int read_missing(const struct option *o, const char *value, void *place)
 static int read_domain(const struct option *o, const char *value, void *place)
 {
     struct grammar *g = place;
-    const char *p = read_bound(value, &g->tmin);
-    p = p && *p == ',' ? read_bound(p + 1, &g->tmax) : NULL;
     g->has_domain = 1;
-    return check_value(o, value, p && *p == '\0' && g->tmin <= g->tmax);
+    return check_value(o, value,
+                       read_bounds(value, g->domain, 2) &&
+                           g->domain[0] <= g->domain[1]);
 }
 
 static int read_radius(const struct option *o, const char *value, void *place)
 {
-    const char *p = read_bound(value, place);
-    return check_value(o, value, p && *p == '\0');
+    return check_value(o, value, read_bounds(value, place, 1));
 }
 
 /* `embree` is an old name of `tree`. */

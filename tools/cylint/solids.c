@@ -54,12 +54,10 @@ int solids_read(struct solids *s, size_t shape, struct string words,
 {
     cylint_member member = {.shape = shape};
     int status = 0;
-    for (const char *p = words.text; p < end_of(words) && status == 0;) {
-        const char *after = field_end(p, end_of(words));
-        status = read_member(s, between(p, after), &member, notes);
+    while (words.length > 0 && status == 0) {
+        status = read_member(s, take_field(&words), &member, notes);
         if (status == 0)
             status = solids_add(s, &member);
-        p = skip_separator(after, end_of(words));
     }
     return status;
 }

@@ -25,19 +25,15 @@ struct vector box_middle(const struct box *box)
     return mixed(box->low, box->high, 0.5);
 }
 
-static void enclose(struct box *box, const struct box *other)
-{
-    for (int k = 0; k < 3; k++) {
-        box->low.v[k] = fmin(box->low.v[k], other->low.v[k]);
-        box->high.v[k] = fmax(box->high.v[k], other->high.v[k]);
-    }
-}
+typedef double limit(double, double);
 
-static void cut(struct box *box, const struct box *other)
+/* fmin, fmax: the box encloses the other one; fmax, fmin: it is cut by it. */
+static void combine(struct box *box, const struct box *other, limit *low,
+                    limit *high)
 {
     for (int k = 0; k < 3; k++) {
-        box->low.v[k] = fmax(box->low.v[k], other->low.v[k]);
-        box->high.v[k] = fmin(box->high.v[k], other->high.v[k]);
+        box->low.v[k] = low(box->low.v[k], other->low.v[k]);
+        box->high.v[k] = high(box->high.v[k], other->high.v[k]);
     }
 }
 
@@ -45,7 +41,7 @@ static void measure_all(struct boxes *boxes)
 {
     struct box all = NOWHERE;
     for (size_t i = 0; i < boxes->count; i++)
-        enclose(&all, &boxes->box[i]);
+        combine(&all, &boxes->box[i], fmin, fmax);
     boxes->middle = box_middle(&all);
     boxes->size = length(minus(all.high, all.low));
 }
@@ -79,7 +75,7 @@ static size_t box_of_clause(const struct scene *scene, const cylint_member *m,
          i++) {
         const struct box one =
             m[i].clause > 0 ? box_of_shape(scene, m[i].shape) : EVERYWHERE;
-        enclose(box, &one);
+        combine(box, &one, fmin, fmax);
     }
     return i;
 }
@@ -92,7 +88,7 @@ static void add_solids(struct boxes *boxes, const struct scene *scene,
         struct box box = EVERYWHERE, clause;
         while (i < count && m[i].solid == solid) {
             i = box_of_clause(scene, m, count, i, &clause);
-            cut(&box, &clause);
+            combine(&box, &clause, fmax, fmin);
         }
         add_box(boxes, &box);
     }

@@ -99,13 +99,10 @@ int read_colour(struct string s, uint32_t *colour)
 /* The first field of the tail that is a colour. */
 static uint32_t colour_in_tail(struct string tail)
 {
-    const char *after;
     uint32_t colour;
-    for (const char *p = tail.text; p < end_of(tail); p = after + 1) {
-        after = field_end(p, end_of(tail));
-        if (read_colour(between(p, after), &colour))
+    while (tail.length > 0)
+        if (read_colour(take_field(&tail), &colour))
             return colour;
-    }
     return NO_COLOUR;
 }
 

@@ -17,37 +17,27 @@ static const uint32_t CLAY = 0xd9cbb8;
 
 /* ------------------------------------------------------------- values -- */
 
-/* X,Y,Z */
-static int read_point(const char *p, struct vector *point)
-{
-    for (int i = 0; i < 3; i++) {
-        p = read_finite(p, &point->v[i]);
-        if (!p || *p != (i < 2 ? ',' : '\0'))
-            return 0;
-        p++;
-    }
-    return 1;
-}
-
 static int read_place(const struct option *o, const char *value, void *place)
 {
-    return check_value(o, value, read_point(value, place));
+    struct vector *at = place;
+    return check_value(o, value,
+                       read_bounds(value, at->v, 3) && is_finite(*at));
 }
 
 /* The length of a direction neither vanishes nor overflows. */
 static int read_direction(const struct option *o, const char *value,
                           void *place)
 {
-    const struct vector *direction = place;
+    struct vector *direction = place;
     return check_value(o, value,
-                       read_point(value, place) && length(*direction) > 0 &&
+                       read_bounds(value, direction->v, 3) &&
+                           length(*direction) > 0 &&
                            length(*direction) < HUGE_VAL);
 }
 
 static int read_positive(const char *p, double *value)
 {
-    p = read_finite(p, value);
-    return p && *p == '\0' && *value > 0;
+    return read_bounds(p, value, 1) && *value > 0 && *value < HUGE_VAL;
 }
 
 /* A number above 0, and below o->number unless that is 0. */
