@@ -266,19 +266,23 @@ class Scene:
         self, query: Any, given: Any, columns: str | list[NDArray[Any]], rule: Any = None
     ) -> Any:
         """Calls a function of _core for lines or points, which writes the columns, or
-        columns of these types: i index, t number, b byte, ? bool, v vector; "": it
-        returns flat arrays."""
+        columns of these types: i index, t number, b byte, ? bool, v vector; or
+        returns rows of a type with commas."""
+        rows = columns if isinstance(columns, str) and "," in columns else None
         if given.threads is None:
             given.threads = self._threads
         if isinstance(columns, str):
-            columns = _columns(given.shape, columns)
+            columns = [] if rows else _columns(given.shape, columns)
         found = query(
             self._scene, given.core_of(len(self)), rule, columns,
             workers(given.threads), given.progress,
         )
-        if not found:
+        if found is None:
             raise given.refuse()
-        return columns or found
+        if rows is None:
+            return columns
+        table = found.view(rows)
+        return [np.ascontiguousarray(table[name]) for name in table.dtype.names]
 
     @takes(SceneLines)
     def nearest(self, lines: SceneLines) -> NearestHits:
@@ -328,7 +332,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        return AllHits(*self._answer(_core.Scene.all, lines, ""))
+        return AllHits(*self._answer(_core.Scene.all, lines, "i8, i8, 2f8"))
 
     def _integers(
         self, name: str, values: ArrayLike | None
@@ -418,7 +422,7 @@ class Scene:
         rule = _core.Scene.Rule(
             _mode(mode), self._integers("rank", rank), None, most, False
         )
-        return Pieces(*self._answer(_core.Scene.pieces, lines, "", rule))
+        return Pieces(*self._answer(_core.Scene.pieces, lines, "i8, i8, i8, f8, f8", rule))
 
     def sums(
         self, origins: ArrayLike, directions: ArrayLike | None = None,
@@ -549,8 +553,8 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        found = self._answer(_core.Scene.within, around, "", _signed(around))
-        return ShapesWithin(*found)
+        rule = _signed(around)
+        return ShapesWithin(*self._answer(_core.Scene.within, around, "i8, i8, f8", rule))
 
     @takes(Balls)
     def within_count(self, around: Balls) -> NDArray[np.int64]:

@@ -25,52 +25,45 @@ struct Columns {
     }
 };
 
-/* Answers that are rows, any number of them for each line or point, by blocks. */
-template <size_t INTEGERS, size_t DOUBLES, bool pairs = false> struct Rows {
+/* Answers that are rows, any number of them for each line or point, by blocks.  The
+ * types of their members are also in _scene.py. */
+template <class Type> struct Rows {
     enum { in_order = true };
-    struct Row {
-        int64_t integer[INTEGERS];
-        double number[DOUBLES];
-    };
+    using Row = Type;
     explicit Rows(const Grid &grid) : blocks(blocks_of(grid))
     {
     }
 
-    /* Arrays of NumPy: one for each integer, and one for each double, or one of
-     * pairs of them. */
+    /* An array of NumPy: the bytes of all rows. */
     nb::object object() const
     {
-        size_t size = 0;
+        size_t rows = 0;
         for (const auto &block : blocks)
-            size += block.size();
-        nb::list list;
-        for (size_t k = 0; k < INTEGERS; k++)
-            fill<int64_t>(list, nb::make_tuple(size), "i8", 1,
-                          [k](const Row &row) { return row.integer + k; });
-        if (pairs)
-            fill<double>(list, nb::make_tuple(size, DOUBLES), "f8", DOUBLES,
-                         [](const Row &row) { return row.number; });
-        for (size_t k = 0; k < DOUBLES && !pairs; k++)
-            fill<double>(list, nb::make_tuple(size), "f8", 1,
-                         [k](const Row &row) { return row.number + k; });
-        return nb::tuple(list);
+            rows += block.size();
+        nb::object made = nb::module_::import_("numpy").attr("empty")(
+            rows * sizeof(Row), "u1");
+        auto *to = static_cast<Row *>(nb::cast<Output>(made).data());
+        for (const auto &block : blocks)
+            to = std::copy(block.begin(), block.end(), to);
+        return made;
     }
 
     std::vector<std::vector<Row>> blocks;
+};
 
-  private:
-    template <class Value, class Get>
-    void fill(nb::list &list, const nb::tuple &shape, const char *type,
-              size_t width, const Get &get) const
-    {
-        const nb::object made =
-            nb::module_::import_("numpy").attr("empty")(shape, type);
-        auto *to = static_cast<Value *>(nb::cast<Output>(made).data());
-        for (const auto &block : blocks)
-            for (const Row &row : block)
-                to = std::copy_n(get(row), width, to);
-        list.append(made);
-    }
+struct Hit {
+    int64_t line, index;
+    double t[2];
+};
+
+struct Piece {
+    int64_t line, shape, depth;
+    double t0, t1;
+};
+
+struct Near {
+    int64_t point, index;
+    double distance;
 };
 
 /* The memory of a thread for shapes and pieces. */
@@ -236,37 +229,34 @@ void boundary(const Question &q, const Ray &ray, const Answer &put)
 
 /* ------------------------------------------------------- one line, rows -- */
 
-using Hit = Rows<2, 2, true>; /* line, index, both t */
 void all(const Question &q, const Ray &ray, int64_t number,
-         std::vector<Hit::Row> &to)
+         std::vector<Hit> &to)
 {
     const size_t found = checked(find_hit(q.scene, &ray.line, &memory));
     for (size_t i = 0; i < found; i++) {
         const size_t index = memory.number[i];
-        double t[2] = {not_a_number, not_a_number};
+        Hit hit = {number, integer(index), {not_a_number, not_a_number}};
         cylint_shape shape;
         cylint_answer answer;
-        if (integer(index) == ray.left_out)
+        if (hit.index == ray.left_out)
             continue;
         cylint_scene_shape(q.scene, index, &shape);
         cylint_intersect(&shape, &ray.line, CYLINT_WANT_T, &answer);
         for (int k = 0; k < answer.n; k++)
-            t[k] = answer.hit[k].t;
-        to.push_back({{number, integer(index)}, {t[0], t[1]}});
+            hit.t[k] = answer.hit[k].t;
+        to.push_back(hit);
     }
 }
 
-using Piece = Rows<3, 2>; /* line, shape, depth, t0, t1 */
 void pieces(const Question &q, const Ray &ray, int64_t number,
-            std::vector<Piece::Row> &to)
+            std::vector<Piece> &to)
 {
     const cylint_piece_rule rule = q.rule.pieces();
     const size_t found =
         checked(find_pieces(q.scene, &ray.line, &rule, q.rule.most, &memory));
     for (size_t k = 0; k < found; k++) {
         const cylint_piece &p = memory.piece[k];
-        to.push_back(
-            {{number, integer(p.shape), integer(p.depth)}, {p.t0, p.t1}});
+        to.push_back({number, integer(p.shape), integer(p.depth), p.t0, p.t1});
     }
 }
 
@@ -306,13 +296,11 @@ void depth(const Question &q, const Ball &ball, const Answer &put)
     put(integer(deep), owner < q.n ? integer(owner) : -1);
 }
 
-using Near = Rows<2, 1>; /* point, index, distance */
-
 /* A visit of the shapes near a point.  It is in C, which exceptions cannot cross. */
 struct NearVisit {
     const int64_t number;
     const double radius;
-    std::vector<Near::Row> &to;
+    std::vector<Near> &to;
     bool has_failed;
 };
 
@@ -320,7 +308,7 @@ double add_near(void *context, size_t index, double distance, int)
 {
     auto *const visit = static_cast<NearVisit *>(context);
     try {
-        visit->to.push_back({{visit->number, integer(index)}, {distance}});
+        visit->to.push_back({visit->number, integer(index), distance});
     } catch (const std::bad_alloc &) {
         visit->has_failed = true;
         return not_a_number;
@@ -329,7 +317,7 @@ double add_near(void *context, size_t index, double distance, int)
 }
 
 void within(const Question &q, const Ball &ball, int64_t number,
-            std::vector<Near::Row> &to)
+            std::vector<Near> &to)
 {
     NearVisit visit = {number, ball.radius, to, false};
     const auto begin = static_cast<ptrdiff_t>(to.size());
@@ -338,9 +326,7 @@ void within(const Question &q, const Ball &ball, int64_t number,
     if (visit.has_failed)
         throw std::bad_alloc();
     std::sort(to.begin() + begin, to.end(),
-              [](const Near::Row &a, const Near::Row &b) {
-                  return a.integer[1] < b.integer[1];
-              });
+              [](const Near &a, const Near &b) { return a.index < b.index; });
 }
 
 /* ------------------------------------------------ many lines or points -- */
@@ -384,8 +370,8 @@ bool each(const Grid &grid, const From &from, int threads,
 }
 
 /* Answers lines or points.  columns: for the answers, unless these are rows,
- * which are in the order of the lines or points.  Returns True or the arrays of
- * rows; None if a line is refused. */
+ * which are in the order of the lines or points.  Returns True or the rows; None if
+ * a line is refused. */
 template <class From, class Answers, auto query>
 nb::object answer(const Scene &scene, const From &from,
                   const std::optional<Rule> &given, Outputs columns,
@@ -426,11 +412,11 @@ void register_queries(nb::module_ &module, nb::class_<Scene> &scene)
         .def("count", &answer<Lines, Columns, count>)
         .def("sums", &answer<Lines, Columns, sums>)
         .def("first_boundary", &answer<Lines, Columns, boundary>)
-        .def("all", &answer<Lines, Hit, all>)
-        .def("pieces", &answer<Lines, Piece, pieces>)
+        .def("all", &answer<Lines, Rows<Hit>, all>)
+        .def("pieces", &answer<Lines, Rows<Piece>, pieces>)
         .def("closest", &answer<Balls, Columns, closest>)
         .def("within_count", &answer<Balls, Columns, within_count>)
         .def("contains", &answer<Balls, Columns, contains>)
         .def("depth", &answer<Balls, Columns, depth>)
-        .def("within", &answer<Balls, Near, within>);
+        .def("within", &answer<Balls, Rows<Near>, within>);
 }
