@@ -1,6 +1,6 @@
 /*
- * pieces.c - the shapes and pieces of a line, its first boundary, the shapes near a
- * point and the solids that contain it, in memory that grows
+ * pieces.c - the shapes and pieces of a line, its first boundary, and the solids that
+ * contain a point, in memory that grows
  */
 #include <stdlib.h>
 
@@ -41,17 +41,6 @@ size_t find_hit(const cylint_scene *scene, const cylint_line *line,
     size_t found;
     do
         found = cylint_scene_all(scene, line, 0, m->number, m->number_capacity);
-    while (found == m->number_capacity && grow_numbers(m));
-    return found < m->number_capacity ? found : CYLINT_NO_ROOM;
-}
-
-size_t find_near(const cylint_scene *scene, const double point[3],
-                 double radius, unsigned want, struct piece_memory *m)
-{
-    size_t found;
-    do
-        found = cylint_scene_within(scene, point, radius, want, 0, m->number,
-                                    NULL, m->number_capacity);
     while (found == m->number_capacity && grow_numbers(m));
     return found < m->number_capacity ? found : CYLINT_NO_ROOM;
 }

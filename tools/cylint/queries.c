@@ -7,6 +7,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "answer.h"
 
@@ -238,21 +239,26 @@ static int answer_count(struct task *task)
     return 0;
 }
 
+static int compare_numbers(const void *a, const void *b)
+{
+    const size_t *m = a, *n = b;
+    return (*m > *n) - (*m < *n);
+}
+
 /* The rows are written after the visit: a bad record has no partial answer. */
 static int answer_all(struct task *task)
 {
-    const struct options *o = task->job->options;
-    const cylint_scene *scene = task->job->scene.shapes;
     const struct record *r = &task->record;
     struct search s = {.task = task, .handle_shape = keep_number};
-    if (!is_one_by_one(task))
-        s.count = r->is_point ? find_near(scene, r->point, o->radius,
-                                          o->signed_flag, &task->pieces)
-                              : find_hit(scene, &r->line, &task->pieces);
+    if (!r->is_point && !is_one_by_one(task))
+        s.count = find_hit(task->job->scene.shapes, &r->line, &task->pieces);
     else if (visit_shapes(&s, 0))
         return EXIT_BAD;
     if (s.count == CYLINT_NO_ROOM)
         return end_without_memory(task);
+    if (r->is_point && s.count > 0)
+        qsort(task->pieces.number, s.count, sizeof *task->pieces.number,
+              compare_numbers);
     for (size_t i = 0; i < s.count && task->delivery == DELIVERY_DONE; i++)
         if (!is_left_out(task, task->pieces.number[i]))
             put_shape(task, task->pieces.number[i] + 1);

@@ -150,12 +150,10 @@ int grow_numbers(struct piece_memory *memory);
 
 /* All return CYLINT_NO_ROOM if there is no memory. */
 
-/* Write the numbers of the shapes that the line hits, or that are near the point as
- * cylint_scene_within() states, to memory->number, ascending.  Return how many. */
+/* Writes the numbers of the shapes that the line hits to memory->number, ascending.
+ * Returns how many. */
 size_t find_hit(const cylint_scene *scene, const cylint_line *line,
                 struct piece_memory *memory);
-size_t find_near(const cylint_scene *scene, const double point[3],
-                 double radius, unsigned want, struct piece_memory *memory);
 
 /* Writes all pieces, or the first `most` unless that is 0, to
  * memory->piece.  Returns how many. */
