@@ -1,6 +1,6 @@
 /*
- * pieces.c - the shapes and pieces of a line, its first boundary, and the solids that
- * contain a point, in memory that grows
+ * pieces.c - the shapes and pieces of a line, its first boundary, and the solids
+ * that contain a point, in memory that grows
  */
 #include <stdlib.h>
 

@@ -74,8 +74,8 @@ int compare_by_solid(const void *a, const void *b)
 }
 
 /* Gives each clause of its own the lowest number that its solid does not have.
- * Members of clause 0 come first, in the order of the file.  Returns 0 if there is no
- * memory. */
+ * Members of clause 0 come first, in the order of the file.  Returns 0 if there is
+ * no memory. */
 static int number_clauses(struct solids *s)
 {
     cylint_member *sorted = malloc((s->count + 1) * sizeof *sorted);

@@ -81,7 +81,7 @@ static const char *end_of_decimal(const struct reader *r, double *value)
     return is_hexadecimal(r) ? NULL : end_of_number(r->p, r->end, value);
 }
 
-/* Multiplies by a power of ten.  Returns 0 if the product has more than 18 digits. */
+/* Multiplies by a power of ten.  Returns 0 if the product has above 18 digits. */
 static int shift_digits(uint64_t *number, double places)
 {
     for (; places > 0 && *number > 0; places--) {

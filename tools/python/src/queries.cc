@@ -296,7 +296,7 @@ void depth(const Question &q, const Ball &ball, const Answer &put)
     put(integer(deep), owner < q.n ? integer(owner) : -1);
 }
 
-/* A visit of the shapes near a point.  It is in C, which exceptions cannot cross. */
+/* A visit of the shapes near a point.  It is in C: no exception can cross it. */
 struct NearVisit {
     const int64_t number;
     const double radius;

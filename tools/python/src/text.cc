@@ -90,8 +90,8 @@ std::unique_ptr<Scene> begun(struct scene *read)
     return made;
 }
 
-/* ends: of shapes whose line has no ends=, or -1; swc: enum swc_form, or -1.  Returns
- * (status, a scene that is begun, or None, messages). */
+/* ends: of shapes whose line has no ends=, or -1; swc: enum swc_form, or -1.
+ * Returns (status, a scene that is begun, or None, messages). */
 nb::tuple read_scene(const nb::bytes &file, int ends, int swc)
 {
     std::vector<std::string> printed;
