@@ -11,9 +11,9 @@
 #include "sampling.h"
 #include "../../src/shapes/shape_facts.h"
 
-const char *const colouring_words[] = {"number",    "label",  "kind",
-                                       "connected", "radius", "height",
-                                       "element",   "chain",  NULL};
+const char *const colouring_words[] = {
+    "number", "label",   "kind",  "connected", "radius",
+    "height", "element", "chain", RGB,         NULL};
 
 enum { NO_COLOUR = 1 << 24 };
 

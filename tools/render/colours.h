@@ -14,7 +14,6 @@
 #include "vector.h"
 
 enum colouring {
-    COLOUR_ONE,       /* one colour for all */
     COLOUR_NUMBER,    /* one after the other from a palette */
     COLOUR_LABEL,     /* by the record's tail: equal tails, equal colours */
     COLOUR_KIND,      /* by the kind of shape */
@@ -22,10 +21,13 @@ enum colouring {
     COLOUR_RADIUS,    /* from thin to thick */
     COLOUR_HEIGHT,    /* from low to high */
     COLOUR_ELEMENT,   /* atoms by their elements (atoms.c) */
-    COLOUR_CHAIN      /* atoms and bonds by their chains */
+    COLOUR_CHAIN,     /* atoms and bonds by their chains */
+    COLOUR_ONE        /* one colour for all */
 };
 
-extern const char *const colouring_words[]; /* from COLOUR_NUMBER on, NULL */
+#define RGB "#rrggbb" /* the word for a colour in lists of words */
+
+extern const char *const colouring_words[]; /* by enum colouring, then NULL */
 
 /* Returns a new array with a colour for each shape of a scene that keeps labels,
  * 0xrrggbb, sRGB, and space for one more; NULL after a message.  how: of the

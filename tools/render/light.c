@@ -244,7 +244,7 @@ static double exposed(const struct stage *stage, double light)
 static void put_pixel(const struct work *w, int y, struct sample mean,
                       unsigned char *bytes)
 {
-    const struct backdrop *b = w->stage->backdrop;
+    const struct backdrop *b = &w->stage->backdrop;
     const double down = (y + 0.5) / w->drawing->picture->height;
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {

@@ -36,7 +36,7 @@ struct stage {
     enum shading shading;
     struct vector sun; /* unit vector towards it */
     struct vector up;  /* unit vector */
-    const struct backdrop *backdrop;
+    struct backdrop backdrop;
 };
 
 /* Fills the picture, on several threads.  Returns 0 or an exit status. */

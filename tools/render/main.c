@@ -63,8 +63,7 @@ static int add_ground(struct job *job, const struct boxes *all)
                         CYLINT_ENDS_CAPPED) != CYLINT_OK)
         return complain(EXIT_BAD, job->options.scene,
                         "the scene is too large for --ground");
-    read_colour(string_of(job->options.ground),
-                &job->colours[job->scene.count]);
+    job->colours[job->scene.count] = job->options.ground.colour;
     return scene_add(&job->scene, &record);
 }
 
@@ -77,12 +76,23 @@ static struct vector sun_of(const struct options *o, const struct view *view)
                                   -0.45, view->forward));
 }
 
+static struct backdrop backdrop_of(struct paint background)
+{
+    enum { SKY_TOP = 0xc3d7ea, SKY_BOTTOM = 0xf6f3ec };
+    const int is_sky = background.word == BACKGROUND_SKY;
+    const uint32_t colour = background.colour;
+    return (struct backdrop){background.word == BACKGROUND_NONE,
+                             light_of_colour(is_sky ? SKY_TOP : colour),
+                             light_of_colour(is_sky ? SKY_BOTTOM : colour)};
+}
+
 /* The view contains the scene without the ground. */
 static int set_stage(struct job *job, const struct boxes *boxes)
 {
     const struct options *o = &job->options;
     const struct vector up = unit(o->viewing.up);
-    job->colours = colours_make(&job->scene, o->colouring, o->colour, up);
+    job->colours = colours_make(&job->scene, (enum colouring)o->colouring.word,
+                                o->colouring.colour, up);
     if (!job->colours)
         return EXIT_MEMORY;
     job->scene.keeps_labels = 0;
@@ -92,13 +102,14 @@ static int set_stage(struct job *job, const struct boxes *boxes)
         return complain(EXIT_BAD, o->scene, "%s", fault);
     job->stage = (struct stage){.colours = job->colours,
                                 .has_solids = job->scene.solids.count > 0,
-                                .has_ground = o->ground && boxes->size > 0,
+                                .has_ground = o->ground.word != GROUND_NONE &&
+                                              boxes->size > 0,
                                 .middle = boxes->middle,
                                 .size = boxes->size,
                                 .shading = (enum shading)o->shading,
                                 .sun = sun_of(o, &job->view),
                                 .up = up,
-                                .backdrop = &o->backdrop};
+                                .backdrop = backdrop_of(o->background)};
     const int status = job->stage.has_ground ? add_ground(job, boxes) : 0;
     job->stage.count = job->scene.count;
     return status;
@@ -135,9 +146,9 @@ static int draw_picture(struct job *job, struct output *out)
     stopwatch_report(&job->stopwatch, "built a scene of",
                      cylint_scene_bytes(job->stage.scene), "bytes");
     status = picture_make(&picture, o->size[0], o->size[1],
-                          is_xray                      ? 1
-                          : o->backdrop.is_transparent ? 4
-                                                       : 3);
+                          is_xray                              ? 1
+                          : job->stage.backdrop.is_transparent ? 4
+                                                               : 3);
     if (status == 0)
         status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
                          : trace(&drawing, &job->stage);

@@ -12,8 +12,7 @@
 
 enum { MOST_PIXELS = 1 << 16 /* of a side */ };
 
-static const uint32_t SKY_TOP = 0xc3d7ea, SKY_BOTTOM = 0xf6f3ec;
-static const uint32_t CLAY = 0xd9cbb8;
+enum { CLAY = 0xd9cbb8 };
 
 /* ------------------------------------------------------------- values -- */
 
@@ -64,48 +63,19 @@ static int read_size(const struct option *o, const char *value, void *place)
     return check_value(o, value, is_size);
 }
 
-static void set_sky(struct backdrop *b)
+/* o->extra: words, the last of which stands for a colour. */
+static int read_paint(const struct option *o, const char *value, void *place)
 {
-    b->top = light_of_colour(SKY_TOP);
-    b->bottom = light_of_colour(SKY_BOTTOM);
-}
-
-static int read_background(const struct option *o, const char *value,
-                           void *place)
-{
-    struct backdrop *b = place;
-    uint32_t colour = SKY_TOP;
-    int is_right = 1;
-    b->is_transparent = strcmp(value, "none") == 0;
-    if (strcmp(value, "sky") == 0) {
-        set_sky(b);
-    } else if (!b->is_transparent) {
-        is_right = read_colour(string_of(value), &colour);
-        b->top = b->bottom = light_of_colour(colour);
-    }
-    return check_value(o, value, is_right);
-}
-
-static int read_colouring(const struct option *o, const char *value,
-                          void *place)
-{
-    struct options *options = place;
-    const int index = find_word(WORDS(colouring_words), string_of(value));
-    options->colouring = index == NOT_GIVEN
-                             ? COLOUR_ONE
-                             : (enum colouring)(index + COLOUR_NUMBER);
-    return check_value(o, value,
-                       index != NOT_GIVEN ||
-                           read_colour(string_of(value), &options->colour));
-}
-
-static int read_ground(const struct option *o, const char *value, void *place)
-{
-    uint32_t colour;
-    const int is_none = strcmp(value, "none") == 0;
-    *(const char **)place = is_none ? NULL : value;
-    return check_value(o, value,
-                       is_none || read_colour(string_of(value), &colour));
+    struct paint *paint = place;
+    const char *const *const words = o->extra;
+    char list[WORDS_CAPACITY], shown[SHOWN_CAPACITY];
+    const int is_colour = read_colour(string_of(value), &paint->colour);
+    paint->word = find_word(WORDS(words), string_of(is_colour ? RGB : value));
+    if (is_colour || (paint->word != NOT_GIVEN && strcmp(value, RGB) != 0))
+        return 0;
+    return usage("--%s: expected %s, found '%s'", o->name,
+                 list_words(list, WORDS(words)),
+                 escape(shown, string_of(value), VALUE_MOST));
 }
 
 static int read_xray(const struct option *o, const char *value, void *place)
@@ -137,6 +107,8 @@ static int read_output(const struct option *o, const char *value, void *place)
 enum { OF_SURFACES = 1 /* an option for light and colour, not for X-rays */ };
 
 static const char *const shadings[] = {"light", "plain", "normal", NULL};
+static const char *const grounds[] = {"none", RGB, NULL};
+static const char *const backgrounds[] = {"sky", "none", RGB, NULL};
 static const char direction[] = "a direction X,Y,Z";
 
 #define AT(member) offsetof(struct options, member)
@@ -165,10 +137,8 @@ static const struct option option_table[] = {
     {"ortho", 0, read_flag, AT(viewing.is_parallel), 0, 1, 0, "parallel rays"},
     {"zoom", "FACTOR", read_factor, AT(viewing.zoom), "a number above 0", 0, 0,
      "enlarge about the picture's centre"},
-    {"colour", "HOW", read_colouring, 0,
-     "number, label, kind, connected, radius, height, element, chain or "
-     "#rrggbb",
-     0, OF_SURFACES,
+    {"colour", "HOW", read_paint, AT(colouring), colouring_words, 0,
+     OF_SURFACES,
      "of shapes without a field #rrggbb in their records:\n"
      "number, label, kind, connected, radius, height,\nelement, chain or "
      "#rrggbb"},
@@ -176,10 +146,10 @@ static const struct option option_table[] = {
      "light (default), plain or normal"},
     {"light", "X,Y,Z", read_direction, AT(sun), direction, 0, OF_SURFACES,
      "the direction to the sun"},
-    {"ground", "HOW", read_ground, AT(ground), "none or #rrggbb", 0,
-     OF_SURFACES, "#rrggbb below the scene, or none (default)"},
-    {"background", "HOW", read_background, AT(backdrop), "sky, none or #rrggbb",
-     0, OF_SURFACES, "sky (default), #rrggbb or none: transparent"},
+    {"ground", "HOW", read_paint, AT(ground), grounds, 0, OF_SURFACES,
+     "#rrggbb below the scene, or none (default)"},
+    {"background", "HOW", read_paint, AT(background), backgrounds, 0,
+     OF_SURFACES, "sky (default), #rrggbb or none: transparent"},
     {"xray", "HOW", read_xray, AT(xray), "MU, auto or linear", 0, 0,
      "grey, by the length inside the solids: MU for\n"
      "exp(-MU length), auto for a fitting MU, or linear"},
@@ -247,8 +217,7 @@ int read_options(struct options *o, int argc, char **argv)
     o->viewing.up = vector(0, 0, 1);
     o->viewing.fov = 30;
     o->viewing.zoom = 1;
-    o->colour = CLAY;
-    set_sky(&o->backdrop);
+    o->colouring = (struct paint){COLOUR_ONE, CLAY};
     const int status =
         take_arguments(option_table, argc, argv, o, &files, &o->given);
     o->has_sun = is_given(o, "light");

@@ -11,6 +11,15 @@
 #include "view.h"
 #include "xray.h"
 
+/* A word of an option, by its number; the last word stands for a colour. */
+struct paint {
+    int word;
+    uint32_t colour;
+};
+
+enum { GROUND_NONE };                     /* the first word of --ground */
+enum { BACKGROUND_SKY, BACKGROUND_NONE }; /* of --background */
+
 struct options {
     unsigned long long given; /* a bit for each option in the table */
     const char *scene, *output;
@@ -22,12 +31,10 @@ struct options {
     int shows_progress;
     struct viewing viewing;
     int has_sun;
-    struct vector sun; /* towards it */
-    int shading;       /* enum shading */
-    enum colouring colouring;
-    uint32_t colour;    /* of shapes without a colour of their own */
-    const char *ground; /* #rrggbb, or NULL */
-    struct backdrop backdrop;
+    struct vector sun;      /* towards it */
+    int shading;            /* enum shading */
+    struct paint colouring; /* enum colouring */
+    struct paint ground, background;
     struct xray xray;
 
     const char *about; /* help or version, to print instead; or NULL */
