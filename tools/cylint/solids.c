@@ -133,6 +133,7 @@ static int refuse_number(const struct solids *s, const char *file, size_t solid,
                     (unsigned long long)number);
 }
 
+/* lint: out_of_memory() is not 0, so both arrays were allocated */
 int solids_complete(struct solids *s, size_t shapes, const char *file)
 {
     size_t *number = number_clauses(s) ? solids_numbers(s) : NULL;
