@@ -1,14 +1,27 @@
 # Transcripts of commands; a test sources this file after verdict.sh.
 #
 # A transcript is `$ command`, `> more` lines of it, and the expected output.  `! text`
-# is a line of standard error, `? N` the exit status (default 0), `!? text` the message
-# and status of a wrong command line, `(empty)` an empty line.  A blank line ends the
-# transcript; text between transcripts is comment.  All commands run in the folder
-# $scratch/work.
+# is a line of standard error, `? N` the exit status (default 0), `(empty)` an empty line.
+# `$ command  !? text` is a wrong command line and its message.
+#
+# `% command` begins a table of runs.  Each line has `[options < ]input => answer`: the
+# input, a text of printf, goes to standard input, and the answer is its lines of
+# standard output and error, with ` | ` between them; of a message `! ` replaces
+# `cylint: ` or `cylint: stdin:`.  The status is 1 if there is a message alone.
+#
+# A blank line, or another command, ends a transcript or table; text between them, and
+# `# text` within a table, is comment.  All commands run in the folder $scratch/work.
 
 # Runs $command and compares its output with expected.out and expected.err.
 finish() {
-    [ -n "$command" ] || return
+    case $command in
+    '') return ;;
+    *'  !? '*)
+        status=2
+        printf '%s: %s\n%s\n' "${command%% *}" "${command#*  !? }" \
+            "Try '${command%% *} --help'." >"$scratch/expected.err"
+        command=${command%  !? *} ;;
+    esac
     (cd "$scratch/work" && sh -c "$command") </dev/null >"$scratch/out" 2>"$scratch/err"
     echo "? $?" >>"$scratch/err"
     echo "? $status" >>"$scratch/expected.err"
@@ -25,24 +38,48 @@ begin() {
     : >"$scratch/expected.err"
 }
 
+# Runs $line of the table $table.
+run_row() {
+    input=${line%% => *} options= status=0
+    case $line in
+    *' => ! '*) status=1 ;;
+    *' => '*) ;;
+    '# '*) return ;;
+    esac
+    case $input in *' < '*) options=${input%% < *} input=${input#* < } ;; esac
+    (cd "$scratch/work" && printf '%b\n' "$input" | sh -c "$table $options") \
+        >"$scratch/out" 2>"$scratch/err"
+    ended=$?
+    sed 's/^[a-z-]*: \(stdin:\)\{0,1\}/! /' "$scratch/err" | cat "$scratch/out" - |
+        awk 'NR > 1 { printf " | " } { printf "%s", $0 }' >"$scratch/said"
+    [ $ended -eq $status ] && printf %s "${line#* => }" | cmp -s - "$scratch/said"
+    verdict "$source: $table: $line" $? || echo "$(cat "$scratch/said"), status $ended"
+}
+
+# Takes a line behind a command.
+take_line() {
+    case $1 in
+    '> '*) command="$command
+${1#??}" ;;
+    '! '*) printf '%s\n' "${1#??}" >>"$scratch/expected.err" ;;
+    '? '*) status=${1#??} ;;
+    '(empty)') echo >>"$scratch/expected.out" ;;
+    *) printf '%s\n' "$1" >>"$scratch/expected.out" ;;
+    esac
+}
+
 run_transcripts() { # name; transcripts on standard input
-    source=$1 command=
+    source=$1 command= table=
     while IFS= read -r line; do
         case $line in
-        '$ '*) finish; begin "${line#??}" ;;
-        '> '*) command="$command
-${line#??}" ;;
-        '') finish ;;
-        '!? '*)
-            program=${command%% *}
-            printf '%s: %s\n%s\n' "$program" "${line#???}" "Try '$program --help'." \
-                >>"$scratch/expected.err"
-            status=2 ;;
-        '! '*) printf '%s\n' "${line#??}" >>"$scratch/expected.err" ;;
-        '? '*) status=${line#??} ;;
-        '(empty)') echo >>"$scratch/expected.out" ;;
-        *) [ -z "$command" ] ||
-            printf '%s\n' "$line" >>"$scratch/expected.out" ;;
+        '$ '*) finish; table=; begin "${line#??}" ;;
+        '% '*) finish; table=${line#??} ;;
+        '') finish; table= ;;
+        *)  if [ -n "$table" ]; then
+                run_row
+            elif [ -n "$command" ]; then
+                take_line "$line"
+            fi ;;
         esac
     done
     finish
