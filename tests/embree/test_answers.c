@@ -607,7 +607,7 @@ static void count_call(const struct RTCFilterFunctionNArguments *a)
 
 /* The adapter is not used: rays with a known pattern around them hit one of
  * Embree's own curves in an instance.  With a wrong declaration, possible for a
- * library without its header (tests/embree/embree4), Embree writes elsewhere. */
+ * library without its header (embree4/headers.sh), Embree writes elsewhere. */
 TEST(a_hit_is_written_where_it_is_declared)
 {
     const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};

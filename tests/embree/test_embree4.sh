@@ -7,6 +7,7 @@ folder=$build/embree4
 library=$(sh "$here/embree4/fetch.sh" "$folder/wheel")
 status=$?
 [ $status -eq 0 ] || { echo "$library"; exit $status; }
+sh "$here/embree4/headers.sh" "$folder/include" || exit
 library=$(cd "$(dirname "$library")" && pwd)/$(basename "$library")
 # What does not include a header of Embree is the same and is not compiled again.
 mkdir -p "$folder/src" "$folder/tests" &&
@@ -15,7 +16,7 @@ mkdir -p "$folder/src" "$folder/tests" &&
 make_with_4()
 {
     make -s -C "$top" BUILD="$folder" EMBREE=4 \
-        EMBREE_CFLAGS='-Itests/embree -Werror=implicit-function-declaration -Werror=pedantic' \
+        EMBREE_CFLAGS="-I$folder/include -Werror=implicit-function-declaration -Werror=pedantic" \
         EMBREE_LIBS="$library -Wl,-rpath,$(dirname "$library")" "$@"
 }
 
@@ -25,7 +26,7 @@ display cylint_embree.3 1 | sed 's/embree3/embree4/
     s/rtcIntersect1(.*/rtcIntersect1(scene, \&at, NULL);/' > "$scratch/example.c"
 display cylint_embree.3 2 > "$scratch/said"
 make_with_4 "$folder/libcylint-embree4.a" "$folder/libcylint.a" &&
-    $cc -std=c99 -Werror -Iinclude -Itests/embree -o "$scratch/example" \
+    $cc -std=c99 -Werror -Iinclude -I"$folder/include" -o "$scratch/example" \
         "$scratch/example.c" "$folder/libcylint-embree4.a" \
         "$folder/libcylint.a" "$library" -Wl,-rpath,"$(dirname "$library")" \
         -pthread -lm &&
