@@ -89,7 +89,7 @@ deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
 # $(call run_tests,TEST...): each is a target of run.mk; the long ones start first.
 # MISSING: what `make deps` installs and was not found, unless the user said so
 long_tests = $(addprefix tests/,package/test_amalgamation.sh python/test_python.sh embree/test_embree4.sh command/test_faults.sh package/test_build.sh package/test_packages.sh package/test_install.sh) \
-             $(addprefix $(BUILD)/tests/,library/test_batch scene/test_queries distance/test_oracle embree/test_packets)
+             $(addprefix $(BUILD)/tests/,library/test_batch scene/test_queries distance/test_oracle embree/test_random)
 missing    = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
 run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(1))' \
 	BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \

@@ -1,24 +1,26 @@
 /*
- * test_random.c - random rays have the answers of brute force
+ * test_random.c - random rays and packets have the answers of brute force
  *
- * All kinds of lines through all kinds of scenes, as float rays, compared with
- * cylint_nearest() on the same floats.  From within three sizes of the scene
- * every answer has the same bits.  Embree misses some rays from farther away,
- * up to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported
- * hit must be a hit of the library.  CYLINT_CASES is the number of rays, and
- * CYLINT_SEED changes all of them.
+ * All kinds of lines, and packets of rays of all arrangements, through all kinds of
+ * scenes, as float rays, compared with cylint_nearest() on the same floats.  From
+ * within three sizes of the scene every answer has the same bits.  Embree misses some
+ * rays from farther away, up to 1e16 sizes, as cylint_embree.h says: they are counted,
+ * and a reported hit must be a hit of the library.  CYLINT_CASES is the number of rays,
+ * and CYLINT_SEED changes all of them.
  */
 #include <math.h>
 #include <string.h>
 
 #include "shapes/layout.h"
 #include "embree_compare.h"
+#include "environment.h"
 #include "vectors.h"
 
 struct tally {
     long rays, hits;
     long far, far_missed, far_other; /* from farther than `sizes` */
     double sizes;                    /* as far as boxes are wide enough */
+    int bare;                        /* without u, v and Ng */
 };
 
 /* Makes a ray for Embree from the line.  Returns 0 if that is impossible. */
@@ -58,11 +60,21 @@ static int is_a_hit(const struct world *w, struct rays *r, int i)
                          rays_at(r, RAY_TFAR, i)->f) > 0;
 }
 
+/* Whether u, v and Ng are as they were; a stream's are undefined. */
+static int is_bare(RTCScene scene, const struct rays *r, int i)
+{
+    int is = 1;
+    for (int m = HIT_NG; m <= HIT_V; m++)
+        is &= r->word[m * r->n + i].u == r->before[m * r->n + i].u;
+    return is || !rays_are_native(scene, r->n);
+}
+
 static void compare(const struct world *w, const struct scene_shapes *s,
                     struct rays *r, int i, struct tally *n)
 {
     const cylint_line line = rays_line(r, i);
-    const int agrees = world_agrees(w, r, i, 1),
+    const int agrees = world_agrees(w, r, i, !n->bare) &&
+                       (!n->bare || is_bare(w->scene, r, i)),
               far = is_far(s, &line, n->sizes);
     n->rays++;
     n->hits += rays_hit(r, i);
@@ -85,6 +97,22 @@ static void compare_shadow(const struct world *w, const struct scene_shapes *s,
         world_show(w, r, i);
 }
 
+/* Traces the rays for nearest and for any hit, and compares the answers. */
+static void compare_all(const struct world *w, const struct scene_shapes *s,
+                        struct rays *r, int coherent, struct tally *n)
+{
+    const struct rays_query query = {.coherent = coherent};
+    for (int occlusion = 0; occlusion < 2; occlusion++) {
+        if (occlusion)
+            memcpy(r->word, r->before, sizeof r->word);
+        (occlusion ? rays_occluded : rays_intersect)(r, w->scene, &query);
+        CHECK(rays_strayed(r, occlusion) == 0);
+        for (int i = 0; i < r->n; i++)
+            if (r->valid[i])
+                (occlusion ? compare_shadow : compare)(w, s, r, i, n);
+    }
+}
+
 static void compare_lines(const struct world *w, const struct scene_shapes *s,
                           enum scene_lines kind, uint64_t seed, int rays,
                           struct tally *n)
@@ -99,32 +127,125 @@ static void compare_lines(const struct world *w, const struct scene_shapes *s,
             if (scene_line(s, kind, seed, index++, &line) == CYLINT_OK)
                 n_rays += add_line(&r, i, &line);
         }
-        if (r.n == 1 && !r.valid[0])
-            continue;
-        rays_intersect(&r, w->scene, NULL);
-        CHECK(rays_strayed(&r, 0) == 0);
-        for (int i = 0; i < r.n; i++)
-            if (r.valid[i])
-                compare(w, s, &r, i, n);
-        memcpy(r.word, r.before, sizeof r.word);
-        rays_occluded(&r, w->scene, NULL);
-        CHECK(rays_strayed(&r, 1) == 0);
-        for (int i = 0; i < r.n; i++)
-            if (r.valid[i])
-                compare_shadow(w, s, &r, i, n);
+        if (r.n > 1 || r.valid[0])
+            compare_all(w, s, &r, 0, n);
     }
 }
+
+/* -------------------------------------------------------------- packets -- */
+
+/* Arrangements of the rays of a packet. */
+enum manner {
+    EYE,    /* from one point to points that are near each other */
+    BEAM,   /* nearly parallel, from different places */
+    MIXED,  /* as from an eye, but every third anywhere */
+    OCTANT, /* only their signs are the same */
+    AFAR,   /* from an eye a hundred to a million sizes away */
+    ALONG,  /* parallel to the z axis, with zeros of both signs */
+    SPANS,  /* from an eye among the shapes, with ends of domains there */
+    ANYHOW,
+    MANNERS
+};
+
+struct aim {
+    double lo[3], size[3];
+    double eye[3], at[3], spread;
+};
+
+static void point(const struct aim *a, double p[3])
+{
+    for (int k = 0; k < 3; k++)
+        p[k] = a->lo[k] + a->size[k] * between(0, 1);
+}
+
+static struct aim draw_aim(const struct scene_shapes *s, enum manner manner)
+{
+    struct aim a;
+    double lo[3], hi[3];
+    float away[3];
+    const double far = manner == AFAR    ? power(2, 6)
+                       : manner == SPANS ? 0
+                                         : between(0, 2);
+    for (int k = 0; k < 3; k++) {
+        a.lo[k] = s->lo[k];
+        a.size[k] = s->hi[k] - s->lo[k];
+    }
+    world_direction(away);
+    cylint_bounds(&s->shapes[(size_t)(between(0, 1) * (double)s->n)], lo, hi);
+    for (int k = 0; k < 3; k++)
+        a.at[k] = (lo[k] + hi[k]) / 2;
+    point(&a, a.eye);
+    for (int k = 0; k < 3; k++)
+        a.eye[k] += far * a.size[k] * away[k];
+    a.spread = power(-4, 0);
+    return a;
+}
+
+/* A ray of the packet, with a random length. */
+static void add(const struct aim *a, enum manner manner, struct rays *r, int i)
+{
+    const int anywhere = manner == ANYHOW || (manner == MIXED && i % 3 == 0);
+    double from[3], to[3];
+    float o[3], d[3], tnear = 0, tfar = HUGE_VALF;
+    point(a, from);
+    point(a, to);
+    for (int k = 0; k < 3; k++) {
+        const double sign = a->at[k] < a->eye[k] ? -1 : 1;
+        if (manner == OCTANT)
+            to[k] = from[k] + sign * fabs(to[k] - from[k]);
+        else if (!anywhere) {
+            to[k] = a->at[k] + a->spread * (to[k] - a->at[k]);
+            from[k] = manner == ALONG && k < 2
+                          ? to[k]
+                          : a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
+        }
+    }
+    const double length = between(0.01, 1.01);
+    for (int k = 0; k < 3; k++) {
+        o[k] = (float)from[k];
+        d[k] = (float)((to[k] - (double)o[k]) * length);
+        if (manner == ALONG && k < 2)
+            d[k] = chance(0.5) ? 0 : -0.0f;
+    }
+    if (manner == SPANS) {
+        tnear = (float)(between(0, 1) / length);
+        tfar = tnear + (float)(between(0, 1) / length);
+    }
+    rays_add(r, i, o, d, tnear, tfar);
+}
+
+/* All, some or none of the rays of a packet are active. */
+static void compare_packets(const struct world *w, const struct scene_shapes *s,
+                            int packets, struct tally *n)
+{
+    for (int turn = 0; turn < packets; turn++) {
+        const enum manner manner = (enum manner)(turn % MANNERS);
+        const struct aim a = draw_aim(s, manner);
+        const double share = turn % 2 ? 1 : between(0, 1);
+        struct rays r;
+        rays_begin(&r, rays_sizes[1 + turn / MANNERS % 3]);
+        for (int i = 0; i < r.n; i++) {
+            add(&a, manner, &r, i);
+            r.valid[i] = chance(share) ? -1 : 0; /* it too would hit */
+        }
+        compare_all(w, s, &r, turn / 2 % 2, n);
+    }
+}
+
+/* ---------------------------------------------------------------- tests -- */
 
 static void answers_are_those_of_brute_force(unsigned how, double sizes)
 {
     const int rays = (int)check_setting("CYLINT_CASES", 100000);
-    struct tally n = {.sizes = sizes};
+    struct tally n = {.sizes = sizes, .bare = how == CYLINT_EMBREE_BARE};
+    stream = check_seed();
     for (int i = 0; i < WORLD_SCENES; i++) {
         OWN_SHAPES s = scene_generate(world_scenes[i], 200, check_seed());
         OWN_WORLD w = world_with(s.shapes, s.n, how);
         for (int kind = 0; kind < LINES_KINDS; kind++)
             compare_lines(&w, &s, (enum scene_lines)kind, check_seed(),
-                          1 + rays / (2 * WORLD_SCENES * LINES_KINDS), &n);
+                          1 + rays / (4 * WORLD_SCENES * LINES_KINDS), &n);
+        compare_packets(&w, &s, 1 + rays / (6 * WORLD_SCENES), &n);
     }
     CHECK(n.rays >= rays / 2 && n.hits > n.rays / 4 &&
           n.hits < n.rays - n.rays / 100);
@@ -136,13 +257,19 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
 
 TEST(leaves_answer_as_brute_force_does)
 {
-    answers_are_those_of_brute_force(0, 4095);
+    EACH_KERNELS(k)
+        answers_are_those_of_brute_force(0, 4095);
 }
 
 /* Certain occlusion in floats is right. */
 TEST(without_filters_leaves_answer_as_brute_force_does)
 {
     answers_are_those_of_brute_force(CYLINT_EMBREE_NO_FILTERS, 4095);
+}
+
+TEST(bare_hits_are_those_of_brute_force)
+{
+    answers_are_those_of_brute_force(CYLINT_EMBREE_BARE, 4095);
 }
 
 TEST(primitives_answer_as_brute_force_does)
