@@ -4,8 +4,7 @@
 # The wheel of fetch.sh has none.  These are Embree 3's with what the adapter and its
 # tests use of the interface of Embree 4.3 and 4.4 in its default configuration
 # (github.com/RenderKit/embree, doc/ and include/): one level of instances, instance
-# arrays.  tests/embree/test_answers.c tests by canaries that the library's structures
-# have this layout.
+# arrays.  With another layout of a structure the tests of rays fail.
 from=$(echo '#include <embree3/rtcore.h>' | ${CC:-cc} -M -xc - 2>/dev/null |
     tr ' ' '\n' | sed -n 's|/rtcore\.h$||p')
 [ -n "$from" ] || { echo 'no Embree 4: no headers of Embree 3 (make deps)'; exit 77; }
