@@ -24,7 +24,6 @@ core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
               $(patsubst %,$(BUILD)/tests/%,package/records package/answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) $(scene_library)
-$(embree_tests): $(patsubst %,$(BUILD)/tests/embree/%.o,embree_rays embree_world)
 $(embree_tests): %: %.o $(BUILD)/tests/support/scenes.o $(test_common) \
 	$(call archive,$(adapter)) $(BUILD)/libcylint.a
 $(BUILD)/tests/command/pixels: $(BUILD)/tests/command/pixels.o $(scene_library)

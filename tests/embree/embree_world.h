@@ -5,42 +5,145 @@
 #ifndef CYLINT_EMBREE_WORLD_H
 #define CYLINT_EMBREE_WORLD_H
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
 #include "draw.h"
 #include "embree_rays.h"
+#include "families.h"
 #include "scenes.h"
 
-/* The one device of a test program, its errors counted; memory is watched:
- * see world_memory. */
-RTCDevice world_device(void);
-int world_errors(void); /* since the last call */
-enum RTCError world_last_error(void);
-
-/* Whether a status is reported with the number of a shape or part and, by the
- * device, as one invalid argument since the last call of world_errors(). */
-int world_refused(const cylint_embree_problem *problem, int status,
-                  size_t number);
+/* -------------------------------------------------------------- device -- */
 
 /* What the device's memory monitor saw. */
-struct world_memory {
+static struct {
     long long bytes; /* in use now */
     int requests;    /* allocations, including the refused one */
     int refuse;      /* the number of the one to refuse, from 1; 0: none */
-};
-extern struct world_memory world_memory;
+} world_memory;
+
+static int errors;
+static enum RTCError world_last_error;
+
+static inline void count_error(void *user, enum RTCError code, const char *text)
+{
+    (void)user;
+    (void)text;
+    errors++;
+    world_last_error = code;
+}
+
+static inline bool watch(void *user, ssize_t bytes, bool post)
+{
+    (void)user;
+    (void)post;
+    if (bytes > 0) {
+        const int number =
+            __atomic_add_fetch(&world_memory.requests, 1, __ATOMIC_RELAXED);
+        if (number == world_memory.refuse)
+            return false;
+    }
+    __atomic_add_fetch(&world_memory.bytes, (long long)bytes, __ATOMIC_RELAXED);
+    return true;
+}
+
+/* The one device of a program, its errors counted, its memory watched. */
+static inline RTCDevice world_device(void)
+{
+    static RTCDevice device;
+    if (!device) {
+        device = rtcNewDevice("threads=1");
+        if (!device ||
+            rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION_MAJOR) !=
+                RTC_VERSION_MAJOR) {
+            fprintf(stderr, "no device of Embree %d\n", RTC_VERSION_MAJOR);
+            exit(1);
+        }
+        rtcSetDeviceErrorFunction(device, count_error, NULL);
+        rtcSetDeviceMemoryMonitorFunction(device, watch, NULL);
+    }
+    return device;
+}
+
+/* Errors since the last call. */
+static inline int world_errors(void)
+{
+    const int since = errors;
+    errors = 0;
+    return since;
+}
+
+/* Whether a status is reported with the number of a shape or part and, by the
+ * device, as one invalid argument since the last call of world_errors(). */
+static inline int world_refused(const cylint_embree_problem *problem,
+                                int status, size_t number)
+{
+    return world_errors() == 1 &&
+           world_last_error == RTC_ERROR_INVALID_ARGUMENT &&
+           problem->status == status && problem->shape == number;
+}
+
+/* --------------------------------------------------------------- scene -- */
 
 /* A scene in which filters of contexts, or of arguments, are called. */
-RTCScene world_new_scene(void);
+static inline RTCScene world_new_scene(void)
+{
+    RTCScene scene = rtcNewScene(world_device());
+#if RTC_VERSION_MAJOR >= 4
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+#else
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+#endif
+    return scene;
+}
+
+/* A committed scene that owns the geometry, with this number, and no other. */
+static inline RTCScene scene_of(RTCGeometry geometry, unsigned id)
+{
+    RTCScene scene = world_new_scene();
+    rtcSetGeometryMask(geometry, 0xffffffffu);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+    return scene;
+}
 
 /* A committed scene that holds an instance of the other, with this number and, for
  * each time step, a matrix of three rows, column by column. */
-RTCScene world_instance(RTCScene of, unsigned id, int steps,
-                        const float *matrix);
+static inline RTCScene world_instance(RTCScene of, unsigned id, int steps,
+                                      const float *matrix)
+{
+    RTCGeometry instance =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, of);
+    rtcSetGeometryTimeStepCount(instance, (unsigned)steps);
+    for (int i = 0; i < steps; i++)
+        rtcSetGeometryTransform(instance, (unsigned)i,
+                                RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                matrix + 12 * i);
+    return scene_of(instance, id);
+}
 
 /* A committed scene that holds a cone curve of n nodes, x, y, z and radius, with
  * this number. */
-RTCScene world_curve(const float (*nodes)[4], size_t n, unsigned id);
+static inline RTCScene world_curve(const float (*nodes)[4], size_t n,
+                                   unsigned id)
+{
+    RTCGeometry curve =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    unsigned *first = rtcSetNewGeometryBuffer(
+        curve, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof *first, n - 1);
+    float *vertex = rtcSetNewGeometryBuffer(
+        curve, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof *nodes, n);
+    for (unsigned i = 0; i < n - 1; i++)
+        first[i] = i;
+    memcpy(vertex, nodes, n * sizeof *nodes);
+    return scene_of(curve, id);
+}
 
 struct world {
     RTCScene scene;
@@ -52,41 +155,144 @@ struct world {
 };
 
 /* A committed scene that holds the shapes alone; ends the test if there is none. */
-struct world world_made(const cylint_shape *shapes, size_t n,
-                        const cylint_embree_options *options);
-void world_free(struct world *w);
+static inline struct world world_made(const cylint_shape *shapes, size_t n,
+                                      const cylint_embree_options *options)
+{
+    struct world w = {.shapes = shapes, .n = n};
+    cylint_embree_problem problem;
+    w.geometry =
+        cylint_embree_geometry(world_device(), shapes, n, options, &problem);
+    w.pack_memory = malloc(cylint_pack_bytes(n) + 1);
+    if (!w.geometry || !w.pack_memory) {
+        fprintf(stderr, "%s, shape %lu\n",
+                cylint_embree_strerror(problem.status),
+                (unsigned long)problem.shape);
+        exit(1);
+    }
+    w.scene = world_new_scene();
+    rtcAttachGeometry(w.scene, w.geometry);
+    rtcCommitScene(w.scene);
+    cylint_pack_shapes(&w.pack, w.pack_memory, shapes, n);
+    return w;
+}
+
+/* Commits the scene with this filter of the geometry, or with the shapes as they
+ * are now.  Returns the status of the update. */
+static inline void world_filter(struct world *w, RTCFilterFunctionN filter)
+{
+    rtcSetGeometryIntersectFilterFunction(w->geometry, filter);
+    rtcSetGeometryOccludedFilterFunction(w->geometry, filter);
+    rtcCommitGeometry(w->geometry);
+    rtcCommitScene(w->scene);
+}
+
+static inline int world_update(struct world *w)
+{
+    const int status = cylint_embree_update(w->geometry, NULL);
+    rtcCommitScene(w->scene);
+    cylint_pack_shapes(&w->pack, w->pack_memory, w->shapes, w->n);
+    return status;
+}
+
+static inline void world_free(struct world *w)
+{
+    rtcReleaseScene(w->scene);
+    cylint_embree_release(w->geometry);
+    free(w->pack_memory);
+    memset(w, 0, sizeof *w);
+}
 
 /* A world that is freed at the end of its block. */
 #define OWN_WORLD __attribute__((cleanup(world_free))) struct world
 
-/* Commits the scene with this filter of the geometry, or with the shapes as they
- * are now.  Returns the status of the update. */
-void world_filter(struct world *w, RTCFilterFunctionN filter);
-int world_update(struct world *w);
+/* ------------------------------------------------------------- answers -- */
 
 /* The least float that is not below x: tfar of a hit at t = x. */
-float world_float_above(double x);
+static inline float world_float_above(double x)
+{
+    const float f = (float)x;
+    return (double)f < x ? nextafterf(f, HUGE_VALF) : f;
+}
+
+static inline int same(union ray_word word, float f)
+{
+    union ray_word expected;
+    expected.f = f;
+    return word.u == expected.u;
+}
 
 /* phi as a float below 1: v of a hit. */
-float world_turn(double phi);
+static inline float world_turn(double phi)
+{
+    const float f = (float)phi;
+    return f < 1 ? f : nextafterf(1, 0);
+}
 
 /* Whether the answer to ray i is what cylint_nearest() returns, all members,
  * bit for bit; `complete`: u, v and Ng too. */
-int world_agrees(const struct world *w, struct rays *r, int i, int complete);
+static inline int world_agrees(const struct world *w, struct rays *r, int i,
+                               int complete)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_hit hit;
+    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL, &hit);
+    int agrees;
+    if (shape == w->n)
+        return !rays_hit(r, i) &&
+               rays_at(r, RAY_TFAR, i)->u == r->before[RAY_TFAR * r->n + i].u;
+    agrees = rays_hit(r, i) && rays_at(r, HIT_PRIM, i)->u == shape &&
+             same(*rays_at(r, RAY_TFAR, i), world_float_above(hit.t));
+    if (complete && agrees) {
+        agrees = same(*rays_at(r, HIT_U, i), (float)hit.z) &&
+                 same(*rays_at(r, HIT_V, i), world_turn(hit.phi));
+        for (int k = 0; k < 3; k++)
+            agrees = agrees && same(r->word[(HIT_NG + k) * r->n + i],
+                                    (float)hit.normal[k]);
+    }
+    return agrees;
+}
 
 /* The number of hits of a shape on ray i whose t, rounded up to a float, is t;
  * entry and exit may be one float. */
-int world_hits_at(const struct world *w, const struct rays *r, int i,
-                  unsigned shape, float t);
+static inline int world_hits_at(const struct world *w, const struct rays *r,
+                                int i, unsigned shape, float t)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_answer answer;
+    const int hits = shape < w->n ? cylint_intersect(&w->shapes[shape], &line,
+                                                     CYLINT_WANT_T, &answer)
+                                  : 0;
+    int n = 0;
+    for (int k = 0; k < hits; k++)
+        n += world_float_above(answer.hit[k].t) == t;
+    return n;
+}
 
 /* Prints the ray and its answer, beside that of the library. */
-void world_show(const struct world *w, struct rays *r, int i);
-
-/* ------------------------------------------------------ drawing at random */
+static inline void world_show(const struct world *w, struct rays *r, int i)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_hit hit = {0};
+    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL, &hit);
+    REPORT("span %a %a %a  %a %a %a  %a %a", line.o[0], line.o[1], line.o[2],
+           line.d[0], line.d[1], line.d[2], line.tmin, line.tmax);
+    REPORT("library: shape %lu of %lu, t %a, normal %a %a %a, z %a, phi %a",
+           (unsigned long)shape, (unsigned long)w->n, hit.t, hit.normal[0],
+           hit.normal[1], hit.normal[2], hit.z, hit.phi);
+    fprintf(stderr, "    Embree: shape %d, geometry %d, t %a; Ng, u, v",
+            (int)rays_at(r, HIT_PRIM, i)->u, (int)rays_at(r, HIT_GEOM, i)->u,
+            rays_at(r, RAY_TFAR, i)->f);
+    for (int m = HIT_NG; m <= HIT_V; m++)
+        fprintf(stderr, " %a", r->word[m * r->n + i].f);
+    fputc('\n', stderr);
+}
 
 /* Kinds of scenes that differ most. */
 enum { WORLD_SCENES = 11 };
-extern const int world_scenes[WORLD_SCENES];
+static const int world_scenes[WORLD_SCENES] = {
+    SCENE_THIN,    SCENE_FAT,   SCENE_FIBRES,  SCENE_NEEDLES,
+    SCENE_DISCS,   SCENE_MIXED, SCENE_DISTANT, SCENE_LENGTHS,
+    SCENE_LATTICE, SCENE_ROUND, SCENE_STRANDS};
 
 /* A unit vector, but for rounding. */
 static inline void world_direction(float d[3])
@@ -103,6 +309,128 @@ static inline void world_shapes(int kind, cylint_shape *shapes, size_t n)
 {
     OWN_SHAPES scene = scene_generate(kind, n, random_bits(&stream));
     memcpy(shapes, scene.shapes, n * sizeof *shapes);
+}
+
+/* ------------------------------------------------- comparing with the library */
+
+static const unsigned both_ways[2] = {0, CYLINT_EMBREE_SINGLE};
+
+static inline struct world world_with(const cylint_shape *shapes, size_t n,
+                                      unsigned how)
+{
+    return world_made(shapes, n, &(cylint_embree_options){.flags = how});
+}
+
+/* For the world w of the shapes, with a hierarchy and then without. */
+#define EACH_WAY(w, shapes, n)                                                \
+    for (int way = 0; way < 2; way++)                                         \
+        for (struct world w = world_with(shapes, n, both_ways[way]); w.scene; \
+             world_free(&w))
+
+/* A shape of a kind with these ends, near the origin and about 1 large. */
+static inline cylint_shape any_shape(int kind, cylint_ends ends)
+{
+    const int family =
+        family_named(kind < CYLINT_KIND_SPHERE ? "ordinary" : "round");
+    struct family_case c;
+    do
+        family_case(random_bits(&stream), family, 0, &c);
+    while (c.shape.kind != kind ||
+           (int)c.shape_word != kind - CYLINT_KIND_CYLINDER);
+    c.ends = kind == CYLINT_KIND_SPHERE ? CYLINT_ENDS_CAPPED : ends;
+    family_make(&c);
+    return c.shape;
+}
+
+enum { SOME = 200 };
+
+/* A ray to a point among SOME shapes, from up to three sides of their cube
+ * away, with a direction of a length from 1e-3 to 1e3; some rays begin
+ * inside. */
+static inline void aim(struct rays *r, int i)
+{
+    float o[3], d[3];
+    const double side = cbrt(SOME), far = between(0, 3);
+    const double length = power(-3, 3);
+    world_direction(d);
+    for (int k = 0; k < 3; k++) {
+        o[k] = (float)(side * (between(-0.5, 0.5) - far * d[k]));
+        d[k] = (float)(length * d[k]);
+    }
+    rays_add(r, i, o, d, 0, HUGE_VALF);
+}
+
+static inline void aim_all(struct rays *r, int n)
+{
+    rays_begin(r, n);
+    for (int i = 0; i < n; i++)
+        aim(r, i);
+}
+
+static inline int shadow_expected(const struct world *w, const struct rays *r,
+                                  int i)
+{
+    const cylint_line line = rays_line(r, i);
+    return cylint_count(&w->pack, &line, 1) != 0;
+}
+
+static inline void check_answers_of(const struct world *w, struct rays *r)
+{
+    for (int i = 0; i < r->n; i++)
+        if (r->valid[i] && !CHECK(world_agrees(w, r, i, 1)))
+            world_show(w, r, i);
+    CHECK(rays_strayed(r, 0) == 0);
+}
+
+static inline void check_some_rays(const struct world *w)
+{
+    for (int i = 0; i < 100; i++) {
+        struct rays r;
+        aim_all(&r, rays_sizes[i % 4]);
+        rays_intersect(&r, w->scene, NULL);
+        check_answers_of(w, &r);
+    }
+}
+
+/* Traces the rays for nearest and for any hit, and checks the answers.  Returns the
+ * number of nearest hits. */
+static inline int check_both_queries(const struct world *w, struct rays *r,
+                                     const struct rays_query *query)
+{
+    int hits = 0;
+    rays_intersect(r, w->scene, query);
+    check_answers_of(w, r);
+    for (int i = 0; i < r->n; i++)
+        hits += r->valid[i] && rays_hit(r, i);
+    memcpy(r->word, r->before, sizeof r->word);
+    rays_occluded(r, w->scene, query);
+    for (int i = 0; i < r->n; i++)
+        if (r->valid[i] &&
+            !CHECK(rays_shadowed(r, i) == shadow_expected(w, r, i)))
+            world_show(w, r, i);
+    CHECK(rays_strayed(r, 1) == 0);
+    return hits;
+}
+
+/* Traces n rays that are the same. */
+static inline struct rays equal_rays(RTCScene scene, int n, const float o[3],
+                                     const float d[3], float tnear, float tfar)
+{
+    struct rays r;
+    rays_begin(&r, n);
+    for (int i = 0; i < n; i++)
+        rays_add(&r, i, o, d, tnear, tfar);
+    rays_intersect(&r, scene, NULL);
+    return r;
+}
+
+/* The same, and checks the answers. */
+static inline struct rays traced(const struct world *w, int n, const float o[3],
+                                 const float d[3], float tnear, float tfar)
+{
+    struct rays r = equal_rays(w->scene, n, o, d, tnear, tfar);
+    check_answers_of(w, &r);
+    return r;
 }
 
 #endif

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree_compare.h"
+#include "embree_world.h"
 #include "environment.h"
 #include "shapes/layout.h"
 
@@ -365,8 +365,8 @@ TEST(v_is_below_a_whole_turn)
 
 /* ------------------------------------------------------------ instances -- */
 
-/* Columns of a matrix of few digits, so that Embree's inverse is exact, and three times
- * the same for time 1: at time 1/2 all is twice as large as at time 0. */
+/* Columns of a matrix of few digits, so that Embree's inverse is exact, and three
+ * times the same for time 1: at time 1/2 all is twice as large as at time 0. */
 static void draw_matrices(float m[8][3])
 {
     const float scale = ldexpf(1, whole_between(-6, 6));

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree_compare.h"
+#include "embree_world.h"
 
 enum { MOST_OFFERS = 4 * SOME };
 

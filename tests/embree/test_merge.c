@@ -4,9 +4,7 @@
  */
 #include <string.h>
 
-#include "check.h"
 #include "embree_world.h"
-#include "scenes.h"
 
 enum { SHAPES = 300, MOST_PARTS = 120 };
 

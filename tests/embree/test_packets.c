@@ -6,12 +6,12 @@
 #include <string.h>
 
 #include "embree/geometry.h"
-#include "embree_compare.h"
+#include "embree_world.h"
 
 /* ------------------------------------------------- rays that are no lines */
 
-/* Calls the callback directly: Embree's results for such rays are undefined.  Checks
- * all answers, and returns the number of hits. */
+/* Calls the callback directly: Embree's results for such rays are undefined.
+ * Checks all answers, and returns the number of hits. */
 static int call(const struct world *w, struct rays *r)
 {
     cylint_rtc_context context = {0};

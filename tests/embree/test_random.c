@@ -1,18 +1,18 @@
 /*
  * test_random.c - random rays and packets have the answers of brute force
  *
- * All kinds of lines, and packets of rays of all arrangements, through all kinds of
- * scenes, as float rays, compared with cylint_nearest() on the same floats.  From
- * within three sizes of the scene every answer has the same bits.  Embree misses some
- * rays from farther away, up to 1e16 sizes, as cylint_embree.h says: they are counted,
- * and a reported hit must be a hit of the library.  CYLINT_CASES is the number of rays,
- * and CYLINT_SEED changes all of them.
+ * All kinds of lines, and packets of rays of all arrangements, through all kinds
+ * of scenes, as float rays, compared with cylint_nearest() on the same floats.
+ * From within three sizes of the scene every answer has the same bits.  Embree
+ * misses some rays from farther away, up to 1e16 sizes, as cylint_embree.h says:
+ * they are counted, and a reported hit must be a hit of the library.
+ * CYLINT_CASES is the number of rays, and CYLINT_SEED changes all of them.
  */
 #include <math.h>
 #include <string.h>
 
 #include "shapes/layout.h"
-#include "embree_compare.h"
+#include "embree_world.h"
 #include "environment.h"
 #include "vectors.h"
 

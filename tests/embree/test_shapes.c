@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree_compare.h"
+#include "embree_world.h"
 #include "shapes/layout.h"
 
 /* --------------------------------------------------------------- motion -- */

@@ -10,7 +10,7 @@
 #include <pthread.h>
 
 #include "cylint_scene.h"
-#include "embree_compare.h"
+#include "embree_world.h"
 #include "environment.h"
 
 enum { THREADS = 8, MOST = 1 << 14 };
