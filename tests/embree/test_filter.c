@@ -10,23 +10,16 @@
 
 #include "embree_world.h"
 
-enum { MOST_OFFERS = 4 * SOME };
-
 typedef enum rule { ACCEPT, REJECT, EXITS, HALF, RULES } rule;
-
-struct offer {
-    int ray;
-    unsigned prim;
-    float t;
-};
 
 /* The rules of the filters in one query, and the hits that they got. */
 struct record {
     const struct world *w;
     rule geometry, context; /* ACCEPT where there is no such filter */
     struct rays *r;
-    struct offer offer[2][MOST_OFFERS];
-    int offers[2]; /* to the geometry's, the context's */
+    /* by the geometry's, the context's: the hits of each ray and shape, and all */
+    char got[2][RAYS_MOST][SOME][2];
+    int offers[2];
     int bare, occlusion;
     int bad; /* wrong arguments */
 };
@@ -49,18 +42,19 @@ static int passes(rule rule, unsigned prim, float t, int leaving)
     }
 }
 
-/* The index of the library's hit with these members, or -1. */
-static int offered_hit(const struct record *q, const struct offer *o, float u,
-                       cylint_answer *answer)
+/* The index of the library's hit with these members that the filter has not got, or
+ * -1. */
+static int new_hit(const struct record *q, int which, int ray, unsigned prim,
+                   float t, float u, cylint_answer *answer)
 {
-    const cylint_line line = rays_line(q->r, o->ray);
+    const cylint_line line = rays_line(q->r, ray);
     int number = -1;
-    const int n = o->prim < q->w->n
-                      ? cylint_intersect(&q->w->shapes[o->prim], &line,
-                                         CYLINT_WANT_ALL, answer)
-                      : 0;
+    const int n = prim < q->w->n ? cylint_intersect(&q->w->shapes[prim], &line,
+                                                    CYLINT_WANT_ALL, answer)
+                                 : 0;
     for (int i = 0; i < n; i++)
-        if (world_float_above(answer->hit[i].t) == o->t &&
+        if (world_float_above(answer->hit[i].t) == t &&
+            !q->got[which][ray][prim][i] &&
             (number < 0 || q->bare || (float)answer->hit[i].z == u))
             number = i;
     return number;
@@ -99,20 +93,21 @@ static void filter(struct record *q, int which,
     }
     memcpy(hit, a->hit, sizeof hit);
     memcpy(ray, a->ray, sizeof ray);
-    const struct offer o = {(int)ray[RAY_ID].u, hit[HIT_PRIM - HIT_NG].u,
-                            ray[RAY_TFAR].f};
-    if (q->offers[which] < MOST_OFFERS)
-        q->offer[which][q->offers[which]] = o;
+    const int at = (int)ray[RAY_ID].u;
+    const unsigned prim = hit[HIT_PRIM - HIT_NG].u;
+    const float t = ray[RAY_TFAR].f;
+    const int number =
+        new_hit(q, which, at, prim, t, hit[HIT_U - HIT_NG].f, &answer);
     q->offers[which]++;
-    const int number = offered_hit(q, &o, hit[HIT_U - HIT_NG].f, &answer);
     if (number < 0) {
         q->bad++;
         return;
     }
-    q->bad += !described(q, hit, o.ray, &answer.hit[number]);
+    q->got[which][at][prim][number] = 1;
+    q->bad += !described(q, hit, at, &answer.hit[number]);
     q->bad += hit[HIT_GEOM - HIT_NG].u != 0;
     q->bad += hit[HIT_INST - HIT_NG].u != RTC_INVALID_GEOMETRY_ID;
-    if (!passes(which ? q->context : q->geometry, o.prim, o.t,
+    if (!passes(which ? q->context : q->geometry, prim, t,
                 answer.hit[number].side == CYLINT_SIDE_LEAVING))
         a->valid[0] = 0;
 }
@@ -127,17 +122,18 @@ static void context_filter(const struct RTCFilterFunctionNArguments *a)
     filter(rays_user(a), 1, a);
 }
 
-/* The shape of the nearest hit that both rules accept, or n. */
-static size_t expected(const struct record *q, int ray, double *t)
+/* The shape of the nearest hit that both rules accept, or n.  Adds the number of all
+ * hits. */
+static size_t expected(const struct record *q, int ray, double *t, int *hits)
 {
     const cylint_line line = rays_line(q->r, ray);
     size_t nearest = q->w->n;
     *t = HUGE_VAL;
     for (size_t i = 0; i < q->w->n; i++) {
         cylint_answer answer;
-        const int n =
+        *hits +=
             cylint_intersect(&q->w->shapes[i], &line, CYLINT_WANT_ALL, &answer);
-        for (int k = 0; k < n; k++) {
+        for (int k = 0; k < answer.n; k++) {
             const float f = world_float_above(answer.hit[k].t);
             const int leaving = answer.hit[k].side == CYLINT_SIDE_LEAVING;
             if (answer.hit[k].t < *t &&
@@ -151,60 +147,33 @@ static size_t expected(const struct record *q, int ray, double *t)
     return nearest;
 }
 
-/* The number of calls beyond one for each hit. */
-static int twice(const struct record *q, int which)
-{
-    int n = 0;
-    for (int i = 0; i < q->offers[which] && i < MOST_OFFERS; i++) {
-        const struct offer *o = &q->offer[which][i], *p = q->offer[which];
-        int same = 1;
-        for (; p < o; p++)
-            same += o->prim == p->prim && o->t == p->t && o->ray == p->ray;
-        n +=
-            same > 1 && same > world_hits_at(q->w, q->r, o->ray, o->prim, o->t);
-    }
-    return n;
-}
-
-/* All hits of active rays. */
-static int hits_there_are(const struct record *q)
+static void check_answers(struct record *q)
 {
     int hits = 0;
-    for (int ray = 0; ray < q->r->n; ray++) {
-        const cylint_line line = rays_line(q->r, ray);
-        for (size_t i = 0; q->r->valid[ray] && i < q->w->n; i++) {
-            cylint_answer answer;
-            hits += cylint_intersect(&q->w->shapes[i], &line, CYLINT_WANT_COUNT,
-                                     &answer);
-        }
-    }
-    return hits;
-}
-
-static void check_answers(struct record *q, int occlusion)
-{
     for (int i = 0; i < q->r->n; i++) {
         double t;
-        size_t prim;
         if (!q->r->valid[i])
             continue;
-        prim = expected(q, i, &t);
-        if (occlusion) {
-            if (!CHECK(rays_shadowed(q->r, i) == (prim < q->w->n)))
-                world_show(q->w, q->r, i);
-        } else if (prim == q->w->n) {
-            CHECK(!rays_hit(q->r, i));
-            CHECK(rays_at(q->r, RAY_TFAR, i)->u ==
-                  q->r->before[RAY_TFAR * q->r->n + i].u);
-        } else if (!CHECK(rays_hit(q->r, i) &&
-                          rays_at(q->r, HIT_PRIM, i)->u == prim &&
-                          rays_at(q->r, RAY_TFAR, i)->f ==
-                              world_float_above(t))) {
+        const size_t prim = expected(q, i, &t, &hits);
+        const int hit = prim < q->w->n;
+        const union ray_word tfar = *rays_at(q->r, RAY_TFAR, i);
+        if (!CHECK(q->occlusion ? rays_shadowed(q->r, i) == hit
+                   : hit        ? rays_hit(q->r, i) &&
+                               rays_at(q->r, HIT_PRIM, i)->u == prim &&
+                               tfar.f == world_float_above(t)
+                         : !rays_hit(q->r, i) &&
+                               tfar.u ==
+                                   q->r->before[RAY_TFAR * q->r->n + i].u)) {
             REPORT("rules %d %d: shape %lu at t %a is the nearest to pass",
                    q->geometry, q->context, (unsigned long)prim, t);
             world_show(q->w, q->r, i);
         }
     }
+    if (q->geometry == REJECT)
+        CHECK(q->offers[0] == hits && q->offers[1] == 0);
+    else if (q->context == REJECT)
+        CHECK(q->offers[0] == 0 ? q->offers[1] == hits
+                                : q->offers[1] <= q->offers[0]);
 }
 
 /* Half of the packets are coherent. */
@@ -232,12 +201,9 @@ static void query_packets(struct world *w, rule geometry, rule context, int n,
     struct rays r;
     struct rays_query query = {0};
     memset(&q, 0, sizeof q);
-    q.w = w;
-    q.r = &r;
-    q.geometry = geometry;
-    q.context = context;
-    q.occlusion = occlusion;
-    q.bare = bare;
+    q.w = w, q.r = &r;
+    q.geometry = geometry, q.context = context;
+    q.occlusion = occlusion, q.bare = bare;
     query.user = &q;
     query.filter = context == ACCEPT ? NULL : context_filter;
     rays_begin(&r, n);
@@ -248,13 +214,7 @@ static void query_packets(struct world *w, rule geometry, rule context, int n,
         rays_intersect(&r, w->scene, &query);
     CHECK(q.bad == 0);
     CHECK(rays_strayed(&r, occlusion) == 0);
-    CHECK(twice(&q, 0) == 0 && twice(&q, 1) == 0);
-    if (geometry == REJECT)
-        CHECK(q.offers[0] == hits_there_are(&q) && q.offers[1] == 0);
-    else if (context == REJECT)
-        CHECK(q.offers[0] == 0 ? q.offers[1] == hits_there_are(&q)
-                               : q.offers[1] <= q.offers[0]);
-    check_answers(&q, occlusion);
+    check_answers(&q);
 }
 
 static void with_filters(unsigned how, int kind)
