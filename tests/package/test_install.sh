@@ -8,6 +8,7 @@
 root=$scratch/root
 lib=$root/usr/lib
 major=${version%%.*}
+pkg_config=$(command -v pkg-config) || echo 'note: no pkg-config, the .pc files are not read'
 
 make_in_root() { make_here DESTDIR="$root" PREFIX=/usr "$1"; }
 
@@ -23,7 +24,7 @@ test_install()
     (umask 077 && make_in_root install)
     verdict install_succeeds $?
     none "$(find "$root" ! -perm -444)" everybody_may_read_what_is_installed
-    for f in bin/cylint lib/libcylint.a lib/libcylint.so lib/libcylint.so.$major \
+    none "$(for f in bin/cylint lib/libcylint.a lib/libcylint.so lib/libcylint.so.$major \
         lib/libcylint.so.$version lib/libcylint-scene.a lib/libcylint-scene.so.$major \
         lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc share/cylint/autumn.awk \
         share/man/man1/cylint.1 share/man/man7/cylint.7 share/doc/cylint/README.md \
@@ -33,18 +34,15 @@ test_install()
         $([ ! -x "$build/cylint-render" ] || echo bin/cylint-render) \
         $(printf 'include/cylint%s.h share/man/man3/cylint%s.3 ' '' '' _methods _methods \
             _scene _scene _distance _distance _pieces _pieces); do
-        [ -s "$root/usr/$f" ]
-        verdict "install_puts_$f" $?
-    done
-    ! grep -l '@[A-Z_]*@' "$lib"/pkgconfig/*.pc
-    verdict the_pc_files_are_filled_in $?
-    if command -v pkg-config > /dev/null; then
-        flags --cflags --libs --define-variable=prefix=/moved |
-            grep -q -e "-I$root/moved/include -L$root/moved/lib -lcylint"
-        verdict the_pc_files_move_with_the_prefix $?
-    fi
+        [ -s "$root/usr/$f" ] || echo "no $f"
+    done)" install_puts_every_file_in_its_place
+    none "$(grep -l '@[A-Z_]*@' "$lib"/pkgconfig/*.pc)" the_pc_files_are_filled_in
     "$root/usr/bin/cylint" --version | grep -q -F "$version"
     verdict the_installed_command_prints_the_version $?
+    awk -v trees=1 -f "$root/usr/share/cylint/autumn.awk" > "$scratch/forest" &&
+        [ "$(wc -l < "$scratch/forest")" -gt 1000 ] && echo 'ray 0 0 9  0 0 -1' |
+        "$root/usr/bin/cylint" -s "$scratch/forest" > /dev/null
+    verdict the_installed_forest_is_a_scene $?
 }
 
 # What a debugger needs fills nine tenths of the built files.
@@ -60,20 +58,11 @@ test_strip()
     verdict STRIP_chooses_the_program_that_strips $?
 }
 
-test_forest()
-{
-    awk -v trees=1 -f "$root/usr/share/cylint/autumn.awk" > "$scratch/forest" &&
-        [ "$(wc -l < "$scratch/forest")" -gt 1000 ] &&
-        echo 'ray 0 0 9  0 0 -1' |
-        "$root/usr/bin/cylint" -s "$scratch/forest" > /dev/null
-    verdict the_installed_forest_is_a_scene $?
-}
-
 # The flags of the installed .pc files of $packages; without pkg-config this
 # function reads them.
 flags()
 {
-    if command -v pkg-config > /dev/null; then
+    if [ "$pkg_config" ]; then
         PKG_CONFIG_LIBDIR=$lib/pkgconfig PKG_CONFIG_SYSROOT_DIR=$root \
             PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 \
             pkg-config "$@" ${packages:-cylint}
@@ -83,9 +72,12 @@ flags()
 }
 
 # cylint-scene needs the library that was built with it.
-test_versions()
+test_pkg_config()
 {
-    command -v pkg-config > /dev/null || return 0
+    [ "$pkg_config" ] || return 0
+    flags --cflags --libs --define-variable=prefix=/moved |
+        grep -q -e "-I$root/moved/include -L$root/moved/lib -lcylint"
+    verdict the_pc_files_move_with_the_prefix $?
     mkdir "$scratch/older" &&
         sed 's/^Version: .*/Version: 0.0.9/' "$lib/pkgconfig/cylint.pc" > "$scratch/older/cylint.pc" &&
         PKG_CONFIG_LIBDIR=$lib/pkgconfig pkg-config --exists cylint-scene &&
@@ -96,9 +88,7 @@ test_versions()
 # archives: the static libraries of $packages and their dependencies.
 archives()
 {
-    for package in $packages; do
-        echo "$lib/lib$package.a"
-    done
+    [ -z "$packages" ] || printf "$lib/lib%s.a " $packages
     echo "$lib/libcylint.a"
     case $packages in
     *embree*) echo -lembree3 -pthread ;;
@@ -106,19 +96,20 @@ archives()
     esac
 }
 
-# example NAME LINKING COMPILER FLAGS...: compiles the README's program, which
-# must print what the README shows.
+# example NAME LINKING COMPILER FLAGS...: the program $scratch/example.c compiles and
+# prints $scratch/example.said.
 example()
 {
-    name=$1 linking=$2
-    shift 2
-    case $linking in
+    name=$1
+    case $2 in
     static) with="$(flags --cflags) $(archives) -lm" ;;
     shared) with=$(flags --cflags --libs) ;;
     esac
+    shift 2
     rm -f "$scratch/example"
-    quiet "$@" -Wall -Wextra -Wpedantic -Werror -o "$scratch/example" \
-        "$scratch/$source" $with &&
+    [ -s "$scratch/example.said" ] &&
+        quiet "$@" -Wall -Wextra -Wpedantic -Werror -o "$scratch/example" \
+            "$scratch/${program:-example.c}" $with &&
         LD_LIBRARY_PATH=$lib "$scratch/example" > "$scratch/said" &&
         diff "$scratch/example.said" "$scratch/said"
     verdict "$name" $?
@@ -128,14 +119,12 @@ test_example()
 {
     block c 1 > "$scratch/example.c"
     block '' 1 > "$scratch/example.said"
-    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
-    verdict the_readme_has_an_example_and_its_output $?
     cp "$scratch/example.c" "$scratch/example.cc"
     for linking in static shared; do
-        source=example.c
-        example "the_example_as_c_$linking" $linking $cc -std=c99
-        source=example.cc
-        example "the_example_as_cxx_$linking" $linking $cxx -std=c++11
+        example "the_readmes_example_as_c_$linking" $linking $cc -std=c99
+        program=example.cc
+        example "the_readmes_example_as_cxx_$linking" $linking $cxx -std=c++11
+        program=
     done
 }
 
@@ -181,10 +170,7 @@ END
 # lines.
 test_readme_install()
 {
-    command -v pkg-config > /dev/null || {
-        echo 'note: no pkg-config, the README is not installed'
-        return
-    }
+    [ "$pkg_config" ] || return 0
     home=$scratch/home
     mkdir "$home"
     cp "$scratch/example.c" "$home"
@@ -223,23 +209,18 @@ test_hints()
     verdict no_lines_if_all_paths_are_set $?
 }
 
-# show PAGE NUMBER: a program of a manual; after it comes its output.
-show()
+# shows PAGE HEADER: the manual's synopsis shows $scratch/head, of the header.
+shows()
 {
-    page=$1 number=$2
-    display $page $2 > "$scratch/example.c"
-    display $page $(($2 + 1)) > "$scratch/example.said"
-    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
-    verdict "${page}_has_example_$2" $?
+    display "$1" 1 SYNOPSIS | diff "$scratch/head" -
+    verdict "$(echo $1 | tr . _)_shows_the_example_of_its_header" $?
 }
 
-# head_example NAME OUTPUT [CODE]: the example at the head of cylint_NAME.h, and CODE;
-# the manual's synopsis shows it, too.
+# head_example NAME OUTPUT [CODE]: the example at the head of cylint_NAME.h, and CODE.
 head_example()
 {
     sed -n '1,/\*\//s/^ \*     //p' "include/cylint_$1.h" > "$scratch/head"
-    display "cylint_$1.3" 1 SYNOPSIS | diff "$scratch/head" -
-    verdict "cylint_$1_3_shows_the_example_of_its_header" $?
+    shows "cylint_$1.3"
     {
         printf '#include <cylint_%s.h>\n' "$1"
         cat << 'END'
@@ -263,61 +244,50 @@ END
     example "the_example_of_cylint_$1_h" static $cc -std=c99
 }
 
+# examples_of PAGE PACKAGES NUMBER...: programs of a manual; after each comes its output.
+# Those that need more packages than cylint link with shared libraries, too.
+examples_of()
+{
+    page=$1 packages=$2
+    shift 2
+    for number; do
+        display $page.3 $number > "$scratch/example.c"
+        display $page.3 $((number + 1)) > "$scratch/example.said"
+        threads=
+        [ $page$number != cylint_scene3 ] || threads=-pthread
+        for linking in static ${packages:+shared}; do
+            example "${page}_example_${number}_${linking}_$(echo $packages | tr ' ' _)" \
+                $linking $cc -std=c99 $threads
+        done
+    done
+    packages=
+}
+
 test_manual_examples()
 {
-    source=example.c
-    sed -n 's/^ \*     //p' include/cylint.h | sed '/^}/q' > "$scratch/example.c"
+    sed -n 's/^ \*     //p' include/cylint.h | sed '/^}/q' > "$scratch/head"
+    cp "$scratch/head" "$scratch/example.c"
     sed -n 's/^ \* prints "\(.*\)"\..*/\1/p' include/cylint.h > "$scratch/example.said"
-    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
-    verdict the_header_begins_with_an_example $?
-    display cylint.3 1 SYNOPSIS | diff "$scratch/example.c" -
-    verdict cylint_3_shows_the_example_of_its_header $?
-    example the_headers_example static $cc -std=c99
+    example the_header_begins_with_an_example static $cc -std=c99
+    shows cylint.3
     head_example pieces '20 20.5' 'printf("%g %g\n", wall[0].t0, wall[0].t1);'
     head_example distance '40 from -10 0 0'
     head_example methods '2 hits'
     packages=cylint-scene
     head_example scene 'shape 0 at t = 20'
-    packages=
-    for shown in cylint,1 cylint,3 cylint,5 cylint_methods,1 cylint_distance,1 \
-        cylint_distance,3 cylint_distance,5 cylint_pieces,1 cylint_pieces,3 cylint_pieces,5; do
-        show ${shown%,*}.3 ${shown#*,}
-        example "${page}_example_$number" static $cc -std=c99
+    for page in cylint cylint_distance cylint_pieces; do
+        examples_of $page '' 1 3 5
     done
-    for shown in 1 3 5 7 9 11; do
-        show cylint_scene.3 $shown
-        case $shown in 3) with_threads=-pthread ;; *) with_threads= ;; esac
-        example_of cylint-scene
+    examples_of cylint_methods '' 1
+    examples_of cylint_scene cylint-scene 1 3 5 7 9 11
+    [ "$pkg_config" ] && grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc" 2>/dev/null || return
+    for both in 'cylint-embree cylint-scene' 'cylint-scene cylint-embree'; do
+        examples_of cylint_scene "$both" 1
     done
-    command -v pkg-config > /dev/null &&
-        grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc" 2>/dev/null || return
-    show cylint_scene.3 1
-    for packages in cylint-embree 'cylint-embree cylint-scene' 'cylint-scene cylint-embree'; do
-        example_of $packages
-    done
-    for shown in 1 3 5; do
-        show cylint_embree.3 $shown
-        [ $shown != 1 ] || synopsis_of_embree
-        example_of cylint-embree
-    done
-}
-
-synopsis_of_embree()
-{
+    examples_of cylint_embree cylint-embree 1 3 5
     display cylint_embree.3 1 SYNOPSIS > "$scratch/head"
-    [ "$(grep -cFf "$scratch/head" "$scratch/example.c")" -eq "$(grep -c ';' "$scratch/head")" ]
+    [ "$(display cylint_embree.3 1 | grep -cFf "$scratch/head")" -eq "$(grep -c ';' "$scratch/head")" ]
     verdict the_synopsis_of_cylint_embree_3_is_of_its_example $?
-}
-
-# example_of LIBRARY...: links with shared and with static libraries.
-example_of()
-{
-    packages=$*
-    for linking in static shared; do
-        example "${page}_example_${number}_${linking}_$(echo $packages | tr ' ' _)" \
-            $linking $cc -std=c99 $with_threads
-    done
-    packages=
 }
 
 # structs FILE...: their structs, a line each, without comments
@@ -452,8 +422,7 @@ test_uninstall()
 
 test_install
 test_strip
-test_forest
-test_versions
+test_pkg_config
 test_example
 test_cxx
 test_readme_install

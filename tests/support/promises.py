@@ -39,7 +39,7 @@ def is_run(test):
     """Whether the file of a test exists and runs the property."""
     path, _, name = test.partition(":")
     text = read("tests/" + path)
-    pattern = r"(TEST|PROPERTY)\(%s\b" if path.endswith(".c") else r"(verdict|def) %s\b"
+    pattern = r"(TEST|PROPERTY)\(%s\b" if path.endswith(".c") else r"(verdict|example|def) %s\b"
     if path.endswith(".txt"):
         pattern, name = r"(?m)^%s\b", name.replace("_", " ")
     return bool(text) and (not name or re.search(pattern % re.escape(name), text))
