@@ -213,92 +213,85 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
 
 /* -------------------------------------------------------------- contests -- */
 
-static void compare(const struct sticks *s, const char *question,
-                    const char *setup, bench_turn *turn, bench_turn *of_curves,
-                    const struct world *ours)
+enum { SCENES = 1, UPRIGHT = 2, PARTS = 4 };
+
+static const struct {
+    int of;
+    const char *text;
+    draw_rays *draw;
+    bench_turn *ours, *theirs;
+    const struct world *worlds;
+} questions[] = {
+    {SCENES | PARTS, "nearest; incoherent", draw_incoherent, nearest, nearest,
+     in.ours},
+    {PARTS, "nearest; incoherent", draw_incoherent, nearest, nearest, in.bare},
+    {SCENES, "any; incoherent", draw_incoherent, any, any, in.ours},
+    {SCENES, "any; incoherent; no filters", draw_incoherent, any, any, in.bare},
+    {SCENES | PARTS, "nearest; camera", draw_coherent, nearest, nearest,
+     in.ours},
+    {PARTS, "nearest; camera", draw_coherent, nearest, nearest, in.bare},
+    {SCENES, "nearest; camera; bare", draw_coherent, nearest, nearest, in.bare},
+    {SCENES, "nearest; camera; packets; curves alone", draw_coherent,
+     nearest_in_packets, nearest, in.ours},
+    {SCENES, "nearest; camera; packets", draw_coherent, nearest_in_packets,
+     nearest_in_packets, in.ours},
+    {UPRIGHT, "nearest; along the axes", draw_parallel, nearest, nearest,
+     in.ours},
+    {UPRIGHT, "nearest; along the axes; packets", draw_parallel,
+     nearest_in_packets, nearest_in_packets, in.ours}};
+
+/* Several parts: a geometry for each cell, or all merged. */
+static void compare(const struct sticks *s, int of)
 {
-    compete(&(struct contest){.subject = s->name,
-                              .question = question,
-                              .setup = setup,
-                              .rival = s->is_round ? "Embree's round curves"
-                                                   : "Embree's cone curves",
-                              .theirs = of_curves,
-                              .ours = turn,
-                              .input = ours,
-                              .others = &in.curves,
-                              .questions = RAYS});
+    for (size_t q = 0; q < sizeof questions / sizeof *questions; q++) {
+        char parts[32];
+        if (!(questions[q].of & of))
+            continue;
+        snprintf(parts, sizeof parts, "%zu parts%s", parts_of(s),
+                 questions[q].worlds == in.bare ? " merged" : "");
+        questions[q].draw(RAYS, in.ray);
+        compete(&(struct contest){.subject = s->name,
+                                  .question = questions[q].text,
+                                  .setup = of == PARTS ? parts : NULL,
+                                  .rival = s->is_round ? "Embree's round curves"
+                                                       : "Embree's cone curves",
+                                  .theirs = questions[q].theirs,
+                                  .ours = questions[q].ours,
+                                  .input = questions[q].worlds,
+                                  .others = &in.curves,
+                                  .questions = RAYS});
+    }
 }
 
-static double percent_wrong(void)
+static void print_figures(const struct sticks *s)
 {
     int wrong = 0;
+    draw_incoherent(RAYS, in.ray);
     for (int i = 0; i < RAYS; i++) {
         float t;
         wrong +=
             nearest_of(&in.curves, i, &t) != nearest_of(&in.ours[0], i, &t);
     }
-    return 100.0 * wrong / RAYS;
-}
-
-/* From straight above. */
-static void compare_upright(const struct sticks *s)
-{
-    draw_parallel(RAYS, in.ray);
-    compare(s, "nearest; along the axes", NULL, nearest, nearest, in.ours);
-    compare(s, "nearest; along the axes; packets", NULL, nearest_in_packets,
-            nearest_in_packets, in.ours);
-}
-
-static void compare_scene(const struct sticks *s)
-{
-    draw_incoherent(RAYS, in.ray);
-    compare(s, "nearest; incoherent", NULL, nearest, nearest, in.ours);
     print_figure(s->name, "wrong; incoherent", NULL, "curves", "%",
-                 percent_wrong(), 0);
-    compare(s, "any; incoherent", NULL, any, any, in.ours);
-    compare(s, "any; incoherent; no filters", NULL, any, any, in.bare);
-    draw_coherent(RAYS, in.ray);
-    compare(s, "nearest; camera", NULL, nearest, nearest, in.ours);
-    compare(s, "nearest; camera; bare", NULL, nearest, nearest, in.bare);
-    compare(s, "nearest; camera; packets; curves alone", NULL,
-            nearest_in_packets, nearest, in.ours);
-    compare(s, "nearest; camera; packets", NULL, nearest_in_packets,
-            nearest_in_packets, in.ours);
+                 100.0 * wrong / RAYS, 0);
     print_figure(s->name, "a shape", NULL, "curves", "bytes",
                  in.curves.bytes / (double)s->n,
                  in.ours[0].bytes / (double)s->n);
 }
 
-/* A geometry for each cell, or all merged. */
-static void compare_parts(const struct sticks *s)
-{
-    static const struct {
-        const char *question;
-        draw_rays *draw;
-    } questions[] = {{"nearest; incoherent", draw_incoherent},
-                     {"nearest; camera", draw_coherent}};
-    char alone[32], merged[32];
-    snprintf(alone, sizeof alone, "%zu parts", parts_of(s));
-    snprintf(merged, sizeof merged, "%zu parts merged", parts_of(s));
-    for (int k = 0; k < 2; k++) {
-        questions[k].draw(RAYS, in.ray);
-        compare(s, questions[k].question, alone, nearest, nearest, in.ours);
-        compare(s, questions[k].question, merged, nearest, nearest, in.bare);
-    }
-}
-
 static void compare_sticks(const struct sticks *s)
 {
+    const int of = s->side > 1 ? PARTS : s->is_upright ? UPRIGHT : SCENES;
     build(&in.curves, s, CURVES);
     for (int k = 0; use_kernels(k); k++) {
         build(&in.ours[k], s, 0);
         build(&in.bare[k], s,
-              s->side > 1 ? MERGED
+              of == PARTS ? MERGED
                           : CYLINT_EMBREE_NO_FILTERS | CYLINT_EMBREE_BARE);
     }
-    (s->side > 1     ? compare_parts
-     : s->is_upright ? compare_upright
-                     : compare_scene)(s);
+    compare(s, of);
+    if (of == SCENES)
+        print_figures(s);
     release(&in.curves, 0);
     for (int k = 0; k < KERNELS_MOST; k++) {
         release(&in.ours[k], 1);
