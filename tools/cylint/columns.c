@@ -54,9 +54,7 @@ static const char *const relations[] = {[CYLINT_RELATION_MISS] = "miss",
                                         [CYLINT_RELATION_TOUCH] = "touch",
                                         [CYLINT_RELATION_ALONG] = "along",
                                         [CYLINT_RELATION_CROSS] = "cross"};
-static const char *const parts[] = {[CYLINT_PART_LATERAL] = "lateral",
-                                    [CYLINT_PART_CAP0] = "cap0",
-                                    [CYLINT_PART_CAP1] = "cap1"};
+/* A part has the number of the feature with its name. */
 static const char *const features[] = {
     [CYLINT_FEATURE_LATERAL] = "lateral", [CYLINT_FEATURE_CAP0] = "cap0",
     [CYLINT_FEATURE_CAP1] = "cap1",       [CYLINT_FEATURE_RIM0] = "rim0",
@@ -110,7 +108,7 @@ static const struct column columns[] = {
      CYLINT_WANT_T, "where on the line"},
     {"distance", POINTS, TYPE_REAL, AT(distance), NULL, HITS_ONE, 0,
      "of a point from the surface, negative inside the solid"},
-    HITS("part", POINTS, TYPE_WORD, part, parts, CYLINT_WANT_PART,
+    HITS("part", POINTS, TYPE_WORD, part, features, CYLINT_WANT_PART,
          "lateral, cap0 or cap1"),
     {"feature", POINTS, TYPE_WORD, AT(feature), features, HITS_ONE,
      CYLINT_WANT_PART,
@@ -152,7 +150,7 @@ static const struct column columns[] = {
      "number of the record, from 1"},
     {"record", ALL | PIECES | OF_POINTS(ALL), TYPE_WHOLE, AT(record), NULL,
      HITS_ANY, 0, "the same as id"},
-    {NULL, 0, TYPE_REAL, 0, NULL, HITS_ANY, 0, NULL}};
+    {0}};
 
 /* -------------------------------------------------------------- choosing -- */
 
@@ -250,8 +248,8 @@ static double value_of(const struct column *c, size_t i, const struct row *row)
 
 static const struct column *column_at(const struct fields *fields, size_t i)
 {
-    static const struct column sum = {"total", 0,        TYPE_SUM, 0,
-                                      NULL,    HITS_ANY, 0,        NULL};
+    static const struct column sum = {
+        .name = "total", .type = TYPE_SUM, .hits = HITS_ANY};
     return fields->sums ? &sum : fields->column[i];
 }
 
