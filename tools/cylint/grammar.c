@@ -161,13 +161,6 @@ static int count_numbers(struct reader r)
     return count;
 }
 
-static const char *skip_digits(const char *p, const char *end)
-{
-    while (p < end && is_digit(*p))
-        p++;
-    return p;
-}
-
 /* The text around the first comma of the record, before r->p, if it is a decimal
  * comma: digits before it, digits and perhaps an exponent after it, alone between
  * blanks.  Else an empty text.  lint: a number ends at `to`, which is not NULL. */
@@ -181,9 +174,10 @@ static struct string decimal_comma(const struct reader *r)
     from -= from > begin && (from[-1] == '-' || from[-1] == '+');
     if (!comma || from == comma || (from > begin && !is_blank(from[-1])))
         return between(begin, begin);
-    const char *const to = field_end(comma + 1, end),
-                      *after = skip_digits(comma + 1, to);
+    const char *const to = field_end(comma + 1, end), *after = comma + 1;
     double value;
+    while (after < to && is_digit(*after))
+        after++;
     return (after == to || *after == 'e' || *after == 'E') &&
                    end_of_number(comma + 1, to, &value) == to &&
                    (end - to < 2 || *to != ',' || is_blank(to[1]))

@@ -73,15 +73,12 @@ static uint32_t colour_of_number(size_t n)
                          0.7 + golden_angle * (double)(n % 100000));
 }
 
-/* Green (thin) to brown (thick); blue (low) to yellow (high). */
-static uint32_t colour_of_radius(double x)
+/* Green (thin) to brown (thick), or blue (low) to yellow (high). */
+static uint32_t colour_of_share(double x, int is_radius)
 {
-    return colour_of_lch(0.72 - 0.22 * x, 0.11 - 0.04 * x, 2.2 - 1.2 * x);
-}
-
-static uint32_t colour_of_height(double x)
-{
-    return colour_of_lch(0.48 + 0.38 * x, 0.11 + 0.02 * x, 4.6 - 2.9 * x);
+    return is_radius
+               ? colour_of_lch(0.72 - 0.22 * x, 0.11 - 0.04 * x, 2.2 - 1.2 * x)
+               : colour_of_lch(0.48 + 0.38 * x, 0.11 + 0.02 * x, 4.6 - 2.9 * x);
 }
 
 /* -------------------------------------------------------------- tails -- */
@@ -189,10 +186,8 @@ static void by_measure(struct colours *c)
         const double x = measure_of_shape(c, i);
         const double share =
             x - x == 0 && most > least ? (x - least) / (most - least) : 0.5;
-        if (c->of[i] == NO_COLOUR) {
-            c->of[i] = c->how == COLOUR_RADIUS ? colour_of_radius(share)
-                                               : colour_of_height(share);
-        }
+        if (c->of[i] == NO_COLOUR)
+            c->of[i] = colour_of_share(share, c->how == COLOUR_RADIUS);
     }
 }
 
