@@ -121,6 +121,12 @@ class Boundaries(NamedTuple):
     part: NDArray[np.int8]
 
 
+# index, number, byte, bool, vector
+_TYPES = dict(zip("itb?v", map(np.dtype, ("i8", "f8", "i1", "?", "3f8")), strict=True))
+
+# The rows of AllHits, Pieces and ShapesWithin.
+_HITS, _PIECES, _NEAR = map(np.dtype, ("i8, i8, 2f8", "i8, i8, i8, f8, f8", "i8, i8, f8"))
+
 _MODES = ("union", "owner", "cells", "chords")
 
 
@@ -262,19 +268,16 @@ class Scene:
         made = _core.Scene.open_bytes(state["_scene"])
         self.__dict__.update(state | {"_scene": made})
 
-    def _answer(
-        self, query: Any, given: Any, columns: str | list[NDArray[Any]], rule: Any = None
-    ) -> Any:
-        """Calls a function of _core for lines or points, which writes the columns, or
-        columns of these types: i index, t number, b byte, ? bool, v vector; or
-        returns rows of a type with commas."""
-        rows = columns if isinstance(columns, str) and "," in columns else None
+    def _answer(self, query: Any, given: Any, columns: Any, rule: Any = None) -> Any:
+        """Calls a function of _core for lines or points.  It writes columns, arrays or
+        types of _TYPES, or returns rows of one type."""
         if given.threads is None:
             given.threads = self._threads
         if isinstance(columns, str):
-            columns = [] if rows else _columns(given.shape, columns)
+            columns = [np.empty(given.shape, _TYPES[kind]) for kind in columns]
+        rows = columns if isinstance(columns, np.dtype) else None
         found = query(
-            self._scene, given.core_of(len(self)), rule, columns,
+            self._scene, given.core_of(len(self)), rule, columns if rows is None else [],
             workers(given.threads), given.progress,
         )
         if found is None:
@@ -332,7 +335,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        return AllHits(*self._answer(_core.Scene.all, lines, "i8, i8, 2f8"))
+        return AllHits(*self._answer(_core.Scene.all, lines, _HITS))
 
     def _integers(
         self, name: str, values: ArrayLike | None
@@ -422,7 +425,7 @@ class Scene:
         rule = _core.Scene.Rule(
             _mode(mode), self._integers("rank", rank), None, most, False
         )
-        return Pieces(*self._answer(_core.Scene.pieces, lines, "i8, i8, i8, f8, f8", rule))
+        return Pieces(*self._answer(_core.Scene.pieces, lines, _PIECES, rule))
 
     def sums(
         self, origins: ArrayLike, directions: ArrayLike | None = None,
@@ -554,7 +557,7 @@ class Scene:
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
         rule = _signed(around)
-        return ShapesWithin(*self._answer(_core.Scene.within, around, "i8, i8, f8", rule))
+        return ShapesWithin(*self._answer(_core.Scene.within, around, _NEAR, rule))
 
     @takes(Balls)
     def within_count(self, around: Balls) -> NDArray[np.int64]:
@@ -579,18 +582,8 @@ class Scene:
         return self._answer(_core.Scene.contains, points, "i")[0]
 
 
-_TYPES = {"i": np.int64, "t": np.float64, "b": np.int8, "?": np.bool_}
-
-
 def _signed(around: Balls) -> Any:
     return _core.Scene.Rule(0, None, None, 0, around.signed)
-
-
-def _columns(shape: tuple[int, ...], kinds: str) -> list[NDArray[Any]]:
-    return [
-        np.empty((*shape, 3)) if kind == "v" else np.empty(shape, _TYPES[kind])
-        for kind in kinds
-    ]
 
 
 def _file_name(path: str | os.PathLike[str]) -> tuple[bytes, str]:
