@@ -292,6 +292,7 @@ class Points:
     """Points of any shape."""
 
     radii: Doubles = np.array(0.0)  # without effect
+    signed = False
 
     def __init__(
         self, points: ArrayLike, *, threads: int | None = None,
@@ -304,7 +305,7 @@ class Points:
 
     def core_of(self, shapes: int) -> _core.Balls:
         """Points for a scene with so many shapes."""
-        return _core.Balls(self.array, self.radii)
+        return _core.Balls(self.array, self.radii, self.signed)
 
     def keep(self) -> None:
         """Lets these points own their array, for members computed later."""

@@ -539,7 +539,7 @@ class Scene:
         >>> chain.closest([2.25, 0, 0.75], signed=True).distance
         array(-0.25)
         """
-        columns = self._answer(_core.Scene.closest, around, "it", _signed(around))
+        columns = self._answer(_core.Scene.closest, around, "it")
         around.keep()
         return ClosestShapes(self._scene, around, columns)
 
@@ -556,8 +556,7 @@ class Scene:
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
         ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
         """
-        rule = _signed(around)
-        return ShapesWithin(*self._answer(_core.Scene.within, around, _NEAR, rule))
+        return ShapesWithin(*self._answer(_core.Scene.within, around, _NEAR))
 
     @takes(Balls)
     def within_count(self, around: Balls) -> NDArray[np.int64]:
@@ -565,8 +564,7 @@ class Scene:
 
         Arguments as for `within`.
         """
-        query = _core.Scene.within_count
-        return self._answer(query, around, "i", _signed(around))[0]
+        return self._answer(_core.Scene.within_count, around, "i")[0]
 
     @takes(Points)
     def contains(self, points: Points) -> NDArray[np.int64]:
@@ -580,10 +578,6 @@ class Scene:
         array([2, 1, 0])
         """
         return self._answer(_core.Scene.contains, points, "i")[0]
-
-
-def _signed(around: Balls) -> Any:
-    return _core.Scene.Rule(0, None, None, 0, around.signed)
 
 
 def _file_name(path: str | os.PathLike[str]) -> tuple[bytes, str]:

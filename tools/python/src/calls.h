@@ -25,6 +25,15 @@ inline const cylint_shape *as_shape(const void *p)
     return static_cast<const cylint_shape *>(p);
 }
 
+/* The members of a hit that there is not. */
+inline const cylint_hit no_hit = {not_a_number,
+                                  {not_a_number, not_a_number, not_a_number},
+                                  {not_a_number, not_a_number, not_a_number},
+                                  not_a_number,
+                                  not_a_number,
+                                  -1,
+                                  -1};
+
 /* Element i of shapes (n). */
 inline const cylint_shape *shape_of(const Input &shapes, size_t i)
 {

@@ -35,15 +35,6 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/* The members of a hit that there is not. */
-const cylint_hit no_hit = {not_a_number,
-                           {not_a_number, not_a_number, not_a_number},
-                           {not_a_number, not_a_number, not_a_number},
-                           not_a_number,
-                           not_a_number,
-                           -1,
-                           -1};
-
 /* The numbers of further arrays in the grid; SHAPES: shapes or their numbers. */
 enum { SHAPES = Lines::ARRAYS, COLUMNS };
 enum {
@@ -240,13 +231,6 @@ class Block
         cylint_pack_shapes(&pack, memory.data(), shapes, part->size);
     }
 
-    /* Whether an array is one number, and which. */
-    bool is_constant(int array, double value) const
-    {
-        return part->stride(array) == 0 &&
-               column[array == Lines::STARTS ? 6 : 7][0] == value;
-    }
-
     /* Returns whether all lines are valid. */
     bool set_lines()
     {
@@ -255,8 +239,12 @@ class Block
             lines.o[axis] = column[axis];
             lines.d[axis] = column[3 + axis];
         }
-        lines.tmin = is_constant(Lines::STARTS, 0) ? nullptr : column[6];
-        lines.tmax = is_constant(Lines::ENDS, infinity) ? nullptr : column[7];
+        const auto unless = [this](int array, double *limits, double usual) {
+            return part->stride(array) == 0 && *limits == usual ? nullptr
+                                                                : limits;
+        };
+        lines.tmin = unless(Lines::STARTS, column[6], 0);
+        lines.tmax = unless(Lines::ENDS, column[7], infinity);
         int bad = 0;
         for (size_t i = 0; i < lines.n; i++) {
             double sum = 0; /* NaN if a coordinate is not finite */

@@ -115,7 +115,6 @@ struct Answer {
 
 using Byte = signed char;
 using Vector = std::array<double, 3>;
-constexpr Vector nowhere = {not_a_number, not_a_number, not_a_number};
 
 int64_t integer(size_t value)
 {
@@ -148,8 +147,8 @@ struct Rule {
 
     const int mode; /* of pieces */
     const Integers rank, label;
-    const size_t most; /* pieces, 0: all; or the number of labels */
-    const bool flag;   /* signed distances; sums in the units of the scene */
+    const size_t most;   /* pieces, 0: all; or the number of labels */
+    const bool in_units; /* sums: of the scene */
 };
 
 /* A scene and the rule of a call. */
@@ -157,17 +156,22 @@ struct Question {
     const cylint_scene *scene;
     size_t n;
     const Rule &rule;
-    unsigned want_of_points;
 
+    /* The number of a shape in answers; -1 for none. */
+    int64_t number(size_t found) const
+    {
+        return found < n ? integer(found) : -1;
+    }
     size_t except(const Ray &ray) const
     {
         return ray.left_out < 0 ? n : static_cast<size_t>(ray.left_out);
     }
 };
 
-/* A point with a radius. */
+/* A point with a radius.  want: CYLINT_SIGNED or 0. */
 struct Ball {
     double point[3], radius;
+    unsigned want;
 };
 
 /* ---------------------------------------------------- one line, columns -- */
@@ -179,10 +183,9 @@ void nearest(const Question &q, const Ray &ray, const Answer &put)
     const size_t found =
         cylint_scene_nearest_other(q.scene, &ray.line, q.except(ray),
                                    CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
-    if (found < q.n)
-        put(integer(found), hit.t, byte(hit.part));
-    else
-        put(int64_t{-1}, not_a_number, Byte{-1});
+    if (found == q.n)
+        hit = no_hit;
+    put(q.number(found), hit.t, byte(hit.part));
 }
 
 /* bool */
@@ -209,7 +212,7 @@ void sums(const Question &q, const Ray &ray, const Answer &put)
 {
     const cylint_piece_rule rule = q.rule.pieces();
     if (cylint_scene_line_sums(q.scene, &ray.line, &rule, data_of(q.rule.label),
-                               q.rule.most, q.rule.flag,
+                               q.rule.most, q.rule.in_units,
                                put.doubles()) != CYLINT_SCENE_OK)
         throw std::bad_alloc();
 }
@@ -220,11 +223,10 @@ void boundary(const Question &q, const Ray &ray, const Answer &put)
     cylint_hit hit;
     const size_t found = checked(
         first_boundary(q.scene, &ray.line, CYLINT_WANT_ALL, &hit, &memory));
-    if (found < q.n)
-        put(integer(found), hit.t, byte(hit.part), byte(hit.side),
-            vector(hit.point), vector(hit.normal));
-    else
-        put(int64_t{-1}, not_a_number, Byte{-1}, Byte{-1}, nowhere, nowhere);
+    if (found >= q.n)
+        hit = no_hit;
+    put(q.number(found), hit.t, byte(hit.part), byte(hit.side),
+        vector(hit.point), vector(hit.normal));
 }
 
 /* ------------------------------------------------------- one line, rows -- */
@@ -267,18 +269,15 @@ void closest(const Question &q, const Ball &ball, const Answer &put)
 {
     cylint_closest answer;
     const size_t found = cylint_scene_closest(q.scene, ball.point, ball.radius,
-                                              q.want_of_points, &answer);
-    if (found < q.n)
-        put(integer(found), answer.distance);
-    else
-        put(int64_t{-1}, not_a_number);
+                                              ball.want, &answer);
+    put(q.number(found), found < q.n ? answer.distance : not_a_number);
 }
 
 /* int64 */
 void within_count(const Question &q, const Ball &ball, const Answer &put)
 {
     put(integer(cylint_scene_within_count(q.scene, ball.point, ball.radius,
-                                          q.want_of_points, 0)));
+                                          ball.want, 0)));
 }
 
 /* int64; the radius has no effect */
@@ -293,7 +292,7 @@ void depth(const Question &q, const Ball &ball, const Answer &put)
     size_t owner = q.n;
     const size_t deep = checked(depth_of_point(
         q.scene, ball.point, data_of(q.rule.rank), &owner, &memory));
-    put(integer(deep), owner < q.n ? integer(owner) : -1);
+    put(integer(deep), q.number(owner));
 }
 
 /* A visit of the shapes near a point.  It is in C: no exception can cross it. */
@@ -321,7 +320,7 @@ void within(const Question &q, const Ball &ball, int64_t number,
 {
     NearVisit visit = {number, ball.radius, to, false};
     const auto begin = static_cast<ptrdiff_t>(to.size());
-    cylint_scene_visit_point(q.scene, ball.point, ball.radius, q.want_of_points,
+    cylint_scene_visit_point(q.scene, ball.point, ball.radius, ball.want,
                              add_near, &visit);
     if (visit.has_failed)
         throw std::bad_alloc();
@@ -345,10 +344,12 @@ struct Balls {
     {
         part.read_vector(ball->point, POINTS, i, points);
         ball->radius = part.value<double>(RADII, i);
+        ball->want = is_signed ? unsigned{CYLINT_SIGNED} : 0U;
         return CYLINT_OK;
     }
 
     const Input points, radii;
+    const bool is_signed;
 };
 
 /* Makes the elements of a grid, and calls function(part, i, element) for each.
@@ -378,8 +379,7 @@ nb::object answer(const Scene &scene, const From &from,
                   int threads, const Callback &progress)
 {
     const Rule rule = given.value_or(Rule{0, {}, {}, 0, false});
-    const Question q = {scene.scene.get(), scene.size(), rule,
-                        rule.flag * static_cast<unsigned>(CYLINT_SIGNED)};
+    const Question q = {scene.scene.get(), scene.size(), rule};
     const auto held = scene.use;
     Grid grid;
     from.add_to(grid);
@@ -404,7 +404,7 @@ nb::object answer(const Scene &scene, const From &from,
 
 void register_queries(nb::module_ &module, nb::class_<Scene> &scene)
 {
-    nb::class_<Balls>(module, "Balls").def(nb::init<Input, Input>());
+    nb::class_<Balls>(module, "Balls").def(nb::init<Input, Input, bool>());
     nb::class_<Rule>(scene, "Rule")
         .def(nb::init<int, Integers, Integers, size_t, bool>());
     scene.def("nearest", &answer<Lines, Columns, nearest>)
