@@ -111,6 +111,26 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     CHECK(back < 1.05);
 }
 
+/* All others are bounded again, also one that is alone in the last leaf. */
+TEST(one_shape_leaves_the_frame)
+{
+    cylint_shape shapes[20];
+    const cylint_shape far = shape_of("sphere 1e6 0 0  1");
+    for (int n = 2; n <= 20; n++)
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < n; k++)
+                cylint_sphere(&shapes[k], (double[]){-k, 0, 0}, 0.25,
+                              CYLINT_ENDS_CAPPED);
+            OWN_SCENE *scene = cylint_scene_new(shapes, (size_t)n, 1, NULL);
+            CHECK(cylint_scene_refit(scene, (size_t)i, 1, &far) ==
+                  CYLINT_SCENE_OK);
+            for (int k = 0; k < n; k++) {
+                const double p[3] = {k == i ? 1e6 : -k, 0, 0};
+                CHECK(cylint_scene_contains(scene, p, 0) == 1);
+            }
+        }
+}
+
 /* Balls of radius r about x and -x. */
 static void fill_pair(cylint_shape shapes[2], double x, double r)
 {
