@@ -126,6 +126,116 @@ TEST(tiny_shapes_are_not_cut)
     }
 }
 
+/* -------------------------------------------------------------- damage --- */
+
+/* Writes an integer, or the bits of a float, and returns what was there. */
+static uint32_t put(void *at, int bytes, uint32_t value)
+{
+    uint32_t before = 0;
+    if (bytes == 1) {
+        before = *(uint8_t *)at;
+        *(uint8_t *)at = (uint8_t)value;
+    } else if (bytes == 2) {
+        before = *(uint16_t *)at;
+        *(uint16_t *)at = (uint16_t)value;
+    } else {
+        memcpy(&before, at, sizeof before);
+        memcpy(at, &value, sizeof value);
+    }
+    return before;
+}
+
+static void check_counts(cylint_bvh *bvh, size_t n)
+{
+    for (size_t less = 0; less < 3; less++) {
+        cylint_bvh nodes = *bvh, leaves = *bvh, empty = {.n_leaves = less};
+        nodes.n_nodes += 1 - less;
+        leaves.n_leaves += 1 - less;
+        CHECK(cylint_bvh_is_sound(&nodes, n) == (less == 1));
+        CHECK(cylint_bvh_is_sound(&leaves, n) == (less == 1));
+        CHECK(cylint_bvh_is_sound(&empty, n) == (less == 0));
+    }
+}
+
+/* The last leaf has unused lanes, whose numbers are not read. */
+TEST(a_damaged_hierarchy_is_not_sound)
+{
+    enum { N = 515, USED = N % CYLINT_LEAF_SIZE };
+    const uint32_t nan = 0x7fc00000, infinity = 0x7f800000;
+    cylint_bvh bvh;
+    OWN_SHAPES of = scene_generate(SCENE_FAT, N, 3);
+    if (!build_bvh(&bvh, &of, 1))
+        return;
+    cylint_node *node = bvh.node_memory.data, *end = node + bvh.n_nodes - 1;
+    cylint_leaf *leaf = bvh.leaf_memory.data, *last = leaf + bvh.n_leaves - 1;
+    uint32_t *to_node = &node->child[0], *to_leaf = &end->child[0];
+    const struct {
+        void *at;
+        int bytes, is_sound;
+        uint32_t value;
+    } put_there[] = {{&node->children, 1, 0, 0},
+                     {&node->children, 1, 0, 5},
+                     {&node->children, 1, 0, node->children >> 1},
+                     {&end->corner[0], 4, 0, nan},
+                     {&end->corner[2], 4, 0, infinity},
+                     {&end->step[1], 4, 0, infinity},
+                     {to_node, 4, 0, 0},
+                     {to_node, 4, 0, 2},
+                     {to_node, 4, 0, CYLINT_LEAF_FLAG},
+                     {to_leaf, 4, 0, *to_leaf - 1},
+                     {to_leaf, 4, 0, *to_leaf + 1},
+                     {to_leaf, 4, 0, (uint32_t)bvh.n_nodes - 1},
+                     {&leaf->center[1], 4, 0, nan},
+                     {&leaf->steps, 2, 0, 0},
+                     {&leaf->steps, 2, 0, 0x8000u | leaf->steps},
+                     {&leaf->steps, 2, 0, infinity >> 16},
+                     {&leaf->used, 1, 0, 0},
+                     {&leaf->used, 1, 0, CYLINT_LEAF_SIZE + 1},
+                     {&leaf->r[7], 2, 0, leaf->r[7] | 1u << CYLINT_LEAF_R_BITS},
+                     {&leaf->number[0], 4, 1, N - 1},
+                     {&leaf->number[0], 4, 0, N},
+                     {&last->number[USED - 1], 4, 0, UINT32_MAX},
+                     {&last->number[USED], 4, 1, UINT32_MAX}};
+    CHECK(*to_node == 1 && *to_leaf > CYLINT_LEAF_FLAG && end > node + 1);
+    for (size_t i = 0; i < sizeof put_there / sizeof *put_there; i++) {
+        const uint32_t before =
+            put(put_there[i].at, put_there[i].bytes, put_there[i].value);
+        if (!CHECK(cylint_bvh_is_sound(&bvh, N) == put_there[i].is_sound))
+            REPORT("damage %zu", i);
+        put(put_there[i].at, put_there[i].bytes, before);
+    }
+    check_counts(&bvh, N);
+    cylint_bvh_free(&bvh);
+}
+
+/* Each node has a leaf and the next node, the last one leaves. */
+TEST(a_tree_of_nodes_without_gaps_and_of_the_greatest_depth_is_sound)
+{
+    enum { MOST = CYLINT_BVH_DEPTH + 1, LEAVES = MOST + CYLINT_CHILDREN };
+    cylint_node nodes[MOST] = {{.children = 0}};
+    cylint_leaf leaves[LEAVES];
+    for (int i = 0; i < LEAVES; i++)
+        leaves[i] = (cylint_leaf){.steps = 0x3f80, .used = 1};
+    for (uint32_t depth = 1; depth <= MOST; depth++)
+        for (unsigned bits = 0; bits < 256; bits++) {
+            cylint_node *last = &nodes[depth - 1];
+            cylint_bvh bvh = {.nodes = nodes,
+                              .leaves = leaves,
+                              .n_nodes = depth,
+                              .n_leaves = depth - 1};
+            last->children = (uint8_t)bits;
+            for (uint32_t i = 0; i < CYLINT_CHILDREN; i++) {
+                last->child[i] = CYLINT_LEAF_FLAG | (depth - 1 + i);
+                bvh.n_leaves += bits >> i != 0;
+            }
+            const int has_gaps = bits == 0 || (bits & (bits + 1)) != 0;
+            CHECK(cylint_bvh_is_sound(&bvh, 1) ==
+                  (!has_gaps && depth <= CYLINT_BVH_DEPTH));
+            last->children = 3;
+            last->child[1] = depth;
+        }
+}
+
 /* -------------------------------------------------------------- threads -- */
 
 /* Enough shapes for five threads; some calls use more. */

@@ -63,6 +63,94 @@ TEST(a_shape_is_made_again_in_its_rounding_mode)
     }
 }
 
+/* Whether a record with this tag is sound, alone or after one with semi-axes. */
+static int is_sound(int tag, cylint_record record)
+{
+    cylint_record both[2] = {record, {{0, 0, 0}, 0, {0, 0, 1}, 1}};
+    uint8_t tags[2] = {(uint8_t)tag, CYLINT_KIND_ECYLINDER};
+    cylint_semi_axes axes = {{1, 0, 0}, {0, 1, 0}};
+    cylint_records one = {both, tags, NULL, 1, 1, 0, 0},
+                   two = {both, tags, &axes, 2, 2, 1, 1};
+    return cylint_records_are_sound(&one) &&
+           CHECK(cylint_records_are_sound(&two));
+}
+
+/* Shapes along each coordinate from p to q, with radii r0 and r1. */
+TEST(only_records_that_constructors_accept_are_sound)
+{
+    enum { PLAIN = CYLINT_TAG_PLAIN, ENDS = CYLINT_TAG_ENDS };
+    enum { CYLINDER = CYLINT_KIND_CYLINDER, CONE, ACONE };
+    enum { SPHERE = CYLINT_KIND_SPHERE, CAPSULE, RCONE };
+    static const double most = CYLINT_WINDOW, far = CYLINT_FAR;
+    static const struct {
+        int tag, is_sound;
+        double p, r0, q, r1;
+    } of[] = {{PLAIN | CYLINDER, 1, 0, 1, 1, 1},
+              {PLAIN | CYLINDER | 3 * ENDS, 1, 0, 1, 1, 1},
+              {PLAIN | CYLINDER | 4 * ENDS, 0, 0, 1, 1, 1},
+              {PLAIN | CYLINDER, 0, 0, 1, 1, 2},
+              {PLAIN | CYLINDER, 0, 0, -1, 1, -1},
+              {PLAIN | CYLINDER, 0, 0, 0, 1, 0},
+              {PLAIN | CYLINDER, 1, 0, most, 1, most},
+              {PLAIN | CYLINDER, 0, 0, 2 * most, 1, 2 * most},
+              {PLAIN | CYLINDER, 0, 0, NAN, 1, NAN},
+              {PLAIN | CYLINDER, 0, 1, 1, 1, 1},
+              {PLAIN | CYLINDER, 0, NAN, 1, 1, 1},
+              {PLAIN | CYLINDER, 0, 0, 1, NAN, 1},
+              {PLAIN | CYLINDER, 0, 0, 1, HUGE_VAL, 1},
+              {PLAIN | CYLINDER, 1, 0, 1, most, 1},
+              {PLAIN | CYLINDER, 0, 0, 1, 4 * most, 1},
+              {PLAIN | CYLINDER, 1, far, 1, 0x1.00000000001p100, 1},
+              {PLAIN | CYLINDER, 0, 2 * far, 1, 0x1.00000000001p101, 1},
+              {PLAIN | CONE, 1, 0, 0, 1, 2},
+              {PLAIN | CONE, 0, 0, 2, 1, 2},
+              {PLAIN | CONE, 0, 0, -1, 1, 2},
+              {PLAIN | CONE, 0, 0, 2, 1, -1},
+              {PLAIN | CONE, 0, 0, 2 * most, 1, 1},
+              {PLAIN | CONE, 1, 0, 1, 0x1p-120, 2},
+              {PLAIN | CONE, 0, 0, 1, 0x1p-123, 2},
+              {PLAIN | CONE, 0, 0, 1, 1, 2 * most},
+              {PLAIN | ACONE, 0, 0, 0, 1, 1},
+              {PLAIN | SPHERE, 0, 0, 1, 1, 1},
+              {PLAIN | CAPSULE, 1, 0, 1, 1, 1},
+              {PLAIN | CAPSULE, 0, 0, 1, 1, 2},
+              {PLAIN | RCONE, 1, 0, 0, 1, 0.5},
+              {PLAIN | RCONE, 1, 0, 1, 1, 1.9979},
+              {PLAIN | RCONE, 0, 0, 1, 1, 1.99999},
+              {PLAIN | RCONE, 0, 0, 1, 1, 2},
+              {PLAIN | RCONE, 0, 0, 1, 1, 4},
+              {CYLINDER, 1, 0, 1, 1, 1},
+              {CYLINDER | 4 * ENDS, 1, 0, 1, 1, 1},
+              {CYLINDER | 6 * ENDS, 0, 0, 1, 1, 1},
+              {CYLINDER, 0, 0, -1, 1, -1},
+              {RCONE, 1, 0, 1, 1, 9},
+              {CYLINT_KIND_HALFSPACE + 1, 0, 0, 1, 1, 1}};
+    for (size_t n = 0; n < 3 * sizeof of / sizeof *of; n++) {
+        const size_t i = n / 3, k = n % 3;
+        cylint_record record = {{0, 0, 0}, of[i].r0, {0, 0, 0}, of[i].r1};
+        record.p0[k] = of[i].p;
+        record.p1[k] = of[i].q;
+        if (!CHECK(is_sound(of[i].tag, record) == of[i].is_sound))
+            REPORT("record %zu, coordinate %zu", i, k);
+    }
+}
+
+TEST(semi_axes_belong_to_elliptic_records_in_their_order)
+{
+    cylint_record record[2] = {{{0, 0, 0}, 0, {0, 0, 1}, 1},
+                               {{0, 0, 0}, 1, {0, 0, 1}, 1}};
+    uint8_t tag[2] = {CYLINT_KIND_ECYLINDER, CYLINT_KIND_ECYLINDER};
+    cylint_semi_axes axes[3] = {
+        {{1, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {0, 2, 0}}, {{1, 0, 0}, {0, 3, 0}}};
+    for (size_t n = 0; n <= 3; n++) {
+        const cylint_records r = {record, tag, axes, 2, 2, n, n};
+        CHECK(cylint_records_are_sound(&r) == (n == 2));
+    }
+    const cylint_records r = {record, tag, axes, 2, 2, 2, 2};
+    record[1].r0 = 0;
+    CHECK(!cylint_records_are_sound(&r));
+}
+
 TEST(a_finished_scene_takes_no_shape)
 {
     const cylint_shape shape = shape_of("sphere 0 0 0 1");
