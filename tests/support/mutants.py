@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests whether the tests detect a wrong library.
 
-Changes one operator, sign, constant or index of the numeric core at a time (a
+Changes one operator, sign, constant or index of the library at a time (a
 mutant), builds the library and runs its tests; those that detected most
 mutants of the file so far run first.  Prints each mutant that passes all tests
 (a survivor) with its line.  A survivor means that a test is missing, that a
@@ -19,9 +19,11 @@ the number of random mutants of each file.  --skip leaves out the first N of the
 sequence, so that a run can be continued.  --again tries only the mutants that
 an earlier run printed to FILE.  --understood tries those that have a reason, and
 prints reasons whose mutants a test detects.  --full runs all tests with all
-cases.  --check only prints reasons beside lines without such a mutant or branch.
+cases.  --check only prints reasons beside lines without such a mutant or branch, and
+test programs that no list has.
 """
 import argparse
+import glob
 import os
 import queue
 import random
@@ -35,41 +37,56 @@ from concurrent.futures import ThreadPoolExecutor
 
 from reasons import beside_lines, sources, without_comments
 
-# The folders of the numeric core, and the files there of which no test sees a change.
-CORE = ("src", "src/distance", "src/filter", "src/numbers", "src/roots", "src/shapes", "src/signs")
+# The folders whose files are changed, and the files there of which no test sees a
+# change.
+CORE = ("src", "src/bvh", "src/distance", "src/filter", "src/methods", "src/numbers",
+        "src/roots", "src/scene", "src/shapes", "src/signs")
 LEFT_OUT = ("dispatch.c", "dispatch.h", "version.c", "numbers/compiler.h",
             "numbers/diagnostics.h", "numbers/simd.h")
+
+
+def cases(n):
+    return {"CYLINT_CASES": str(n)}
+
+
 # (program, environment).  Programs that take seconds run with few cases first,
 # and with all cases only for --full, on mutants that pass the others.
-FEW = {"CYLINT_CASES": "50"}
 SHORT = [("library/test_hits", {}), ("shapes/test_constructors", {}),
-         ("bounds/test_form_depth", {}),
-         ("bounds/test_local_bounds", {}), ("bounds/test_local_residuals", {}),
-         ("filter/test_local_coordinates", FEW),
-         ("library/test_intersect", FEW), ("roots/test_midpoints", {}),
-         ("signs/test_zeros", {}),
-         ("shapes/test_errors", FEW), ("library/test_environment", {"CYLINT_CASES": "5"}),
-         ("library/test_properties", FEW),
-         ("library/test_batch", {"CYLINT_CASES": "3"}),
-         ("library/test_outside", FEW), ("library/test_chord", {"CYLINT_CASES": "60"}),
-         ("library/test_tube", {})]
+         ("bounds/test_form_depth", {}), ("bounds/test_local_bounds", {}),
+         ("bounds/test_local_residuals", {}), ("bounds/test_arena", {}),
+         ("bounds/test_member_bounds", cases(2000)),
+         ("filter/test_local_coordinates", cases(50)),
+         ("library/test_intersect", cases(50)), ("roots/test_midpoints", {}),
+         ("numbers/test_exact", cases(2000)), ("numbers/test_turns", cases(10000)),
+         ("signs/test_zeros", {}), ("shapes/test_errors", cases(50)),
+         ("library/test_environment", cases(5)), ("library/test_properties", cases(50)),
+         ("library/test_batch", cases(3)), ("library/test_outside", cases(50)),
+         ("library/test_chord", cases(60)), ("library/test_tube", {})]
 FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
-        ("numbers/test_exact", {}), ("scene/test_paths", {}),
-        ("numbers/test_double_double", {}), ("shapes/test_errors", {}),
-        ("library/test_properties", {}), ("library/test_batch", {}),
-        ("distance/test_batch", {"CYLINT_CASES": "3"})]  # batches of contains
-DISTANCE = [("distance/test_known", {"CYLINT_CASES": "3"}),
-            ("bounds/test_distance_bounds", {"CYLINT_CASES": "400"}),
-            ("distance/test_batch", {"CYLINT_CASES": "3"}),
-            ("distance/test_oracle", {"CYLINT_CASES": "2"}),
+        ("numbers/test_exact", {}), ("numbers/test_double_double", {}),
+        ("numbers/test_turns", {}), ("scene/test_paths", {}),
+        ("shapes/test_errors", {}), ("library/test_properties", {}),
+        ("library/test_batch", {}), ("bounds/test_member_bounds", {}),
+        ("distance/test_batch", cases(3))]  # batches of contains
+DISTANCE = [("distance/test_known", cases(3)), ("bounds/test_arena", {}),
+            ("bounds/test_distance_bounds", cases(400)),
+            ("bounds/test_local_residuals", {}),
+            ("distance/test_batch", cases(3)), ("distance/test_oracle", cases(2)),
             ("distance/test_elliptic", {})]
-POINTS = [("bounds/test_scene_point_bounds", {}), ("scene/test_queries", {})]
-SCENE = [("scene/test_many", {}), ("scene/test_pieces", {"CYLINT_CASES": "10"}),
-         ("scene/test_boundary", {"CYLINT_CASES": "20"}), ("scene/test_solids", {}),
-         ("scene/test_refit", {}), ("scene/test_records", {"CYLINT_CASES": "50"}),
-         ("scene/test_file", {}), ("scene/test_queries", {})]
+SCENE = [("scene/test_many", {}), ("scene/test_pieces", cases(10)),
+         ("scene/test_boundary", cases(60)), ("scene/test_solids", {}),
+         ("scene/test_refit", {}), ("scene/test_records", cases(50)),
+         ("scene/test_file", {}), ("scene/test_memory", {}),
+         ("scene/test_queries", {})]
+BVH = [("bvh/test_nodes", {}), ("bounds/test_scene_point_bounds", {})] + SCENE
 # The tests of files in a folder; of other files they are SHORT and FULL.
-OF_FOLDER = {"distance": DISTANCE, "bvh": POINTS, "scene": SCENE}
+OF_FOLDER = {"distance": DISTANCE, "bvh": BVH, "scene": SCENE,
+             "methods": [("methods/test_methods", {})]}
+
+
+def tests_of(name, full=True):
+    return OF_FOLDER.get(name.split("/")[0]) or SHORT + (FULL if full else [])
+
 
 # (pattern, replacements)
 SWAPS = [
@@ -93,9 +110,9 @@ SWAPS = [
 
 
 def core(top):
-    """The files of the core, by their names below src."""
+    """The files to change, by their names below src."""
     names = [p[len("src/"):] for p in sources(top) if os.path.dirname(p) in CORE]
-    return [n for n in names if n not in LEFT_OUT] + ["bvh/traverse_point.c"]
+    return [n for n in names if n not in LEFT_OUT]
 
 
 def is_length(code, at):
@@ -225,8 +242,13 @@ def is_understood(texts, mutant, understood):
 
 
 def check(top):
-    """Prints the reasons that concern nothing, and returns their number."""
-    stale = []
+    """Prints the reasons that concern nothing and the programs that no list has, and
+    returns their number."""
+    listed = {test for of in (SHORT, FULL, *OF_FOLDER.values()) for test, _ in of}
+    programs = sorted(os.path.relpath(p, os.path.join(top, "tests"))[:-len(".c")]
+                      for p in glob.glob(os.path.join(top, "tests/*/test_*.c")))
+    stale = ["tests/%s.c: in no list" % p for p in programs
+             if p not in listed and "embree" not in p]
     for path in sources(top):
         with open(os.path.join(top, path)) as f:
             name, text = path[len("src/"):], f.read()
@@ -253,10 +275,7 @@ def try_file(name, args, benches, texts):
     for bench in benches:
         idle.put(bench)
     tests = benches[0].tests
-    wanted = OF_FOLDER.get(name.split("/")[0])
-    used = [i for i, test in enumerate(tests)
-            if (test in wanted if wanted else
-                not any(test in of for of in OF_FOLDER.values()))]
+    used = [tests.index(test) for test in tests_of(name, args.full)]
     kills = [0] * len(tests)
     fates = {}  # of the mutants with one description, as a line may have several
     count = dict.fromkeys(("killed", "uncompiled", "understood", "survived"), 0)
@@ -313,10 +332,9 @@ def main():
         return check(top) > 0
     texts = {n: open(os.path.join(top, "src", n)).read()
              for n in (args.files.split(",") if args.files else core(top))}
-    folders = {n.split("/")[0] for n in texts}
-    tests = sum((OF_FOLDER[f] for f in sorted(folders & set(OF_FOLDER))), [])
-    if folders - set(OF_FOLDER):
-        tests += SHORT + FULL if args.full else SHORT
+    tests = []
+    for name in texts:
+        tests += [t for t in tests_of(name, args.full) if t not in tests]
     with tempfile.TemporaryDirectory() as work:
         benches = [Bench(top, os.path.join(work, str(i)), args.cc, tests)
                    for i in range(args.jobs)]
