@@ -5,7 +5,7 @@
  * point inside.  cylint_contains() must agree, and rays from the point outside
  * that point away from a convex solid must miss it; every ray from the point
  * inside a bounded solid must hit it once.  CYLINT_CASES is the number of cases
- * of each family.
+ * of each family.  outside.txt has known points.
  */
 #include <math.h>
 #include <string.h>
@@ -13,6 +13,7 @@
 #include "check.h"
 #include "draw.h"
 #include "families.h"
+#include "records.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
 
@@ -220,113 +221,39 @@ TEST(rays_of_wild_sizes_leave_the_solid_or_stay_in_it)
     over_families(1);
 }
 
-TEST(a_point_on_the_wanted_side_is_not_moved)
+/* 0: the point of the hit, unchanged. */
+static const char *check_record(const char *text, const char *known)
 {
-    const cylint_shape s = shape_of("sphere 0 0 0 1");
-    cylint_hit hit = {.point = {0, 0, 2}, .normal = {0, 0, 1}};
-    double p[3];
-    CHECK(cylint_outside(&s, &hit, -1, p) == 1 && p[2] == 2);
-    hit.point[2] = 0.5;
-    CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == 0.5);
-    hit.point[2] = 1;
-    CHECK(cylint_outside(&s, &hit, -1, p) == 1 && p[2] == nextafter(1, 2) &&
-          p[0] == 0 && p[1] == 0);
-    CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == nextafter(1, 0));
+    struct family_case c;
+    double x[8], found, want[3], p[3];
+    if (!(text = family_numbers(text, 8, x)) || !family_parse(text, &c) ||
+        !(known = family_numbers(known, 1, &found)))
+        return NULL;
+    const char *end = family_numbers(known, 3, want);
+    const int side = (int)x[7];
+    const cylint_hit hit = {.point = {x[0], x[1], x[2]},
+                            .normal = {x[3], x[4], x[5]},
+                            .part = (int)x[6]};
+    const int is_found = cylint_outside(&c.shape, &hit, side, p);
+    if (!CHECK(is_found == (int)found && is_finite3(p) &&
+               (!is_found || cylint_contains(&c.shape, p) == side) &&
+               (!end || memcmp(p, want, sizeof p) == 0)))
+        REPORT("side %d: %a %a %a", side, p[0], p[1], p[2]);
+    return end ? end : known;
 }
 
-/* A point above the cap and nearer to the axis than the hit's part is not taken. */
-TEST(beside_a_rim_the_point_is_beyond_the_part_of_the_hit)
+TEST(known_points_are_found)
 {
-    static const char *const shapes[] = {"cylinder 0 0 0  0 0 1  1",
-                                         "cone 0 0 0  1  0 0 1  1.5"};
-    for (int i = 0; i < 2; i++) {
-        const cylint_shape s = shape_of(shapes[i]);
-        const double r = i ? 1.5 : 1;
-        const cylint_hit hit = {.point = {nextafter(r, 0), 0, nextafter(1, 2)},
-                                .normal = {1, 0, 0},
-                                .part = CYLINT_PART_LATERAL};
-        double p[3];
-        CHECK(cylint_contains(&s, hit.point) == -1);
-        CHECK(cylint_outside(&s, &hit, -1, p) == 1 &&
-              cylint_contains(&s, p) == -1 && p[0] > r && p[1] == 0);
-    }
+    each_record("tests/library/outside.txt", 25, check_record);
 }
 
-TEST(beside_a_rim_the_point_is_beyond_the_cap_of_the_hit)
+TEST(every_point_is_outside_a_refused_shape)
 {
-    const cylint_shape s = shape_of("cylinder 0 0 0  0 0 1  1");
-    const double r = nextafter(1, 2);
-    for (int top = 0; top < 2; top++) {
-        const cylint_hit hit = {
-            .point = {r, 0, top ? nextafter(1, 0) : 0x1p-1074},
-            .normal = {0, 0, top ? 1 : -1},
-            .part = top ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0};
-        double p[3];
-        CHECK(cylint_contains(&s, hit.point) == -1);
-        CHECK(cylint_outside(&s, &hit, -1, p) == 1 && p[0] == r && p[1] == 0 &&
-              p[2] == (top ? nextafter(1, 2) : -0x1p-1074));
-    }
-}
-
-/* The axis is the direction of the normal there, and inside. */
-TEST(the_outside_of_a_double_cone_at_its_apex_is_found)
-{
-    static const char *const cones[] = {
-        "line 0 0 -1  0 0 1  acone 0 0 0  0 0 1  45 ends=infinite",
-        "line 1 2 -1  0 0 1  acone 1 2 3  0 0 1  89 ends=infinite",
-        "line 0 0 0  1 2 3  acone 1 2 3  1 2 3  30 ends=infinite"};
-    for (int i = 0; i < 3; i++) {
-        const struct family_case c = case_of(cones[i]);
-        cylint_answer a;
-        double p[3];
-        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
-        CHECK(a.n == 1 && cylint_contains(&c.shape, a.hit[0].point) == 0);
-        CHECK(cylint_outside(&c.shape, &a.hit[0], -1, p) == 1 &&
-              cylint_contains(&c.shape, p) == -1);
-        CHECK(cylint_outside(&c.shape, &a.hit[0], 1, p) == 1 &&
-              cylint_contains(&c.shape, p) == 1);
-    }
-}
-
-/* One is outside of a double cone whose normal points to larger numbers. */
-TEST(at_the_largest_double_finite_points_are_found)
-{
-    static const char *const cases[] = {
-        "line 0x1.fffffffffffffp+1023 0 -1  0 0 1  "
-        "acone 0x1.fffffffffffffp+1023 0 0  1 0 0  45 ends=infinite",
-        "line 0x1.8p+1023 0 -1  0 0 1  acone 0x1.8p+1023 0 0  -1 0 0  45 "
-        "ends=infinite",
-        "line 0 0 -0x1p-131  1 0 0  "
-        "halfspace 0x1.fffffffffffffp+1023 0 0  0x1p-100 0 0x1p+1000",
-        "line 0 0 0x1p-131  1 0 0  "
-        "halfspace 0x1.fffffffffffffp+1023 0 0  0x1p-100 0 0x1p+1000",
-        "line 0 0 0  1 0 0  halfspace 0x1.fffffffffffffp+1023 0 0  1 0 0"};
-    for (int i = 0; i < 5; i++) {
-        const struct family_case c = case_of(cases[i]);
-        cylint_answer a;
-        CHECK(cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a) == 1);
-        for (int side = -1; side <= 1; side += 2) {
-            double p[3];
-            const int is_found = cylint_outside(&c.shape, &a.hit[0], side, p);
-            if (i == 4 && side < 0) /* no double is outside */
-                CHECK(!is_found && p[0] == DBL_MAX);
-            else
-                CHECK(is_found && is_finite3(p) &&
-                      cylint_contains(&c.shape, p) == side);
-        }
-    }
-}
-
-TEST(no_double_is_inside_a_solid_that_is_too_thin)
-{
-    const cylint_shape thin =
-        shape_of("capsule 0.1 0.2 0.3  1.7 0.9 1.1  0x1p-70");
+    static const cylint_shape none; /* all zero */
     const cylint_hit hit = {.point = {0.9, 0.55, 0.7}, .normal = {0, 0, -1}};
-    double p[3];
-    CHECK(cylint_outside(&thin, &hit, 1, p) == 0 &&
-          memcmp(p, hit.point, sizeof p) == 0);
-    cylint_shape none;
-    memset(&none, 0, sizeof none);
-    CHECK(cylint_outside(&none, &hit, 1, p) == 0 && p[2] == hit.point[2]);
-    CHECK(cylint_outside(&none, &hit, -1, p) == 1);
+    for (int side = -1; side <= 1; side += 2) {
+        double p[3];
+        CHECK(cylint_outside(&none, &hit, side, p) == (side < 0) &&
+              memcmp(p, hit.point, sizeof p) == 0);
+    }
 }
