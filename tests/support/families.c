@@ -316,6 +316,21 @@ static void both_nappes(struct family_case *out)
     out->ends = chance(0.7) ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
 }
 
+/* Nearly along the axis of a thin cone, close to its rulings, or to the axis. */
+static void along_a_thin_cone(struct family_case *out)
+{
+    const double zero[3] = {0, 0, 0}, r = ldexp(1, -one_of(51));
+    const double r0 = r * one_of(2), r1 = r * one_of(3), back = between(0, 2);
+    double h[3], o[3], d[3], off[3];
+    random_vector(h, 1);
+    random_vector(d, r * power(-12, 0.3));
+    random_vector(off, r * power(-12, 0.3));
+    add3(d, 1, h);
+    along3(o, off, one_of(2), h);
+    family_set_shape(out, FAMILY_CONE, zero, NULL, NULL, h, r0, r1);
+    write_line_from(out, o, d, one_of(2) ? back : power(0, 9));
+}
+
 /* ----- ends ------------------------------------------------------------- */
 
 static void near_a_rim(struct family_case *out)
@@ -370,6 +385,29 @@ static void thin(struct family_case *out)
     scale3(chance(0.5) ? f.a : f.b, factor);
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
+}
+
+/* Needles, discs, thin and oblique ellipses, down to lengths whose products
+ * underflow, and balls that nearly hold the other one. */
+static void extreme(struct family_case *out)
+{
+    const double zero[3] = {0, 0, 0}, degree = 57.29577951308232;
+    const family_shape word = (family_shape)one_of(FAMILY_SHAPES);
+    const double r0 = power(-18, 15), r1 = power(-18, 15);
+    double h[3], a[3], b[3], o[3], d[3];
+    random_vector(h, one_of(3) ? 1 : power(-180, 15));
+    random_vector(a, one_of(3) ? 1 : power(-180, 15));
+    random_vector(b, one_of(3) ? 1 : power(-12, 1.5));
+    random_vector(o, one_of(2) ? 1 : power(-18, 6));
+    random_vector(d, one_of(2) ? 1 : power(-18, 15));
+    if (one_of(3) == 0) /* nearly in a plane with others */
+        along3(b, a, power(-9, -0.3), b);
+    const double near = r0 + length3(h) * (1 - power(-15, -0.3));
+    family_set_shape(out, word, zero, a, b, h, r0,
+                     word == FAMILY_ACONE                ? atan(r1) * degree
+                     : word == FAMILY_RCONE && one_of(2) ? near
+                                                         : r1);
+    write_line(out, o, d);
 }
 
 /* ----- differences of points -------------------------------------------- */
@@ -540,6 +578,8 @@ static const struct {
      begin_anywhere, 1, PLANES},
     {"half-space, any exponents", plane_whole, plane_ordinary, scale_anyhow, 1,
      PLANES},
+    {"along a thin cone", along_a_thin_cone, NULL, NULL, 0, FRAMES},
+    {"extreme sizes", extreme, NULL, NULL, 1, FRAMES},
 };
 
 int family_count(void)
