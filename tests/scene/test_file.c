@@ -329,24 +329,7 @@ TEST(a_name_of_255_bytes_is_saved)
 }
 
 /* Such a file has one reader, who must not close and open it again. */
-TEST(a_named_pipe_is_read)
-{
-    OWN_BYTES b = {NULL, NULL, 0};
-    int status = 1;
-    write_small(&b);
-    CHECK(mkfifo(path, 0600) == 0);
-    const pid_t child = fork();
-    if (child == 0) {
-        FILE *to = fopen(path, "wb");
-        _exit(!to || fwrite(b.data, 1, b.n, to) != b.n || fclose(to) != 0);
-    }
-    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
-    CHECK(opened && cylint_scene_size(opened) == SMALL);
-    CHECK(waitpid(child, &status, 0) == child && status == 0);
-    remove(path);
-}
-
-TEST(a_named_pipe_is_written_to_and_not_replaced)
+TEST(a_named_pipe_is_written_to_and_read_and_not_replaced)
 {
     int status = 1;
     struct stat about;
