@@ -5,6 +5,10 @@
 . tests/support/transcripts.sh
 mkdir "$scratch/work"
 PATH=$build:$PATH
+# A sanitizer reserves more address space than any limit allows.
+limit='ulimit -v 20000'
+! grep -Eq '__(asan|tsan)_init' "$build/cylint" || limit=:
+export limit
 
 covered() { # word: is it in cli.txt, not as a part of another?
     grep -Eq -e "(^|[^a-z0-9-])$1([^a-z0-9]|\$)" "$top/tests/command/cli.txt"
