@@ -304,29 +304,39 @@ def assert_same_answers(scene, again):
     assert scene.shapes.labels.tolist() == again.shapes.labels.tolist()
 
 
+class Forest(cylint.Scene):
+    """A scene with a name."""
+
+
+def pickled(scene, protocol=None):
+    return pickle.loads(pickle.dumps(scene, protocol))
+
+
 @pytest.mark.parametrize("trusted", [False, np.True_])
 @pytest.mark.parametrize("read", [False, np.True_])
-def test_a_saved_scene_gives_the_same_answers(tmp_path, trusted, read):
+def test_a_saved_scene_and_its_copies_give_the_same_answers(tmp_path, trusted, read):
+    """After the file has been replaced and removed, too."""
     name, second = tmp_path / "saved", tmp_path / "again"
-    scene = cylint.Scene(labelled(1000, 27))
+    scene = Forest(labelled(1000, 27), threads=2)
     scene.save(name)
-    again = cylint.Scene.open(name, trusted=trusted, read=read, threads=1)
+    whole = name.read_bytes()
+    again = Forest.open(name, trusted=trusted, read=read, threads=2)
     assert_same_answers(scene, again)
-    again.save(os.fspath(second))
-    assert second.read_bytes() == name.read_bytes()
-    assert sorted(os.listdir(tmp_path)) == ["again", "saved"]
-
-
-def test_an_opened_scene_keeps_its_file_when_it_is_replaced(tmp_path):
-    name, scene = tmp_path / "saved", cylint.Scene(forest(300, 3))
-    scene.save(name)
-    opened = cylint.Scene.open(name)
     cylint.Scene(forest(5, 4)).save(name)
-    assert_same_answers(scene, opened)
-    assert len(cylint.Scene.open(name)) == 5
+    assert len(cylint.Scene.open(name)) == 5 and not cylint.Scene.open(name).shapes.labels.any()
     name.unlink()
-    assert_same_answers(scene, opened)
-    assert not opened.shapes.labels.any()
+    again.save(os.fspath(second))
+    assert second.read_bytes() == whole and os.listdir(tmp_path) == ["again"]
+    scene.name = again.name = "Bialowieza"
+    copies = [pickled(again, n) for n in range(2, pickle.HIGHEST_PROTOCOL + 1)]
+    copies += [again, pickled(scene), copy.copy(again), copy.deepcopy(copies[0])]
+    del again, copies[0]
+    for one in copies:
+        assert_same_answers(scene, one)
+        assert type(one) is Forest and one.name == "Bialowieza" and one._threads == 2
+        assert 0 < one.nbytes < 1.2 * scene.nbytes
+    none = pickled(cylint.Scene([]))
+    assert len(none) == 0 and not none.any(*UNIT)
 
 
 def test_the_command_and_the_package_open_the_same_files(command, tmp_path):
@@ -387,32 +397,3 @@ def test_files_that_are_no_saved_scenes_are_refused(tmp_path):
     ):  # fmt: skip
         with refused(message, error):
             call(given_value)
-
-
-@pytest.mark.parametrize("opened", [False, True])
-def test_a_pickled_scene_has_its_shapes_labels_and_threads(tmp_path, opened):
-    scene = cylint.Scene(labelled(500, 27), threads=2)
-    scene.save(tmp_path / "saved")
-    if opened:
-        scene = cylint.Scene.open(tmp_path / "saved", threads=2)
-    for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
-        again = pickle.loads(pickle.dumps(scene, protocol))
-        assert_same_answers(scene, again)
-        assert again._threads == 2 and 0 < again.nbytes < 1.2 * scene.nbytes
-    copied = copy.deepcopy(again)
-    del again
-    assert_same_answers(scene, copied)
-    none = pickle.loads(pickle.dumps(cylint.Scene([])))
-    assert len(none) == 0 and not none.any(*UNIT)
-
-
-class Forest(cylint.Scene):
-    """A scene with a name."""
-
-
-def test_copies_keep_the_class_and_the_members_of_a_scene():
-    scene = Forest(labelled(50, 27))
-    scene.name = "Bialowieza"
-    for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene), copy.deepcopy(scene)):
-        assert type(again) is Forest and again.name == scene.name
-        assert_same_answers(scene, again)
