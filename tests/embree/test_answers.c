@@ -313,42 +313,6 @@ TEST(hits_on_another_geometry_do_not_hide_lower_numbers_or_nearer_hits)
     }
 }
 
-/* Equal hits of shapes that move along the ray; at time 1/2 it hits the
- * caps. */
-TEST(equal_hits_of_moving_shapes_are_distinguished)
-{
-    enum { MANY = 40 };
-    cylint_shape shapes[MANY], moved[MANY], now[MANY];
-    const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
-    const cylint_embree_options options = {.moved = moved};
-    struct world w, at;
-    for (int i = 0; i < MANY; i++) {
-        const double away = i % 7 - 3, p0[3] = {0, 0, away},
-                     p1[3] = {0, 0, away + 4}, q0[3] = {0, 0, -away},
-                     q1[3] = {0, 0, 4 - away};
-        const double r = 1 + 0.125 * (i * 17 % MANY);
-        cylint_cylinder(&shapes[i], p0, p1, r, CYLINT_ENDS_CAPPED);
-        cylint_cylinder(&moved[i], q0, q1, r, CYLINT_ENDS_CAPPED);
-        CHECK(!cylint_embree_between(&shapes[i], &moved[i], 0.5, &now[i]));
-    }
-    w = world_made(shapes, MANY, &options);
-    at = w;
-    cylint_pack_shapes(&at.pack, w.pack_memory, now, MANY);
-    at.shapes = now;
-    EACH_SIZE(n) {
-        struct rays r;
-        rays_begin(&r, n);
-        for (int i = 0; i < n; i++) {
-            rays_add(&r, i, o, d, 0, HUGE_VALF);
-            rays_at(&r, RAY_TIME, i)->f = 0.5f;
-        }
-        rays_intersect(&r, w.scene, NULL);
-        check_answers_of(&at, &r);
-        CHECK(rays_at(&r, HIT_PRIM, 0)->u == 0);
-    }
-    world_free(&w);
-}
-
 /* An angle a little less than a whole turn: v is still below 1. */
 TEST(v_is_below_a_whole_turn)
 {
