@@ -6,27 +6,8 @@
  *
  *   CYLINT_FAULTS='short=7 eintr=7'
  *
- *   short=SEED    reads and writes transfer only a part
- *   eintr=SEED    one call in three is interrupted and does nothing
- *   again=SEED    one read or write in three would block
- *   wait=SEED     one poll in three that does not wait returns 0
- *   storm=MICROS  a signal every MICROS microseconds; its handler does nothing
- *   nonblock=1    standard input and output do not block
- *   read=N        N bytes are read, then reading fails with EIO
- *   write=N       N bytes are written, then writing fails with ENOSPC
- *   close=N       the N-th close fails with EIO
- *   fsync=N       the N-th fsync fails with ENOSPC; rename=N: the N-th rename
- *   alloc=N       the N-th allocation fails; allocs=N: and all later ones
- *   thread=N      the N-th thread and all later ones fail
- *   threads=N     fails at the end if more than N other threads were started
- *   pipe=1        every pipe fails
- *   calls=N       aborts after N reads, writes and polls
- *   rss=KIB       fails at the end if peak resident memory was larger
- *   leaks=1       fails at the end if memory was not freed
- *   count=1       prints the number of allocations at the end
- *
- * N counts from 1, bytes from 0.  These failures have the exit status 99.  A
- * counter decides which calls fail, so one thread has the same failures in
+ * Numbers count from 1, bytes from 0.  What fails at the end has the exit status
+ * 99.  A counter decides which calls fail, so one thread has the same failures in
  * every run.
  */
 #include <errno.h>
@@ -39,7 +20,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -47,33 +27,31 @@
 
 static long long partly, eintr, again, waits, storm, nonblock,
     read_most = -1, write_most = -1, close_nth, fsync_nth, rename_nth,
-    thread_from, threads_most = -1, pipes, calls_most, rss_most, leaks,
-    count_allocations;
+    thread_from, threads_most = -1, pipes, calls_most, leaks, count_allocations;
 
 static const struct {
     const char *name;
     long long *value;
 } words[] = {
-    {"short", &partly},
-    {"eintr", &eintr},
-    {"again", &again},
-    {"wait", &waits},
-    {"storm", &storm},
-    {"nonblock", &nonblock},
-    {"read", &read_most},
-    {"write", &write_most},
-    {"close", &close_nth},
-    {"fsync", &fsync_nth},
-    {"rename", &rename_nth},
-    {"alloc", &heap.refuse},
-    {"allocs", &heap.refuse_from},
-    {"thread", &thread_from},
-    {"threads", &threads_most},
-    {"pipe", &pipes},
-    {"calls", &calls_most},
-    {"rss", &rss_most},
-    {"leaks", &leaks},
-    {"count", &count_allocations},
+    {"short", &partly}, /* a seed: reads and writes transfer only a part */
+    {"eintr", &eintr},  /* a seed: one call in three does nothing */
+    {"again", &again},  /* a seed: one read or write in three would block */
+    {"wait", &waits},   /* a seed: one poll in three without timeout is 0 */
+    {"storm", &storm},  /* the microseconds between signals that do nothing */
+    {"nonblock", &nonblock}, /* 1: standard input and output do not block */
+    {"read", &read_most},    /* the bytes that are read; then EIO */
+    {"write", &write_most},  /* the bytes that are written; then ENOSPC */
+    {"close", &close_nth},   /* the close that fails with EIO */
+    {"fsync", &fsync_nth},   /* the fsync that fails with ENOSPC */
+    {"rename", &rename_nth}, /* the rename */
+    {"alloc", &heap.refuse}, /* the allocation that fails */
+    {"allocs", &heap.refuse_from}, /* and all later ones */
+    {"thread", &thread_from},   /* the thread that fails, and all later ones */
+    {"threads", &threads_most}, /* fails at the end if it made more others */
+    {"pipe", &pipes},           /* 1: every pipe fails */
+    {"calls", &calls_most}, /* aborts after so many reads, writes and polls */
+    {"leaks", &leaks},      /* 1: fails at the end if memory is not freed */
+    {"count", &count_allocations}, /* 1: prints the number of allocations */
 };
 
 static long long draws, calls, closes, fsyncs, renames, threads, bytes_read,
@@ -135,14 +113,8 @@ __attribute__((constructor)) static void begin(void)
 
 __attribute__((destructor)) static void end(void)
 {
-    struct rusage used;
     if (count_allocations)
         fprintf(stderr, "faults: %lld allocations\n", heap.requested);
-    getrusage(RUSAGE_SELF, &used);
-    if (rss_most && used.ru_maxrss > rss_most) {
-        fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);
-        fail_and_exit("too much memory");
-    }
     if (threads_most >= 0 && threads > threads_most)
         fail_and_exit("too many threads");
     if (leaks && heap.held)
