@@ -7,6 +7,7 @@
     skip_all 'no libpng, so no cylint-render (make deps)'
 PATH=$build:$build/tests/command:$PATH
 mkdir "$scratch/work"
+ln -s "$top/tools" "$scratch/work"
 run_transcripts render.txt < tests/command/render.txt
 cd "$scratch" || exit 1
 
