@@ -1,5 +1,5 @@
 #!/bin/sh
-# The transcripts of cli.txt, hostile.txt and swc.txt and the examples of
+# The transcripts of cli.txt and hostile.txt and the examples of
 # the manuals give their output, and every option, word and column has a transcript.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
@@ -15,7 +15,7 @@ covered() { # word: is it in cli.txt, not as a part of another?
     verdict "no transcript for $1" $?
 }
 
-for file in cli.txt hostile.txt swc.txt; do
+for file in cli.txt hostile.txt; do
     run_transcripts $file <"$top/tests/command/$file"
 done
 
