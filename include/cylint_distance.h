@@ -91,14 +91,11 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  *     coordinate.
  *
  * Accuracy.  Circular and round kinds, half-spaces: part, feature and sign are
- * exact.  The distance is the double nearest to the real distance, ties to even;
- * infinite beyond the largest double.  It is 0 if and only if the point is on the
- * surface: a distance that would round to 0 becomes the least subnormal number.
- * It is never -0, and the same in every rounding mode.  Each component of point
- * and normal is within 4 units in its own last place; this is measured, not proved.
- * In rounding to nearest it is the double nearest to the real number where that can
- * be proved from 90 bits, which is nearly always.  A component that is 0 is
- * returned as 0, never as -0.
+ * exact.  The distance and each component of point and normal are the doubles
+ * nearest to the real numbers, ties to even; infinite beyond the largest double.
+ * The distance is 0 if and only if the point is on the surface: a distance that
+ * would round to 0 becomes the least subnormal number.  All these numbers are the
+ * same in every rounding mode, and 0 is never -0.
  *
  * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the point
  * is on the surface.  In rounding to nearest, where 90 bits prove it, part and

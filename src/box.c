@@ -54,23 +54,19 @@ static int pairs_serve(const cylint_shape *s)
 
 /* ----------------------------------------------------- by exact numbers -- */
 
-/* The greatest double that is not above the root (-B + s R) / A of A x^2 + 2 B x +
- * C, R^2 = B^2 - A C, or the least one that is not below it (up). */
-static double exactly_outward(cylint_query *q, exact A, exact B, exact C, int s,
-                              int up)
+/* The greatest double that is not above (f0 + f1 t) / unit, or the least one that
+ * is not below it (up). */
+static double exactly_outward(cylint_query *q, const surd *t, exact f0,
+                              exact f1, exact unit, int up)
 {
-    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     cylint_arena *m = &q->arena;
-    const exact zero = cylint_exact_zero(m);
-    surd x = {A, B, C, s, zero, cylint_inverse(m, A), 0};
-    if (s != 0)
-        x.R = cylint_square_root(m, cylint_combined_exact(L, B, B, A, C));
-    const double side = cylint_nearest_at(q, &x, zero, L->one, L->one);
+    const double side = cylint_nearest_at(q, ROUNDED_QUOTIENT, t, f0, f1, unit);
     /* an infinite one counts as 2^1024 */
-    const exact from = cylint_exact_neg(cylint_exact_from(m, side));
-    return cylint_sign_at(q, &x, from, L->one) == (up ? 1 : -1)
-               ? cylint_positive_zero(cylint_next(side, up))
-               : side;
+    const exact beyond = cylint_exact_sub(
+        m, f0, cylint_exact_mul(m, cylint_exact_from(m, side), unit));
+    const int sign = unit.sign * cylint_sign_at(q, t, beyond, f1);
+    return sign == (up ? 1 : -1) ? cylint_positive_zero(cylint_next(side, up))
+                                 : side;
 }
 
 /* The square of the reach of a section of radius 1 along a coordinate; of a
@@ -103,14 +99,9 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
     if (!cylint_is_round(s->kind))
         square =
             cylint_exact_mul(m, square, exact_square_across(m, L, s->kind, j));
-    const exact B = cylint_exact_neg(cylint_exact_mul(m, by, middle));
-    const exact C = cylint_exact_neg(
-        cylint_combined_exact(L, middle, B, cylint_exact_neg(L->one), square));
-    return exactly_outward(&q, by, B, C,
-                           square.sign == 0 ? 0
-                           : up             ? 1
-                                            : -1,
-                           up);
+    const surd reach = cylint_root_of_quotient(&q, square, by);
+    return exactly_outward(&q, &reach, middle,
+                           up ? L->one : cylint_exact_neg(L->one), L->one, up);
 }
 
 /* A coordinate of the apex: base - w r0 / dr. */
@@ -118,8 +109,10 @@ static double exact_side_of_apex(cylint_query *q, int j, int up)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
     const exact base = cylint_exact_from(&q->arena, cylint_base(q->shape)[j]);
-    const exact B = cylint_combined_exact(L, L->w[j], L->r[0], base, L->dr);
-    return exactly_outward(q, L->dr, B, cylint_exact_zero(&q->arena), 0, up);
+    const exact f0 = cylint_combined_exact(L, base, L->dr, L->w[j], L->r[0]),
+                zero = cylint_exact_zero(&q->arena);
+    const surd none = cylint_root_of_quotient(q, zero, L->one);
+    return exactly_outward(q, &none, f0, zero, L->dr, up);
 }
 
 /* ---------------------------------------------------------------- boxes -- */

@@ -7,14 +7,6 @@
 
 #include "../numbers/error_bounds.h"
 
-/* The error of the square of a distance, and of its root: exact numbers are
- * rounded to pairs, then follow a root, a product, a sum and two quotients.  In
- * directed rounding modes the low parts of pairs can be lost, so the error is far
- * more than the roundings of their high parts.  It affects only the speed:
- * candidates within it are compared exactly. */
-#define CYLINT_SURD_ERROR 0x1p-97
-#define CYLINT_DIRECTED_SURD_ERROR 0x1p-44
-
 /*
  * Distances in pairs (distance/pair_lanes.h).  S is |D0| + |D1| + |D2|, D the
  * point from the base.

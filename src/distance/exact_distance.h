@@ -5,47 +5,14 @@
 #ifndef CYLINT_EXACT_DISTANCE_H
 #define CYLINT_EXACT_DISTANCE_H
 
-#include "../signs/sign.h"
+#include "../roots/roots.h"
 #include "nearest.h"
 
-/* ---------------------------------------------- a + b sqrt(c), exactly --- */
-
-/* v 2^e, 1/16 < |v| < 16 or v = 0.  It neither overflows nor underflows. */
+/* (a + b t) / d */
 typedef struct {
-    pair v;
-    int e;
-} floating;
-
-/* x, rounded to a pair. */
-floating cylint_floating(exact x);
-
-/* x > 0. */
-floating cylint_floating_sqrt(floating x);
-
-static inline floating floating_div(floating x, floating y)
-{
-    return (floating){pair_div(x.v, y.v), x.e - y.e};
-}
-
-/* a + b sqrt(c), c >= 0. */
-typedef struct {
-    exact a, b, c;
-} surd_sum;
-
-/* n / d */
-typedef struct {
-    surd_sum n;
-    exact d;
+    surd t;
+    exact a, b, d;
 } surd_quotient;
-
-/* The sign, exactly. */
-int cylint_surd_sum_sign(cylint_arena *arena, const surd_sum *x);
-
-/* The value, with a relative error of CYLINT_SURD_ERROR, or
- * CYLINT_DIRECTED_SURD_ERROR where rounding is directed.  0 exactly for 0. */
-floating cylint_surd_sum_value(cylint_arena *arena, const surd_sum *x);
-floating cylint_surd_quotient_value(cylint_arena *arena,
-                                    const surd_quotient *x);
 
 /* ------------------------------------------------------ the half plane -- */
 
@@ -84,6 +51,7 @@ typedef struct {
     /* Of all kinds but spheres. */
     exact X[3]; /* D_0 x w */
     exact q, g, c, dr, T2;
+    surd T;
     exact height[2]; /* D_i.w */
 } meridian;
 
@@ -95,13 +63,6 @@ typedef struct {
 #define EXACT_BEGIN const int used_before = m->arena->used;
 #define EXACT_RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
 
-/* a / d */
-static inline surd_quotient exact_quotient(const meridian *m, exact a, exact d)
-{
-    const exact zero = cylint_exact_zero(m->arena);
-    return (surd_quotient){{a, zero, zero}, d};
-}
-
 /* W (g + dr^2). */
 static inline exact exact_unit(meridian *m)
 {
@@ -109,11 +70,6 @@ static inline exact exact_unit(meridian *m)
     exact x = EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
     EXACT_RETURN(x)
 }
-
-/* The most data that are multiplied with each other in any of these numbers, so
- * none has more than 67 limbs (exact.h) times that; from norm() (surd_sum.c) of a
- * number of nearest_point.c (tests/bounds/test_arena.c counts them). */
-enum { CYLINT_DISTANCE_DEGREE = 22 };
 
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
                           const double point[3]);

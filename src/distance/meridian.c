@@ -3,7 +3,6 @@
  * distance
  */
 #include "../intersect.h"
-#include "error_bounds.h"
 #include "exact_distance.h"
 
 static exact scale_of_T(meridian *m)
@@ -36,6 +35,7 @@ static void load_axis(meridian *m)
     m->q = cylint_dot_exact(L, m->X, m->X);
     m->g = scale_of_T(m);
     m->T2 = EXACT_MUL(m->g, m->q);
+    m->T = cylint_root_of_quotient(&m->query, m->T2, L->one);
     m->c = section(m);
     m->dr = L->dr;
     /* The nappe of a double cone that does not contain the base. */
@@ -60,10 +60,10 @@ void cylint_load_meridian(meridian *m, const cylint_shape *shape,
 
 /* ------------------------------------------------------------- signs --- */
 
-static int sign_of(meridian *m, exact a, exact b, exact c)
+/* a + b T. */
+static int sign_of(meridian *m, exact a, exact b)
 {
-    const surd_sum x = {a, b, c};
-    return cylint_surd_sum_sign(m->arena, &x);
+    return cylint_sign_at(&m->query, &m->T, a, b);
 }
 
 /* The foot on the lateral line, from end i towards z = 1. */
@@ -73,7 +73,7 @@ static int sign_foot(meridian *m, int i)
     exact a = EXACT_MUL(m->g, m->height[i]);
     if (!cylint_is_round(m->L->kind))
         a = EXACT_SUB(a, EXACT_MUL(EXACT_MUL(m->L->r[i], m->dr), m->L->vv));
-    return cylint_only_sign(m->arena, used, sign_of(m, a, m->dr, m->T2));
+    return cylint_only_sign(m->arena, used, sign_of(m, a, m->dr));
 }
 
 /* The foot on the line of a nappe, from its apex. */
@@ -81,7 +81,7 @@ static int sign_nappe_foot(meridian *m)
 {
     const int used = m->arena->used;
     const exact a = EXACT_MUL(m->c, m->g), b = EXACT_MUL(m->dr, m->dr);
-    return cylint_only_sign(m->arena, used, sign_of(m, a, b, m->T2));
+    return cylint_only_sign(m->arena, used, sign_of(m, a, b));
 }
 
 /* The radial coordinate against the radius of cap i. */
@@ -99,10 +99,9 @@ static int sign_beyond_cap(meridian *m, int feature, int i)
     const int used = m->arena->used;
     const surd_quotient x = cylint_square_of_distance(m, feature);
     const exact square = EXACT_MUL(m->height[i], m->height[i]);
-    const exact a =
-        EXACT_SUB(EXACT_MUL(x.n.a, m->L->vv), EXACT_MUL(square, x.d));
-    const exact b = EXACT_MUL(x.n.b, m->L->vv);
-    return cylint_only_sign(m->arena, used, sign_of(m, a, b, x.n.c));
+    const exact a = EXACT_SUB(EXACT_MUL(x.a, m->L->vv), EXACT_MUL(square, x.d));
+    const exact b = EXACT_MUL(x.b, m->L->vv);
+    return cylint_only_sign(m->arena, used, sign_of(m, a, b));
 }
 
 /* ----------------------------------------------------------- features -- */
@@ -166,10 +165,10 @@ int cylint_nearest_feature(meridian *m)
 
 /* ------------------------------------------------ square of distance --- */
 
-/* 2 x. */
-static exact twice(meridian *m, exact x)
+/* -2 x. */
+static exact minus_twice(meridian *m, exact x)
 {
-    return EXACT_ADD(x, x);
+    return cylint_exact_neg(EXACT_ADD(x, x));
 }
 
 /* (|D_end| - r)^2. */
@@ -177,24 +176,23 @@ static surd_quotient from_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
     const exact dd = cylint_dot_exact(L, L->D[end], L->D[end]), r = L->r[end];
-    return (surd_quotient){
-        {EXACT_ADD(dd, EXACT_MUL(r, r)), cylint_exact_neg(twice(m, r)), dd},
-        L->one};
+    return (surd_quotient){cylint_root_of_quotient(&m->query, dd, L->one),
+                           EXACT_ADD(dd, EXACT_MUL(r, r)), minus_twice(m, r),
+                           L->one};
 }
 
 /* (T - c)^2 / (W (g + dr^2)). */
 static surd_quotient from_lateral(meridian *m)
 {
-    return (surd_quotient){{EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
-                            cylint_exact_neg(twice(m, m->c)), m->T2},
-                           exact_unit(m)};
+    return (surd_quotient){m->T, EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
+                           minus_twice(m, m->c), exact_unit(m)};
 }
 
 /* The plane of a cap. */
 static surd_quotient from_plane(meridian *m, int end)
 {
-    return exact_quotient(m, EXACT_MUL(m->height[end], m->height[end]),
-                          m->L->vv);
+    return (surd_quotient){m->T, EXACT_MUL(m->height[end], m->height[end]),
+                           cylint_exact_zero(m->arena), m->L->vv};
 }
 
 /* The circle of radius r about the end: (g (q + h^2) + r^2 W^2 - 2 r W T) /
@@ -204,9 +202,8 @@ static surd_quotient from_rim(meridian *m, int end)
     const exact h = m->height[end], W = m->L->vv;
     const exact r = EXACT_MUL(m->L->r[end], W);
     const exact square = EXACT_MUL(m->g, EXACT_ADD(m->q, EXACT_MUL(h, h)));
-    return (surd_quotient){{EXACT_ADD(square, EXACT_MUL(r, r)),
-                            cylint_exact_neg(twice(m, r)), m->T2},
-                           EXACT_MUL(m->g, W)};
+    return (surd_quotient){m->T, EXACT_ADD(square, EXACT_MUL(r, r)),
+                           minus_twice(m, r), EXACT_MUL(m->g, W)};
 }
 
 /* The circle of tangency of a ball: (q + h^2 + r^2 W + 2 r dr h - 2 r T) / W. */
@@ -215,18 +212,18 @@ static surd_quotient from_tangency(meridian *m, int end)
     const exact h = m->height[end], W = m->L->vv, r = m->L->r[end];
     const exact across = EXACT_ADD(m->q, EXACT_MUL(EXACT_MUL(r, r), W));
     const exact along =
-        EXACT_MUL(h, EXACT_ADD(h, twice(m, EXACT_MUL(r, m->dr))));
-    return (surd_quotient){
-        {EXACT_ADD(across, along), cylint_exact_neg(twice(m, r)), m->T2}, W};
+        EXACT_MUL(h, EXACT_SUB(h, minus_twice(m, EXACT_MUL(r, m->dr))));
+    return (surd_quotient){m->T, EXACT_ADD(across, along), minus_twice(m, r),
+                           W};
 }
 
 /* The apex of a nappe: (c^2 + dr^2 q) / (W dr^2). */
 static surd_quotient from_apex(meridian *m)
 {
     const exact dr2 = EXACT_MUL(m->dr, m->dr);
-    return exact_quotient(
-        m, EXACT_ADD(EXACT_MUL(m->c, m->c), EXACT_MUL(dr2, m->q)),
-        EXACT_MUL(m->L->vv, dr2));
+    return (surd_quotient){
+        m->T, EXACT_ADD(EXACT_MUL(m->c, m->c), EXACT_MUL(dr2, m->q)),
+        cylint_exact_zero(m->arena), EXACT_MUL(m->L->vv, dr2)};
 }
 
 surd_quotient cylint_square_of_distance(meridian *m, int feature)
@@ -243,66 +240,14 @@ surd_quotient cylint_square_of_distance(meridian *m, int feature)
                                                    : from_rim(m, end);
 }
 
-/* --------------------------------------------------- rounded distance --- */
-
-/* The square of the distance is (a + b sqrt(c)) / d, so whether the distance is
- * above the middle of two doubles is the sign of another surd_sum. */
-
-/* The sign of the distance minus the middle of the double of this rank and the
- * next. */
-static int sign_at_middle(meridian *m, const surd_quotient *x, int64_t rank)
-{
-    const int used = m->arena->used;
-    const exact four = cylint_exact_from(m->arena, 4);
-    const exact sum = EXACT_ADD(cylint_exact_of_rank(m->arena, rank),
-                                cylint_exact_of_rank(m->arena, rank + 1));
-    const exact square = EXACT_MUL(EXACT_MUL(sum, sum), x->d);
-    const surd_sum at = {EXACT_SUB(EXACT_MUL(four, x->n.a), square),
-                         EXACT_MUL(four, x->n.b), x->n.c};
-    return cylint_only_sign(m->arena, used,
-                            cylint_surd_sum_sign(m->arena, &at));
-}
-
-/* The rank of the double nearest to d (1 + error). */
-static int64_t nearest_rank(meridian *m, floating d, double error)
-{
-    const int used = m->arena->used;
-    const exact low = cylint_exact_from(m->arena, d.v.lo),
-                more = cylint_exact_from(m->arena, d.v.hi * error);
-    const exact sum =
-        EXACT_ADD(cylint_exact_from(m->arena, d.v.hi), EXACT_ADD(low, more));
-    m->arena->used = used;
-    return cylint_rank(cylint_exact_nearest(sum, d.e));
-}
-
 double cylint_rounded_distance(meridian *m, int feature)
 {
     const int used = m->arena->used;
     const surd_quotient x = cylint_square_of_distance(m, feature);
-    const floating square = cylint_surd_quotient_value(m->arena, &x);
-    double distance = 0;
-    if (square.v.hi > 0) {
-        const double error = cylint_rounds_to_nearest()
-                                 ? CYLINT_SURD_ERROR
-                                 : CYLINT_DIRECTED_SURD_ERROR;
-        const floating d = cylint_floating_sqrt(square);
-        int64_t low = nearest_rank(m, d, -error);
-        int64_t high = nearest_rank(m, d, error);
-        while (low < high) {
-            /* mutant '2' -> '3': slower, any rank between both is right */
-            const int64_t middle = low + (high - low) / 2;
-            const int sign = sign_at_middle(m, &x, middle);
-            if (sign == 0) /* a tie, to even */
-                low = high = middle + (middle & 1);
-            else if (sign > 0)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        /* 0 is on the surface */
-        /* mutant '0' -> '1': a rank of 1 gives 1 in both cases */
-        distance = cylint_from_bits(low > 0 ? (uint64_t)low : 1);
-    }
+    double distance =
+        cylint_nearest_at(&m->query, ROUNDED_ROOT, &x.t, x.a, x.b, x.d);
+    if (!cylint_sign(distance)) /* 0 is on the surface */
+        distance = cylint_from_rank(cylint_sign_at(&m->query, &x.t, x.a, x.b));
     m->arena->used = used;
     return distance;
 }

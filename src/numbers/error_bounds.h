@@ -68,16 +68,16 @@
  * CYLINT_EXACT_ROUNDING: the error of an exact number rounded to a pair
  * (exact.h).
  *
- * CYLINT_INVERSE_ERROR: of 1 / sqrt(x) (surd.c).  Each of two Newton's steps
- * leaves 3/2 of the square of the error before, which is 2^-30 at first.  1 / x and
- * sqrt(x) have the same error.  CYLINT_VALUE_ERROR: of f0 + f1 t, from that of R,
- * of the quotient and, for z, of a second quotient; of a unit vector's component,
- * to which the length adds that of a value and its own.  Numbers cut to their
- * leading digits add less than 2^-120 in all.
+ * CYLINT_INVERSE_ERROR: of 1 / sqrt(x) (surd.c).  A step of Newton's leaves 3/2
+ * of the square of the error before.  That is 80 units of 2^-60: 24 of the step
+ * before, 24 of the roundings in it and 32 of the last one.  1 / x and sqrt(x) have
+ * the same error.  CYLINT_VALUE_ERROR: of f0 + f1 t, from that of R and of the
+ * quotient; of a unit vector's component, to which the length adds that of a value
+ * and its own.  Numbers cut to their leading digits add less than 2^-120 in all.
  */
 #define CYLINT_EXACT_ROUNDING 0x1p-104
-#define CYLINT_INVERSE_ERROR 0x1p-117
-#define CYLINT_VALUE_ERROR 0x1p-114
+#define CYLINT_INVERSE_ERROR 0x1p-106
+#define CYLINT_VALUE_ERROR 0x1p-103
 
 /* Newton's steps end when the relative error of the root is below this. */
 #define CYLINT_POLISHED 0x1p-90
@@ -160,10 +160,6 @@
  */
 #define CYLINT_SUM_EXPONENT 900
 #define CYLINT_LARGE_EXPONENT 1000
-
-/* If the exponents of two positive numbers differ by more than this, the smaller
- * number does not change their sum by more than CYLINT_PAIR_ADD. */
-#define CYLINT_NEGLIGIBLE_EXPONENT 250
 
 /* Hits (roots/hit.c): where the exponents of two coordinates differ by more than
  * this, their angle rounds to a multiple of a quarter turn.  Half the gap below 1/4

@@ -37,26 +37,30 @@ static exact trimmed(cylint_arena *arena, uint32_t *limb, int n, int exponent,
         n--;
         exponent++;
     }
-    return (exact){limb, n, exponent, sign};
+    return (exact){limb, exponent, (short)n, (short)sign};
+}
+
+exact cylint_exact_of_integer(cylint_arena *arena, uint64_t m, int e)
+{
+    const int shift = e & 31;
+    uint32_t *limb = take(arena, 3);
+    const uint64_t low = (m & 0xffffffffu) << shift;
+    const uint64_t high = ((m >> 32) << shift) + (low >> 32);
+    limb[0] = (uint32_t)low;
+    limb[1] = (uint32_t)high;
+    limb[2] = (uint32_t)(high >> 32);
+    return trimmed(arena, limb, 3, (e - shift) / 32, 1);
 }
 
 exact cylint_exact_from(cylint_arena *arena, double x)
 {
     const uint64_t bits = cylint_bits(x);
     const int biased = (int)(bits >> 52 & 0x7ff);
-    uint64_t mantissa = bits & 0xfffffffffffffu;
-    if (biased != 0)
-        mantissa |= (uint64_t)1 << 52;
-    /* x = mantissa 2^(position - 34*32), position from 14 on */
-    const int position = (biased ? biased : 1) - 1075 + 34 * 32;
-    const int shift = position % 32;
-    uint32_t *limb = take(arena, 3);
-    const uint64_t low = (mantissa & 0xffffffffu) << shift;
-    const uint64_t high = ((mantissa >> 32) << shift) + (low >> 32);
-    limb[0] = (uint32_t)low;
-    limb[1] = (uint32_t)high;
-    limb[2] = (uint32_t)(high >> 32);
-    return trimmed(arena, limb, 3, position / 32 - 34, bits >> 63 ? -1 : 1);
+    const uint64_t leading = (uint64_t)(biased != 0) << 52,
+                   mantissa = (bits & 0xfffffffffffffu) | leading;
+    const exact size =
+        cylint_exact_of_integer(arena, mantissa, (biased ? biased : 1) - 1075);
+    return bits >> 63 ? cylint_exact_neg(size) : size;
 }
 
 static uint32_t limb_at(exact x, int position)

@@ -14,16 +14,16 @@
 
 typedef struct {
     const uint32_t *limb; /* least first; neither first nor last is 0 */
-    int n;                /* 0 for zero */
     int exponent;
-    int sign; /* -1, 0, +1 */
+    short n;    /* 0 for zero */
+    short sign; /* -1, 0, +1 */
 } exact;
 
 /*
  * The capacity of the arena.  The bits of a double have weights from 2^-1074 to
  * 2^1023: an input takes at most 67 limbs, a product of d inputs 67 d.  A form
  * keeps only its result (BEGIN, RETURN).  Proved: tests/bounds/test_arena.c runs
- * the library with numbers of full length and measures at most 15027 limbs.  The
+ * the library with numbers of full length and measures at most 15022 limbs.  The
  * capacity is the next power of two.
  */
 enum { CYLINT_ARENA_LIMBS = 16384 };
@@ -45,6 +45,8 @@ static inline int cylint_top_of(exact x)
 }
 
 exact cylint_exact_from(cylint_arena *arena, double x);
+/* m 2^e. */
+exact cylint_exact_of_integer(cylint_arena *arena, uint64_t m, int e);
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y);
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y);
 
@@ -54,10 +56,16 @@ static inline exact cylint_exact_zero(const cylint_arena *arena)
     return (exact){arena->limb, 0, 0, 0};
 }
 
+/* x with this sign. */
+static inline exact cylint_exact_signed(exact x, int sign)
+{
+    x.sign = (short)sign;
+    return x;
+}
+
 static inline exact cylint_exact_neg(exact x)
 {
-    x.sign = -x.sign;
-    return x;
+    return cylint_exact_signed(x, -x.sign);
 }
 
 static inline exact cylint_exact_sub(cylint_arena *arena, exact x, exact y)

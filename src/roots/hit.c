@@ -12,26 +12,21 @@
 
 /* ------------------------------------------------------ unit vectors --- */
 
-/* sign x / |x|. */
-static void write_unit_vector(cylint_arena *arena, const exact x[3], int sign,
+/* x / |x| of leading digits. */
+static void write_unit_vector(cylint_arena *arena, const exact x[3],
                               double to[3])
 {
     const int used = arena->used;
     exact sum = cylint_exact_zero(arena);
     /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++) {
-        const exact digits = cylint_leading(x[i]);
         sum = cylint_sum_of_sizes(
-            arena, sum,
-            cylint_leading(cylint_exact_mul(arena, digits, digits)));
+            arena, sum, cylint_leading(cylint_exact_mul(arena, x[i], x[i])));
     }
     const exact per_size = cylint_inverse_root(arena, sum);
-    for (int i = 0; i < 3; i++) {
-        exact component =
-            cylint_exact_mul(arena, cylint_leading(x[i]), per_size);
-        component.sign *= sign;
-        to[i] = cylint_positive_zero(cylint_exact_nearest(component, 0));
-    }
+    for (int i = 0; i < 3; i++)
+        to[i] = cylint_positive_zero(
+            cylint_exact_nearest(cylint_exact_mul(arena, x[i], per_size), 0));
     arena->used = used;
 }
 
@@ -144,8 +139,8 @@ static void write_point(const described *at, unsigned varying, double point[3])
         if (!(varying >> i & 1))
             continue;
         const exact o = cylint_exact_from(&at->q->arena, at->q->line->o[i]);
-        point[i] =
-            cylint_nearest_at(at->q, &at->t, o, at->at_o.u[i], at->at_o.one);
+        point[i] = cylint_nearest_at(at->q, ROUNDED_QUOTIENT, &at->t, o,
+                                     at->at_o.u[i], at->at_o.one);
         at->q->arena.used = used;
     }
 }
@@ -170,25 +165,34 @@ static void gradient_of(const cylint_terms_exact *L, exact N[3])
         N[i] = cylint_exact_keep(L->arena, kept, N[i]);
 }
 
+/* sign x / |x|, each component the nearest double. */
+static void write_axial_normal(const described *at, const exact x[3], int sign,
+                               double normal[3])
+{
+    const exact square = cylint_dot_exact(&at->at_o, x, x),
+                zero = cylint_exact_zero(&at->q->arena);
+    for (int i = 0; i < 3; i++)
+        normal[i] = cylint_nearest_at(
+            at->q, ROUNDED_COSINE, &at->t,
+            cylint_exact_signed(x[i], x[i].sign * sign), zero, square);
+}
+
 static void write_normal(const described *at, int part, int apex,
                          double normal[3])
 {
-    exact x[3];
-    int sign = 1;
     if (!is_curved(at->q, part)) {
-        memcpy(x, cylint_axial_exact(&at->at_o), sizeof x);
-        sign = part == CYLINT_PART_CAP0 ? -1 : 1;
+        write_axial_normal(at, cylint_axial_exact(&at->at_o),
+                           part == CYLINT_PART_CAP0 ? -1 : 1, normal);
     } else if (apex) {
-        memcpy(x, at->at_o.w, sizeof x);
-        sign = apex_sign(at->q);
+        write_axial_normal(at, at->at_o.w, apex_sign(at->q), normal);
     } else {
-        exact f0[3], f1[3];
+        exact f0[3], f1[3], x[3];
         gradient_of(&at->at_o, f0);
         gradient_of(&at->along, f1);
         for (int i = 0; i < 3; i++)
             x[i] = cylint_value_at(at->q, &at->t, f0[i], f1[i]);
+        write_unit_vector(&at->q->arena, x, normal);
     }
-    write_unit_vector(&at->q->arena, x, sign, normal);
 }
 
 static double z_of(const described *at)
@@ -202,7 +206,7 @@ static double z_of(const described *at)
         f0 = cylint_exact_sub(arena, unit, f0);
         f1 = cylint_exact_neg(f1);
     }
-    return cylint_nearest_at(at->q, &at->t, f0, f1, unit);
+    return cylint_nearest_at(at->q, ROUNDED_QUOTIENT, &at->t, f0, f1, unit);
 }
 
 static double phi_of(const described *at)
@@ -217,8 +221,10 @@ static double phi_of(const described *at)
     exact y = cylint_value_at(at->q, &at->t, y0, y1);
     if (!cylint_is_elliptic(s->kind)) /* the cosine needs a factor |w| */
         x = cylint_exact_mul(arena, x, cylint_square_root(arena, at->at_o.vv));
-    x.sign *= cylint_is_reversed(s) ? -1 : 1;
-    y.sign *= cylint_left_handed(s) ? -1 : 1;
+    if (cylint_is_reversed(s))
+        x = cylint_exact_neg(x);
+    if (cylint_left_handed(s))
+        y = cylint_exact_neg(y);
     return angle_of(arena, x, y);
 }
 

@@ -184,7 +184,8 @@ static double exact_value(cylint_query *q, cylint_root root)
     const surd t = cylint_surd(q, root);
     const exact zero = cylint_exact_zero(&q->arena);
     const exact one = cylint_load_exact(q, FORM_ALPHA, 0)->one;
-    const double value = cylint_nearest_at(q, &t, zero, one, one);
+    const double value =
+        cylint_nearest_at(q, ROUNDED_QUOTIENT, &t, zero, one, one);
     q->arena.used = t.mark;
     return value;
 }

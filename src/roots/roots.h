@@ -42,9 +42,9 @@ exact cylint_inverse(cylint_arena *arena, exact x);
  * the limit of that for A = 0. */
 typedef struct {
     exact A, B, C;
-    int s;          /* 1 at the exit, -1 at the entry, else 0 */
-    exact R, per_A; /* leading digits of R and of 1 / A, 0 where not needed */
-    int mark;       /* arena.used before numbers of this root alone */
+    int s;    /* 1 at the exit, -1 at the entry, else 0 */
+    exact R;  /* leading digits, 0 where s is */
+    int mark; /* arena.used before numbers of this root alone */
 } surd;
 
 /* The caller frees the numbers of the root by setting arena.used to its mark.
@@ -52,13 +52,23 @@ typedef struct {
  * first time. */
 surd cylint_surd(cylint_query *q, cylint_root root);
 
+/* sqrt(x / y), x >= 0 and y > 0. */
+surd cylint_root_of_quotient(cylint_query *q, exact x, exact y);
+
+/* What cylint_nearest_at() rounds. */
+typedef enum {
+    ROUNDED_QUOTIENT, /* (f0 + f1 t) / unit */
+    ROUNDED_ROOT,     /* sqrt((f0 + f1 t) / unit) */
+    ROUNDED_COSINE    /* (f0 + f1 t) / sqrt(unit) */
+} cylint_rounded;
+
 /* f0 + f1 t: its sign, exactly; leading digits of its value, with an error below
- * CYLINT_VALUE_ERROR, relative; and the double nearest to (f0 + f1 t) / unit,
- * unit > 0: ties to even, infinite on overflow, never -0. */
+ * CYLINT_VALUE_ERROR, relative; and the double nearest to a number made of it: ties
+ * to even, infinite on overflow, never -0. */
 int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1);
 exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1);
-double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
-                         exact unit);
+double cylint_nearest_at(cylint_query *q, cylint_rounded of, const surd *t,
+                         exact f0, exact f1, exact unit);
 
 /* Writes the wanted members of a hit but t, part and side, from the line, the
  * shape and the root only: each component is the nearest double, in every

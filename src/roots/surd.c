@@ -2,10 +2,12 @@
  * surd.c - roots in closed form, and affine functions of t at such a root
  *
  * t itself, the point, the gradient, z and the two coordinates of the angle are
- * all f0 + f1 t, z divided by a constant.  Such a value is computed from exact
- * numbers by one square root, one sum in which nothing cancels and one quotient,
- * each cut to its leading limbs.  So its error is relative, however near the
- * value is to 0, and its digits are the same in every floating-point
+ * all f0 + f1 t, z divided by a constant.  So are, with a t that is a square root,
+ * the point of a surface that is nearest to another one, and its distance and
+ * normal but for the root of a constant or of the whole.  Such a value is computed
+ * from exact numbers by one square root, one sum in which nothing cancels and one
+ * quotient, each cut to its leading limbs.  So its error is relative, however near
+ * the value is to 0, and its digits are the same in every floating-point
  * environment.  Its sign is exact.
  */
 #include "roots.h"
@@ -24,7 +26,7 @@ exact cylint_leading(exact x)
     /* mutant '>' -> '>=': 0 limbs less */
     if (less > 0) {
         x.limb += less;
-        x.n -= less;
+        x.n = LEADING_LIMBS;
         x.exponent += less;
     }
     return x;
@@ -40,47 +42,50 @@ exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
     return cylint_leading(cylint_exact_add(arena, x, y));
 }
 
-/* 1 / sqrt(x) with a relative error of at most 2^-30, by integers, so that it is
- * the same in every rounding mode. */
-static exact first_inverse_root(cylint_arena *arena, exact x)
+/* The 64 bits below the point of x / 4^k, which is 1/4 or more and below 1. */
+static uint64_t leading_bits(exact x, int *k)
 {
-    const uint64_t leading =
-        (uint64_t)x.limb[x.n - 1] << 32 | (x.n > 1 ? x.limb[x.n - 2] : 0);
+    const uint64_t lower = x.n > 2 ? x.limb[x.n - 3] : 0;
+    uint64_t X = (uint64_t)x.limb[x.n - 1] << 32;
+    X |= x.n > 1 ? x.limb[x.n - 2] : 0;
     int shift = 0;
-    while (leading >> shift > UINT32_MAX)
+    while (!(X << shift >> 62))
         shift += 2;
-    const uint64_t X = leading >> shift; /* 2^30 <= X < 2^32 */
-    uint64_t n = 0;                      /* the largest with n^2 X < 2^94 */
-    for (uint64_t bit = (uint64_t)1 << 31; bit != 0; bit >>= 1) {
-        const uint64_t square = (n | bit) * (n | bit);
-        const uint64_t low = (square & UINT32_MAX) * X;
-        if ((square >> 32) * X + (low >> 32) < (uint64_t)1 << 62)
-            n |= bit;
-    }
-    /* x is near X 2^(shift + 32 (top - 2)) */
-    const int e = -47 - shift / 2 - 16 * (cylint_top_of(x) - 2);
-    exact s = cylint_exact_from(arena, (double)n * cylint_power_of_two(e & 31));
-    s.exponent += (e - (e & 31)) / 32;
-    return s;
+    *k = 16 * cylint_top_of(x) - shift / 2;
+    return X << shift | lower << shift >> 32;
 }
 
-/* Two steps of Newton's, s + s (1 - x s^2) / 2. */
+/* 2^(60 + k) / sqrt(x) with an error of at most 80, by integers, so that it is the
+ * same in every rounding mode: Newton's steps y (3 - X y^2) / 2 with 30 bits after
+ * the point from y = 1, and the last one, y + y e / 2, with 60. */
+static uint64_t first_inverse_root(exact x, int *k)
+{
+    const uint64_t X = leading_bits(x, k), high = X >> 32, low = X & UINT32_MAX,
+                   three = (uint64_t)3 << 30;
+    uint64_t y = (uint64_t)1 << 30;
+    for (int i = 0; i < 6; i++)
+        y = y * (three - (high * (y * y >> 30) >> 32)) >> 31;
+    const uint64_t a = y * y >> 32, b = y * y & UINT32_MAX;
+    const uint64_t Xyy = high * a + (high * b >> 32) + (low * a >> 32);
+    const int64_t e = (int64_t)(((uint64_t)1 << 60) - Xyy);
+    const int64_t last = (int64_t)(y << 30) + (int64_t)y * (e / 16) / (1 << 27);
+    return ((uint64_t)last + 32) >> 6 << 6; /* of a power of 4 exactly */
+}
+
+/* A step of Newton's from s: s + s / 2 (1 - x s^2). */
 exact cylint_inverse_root(cylint_arena *arena, exact x)
 {
     const int used = arena->used;
-    exact s = first_inverse_root(arena, x);
-    for (int i = 0; i < 2; i++) {
-        const exact xss =
-            cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
-        const exact residual = cylint_leading(
-            cylint_exact_sub(arena, cylint_exact_from(arena, 1), xss));
-        const exact step = cylint_exact_mul(
-            arena, residual,
-            cylint_exact_mul(arena, s, cylint_exact_from(arena, 0.5)));
-        s = cylint_exact_keep(arena, used,
-                              cylint_leading(cylint_exact_add(arena, s, step)));
-    }
-    return s;
+    int k;
+    const uint64_t first = first_inverse_root(x, &k);
+    const exact s = cylint_exact_of_integer(arena, first, -60 - k),
+                half = cylint_exact_of_integer(arena, first, -61 - k);
+    const exact xss = cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
+    const exact residual = cylint_leading(
+        cylint_exact_sub(arena, cylint_exact_from(arena, 1), xss));
+    const exact step = cylint_exact_mul(arena, residual, half);
+    return cylint_exact_keep(arena, used,
+                             cylint_leading(cylint_exact_add(arena, s, step)));
 }
 
 exact cylint_inverse(cylint_arena *arena, exact x)
@@ -89,8 +94,7 @@ exact cylint_inverse(cylint_arena *arena, exact x)
     x = cylint_leading(x);
     exact y = cylint_inverse_root(
         arena, cylint_leading(cylint_exact_mul(arena, x, x)));
-    y.sign = x.sign;
-    return cylint_exact_keep(arena, used, y);
+    return cylint_exact_keep(arena, used, cylint_exact_signed(y, x.sign));
 }
 
 exact cylint_square_root(cylint_arena *arena, exact x)
@@ -131,12 +135,23 @@ static exact radical(cylint_query *q, const cylint_terms_exact *L)
     return cylint_exact_keep(arena, used, cylint_leading(R));
 }
 
+surd cylint_root_of_quotient(cylint_query *q, exact x, exact y)
+{
+    const exact zero = cylint_exact_zero(&q->arena);
+    surd t = {y, zero, cylint_exact_neg(x), x.sign, zero, q->arena.used};
+    if (x.sign != 0)
+        t.R = cylint_square_root(
+            &q->arena,
+            cylint_exact_mul(&q->arena, cylint_leading(x), cylint_leading(y)));
+    return t;
+}
+
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
     const exact *c = root < ROOT_APEX ? coefficients(q) : NULL;
     const exact zero = cylint_exact_zero(&q->arena);
-    surd t = {L->beta, zero, zero, 0, zero, zero, q->arena.used};
+    surd t = {L->beta, zero, zero, 0, zero, q->arena.used};
     if (c) {
         t.A = c[0];
         t.B = c[1];
@@ -151,8 +166,6 @@ surd cylint_surd(cylint_query *q, cylint_root root)
     }
     if (t.s != 0)
         t.R = radical(q, L);
-    if (t.A.sign != 0)
-        t.per_A = cylint_inverse(&q->arena, t.A);
     return t;
 }
 
@@ -196,35 +209,92 @@ int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1)
     return F.sum * F.beside.sign;
 }
 
-exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1)
+/* Leading digits of what cylint_nearest_at() rounds.  With f0 + f1 t = x / y that
+ * is x / (y unit), sqrt(x y unit) / (y unit), or x / sqrt(y y unit). */
+static exact value_of(cylint_query *q, cylint_rounded of, const surd *t,
+                      exact f0, exact f1, exact unit)
 {
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
     const affine F = affine_at(q, t, f0, f1);
-    exact sum = cylint_leading(F.X), value = sum;
+    const exact beside = cylint_leading(F.beside);
+    exact sum = cylint_leading(F.X);
     if (f1.sign != 0) {
         exact radical_term = cylint_exact_mul(arena, cylint_leading(f1), t->R);
-        radical_term.sign = radical_term.sign != 0 ? F.sum : 0;
+        if (radical_term.sign != 0)
+            radical_term = cylint_exact_signed(radical_term, F.sum);
         sum = cylint_sum_of_sizes(arena, sum, radical_term);
-        value = F.opposed ? cylint_exact_mul(arena, cylint_leading(F.beside),
-                                             cylint_inverse(arena, sum))
-                          : cylint_exact_mul(arena, sum, t->per_A);
     }
-    return cylint_exact_keep(arena, used, cylint_leading(value));
+    exact x = F.opposed ? beside : sum, y = F.opposed ? sum : beside;
+    const exact u = cylint_leading(unit),
+                yu = cylint_leading(cylint_exact_mul(arena, y, u));
+    if (x.sign != 0) {
+        const exact square = cylint_exact_mul(arena, yu,
+                                              of == ROUNDED_ROOT     ? x
+                                              : of == ROUNDED_COSINE ? y
+                                                                     : yu);
+        x = cylint_exact_mul(
+            arena, cylint_exact_signed(x, x.sign * y.sign * u.sign),
+            cylint_inverse_root(arena, cylint_leading(square)));
+    }
+    return cylint_exact_keep(arena, used, cylint_leading(x));
+}
+
+exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1)
+{
+    return value_of(q, ROUNDED_QUOTIENT, t, f0, f1,
+                    cylint_load_exact(q, FORM_ALPHA, 0)->one);
+}
+
+/* (f0 + f1 t)^2 / unit as a value of the same form, as A t^2 = -2 B t - C. */
+static void square_value(cylint_query *q, const surd *t, exact *f0, exact *f1,
+                         exact *unit)
+{
+    cylint_arena *arena = &q->arena;
+    const cylint_terms_exact *L = cylint_load_exact(q, FORM_ALPHA, 0);
+    const int used = arena->used;
+    exact x = cylint_combined_exact(L, t->A, *f0, t->B, *f1);
+    x = cylint_exact_mul(arena, *f1, x);
+    x = cylint_exact_keep(arena, used, cylint_exact_add(arena, x, x));
+    const int kept = arena->used;
+    *f0 = cylint_exact_keep(
+        arena, kept,
+        cylint_combined_exact(L, cylint_exact_mul(arena, t->A, *f0), *f0,
+                              cylint_exact_mul(arena, t->C, *f1), *f1));
+    *f1 = x;
+    *unit = cylint_exact_mul(arena, t->A, *unit);
+}
+
+/* The sign of |z| - m, z the number that cylint_nearest_at() rounds. */
+static int sign_from(cylint_query *q, cylint_rounded of, const surd *t,
+                     exact f0, exact f1, exact unit, int sign, exact m)
+{
+    cylint_arena *arena = &q->arena;
+    if (of == ROUNDED_COSINE)
+        square_value(q, t, &f0, &f1, &unit);
+    if (of != ROUNDED_QUOTIENT) {
+        m = cylint_exact_mul(arena, m, m);
+        sign = 1;
+    }
+    const int used = arena->used;
+    f0 = cylint_exact_keep(
+        arena, used,
+        cylint_exact_sub(
+            arena, f0,
+            cylint_exact_mul(arena, cylint_exact_signed(m, sign), unit)));
+    return sign * unit.sign * cylint_sign_at(q, t, f0, f1);
 }
 
 /* Two doubles next to each other are the only candidates: those nearest to the
  * value minus and plus its error. */
-double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
-                         exact unit)
+double cylint_nearest_at(cylint_query *q, cylint_rounded of, const surd *t,
+                         exact f0, exact f1, exact unit)
 {
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
-    exact size = cylint_value_at(q, t, f0, f1);
-    if (unit.limb != cylint_load_exact(q, FORM_ALPHA, 0)->one.limb)
-        size = cylint_exact_mul(arena, size, cylint_inverse(arena, unit));
-    const int sign = size.sign;
-    size.sign = sign != 0;
+    const exact value = value_of(q, of, t, f0, f1, unit);
+    const int sign = value.sign;
+    const exact size = cylint_exact_signed(value, sign != 0);
     exact error = size;
     error.exponent -= ERROR_LIMBS;
     int64_t low = cylint_rank(
@@ -234,14 +304,11 @@ double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
     cylint_contradiction(high > low + 1);
     if (low < high) {
         cylint_reached(MIDDLE);
-        exact middle = cylint_exact_mul(
+        const exact middle = cylint_exact_mul(
             arena, cylint_exact_from(arena, 0.5),
             cylint_exact_add(arena, cylint_exact_of_rank(arena, low),
                              cylint_exact_of_rank(arena, high)));
-        middle.sign = -sign;
-        const exact beyond =
-            cylint_exact_add(arena, f0, cylint_exact_mul(arena, middle, unit));
-        const int side = sign * cylint_sign_at(q, t, beyond, f1);
+        const int side = sign_from(q, of, t, f0, f1, unit, sign, middle);
         if (side > 0 || (side == 0 && !(high & 1))) /* a tie, to even */
             low = high;
     }

@@ -138,7 +138,7 @@ ASIDE int least_overflowing_component(const cylint_shape *s)
     for (int i = 0; i < 3; i++) {
         size[i] = cylint_exact_difference(&arena, cylint_top(s)[i],
                                           cylint_base(s)[i]);
-        size[i].sign *= size[i].sign;
+        size[i] = cylint_exact_signed(size[i], size[i].sign != 0);
         const exact less = cylint_exact_sub(&arena, size[i], size[least]);
         least = less.sign < 0 ? i : least;
     }

@@ -1,6 +1,6 @@
 /*
  * test_arena.c - floors numbers and distance: the arena is large enough for every
- * question, and exact_distance.h has the degree of the forms of distances
+ * question
  *
  * The functions cylint_exact_*() of this file replace those of exact.c.  They
  * keep only a number's extent, the range of limbs that it can have: all limbs
@@ -23,8 +23,6 @@
  * and cylint_exact_from() uses one more. */
 enum { LOWEST = -34, LEAF = 67 };
 
-static int highest_degree;
-
 static int larger(int x, int y)
 {
     return x > y ? x : y;
@@ -32,10 +30,11 @@ static int larger(int x, int y)
 
 static exact extent(cylint_arena *arena, int n, int exponent)
 {
-    highest_degree = larger(highest_degree, exponent / LOWEST);
-    const exact x = {arena->limb + arena->used, n, exponent, below(2) ? 1 : -1};
+    const exact x = {arena->limb + arena->used, exponent, (short)n,
+                     below(2) ? 1 : -1};
     arena->used += n;
     arena->most = larger(arena->most, arena->used);
+    arena->limb[arena->used - 1] = 1;
     return x;
 }
 
@@ -43,6 +42,12 @@ exact cylint_exact_from(cylint_arena *arena, double x)
 {
     (void)x;
     return below(16) ? extent(arena, LEAF, LOWEST) : cylint_exact_zero(arena);
+}
+
+exact cylint_exact_of_integer(cylint_arena *arena, uint64_t m, int e)
+{
+    (void)m;
+    return extent(arena, 3, (e - (e & 31)) / 32);
 }
 
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
@@ -76,6 +81,7 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
     if (x.n > 0 && x.limb >= arena->limb + used) {
         x.limb = arena->limb + used;
         used += x.n;
+        arena->limb[used - 1] = 1;
     }
     arena->used = used;
     return x;
@@ -147,17 +153,8 @@ static int limbs_used(int kind, int segment)
     return q.arena.most;
 }
 
-typedef enum { FEATURE, DISTANCE, POINT, ANSWERS } exact_answer;
-
-static void end_answer(exact_answer answer, int degree[ANSWERS])
-{
-    degree[answer] = larger(degree[answer], highest_degree);
-    highest_degree = 0;
-}
-
-/* The same for the distance of a point, from every feature, and the highest degrees
- * of the numbers that each answer needs. */
-static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
+/* The same for the distance of a point, from every feature. */
+static int limbs_of_distance(int kind, cylint_ends ends)
 {
     static const double point[3] = {0.3, -5, 0.4};
     int most = 0;
@@ -170,16 +167,12 @@ static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
         cylint_closest answer;
         cylint_load_meridian(&m, &s, point);
         const int used = m.arena->used;
-        highest_degree = 0;
         cylint_nearest_feature(&m);
-        end_answer(FEATURE, degree);
         CHECK(m.arena->used == used);
         cylint_rounded_distance(&m, feature);
-        end_answer(DISTANCE, degree);
         if (below(2)) /* a point on the axis */
             m.q.sign = 0;
         cylint_nearest_point(&m, feature, CYLINT_WANT_ALL, &answer);
-        end_answer(POINT, degree);
         CHECK(m.arena->used == used);
         most = larger(most, m.arena->most);
     }
@@ -189,25 +182,18 @@ static int limbs_of_distance(int kind, cylint_ends ends, int degree[ANSWERS])
 TEST(no_distance_needs_more_than_the_arena)
 {
     enum { ROUNDS = 2000 };
-    int highest = 0;
     for (int kind = 1; kind <= CYLINT_KIND_RCONE; kind++) {
-        int most = 0, degree[ANSWERS] = {0, 0, 0};
+        int most = 0;
         for (int i = 0; i < ROUNDS && !cylint_is_elliptic(kind); i++) {
             const int planes = cylint_is_round(kind) || below(2);
             const cylint_ends ends =
                 planes ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_INFINITE;
-            most = larger(most, limbs_of_distance(kind, ends, degree));
+            most = larger(most, limbs_of_distance(kind, ends));
         }
-        printf("note: kind %d: %d of %d limbs; degrees: feature %d, distance "
-               "%d, point %d\n",
-               kind, most, (int)CYLINT_ARENA_LIMBS, degree[FEATURE],
-               degree[DISTANCE], degree[POINT]);
+        printf("note: kind %d: %d of %d limbs\n", kind, most,
+               (int)CYLINT_ARENA_LIMBS);
         CHECK(most <= CYLINT_ARENA_LIMBS);
-        for (int i = 0; i < ANSWERS; i++)
-            highest = larger(highest, degree[i]);
     }
-    if (!CHECK(highest == CYLINT_DISTANCE_DEGREE))
-        REPORT("degree %d", highest);
 }
 
 TEST(no_question_needs_more_than_the_arena)

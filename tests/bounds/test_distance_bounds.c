@@ -51,17 +51,21 @@ static void over_families(int elliptic, uint64_t cases,
 
 static double most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho;
 
-static pair as_pair(floating x)
+static pair as_pair(exact x)
 {
-    return (pair){cylint_scaled(x.v.hi, x.e), cylint_scaled(x.v.lo, x.e)};
+    int e;
+    if (x.sign == 0)
+        return (pair){0, 0};
+    const pair v = cylint_exact_round(x, &e);
+    return cylint_scaled_pair(v, e);
 }
 
-static floating root_of_quotient(exact x, exact y)
+/* sqrt(x / y) */
+static pair root_of_quotient(cylint_arena *arena, exact x, exact y)
 {
-    const floating zero = {{0, 0}, 0};
-    return x.sign == 0 ? zero
-                       : cylint_floating_sqrt(floating_div(cylint_floating(x),
-                                                           cylint_floating(y)));
+    const exact square =
+        cylint_exact_mul(arena, cylint_leading(x), cylint_inverse(arena, y));
+    return as_pair(square.sign ? cylint_square_root(arena, square) : square);
 }
 
 /* |x - y| */
@@ -109,8 +113,8 @@ static void check_half_plane(const struct family_case *c, const double p[3])
     cylint_arena *arena = exactly.arena;
     const exact W = exactly.L->vv, h = exactly.height[0];
     const exact hh = cylint_exact_mul(arena, h, h);
-    pair z = as_pair(root_of_quotient(hh, W));
-    const pair rho = as_pair(root_of_quotient(exactly.q, W));
+    pair z = root_of_quotient(arena, hh, W);
+    const pair rho = root_of_quotient(arena, exactly.q, W);
     if (h.sign < 0)
         z = pair_neg(z);
     if (rho.hi != 0 && rho.hi < CYLINT_DISTANCE_LEAST) /* is left to them */
@@ -128,10 +132,9 @@ static void check_half_plane(const struct family_case *c, const double p[3])
         return;
     const surd_quotient square =
         cylint_square_of_distance(&exactly, CYLINT_FEATURE_RIM0);
-    const floating v = cylint_surd_quotient_value(arena, &square);
-    if (v.v.hi == 0)
-        return;
-    const pair true_rim = as_pair(cylint_floating_sqrt(v));
+    const pair true_rim = root_of_quotient(
+        arena, cylint_value_at(&exactly.query, &square.t, square.a, square.b),
+        square.d);
     double error = m.error;
     const vpair got = pairs_length(vpair_sub(got_rho, s.r[0]), m.z, &m, &error);
     if (!(got.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */

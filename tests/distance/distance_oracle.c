@@ -339,9 +339,7 @@ static void in_space(double to[3], planar at, const double *base)
                       times(at.rho, g.across[i]));
         if (base)
             x = plus(x, real_of(base[i]));
-        to[i] = near_double(x) + 0;
-        if (to[i] == 0)
-            to[i] = sign_of(x) * 0x1p-1074;
+        to[i] = nearest_double(x);
     }
 }
 
