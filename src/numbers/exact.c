@@ -117,70 +117,60 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
 
-/* sum[0..n] += x y[0..n-1], where sum[n] is 0. */
-static void add_product(uint32_t *sum, uint32_t x, const uint32_t *y, int n)
-{
-    uint64_t carry = 0;
-    for (int j = 0; j < n; j++) {
-        carry += (uint64_t)x * y[j] + sum[j];
-        sum[j] = (uint32_t)carry;
-        carry >>= 32;
-    }
-    sum[n] = (uint32_t)carry;
-}
-
-/* Two limbs are an integer of 64 bits in memory, and their products have a type. */
+/* A digit of products: two limbs where these are an integer of 64 bits in memory,
+ * and products of such integers have a type. */
 #if defined(__SIZEOF_INT128__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define CYLINT_TWO_LIMBS
-__extension__ typedef unsigned __int128 four_limbs;
-
-static uint64_t two_limbs(const uint32_t *limb)
-{
-    uint64_t value;
-    memcpy(&value, limb, sizeof value);
-    return value;
-}
-
-/* The same with two limbs of x: sum[0..n+1], of which the last two are 0.  It takes
- * a quarter of the products. */
-static void add_two_products(uint32_t *sum, uint64_t x, const uint32_t *y,
-                             int n)
-{
-    uint64_t carry = 0;
-    int j = 0;
-    for (; j + 1 < n; j += 2) {
-        const four_limbs product = (four_limbs)x * two_limbs(y + j) + carry;
-        const uint64_t low = (uint64_t)product + two_limbs(sum + j);
-        carry = (uint64_t)(product >> 64) + (low < (uint64_t)product);
-        memcpy(sum + j, &low, sizeof low);
-    }
-    if (j < n) {
-        const four_limbs product = (four_limbs)x * y[j] + carry + sum[j];
-        sum[j] = (uint32_t)product;
-        carry = (uint64_t)(product >> 32);
-    }
-    memcpy(sum + n, &carry, sizeof carry);
-}
+typedef uint64_t word;
+__extension__ typedef unsigned __int128 two_words;
+#else
+typedef uint32_t word;
+typedef uint64_t two_words;
 #endif
+enum { WORD_BITS = 8 * sizeof(word), WORD_LIMBS = WORD_BITS / 32 };
+
+static word read_word(const uint32_t *limb)
+{
+    word x;
+    memcpy(&x, limb, sizeof x);
+    return x;
+}
+
+/* The word that begins with limb i of n; its limb number n counts as 0. */
+static word word_at(const uint32_t *limb, int i, int n)
+{
+    return i + WORD_LIMBS <= n ? read_word(limb + i) : limb[i];
+}
+
+/* sum += x y, where the word of sum above those of y is 0. */
+static void add_product(uint32_t *sum, word x, const uint32_t *y, int n)
+{
+    word carry = 0;
+    int i = 0;
+    for (; i < n; i += WORD_LIMBS) {
+        const two_words product =
+            (two_words)x * word_at(y, i, n) + carry + read_word(sum + i);
+        const word low = (word)product;
+        memcpy(sum + i, &low, sizeof low);
+        carry = (word)(product >> WORD_BITS);
+    }
+    memcpy(sum + i, &carry, sizeof carry);
+}
+
+static int whole_words(int n)
+{
+    return (n + WORD_LIMBS - 1) / WORD_LIMBS * WORD_LIMBS;
+}
 
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
         return cylint_exact_zero(arena);
-    uint32_t *limb = take(arena, x.n + y.n);
-    memset(limb, 0, (size_t)(x.n + y.n) * sizeof *limb);
-    int i = 0;
-#ifdef CYLINT_TWO_LIMBS
-    for (; i + 1 < x.n; i += 2)
-        if (two_limbs(x.limb + i) != 0)
-            add_two_products(limb + i, two_limbs(x.limb + i), y.limb, y.n);
-#endif
-    for (; i < x.n; i++)
-        /* untaken 1 of 2: after pairs of limbs only the highest, which is not 0 */
-        if (x.limb[i] != 0)
-            add_product(limb + i, x.limb[i], y.limb, y.n);
-    return trimmed(arena, limb, x.n + y.n, x.exponent + y.exponent,
-                   x.sign * y.sign);
+    const int n = whole_words(x.n) + whole_words(y.n);
+    uint32_t *limb = take(arena, n);
+    memset(limb, 0, (size_t)n * sizeof *limb);
+    for (int i = 0; i < x.n; i += WORD_LIMBS)
+        add_product(limb + i, word_at(x.limb, i, x.n), y.limb, y.n);
+    return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);
 }
 
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x)

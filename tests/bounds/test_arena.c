@@ -65,6 +65,8 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
         return cylint_exact_zero(arena);
+    const int used = arena->used + x.n + y.n + 2; /* for whole words */
+    arena->most = larger(arena->most, used);
     return extent(arena, x.n + y.n, x.exponent + y.exponent);
 }
 
