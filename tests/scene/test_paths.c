@@ -34,9 +34,8 @@ static struct {
     cylint_shape shape[GROUP];
     cylint_answer all[GROUP][GROUP];    /* of line i and shape j */
     cylint_answer column[GROUP][GROUP]; /* of line i as a batch reads it */
-    cylint_answer whole[GROUP];     /* of shape i and line i without domain */
-    int side[GROUP][GROUP];         /* of line i's origin in shape j */
-    struct line_answers due[GROUP]; /* of line i and all shapes */
+    int side[GROUP][GROUP];             /* of line i's origin in shape j */
+    struct line_answers due[GROUP];     /* of line i and all shapes */
     cylint_scene *scene;
     char name[80];
 } g;
@@ -55,8 +54,6 @@ static void answer_one_by_one(void)
     for (int i = 0; i < GROUP; i++) {
         const cylint_line *line = &g.c[i].line;
         const cylint_line as_column = column_line(line, 3);
-        const cylint_line whole = whole_of(*line);
-        g.whole[i] = intersect(&g.shape[i], &whole, CYLINT_WANT_ALL);
         line_by_loop(g.shape, GROUP, line, &g.due[i]);
         for (int j = 0; j < GROUP; j++) {
             g.all[i][j] = intersect(&g.shape[j], line, CYLINT_WANT_ALL);
@@ -140,32 +137,6 @@ static void described_hits(int i)
             expect(same_hit(&got, due, want | CYLINT_WANT_T | CYLINT_WANT_PART),
                    i, j, "describe", want);
         }
-}
-
-/* Domains that end at a hit or a double beside it keep the members of hits:
- * only exact signs decide whether the hit is in it. */
-static void ended_domains(int i)
-{
-    const cylint_answer *all = &g.whole[i];
-    for (int k = 0; k < 6 * all->n; k++) {
-        cylint_line line = g.c[i].line;
-        const double t = all->hit[k / 6].t;
-        if (!(fabs(t) < DBL_MAX))
-            continue;
-        *(k & 1 ? &line.tmin : &line.tmax) = stepped(t, k % 6 / 2 - 1);
-        if (line.tmin > line.tmax)
-            continue;
-        const cylint_answer got =
-            intersect(&g.shape[i], &line, CYLINT_WANT_ALL);
-        expect(got.relation == all->relation, i, (size_t)i, "ended domain", 0);
-        for (int m = 0; m < got.n; m++) {
-            int is_known = 0;
-            for (int n = 0; n < all->n; n++)
-                is_known |=
-                    same_hit(&got.hit[m], &all->hit[n], CYLINT_WANT_ALL);
-            expect(is_known, i, (size_t)i, "ended domain", CYLINT_WANT_ALL);
-        }
-    }
 }
 
 static double numbers[COLUMNS][GROUP], input[8][GROUP];
@@ -252,8 +223,7 @@ static void queries_of_a_scene(int i)
     expect(same_line_answers(&got, &g.due[i]), i, (size_t)i, "a scene", 0);
 }
 
-static void (*const paths[])(int) = {single_questions,  described_hits,
-                                     ended_domains,     batches,
+static void (*const paths[])(int) = {single_questions, described_hits, batches,
                                      nearest_of_a_pack, queries_of_a_scene};
 
 /* ------------------------------------------------------------- groups --- */
