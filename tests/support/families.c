@@ -134,24 +134,27 @@ static void scaled_apart(struct family_case *out)
     lengthen(out, power(-100, 100));
 }
 
-static void wild_radius(struct family_case *out)
+static void aim_at_sizes(struct family_case *out, family_shape word, double r,
+                         double h)
 {
     frame f;
-    const family_shape word = any_word();
-    const double h = between(0.2, 3);
-    make_frame(&f, word, chance(0.5) ? 1e12 : 1e-12, h);
+    make_frame(&f, word, r, h);
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
 }
 
+static void wild_radius(struct family_case *out)
+{
+    const family_shape word = any_word();
+    const double h = between(0.2, 3);
+    aim_at_sizes(out, word, chance(0.5) ? 1e12 : 1e-12, h);
+}
+
 static void needle_or_disc(struct family_case *out)
 {
-    frame f;
     const family_shape word = any_word();
     const double r = between(0.5, 1);
-    make_frame(&f, word, r, r * (chance(0.5) ? 1e6 : 1e-6));
-    write_shape(out, word, &f);
-    aim(out, &f, 1.5);
+    aim_at_sizes(out, word, r, r * (chance(0.5) ? 1e6 : 1e-6));
 }
 
 /* ----- changes of a case ------------------------------------------------ */
@@ -294,12 +297,9 @@ static void near_a_ruling(struct family_case *out)
 
 static void narrow_or_wide(struct family_case *out)
 {
-    frame f;
     const family_shape word = cone_word();
     const double h = between(0.5, 2);
-    make_frame(&f, word, chance(0.5) ? 1e-8 : 1e8, h);
-    write_shape(out, word, &f);
-    aim(out, &f, 1.5);
+    aim_at_sizes(out, word, chance(0.5) ? 1e-8 : 1e8, h);
 }
 
 /* So steep that the line meets both nappes. */
