@@ -1,7 +1,8 @@
 /*
  * test_zeros.c - signs that are 0 of data of few digits, without exact numbers
  *
- * Lines touch a surface, begin on it or lie in a plane, in whole numbers and tenths.
+ * Lines touch a surface, begin on it or lie in a plane, in whole numbers and
+ * tenths.  CYLINT_SEED changes them.
  */
 #include "check.h"
 #include "draw.h"
@@ -33,8 +34,8 @@ static int is_paranoid(void)
     return q.exact.ready;
 }
 
-/* Few of tenths, which doubles round.  In a second round one coordinate of lines has
- * all digits: few forms need them all, and those about an axis along it none. */
+/* Few of tenths, which doubles round.  In a second round one coordinate of lines
+ * has all digits: few forms need them, those about an axis along it none. */
 TEST(zeros_of_few_digits_need_no_exact_numbers)
 {
     static const char *const names[] = {"integer grid", "round, whole numbers",
