@@ -227,37 +227,13 @@ TEST(known_chords_are_found_in_every_environment)
     each_record("tests/library/chords.txt", 36, check_record);
 }
 
-static const double origin[3] = {0, 0, 0}, ex[3] = {1, 0, 0};
-
-TEST(refused_shapes_and_lines_have_no_chord)
-{
-    const double nan = (double)NAN;
-    const double low[3] = {-DBL_MAX, 0, 0}, high[3] = {DBL_MAX, 0, 0};
-    cylint_interval c[2];
-    cylint_line line, refused, far;
-    cylint_shape s, none;
-    CHECK(cylint_sphere(&none, origin, -1, CYLINT_ENDS_CAPPED) != CYLINT_OK);
-    CHECK(cylint_halfspace(&s, origin, origin) != CYLINT_OK);
-    cylint_whole_line(&line, origin, ex);
-    CHECK(cylint_chord(&none, &line, c) == 0);
-    CHECK(cylint_chord(&s, &line, c) == 0);
-    s = shape_of("sphere 0 0 0 1");
-    CHECK(cylint_chord(&s, &line, c) == 1);
-    CHECK(cylint_whole_line(&refused, origin, origin) == CYLINT_EDIRECTION);
-    CHECK(cylint_chord(&s, &refused, c) == 0);
-    CHECK(cylint_span(&refused, origin, ex, 1, nan) == CYLINT_EDOMAIN);
-    CHECK(cylint_chord(&s, &refused, c) == 0);
-    CHECK(cylint_line_length(&refused) == 0);
-    CHECK(cylint_segment(&far, low, high) == CYLINT_OK);
-    CHECK(cylint_line_length(&far) == HUGE_VAL);
-}
-
 /* A processor that reads subnormal numbers as 0 has no order of these ends. */
 TEST(a_solid_has_the_pieces_of_a_subnormal_domain)
 {
     const cylint_shape ball[2] = {shape_of("sphere 0 0 0 1"),
                                   shape_of("sphere 0.5 0 0 1")};
     const int clause[2] = {1, 2};
+    const double origin[3] = {0, 0, 0}, ex[3] = {1, 0, 0};
     EACH_ENVIRONMENT(there) {
         cylint_line line;
         cylint_interval piece[2] = {{0, 0}, {0, 0}};

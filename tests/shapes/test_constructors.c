@@ -63,8 +63,10 @@ TEST(known_statuses_are_returned_in_every_environment)
 static int answers_miss(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
+    cylint_interval chord[2];
     answer.relation = answer.n = answer.flags = -1;
-    return cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer) == 0 &&
+    return cylint_chord(shape, line, chord) == 0 &&
+           cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer) == 0 &&
            answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
            answer.flags == CYLINT_FLAG_INVALID &&
            cylint_occluded(shape, line) == 0;
@@ -264,13 +266,21 @@ TEST(every_status_has_its_text)
 
 TEST(an_invalid_shape_or_line_misses_with_the_flag)
 {
-    cylint_line line, no_line;
+    static const double low[3] = {-DBL_MAX, 0, 0}, high[3] = {DBL_MAX, 0, 0};
+    cylint_line line, no_line, no_domain, far;
     cylint_whole_line(&line, origin, axis_x);
-    cylint_ray(&no_line, origin, origin);
+    CHECK(cylint_ray(&no_line, origin, origin) == CYLINT_EDIRECTION);
+    CHECK(cylint_span(&no_domain, origin, axis_x, 1, (double)NAN) ==
+          CYLINT_EDOMAIN);
+    CHECK(cylint_segment(&far, low, high) == CYLINT_OK);
+    CHECK(cylint_line_length(&no_line) == 0 &&
+          cylint_line_length(&no_domain) == 0 &&
+          cylint_line_length(&far) == HUGE_VAL);
     for (int word = 0; word < FAMILY_SHAPES; word++) {
         struct family_case c = family_example((family_shape)word);
         family_make(&c);
         CHECK(answers_miss(&c.shape, &no_line));
+        CHECK(answers_miss(&c.shape, &no_domain));
         c.shape_data[1] = NAN;
         family_make(&c);
         CHECK(answers_miss(&c.shape, &line));
