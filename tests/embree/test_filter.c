@@ -122,8 +122,8 @@ static void context_filter(const struct RTCFilterFunctionNArguments *a)
     filter(rays_user(a), 1, a);
 }
 
-/* The shape of the nearest hit that both rules accept, or n.  Adds the number of all
- * hits. */
+/* The shape of the nearest hit that both rules accept, or n.  Adds the number of
+ * all hits. */
 static size_t expected(const struct record *q, int ray, double *t, int *hits)
 {
     const cylint_line line = rays_line(q->r, ray);

@@ -11,8 +11,9 @@
 
 /* --------------------------------------------------------------- motion -- */
 
-/* Traces SOME shapes that move, with packets and rays of four times that a function
- * draws, beside the library's shapes of those times.  Returns the number of hits. */
+/* Traces SOME shapes that move, with packets and rays of four times that a
+ * function draws, beside the library's shapes of those times.  Returns the number
+ * of hits. */
 static int trace_moving(const cylint_shape *shapes, const cylint_shape *moved,
                         void (*draw)(struct rays *, int n))
 {
