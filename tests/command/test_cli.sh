@@ -3,8 +3,6 @@
 # the manuals give their output, and every option, word and column has a transcript.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
-mkdir "$scratch/work"
-PATH=$build:$PATH
 # A sanitizer reserves more address space than any limit allows.
 limit='ulimit -v 20000'
 ! grep -Eq '__(asan|tsan)_init' "$build/cylint" || limit=:

@@ -5,10 +5,8 @@
 . tests/support/transcripts.sh
 [ -x "$build/cylint-render" ] ||
     skip_all 'no libpng, so no cylint-render (make deps)'
-PATH=$build:$build/tests/command:$PATH
-mkdir "$scratch/work"
+PATH=$build/tests/command:$PATH
 ln -s "$top/tools" "$scratch/work"
-export top
 run_transcripts render.txt < tests/command/render.txt
 has_the_options_of_help cylint-render
 check_end

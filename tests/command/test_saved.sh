@@ -3,8 +3,6 @@
 # every query and any number of workers.  Processes that open it share its memory.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
-mkdir "$scratch/work"
-PATH=$build:$PATH
 run_transcripts saved.txt <tests/command/saved.txt
 cd "$scratch/work" || exit 1
 

@@ -3,8 +3,6 @@
 # whatever the form of the file.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
-mkdir "$scratch/work"
-PATH=$build:$PATH
 data=$(cd .. && pwd)/shared/data
 export data
 [ -d "$data" ] || echo "note: no $data, so no real neurons are read"

@@ -3,7 +3,5 @@
 # and exit status as one, and no worker waits for input after the work has ended.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
-mkdir "$scratch/work"
-PATH=$build:$PATH
 run_transcripts workers.txt <tests/command/workers.txt
 check_end

@@ -5,8 +5,7 @@
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
 make=${MAKE:-make} cc=${CC:-cc}
-export make cc top
-mkdir "$scratch/work"
+export make cc
 unset MPFR MAKEFLAGS # -s and the like hide what is done
 run_transcripts build.txt < tests/package/build.txt
 

@@ -4,8 +4,7 @@
 # names.
 . "$(dirname "$0")/../support/verdict.sh"
 . tests/support/transcripts.sh
-PATH=$build:$PATH
-mkdir "$scratch/work" "$scratch/functions"
+mkdir "$scratch/functions"
 cp tools/cylint/completion "$scratch/functions/_cylint"
 shells=
 for shell in bash zsh; do

@@ -204,8 +204,7 @@ test_readme_commands()
 
 make_here DESTDIR="$root" PREFIX=/usr install
 verdict install_succeeds $?
-mkdir "$scratch/work"
-export make cc cxx build top version
+export make cc cxx version
 run_transcripts install.txt < tests/package/install.txt
 test_pkg_config
 test_example

@@ -10,7 +10,11 @@
 # `cylint: ` or `cylint: stdin:`.  The status is 1 if there is a message alone.
 #
 # A blank line, or another command, ends a transcript or table; text between them, and
-# `# text` within a table, is comment.  All commands run in the folder $scratch/work.
+# `# text` within a table, is comment.  All commands run in the folder $scratch/work, with
+# $build first in PATH.
+PATH=$build:$PATH
+export build top
+mkdir "$scratch/work"
 
 # Runs $command and compares its output with expected.out and expected.err.
 finish() {
