@@ -5,18 +5,6 @@
 #include "../intersect.h"
 #include "exact_distance.h"
 
-static exact scale_of_T(meridian *m)
-{
-    const cylint_terms_exact *L = m->L;
-    EXACT_BEGIN
-    if (cylint_has_tangent(L->kind))
-        return L->one;
-    if (!cylint_is_round(L->kind))
-        return L->vv;
-    exact g = EXACT_SUB(L->vv, EXACT_MUL(L->dr, L->dr));
-    EXACT_RETURN(g)
-}
-
 static exact section(meridian *m)
 {
     const cylint_terms_exact *L = m->L;
@@ -33,7 +21,9 @@ static void load_axis(meridian *m)
         m->height[i] = cylint_dot_exact(L, L->D[i], L->w);
     cylint_cross_exact(L, L->D[0], L->w, m->X);
     m->q = cylint_dot_exact(L, m->X, m->X);
-    m->g = scale_of_T(m);
+    m->g = cylint_has_tangent(L->kind)
+               ? L->one
+               : cylint_form_exact(L, FORM_ROOT_OF_S, 0);
     m->T2 = EXACT_MUL(m->g, m->q);
     m->T = cylint_root_of_quotient(&m->query, m->T2, L->one);
     m->c = section(m);
