@@ -63,6 +63,7 @@ static uint64_t first_inverse_root(exact x, int *k)
     const uint64_t X = leading_bits(x, k), high = X >> 32, low = X & UINT32_MAX,
                    three = (uint64_t)3 << 30;
     uint64_t y = (uint64_t)1 << 30;
+    /* mutant '6' -> '7', '<' -> '<=': slower, y has all its digits */
     for (int i = 0; i < 6; i++)
         y = y * (three - (high * (y * y >> 30) >> 32)) >> 31;
     const uint64_t a = y * y >> 32, b = y * y & UINT32_MAX;
