@@ -151,6 +151,23 @@ TEST(semi_axes_belong_to_elliptic_records_in_their_order)
     CHECK(!cylint_records_are_sound(&r));
 }
 
+/* Added one by one: what is reserved for more is given back. */
+TEST(records_take_65_bytes_and_semi_axes_48)
+{
+    enum { N = 10 };
+    static const char *const shapes[] = {"ecylinder 0 0 0  1 0 0  0 1 0  0 0 1",
+                                         "sphere 0 0 0 1"};
+    cylint_records r = {.n = 0};
+    for (int i = 0; i < 2 * N; i++) {
+        const cylint_shape shape = shape_of(shapes[i % 2]);
+        CHECK(cylint_records_add(&r, &shape, 1));
+    }
+    cylint_records_trim(&r);
+    CHECK(cylint_records_bytes(&r) == 2 * N * 65 + N * 48);
+    CHECK(cylint_records_are_sound(&r));
+    cylint_records_free(&r);
+}
+
 TEST(a_finished_scene_takes_no_shape)
 {
     const cylint_shape shape = shape_of("sphere 0 0 0 1");
