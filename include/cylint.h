@@ -451,7 +451,7 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * query other than cylint_scene_first_boundary(), whose normal is that of a solid.
  * `point` may be a member of *hit, such as hit->point.
  *
- * Returns 1.  The point is hit->point itself if that is on the side; else the
+ * Returns 1.  The point is hit->point itself if that is so; else the
  * nearest of the points that differ from it by k or 0 steps of the doubles in
  * each coordinate, towards the side, for the least k from 1 to 4; else a point
  * further along the normal; else, on the inside, towards the middle of the

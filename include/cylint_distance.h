@@ -76,7 +76,8 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * other values have no effect.  Members that are not wanted are not written.
  * If the shape was refused, if the point is not finite, or if there is no
  * surface, the distance is HUGE_VAL, part is -1 and feature 0, wanted or not,
- * and point and normal are not written.  There is no surface if a round cone is
+ * and point and normal are not written.  A real distance beyond the largest
+ * double is HUGE_VAL, too: part, if wanted, distinguishes them.  There is no surface if a round cone is
  * the ball about one end and `ends` leaves out that end, unless CYLINT_SIGNED
  * is set.
  *

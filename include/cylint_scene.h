@@ -478,7 +478,8 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  * opposite of the shape's; cylint_describe() and cylint_outside() need the shape's.
  * If surfaces of several of the solid's shapes have this t, the shape is the one
  * with the lowest number of those that the line enters where it enters the solid,
- * and leaves where it leaves it; for complements the other way round.
+ * and leaves where it leaves it; for complements the other way round.  A shape
+ * both of whose roots round to t does not count.
  *
  * The workspace: as for cylint_scene_pieces().  If it does not suffice,
  * CYLINT_NO_ROOM.

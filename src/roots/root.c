@@ -58,15 +58,15 @@ static bounded_pair negative(bounded_pair x)
     return (bounded_pair){pair_neg(x.v), x.error};
 }
 
-/* R = sqrt(S G), with an infinite error unless G is certainly positive. */
+/* R = sqrt(S G), with an infinite error unless S, or its root, and G are certainly
+ * positive: the determinant of an elliptic shape can be all error. */
 static bounded_pair radical_of(cylint_query *q)
 {
     const bounded_pair G = form_in_pairs(q, FORM_G, 0);
     const bounded_pair S = form_in_pairs(q, FORM_ROOT_OF_S, 0);
-    /* mutant '&&' -> '||': roots are computed where G > 0, and pairs that
-     * compute G <= 0 decide nothing */
     /* mutant '>' -> '<': slower, the next stage decides */
-    if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER))
+    if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER &&
+          S.v.hi > 0 && relative_error(S) < CYLINT_FIRST_ORDER))
         return (bounded_pair){G.v, HUGE_VAL};
     /* without a square, S G may have underflowed */
     const pair R = CYLINT_RADICAL(q->kind, S.v, G.v, pair_mul, pair_sqrt);
