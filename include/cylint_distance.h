@@ -77,9 +77,9 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * If the shape was refused, if the point is not finite, or if there is no
  * surface, the distance is HUGE_VAL, part is -1 and feature 0, wanted or not,
  * and point and normal are not written.  A real distance beyond the largest
- * double is HUGE_VAL, too: part, if wanted, distinguishes them.  There is no surface if a round cone is
- * the ball about one end and `ends` leaves out that end, unless CYLINT_SIGNED
- * is set.
+ * double is HUGE_VAL, too: part, if wanted, distinguishes them.  There is no
+ * surface if a round cone is the ball about one end and `ends` leaves out that
+ * end, unless CYLINT_SIGNED is set.
  *
  * If several points of the surface are nearest, the answer is the first of
  * these:

@@ -65,8 +65,8 @@ static bounded_pair radical_of(cylint_query *q)
     const bounded_pair G = form_in_pairs(q, FORM_G, 0);
     const bounded_pair S = form_in_pairs(q, FORM_ROOT_OF_S, 0);
     /* mutant '>' -> '<': slower, the next stage decides */
-    if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER &&
-          S.v.hi > 0 && relative_error(S) < CYLINT_FIRST_ORDER))
+    if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER && S.v.hi > 0 &&
+          relative_error(S) < CYLINT_FIRST_ORDER))
         return (bounded_pair){G.v, HUGE_VAL};
     /* without a square, S G may have underflowed */
     const pair R = CYLINT_RADICAL(q->kind, S.v, G.v, pair_mul, pair_sqrt);
