@@ -13,9 +13,12 @@ $(bench): libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(bench):
 	$(link)
 
-# $(call run_bench,CASE...): the lines of output are also in $(BUILD)/bench-CASE.csv
-# N: the most shapes of a scene; ONLY: subjects that contain it
-run_bench = @$(foreach c,$(1),TMPDIR=$(BUILD) $(bench) $(if $(QUICK),-s 0.02 -n 1e5) $(if $(N),-n $(N)) $(if $(ONLY),-o '$(ONLY)') $c | tee $(BUILD)/bench-$c.csv;)
+# $(call to_csv,CASE,COMMAND): the lines of output are also in $(BUILD)/bench-CASE.csv.
+# The status is that of the command, not of tee.
+to_csv = { $(2); echo $$? >$(BUILD)/bench-status; } | tee $(BUILD)/bench-$(1).csv; exit $$(cat $(BUILD)/bench-status)
+
+# $(call run_bench,CASE...).  N: the most shapes of a scene; ONLY: subjects that contain it
+run_bench = @$(foreach c,$(1),($(call to_csv,$c,TMPDIR=$(BUILD) $(bench) $(if $(QUICK),-s 0.02 -n 1e5) $(if $(N),-n $(N)) $(if $(ONLY),-o '$(ONLY)') $c)) && ):
 
 bench: $(bench) ## one line or point, one shape; batches; time against error; QUICK=1: in a minute
 	$(call run_bench,single batch distance methods)
@@ -44,11 +47,11 @@ $(rivals)/package: $(scene_library) $(wildcard tools/python/src/* tools/python/l
 quick := $(if $(QUICK),--quick)
 bench-text: $(BUILD)/cylint $(rivals)/package ## the command beside polars, fetched by pip, and mawk; QUICK=1
 	$(call rivals_of,polars)
-	@$(rivals)/bin/python tools/bench/text.py $< $(quick) | tee $(BUILD)/bench-text.csv
+	@$(call to_csv,text,$(rivals)/bin/python tools/bench/text.py $< $(quick))
 
 bench-python: $(rivals)/package ## the Python package beside Open3D, fetched by pip; QUICK=1
 	$(call rivals_of,trimesh open3d)
-	@$(rivals)/bin/python tools/bench/python.py $(quick) | tee $(BUILD)/bench-python.csv
+	@$(call to_csv,python,$(rivals)/bin/python tools/bench/python.py $(quick))
 
 # The version of a wheel whose objects geant4.py can read.
 $(BUILD)/tools/bench/rivals/geant4.o: extra += -fPIC
@@ -56,7 +59,7 @@ $(BUILD)/tools/bench/geant4.so: $(BUILD)/tools/bench/rivals/geant4.o $(BUILD)/li
 	$(call say,LD $@)$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ -lm
 bench-geant4: $(BUILD)/tools/bench/geant4.so $(rivals)/package ## hollow solids and sectors beside Geant4, fetched by pip; RAYS=4000
 	$(call rivals_of,geant4-pybind==0.1.3)
-	@$(rivals)/bin/python tools/bench/geant4.py $< $(or $(RAYS),$(if $(QUICK),400)) | tee $(BUILD)/bench-geant4.csv
+	@$(call to_csv,geant4,$(rivals)/bin/python tools/bench/geant4.py $< $(or $(RAYS),$(if $(QUICK),400)))
 
 # With a library that counts the stages of queries.
 bench-stages: $(bench)
