@@ -213,36 +213,30 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
 
 /* -------------------------------------------------------------- contests -- */
 
-enum { SCENES = 1, UPRIGHT = 2, PARTS = 4 };
+enum { WHOLE = 1, IN_PARTS = 2 }; /* scenes of one geometry, of several */
 
 static const struct {
     int of;
     const char *text;
     draw_rays *draw;
-    bench_turn *ours, *theirs;
+    bench_turn *turn;
     const struct world *worlds;
 } questions[] = {
-    {SCENES | PARTS, "nearest; incoherent", draw_incoherent, nearest, nearest,
+    {WHOLE | IN_PARTS, "nearest; incoherent", draw_incoherent, nearest,
      in.ours},
-    {PARTS, "nearest; incoherent", draw_incoherent, nearest, nearest, in.bare},
-    {SCENES, "any; incoherent", draw_incoherent, any, any, in.ours},
-    {SCENES, "any; incoherent; no filters", draw_incoherent, any, any, in.bare},
-    {SCENES | PARTS, "nearest; camera", draw_coherent, nearest, nearest,
-     in.ours},
-    {PARTS, "nearest; camera", draw_coherent, nearest, nearest, in.bare},
-    {SCENES, "nearest; camera; bare", draw_coherent, nearest, nearest, in.bare},
-    {SCENES, "nearest; camera; packets; curves alone", draw_coherent,
-     nearest_in_packets, nearest, in.ours},
-    {SCENES, "nearest; camera; packets", draw_coherent, nearest_in_packets,
-     nearest_in_packets, in.ours},
-    {UPRIGHT, "nearest; along the axes", draw_parallel, nearest, nearest,
-     in.ours},
-    {UPRIGHT, "nearest; along the axes; packets", draw_parallel,
-     nearest_in_packets, nearest_in_packets, in.ours}};
+    {IN_PARTS, "nearest; incoherent", draw_incoherent, nearest, in.bare},
+    {WHOLE, "any; incoherent", draw_incoherent, any, in.ours},
+    {WHOLE, "any; incoherent; no filters", draw_incoherent, any, in.bare},
+    {WHOLE | IN_PARTS, "nearest; camera", draw_coherent, nearest, in.ours},
+    {IN_PARTS, "nearest; camera", draw_coherent, nearest, in.bare},
+    {WHOLE, "nearest; camera; bare", draw_coherent, nearest, in.bare},
+    {WHOLE, "nearest; camera; packets", draw_coherent, nearest_in_packets,
+     in.ours}};
 
 /* Several parts: a geometry for each cell, or all merged. */
-static void compare(const struct sticks *s, int of)
+static void compare(const struct sticks *s)
 {
+    const int of = s->side > 1 ? IN_PARTS : WHOLE;
     for (size_t q = 0; q < sizeof questions / sizeof *questions; q++) {
         char parts[32];
         if (!(questions[q].of & of))
@@ -252,11 +246,11 @@ static void compare(const struct sticks *s, int of)
         questions[q].draw(RAYS, in.ray);
         compete(&(struct contest){.subject = s->name,
                                   .question = questions[q].text,
-                                  .setup = of == PARTS ? parts : NULL,
+                                  .setup = of == IN_PARTS ? parts : NULL,
                                   .rival = s->is_round ? "Embree's round curves"
                                                        : "Embree's cone curves",
-                                  .theirs = questions[q].theirs,
-                                  .ours = questions[q].ours,
+                                  .theirs = questions[q].turn,
+                                  .ours = questions[q].turn,
                                   .input = questions[q].worlds,
                                   .others = &in.curves,
                                   .questions = RAYS});
@@ -281,16 +275,16 @@ static void print_figures(const struct sticks *s)
 
 static void compare_sticks(const struct sticks *s)
 {
-    const int of = s->side > 1 ? PARTS : s->is_upright ? UPRIGHT : SCENES;
+    const int is_whole = s->side == 1;
     build(&in.curves, s, CURVES);
     for (int k = 0; use_kernels(k); k++) {
         build(&in.ours[k], s, 0);
         build(&in.bare[k], s,
-              of == PARTS ? MERGED
-                          : CYLINT_EMBREE_NO_FILTERS | CYLINT_EMBREE_BARE);
+              is_whole ? CYLINT_EMBREE_NO_FILTERS | CYLINT_EMBREE_BARE
+                       : MERGED);
     }
-    compare(s, of);
-    if (of == SCENES)
+    compare(s);
+    if (is_whole)
         print_figures(s);
     release(&in.curves, 0);
     for (int k = 0; k < KERNELS_MOST; k++) {
@@ -308,11 +302,11 @@ void bench_embree(void)
         size_t side;
     } scenes[] = {{&thin, 1e3, 0, 1},        {&fat, 1e3, 0, 1},
                   {&thin_sticks, 1e5, 0, 1}, {&fat_sticks, 1e5, 0, 1},
-                  {&fibres, 1e5, 0, 1},      {&upright, 1e5, 0, 1},
-                  {&thin, 1e6, 0, 1},        {&thin_sticks, 1e6, 0, 1},
-                  {&fat_sticks, 1e6, 0, 1},  {&thin_sticks, 1e6, 1, 1},
-                  {&fat_sticks, 1e6, 1, 1},  {&thin_sticks, 1e5, 0, 8},
-                  {&fat_sticks, 1e5, 0, 8},  {&fat_sticks, 1e5, 0, 18}};
+                  {&fibres, 1e5, 0, 1},      {&thin, 1e6, 0, 1},
+                  {&thin_sticks, 1e6, 0, 1}, {&fat_sticks, 1e6, 0, 1},
+                  {&thin_sticks, 1e6, 1, 1}, {&fat_sticks, 1e6, 1, 1},
+                  {&thin_sticks, 1e5, 0, 8}, {&fat_sticks, 1e5, 0, 8},
+                  {&fat_sticks, 1e5, 0, 18}};
 #if defined(__SSE2__)
     _mm_setcsr(_mm_getcsr() | 0x8040); /* subnormals are 0: Embree's advice */
 #endif

@@ -99,19 +99,17 @@ void make_ray(cylint_line *ray, const double o[3], const double d[3])
 
 /* -------------------------------------------------------------- sticks -- */
 
-const struct stick_kind thin_sticks = {"thin sticks", 1, 1.0 / 20, 0},
-                        fat_sticks = {"fat sticks", 1, 1.0 / 3, 0},
-                        thin = {"thin", 3, 1.0 / 20, 0},
-                        fat = {"fat", 1.2, 1.0 / 3, 0},
-                        fibres = {"fibres", 10, 1.0 / 500, 0},
-                        upright = {"upright", 3, 1.0 / 20, 1};
+const struct stick_kind thin_sticks = {"thin sticks", 1, 1.0 / 20},
+                        fat_sticks = {"fat sticks", 1, 1.0 / 3},
+                        thin = {"thin", 3, 1.0 / 20},
+                        fat = {"fat", 1.2, 1.0 / 3},
+                        fibres = {"fibres", 10, 1.0 / 500};
 
 static void draw_stick(uint64_t *random, const double low[3], double width,
                        double length, double radius, size_t i, struct sticks *s)
 {
-    double d[3] = {0, 0, 1}, p[2][3], r[2];
-    if (!s->is_upright)
-        draw_direction(random, d);
+    double d[3], p[2][3], r[2];
+    draw_direction(random, d);
     for (int j = 0; j < 3; j++) {
         const double middle = low[j] + width * random_unit(random);
         for (int k = 0; k < 2; k++)
@@ -148,10 +146,7 @@ static void draw_sticks(const struct stick_kind *kind, struct sticks *to)
 void with_sticks(const struct stick_kind *kind, double n, int is_round,
                  size_t side, void (*measure)(const struct sticks *s))
 {
-    struct sticks s = {.n = (size_t)n,
-                       .side = side,
-                       .is_round = is_round,
-                       .is_upright = kind->is_upright};
+    struct sticks s = {.n = (size_t)n, .side = side, .is_round = is_round};
     snprintf(s.name, sizeof s.name, "%.0e %s%s", n, is_round ? "round " : "",
              kind->name);
     if (n > most_or(1e6) || !is_wanted(s.name))
@@ -183,30 +178,17 @@ void draw_incoherent(int n, float (*ray)[2][3])
 }
 
 /* The bits of a ray's number in its tile are those of y x y x. */
-static void draw_pixels(int n, float (*ray)[2][3], int is_parallel)
+void draw_coherent(int n, float (*ray)[2][3])
 {
     const int side = (int)sqrt(n), across = side / 4;
     for (int i = 0; i < n; i++) {
         const int tile = i / 16;
         const int x = tile % across * 4 + (i & 1) + (i >> 2 & 1) * 2;
         const int y = tile / across * 4 + (i >> 1 & 1) + (i >> 3 & 1) * 2;
-        const double pixel[3] = {(x + 0.5) / side, (y + 0.5) / side, -1};
         const double eye[3] = {0.5, 0.5, -1};
-        double d[3] = {0, 0, 1};
-        for (int j = 0; j < 2 && !is_parallel; j++)
-            d[j] = pixel[j] - 0.5;
-        set_ray(ray[i], is_parallel ? pixel : eye, d);
+        double d[3] = {(x + 0.5) / side - 0.5, (y + 0.5) / side - 0.5, 1};
+        set_ray(ray[i], eye, d);
     }
-}
-
-void draw_coherent(int n, float (*ray)[2][3])
-{
-    draw_pixels(n, ray, 0);
-}
-
-void draw_parallel(int n, float (*ray)[2][3])
-{
-    draw_pixels(n, ray, 1);
 }
 
 void draw_lines(draw_rays *draw, int n, cylint_line *line)

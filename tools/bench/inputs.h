@@ -38,26 +38,23 @@ void make_ray(cylint_line *ray, const double o[3], const double d[3]);
 
 /* -------------------------------------------------------------- sticks -- */
 
-/* Shapes in random directions, or upright, that fill the unit cube.  All numbers
- * are floats, so that Embree's curves are the same shapes. */
+/* Shapes in random directions that fill the unit cube.  All numbers are floats, so
+ * that Embree's curves are the same shapes. */
 
 /* length in mean distances of neighbours, radius in lengths. */
 struct stick_kind {
     const char *name;
     double length, radius;
-    int is_upright;
 };
 
 /* Sticks as long as the mean distance; thin, fat and fibres overlap. */
-extern const struct stick_kind thin_sticks, fat_sticks, thin, fat, fibres,
-    upright;
+extern const struct stick_kind thin_sticks, fat_sticks, thin, fat, fibres;
 
 struct sticks {
     char name[32]; /* of the kind, and n */
     size_t n;
     size_t side;  /* of side^3 equal cells; cell k begins with k n / side^3 */
     int is_round; /* round cones, else cylinders */
-    int is_upright;
     cylint_shape *shapes;
 };
 
@@ -66,10 +63,9 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
                  size_t side, void (*measure)(const struct sticks *s));
 
 /* From random points of the cube in random directions; or from one eye in front
- * of the cube, or parallel to its edges, sixteen in a tile of 4 x 4 pixels.  n: the
- * square of a multiple of 4. */
+ * of the cube, sixteen in a tile of 4 x 4 pixels.  n: the square of a multiple of 4. */
 typedef void draw_rays(int n, float (*ray)[2][3]);
-draw_rays draw_incoherent, draw_coherent, draw_parallel;
+draw_rays draw_incoherent, draw_coherent;
 /* The same as lines. */
 void draw_lines(draw_rays *draw, int n, cylint_line *line);
 
