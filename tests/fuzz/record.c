@@ -89,8 +89,9 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     g.has_shape = a % 3 != 1;
     const int kind = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
     g.line = g.has_line ? kind : NOT_GIVEN;
-    g.shape = g.has_shape && g.line != NOT_GIVEN ? (int)(a / 18 % SHAPE_KINDS)
-                                                 : NOT_GIVEN;
+    g.shape = g.has_shape && g.line != NOT_GIVEN
+                  ? (int)(a / 18 % CYLINT_KIND_HALFSPACE)
+                  : NOT_GIVEN;
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
     g.no_tail = b / 14 % 2 != 0;

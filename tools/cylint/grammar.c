@@ -21,9 +21,9 @@ const struct kind line_kinds[] = {
 const struct kind shape_kinds[] = {
     {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r", {6, 6}},
     {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", {3, 7}},
+    {"acone", 7, "vx vy vz  ux uy uz  degrees", {6, 6}},
     {"ecylinder", 12, "cx cy cz  ax ay az  bx by bz  hx hy hz", {0, 0}},
     {"econe", 13, "cx cy cz  ax ay az  bx by bz  hx hy hz  k", {12, 12}},
-    {"acone", 7, "vx vy vz  ux uy uz  degrees", {6, 6}},
     {"sphere", 4, "cx cy cz  r", {3, 3}},
     {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r", {6, 6}},
     {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1", {3, 7}},
@@ -81,28 +81,28 @@ static cylint_status make_halfspace(const double *v, cylint_ends ends,
 }
 
 /* lint: a record has the count of numbers of its kinds */
-cylint_status shape_of_numbers(int kind, int ends, const double *v,
+cylint_status shape_of_numbers(cylint_kind kind, int ends, const double *v,
                                cylint_shape *shape)
 {
-    const cylint_ends e = ends != NOT_GIVEN     ? (cylint_ends)ends
-                          : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
-                                                : CYLINT_ENDS_CAPPED;
+    const cylint_ends e = ends != NOT_GIVEN           ? (cylint_ends)ends
+                          : kind == CYLINT_KIND_ACONE ? CYLINT_ENDS_INFINITE
+                                                      : CYLINT_ENDS_CAPPED;
     switch (kind) {
-    case SHAPE_CYLINDER:
+    case CYLINT_KIND_CYLINDER:
         return cylint_cylinder(shape, v, v + 3, v[6], e);
-    case SHAPE_CONE:
+    case CYLINT_KIND_CONE:
         return cylint_cone(shape, v, v[3], v + 4, v[7], e);
-    case SHAPE_ECYLINDER:
+    case CYLINT_KIND_ECYLINDER:
         return cylint_elliptic_cylinder(shape, v, v + 3, v + 6, v + 9, e);
-    case SHAPE_ECONE:
+    case CYLINT_KIND_ECONE:
         return cylint_elliptic_cone(shape, v, v + 3, v + 6, v + 9, v[12], e);
-    case SHAPE_SPHERE:
+    case CYLINT_KIND_SPHERE:
         return cylint_sphere(shape, v, v[3], e);
-    case SHAPE_CAPSULE:
+    case CYLINT_KIND_CAPSULE:
         return cylint_capsule(shape, v, v + 3, v[6], e);
-    case SHAPE_RCONE:
+    case CYLINT_KIND_RCONE:
         return cylint_round_cone(shape, v, v[3], v + 4, v[7], e);
-    case SHAPE_HALFSPACE:
+    case CYLINT_KIND_HALFSPACE:
         return make_halfspace(v, e, shape);
     default:
         return cylint_angle_cone(shape, v, v + 3, v[6], e);
@@ -350,7 +350,7 @@ static int read_shape(struct reader *r, const struct grammar *g,
     if (read_ends(r, &ends))
         return EXIT_BAD;
     const cylint_status status =
-        shape_of_numbers(kind, ends, v, &record->shape);
+        shape_of_numbers(KIND_OF_NUMBER(kind), ends, v, &record->shape);
     return status != CYLINT_OK &&
            refuse_status(r, status == CYLINT_EENDS && r->has_word ? behind : at,
                          g->shape == NOT_GIVEN, k, v, status);
@@ -523,7 +523,8 @@ int record_of_numbers(const struct grammar *g, const double *numbers,
     numbers += line_kinds[g->line].numbers;
     record->tail.length = record->words.length = 0;
     if (g->has_shape && status == CYLINT_OK)
-        status = shape_of_numbers(g->shape, g->ends, numbers, &record->shape);
+        status = shape_of_numbers(KIND_OF_NUMBER(g->shape), g->ends, numbers,
+                                  &record->shape);
     if (status != CYLINT_OK)
         return refuse(notes, NULL, "%s", cylint_strerror((int)status));
     remark_domain(g->line, NULL, notes);

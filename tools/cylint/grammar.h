@@ -26,18 +26,10 @@ enum line_kind {
     LINE_KINDS
 };
 
-enum shape_kind {
-    SHAPE_CYLINDER,
-    SHAPE_CONE,
-    SHAPE_ECYLINDER,
-    SHAPE_ECONE,
-    SHAPE_ACONE,
-    SHAPE_SPHERE,
-    SHAPE_CAPSULE,
-    SHAPE_RCONE,
-    SHAPE_HALFSPACE,
-    SHAPE_KINDS
-};
+/* The number of a kind of shape, from 0; NOT_GIVEN for CYLINT_KIND_NONE.  And the
+ * kind with a number. */
+#define NUMBER_OF_KIND(kind) ((int)(kind)-1)
+#define KIND_OF_NUMBER(number) ((cylint_kind)((number) + 1))
 
 enum { MOST_NUMBERS = 8 + 13 /* a span and an econe */ };
 
@@ -50,7 +42,7 @@ struct kind {
     int checked[2];
 };
 
-extern const struct kind line_kinds[], shape_kinds[]; /* by their enums; NULL */
+extern const struct kind line_kinds[], shape_kinds[]; /* by number; then NULL */
 extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 
 /* The parts of a record, and their defaults. */
@@ -60,7 +52,7 @@ struct grammar {
     /* why a line, a point or not=NAME is wrong; NULL: it is not; "": no record has
      * one, by -k */
     const char *no_lines, *no_points, *no_left_out;
-    int shape; /* enum shape_kind likewise */
+    int shape; /* its number likewise */
     int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
     double domain[2];
@@ -84,8 +76,8 @@ struct record {
 #define IN_WORD "in="
 #define OUT_WORD "out="
 
-/* Makes a shape of this enum shape_kind.  ends: cylint_ends or NOT_GIVEN. */
-cylint_status shape_of_numbers(int kind, int ends, const double *v,
+/* Makes a shape of this kind.  ends: cylint_ends or NOT_GIVEN. */
+cylint_status shape_of_numbers(cylint_kind kind, int ends, const double *v,
                                cylint_shape *shape);
 
 /* The number of doubles in a record without words. */

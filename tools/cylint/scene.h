@@ -108,11 +108,6 @@ void scene_free(struct scene *scene);
  * 512 for the shape, a line of solids, one more solid, and a label. */
 enum { RECORD_MOST = 512 + 3 * LINE_MOST };
 
-/* Writes the arguments of a shape's constructor; that of an acone is its tangent,
- * not its angle.  Returns the enum shape_kind, of a refused shape NOT_GIVEN. */
-int numbers_of_shape(const cylint_shape *shape,
-                     double number[CYLINT_ARGUMENTS_MOST]);
-
 /* A record to write. */
 struct shape_record {
     const cylint_shape *shape;

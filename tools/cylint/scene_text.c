@@ -7,24 +7,6 @@
 #include "numbers.h"
 #include "scene.h"
 
-/* ------------------------------------------------------------- numbers -- */
-
-int numbers_of_shape(const cylint_shape *s,
-                     double number[CYLINT_ARGUMENTS_MOST])
-{
-    static const int made[] = {[CYLINT_KIND_NONE] = NOT_GIVEN,
-                               [CYLINT_KIND_CYLINDER] = SHAPE_CYLINDER,
-                               [CYLINT_KIND_CONE] = SHAPE_CONE,
-                               [CYLINT_KIND_ACONE] = SHAPE_ACONE,
-                               [CYLINT_KIND_ECYLINDER] = SHAPE_ECYLINDER,
-                               [CYLINT_KIND_ECONE] = SHAPE_ECONE,
-                               [CYLINT_KIND_SPHERE] = SHAPE_SPHERE,
-                               [CYLINT_KIND_CAPSULE] = SHAPE_CAPSULE,
-                               [CYLINT_KIND_RCONE] = SHAPE_RCONE,
-                               [CYLINT_KIND_HALFSPACE] = SHAPE_HALFSPACE};
-    return made[cylint_arguments(s, number)];
-}
-
 /*
  * Text has the angle of a cone in degrees, a shape its tangent.  The tangent
  * grows with the angle, so this steps from an approximation, of 15 digits, to the
@@ -86,14 +68,15 @@ static const char *fault_of(const struct shape_record *r)
 }
 
 /* lint: a record has the count of numbers of its kinds */
-static void put_shape(struct text *t, const struct shape_record *r, int kind,
-                      const double *number, int digits)
+static void put_shape(struct text *t, const struct shape_record *r,
+                      cylint_kind kind, const double *number, int digits)
 {
-    const int usual = kind == SHAPE_ACONE || kind == SHAPE_HALFSPACE
+    const int usual = kind == CYLINT_KIND_ACONE || kind == CYLINT_KIND_HALFSPACE
                           ? CYLINT_ENDS_INFINITE
                           : CYLINT_ENDS_CAPPED;
-    put_word(t, shape_kinds[kind].word);
-    for (int i = 0; i < shape_kinds[kind].numbers; i++) {
+    const struct kind *k = &shape_kinds[NUMBER_OF_KIND(kind)];
+    put_word(t, k->word);
+    for (int i = 0; i < k->numbers; i++) {
         put_char(t, ' ');
         t->length +=
             cylint_write_number(t->data + t->length, number[i], digits);
@@ -123,12 +106,13 @@ const char *put_record(struct text *t, const struct shape_record *r, int digits)
 {
     double number[CYLINT_ARGUMENTS_MOST];
     const size_t begin = t->length;
-    const int kind = numbers_of_shape(r->shape, number);
-    const char *fault =
-        kind == NOT_GIVEN ? "text cannot hold a refused shape" : fault_of(r);
+    const cylint_kind kind = cylint_arguments(r->shape, number);
+    const char *fault = kind == CYLINT_KIND_NONE
+                            ? "text cannot hold a refused shape"
+                            : fault_of(r);
     if (fault)
         return fault;
-    if (kind == SHAPE_ACONE && (number[6] = angle_of(number)) == 0)
+    if (kind == CYLINT_KIND_ACONE && (number[6] = angle_of(number)) == 0)
         return "text cannot hold a cone whose tangent no angle in degrees has";
     put_shape(t, r, kind, number, digits);
     for (size_t i = 0; i < r->members && t->length - begin <= LINE_MOST; i++)

@@ -285,9 +285,10 @@ static int add_shape(const struct swc *swc, const struct swc_node *node,
     struct text label = {digits, 0};
     struct record record;
     double number[8];
-    const int kind = !parent                             ? SHAPE_SPHERE
-                     : swc->scene->swc_form == SWC_ROUND ? SHAPE_RCONE
-                                                         : SHAPE_CONE;
+    const cylint_kind kind = !parent ? CYLINT_KIND_SPHERE
+                             : swc->scene->swc_form == SWC_ROUND
+                                 ? CYLINT_KIND_RCONE
+                                 : CYLINT_KIND_CONE;
     memcpy(number, node->ball, sizeof node->ball);
     if (parent)
         memcpy(number + 4, parent->ball, sizeof parent->ball);

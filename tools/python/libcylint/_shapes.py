@@ -25,14 +25,14 @@ _readable = np.dtype(
     }
 )
 
-# The arguments of each constructor with their widths.  Row i makes the kind number
-# i of _core.read_shapes(); the last row makes the kind of tangent_cone.
+# The arguments of each constructor with their widths.  Row i makes the kind i + 1 of
+# `Kind`; the last row makes the kind of tangent_cone.
 _CONSTRUCTORS = {
     "cylinder": {"p0": 3, "p1": 3, "r": 1},
     "cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1},
+    "tangent_cone": {"v": 3, "u": 3, "tangent": 1},
     "elliptic_cylinder": {"c": 3, "a": 3, "b": 3, "h": 3},
-    "elliptic_cone": {"c": 3, "a": 3, "b": 3, "h": 3, "k": 1},
-    "tangent_cone": {"v": 3, "u": 3, "tangent": 1}, "sphere": {"c": 3, "r": 1},
+    "elliptic_cone": {"c": 3, "a": 3, "b": 3, "h": 3, "k": 1}, "sphere": {"c": 3, "r": 1},
     "capsule": {"p0": 3, "p1": 3, "r": 1},
     "round_cone": {"p0": 3, "r0": 1, "p1": 3, "r1": 1}, "halfspace": {"p": 3, "n": 3},
     "angle_cone": {"v": 3, "u": 3, "degrees": 1},

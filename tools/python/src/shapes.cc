@@ -42,7 +42,9 @@ int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
 {
     const auto *const words = static_cast<const signed char *>(ends.data());
     auto *const status = static_cast<signed char *>(statuses.data());
-    const int kind = constructor < SHAPE_KINDS ? constructor : SHAPE_ACONE;
+    const int acone = NUMBER_OF_KIND(CYLINT_KIND_ACONE);
+    const cylint_kind kind = KIND_OF_NUMBER(
+        constructor < CYLINT_KIND_HALFSPACE ? constructor : acone);
     int refused = 0;
     const Unlocked unlocked;
     for (size_t i = 0; i < numbers.shape(0); i++) {
@@ -50,7 +52,7 @@ int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
         const double *const x = row(numbers, i);
         std::memset(static_cast<void *>(s), 0, sizeof *s);
         status[i] = static_cast<signed char>(
-            constructor == SHAPE_ACONE
+            constructor == acone
                 ? cylint_tangent_cone(s, x, x + 3, x[6],
                                       static_cast<cylint_ends>(words[i]))
                 : shape_of_numbers(kind, words[i], x, s));
@@ -94,8 +96,8 @@ void read_shapes(Input shapes, Output kinds, Output numbers)
 {
     auto *const kind = static_cast<signed char *>(kinds.data());
     each_shape(shapes, [&](size_t i, const cylint_shape *s) {
-        kind[i] =
-            static_cast<signed char>(numbers_of_shape(s, row(numbers, i)));
+        kind[i] = static_cast<signed char>(
+            NUMBER_OF_KIND(cylint_arguments(s, row(numbers, i))));
     });
 }
 
