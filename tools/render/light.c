@@ -4,14 +4,10 @@
  * Every surface is matt.  The sun, a disc, lights it with soft shadows, and so
  * does the visible part of the sky: one ray to each for every sample.  A ray begins
  * at a point of cylint_outside(), so it does not hit again what it leaves.
- * Several threads trace the rows; a pixel depends on its place only.
+ * A pixel depends on its place only.
  */
-#include <pthread.h>
-
-#include "../../src/bvh/threads.h"
 #include "colours.h"
 #include "light.h"
-#include "report.h"
 #include "sampling.h"
 #include "view.h"
 
@@ -206,20 +202,14 @@ static struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
 
 /* ---------------------------------------------------------------- rows -- */
 
-struct work {
+struct traced {
     const struct drawing *drawing;
     const struct stage *stage;
-
-    pthread_mutex_t lock; /* protects the members below */
-    int has_failed;
-    size_t rows_done;
-    struct progress progress;
 };
 
-static struct sample pixel_of_samples(const struct work *w,
+static struct sample pixel_of_samples(const struct drawing *d,
                                       struct tracer *tracer, int x, int y)
 {
-    const struct drawing *d = w->drawing;
     const struct picture *p = d->picture;
     const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
     struct sample sum = {vector(0, 0, 0), 0};
@@ -241,15 +231,15 @@ static double exposed(const struct stage *stage, double light)
     return stage->shading == SHADE_LIGHT ? 1 - exp(-light) : light;
 }
 
-static void put_pixel(const struct work *w, int y, struct sample mean,
-                      unsigned char *bytes)
+/* down: the share of the picture that is above the pixel's middle */
+static void put_pixel(const struct stage *stage, double down,
+                      struct sample mean, unsigned char *bytes)
 {
-    const struct backdrop *b = &w->stage->backdrop;
-    const double down = (y + 0.5) / w->drawing->picture->height;
+    const struct backdrop *b = &stage->backdrop;
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {
         const double light =
-            mean.opacity > 0 ? exposed(w->stage, mean.light.v[i] / mean.opacity)
+            mean.opacity > 0 ? exposed(stage, mean.light.v[i] / mean.opacity)
                              : 0;
         bytes[i] = byte_of_light(b->is_transparent
                                      ? light
@@ -260,38 +250,22 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
         bytes[3] = (unsigned char)(255 * mean.opacity + 0.5);
 }
 
-static void trace_row(const struct work *w, struct tracer *tracer, int y)
+static int trace_row(const void *traced, int y)
 {
-    const struct picture *p = w->drawing->picture;
+    const struct traced *t = traced;
+    const struct picture *p = t->drawing->picture;
+    struct tracer tracer = {.stage = t->stage};
+    const double down = (y + 0.5) / p->height;
     unsigned char *bytes =
         p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
     for (int x = 0; x < p->width; x++, bytes += p->channels)
-        put_pixel(w, y, pixel_of_samples(w, tracer, x, y), bytes);
-}
-
-/* Each row is traced by one thread, which begins without memory for pieces. */
-static void trace_rows(void *work, size_t from, size_t to)
-{
-    struct work *w = work;
-    struct tracer tracer = {.stage = w->stage};
-    for (size_t y = from; y < to && !tracer.has_failed; y++)
-        trace_row(w, &tracer, (int)y);
-    pthread_mutex_lock(&w->lock);
-    w->has_failed |= tracer.has_failed;
-    w->rows_done += to - from;
-    progress_add(&w->progress, to - from, (double)w->rows_done,
-                 w->drawing->picture->height);
-    pthread_mutex_unlock(&w->lock);
+        put_pixel(t->stage, down, pixel_of_samples(t->drawing, &tracer, x, y),
+                  bytes);
     piece_memory_free(&tracer.memory);
+    return !tracer.has_failed;
 }
 
 int trace(const struct drawing *d, const struct stage *stage)
 {
-    struct work w = {
-        .drawing = d, .stage = stage, .lock = PTHREAD_MUTEX_INITIALIZER};
-    progress_start(&w.progress, d->shows_progress, -1, "rows", 0);
-    cylint_threads_share(d->workers, (size_t)d->picture->height, 1, 1,
-                         trace_rows, &w);
-    progress_end(&w.progress);
-    return w.has_failed ? out_of_memory() : 0;
+    return draw_rows(d, trace_row, &(struct traced){d, stage});
 }

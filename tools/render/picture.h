@@ -25,7 +25,14 @@ struct drawing {
     int shows_progress; /* even if standard error is no terminal */
 };
 
+/* Computes row y, counted from the top, of what `how` points to.  Returns 0 if there is
+ * no memory. */
+typedef int row_function(const void *how, int y);
+
 /* All return 0, or report the fault and return an exit status. */
+/* Calls the function for all rows, on several threads. */
+int draw_rows(const struct drawing *drawing, row_function *draw,
+              const void *how);
 int picture_make(struct picture *picture, int width, int height, int channels);
 int picture_write(const struct picture *picture, struct output *out);
 

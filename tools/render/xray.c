@@ -1,101 +1,58 @@
 /*
  * xray.c - a picture of how much of each ray is inside the scene's solids
  *
- * The rays of some pixels at a time go to cylint_scene_sums(), which shares them
- * among threads.  The scale is computed after all lengths.
+ * The scale is computed after all lengths.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "report.h"
+#include "scene.h"
 #include "xray.h"
 
 static const double LN_2 = 0.6931471805599453;
-
-enum { RAYS_AT_ONCE = 1 << 16 /* no pixel has more samples */ };
-
-struct ray_block {
-    double o[3][RAYS_AT_ONCE], d[3][RAYS_AT_ONCE];
-    double sums[RAYS_AT_ONCE];
-};
 
 /* The lengths of all pixels, and what they are computed from. */
 struct rays {
     const struct drawing *drawing;
     const cylint_scene *scene;
-    struct ray_block *block;
     size_t pixels;
     double *lengths;
 };
 
-/* ------------------------------------------------------------- lengths -- */
-
-/* The rays of `count` pixels from pixel `first` on, in the order of rows. */
-static size_t fill_block(const struct rays *rays, size_t first, size_t count)
-{
-    const struct drawing *d = rays->drawing;
-    const struct picture *picture = d->picture;
-    const size_t width = (size_t)picture->width;
-    struct ray_block *b = rays->block;
-    size_t n = 0;
-    for (size_t p = first; p < first + count; p++) {
-        for (int i = 0; i < d->samples; i++, n++) {
-            cylint_line ray;
-            view_sample(d->view, picture->width, picture->height,
-                        (int)(p % width), (int)(p / width), i, d->samples,
-                        &ray);
-            for (int k = 0; k < 3; k++) {
-                b->o[k][n] = ray.o[k];
-                b->d[k][n] = ray.d[k];
-            }
-        }
-    }
-    return n;
-}
-
-static void take_means(const struct rays *rays, size_t first, size_t count)
-{
-    const double *sum = rays->block->sums;
-    const int samples = rays->drawing->samples;
-    for (size_t p = first; p < first + count; p++) {
-        double all = 0;
-        for (int i = 0; i < samples; i++)
-            all += *sum++;
-        rays->lengths[p] = all / samples;
-    }
-}
-
-static int measure_block(const struct rays *rays, size_t first, size_t count)
+/* Adds the length of a ray inside the union.  Returns 0 if there is no memory. */
+static int add_length(const cylint_scene *scene, const cylint_line *ray,
+                      struct piece_memory *memory, double *sum)
 {
     const cylint_piece_rule all = {CYLINT_PIECES_UNION, NULL, NULL};
-    const struct ray_block *b = rays->block;
-    const cylint_lines lines = {fill_block(rays, first, count),
-                                {b->o[0], b->o[1], b->o[2]},
-                                {b->d[0], b->d[1], b->d[2]},
-                                NULL,
-                                NULL};
-    if (cylint_scene_sums(rays->scene, &lines, &all, NULL, 1, 1,
-                          rays->drawing->workers,
-                          rays->block->sums) != CYLINT_SCENE_OK)
-        return out_of_memory();
-    take_means(rays, first, count);
-    return 0;
+    const size_t n = find_pieces(scene, ray, &all, 0, memory);
+    double t = 0;
+    for (size_t i = 0; i < n && n != CYLINT_NO_ROOM; i++)
+        t += memory->piece[i].t1 - memory->piece[i].t0;
+    *sum += t > 0 ? t * cylint_line_length(ray) : 0;
+    return n != CYLINT_NO_ROOM;
 }
 
-static int measure_rays(const struct rays *rays)
+/* The mean over the samples of each pixel. */
+static int measure_row(const void *rays, int y)
 {
-    const size_t most = RAYS_AT_ONCE / (size_t)rays->drawing->samples;
-    const size_t pixels = rays->pixels;
-    struct progress shown;
-    int status = 0;
-    progress_start(&shown, rays->drawing->shows_progress, -1, "pixels", 0);
-    for (size_t done = 0, n; status == 0 && done < pixels; done += n) {
-        n = pixels - done < most ? pixels - done : most;
-        status = measure_block(rays, done, n);
-        progress_add(&shown, n, (double)(done + n), (double)pixels);
+    const struct rays *r = rays;
+    const struct drawing *d = r->drawing;
+    const int width = d->picture->width, height = d->picture->height;
+    double *lengths = r->lengths + (size_t)y * (size_t)width;
+    struct piece_memory memory = {.piece = NULL};
+    int has_memory = 1;
+    for (int x = 0; x < width && has_memory; x++) {
+        double sum = 0;
+        for (int i = 0; i < d->samples && has_memory; i++) {
+            cylint_line ray;
+            view_sample(d->view, width, height, x, y, i, d->samples, &ray);
+            has_memory = add_length(r->scene, &ray, &memory, &sum);
+        }
+        lengths[x] = sum / d->samples;
     }
-    progress_end(&shown);
-    return status;
+    piece_memory_free(&memory);
+    return has_memory;
 }
 
 /* --------------------------------------------------------------- scale -- */
@@ -160,15 +117,14 @@ int xray_picture(const struct drawing *d, const struct xray *how,
 {
     const size_t pixels =
         (size_t)d->picture->width * (size_t)d->picture->height;
-    const struct rays rays = {d, scene, malloc(sizeof *rays.block), pixels,
+    const struct rays rays = {d, scene, pixels,
                               calloc(pixels, sizeof *rays.lengths)};
     const int status =
-        rays.block && rays.lengths ? measure_rays(&rays) : out_of_memory();
+        rays.lengths ? draw_rows(d, measure_row, &rays) : out_of_memory();
     if (status == 0)
         write_pixels(d->picture, how, &rays);
     if (status == 0 && d->shows_progress)
         fprintf(stderr, "%s: a pixel is %s\n", program, d->picture->note);
-    free(rays.block);
     free(rays.lengths);
     return status;
 }
