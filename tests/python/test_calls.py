@@ -195,6 +195,20 @@ def test_a_scene_that_is_built_answers_nothing():
         Watched(sticks(300_000, 63))
 
 
+def use(shapes, o, d):
+    """Calls of all kinds, some of which fail."""
+    scene = cylint.Scene(shapes)
+    shapes.bounds(), shapes.contains(o), scene.all(o, d), scene.any(o, d)
+    shapes.safety(o), shapes.on_surface(o), scene.within(o, 0.5)
+    for found in scene.nearest(o, d), cylint.intersect(shapes, o, d):
+        assert found.normal.shape == found.point.shape == (*found.t.shape, 3)
+    for found in shapes.closest(o), scene.closest(o):
+        assert found.normal.shape == found.point.shape and found.part is not None
+    for call, *given in ((scene.nearest, o * np.nan, d), (cylint.cylinder, o, o, 1)):
+        with pytest.raises(ValueError):
+            call(*given)
+
+
 def references(*objects):
     gc.collect()
     return [sys.getrefcount(o) for o in objects]
@@ -206,18 +220,7 @@ def test_no_reference_is_kept_or_lost():
     watched = (cylint.intersect, o, d, shapes, shapes._records)
     before = references(*watched)
     for _ in range(50):
-        scene = cylint.Scene(shapes)
-        near = scene.nearest(o, d)
-        hit = cylint.intersect(shapes, o, d)
-        assert hit.point is not None and near.normal is not None
-        shapes.bounds(), shapes.contains(o), scene.all(o, d), scene.any(o, d)
-        shapes.safety(o), shapes.on_surface(o), scene.within(o, 0.1)
-        found = (shapes.closest(o), scene.closest(o))
-        assert all(f.point is not None and f.part is not None for f in found)
-        for call, *given in ((scene.nearest, o * np.nan, d), (cylint.cylinder, o, o, 1)):
-            with pytest.raises(ValueError):
-                call(*given)
-    del scene, near, hit, found, call, given
+        use(shapes, o, d)
     assert references(*watched) == before
 
 
@@ -296,20 +299,11 @@ def test_memory_does_not_grow():
         pytest.skip("no /proc")
     o, d = drawn(500, 48)
     shapes = forest(500, 49)
-
-    def run():
-        scene = cylint.Scene(shapes)
-        scene.all(o, d), scene.within(o, 0.5)
-        assert scene.nearest(o, d).point.shape == (500, 3)
-        assert scene.closest(o).normal.shape == (500, 3)
-        assert shapes.closest(o).point.shape == (500, 3)
-        assert cylint.intersect(shapes, o, d).normal.shape == (500, 2, 3)
-
     for _ in range(20):
-        run()
+        use(shapes, o, d)
     before = resident()
     for _ in range(100):
-        run()
+        use(shapes, o, d)
     assert resident() - before < 20e6
 
 

@@ -116,7 +116,7 @@ def test_a_longdouble_is_named():
         cylint.intersect(cylint.sphere([0, 0, 0], 1), np.zeros(3, np.longdouble), [0, 0, 1])
 
 
-MEMBERS = "p0 p1 r0 r1 r c a b h k v u tangent".split()
+MEMBERS = "p0 p1 r0 r1 r c a b h k v u tangent p n".split()
 
 
 def arguments(random):
@@ -132,7 +132,13 @@ def arguments(random):
         "capsule": {"p0": x, "p1": y, "r": r},
         "round_cone": {"p0": x, "r0": 9 * r, "p1": y, "r1": [1, 50, 2]},
         "tangent_cone": {"v": x, "u": y, "tangent": r},
+        "halfspace": {"p": x, "n": y},
     }
+
+
+def made_of(name, numbers, ends):
+    """A half-space has no ends."""
+    return getattr(cylint, name)(**numbers, **({} if name == "halfspace" else {"ends": ends}))
 
 
 def test_arrays_of_another_process_are_used_in_place():
@@ -151,10 +157,10 @@ def test_the_arguments_are_members():
             each = each | {"r0": each["r"], "r1": each["r"]}
         for member in MEMBERS:
             value = getattr(row, member)
-            wide = member in ("p0", "p1", "c", "a", "b", "h", "v", "u")
+            wide = member in ("p0", "p1", "c", "a", "b", "h", "v", "u", "p", "n")
             assert value.shape == ((3, 3) if wide else (3,)), (name, member)
             assert same(value, each.get(member, np.full(value.shape, np.nan))), (name, member)
-    assert table.p0.shape == (8, 3, 3) and table.r.shape == (8, 3)
+    assert table.p0.shape == (9, 3, 3) and table.r.shape == (9, 3)
     assert table[0, 1].r == given_arguments["cylinder"]["r"][1]
     assert table[:0].p0.shape == (0, 3, 3)
     with refused("cannot be changed", AttributeError):
@@ -167,13 +173,13 @@ def test_the_arguments_are_members():
 
 def test_a_dictionary_makes_the_shapes_again():
     given_arguments = arguments(np.random.default_rng(72))
-    made = [getattr(cylint, name)(**each, ends="capped") for name, each in given_arguments.items()]
+    made = [made_of(name, each, "capped") for name, each in given_arguments.items()]
     shapes = cylint.concatenate(made)
     table = shapes.to_dict()
     assert set(table) == {"kind", "ends", *MEMBERS}
     for i, name in enumerate(table["kind"]):
         numbers = {key: table[key][i] for key in given_arguments[str(name)]}
-        again = getattr(cylint, name)(**numbers, ends=table["ends"][i])
+        again = made_of(name, numbers, table["ends"][i])
         assert again == shapes[i]
         assert again._records.tobytes() == shapes[i]._records.tobytes()
     assert set(made[0].to_dict()) == {"kind", "ends", "p0", "p1", "r", "r0", "r1"}
