@@ -12,8 +12,11 @@
 #include <new>
 #include <string>
 
-#include "cylint_scene.h"
 #include "elements.h"
+
+extern "C" {
+#include "scene.h"
+}
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -91,33 +94,34 @@ struct Lines {
 /* A scene with the memory that it needs. */
 struct Scene {
     /* Takes a scene that was begun or opened; nullptr: there was no memory. */
-    explicit Scene(cylint_scene *taken) : scene(taken)
+    explicit Scene(cylint_scene *taken)
     {
         if (!taken)
             throw std::bad_alloc();
+        data.shapes = taken;
+    }
+    Scene(const Scene &) = delete;
+    Scene &operator=(const Scene &) = delete;
+    ~Scene()
+    {
+        scene_free(&data);
+    }
+    cylint_scene *get() const
+    {
+        return data.shapes;
     }
     size_t size() const
     {
-        return cylint_scene_size(scene.get());
+        return cylint_scene_size(get());
     }
 
-    struct Free {
-        void operator()(cylint_scene *p) const
-        {
-            cylint_scene_free(p);
-        }
-    };
     /* Queries, save() and to_bytes() hold a reference while they run without
      * Python's lock; set_solids() then refuses. */
     std::shared_ptr<char> use = std::make_shared<char>();
     nb::object memory; /* of the scene, if it was opened there */
-    /* Labels and solids of a scene that is not opened; finish() gives them to the
-     * scene. */
-    bool has_labels = false;
-    std::vector<uint64_t> label_ends;
-    std::string label_text;
-    std::vector<cylint_member> members; /* of solids that were read */
-    std::unique_ptr<cylint_scene, Free> scene;
+    /* Labels and solids are those of a scene that is not opened; finish() gives them
+     * to the shapes. */
+    struct scene data = {};
 };
 
 /* Each adds what its file offers to Python: shapes.cc, intersect.cc and so on. */
@@ -129,6 +133,6 @@ void register_queries(nb::module_ &module, nb::class_<Scene> &scene);
 void register_text(nb::module_ &module);
 
 /* A text in UTF-8; other bytes become surrogates. */
-nb::object decoded(const char *text, size_t length);
+nb::object decoded(struct string text);
 
 #endif

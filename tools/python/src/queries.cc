@@ -6,10 +6,6 @@
 
 #include "calls.h"
 
-extern "C" {
-#include "scene.h"
-}
-
 namespace
 {
 
@@ -379,7 +375,7 @@ nb::object answer(const Scene &scene, const From &from,
                   int threads, const Callback &progress)
 {
     const Rule rule = given.value_or(Rule{0, {}, {}, 0, false});
-    const Question q = {scene.scene.get(), scene.size(), rule};
+    const Question q = {scene.get(), scene.size(), rule};
     const auto held = scene.use;
     Grid grid;
     from.add_to(grid);

@@ -76,14 +76,14 @@ std::unique_ptr<Scene> begin(size_t expected)
 void add(Scene &s, Input shapes)
 {
     check(unlocked([&] {
-        return cylint_scene_add(s.scene.get(), as_shape(shapes.data()),
+        return cylint_scene_add(s.get(), as_shape(shapes.data()),
                                 shapes.shape(0));
     }));
 }
 
 bool has_solids(const Scene &s)
 {
-    return !s.members.empty();
+    return s.data.solids.count > 0;
 }
 
 void finish(Scene &s, int threads, const Callback &progress)
@@ -92,25 +92,23 @@ void finish(Scene &s, int threads, const Callback &progress)
     Build build{Listener(progress, s.size()), nullptr};
     {
         const Unlocked unlocked;
-        status =
-            cylint_scene_finish(s.scene.get(), threads, Build::listen, &build);
+        status = cylint_scene_finish(s.get(), threads, Build::listen, &build);
         if (status == CYLINT_SCENE_OK)
             build.listener.end();
     }
     if (build.failure)
         std::rethrow_exception(build.failure);
     check(status);
-    const cylint_scene_labels all{s.label_ends.data(), s.label_text.data()};
-    if (s.has_labels)
-        cylint_scene_set_labels(s.scene.get(), &all);
+    if (s.data.labels.table.end)
+        cylint_scene_set_labels(s.get(), &s.data.labels.table);
     if (has_solids(s))
-        check(cylint_scene_set_solids(s.scene.get(), s.members.data(),
-                                      s.members.size()));
+        check(cylint_scene_set_solids(s.get(), s.data.solids.member,
+                                      s.data.solids.count));
 }
 
 /* Opens a file.  name: of the path, in exceptions. */
-std::unique_ptr<Scene> open_file(const nb::bytes &path, const nb::object &name,
-                                 bool read, bool trusted)
+std::unique_ptr<Scene> open_saved(const nb::bytes &path, const nb::object &name,
+                                  bool read, bool trusted)
 {
     const unsigned flags =
         read * static_cast<unsigned>(CYLINT_SCENE_READ) |
@@ -140,8 +138,7 @@ std::unique_ptr<Scene> open_bytes(const nb::bytes &bytes)
 void save(const Scene &s, const nb::bytes &path, const nb::object &name)
 {
     const auto held = s.use;
-    check(unlocked(
-              [&] { return cylint_scene_save(s.scene.get(), path.c_str()); }),
+    check(unlocked([&] { return cylint_scene_save(s.get(), path.c_str()); }),
           name);
 }
 
@@ -149,7 +146,7 @@ void save(const Scene &s, const nb::bytes &path, const nb::object &name)
 nb::object to_bytes(const Scene &s)
 {
     size_t size = 0;
-    check(cylint_scene_write(s.scene.get(), count_bytes, &size));
+    check(cylint_scene_write(s.get(), count_bytes, &size));
     nb::object bytes = nb::steal(
         PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
     if (!bytes.is_valid())
@@ -157,33 +154,29 @@ nb::object to_bytes(const Scene &s)
     char *to = PyBytes_AsString(bytes.ptr());
     const auto held = s.use;
     const Unlocked unlocked;
-    cylint_scene_write(s.scene.get(), copy_bytes, &to);
+    cylint_scene_write(s.get(), copy_bytes, &to);
     return bytes;
 }
 
 /* Gives a scene that is begun its labels, a list of bytes. */
 void set_labels(Scene &s, const nb::list &labels)
 {
-    s.has_labels = true;
     for (nb::handle label : labels) {
         const auto bytes = nb::cast<nb::bytes>(label);
-        s.label_text.append(bytes.c_str(), bytes.size());
-        s.label_ends.push_back(s.label_text.size());
+        if (labels_add(&s.data.labels, {bytes.c_str(), bytes.size()}) != 0)
+            throw std::bad_alloc();
     }
 }
 
 /* The labels as texts, or None if there are none. */
-nb::object labels(const Scene &s)
+nb::object labels_of(const Scene &s)
 {
-    const cylint_scene_labels own{s.label_ends.data(), s.label_text.data()};
+    const cylint_scene_labels &own = s.data.labels.table;
     const cylint_scene_labels *const all =
-        s.has_labels ? &own : cylint_scene_get_labels(s.scene.get());
+        own.end ? &own : cylint_scene_get_labels(s.get());
     nb::list list;
-    uint64_t begin = 0;
-    for (size_t i = 0; i < s.size() && all; i++) {
-        list.append(decoded(all->text + begin, all->end[i] - begin));
-        begin = all->end[i];
-    }
+    for (size_t i = 0; i < s.size() && all; i++)
+        list.append(decoded(text_at(all->end, all->text, i)));
     return all ? nb::object(list) : nb::none();
 }
 
@@ -198,7 +191,7 @@ void take(const Scene &s, std::optional<Input> numbers, Output shapes,
     const Unlocked unlocked;
     for (size_t i = 0; i < shapes.shape(0); i++) {
         const size_t at = number ? static_cast<size_t>(number[i]) : i;
-        cylint_scene_shape(s.scene.get(), at, &shape[i]);
+        cylint_scene_shape(s.get(), at, &shape[i]);
         if (closed && shape[i].ends < CYLINT_ENDS_INFINITE)
             shape[i].ends = CYLINT_ENDS_CAPPED;
     }
@@ -215,16 +208,16 @@ void set_solids(Scene &s, Input members)
                        static_cast<int>(row[3 * i + 2])});
     if (s.use.use_count() > 1)
         throw nb::value_error("solids cannot be set during a query");
-    check(cylint_scene_set_solids(s.scene.get(), all.data(), all.size()));
+    check(cylint_scene_set_solids(s.get(), all.data(), all.size()));
 }
 
 /* The same as a list of tuples. */
-nb::list solids(const Scene &s)
+nb::list solids_of(const Scene &s)
 {
     nb::list list;
-    for (size_t i = 0; i < cylint_scene_members(s.scene.get()); i++) {
+    for (size_t i = 0; i < cylint_scene_members(s.get()); i++) {
         cylint_member member;
-        cylint_scene_member(s.scene.get(), i, &member);
+        cylint_scene_member(s.get(), i, &member);
         list.append(nb::make_tuple(member.shape, member.solid, member.clause));
     }
     return list;
@@ -232,7 +225,7 @@ nb::list solids(const Scene &s)
 
 size_t bytes(const Scene &s)
 {
-    return cylint_scene_bytes(s.scene.get());
+    return cylint_scene_bytes(s.get());
 }
 
 } // namespace
@@ -243,17 +236,17 @@ void register_scene(nb::module_ &module)
     scene.def(nb::new_(&begin))
         .def("add", &add)
         .def("finish", &finish)
-        .def_static("open", &open_file)
+        .def_static("open", &open_saved)
         .def_static("open_bytes", &open_bytes)
         .def("save", &save)
         .def("to_bytes", &to_bytes)
         .def("set_labels", &set_labels)
-        .def("labels", &labels)
+        .def("labels", &labels_of)
         .def("has_solids", &has_solids)
         .def("size", &Scene::size)
         .def("take", &take)
         .def("bytes", &bytes)
         .def("set_solids", &set_solids)
-        .def("solids", &solids);
+        .def("solids", &solids_of);
     register_queries(module, scene);
 }

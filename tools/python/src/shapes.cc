@@ -3,10 +3,6 @@
  */
 #include "calls.h"
 
-extern "C" {
-#include "scene.h"
-}
-
 namespace
 {
 

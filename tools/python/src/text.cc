@@ -19,7 +19,6 @@
 
 extern "C" {
 #include "numbers.h"
-#include "scene.h"
 
 extern const char *const program;
 const char *const program = "cylint";
@@ -66,36 +65,22 @@ extern "C" int is_interrupted(void)
     return PyErr_CheckSignals() != 0;
 }
 
-nb::object decoded(const char *text, size_t length)
+nb::object decoded(struct string text)
 {
-    return nb::steal(PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(length),
-                                          "surrogateescape"));
+    return nb::steal(PyUnicode_DecodeUTF8(
+        text.text, static_cast<Py_ssize_t>(text.length), "surrogateescape"));
 }
 
 namespace
 {
-
-/* A scene that is begun, of the shapes that were read. */
-std::unique_ptr<Scene> begun(struct scene *read)
-{
-    const struct texts &labels = read->labels.texts;
-    const struct solids &solids = read->solids;
-    auto made = std::make_unique<Scene>(read->shapes ? read->shapes
-                                                     : cylint_scene_begin(0));
-    read->shapes = nullptr; /* the object's now */
-    made->has_labels = labels.length > 0;
-    made->label_ends.assign(labels.end, labels.end + labels.count);
-    made->label_text.assign(labels.bytes, labels.length);
-    made->members.assign(solids.member, solids.member + solids.count);
-    return made;
-}
 
 /* ends: of shapes whose line has no ends=, or -1; swc: enum swc_form, or -1.
  * Returns (status, a scene that is begun, or None, messages). */
 nb::tuple read_scene(const nb::bytes &file, int ends, int swc)
 {
     std::vector<std::string> printed;
-    struct scene scene = {};
+    auto begun = std::make_unique<Scene>(cylint_scene_begin(0));
+    struct scene &scene = begun->data;
     int status;
     {
         const Unlocked unlocked;
@@ -108,15 +93,15 @@ nb::tuple read_scene(const nb::bytes &file, int ends, int swc)
         status = scene_read(&scene);
         messages = nullptr;
     }
-    if (PyErr_Occurred()) {
-        scene_free(&scene);
+    if (PyErr_Occurred())
         throw nb::python_error();
-    }
+    if (scene.labels.texts.length == 0)
+        labels_free(&scene.labels);
     nb::list texts;
     for (const std::string &text : printed)
-        texts.append(decoded(text.data(), text.size()));
-    const nb::object made = status == 0 ? nb::cast(begun(&scene)) : nb::none();
-    scene_free(&scene);
+        texts.append(decoded({text.data(), text.size()}));
+    const nb::object made =
+        status == 0 ? nb::cast(std::move(begun)) : nb::none();
     return nb::make_tuple(status, made, texts);
 }
 
