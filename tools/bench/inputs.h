@@ -63,7 +63,8 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
                  size_t side, void (*measure)(const struct sticks *s));
 
 /* From random points of the cube in random directions; or from one eye in front
- * of the cube, sixteen in a tile of 4 x 4 pixels.  n: the square of a multiple of 4. */
+ * of the cube, sixteen in a tile of 4 x 4 pixels.  n: the square of a multiple
+ * of 4. */
 typedef void draw_rays(int n, float (*ray)[2][3]);
 draw_rays draw_incoherent, draw_coherent;
 /* The same as lines. */

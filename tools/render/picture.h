@@ -25,8 +25,8 @@ struct drawing {
     int shows_progress; /* even if standard error is no terminal */
 };
 
-/* Computes row y, counted from the top, of what `how` points to.  Returns 0 if there is
- * no memory. */
+/* Computes row y, counted from the top, of what `how` points to.  Returns 0 if
+ * there is no memory. */
 typedef int row_function(const void *how, int y);
 
 /* All return 0, or report the fault and return an exit status. */

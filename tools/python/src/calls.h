@@ -119,8 +119,8 @@ struct Scene {
      * Python's lock; set_solids() then refuses. */
     std::shared_ptr<char> use = std::make_shared<char>();
     nb::object memory; /* of the scene, if it was opened there */
-    /* Labels and solids are those of a scene that is not opened; finish() gives them
-     * to the shapes. */
+    /* Labels and solids are those of a scene that is not opened; finish() gives
+     * them to the shapes. */
     struct scene data = {};
 };
 
