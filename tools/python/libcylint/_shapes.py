@@ -16,12 +16,11 @@ from ._arguments import (
 from ._closest import ClosestPoints
 from ._enums import Ends, Kind
 
-_layout = _core.shape_members()
-_record = np.dtype((np.void, _layout["size"]))
+_record = np.dtype((np.void, _core.shape_size))
 _readable = np.dtype(
     {
         "names": ["kind", "ends"], "formats": [np.intc, np.intc],
-        "offsets": [_layout["kind"], _layout["ends"]], "itemsize": _layout["size"],
+        "offsets": [0, _core.shape_ends], "itemsize": _core.shape_size,
     }
 )
 

@@ -100,6 +100,10 @@ struct Scene {
             throw std::bad_alloc();
         data.shapes = taken;
     }
+    /* Begins a scene.  expected: the number of shapes, if it is known; else 0. */
+    explicit Scene(size_t expected) : Scene(cylint_scene_begin(expected))
+    {
+    }
     Scene(const Scene &) = delete;
     Scene &operator=(const Scene &) = delete;
     ~Scene()

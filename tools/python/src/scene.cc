@@ -66,12 +66,6 @@ void check(cylint_scene_status status, const nb::object &name = nb::none())
     throw nb::python_error();
 }
 
-/* expected: the number of shapes, if it is known; else 0 */
-std::unique_ptr<Scene> begin(size_t expected)
-{
-    return std::make_unique<Scene>(cylint_scene_begin(expected));
-}
-
 /* shapes: (n), contiguous */
 void add(Scene &s, Input shapes)
 {
@@ -223,17 +217,12 @@ nb::list solids_of(const Scene &s)
     return list;
 }
 
-size_t bytes(const Scene &s)
-{
-    return cylint_scene_bytes(s.get());
-}
-
 } // namespace
 
 void register_scene(nb::module_ &module)
 {
     nb::class_<Scene> scene(module, "Scene");
-    scene.def(nb::new_(&begin))
+    scene.def(nb::init<size_t>())
         .def("add", &add)
         .def("finish", &finish)
         .def_static("open", &open_saved)
@@ -245,7 +234,8 @@ void register_scene(nb::module_ &module)
         .def("has_solids", &has_solids)
         .def("size", &Scene::size)
         .def("take", &take)
-        .def("bytes", &bytes)
+        .def("bytes",
+             [](const Scene &s) { return cylint_scene_bytes(s.get()); })
         .def("set_solids", &set_solids)
         .def("solids", &solids_of);
     register_queries(module, scene);

@@ -21,16 +21,6 @@ cylint_shape *shape_at(const Output &shapes, size_t i)
     return static_cast<cylint_shape *>(shapes.data()) + i;
 }
 
-/* The members that Python reads: names and offsets. */
-nb::dict shape_members()
-{
-    nb::dict members;
-    members["kind"] = offsetof(cylint_shape, kind);
-    members["ends"] = offsetof(cylint_shape, ends);
-    members["size"] = sizeof(cylint_shape);
-    return members;
-}
-
 /* constructor: a row of the table in _shapes.py.  numbers (n, k) and ends (n),
  * contiguous; writes statuses (n), and returns how many are not CYLINT_OK. */
 int make_shapes(int constructor, Input numbers, Input ends, Output shapes,
@@ -109,7 +99,8 @@ void bounds(Input shapes, Output boxes)
 
 void register_shapes(nb::module_ &module)
 {
-    module.def("shape_members", &shape_members);
+    module.attr("shape_size") = sizeof(cylint_shape);
+    module.attr("shape_ends") = offsetof(cylint_shape, ends);
     module.def("make_shapes", &make_shapes);
     module.def("make_tube", &make_tube);
     module.def("read_shapes", &read_shapes);

@@ -79,7 +79,7 @@ namespace
 nb::tuple read_scene(const nb::bytes &file, int ends, int swc)
 {
     std::vector<std::string> printed;
-    auto begun = std::make_unique<Scene>(cylint_scene_begin(0));
+    auto begun = std::make_unique<Scene>(size_t{0});
     struct scene &scene = begun->data;
     int status;
     {
