@@ -182,8 +182,9 @@ def test_bad_arguments():
     for message, call in (
         ("mode: expected", lambda: scene.pieces(o, d, mode="all")),
         ("rank: expected an integer for each of the 30 shapes", lambda: scene.pieces(o, d, rank=[1, 2])),
-        ("rank: a number does not fit", lambda: scene.pieces(o, d, rank=[2**31] * 30)),
-        ("rank: a number does not fit", lambda: scene.pieces(o, d, rank=[-(2**31) - 1] * 30)),
+        ("^rank 7: found 2147483648, beyond 32 bits$",
+         lambda: scene.pieces(o, d, rank=[0] * 7 + [2**31] * 23)),
+        ("^labels 0: found -2147483649, ", lambda: scene.sums(o, d, labels=[-(2**31) - 1] * 30)),
         ("first: expected", lambda: scene.pieces(o, d, first=0)),
         ("columns: expected at least 0", lambda: scene.sums(o, d, columns=-1)),
         ("dimension", lambda: scene.sums(o, d, columns=2**70)),

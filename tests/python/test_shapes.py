@@ -250,7 +250,7 @@ def test_labels_follow_their_shapes():
             use(surrogate)
     with refused("expected Shapes, found int", TypeError):
         cylint.write_scene(os.devnull, 3)
-    with refused("labels: expected str, found 3", TypeError):
+    with refused("labels 3: expected str, found 3", TypeError):
         rods.with_labels(["a", "b", "c", 3])
     with refused(r"broadcast: shapes \(4,\), labels \(2,\)"):
         rods.with_labels(["a", "b"])

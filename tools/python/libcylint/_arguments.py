@@ -111,8 +111,8 @@ def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     array = array_of(name, value)
     if array.dtype.kind not in "iu" and array.size > 0:  # [] has the type float64
         raise TypeError(f"{name}: expected integers of 64 bits, found {array.dtype}")
-    if array.dtype == np.uint64 and np.any(array > np.iinfo(np.int64).max):
-        raise ValueError(f"{name}: a number does not fit 64 bits with a sign")
+    if array.dtype == np.uint64 and (large := array > np.iinfo(np.int64).max).any():
+        raise ValueError(f"{first_of(name, array, large)}, beyond 64 bits with a sign")
     return np.require(array, np.int64, "A")
 
 
@@ -192,6 +192,12 @@ def place(index: int, shape: tuple[int, ...]) -> str:
         return ""
     where = tuple(int(i) for i in np.unravel_index(index, shape))
     return f" {where[0]}" if len(where) == 1 else f" {where}"
+
+
+def first_of(name: str, array: NDArray[Any], wrong: NDArray[np.bool_]) -> str:
+    """How messages name the first wrong element of an array."""
+    at = int(np.argmax(wrong))
+    return f"{name}{place(at, array.shape)}: found {array.flat[at]}"
 
 
 # ------------------------------------------------------ lines and points --
@@ -280,10 +286,8 @@ class SceneLines(Lines):
             numbers = self.left_out
             wrong = (numbers < -1) | (numbers >= shapes)
             if wrong.any():
-                at = int(np.argmax(wrong))
                 raise IndexError(
-                    f"exclude{place(at, numbers.shape)}: found {numbers.flat[at]}, "
-                    f"the scene has {shapes} shapes"
+                    f"{first_of('exclude', numbers, wrong)}, the scene has {shapes} shapes"
                 )
         return self.core()
 

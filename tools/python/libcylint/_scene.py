@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import (
     Balls, BallsWithin, Doubles, Lines, Points, Progress, SceneLines, broadcast, counted,
-    integers, positive, takes, whole, workers,
+    first_of, integers, positive, takes, whole, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
@@ -349,10 +349,11 @@ class Scene:
                 f"{name}: expected an integer for each of the {len(self)} shapes, "
                 f"found an array of the shape {array.shape}"
             )
-        limits = np.iinfo(np.int32)
-        if array.size and not (limits.min <= array.min() and array.max() <= limits.max):
-            raise ValueError(f"{name}: a number does not fit 32 bits")
-        return np.ascontiguousarray(array, np.int32)
+        small = array.astype(np.int32)
+        wrong = small != array
+        if wrong.any():
+            raise ValueError(f"{first_of(name, array, wrong)}, beyond 32 bits")
+        return small
 
     def set_solids(self, shape: ArrayLike, solid: ArrayLike, clause: ArrayLike) -> None:
         """Sets solids made of shapes, in place of those before.

@@ -251,9 +251,10 @@ class Shapes:
         array(['thick'], dtype='<U5')
         """
         names = array_of("labels", labels, np.object_).copy()
-        for name in names.flat:
+        for i, name in enumerate(names.flat):
             if not isinstance(name, str):
-                raise TypeError(f"labels: expected str, found {name!r}")
+                at = place(i, names.shape)
+                raise TypeError(f"labels{at}: expected str, found {name!r}")
         if broadcast("shapes labels", self._records, names) != self.shape:
             raise ValueError(f"labels: expected the shape {self.shape}, found {names.shape}")
         return Shapes(self._records, np.broadcast_to(names, self.shape))
