@@ -15,7 +15,7 @@ $(bench):
 
 # $(call to_csv,CASE,COMMAND): the lines of output are also in $(BUILD)/bench-CASE.csv.
 # The status is that of the command, not of tee.
-to_csv = { $(2); echo $$? >$(BUILD)/bench-status; } | tee $(BUILD)/bench-$(1).csv; exit $$(cat $(BUILD)/bench-status)
+to_csv = { $(2); echo $$? >$(BUILD)/bench-$(1).status; } | tee $(BUILD)/bench-$(1).csv; exit $$(cat $(BUILD)/bench-$(1).status)
 
 # $(call run_bench,CASE...).  N: the most shapes of a scene; ONLY: subjects that contain it
 run_bench = @$(foreach c,$(1),($(call to_csv,$c,TMPDIR=$(BUILD) $(bench) $(if $(QUICK),-s 0.02 -n 1e5) $(if $(N),-n $(N)) $(if $(ONLY),-o '$(ONLY)') $c)) && ):
