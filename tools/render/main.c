@@ -12,42 +12,28 @@
 
 const char *const program = "cylint-render";
 
-/* ----------------------------------------------------------- stopwatch -- */
-
-struct stopwatch {
-    int is_reported;       /* on standard error */
-    double last, last_cpu; /* seconds; of all threads together */
-};
-
-static void stopwatch_start(struct stopwatch *stopwatch, int is_reported)
-{
-    *stopwatch = (struct stopwatch){is_reported, seconds_of(CLOCK_MONOTONIC),
-                                    seconds_of(CLOCK_PROCESS_CPUTIME_ID)};
-}
-
-/* Reports the time since the last call: `WHAT COUNT UNIT: SECONDS s, SECONDS s of
- * CPU`. */
-static void stopwatch_report(struct stopwatch *stopwatch, const char *what,
-                             unsigned long long count, const char *unit)
-{
-    const struct stopwatch before = *stopwatch;
-    stopwatch_start(stopwatch, before.is_reported);
-    if (before.is_reported)
-        fprintf(stderr, "%s: %s %llu %s: %.2f s, %.2f s of CPU\n", program,
-                what, count, unit, stopwatch->last - before.last,
-                stopwatch->last_cpu - before.last_cpu);
-}
-
-/* ------------------------------------------------------------- picture -- */
-
 struct job {
     struct options options;
     struct scene scene;
     uint32_t *colours; /* of the shapes, and of the ground behind them */
     struct stage stage;
     struct view view;
-    struct stopwatch stopwatch;
+    double last, last_cpu; /* seconds, at the end of the last stage */
 };
+
+/* A stage ends.  With --progress prints `WHAT COUNT UNIT: SECONDS s, SECONDS s of
+ * CPU`. */
+static void end_stage(struct job *job, const char *what,
+                      unsigned long long count, const char *unit)
+{
+    const double now = seconds_of(CLOCK_MONOTONIC);
+    const double cpu = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    if (job->options.shows_progress)
+        fprintf(stderr, "%s: %s %llu %s: %.2f s, %.2f s of CPU\n", program,
+                what, count, unit, now - job->last, cpu - job->last_cpu);
+    job->last = now;
+    job->last_cpu = cpu;
+}
 
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
  * its rim. */
@@ -143,8 +129,8 @@ static int draw_picture(struct job *job, struct output *out)
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;
-    stopwatch_report(&job->stopwatch, "built a scene of",
-                     cylint_scene_bytes(job->stage.scene), "bytes");
+    end_stage(job, "built a scene of", cylint_scene_bytes(job->stage.scene),
+              "bytes");
     status = picture_make(&picture, o->size[0], o->size[1],
                           is_xray                              ? 1
                           : job->stage.backdrop.is_transparent ? 4
@@ -152,10 +138,10 @@ static int draw_picture(struct job *job, struct output *out)
     if (status == 0)
         status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
                          : trace(&drawing, &job->stage);
-    stopwatch_report(&job->stopwatch, "traced", pixels, "pixels");
+    end_stage(job, "traced", pixels, "pixels");
     if (status == 0)
         status = picture_write(&picture, out);
-    stopwatch_report(&job->stopwatch, "wrote", pixels, "pixels");
+    end_stage(job, "wrote", pixels, "pixels");
     picture_free(&picture);
     return status;
 }
@@ -169,7 +155,7 @@ int main(int argc, char **argv)
     int status = read_options(&job.options, argc, argv);
     if (status != 0 || o->about)
         return status != 0 ? status : print_about(o->about);
-    stopwatch_start(&job.stopwatch, o->shows_progress);
+    job.last = seconds_of(CLOCK_MONOTONIC);
     const char *file = strcmp(o->output, "-") == 0 ? NULL : o->output;
     status =
         output_is_input(file, o->scene) ? EXIT_IO : output_open(&out, file, 1);
@@ -177,7 +163,7 @@ int main(int argc, char **argv)
         return status;
     status = prepare(&job);
     if (status == 0) {
-        stopwatch_report(&job.stopwatch, "read", job.stage.count, "shapes");
+        end_stage(&job, "read", job.stage.count, "shapes");
         status = draw_picture(&job, &out);
     }
     const int closed = output_close(&out, status == 0);
