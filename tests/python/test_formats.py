@@ -153,12 +153,6 @@ def test_alternate_are_atoms_with_a_letter_alone(molecule, form):
     assert molecule(form(text), stick=0, ball=1).c[:, 0].tolist() == [0, 5, 10, 15]
 
 
-def test_waters_may_be_left_out(molecule):
-    text = CHAIN + atom(9, " O", 30, 0, 0, "O", residue="HOH A 401")
-    assert len(molecule(text, stick=0, ball=1)) == 7
-    assert len(molecule(text, stick=0, ball=1, waters=False)) == 6
-
-
 def test_symmetric_copies_are_not_bonded(molecule):
     cell = "CRYST1    3.000    3.000    3.000  90.00  90.00  90.00 P 1           1\n"
     text = atom(1, " C1", 0.2, 0, 0, "C") + atom(2, " C2", 2.7, 0, 0, "C")
