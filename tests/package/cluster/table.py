@@ -3,7 +3,7 @@
 usage: table.py make RAYS.TXT RAYS.PARQUET
        table.py show ANSWERS
 
-`show` prints the answers in the order of their labels, as `cylint -x -f shape,t`
+`show` prints the answers in the order of their labels, as `cylint -p 17 -f shape,t`
 prints them.
 """
 
@@ -29,17 +29,10 @@ def make(text, table):
     )
 
 
-def hexadecimal(t):
-    if t != t:
-        return "nan"
-    digits, exponent = float(t).hex().split("p")
-    return f"{digits.rstrip('0').rstrip('.')}p{exponent}" if t else "0x0p+0"
-
-
 def show(answers):
     table = parquet.read_table(answers).to_pylist()
     for row in sorted(table, key=lambda row: int(row["id"].split("ray")[1])):
-        print(row["index"] + 1, hexadecimal(row["t"]), row["id"], sep="\t")
+        print(row["index"] + 1, f"{row['t']:.17g}", row["id"], sep="\t")
 
 
 if __name__ == "__main__":
