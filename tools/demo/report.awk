@@ -17,7 +17,6 @@ FNR == 1 { files++ }
 
 files == 1 && !/^#/ {
     label[++shapes] = $(NF - 1) # before the colour
-    shapes_of[kind_of(label[shapes])]++
 }
 
 files == 2 { rays++ }
@@ -33,9 +32,6 @@ files == 2 && $1 > 0 {
         ground[cell] = 1
     else if (!(cell in nearest_in) || $2 < nearest_in[cell])
         nearest_in[cell] = $2
-    if (!(kind in hits_of) || $2 < nearest_of[kind])
-        nearest_of[kind] = $2
-    hits_of[kind]++
     parts[$3]++
     tree = label[$1]
     sub(/-.*/, "", tree)
@@ -68,13 +64,7 @@ END {
     printf "trees hit: %d\n", trees
     printf "part hit: lateral %d, cap0 %d, cap1 %d\n\n",
            parts["lateral"], parts["cap0"], parts["cap1"]
-    printf "%-8s %7s %7s %12s\n", "", "shapes", "hits", "nearest (m)"
-    print_totals("ground")
-    print_totals("stem")
-    print_totals("branch")
-    print_totals("twig")
-    print_totals("foliage")
-    print "\ntime: " time()
+    print "time: " time()
 }
 
 # The label spruce7-stem is of the kind `stem`.
@@ -119,12 +109,6 @@ function legend(   i, step, text)
         text = text "  " substr(shades, i, 1) " " \
                sprintf("%g", nearest_shown + (i - 1) * step)
     return "range in m from:" text "    . ground"
-}
-
-function print_totals(kind)
-{
-    printf "%-8s %7d %7d %12s\n", kind, shapes_of[kind], hits_of[kind],
-           kind in hits_of ? sprintf("%.3f", nearest_of[kind]) : "-"
 }
 
 function time()
