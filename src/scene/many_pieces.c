@@ -33,7 +33,7 @@ typedef struct {
     const cylint_line *line; /* the only one, where `lines` is NULL */
     cylint_piece_rule rule;
     size_t most;
-    piece_block *block;
+    piece_block *block, one; /* one: of few lines, which then allocate less */
     size_t n_blocks;
     /* of rows: [i + 1] is the number of pieces of line i; of sums NULL */
     size_t *first;
@@ -111,7 +111,7 @@ static int find_each(const pieces_query *q, size_t from, size_t to,
     return 1;
 }
 
-/* Keeps no more memory than the pieces take. */
+/* Rows are kept in no more memory than they take. */
 static void find_block(void *self, size_t from, size_t to)
 {
     const pieces_query *q = self;
@@ -119,7 +119,8 @@ static void find_block(void *self, size_t from, size_t to)
     b->has_failed =
         !grow_workspace(&b->work, FIRST_BYTES) || !find_each(q, from, to, b);
     free(b->work.memory);
-    cylint_piece *kept = cylint_resized(b->pieces, b->n, sizeof *kept);
+    cylint_piece *kept =
+        q->first ? cylint_resized(b->pieces, b->n, sizeof *kept) : NULL;
     b->pieces = kept ? kept : b->pieces;
 }
 
@@ -151,7 +152,8 @@ static cylint_scene_status answer_query(pieces_query *q, int threads,
 {
     q->rule.after = NULL;
     q->n_blocks = q->n / LINES_AT_ONCE + 1;
-    q->block = calloc(q->n_blocks, sizeof *q->block);
+    q->block =
+        q->n_blocks > 1 ? calloc(q->n_blocks, sizeof *q->block) : &q->one;
     if (!q->block)
         return CYLINT_SCENE_EMEMORY;
     cylint_threads_share(threads, q->n, LINES_AT_ONCE, LINES_A_THREAD,
@@ -162,7 +164,8 @@ static cylint_scene_status answer_query(pieces_query *q, int threads,
     has_failed = has_failed || (rows && !unite_rows(q, rows));
     for (size_t i = 0; i < q->n_blocks; i++)
         free(q->block[i].pieces);
-    free(q->block);
+    if (q->block != &q->one)
+        free(q->block);
     return has_failed ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK;
 }
 
