@@ -48,7 +48,7 @@ awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "rye
     i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
 # Some of their answers take memory for every line.
 sed 's/not=[^ ]* //' rays | sed -n '900,1100p' >walk
-sed -n '95,105p' walk >steps # sums take memory three times for each
+sed -n '95,105p' walk >steps # sums take memory twice for each
 awk '{ n = int(NR / 3); word = NR % 3 ? (NR % 3 == 1 ? "in=w" : "out=w") n : ""
     $8 += NR % 3 / 9; $9 = word " " $9; print }' shapes >walls
 for i in 1 2 3 4 5 6; do echo s$i $((i % 4 - 2)); done >ranks
