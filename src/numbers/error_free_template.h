@@ -25,6 +25,19 @@ INLINE PAIR EFT(fast_two_sum)(REAL a, REAL b)
     return (PAIR){s, b - (s - a)};
 }
 
+#ifndef FUSED
+/* The error of the product p = a b.  The code is long: compilers that optimise for
+ * size call it. */
+static inline REAL EFT(product_error)(REAL a, REAL b, REAL p)
+{
+    const REAL split = BROADCAST(0x1p27 + 1);
+    const REAL ca = split * a, cb = split * b;
+    const REAL ah = ca - (ca - a), al = a - ah;
+    const REAL bh = cb - (cb - b), bl = b - bh;
+    return ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+}
+#endif
+
 /* The error of a product is a double.  Both computations return exactly that
  * error, so both return the same bits. */
 INLINE PAIR EFT(two_prod)(REAL a, REAL b)
@@ -35,10 +48,6 @@ INLINE PAIR EFT(two_prod)(REAL a, REAL b)
      * `make check` uses where the processor has it */
     return (PAIR){p, FUSED(a, b, -p)};
 #else
-    const REAL split = BROADCAST(0x1p27 + 1);
-    const REAL ca = split * a, cb = split * b;
-    const REAL ah = ca - (ca - a), al = a - ah;
-    const REAL bh = cb - (cb - b), bl = b - bh;
-    return (PAIR){p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+    return (PAIR){p, EFT(product_error)(a, b, p)};
 #endif
 }
