@@ -347,7 +347,7 @@ static int answer_inside(struct task *task)
     const struct job *job = task->job;
     struct search s = {.task = task, .handle_shape = count_one};
     size_t owner = job->scene.count, depth = 0;
-    if (fields->has_count)
+    if (fields->has_count || !fields->has_solids)
         cylint_scene_visit_point(job->scene.shapes, task->record.point, 0,
                                  CYLINT_SIGNED, handle_near, &s);
     if (fields->has_solids)
@@ -358,7 +358,7 @@ static int answer_inside(struct task *task)
     task->row.count = (double)s.count;
     task->row.depth = (double)depth;
     set_owner(task, owner);
-    put_answer(task, s.count > 0 || depth > 0);
+    put_answer(task, fields->has_solids ? depth > 0 : s.count > 0);
     return 0;
 }
 
