@@ -142,8 +142,10 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  *
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
- * the reverse; the constructor refused one of them; or a bounded shape became
- * infinite or larger than 2^400.  A failure, EMEMORY too, changes nothing.
+ * the reverse; the constructor refused one of them, not the other; or a shape is
+ * unbounded or has points beyond 2^400 where the scene was made with a shape that
+ * is not so.  From 2^398 on, depending on the shape, points can be such points.  A
+ * failure, EMEMORY too, changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
                                                   size_t first, size_t n,
@@ -475,7 +477,8 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  * count as present.  side: whether the line enters the solid.  The normal points
  * out of the solid: on the surface of a bore it points into the bore.  Members are
  * otherwise those of cylint_intersect().  On a complement side and normal are the
- * opposite of the shape's; cylint_describe() and cylint_outside() need the shape's.
+ * opposite of the shape's; cylint_describe() and cylint_outside() need the shape's,
+ * and cylint_describe() a shape with both caps.
  * If surfaces of several of the solid's shapes have this t, the shape is the one
  * with the lowest number of those that the line enters where it enters the solid,
  * and leaves where it leaves it; for complements the other way round.  A shape
