@@ -145,8 +145,7 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
     const surface_beside s = surface_of(from, in, &r, solid);
     const vd distance = v_set(CYLINT_ROUNDING * fabs(t)),
              size = v_abs(s.slope.v);
-    const newton_lanes step = newton_step_lanes(
-        s.residual.v, s.residual.e, s.slope.v, s.slope.e, v_set(0), distance);
+    const newton step = newton_step(s.residual, s.slope, v_set(0), distance);
     const vd share = step.delta / s.slope.v, q = share * s.curvature.v;
     const vd curvature = v_abs(s.curvature.v) + s.curvature.e,
              most = v_abs(share) * curvature;

@@ -6,8 +6,6 @@
 #define CYLINT_PLANE_H
 
 #include "../numbers/bits.h"
-#include "../numbers/double_double.h"
-#include "../numbers/error_bounds.h"
 #include "filter.h"
 
 /* x.n.  2^-900 covers products that underflow, and components of n that are read
@@ -27,25 +25,6 @@ CYLINT_INLINE bounded_pair cylint_along_normal(const pair x[3],
         is_zero = is_zero && (!cylint_sign(x[i].hi) || !cylint_sign(n[i]));
     return (bounded_pair){two_sum(all.hi, low + errors),
                           is_zero ? 0 : CYLINT_PLANE_ERROR * size + 0x1p-900};
-}
-
-/* Whether x is 0, exactly. */
-static inline int cylint_is_exact_zero(bounded_pair x)
-{
-    return !(fabs(x.v.hi) > 0) && !(x.error > 0);
-}
-
-/* Far from 0 and from the largest double. */
-static inline int cylint_is_moderate(bounded_pair x)
-{
-    return fabs(x.v.hi) > 0x1p-400 && fabs(x.v.hi) < 0x1p400;
-}
-
-/* Whether x is moderate, and all numbers within its error round to x.v.hi. */
-static inline int cylint_is_rounded(bounded_pair x)
-{
-    return cylint_is_moderate(x) && x.v.hi + (x.v.lo + x.error) == x.v.hi &&
-           x.v.hi + (x.v.lo - x.error) == x.v.hi;
 }
 
 /* x - p as pairs, exactly.  Returns 0 if a coordinate is tiny, or a difference
@@ -131,19 +110,6 @@ CYLINT_INLINE bounded_pair cylint_plane_root(bounded_pair above,
                                  size * (2 * CYLINT_PAIR_DIV) + 0x1p-1000};
 }
 
-/* Whether the root is after a limit of the domain: 1, 0 if it is the limit, or -1;
- * or CYLINT_SIDE_UNDECIDED. */
-CYLINT_INLINE int cylint_root_side(bounded_pair t, double limit)
-{
-    const double x = (t.v.hi - limit) + t.v.lo; /* rounded twice */
-    if (cylint_is_exact_zero(t))
-        return -cylint_sign(limit);
-    return !cylint_is_moderate(t) ? CYLINT_SIDE_UNDECIDED
-           : x > 2 * t.error      ? 1
-           : x < -2 * t.error     ? -1
-                                  : CYLINT_SIDE_UNDECIDED;
-}
-
 /* The slope of the height above the plane along the line, in *slope, and the root.
  * Returns 0 if pairs do not serve the line's origin, or the slope is not certainly
  * far from 0. */
@@ -193,12 +159,12 @@ static inline int cylint_intersect_plane(const cylint_shape *s,
                    ? cylint_answer_parallel(cylint_side_of_plane(s, line->o),
                                             answer)
                    : CYLINT_UNDECIDED;
-    const int after_first = cylint_root_side(t, line->tmin),
-              after_last = cylint_root_side(t, line->tmax);
+    const int after_first = cylint_side_of_number(t, line->tmin),
+              after_last = cylint_side_of_number(t, line->tmax);
     answer->relation = CYLINT_RELATION_CROSS;
     answer->n = after_first >= 0 && after_last <= 0;
-    if (after_first == CYLINT_SIDE_UNDECIDED ||
-        after_last == CYLINT_SIDE_UNDECIDED ||
+    if (after_first == CYLINT_SIGN_UNDECIDED ||
+        after_last == CYLINT_SIGN_UNDECIDED ||
         (answer->n && want & CYLINT_WANT_T && !cylint_is_rounded(t) &&
          !cylint_is_exact_zero(t)))
         return CYLINT_UNDECIDED;

@@ -240,15 +240,38 @@ INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
 
 /* ------------------------------------------------------ Newton's step --- */
 
-#define FORM(name) name##_lanes
-#define NEWTON_INLINE INLINE
-#define NUM vd
-#define ABS(x) v_abs(x)
-#define CONSTANT(x) v_set(x)
-#define SUM_OF(x, y, z) v_sum_of(x, y, z)
-#define QUOTIENT(x, y, inverse) ((x) * (inverse))
-#define SLACK CYLINT_LOCAL_SLACK
-#include "../roots/newton_template.h"
+/*
+ * Let f be a polynomial of degree 1 or 2 with the root t and f'(t) = s.  Then
+ *
+ *   f(t0) = s (t0 - t) + c (t0 - t)^2,   c = f'' / 2,
+ *   t     = t0 - delta + c (t0 - t)^2 / s,   delta = f(t0) / s.
+ *
+ * With the slope at t0 in place of s only the sign of the last term changes.
+ * For the lateral quadric Q(t) = A t^2 + 2 B t + C these are s = 2 (A t + B)
+ * and c = A; for a plane c = 0.  tests/bounds/prove/local_newton.g proves that
+ * CYLINT_LOCAL_SLACK suffices.
+ */
+typedef struct {
+    vd delta, error; /* |t - (t0 - delta)| is at most the error */
+} newton;
+
+/* residual: f(t0), and slope; curvature: at least |c|; distance: at least
+ * |t0 - t|. */
+INLINE newton newton_step(bounded_value residual, bounded_value slope,
+                          vd curvature, vd distance)
+{
+    const vd inverse = v_set(1) / slope.v;
+    /* mutant '*' -> '+': wider; slower */
+    const vd scaled = v_set(CYLINT_LOCAL_SLACK) * v_abs(inverse);
+    const vd relative = v_sum_of(
+        scaled, slope.e, v_set(CYLINT_LOCAL_SLACK * CYLINT_QUOTIENT_ROUNDING));
+    const vd delta = residual.v * inverse;
+    /* mutant '*' -> '+': wider, as these bounds are below 1; slower */
+    const vd first = v_sum_of(v_abs(delta), relative, scaled * residual.e);
+    /* mutant '*' -> '+': the same */
+    const vd error = v_sum_of(scaled * curvature * distance, distance, first);
+    return (newton){delta, error};
+}
 
 /* A root: value + tail with the error; low and high are bounds that are rounded.
  * nearest: value is certainly the nearest double. */
@@ -280,8 +303,8 @@ INLINE root step_from(vd t, bounded_value residual, const estimate *at)
     const vd inverse = v_set(1) / at->slope;
     const vd distance =
         v_sum_of(residual.e, v_abs(inverse), v_abs(residual.v * inverse));
-    const newton_lanes step = newton_step_lanes(
-        residual.v, residual.e, at->slope, at->slope_error,
+    const newton step = newton_step(
+        residual, (bounded_value){at->slope, at->slope_error},
         v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * at->curvature,
         distance);
     const vd value = t - step.delta;

@@ -1,9 +1,9 @@
 /*
  * bits.h - exponent, sign and order of doubles from their bits, exact scaling
- * and differences
+ * and differences; what is certain of a bounded pair
  *
- * All are right in every floating-point environment, except cylint_largest() and
- * cylint_dot().
+ * All are right in every floating-point environment, except cylint_largest(),
+ * cylint_dot() and those of bounded pairs.
  */
 #ifndef CYLINT_BITS_H
 #define CYLINT_BITS_H
@@ -184,6 +184,40 @@ static inline pair cylint_difference(double x, double y)
 static inline pair cylint_scaled_pair(pair x, int e)
 {
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
+}
+
+/* ---------------------------- bounded pairs, in rounding to nearest -- */
+
+static inline int cylint_is_exact_zero(bounded_pair x)
+{
+    return x.v.hi == 0 && x.error == 0;
+}
+
+/* Far from 0 and from the largest double. */
+static inline int cylint_is_moderate(bounded_pair x)
+{
+    return fabs(x.v.hi) > CYLINT_ROOT_LEAST &&
+           fabs(x.v.hi) < 1 / CYLINT_ROOT_LEAST;
+}
+
+/* Whether x is moderate, and all numbers within its error round to x.v.hi. */
+static inline int cylint_is_rounded(bounded_pair x)
+{
+    return cylint_is_moderate(x) && x.v.hi + (x.v.lo + x.error) == x.v.hi &&
+           x.v.hi + (x.v.lo - x.error) == x.v.hi;
+}
+
+/* The sign of x - y, or CYLINT_SIGN_UNDECIDED. */
+enum { CYLINT_SIGN_UNDECIDED = 2 };
+CYLINT_INLINE int cylint_side_of_number(bounded_pair x, double y)
+{
+    const double beyond = (x.v.hi - y) + x.v.lo; /* rounded twice */
+    if (cylint_is_exact_zero(x))
+        return -cylint_sign(y);
+    return !cylint_is_moderate(x)  ? CYLINT_SIGN_UNDECIDED
+           : beyond > 2 * x.error  ? 1
+           : beyond < -2 * x.error ? -1
+                                   : CYLINT_SIGN_UNDECIDED;
 }
 
 #endif

@@ -79,9 +79,6 @@
 #define CYLINT_INVERSE_ERROR 0x1p-106
 #define CYLINT_VALUE_ERROR 0x1p-103
 
-/* Newton's steps end when the relative error of the root is below this. */
-#define CYLINT_POLISHED 0x1p-90
-
 /*
  * The errors of operations on pairs are summed (signs/forms.h) in doubles.  A path
  * of K operations has at most 5 K + 8 roundings of that sum, of its factors and of
@@ -106,15 +103,6 @@
 #define CYLINT_UNDERFLOW 0x1p-584
 
 /*
- * root.c multiplies first-order errors by CYLINT_ROOT_SLACK.  This covers the
- * terms of second order and the roundings of the error itself, if the relative
- * error of the slope is at most 2^-10.  CYLINT_NEWTON_SLACK is proved and is
- * smaller.
- */
-#define CYLINT_NEWTON_SLACK 0x1.0041p0
-#define CYLINT_ROOT_SLACK 1.01
-
-/*
  * The test whether hi + (lo + error) rounds to hi runs in doubles.  It is right
  * if the error exceeds the true one by this fraction of |hi|.  Proved.
  */
@@ -129,12 +117,13 @@
 #define CYLINT_CYLINDER_G_SIZE 48
 
 /*
- * First-order errors of quotients and roots are added up where each divisor,
- * slope and radicand has a relative error of at most CYLINT_FIRST_ORDER.  The terms
- * of second order are below 0.2 % of the sum, and its own roundings below 2^-45:
- * CYLINT_ROOT_SLACK covers both.
+ * First-order errors of quotients and square roots (root.c) are added up where each
+ * divisor and radicand has a relative error of at most CYLINT_FIRST_ORDER.  The
+ * terms of second order are below 0.2 % of the sum, and its own roundings below
+ * 2^-45: CYLINT_ROOT_SLACK covers both.
  */
 #define CYLINT_FIRST_ORDER 0x1p-10
+#define CYLINT_ROOT_SLACK 1.01
 
 /*
  * Roundings of a quotient in doubles: three operations at most, in any rounding
@@ -165,10 +154,6 @@
  * this, their angle rounds to a multiple of a quarter turn.  Half the gap below 1/4
  * is 2^-56. */
 #define CYLINT_STEEP_EXPONENT 60
-
-/* Newton's steps go on while each makes the error so many times smaller.  This
- * affects only the speed. */
-#define CYLINT_NEWTON_GAIN 0x1p-4
 
 /* Boxes (box.c): the error of a coordinate, relative to the sizes of its terms:
  * five sums, three products, a root and a quotient of pairs. */

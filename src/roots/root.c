@@ -17,16 +17,6 @@
  */
 #include "roots.h"
 
-/* Whether hi is the double nearest to every number within the error of hi + lo.
- * In other rounding modes neither these additions nor the error bounds are
- * valid. */
-static int rounds_to_hi(pair t, double error)
-{
-    /* untaken 1 of 6: callers have tested the rounding mode */
-    return t.hi + (t.lo + error) == t.hi && t.hi + (t.lo - error) == t.hi &&
-           cylint_rounds_to_nearest();
-}
-
 /* ------------------------------------------------------ quotients ------ */
 
 static bounded_pair form_in_pairs(cylint_query *q, cylint_form f, int end)
@@ -115,68 +105,6 @@ static bounded_pair root_by_quotient(cylint_query *q, cylint_root root)
     return near == exits ? negative(t) : t;
 }
 
-/* -------------------------------------------------- Newton's steps ----- */
-
-#define FORM(name) name##_double
-#define NEWTON_INLINE static
-#define NUM double
-#define ABS(x) fabs(x)
-#define CONSTANT(x) (x)
-#define SUM_OF(x, y, z) ((x) * (y) + (z))
-#define QUOTIENT(x, y, inverse) ((x) / (y))
-#define SLACK CYLINT_ROOT_SLACK
-#include "newton_template.h"
-
-/* One step of Newton's from t.  With the line's origin moved to t, near the shape,
- * a far origin costs no digits: f is C there, with the slope 2 B, or alpha of a
- * cap, with the slope beta.  curvature: half the second derivative or more.
- * Undecided for a point outside the window of error_bounds.h. */
-static bounded_pair step_from(cylint_query *q, bounded_pair t, cylint_form f,
-                              int cap, double curvature)
-{
-    const cylint_form f_slope = f == FORM_C ? FORM_B : FORM_BETA;
-    const double factor = f == FORM_C ? 2 : 1;
-    cylint_terms_pair *L = cylint_load_pairs(q, f_slope, cap);
-    bounded_pair *D = L->D[cap];
-    const bounded_pair kept[3] = {D[0], D[1], D[2]};
-    int in_window = 1;
-    for (int i = 0; i < 3; i++) {
-        D[i] = bounded_pair_add(
-            D[i], bounded_pair_mul((bounded_pair){t.v, 0}, L->u[i]));
-        in_window &= fabs(D[i].v.hi) <= CYLINT_WINDOW;
-    }
-    const bounded_pair at = form_in_pairs(q, f, cap);
-    const bounded_pair slope = form_in_pairs(q, f_slope, cap);
-    memcpy(D, kept, sizeof kept);
-    const double s = factor * slope.v.hi, s_error = factor * slope.error;
-    if (!in_window || !(s_error < CYLINT_FIRST_ORDER * fabs(s)))
-        return undecided;
-    const newton_double step =
-        newton_step_double(at.v.hi, at.error, s, s_error, curvature, t.error);
-    /* with the rounding of t.lo - delta and CYLINT_NEAREST_MARGIN */
-    return (bounded_pair){fast_two_sum(t.v.hi, t.v.lo - step.delta),
-                          step.error + CYLINT_PAIR_ROUNDING * fabs(t.v.hi)};
-}
-
-/* Newton's steps from t until it has all but a few digits of a pair, or they gain
- * little. */
-static bounded_pair newton_from(cylint_query *q, cylint_root root,
-                                bounded_pair t)
-{
-    double before;
-    if (root == ROOT_CAP0 || root == ROOT_CAP1)
-        return step_from(q, t, FORM_ALPHA, root == ROOT_CAP1, 0);
-    if (root != ROOT_ENTRY && root != ROOT_EXIT)
-        return undecided;
-    const bounded_pair A = form_in_pairs(q, FORM_A, 0);
-    do {
-        before = t.error;
-        t = step_from(q, t, FORM_C, 0, fabs(A.v.hi) + A.error);
-    } while (t.error >= CYLINT_POLISHED * fabs(t.v.hi) &&
-             t.error < CYLINT_NEWTON_GAIN * before);
-    return t;
-}
-
 /* ---------------------------------------------------------- exact ------ */
 
 static double exact_value(cylint_query *q, cylint_root root)
@@ -191,7 +119,7 @@ static double exact_value(cylint_query *q, cylint_root root)
 }
 
 /* The sign of root - m, exactly. */
-static int root_against(cylint_query *q, cylint_root root, double m)
+static int exact_side(cylint_query *q, cylint_root root, double m)
 {
     const surd t = cylint_surd(q, root);
     const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
@@ -200,18 +128,7 @@ static int root_against(cylint_query *q, cylint_root root, double m)
                             cylint_sign_at(q, &t, from, one));
 }
 
-/* ------------------------------------------------------ the value ------ */
-
-/* Whether t certainly rounds to t.v.hi, also in its true scale, and no product of t
- * can have underflowed. */
-static int settles(const cylint_query *q, bounded_pair t)
-{
-    const double size = fabs(t.v.hi);
-    const int e = cylint_exponent(t.v.hi) + q->t_exponent;
-    return rounds_to_hi(t.v, t.error) && size > CYLINT_ROOT_LEAST &&
-           size < 1 / CYLINT_ROOT_LEAST && e > -CYLINT_SUM_EXPONENT &&
-           e < CYLINT_LARGE_EXPONENT;
-}
+/* ------------------------------------------------------- the domain ---- */
 
 /* Whether a root is 0: for Q, B has the sign of the slope, and C is 0. */
 static int is_at_origin(cylint_query *q, cylint_root root)
@@ -223,88 +140,49 @@ static int is_at_origin(cylint_query *q, cylint_root root)
            cylint_form_sign(q, FORM_C, 0) == 0;
 }
 
-/* Improves *t, a quotient of pairs: it becomes 0 where exact signs prove that,
- * which Newton's steps cannot, or takes these steps.  Returns whether its rounding
- * is certain. */
-static int root_in_pairs(cylint_query *q, cylint_root root, bounded_pair *t)
+/* The root in pairs, in the scale of the filters: 0 without error where exact signs
+ * prove that. */
+static bounded_pair root_in_pairs(cylint_query *q, cylint_root root)
 {
-    const int can_be_zero =
-        fabs(t->v.hi) < HUGE_VAL && fabs(t->v.hi) <= t->error;
-    if (can_be_zero && is_at_origin(q, root)) {
-        *t = (bounded_pair){{0, 0}, 0};
-        return 1;
-    }
-    if (!settles(q, *t) && t->error < HUGE_VAL)
-        *t = newton_from(q, root, *t);
-    return settles(q, *t);
+    const bounded_pair t = root_by_quotient(q, root);
+    const int can_be_zero = fabs(t.v.hi) < HUGE_VAL && fabs(t.v.hi) <= t.error;
+    return can_be_zero && is_at_origin(q, root) ? (bounded_pair){{0, 0}, 0} : t;
 }
 
-/* *is_zero: whether the root is certainly 0. */
-static double root_value(cylint_query *q, cylint_root root, bounded_pair t,
-                         int *is_zero)
+/* The double nearest to the root, which is t in pairs. */
+static double root_value(cylint_query *q, cylint_root root, bounded_pair t)
 {
-    *is_zero = 0;
-    if (!q->pairs || root == ROOT_APEX || !root_in_pairs(q, root, &t))
+    const int e = cylint_exponent(t.v.hi) + q->t_exponent;
+    const int is_in_scale =
+        e > -CYLINT_SUM_EXPONENT && e < CYLINT_LARGE_EXPONENT;
+    if (!cylint_is_exact_zero(t) && !(cylint_is_rounded(t) && is_in_scale))
         return exact_value(q, root);
     const double value = cylint_scaled(t.v.hi, q->t_exponent);
     cylint_contradiction(exact_value(q, root) != value);
-    *is_zero = t.error == 0;
     return value;
 }
 
-/* ------------------------------------------------------- the domain ---- */
-
-/* t in the scale of the filters, rounded. */
-static double in_scale(const cylint_query *q, double t)
+/* The sign of root - limit, exactly; t: the root in pairs. */
+static int side_of(cylint_query *q, cylint_root root, bounded_pair t,
+                   double limit)
 {
-    return q->t_exponent == 0 ? t : cylint_scaled(t, -q->t_exponent);
-}
-
-/* Where a root with a bounded error lies: 1 within the domain, -1 outside, 0 if
- * it is too near a limit.  In other rounding modes an operation on pairs is less
- * accurate, but far more accurate than one on doubles. */
-static int placed(const cylint_query *q, bounded_pair x)
-{
-    const double from = in_scale(q, q->line->tmin);
-    const double to = in_scale(q, q->line->tmax);
-    /* of a limit brought into scale */
-    const double off_from =
-        CYLINT_QUOTIENT_ROUNDING * cylint_smaller(fabs(from), DBL_MAX);
-    const double off_to =
-        CYLINT_QUOTIENT_ROUNDING * cylint_smaller(fabs(to), DBL_MAX);
-    const double t = x.v.hi, error = CYLINT_ROOT_SLACK * x.error +
-                                     CYLINT_QUOTIENT_ROUNDING * fabs(t) +
-                                     CYLINT_UNDERFLOW;
-    /* mutant '||' -> '&&': slower, the root is computed and compared */
-    if (t + error < from - off_from || t - error > to + off_to)
-        return -1;
-    return t - error > from + off_from && t + error < to - off_to;
+    if (fabs(limit) > DBL_MAX) /* beyond all numbers, though t may be rounded */
+        return limit < 0 ? 1 : -1;
+    /* scaled, it can become 0 */
+    const int e = cylint_is_exact_zero(t) ? 0 : -q->t_exponent;
+    const int side = cylint_side_of_number(t, cylint_scaled(limit, e));
+    return side == CYLINT_SIGN_UNDECIDED ? exact_side(q, root, limit) : side;
 }
 
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t)
 {
     const double tmin = q->line->tmin, tmax = q->line->tmax;
-    const int limited = tmin >= -DBL_MAX || tmax <= DBL_MAX;
-    if (tmin > DBL_MAX || tmax < -DBL_MAX)
-        return 0; /* beyond all numbers, though t may be rounded to that */
-    if (!wanted && !limited)
+    if (!wanted && tmin < -DBL_MAX && tmax > DBL_MAX)
         return 1;
-    const bounded_pair at = root_by_quotient(q, root);
-    if (limited) {
-        const int place = placed(q, at);
-        if (place < 0)
-            return 0;
-        if (place > 0 && !wanted)
-            return 1;
-    }
-    int is_zero;
-    *t = root_value(q, root, at, &is_zero);
-    if (*t < tmin || *t > tmax)
+    const bounded_pair at = root_in_pairs(q, root);
+    if (side_of(q, root, at, tmin) < 0 || side_of(q, root, at, tmax) > 0)
         return 0;
-    if (is_zero)
-        return cylint_sign(tmin) <= 0 && cylint_sign(tmax) >= 0;
-    if (*t == tmin && fabs(tmin) <= DBL_MAX && root_against(q, root, tmin) < 0)
-        return 0;
-    return !(*t == tmax && fabs(tmax) <= DBL_MAX &&
-             root_against(q, root, tmax) > 0);
+    if (wanted)
+        *t = root_value(q, root, at);
+    return 1;
 }

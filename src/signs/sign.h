@@ -60,7 +60,6 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end);
 
 /* The sign of a form in pairs.  It is certain also of a form that is 0, if its
  * error is 0. */
-enum { CYLINT_SIGN_UNDECIDED = 2 };
 int cylint_sign_of_pair(cylint_query *q, bounded_pair x);
 
 /* `sign`, or if that is undecided the sign of the form in exact numbers. */

@@ -107,7 +107,7 @@ static void move_to_t(terms_depth *L)
         L->D[0][i] = depth_of_sum(L->D[0][i], depth_of_product(t, L->u[i]));
 }
 
-/* Q at D + t u (root.c) is no deeper than the forms themselves. */
+/* Q at D + t u (origin.c) is no deeper than the forms themselves. */
 TEST(values_at_a_point_of_the_line_are_no_deeper)
 {
     int most = 0;

@@ -1,6 +1,12 @@
-# newton_template.h for slopes known to one quarter.  The true slope is sqrt(g)
-# times the computed one, and slope_error is at least |g - 1|.  The error of the
-# step is, as newton.g says, the sum of
+# newton_step() of filter/surfaces.h, for the lateral quadric.  With s the true slope,
+# the step from t0 has the error
+#
+#   Q / (2 s) - delta - A (t0 - t)^2 / (2 s),  delta = Q.hi / (2 s0) (1 + d),
+#
+# with the error e of Q and |d| <= 2^-50 for the low part of Q and the roundings of
+# delta and of t0 - delta.  The slope is known to one quarter: the true one is sqrt(g)
+# times the computed one, and slope_error is at least |g - 1|.  So the error is the sum
+# of
 #
 #   e / |slope|,   |delta| |1 - sqrt(g)|,   |A| (t0 - t)^2 / |slope|
 #
