@@ -42,19 +42,21 @@ static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 static const double none[3] = {0, 0, 0};
 
 /* Writes each member of a valid shape once: to clear the struct first would cost
- * time. */
-static void write_shape(cylint_shape *shape, int kind, cylint_ends ends,
-                        const double base[3], const double axis[3],
-                        const double top[3], const double a[3],
-                        const double b[3], double r0, double r1)
+ * time.  p0, r0, p1, r1: as in a record (record.h); a, b: of elliptic kinds. */
+static void write_shape(cylint_shape *shape, int kind, int ends,
+                        const double p0[3], double r0, const double p1[3],
+                        double r1, const double a[3], const double b[3])
 {
+    const int has_end_points = cylint_has_end_points(kind);
     int *flag = shape->library.flag;
     double *x = shape->library.number;
     shape->kind = kind;
-    shape->ends = (int)ends;
-    copy3(x + CYLINT_AT_BASE, base);
-    copy3(x + CYLINT_AT_AXIS, axis);
-    copy3(x + CYLINT_AT_TOP, top);
+    shape->ends = ends;
+    copy3(x + CYLINT_AT_BASE, p0);
+    for (int i = 0; i < 3; i++)
+        x[CYLINT_AT_AXIS + i] =
+            has_end_points ? cylint_difference(p1[i], p0[i]).hi : p1[i];
+    copy3(x + CYLINT_AT_TOP, has_end_points ? p1 : none);
     copy3(x + CYLINT_AT_A, a);
     copy3(x + CYLINT_AT_B, b);
     x[CYLINT_AT_R0] = r0;
@@ -69,39 +71,44 @@ void cylint_make_again(cylint_shape *shape, int kind, int ends,
                        const double p0[3], double r0, const double p1[3],
                        double r1)
 {
-    double axis[3];
-    for (int i = 0; i < 3; i++)
-        axis[i] = cylint_difference(p1[i], p0[i]).hi;
-    write_shape(shape, kind, (cylint_ends)ends, p0, axis, p1, none, none, r0,
-                r1);
+    write_shape(shape, kind, ends, p0, r0, p1, r1, none, none);
 }
 
-/* Checks and writes a shape that is given by two points and a radius at each.
- * same: its kind for equal radii. */
-static cylint_status make_of_points(cylint_shape *shape, const double p0[3],
-                                    double r0, const double p1[3], double r1,
-                                    int same, int kind, cylint_ends ends)
+/* Checks and writes a shape.  Where the radii are equal, that of a tapered kind is of
+ * the kind before it. */
+CYLINT_INLINE cylint_status make_shape(cylint_shape *shape, int kind,
+                                       cylint_ends ends, const double p0[3],
+                                       double r0, const double p1[3], double r1,
+                                       const double a[3], const double b[3])
 {
+    const int has_length =
+        cylint_has_end_points(kind)
+            ? cylint_is_round(kind) || !cylint_are_equal(p0, p1)
+            : !cylint_is_zero(p1);
+    const int is_straight = cylint_rank(r0) == cylint_rank(r1);
     if (!cylint_is_finite(p0) || !cylint_is_finite(p1) ||
+        !cylint_is_finite(a) || !cylint_is_finite(b) ||
         !(fabs(r0) <= DBL_MAX) || !(fabs(r1) <= DBL_MAX))
         return refuse_shape(shape, CYLINT_ENONFINITE);
+    if (cylint_has_tangent(kind) && cylint_sign(r1) <= 0)
+        return refuse_shape(shape, CYLINT_EANGLE);
     if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
         (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
         return refuse_shape(shape, CYLINT_ERADIUS);
-    if (!cylint_is_round(kind) && cylint_are_equal(p0, p1))
+    if (!has_length)
         return refuse_shape(shape, CYLINT_EAXIS);
     if (!cylint_ends_fit(kind, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
-    cylint_make_again(shape, cylint_rank(r0) == cylint_rank(r1) ? same : kind,
-                      (int)ends, p0, r0, p1, r1);
+    write_shape(shape, is_straight && cylint_is_tapered(kind) ? kind - 1 : kind,
+                (int)ends, p0, r0, p1, r1, a, b);
     return CYLINT_OK;
 }
 
 cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
                           const double p1[3], double r1, cylint_ends ends)
 {
-    return make_of_points(shape, p0, r0, p1, r1, CYLINT_KIND_CYLINDER,
-                          CYLINT_KIND_CONE, ends);
+    return make_shape(shape, CYLINT_KIND_CONE, ends, p0, r0, p1, r1, none,
+                      none);
 }
 
 cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
@@ -113,8 +120,7 @@ cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
 cylint_status cylint_sphere(cylint_shape *shape, const double c[3], double r,
                             cylint_ends ends)
 {
-    return make_of_points(shape, c, r, c, r, CYLINT_KIND_SPHERE,
-                          CYLINT_KIND_SPHERE, ends);
+    return make_shape(shape, CYLINT_KIND_SPHERE, ends, c, r, c, r, none, none);
 }
 
 /* The sign of the S of forms_template.h, exactly: of |p1 - p0|^2 - (r1 - r0)^2,
@@ -131,8 +137,8 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
                                 double r0, const double p1[3], double r1,
                                 cylint_ends ends)
 {
-    const cylint_status status = make_of_points(
-        shape, p0, r0, p1, r1, CYLINT_KIND_CAPSULE, CYLINT_KIND_RCONE, ends);
+    const cylint_status status =
+        make_shape(shape, CYLINT_KIND_RCONE, ends, p0, r0, p1, r1, none, none);
     /* local coordinates that are accurate show that neither ball holds the
      * other */
     if (status == CYLINT_OK && !cylint_prepared(shape) &&
@@ -167,20 +173,11 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
                                    const double h[3], double k,
                                    cylint_ends ends)
 {
-    if (!cylint_is_finite(c) || !cylint_is_finite(a) || !cylint_is_finite(b) ||
-        !cylint_is_finite(h) || !(fabs(k) <= DBL_MAX))
-        return refuse_shape(shape, CYLINT_ENONFINITE);
-    if (cylint_sign(k) < 0)
-        return refuse_shape(shape, CYLINT_ERADIUS);
-    if (cylint_is_zero(h))
-        return refuse_shape(shape, CYLINT_EAXIS);
-    if (!cylint_ends_fit(CYLINT_KIND_ECONE, (int)ends))
-        return refuse_shape(shape, CYLINT_EENDS);
-    write_shape(shape,
-                cylint_rank(k) == cylint_rank(1) ? CYLINT_KIND_ECYLINDER
-                                                 : CYLINT_KIND_ECONE,
-                ends, c, h, none, a, b, 1, k);
-    return is_flat(shape) ? refuse_shape(shape, CYLINT_EDEGENERATE) : CYLINT_OK;
+    const cylint_status status =
+        make_shape(shape, CYLINT_KIND_ECONE, ends, c, 1, h, k, a, b);
+    return status == CYLINT_OK && is_flat(shape)
+               ? refuse_shape(shape, CYLINT_EDEGENERATE)
+               : status;
 }
 
 cylint_status cylint_elliptic_cylinder(cylint_shape *shape, const double c[3],
@@ -194,30 +191,22 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
                                   const double u[3], double tangent,
                                   cylint_ends ends)
 {
-    if (!cylint_is_finite(v) || !cylint_is_finite(u) ||
-        !(fabs(tangent) <= DBL_MAX))
-        return refuse_shape(shape, CYLINT_ENONFINITE);
-    if (cylint_sign(tangent) <= 0)
-        return refuse_shape(shape, CYLINT_EANGLE);
-    if (cylint_is_zero(u))
-        return refuse_shape(shape, CYLINT_EAXIS);
-    if (!cylint_ends_fit(CYLINT_KIND_ACONE, (int)ends))
-        return refuse_shape(shape, CYLINT_EENDS);
-    write_shape(shape, CYLINT_KIND_ACONE, ends, v, u, none, none, none, 0,
-                tangent);
-    return CYLINT_OK;
+    return make_shape(shape, CYLINT_KIND_ACONE, ends, v, 0, u, tangent, none,
+                      none);
 }
 
 cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
                                 const double u[3], double degrees,
                                 cylint_ends ends)
 {
-    if (!cylint_is_finite(v) || !cylint_is_finite(u) ||
-        !(fabs(degrees) <= DBL_MAX))
-        return refuse_shape(shape, CYLINT_ENONFINITE);
-    if (cylint_sign(degrees) <= 0 || !(degrees < 90))
-        return refuse_shape(shape, CYLINT_EANGLE);
-    return cylint_tangent_cone(shape, v, u, cylint_tangent(degrees), ends);
+    const int is_angle = cylint_sign(degrees) > 0 && degrees < 90,
+              is_finite = fabs(degrees) <= DBL_MAX;
+    /* the tangent is refused as the angle would be */
+    return cylint_tangent_cone(shape, v, u,
+                               is_angle    ? cylint_tangent(degrees)
+                               : is_finite ? 0
+                                           : degrees,
+                               ends);
 }
 
 cylint_status cylint_halfspace(cylint_shape *shape, const double p[3],
