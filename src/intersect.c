@@ -12,16 +12,23 @@
 #include "dispatch.h"
 
 #if CYLINT_IS_PARANOID
-/* Whether wanted members beside t differ in a bit. */
-static int members_differ(const cylint_hit *x, const cylint_hit *y,
+/* Whether wanted members differ in a bit. */
+static int hits_differ(const cylint_hit *x, const cylint_hit *y, unsigned want)
+{
+    cylint_hit of_x = {.t = 0}, of_y = {.t = 0};
+    cylint_copy_hit(&of_x, x, want);
+    cylint_copy_hit(&of_y, y, want);
+    return memcmp(&of_x, &of_y, sizeof of_x) != 0;
+}
+
+static int answers_differ(const cylint_answer *x, const cylint_answer *y,
                           unsigned want)
 {
-    return (want & CYLINT_WANT_POINT &&
-            memcmp(x->point, y->point, sizeof x->point)) ||
-           (want & CYLINT_WANT_NORMAL &&
-            memcmp(x->normal, y->normal, sizeof x->normal)) ||
-           (want & CYLINT_WANT_Z && memcmp(&x->z, &y->z, sizeof x->z)) ||
-           (want & CYLINT_WANT_PHI && memcmp(&x->phi, &y->phi, sizeof x->phi));
+    /* mutant '!=' -> '==': an effect with PARANOID=1 only */
+    int differ = x->relation != y->relation || x->n != y->n;
+    for (int i = 0; i < x->n && !differ; i++)
+        differ = hits_differ(&x->hit[i], &y->hit[i], want);
+    return differ;
 }
 #endif
 
@@ -46,9 +53,9 @@ static void describe_exactly(cylint_query *q, const cylint_stop *at,
         cylint_describe_hit(q, at->root, at->part, at->apex, undecided, hit);
 #if CYLINT_IS_PARANOID
     cylint_hit exact;
-    cylint_describe_hit(q, at->root, at->part, at->apex,
-                        want & CYLINT_WANT_BESIDE_T, &exact);
-    cylint_contradiction(members_differ(hit, &exact, want));
+    want &= CYLINT_WANT_BESIDE_T;
+    cylint_describe_hit(q, at->root, at->part, at->apex, want, &exact);
+    cylint_contradiction(hits_differ(hit, &exact, want));
 #else
     (void)want;
 #endif
@@ -116,7 +123,7 @@ ASIDE void complete_hit(const cylint_shape *shape, const cylint_line *line,
 {
     const unsigned undecided =
         describe_in_pairs(shape, line, want, partial, hit);
-    if (!undecided && !CYLINT_IS_PARANOID)
+    if (!undecided)
         return;
     const int on_plane =
         partial->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
@@ -143,11 +150,6 @@ static void write_hits(const cylint_question *from, unsigned want,
         cylint_copy_hit(hit, k, want & (CYLINT_WANT_T | CYLINT_WANT_PART));
         if (from->undecided[i])
             complete_hit(from->shape, from->line, k, from->undecided[i], hit);
-#if CYLINT_IS_PARANOID
-        cylint_hit again;
-        complete_hit(from->shape, from->line, k, want, &again);
-        cylint_contradiction(members_differ(hit, &again, want));
-#endif
     }
 }
 
@@ -168,24 +170,6 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
     write_hits(&question, want, &partial, answer);
     return n;
 }
-
-#if CYLINT_IS_PARANOID
-static int signs_contradict(const cylint_shape *shape, const cylint_line *line,
-                            unsigned want, const cylint_answer *answer)
-{
-    cylint_answer a;
-    cylint_intersect_by_signs(shape, line, want, &a);
-    /* mutant '!=' -> '==': an effect with PARANOID=1 only */
-    int wrong = a.relation != answer->relation || a.n != answer->n;
-    for (int i = 0; i < a.n && !wrong; i++)
-        wrong = ((want & CYLINT_WANT_PART) &&
-                 (a.hit[i].part != answer->hit[i].part ||
-                  /* mutant '!=' -> '==': the same */
-                  a.hit[i].side != answer->hit[i].side)) ||
-                ((want & CYLINT_WANT_T) && a.hit[i].t != answer->hit[i].t);
-    return wrong;
-}
-#endif
 
 /* Relation, n, t and part: by the filter, or else by signs. */
 CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
@@ -222,7 +206,9 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                       ? answer_all(shape, line, want, answer)
                       : answer_t(shape, line, want, answer);
 #if CYLINT_IS_PARANOID
-    cylint_contradiction(signs_contradict(shape, line, want, answer));
+    cylint_answer by_signs;
+    cylint_intersect_by_signs(shape, line, want, &by_signs);
+    cylint_contradiction(answers_differ(answer, &by_signs, want));
 #endif
     return n;
 }
