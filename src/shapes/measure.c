@@ -127,33 +127,23 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along)
     return cylint_sign(cylint_r0(s)) == 0 ? -1 : grows;
 }
 
-/* From exact differences.  Pairs scaled against overflow would lose digits of
- * subnormal coordinates, so that different sizes could be equal. */
-ASIDE int least_overflowing_component(const cylint_shape *s)
+/* From exact differences: pairs of subnormal coordinates, or of an axis that
+ * overflows, would lose digits, so that different sizes could be equal. */
+int cylint_least_axis_component(const cylint_shape *s)
 {
+    const int has_end_points = cylint_has_end_points(s->kind);
     cylint_arena arena;
     exact size[3];
     int least = 0;
     cylint_arena_open(&arena);
     for (int i = 0; i < 3; i++) {
-        size[i] = cylint_exact_difference(&arena, cylint_top(s)[i],
-                                          cylint_base(s)[i]);
+        size[i] = has_end_points
+                      ? cylint_exact_difference(&arena, cylint_top(s)[i],
+                                                cylint_base(s)[i])
+                      : cylint_exact_from(&arena, cylint_axis(s)[i]);
         size[i] = cylint_exact_signed(size[i], size[i].sign != 0);
         const exact less = cylint_exact_sub(&arena, size[i], size[least]);
         least = less.sign < 0 ? i : least;
     }
     return least;
-}
-
-int cylint_least_axis_component(const cylint_shape *s)
-{
-    double hi[3], lo[3];
-    if (!(cylint_largest(cylint_axis(s)) <= DBL_MAX))
-        return least_overflowing_component(s);
-    for (int i = 0; i < 3; i++) {
-        const pair w = cylint_axis_pair(s, i);
-        hi[i] = w.hi;
-        lo[i] = w.lo;
-    }
-    return cylint_least_component(hi, lo);
 }
