@@ -74,6 +74,8 @@ static double exactly_outward(cylint_query *q, const surd *t, exact f0,
 static exact exact_square_across(cylint_arena *m, const cylint_terms_exact *L,
                                  int kind, int j)
 {
+    if (cylint_is_round(kind))
+        return L->one;
     if (cylint_is_elliptic(kind))
         return cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
                                 cylint_exact_mul(m, L->b[j], L->b[j]));
@@ -95,10 +97,9 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
     const exact by = !cylint_is_round(s->kind) && cylint_has_end_points(s->kind)
                          ? L->vv
                          : L->one;
-    exact square = cylint_exact_mul(m, L->r[end], L->r[end]);
-    if (!cylint_is_round(s->kind))
-        square =
-            cylint_exact_mul(m, square, exact_square_across(m, L, s->kind, j));
+    const exact square =
+        cylint_exact_mul(m, cylint_exact_mul(m, L->r[end], L->r[end]),
+                         exact_square_across(m, L, s->kind, j));
     const surd reach = cylint_root_of_quotient(&q, square, by);
     return exactly_outward(&q, &reach, middle,
                            up ? L->one : cylint_exact_neg(L->one), L->one, up);
@@ -147,6 +148,8 @@ static pair square_of(pair x)
 static unit_reaches reaches_of(const cylint_shape *s)
 {
     unit_reaches u = {.by = {1, 0}};
+    if (cylint_is_round(s->kind)) /* plain */
+        return u;
     if (cylint_is_elliptic(s->kind)) {
         for (int j = 0; j < 3; j++)
             u.square[j] = pair_add(square_of((pair){cylint_a(s)[j], 0}),
@@ -163,9 +166,12 @@ static unit_reaches reaches_of(const cylint_shape *s)
     return u;
 }
 
-/* Whether a unit reach is a double; then writes it. */
+/* Whether a unit reach is a double, as that of a ball; then writes it. */
 static int is_plain_reach(const cylint_shape *s, int j, double *reach)
 {
+    *reach = 1;
+    if (cylint_is_round(s->kind))
+        return 1;
     if (!cylint_is_elliptic(s->kind)) {
         *reach = cylint_runs_along(cylint_axis(s), j) ? 0 : 1;
         return *reach == 0 || (cylint_sign(cylint_axis(s)[j]) == 0 &&
@@ -176,8 +182,8 @@ static int is_plain_reach(const cylint_shape *s, int j, double *reach)
     return cylint_sign(a) == 0 || cylint_sign(b) == 0;
 }
 
-/* Extends the box by the discs of the first `caps` ends. */
-static void add_discs(const box *to, int caps)
+/* Extends the box by the discs or balls of the first `ends` ends. */
+static void add_ends(const box *to, int ends)
 {
     const cylint_shape *s = to->shape;
     const unit_reaches u = reaches_of(s);
@@ -186,26 +192,18 @@ static void add_discs(const box *to, int caps)
         const int is_plain = is_plain_reach(s, j, &unit.hi);
         if (!is_plain)
             unit = pair_sqrt(pair_div(u.square[j], u.by));
-        for (int cap = 0; cap < caps; cap++) {
+        for (int end = 0; end < ends; end++) {
             const pair reach =
-                pair_mul(unit, (pair){cylint_end_factor(s, cap), 0});
+                pair_mul(unit, (pair){cylint_end_factor(s, end), 0});
             const int is_exact = reach.hi == 0 || (is_plain && reach.lo == 0);
             double center = cylint_base(s)[j], offset = 0;
-            if (cap && cylint_has_end_points(s->kind))
+            if (end && cylint_has_end_points(s->kind))
                 center = cylint_top(s)[j];
-            else if (cap)
+            else if (end)
                 offset = cylint_axis(s)[j];
-            add_end(to, cap, j, center, offset, reach, is_exact);
+            add_end(to, end, j, center, offset, reach, is_exact);
         }
     }
-}
-
-/* Extends the box by the ball about an end. */
-static void add_ball(const box *to, int end)
-{
-    const pair r = {cylint_end_factor(to->shape, end), 0};
-    for (int j = 0; j < 3; j++)
-        add_end(to, end, j, cylint_end_center(to->shape, end, j), 0, r, 1);
 }
 
 /* Whether |axis_j| is at least the growth of the disc's reach along coordinate
@@ -288,13 +286,8 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         write_nappe_box(&to);
         return;
     }
-    if (cylint_is_round(kind)) {
-        add_ball(&to, 0);
-        if (kind != CYLINT_KIND_SPHERE)
-            add_ball(&to, 1);
-    } else if (bounded || !cylint_is_tapered(kind)) {
-        add_discs(&to, bounded ? 2 : 1);
-    }
+    if (bounded || !cylint_is_tapered(kind))
+        add_ends(&to, bounded && kind != CYLINT_KIND_SPHERE ? 2 : 1);
     for (int j = 0; j < 3; j++)
         if (!bounded && (cylint_is_tapered(kind) ||
                          cylint_sign(cylint_axis(shape)[j]) != 0)) {
