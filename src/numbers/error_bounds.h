@@ -75,7 +75,7 @@
  * quotient; of a unit vector's component, to which the length adds that of a value
  * and its own.  Numbers cut to their leading digits add less than 2^-120 in all.
  */
-#define CYLINT_EXACT_ROUNDING 0x1p-104
+#define CYLINT_EXACT_ROUNDING 0x1p-105
 #define CYLINT_INVERSE_ERROR 0x1p-106
 #define CYLINT_VALUE_ERROR 0x1p-103
 

@@ -234,30 +234,15 @@ double cylint_exact_nearest(exact x, int e)
     return cylint_from_bits(x.sign < 0 ? bits | (uint64_t)1 << 63 : bits);
 }
 
-pair cylint_exact_round(exact x, int *e)
+pair cylint_exact_round(cylint_arena *arena, exact x)
 {
-    /* Five digits of 32 bits: the leading bit and 128 bits below it. */
-    const int top = cylint_top_of(x);
-    uint32_t digit[5];
-    for (int i = 0; i < 5; i++)
-        digit[i] = limb_at(x, top - 1 - i);
-    int lead = 31;
-    while (!(digit[0] >> lead & 1))
-        lead--;
-    double weight = cylint_power_of_two(-lead);
-    const double hi = digit[0] * weight; /* in [1, 2) */
-    weight *= 0x1p-32;
-    const pair second = two_sum(hi, digit[1] * weight);
-    weight *= 0x1p-32;
-    const pair third = two_sum(second.lo, digit[2] * weight);
-    weight *= 0x1p-32;
-    double lo = third.lo + digit[3] * weight;
-    lo += digit[4] * (weight * 0x1p-32);
-    const pair tail = fast_two_sum(third.hi, lo);
-    pair sum = fast_two_sum(second.hi, tail.hi);
-    sum = fast_two_sum(sum.hi, sum.lo + tail.lo);
-    *e = 32 * (top - 1) + lead;
-    return x.sign < 0 ? pair_neg(sum) : sum;
+    const int used = arena->used;
+    pair sum = {cylint_exact_nearest(x, 0), 0};
+    if (fabs(sum.hi) <= DBL_MAX)
+        sum.lo = cylint_exact_nearest(
+            cylint_exact_sub(arena, x, cylint_exact_from(arena, sum.hi)), 0);
+    arena->used = used;
+    return sum;
 }
 
 exact cylint_exact_difference(cylint_arena *arena, double x, double y)

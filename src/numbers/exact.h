@@ -119,8 +119,8 @@ static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
                : cylint_nearest_of_pair(arena, x, e);
 }
 
-/* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative
- * error is below CYLINT_EXACT_ROUNDING (error_bounds.h).  x is not zero. */
-pair cylint_exact_round(exact x, int *e);
+/* The nearest double, and that to the rest, which is 0 if hi is infinite: where nothing
+ * is subnormal, the relative error is below CYLINT_EXACT_ROUNDING (error_bounds.h). */
+pair cylint_exact_round(cylint_arena *arena, exact x);
 
 #endif

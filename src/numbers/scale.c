@@ -32,10 +32,5 @@ pair cylint_difference_by_bits(double x, double y)
 {
     cylint_arena arena;
     cylint_arena_open(&arena);
-    const exact all = cylint_exact_difference(&arena, x, y);
-    pair d = {cylint_exact_nearest(all, 0), 0};
-    if (fabs(d.hi) <= DBL_MAX)
-        d.lo = cylint_exact_nearest(
-            cylint_exact_sub(&arena, all, cylint_exact_from(&arena, d.hi)), 0);
-    return d;
+    return cylint_exact_round(&arena, cylint_exact_difference(&arena, x, y));
 }

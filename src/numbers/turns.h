@@ -32,7 +32,7 @@ extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 /*
  * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1]: a
  * little below the positive x axis hi is 1 and lo is negative.  The larger of |x|
- * and |y| is in [1/4, 4], the other is 0 or at least 2^-200.  The error is at most
+ * and |y| is in [2^-32, 4], the other is 0 or at least 2^-200.  The error is at most
  * CYLINT_TURN_PAIR_ERROR of the result, in directed rounding modes
  * CYLINT_TURN_DIRECTED_ERROR of it (error_bounds.h).
  */

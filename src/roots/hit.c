@@ -43,17 +43,23 @@ static double below_one(double turns)
  * next to 0, where it is y / (2 pi x). */
 static double angle_of(cylint_arena *arena, exact x, exact y)
 {
-    int ex, ey;
+    const int higher = cylint_top_of(x) > cylint_top_of(y);
     if (y.sign == 0)
         return x.sign < 0 ? 0.5 : 0;
     if (x.sign == 0)
         return y.sign < 0 ? 0.75 : 0.25;
-    const pair X = cylint_exact_round(x, &ex), Y = cylint_exact_round(y, &ey);
-    if (ey - ex > CYLINT_STEEP_EXPONENT)
+    /* the larger one below 1, and 2^-32 or more */
+    const int top = cylint_top_of(higher ? x : y);
+    x.exponent -= top;
+    y.exponent -= top;
+    const pair X = cylint_exact_round(arena, x),
+               Y = cylint_exact_round(arena, y);
+    const int steps = cylint_exponent(Y.hi) - cylint_exponent(X.hi);
+    if (steps > CYLINT_STEEP_EXPONENT)
         return y.sign < 0 ? 0.75 : 0.25;
-    if (ex - ey > CYLINT_STEEP_EXPONENT && x.sign < 0)
+    if (-steps > CYLINT_STEEP_EXPONENT && x.sign < 0)
         return 0.5;
-    if (ex - ey > CYLINT_STEEP_EXPONENT) {
+    if (-steps > CYLINT_STEEP_EXPONENT) {
         const exact per_turn = cylint_exact_add(
             arena, cylint_exact_from(arena, CYLINT_TURN_PER_RADIAN),
             cylint_exact_from(arena, CYLINT_TURN_PER_RADIAN_LO));
@@ -63,12 +69,7 @@ static double angle_of(cylint_arena *arena, exact x, exact y)
                           : cylint_exact_nearest(
                                 cylint_exact_mul(arena, slope, per_turn), 0);
     }
-    const int e = ex > ey ? ex : ey;
-    return below_one(
-        cylint_nearest_of_pair(arena,
-                               cylint_turn_pair(cylint_scaled_pair(X, ex - e),
-                                                cylint_scaled_pair(Y, ey - e)),
-                               0));
+    return below_one(cylint_nearest_of_pair(arena, cylint_turn_pair(X, Y), 0));
 }
 
 /* ------------------------------------------------------------- facts --- */

@@ -96,10 +96,10 @@ double cylint_exact_nearest(exact x, int e)
     return below(2) ? 1 : 1.25; /* candidates for a distance, to be compared */
 }
 
-pair cylint_exact_round(exact x, int *e)
+pair cylint_exact_round(cylint_arena *arena, exact x)
 {
-    *e = 32 * (x.exponent + x.n - 1);
-    return (pair){1, 0};
+    cylint_exact_sub(arena, x, cylint_exact_from(arena, 1));
+    return (pair){below(2) ? 1 : 0x1p-100, 0}; /* of an angle near 0, too */
 }
 
 /* A shape of the kind and a line; their numbers have no effect here. */

@@ -51,21 +51,13 @@ static void over_families(int elliptic, uint64_t cases,
 
 static double most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho;
 
-static pair as_pair(exact x)
-{
-    int e;
-    if (x.sign == 0)
-        return (pair){0, 0};
-    const pair v = cylint_exact_round(x, &e);
-    return cylint_scaled_pair(v, e);
-}
-
 /* sqrt(x / y) */
 static pair root_of_quotient(cylint_arena *arena, exact x, exact y)
 {
     const exact square =
         cylint_exact_mul(arena, cylint_leading(x), cylint_inverse(arena, y));
-    return as_pair(square.sign ? cylint_square_root(arena, square) : square);
+    return cylint_exact_round(
+        arena, square.sign ? cylint_square_root(arena, square) : square);
 }
 
 /* |x - y| */
