@@ -150,11 +150,6 @@
 #define CYLINT_SUM_EXPONENT 900
 #define CYLINT_LARGE_EXPONENT 1000
 
-/* Hits (roots/hit.c): where the exponents of two coordinates differ by more than
- * this, their angle rounds to a multiple of a quarter turn.  Half the gap below 1/4
- * is 2^-56. */
-#define CYLINT_STEEP_EXPONENT 60
-
 /* Boxes (box.c): the error of a coordinate, relative to the sizes of its terms:
  * five sums, three products, a root and a quotient of pairs. */
 #define CYLINT_BOX_ERROR 0x1p-98

@@ -32,9 +32,10 @@ extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 /*
  * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1]: a
  * little below the positive x axis hi is 1 and lo is negative.  The larger of |x|
- * and |y| is in [2^-32, 4], the other is 0 or at least 2^-200.  The error is at most
- * CYLINT_TURN_PAIR_ERROR of the result, in directed rounding modes
- * CYLINT_TURN_DIRECTED_ERROR of it (error_bounds.h).
+ * and |y| is in [2^-32, 4].  If the other is 0 or at least 2^-200, the error is at
+ * most CYLINT_TURN_PAIR_ERROR of the result, in directed rounding modes
+ * CYLINT_TURN_DIRECTED_ERROR of it (error_bounds.h).  Else it is that, or less than
+ * 2^-160.
  */
 pair cylint_turn_pair(pair x, pair y);
 

@@ -38,9 +38,8 @@ static double below_one(double turns)
     return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
 }
 
-/* The angle of (x, y) in turns.  Where one of x and y is 2^CYLINT_STEEP_EXPONENT
- * times the other or more, the angle rounds to a multiple of a quarter turn, except
- * next to 0, where it is y / (2 pi x). */
+/* The angle of (x, y) in turns.  Next to 0, where |y| is less than x 2^-60, it is y /
+ * (2 pi x). */
 static double angle_of(cylint_arena *arena, exact x, exact y)
 {
     const int higher = cylint_top_of(x) > cylint_top_of(y);
@@ -54,12 +53,7 @@ static double angle_of(cylint_arena *arena, exact x, exact y)
     y.exponent -= top;
     const pair X = cylint_exact_round(arena, x),
                Y = cylint_exact_round(arena, y);
-    const int steps = cylint_exponent(Y.hi) - cylint_exponent(X.hi);
-    if (steps > CYLINT_STEEP_EXPONENT)
-        return y.sign < 0 ? 0.75 : 0.25;
-    if (-steps > CYLINT_STEEP_EXPONENT && x.sign < 0)
-        return 0.5;
-    if (-steps > CYLINT_STEEP_EXPONENT) {
+    if (fabs(Y.hi) < X.hi * 0x1p-60) {
         const exact per_turn = cylint_exact_add(
             arena, cylint_exact_from(arena, CYLINT_TURN_PER_RADIAN),
             cylint_exact_from(arena, CYLINT_TURN_PER_RADIAN_LO));
