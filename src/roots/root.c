@@ -140,8 +140,7 @@ static int is_at_origin(cylint_query *q, cylint_root root)
            cylint_form_sign(q, FORM_C, 0) == 0;
 }
 
-/* The root in pairs, in the scale of the filters: 0 without error where exact signs
- * prove that. */
+/* The root in pairs: 0 without error where exact signs prove that. */
 static bounded_pair root_in_pairs(cylint_query *q, cylint_root root)
 {
     const bounded_pair t = root_by_quotient(q, root);
@@ -152,14 +151,10 @@ static bounded_pair root_in_pairs(cylint_query *q, cylint_root root)
 /* The double nearest to the root, which is t in pairs. */
 static double root_value(cylint_query *q, cylint_root root, bounded_pair t)
 {
-    const int e = cylint_exponent(t.v.hi) + q->t_exponent;
-    const int is_in_scale =
-        e > -CYLINT_SUM_EXPONENT && e < CYLINT_LARGE_EXPONENT;
-    if (!cylint_is_exact_zero(t) && !(cylint_is_rounded(t) && is_in_scale))
+    if (!cylint_is_exact_zero(t) && !cylint_is_rounded(t))
         return exact_value(q, root);
-    const double value = cylint_scaled(t.v.hi, q->t_exponent);
-    cylint_contradiction(exact_value(q, root) != value);
-    return value;
+    cylint_contradiction(exact_value(q, root) != t.v.hi);
+    return t.v.hi;
 }
 
 /* The sign of root - limit, exactly; t: the root in pairs. */
@@ -168,9 +163,7 @@ static int side_of(cylint_query *q, cylint_root root, bounded_pair t,
 {
     if (fabs(limit) > DBL_MAX) /* beyond all numbers, though t may be rounded */
         return limit < 0 ? 1 : -1;
-    /* scaled, it can become 0 */
-    const int e = cylint_is_exact_zero(t) ? 0 : -q->t_exponent;
-    const int side = cylint_side_of_number(t, cylint_scaled(limit, e));
+    const int side = cylint_side_of_number(t, limit);
     return side == CYLINT_SIGN_UNDECIDED ? exact_side(q, root, limit) : side;
 }
 

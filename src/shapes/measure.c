@@ -7,7 +7,8 @@
 #include "../numbers/error_bounds.h"
 #include "../numbers/exact.h"
 
-double cylint_largest_length(const cylint_shape *s)
+/* Infinite or DBL_MAX if the axis overflows. */
+static double largest_length(const cylint_shape *s)
 {
     double most = cylint_axis_size(s);
     if (cylint_is_elliptic(s->kind))
@@ -92,7 +93,7 @@ double cylint_ball_about(const cylint_shape *s, double center[3])
 
 int cylint_is_in_window(const cylint_shape *s)
 {
-    return within_window(cylint_largest_length(s)) &&
+    return within_window(largest_length(s)) &&
            /* mutant '<=' -> '<': slower, exact arithmetic decides at
             * the window's end */
            (!cylint_has_factors(s->kind) || cylint_r1(s) <= CYLINT_WINDOW);

@@ -37,9 +37,6 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along);
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
 
-/* The largest length of a shape; infinite or DBL_MAX if its axis overflows. */
-double cylint_largest_length(const cylint_shape *s);
-
 /* |x| < |y|. */
 static inline int cylint_is_smaller(pair x, pair y)
 {

@@ -28,7 +28,7 @@
  * elliptic kinds they would be of a higher degree than CYLINT_DEGREE. */
 static int can_start_at(const cylint_query *q, pair t)
 {
-    return q->t_exponent == 0 && !cylint_is_elliptic(q->kind) &&
+    return !cylint_is_elliptic(q->kind) &&
            !cylint_is_small(t.hi, CYLINT_WHOLE_EXPONENT) &&
            !cylint_is_small(t.lo, CYLINT_WHOLE_EXPONENT);
 }
@@ -46,7 +46,7 @@ static bounded_pair form_on_line(const cylint_query *q, pair t, cylint_form f,
                                  int end)
 {
     origin_terms L;
-    origin_fill(&L, q->near_shape, q->near_line, q->kind);
+    origin_fill(&L, q->shape, q->line, q->kind);
     if (cylint_sign(t.hi) != 0)
         start_at(&L, t);
     cylint_shorten_axis(q, L.w);

@@ -13,76 +13,6 @@
 unsigned long long cylint_stages[CYLINT_STAGES];
 #endif
 
-/* -------------------------------------------------------- scaling ------ */
-
-static void scale_vector(double to[3], const double from[3], int e)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = cylint_scaled(from[i], e);
-}
-
-/* Whether a vector is clear of overflow.  A coordinate that overflowed when it
- * was scaled is infinite, or, where rounding is directed, the largest double. */
-static int is_in_range(const double x[3])
-{
-    return cylint_largest(x) <= cylint_power_of_two(CYLINT_LARGE_EXPONENT);
-}
-
-static int filters_apply(const cylint_shape *s, const cylint_line *l)
-{
-    double from[3];
-    for (int i = 0; i < 3; i++)
-        /* mutant '-' -> '+': a distance too large for the filters overflows,
-         * and an infinite or NaN bound decides nothing */
-        from[i] = l->o[i] - cylint_base(s)[i];
-    return cylint_in_range(s) && l->in_range &&
-           cylint_largest(from) <= CYLINT_WINDOW;
-}
-
-/* Copies of shape and line with lengths near 1 and a direction near 1.
- * What underflows here is covered by CYLINT_UNDERFLOW. */
-static void scale_query(cylint_query *q)
-{
-    const cylint_shape *s = q->shape;
-    const cylint_line *l = q->line;
-    /* mutant '-' -> '': slower, the filters do not apply and exact
-     * arithmetic decides */
-    const int e = -cylint_any_exponent(cylint_largest_length(s));
-    cylint_shape *to = &q->scaled_shape;
-    *to = *s;
-    double *x = to->library.number;
-    scale_vector(x + CYLINT_AT_BASE, cylint_base(s), e);
-    if (cylint_has_end_points(s->kind)) {
-        scale_vector(x + CYLINT_AT_TOP, cylint_top(s), e);
-        for (int i = 0; i < 3; i++)
-            x[CYLINT_AT_AXIS + i] = cylint_axis_pair(to, i).hi;
-        x[CYLINT_AT_R0] = cylint_scaled(cylint_r0(s), e);
-        x[CYLINT_AT_R1] = cylint_scaled(cylint_r1(s), e);
-    } else {
-        scale_vector(x + CYLINT_AT_AXIS, cylint_axis(s), e);
-        scale_vector(x + CYLINT_AT_A, cylint_a(s), e);
-        scale_vector(x + CYLINT_AT_B, cylint_b(s), e);
-    }
-    const int f = -cylint_any_exponent(cylint_largest(l->d));
-    q->scaled_line = *l;
-    scale_vector(q->scaled_line.o, l->o, e);
-    scale_vector(q->scaled_line.d, l->d, f);
-    for (int i = 0; i < 3 && l->segment; i++) {
-        const pair d =
-            two_diff(cylint_scaled(l->end[i], f), cylint_scaled(l->o[i], f));
-        q->scaled_line.d[i] = d.hi;
-        q->scaled_line.d_lo[i] = d.lo;
-    }
-    to->library.flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(to);
-    cylint_measure_line(&q->scaled_line);
-    q->near_shape = to;
-    q->near_line = &q->scaled_line;
-    q->t_exponent = f - e;
-    q->filters = is_in_range(q->scaled_line.o) &&
-                 is_in_range(cylint_base(to)) &&
-                 filters_apply(to, &q->scaled_line);
-}
-
 /* -------------------------------------------------------- terms ------ */
 
 static bounded_double bounded_of(double x)
@@ -102,7 +32,7 @@ static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
 {
     terms_bounded *L = &q->bounded_terms;
     if (!L->ready)
-        fill_bounded(L, q->near_shape, q->near_line, q->kind);
+        fill_bounded(L, q->shape, q->line, q->kind);
     prepare_bounded(L, f, end);
     return L;
 }
@@ -115,7 +45,7 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)
     cylint_terms_pair *L = &q->pair_terms;
     if (!L->ready) {
         cylint_reached(PAIRS);
-        cylint_fill_pair(L, q->near_shape, q->near_line, q->kind);
+        cylint_fill_pair(L, q->shape, q->line, q->kind);
         cylint_shorten_axis(q, L->w);
     }
     cylint_prepare_pair(L, f, end);
@@ -145,21 +75,29 @@ const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
     return L;
 }
 
+static int filters_apply(const cylint_shape *s, const cylint_line *l)
+{
+    double from[3];
+    for (int i = 0; i < 3; i++)
+        /* mutant '-' -> '+': a distance too large for the filters overflows,
+         * and an infinite or NaN bound decides nothing */
+        from[i] = l->o[i] - cylint_base(s)[i];
+    return cylint_in_range(s) && l->in_range &&
+           cylint_largest(from) <= CYLINT_WINDOW;
+}
+
 void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line)
 {
-    q->shape = q->near_shape = shape;
-    q->line = q->near_line = line;
+    q->shape = shape;
+    q->line = line;
     q->kind = shape->kind;
     q->ends = shape->ends;
-    q->t_exponent = 0;
     q->bounded_terms.ready = q->pair_terms.ready = q->exact.ready = 0;
     q->has_coefficients = 0;
     q->whole = -1;
     cylint_reached(FILTER);
     q->filters = filters_apply(shape, line);
-    if (!q->filters)
-        scale_query(q);
     q->pairs = q->filters && cylint_rounds_to_nearest();
 }
 
@@ -179,8 +117,7 @@ static int pairs_are_whole(cylint_query *q)
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
     if (q->whole < 0)
-        q->whole = q->near_shape == s &&
-                   are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
+        q->whole = are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
                    are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&
                    are_whole(l->o, 3) && are_whole(l->d, 3) &&
                    are_whole(l->end, 3);

@@ -11,17 +11,12 @@
 /* --------------------------------------------------- one question ------ */
 
 typedef struct {
-    const cylint_shape *shape; /* as given, for exact answers */
+    const cylint_shape *shape;
     const cylint_line *line;
     int kind, ends;
-    int filters;    /* 0: data out of range, exact stage only */
-    int pairs;      /* 0: filters is 0, or rounding is directed and
+    int filters; /* 0: data out of range, exact stage only */
+    int pairs;   /* 0: filters is 0, or rounding is directed and
                        two_prod() not exact */
-    int t_exponent; /* t = 2^t_exponent * t of the filters */
-    const cylint_shape *near_shape; /* for the filters: as given, or */
-    const cylint_line *near_line;   /* scaled by powers of two */
-    cylint_shape scaled_shape;
-    cylint_line scaled_line;
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
     int whole; /* 1: no operation on the pairs underflows; -1: not computed */
@@ -42,13 +37,12 @@ const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
 
 /* Signs and roots of a cylinder or capsule do not depend on the length of the axis
  * w.  Along a coordinate's direction it becomes a unit vector, by which products
- * are exact.  The bits of the stored axis show that: a component of w, or of a
- * scaled axis, can have been flushed to 0. */
+ * are exact.  The bits of the stored axis show that: a component of w can have been
+ * flushed to 0. */
 static inline void cylint_shorten_axis(const cylint_query *q, bounded_pair w[3])
 {
     const double *axis = cylint_axis(q->shape);
-    if (q->near_shape != q->shape ||
-        (q->kind != CYLINT_KIND_CYLINDER && q->kind != CYLINT_KIND_CAPSULE))
+    if (q->kind != CYLINT_KIND_CYLINDER && q->kind != CYLINT_KIND_CAPSULE)
         return;
     for (int i = 0; i < 3; i++)
         if (cylint_runs_along(axis, i))
