@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "bits.h"
+#include "cylint.h"
 
 typedef struct {
     const uint32_t *limb; /* least first; neither first nor last is 0 */
@@ -97,8 +98,8 @@ static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
 }
 
 /* The double nearest to x 2^e: ties to even, infinite on overflow.  The same in
- * every floating-point environment. */
-double cylint_exact_nearest(exact x, int e);
+ * every floating-point environment.  Exported for libcylint-scene. */
+CYLINT_API double cylint_exact_nearest(exact x, int e);
 
 /* The same of (hi + lo) 2^e. */
 static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)

@@ -7,10 +7,7 @@
 #ifndef CYLINT_EXACT_SUM_H
 #define CYLINT_EXACT_SUM_H
 
-#include <math.h>
-#include <stdint.h>
-
-#include "bits.h"
+#include "exact.h"
 
 /* Of 2098 bits and the carries of 2^32 doubles and more. */
 enum { CYLINT_SUM_LIMBS = 34 };
@@ -43,29 +40,16 @@ static inline void cylint_sum_add(cylint_exact_sum *sum, double x)
 /* The double nearest to a sum that is not negative; ties to even. */
 static inline double cylint_sum_rounded(const cylint_exact_sum *sum)
 {
-    int top = CYLINT_SUM_LIMBS - 1, high = 63;
-    uint64_t m = 0, tail = 0;
-    while (top > 0 && sum->limb[top] == 0)
-        top--;
-    while (high > 0 && !(sum->limb[top] >> high & 1))
-        high--;
-    /* the bits [low, low + 52], where the highest is 1 if low > 0 */
-    const int highest = 64 * top + high, low = highest > 52 ? highest - 52 : 0;
-    for (int i = 0; i < 53; i++) {
-        const int at = low + i;
-        m |= (sum->limb[at / 64] >> at % 64 & 1) << i;
-    }
-    if (low == 0)
-        return cylint_from_bits(m);
-    const int half = low - 1;
-    for (int i = 0; i < half / 64; i++)
-        tail |= sum->limb[i];
-    tail |= sum->limb[half / 64] & ((UINT64_C(1) << half % 64) - 1);
-    if ((sum->limb[half / 64] >> half % 64 & 1) && (tail > 0 || (m & 1)))
-        m++;
-    /* m = 2^53 carries into the exponent */
-    return low + 1 > 2046 ? HUGE_VAL
-                          : cylint_from_bits(((uint64_t)low << 52) + m);
+    uint32_t limb[2 * CYLINT_SUM_LIMBS];
+    int first = 0, end = 2 * CYLINT_SUM_LIMBS;
+    for (int i = 0; i < end; i++)
+        limb[i] = (uint32_t)(sum->limb[i / 2] >> 32 * (i % 2));
+    while (end > 0 && limb[end - 1] == 0)
+        end--;
+    while (first < end && limb[first] == 0)
+        first++;
+    const exact all = {limb + first, first, (short)(end - first), end > 0};
+    return cylint_exact_nearest(all, -1074);
 }
 
 #endif
