@@ -126,19 +126,6 @@ static int vectors_are_long_enough(const cylint_shape *s)
 INLINE void store_rows(cylint_shape *s, const rows *m)
 {
     double *to = s->library.number + CYLINT_AT_COLUMNS;
-#if LANES == 4
-    const v_row hi[4] = {m->x.part[0].hi, m->y.part[0].hi, m->z.part[0].hi,
-                         m->z.part[0].hi};
-    const v_row lo[4] = {m->x.part[0].lo, m->y.part[0].lo, m->z.part[0].lo,
-                         m->z.part[0].lo};
-    vd column[4];
-    v_transpose(hi, column);
-    EACH(i, 3)
-        v_store(to + 3 * i, column[i]);
-    v_transpose(lo, column);
-    EACH(i, 3)
-        v_store(to + 3 * i + CYLINT_LOW, column[i]);
-#else
     const four *const row[3] = {&m->x, &m->y, &m->z};
     EACH(k, 3) {
         double hi[4], lo[4];
@@ -148,7 +135,6 @@ INLINE void store_rows(cylint_shape *s, const rows *m)
             to[3 * i + k + CYLINT_LOW] = lo[i];
         }
     }
-#endif
 }
 
 INLINE void store_pair(cylint_shape *s, int at, pair x)
