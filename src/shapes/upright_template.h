@@ -149,10 +149,11 @@ INLINE four products(const four *x, const four *y)
     return xy;
 }
 
-/* 1 / sqrt(a) of each: y is that of about a, and what follows are the next terms
+/* 1 / sqrt(a) of each: y is that of a.hi, and what follows are the next terms
  * of y (1 - e)^(-1/2), e = 1 - a y^2. */
-INLINE vpair refined_inverse_roots(vpair a, vd y)
+INLINE vpair inverse_root_of_each(vpair a)
 {
+    const vd y = v_set(1) / v_sqrt(a.hi);
     const vpair yy = v_two_prod(y, y), ayy = v_two_prod(a.hi, yy.hi);
     const vd e = ((v_set(1) - ayy.hi) - ayy.lo) - (a.hi * yy.lo + a.lo * yy.hi);
     return (vpair){y, y * (e * (v_set(0.5) + v_set(0.375) * e))};
@@ -161,7 +162,7 @@ INLINE vpair refined_inverse_roots(vpair a, vd y)
 /* ------------------------------------------------ one number of each shape -- */
 
 /* one_sum() does not normalise its result.  inverse_roots(): 1 / sqrt(a) of three
- * numbers, from other numbers that are about as large: so the roots begin early. */
+ * numbers. */
 #ifdef CYLINT_WIDE
 
 INLINE real real_of(double x)
@@ -185,10 +186,10 @@ INLINE four all_four(one x)
     return (four){{x, x, x, x}};
 }
 
-INLINE void inverse_roots(one root[3], const one a[3], const real near[3])
+INLINE void inverse_roots(one root[3], const one a[3])
 {
     EACH(k, 3)
-        root[k] = refined_inverse_roots(a[k], v_set(1) / v_sqrt(near[k]));
+        root[k] = inverse_root_of_each(a[k]);
 }
 
 /* A coordinate in each lane. */
@@ -257,17 +258,15 @@ INLINE four all_four(one x)
     return all;
 }
 
-INLINE void inverse_roots(one root[3], const one a[3], const real near[3])
+INLINE void inverse_roots(one root[3], const one a[3])
 {
     double hi[4], lo[4];
-    const four v = four_of(near[0], near[1], near[2], 1),
-               high = four_of(a[0].hi, a[1].hi, a[2].hi, 1),
+    const four high = four_of(a[0].hi, a[1].hi, a[2].hi, 1),
                low = four_of(a[0].lo, a[1].lo, a[2].lo, 0);
     four r;
     EACH(k, PARTS)
         r.part[k] =
-            refined_inverse_roots((vpair){high.part[k].hi, low.part[k].hi},
-                                  v_set(1) / v_sqrt(v.part[k].hi));
+            inverse_root_of_each((vpair){high.part[k].hi, low.part[k].hi});
     store_four(hi, lo, &r);
     EACH(k, 3)
         root[k] = (pair){hi[k], lo[k]};
@@ -360,14 +359,10 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
                                     int has_tangent, const cylint_shape *s)
 {
     const four w = *axis, w1 = turned(&w), w2 = turned(&w1);
-    real hi[4], lo[4], near[3], square_hi[4], square_lo[4];
+    real hi[4], lo[4], square_hi[4], square_lo[4];
     store_four(hi, lo, &w);
     const coordinate least = least_of_axis(hi, lo, s);
     const real along = number_of(least, hi);
-    near[0] = hi[0] * hi[0] + hi[1] * hi[1] + hi[2] * hi[2];
-    near[1] = near[0] - along * along;
-    near[2] =
-        (has_tangent ? real_of(1) : near[0]) + real_of(sign) * (hi[3] * hi[3]);
     const four all_along = all_four((one){along, number_of(least, lo)});
     const four e = direction_of(least), e1 = turned(&e), e2 = turned(&e1);
     four square, x, y;
@@ -390,7 +385,7 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
         (one){real_of(sign) * square_hi[3], real_of(sign) * square_lo[3]});
     const one of[3] = {length2, aside, lateral2};
     one root[3];
-    inverse_roots(root, of, near);
+    inverse_roots(root, of);
     const four minus_aside = all_four((one){-aside.hi, -aside.lo});
     EACH(k, PARTS)
         y.part[k] = chosen(e.part[k].hi, minus_aside.part[k], y.part[k]);
