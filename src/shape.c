@@ -74,12 +74,12 @@ void cylint_make_again(cylint_shape *shape, int kind, int ends,
     write_shape(shape, kind, ends, p0, r0, p1, r1, none, none);
 }
 
-/* Checks and writes a shape.  Where the radii are equal, that of a tapered kind is of
- * the kind before it. */
-CYLINT_INLINE cylint_status make_shape(cylint_shape *shape, int kind,
-                                       cylint_ends ends, const double p0[3],
-                                       double r0, const double p1[3], double r1,
-                                       const double a[3], const double b[3])
+/* Checks and writes a shape.  The kind that is equal to a tapered one but for its
+ * equal radii stands before it in cylint_kind. */
+CYLINT_INLINE cylint_status construct(cylint_shape *shape, int kind,
+                                      cylint_ends ends, const double p0[3],
+                                      double r0, const double p1[3], double r1,
+                                      const double a[3], const double b[3])
 {
     const int has_length =
         cylint_has_end_points(kind)
@@ -107,8 +107,7 @@ CYLINT_INLINE cylint_status make_shape(cylint_shape *shape, int kind,
 cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
                           const double p1[3], double r1, cylint_ends ends)
 {
-    return make_shape(shape, CYLINT_KIND_CONE, ends, p0, r0, p1, r1, none,
-                      none);
+    return construct(shape, CYLINT_KIND_CONE, ends, p0, r0, p1, r1, none, none);
 }
 
 cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
@@ -120,7 +119,7 @@ cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
 cylint_status cylint_sphere(cylint_shape *shape, const double c[3], double r,
                             cylint_ends ends)
 {
-    return make_shape(shape, CYLINT_KIND_SPHERE, ends, c, r, c, r, none, none);
+    return construct(shape, CYLINT_KIND_SPHERE, ends, c, r, c, r, none, none);
 }
 
 /* The sign of the S of forms_template.h, exactly: of |p1 - p0|^2 - (r1 - r0)^2,
@@ -138,7 +137,7 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
                                 cylint_ends ends)
 {
     const cylint_status status =
-        make_shape(shape, CYLINT_KIND_RCONE, ends, p0, r0, p1, r1, none, none);
+        construct(shape, CYLINT_KIND_RCONE, ends, p0, r0, p1, r1, none, none);
     /* local coordinates that are accurate show that neither ball holds the
      * other */
     if (status == CYLINT_OK && !cylint_prepared(shape) &&
@@ -174,7 +173,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
                                    cylint_ends ends)
 {
     const cylint_status status =
-        make_shape(shape, CYLINT_KIND_ECONE, ends, c, 1, h, k, a, b);
+        construct(shape, CYLINT_KIND_ECONE, ends, c, 1, h, k, a, b);
     return status == CYLINT_OK && is_flat(shape)
                ? refuse_shape(shape, CYLINT_EDEGENERATE)
                : status;
@@ -191,8 +190,8 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
                                   const double u[3], double tangent,
                                   cylint_ends ends)
 {
-    return make_shape(shape, CYLINT_KIND_ACONE, ends, v, 0, u, tangent, none,
-                      none);
+    return construct(shape, CYLINT_KIND_ACONE, ends, v, 0, u, tangent, none,
+                     none);
 }
 
 cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],

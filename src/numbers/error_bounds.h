@@ -141,9 +141,9 @@
  * subnormal. */
 #define CYLINT_ROOT_LEAST 0x1p-300
 
-/* A sum of two doubles of 2^-CYLINT_SUM_EXPONENT or more, or 0, has a low part that
- * is a multiple of 2^-952, so it is not subnormal; and the low part of such a pair is
- * at least 2^-1006. */
+/* A sum of two doubles of 2^-CYLINT_SUM_EXPONENT or more, or 0, has a low part
+ * that is a multiple of 2^-952, so it is not subnormal; and the low part of such
+ * a pair is at least 2^-1006. */
 #define CYLINT_SUM_EXPONENT 900
 
 /* Boxes (box.c): the error of a coordinate, relative to the sizes of its terms:

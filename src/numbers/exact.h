@@ -120,8 +120,9 @@ static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
                : cylint_nearest_of_pair(arena, x, e);
 }
 
-/* The nearest double, and that to the rest, which is 0 if hi is infinite: where nothing
- * is subnormal, the relative error is below CYLINT_EXACT_ROUNDING (error_bounds.h). */
+/* The double nearest to x, and the one nearest to the rest; 0 beside an infinite
+ * one.  Where nothing is subnormal, the relative error is below
+ * CYLINT_EXACT_ROUNDING (error_bounds.h). */
 pair cylint_exact_round(cylint_arena *arena, exact x);
 
 #endif

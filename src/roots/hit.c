@@ -38,8 +38,8 @@ static double below_one(double turns)
     return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
 }
 
-/* The angle of (x, y) in turns.  Next to 0, where |y| is less than x 2^-60, it is y /
- * (2 pi x). */
+/* The angle of (x, y) in turns.  Next to 0, where |y| is less than x 2^-60, it is
+ * y / (2 pi x). */
 static double angle_of(cylint_arena *arena, exact x, exact y)
 {
     const int higher = cylint_top_of(x) > cylint_top_of(y);

@@ -158,8 +158,8 @@ static double root_value(cylint_query *q, cylint_root root, bounded_pair t)
 }
 
 /* The sign of root - limit, exactly; t: the root in pairs. */
-static int side_of(cylint_query *q, cylint_root root, bounded_pair t,
-                   double limit)
+static int side_of_limit(cylint_query *q, cylint_root root, bounded_pair t,
+                         double limit)
 {
     if (fabs(limit) > DBL_MAX) /* beyond all numbers, though t may be rounded */
         return limit < 0 ? 1 : -1;
@@ -173,7 +173,8 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t)
     if (!wanted && tmin < -DBL_MAX && tmax > DBL_MAX)
         return 1;
     const bounded_pair at = root_in_pairs(q, root);
-    if (side_of(q, root, at, tmin) < 0 || side_of(q, root, at, tmax) > 0)
+    if (side_of_limit(q, root, at, tmin) < 0 ||
+        side_of_limit(q, root, at, tmax) > 0)
         return 0;
     if (wanted)
         *t = root_value(q, root, at);
