@@ -224,8 +224,8 @@ double cylint_line_length(const cylint_line *line)
         return HUGE_VAL;
     const int e = cylint_any_exponent(size);
     for (int i = 0; i < 3; i++) {
-        const pair d =
-            cylint_scaled_pair((pair){line->d[i], line->d_lo[i]}, -e);
+        const pair d = {cylint_scaled(line->d[i], -e),
+                        cylint_scaled(line->d_lo[i], -e)};
         square = pair_add(square, pair_mul(d, d));
     }
     cylint_arena_open(&arena);

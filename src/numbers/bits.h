@@ -181,11 +181,6 @@ static inline pair cylint_difference(double x, double y)
     return is_exact ? d : cylint_difference_by_bits(x, y);
 }
 
-static inline pair cylint_scaled_pair(pair x, int e)
-{
-    return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
-}
-
 /* ---------------------------- bounded pairs, in rounding to nearest -- */
 
 static inline int cylint_is_exact_zero(bounded_pair x)
