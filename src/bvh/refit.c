@@ -100,8 +100,9 @@ static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
 }
 
 /* Whether the corner and the steps serve the children that have moved, whose box is
- * `moved`: their faces are at most 255 steps from the corner, and no step is more
- * than twice as long as the box of all children needs. */
+ * `moved`: their faces, as cylint_node_place_child() rounds them, are at most 255
+ * steps from the corner, and no step is more than twice as long as the box of all
+ * children needs. */
 static int serves(const cylint_bvh *bvh, const cylint_node *node,
                   const cylint_extent *moved, const cylint_extent *all)
 {
@@ -113,7 +114,7 @@ static int serves(const cylint_bvh *bvh, const cylint_node *node,
         const double side = (double)all->upper[j] - (double)all->lower[j];
         const double most = 255 * (double)node->step[j];
         serves &= (double)moved->lower[j] >= corner &&
-                  to * (1 + 0x1p-50) <= most &&
+                  to * (1 + 0x1p-48) <= most &&
                   (node->step[j] <= least_step || 2 * side >= most);
     }
     return serves;
