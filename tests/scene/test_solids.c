@@ -161,34 +161,21 @@ TEST(saved_solids_are_the_same)
     }
 }
 
-/* The status after word `at` of the members has become x. */
-static cylint_scene_status status_with(struct bytes *b, size_t at, uint32_t x)
-{
-    uint32_t *word = scene_file_section(b, SECTION_OF_SOLIDS);
-    const uint32_t old = word[at];
-    word[at] = x;
-    scene_file_repair(b->data, b->n);
-    const cylint_scene_status status = scene_file_try(b->data, b->n);
-    word[at] = old;
-    return status;
-}
-
 TEST(damaged_members_are_refused)
 {
     OWN_BYTES b;
     begin_saved_world(4, &b);
+    const uint32_t n = (uint32_t)world.members;
+    const uint32_t bad[][2] = {{0, SHAPES}, {0, UINT32_MAX},
+                               {1, n},      {1, UINT32_MAX},
+                               {2, 0},      {2, UINT32_C(1) << 31}};
+    uint32_t *word = scene_file_section(&b, SECTION_OF_SOLIDS);
     CHECK(scene_file_sizes(&b)[SECTION_OF_SOLIDS] == 12 * world.members);
-    for (size_t i = 0; i < world.members; i++) {
-        const uint32_t shape = (uint32_t)world.member[i].shape,
-                       n = (uint32_t)world.members;
-        CHECK(status_with(&b, 3 * i, shape) == CYLINT_SCENE_OK);
-        CHECK(status_with(&b, 3 * i, SHAPES) == CYLINT_SCENE_EDAMAGED);
-        CHECK(status_with(&b, 3 * i, UINT32_MAX) == CYLINT_SCENE_EDAMAGED);
-        CHECK(status_with(&b, 3 * i + 1, n) == CYLINT_SCENE_EDAMAGED);
-        CHECK(status_with(&b, 3 * i + 1, UINT32_MAX) == CYLINT_SCENE_EDAMAGED);
-        CHECK(status_with(&b, 3 * i + 2, 0) == CYLINT_SCENE_EDAMAGED);
-        CHECK(status_with(&b, 3 * i + 2, UINT32_C(1) << 31) ==
-              CYLINT_SCENE_EDAMAGED);
+    for (size_t i = 0; i < n; i++, word += 3) {
+        CHECK(word[0] == world.member[i].shape);
+        for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+            CHECK(scene_file_with(&b, word + bad[k][0], &bad[k][1], 4) ==
+                  CYLINT_SCENE_EDAMAGED);
     }
 }
 

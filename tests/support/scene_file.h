@@ -292,4 +292,19 @@ static inline cylint_scene_status scene_file_try(const void *data, size_t bytes)
     return status;
 }
 
+/* The status after n bytes at `at` have become those of x, and the checksum is right.
+ * Then they are as before. */
+static inline cylint_scene_status scene_file_with(const struct bytes *b,
+                                                  void *at, const void *x,
+                                                  size_t n)
+{
+    char before[8];
+    memcpy(before, at, n);
+    memcpy(at, x, n);
+    scene_file_repair(b->data, b->n);
+    const cylint_scene_status status = scene_file_try(b->data, b->n);
+    memcpy(at, before, n);
+    return status;
+}
+
 #endif
