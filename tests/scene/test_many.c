@@ -15,10 +15,6 @@
 /* MOST: blocks of 256, threads share blocks from 1024 on. */
 enum { SHAPES = 300, MOST = 4 * 1024 + 7, NUMBERS = 9 };
 
-static const size_t sizes[] = {0, 1, 255, 256, 257, MOST};
-static const int threads[] = {1, 2, 5};
-enum { CALLS = 18 }; /* with each size and number of threads */
-
 /* The input: lines of all kinds, some of them invalid, and points. */
 static double input[8][MOST], radii[MOST];
 static double *const array[8] = {input[0], input[1], input[2], input[3],
@@ -59,11 +55,6 @@ static int are_as_expected(size_t n, unsigned mask)
     return same;
 }
 
-static void poison(void)
-{
-    memset(&found, 77, sizeof found);
-}
-
 static void fill_lines(const struct scene_shapes *of)
 {
     for (size_t i = 0; i < MOST; i++) {
@@ -101,22 +92,44 @@ static void fill_points(const struct scene_shapes *of)
     }
 }
 
-static cylint_line line_now(size_t i, int domain)
+/* -------------------------------------------------------------- queries -- */
+
+/* The scene and the arguments of the queries. */
+static struct {
+    const cylint_scene *scene;
+    int domain; /* the lines have one */
+    const size_t *except;
+    const double *radii;
+    size_t enough;
+} asked;
+
+/* Of one line or point, into element i of `expected`; of the first n, into the
+ * arrays of `mask`, all of which are `arrays`. */
+typedef struct {
+    void (*of_one)(size_t i);
+    void (*of_many)(size_t n, int threads, unsigned mask);
+    unsigned arrays;
+} query;
+
+static cylint_line line_now(size_t i)
 {
     cylint_line line;
     const double o[3] = {input[0][i], input[1][i], input[2][i]};
     const double d[3] = {input[3][i], input[4][i], input[5][i]};
-    cylint_span(&line, o, d, domain ? input[6][i] : 0,
-                domain ? input[7][i] : HUGE_VAL);
+    cylint_span(&line, o, d, asked.domain ? input[6][i] : 0,
+                asked.domain ? input[7][i] : HUGE_VAL);
     return line;
 }
 
-/* ------------------------------------------------------------ nearest --- */
+static cylint_lines lines_now(size_t n)
+{
+    return lines_of(array, n, asked.domain ? 3 : 0);
+}
 
 static void expect(size_t i, size_t number, int part, int other,
                    const double *value)
 {
-    const int is = number < SHAPES;
+    const int is = number < cylint_scene_size(asked.scene);
     expected.number[i] = number;
     expected.small[0][i] = (signed char)(is ? part : -1);
     expected.small[1][i] = (signed char)(is ? other : -1);
@@ -124,28 +137,22 @@ static void expect(size_t i, size_t number, int part, int other,
         expected.value[k][i] = is ? value[k] : (double)NAN;
 }
 
-static void expect_hits(const cylint_scene *scene, const size_t *without,
-                        int domain)
+static void nearest_of_one(size_t i)
 {
-    size_t hits = 0;
-    for (size_t i = 0; i < MOST; i++) {
-        const cylint_line line = line_now(i, domain);
-        cylint_hit h;
-        const size_t number =
-            without ? cylint_scene_nearest_other(scene, &line, without[i],
-                                                 CYLINT_WANT_ALL, &h)
-                    : cylint_scene_nearest(scene, &line, CYLINT_WANT_ALL, &h);
-        const double value[NUMBERS] = {h.t,         h.point[0],  h.point[1],
-                                       h.point[2],  h.normal[0], h.normal[1],
-                                       h.normal[2], h.z,         h.phi};
-        expect(i, number, h.part, h.side, value);
-        hits += number < SHAPES;
-    }
-    CHECK(hits > MOST / 10 && hits < MOST);
+    const cylint_line line = line_now(i);
+    cylint_hit h;
+    const size_t number =
+        asked.except
+            ? cylint_scene_nearest_other(asked.scene, &line, asked.except[i],
+                                         CYLINT_WANT_ALL, &h)
+            : cylint_scene_nearest(asked.scene, &line, CYLINT_WANT_ALL, &h);
+    const double value[NUMBERS] = {h.t,         h.point[0],  h.point[1],
+                                   h.point[2],  h.normal[0], h.normal[1],
+                                   h.normal[2], h.z,         h.phi};
+    expect(i, number, h.part, h.side, value);
 }
 
-/* The arrays of `mask`. */
-static cylint_hit_columns wanted_hits(unsigned mask)
+static cylint_hit_columns columns_now(unsigned mask)
 {
     double *v[NUMBERS];
     for (int k = 0; k < NUMBERS; k++)
@@ -159,26 +166,91 @@ static cylint_hit_columns wanted_hits(unsigned mask)
                                 .phi = v[8]};
 }
 
-static const unsigned all = (1u << ARRAYS) - 1;
-
-static void check_nearest(const cylint_scene *scene, const size_t *without,
-                          size_t n, int workers, unsigned mask, int domain)
+static void nearest_of_many(size_t n, int threads, unsigned mask)
 {
-    const cylint_lines lines = lines_of(array, n, domain ? 3 : 0);
-    const cylint_hit_columns hits = wanted_hits(mask);
-    poison();
-    cylint_scene_nearest_lines(scene, &lines, without, workers,
+    const cylint_lines lines = lines_now(n);
+    const cylint_hit_columns hits = columns_now(mask);
+    cylint_scene_nearest_lines(asked.scene, &lines, asked.except, threads,
                                mask & 1 ? found.number : NULL,
                                mask == 1 ? NULL : &hits);
-    if (!CHECK(are_as_expected(n, mask)))
-        REPORT("%zu lines, %d threads, columns %x", n, workers, mask);
 }
 
-static void check_all_nearest(const cylint_scene *scene, const size_t *without)
+static void count_of_one(size_t i)
 {
-    expect_hits(scene, without, 1);
-    for (size_t k = 0; k < CALLS; k++)
-        check_nearest(scene, without, sizes[k / 3], threads[k % 3], all, 1);
+    const cylint_line line = line_now(i);
+    expected.number[i] = cylint_scene_count(asked.scene, &line, asked.enough);
+    expected.small[0][i] = (signed char)cylint_scene_occluded(
+        asked.scene, &line, asked.except ? asked.except[i] : SIZE_MAX);
+}
+
+static void count_of_many(size_t n, int threads, unsigned mask)
+{
+    const cylint_lines lines = lines_now(n);
+    cylint_scene_count_lines(asked.scene, &lines, asked.enough, threads,
+                             mask & 1 ? found.number : NULL);
+    cylint_scene_any_lines(asked.scene, &lines, asked.except, threads,
+                           mask & 2 ? found.small[0] : NULL);
+}
+
+static void closest_of_one(size_t i)
+{
+    const double point[3] = {input[0][i], input[1][i], input[2][i]};
+    cylint_closest c;
+    const size_t number = cylint_scene_closest(
+        asked.scene, point, asked.radii ? asked.radii[i] : HUGE_VAL,
+        CYLINT_WANT_ALL, &c);
+    const double value[NUMBERS] = {c.distance, c.point[0],  c.point[1],
+                                   c.point[2], c.normal[0], c.normal[1],
+                                   c.normal[2]};
+    expect(i, number, c.part, c.feature, value);
+}
+
+static void closest_of_many(size_t n, int threads, unsigned mask)
+{
+    const cylint_points points = {n, {input[0], input[1], input[2]}};
+    const cylint_hit_columns to = columns_now(mask);
+    const cylint_closest_columns columns = {
+        .distance = to.t,
+        .part = to.part,
+        .feature = to.side,
+        .point = {to.point[0], to.point[1], to.point[2]},
+        .normal = {to.normal[0], to.normal[1], to.normal[2]}};
+    cylint_scene_closest_points(asked.scene, &points, asked.radii, threads,
+                                mask & 1 ? found.number : NULL,
+                                mask == 1 ? NULL : &columns);
+}
+
+static const query nearest = {nearest_of_one, nearest_of_many,
+                              (1u << ARRAYS) - 1},
+                   count = {count_of_one, count_of_many, 3},
+                   closest = {closest_of_one, closest_of_many,
+                              (1u << (ARRAYS - 2)) - 1}; /* no z and no phi */
+
+/* ---------------------------------------------------------------- tests -- */
+
+static void check_call(const query *q, size_t n, int threads, unsigned mask)
+{
+    memset(&found, 77, sizeof found);
+    q->of_many(n, threads, mask);
+    if (!CHECK(are_as_expected(n, mask)))
+        REPORT("%zu lines or points, %d threads, arrays %x", n, threads, mask);
+}
+
+/* With each number of lines and threads, and each array alone or left out. */
+static void check_query(const query *q)
+{
+    static const size_t sizes[] = {0, 1, 255, 256, 257, MOST};
+    static const int threads[] = {1, 2, 5};
+    for (size_t i = 0; i < MOST; i++)
+        q->of_one(i);
+    for (size_t k = 0; k < 18; k++)
+        check_call(q, sizes[k / 3], threads[k % 3], q->arrays);
+    for (int k = 0; k < ARRAYS; k++)
+        if (q->arrays >> k & 1) {
+            check_call(q, 300, 2, 1u << k);
+            check_call(q, 300, 2, q->arrays & ~(1u << k));
+        }
+    check_call(q, 300, 2, 0);
 }
 
 /* The shapes that the lines hit first, as of rays that leave them. */
@@ -188,146 +260,47 @@ static void leave_out_nearest(void)
         except[i] = i % 7 == 0 ? SIZE_MAX : expected.number[i];
 }
 
-static cylint_scene *new_scene(enum scene_kind kind, uint64_t seed,
-                               struct scene_shapes *of)
+/* Without exceptions and radii, then with them; of lines or points in the box of a
+ * scene of this kind, which are also those of an empty scene. */
+static void check_scene(enum scene_kind kind, const query *q)
 {
-    *of = scene_generate((int)kind, SHAPES, seed);
-    return cylint_scene_new(of->shapes, of->n, 1, NULL);
+    OWN_SHAPES of = scene_generate((int)kind, SHAPES, 3);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    (q == &closest ? fill_points : fill_lines)(&of);
+    memset(&asked, 0, sizeof asked);
+    asked.scene = empty;
+    check_query(q);
+    asked.scene = scene;
+    check_query(q);
+    size_t hits = 0;
+    asked.domain = 1;
+    for (size_t i = 0; i < MOST && q != &closest; i++)
+        nearest_of_one(i);
+    for (size_t i = 0; i < MOST; i++)
+        hits += expected.number[i] < SHAPES;
+    CHECK(hits > MOST / 10 && hits < MOST);
+    leave_out_nearest();
+    asked.except = except;
+    asked.radii = radii;
+    asked.enough = 3;
+    check_query(q);
 }
 
 TEST(nearest_hits_are_those_of_single_lines)
 {
-    static const enum scene_kind kinds[] = {SCENE_MIXED, SCENE_UNBOUNDED,
-                                            SCENE_STRANDS};
-    for (int k = 0; k < 3; k++) {
-        OWN_SHAPES of;
-        OWN_SCENE *scene = new_scene(kinds[k], 3, &of);
-        fill_lines(&of);
-        check_all_nearest(scene, NULL);
-        leave_out_nearest();
-        check_all_nearest(scene, except);
-    }
-}
-
-TEST(only_wanted_columns_are_written)
-{
-    OWN_SHAPES of;
-    OWN_SCENE *scene = new_scene(SCENE_MIXED, 4, &of);
-    const cylint_lines lines = lines_of(array, 300, 3);
-    fill_lines(&of);
-    expect_hits(scene, NULL, 1);
-    for (int k = 0; k < ARRAYS; k++) {
-        check_nearest(scene, NULL, 300, 1, 1u << k, 1);
-        check_nearest(scene, NULL, 300, 1, all & ~(1u << k), 1);
-    }
-    check_nearest(scene, NULL, 300, 1, 0, 1);
-    cylint_scene_any_lines(scene, &lines, NULL, 2, NULL);
-    cylint_scene_count_lines(scene, &lines, 0, 2, NULL);
-    expect_hits(scene, NULL, 0);
-    check_nearest(scene, NULL, 300, 1, all, 0);
-}
-
-/* --------------------------------------------------------- any, count --- */
-
-static void check_any_and_count(const cylint_scene *scene,
-                                const size_t *without, size_t enough)
-{
-    for (size_t i = 0; i < MOST; i++) {
-        const cylint_line line = line_now(i, 1);
-        expected.small[0][i] = (signed char)cylint_scene_occluded(
-            scene, &line, without ? without[i] : SHAPES);
-        expected.number[i] = cylint_scene_count(scene, &line, enough);
-    }
-    for (size_t k = 0; k < CALLS; k++) {
-        const cylint_lines lines = lines_of(array, sizes[k / 3], 3);
-        poison();
-        cylint_scene_any_lines(scene, &lines, without, threads[k % 3],
-                               found.small[0]);
-        cylint_scene_count_lines(scene, &lines, enough, threads[k % 3],
-                                 found.number);
-        CHECK(are_as_expected(lines.n, 3));
-    }
+    check_scene(SCENE_MIXED, &nearest);
+    check_scene(SCENE_UNBOUNDED, &nearest);
+    check_scene(SCENE_STRANDS, &nearest);
 }
 
 TEST(any_and_count_are_those_of_single_lines)
 {
-    OWN_SHAPES of;
-    OWN_SCENE *scene = new_scene(SCENE_UNBOUNDED, 5, &of);
-    fill_lines(&of);
-    expect_hits(scene, NULL, 1);
-    leave_out_nearest();
-    check_any_and_count(scene, NULL, 0);
-    check_any_and_count(scene, except, 3);
-}
-
-/* ------------------------------------------------------------ closest --- */
-
-static void expect_closest(const cylint_scene *scene, const double *within)
-{
-    for (size_t i = 0; i < MOST; i++) {
-        const double point[3] = {input[0][i], input[1][i], input[2][i]};
-        cylint_closest c;
-        const size_t number = cylint_scene_closest(
-            scene, point, within ? within[i] : HUGE_VAL, CYLINT_WANT_ALL, &c);
-        const double value[NUMBERS] = {c.distance, c.point[0],  c.point[1],
-                                       c.point[2], c.normal[0], c.normal[1],
-                                       c.normal[2]};
-        expect(i, number, c.part, c.feature, value);
-    }
-}
-
-static void check_closest(const cylint_scene *scene, const double *within,
-                          size_t n, int workers, unsigned mask)
-{
-    const cylint_points points = {n, {input[0], input[1], input[2]}};
-    const cylint_hit_columns as_hits = wanted_hits(mask);
-    const cylint_closest_columns columns = {
-        .distance = as_hits.t,
-        .part = as_hits.part,
-        .feature = as_hits.side,
-        .point = {as_hits.point[0], as_hits.point[1], as_hits.point[2]},
-        .normal = {as_hits.normal[0], as_hits.normal[1], as_hits.normal[2]}};
-    poison();
-    cylint_scene_closest_points(scene, &points, within, workers,
-                                mask & 1 ? found.number : NULL,
-                                mask == 1 ? NULL : &columns);
-    if (!CHECK(are_as_expected(n, mask)))
-        REPORT("%zu points, %d threads, columns %x", n, workers, mask);
-}
-
-static void check_all_closest(const cylint_scene *scene, const double *within)
-{
-    const unsigned closest = all & ~(3u << 10); /* no z and no phi */
-    expect_closest(scene, within);
-    for (size_t k = 0; k < CALLS; k++)
-        check_closest(scene, within, sizes[k / 3], threads[k % 3], closest);
-    for (int k = -1; k < ARRAYS - 2; k++)
-        check_closest(scene, within, 300, 2, k < 0 ? 0 : 1u << k);
+    check_scene(SCENE_UNBOUNDED, &count);
 }
 
 TEST(closest_shapes_are_those_of_single_points)
 {
-    static const enum scene_kind kinds[] = {SCENE_ROUND, SCENE_UNBOUNDED};
-    for (int k = 0; k < 2; k++) {
-        OWN_SHAPES of;
-        OWN_SCENE *scene = new_scene(kinds[k], 6, &of);
-        fill_points(&of);
-        check_all_closest(scene, radii);
-        check_all_closest(scene, NULL);
-    }
-}
-
-TEST(an_empty_scene_answers_none)
-{
-    OWN_SCENE *scene = cylint_scene_new(NULL, 0, 1, NULL);
-    const cylint_lines lines = lines_of(array, MOST, 3);
-    const cylint_hit_columns hits = wanted_hits(all);
-    OWN_SHAPES of = scene_generate(SCENE_THIN, SHAPES, 7);
-    fill_lines(&of);
-    poison();
-    cylint_scene_nearest_lines(scene, &lines, NULL, 3, found.number, &hits);
-    cylint_scene_any_lines(scene, &lines, except, 3, found.small[1]);
-    for (size_t i = 0; i < MOST; i++)
-        CHECK(found.number[i] == 0 && found.small[0][i] == -1 &&
-              found.small[1][i] == 0 && isnan(found.value[8][i]));
+    check_scene(SCENE_ROUND, &closest);
+    check_scene(SCENE_UNBOUNDED, &closest);
 }
