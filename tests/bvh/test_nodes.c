@@ -34,15 +34,19 @@ static int are_equal(const cylint_bvh *x, const cylint_bvh *y)
 
 /* ---------------------------------------------------------------- nodes -- */
 
-/* sound.c finds each leaf once and each node after the one before. */
-static void check_nodes(const struct scene_shapes *of)
+/* sound.c finds each leaf once and each node after the one before.  Returns the
+ * number of leaves; 0: none was built. */
+static size_t check_nodes(const struct scene_shapes *of, size_t most_nodes)
 {
     cylint_bvh bvh;
     if (!build_bvh(&bvh, of, 2))
-        return;
+        return 0;
+    const size_t leaves = bvh.n_leaves;
     CHECK(cylint_bvh_is_sound(&bvh, of->n));
-    CHECK(bvh.n_nodes <= cylint_build_most_nodes(bvh.n_leaves));
+    CHECK(bvh.n_nodes <= cylint_build_most_nodes(leaves));
+    CHECK(bvh.n_nodes <= most_nodes);
     cylint_bvh_free(&bvh);
+    return leaves;
 }
 
 TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
@@ -53,37 +57,27 @@ TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
             OWN_SHAPES of = scene_generate(kinds[k], sizes[i], 3);
-            check_nodes(&of);
+            check_nodes(&of, SIZE_MAX);
         }
 }
 
+/* With 8 parts in each node, as long as a part has more than a leaf, the parts of 15
+ * leaves each of the root of 1000 fat shapes would make 53 nodes. */
 TEST(needles_are_cut_and_shapes_as_wide_as_long_are_not)
 {
     static const struct {
         int kind;
-        size_t least, most; /* pieces of a shape */
-    } of[] = {{SCENE_FAT, 1, 1}, {SCENE_THIN, 2, 3}, {SCENE_FIBRES, 3, 4}};
+        size_t n, least, most; /* pieces of a shape */
+        size_t most_nodes;
+    } of[] = {{SCENE_FAT, 1000, 1, 1, 125 / 4},
+              {SCENE_THIN, 2000, 2, 3, SIZE_MAX},
+              {SCENE_FIBRES, 2000, 3, 4, SIZE_MAX}};
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
-        OWN_SHAPES shapes = scene_generate(of[k].kind, 2000, 6);
-        cylint_bvh bvh;
-        if (!build_bvh(&bvh, &shapes, 1))
-            return;
-        CHECK(bvh.n_leaves >= cylint_leaves_for(of[k].least * shapes.n) &&
-              bvh.n_leaves <= cylint_leaves_for(of[k].most * shapes.n));
-        cylint_bvh_free(&bvh);
+        OWN_SHAPES shapes = scene_generate(of[k].kind, of[k].n, 7);
+        const size_t leaves = check_nodes(&shapes, of[k].most_nodes);
+        CHECK(leaves >= cylint_leaves_for(of[k].least * shapes.n) &&
+              leaves <= cylint_leaves_for(of[k].most * shapes.n));
     }
-}
-
-/* With 8 parts in each node, as long as a part has more than a leaf, the root's
- * parts of 15 leaves each would make 53 nodes. */
-TEST(nodes_have_many_leaves)
-{
-    cylint_bvh bvh;
-    OWN_SHAPES of = scene_generate(SCENE_FAT, 1000, 7);
-    if (!build_bvh(&bvh, &of, 1))
-        return;
-    CHECK(bvh.n_leaves == 125 && bvh.n_nodes <= 125 / 4);
-    cylint_bvh_free(&bvh);
 }
 
 /* Shapes that no split separates, and shapes of which each split separates
@@ -101,7 +95,7 @@ TEST(scenes_without_good_splits_have_correct_nodes)
             CHECK(cylint_cylinder(&shapes[i], base, top, x / 8,
                                   CYLINT_ENDS_CAPPED) == CYLINT_OK);
         }
-        check_nodes(&of);
+        check_nodes(&of, SIZE_MAX);
     }
 }
 
@@ -113,16 +107,12 @@ TEST(tiny_shapes_are_not_cut)
     const struct scene_shapes of = {.shapes = shapes, .n = N};
     for (int e = 0; e < 60; e += 2) {
         const double r = ldexp(0.01, -e);
-        cylint_bvh bvh;
         for (int i = 0; i < N; i++) {
             const double p[3] = {between(1, 2), between(1, 2), between(1, 2)};
             CHECK(cylint_sphere(&shapes[i], p, r, CYLINT_ENDS_CAPPED) ==
                   CYLINT_OK);
         }
-        if (!build_bvh(&bvh, &of, 1))
-            return;
-        CHECK(bvh.n_leaves == N / CYLINT_LEAF_SIZE);
-        cylint_bvh_free(&bvh);
+        CHECK(check_nodes(&of, SIZE_MAX) == N / CYLINT_LEAF_SIZE);
     }
 }
 
@@ -297,54 +287,38 @@ static int report(void *context, double part)
     return ++seen->calls != seen->stop;
 }
 
-static cylint_scene *make_reported(const struct scene_shapes *of, int threads,
-                                   struct progress *seen, long stop,
-                                   cylint_scene_status *status)
+/* Stopped at each of some calls and, last, at none. */
+static void check_progress(const struct scene_shapes *of, int threads)
 {
-    *seen = (struct progress){.caller = pthread_self(), .stop = stop};
-    return cylint_scene_new_with_progress(of->shapes, of->n, threads, report,
-                                          seen, status);
-}
-
-/* Some are long and in pieces, some are unbounded. */
-static const int reported[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};
-enum { REPORTED = sizeof reported / sizeof *reported };
-
-/* Nor do several threads. */
-TEST(progress_grows_and_does_not_change_the_scene)
-{
-    for (int i = 0; i < 2 * REPORTED; i++) {
-        struct progress seen;
+    OWN_SCENE *plain = cylint_scene_new(of->shapes, of->n, 1, NULL);
+    cylint_scene *made = NULL;
+    for (long stop = 1; !made && stop < 4000; stop += 1 + stop / 8) {
+        struct progress seen = {.caller = pthread_self(), .stop = stop};
         cylint_scene_status status;
-        OWN_SHAPES of = scene_generate(reported[i / 2], 40000, 7);
-        const int threads = i % 2 ? 4 : 1;
-        OWN_SCENE *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
-        OWN_SCENE *made = make_reported(&of, threads, &seen, 0, &status);
-        if (CHECK(plain && made && status == CYLINT_SCENE_OK)) {
-            CHECK(are_equal(&plain->bvh, &made->bvh));
-            CHECK(cylint_scene_bytes(plain) == cylint_scene_bytes(made));
-            CHECK(seen.part > 0.9 && seen.calls > 20);
+        made = cylint_scene_new_with_progress(of->shapes, of->n, threads,
+                                              report, &seen, &status);
+        if (!made) {
+            CHECK(status == CYLINT_SCENE_ESTOPPED && seen.calls == stop);
+            continue;
         }
+        CHECK(status == CYLINT_SCENE_OK && seen.calls < stop);
+        CHECK(seen.part > 0.9 && seen.calls > 20);
+        CHECK(are_equal(&plain->bvh, &made->bvh));
+        CHECK(cylint_scene_bytes(plain) == cylint_scene_bytes(made));
     }
+    CHECK(made);
+    cylint_scene_free(made);
 }
 
-TEST(a_build_stops_when_its_caller_stops_it)
+/* Some are long and in pieces, some are unbounded.  Nor do several threads change the
+ * scene. */
+TEST(progress_grows_and_stops_a_build_but_does_not_change_the_scene)
 {
-    for (int i = 0; i < 2 * REPORTED; i++) {
-        struct progress seen;
-        cylint_scene_status status;
-        const int threads = i % 2 ? 4 : 1;
-        OWN_SHAPES of = scene_generate(reported[i / 2], 20000, 8);
-        for (long stop = 1; stop < 1000; stop += 1 + stop / 8) {
-            cylint_scene *made =
-                make_reported(&of, threads, &seen, stop, &status);
-            CHECK(made ? status == CYLINT_SCENE_OK && seen.calls < stop
-                       : status == CYLINT_SCENE_ESTOPPED && seen.calls == stop);
-            cylint_scene_free(made);
-            if (made)
-                break;
-        }
-        CHECK(seen.calls > 10);
+    static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        OWN_SHAPES of = scene_generate(kinds[i], 40000, 7);
+        check_progress(&of, 1);
+        check_progress(&of, 4);
     }
 }
 
