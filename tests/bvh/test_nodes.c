@@ -99,18 +99,19 @@ TEST(scenes_without_good_splits_have_correct_nodes)
     }
 }
 
-/* A piece of a shape that is smaller than the steps of floats has the same box. */
+/* A piece of a needle that is shorter than the steps of floats has the same box. */
 TEST(tiny_shapes_are_not_cut)
 {
     enum { N = 800 };
     static cylint_shape shapes[N];
     const struct scene_shapes of = {.shapes = shapes, .n = N};
-    for (int e = 0; e < 60; e += 2) {
-        const double r = ldexp(0.01, -e);
+    for (int e = 22; e < 50; e += 2) {
+        const double l = ldexp(1, -e);
         for (int i = 0; i < N; i++) {
-            const double p[3] = {between(1, 2), between(1, 2), between(1, 2)};
-            CHECK(cylint_sphere(&shapes[i], p, r, CYLINT_ENDS_CAPPED) ==
-                  CYLINT_OK);
+            const double p[3] = {between(1, 2), between(1, 2), between(1, 2)},
+                         q[3] = {p[0] + l, p[1] + l, p[2] + l};
+            CHECK(cylint_cylinder(&shapes[i], p, q, l / 200,
+                                  CYLINT_ENDS_CAPPED) == CYLINT_OK);
         }
         CHECK(check_nodes(&of, SIZE_MAX) == N / CYLINT_LEAF_SIZE);
     }
