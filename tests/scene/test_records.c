@@ -12,6 +12,7 @@
 #include "families.h"
 #include "intersect.h"
 #include "same.h"
+#include "scene_file.h"
 #include "scenes.h"
 #include "scene/records.h"
 #include "shapes/shape_facts.h"
@@ -168,17 +169,32 @@ TEST(records_take_65_bytes_and_semi_axes_48)
     cylint_records_free(&r);
 }
 
-TEST(a_finished_scene_takes_no_shape)
+TEST(calls_for_a_scene_in_another_state_are_refused)
 {
     const cylint_shape shape = shape_of("sphere 0 0 0 1");
+    const cylint_member member = {0, 0, 1};
+    OWN_BYTES b = {NULL, NULL, 0};
     OWN_SCENE *scene = cylint_scene_begin(1);
     CHECK(cylint_scene_add(scene, NULL, 0) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);
     CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_refit(scene, 0, 1, &shape) == CYLINT_SCENE_EUNFINISHED);
+    CHECK(cylint_scene_set_solids(scene, &member, 1) ==
+          CYLINT_SCENE_EUNFINISHED);
+    CHECK(cylint_scene_write(scene, bytes_append, &b) ==
+          CYLINT_SCENE_EUNFINISHED);
     CHECK(cylint_scene_finish(scene, 0, NULL, NULL) == CYLINT_SCENE_OK);
-    CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_EFINISHED);
-    CHECK(cylint_scene_finish(scene, 0, NULL, NULL) == CYLINT_SCENE_EFINISHED);
-    CHECK(cylint_scene_size(scene) == 1);
+    CHECK(cylint_scene_members(scene) == 0);
+    OWN_SCENE *opened = scene_file_reopen(scene, &b);
+    CHECK(cylint_scene_refit(opened, 0, 1, &shape) == CYLINT_SCENE_EOPENED);
+    for (int i = 0; i < 2; i++) {
+        cylint_scene *s = i ? opened : scene;
+        CHECK(cylint_scene_add(s, &shape, 1) == CYLINT_SCENE_EFINISHED);
+        CHECK(cylint_scene_finish(s, 0, NULL, NULL) == CYLINT_SCENE_EFINISHED);
+        CHECK(cylint_scene_size(s) == 1);
+        CHECK(cylint_scene_set_solids(s, &member, 1) == CYLINT_SCENE_OK);
+        CHECK(cylint_scene_members(s) == 1);
+    }
 }
 
 /* Totals over all lines and shapes. */

@@ -68,8 +68,13 @@ static void check_moves(int kind, uint64_t seed, long moves)
         CHECK(differences(expected, scene, &of, seed + (uint64_t)k) == 0);
         CHECK(cylint_scene_worsening(scene) > 0);
     }
+    OWN_BYTES file = {NULL, NULL, 0};
+    OWN_SCENE *opened = scene_file_reopen(scene, &file);
+    CHECK(opened && differences(scene, opened, &of, seed) == 0 &&
+          cylint_scene_worsening(opened) == 1);
 }
 
+/* And is saved as it then is. */
 TEST(a_scene_that_moved_answers_as_a_new_one)
 {
     const long moves = (long)check_setting("CYLINT_CASES", MOVES);
@@ -212,10 +217,7 @@ TEST(what_is_refused_changes_nothing)
     cylint_hit hit;
     fill_row(shapes, SHAPES, 1);
     fill_row(moved, SHAPES, 7);
-    OWN_SCENE *scene = cylint_scene_begin(0);
-    cylint_scene_add(scene, shapes, SHAPES);
-    CHECK(cylint_scene_refit(scene, 0, 1, moved) == CYLINT_SCENE_EUNFINISHED);
-    cylint_scene_finish(scene, 1, NULL, NULL);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
     CHECK(cylint_scene_refit(scene, 0, 0, NULL) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_refit(scene, SHAPES, 0, NULL) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_refit(scene, 1, SHAPES, moved) == CYLINT_SCENE_ESIZE);
@@ -232,20 +234,4 @@ TEST(what_is_refused_changes_nothing)
     CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == 3 &&
           hit.t < 1);
     CHECK(cylint_scene_worsening(scene) == 1);
-}
-
-TEST(a_scene_that_moved_is_saved)
-{
-    OWN_BYTES file = {NULL, NULL, 0};
-    OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 7);
-    OWN_SHAPES by = scene_generate(SCENE_MIXED, SHAPES, 8);
-    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
-    replace(&of, &by, 50, 100);
-    CHECK(cylint_scene_refit(scene, 50, 100, of.shapes + 50) ==
-          CYLINT_SCENE_OK);
-    scene_file_write(scene, &file);
-    OWN_SCENE *opened = cylint_scene_open_memory(file.data, file.n, 0, NULL);
-    CHECK(opened && differences(scene, opened, &of, 9) == 0);
-    CHECK(cylint_scene_refit(opened, 0, 1, of.shapes) == CYLINT_SCENE_EOPENED);
-    CHECK(cylint_scene_worsening(opened) == 1);
 }

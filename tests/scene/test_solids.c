@@ -86,20 +86,6 @@ TEST(a_refused_solid_changes_nothing)
     }
 }
 
-TEST(an_unfinished_scene_has_no_solids)
-{
-    const cylint_member member = {0, 0, 1};
-    const cylint_shape shape = shape_of("sphere 0 0 0 1");
-    OWN_SCENE *scene = cylint_scene_begin(0);
-    cylint_scene_add(scene, &shape, 1);
-    CHECK(cylint_scene_set_solids(scene, &member, 1) ==
-          CYLINT_SCENE_EUNFINISHED);
-    CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
-    CHECK(cylint_scene_members(scene) == 0);
-    CHECK(cylint_scene_set_solids(scene, &member, 1) == CYLINT_SCENE_OK);
-    CHECK(cylint_scene_members(scene) == 1);
-}
-
 /* Also that no members remove all solids, and that the members are copied. */
 TEST(solids_replace_those_before)
 {

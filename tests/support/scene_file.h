@@ -57,6 +57,14 @@ static inline void scene_file_write(const cylint_scene *scene, struct bytes *b)
     MUST(cylint_scene_write(scene, bytes_append, b) == CYLINT_SCENE_OK);
 }
 
+/* The scene of this file, which is in b->data. */
+static inline cylint_scene *scene_file_reopen(const cylint_scene *scene,
+                                              struct bytes *b)
+{
+    scene_file_write(scene, b);
+    return cylint_scene_open_memory(b->data, b->n, 0, NULL);
+}
+
 /* Makes the checksum right, in bytes at the start of a cache line. */
 static inline void scene_file_repair(void *data, size_t bytes)
 {
@@ -264,9 +272,7 @@ static inline void scene_file_save_again(const cylint_scene *scene,
                                          size_t bytes)
 {
     OWN_BYTES first = {NULL, NULL, 0}, second = first;
-    scene_file_write(scene, &first);
-    cylint_scene *again =
-        cylint_scene_open_memory(first.data, first.n, 0, NULL);
+    cylint_scene *again = scene_file_reopen(scene, &first);
     MUST(again && first.n == bytes);
     scene_file_write(again, &second);
     MUST(second.n == bytes && memcmp(first.data, second.data, bytes) == 0);
