@@ -16,9 +16,8 @@
 #include "environment.h"
 #include "shapes/shape_facts.h"
 
-enum { SHAPES = 1200, NEAR = 150, LINES = 20, POINTS = 1 };
+enum { SHAPES = 1200, NEAR = 150, LINES = 20 };
 
-static size_t lines_of_a_kind, points_of_a_place = POINTS;
 static size_t n_lines, n_hit, n_points, n_near, n_inside, most_found;
 
 static cylint_scene *open_scene(const struct scene_shapes *of, int threads)
@@ -199,31 +198,32 @@ static void point_of(const struct scene_shapes *of, enum place where,
 /* ---------------------------------------------------------------- scenes -- */
 
 /* With one of the builds of the kernels. */
-static void check_lines(const struct scene_shapes *of, uint64_t number)
+static void check_lines(const struct scene_shapes *of, uint64_t number,
+                        uint64_t lines)
 {
     use_some_kernels(number);
-    cylint_scene *scene = open_scene(of, 2);
+    OWN_SCENE *scene = open_scene(of, 2);
     for (int kind = 0; scene && kind < LINES_KINDS; kind++) {
         /* exact numbers decide for most shapes */
         const int slow =
             kind == LINES_WILD || of->hi[0] > 0x1p300 || of->hi[0] < 0x1p-300;
-        for (uint64_t i = 0; i <= lines_of_a_kind / (slow ? 20 : 1); i++) {
+        for (uint64_t i = 0; i <= lines / (slow ? 20 : 1); i++) {
             cylint_line line;
             scene_line(of, (enum scene_lines)kind, check_seed(), number + i,
                        &line);
             check_line(of, scene, &line);
         }
     }
-    cylint_scene_free(scene);
     cylint_use_kernels(NULL);
 }
 
-static void check_points(const struct scene_shapes *of, uint64_t number)
+static void check_points(const struct scene_shapes *of, uint64_t number,
+                         uint64_t points)
 {
     stream = check_seed() + number;
     OWN_SCENE *scene = open_scene(of, 1);
     for (int where = 0; scene && where < PLACES; where++)
-        for (size_t i = 0; i < points_of_a_place; i++) {
+        for (uint64_t i = 0; i < points; i++) {
             double point[3];
             point_of(of, (enum place)where, point);
             check_point(of, scene, point);
@@ -233,31 +233,20 @@ static void check_points(const struct scene_shapes *of, uint64_t number)
 /* A loop takes far longer where doubles cannot decide, and for points. */
 TEST(generated_scenes_answer_as_a_loop)
 {
+    const uint64_t lines = check_setting("CYLINT_CASES", LINES);
     for (int kind = 0; kind < SCENE_KINDS; kind++) {
-        struct scene_shapes of = scene_generate(
+        OWN_SHAPES of = scene_generate(
             kind, scene_is_slow(kind) ? SHAPES / 30 : SHAPES, check_seed());
-        check_lines(&of, (uint64_t)kind);
-        scene_release(&of);
-        of = scene_generate(kind, NEAR, check_seed());
-        check_points(&of, (uint64_t)kind);
-        scene_release(&of);
+        OWN_SHAPES few = scene_generate(kind, NEAR, check_seed());
+        check_lines(&of, (uint64_t)kind, lines);
+        check_points(&few, (uint64_t)kind, 1 + lines / 200);
+        for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14) {
+            OWN_SHAPES small = scene_generate(kind, n, check_seed());
+            check_lines(&small, n, 0);
+            check_points(&small, n, 1);
+        }
     }
     CHECK(n_hit > n_lines / 10 && n_near > n_points && n_inside > 10);
-}
-
-TEST(small_scenes_answer_as_a_loop)
-{
-    const size_t lines = lines_of_a_kind, points = points_of_a_place;
-    lines_of_a_kind = 0;
-    points_of_a_place = 1;
-    for (size_t n = 1; n <= 66; n += n < 10 ? 1 : 14)
-        for (int kind = 0; kind < SCENE_KINDS; kind++) {
-            OWN_SHAPES of = scene_generate(kind, n, check_seed());
-            check_lines(&of, n);
-            check_points(&of, n);
-        }
-    lines_of_a_kind = lines;
-    points_of_a_place = points;
 }
 
 /* Nearly parallel shapes of the length 1 that begin within `width` of 0: each has
@@ -351,37 +340,20 @@ TEST(flat_shapes_of_several_pieces_hold_their_points)
     }
 }
 
-/* Copies of one shape, and points as near to two of its pieces. */
-TEST(equal_shapes_are_found_in_order)
-{
-    enum { COPIES = 300 };
-    static cylint_shape shapes[COPIES];
-    struct scene_shapes of = {.name = "copies", .shapes = shapes, .n = COPIES};
-    static const double base[3] = {0, 0, 0}, top[3] = {80, 80, 80};
-    static const double points[][3] = {
-        {40, 40, 41}, {0, 0, 1}, {-3, 0, 0}, {20, 20, 20}, {90, 0, 0}};
-    size_t numbers[4];
-    for (int i = 0; i < COPIES; i++)
-        cylint_cylinder(&shapes[i], base, top, 0.25, CYLINT_ENDS_CAPPED);
-    OWN_SCENE *scene = open_scene(&of, 1);
-    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
-        check_point(&of, scene, points[i]);
-        CHECK(cylint_scene_within(scene, points[i], HUGE_VAL, 0, 290, numbers,
-                                  NULL, 4) == 4 &&
-              numbers[0] == 290 && numbers[3] == 293);
-    }
-}
-
 /* Thick oblique shapes of few pieces, whose boxes overlap, and radii at which a
- * piece that is only a little farther is rejected. */
+ * piece that is only a little farther is rejected.  Some points are as near to two
+ * pieces. */
 TEST(one_piece_decides_about_a_shape_near_a_point)
 {
     enum { COPIES = 220, TURNS = 90, POINTS_EACH = 60 };
     static const double p[3] = {0, 0, 0}, q[3] = {8, 8, 8};
+    static const double between_pieces[][3] = {
+        {4, 4, 5}, {0, 0, 1}, {-3, 0, 0}, {2, 2, 2}, {9, 0, 0}};
     static cylint_shape shapes[COPIES];
     stream = check_seed();
     for (int k = 0; k < TURNS; k++) {
-        const double r = between(0.3, 1.2), end = r * between(0, 1);
+        const double r = k > 0 ? between(0.3, 1.2) : 0.025,
+                     end = k > 0 ? r * between(0, 1) : r;
         for (int i = 0; i < COPIES; i++)
             (k % 3 ? cylint_round_cone : cylint_cone)(
                 &shapes[i], p, r, q, k % 3 == 1 ? r : end, CYLINT_ENDS_CAPPED);
@@ -391,7 +363,8 @@ TEST(one_piece_decides_about_a_shape_near_a_point)
             double at[3];
             const double middle = between(0, 8);
             for (int j = 0; j < 3; j++)
-                at[j] = middle + r * between(-1, 1);
+                at[j] =
+                    i < 5 ? between_pieces[i][j] : middle + r * between(-1, 1);
             const double d = fabs(cylint_distance(shapes, at, 0, &near));
             CHECK(cylint_scene_within_count(scene, at, d, 0, 0) == COPIES);
         }
@@ -461,130 +434,96 @@ TEST(the_nearest_surface_may_lie_inside_another_shape)
     CHECK(cylint_scene_contains(scene, p, 0) == 1);
 }
 
-/* Ends a visit after some calls, or asks for less than before. */
-struct ender {
-    int calls, most;
-    double bound, least;
-    const cylint_scene *scene;
+/* A visit that ends after some calls, or asks for less than before. */
+struct visit {
+    struct found seen;
+    double bound;
+    size_t most;
+    const cylint_scene *scene; /* NULL, or one that is queried at each hit */
 };
 
-static double end_visit(void *context, size_t number, const cylint_hit *hit)
+static double next_bound(struct visit *v, size_t number, double at)
 {
-    struct ender *e = context;
-    (void)number;
-    e->least = fmin(e->least, hit->t);
-    return ++e->calls == e->most ? (double)NAN : e->bound;
+    add_found(&v->seen, number, at);
+    return v->seen.n == v->most ? (double)NAN : v->bound;
 }
 
-static double end_near(void *context, size_t number, double distance, int flags)
+static double visit_hit(void *context, size_t number, const cylint_hit *hit)
 {
-    struct ender *e = context;
-    (void)number;
-    (void)flags;
-    e->least = fmin(e->least, fabs(distance));
-    return ++e->calls == e->most ? (double)NAN : e->bound;
-}
-
-static double query_again(void *context, size_t number, const cylint_hit *hit)
-{
-    struct ender *e = context;
+    struct visit *v = context;
     cylint_closest answer;
-    e->calls++;
-    CHECK(cylint_scene_closest(e->scene, hit->point, HUGE_VAL, 0, &answer) <
-          cylint_scene_size(e->scene));
-    CHECK(fabs(answer.distance) < 1e-12);
-    (void)number;
-    return HUGE_VAL;
+    if (v->scene) {
+        CHECK(cylint_scene_closest(v->scene, hit->point, HUGE_VAL, 0, &answer) <
+              cylint_scene_size(v->scene));
+        CHECK(fabs(answer.distance) < 1e-12);
+    }
+    return next_bound(v, number, hit ? hit->t : (double)NAN);
 }
 
-static double count_visits(void *context, size_t number, const cylint_hit *hit)
+static double visit_near(void *context, size_t number, double distance,
+                         int flags)
 {
-    struct ender *e = context;
-    (void)number;
-    e->calls += hit == NULL;
-    return HUGE_VAL;
+    (void)flags;
+    return next_bound(context, number, fabs(distance));
 }
 
-TEST(a_callback_may_end_a_visit_or_query_the_scene)
+/* Whether all shapes of x up to `bound` are shapes of y. */
+static int has_all(const struct found *y, const struct found *x, double bound)
+{
+    for (size_t i = 0; i < x->n; i++) {
+        size_t k = 0;
+        while (k < y->n && y->number[k] != x->number[i])
+            k++;
+        if (k == y->n && x->at[i] <= bound)
+            return 0;
+    }
+    return 1;
+}
+
+TEST(a_callback_may_shorten_or_end_a_visit_or_query_the_scene)
 {
     /* none of these is a member of a hit */
     static const unsigned no_members[] = {0, CYLINT_WANT_NEAREST,
                                           CYLINT_SIGNED};
-    OWN_SHAPES of = scene_generate(SCENE_STRANDS, SHAPES, check_seed());
-    OWN_SCENE *scene = open_scene(&of, 1);
     int visited = 0;
-    for (uint64_t i = 0; i < 200; i++) {
-        struct ender all = {.bound = HUGE_VAL, .least = HUGE_VAL},
-                     one = {.bound = HUGE_VAL, .most = 1}, less = all,
-                     again = {.scene = scene}, unwanted = {.calls = 0};
+    for (uint64_t i = 0; i < 600; i++) {
+        static struct visit all, one, less, again, unwanted;
+        const unsigned none = no_members[i % 3];
         cylint_line line;
         cylint_hit hit;
         cylint_closest near;
+        OWN_SHAPES of =
+            scene_generate(i % 2 ? SCENE_STRANDS : SCENE_FAT, 100, i);
+        OWN_SCENE *scene = open_scene(&of, 1);
         scene_line(&of, LINES_RANDOM, check_seed(), i, &line);
         if (cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == of.n)
             continue;
+        all = one = less = again = unwanted = (struct visit){.bound = HUGE_VAL};
+        one.most = 1;
         less.bound = hit.t;
-        cylint_scene_visit(scene, &line, CYLINT_WANT_T, end_visit, &all);
-        cylint_scene_visit(scene, &line, CYLINT_WANT_T, end_visit, &one);
-        cylint_scene_visit(scene, &line, CYLINT_WANT_T, end_visit, &less);
-        cylint_scene_visit(scene, &line, CYLINT_WANT_POINT, query_again,
-                           &again);
-        cylint_scene_visit(scene, &line, no_members[i % 3], count_visits,
-                           &unwanted);
-        CHECK(one.calls == 1 && less.calls <= all.calls &&
-              again.calls == all.calls && unwanted.calls == all.calls &&
-              less.least == hit.t);
-        struct ender first = {.bound = HUGE_VAL, .most = 1},
-                     nearest = {.bound = 0, .least = HUGE_VAL};
+        again.scene = scene;
+        cylint_scene_visit(scene, &line, CYLINT_WANT_T, visit_hit, &all);
+        cylint_scene_visit(scene, &line, CYLINT_WANT_T, visit_hit, &one);
+        cylint_scene_visit(scene, &line, CYLINT_WANT_POINT, visit_hit, &again);
+        cylint_scene_visit(scene, &line, none, visit_hit, &unwanted);
+        CHECK(one.seen.n == 1 && again.seen.n == all.seen.n &&
+              unwanted.seen.n == all.seen.n &&
+              unwanted.seen.at[0] != unwanted.seen.at[0]);
+        cylint_scene_visit(scene, &line, i % 4 < 2 ? CYLINT_WANT_T : none,
+                           visit_hit, &less);
+        CHECK(less.seen.n <= all.seen.n &&
+              has_all(&less.seen, &all.seen, hit.t));
+        one.seen.n = less.seen.n = all.seen.n = 0;
         cylint_scene_closest(scene, line.o, HUGE_VAL, 0, &near);
-        nearest.bound = fabs(near.distance);
-        cylint_scene_visit_point(scene, line.o, HUGE_VAL, 0, end_near, &first);
-        cylint_scene_visit_point(scene, line.o, HUGE_VAL, 0, end_near,
-                                 &nearest);
-        CHECK(first.calls == 1 && nearest.least == nearest.bound);
+        less.bound = fabs(near.distance);
+        cylint_scene_visit_point(scene, line.o, HUGE_VAL, 0, visit_near, &all);
+        cylint_scene_visit_point(scene, line.o, HUGE_VAL, 0, visit_near, &one);
+        cylint_scene_visit_point(scene, line.o, HUGE_VAL, 0, visit_near, &less);
+        CHECK(one.seen.n == 1 && less.seen.n < all.seen.n &&
+              has_all(&less.seen, &all.seen, less.bound));
         visited++;
     }
-    CHECK(visited > 20);
-}
-
-struct visit_to_bound {
-    double bound;
-    int n_before; /* shapes that are hit up to the bound */
-    signed char is_before[SHAPES];
-};
-
-static double note_before(void *context, size_t number, const cylint_hit *hit)
-{
-    struct visit_to_bound *v = context;
-    v->is_before[number] = hit->t <= v->bound;
-    v->n_before += v->is_before[number];
-    return HUGE_VAL;
-}
-
-static double forget_before(void *context, size_t number, const cylint_hit *hit)
-{
-    struct visit_to_bound *v = context;
-    (void)hit;
-    v->n_before -= v->is_before[number];
-    return v->bound;
-}
-
-TEST(a_callback_that_shortens_the_line_gets_all_shapes_up_to_there)
-{
-    OWN_SHAPES of = scene_generate(SCENE_FAT, SHAPES, check_seed());
-    OWN_SCENE *scene = open_scene(&of, 1);
-    for (uint64_t i = 0; i < 2000; i++) {
-        cylint_line line;
-        cylint_hit hit;
-        scene_line(&of, LINES_RANDOM, check_seed(), i, &line);
-        if (cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == of.n)
-            continue;
-        struct visit_to_bound v = {.bound = hit.t};
-        cylint_scene_visit(scene, &line, CYLINT_WANT_T, note_before, &v);
-        cylint_scene_visit(scene, &line, i % 2 ? CYLINT_WANT_T : 0,
-                           forget_before, &v);
-        CHECK(v.n_before == 0);
-    }
+    CHECK(visited > 60);
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */
@@ -680,8 +619,6 @@ TEST(every_status_has_its_text)
 
 int main(void)
 {
-    lines_of_a_kind = (size_t)check_setting("CYLINT_CASES", LINES);
-    points_of_a_place += lines_of_a_kind / 200;
     const int failed = check_all();
     printf("note: %zu lines, %zu of them hit; %zu points, %zu of them inside\n",
            n_lines, n_hit, n_points, n_inside);
