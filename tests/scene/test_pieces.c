@@ -1,6 +1,9 @@
 /*
- * test_pieces.c - the pieces of a line in solids, in every mode, against a loop
- * over all cells
+ * test_pieces.c - the pieces of a line in solids, in every mode, its first boundary,
+ * and the depth of points, against a loop over all cells; the pieces and sums of many
+ * lines
+ *
+ * piece_world.h makes the scenes and gives the expected pieces.
  *
  * CYLINT_CASES: scenes in each test.
  */
@@ -9,11 +12,15 @@
 #include <string.h>
 
 #include "check.h"
+#include "columns.h"
 #include "cylint_scene.h"
 #include "environment.h"
 #include "piece_world.h"
+#ifdef HAVE_MPFR
+#include "real.h"
+#endif
 
-/* ---------------------------------------------------------- the library -- */
+/* -------------------------------------------------------------- pieces -- */
 
 /* `capacity` pieces at a time. */
 static size_t resumed(const cylint_piece_rule *rule, cylint_piece *to,
@@ -51,12 +58,8 @@ static void check_rule(const cylint_piece_rule *rule)
     }
 }
 
-/* -------------------------------------------------------------- worlds -- */
-
-static void check_line(void)
+static void check_rules(void)
 {
-    const cylint_line line = any_line();
-    find_chords(&line);
     for (int mode = CYLINT_PIECES_UNION; mode <= CYLINT_PIECES_CHORDS; mode++)
         for (int ranked = 0; ranked < 2; ranked++) {
             const cylint_piece_rule rule = {.mode = (cylint_piece_mode)mode,
@@ -64,6 +67,156 @@ static void check_line(void)
             check_rule(&rule);
         }
 }
+
+/* ------------------------------------------------------ first boundary -- */
+
+typedef struct {
+    size_t number; /* world.n: there is none */
+    double t;
+    int enters, is_complement;
+} boundary;
+
+/* Whether shape i begins or ends at t as a member of the solid of this number. */
+static int is_surface(size_t i, size_t owner, double t, int enters,
+                      int *is_complement)
+{
+    int begins = 0, ends = 0, is_plain = !is_member(i) && i == owner,
+        is_removed = 0;
+    for (int j = 0; j < world.chords[i]; j++) {
+        begins |= world.chord[i][j].t0 == t;
+        ends |= world.chord[i][j].t1 == t;
+    }
+    for (size_t j = 0; j < world.members; j++)
+        if (world.member[j].shape == i &&
+            number_of(world.member[j].solid) == owner) {
+            is_plain |= world.member[j].clause > 0;
+            is_removed |= world.member[j].clause < 0;
+        }
+    *is_complement = !(is_plain && (enters ? begins : ends));
+    return !*is_complement || (is_removed && (enters ? ends : begins));
+}
+
+/* Of world.line; its chords are known. */
+static boundary expected_boundary(void)
+{
+    static cylint_piece piece[MOST];
+    const cylint_piece_rule unions = {.mode = CYLINT_PIECES_UNION},
+                            owners = {.mode = CYLINT_PIECES_OWNER};
+    boundary b = {.number = world.n};
+    if (expected_pieces(&unions, piece) == 0)
+        return b;
+    b.enters = piece[0].t0 > world.line.tmin;
+    b.t = b.enters ? piece[0].t0 : piece[0].t1;
+    if (!(b.t < world.line.tmax))
+        return b;
+    const size_t n = expected_pieces(&owners, piece);
+    size_t i = 0;
+    while (i < n && !b.enters && piece[i].t1 != b.t)
+        i++;
+    if (!CHECK(i < n))
+        return b;
+    const size_t owner = piece[i].shape;
+    for (b.number = 0; b.number < world.n; b.number++)
+        if (is_surface(b.number, owner, b.t, b.enters, &b.is_complement))
+            return b;
+    CHECK(b.number < world.n);
+    return b;
+}
+
+/* The hit of the shape at the boundary. */
+static int expected_hit(const boundary *b, cylint_hit *hit)
+{
+    cylint_shape shape = world.shape[b->number];
+    const cylint_line whole = whole_of(world.line);
+    cylint_answer a;
+    if (shape.ends < CYLINT_ENDS_INFINITE)
+        shape.ends = CYLINT_ENDS_CAPPED;
+    cylint_intersect(&shape, &whole, CYLINT_WANT_ALL, &a);
+    for (int i = 0; i < a.n; i++)
+        if (a.hit[i].t == b->t && (a.hit[i].side == CYLINT_SIDE_ENTERING) ==
+                                      (b->enters != b->is_complement)) {
+            *hit = a.hit[i];
+            hit->side = b->enters ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
+            for (int j = 0; j < 3 && b->is_complement; j++)
+                hit->normal[j] = 0 - hit->normal[j];
+            return 1;
+        }
+    return 0;
+}
+
+static size_t first_boundary(unsigned want, cylint_hit *hit)
+{
+    cylint_workspace work = any_workspace();
+    size_t n;
+    do
+        n = cylint_scene_first_boundary(world.scene, &world.line, want, hit,
+                                        &work);
+    while (needs_more(n, &work));
+    return n;
+}
+
+static long boundaries, in_bores;
+
+static void check_boundary(void)
+{
+    cylint_hit got, expected, few;
+    const boundary b = expected_boundary();
+    const double *d = world.line.d;
+    memset(&few, 0x5a, sizeof few);
+    const cylint_hit untouched = few;
+    const size_t n = first_boundary(CYLINT_WANT_ALL, &got);
+    if (!CHECK(n == b.number))
+        REPORT("shape %zu, not %zu, at t %a", n, b.number, b.t);
+    if (n != b.number || n == world.n)
+        return;
+    boundaries++;
+    in_bores += b.is_complement;
+    if (!CHECK(expected_hit(&b, &expected) &&
+               same_hit(&got, &expected, CYLINT_WANT_ALL)))
+        REPORT("shape %zu, t %a, part %d, side %d", n, got.t, got.part,
+               got.side);
+    const double along = dot3(d, got.normal);
+    CHECK(b.enters ? along <= 1e-14 : along >= -1e-14);
+    CHECK(first_boundary(CYLINT_WANT_T, &few) == n);
+    CHECK(same_double(few.t, got.t) && few.side == untouched.side &&
+          same_double(few.normal[0], untouched.normal[0]));
+}
+
+/* --------------------------------------------------------------- depth -- */
+
+static size_t expected_depth(const double point[3], const int *rank,
+                             size_t *owner)
+{
+    int in[SHAPES];
+    for (size_t i = 0; i < world.n; i++)
+        in[i] = cylint_contains(&world.shape[i], point) >= 0;
+    const size_t depth = depth_in(in, rank, owner);
+    *owner = *owner == SIZE_MAX ? world.n : *owner;
+    return depth;
+}
+
+static long points_inside;
+
+static void check_depth(void)
+{
+    const int *rank = one_of(2) ? world.rank : NULL;
+    cylint_workspace work = any_workspace();
+    double point[3];
+    size_t owner, expected, n;
+    whole_point(point, 7);
+    if (one_of(2))
+        point[one_of(3)] /= 2;
+    do
+        n = cylint_scene_depth(world.scene, point, rank, &owner, &work);
+    while (needs_more(n, &work));
+    points_inside += n > 0;
+    if (!CHECK(n == expected_depth(point, rank, &expected) &&
+               owner == expected))
+        REPORT("point %g %g %g: depth %zu, owner %zu, not %zu", point[0],
+               point[1], point[2], n, owner, expected);
+}
+
+/* -------------------------------------------------------------- worlds -- */
 
 /* The solids of the scene stay. */
 static void move_a_shape(void)
@@ -75,32 +228,51 @@ static void move_a_shape(void)
         world.shape[i] = moved;
 }
 
-static void check_worlds(long worlds, int with_solids)
+static void begin_world(void)
 {
-    pieces_compared = 0;
+    make_shapes();
+    if (one_of(4))
+        make_solids();
+}
+
+TEST(pieces_boundaries_and_depths_are_those_of_a_loop)
+{
+    const long worlds = (long)check_setting("CYLINT_CASES", 120);
+    stream = 1;
     for (long i = 0; i < worlds; i++) {
-        make_shapes();
-        if (with_solids)
-            make_solids();
-        for (int j = 0; j < LINES; j++) {
-            check_line();
+        begin_world();
+        for (int j = 0; j < 2 * LINES; j++) {
+            const cylint_line line = any_line();
+            find_chords(&line);
+            check_boundary();
+            check_depth();
+            if (j % 2 == 0)
+                continue;
+            check_rules();
             move_a_shape();
         }
     }
-    CHECK(pieces_compared > 100 * worlds);
-    printf("note: %ld pieces\n", pieces_compared);
+    CHECK(pieces_compared > 100 * worlds && points_inside > worlds &&
+          boundaries > 10 * worlds && in_bores > worlds / 10);
+    printf(
+        "note: %ld pieces, %ld boundaries, %ld of them in bores, %ld points in "
+        "solids\n",
+        pieces_compared, boundaries, in_bores, points_inside);
 }
 
-TEST(pieces_of_shapes_are_those_of_a_loop)
+TEST(an_invalid_line_or_point_is_in_no_solid)
 {
-    stream = 1;
-    check_worlds((long)check_setting("CYLINT_CASES", 60), 0);
-}
-
-TEST(pieces_of_solids_are_those_of_a_loop)
-{
-    stream = 2;
-    check_worlds((long)check_setting("CYLINT_CASES", 60), 1);
+    const double o[3] = {0, 0, 0}, far[3] = {0, HUGE_VAL, 0};
+    cylint_workspace work = {NULL, 0, 0};
+    cylint_hit hit;
+    size_t owner = 0;
+    stream = 4;
+    begin_world();
+    CHECK(cylint_whole_line(&world.line, o, o) != CYLINT_OK);
+    CHECK(cylint_scene_first_boundary(world.scene, &world.line, CYLINT_WANT_ALL,
+                                      &hit, &work) == world.n);
+    CHECK(cylint_scene_depth(world.scene, far, NULL, &owner, &work) == 0 &&
+          owner == world.n);
 }
 
 /* --------------------------------------------------------- environment -- */
@@ -134,4 +306,183 @@ TEST(pieces_are_the_same_in_every_environment)
         subnormal_ends += t > 0 && t < DBL_MIN;
     }
     CHECK(subnormal_ends > 0);
+}
+
+/* ---------------------------------------------------------- many lines -- */
+
+enum { MANY = 1500, LABELS = 5 };
+
+static double column[8][MANY];
+static double *const array[8] = {column[0], column[1], column[2], column[3],
+                                 column[4], column[5], column[6], column[7]};
+static cylint_line each[MANY];
+
+/* Some of them invalid. */
+static cylint_lines many_lines(void)
+{
+    for (size_t i = 0; i < MANY; i++) {
+        cylint_line line = any_line();
+        if (one_of(100) == 0)
+            memset(line.d, 0, sizeof line.d);
+        set_columns(&line, array, i);
+        each[i] = column_line(&line, 3);
+    }
+    return lines_of(array, MANY, 3);
+}
+
+static size_t pieces_of(size_t i, const cylint_piece_rule *rule, size_t most,
+                        cylint_piece *to)
+{
+    return pieces_in_world(&each[i], rule, to, most > 0 ? most : MOST);
+}
+
+static void check_rows(const cylint_lines *lines, const cylint_piece_rule *rule,
+                       size_t most, int threads)
+{
+    static cylint_piece piece[MOST];
+    cylint_piece_rule given = *rule;
+    cylint_piece_rows rows;
+    given.after = piece; /* is not read */
+    const cylint_scene_status status = cylint_scene_pieces_lines(
+        world.scene, lines, &given, most, threads, &rows);
+    if (!CHECK(status == CYLINT_SCENE_OK && rows.first[0] == 0))
+        return;
+    for (size_t i = 0; i < lines->n; i++) {
+        const size_t n = pieces_of(i, rule, most, piece);
+        if (!CHECK(same_pieces(rows.pieces + rows.first[i],
+                               rows.first[i + 1] - rows.first[i], piece, n)))
+            REPORT("line %zu, %d threads, most %zu", i, threads, most);
+    }
+    cylint_piece_rows_free(&rows);
+    CHECK(!rows.first && !rows.pieces);
+}
+
+static cylint_piece_rule any_rule(void)
+{
+    const cylint_piece_mode mode = (cylint_piece_mode)one_of(4);
+    return (cylint_piece_rule){.mode = mode,
+                               .rank = one_of(2) ? world.rank : NULL};
+}
+
+TEST(pieces_of_many_lines_are_those_of_each)
+{
+    static const int threads[] = {1, 2, 5};
+    const long worlds = (long)check_setting("CYLINT_CASES", 8);
+    stream = 7;
+    for (long i = 0; i < worlds; i++) {
+        begin_world();
+        cylint_lines lines = many_lines();
+        for (int k = 0; k < 3; k++) {
+            const cylint_piece_rule rule = any_rule();
+            check_rows(&lines, &rule, (size_t)one_of(4), threads[k]);
+        }
+        lines.n = 0;
+        const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+        check_rows(&lines, &rule, 0, 2);
+    }
+}
+
+/* A line through a row of balls, of which more are wanted than the first memory for
+ * pieces holds. */
+TEST(many_pieces_of_a_line_are_all_those_that_are_wanted)
+{
+    enum { BALLS = 700 };
+    static cylint_shape ball[BALLS];
+    static const size_t most[] = {0, 255, 256, 257, 600, BALLS + 1};
+    const double o[3] = {-1, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    const cylint_lines lines = {
+        1, {&o[0], &o[1], &o[2]}, {&d[0], &d[1], &d[2]}, NULL, NULL};
+    for (int i = 0; i < BALLS; i++)
+        cylint_sphere(&ball[i], (double[]){i, 0, 0}, 0.25, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(ball, BALLS, 1, NULL);
+    for (size_t i = 0; i < sizeof most / sizeof *most; i++) {
+        const size_t n = most[i] > 0 && most[i] < BALLS ? most[i] : BALLS;
+        cylint_piece_rows rows;
+        if (!CHECK(cylint_scene_pieces_lines(scene, &lines, &rule, most[i], 1,
+                                             &rows) == CYLINT_SCENE_OK))
+            continue;
+        CHECK(rows.first[1] == n && rows.pieces[n - 1].shape == n - 1);
+        cylint_piece_rows_free(&rows);
+    }
+}
+
+/* ---------------------------------------------------------------- sums -- */
+
+#ifdef HAVE_MPFR
+/* Of the pieces with this label. */
+static double exact_sum(const cylint_piece *piece, size_t n, const int *label,
+                        int wanted)
+{
+    real_fixed(4000);
+    real sum = real_of(0);
+    for (size_t i = 0; i < n; i++)
+        if ((label ? label[piece[i].shape] : 0) == wanted)
+            sum = plus(sum, minus(real_of(piece[i].t1), real_of(piece[i].t0)));
+    return mpfr_get_d(sum->x, RND);
+}
+
+static void check_sums(const cylint_lines *lines, const cylint_piece_rule *rule,
+                       const int *label, int in_units, const double *sums)
+{
+    static cylint_piece piece[MOST];
+    for (size_t i = 0; i < lines->n; i++) {
+        const size_t n = pieces_of(i, rule, 0, piece);
+        for (int k = 0; k < LABELS; k++) {
+            double expected = exact_sum(piece, n, label, k);
+            if (in_units && expected != 0)
+                expected *= cylint_line_length(&each[i]);
+            if (!CHECK(same_double(sums[i * LABELS + (size_t)k], expected)))
+                REPORT("line %zu, label %d: %a, not %a", i, k,
+                       sums[i * LABELS + (size_t)k], expected);
+        }
+    }
+}
+
+TEST(sums_are_the_nearest_doubles_for_all_threads)
+{
+    static const int threads[] = {1, 2, 5};
+    static double sums[3][MANY * LABELS];
+    const long worlds = (long)check_setting("CYLINT_CASES", 8);
+    stream = 8;
+    for (long i = 0; i < worlds; i++) {
+        int label[SHAPES];
+        begin_world();
+        const cylint_lines lines = many_lines();
+        const cylint_piece_rule rule = any_rule();
+        const int in_units = one_of(2), *labels = one_of(4) ? label : NULL;
+        for (int j = 0; j < SHAPES; j++)
+            label[j] = one_of(LABELS + 2) - 1; /* -1 and 5 do not count */
+        for (int k = 0; k < 3; k++) {
+            memset(sums[k], 0x5a, sizeof sums[k]);
+            CHECK(cylint_scene_sums(world.scene, &lines, &rule, labels, LABELS,
+                                    in_units, threads[k],
+                                    sums[k]) == CYLINT_SCENE_OK);
+        }
+        CHECK(memcmp(sums[0], sums[1], sizeof sums[0]) == 0 &&
+              memcmp(sums[0], sums[2], sizeof sums[0]) == 0);
+        check_sums(&lines, &rule, labels, in_units, sums[0]);
+    }
+}
+#endif
+
+/* A line from minus infinity, of which an end near the largest double does not make the
+ * sum finite; and one without end, whose product with a length that the thread reads as
+ * 0 would be NaN. */
+TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
+{
+    static const char *const records[] = {
+        "line 0 0 0x1.8p23  0 0 0x1p-1000  halfspace 0 0 0  0 0 1",
+        "ray 0 0 0  0 0 0x1p-1074  cylinder 0 0 0  0 0 1  1 ends=infinite"};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    for (int i = 0; i < 2; i++) {
+        const struct family_case c = case_of(records[i]);
+        double sum = 0;
+        OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
+        treat_subnormals(i ? FLUSH | ZERO : 0);
+        CHECK(cylint_scene_line_sums(scene, &c.line, &rule, NULL, 1, i, &sum) ==
+              CYLINT_SCENE_OK);
+        treat_subnormals(0);
+        CHECK(sum == HUGE_VAL);
+    }
 }
