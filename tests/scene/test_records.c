@@ -17,34 +17,7 @@
 #include "scene/records.h"
 #include "shapes/shape_facts.h"
 
-enum { CASES = 2000, BLOCK = 64 };
-
-/* Hulls of two balls too, of which one holds the other; and shapes that were
- * refused. */
-TEST(a_scene_returns_its_shapes)
-{
-    for (int family = 0; family < family_count(); family++) {
-        static cylint_shape shapes[BLOCK];
-        cylint_shape back;
-        OWN_SCENE *scene = cylint_scene_begin(0);
-        for (int block = 0; block < 2; block++) {
-            for (int i = 0; i < BLOCK; i++) {
-                struct family_case c;
-                family_case(9, family, (uint64_t)(block * BLOCK + i), &c);
-                shapes[i] = c.shape;
-            }
-            cylint_sphere(shapes, (double[]){0, 0, 0}, -1, CYLINT_ENDS_CAPPED);
-            CHECK(cylint_scene_add(scene, shapes, BLOCK) == CYLINT_SCENE_OK);
-        }
-        CHECK(cylint_scene_size(scene) == 2 * BLOCK);
-        CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
-        for (int i = 0; i < BLOCK; i++) {
-            cylint_scene_shape(scene, (size_t)(BLOCK + i), &back);
-            if (!CHECK(same_bytes(&back, &shapes[i], sizeof back)))
-                REPORT("family %s, shape %d", family_name(family), i);
-        }
-    }
-}
+enum { CASES = 2000 };
 
 /* Local coordinates depend on the rounding mode of their constructor. */
 TEST(a_shape_is_made_again_in_its_rounding_mode)
