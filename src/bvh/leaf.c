@@ -130,20 +130,19 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
     const int capsule = leaf->used & CYLINT_LEAF_ROUND;
     const double steps = cylint_leaf_steps(leaf);
     const double *base = s->base, *axis = s->axis;
-    const double k0 = s->k[0] * s->across, k1 = s->k[1] * s->across;
     const double slope = s->along / s->across;
-    const double ww = cylint_dot(axis, axis);
-    const double length = sqrt(ww);
+    const double ww = cylint_dot(axis, axis), length = s->length;
     const double input_error =
         line_error * steps +
         0x1p-48 * steps *
             (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
-             cylint_larger(k0, k1) * (1 + slope));
+             cylint_larger(s->k[0], s->k[1]) * s->across * (1 + slope));
     const double e = 0.875 + input_error;
     const int round = s->round;
-    const cylint_piece_hull part =
-        cylint_piece_hull_of(piece, k0, k1, round, s->shift);
-    const double across = cylint_larger(part.k[0], part.k[1]) * steps;
+    const cylint_piece_hull part = cylint_piece_hull_of(s, piece);
+    const double k[2] = {part.k[0] * s->across * steps,
+                         part.k[1] * s->across * steps};
+    const double across = cylint_larger(k[0], k[1]);
     const double l = length * steps * (part.z[1] - part.z[0]);
     const double out = sqrt(across * e);
     const double least =
@@ -155,7 +154,6 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
         longer[end] = (least + (is_disc ? 0 : across * slope)) / length;
     }
     if (capsule) {
-        const double k[2] = {part.k[0] * steps, part.k[1] * steps};
         const double shorter = cylint_smaller(fabs(k[0] - k[1]), l);
         for (int end = 0; end < 2; end++)
             longer[end] =

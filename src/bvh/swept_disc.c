@@ -88,10 +88,10 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
                 : 1;
 }
 
-static double radius_at(double k0, double k1, double z)
+static double radius_at(const double k[2], double z)
 {
     const double inside = cylint_larger(0, cylint_smaller(z, 1));
-    return k0 + (k1 - k0) * inside;
+    return k[0] + (k[1] - k[0]) * inside;
 }
 
 /*
@@ -101,21 +101,21 @@ static double radius_at(double k0, double k1, double z)
  * cone, and each section is at most as wide as that ball.  Else each piece is
  * bounded as the whole; such a shape is so thick that it is rarely cut.
  */
-cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
-                                       double k1, int round, double shift)
+cylint_piece_hull cylint_piece_hull_of(const cylint_swept_disc *t,
+                                       cylint_shape_piece piece)
 {
     const double overlap = 0x1p-20, count = piece.count;
-    const int is_whole = round && !(shift * count < 1 - 2 * overlap);
+    const int is_whole = t->round && !(t->shift * count < 1 - 2 * overlap);
     const int at_end[2] = {is_whole || piece.index == 0,
                            is_whole || piece.index == piece.count - 1};
     cylint_piece_hull h;
     h.z[0] = at_end[0] ? 0 : (piece.index - overlap) / count;
     h.z[1] = at_end[1] ? 1 : (piece.index + 1 + overlap) / count;
     for (int end = 0; end < 2; end++) {
-        const double s = at_end[end] ? 0 : shift;
-        h.is_ball[end] = round && at_end[end];
-        h.k[end] = cylint_larger(radius_at(k0, k1, h.z[end] - s),
-                                 radius_at(k0, k1, h.z[end] + s));
+        const double s = at_end[end] ? 0 : t->shift;
+        h.is_ball[end] = t->round && at_end[end];
+        h.k[end] = cylint_larger(radius_at(t->k, h.z[end] - s),
+                                 radius_at(t->k, h.z[end] + s));
     }
     return h;
 }
@@ -128,8 +128,7 @@ cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
 cylint_extent cylint_piece_box(const cylint_swept_disc *t,
                                const double reach[3], cylint_shape_piece piece)
 {
-    const cylint_piece_hull h =
-        cylint_piece_hull_of(piece, t->k[0], t->k[1], t->round, t->shift);
+    const cylint_piece_hull h = cylint_piece_hull_of(t, piece);
     double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {
         const double reach0 = h.is_ball[0] ? 1 : reach[j];

@@ -93,10 +93,9 @@ typedef struct cylint_piece_hull {
 } cylint_piece_hull;
 
 /* Pieces overlap by 2^-20 of their length, so that a z with a rounding error
- * still lies in the piece that cylint_piece_at() returns.  round: the shape is
- * round, with this shift. */
-cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
-                                       double k1, int round, double shift);
+ * still lies in the piece that cylint_piece_at() returns. */
+cylint_piece_hull cylint_piece_hull_of(const cylint_swept_disc *disc,
+                                       cylint_shape_piece piece);
 cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
                                const double reach[3], cylint_shape_piece piece);
 

@@ -521,8 +521,7 @@ static double distance_from_capsule(const shape_pieces *p, uint16_t i)
 {
     const cylint_swept_disc *disc = &p->disc;
     const cylint_piece_hull h =
-        cylint_piece_hull_of((cylint_shape_piece){i, p->count}, disc->k[0],
-                             disc->k[1], disc->round, disc->shift);
+        cylint_piece_hull_of(disc, (cylint_shape_piece){i, p->count});
     const double k = cylint_larger(h.k[0], h.k[1]);
     double D[3], z[2], square = 0;
     for (int end = 0; end < 2; end++) {
