@@ -106,28 +106,28 @@ static inline void find_chords(const cylint_line *line)
     qsort(world.end, world.ends, sizeof *world.end, compare_doubles);
 }
 
-static inline void add_owner(size_t number, const int *rank, size_t *owner,
-                             size_t *depth)
-{
-    ++*depth;
-    if (*owner == SIZE_MAX ||
-        (rank && rank[number] != rank[*owner] ? rank[number] < rank[*owner]
-                                              : number < *owner))
-        *owner = number;
-}
+enum { ALL = -1 };
 
-/* The owner of a place in these shapes and how many solids contain it. */
-static inline size_t depth_in(const int in[SHAPES], const int *rank,
+/* The owner of a place in these shapes and how many solids contain it, of all solids
+ * or of the one of this number. */
+static inline size_t depth_in(const int in[SHAPES], const int *rank, int only,
                               size_t *owner)
 {
     size_t depth = 0;
     *owner = SIZE_MAX;
-    for (size_t i = 0; i < world.n; i++)
-        if (!is_member(i) && in[i])
-            add_owner(i, rank, owner, &depth);
-    for (size_t i = 0; i < world.solids; i++)
-        if (solid_contains(i, in))
-            add_owner(number_of(i), rank, owner, &depth);
+    for (size_t i = 0; i < world.n + world.solids; i++) {
+        const int is_shape = i < world.n;
+        const size_t number = is_shape ? i : number_of(i - world.n);
+        if ((only != ALL && number != (size_t)only) ||
+            !(is_shape ? !is_member(i) && in[i]
+                       : solid_contains(i - world.n, in)))
+            continue;
+        depth++;
+        if (*owner == SIZE_MAX ||
+            (rank && rank[number] != rank[*owner] ? rank[number] < rank[*owner]
+                                                  : number < *owner))
+            *owner = number;
+    }
     return depth;
 }
 
@@ -144,8 +144,9 @@ static inline int same_set(const int x[SHAPES], const int y[SHAPES])
     return 1;
 }
 
-static inline size_t expected_pieces(const cylint_piece_rule *rule,
-                                     cylint_piece *to)
+/* Pieces, of all solids or of the one of this number. */
+static inline size_t pieces_of_solids(const cylint_piece_rule *rule, int only,
+                                      cylint_piece *to)
 {
     size_t n = 0;
     int in[SHAPES], before[SHAPES] = {0};
@@ -155,7 +156,7 @@ static inline size_t expected_pieces(const cylint_piece_rule *rule,
         if (!(t0 < t1))
             continue;
         shapes_at(t0, t1, in);
-        const size_t depth = depth_in(in, rule->rank, &owner);
+        const size_t depth = depth_in(in, rule->rank, only, &owner);
         const int follows = n > 0 && to[n - 1].t1 == t0;
         if (depth > 0 && follows &&
             (rule->mode == CYLINT_PIECES_UNION ||
@@ -172,28 +173,15 @@ static inline size_t expected_pieces(const cylint_piece_rule *rule,
     return n;
 }
 
-static inline size_t expected_chords(cylint_piece *to)
+static inline size_t expected_pieces(const cylint_piece_rule *rule,
+                                     cylint_piece *to)
 {
+    const cylint_piece_rule unions = {.mode = CYLINT_PIECES_UNION};
     size_t n = 0;
-    for (size_t i = 0; i < world.n; i++)
-        for (int j = 0; j < world.chords[i] && !is_member(i); j++)
-            to[n++] = (cylint_piece){world.chord[i][j].t0, world.chord[i][j].t1,
-                                     i, 1};
-    for (size_t i = 0; i < world.solids; i++) {
-        int was = 0, in[SHAPES];
-        for (size_t j = 0; j + 1 < world.ends; j++) {
-            const double t0 = world.end[j], t1 = world.end[j + 1];
-            if (!(t0 < t1))
-                continue;
-            shapes_at(t0, t1, in);
-            const int is = solid_contains(i, in);
-            if (is && was)
-                to[n - 1].t1 = t1;
-            else if (is)
-                to[n++] = (cylint_piece){t0, t1, number_of(i), 1};
-            was = is;
-        }
-    }
+    if (rule->mode != CYLINT_PIECES_CHORDS)
+        return pieces_of_solids(rule, ALL, to);
+    for (int number = 0; number < (int)world.n; number++)
+        n += pieces_of_solids(&unions, number, to + n);
     qsort(to, n, sizeof *to, by_begin);
     return n;
 }

@@ -46,9 +46,7 @@ static void check_rule(const cylint_piece_rule *rule)
 {
     static cylint_piece expected[MOST], got[MOST];
     static const size_t capacities[] = {1, 2, 3, 4, 5, 7, MOST};
-    const size_t n = rule->mode == CYLINT_PIECES_CHORDS
-                         ? expected_chords(expected)
-                         : expected_pieces(rule, expected);
+    const size_t n = expected_pieces(rule, expected);
     for (size_t i = 0; i < sizeof capacities / sizeof *capacities; i++) {
         const size_t m = resumed(rule, got, capacities[i]);
         pieces_compared += (long)m;
@@ -190,7 +188,7 @@ static size_t expected_depth(const double point[3], const int *rank,
     int in[SHAPES];
     for (size_t i = 0; i < world.n; i++)
         in[i] = cylint_contains(&world.shape[i], point) >= 0;
-    const size_t depth = depth_in(in, rank, owner);
+    const size_t depth = depth_in(in, rank, ALL, owner);
     *owner = *owner == SIZE_MAX ? world.n : *owner;
     return depth;
 }

@@ -309,7 +309,8 @@ TEST(pieces_of_one_solid_are_those_of_a_loop)
         cylint_line of = any_line();
         make_one_solid(clause);
         find_chords(&of);
-        const size_t n = expected_chords(expected),
+        const cylint_piece_rule chords = {.mode = CYLINT_PIECES_CHORDS};
+        const size_t n = expected_pieces(&chords, expected),
                      most = capacities[one_of(4)];
         size_t m = 0;
         int more;
