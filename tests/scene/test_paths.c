@@ -296,15 +296,19 @@ static void limit_domains(void)
     answer_one_by_one();
 }
 
-/* A scene of shapes that are made in the present environment with the present kernels,
- * and added in two blocks, returns them. */
-static cylint_scene *scene_made_there(void)
+/* A scene that is made there, or in the default environment, of shapes that are made
+ * there, and added in two blocks, returns them. */
+static cylint_scene *scene_of_shapes_made(struct environment there,
+                                          int is_made_there)
 {
     cylint_scene *scene = cylint_scene_begin(0);
     make_again();
+    if (!is_made_there)
+        environment_reset();
     cylint_scene_add(scene, g.shape, 3);
     cylint_scene_add(scene, g.shape + 3, GROUP - 3);
     CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
+    environment_set(there);
     for (size_t j = 0; j < GROUP; j++) {
         cylint_shape back;
         cylint_scene_shape(scene, j, &back);
@@ -314,17 +318,17 @@ static cylint_scene *scene_made_there(void)
     return scene;
 }
 
-static void answer_there(struct environment there, int is_made_there)
+static void answer_there(struct environment there, int are_made_there)
 {
     cylint_scene *scene = g.scene;
     environment_set(there);
-    if (is_made_there)
-        g.scene = scene_made_there();
+    if (are_made_there)
+        g.scene = scene_of_shapes_made(there, one_of(2));
     for (size_t k = 0; k < sizeof paths / sizeof *paths; k++)
         for (int i = 0; i < GROUP; i++)
             paths[k](i);
     environment_reset();
-    if (is_made_there)
+    if (are_made_there)
         cylint_scene_free(g.scene);
     g.scene = scene;
 }

@@ -19,24 +19,6 @@
 
 enum { CASES = 2000 };
 
-/* Local coordinates depend on the rounding mode of their constructor. */
-TEST(a_shape_is_made_again_in_its_rounding_mode)
-{
-    static const double p[3] = {0.1, 0.2, 0.3}, q[3] = {1, 2, 7};
-    for (int i = 0; i < ROUNDINGS; i++) {
-        cylint_shape shape, back;
-        fesetround(roundings[i]);
-        CHECK(cylint_cylinder(&shape, p, q, 0.7, CYLINT_ENDS_CAPPED) ==
-              CYLINT_OK);
-        fesetround(roundings[ROUNDINGS - 1 - i]);
-        OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
-        fesetround(roundings[i]);
-        cylint_scene_shape(scene, 0, &back);
-        fesetround(FE_TONEAREST);
-        CHECK(same_bytes(&back, &shape, sizeof back));
-    }
-}
-
 /* Whether a record with this tag is sound, alone or after one with semi-axes. */
 static int is_sound(int tag, cylint_record record)
 {
