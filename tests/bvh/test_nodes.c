@@ -61,8 +61,8 @@ TEST(every_leaf_has_one_parent_and_nodes_have_no_gaps)
         }
 }
 
-/* With 8 parts in each node, as long as a part has more than a leaf, the parts of 15
- * leaves each of the root of 1000 fat shapes would make 53 nodes. */
+/* With 8 parts in each node, as long as a part has more than a leaf, the root's
+ * parts of 15 leaves each would make 53 nodes of the fat shapes. */
 TEST(needles_are_cut_and_shapes_as_wide_as_long_are_not)
 {
     static const struct {
@@ -311,8 +311,8 @@ static void check_progress(const struct scene_shapes *of, int threads)
     cylint_scene_free(made);
 }
 
-/* Some are long and in pieces, some are unbounded.  Nor do several threads change the
- * scene. */
+/* Some shapes are long and in pieces, some are unbounded.  Nor do several threads
+ * change the scene. */
 TEST(progress_grows_and_stops_a_build_but_does_not_change_the_scene)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};

@@ -108,8 +108,8 @@ static inline void find_chords(const cylint_line *line)
 
 enum { ALL = -1 };
 
-/* The owner of a place in these shapes and how many solids contain it, of all solids
- * or of the one of this number. */
+/* The owner of a place in these shapes and how many solids contain it, of all or of
+ * the one of this number. */
 static inline size_t depth_in(const int in[SHAPES], const int *rank, int only,
                               size_t *owner)
 {

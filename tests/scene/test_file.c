@@ -498,7 +498,7 @@ TEST(a_file_with_ranks_is_of_another_version)
     CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EVERSION);
 }
 
-/* One to some changes of files of all kinds and sizes, by the target for fuzzing. */
+/* Random changes of files of all kinds and sizes, by the target for fuzzing. */
 TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);

@@ -296,8 +296,8 @@ static void limit_domains(void)
     answer_one_by_one();
 }
 
-/* A scene that is made there, or in the default environment, of shapes that are made
- * there, and added in two blocks, returns them. */
+/* A scene that is made there, or in the default environment, of shapes that are
+ * made there, and added in two blocks, returns them. */
 static cylint_scene *scene_of_shapes_made(struct environment there,
                                           int is_made_there)
 {

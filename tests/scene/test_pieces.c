@@ -1,7 +1,6 @@
 /*
- * test_pieces.c - the pieces of a line in solids, in every mode, its first boundary,
- * and the depth of points, against a loop over all cells; the pieces and sums of many
- * lines
+ * test_pieces.c - the pieces of a line in solids, its first boundary, and the depth
+ * of points, against a loop over all cells; the pieces and sums of many lines
  *
  * piece_world.h makes the scenes and gives the expected pieces.
  *
@@ -450,9 +449,9 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
 }
 #endif
 
-/* A line from minus infinity, of which an end near the largest double does not make the
- * sum finite; and one without end, whose product with a length that the thread reads as
- * 0 would be NaN. */
+/* Of a piece from minus infinity, whose end near the largest double does not make
+ * the sum finite; and of one to infinity, whose product with a length that the
+ * thread reads as 0 would be NaN. */
 TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
 {
     static const char *const records[] = {

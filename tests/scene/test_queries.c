@@ -99,8 +99,8 @@ static void check_array(const struct scene_shapes *of, const double point[3],
           same_bytes(&got, &due.closest, sizeof got));
 }
 
-/* How many shapes hold the point; these have signed distances of at most 0.  Each is a
- * solid of its own. */
+/* How many shapes, each a solid of its own, hold the point; these have signed
+ * distances of at most 0. */
 static void check_contains(const struct scene_shapes *of,
                            const cylint_scene *scene, const double point[3])
 {

@@ -298,8 +298,8 @@ static inline cylint_scene_status scene_file_try(const void *data, size_t bytes)
     return status;
 }
 
-/* The status after n bytes at `at` have become those of x, and the checksum is right.
- * Then they are as before. */
+/* The status after n bytes at `at` have become those of x, and the checksum is
+ * right.  Then they are as before. */
 static inline cylint_scene_status scene_file_with(const struct bytes *b,
                                                   void *at, const void *x,
                                                   size_t n)
