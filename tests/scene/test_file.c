@@ -461,7 +461,26 @@ TEST(damaged_records_and_boxes_are_refused)
           CYLINT_SCENE_EDAMAGED);
 }
 
-enum { BOUNDED = 5, OTHERS, RANKS = 10 };
+enum { TAGS = 1, BOUNDED = 5, OTHERS, LABEL_ENDS, LABEL_TEXT, RANKS = 10 };
+
+/* By one element, in the last block of the section. */
+TEST(a_longer_or_shorter_section_is_refused)
+{
+    static const struct {
+        int section;
+        uint64_t element;
+    } of[] = {{TAGS, 1}, {BOUNDED, 4}, {LABEL_ENDS, 8}, {LABEL_TEXT, 1}};
+    OWN_BYTES b = {NULL, NULL, 0};
+    write_small(&b);
+    for (size_t i = 0; i < 2 * sizeof of / sizeof *of; i++) {
+        uint64_t *bytes = &scene_file_sizes(&b)[of[i / 2].section];
+        const uint64_t element = of[i / 2].element,
+                       other = i % 2 ? *bytes + element : *bytes - element;
+        if (!CHECK(scene_file_with(&b, bytes, &other, sizeof other) ==
+                   CYLINT_SCENE_EDAMAGED))
+            REPORT("section %d, %d bytes", of[i / 2].section, (int)other);
+    }
+}
 
 /* Of four shapes, numbers 0 and 2 are bounded. */
 TEST(numbers_of_shapes_in_another_order_are_refused)
