@@ -505,6 +505,25 @@ TEST(numbers_of_shapes_in_another_order_are_refused)
     }
 }
 
+/* Of one shape that was refused, without nodes, or of one in the hierarchy. */
+TEST(more_bounded_shapes_than_there_are_are_refused)
+{
+    enum { N_BOUNDED = 48, HI = 168 };
+    static const double hi[3] = {1, 1, 1};
+    OWN_BYTES b = {NULL, NULL, 0};
+    for (uint64_t n = 0; n < 2; n++) {
+        const uint64_t more = n + 1;
+        cylint_shape shape;
+        cylint_sphere(&shape, hi, n > 0 ? 1 : -1, CYLINT_ENDS_CAPPED);
+        OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
+        scene_file_write(scene, &b);
+        CHECK(memcmp(b.data + N_BOUNDED, &n, sizeof n) == 0);
+        memcpy(b.data + HI, hi, sizeof hi); /* a box that is not empty */
+        CHECK(scene_file_with(&b, b.data + N_BOUNDED, &more, sizeof more) ==
+              CYLINT_SCENE_EDAMAGED);
+    }
+}
+
 TEST(a_file_with_ranks_is_of_another_version)
 {
     OWN_BYTES b = {NULL, NULL, 0};
