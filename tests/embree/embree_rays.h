@@ -213,13 +213,7 @@ static inline void *rays_user(const struct RTCFilterFunctionNArguments *a)
     return ((const struct call *)(const void *)a->context)->user;
 }
 
-/* The arguments of a filter for ray i: its words, ray and hit apart. */
-static inline float rays_filter_t(const struct RTCFilterFunctionNArguments *a,
-                                  int i)
-{
-    return ((const float *)(const void *)a->ray)[RAY_TFAR * (int)a->N + i];
-}
-
+/* In a filter: the number of the shape that ray i hit. */
 static inline unsigned rays_filter_prim(
     const struct RTCFilterFunctionNArguments *a, int i)
 {

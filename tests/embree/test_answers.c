@@ -379,7 +379,7 @@ static int agrees_inside(const struct world *w, struct rays *r, struct rays *in,
     for (int m = RAY_TFAR; m < RAY_MEMBERS; m++)
         *rays_at(in, (enum ray_member)m, i) =
             *rays_at(r, (enum ray_member)m, i);
-    if (!CHECK(world_agrees(w, in, i, 1)))
+    if (!CHECK(world_agrees(w, in, i)))
         world_show(w, in, i);
     return hit;
 }
@@ -440,35 +440,6 @@ TEST(a_hit_gets_the_instance_of_the_context)
     }
     CHECK(hits > 100);
     world_free(&w);
-}
-
-/* ------------------------------------------------------------ bare hits -- */
-
-TEST(bare_hits_are_completed_later)
-{
-    cylint_shape shapes[SOME];
-    int hits = 0;
-    world_shapes(SCENE_MIXED, shapes, SOME);
-    for (int how = 0; how < 2; how++) {
-        OWN_WORLD w =
-            world_with(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
-        for (int i = 0; i < 500; i++) {
-            struct rays r;
-            aim_all(&r, 1);
-            rays_intersect(&r, w.scene, NULL);
-            for (int m = HIT_NG; m <= HIT_V; m++)
-                CHECK(r.word[m].u == r.before[m].u);
-            if (!CHECK(world_agrees(&w, &r, 0, 0)))
-                world_show(&w, &r, 0);
-            if (!rays_hit(&r, 0))
-                continue;
-            cylint_embree_complete(w.geometry,
-                                   (struct RTCRayHit *)(void *)r.word);
-            check_answers_of(&w, &r);
-            hits++;
-        }
-    }
-    CHECK(hits > 100);
 }
 
 /* ------------------------------------------------------ Embree's curves -- */

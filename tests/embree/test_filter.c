@@ -20,7 +20,7 @@ struct record {
     /* by the geometry's, the context's: the hits of each ray and shape, and all */
     char got[2][RAYS_MOST][SOME][2];
     int offers[2];
-    int bare, occlusion;
+    int occlusion;
     int bad; /* wrong arguments */
 };
 
@@ -55,7 +55,7 @@ static int new_hit(const struct record *q, int which, int ray, unsigned prim,
     for (int i = 0; i < n; i++)
         if (world_float_above(answer->hit[i].t) == t &&
             !q->got[which][ray][prim][i] &&
-            (number < 0 || q->bare || (float)answer->hit[i].z == u))
+            (number < 0 || q->w->bare || (float)answer->hit[i].z == u))
             number = i;
     return number;
 }
@@ -66,18 +66,14 @@ static int described(const struct record *q, const union ray_word *hit, int ray,
                      const cylint_hit *at)
 {
     int good = 1;
-    if (q->bare && !q->occlusion && !rays_are_native(q->w->scene, q->r->n))
+    if (!q->w->bare)
+        return world_describes(hit, at);
+    if (!q->occlusion && !rays_are_native(q->w->scene, q->r->n))
         return 1;
-    if (q->bare) {
-        for (int m = HIT_NG; m <= HIT_V; m++)
-            good &= hit[m - HIT_NG].u ==
-                    (q->occlusion ? 0 : q->r->before[m * q->r->n + ray].u);
-        return good;
-    }
-    for (int k = 0; k < 3; k++)
-        good &= hit[k].f == (float)at->normal[k];
-    return good && hit[HIT_U - HIT_NG].f == (float)at->z &&
-           hit[HIT_V - HIT_NG].f == world_turn(at->phi);
+    for (int m = HIT_NG; m <= HIT_V; m++)
+        good &= hit[m - HIT_NG].u ==
+                (q->occlusion ? 0 : q->r->before[m * q->r->n + ray].u);
+    return good;
 }
 
 static void filter(struct record *q, int which,
@@ -195,7 +191,7 @@ static void add_rays(struct rays *r)
 }
 
 static void query_packets(struct world *w, rule geometry, rule context, int n,
-                          int occlusion, int bare)
+                          int occlusion)
 {
     static struct record q;
     struct rays r;
@@ -203,7 +199,7 @@ static void query_packets(struct world *w, rule geometry, rule context, int n,
     memset(&q, 0, sizeof q);
     q.w = w, q.r = &r;
     q.geometry = geometry, q.context = context;
-    q.occlusion = occlusion, q.bare = bare;
+    q.occlusion = occlusion;
     query.user = &q;
     query.filter = context == ACCEPT ? NULL : context_filter;
     rays_begin(&r, n);
@@ -229,8 +225,7 @@ static void with_filters(unsigned how, int kind)
         for (int context = ACCEPT; context < RULES; context++)
             for (int i = 0; i < 40; i++)
                 query_packets(&w, (rule)geometry, (rule)context,
-                              rays_sizes[i / 2 % 4], i & 1,
-                              (how & CYLINT_EMBREE_BARE) != 0);
+                              rays_sizes[i / 2 % 4], i & 1);
     }
 }
 

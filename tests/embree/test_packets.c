@@ -116,7 +116,7 @@ TEST(a_domain_of_one_point_is_answered_or_skipped)
         rays_intersect(&r, w.scene, &query);
         CHECK(rays_strayed(&r, 0) == 0);
         for (int i = 0; i < r.n; i++)
-            CHECK(!rays_hit(&r, i) || world_agrees(&w, &r, i, 1));
+            CHECK(!rays_hit(&r, i) || world_agrees(&w, &r, i));
     }
     CHECK(hits > 2000);
 }
@@ -138,6 +138,6 @@ TEST(of_hits_at_tnear_the_lower_number_is_reported)
                           ? rays_at(&r, RAY_TFAR, i)->f == t &&
                                 world_hits_at(&w, &r, i,
                                               rays_at(&r, HIT_PRIM, i)->u, t)
-                          : world_agrees(&w, &r, i, 1));
+                          : world_agrees(&w, &r, i));
         }
 }
