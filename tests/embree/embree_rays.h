@@ -231,7 +231,7 @@ static inline int rays_hit(struct rays *r, int i)
 
 static inline int rays_shadowed(struct rays *r, int i)
 {
-    return rays_at(r, RAY_TFAR, i)->f < 0;
+    return rays_at(r, RAY_TFAR, i)->f == -HUGE_VALF;
 }
 
 /* The number of words that the last query changed without a right to: those of

@@ -359,27 +359,27 @@ static inline cylint_shape any_shape(int kind, cylint_ends ends)
 
 enum { SOME = 200 };
 
-/* A ray to a point among SOME shapes, from up to three sides of their cube
- * away, with a direction of a length from 1e-3 to 1e3; some rays begin
- * inside. */
-static inline void aim(struct rays *r, int i)
-{
-    float o[3], d[3];
-    const double side = cbrt(SOME), far = between(0, 3);
-    const double length = power(-3, 3);
-    world_direction(d);
-    for (int k = 0; k < 3; k++) {
-        o[k] = (float)(side * (between(-0.5, 0.5) - far * d[k]));
-        d[k] = (float)(length * d[k]);
-    }
-    rays_add(r, i, o, d, 0, HUGE_VALF);
-}
-
+/* Rays to points among SOME shapes, from up to three sides of their cube away, with
+ * directions of lengths from 1e-3 to 1e3; some rays begin inside.  Half of the
+ * packets are narrow, with nearly one origin and direction. */
 static inline void aim_all(struct rays *r, int n)
 {
+    const double side = cbrt(SOME), far = between(0, 3);
+    const double spread = chance(0.5) ? 1 : 0.05;
+    float all[3];
+    world_direction(all);
     rays_begin(r, n);
-    for (int i = 0; i < n; i++)
-        aim(r, i);
+    for (int i = 0; i < n; i++) {
+        float o[3], d[3];
+        const double length = power(-3, 3);
+        world_direction(d);
+        for (int k = 0; k < 3; k++) {
+            const double along = (1 - spread) * all[k] + spread * d[k];
+            o[k] = (float)(side * (spread * between(-0.5, 0.5) - far * along));
+            d[k] = (float)(length * along);
+        }
+        rays_add(r, i, o, d, 0, HUGE_VALF);
+    }
 }
 
 /* Where Embree may miss hits, a reported one is a hit of its shape. */

@@ -154,25 +154,6 @@ TEST(a_ray_along_an_axis_with_a_long_way_is_not_lost)
     }
 }
 
-/* The library refuses such a line, so nothing is hit.  (Embree gets no rays
- * that are not finite: for these its results are undefined.) */
-TEST(a_ray_without_direction_hits_nothing)
-{
-    const cylint_shape shape = shape_of("cylinder 0 0 -1  0 0 1  1");
-    const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
-    EACH_WAY(w, &shape, 1) {
-        EACH_SIZE(n) {
-            struct rays r;
-            rays_begin(&r, n);
-            for (int i = 0; i < n; i++)
-                rays_add(&r, i, o, i % 2 ? fine : none, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, NULL);
-            check_answers_of(&w, &r);
-            CHECK(n == 1 || rays_hit(&r, 1));
-        }
-    }
-}
-
 /* ---------------------------------------------------------------- masks -- */
 
 static int is_visible(struct world *w, unsigned mask)

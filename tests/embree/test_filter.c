@@ -172,24 +172,6 @@ static void check_answers(struct record *q)
                                 : q->offers[1] <= q->offers[0]);
 }
 
-/* Half of the packets are coherent. */
-static void add_rays(struct rays *r)
-{
-    const double spread = chance(0.5) ? 1 : 0.05;
-    float all[3];
-    world_direction(all);
-    for (int i = 0; i < r->n; i++) {
-        float o[3], d[3];
-        world_direction(d);
-        for (int k = 0; k < 3; k++) {
-            d[k] = (float)((1 - spread) * all[k] + spread * d[k]);
-            o[k] = (float)(cbrt(SOME) * (spread * between(-0.5, 0.5) - d[k]));
-        }
-        if (r->n == 1 || chance(0.8))
-            rays_add(r, i, o, d, 5 * (float)between(0, 1), HUGE_VALF);
-    }
-}
-
 static void query_packets(struct world *w, rule geometry, rule context, int n,
                           int occlusion)
 {
@@ -202,8 +184,11 @@ static void query_packets(struct world *w, rule geometry, rule context, int n,
     q.occlusion = occlusion;
     query.user = &q;
     query.filter = context == ACCEPT ? NULL : context_filter;
-    rays_begin(&r, n);
-    add_rays(&r);
+    aim_all(&r, n);
+    for (int i = 0; i < n; i++) {
+        rays_at(&r, RAY_TNEAR, i)->f = chance(0.5) ? 0 : (float)power(-3, 3);
+        r.valid[i] = n == 1 || chance(0.8) ? -1 : 0;
+    }
     if (occlusion)
         rays_occluded(&r, w->scene, &query);
     else

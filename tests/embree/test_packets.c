@@ -10,12 +10,12 @@
 
 /* ------------------------------------------------- rays that are no lines */
 
-/* Calls the callback directly: Embree's results for such rays are undefined.
+/* Calls both callbacks directly: Embree's results for such rays are undefined.
  * Checks all answers, and returns the number of hits. */
 static int call(const struct world *w, struct rays *r)
 {
     cylint_rtc_context context = {0};
-    struct RTCIntersectFunctionNArguments a = {0};
+    cylint_embree_call a = {0};
     int valid[RAYS_MOST], hits = 0;
     context.instID[0] = RTC_INVALID_GEOMETRY_ID;
     memcpy(r->before, r->word, sizeof r->before);
@@ -25,8 +25,12 @@ static int call(const struct world *w, struct rays *r)
     a.context = &context;
     a.rayhit = (struct RTCRayHitN *)(void *)r->word;
     a.N = (unsigned)r->n;
-    cylint_embree_intersect_callback(&a);
+    cylint_embree_occluded_callback((const void *)&a);
     memcpy(r->valid, valid, sizeof valid); /* Embree 4's are answers */
+    check_shadows_of(w, r);
+    memcpy(r->word, r->before, sizeof r->before);
+    cylint_embree_intersect_callback(&a);
+    memcpy(r->valid, valid, sizeof valid);
     check_answers_of(w, r);
     for (int i = 0; i < r->n; i++)
         hits += rays_hit(r, i);
@@ -52,21 +56,14 @@ static void spoil(struct rays *r, int i)
 TEST(rays_that_are_no_lines_do_not_disturb_others)
 {
     int hits = 0;
-    OWN_SHAPES s = scene_generate(SCENE_FAT, 400, 3);
-    OWN_WORLD w = world_with(s.shapes, s.n, CYLINT_EMBREE_NO_FILTERS);
+    cylint_shape shapes[SOME];
+    world_shapes(SCENE_FAT, shapes, SOME);
+    OWN_WORLD w = world_with(shapes, SOME, CYLINT_EMBREE_NO_FILTERS);
     for (int turn = 0; turn < 2000; turn++) {
         struct rays r;
-        float eye[3], d[3];
-        world_direction(eye);
-        for (int k = 0; k < 3; k++)
-            eye[k] *= (float)(between(0, 2) * longest_side(&s));
-        rays_begin(&r, rays_sizes[1 + turn % 3]);
-        for (int i = 0; i < r.n; i++) {
-            for (int k = 0; k < 3; k++)
-                d[k] = (float)between(s.lo[k], s.hi[k]) - eye[k];
-            rays_add(&r, i, eye, d, 0, HUGE_VALF);
+        aim_all(&r, rays_sizes[turn % 4]);
+        for (int i = 0; i < r.n; i++)
             spoil(&r, i);
-        }
         hits += call(&w, &r);
     }
     CHECK(hits > 2000);
