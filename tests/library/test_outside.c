@@ -3,14 +3,15 @@
  *
  * From every hit of the families cylint_outside() makes a point outside and a
  * point inside.  cylint_contains() must agree, and rays from the point outside
- * that point away from a convex solid must miss it; every ray from the point
- * inside a bounded solid must hit it once.  CYLINT_CASES is the number of cases
+ * that go away from the nearest point of a convex solid must miss it; every ray
+ * from the point inside a bounded solid must hit it once.  CYLINT_CASES is the number of cases
  * of each family.  outside.txt has known points.
  */
 #include <math.h>
 #include <string.h>
 
 #include "check.h"
+#include "cylint_distance.h"
 #include "draw.h"
 #include "families.h"
 #include "records.h"
@@ -41,75 +42,35 @@ static double move_of(const cylint_hit *hit, const double p[3])
     return most / ulp(size);
 }
 
-/* The number of hits of a ray that starts at p. */
-static int hits_from(const cylint_shape *s, const double p[3],
-                     const double d[3])
-{
-    cylint_line ray;
-    cylint_answer a;
-    cylint_ray(&ray, p, d);
-    return cylint_intersect(s, &ray, CYLINT_WANT_COUNT, &a);
-}
-
-/* A ray of which the number of hits is known: 0 or 1. */
-static void check_ray(const struct family_case *c, const cylint_shape *whole,
-                      const double p[3], const double d[3], int hits)
-{
-    tally[hits].rays++;
-    if (!CHECK(hits_from(whole, p, d) == hits)) {
-        REPORT_CASE(c);
-        REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1], d[2]);
-    }
-}
-
-/* Rays that leave a convex solid, all parts of which are there; or, without a
- * hit, that stay in a bounded one. */
+/* Rays from p of which the number of hits is known: none if p is outside of a convex
+ * solid and they go away from its nearest point, one if p is inside a bounded one.
+ * All parts of the solid are there.  On a rim or apex the normal is not the direction
+ * to p; elliptic kinds have normals of fewer digits. */
 static void check_rays(const struct family_case *c, const cylint_shape *whole,
-                       const cylint_hit *hit, const double p[3])
+                       int inside, const double p[3])
 {
+    cylint_closest nearest;
+    cylint_distance(whole, p, CYLINT_WANT_PART | CYLINT_WANT_NORMAL, &nearest);
+    if (!inside && nearest.feature >= CYLINT_FEATURE_RIM0)
+        return;
     for (int k = 0; k < RAYS; k++) {
         double d[3];
+        cylint_line ray;
+        cylint_answer a;
         random_direction(d);
-        const double sign = hit && dot3(d, hit->normal) < 0 ? -1 : 1;
-        for (int i = 0; i < 3; i++)
-            d[i] *= sign;
-        check_ray(c, whole, p, d, !hit);
+        const double away = dot3(d, nearest.normal);
+        if (!inside && fabs(away) < 1e-9)
+            continue;
+        scale3(d, inside || away > 0 ? 1 : -1);
+        cylint_ray(&ray, p, d);
+        tally[inside].rays++;
+        if (!CHECK(cylint_intersect(whole, &ray, CYLINT_WANT_COUNT, &a) ==
+                   inside)) {
+            REPORT_CASE(c);
+            REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1],
+                   d[2]);
+        }
     }
-}
-
-/* A length that the section of an elliptic kind of factor 1 has in each direction,
- * nearly. */
-static double thickness(const cylint_shape *s)
-{
-    const double of_a = length3(cylint_a(s)), of_b = length3(cylint_b(s));
-    double a[3], b[3], sine[3];
-    for (int i = 0; i < 3; i++) {
-        a[i] = cylint_a(s)[i] / of_a;
-        b[i] = cylint_b(s)[i] / of_b;
-    }
-    cross3(sine, a, b);
-    return length3(sine) * fmin(of_a, of_b);
-}
-
-/* Whether the section at the hit is large beside the steps of the doubles.  At
- * an apex, and where a few doubles span the shape, the normal does not say which
- * rays point away. */
-static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
-{
-    if (cylint_is_plane(s->kind))
-        return 1;
-    const double unit = cylint_is_elliptic(s->kind)
-                            ? thickness(s)
-                            : cylint_radius_unit(s, length3(cylint_axis(s)));
-    const double z =
-        cylint_is_round(s->kind) ? fmin(fmax(hit->z, 0), 1) : hit->z;
-    const double r = s->kind == CYLINT_KIND_SPHERE
-                         ? cylint_r0(s)
-                         : cylint_r0(s) + (cylint_r1(s) - cylint_r0(s)) * z;
-    double size = 0;
-    for (int i = 0; i < 3; i++)
-        size = fmax(size, fabs(hit->point[i]));
-    return fabs(r) * unit > 1e9 * ulp(size);
 }
 
 /* Whether a point that is a member of the hit becomes the same point. */
@@ -185,8 +146,8 @@ static void from_hit(const struct family_case *c, const cylint_hit *hit)
             CHECK(is_nearest(&c->shape, hit, side, p));
         sum->moved = fmax(sum->moved, move_of(hit, p));
         if (inside ? cylint_is_bounded(&whole)
-                   : convex && is_smooth(&whole, hit))
-            check_rays(c, &whole, inside ? NULL : hit, p);
+                   : convex && !cylint_is_elliptic(whole.kind))
+            check_rays(c, &whole, inside, p);
     }
 }
 
