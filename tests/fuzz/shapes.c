@@ -81,13 +81,9 @@ static void draw_shape(struct bytes *b, struct family_case *c)
 /* ------------------------------------------------------------- one shape -- */
 
 static int (*const properties[])(const struct family_case *) = {
-    has_good_members,     has_its_origin,
-    has_even_hits,        is_reversed_with_its_line,
-    is_cut_by_its_domain, is_permuted,
-    is_mirrored,          is_scaled_by_powers_of_two,
-    is_turned_round,      has_any_axes,
-    is_constant_cone,     loses_hits_with_caps,
-    may_be_cut_at_hits,   may_begin_anywhere};
+    has_good_members,          has_its_origin, is_reversed_with_its_line,
+    may_be_cut_at_hits,        is_permuted,    is_mirrored,
+    is_scaled_by_powers_of_two};
 
 static void check_shape(const struct family_case *c)
 {

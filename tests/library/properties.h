@@ -56,13 +56,6 @@ static inline int same_members(const cylint_answer *x, const cylint_answer *y,
     return same;
 }
 
-static inline int has_same_members(const struct family_case *x,
-                                   const struct family_case *y, unsigned want)
-{
-    const cylint_answer a = answer_to(x), b = answer_to(y);
-    return same_members(&a, &b, want);
-}
-
 /* At the apex of a double cone the normal depends on the direction of the line. */
 static inline int is_between_nappes(const struct family_case *c,
                                     const cylint_hit *h)
@@ -169,22 +162,6 @@ static inline int has_its_origin(const struct family_case *c)
     return good;
 }
 
-/* A whole line and a bounded solid. */
-static inline int has_even_hits(const struct family_case *given)
-{
-    struct family_case c = *given;
-    c.ends = CYLINT_ENDS_CAPPED;
-    if (!family_make(&c) || !cylint_is_bounded(&c.shape))
-        return 1;
-    c.line = whole_of(c.line);
-    const cylint_answer a = answer_to(&c);
-    return a.relation == CYLINT_RELATION_MISS ? a.n == 0
-           : a.relation == CYLINT_RELATION_TOUCH
-               ? a.n == 1 && a.hit[0].side == CYLINT_SIDE_BOTH
-               : a.n == 2 && a.hit[0].side == CYLINT_SIDE_ENTERING &&
-                     a.hit[1].side == CYLINT_SIDE_LEAVING;
-}
-
 /* -------------------------------------------------- changes of the line -- */
 
 /* The hits of y, in reverse order, are those of x, at t or with a segment at 1
@@ -228,31 +205,6 @@ static inline int is_reversed_with_its_line(const struct family_case *given)
     return is_reverse(given, &a, &b);
 }
 
-/* The hits are those of the whole line that lie in the domain.  Where t rounds
- * to an end of the domain the exact root decides; only the oracle tests that.
- * */
-static inline int is_cut_by_its_domain(const struct family_case *given)
-{
-    struct family_case c = *given;
-    const double tmin = c.line.tmin, tmax = c.line.tmax;
-    if (!c.line.valid)
-        return 1;
-    c.line = whole_of(c.line);
-    const cylint_answer all = answer_to(&c), some = answer_to(given);
-    int n = 0, good = all.relation == some.relation;
-    for (int i = 0; i < all.n; i++) {
-        const double t = all.hit[i].t;
-        if (t == tmin || t == tmax)
-            return 1;
-        if (tmin <= t && t <= tmax) {
-            good = good && n < some.n &&
-                   same_hit(&some.hit[n], &all.hit[i], CYLINT_WANT_ALL);
-            n++;
-        }
-    }
-    return good && n == some.n;
-}
-
 /* Each hit is in the part of the domain where its t lies; if the domain is cut at
  * its t, in one part or in both. */
 static inline int may_be_cut(const struct family_case *given, double cut)
@@ -288,31 +240,7 @@ static inline int may_be_cut_at_hits(const struct family_case *c)
     return good;
 }
 
-/* A whole line from o + 2 d along 3 d has the same hits. */
-static inline int may_begin_anywhere(const struct family_case *given)
-{
-    struct family_case c = *given, whole = *given;
-    if (given->line.segment || !given->line.valid)
-        return 1;
-    for (int i = 0; i < 3; i++) {
-        const double d = given->line_data[3 + i];
-        c.line_data[3 + i] = 2 * d;
-        if (!(fabs(d) < DBL_MAX / 4) || !add_exactly(&c.line_data[i], 2 * d) ||
-            !add_exactly(&c.line_data[3 + i], d))
-            return 1;
-    }
-    family_make(&c);
-    whole.line = whole_of(whole.line);
-    c.line = whole_of(c.line);
-    return has_same_members(&whole, &c, CYLINT_WANT_ALL & ~CYLINT_WANT_T);
-}
-
 /* ------------------------------------------------- changes of the whole -- */
-
-static inline int is_elliptic_word(family_shape word)
-{
-    return word == FAMILY_ECYLINDER || word == FAMILY_ECONE;
-}
 
 /* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes
  * the signs by the bits of `flip`. */
@@ -327,7 +255,7 @@ static inline int is_moved(const struct family_case *given, int round, int flip)
 {
     struct family_case c = *given;
     const int axis = family_axis(c.shape_word), /* after 1 or 3 vectors */
-        step = is_elliptic_word(c.shape_word) ? 3 : axis;
+        step = family_lengths(c.shape_word) == 12 ? 3 : axis; /* elliptic */
     for (int at = 0; at < axis; at += step)
         turn3(c.shape_data + at, round, flip);
     turn3(c.shape_data + axis, round, flip);
@@ -399,126 +327,6 @@ static inline int is_scaled_by_powers_of_two(const struct family_case *c)
     for (int i = 0; i < 5; i++)
         good = good && is_scaled_by(c, by[i][0], by[i][1]);
     return good;
-}
-
-/* ------------------------------------------------- changes of the shape -- */
-
-/* Exchanging p0, r0 with p1, r1 exchanges cap 0 with cap 1. */
-static inline int is_turned_round(const struct family_case *given)
-{
-    static const int other[] = {CYLINT_PART_LATERAL, CYLINT_PART_CAP1,
-                                CYLINT_PART_CAP0};
-    struct family_case c = *given;
-    const int n = family_axis(c.shape_word);
-    const double *p = c.shape_data, *q = p + n;
-    const int equal = /* equal balls: always cap 0 */
-        p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-    if (!family_has_points(c.shape_word) || equal)
-        return 1;
-    memcpy(c.shape_data, given->shape_data + n, (size_t)n * sizeof(double));
-    memcpy(c.shape_data + n, given->shape_data, (size_t)n * sizeof(double));
-    c.ends = c.ends == CYLINT_ENDS_CAP0   ? CYLINT_ENDS_CAP1
-             : c.ends == CYLINT_ENDS_CAP1 ? CYLINT_ENDS_CAP0
-                                          : c.ends;
-    family_make(&c);
-    const cylint_answer a = answer_to(given);
-    cylint_answer b = answer_to(&c);
-    int good = a.n == b.n;
-    for (int i = 0; i < b.n && good; i++) {
-        b.hit[i].part = other[b.hit[i].part];
-        good = has_same_normal(&a.hit[i], &b.hit[i]) ||
-               is_between_nappes(given, &a.hit[i]);
-    }
-    return good &&
-           same_members(&a, &b,
-                        CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_POINT);
-}
-
-/* The semi-axes of an ellipse may be exchanged, and one may be reversed. */
-static inline int has_any_axes(const struct family_case *given)
-{
-    struct family_case c = *given;
-    if (!is_elliptic_word(c.shape_word))
-        return 1;
-    memcpy(c.shape_data + 3, given->shape_data + 6, 3 * sizeof(double));
-    memcpy(c.shape_data + 6, given->shape_data + 3, 3 * sizeof(double));
-    family_make(&c);
-    const int good = has_same_members(given, &c, without_phi);
-    turn3(c.shape_data + 6, 0, 7);
-    family_make(&c);
-    return good && has_same_members(given, &c, without_phi);
-}
-
-/* A cylinder is a cone with equal radii, an elliptic one with the factor 1. */
-static inline int is_constant_cone(const struct family_case *given)
-{
-    struct family_case c = *given;
-    const double *x = given->shape_data;
-    if (c.shape_word == FAMILY_CYLINDER) {
-        const double data[8] = {x[0], x[1], x[2], x[6], x[3], x[4], x[5], x[6]};
-        memcpy(c.shape_data, data, sizeof data);
-        c.shape_word = FAMILY_CONE;
-    } else if (c.shape_word == FAMILY_ECYLINDER) {
-        c.shape_word = FAMILY_ECONE;
-        c.shape_data[12] = 1;
-    } else {
-        return 1;
-    }
-    family_make(&c);
-    return has_same_members(given, &c, CYLINT_WANT_ALL);
-}
-
-/* The same solid of radius 1.25 and height 2 along a coordinate, circular, and
- * elliptic with equal axes.  The base has whole numbers. */
-static inline int is_elliptic_with_equal_axes(const struct family_case *given)
-{
-    static const double factors[] = {0, 0.5, 1, 2};
-    for (int k = 0; k < 4; k++) {
-        struct family_case c = *given, e = *given;
-        double p[3], q[3], a[3] = {0}, b[3] = {0}, h[3] = {0};
-        a[(k + 1) % 3] = b[(k + 2) % 3] = 1.25;
-        h[k % 3] = 2;
-        for (int i = 0; i < 3; i++) { /* q - p is h exactly */
-            p[i] = floor(fmod(given->shape_data[i], 64));
-            q[i] = p[i] + h[i];
-        }
-        family_set_shape(&c, FAMILY_CONE, p, NULL, NULL, q, 1.25,
-                         1.25 * factors[k]);
-        family_set_shape(&e, FAMILY_ECONE, p, a, b, h, 0, factors[k]);
-        family_make(&c);
-        family_make(&e);
-        if (!has_same_members(&c, &e, without_phi))
-            return 0;
-    }
-    return 1;
-}
-
-/* Open ends and single caps remove hits and change nothing else. */
-static inline int loses_hits_with_caps(const struct family_case *given)
-{
-    struct family_case c = *given, capped = *given;
-    if (c.shape_word == FAMILY_SPHERE || c.shape_word == FAMILY_HALFSPACE)
-        return 1; /* they have no other ends */
-    capped.ends = CYLINT_ENDS_CAPPED;
-    family_make(&capped);
-    const cylint_answer all = answer_to(&capped);
-    for (int ends = CYLINT_ENDS_OPEN; ends <= CYLINT_ENDS_CAP1; ends++) {
-        cylint_answer left = all;
-        left.n = 0;
-        for (int i = 0; i < all.n; i++) {
-            const int part = all.hit[i].part;
-            if (part == CYLINT_PART_LATERAL ||
-                ends == (part == CYLINT_PART_CAP0 ? CYLINT_ENDS_CAP0
-                                                  : CYLINT_ENDS_CAP1))
-                left.hit[left.n++] = all.hit[i];
-        }
-        c.ends = (cylint_ends)ends;
-        family_make(&c);
-        const cylint_answer some = answer_to(&c);
-        if (!same_answer(&some, &left, CYLINT_WANT_ALL))
-            return 0;
-    }
-    return 1;
 }
 
 #endif
