@@ -186,7 +186,9 @@ static void load_polynomial(surface *of, polynomial p)
             p[i + j] = minus(p[i + j], times(of->det[i], of->det[j]));
 }
 
-/* Y = y / det at a zero m.  Returns whether det is not 0. */
+/* Y = y / det at a zero m.  Returns whether det is not 0, but for roundings: where
+ * the section is a circle, y and det have a zero in common, of which m has half of
+ * the bits. */
 static int load_stationary(surface *of, real m, vector Y)
 {
     real slope, det = value_of(of->det, 3, m, &slope);
@@ -195,7 +197,7 @@ static int load_stationary(surface *of, real m, vector Y)
     scale(Y, m, Y);
     add_scaled(Y, real_of(1), of->y[0]);
     divide(Y, Y, det);
-    return sgn(det) != 0;
+    return sgn(det) != 0 && mpfr_get_exp(det->x) > -reals.bits / 2;
 }
 
 /* ---------------------------------------------------------- candidates -- */
