@@ -185,15 +185,15 @@ static uint64_t odd_of_bits(int bits)
 
 static void over_midpoints(void (*choose)(struct midpoint *at), uint64_t cases)
 {
-    static const char *const names[] = {
-        "constructed",          "plain",
-        "through the apex",     "integer grid",
-        "round, whole numbers", "half-space, whole numbers"};
+    static const char *const names[] = {"constructed", "plain", "integer grid",
+                                        "round, whole numbers",
+                                        "half-space, whole numbers"};
+    enum { NAMES = sizeof names / sizeof *names };
     memset(counted, 0, sizeof counted);
-    for (uint64_t i = 0; i < 6 * cases; i++) {
+    for (uint64_t i = 0; i < NAMES * cases; i++) {
         struct family_case c;
         struct midpoint at;
-        family_case(check_seed(), family_named(names[i % 6]), i, &c);
+        family_case(check_seed(), family_named(names[i % NAMES]), i, &c);
         stream = check_seed() + i;
         choose(&at);
         try_midpoint(&c, &at);

@@ -1,6 +1,6 @@
 /*
  * families_constructed.h - exact coincidences in whole numbers and their
- * neighbours, numbers of any exponents, and numbers as people write them
+ * neighbours, and numbers of any exponents
  *
  * Only families.c includes it.  A coincidence is a line that is exactly tangent,
  * through a rim or the apex, or along a ruling.  All kinds use one frame: points
@@ -146,11 +146,6 @@ static void exact_tangent(struct family_case *out)
     construct(out, any_word(), TANGENT);
 }
 
-static void through_the_apex(struct family_case *out)
-{
-    construct(out, cone_word(), APEX);
-}
-
 /* ------------------------------------------------------ any exponents --- */
 
 /* Subnormal, huge, any, or ordinary. */
@@ -221,68 +216,6 @@ static void wild_numbers(struct family_case *out)
 static void few_digits(struct family_case *out)
 {
     draw_numbers(out, any_short_double);
-}
-
-/* --------------------------------------------------------------- plain -- */
-
-/* A number as people write it: whole, or in tenths, which doubles round. */
-static double plain_number(int most, int tenths)
-{
-    return tenths ? whole_between(-10 * most, 10 * most) / 10.0
-                  : whole_between(-most, most);
-}
-
-static void plain_vector(double v[3], int most, int tenths)
-{
-    const int along = one_of(3) ? -1 : one_of(3); /* a coordinate */
-    for (int i = 0; i < 3; i++)
-        v[i] = along < 0 || along == i ? plain_number(most, tenths) : 0;
-}
-
-static void plain_shape(struct family_case *c, int most, int tenths)
-{
-    double *x = c->shape_data;
-    const int size = family_shape_size(c->shape_word);
-    for (int i = 0; i + 3 <= size; i += 3)
-        plain_vector(x + i, most, tenths);
-    if (c->shape_word == FAMILY_CONE) {
-        plain_vector(x + 4, most, tenths);
-        x[3] = fabs(plain_number(most, tenths));
-        x[7] = fabs(plain_number(most, tenths));
-    }
-    if (c->shape_word <= FAMILY_ACONE && one_of(2)) /* along a coordinate */
-        for (int i = 1; i < 3; i++)
-            x[family_axis(c->shape_word) + i] =
-                c->shape_word == FAMILY_ACONE ? 0 : x[i];
-    if (c->shape_word == FAMILY_CYLINDER)
-        x[6] = fabs(plain_number(most, tenths));
-    if (c->shape_word == FAMILY_ACONE)
-        x[6] = one_of(4) ? whole_between(1, 89) : 1e-9 * whole_between(1, 100);
-    if (c->shape_word == FAMILY_ECONE)
-        x[12] = fabs(plain_number(most, tenths));
-}
-
-/* Small whole numbers or tenths, often along the coordinates. */
-static void plain(struct family_case *out)
-{
-    const int most = 1 << (1 + one_of(5)), tenths = one_of(3) == 0;
-    out->line_word = (family_line)one_of(3);
-    out->shape_word = any_word();
-    out->ends = (cylint_ends)one_of(6);
-    plain_shape(out, most, tenths);
-    plain_vector(out->line_data, most, tenths);
-    plain_vector(out->line_data + 3, most, tenths);
-}
-
-/* A number far from all others, so that sums nearly cancel. */
-static void add_odd_number(struct family_case *c)
-{
-    static const double odd[] = {1e17, 1e-17, 1e-9, 1e9, 0x1p-1022, 1e150};
-    const double x = odd[one_of(6)];
-    if (chance(0.6))
-        c->shape_data[family_shape_size(c->shape_word) - 1] = x;
-    else
-        c->line_data[one_of(6)] *= x;
 }
 
 #endif

@@ -196,37 +196,38 @@ static void whole_vector(double v[3], int most)
     } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
 }
 
-/* A shape of small whole numbers, usually with its axis along a coordinate. */
-static void whole_shape(struct family_case *out)
+/* A shape of whole numbers, usually with its axis along a coordinate.  most: of a
+ * component of a vector. */
+static void whole_shape(struct family_case *out, int most)
 {
     const family_shape word = any_word();
     double at[3], a[3], b[3], h[3], to[3], r0 = 0, last = 0;
-    whole_point(at, 3);
-    whole_vector(h, 3);
+    whole_point(at, most);
+    whole_vector(h, most);
     if (chance(0.6)) {
         set3(h, 0, 0, 0);
-        set_any(h, whole_between(1, 4));
+        set_any(h, whole_between(1, most + 1));
     }
     end_of(word, at, h, to);
     if (word == FAMILY_CONE)
-        r0 = whole_between(0, 5);
+        r0 = whole_between(0, most + 2);
     if (word <= FAMILY_CONE)
-        last = whole_between(r0 == 0, 5);
+        last = whole_between(r0 == 0, most + 2);
     if (word == FAMILY_ACONE)
         last = chance(0.8) ? 45 : whole_between(1, 89);
     if (word == FAMILY_ECONE)
         last = chance(0.5) ? 0 : 0.5 * whole_between(0, 4);
     if (word >= FAMILY_ECYLINDER) {
-        whole_vector(a, 3);
-        whole_vector(b, 3);
+        whole_vector(a, most);
+        whole_vector(b, most);
         if (chance(0.5)) { /* axes along coordinates */
             const int i = one_of(3);
             set3(a, 0, 0, 0);
             set3(b, 0, 0, 0);
             set3(to, 0, 0, 0);
-            a[i] = whole_between(1, 4);
-            b[(i + 1) % 3] = whole_between(1, 4);
-            to[(i + 2) % 3] = whole_between(1, 4);
+            a[i] = whole_between(1, most + 1);
+            b[(i + 1) % 3] = whole_between(1, most + 1);
+            to[(i + 2) % 3] = whole_between(1, most + 1);
         }
     }
     family_set_shape(out, word, at, a, b, to, r0, last);
