@@ -18,7 +18,7 @@
 
 enum {
     MOST = 600,
-    FEW = 21 /* for all addresses: more than twice the lanes */
+    FEW = 21 /* more than twice the lanes */
 };
 enum { WITHOUT_MEMBERS = 63 };
 
@@ -313,49 +313,22 @@ static void draw_around(int family)
     slide(&drawn[0], MOST);
 }
 
-TEST(every_length_has_its_answers)
+/* All columns but members in turn, each column alone, then all; with and without
+ * the arrays of the domain. */
+TEST(every_length_address_and_column_has_its_answers)
 {
     static const size_t longer[] = {31,  255, 256, 257, 263,
                                     264, 511, 513, MOST};
-    struct layout at = usual;
-    draw_around(0);
-    for (size_t n = 0; n < 2 * (2 * 8 + 2); n++) {
-        at.at_end = (int)n % 2;
-        check_batches(n / 2, &at);
-    }
-    for (size_t i = 0; i < sizeof longer / sizeof *longer; i++)
-        check_batches(longer[i], &usual);
-}
-
-TEST(every_address_has_its_answers)
-{
-    for (int family = 0; family < 2; family++) {
-        draw_around(family);
-        for (size_t i = 0; i < 128; i++) {
-            const struct layout at = {i / 2, (int)i % 2, ALL_COLUMNS, 3};
-            check_batches(FEW, &at);
-        }
-    }
-}
-
-TEST(only_wanted_columns_are_written)
-{
-    draw_around(0);
-    for (int i = 0; i <= WITHOUT_MEMBERS + COLUMNS; i++) {
-        const int columns =
-            i <= WITHOUT_MEMBERS ? i : 1 << (i - WITHOUT_MEMBERS - 1);
-        const struct layout at = {0, columns % 2, columns, 3};
-        check_batches(40, &at);
-    }
-}
-
-TEST(without_a_domain_lines_are_rays)
-{
-    draw_around(0);
-    for (int domain = 0; domain < 4; domain++) {
-        const struct layout at = {0, 0, ALL_COLUMNS, domain};
-        check_pairs(drawn, 100, &at);
-        check_lines(&drawn[0], lined, 100, &at);
+    for (int i = 0; i < 256; i++) {
+        const int alone = i - WITHOUT_MEMBERS - 1;
+        const struct layout at = {(size_t)i / 2 % 64, i % 2,
+                                  alone < 0         ? i
+                                  : alone < COLUMNS ? 1 << alone
+                                                    : ALL_COLUMNS,
+                                  i / 8 % 4};
+        if (i % 128 == 0)
+            draw_around(i / 128);
+        check_batches(i % 8 ? (size_t)i % 18 : longer[i / 8 % 9], &at);
     }
 }
 
