@@ -9,7 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-#define CHECK_OWN_MAIN
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "embree/shapes.h"
@@ -28,34 +27,25 @@ struct tally {
     long hits, certain;
 };
 
-/* The builds for this processor; most: the questions of a call. */
-static struct build {
+/* A build for this processor; most: the questions of a call. */
+struct build {
     const char *name;
     cylint_float_filter *answer;
     int most;
-} builds[8];
-static int n_builds;
+};
 
-static int is_listed(const struct build *b)
+static struct build build_in_use(int many)
 {
-    for (int i = 0; i < n_builds; i++)
-        if (builds[i].answer == b->answer && builds[i].most == b->most)
-            return 1;
-    return 0;
+    return (struct build){cylint_kernels_in_use(),
+                          cylint_float_filter_used(many), many ? MOST : 1};
 }
 
-/* Several kernels can have a build in common. */
-static void list_builds(void)
-{
-    EACH_KERNELS(k)
-        for (int many = 0; many < 2; many++) {
-            const struct build b = {cylint_kernels_name(k),
-                                    cylint_float_filter_used(many),
-                                    many ? MOST : 1};
-            if (!is_listed(&b))
-                builds[n_builds++] = b;
-        }
-}
+/* A loop over those of all kernels, of which several can have one in common. */
+#define EACH_BUILD(b)                                                   \
+    EACH_KERNELS(k)                                                     \
+        for (int many = 0; many < 2; many++)                            \
+            for (struct build b = build_in_use(many), *once = &b; once; \
+                 once = NULL)
 
 /* A question about a case's line in floats, and its shape, made circular and
  * bounded, with the library's answer. */
@@ -230,31 +220,28 @@ static struct tally ask_families(const struct build *build, int family,
 
 TEST(certain_answers_are_the_librarys)
 {
-    for (int b = 0; b < n_builds; b++)
-        for (int round = 0; round < 2; round++) {
-            struct tally sum = {0, 0};
-            for (int family = 0; family < family_count(); family++) {
-                if (family_is_round(family) != round)
-                    continue;
-                const struct tally t =
-                    ask_families(&builds[b], family, family,
-                                 round ? FAMILY_RCONE : FAMILY_ACONE);
-                sum.hits += t.hits;
-                sum.certain += t.certain;
-            }
-            printf("%s, %d at once%s: %ld hits, certain of %ld\n",
-                   builds[b].name, builds[b].most, round ? ", round" : "",
-                   sum.hits, sum.certain);
-            CHECK((double)sum.certain >
-                  (round ? 0.3 : 0.45) * (double)sum.hits);
+    EACH_BUILD(build)
+    for (int round = 0; round < 2; round++) {
+        struct tally sum = {0, 0};
+        for (int family = 0; family < family_count(); family++) {
+            if (family_is_round(family) != round)
+                continue;
+            const struct tally t = ask_families(
+                &build, family, family, round ? FAMILY_RCONE : FAMILY_ACONE);
+            sum.hits += t.hits;
+            sum.certain += t.certain;
         }
+        printf("%s, %d at once%s: %ld hits, certain of %ld\n", build.name,
+               build.most, round ? ", round" : "", sum.hits, sum.certain);
+        CHECK((double)sum.certain > (round ? 0.3 : 0.45) * (double)sum.hits);
+    }
 }
 
 TEST(round_shapes_and_others_are_answered_together)
 {
     const int family = family_named("ordinary"), round = family_named("round");
-    for (int b = 0; b < n_builds; b++)
-        ask_families(&builds[b], family, round, FAMILY_RCONE);
+    EACH_BUILD(build)
+    ask_families(&build, family, round, FAMILY_RCONE);
 }
 
 /* The rest of round shapes are balls of which one holds the other, and shapes of
@@ -269,8 +256,9 @@ TEST(ordinary_shapes_are_certain)
                     {"round", FAMILY_RCONE, 0.93}};
     for (int i = 0; i < 2; i++) {
         const int family = family_named(ordinary[i].name);
-        const struct tally t = ask_families(&builds[n_builds - 2], family,
-                                            family, ordinary[i].last);
+        const struct build one = build_in_use(0);
+        const struct tally t =
+            ask_families(&one, family, family, ordinary[i].last);
         if (!CHECK(t.hits > CASES / 20 &&
                    (double)t.certain >= ordinary[i].least * (double)t.hits))
             REPORT("%s: %ld of %ld hits", ordinary[i].name, t.certain, t.hits);
@@ -289,11 +277,12 @@ static int check_question(const char *text, double near, int is_certain)
         return 0;
     CHECK(make_case(&x, &c.shape, c.line.o, c.line.d, 1) && x.n > 0);
     x.q.near = isinf(near) ? (double)near_shape(&x, 0) : near;
-    for (int b = 0; b < n_builds; b++) {
-        builds[b].answer(&one, 1);
+    EACH_BUILD(build)
+    {
+        build.answer(&one, 1);
         if (!CHECK(is_right(&x, &tally) &&
                    (!is_certain || x.q.is == CYLINT_FLOAT_FILTER_HIT)))
-            REPORT("%s: %s", builds[b].name, text);
+            REPORT("%s: %s", build.name, text);
     }
     return 1;
 }
@@ -321,10 +310,4 @@ TEST(hits_on_upright_caps_at_floats_are_certain)
         "ray 0.25 0.125 0  1 0 -1  cylinder 0 0 0  0 0 2  0.5"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         CHECK(check_question(texts[i], HUGE_VAL, 1));
-}
-
-int main(void)
-{
-    list_builds();
-    return check_all();
 }
