@@ -9,17 +9,15 @@ bound is wider than necessary, or that the change has no effect.  The reason of
 an understood survivor stands beside its line (tests/support/reasons.py); such mutants
 are counted but not printed.
 
-    tests/support/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
-                     [--jobs N] [--full] [--again FILE | --understood]
+    tests/support/mutants.py [--count N] [--seed N] [--files a.c,b.h] [--jobs N]
+                     [--full] [--understood]
     tests/support/mutants.py --check
 
 Only the plain builds of kernels are tried, so changes of lines for AVX or a fused
 multiply-add survive.  Needs what `make check` needs, including MPFR.  --count is
-the number of random mutants of each file.  --skip leaves out the first N of the seed's
-sequence, so that a run can be continued.  --again tries only the mutants that
-an earlier run printed to FILE.  --understood tries those that have a reason, and
-prints reasons whose mutants a test detects.  --full runs all tests with all
-cases.  --check only prints reasons beside lines without such a mutant or branch, and
+the number of random mutants of each file.  --understood tries those that have a
+reason, and prints reasons whose mutants a test detects.  --full runs all tests with
+all cases.  --check only prints reasons beside lines without such a mutant or branch, and
 test programs that no list has.
 """
 import argparse
@@ -211,12 +209,6 @@ def describe(texts, mutant):
                                   texts[mutant[0]].splitlines()[line - 1].strip())
 
 
-def printed(path):
-    """The mutants in a run's output; line numbers do not last."""
-    with open(path) as f:
-        return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line.strip()) for line in f}
-
-
 def reasons_of(text):
     """(change, line) of each mutant that has a reason."""
     return {(one, line) for what, lines in beside_lines(text, "mutant")
@@ -229,12 +221,7 @@ def drawn(args, texts, name, understood):
     every = list(mutants_of(name, texts[name]))
     if args.understood:
         return every, [m for m in every if is_understood(texts, m, understood)]
-    if args.again:
-        again = printed(args.again)
-        return every, [m for m in every if re.sub(
-            r":\d+:", ":", describe(texts, m), count=1) in again]
-    chosen = random.Random(args.seed).sample(every, len(every))
-    return every, chosen[args.skip:args.skip + args.count]
+    return every, random.Random(args.seed).sample(every, min(args.count, len(every)))
 
 
 def is_understood(texts, mutant, understood):
@@ -317,11 +304,9 @@ def main():
     p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     p.add_argument("--count", type=int, default=20)
     p.add_argument("--seed", type=int, default=1)
-    p.add_argument("--skip", type=int, default=0)
     p.add_argument("--jobs", type=int, default=2)
     p.add_argument("--cc", default="cc")
     p.add_argument("--files")
-    p.add_argument("--again")
     p.add_argument("--understood", action="store_true")
     p.add_argument("--check", action="store_true")
     p.add_argument("--full", action="store_true")
