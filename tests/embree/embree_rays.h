@@ -213,14 +213,6 @@ static inline void *rays_user(const struct RTCFilterFunctionNArguments *a)
     return ((const struct call *)(const void *)a->context)->user;
 }
 
-/* In a filter: the number of the shape that ray i hit. */
-static inline unsigned rays_filter_prim(
-    const struct RTCFilterFunctionNArguments *a, int i)
-{
-    return ((const unsigned *)(const void *)
-                a->hit)[(HIT_PRIM - HIT_NG) * (int)a->N + i];
-}
-
 /* ------------------------------------------------------------- answers -- */
 
 /* After a query: whether ray i was hit, or is occluded. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bvh/float_bounds.h"
 #include "embree_world.h"
 #include "environment.h"
 #include "shapes/layout.h"
@@ -74,11 +75,8 @@ TEST(the_domain_holds_its_ends)
         for (int a = -2; a <= 2; a++)
             for (int b = -2; b <= 2; b++)
                 for (int which = 0; which < 3; which++) {
-                    float from = t[which == 2], to = t[which > 0];
-                    for (int k = 0; k < abs(a); k++)
-                        from = nextafterf(from, a < 0 ? 0 : HUGE_VALF);
-                    for (int k = 0; k < abs(b); k++)
-                        to = nextafterf(to, b < 0 ? 0 : HUGE_VALF);
+                    const float from = cylint_float_after(t[which == 2], a),
+                                to = cylint_float_after(t[which > 0], b);
                     if (from > to)
                         continue;
                     r = traced(&w, 1, o, d, from, to);

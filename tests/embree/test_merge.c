@@ -78,8 +78,9 @@ static void draw_rays(struct rays *r)
 /* Rejects the hits of every third shape. */
 static void reject_some(const struct RTCFilterFunctionNArguments *args)
 {
-    const unsigned geomID = ((const unsigned *)args->hit)[HIT_GEOM - HIT_NG];
-    const unsigned primID = rays_filter_prim(args, 0);
+    const unsigned *hit = (const unsigned *)args->hit;
+    const unsigned geomID = hit[HIT_GEOM - HIT_NG],
+                   primID = hit[HIT_PRIM - HIT_NG];
     const unsigned number = geomID == 0 ? primID : number_of(geomID, primID);
     if (number % 3 == 0)
         args->valid[0] = 0;

@@ -81,8 +81,11 @@ static void draw_shape(struct bytes *b, struct family_case *c)
 /* ------------------------------------------------------------- one shape -- */
 
 static int (*const properties[])(const struct family_case *) = {
-    has_good_members,          has_its_origin, is_reversed_with_its_line,
-    may_be_cut_at_hits,        is_permuted,    is_mirrored,
+    has_good_members,
+    has_its_origin,
+    may_be_cut_at_hits,
+    is_reversed_with_its_line,
+    may_be_permuted_and_mirrored,
     is_scaled_by_powers_of_two};
 
 static void check_shape(const struct family_case *c)

@@ -273,14 +273,10 @@ static inline int is_moved(const struct family_case *given, int round, int flip)
     return same_members(&a, &b, without_phi);
 }
 
-static inline int is_permuted(const struct family_case *c)
+static inline int may_be_permuted_and_mirrored(const struct family_case *c)
 {
-    return is_moved(c, 1, 0) && is_moved(c, 2, 0);
-}
-
-static inline int is_mirrored(const struct family_case *c)
-{
-    return is_moved(c, 0, 1) && is_moved(c, 0, 6) && is_moved(c, 1, 4);
+    return is_moved(c, 1, 0) && is_moved(c, 2, 0) && is_moved(c, 0, 1) &&
+           is_moved(c, 0, 6) && is_moved(c, 1, 4);
 }
 
 /* Whether y is 2^e x, or one of them may be rounded: it is no normal number. */

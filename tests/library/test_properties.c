@@ -27,8 +27,8 @@ static void over_all_families(int (*holds)(const struct family_case *c),
 
 PROPERTY(a_reversed_line_has_hits_at_minus_t, is_reversed_with_its_line)
 PROPERTY(a_domain_may_be_cut_at_a_hit, may_be_cut_at_hits)
-PROPERTY(coordinates_may_be_permuted, is_permuted)
-PROPERTY(coordinates_may_change_sign, is_mirrored)
+PROPERTY(coordinates_may_be_permuted_and_change_sign,
+         may_be_permuted_and_mirrored)
 PROPERTY(scaling_by_powers_of_two_keeps_the_digits_of_t,
          is_scaled_by_powers_of_two)
 PROPERTY(the_origin_is_in_a_chord_if_it_is_inside, has_its_origin)

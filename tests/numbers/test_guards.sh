@@ -12,28 +12,25 @@ result() { # what status
 
 # supported FLAG...: whether the compiler supports the flags on this processor
 supported() {
-    $cc $flags "$@" -c -o "$scratch/probe.o" "$scratch/probe.c" 2>/dev/null
+    $cc $flags "$@" -c -o "$scratch/probe.o" "$scratch/probe.c" 2>/dev/null && return
+    printf 'note: %s does not support %s\n' "$cc" "$*"
+    return 1
+}
+
+compiles() { # FLAG...
+    $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
+}
+
+accepted() { # FLAG...
+    compiles "$@"
+    result "accepted with $*" $?
 }
 
 # refused FLAG...: root.c does not compile, and the message is libcylint's
 refused() {
-    if ! supported "$@"; then
-        printf 'note: %s does not support %s\n' "$cc" "$*"
-        return
-    fi
-    if $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
-    then
-        result "refused with $*" 1
-    else
-        grep -q 'error.*libcylint' "$scratch/messages"
-        result "refused with $* by a message of libcylint" $?
-    fi
-}
-
-# accepted FLAG...
-accepted() {
-    $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
-    result "accepted with $*" $?
+    supported "$@" || return
+    ! compiles "$@" && grep -q 'error.*libcylint' "$scratch/messages"
+    result "refused with $* by a message of libcylint" $?
 }
 
 # found MASK FLAG...: the selftest of a program returns all bits of MASK; for
@@ -41,10 +38,7 @@ accepted() {
 found() {
     mask=$1
     shift
-    if ! supported "$@"; then
-        printf 'note: %s does not support %s\n' "$cc" "$*"
-        return
-    fi
+    supported "$@" || return
     $cc $flags "$@" -o "$scratch/selftest" "$scratch/main.c" "$src/selftest.c" \
         -lm 2>"$scratch/messages" || {
         printf 'note: %s does not link with %s\n' "$cc" "$*"
@@ -52,11 +46,7 @@ found() {
     }
     "$scratch/selftest" >"$scratch/messages"
     got=$(cat "$scratch/messages")
-    if [ "$mask" -eq 0 ]; then
-        [ "$got" -eq 0 ]
-    else
-        [ $((got & mask)) -eq "$mask" ]
-    fi
+    [ $((mask ? got & mask : got)) -eq "$mask" ]
     result "the selftest finds $mask with $*" $?
 }
 
