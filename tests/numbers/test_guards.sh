@@ -91,12 +91,9 @@ if $cc --version | grep -qi clang; then
     # the pragma of the source overrides the flag
     found 0 -mfma -ffp-contract=on
 else
-    # no macro of gcc 12 shows these flags
-    [ "$(printf '__ASSOCIATIVE_MATH__' |
-        $cc -fno-signed-zeros -fno-trapping-math -fassociative-math -E - |
-        tail -n 1)" = __ASSOCIATIVE_MATH__ ] &&
-        found "$(bit UNROUNDED)" -ffp-contract=off -fno-signed-zeros \
-            -fno-trapping-math -fassociative-math
+    # as if no macro showed these flags, as with older compilers
+    found "$(bit UNROUNDED)" -ffp-contract=off -fno-signed-zeros -fno-trapping-math \
+        -fassociative-math -U__ASSOCIATIVE_MATH__ -U__NO_SIGNED_ZEROS__
 fi
 # the start-up code that comes with -ffast-math flushes subnormals
 case $($cc -dumpmachine) in x86_64-*)
