@@ -13,7 +13,7 @@
 #include "records.h"
 #include "shapes/shape_facts.h"
 #ifdef HAVE_MPFR
-#include "oracle.h"
+#include "real.h"
 #endif
 
 static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
@@ -342,29 +342,25 @@ TEST(the_ball_that_holds_the_other_is_the_shape)
 
 #ifdef HAVE_MPFR
 
-/* sum[0] + sum[1] = x^2 or, with a negative sign, -x^2, exactly. */
-static void add_square(double sum[2], double x, int sign)
-{
-    sum[0] = sign * (x * x);
-    sum[1] = sign * fma(x, x, -(x * x));
-}
+enum { BITS = 4400 }; /* holds the sum and product of any two doubles */
 
 /* |w|^2 <= dr^2 decides which kind it is; here w = p1 and dr are exact. */
 TEST(the_kind_is_decided_exactly)
 {
     long balls = 0, cones = 0;
     for (int i = 0; i < 100000; i++) {
-        double w[3], sum[8];
+        double w[3];
+        vector exact;
         const double scale = ldexp(1, one_of(200) - 100);
         for (int j = 0; j < 3; j++)
             w[j] = scale * (one_of(2) ? one_of(40) - 20 : between(0, 1));
         double r = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
         for (int k = one_of(3); k > 0; k--)
             r = nextafter(r, one_of(2) ? HUGE_VAL : 0);
-        for (int j = 0; j < 3; j++)
-            add_square(sum + 2 * j, w[j], 1);
-        add_square(sum + 6, r, -1);
-        const int is_cone = oracle_sum_sign(sum, 8) > 0;
+        real_fixed(BITS);
+        set(exact, w);
+        const int is_cone =
+            order_of(dot(exact, exact), square_of(real_of(r))) > 0;
         cylint_shape s;
         if (r == 0)
             continue;
@@ -381,21 +377,27 @@ TEST(the_kind_is_decided_exactly)
     CHECK(balls > 20000 && cones > 20000);
 }
 
+/* Whether hi + lo is to - from, or hi is infinite. */
+static int is_difference(double hi, double lo, double to, double from)
+{
+    real_fixed(BITS);
+    return !isfinite(hi) || order_of(plus(real_of(hi), real_of(lo)),
+                                     minus(real_of(to), real_of(from))) == 0;
+}
+
 /* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
 TEST(differences_have_their_low_parts)
 {
     EACH_CASE(c, 9, 200) {
         const cylint_line *l = &c.line;
         const cylint_shape *s = &c.shape;
-        for (int i = 0; i < 3 && c.line_word == FAMILY_SEGMENT; i++) {
-            const double d[4] = {l->d[i], l->d_lo[i], l->o[i],
-                                 -c.line_data[3 + i]};
-            CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
-        }
-        for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
-            const double w[4] = {cylint_axis(s)[i], cylint_axis_pair(s, i).lo,
-                                 cylint_base(s)[i], -cylint_top(s)[i]};
-            CHECK(!isfinite(cylint_axis(s)[i]) || oracle_sum_sign(w, 4) == 0);
+        for (int i = 0; i < 3; i++) {
+            CHECK(c.line_word != FAMILY_SEGMENT ||
+                  is_difference(l->d[i], l->d_lo[i], c.line_data[3 + i],
+                                l->o[i]));
+            CHECK(c.shape_word > FAMILY_CONE ||
+                  is_difference(cylint_axis(s)[i], cylint_axis_pair(s, i).lo,
+                                cylint_top(s)[i], cylint_base(s)[i]));
         }
     }
     /* In two_diff() a sum overflows. */

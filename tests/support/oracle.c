@@ -58,20 +58,6 @@ static struct {
     int in[MOST_CRITICAL], in_gap[MOST_CRITICAL + 1]; /* as inside() */
 } o_;
 
-int oracle_sum_sign(const double *x, int n)
-{
-    exponents e = no_exponents;
-    int sign = 0;
-    widen(&e, x, n);
-    for (real_start(range_of(e)); real_again();) {
-        real sum = real_of(0);
-        for (int i = 0; i < n; i++)
-            sum = plus(sum, real_of(x[i]));
-        sign = sign_of(sum);
-    }
-    return sign;
-}
-
 /* ------------------------------------------------------- polynomials ---- */
 
 static real value_of(const polynomial *p, real t)

@@ -42,7 +42,4 @@ static inline int has_cap(const cylint_shape *shape, int end)
            shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
 }
 
-/* The sign of x[0] + ... + x[n-1], exactly. */
-int oracle_sum_sign(const double *x, int n);
-
 #endif
