@@ -1,6 +1,5 @@
 /*
- * test_local_coordinates.c - the matrix of every shape, compared with MPFR, and the
- * answers of all stages, compared with those of the exact one
+ * test_local_coordinates.c - the matrix of every shape, compared with MPFR
  *
  * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all.
  */
@@ -8,9 +7,7 @@
 
 #include "check.h"
 #include "families.h"
-#include "intersect.h"
 #include "numbers/error_bounds.h"
-#include "same.h"
 #include "shapes/local.h"
 #include "shapes/measure.h"
 #include "true_shape.h"
@@ -109,17 +106,4 @@ TEST(the_matrix_is_as_accurate_as_it_states)
         usable += matrix_is_accurate(&c.shape);
     CHECK(usable > 0);
     printf("note: largest error of a row: %.2g of the stated one\n", worst_row);
-}
-
-TEST(all_paths_have_the_bits_of_the_exact_stage)
-{
-    EACH_CASE(c, 24, CASES) {
-        cylint_answer got, want;
-        memset(&got, 0, sizeof got);
-        memset(&want, 0, sizeof want);
-        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
-        cylint_intersect_by_signs(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
-        if (!CHECK(same_answer(&got, &want, CYLINT_WANT_ALL)))
-            report_answers(&c, "all stages, exact stage", &got, &want);
-    }
 }
