@@ -142,14 +142,12 @@ TEST(queries_do_not_read_the_callers_shapes)
         const cylint_embree_options options = {
             .flags = how == 1 ? CYLINT_EMBREE_SINGLE : 0,
             .moved = how == 2 ? copy : NULL};
-        OWN_WORLD w = world_with(shapes, SHAPES, 0);
         memcpy(copy, shapes, sizeof copy);
-        cylint_embree_release(w.geometry);
-        rtcDetachGeometry(w.scene, 0);
-        w.geometry = cylint_embree_geometry(world_device(), copy, SHAPES,
-                                            &options, NULL);
+        OWN_WORLD w = world_made(copy, SHAPES, &options);
+        w.shapes = shapes;
+        cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SHAPES);
         memset(copy, 0xa5, sizeof copy);
-        rtcAttachGeometry(w.scene, w.geometry);
+        rtcCommitGeometry(w.geometry);
         rtcCommitScene(w.scene);
         check_some_rays(&w);
     }

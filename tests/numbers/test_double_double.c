@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "draw.h"
+#include "environment.h"
 #include "real.h"
 
 #undef __FMA__
@@ -205,10 +206,8 @@ TEST(pairs_stay_within_their_bounds_in_every_rounding_mode)
                                    CYLINT_PAIR_DIV, CYLINT_PAIR_SQRT},
                         directed = {CYLINT_PAIR_ROUNDING, CYLINT_PAIR_ROUNDING,
                                     HUGE_VAL, HUGE_VAL};
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                FE_TOWARDZERO};
-    for (int i = 0; i < 4; i++) {
-        const errors e = worst_of_pairs(modes[i]),
+    for (int i = 0; i < ROUNDINGS; i++) {
+        const errors e = worst_of_pairs(roundings[i]),
                      *of = i ? &directed : &nearest;
         printf(
             "note: rounding mode %d, largest error over its bound: sum %.2f, "

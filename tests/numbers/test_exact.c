@@ -64,16 +64,6 @@ static void begin_case(void)
     cylint_arena_open(&arena);
 }
 
-TEST(doubles_are_placed_exactly)
-{
-    for (int i = 0; i < cases(); i++) {
-        const double x = any_double();
-        begin_case();
-        if (!CHECK(is_real(cylint_exact_from(&arena, x), real_of(x))))
-            REPORT("%a", x);
-    }
-}
-
 enum { TERMS = 6 };
 
 /* A sum in which terms often cancel, exactly or nearly. */
