@@ -230,7 +230,6 @@ TEST(leaves_answer_as_brute_force_does)
         answers_are_those_of_brute_force(0, 4095);
 }
 
-/* Certain occlusion in floats is right. */
 TEST(without_filters_leaves_answer_as_brute_force_does)
 {
     answers_are_those_of_brute_force(CYLINT_EMBREE_NO_FILTERS, 4095);
@@ -285,6 +284,7 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s)
              chance(0.3) ? HUGE_VALF : (float)(L + between(-0.2, 0.2)));
 }
 
+/* Certain occlusion in floats is right. */
 TEST(rays_that_barely_miss_are_not_occluded)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
