@@ -11,7 +11,6 @@
 
 #include "check.h"
 #include "cylint_distance.h"
-#include "cylint_pieces.h"
 #include "dispatch.h"
 #include "environment.h"
 #include "same.h"
@@ -91,26 +90,6 @@ TEST(subnormal_tangents_are_not_lost)
             environment_reset();
             CHECK(status == CYLINT_OK && cylint_r1(&s) == tangent);
         }
-}
-
-/* All components of a direction can be subnormal. */
-TEST(subnormal_directions_make_a_sector)
-{
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {1, 1},
-                 sector[2][3] = {{0x1p-1074, 0, 0}, {0, 0x1p-1074, 0}},
-                 along[2][3] = {{0, 0, 0x1p-1074}, {0, 1, 0}};
-    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
-    int clauses[CYLINT_TUBE_MEMBERS];
-    size_t n;
-    EACH_ENVIRONMENT(there) {
-        environment_set(there);
-        const cylint_status quarter =
-            cylint_tube(p0, p1, outer, NULL, sector, shapes, clauses, &n);
-        const cylint_status none =
-            cylint_tube(p0, p1, outer, NULL, along, shapes, clauses, &n);
-        environment_reset();
-        CHECK(quarter == CYLINT_OK && none == CYLINT_EDIRECTION);
-    }
 }
 
 /* ------------------------------------------------------------ self-test -- */

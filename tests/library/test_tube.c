@@ -1,11 +1,13 @@
 /*
- * test_tube.c - hollow cylinders and cones and their sectors
+ * test_tube.c - hollow cylinders and cones and their sectors; those of tube.txt
  */
 #include <math.h>
 
 #include "check.h"
 #include "cylint_pieces.h"
 #include "draw.h"
+#include "environment.h"
+#include "records.h"
 #include "same.h"
 #include "shapes/shape_facts.h"
 #include "ulps.h"
@@ -40,7 +42,7 @@ TEST(members_are_those_of_the_constructors)
 {
     static const double p0[3] = {1, 2, 3}, p1[3] = {2, 3, 5}, outer[2] = {3, 2},
                         inner[2] = {1, 0.5}, refused[2] = {-3, 2},
-                        sector[2][3] = {{1, 0, 0}, {0, 1, 0}};
+                        sector[2][3] = {{1, 0, 0}, {0, 1, 2}}; /* half a turn */
     for (int with = 0; with < 4; with++) {
         const int is_hollow = with & 1, has_sector = with >> 1;
         cylint_shape cone;
@@ -57,29 +59,44 @@ TEST(members_are_those_of_the_constructors)
                   clauses[i] == (i ? -2 : 1));
         }
         for (size_t i = 1 + (size_t)is_hollow; i < n; i++)
-            CHECK(same_bytes(cylint_base(&s[i]), p0, sizeof p0));
+            CHECK(same_bytes(cylint_base(&s[i]), p0, sizeof p0) &&
+                  clauses[i] == (int)(i + 2) - is_hollow);
     }
 }
 
-TEST(sectors_of_simple_directions_are_exact)
+/* In every environment. */
+static const char *check_tube(const char *text, const char *known)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
-                 inner[2] = {1, 1};
-    const double quarter[2][3] = {{1, 0, 0}, {0, 1, 0}},
-                 rest[2][3] = {{0, 1, 0}, {1, 0, 0}},
-                 half[2][3] = {{1, 0, 0}, {-1, 0, 5}};
-    const double o[3] = {-5, 0, 1}, d[3] = {1, 0, 0};
-    /* The line lies in the plane y = 0 that bounds the sectors, and is inside. */
-    CHECK(make_members(p0, p1, outer, inner, quarter) == CYLINT_OK &&
-          clauses[2] != clauses[3]);
-    CHECK(pieces_on(o, d) == 1 && piece[0].t0 == 6 && piece[0].t1 == 7);
-    CHECK(make_members(p0, p1, outer, inner, rest) == CYLINT_OK &&
-          clauses[2] == clauses[3]);
-    CHECK(pieces_on(o, d) == 2 && piece[0].t0 == 3 && piece[0].t1 == 4 &&
-          piece[1].t0 == 6);
-    CHECK(make_members(p0, p1, outer, inner, half) == CYLINT_OK &&
-          clauses[2] != clauses[3]);
-    CHECK(pieces_on(o, d) == 2);
+    double x[22], t[2 * CYLINT_SOLID_PIECES], count = 0, sector[2][3];
+    int want, has_sector = 0;
+    if (!family_numbers(text, 22, x) || !(known = read_status(known, &want)))
+        return NULL;
+    if (want == CYLINT_OK &&
+        (!(known = family_numbers(known, 1, &count)) || !(count <= 2) ||
+         !(known = family_numbers(known, 2 * (int)count, t))))
+        return NULL;
+    memcpy(sector, x + 10, sizeof sector);
+    for (int i = 10; i < 16; i++)
+        has_sector |= x[i] != 0;
+    EACH_ENVIRONMENT(there) {
+        environment_set(there);
+        const cylint_status status =
+            make_members(x, x + 3, x + 6, isnan(x[8]) ? NULL : x + 8,
+                         has_sector ? (const double(*)[3])sector : NULL);
+        const int found = status ? (int)n : pieces_on(x + 16, x + 19);
+        environment_reset();
+        int same = (int)status == want && found == (int)count;
+        for (int i = 0; i < found && same; i++)
+            same = piece[i].t0 == t[2 * i] && piece[i].t1 == t[2 * i + 1];
+        if (!CHECK(same))
+            REPORT("%s: status %d, %d pieces", text, (int)status, found);
+    }
+    return known;
+}
+
+TEST(known_tubes_have_their_pieces_or_are_refused)
+{
+    each_record("tests/library/tube.txt", 16, check_tube);
 }
 
 /* The planes contain their directions exactly. */
@@ -142,47 +159,6 @@ TEST(normals_of_sectors_are_within_0501_units)
 }
 
 #endif
-
-TEST(bad_sectors_are_refused)
-{
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2};
-    const double along[2][3] = {{0, 0, 1}, {0, 1, 0}},
-                 same[2][3] = {{1, 0, 0}, {2, 0, 3}},
-                 large[2][3] = {{0x1p1000, 0, 0}, {0x1p1010, 0, 0}},
-                 small[2][3] = {{0x1p-1074, 0, 0}, {0x1p-1000, 0, 0}},
-                 bad[2][3] = {{1, 0, 0}, {NAN, 0, 3}};
-    const double zeros[2] = {0, 0}, none[2][3] = {{1, 0, 0}, {0, 0, 0}};
-    CHECK(make_members(p0, p1, outer, NULL, along) == CYLINT_EDIRECTION &&
-          n == 0);
-    CHECK(make_members(p0, p1, outer, NULL, same) == CYLINT_EDIRECTION);
-    CHECK(make_members(p0, p1, outer, NULL, large) == CYLINT_EDIRECTION);
-    CHECK(make_members(p0, p1, outer, NULL, small) == CYLINT_EDIRECTION);
-    CHECK(make_members(p0, p1, outer, NULL, bad) == CYLINT_ENONFINITE);
-    CHECK(make_members(p0, p1, zeros, NULL, NULL) == CYLINT_ERADIUS);
-    CHECK(make_members(p0, p1, outer, zeros, NULL) == CYLINT_OK && n == 1);
-    CHECK(make_members(p0, p1, outer, NULL, none) == CYLINT_EDIRECTION);
-}
-
-/* The hole is a cone with its apex at p0. */
-TEST(a_hole_can_begin_with_the_radius_0)
-{
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
-                 inner[2] = {0, 1}, o[3] = {-3, 0, 1}, d[3] = {1, 0, 0};
-    CHECK(make_members(p0, p1, outer, inner, NULL) == CYLINT_OK && n == 2);
-    CHECK(pieces_on(o, d) == 2);
-    CHECK(piece[0].t0 == 1 && piece[0].t1 == 2.5 && piece[1].t0 == 3.5 &&
-          piece[1].t1 == 5);
-}
-
-TEST(a_bore_that_is_nowhere_narrower_than_the_tube_leaves_no_wall)
-{
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 1},
-                 inner[2][2] = {{2, 1}, {3, 1}}, o[3] = {-3, 0, 1},
-                 d[3] = {1, 0, 0};
-    for (int i = 0; i < 2; i++)
-        CHECK(make_members(p0, p1, outer, inner[i], NULL) == CYLINT_OK &&
-              pieces_on(o, d) == 0);
-}
 
 /* Integers of which no double has a cross product: y is x 2^22, moved by one in a
  * coordinate, or not.  axis . (x cross y) is then a component of axis cross x. */

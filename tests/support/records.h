@@ -61,4 +61,20 @@ static inline const char *read_relation(const char *known, cylint_answer *to)
     return NULL;
 }
 
+/* Reads the word of a status.  Returns a pointer behind it, or NULL. */
+static inline const char *read_status(const char *known, int *status)
+{
+    static const char *const words[] = {"ok",         "nonfinite", "axis",
+                                        "degenerate", "radius",    "angle",
+                                        "ends",       "direction", "domain"};
+    char word[12];
+    int used;
+    if (sscanf(known, "%11s%n", word, &used) != 1)
+        return NULL;
+    for (*status = 0; *status < (int)(sizeof words / sizeof *words); ++*status)
+        if (strcmp(words[*status], word) == 0)
+            return known + used;
+    return NULL;
+}
+
 #endif
