@@ -150,27 +150,19 @@ static void lengthen(struct family_case *c, double by)
     multiply(c->line_data + 3, c->line_word == FAMILY_SEGMENT ? 0 : 3, by);
 }
 
-static void aim_at_sizes(struct family_case *out, family_shape word, double r,
-                         double h)
+/* Very small or large radii, needles, discs, and narrow or wide cones. */
+static void odd_sizes(struct family_case *out)
 {
+    static const double ratios[] = {1e12, 1e-12, 1e8, 1e-8, 1e6, 1e-6};
     frame f;
-    make_frame(&f, word, r, h);
+    const family_shape word = any_word();
+    const double ratio = ratios[one_of(6)], h = between(0.2, 3);
+    if (chance(0.5))
+        make_frame(&f, word, ratio, h);
+    else
+        make_frame(&f, word, h, h * ratio);
     write_shape(out, word, &f);
     aim(out, &f, 1.5);
-}
-
-static void wild_radius(struct family_case *out)
-{
-    const family_shape word = any_word();
-    const double h = between(0.2, 3);
-    aim_at_sizes(out, word, chance(0.5) ? 1e12 : 1e-12, h);
-}
-
-static void needle_or_disc(struct family_case *out)
-{
-    const family_shape word = any_word();
-    const double r = between(0.5, 1);
-    aim_at_sizes(out, word, r, r * (chance(0.5) ? 1e6 : 1e-6));
 }
 
 /* ----- changes of a case ------------------------------------------------ */
@@ -309,13 +301,6 @@ static void near_a_ruling(struct family_case *out)
         p[i] += z * (q[i] - p[i]) + off * aside[i];
     }
     write_line_from(out, p, d, between(-2, 2));
-}
-
-static void narrow_or_wide(struct family_case *out)
-{
-    const family_shape word = cone_word();
-    const double h = between(0.5, 2);
-    aim_at_sizes(out, word, chance(0.5) ? 1e-8 : 1e8, h);
 }
 
 /* So steep that the line meets both nappes. */
@@ -536,12 +521,10 @@ static const struct {
     {"integer grid", integer_grid, NULL, NULL, 0, FRAMES},
     {"pythagorean tangents", exact_tangent, NULL, NULL, 0, FRAMES},
     {"scaled", ordinary, NULL, scale, 0, FRAMES},
-    {"radius 1e+-12", wild_radius, NULL, NULL, 0, FRAMES},
+    {"odd sizes", odd_sizes, NULL, NULL, 0, FRAMES},
     {"direction not unit", ordinary, NULL, lengthen_direction, 0, FRAMES},
-    {"needle or disc", needle_or_disc, NULL, NULL, 0, FRAMES},
     {"near the apex", near_the_apex, NULL, NULL, 0, FRAMES},
     {"near a ruling", near_a_ruling, NULL, NULL, 0, FRAMES},
-    {"narrow or wide cone", narrow_or_wide, NULL, NULL, 0, FRAMES},
     {"both nappes", both_nappes, NULL, NULL, 0, FRAMES},
     {"near a rim", near_a_rim, NULL, NULL, 0, FRAMES},
     {"near a cap's plane", near_a_cap_plane, NULL, NULL, 0, FRAMES},
