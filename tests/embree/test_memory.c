@@ -94,8 +94,8 @@ TEST(a_failed_making_frees_all_memory)
     }
 }
 
-/* A refused update, or commit, can be repeated.  If memory for Embree's own hierarchy
- * is refused, Embree calls the error function. */
+/* A refused update, or commit, can be repeated.  If memory for Embree's own
+ * hierarchy is refused, Embree calls the error function. */
 TEST(a_failed_update_or_commit_frees_all_memory)
 {
     cylint_shape shapes[SHAPES];

@@ -16,8 +16,8 @@
 #include "environment.h"
 #include "vectors.h"
 
-/* The rays so far; those from farther than `sizes` of the scene, as far as boxes are
- * wide enough; how often Embree had another answer to these. */
+/* The rays so far; those from farther than `sizes` of the scene, as far as boxes
+ * are wide enough; how often Embree had another answer to these. */
 static const struct scene_shapes *scene;
 static double sizes;
 static struct {

@@ -2,8 +2,8 @@
  * test_environment.c - no floating-point environment changes constructors; version,
  * sizes, and the kernels that a program begins with
  *
- * scene/test_paths.c tests the answers of all calls in every environment, with shapes
- * and lines made there, test_hits.c those of named cases,
+ * scene/test_paths.c tests the answers of all calls in every environment, with
+ * shapes and lines made there, test_hits.c those of named cases,
  * shapes/test_constructors.c statuses.  CYLINT_CASES is the number of cases of each
  * family, CYLINT_SEED changes them.
  */

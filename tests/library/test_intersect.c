@@ -2,8 +2,8 @@
  * test_intersect.c - the library against the oracle, by family
  *
  * Relation, number, parts, sides and every bit of t, point, normal, z and phi must
- * agree, of one case in ten also those of the exact stage alone.  CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes
- * all cases.
+ * agree, of one case in ten also those of the exact stage alone.  CYLINT_CASES is
+ * the number of cases of each family, CYLINT_SEED changes all cases.
  */
 #include <math.h>
 #include <string.h>

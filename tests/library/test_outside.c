@@ -4,8 +4,8 @@
  * From every hit of the families cylint_outside() makes a point outside and a
  * point inside.  cylint_contains() must agree, and rays from the point outside
  * that go away from the nearest point of a convex solid must miss it; every ray
- * from the point inside a bounded solid must hit it once.  CYLINT_CASES is the number of cases
- * of each family.  outside.txt has known points.
+ * from the point inside a bounded solid must hit it once.  CYLINT_CASES is the
+ * number of cases of each family.  outside.txt has known points.
  */
 #include <math.h>
 #include <string.h>
@@ -42,10 +42,10 @@ static double move_of(const cylint_hit *hit, const double p[3])
     return most / ulp(size);
 }
 
-/* Rays from p of which the number of hits is known: none if p is outside of a convex
- * solid and they go away from its nearest point, one if p is inside a bounded one.
- * All parts of the solid are there.  On a rim or apex the normal is not the direction
- * to p; elliptic kinds have normals of fewer digits. */
+/* Rays from p of which the number of hits is known: none if p is outside of a
+ * convex solid and they go away from its nearest point, one if p is inside a
+ * bounded one.  All parts of the solid are there.  On a rim or apex the normal is
+ * not the direction to p; elliptic kinds have normals of fewer digits. */
 static void check_rays(const struct family_case *c, const cylint_shape *whole,
                        int inside, const double p[3])
 {
