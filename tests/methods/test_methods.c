@@ -292,6 +292,19 @@ TEST(a_pointed_end_is_never_hit_as_a_cap)
     CHECK(hits > 500);
 }
 
+/* Products of the direction underflow, so that in doubles no ruling is met. */
+TEST(a_line_that_meets_no_ruling_in_doubles_misses)
+{
+    const struct family_case c = case_of(
+        "ray 0x1p734 -0x1.4p-1 -0x1p-1074 -0x1.8p-1021 -0x1p-2 -0x1p-1021"
+        " acone 0x1.fffffffffffffp1023 0x1.8p-1 0x1p-1"
+        " 0x1.8p-1022 0x1.cp-1 -0x1p-1023 0x1p-3 ends=infinite");
+    cylint_answer a;
+    CHECK(cylint_shene_cone(&c.shape, &c.line, CYLINT_WANT_ALL, &a) ==
+              CYLINT_OK &&
+          a.relation == CYLINT_RELATION_MISS && a.n == 0);
+}
+
 /* A member wanted alone has the value that it has when all are wanted, and no other
  * is written. */
 TEST(each_member_is_written_by_itself)
