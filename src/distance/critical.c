@@ -9,7 +9,7 @@
  * derivatives follow one after the other from the linear one.  Newton's
  * iteration with bisection computes each of them in doubles.  Where the sign of
  * the polynomial or of a derivative at such a zero is below the rounding, zeros
- * may be hidden: then all are computed in triples.  Newton's iteration on the
+ * may be hidden: then values are computed in triples.  Newton's iteration on the
  * form in triples yields the other digits.
  *
  * A pair of zeros that roundings of triples hide is not found.  One of the two
@@ -30,34 +30,120 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
 #define CRITICAL_REACH 1.25
 
-/* A value by Horner's rule has 9 roundings and those of its coefficients, of
- * terms up to 2.5 times these: 2^-45.  NOISE is larger, so that a zero in doubles
- * is near enough for Newton's iteration to end at it. */
-#define NUMBER double
-#define ZEROS(name) critical_##name##_double
-#define PLUS(x, y) ((x) + (y))
-#define MINUS(x, y) ((x) - (y))
-#define TIMES(x, y) ((x) * (y))
-#define OVER(x, y) ((x) / (y))
-#define TIMES_DOUBLE(x, y) ((x) * (y))
-#define FROM_DOUBLE(x) ((double)(x))
-#define ROUNDED(x) (x)
-#define SMALL_STEP 0x1p-50
+/* A value in doubles by Horner's rule has 9 roundings and those of its coefficients,
+ * of terms up to 2.5 times these: 2^-45.  NOISE is larger, so that a zero is near
+ * enough for Newton's iteration to end at it. */
 #define NOISE 0x1p-30
-#include "critical_zeros_template.h"
 
-#define NUMBER triple
-#define ZEROS(name) critical_##name##_triple
-#define PLUS triple_add
-#define MINUS triple_sub
-#define TIMES triple_mul
-#define OVER triple_div
-#define TIMES_DOUBLE triple_times
-#define FROM_DOUBLE(x) triple_of(x)
-#define ROUNDED(x) triple_value(x)
-#define SMALL_STEP 0x1p-80
-#define NOISE 0x1p-148
-#include "critical_zeros_template.h"
+/* After such a step of Newton's iteration the error is below the rounding. */
+#define SMALL_STEP 0x1p-50
+
+/* ---------------------------------------------------------- the zeros --- */
+
+/* p[0] + p[1] t + ... */
+typedef struct {
+    triple p[DEGREE + 1];
+    int in_triples; /* values are computed in triples, else in doubles */
+    int uncertain; /* the sign between two zeros is below the rounding of doubles */
+} polynomial;
+
+/* Of the coefficients of derivatives, by their order. */
+static const double factor[DEGREE + 1][DEGREE + 1] = {
+    {1, 1, 1, 1, 1}, {1, 2, 3, 4}, {2, 6, 12}, {6, 24}, {24}};
+
+/* The derivative of this order at t, and its slope. */
+CYLINT_INLINE double value_at(const polynomial *f, int order, double t,
+                              double *slope)
+{
+    const triple *p = f->p + order;
+    const double *of = factor[order];
+    int i = DEGREE - order;
+    if (f->in_triples) {
+        triple value = triple_times(p[i], of[i]), derivative = triple_of(0);
+        while (i-- > 0) {
+            derivative = triple_add(triple_times(derivative, t), value);
+            value =
+                triple_add(triple_times(value, t), triple_times(p[i], of[i]));
+        }
+        *slope = derivative.a;
+        return triple_value(value);
+    }
+    double value = p[i].a * of[i], derivative = 0;
+    while (i-- > 0) {
+        derivative = derivative * t + value;
+        value = value * t + p[i].a * of[i];
+    }
+    *slope = derivative;
+    return value;
+}
+
+/* Its zero between `below` and `above`, at which the signs differ.  high_sign: the
+ * sign at `above`. */
+static double zero_between(const polynomial *f, int order, double below,
+                           double above, int high_sign)
+{
+    double x = 0.5 * (below + above);
+    for (int step = 0; step < MOST_STEPS; step++) {
+        double slope;
+        const double value = value_at(f, order, x, &slope);
+        if (value == 0)
+            break;
+        if ((value > 0) == (high_sign > 0))
+            above = x;
+        else
+            below = x;
+        const double by = value / slope, next = x - by;
+        const int is_between = next > below && next < above;
+        if (fabs(by) <= SMALL_STEP)
+            return is_between ? next : x;
+        x = is_between ? next : 0.5 * (below + above);
+    }
+    return x;
+}
+
+static double noise(const polynomial *f, int order)
+{
+    double sum = 0;
+    for (int i = 0; i <= DEGREE - order; i++)
+        sum += factor[order][i] * fabs(f->p[order + i].a);
+    return NOISE * sum;
+}
+
+/* The zeros, given those of the next derivative, ascending. */
+static int next_zeros(polynomial *f, int order, const double *turn, int turns,
+                      double *zero)
+{
+    int n = 0;
+    double low = -CRITICAL_REACH, slope,
+           at_low = value_at(f, order, low, &slope);
+    const double least = noise(f, order);
+    for (int i = 0; i <= turns; i++) {
+        const double high = i < turns ? turn[i] : CRITICAL_REACH,
+                     at_high = value_at(f, order, high, &slope);
+        if (i < turns && fabs(at_high) <= least)
+            f->uncertain = 1;
+        if (at_low == 0)
+            zero[n++] = low;
+        else if ((at_low < 0 && at_high > 0) || (at_low > 0 && at_high < 0))
+            zero[n++] = zero_between(f, order, low, high, at_high > 0 ? 1 : -1);
+        low = high;
+        at_low = at_high;
+    }
+    return n;
+}
+
+/* Those in [-CRITICAL_REACH, CRITICAL_REACH]. */
+static int all_zeros(polynomial *f, double zero[MOST_ZEROS])
+{
+    double turn[MOST_ZEROS];
+    int n = 0;
+    for (int order = DEGREE - 1; order >= 0; order--) {
+        for (int i = 0; i < n; i++)
+            turn[i] = zero[i];
+        n = next_zeros(f, order, turn, n, zero);
+    }
+    return n;
+}
 
 /* ---------------------------------------------- the form in triples ----- */
 
@@ -79,13 +165,20 @@ triple cylint_integral_at(const stationary *f, const direction *at)
                       at->cos);
 }
 
-/* Its derivative by the angle. */
-static double slope_at(const stationary *f, const direction *at)
+/* Its derivative by the angle, which is such a form, too.  Terms cancel where zeros
+ * nearly coincide: in_triples. */
+static double slope_at(const stationary *f, const direction *at, int in_triples)
 {
+    const triple half = triple_sub(f->square[2], f->square[0]);
+    const stationary slope = {
+        {f->linear[1], triple_neg(f->linear[0])},
+        {f->square[1], triple_scale(half, 2), triple_neg(f->square[1])},
+        0};
     const double c = at->cos.a, s = at->sin.a;
-    return -f->linear[0].a * s + f->linear[1].a * c +
-           2 * c * s * (f->square[2].a - f->square[0].a) +
-           f->square[1].a * (c - s) * (c + s);
+    return in_triples ? triple_value(form_at(&slope, at))
+                      : slope.linear[0].a * c + slope.linear[1].a * s +
+                            slope.square[1].a * c * s +
+                            slope.square[0].a * (c - s) * (c + s);
 }
 
 /* Divides by the length, which is nearly 1. */
@@ -115,14 +208,14 @@ static void put_on_axis(const stationary *f, direction *at)
  * the error of a correction, which is a double, is below the last place of cos
  * and of sin.  The length grows by half the square of a correction.
  * normalize() squares that error. */
-static direction corrected(const stationary *f, direction at)
+static direction corrected(const stationary *f, direction at, int in_triples)
 {
     normalize(&at);
     normalize(&at);
     double form = triple_value(form_at(f, &at));
     /* mutant '&&' -> '||': a step that reduces nothing ends the loop */
     for (int step = 0; step < MOST_CORRECTIONS && form != 0; step++) {
-        const double by = -form / slope_at(f, &at);
+        const double by = -form / slope_at(f, &at, in_triples);
         if (!(fabs(by) < 0.5))
             break;
         direction next = {triple_sub(at.cos, triple_times(at.sin, by)),
@@ -153,35 +246,20 @@ double cylint_direction_error(const stationary *f, const direction *at)
                          s * (fabs(f->linear[1].a) + fabs(f->square[2].a) * s);
     const double residual =
         fabs(triple_value(form_at(f, at))) / CYLINT_TRIPLE_ROUNDING;
-    const double error = (terms + residual) / fabs(slope_at(f, at));
+    const double error = (terms + residual) / fabs(slope_at(f, at, 0));
     return error < 1 ? error : 1;
 }
 
-static direction direction_of_double(double t, int sign)
+static direction direction_at(double t, int sign)
 {
     const double length = sign * (1 + t * t);
     return (direction){triple_of((1 - t) * (1 + t) / length),
                        triple_of(2 * t / length)};
 }
 
-/* 0 for a number below the error of a zero. */
-static triple without_error(triple x)
-{
-    return fabs(x.a) < 0x1p-140 ? triple_of(0) : x;
-}
-
-static direction direction_of_triple(triple t, int sign)
-{
-    const triple one = triple_of(1), square = triple_mul(t, t);
-    const triple length = triple_scale(triple_add(one, square), sign);
-    return (direction){
-        without_error(triple_div(triple_sub(one, square), length)),
-        without_error(triple_div(triple_scale(t, 2), length))};
-}
-
 /* The form as a polynomial in t, times a power of two.  The linear terms are
  * multiplied by `sign`. */
-static void polynomial(const stationary *f, int sign, triple p[DEGREE + 1])
+static void load_polynomial(const stationary *f, int sign, triple p[DEGREE + 1])
 {
     triple x[5];
     double size = 0;
@@ -210,21 +288,17 @@ static int is_zero(const stationary *f)
 /* In one half turn. */
 static int half_turn(const stationary *form, int sign, direction to[MOST_ZEROS])
 {
-    triple p[DEGREE + 1], exact_zero[MOST_ZEROS];
-    double rounded[DEGREE + 1], zero[MOST_ZEROS];
-    int uncertain;
-    polynomial(form, sign, p);
-    for (int i = 0; i <= DEGREE; i++)
-        rounded[i] = p[i].a;
-    const int n = critical_all_zeros_double(rounded, zero, &uncertain);
+    polynomial f = {.in_triples = 0};
+    double zero[MOST_ZEROS];
+    load_polynomial(form, sign, f.p);
+    int n = all_zeros(&f, zero);
+    if (f.uncertain) {
+        f.in_triples = 1;
+        n = all_zeros(&f, zero);
+    }
     for (int i = 0; i < n; i++)
-        to[i] = direction_of_double(zero[i], sign);
-    if (!uncertain)
-        return n;
-    const int all = critical_all_zeros_triple(p, exact_zero, &uncertain);
-    for (int i = 0; i < all; i++)
-        to[i] = direction_of_triple(exact_zero[i], sign);
-    return all;
+        to[i] = corrected(form, direction_at(zero[i], sign), f.in_triples);
+    return n;
 }
 
 int cylint_critical_directions(const stationary *form,
@@ -236,8 +310,5 @@ int cylint_critical_directions(const stationary *form,
         return 2;
     }
     const int right = half_turn(form, 1, to);
-    const int n = right + half_turn(form, -1, to + right);
-    for (int i = 0; i < n; i++)
-        to[i] = corrected(form, to[i]);
-    return n;
+    return right + half_turn(form, -1, to + right);
 }
