@@ -177,12 +177,13 @@ static inline direction_pair direction_of(vpair c, vpair s)
                             sized_of(pairs_trimmed(vpair_product(s, f)))};
 }
 
-/* Turns it by a step of Newton's iteration.  One that is larger than those that end
- * the iteration in doubles has no meaning: returns 0. */
-static inline int turn_direction(direction_pair *e, double by)
+/* Turns it by a step of Newton's iteration.  ratio: as elliptic_certainty.h has it.
+ * Returns 0 where the step is so long that the numbers of the angle in doubles are
+ * not those of this one. */
+static inline int turn_direction(direction_pair *e, double by, double ratio)
 {
     const vpair step = {by, 0};
-    if (!(fabs(by) <= CYLINT_ANGLE_STEP))
+    if (!(fabs(by) <= CYLINT_PAIR_TURN && fabs(by) * ratio <= 0x1p-4))
         return 0;
     *e = direction_of(vpair_sub(e->cos.v, vpair_product(e->sin.v, step)),
                       vpair_add(e->sin.v, vpair_product(e->cos.v, step)));
@@ -229,7 +230,8 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const sized before = load_slope(t, m, e);
     const double sign = copysign(1, m->volume.v.hi);
     *by = uncertain_angle;
-    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope))
+    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope,
+                        q->at.norm / sqrt(q->plane.q)))
         return;
     load_plane(t, m, e);
     const sized after = load_slope(t, m, e);
@@ -488,7 +490,7 @@ static inline void answer_on_rim(elliptic_answer *to,
                           cylint_dot(doubles->R, doubles->u));
         by = uncertain_angle;
         /* untaken 1 of 2: every known step is small enough */
-        if (turn_direction(&e, rounded(sized_dot(r.R, r.v).v) / slope)) {
+        if (turn_direction(&e, rounded(sized_dot(r.R, r.v).v) / slope, 0)) {
             load_rim_in_pairs(&r, s, F, doubles->f, &e);
             by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
         }
