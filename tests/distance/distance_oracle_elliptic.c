@@ -34,7 +34,6 @@ typedef struct {
 } surface;
 
 static struct {
-    int has_twin; /* of the candidate: another point of the rim is as far */
     long moved;
     long exponent; /* lengths are divided by 2^exponent */
     surface side, rim;
@@ -186,9 +185,8 @@ static void load_polynomial(surface *of, polynomial p)
             p[i + j] = minus(p[i + j], times(of->det[i], of->det[j]));
 }
 
-/* Y = y / det at a zero m.  Returns whether det is not 0, but for roundings: where
- * the section is a circle, y and det have a zero in common, of which m has half of
- * the bits. */
+/* Y = y / det at a zero m.  Returns 0 where det can be 0: a zero of a circular section
+ * can be no stationary point. */
 static int load_stationary(surface *of, real m, vector Y)
 {
     real slope, det = value_of(of->det, 3, m, &slope);
@@ -197,7 +195,8 @@ static int load_stationary(surface *of, real m, vector Y)
     scale(Y, m, Y);
     add_scaled(Y, real_of(1), of->y[0]);
     divide(Y, Y, det);
-    return sgn(det) != 0 && mpfr_get_exp(det->x) > -reals.bits / 2;
+    return mpfr_regular_p(det->x) &&
+           (det->off == EXACT || mpfr_get_exp(det->x) > det->off + 100);
 }
 
 /* ---------------------------------------------------------- candidates -- */
@@ -231,7 +230,6 @@ static void offer(struct oracle_closest *expected, int part, int feature,
         if (off >= tie)
             expected->is_tie = 0;
     }
-    expected->is_tie |= e.has_twin;
     expected->part = part;
     expected->feature = feature;
     e.best = size;
@@ -310,22 +308,6 @@ static void load_rim(int end, real factor)
     add_scaled(e.rim.Q, negated(dot(e.across, e.E)), e.across);
 }
 
-/* At the nearest point of the rim 1 + m S is positive semidefinite: m is at least
- * -1 / s, s the larger eigenvalue of S, 2 s = T + sqrt(T^2 - 4 det).  There
- * p / det^2 falls from +infinity to -1.  m is larger by at least 2^-moved / s,
- * because the point is moved. */
-static int nearest_of_rim(const real *p, real *zero)
-{
-    const real D =
-        minus(square_of(e.rim.det[1]), times(real_of(4), e.rim.det[2]));
-    real low = over(real_of(-2), plus(root_of(D), e.rim.det[1]));
-    low = minus(low, times(low, power_of_two(-e.moved - 50)));
-    if (!zero_above(p, low, zero))
-        return real_zeros(p, zero);
-    e.has_twin = is_tiny(minus(*zero, low), low, 110);
-    return 1;
-}
-
 static void try_rim(struct oracle_closest *expected, real m, int end)
 {
     vector R, Y, N;
@@ -364,9 +346,8 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
         }
         load_rim(end, factor);
         load_polynomial(&e.rim, p);
-        for (int i = 0, n = nearest_of_rim(p, zero); i < n; i++)
+        for (int i = 0, n = real_zeros(p, zero); i < n; i++)
             try_rim(expected, zero[i], end);
-        e.has_twin = 0;
         if (has_cap(shape, end))
             cap(expected, end);
     }

@@ -174,17 +174,4 @@ static int real_zeros(const real *p, real *zero)
     return zeros_within(p, degree, bound, zero);
 }
 
-/* The only zero of p above `low`, if the sign of p changes there. */
-static int zero_above(const real *p, real low, real *zero)
-{
-    int degree = MOST_DEGREE;
-    real slope, bound = bound_of_zeros(p, &degree);
-    if (sgn(value_of(p, degree, low, &slope)) *
-            sgn(value_of(p, degree, bound, &slope)) >=
-        0)
-        return 0;
-    *zero = zero_between(p, degree, low, bound);
-    return 1;
-}
-
 #endif
