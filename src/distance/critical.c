@@ -30,9 +30,9 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
 #define CRITICAL_REACH 1.25
 
-/* A value in doubles by Horner's rule has 9 roundings and those of its coefficients,
- * of terms up to 2.5 times these: 2^-45.  NOISE is larger, so that a zero is near
- * enough for Newton's iteration to end at it. */
+/* A value in doubles by Horner's rule has 9 roundings and those of its
+ * coefficients, of terms up to 2.5 times these: 2^-45.  NOISE is larger, so that a
+ * zero is near enough for Newton's iteration to end at it. */
 #define NOISE 0x1p-30
 
 /* After such a step of Newton's iteration the error is below the rounding. */
@@ -44,7 +44,7 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 typedef struct {
     triple p[DEGREE + 1];
     int in_triples; /* values are computed in triples, else in doubles */
-    int uncertain; /* the sign between two zeros is below the rounding of doubles */
+    int uncertain;  /* the sign between two zeros is below the rounding */
 } polynomial;
 
 /* Of the coefficients of derivatives, by their order. */
@@ -77,10 +77,10 @@ CYLINT_INLINE double value_at(const polynomial *f, int order, double t,
     return value;
 }
 
-/* Its zero between `below` and `above`, at which the signs differ.  high_sign: the
- * sign at `above`. */
+/* Its zero between `below` and `above`, at which the signs differ.  at_above: the
+ * value there. */
 static double zero_between(const polynomial *f, int order, double below,
-                           double above, int high_sign)
+                           double above, double at_above)
 {
     double x = 0.5 * (below + above);
     for (int step = 0; step < MOST_STEPS; step++) {
@@ -88,7 +88,7 @@ static double zero_between(const polynomial *f, int order, double below,
         const double value = value_at(f, order, x, &slope);
         if (value == 0)
             break;
-        if ((value > 0) == (high_sign > 0))
+        if ((value > 0) == (at_above > 0))
             above = x;
         else
             below = x;
@@ -124,8 +124,8 @@ static int next_zeros(polynomial *f, int order, const double *turn, int turns,
             f->uncertain = 1;
         if (at_low == 0)
             zero[n++] = low;
-        else if ((at_low < 0 && at_high > 0) || (at_low > 0 && at_high < 0))
-            zero[n++] = zero_between(f, order, low, high, at_high > 0 ? 1 : -1);
+        else if (cylint_sign(at_low) * cylint_sign(at_high) < 0)
+            zero[n++] = zero_between(f, order, low, high, at_high);
         low = high;
         at_low = at_high;
     }

@@ -185,8 +185,8 @@ static void load_polynomial(surface *of, polynomial p)
             p[i + j] = minus(p[i + j], times(of->det[i], of->det[j]));
 }
 
-/* Y = y / det at a zero m.  Returns 0 where det can be 0: a zero of a circular section
- * can be no stationary point. */
+/* Y = y / det at a zero m.  Returns 0 where det can be 0: a zero of a circular
+ * section can be no stationary point. */
 static int load_stationary(surface *of, real m, vector Y)
 {
     real slope, det = value_of(of->det, 3, m, &slope);

@@ -20,9 +20,6 @@
 #include "numbers/bits.h"
 #include "records.h"
 #include "shapes/layout.h"
-#ifdef HAVE_MPFR
-#include "distance_oracle.h"
-#endif
 
 enum { CASES = 60, POINTS = 4, FAR_CASES = 1000 };
 
@@ -172,29 +169,6 @@ TEST(known_answers_are_returned_in_every_environment)
     EACH_ENVIRONMENT(there)
         check_records(there);
 }
-
-#ifdef HAVE_MPFR
-
-TEST(the_oracle_has_the_known_answers)
-{
-    for (int i = 0; i < count; i++) {
-        const struct record *r = &records[i];
-        const cylint_closest *want = &r->want;
-        struct oracle_closest got;
-        if (isnan(want->distance))
-            continue;
-        oracle_distance(&r->c.shape, r->p, &got);
-        if (got.too_near || got.is_tie)
-            continue;
-        if (!CHECK(want->feature == NONE
-                       ? got.part == -1
-                       : got.feature == want->feature &&
-                             fabs(oracle_distance_error(want->distance)) <= 1))
-            REPORT_CASE(&r->c);
-    }
-}
-
-#endif
 
 /* A shape that was refused, and bad points. */
 TEST(refused_shapes_and_bad_points_have_an_infinite_distance)
