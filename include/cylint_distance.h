@@ -128,7 +128,7 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  *
  * A proved distance takes 0.4 to 0.6 microseconds (AVX2), with point and normal
  * 0.5 to 0.8, within 1e-10 of the surface 0.7 to 1.4; another one takes 6 to 16,
- * and up to 0.1 milliseconds where stationary points nearly coincide.
+ * and up to 0.2 milliseconds where stationary points nearly coincide.
  */
 CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,
