@@ -177,13 +177,12 @@ static inline direction_pair direction_of(vpair c, vpair s)
                             sized_of(pairs_trimmed(vpair_product(s, f)))};
 }
 
-/* Turns it by a step of Newton's iteration.  ratio: as elliptic_certainty.h has it.
- * Returns 0 where the step is so long that the numbers of the angle in doubles are
- * not those of this one. */
-static inline int turn_direction(direction_pair *e, double by, double ratio)
+/* Turns it by a step of Newton's iteration.  After one longer than `most` the
+ * numbers of the angle in doubles are not those of this one: returns 0. */
+static inline int turn_direction(direction_pair *e, double by, double most)
 {
     const vpair step = {by, 0};
-    if (!(fabs(by) <= CYLINT_PAIR_TURN && fabs(by) * ratio <= 0x1p-4))
+    if (!(fabs(by) <= most))
         return 0;
     *e = direction_of(vpair_sub(e->cos.v, vpair_product(e->sin.v, step)),
                       vpair_add(e->sin.v, vpair_product(e->cos.v, step)));
@@ -229,9 +228,11 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const double cube = m->unit * m->unit * m->unit;
     const sized before = load_slope(t, m, e);
     const double sign = copysign(1, m->volume.v.hi);
+    const double most = q->curvature > 0 ? CYLINT_PAIR_TURN : CYLINT_ANGLE_STEP;
     *by = uncertain_angle;
-    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope,
-                        q->at.norm / sqrt(q->plane.q)))
+    if (!turn_direction(
+            e, -sign * rounded(before.v) * cube / slope,
+            cylint_smaller(most, 0x1p-4 * sqrt(q->plane.q) / q->at.norm)))
         return;
     load_plane(t, m, e);
     const sized after = load_slope(t, m, e);
@@ -490,7 +491,8 @@ static inline void answer_on_rim(elliptic_answer *to,
                           cylint_dot(doubles->R, doubles->u));
         by = uncertain_angle;
         /* untaken 1 of 2: every known step is small enough */
-        if (turn_direction(&e, rounded(sized_dot(r.R, r.v).v) / slope, 0)) {
+        if (turn_direction(&e, rounded(sized_dot(r.R, r.v).v) / slope,
+                           CYLINT_PAIR_TURN)) {
             load_rim_in_pairs(&r, s, F, doubles->f, &e);
             by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
         }
