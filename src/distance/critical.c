@@ -83,6 +83,7 @@ static double zero_between(const polynomial *f, int order, double below,
                            double above, double at_above)
 {
     double x = 0.5 * (below + above);
+    /* untaken 1 of 6: every known zero takes fewer steps */
     for (int step = 0; step < MOST_STEPS && below < x && x < above; step++) {
         double slope;
         const double value = value_at(f, order, x, &slope);

@@ -71,10 +71,8 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         answer_in_pairs(&a, &q, &m, point, effort, want);
         certain = m_any(rounds(a.distance, &d));
     } while (!certain && effort++ < 2);
-    /* untaken 1 of 4: every known certain distance has the sign of the side */
-    if (!certain || d * q.side > 0 ||
-        /* untaken 1 of 2: and is not tiny */
-        !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
+    /* untaken 1 of 6: every known certain distance has the sign of the side */
+    if (!certain || d * q.side > 0 || !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
         (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
         (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))
         return all;

@@ -338,6 +338,18 @@ static struct family_case easy(void)
     return case_of("ray -3 0.25 1  1 0.125 0.25  cylinder 0 0 0  0 0 4  1");
 }
 
+/* Columns of a multiple of 256 numbers are made longer. */
+TEST(a_pack_of_256_shapes_of_one_kind_has_its_answers)
+{
+    for (int i = 0; i < 256; i++) {
+        drawn[i] = easy();
+        drawn[i].shape_data[0] = i / 64.;
+        family_make(&drawn[i]);
+    }
+    check_shapes(&drawn[0], drawn, 256, &usual);
+    check_nearest_and_count(&drawn[0], drawn, 256, &usual);
+}
+
 /* Among them one whose tmin is just above tmax, near every hit. */
 TEST(an_invalid_line_misses)
 {
