@@ -39,16 +39,16 @@ static double below_one(double turns)
 }
 
 /* The angle of (x, y) in turns.  Next to 0, where |y| is less than x 2^-60, it is
- * y / (2 pi x). */
+ * y / (2 pi x): the next term of the series is less than 2^-121 of that. */
 static double angle_of(cylint_arena *arena, exact x, exact y)
 {
-    const int higher = cylint_top_of(x) > cylint_top_of(y);
     if (y.sign == 0)
         return x.sign < 0 ? 0.5 : 0;
     if (x.sign == 0)
         return y.sign < 0 ? 0.75 : 0.25;
     /* the larger one below 1, and 2^-32 or more */
-    const int top = cylint_top_of(higher ? x : y);
+    const int x_top = cylint_top_of(x), y_top = cylint_top_of(y),
+              top = x_top > y_top ? x_top : y_top;
     x.exponent -= top;
     y.exponent -= top;
     const pair X = cylint_exact_round(arena, x),
