@@ -264,7 +264,7 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
     else if (g->convert)
         advise(r->notes, g->convert);
     else if (!g->has_line && count_numbers(*r) > 0)
-        advise(r->notes, "a neuron needs a name that ends in .swc");
+        advise(r->notes, "a neuron needs a name that ends in .swc, or --swc");
     return EXIT_BAD;
 }
 

@@ -75,13 +75,7 @@ static int read_query(const struct option *o, const char *value, void *place)
 /* ---------------------------------------------------------------- table -- */
 
 /* What an option needs. */
-enum needs {
-    NEEDS_NOTHING,
-    NEEDS_SCENE,
-    NEEDS_NEURON,
-    NEEDS_PIECES,
-    NEEDS_SOLIDS
-};
+enum needs { NEEDS_NOTHING, NEEDS_SCENE, NEEDS_PIECES, NEEDS_SOLIDS };
 
 static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
 static const char *const sums[] = {"label", "label:t", "total", "total:t",
@@ -106,8 +100,8 @@ static const struct option option_table[] = {
      "files only that"},
     {"text", 0, read_flag, AT(writes_text), 0, 1, NEEDS_SCENE,
      "write the scene as text instead of answers"},
-    {"swc", "FORM", read_word, AT(swc), swc_forms, 0, NEEDS_NEURON,
-     "of a neuron: cones (default) or round"},
+    {"swc", "FORM", read_word, AT(swc), swc_forms, 0, NEEDS_SCENE,
+     "the scene is a neuron, of cones (default) or round"},
     {"q", "QUERY", read_query, AT(query), 0, 0, NEEDS_SCENE,
      "with -s: nearest (default), first, any, count, all,\n"
      "pieces or inside"},
@@ -216,8 +210,6 @@ static int settle_needs(struct options *o)
         int is_met;
         const char *what;
     } needs[] = {[NEEDS_SCENE] = {o->scene != NULL, "a scene, -s FILE"},
-                 [NEEDS_NEURON] = {o->scene && swc_is_name(o->scene),
-                                   "a neuron, -s NAME.swc"},
                  [NEEDS_PIECES] = {is_pieces, "the query -q pieces"},
                  [NEEDS_SOLIDS] = {is_pieces || o->query == QUERY_INSIDE,
                                    "the query -q pieces or -q inside"}};

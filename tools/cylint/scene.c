@@ -126,7 +126,7 @@ int scene_read_text(struct scene *scene)
                                .shape = NOT_GIVEN,
                                .ends = scene->ends,
                                .convert = converter_of(file)}};
-    if (swc_is_name(file))
+    if (swc_is_neuron(file, scene->swc_form))
         return swc_read(scene);
     const int status = read_lines(file, 0, add_shape_of_line, &reading);
     return status == 0 && scene->solids.count > 0

@@ -57,8 +57,8 @@ enum swc_form { SWC_CONES, SWC_ROUND };
 
 extern const char *const swc_forms[]; /* their words, then NULL */
 
-/* Whether a file is SWC: its name ends in .swc or .SWC. */
-int swc_is_name(const char *file);
+/* Whether a file is SWC: its name ends in .swc or .SWC, or the form is given. */
+int swc_is_neuron(const char *file, int form);
 
 /* Zero it before use, but for the first three members. */
 struct scene {

@@ -133,6 +133,44 @@ static int refuse_number(const struct solids *s, const char *file, size_t solid,
                     (unsigned long long)number);
 }
 
+/* Whether the names are so similar that one may be a slip of the other. */
+static int may_be_slip(struct string name, struct string other)
+{
+    char word[NAME_SHOWN + 1] = "";
+    if (other.length > NAME_SHOWN)
+        return 0;
+    memcpy(word, other.text, other.length);
+    return nearer_word(name, NULL, word) != NULL;
+}
+
+/* Prints a message if the first solid of complements only, which is unbounded, may
+ * be a slip of another's name. */
+static int remark_slip(const struct solids *s, const char *file)
+{
+    char shown[SHOWN_CAPACITY], meant[SHOWN_CAPACITY];
+    const size_t count = s->names.texts.count;
+    char *has_shape = calloc(count + 1, 1);
+    size_t solid = 0, other = 0;
+    if (!has_shape)
+        return out_of_memory();
+    for (size_t i = 0; i < s->count; i++)
+        has_shape[s->member[i].solid] |= s->member[i].clause > 0;
+    while (has_shape[solid])
+        solid++;
+    if (solid < count)
+        while (other < count &&
+               !(has_shape[other] && may_be_slip(names_get(&s->names, solid),
+                                                 names_get(&s->names, other))))
+            other++;
+    if (solid < count && other < count)
+        complain(0, file,
+                 "the solid '%s' has complements only; did you mean %s?",
+                 escape(shown, names_get(&s->names, solid), NAME_SHOWN),
+                 escape(meant, names_get(&s->names, other), NAME_SHOWN));
+    free(has_shape);
+    return 0;
+}
+
 /* lint: out_of_memory() is not 0, so both arrays were allocated */
 int solids_complete(struct solids *s, size_t shapes, const char *file)
 {
@@ -147,5 +185,5 @@ int solids_complete(struct solids *s, size_t shapes, const char *file)
     }
     free(number);
     free(solid_of);
-    return status;
+    return status != 0 ? status : remark_slip(s, file);
 }

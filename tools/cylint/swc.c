@@ -47,11 +47,12 @@ enum skip { SKIP_NO_LENGTH, SKIP_NO_RADIUS, SKIP_ROOT_OF_NO_RADIUS };
 const char *const swc_forms[] = {
     [SWC_CONES] = "cones", [SWC_ROUND] = "round", NULL};
 
-int swc_is_name(const char *file)
+int swc_is_neuron(const char *file, int form)
 {
     const size_t length = strlen(file);
     const char *last = file + length - (length < 4 ? length : 4);
-    return strcmp(last, ".swc") == 0 || strcmp(last, ".SWC") == 0;
+    return strcmp(last, ".swc") == 0 || strcmp(last, ".SWC") == 0 ||
+           form != NOT_GIVEN;
 }
 
 static size_t node_count(const struct swc *swc)

@@ -156,7 +156,7 @@ static const struct option option_table[] = {
     {"ends", "WORD", read_word, AT(ends), ends_words, 0, 0,
      "the ends of shapes whose records do not state them"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, 0,
-     "of a neuron, NAME.swc: cones (default) or round"},
+     "the scene is a neuron, of cones (default) or round"},
     {"progress", 0, read_flag, AT(shows_progress), 0, 1, 0,
      "report the progress on standard error"},
     {"help", 0, read_about, AT(about), 0, 0, 0, NULL},
@@ -191,8 +191,6 @@ static int settle(struct options *o, char **argv, int files)
     if (files != 1)
         return usage("expected one scene, found %d", files);
     o->scene = argv[0];
-    if (is_given(o, "swc") && !swc_is_name(o->scene))
-        return usage("--swc needs a neuron, NAME.swc");
     if (!o->output) {
         return usage(
             "no output file: use -o FILE, or -o - for standard output");
