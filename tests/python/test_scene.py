@@ -167,6 +167,7 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
          [0, 0, 0], np.uint64([0, 2**64 - 1])),
         (TypeError, "exclude: expected integers", [0, 0, 0], 1.0),
         (TypeError, "exclude: expected integers of 64 bits", [0, 0, 0], 2**70),
+        (TypeError, "exclude: expected .*<U4; of texts, np.unique", [0, 0, 0], "wood"),
         (TypeError, "exclude: expected integers", [0, 0, 0], [[1.0]]),
         (ValueError, "exclude: .*inhomogeneous", [0, 0, 0], [[1], [1, 0]]),
         (ValueError, r"broadcast: lines \(2,\), exclude \(3,\)", [[0, 0, 0]] * 2, [0, 1, 0]),
@@ -254,7 +255,7 @@ def test_faults_of_files_are_raised(tmp_path):
     for error, message, path, named in (
         (ValueError, "expected cones or round, found 'x'", neuron, {"swc": "x"}),
         (ValueError, r"n\.swc:2:1: .*no such ends", neuron, {"swc": "round", "ends": "infinite"}),
-        (ValueError, r"swc: not a neuron, \*\.swc: .*tube", tube, {"swc": "round"}),
+        (ValueError, r"tube:1:1: expected .*, found 'cylinder'", tube, {"swc": "round"}),
         (ValueError, r"saved\.swc: is a saved scene, not a neuron", saved, {"swc": "cones"}),
         (ValueError, r"bad\.txt:2:1: expected .*found 'barrel'", bad, {}),
         (FileNotFoundError, "none", tmp_path / "none.swc", {}),

@@ -21,7 +21,7 @@ from ._enums import Ends, Feature, Kind, Part, Relation, Side
 from ._files import read_scene, write_scene
 from ._hits import Hits, intersect
 from ._molecules import read_molecule
-from ._scene import AllHits, Boundaries, ClosestShapes, NearestHits, Pieces, Scene
+from ._scene import AllHits, Boundaries, ClosestShapes, Depths, NearestHits, Pieces, Scene
 from ._shapes import (
     Shapes, angle_cone, capsule, concatenate, cone, cylinder, elliptic_cone,
     elliptic_cylinder, halfspace, round_cone, sphere, tangent_cone, tube,
@@ -31,10 +31,10 @@ from ._trees import read_qsm
 __version__: str = _core.version
 
 __all__ = [
-    "AllHits", "Boundaries", "ClosestPoints", "ClosestShapes", "Ends", "Feature",
-    "Hits", "Kind", "NearestHits", "Part", "Pieces", "Relation", "Scene", "Shapes",
-    "ShapesWithin", "Side", "__version__", "angle_cone", "capsule", "concatenate",
-    "cone", "cylinder", "elliptic_cone", "elliptic_cylinder", "halfspace", "intersect",
-    "read_molecule", "read_qsm", "read_scene", "round_cone", "sphere", "tangent_cone",
-    "tube", "write_scene",
+    "AllHits", "Boundaries", "ClosestPoints", "ClosestShapes", "Depths", "Ends",
+    "Feature", "Hits", "Kind", "NearestHits", "Part", "Pieces", "Relation", "Scene",
+    "Shapes", "ShapesWithin", "Side", "__version__", "angle_cone", "capsule",
+    "concatenate", "cone", "cylinder", "elliptic_cone", "elliptic_cylinder",
+    "halfspace", "intersect", "read_molecule", "read_qsm", "read_scene", "round_cone",
+    "sphere", "tangent_cone", "tube", "write_scene",
 ]

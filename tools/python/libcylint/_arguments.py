@@ -110,7 +110,11 @@ def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """An array of int64 (...)."""
     array = array_of(name, value)
     if array.dtype.kind not in "iu" and array.size > 0:  # [] has the type float64
-        raise TypeError(f"{name}: expected integers of 64 bits, found {array.dtype}")
+        advice = "; of texts, np.unique(texts, return_inverse=True)[1]"
+        raise TypeError(
+            f"{name}: expected integers of 64 bits, found {array.dtype}"
+            f"{advice if array.dtype.kind == 'U' else ''}"
+        )
     if array.dtype == np.uint64 and (large := array > np.iinfo(np.int64).max).any():
         raise ValueError(f"{first_of(name, array, large)}, beyond 64 bits with a sign")
     return np.require(array, np.int64, "A")

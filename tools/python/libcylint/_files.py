@@ -26,7 +26,7 @@ _AT_ONCE = 1 << 16  # shapes; Ctrl-C ends the writing between them
 def read_scene(
     path: str | os.PathLike[str], *, ends: Any = None, swc: str | None = None
 ) -> Shapes:
-    """Reads a file of shapes, one a line, or a neuron in SWC (*.swc).
+    """Reads a file of shapes, one a line, or a neuron in SWC (*.swc, or with swc=).
 
     The file is read as `cylint -s` reads it; cylint(1) states the format.  Of a
     neuron each node that has a parent gives a frustum, capped; with swc="round"
@@ -63,8 +63,6 @@ def read_begun(
     name = os.fsdecode(path)
     if swc not in _FORMS:
         raise ValueError(f"swc: expected cones or round, found {swc!r}")
-    if swc is not None and not name.endswith((".swc", ".SWC")):
-        raise ValueError(f"swc: not a neuron, *.swc: {name}")
     if name == "-":
         name = "./-"  # the reader takes - for standard input
     if not os.access(name, os.R_OK):

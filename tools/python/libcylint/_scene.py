@@ -104,6 +104,18 @@ class Pieces(NamedTuple):
     t1: Doubles
 
 
+class Depths(NamedTuple):
+    """What `Scene.depth` returns.
+
+    depth: (...) int64, how many solids contain the point.
+    index: (...) int64, the number of the owner, a shape or the first of its solid;
+    -1: none.
+    """
+
+    depth: NDArray[np.int64]
+    index: NDArray[np.int64]  # type: ignore[assignment]
+
+
 class Boundaries(NamedTuple):
     """What `Scene.first_boundary` returns.
 
@@ -479,8 +491,8 @@ class Scene:
     def depth(
         self, points: ArrayLike, *, rank: ArrayLike | None = None,
         threads: int | None = None, progress: Progress | None = None,
-    ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """How many solids contain each point, and which one owns it: (...), (...).
+    ) -> Depths:
+        """How many solids contain each point, and which one owns it.
 
         points: (..., 3).  Boundaries belong to solids; complements are without
         theirs.  The owner has the least rank, of equal ranks the lowest number; -1:
@@ -488,12 +500,11 @@ class Scene:
 
         >>> balls = cylint.sphere([[0, 0, 0], [1, 0, 0]], 1)
         >>> cylint.Scene(balls).depth([[0.5, 0, 0], [1.5, 0, 0], [3, 0, 0]])
-        (array([2, 1, 0]), array([ 0,  1, -1]))
+        Depths(depth=array([2, 1, 0]), index=array([ 0,  1, -1]))
         """
         given = Points(points, threads=threads, progress=progress)
         rule = _core.Scene.Rule(0, self._integers("rank", rank), None, 0, False)
-        deep, index = self._answer(_core.Scene.depth, given, "ii", rule)
-        return deep, index
+        return Depths(*self._answer(_core.Scene.depth, given, "ii", rule))
 
     @takes(Lines)
     def first_boundary(self, lines: Lines) -> Boundaries:
