@@ -434,6 +434,17 @@ static int has_late_word(struct reader r, const struct grammar *g)
     return 0;
 }
 
+/* A word for the ends without `ends=`. */
+static int has_bare_ends(struct reader r, const struct grammar *g)
+{
+    if (!g->has_shape || r.has_word ||
+        find_word(WORDS(ends_words), field(&r)) == NOT_GIVEN)
+        return 0;
+    refuse_field(&r, "this word has no effect in a tail");
+    advise(r.notes, "ends=WORD sets the ends");
+    return 1;
+}
+
 /* The tail is copied unchanged.  A NUL is refused, because text tools that read
  * the answers do not accept it. */
 static int read_tail(struct reader *r, const struct grammar *g,
@@ -457,7 +468,8 @@ static int read_tail(struct reader *r, const struct grammar *g,
     }
     remark_decimal_comma(r);
     if (wants_remark(r->notes, REMARK_LATE_WORD) &&
-        (has_late_shape(*r, g) || has_late_word(*r, g)))
+        (has_late_shape(*r, g) || has_late_word(*r, g) ||
+         has_bare_ends(*r, g)))
         make_remark(r->notes, REMARK_LATE_WORD);
     return 0;
 }
