@@ -468,8 +468,7 @@ static int read_tail(struct reader *r, const struct grammar *g,
     }
     remark_decimal_comma(r);
     if (wants_remark(r->notes, REMARK_LATE_WORD) &&
-        (has_late_shape(*r, g) || has_late_word(*r, g) ||
-         has_bare_ends(*r, g)))
+        (has_late_shape(*r, g) || has_late_word(*r, g) || has_bare_ends(*r, g)))
         make_remark(r->notes, REMARK_LATE_WORD);
     return 0;
 }
