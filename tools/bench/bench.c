@@ -6,8 +6,9 @@
  * Each contest takes SECONDS (0.3), but at least three turns of each contestant.
  * Scenes have at most MOST shapes; `stages` takes MOST cases of each family.
  * KERNELS: only these, in place of all that the processor runs.  TEXT: only
- * subjects that contain it.  Without a CASE the program prints their names.  Output
- * is CSV; a ratio below 1 means that the library is faster.
+ * subjects that contain it; the status is 4 if no CASE has one.  Without a CASE the
+ * program prints their names.  Output is CSV; a ratio below 1 means that the library
+ * is faster.
  */
 #define _GNU_SOURCE /* sched_setaffinity(), getopt() */
 #include "bench.h"
@@ -38,7 +39,7 @@ static const struct {
     {"stages", "share of questions that reach each stage", bench_stages},
 #endif
 };
-enum { CASES = sizeof cases / sizeof *cases, ROUNDS = 3 };
+enum { CASES = sizeof cases / sizeof *cases, ROUNDS = 3, NO_SUBJECT = 4 };
 
 static struct {
     double seconds, most;
@@ -46,6 +47,7 @@ static struct {
 } user = {0.3, 0, NULL, "", NULL};
 
 static volatile double sink;
+static int rows_printed;
 
 /* ------------------------------------------------------------------ time -- */
 
@@ -260,6 +262,7 @@ static void print_row(const struct contest *c, int is_shuffled,
     }
     print_number(best / theirs, "\n");
     fflush(stdout);
+    rows_printed++;
 }
 
 void print_figure(const char *subject, const char *question, const char *setup,
@@ -314,12 +317,26 @@ static int run(const char *name)
 {
     for (int i = 0; i < CASES; i++)
         if (!strcmp(cases[i].name, name)) {
+            const int before = rows_printed;
             user.name = cases[i].name;
             cases[i].run();
+            if (rows_printed == before)
+                fprintf(stderr, "bench: -o and -n leave no subject of %s\n",
+                        name);
             return 0;
         }
     fprintf(stderr, "bench: no case %s\n", name);
     return 2;
+}
+
+/* The number of an option. */
+static double number_of(const char *text)
+{
+    char *end;
+    const double x = strtod(text, &end);
+    require(end > text && *end == '\0' && x > 0 && x < HUGE_VAL,
+            "-s and -n need a number above 0");
+    return x;
 }
 
 int main(int argc, char **argv)
@@ -328,9 +345,9 @@ int main(int argc, char **argv)
     for (int option; (option = getopt(argc, argv, "s:n:k:o:")) != -1;) {
         require(option != '?', "options are -s -n -k -o");
         if (option == 's')
-            user.seconds = atof(optarg);
+            user.seconds = number_of(optarg);
         else if (option == 'n')
-            user.most = atof(optarg);
+            user.most = number_of(optarg);
         else
             *(option == 'k' ? &user.kernels : &user.only) = optarg;
     }
@@ -342,7 +359,8 @@ int main(int argc, char **argv)
         printf("%-10s %s\n", cases[i].name, cases[i].text);
     if (at < argc)
         print_header();
+    const int has_cases = at < argc;
     for (; at < argc && status == 0; at++)
         status = run(argv[at]);
-    return status;
+    return status == 0 && has_cases && rows_printed == 0 ? NO_SUBJECT : status;
 }
