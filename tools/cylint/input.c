@@ -175,6 +175,9 @@ static size_t find_whole(const struct input *in, const struct block *b,
     return whole;
 }
 
+/* Bytes of a byte order mark, which does not count as a part of the first line. */
+enum { MARK_LENGTH = 3 };
+
 /* Reads until the block has a whole record and is large enough, or until
  * reading would wait. */
 static size_t read_whole_records(struct input *in, struct block *b)
@@ -182,9 +185,9 @@ static size_t read_whole_records(struct input *in, struct block *b)
     size_t whole = find_whole(in, b, 0, 0);
     while (!in->has_ended && !(whole > 0 && (b->length >= BLOCK_GOAL ||
                                              wait_for_input(in, 0) == 0))) {
-        if (whole == 0 && b->length > LINE_MOST) {
+        if (whole == 0 && b->length > LINE_MOST + MARK_LENGTH) {
             in->is_skipping = 1;
-            return b->length = LINE_MOST + 1;
+            return b->length = LINE_MOST + MARK_LENGTH + 1;
         }
         const size_t searched = b->length;
         read_bytes(in, b);
@@ -216,8 +219,9 @@ static void count_records(struct input *in, struct block *b)
 
 static void skip_byte_order_mark(struct block *b)
 {
-    if (b->length >= 3 && memcmp(b->text, "\xef\xbb\xbf", 3) == 0)
-        drop_front(b, 3);
+    if (b->length >= MARK_LENGTH &&
+        memcmp(b->text, "\xef\xbb\xbf", MARK_LENGTH) == 0)
+        drop_front(b, MARK_LENGTH);
 }
 
 /* Skips a .npy header.  Returns 0 after a failure. */
