@@ -121,9 +121,7 @@ static void answer_or_mark(struct task *task, int status)
 
 static void copy_comment(struct task *task, const char *line, const char *end)
 {
-    if (end > line && end[-1] == '\r')
-        end--;
-    put_string(&task->out, between(line, end));
+    put_string(&task->out, between(line, before_return(line, end)));
     put_char(&task->out, '\n');
     deliver_if_full(task);
 }

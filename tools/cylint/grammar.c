@@ -492,6 +492,7 @@ const char *end_of_line(const char *p, const char *end)
 
 int is_record(const char *line, const char *end)
 {
+    end = before_return(line, end);
     if (end - line > LINE_MOST)
         return 1;
     while (line < end && (is_blank(*line) || *line == '\r'))
@@ -502,10 +503,11 @@ int is_record(const char *line, const char *end)
 int begin_line(struct reader *r, const char *text, const char *end,
                struct notes *notes)
 {
-    const int is_long = end - text > LINE_MOST;
-    end -= end > text && end[-1] == '\r';
+    end = before_return(text, end);
     *r = (struct reader){skip_blanks(text, end), end, notes, 0};
-    return is_long ? refuse(notes, text, "line longer than 1 MiB") : 0;
+    return end - text > LINE_MOST
+               ? refuse(notes, text, "line longer than 1 MiB")
+               : 0;
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,

@@ -179,6 +179,12 @@ void remark_decimal_comma(struct reader *r);
 /* Returns the end of the line at p: its line feed, or the end of the text. */
 const char *end_of_line(const char *p, const char *end);
 
+/* The end of a line [line, end), without CR. */
+static inline const char *before_return(const char *line, const char *end)
+{
+    return end - (end > line && end[-1] == '\r');
+}
+
 /* Whether a line has a record: it is neither blank nor a comment.  A line that
  * is too long counts as a record. */
 int is_record(const char *line, const char *end);

@@ -175,8 +175,9 @@ static size_t find_whole(const struct input *in, const struct block *b,
     return whole;
 }
 
-/* Bytes of a byte order mark, which does not count as a part of the first line. */
-enum { MARK_LENGTH = 3 };
+/* Bytes that do not count as a part of a line: a byte order mark before the first
+ * one, and CR before LF. */
+enum { MARK_LENGTH = 3, NOT_COUNTED = MARK_LENGTH + 1 };
 
 /* Reads until the block has a whole record and is large enough, or until
  * reading would wait. */
@@ -185,9 +186,9 @@ static size_t read_whole_records(struct input *in, struct block *b)
     size_t whole = find_whole(in, b, 0, 0);
     while (!in->has_ended && !(whole > 0 && (b->length >= BLOCK_GOAL ||
                                              wait_for_input(in, 0) == 0))) {
-        if (whole == 0 && b->length > LINE_MOST + MARK_LENGTH) {
+        if (whole == 0 && b->length > LINE_MOST + NOT_COUNTED) {
             in->is_skipping = 1;
-            return b->length = LINE_MOST + MARK_LENGTH + 1;
+            return b->length = LINE_MOST + NOT_COUNTED + 1;
         }
         const size_t searched = b->length;
         read_bytes(in, b);
