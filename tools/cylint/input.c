@@ -163,13 +163,14 @@ static void skip_line(struct input *in, struct block *b)
 /* ------------------------------------------------------------ records -- */
 
 /* Returns the bytes up to the end of the last whole record.  The first `whole`
- * bytes are whole records; the first `searched` bytes were searched before. */
+ * bytes are whole records; the first `searched` bytes were searched before, but the
+ * last of them may be a CR that has become an LF. */
 static size_t find_whole(const struct input *in, const struct block *b,
                          size_t whole, size_t searched)
 {
     if (in->record_size > 0)
         return b->length - b->length % in->record_size;
-    for (size_t i = b->length; i > searched; i--)
+    for (size_t i = b->length; i > whole && i >= searched; i--)
         if (b->text[i - 1] == '\n')
             return i;
     return whole;
