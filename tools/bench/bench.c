@@ -6,9 +6,9 @@
  * Each contest takes SECONDS (0.3), but at least three turns of each contestant.
  * Scenes have at most MOST shapes; `stages` takes MOST cases of each family.
  * KERNELS: only these, in place of all that the processor runs.  TEXT: only
- * subjects that contain it; the status is 4 if no CASE has one.  Without a CASE the
- * program prints their names.  Output is CSV; a ratio below 1 means that the library
- * is faster.
+ * subjects that contain it; the status is 4 if no CASE has one.  Without a CASE
+ * the program prints their names.  Output is CSV; a ratio below 1 means that the
+ * library is faster.
  */
 #define _GNU_SOURCE /* sched_setaffinity(), getopt() */
 #include "bench.h"
