@@ -321,6 +321,8 @@ static const char *fault_of_beginning(const struct input *in,
                                       const struct block *b)
 {
     static const char gzip[] = "is compressed by gzip; pipe it through zcat";
+    static const char utf_16[] =
+        "is UTF-16; pipe it through iconv -f UTF-16 -t UTF-8";
     static const struct {
         const char *bytes;
         size_t of_text,
@@ -331,8 +333,8 @@ static const char *fault_of_beginning(const struct input *in,
         {"\x1f\x8b\x08\x08", 2, 4, gzip},
         {"PK\3\4", 4, 4, "is a ZIP archive, as .npz files are; unpack it"},
         {"\x93NUMPY", 6, 0, "is a .npy array, not text: see --binary-in"},
-        {"\xff\xfe", 2, 0,
-         "is UTF-16; pipe it through iconv -f UTF-16 -t UTF-8"}};
+        {"\xff\xfe", 2, 0, utf_16},
+        {"\xfe\xff", 2, 0, utf_16}};
     for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++) {
         const size_t length = in->record_size == 0 ? beginnings[i].of_text
                                                    : beginnings[i].of_doubles;
