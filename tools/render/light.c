@@ -202,20 +202,14 @@ static struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
 
 /* ---------------------------------------------------------------- rows -- */
 
-struct traced {
-    const struct drawing *drawing;
-    const struct stage *stage;
-};
-
 static struct sample pixel_of_samples(const struct drawing *d,
                                       struct tracer *tracer, int x, int y)
 {
-    const struct picture *p = d->picture;
     const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
     struct sample sum = {vector(0, 0, 0), 0};
     for (int i = 0; i < d->samples; i++) {
         cylint_line ray;
-        view_sample(d->view, p->width, p->height, x, y, i, d->samples, &ray);
+        view_sample(d, x, y, i, &ray);
         const struct sample one = trace_sample(tracer, &ray, (uint32_t)i, seed);
         sum.light = plus(sum.light, 1, one.light);
         sum.opacity += one.opacity;
@@ -250,22 +244,20 @@ static void put_pixel(const struct stage *stage, double down,
         bytes[3] = (unsigned char)(255 * mean.opacity + 0.5);
 }
 
-static int trace_row(const void *traced, int y)
+static int trace_row(const struct drawing *d, const void *stage, int y)
 {
-    const struct traced *t = traced;
-    const struct picture *p = t->drawing->picture;
-    struct tracer tracer = {.stage = t->stage};
+    const struct picture *p = d->picture;
+    struct tracer tracer = {.stage = stage};
     const double down = (y + 0.5) / p->height;
     unsigned char *bytes =
         p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
     for (int x = 0; x < p->width; x++, bytes += p->channels)
-        put_pixel(t->stage, down, pixel_of_samples(t->drawing, &tracer, x, y),
-                  bytes);
+        put_pixel(stage, down, pixel_of_samples(d, &tracer, x, y), bytes);
     piece_memory_free(&tracer.memory);
     return !tracer.has_failed;
 }
 
 int trace(const struct drawing *d, const struct stage *stage)
 {
-    return draw_rows(d, trace_row, &(struct traced){d, stage});
+    return draw_rows(d, trace_row, stage);
 }

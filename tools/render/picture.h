@@ -25,9 +25,9 @@ struct drawing {
     int shows_progress; /* even if standard error is no terminal */
 };
 
-/* Computes row y, counted from the top, of what `how` points to.  Returns 0 if
+/* Computes row y, counted from the top, from what `how` points to.  Returns 0 if
  * there is no memory. */
-typedef int row_function(const void *how, int y);
+typedef int row_function(const struct drawing *drawing, const void *how, int y);
 
 /* All return 0, or report the fault and return an exit status. */
 /* Calls the function for all rows, on several threads. */

@@ -23,7 +23,7 @@ static void draw_some(void *work, size_t from, size_t to)
     struct work *w = work;
     int has_memory = 1;
     for (size_t y = from; y < to && has_memory; y++)
-        has_memory = w->draw(w->how, (int)y);
+        has_memory = w->draw(w->drawing, w->how, (int)y);
     pthread_mutex_lock(&w->lock);
     w->has_failed |= !has_memory;
     w->rows_done += to - from;

@@ -4,6 +4,7 @@
  * The eye is placed so that all boxes of shapes lie, with a margin, within the four
  * planes through the picture's edges.
  */
+#include "picture.h"
 #include "sampling.h"
 #include "view.h"
 
@@ -166,14 +167,16 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
     return has_finite_size(view) ? NULL : "--zoom is too small";
 }
 
-void view_sample(const struct view *view, int width, int height, int x, int y,
-                 int i, int samples, cylint_line *ray)
+void view_sample(const struct drawing *drawing, int x, int y, int i,
+                 cylint_line *ray)
 {
+    const struct view *view = drawing->view;
+    const struct picture *picture = drawing->picture;
     double at[2] = {0.5, 0.5};
-    if (samples > 1)
+    if (drawing->samples > 1)
         sample_square((uint32_t)i, 0, at);
-    const double right = 2 * (x + at[0]) / width - 1;
-    const double up = 1 - 2 * (y + at[1]) / height;
+    const double right = 2 * (x + at[0]) / picture->width - 1;
+    const double up = 1 - 2 * (y + at[1]) / picture->height;
     const struct vector across =
         plus(times(right * view->half_width, view->right),
              up * view->half_height, view->up);

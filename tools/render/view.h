@@ -11,6 +11,7 @@
 #include "cylint.h"
 #include "vector.h"
 
+struct drawing;
 struct scene;
 
 struct box {
@@ -61,11 +62,11 @@ struct view {
 const char *view_of_scene(struct view *view, const struct viewing *camera,
                           const struct boxes *boxes);
 
-/* Ray i of `samples` through pixel x, y of a picture of this size; y is counted
- * from the top.  A single ray goes through the pixel's middle.  Samples have the
- * same places in all pixels, so that edges are even.  A ray whose numbers are too
- * large is refused: it hits nothing, and o and d are 0. */
-void view_sample(const struct view *view, int width, int height, int x, int y,
-                 int i, int samples, cylint_line *ray);
+/* Ray i through pixel x, y of a picture; y is counted from the top.  A single ray
+ * goes through the pixel's middle.  Samples have the same places in all pixels, so
+ * that edges are even.  A ray whose numbers are too large is refused: it hits
+ * nothing, and o and d are 0. */
+void view_sample(const struct drawing *drawing, int x, int y, int i,
+                 cylint_line *ray);
 
 #endif

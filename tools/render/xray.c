@@ -14,7 +14,6 @@ static const double LN_2 = 0.6931471805599453;
 
 /* The lengths of all pixels, and what they are computed from. */
 struct rays {
-    const struct drawing *drawing;
     const cylint_scene *scene;
     size_t pixels;
     double *lengths;
@@ -34,11 +33,10 @@ static int add_length(const cylint_scene *scene, const cylint_line *ray,
 }
 
 /* The mean over the samples of each pixel. */
-static int measure_row(const void *rays, int y)
+static int measure_row(const struct drawing *d, const void *rays, int y)
 {
     const struct rays *r = rays;
-    const struct drawing *d = r->drawing;
-    const int width = d->picture->width, height = d->picture->height;
+    const int width = d->picture->width;
     double *lengths = r->lengths + (size_t)y * (size_t)width;
     struct piece_memory memory = {.piece = NULL};
     int has_memory = 1;
@@ -46,7 +44,7 @@ static int measure_row(const void *rays, int y)
         double sum = 0;
         for (int i = 0; i < d->samples && has_memory; i++) {
             cylint_line ray;
-            view_sample(d->view, width, height, x, y, i, d->samples, &ray);
+            view_sample(d, x, y, i, &ray);
             has_memory = add_length(r->scene, &ray, &memory, &sum);
         }
         lengths[x] = sum / d->samples;
@@ -117,7 +115,7 @@ int xray_picture(const struct drawing *d, const struct xray *how,
 {
     const size_t pixels =
         (size_t)d->picture->width * (size_t)d->picture->height;
-    const struct rays rays = {d, scene, pixels,
+    const struct rays rays = {scene, pixels,
                               calloc(pixels, sizeof *rays.lengths)};
     const int status =
         rays.lengths ? draw_rows(d, measure_row, &rays) : out_of_memory();
