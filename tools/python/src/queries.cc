@@ -1,7 +1,6 @@
 /*
  * queries.cc - queries of scenes, for many lines or points
  */
-#include <array>
 #include <new>
 
 #include "calls.h"
@@ -99,32 +98,23 @@ struct Answer {
         return &part.value<double>(array, i);
     }
 
-    template <class Value> void put(int to, const Value &value) const
+    template <class Value> void put(int to, Value value) const
     {
         part.value<Value>(to, i) = value;
     }
-    void put(int to, const std::array<double, 3> &vector) const
+    void put(int to, int value) const /* int8 */
     {
-        std::copy(vector.begin(), vector.end(), &part.value<double>(to, i));
+        put(to, static_cast<signed char>(value));
+    }
+    void put(int to, const double (&vector)[3]) const
+    {
+        std::copy(vector, vector + 3, &part.value<double>(to, i));
     }
 };
-
-using Byte = signed char;
-using Vector = std::array<double, 3>;
 
 int64_t integer(size_t value)
 {
     return static_cast<int64_t>(value);
-}
-
-Byte byte(int value)
-{
-    return static_cast<Byte>(value);
-}
-
-Vector vector(const double (&v)[3])
-{
-    return {v[0], v[1], v[2]};
 }
 
 using Integers = std::optional<Input>; /* int32 for each shape, contiguous */
@@ -181,7 +171,7 @@ void nearest(const Question &q, const Ray &ray, const Answer &put)
                                    CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
     if (found == q.n)
         hit = no_hit;
-    put(q.number(found), hit.t, byte(hit.part));
+    put(q.number(found), hit.t, hit.part);
 }
 
 /* bool */
@@ -221,8 +211,7 @@ void boundary(const Question &q, const Ray &ray, const Answer &put)
         first_boundary(q.scene, &ray.line, CYLINT_WANT_ALL, &hit, &memory));
     if (found >= q.n)
         hit = no_hit;
-    put(q.number(found), hit.t, byte(hit.part), byte(hit.side),
-        vector(hit.point), vector(hit.normal));
+    put(q.number(found), hit.t, hit.part, hit.side, hit.point, hit.normal);
 }
 
 /* ------------------------------------------------------- one line, rows -- */
@@ -348,27 +337,9 @@ struct Balls {
     const bool is_signed;
 };
 
-/* Makes the elements of a grid, and calls function(part, i, element) for each.
- * Returns false, and stops, if an element is refused and not masked. */
-template <class From, class Function>
-bool each(const Grid &grid, const From &from, int threads,
-          const Callback &progress, const Function &function)
-{
-    const auto block = [&](const Part &part) {
-        for (size_t i = 0; i < part.size; i++) {
-            typename From::Element element;
-            if (from.make(part, i, &element) != CYLINT_OK && !from.masked)
-                return false;
-            function(part, i, element);
-        }
-        return true;
-    };
-    return each_block(grid, threads, progress, [&] { return block; });
-}
-
 /* Answers lines or points.  columns: for the answers, unless these are rows,
  * which are in the order of the lines or points.  Returns True or the rows; None if
- * a line is refused. */
+ * a line is refused and not masked. */
 template <class From, class Answers, auto query>
 nb::object answer(const Scene &scene, const From &from,
                   const std::optional<Rule> &given, Outputs columns,
@@ -384,16 +355,22 @@ nb::object answer(const Scene &scene, const From &from,
         grid.add(column, column->ndim() - axes);
     grid.finish(Answers::in_order);
     Answers answers(grid);
-    const auto one = [&](const Part &part, size_t i, const auto &element) {
-        if constexpr (Answers::in_order)
-            query(q, element, integer(part.number + i),
-                  answers.blocks[part.block]);
-        else
-            query(q, element, Answer{part, i, From::ARRAYS});
+    const auto block = [&](const Part &part) {
+        for (size_t i = 0; i < part.size; i++) {
+            typename From::Element element;
+            if (from.make(part, i, &element) != CYLINT_OK && !from.masked)
+                return false;
+            if constexpr (Answers::in_order)
+                query(q, element, integer(part.number + i),
+                      answers.blocks[part.block]);
+            else
+                query(q, element, Answer{part, i, From::ARRAYS});
+        }
+        return true;
     };
-    if (!each(grid, from, threads, progress, one))
-        return nb::none();
-    return answers.object();
+    const bool good =
+        each_block(grid, threads, progress, [&] { return block; });
+    return good ? answers.object() : nb::none();
 }
 
 } // namespace
