@@ -161,11 +161,14 @@ static int takes_part(const struct contest *c, const struct contestant *a,
 
 /* Writes the ns of a question: of the rival, then of the library with each of its
  * kernels.  NaN: it took no part. */
-static void race(const struct contest *c, int *order, int is_shuffled,
+static void race(const struct contest *c, int is_shuffled,
                  double times[1 + KERNELS_MOST])
 {
     struct contestant list[1 + KERNELS_MOST];
     const int n = list_contestants(c, list);
+    int *order = allocate((size_t)c->questions * sizeof *order);
+    for (int i = 0; i < c->questions; i++)
+        order[i] = i;
     const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     for (int round = 0;
          round < ROUNDS ||
@@ -178,37 +181,26 @@ static void race(const struct contest *c, int *order, int is_shuffled,
     for (int i = 0; i < n; i++)
         times[i] = list[i].least < HUGE_VAL ? per * list[i].least : (double)NAN;
     cylint_use_kernels(NULL);
-}
-
-static int *order_of(int n)
-{
-    int *order = allocate((size_t)n * sizeof *order);
-    for (int i = 0; i < n; i++)
-        order[i] = i;
-    return order;
+    free(order);
 }
 
 void compete(const struct contest *c)
 {
     double times[1 + KERNELS_MOST];
-    int *order = order_of(c->questions);
     for (int is_shuffled = 0;
          is_shuffled <= !!c->is_shuffled && is_wanted(c->subject);
          is_shuffled++) {
-        race(c, order, is_shuffled, times);
+        race(c, is_shuffled, times);
         print_row(c, is_shuffled, "ns", times[0], times + 1);
     }
-    free(order);
 }
 
 double ns_of(const struct contest *c)
 {
     struct contest ours = *c;
     double times[1 + KERNELS_MOST], ns = NAN;
-    int *order = order_of(c->questions);
     ours.only_best_kernels = 1;
-    race(&ours, order, 0, times);
-    free(order);
+    race(&ours, 0, times);
     for (int k = 1; k <= kernels_count(); k++)
         ns = times[k] == times[k] ? times[k] : ns;
     return ns;
