@@ -63,8 +63,9 @@ $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
 	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
 $(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/scenes.o
+$(BUILD)/tests/fuzz/shapes: $(if $(MPFR),$(BUILD)/tests/support/oracle.o)
 $(BUILD)/tests/fuzz/shapes $(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/support/family_records.o
-$(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
+$(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer) $(test_libs)
 $(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
 
 $(BUILD)/tests/command/faulty $(fuzz_programs): linker = $(with_numbers) -pthread

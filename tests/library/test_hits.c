@@ -107,6 +107,14 @@ TEST(hits_are_the_nearest_doubles_in_every_environment)
             }
 }
 
+TEST(unwanted_members_are_not_written_and_change_nothing)
+{
+    EACH_CASE(c, 3, 20)
+        for (unsigned want = 0; want < 2 * CYLINT_WANT_NEAREST; want++)
+            if (!CHECK(has_wanted_members(&c, want)))
+                REPORT_CASE(&c);
+}
+
 #ifdef HAVE_MPFR
 
 TEST(the_oracle_has_the_known_hits)

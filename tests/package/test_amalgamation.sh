@@ -80,7 +80,7 @@ done
 for t in library/test_batch:1 library/test_environment:5 numbers/test_exact:2000 \
     library/test_intersect:200 methods/test_methods: \
     library/test_outside:50 \
-    library/test_properties:50 shapes/test_constructors: library/test_hits: \
+    shapes/test_constructors: library/test_hits: \
     roots/test_midpoints: bvh/test_nodes: scene/test_paths:2 scene/test_many: \
     bounds/test_scene_point_bounds:; do
     cases=${t#*:} t=${t%:*}

@@ -81,6 +81,38 @@ static inline int same_answer(const cylint_answer *got,
     return same;
 }
 
+/* The same; a normal or a phi of `other`, of the oracle, is right, too. */
+static inline int is_right(const cylint_answer *got, const cylint_answer *want,
+                           const cylint_hit other[2])
+{
+    cylint_answer due = *want;
+    for (int i = 0; i < want->n; i++) {
+        const cylint_hit *g = &got->hit[i];
+        for (int k = 0; k < 3; k++)
+            if (g->normal[k] == other[i].normal[k])
+                due.hit[i].normal[k] = other[i].normal[k];
+        if (g->phi == other[i].phi)
+            due.hit[i].phi = other[i].phi;
+    }
+    return same_answer(got, &due, CYLINT_WANT_ALL);
+}
+
+/* Whether members that are wanted have the bits that they have among all, and the
+ * others keep their bytes. */
+static inline int has_wanted_members(const struct family_case *c, unsigned want)
+{
+    cylint_answer all, some;
+    memset(&some, UNTOUCHED, sizeof some);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &all);
+    const int n = cylint_intersect(&c->shape, &c->line, want, &some);
+    int good = n == some.n && same_answer(&some, &all, want);
+    for (int i = 0; i < 2; i++) {
+        const cylint_hit due = with_members(&all.hit[i], i < n ? want : 0);
+        good = good && same_hit(&some.hit[i], &due, CYLINT_WANT_ALL);
+    }
+    return good && cylint_occluded(&c->shape, &c->line) == (all.n > 0);
+}
+
 /* Prints what was got and what should be, below a failed check. */
 static inline void report_answers(const struct family_case *c, const char *what,
                                   const cylint_answer *got,
