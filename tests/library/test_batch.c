@@ -54,10 +54,10 @@ static void allocate_pages(void)
     pack_pages = guarded_allocate(cylint_pack_bytes(MOST));
 }
 
-/* The gap of array i, a multiple of `size`; no two arrays have the same. */
+/* The gap of array i, a multiple of `size`, which is that of no array beside it. */
 static size_t gap_of(const struct layout *at, int i, size_t size)
 {
-    return (at->offset + (size_t)i * size) % (64 / size) * size;
+    return (at->offset + (size_t)i) * size % 64;
 }
 
 /* Only the pack's own memory is written.  The pack that is used is a copy. */
