@@ -216,13 +216,13 @@ static void draw_mixed(size_t n)
         family_make(c);
     }
     draw_points(n, 44);
-    for (size_t i = 0; i < n; i += 7) {
-        drawn[i].shape_data[0] = NAN;
-        if (i % 2)
-            draw_far_case(&drawn[i], place_of_case[i]);
-        else
+    for (size_t i = 0; i < n; i += 7)
+        if (i % 2) {
+            draw_far_point(&drawn[i], 0, place_of_case[i]);
+        } else {
+            drawn[i].shape_data[0] = NAN;
             family_make(&drawn[i]);
-    }
+        }
 }
 
 /* Cases of a family, two of three with both caps, which lanes serve; their

@@ -4,9 +4,8 @@
  * The records of known.txt have their answers, and they and the cases of the
  * families have the properties.  The oracle's tests of families are in
  * test_oracle.c.  CYLINT_CASES is the number of shapes of each family, with POINTS
- * points each.  CYLINT_FAR is the number of cases whose numbers have any exponents
- * of doubles.  CYLINT_SEED changes both.  on_surface.txt has the units within which
- * points are on surfaces.
+ * points each, and a tenth of that with points of any exponents.  CYLINT_SEED
+ * changes them.  on_surface.txt has the units within which points are on surfaces.
  */
 #include <float.h>
 #include <math.h>
@@ -21,7 +20,7 @@
 #include "records.h"
 #include "shapes/layout.h"
 
-enum { CASES = 60, POINTS = 4, FAR_CASES = 1000 };
+enum { CASES = 60, POINTS = 4 };
 
 /* ------------------------------------------------------ known answers -- */
 
@@ -235,38 +234,29 @@ TEST(a_safety_beyond_all_squares_is_below_the_distance)
 
 typedef void property(const struct family_case *c, const double p[3]);
 
-static void over_families(property *check)
+/* far: points of any exponents, and shapes of any; the records count as such.
+ * elliptic: of elliptic kinds. */
+static void over_points(property *check, int far, int elliptic)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t seed = check_setting("CYLINT_SEED", 5);
-    for (int i = 0; i < count; i++)
-        if (!cylint_is_elliptic(records[i].c.shape.kind))
+    for (int i = 0; i < count && far; i++)
+        if (cylint_is_elliptic(records[i].c.shape.kind) == elliptic)
             check(&records[i].c, records[i].p);
-    EACH_CASE(c, seed, family_is_wild(family) ? cases / 10 : cases) {
+    EACH_CASE(c, seed,
+              far                      ? cases / 10 + 1
+              : family_is_wild(family) ? 0
+                                       : cases) {
         stream = seed + number * 64 + (uint64_t)family;
         for (int k = 0; k < POINTS; k++) {
             double p[3];
-            draw_point(&c, p);
-            if (!cylint_is_elliptic(c.shape.kind) && is_finite3(p))
+            if (far)
+                draw_far_point(&c, family_is_wild(family), p);
+            else
+                draw_point(&c, p);
+            if (cylint_is_elliptic(c.shape.kind) == elliptic && is_finite3(p))
                 check(&c, p);
         }
-    }
-}
-
-/* The same for cases of any exponents; elliptic: of elliptic kinds. */
-static void over_exponents(property *check, int elliptic)
-{
-    for (int i = 0; i < count && elliptic; i++)
-        if (cylint_is_elliptic(records[i].c.shape.kind))
-            check(&records[i].c, records[i].p);
-    const uint64_t cases = check_setting("CYLINT_FAR", FAR_CASES);
-    stream = check_setting("CYLINT_SEED", 5);
-    for (uint64_t i = 0; i < cases; i++) {
-        struct family_case c;
-        double p[3];
-        if (draw_far_case(&c, p) &&
-            cylint_is_elliptic(c.shape.kind) == elliptic)
-            check(&c, p);
     }
 }
 
@@ -287,9 +277,9 @@ static void check_signed(const struct family_case *c, const double p[3])
 
 TEST(signed_distances_are_those_of_the_closed_solid)
 {
-    over_families(check_signed);
-    over_exponents(check_signed, 0);
-    over_exponents(check_signed, 1);
+    over_points(check_signed, 0, 0);
+    over_points(check_signed, 1, 0);
+    over_points(check_signed, 1, 1);
 }
 
 /* The members of `want` that pairs leave, and the distance; all are certain where
@@ -357,8 +347,8 @@ static void check_paths(const struct family_case *c, const double p[3])
 
 TEST(all_paths_return_the_same_bits)
 {
-    over_families(check_paths);
-    over_exponents(check_paths, 0);
+    over_points(check_paths, 0, 0);
+    over_points(check_paths, 1, 0);
 }
 
 /* Of a shape along an axis of coordinates the distance from a plane, or from the
@@ -434,18 +424,12 @@ static double gap_of(const cylint_shape *s, const double p[3], double distance,
                : (distance - safe) / safety_size(s, p, distance) * 0x1p52;
 }
 
-/* A question is computed in the default environment, and in each other one whose
- * turn is a multiple of this. */
-static int every_environment, turn_of_environment;
-
 /* The safety of the default environment, number 0, is nearer than others. */
 static void check_environments(const struct family_case *c, const double p[3])
 {
     const cylint_closest want = answer_to(&c->shape, p, WANT);
     const double far = fabs(want.distance);
     EACH_ENVIRONMENT(there) {
-        if (turn_of_environment++ % every_environment != 0 && there.number > 0)
-            continue;
         environment_set(there);
         const cylint_closest got = answer_to(&c->shape, p, WANT);
         const double safe = cylint_safety(&c->shape, p);
@@ -466,10 +450,8 @@ static void check_environments(const struct family_case *c, const double p[3])
 
 TEST(the_environment_changes_no_answer_and_little_of_the_safety)
 {
-    every_environment = 1;
-    over_families(check_environments);
-    every_environment = 5;
-    over_exponents(check_environments, 0);
+    over_points(check_environments, 0, 0);
+    over_points(check_environments, 1, 0);
     printf("note: the safety is up to %.3g x 2^-52 sizes below the distance\n",
            largest_gap);
 }

@@ -3,8 +3,8 @@
  *
  * A point is drawn for a case of the families: next to its shape's surface,
  * axis, rims, apex and bisectors, exactly on them where the numbers allow, or
- * far away.  Then shape and point can be moved to any exponents of doubles.
- * The point depends only on the case and on the stream.
+ * far away; or of any exponents of doubles.  The point depends only on the case and
+ * on the stream.
  */
 #ifndef CYLINT_DISTANCE_POINTS_H
 #define CYLINT_DISTANCE_POINTS_H
@@ -206,12 +206,9 @@ static enum place draw_point(const struct family_case *c, double p[3])
 /* ------------------------------------------------------ any exponents --- */
 
 enum reach {
-    REACH_SCALED,    /* shape and point times a power of two */
-    REACH_FAR,       /* the point in a box of any size about the origin */
-    REACH_ALONG,     /* some coordinates of the point far away */
-    REACH_MIXED,     /* each coordinate has an exponent of its own, or is 0 */
-    REACH_SUBNORMAL, /* some lengths of the shape are subnormal */
-    REACH_WILD,      /* each length of the shape has an exponent of its own */
+    REACH_FAR,   /* in a box of any size about the origin */
+    REACH_ALONG, /* some coordinates are far away */
+    REACH_MIXED, /* each coordinate has an exponent of its own, or is 0 */
     REACHES
 };
 
@@ -220,71 +217,23 @@ static inline int draw_exponent(void)
     return one_of(1024 + 1074) - 1074;
 }
 
-/* Any double but 0. */
-static inline double draw_any(void)
+/* The same of a point of any exponents; of shapes that may have any, too, only a
+ * quarter of the points. */
+static inline enum place draw_far_point(const struct family_case *c, int wild,
+                                        double p[3])
 {
-    const int e = draw_exponent();
-    const double x = ldexp(random_mantissa(&stream), e);
-    return one_of(2) ? x : -x;
-}
-
-static inline void scale_case(struct family_case *c, double p[3], int e)
-{
-    for (int i = 0; i < family_lengths(c->shape_word); i++)
-        c->shape_data[i] = ldexp(c->shape_data[i], e);
-    for (int i = 0; i < 3; i++)
-        p[i] = ldexp(p[i], e);
-}
-
-/* Replaces lengths other than 0 and keeps their signs. */
-static inline void draw_lengths(struct family_case *c, int subnormal)
-{
-    for (int i = 0; i < family_lengths(c->shape_word); i++) {
-        const double x =
-            subnormal ? 0x1p-1074 * (1 + one_of(4000)) : draw_any();
-        if (c->shape_data[i] != 0 && one_of(2))
-            c->shape_data[i] = copysign(x, c->shape_data[i]);
-    }
-}
-
-static inline void draw_coordinates(enum reach reach, double p[3])
-{
-    const int e = draw_exponent();
-    for (int i = 0; i < 3; i++) {
-        const int chosen = one_of(4);
-        if (reach == REACH_FAR)
-            p[i] = ldexp(between(-1, 1), e + 1);
-        else if (reach == REACH_ALONG && chosen < 2)
-            p[i] = ldexp(between(1, 2), e);
-        else if (reach == REACH_MIXED || reach == REACH_WILD)
-            p[i] = chosen ? draw_any() : 0;
-    }
-}
-
-/* Moves shape and point to any exponents.  Returns 0 where the numbers are no
- * shape, or no point. */
-static inline int draw_reach(struct family_case *c, double p[3])
-{
+    const enum place place = draw_point(c, p);
     const enum reach reach = (enum reach)one_of(REACHES);
-    if (reach == REACH_SUBNORMAL || reach == REACH_WILD)
-        draw_lengths(c, reach == REACH_SUBNORMAL);
-    else if (reach == REACH_SCALED || one_of(2))
-        scale_case(c, p, draw_exponent());
-    draw_coordinates(reach, p);
-    family_make(c);
-    return c->shape.kind != CYLINT_KIND_NONE && is_finite3(p);
-}
-
-/* A case of any family and of any ends, with a point, of any exponents. */
-static inline int draw_far_case(struct family_case *c, double p[3])
-{
-    const uint64_t index = below(1000);
-    const int family = one_of(family_count());
-    family_case(random_bits(&stream), family, index, c);
-    if (!cylint_is_round(c->shape.kind))
-        c->ends = (cylint_ends)one_of(6);
-    draw_point(c, p);
-    return draw_reach(c, p);
+    const int e = draw_exponent(), is_near = wild && one_of(4);
+    for (int i = 0; i < 3 && !is_near; i++) {
+        const int chosen = one_of(4), own = draw_exponent();
+        const double x = between(-1, 1);
+        if (reach == REACH_FAR || (reach == REACH_ALONG && chosen < 2))
+            p[i] = ldexp(x, e + 1);
+        else if (reach == REACH_MIXED)
+            p[i] = chosen ? ldexp(x, own + 1) : 0;
+    }
+    return place;
 }
 
 #endif
