@@ -173,26 +173,8 @@ static number X = {"local x", 0, 0, 0, 0}, Y = {"local y", 0, 0, 0, 0},
               ROOT[2] = {{"root_beside(), 1st", 0, 0, 0, 0},
                          {"root_beside(), 2nd", 0, 0, 0, 0}};
 
-static const cylint_shape *shape_now;
-static const cylint_line *line_now;
+static const struct family_case *case_now;
 static const surface *surface_now;
-
-static void print_case(const number *x, int component, double ratio)
-{
-    static const int at[] = {CYLINT_AT_BASE, CYLINT_AT_TOP, CYLINT_AT_AXIS,
-                             CYLINT_AT_A, CYLINT_AT_B};
-    const double *all = shape_now->library.number;
-    REPORT("%s %d: %g; kind %d, end %d, top %d, r %a %a, frame error %g",
-           x->name, component, ratio, shape_now->kind, surface_now->on_end,
-           surface_now->top, cylint_r0(shape_now), cylint_r1(shape_now),
-           cylint_frame_error(shape_now));
-    for (int i = 0; i < 5; i++)
-        REPORT("  shape: %a %a %a", all[at[i]], all[at[i] + 1], all[at[i] + 2]);
-    REPORT("  o: %a %a %a", line_now->o[0], line_now->o[1], line_now->o[2]);
-    REPORT("  d: %a %a %a", line_now->d[0], line_now->d[1], line_now->d[2]);
-    REPORT("  d_lo: %a %a %a, t %a", line_now->d_lo[0], line_now->d_lo[1],
-           line_now->d_lo[2], mpfr_get_d(the.t->x, RND));
-}
 
 /* hi + lo against the true number, with the bound in units.  At an apex there
  * is no normal, and angles and normals are NaN, or their bounds are: then
@@ -212,8 +194,12 @@ static void judge_number(number *x, int component, double hi, double lo,
     x->worst = fmax(x->worst, ratio);
     if (root_is_pair)
         x->of_pair = fmax(x->of_pair, ratio);
-    if (!CHECK(ratio <= 1))
-        print_case(x, component, ratio);
+    if (!CHECK(ratio <= 1)) {
+        REPORT("%s %d: %g; end %d, top %d, t %a", x->name, component, ratio,
+               surface_now->on_end, surface_now->top,
+               mpfr_get_d(the.t->x, RND));
+        REPORT_CASE(case_now);
+    }
 }
 
 static void judge_pairs(number *x, int component, const bounded_pairs *pairs,
@@ -228,7 +214,7 @@ static void judge_pairs(number *x, int component, const bounded_pairs *pairs,
 
 static number *normal_now(int solid)
 {
-    const int skew = cylint_has_skew_rows(shape_now->kind);
+    const int skew = cylint_has_skew_rows(case_now->shape.kind);
     return surface_now->ball ? &OF_BALL
            : surface_now->on_end && !cylint_solid_is_round(solid)
                ? skew ? &OF_SKEW_PLANE : &OF_PLANE
@@ -325,16 +311,17 @@ static void judge_roots(const source *from, const surface *f, int solid)
 
 /* ---------------------------------------------------------------- test -- */
 
-static int judge_line(const cylint_shape *s, const cylint_line *line)
+static int judge_line(const struct family_case *c)
 {
+    const cylint_shape *s = &c->shape;
+    const cylint_line *line = &c->line;
     const int solid = cylint_prepared(s);
     const source from = {s, line};
     const surface f = any_surface(solid);
     if (!set_true_root(&f, solid, one_of(2)))
         return 0;
     set_true_hit(s, line, &f);
-    shape_now = s;
-    line_now = line;
+    case_now = c;
     surface_now = &f;
     pair_line in;
     load_pairs(&in, &from, 1, solid);
@@ -362,7 +349,7 @@ TEST(errors_of_members_are_within_their_bounds)
             set_true_shape(&the.shape, &c.shape);
             set_true_line(&c.shape, &c.line);
             for (int k = 0; k < ROOTS; k++)
-                n += (uint64_t)judge_line(&c.shape, &c.line);
+                n += (uint64_t)judge_line(&c);
         }
 }
 
