@@ -184,7 +184,7 @@ static int limbs_of_distance(int kind, cylint_ends ends)
 TEST(no_distance_needs_more_than_the_arena)
 {
     enum { ROUNDS = 2000 };
-    for (int kind = 1; kind <= CYLINT_KIND_RCONE; kind++) {
+    for (int kind = 1; kind <= CYLINT_KIND_HALFSPACE; kind++) {
         int most = 0;
         for (int i = 0; i < ROUNDS && !cylint_is_elliptic(kind); i++) {
             const int planes = cylint_is_round(kind) || below(2);
@@ -201,7 +201,7 @@ TEST(no_distance_needs_more_than_the_arena)
 TEST(no_question_needs_more_than_the_arena)
 {
     enum { ROUNDS = 2000 };
-    for (int kind = 1; kind <= CYLINT_KIND_RCONE; kind++) {
+    for (int kind = 1; kind <= CYLINT_KIND_HALFSPACE; kind++) {
         int most = 0;
         for (int i = 0; i < ROUNDS; i++)
             most = larger(most, limbs_used(kind, i & 1));

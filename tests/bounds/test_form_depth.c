@@ -52,7 +52,7 @@ static carried times(carried x, carried y)
 #define MUL(x, y) times(x, y)
 #include "signs/forms_template.h"
 
-enum { FIRST_KIND = CYLINT_KIND_CYLINDER, LAST_KIND = CYLINT_KIND_RCONE };
+enum { FIRST_KIND = CYLINT_KIND_CYLINDER, LAST_KIND = CYLINT_KIND_HALFSPACE };
 
 /*
  * The terms of a line and a shape; D is from the line's origin, or from its point
