@@ -338,16 +338,21 @@ static struct family_case easy(void)
     return case_of("ray -3 0.25 1  1 0.125 0.25  cylinder 0 0 0  0 0 4  1");
 }
 
-/* Columns of a multiple of 256 numbers are made longer. */
+/* Columns of a multiple of 256 numbers are made longer.  Where they are too short,
+ * the last lanes read what follows: the numbers of balls that the line misses. */
 TEST(a_pack_of_256_shapes_of_one_kind_has_its_answers)
 {
-    for (int i = 0; i < 256; i++) {
-        drawn[i] = easy();
-        drawn[i].shape_data[0] = i / 64.;
+    enum { BALLS = 8 };
+    for (int i = 0; i < 256 + BALLS; i++) {
+        drawn[i] =
+            i < 256 ? case_of("ray -3 0.25 1  1 0 0  cylinder 0 0 0  0 0 4  1")
+                    : case_of("sphere 0 9 9  1");
+        if (i < 256)
+            drawn[i].shape_data[0] = drawn[i].shape_data[3] = 8 * i;
         family_make(&drawn[i]);
     }
-    check_shapes(&drawn[0], drawn, 256, &usual);
-    check_nearest_and_count(&drawn[0], drawn, 256, &usual);
+    check_shapes(&drawn[0], drawn, 256 + BALLS, &usual);
+    check_nearest_and_count(&drawn[0], drawn, 256 + BALLS, &usual);
 }
 
 /* Among them one whose tmin is just above tmax, near every hit. */
