@@ -2,8 +2,8 @@
  * shapes.c - fuzzes the library
  *
  * The bytes of an input become a line and some shapes.  The answers are those of
- * the oracle, and batches with all kernels give the answers of single questions.  A
- * build with CYLINT_PARANOID also makes each decision twice.
+ * the oracle, if there is MPFR, and batches with all kernels give the answers of
+ * single questions.  A build with CYLINT_PARANOID also makes each decision twice.
  */
 #include <math.h>
 #include <string.h>
