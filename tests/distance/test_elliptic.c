@@ -185,3 +185,25 @@ TEST(coincidences_have_one_answer)
     }
     CHECK(sum.left < sum.n / 2);
 }
+
+/* Of the components of a, b and h one is so small that triples return 0 for what it
+ * makes of a normal. */
+TEST(tiny_components_have_the_answers_of_triples)
+{
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
+    struct tally sum = {0};
+    for (uint64_t i = 0; i < cases;) {
+        struct family_case c;
+        double p[3];
+        family_case(random_bits(&stream), family_named("ordinary"), 0, &c);
+        const int tiny = 3 + one_of(9), e = 60 + one_of(1000);
+        const double x = between(-1, 1);
+        c.shape_data[tiny] = ldexp(x, -e);
+        if (!family_make(&c) || !cylint_is_elliptic(c.shape.kind))
+            continue;
+        draw_point(&c, p);
+        check_point(&c, p, 1, &sum);
+        i++;
+    }
+    CHECK(sum.left < sum.n);
+}
