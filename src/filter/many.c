@@ -344,11 +344,13 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
             else
                 any_lines_in_pairs(&in, x, want, solid);
         }
-        root r = step_from(at.t, residual_at(&in, l, at.t, &end_k, solid), &at);
-        r.nearest = m_and(r.nearest, at.is_near);
-        const hits h = hits_of_roots(&r, l, is_present(l, v, &end_k, k, solid));
+        const root r =
+            step_from(at.t, residual_at(&in, l, at.t, &end_k, solid), &at);
+        const vm present = is_present(l, v, &end_k, k, solid);
+        const vm unbounded = m_and_not(present, at.is_near);
+        const hits h = hits_of_roots(&r, l, m_and(present, at.is_near));
         to->hit[k] = h.hit;
-        to->undecided = m_or(to->undecided, h.undecided);
+        to->undecided = m_or(to->undecided, m_or(h.undecided, unbounded));
         v_store(g->t[k], r.value);
         if (want & CYLINT_WANT_BESIDE_T && m_any(h.hit)) {
             const hit_root hit = {r.value, r.tail, r.error, end_k.on_end,

@@ -274,7 +274,8 @@ INLINE newton newton_step(bounded_value residual, bounded_value slope,
 }
 
 /* A root: value + tail with the error; low and high are bounds that are rounded.
- * nearest: value is certainly the nearest double. */
+ * nearest: value is certainly the nearest double.  From an estimate that is not
+ * near, none of these holds. */
 typedef struct {
     vd value, tail, error, low, high;
     vm nearest;

@@ -13,6 +13,7 @@
 #define CHECK_OWN_MAIN
 #include "check.h"
 #include "columns.h"
+#include "draw.h"
 #include "environment.h"
 #include "guarded.h"
 
@@ -353,6 +354,77 @@ TEST(a_pack_of_256_shapes_of_one_kind_has_its_answers)
     }
     check_shapes(&drawn[0], drawn, 256 + BALLS, &usual);
     check_nearest_and_count(&drawn[0], drawn, 256 + BALLS, &usual);
+}
+
+/* A flat cone, of slope 2^12 to 2^20, and a line from afar that passes near its
+ * apex: the estimate of a root may be nearer to the other one. */
+static struct family_case draw_flat_cone(void)
+{
+    struct family_case c =
+        case_of(chance(0.5) ? "ray 0 0 0  1 0 0  cone 0 0 0 1"
+                              "  0 0 1 2  ends=nappe"
+                            : "ray 0 0 0  1 0 0  cone 0 0 0 1"
+                              "  0 0 1 2  ends=infinite");
+    const int upright = one_of(4);
+    const double far = ldexp(1, whole_between(12, 24));
+    double axis[3], length = 0;
+    for (int i = 0; i < 3; i++) {
+        c.shape_data[i] = (double)whole_between(-8, 8) / 4;
+        axis[i] = upright == i || upright == 3 ? between(-8, 8) : 0;
+        length += fabs(axis[i]);
+        c.line_data[3 + i] = (double)whole_between(-10, 10) / 8;
+        c.line_data[i] = c.shape_data[i] - far * c.line_data[3 + i];
+        if (chance(0.5))
+            c.line_data[i] =
+                nextafter(c.line_data[i], chance(0.5) ? 1e9 : -1e9);
+    }
+    c.shape_data[3] = ldexp(between(1, 2), whole_between(-9, 0));
+    for (int i = 0; i < 3; i++)
+        c.shape_data[4 + i] = c.shape_data[i] + axis[i];
+    c.shape_data[7] = ldexp(length, whole_between(12, 20));
+    family_make(&c);
+    return c;
+}
+
+/* In domains that end beside a hit. */
+TEST(flat_cones_from_afar_answer_as_single_questions)
+{
+    static const char *const former[] = {
+        "span -0x1.0000000000003p+19 0x1.20004p+19 -0x1.ffffap+18"
+        "  0x1.0000000000003p+0 -1.125 1  0x1.fffffffffa589p+18 0x1p+99"
+        "  cone -0 0x1.ffffffffffffep+0 1.5 0x1.7a2bf4efe9046p-5"
+        "  0 -0x1.5aad3c16c27cap+2 1.5 0x1.850bcbb1bcf82p+17  ends=nappe",
+        "span -0x1.bffffffffffffp+18 0x1.20003ffffffffp+19"
+        " -0x1.1fffcffffffffp+19  0.875 -1.125 1.125"
+        "  0x1.fffffffffe065p+18 0x1p+99  cone 0 2 1.5 0x1.fe1ee7e763004p-8"
+        "  0 -0x1.c25e99045fdbcp+2 1.5 0x1.035f46af5ba0cp+17  ends=nappe"};
+    for (int i = 0; i < FEW; i++)
+        drawn[i] = case_of(former[i % 2]);
+    check_pairs(drawn, FEW, &usual);
+    for (int i = 0; i < 2; i++) {
+        check_lines(&drawn[i], &drawn[i], 1, &usual);
+        check_shapes(&drawn[i], &drawn[i], 1, &usual);
+        check_nearest_and_count(&drawn[i], &drawn[i], 1, &usual);
+    }
+    stream = check_seed() + 11;
+    for (int round = 0; round < 200; round++) {
+        for (int i = 0; i < FEW; i++) {
+            drawn[i] = draw_flat_cone();
+            cylint_answer a;
+            cylint_intersect(&drawn[i].shape, &drawn[i].line, CYLINT_WANT_T,
+                             &a);
+            if (a.n == 0)
+                continue;
+            double t = a.hit[one_of(a.n)].t;
+            const int upwards = chance(0.5), is_last = chance(0.5);
+            for (int k = one_of(4); k > 0; k--)
+                t = nextafter(t, upwards ? HUGE_VAL : -HUGE_VAL);
+            *(is_last ? &drawn[i].line.tmax : &drawn[i].line.tmin) = t;
+        }
+        check_pairs(drawn, FEW, &usual);
+        check_lines(&drawn[0], drawn, FEW, &usual);
+        check_nearest_and_count(&drawn[0], drawn, FEW, &usual);
+    }
 }
 
 /* Among them one whose tmin is just above tmax, near every hit. */
