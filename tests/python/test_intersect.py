@@ -61,6 +61,8 @@ def test_points_outside_and_inside_are_next_to_hits():
     o, d = drawn(2000, 14)
     hit = cylint.intersect(ROD, o, d, tmin=-np.inf)
     there = hit.part >= 0
+    near = cylint.Scene(ROD).nearest(o, d, tmin=-np.inf)
+    assert same(near.outside, hit.outside[:, 0]) and same(near.inside, hit.inside[:, 0])
     at, outside, inside = (x[there] for x in (hit.point, hit.outside, hit.inside))
     assert (ROD.contains(outside) == -1).all() and (ROD.contains(inside) == 1).all()
     for moved in (outside, inside):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import pickle
 
 import numpy as np
@@ -167,13 +166,6 @@ def test_solids_of_a_file(tmp_path):
     assert cylint.Scene.open(tmp_path / "saved").solids.tolist() == scene.solids.tolist()
     cylint.write_scene(tmp_path / "shapes", scene.shapes)
     assert (cylint.read_scene(tmp_path / "shapes") == scene.shapes).all()
-
-
-def test_unbounded_pieces():
-    scene = cylint.Scene(cylint.halfspace([1, 0, 0], [-1, 0, 0]))
-    assert scene.pieces([0, 0, 0], [1, 0, 0]).t1.tolist() == [math.inf]
-    assert scene.sums([0, 0, 0], [1, 0, 0]) == math.inf
-    assert scene.sums([0, 0, 0], to=[3, 0, 0]) == 2.0
 
 
 def test_bad_arguments():

@@ -15,7 +15,6 @@ from conftest import forest, rays, records, refused, same
 import libcylint as cylint
 
 UNIT = ([0, 0, 0], [0, 0, 1])
-HITS = ("point", "normal", "z", "phi", "outside", "inside")
 
 
 @pytest.mark.parametrize("n", [128, 384, 1000])
@@ -87,32 +86,6 @@ def test_a_scene_joins_shapes_and_keeps_none_of_them():
             cylint.Scene(shapes)
 
 
-def test_a_scene_finds_what_a_loop_finds():
-    """All lines, and lines that leave out a shape: the nearest, the last or another."""
-    random, (o, d), column = np.random.default_rng(22), rays(500, 22), np.arange(500)
-    unbounded = cylint.tangent_cone([0.5, 0.5, 0.5], [[0, 0, 1], [0, 1, 0]], 0.3)
-    shapes = cylint.concatenate([forest(70, 21), unbounded, forest(128, 23)])
-    scene, number = cylint.Scene(shapes), np.arange(200)[:, None]
-    hit = cylint.intersect(shapes[:, None], o, d, 0.1, 1.1)
-    t = np.where(hit.n > 0, hit.t[..., 0], np.inf)
-    nearest, last = t.argmin(axis=0), 199 - (hit.n > 0)[::-1].argmax(axis=0)
-    for exclude in (-1, nearest, last, random.integers(-1, 200, 500), np.int8(3)):
-        left = (hit.n > 0) & (number != exclude)
-        index, none = np.where(left, t, np.inf).argmin(axis=0), ~left.any(axis=0)
-        lines = {"tmin": 0.1, "tmax": 1.1, "exclude": exclude}
-        near = scene.nearest(o, d, **lines)
-        assert same(near.index, np.where(none, -1, index)) and 50 < none.sum() < 450
-        for member in ("t", "part", "side", *HITS):
-            right = getattr(hit, member)[index, column, 0]
-            right[none] = -1 if right.dtype == np.int8 else np.nan
-            assert same(getattr(near, member), right), member
-        assert same(scene.any(o, d, **lines), ~none)
-        assert same(scene.count(o, d, **lines), left.sum(axis=0))
-        every, (line, shape) = scene.all(o, d, **lines), np.nonzero(left.T)
-        assert same(every.line, line) and same(every.index, shape)
-        assert same(every.t, hit.t[shape, line])
-
-
 @pytest.mark.parametrize("accel", ["auto", "none"])
 @pytest.mark.parametrize("leave_out", [None, "number", "label"])
 def test_the_command_finds_what_a_loop_finds(command, tmp_path, accel, leave_out):
@@ -157,6 +130,8 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
     assert near.index.tolist() == [[0], [1], [0]]
     assert near.point[..., 2].tolist() == [[1], [5], [1]]
     assert scene.all(*UNIT, exclude=[[-1], [0], [1]]).line.tolist() == [0, 0, 1, 2]
+    assert scene.count(*UNIT, exclude=[-1, 0]).tolist() == [2, 1]
+    assert scene.any([0, 0, 0], to=[0, 0, 4], exclude=[-1, 0, 1]).tolist() == [1, 0, 1]
     near = scene.nearest([0, 0, 0], to=[0, 0, 9], exclude=near.index)
     assert near.index.tolist() == [[1], [0], [1]]
     for error, message, origins, exclude in (
@@ -239,7 +214,11 @@ def test_a_neuron_is_read_as_the_command_reads_it(command, tmp_path, form, kinds
     o, d = np.array([[5.0, 0, 5], [2, 0, 5], [7, 0, 9]]), np.array([[-1.0, 0, 0]] * 3)
     near = cylint.Scene(shapes).nearest(o, d)
     options = [f"--swc={form}"] if form else []
-    command(records("ray", o, d), "-s", neuron, *options, shape=near.index + 1, t=near.t)
+    command(
+        records("ray", o, d), "-s", neuron, *options, shape=near.index + 1, t=near.t,
+        part=near.part, side=near.side, x_y_z=near.point, nx_ny_nz=near.normal, h=near.z,
+        phi=near.phi,
+    )  # fmt: skip
     assert (cylint.read_scene(neuron, swc=form or "cones") == shapes).all()
 
 
