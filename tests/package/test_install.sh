@@ -22,20 +22,6 @@ flags()
     fi
 }
 
-# cylint-scene needs the library that was built with it.
-test_pkg_config()
-{
-    [ "$pkg_config" ] || return 0
-    flags --cflags --libs --define-variable=prefix=/moved |
-        grep -q -e "-I$root/moved/include -L$root/moved/lib -lcylint"
-    verdict the_pc_files_move_with_the_prefix $?
-    mkdir "$scratch/older" &&
-        sed 's/^Version: .*/Version: 0.0.9/' "$lib/pkgconfig/cylint.pc" > "$scratch/older/cylint.pc" &&
-        PKG_CONFIG_LIBDIR=$lib/pkgconfig pkg-config --exists cylint-scene &&
-        ! PKG_CONFIG_LIBDIR=$scratch/older:$lib/pkgconfig pkg-config --exists cylint-scene
-    verdict another_version_of_the_library_is_refused $?
-}
-
 # archives: the static libraries of $packages and their dependencies.
 archives()
 {
@@ -77,36 +63,6 @@ test_example()
         example "the_readmes_example_as_cxx_$linking" $linking $cxx -std=c++11
         program=
     done
-}
-
-# The README's lines in a home where only the system's folders are known: the
-# linked example runs and its manual is found.  After that make install prints no
-# lines.
-test_readme_install()
-{
-    [ "$pkg_config" ] || return 0
-    home=$scratch/home
-    mkdir "$home"
-    cp "$scratch/example.c" "$home"
-    cp README.md tools/install_hints.sh "$home"
-    { echo "make() { (cd '$top' && command $make -s --no-print-directory \
-          BUILD='${BUILD:-build}' CC='$cc' CXX='$cxx' \"\$@\"); }"
-      echo "cc() { command $cc \"\$@\"; }"
-      block sh 1
-      echo 'command -v cylint'
-      echo 'man -w cylint 2>/dev/null || echo $MANPATH'
-      echo 'make install PREFIX=$HOME/.local'; } > "$home/lines"
-    (cd "$home" && env -i HOME="$home" PATH=/usr/local/bin:/usr/bin:/bin \
-        ${CXX17+CXX17="$CXX17"} sh lines) > "$scratch/said" 2> "$scratch/log"
-    { echo 'To use what was installed, set:'
-      echo "    export PATH=$home/.local/bin:\$PATH"
-      echo "    export PKG_CONFIG_PATH=$home/.local/lib/pkgconfig:\$PKG_CONFIG_PATH"
-      echo "    export LD_LIBRARY_PATH=$home/.local/lib\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}"
-      cat "$scratch/example.said"
-      echo "$home/.local/bin/cylint"; } > "$scratch/expected"
-    grep -v "^install\|^ln\|MANPATH\|^$home/.local/share/man" "$scratch/said" |
-        diff "$scratch/expected" - && grep -q "$home/.local/share/man" "$scratch/said"
-    verdict the_readmes_lines_install_and_run_a_linked_example $? || cat "$scratch/log"
 }
 
 # shows PAGE HEADER: the manual's synopsis shows $scratch/head, of the header.
@@ -206,9 +162,7 @@ make_here DESTDIR="$root" PREFIX=/usr install
 verdict install_succeeds $?
 export make cc cxx version
 run_transcripts install.txt < tests/package/install.txt
-test_pkg_config
 test_example
-test_readme_install
 test_readme_commands
 test_manual_examples
 check_end
