@@ -27,12 +27,6 @@ CYLINT_API int cylint_occluded_in_doubles(int kind, int ends,
                                           const cylint_record *from,
                                           const cylint_line *line);
 
-/* For libcylint-scene: makes the shape again that a constructor made of these two
- * points and radii, of this kind. */
-CYLINT_API void cylint_make_again(cylint_shape *shape, int kind, int ends,
-                                  const double p0[3], double r0,
-                                  const double p1[3], double r1);
-
 /* For libcylint-scene and -embree: makes a shape by the constructor of its kind.
  * axes: of an elliptic shape.  Returns the constructor's status; a shape of no kind
  * is refused. */

@@ -67,13 +67,6 @@ static void write_shape(cylint_shape *shape, int kind, int ends,
     CYLINT_OF_FMA(cylint_measure_local)(shape);
 }
 
-void cylint_make_again(cylint_shape *shape, int kind, int ends,
-                       const double p0[3], double r0, const double p1[3],
-                       double r1)
-{
-    write_shape(shape, kind, ends, p0, r0, p1, r1, none, none);
-}
-
 /* Checks and writes a shape.  The kind that is equal to a tapered one but for its
  * equal radii stands before it in cylint_kind. */
 CYLINT_INLINE cylint_status construct(cylint_shape *shape, int kind,

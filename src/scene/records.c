@@ -131,13 +131,9 @@ void cylint_record_shape(const cylint_records *r, size_t number,
     const cylint_record *from = &r->record[number];
     const int kind = cylint_record_kind(r, number);
     const int ends = cylint_record_ends(r, number);
-    if (r->tag[number] & CYLINT_TAG_PLAIN)
-        cylint_make_again(shape, kind, ends, from->p0, from->r0, from->p1,
-                          from->r1);
-    else
-        cylint_make_of_record(
-            shape, kind, ends, from,
-            cylint_is_elliptic(kind) ? &r->semi_axes[(size_t)from->r0] : NULL);
+    cylint_make_of_record(
+        shape, kind, ends, from,
+        cylint_is_elliptic(kind) ? &r->semi_axes[(size_t)from->r0] : NULL);
 }
 
 void cylint_record_data(const cylint_records *r, size_t number,
