@@ -168,13 +168,7 @@ static inline void i_store(uint32_t *x, vi v) { *x = v; }
 
 #endif
 
-#if defined(EIGHT_LANES) && defined(__AVX512VL__)
-static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
-{
-    i_store(to, _mm256_maskz_compress_epi32((__mmask8)bits, i_load(x)));
-    return _mm_popcnt_u32(bits);
-}
-#elif defined(EIGHT_LANES)
+#ifdef EIGHT_LANES
 static inline int i_keep_four(uint32_t *to, const uint32_t *x, unsigned bits)
 {
     /* which are kept, in four digits */
