@@ -124,9 +124,8 @@ CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
  * that the line does not hit; cylint_intersect() tests the others.
  */
 
-/* The most lanes that wait while their shapes are loaded.  Fewer than FEW_CHORDS
- * chords take less time one by one. */
-enum { LATER = CYLINT_MOST_RECORDS, FEW_CHORDS = 3 };
+/* The most lanes that wait while their shapes are loaded. */
+enum { LATER = CYLINT_MOST_RECORDS };
 
 typedef struct {
     const cylint_scene *scene;
@@ -257,18 +256,13 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 }
 
 /* lint: all n counts are written, and a chord where its count is 1 */
-/* Visits the chords of n waiting shapes, whose records are plain and of this
+/* Visits the chords of n > 0 waiting shapes, whose records are plain and of this
  * kind. */
 static void visit_chords_of_kind(line_visit *v, int kind,
                                  const uint32_t *number, size_t n)
 {
     cylint_interval chord[LATER];
     signed char count[LATER];
-    if (n < FEW_CHORDS) {
-        for (size_t i = 0; i < n; i++)
-            visit_chords_at(v, number[i]);
-        return;
-    }
     cylint_chords_of_records(v->scene->records.record,
                              cylint_solid(kind, CYLINT_ENDS_CAPPED), number, n,
                              v->domain, chord, count);
@@ -298,7 +292,8 @@ static void visit_later_chords(line_visit *v)
             visit_chords_at(v, at);
     }
     for (int kind = 0; kind < CYLINT_KINDS; kind++)
-        visit_chords_of_kind(v, kind, number[kind], n[kind]);
+        if (n[kind] > 0)
+            visit_chords_of_kind(v, kind, number[kind], n[kind]);
 }
 
 static int test_later(line_visit *v)
