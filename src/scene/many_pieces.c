@@ -111,7 +111,7 @@ static int find_each(const pieces_query *q, size_t from, size_t to,
     return 1;
 }
 
-/* Rows are kept in no more memory than they take. */
+/* Rows are kept in no more memory than they take; with sums nothing is kept. */
 static void find_block(void *self, size_t from, size_t to)
 {
     const pieces_query *q = self;
@@ -119,9 +119,13 @@ static void find_block(void *self, size_t from, size_t to)
     b->has_failed =
         !grow_workspace(&b->work, FIRST_BYTES) || !find_each(q, from, to, b);
     free(b->work.memory);
-    cylint_piece *kept =
-        q->first ? cylint_resized(b->pieces, b->n, sizeof *kept) : NULL;
-    b->pieces = kept ? kept : b->pieces;
+    if (q->first) {
+        cylint_piece *kept = cylint_resized(b->pieces, b->n, sizeof *kept);
+        b->pieces = kept ? kept : b->pieces;
+    } else {
+        free(b->pieces);
+        b->pieces = NULL;
+    }
 }
 
 /* ---------------------------------------------------------------- rows -- */

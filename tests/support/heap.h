@@ -16,7 +16,7 @@ static struct {
     long long requested;
     long long refuse; /* the number of the one that fails, from 1; 0: none */
     long long refuse_from; /* the same, and all later ones */
-    long long held;        /* not freed yet */
+    long long held, most;  /* not freed yet; the most at one time */
     long long bytes;       /* of malloc() and calloc() */
     int kept;              /* realloc() of existing memory was refused */
 } heap;
@@ -43,7 +43,8 @@ static int heap_refuses(void)
 
 static void *heap_hold(void *p)
 {
-    ADD(heap.held, !heap.unwatched && p);
+    const long long held = ADD(heap.held, !heap.unwatched && p);
+    heap.most = held > heap.most ? held : heap.most;
     return p;
 }
 
