@@ -44,14 +44,6 @@ static void cross_product(const double x[3], const double y[3], double to[3])
     }
 }
 
-static pair dot_product(const double x[3], const double y[3])
-{
-    pair sum = {0, 0};
-    for (int i = 0; i < 3; i++)
-        sum = pair_add(sum, two_prod(x[i], y[i]));
-    return sum;
-}
-
 /* The sign of axis . (x cross y), exact: that of the sine of the angle from x to
  * y.  It is that of an elliptic shape's a.(b x h). */
 static int turn_sign(const double axis[3], const double x[3], const double y[3])
@@ -81,7 +73,7 @@ static cylint_status make_sector(const cylint_shape *cone,
     cross_product(axis, direction[1], normal[1]);
     /* Rounded normals would take an angle of 0 for a full turn. */
     const int turn = turn_sign(axis, direction[0], direction[1]);
-    if (turn == 0 && dot_product(normal[0], normal[1]).hi < 0)
+    if (turn == 0 && cylint_dot(normal[0], normal[1]) < 0)
         return CYLINT_EDIRECTION;
     for (int i = 0; i < 2; i++) {
         if (cylint_halfspace(&shape[i], cylint_base(cone), normal[i]) !=
