@@ -83,7 +83,12 @@ int cylint_memory_resize(cylint_memory *memory,
 
 void *cylint_resized(void *array, size_t n, size_t size)
 {
-    return n > PTRDIFF_MAX / size ? NULL : realloc(array, n > 0 ? n * size : 1);
+    if (n > PTRDIFF_MAX / size)
+        return NULL;
+    void *resized = realloc(array, n > 0 ? n * size : 1);
+    if (resized)
+        request_huge_pages(resized, n * size);
+    return resized;
 }
 
 void *cylint_take_room(cylint_room *room, size_t n, size_t size)

@@ -32,8 +32,8 @@ int cylint_memory_allocate(cylint_memory *memory,
 int cylint_memory_resize(cylint_memory *memory,
                          const cylint_memory_source *source, size_t bytes);
 
-/* realloc() of n elements, which may be none.  Returns NULL, and the array stays,
- * if there is no memory. */
+/* realloc() of n elements, which may be none; of many, on large pages if the system
+ * has some.  Returns NULL, and the array stays, if there is no memory. */
 void *cylint_resized(void *array, size_t n, size_t size);
 
 /* Memory that is not used yet.  `wanted` also counts what did not fit. */
