@@ -95,8 +95,7 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
                      .block = block,
                      .work = work,
                      .self = self};
-#ifdef CYLINT_THREADS
-    pthread_t thread[CYLINT_THREADS_MOST];
+    cylint_thread thread[CYLINT_THREADS_MOST];
     const int most = cylint_threads_for(n, least, threads);
     int started = 1; /* with the caller's */
     while (started < most &&
@@ -104,11 +103,6 @@ void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
         started++;
     do_blocks(&w);
     while (--started > 0)
-        pthread_join(thread[started], NULL);
-#else
-    (void)threads;
-    (void)least;
-    do_blocks(&w);
-#endif
+        cylint_thread_join(thread[started]);
     cylint_mutex_destroy(&w.mutex);
 }

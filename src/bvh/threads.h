@@ -52,6 +52,7 @@ typedef pthread_mutex_t cylint_mutex;
 #define CYLINT_MUTEX_INITIALIZER PTHREAD_MUTEX_INITIALIZER
 #define cylint_thread_self() pthread_self()
 #define cylint_thread_is(thread) pthread_equal(*(thread), pthread_self())
+#define cylint_thread_join(thread) pthread_join(thread, NULL)
 #define cylint_mutex_lock(m) pthread_mutex_lock(m)
 #define cylint_mutex_unlock(m) pthread_mutex_unlock(m)
 #define cylint_mutex_destroy(m) pthread_mutex_destroy(m)
@@ -66,7 +67,8 @@ typedef char cylint_thread, cylint_mutex;
 #define CYLINT_MUTEX_INITIALIZER 0
 #define cylint_thread_self() 0
 #define cylint_thread_is(thread) 1
-#define cylint_thread_start(thread, work, argument) 0
+#define cylint_thread_join(thread) ((void)0)
+#define cylint_thread_start(thread, work, argument) ((void)(thread), 0)
 #define cylint_mutex_lock(m) ((void)(m))
 #define cylint_mutex_unlock(m) ((void)(m))
 #define cylint_mutex_destroy(m) ((void)(m))
