@@ -69,7 +69,7 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
  * 20 bytes for a thick shape, up to 80 for a thin one, which is cut into slices,
  * and some 170 for a needle.  A shape beside the hierarchy takes some 510, a scene
- * without shapes 7 kB.  While it is built, a scene takes up to 1.7 times as much.
+ * without shapes 4 kB.  While it is built, a scene takes up to 1.7 times as much.
  */
 
 /* Returns an empty scene, or NULL if there is no memory.  expected: the number of

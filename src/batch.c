@@ -18,22 +18,12 @@ static int run_of(const cylint_shape *s)
                                                     : CYLINT_SOLID_NONE;
 }
 
-/* Whole vectors; and a multiple of PADDING, but not of 256 doubles: then all
- * columns would fall into the same sets of the cache. */
-static size_t padded(size_t n)
-{
-    const size_t lanes = (n + PADDING - 1) / PADDING * PADDING;
-    /* mutant '0' -> '1': slower, columns fall into the same sets of a cache */
-    return lanes % 256 == 0 && lanes > 0 ? lanes + PADDING : lanes;
-}
-
-/* Room for the runs, the numbers, and columns whose padding may add up to
- * two PADDINGs a run; and for moving all to an aligned address. */
+/* Room for the runs, the numbers, and columns, which have less than PADDING more
+ * lanes a run; and for moving all to an aligned address. */
 size_t cylint_pack_bytes(size_t n)
 {
     const size_t lane = sizeof(size_t) + COLUMNS * sizeof(double);
-    const size_t fixed =
-        RUNS * (sizeof(cylint_run) + 2 * PADDING * lane) + 3 * 64;
+    const size_t fixed = RUNS * (sizeof(cylint_run) + PADDING * lane) + 3 * 64;
     return n <= (SIZE_MAX - fixed) / lane ? fixed + n * lane : SIZE_MAX;
 }
 
@@ -62,7 +52,7 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
     cylint_run *runs = runs_of(memory);
     size_t *number = (size_t *)(void *)aligned((char *)(runs + RUNS));
     double *column = (double *)(void *)aligned(
-        (char *)(number + n + (size_t)RUNS * 2 * PADDING));
+        (char *)(number + n + (size_t)RUNS * PADDING));
     size_t *fill[RUNS];
     pack->n = n;
     pack->shapes = shapes;
@@ -73,7 +63,7 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
     for (int r = 0; r < RUNS; r++) {
         cylint_run *run = &runs[r];
         run->solid = r;
-        run->stride = padded(run->n);
+        run->stride = (run->n + PADDING - 1) / PADDING * PADDING;
         run->number = fill[r] = number;
         run->column = column;
         number += run->stride;
