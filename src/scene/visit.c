@@ -238,8 +238,6 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
                           const double least[CYLINT_LEAF_SIZE])
 {
     line_visit *v = self;
-    if (v->want == 0)
-        prefetch_shapes(v->scene, leaf, lanes);
     while (lanes && !v->stopped) {
         const int lane =
             v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
