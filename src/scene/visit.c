@@ -239,8 +239,7 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 {
     line_visit *v = self;
     while (lanes && !v->stopped) {
-        const int lane =
-            v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
+        const int lane = first_lane(lanes, least);
         const double last = v->last;
         lanes &= ~(1u << lane);
         if (least[lane] > v->ray.length)
