@@ -105,10 +105,12 @@ ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
     const int round = cylint_is_round(shape->kind);
     const double u = CYLINT_POINT_ROUNDING, sine = fabs(s->sine.hi);
     const double least = 0x1p-500; /* covers squares that underflow */
+    const double *center = end ? s->top : s->base;
     double error = m->plane_error;
     pair z = end ? m->above : m->z;
+    if (round && cylint_are_equal(point, center))
+        return 0;
     if (error > 0 && (!end || cylint_has_end_points(shape->kind))) {
-        const double *center = end ? s->top : s->base;
         double size = 0;
         pair p[3], D[3], w[3];
         EACH(i, 3) {
@@ -117,8 +119,6 @@ ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
             p[i] = vpair_product(D[i], s->axis[i]);
             size += fabs(D[i].hi);
         }
-        if (round && !(size > 0))
-            return 0;
         z = pairs_sum3(p);
         error = u * size + least;
         if (cylint_has_end_points(shape->kind) && is_exactly_across(D, w)) {
