@@ -99,17 +99,18 @@ INLINE bounded_pairs sum_of_multiples(const multiples *k, bounded_pairs u,
 
 /* from + factor e.  Where terms of both cancelled, their low parts can be as large
  * as the high ones: they are trimmed. */
-INLINE bounded_pairs step_along(vd from, bounded_pairs factor, bounded_pairs e)
+INLINE bounded_pairs step_along(vpair from, bounded_pairs factor,
+                                bounded_pairs e)
 {
     const vpair step =
         vpair_product(pairs_trimmed(factor.v), pairs_trimmed(e.v));
-    vpair to = v_two_sum(from, step.hi);
-    to.lo = to.lo + step.lo;
+    const vpair to = vpair_add(from, step);
     const vd error =
         v_sum_of(factor.e, v_abs(e.v.hi) + e.e, v_abs(factor.v.hi) * e.e);
     return (bounded_pairs){
-        to, v_sum_of(v_set(CYLINT_PAIR_QUOTIENT), v_abs(step.hi),
-                     v_sum_of(v_set(CYLINT_PAIR_PLACE), v_abs(from), error))};
+        to,
+        v_sum_of(v_set(CYLINT_PAIR_QUOTIENT), v_abs(step.hi),
+                 v_sum_of(v_set(CYLINT_PAIR_PLACE), v_abs(from.hi), error))};
 }
 
 /* The direction of D from the centre of a ball; at one lane, in the centre of a
@@ -184,8 +185,9 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     const vfeature f = feature_of(n, s, kind);
     const vpair r = pick(f.is_top, s->r[1], s->r[0]);
     const vm from_x = m_or(f.is_lateral, f.is_plane);
-    const bounded_pairs factor = {pick(from_x, opposite(n->d.value), r),
-                                  v_select(from_x, n->d.error, zero)};
+    const bounded_pairs factor = {
+        pick(from_x, opposite(n->d.value), r),
+        v_select(from_x, n->d.error, v_set(CYLINT_POINT_ROUNDING) * r.hi)};
     const multiples k = normal_of(&f, s, kind);
     const int any_given = m_any(m_or(s->along, f.is_apex));
     from_center c;
@@ -194,7 +196,8 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     const vm regular = is_regular(m, &f, r.hi, round ? &c : NULL);
     to->point_certain = to->normal_certain = m_and(n->certain, regular);
     EACH(i, 3) {
-        const vd center = v_select(f.is_top, s->top[i], s->base[i]);
+        const vpair center = pick(f.is_top, (vpair){s->top[i], s->top_low[i]},
+                                  (vpair){s->base[i], zero});
         bounded_pairs u = {{zero, zero}, zero}, normal = u;
         if (!ball) {
             u = across_axis(m, i);
@@ -209,11 +212,12 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
         /* x - d n, or the centre and r times a direction */
         const bounded_pairs direction =
             tapered && !round ? choose_pairs(from_x, normal, u) : normal;
-        const vm certain = rounds(
-            step_along(v_select(from_x, x[i], center), factor, direction),
-            &to->point[i]);
+        const vm certain =
+            rounds(step_along(pick(from_x, (vpair){x[i], zero}, center), factor,
+                              direction),
+                   &to->point[i]);
         const vm given = any_given ? given_coordinate(&to->point[i], s, &f,
-                                                      center, x[i], i, round)
+                                                      center.hi, x[i], i, round)
                                    : m_from(0);
         to->normal_certain =
             m_and(to->normal_certain, rounds(normal, &to->normal[i]));

@@ -32,6 +32,7 @@ INLINE void NUMBER(load_shapes)(shape_lanes *v,
         is_zero[i] = v_eq(w.hi, zero);
         v->base[i] = of_lanes(at, CYLINT_AT_BASE + i);
         v->top[i] = of_lanes(at, CYLINT_AT_TOP + i);
+        v->top_low[i] = zero;
         v->axis[i] = NUMBER(unit)(w);
     }
     EACH(i, 3)

@@ -278,7 +278,7 @@ static inline void write_foot(bounded_pairs to[3], const double point[3],
 {
     const bounded_pairs back = {opposite(d.v), d.e};
     EACH(i, 3)
-        to[i] = step_along(point[i], back, n[i]);
+        to[i] = step_along((vpair){point[i], 0}, back, n[i]);
 }
 
 /* A form in triples as a pair: CYLINT_SIZED_ERROR times its size is the error of

@@ -16,8 +16,8 @@
  *                         whose low parts can be some ulps.  Proved
  *   CYLINT_PAIR_ROOT      of a root, relative to it.  Proved
  *   CYLINT_POINT_ROUNDING more than that of the unit vector of an axis, of
- *                         cosine, sine and height, relative to themselves,
- *                         and of z to S
+ *                         cosine, sine, height and the top radius of an angle
+ *                         cone, relative to themselves, and of z to S
  *   CYLINT_PAIR_DISTANCE  what a distance has besides the errors of z and rho,
  *                         relative to S and the reach of the shape
  *   CYLINT_PAIR_QUOTIENT  of a component of a direction, relative to it

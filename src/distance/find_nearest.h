@@ -17,7 +17,7 @@
 #include "pair_lanes.h"
 
 /* The numbers of an angle cone in the lengths of the world: its local coordinates
- * count axis lengths.  Its top is not made of doubles. */
+ * count axis lengths.  Its top is a sum of doubles. */
 static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
 {
     const cylint_shape *const at[1] = {shape};
@@ -28,8 +28,12 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
         squares[i] = vpair_square(s->axis[i]);
     }
     s->height = pairs_trimmed(pairs_root(pairs_sum3(squares), &inverse));
-    EACH(i, 3)
+    EACH(i, 3) {
+        const vpair top = v_two_sum(s->base[i], s->axis[i].hi);
+        s->top[i] = top.hi;
+        s->top_low[i] = top.lo;
         s->axis[i] = pairs_trimmed(vpair_product(s->axis[i], inverse));
+    }
     s->r[1] =
         pairs_trimmed(vpair_product(s->height, (vpair){cylint_r1(shape), 0}));
     /* mutant '*' -> '+': slower, the errors of small shapes are larger */

@@ -88,9 +88,10 @@ static bounded_pairs close_to_line(const cylint_shape *s, const double point[3],
                                 error / sum.hi);
     }
     const triple dr = triple_of_pair(cylint_radius_growth(s));
-    const triple T =
-        triple_add(triple_times(W, cylint_r0(s)), triple_mul(dr, Dw));
+    triple T = triple_add(triple_times(W, cylint_r0(s)), triple_mul(dr, Dw));
     const triple across = triple_det(DD, W, Dw, Dw);
+    if (s->ends == CYLINT_ENDS_INFINITE && T.a < 0)
+        T = triple_neg(T); /* on the other nappe */
     const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
     const int round = cylint_is_round(s->kind);
     const int tangent = cylint_has_tangent(s->kind);

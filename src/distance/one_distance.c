@@ -105,21 +105,13 @@ INLINE unsigned answer_in_pairs(const cylint_shape *shape, int kind,
     half_plane m;
     vnearest n;
     find_nearest_in_pairs(&n, &m, &s, point, shape, straight, tangent);
-    /* The top of an angle cone has no centre in doubles. */
-    const unsigned geometry =
-        tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
-                (int)n.feature != CYLINT_FEATURE_RIM0
-            ? want & CYLINT_WANT_GEOMETRY
-            : 0;
     /* mutant '&&' -> '||': slower */
-    if (want & CYLINT_WANT_GEOMETRY & ~geometry &&
-        needs_direction(&n, &m, kind)) {
+    if (want & CYLINT_WANT_GEOMETRY && needs_direction(&n, &m, kind)) {
         half_plane copy = m;
         find_direction(&copy, shape, point);
         m = copy;
     }
-    return geometry | write_certain(&n, &m, &s, shape, point, straight,
-                                    want & ~geometry, answer);
+    return write_certain(&n, &m, &s, shape, point, straight, want, answer);
 }
 
 static unsigned in_pairs(const cylint_shape *shape, const double point[3],
