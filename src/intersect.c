@@ -2,12 +2,12 @@
  * intersect.c - one line and one shape: relation and hits, by the filter or by
  * exact signs
  *
- * Where the filter does not decide, roots/overlap.h has the ends of the overlap,
+ * Where the filter does not decide, roots/roots.h has the ends of the overlap,
  * and these are hits if they are in the domain.
  */
 #include "intersect.h"
 
-#include "roots/overlap.h"
+#include "roots/roots.h"
 #include "shapes/local.h"
 #include "dispatch.h"
 

@@ -15,8 +15,8 @@
 #include "nearest.h"
 
 /* The numbers of the shapes of all lanes, in the form of a type of numbers.
- * own[i]: the axis runs along coordinate i; along: along any.  top_low: 0 but for an
- * angle cone. */
+ * own[i]: the axis runs along coordinate i; along: along any.  top_low: 0 but for
+ * an angle cone. */
 typedef struct {
     vpair axis[3], cosine, sine, height, r[2];
     vd base[3], top[3], top_low[3], reach;

@@ -27,7 +27,7 @@
  * inside the solid there, that of N whether it approaches the centre of the ball of
  * that plane.
  */
-#include "overlap.h"
+#include "roots.h"
 
 static cylint_overlap no_overlap(void)
 {

@@ -1,6 +1,6 @@
 /*
- * roots.h - roots in the domain, correctly rounded; roots as surds; point,
- * normal, z and angle of a hit
+ * roots.h - roots in the domain, correctly rounded; the overlap from exact signs;
+ * roots as surds; point, normal, z and angle of a hit
  */
 #ifndef CYLINT_ROOTS_H
 #define CYLINT_ROOTS_H
@@ -21,6 +21,26 @@ typedef enum {
  * double nearest to such a root. */
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
                        double *t);
+
+/* ------------------------------------------------------ the overlap ---- */
+
+/* An end of the overlap. */
+typedef struct {
+    cylint_root root;
+    int part, side, apex;
+} cylint_stop;
+
+/* The relation, and the ends that the overlap has, ascending. */
+typedef struct {
+    int relation, n;
+    cylint_stop at[2];
+} cylint_overlap;
+
+cylint_overlap cylint_overlap_of(cylint_query *q);
+
+/* Where the origin of the line lies: 1 inside a round kind, 0 on its boundary, -1
+ * outside. */
+int cylint_round_contains(cylint_query *q);
 
 /* ------------------------------------------------- leading digits ------ */
 
