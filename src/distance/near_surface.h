@@ -43,9 +43,14 @@ static bounded_pairs close_to_plane(const cylint_shape *s,
                                     const double point[3], int top, double size)
 {
     triple D[3], w[3];
-    const pair length = cylint_number_pair(s, CYLINT_AT_HEIGHT);
-    load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
+    const int tangent = cylint_has_tangent(s->kind);
+    load_difference(D, point, top && !tangent ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
+    if (top && tangent) /* from base + axis; a rounding of triples */
+        EACH(i, 3)
+            D[i] = triple_sub(D[i], w[i]);
+    const pair length =
+        tangent ? triple_length(w) : cylint_number_pair(s, CYLINT_AT_HEIGHT);
     bounded_pairs to = quotient_of_form(triple_dot(D, w), length, size, 0);
     int in_plane = 1; /* every product is 0 */
     EACH(i, 3)
@@ -149,7 +154,7 @@ static bounded_pairs close_to_rim(const cylint_shape *s, const double point[3],
 }
 
 /* Of a point near the surface: the distance from a feature but the circle of
- * tangency of a ball, and of an angle cone that from the lateral surface. */
+ * tangency of a ball. */
 static bounded_pairs close_distance(const vnearest *n, const half_plane *m,
                                     const cylint_shape *s,
                                     const double point[3])
@@ -182,8 +187,6 @@ ASIDE vdistance distance_in_triples(const vnearest *n, const half_plane *m,
     if (!n->certain ||
         (cylint_is_round(s->kind) &&
          n->feature >= (double)CYLINT_FEATURE_RIM0) ||
-        (cylint_has_tangent(s->kind) &&
-         n->feature > (double)CYLINT_FEATURE_LATERAL) ||
         !(fabs(rounded(n->d.value)) <= CYLINT_CLOSE * m->size) ||
         !(m->size <= CYLINT_CLOSE_MOST))
         return n->d;
