@@ -339,8 +339,8 @@ static struct family_case easy(void)
     return case_of("ray -3 0.25 1  1 0.125 0.25  cylinder 0 0 0  0 0 4  1");
 }
 
-/* Columns of a multiple of 256 numbers are made longer.  Where they are too short,
- * the last lanes read what follows: the numbers of balls that the line misses. */
+/* Columns are whole vectors.  Where they are too short, the last lanes read what
+ * follows: the numbers of balls that the line misses. */
 TEST(a_pack_of_256_shapes_of_one_kind_has_its_answers)
 {
     enum { BALLS = 8 };
