@@ -64,6 +64,7 @@ FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
         ("numbers/test_exact", {}), ("numbers/test_double_double", {}),
         ("numbers/test_turns", {}), ("scene/test_paths", {}),
         ("shapes/test_errors", {}), ("library/test_batch", {}),
+        ("library/test_outside", {}),
         ("bounds/test_member_bounds", {}),
         ("distance/test_batch", cases(3))]  # batches of contains
 DISTANCE = [("distance/test_known", cases(3)), ("bounds/test_arena", {}),
@@ -77,9 +78,10 @@ SCENE = [("scene/test_many", {}), ("scene/test_pieces", cases(20)),
          ("scene/test_file", {}), ("scene/test_memory", {}),
          ("scene/test_queries", {})]
 BVH = [("bvh/test_nodes", {}), ("bounds/test_scene_point_bounds", {})] + SCENE
-# The tests of files in a folder; of other files they are SHORT and FULL.
+# The tests of a file, or of the files in a folder; of others they are SHORT and FULL.
 OF_FOLDER = {"distance": DISTANCE, "bvh": BVH, "scene": SCENE,
-             "methods": [("methods/test_methods", {})]}
+             "methods": [("methods/test_methods", {})],
+             "merge_sort_template.h": SCENE}
 
 
 def tests_of(name, full=True):
