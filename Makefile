@@ -60,7 +60,7 @@ say      = $(if $(V)$(findstring s,$(options)),,@echo '$(1)';)
 # list changes, make writes the file and starts again; `deps` runs before that.
 ifneq ($(filter-out help clean uninstall deps deps-%,$(or $(MAKECMDGOALS),all)),)
 include $(BUILD)/config.mk
-ifeq ($(origin EMBREE),command line)
+ifeq ($(origin EMBREE)$(filter deps,$(MAKECMDGOALS)),command line)
 rtcore := embree$(EMBREE)/rtcore.h
 $(if $(EMBREE),$(if $(shell $(CC) $(CPPFLAGS) $(EMBREE_CFLAGS) -include $(rtcore) -E -x c /dev/null >/dev/null 2>&1 && echo yes),,\
   $(error EMBREE=$(EMBREE): the compiler does not find $(rtcore); EMBREE_CFLAGS can name its folder)))
