@@ -5,6 +5,7 @@
 #ifndef CYLINT_EMBREE_WORLD_H
 #define CYLINT_EMBREE_WORLD_H
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -212,11 +213,21 @@ static inline void world_free(struct world *w)
 
 /* ------------------------------------------------------------- answers -- */
 
-/* The least float that is not below x: tfar of a hit at t = x. */
+/* The least float that is not below x. */
 static inline float world_float_above(double x)
 {
     const float f = (float)x;
     return (double)f < x ? nextafterf(f, HUGE_VALF) : f;
+}
+
+/* tfar of a hit at t: that float, unless it is subnormal; or the ray's own, if that
+ * is less. */
+static inline float world_tfar(double t, float own)
+{
+    const float f = fabs(t) >= (double)FLT_MIN ? world_float_above(t)
+                    : t > 0                    ? FLT_MIN
+                                               : 0;
+    return f < own ? f : own;
 }
 
 static inline int same(union ray_word word, float f)
@@ -263,7 +274,8 @@ static inline int world_agrees(const struct world *w, struct rays *r, int i)
         return !rays_hit(r, i) && (kept || !w->bare) &&
                rays_at(r, RAY_TFAR, i)->u == r->before[RAY_TFAR * r->n + i].u;
     return rays_hit(r, i) && rays_at(r, HIT_PRIM, i)->u == shape &&
-           same(*rays_at(r, RAY_TFAR, i), world_float_above(hit.t)) &&
+           same(*rays_at(r, RAY_TFAR, i),
+                world_tfar(hit.t, r->before[RAY_TFAR * r->n + i].f)) &&
            (w->bare ? kept : world_describes(described, &hit));
 }
 

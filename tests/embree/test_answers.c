@@ -103,6 +103,20 @@ TEST(a_domain_of_zeros_has_its_ends)
         }
 }
 
+/* tfar is subnormal, and so is t, in the plane of a cap: the float not below it that
+ * is not subnormal is beyond tfar. */
+TEST(a_domain_that_ends_at_a_subnormal_number_has_its_hit)
+{
+    const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 0.3  1");
+    const float o[3] = {0.25f, 0, -0x1p-140f}, d[3] = {0, 0, 1};
+    EACH_WAY(w, &shape, 1) {
+        struct rays r = traced(&w, 1, o, d, 0, 0x1p-137f);
+        CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 0x1p-137f);
+        r = traced(&w, 1, o, d, 0, 0x1p-141f);
+        CHECK(!rays_hit(&r, 0));
+    }
+}
+
 /* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
 TEST(a_ray_within_a_face_of_the_box_is_not_lost)
 {
