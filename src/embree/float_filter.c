@@ -30,7 +30,7 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
     const float above = of->t = cylint_float_above(t);
     if (e > 0 && !(t - e > of->tmin && cylint_is_float_above(above, t, e)))
         return CYLINT_FLOAT_FILTER_UNDECIDED;
-    if (above > of->tfar) /* t is not, if tfar is subnormal and t is exact */
+    if (above > of->tfar) /* t may be less where both are subnormal */
         return t > (double)of->tfar ? CYLINT_FLOAT_FILTER_MISS
                                     : CYLINT_FLOAT_FILTER_UNDECIDED;
     const int count = of->piece.count;
