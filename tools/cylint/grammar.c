@@ -228,11 +228,20 @@ int read_numbers(struct reader *r, double *v, int count)
 
 /* ------------------------------------------------------ lines and shapes -- */
 
-/* Appends advice if the record is the first line of its file and its first two
- * fields, from r on, are no numbers. */
+/* Whether the line has a byte that text does not have. */
+static int has_control(struct reader r)
+{
+    for (; r.p < r.end; r.p++)
+        if ((unsigned char)*r.p < ' ' && !is_blank(*r.p) && *r.p != '\r')
+            return 1;
+    return 0;
+}
+
+/* Appends advice if the record is the first line of a text and its first two fields,
+ * from r on, are no numbers. */
 static int advise_on_names(struct reader r)
 {
-    if (r.notes->line != 1 || count_numbers(r) > 0)
+    if (r.notes->line != 1 || count_numbers(r) > 0 || has_control(r))
         return 0;
     skip_field(&r);
     if (r.p == r.end || count_numbers(r) > 0)
