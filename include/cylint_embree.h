@@ -71,20 +71,25 @@
  * before the entry hit if they lie in different boxes.
  *
  * Packets.  The answers are those to the rays alone, bit for bit.  Embree
- * makes six exceptions.  In a packet it skips a box unless a ray enters the
+ * makes seven exceptions.  In a packet it skips a box unless a ray enters the
  * box below tfar, and Embree 3 traces packets that are wider than the
  * processor's vectors as streams of rays.
  *   - A ray with tnear = tfar may report a miss.
- *   - In a stream (packets of 16 without AVX-512, where the device's property
- *     RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED is 0) Embree 3 ignores the
- *     array `valid`: a ray is inactive only if tnear > tfar.  It also copies
- *     whole hits, so that with CYLINT_EMBREE_BARE u, v and Ng are undefined.
+ *   - In a stream (packets of 16 without AVX-512, and of 8 without AVX: where the
+ *     device's property RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED, or RAY8, is
+ *     0) Embree 3 ignores the array `valid`: a ray is inactive only if tnear >
+ *     tfar.  It also copies whole hits, so that with CYLINT_EMBREE_BARE u, v and
+ *     Ng are undefined.
  *   - Where every shape is a primitive of its own (CYLINT_EMBREE_SINGLE and
  *     moving shapes) and several shapes are hit at t = tnear, primID may be
  *     any of them instead of the lowest.  t is right.
  *   - In a query with the flag for coherent rays, where a component of dir is
  *     below 0 and above -1e-18, all rays of the packet may miss what they hit.
  *   - An occlusion query with that flag may write -inf to a tfar below 0.
+ *   - On a processor with AVX-512, rtcOccluded16() and streams of occlusion queries
+ *     with that flag may never return from Debian's build of Embree 3.13.5 if the
+ *     scene has an instance that does not move, also without this library.  Leave
+ *     the flag out, or make the device with "isa=avx2".
  *   - Under a moving instance Embree rounds the transformed rays of a packet
  *     otherwise than rays alone.  The answers are right for those rays.
  * Trace such rays one by one.  Rays that begin near each other and go into the
@@ -139,7 +144,7 @@ typedef enum cylint_embree_status {
     CYLINT_EMBREE_EVERSION, /* the device belongs to another major version of
                                Embree than this library was built for */
     CYLINT_EMBREE_EPART     /* the geomID of a part is not greater than that of
-                               the part before it */
+                               the part before it, or is that of no geometry */
 } cylint_embree_status;
 
 /* A status and, for ESHAPE and EMOTION, the lowest number of such a shape; for

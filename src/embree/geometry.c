@@ -24,8 +24,8 @@ const char *cylint_embree_strerror(int status)
         [CYLINT_EMBREE_EMEMORY] = "out of memory",
         [CYLINT_EMBREE_EDEVICE] = "the Embree device made no geometry",
         [CYLINT_EMBREE_EVERSION] = "the device is of another version of Embree",
-        [CYLINT_EMBREE_EPART] =
-            "the geometry numbers of merged parts do not ascend"};
+        [CYLINT_EMBREE_EPART] = "the geometry numbers of merged parts are "
+                                "invalid or do not ascend"};
     return status >= 0 && status < (int)(sizeof text / sizeof *text)
                ? text[status]
                : "unknown status";
@@ -113,13 +113,16 @@ static const cylint_shape *shape_of_rank(const void *owner, uint32_t rank,
     return &from->part.shapes[number - from->first];
 }
 
-/* The numbers of merged arrays ascend. */
+/* The numbers of merged arrays ascend, and are geometries'. */
 static int check_arrays(const cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
-    for (size_t i = 1; i < data->n_arrays; i++)
-        if (data->arrays[i].part.geomID <= data->arrays[i - 1].part.geomID)
+    for (size_t i = 0; i < data->n_arrays; i++) {
+        const cylint_embree_array *at = data->arrays + i;
+        if (at->part.geomID == RTC_INVALID_GEOMETRY_ID ||
+            (i > 0 && at->part.geomID <= at[-1].part.geomID))
             return report(problem, CYLINT_EMBREE_EPART, i);
+    }
     return CYLINT_EMBREE_OK;
 }
 

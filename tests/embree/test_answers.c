@@ -103,8 +103,8 @@ TEST(a_domain_of_zeros_has_its_ends)
         }
 }
 
-/* tfar is subnormal, and so is t, in the plane of a cap: the float not below it that
- * is not subnormal is beyond tfar. */
+/* t and tfar are subnormal, and t is exact: the least float that is not below t nor
+ * subnormal is beyond tfar. */
 TEST(a_domain_that_ends_at_a_subnormal_number_has_its_hit)
 {
     const cylint_shape shape = shape_of("cylinder 0 0 0  0 0 0.3  1");

@@ -153,6 +153,10 @@ TEST(parts_whose_numbers_do_not_ascend_are_refused)
     CHECK(!cylint_embree_merge(world_device(), parts, n_parts, NULL, &problem));
     CHECK(world_refused(&problem, CYLINT_EMBREE_EPART, 9));
     cut(shapes);
+    parts[n_parts - 1].geomID = RTC_INVALID_GEOMETRY_ID;
+    CHECK(!cylint_embree_merge(world_device(), parts, n_parts, NULL, &problem));
+    CHECK(world_refused(&problem, CYLINT_EMBREE_EPART, n_parts - 1));
+    cut(shapes);
     memset(&shapes[77], 0, sizeof shapes[77]);
     CHECK(!cylint_embree_merge(world_device(), parts, n_parts, NULL, &problem));
     CHECK(world_refused(&problem, CYLINT_EMBREE_ESHAPE, 77));

@@ -395,8 +395,8 @@ TEST(every_status_has_its_text)
         [CYLINT_EMBREE_EMEMORY] = "out of memory",
         [CYLINT_EMBREE_EDEVICE] = "the Embree device made no geometry",
         [CYLINT_EMBREE_EVERSION] = "the device is of another version of Embree",
-        [CYLINT_EMBREE_EPART] =
-            "the geometry numbers of merged parts do not ascend"};
+        [CYLINT_EMBREE_EPART] = "the geometry numbers of merged parts are "
+                                "invalid or do not ascend"};
     check_texts(cylint_embree_strerror, texts, sizeof texts / sizeof *texts);
     CHECK(cylint_embree_version() == RTC_VERSION_MAJOR);
 }
