@@ -237,8 +237,8 @@ static int has_control(struct reader r)
     return 0;
 }
 
-/* Appends advice if the record is the first line of a text and its first two fields,
- * from r on, are no numbers. */
+/* Appends advice if the record is the first line of a text and its first two
+ * fields, from r on, are no numbers. */
 static int advise_on_names(struct reader r)
 {
     if (r.notes->line != 1 || count_numbers(r) > 0 || has_control(r))
