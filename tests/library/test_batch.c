@@ -360,11 +360,8 @@ TEST(a_pack_of_256_shapes_of_one_kind_has_its_answers)
  * apex: the estimate of a root may be nearer to the other one. */
 static struct family_case draw_flat_cone(void)
 {
-    struct family_case c =
-        case_of(chance(0.5) ? "ray 0 0 0  1 0 0  cone 0 0 0 1"
-                              "  0 0 1 2  ends=nappe"
-                            : "ray 0 0 0  1 0 0  cone 0 0 0 1"
-                              "  0 0 1 2  ends=infinite");
+    struct family_case c = case_of("ray 0 0 0  1 0 0  cone 0 0 0 1  0 0 1 2");
+    c.ends = chance(0.5) ? CYLINT_ENDS_NAPPE : CYLINT_ENDS_INFINITE;
     const int upright = one_of(4);
     const double far = ldexp(1, whole_between(12, 24));
     double axis[3], length = 0;

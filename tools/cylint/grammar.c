@@ -228,11 +228,11 @@ int read_numbers(struct reader *r, double *v, int count)
 
 /* ------------------------------------------------------ lines and shapes -- */
 
-/* Whether the line has a byte that text does not have. */
+/* Whether the line may be no text. */
 static int has_control(struct reader r)
 {
     for (; r.p < r.end; r.p++)
-        if ((unsigned char)*r.p < ' ' && !is_blank(*r.p) && *r.p != '\r')
+        if (is_control(*r.p))
             return 1;
     return 0;
 }

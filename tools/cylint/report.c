@@ -104,10 +104,8 @@ static int looks_binary(const char *text, const char *end)
     const size_t length = text ? (size_t)(end - text) : 0;
     const size_t looked_at = length < LOOKED_AT ? length : LOOKED_AT;
     size_t control = 0;
-    for (size_t i = 0; i < looked_at; i++) {
-        const unsigned char c = (unsigned char)text[i];
-        control += c < 0x20 && c != '\t' && c != '\n' && c != '\r';
-    }
+    for (size_t i = 0; i < looked_at; i++)
+        control += (size_t)is_control(text[i]);
     return control > SLIPS && control > looked_at / ONE_IN;
 }
 

@@ -157,12 +157,13 @@ static int remark_slip(const struct solids *s, const char *file)
         has_shape[s->member[i].solid] |= s->member[i].clause > 0;
     while (has_shape[solid])
         solid++;
-    if (solid < count)
-        while (other < count &&
-               !(has_shape[other] && may_be_slip(names_get(&s->names, solid),
-                                                 names_get(&s->names, other))))
-            other++;
-    if (solid < count && other < count)
+    if (solid == count)
+        other = count;
+    while (other < count &&
+           !(has_shape[other] && may_be_slip(names_get(&s->names, solid),
+                                             names_get(&s->names, other))))
+        other++;
+    if (other < count)
         complain(0, file,
                  "the solid '%s' has complements only; did you mean %s?",
                  escape(shown, names_get(&s->names, solid), NAME_SHOWN),

@@ -54,6 +54,12 @@ static inline int begins_with(struct string s, const char *word)
     return s.length >= length && memcmp(s.text, word, length) == 0;
 }
 
+/* A control character that is neither a tab nor the end of a line. */
+static inline int is_control(char c)
+{
+    return (unsigned char)c < ' ' && c != '\t' && c != '\n' && c != '\r';
+}
+
 static inline int is_digit(char c)
 {
     return c >= '0' && c <= '9';
