@@ -119,19 +119,24 @@ typedef struct {
     vpair D[3], inverse;
 } from_center;
 
-INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top,
-                               int ball)
+INLINE from_center load_center(const half_plane *m, const shape_lanes *s,
+                               const vd x[3], vm is_top, int ball)
 {
     from_center c;
     vpair squares[3];
+    if (ball) {
+        EACH(i, 3)
+            c.D[i] = m->D[i];
+        c.inverse = m->inverse;
+        if (LANES == 1 && m_any(v_eq(m->square.hi, v_set(0))))
+            c.D[0].hi = c.inverse.hi = v_set(1);
+        return c;
+    }
     EACH(i, 3) {
         c.D[i] = v_two_sum(x[i], -v_select(is_top, s->top[i], s->base[i]));
         squares[i] = vpair_square(c.D[i]);
     }
-    vpair square = pairs_sum3(squares);
-    if (LANES == 1 && ball && m_any(v_eq(square.hi, v_set(0))))
-        c.D[0].hi = square.hi = v_set(1);
-    pairs_root(square, &c.inverse);
+    pairs_root(pairs_sum3(squares), &c.inverse);
     return c;
 }
 
@@ -192,7 +197,7 @@ INLINE void describe_nearest(described_point *to, const vnearest *n,
     const int any_given = m_any(m_or(s->along, f.is_apex));
     from_center c;
     if (round)
-        c = load_center(s, x, f.is_top, ball);
+        c = load_center(m, s, x, f.is_top, ball);
     const vm regular = is_regular(m, &f, r.hi, round ? &c : NULL);
     to->point_certain = to->normal_certain = m_and(n->certain, regular);
     EACH(i, 3) {
