@@ -16,6 +16,7 @@ typedef struct {
     size_t number; /* at first that of all shapes: none */
     double least;  /* at first infinite */
     cylint_hit hit;
+    cylint_shape *shape; /* a copy of it is stored here, if not NULL */
     double distance;
     int flags;
 } least_shape;
@@ -30,6 +31,8 @@ static double keep_least(void *context, const cylint_found *x)
     q->least = x->at;
     if (x->hit)
         q->hit = *x->hit;
+    if (q->shape)
+        *q->shape = *x->shape;
     if (x->closest) {
         q->distance = x->closest->distance;
         q->flags = x->closest->flags;
@@ -142,7 +145,8 @@ static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
         return 0;
     keep_least(q, &(cylint_found){.number = scene->others[first],
                                   .at = hit.t,
-                                  .hit = &hit});
+                                  .hit = &hit,
+                                  .shape = &scene->pack.shapes[first]});
     return 1;
 }
 
@@ -150,8 +154,10 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
                                   const cylint_line *line, size_t except,
                                   unsigned want, cylint_hit *hit)
 {
-    least_shape q = {.number = scene->n, .least = HUGE_VAL};
+    const unsigned late = want & ~(unsigned)EARLY_MEMBERS;
     cylint_shape shape;
+    least_shape q = {
+        .number = scene->n, .least = HUGE_VAL, .shape = late ? &shape : NULL};
     const cylint_visit_options options = {
         .except = except,
         .want = EARLY_MEMBERS,
@@ -163,10 +169,8 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
     if (number == scene->n)
         return number;
     cylint_copy_hit(hit, &q.hit, want & EARLY_MEMBERS);
-    if (want & ~(unsigned)EARLY_MEMBERS) {
-        cylint_record_shape(&scene->records, number, &shape);
+    if (late)
         cylint_write_hit(&shape, line, &q.hit, want, hit);
-    }
     return number;
 }
 
@@ -228,15 +232,16 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
                             cylint_closest *answer)
 {
-    least_shape q = {.number = scene->n, .least = HUGE_VAL};
+    const unsigned late = want & UNCOMPUTED;
     cylint_shape shape;
+    least_shape q = {
+        .number = scene->n, .least = HUGE_VAL, .shape = late ? &shape : NULL};
     cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 1,
                        keep_least, &q);
     const size_t number = q.number;
     if (number == scene->n)
         return number;
-    if (want & UNCOMPUTED) {
-        cylint_record_shape(&scene->records, number, &shape);
+    if (late) {
         cylint_distance(&shape, point, want, answer);
     } else {
         answer->distance = q.distance;

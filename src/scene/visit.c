@@ -147,12 +147,12 @@ typedef struct {
     int n_later;
 } line_visit;
 
-/* Whether the line hits the shape; writes the wanted members. */
+/* Whether the line hits the shape; writes the shape and the members if members are
+ * wanted. */
 static int line_hits(const line_visit *v, size_t number, unsigned want,
-                     cylint_hit *hit)
+                     cylint_shape *shape, cylint_hit *hit)
 {
     const cylint_records *r = &v->scene->records;
-    cylint_shape shape;
     cylint_answer answer;
     const int is =
         r->tag[number] & CYLINT_TAG_PLAIN
@@ -162,11 +162,10 @@ static int line_hits(const line_visit *v, size_t number, unsigned want,
             : CYLINT_UNDECIDED;
     if (is == 0 || (is == 1 && want == 0))
         return is;
-    cylint_record_shape(r, number, &shape);
+    cylint_record_shape(r, number, shape);
     if (want == 0)
-        return cylint_occluded(&shape, &v->line);
-    if (!cylint_intersect(&shape, &v->line, want | CYLINT_WANT_NEAREST,
-                          &answer))
+        return cylint_occluded(shape, &v->line);
+    if (!cylint_intersect(shape, &v->line, want | CYLINT_WANT_NEAREST, &answer))
         return 0;
     *hit = answer.hit[0];
     return 1;
@@ -206,14 +205,16 @@ static int visit_chords_at(line_visit *v, size_t number)
 static int test_line_at(void *self, size_t number)
 {
     line_visit *v = self;
+    cylint_shape shape;
     cylint_hit hit;
     if (v->is_of_chords)
         return visit_chords_at(v, number);
-    if (number == v->except || !line_hits(v, number, v->want, &hit))
+    if (number == v->except || !line_hits(v, number, v->want, &shape, &hit))
         return 0;
     const cylint_found found = {.number = number,
                                 .at = v->want & CYLINT_WANT_T ? hit.t : 0,
-                                .hit = v->want ? &hit : NULL};
+                                .hit = v->want ? &hit : NULL,
+                                .shape = &shape};
     shorten_line(v, v->callback(v->context, &found));
     return 1;
 }
@@ -224,8 +225,9 @@ static int test_line_at(void *self, size_t number)
  * that piece, and no other piece contains the hit. */
 static int owns_first_hit(const void *self, const cylint_leaf *leaf, int lane)
 {
+    cylint_shape shape;
     cylint_hit hit;
-    return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
+    return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &shape, &hit) &&
            cylint_leaf_owns(leaf, lane, hit.z);
 }
 
@@ -441,18 +443,17 @@ static double compared(const point_visit *v, const cylint_closest *answer)
  * and flags.  cylint_contains() takes less time than the distance, and decides
  * about shapes that must hold the point. */
 static int point_is_near(const point_visit *v, size_t number,
-                         cylint_closest *answer)
+                         cylint_shape *shape, cylint_closest *answer)
 {
-    cylint_shape shape;
-    make_tested(v, number, &shape);
+    make_tested(v, number, shape);
     answer->distance = answer->flags = 0;
     if (v->nearness != CYLINT_NEAR_SURFACE && cylint_sign(v->radius) <= 0 &&
-        cylint_contains(&shape, v->point) < 0)
+        cylint_contains(shape, v->point) < 0)
         return 0;
     if (v->nearness >= CYLINT_HOLDING)
         return 1;
     answer->part = 0; /* written only if there is no surface */
-    cylint_distance(&shape, v->point, 0, answer);
+    cylint_distance(shape, v->point, 0, answer);
     return answer->part >= 0 && !cylint_less(v->radius, compared(v, answer));
 }
 
@@ -460,11 +461,14 @@ static int point_is_near(const point_visit *v, size_t number,
 static int test_point_at(void *self, size_t number)
 {
     point_visit *v = self;
+    cylint_shape shape;
     cylint_closest answer;
-    if (!point_is_near(v, number, &answer))
+    if (!point_is_near(v, number, &shape, &answer))
         return 0;
-    const cylint_found found = {
-        .number = number, .at = compared(v, &answer), .closest = &answer};
+    const cylint_found found = {.number = number,
+                                .at = compared(v, &answer),
+                                .closest = &answer,
+                                .shape = &shape};
     const double radius = v->callback(v->context, &found);
     if (!(radius >= v->radius))
         set_point_radius(v, radius);

@@ -14,7 +14,9 @@ typedef struct cylint_found {
     size_t number;
     double at; /* t of the first hit, if it is wanted; or the distance, signed
                   where it is that to a solid */
-    const cylint_hit *hit;         /* of a line; NULL if no member is wanted */
+    const cylint_hit *hit;     /* of a line; NULL if no member is wanted */
+    const cylint_shape *shape; /* of a line: if a member is wanted; of a point:
+                                  with closed ends if its solid counts */
     const cylint_closest *closest; /* of a point: distance and flags */
     cylint_interval chord;         /* of a line, in a visit of chords */
 } cylint_found;
