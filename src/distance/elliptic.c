@@ -110,8 +110,8 @@ static int compare(const search *s, const candidate *x)
                                         !cylint_is_tapered(s->p.shape->kind))) {
         /* half of the difference of the squares */
         const stationary *form = &s->form[x->feature];
-        const triple more = triple_sub(cylint_integral_at(form, &best->at),
-                                       cylint_integral_at(form, &x->at));
+        const triple more =
+            triple_sub(integral_at(form, &best->at), integral_at(form, &x->at));
         const int order =
             sign_beyond(triple_value(more), ORDER_ERROR * form->terms);
         if (order != 0)
@@ -178,9 +178,9 @@ static void try_lateral(search *s, const direction *at, int nappe)
 {
     triple u[3], v[3];
     candidate x = on_ellipse(CYLINT_FEATURE_LATERAL, 1, at);
-    cylint_load_ruling(&s->p, at, u, v);
+    load_ruling(&s->p, at, u, v);
     x.nappe = nappe;
-    x.z = triple_div(cylint_along_ruling(&s->p, at), triple_dot(v, v));
+    x.z = triple_div(along_ruling(&s->p, at), triple_dot(v, v));
     const double rho = triple_value(
         triple_add(triple_of(s->p.near), triple_mul(s->p.k1, x.z)));
     if ((rho < 0) != (nappe < 0) ||
@@ -229,7 +229,7 @@ static void try_cap(search *s, int end)
     candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end);
     const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
     const double of_a = triple_unit(a, s->p.a), of_b = triple_unit(b, s->p.b);
-    cylint_from_end(&s->p, end, from);
+    from_end(&s->p, end, from);
     triple_cross(M, a, b);
     triple_cross(right, from, b);
     triple_cross(up, a, from);
@@ -282,7 +282,7 @@ static void load_normal(search *s)
         cross_units(s->N, s->p.a, s->p.b);
         sign = s->best.feature == CYLINT_FEATURE_CAP0 ? -right : right;
     } else {
-        cylint_load_ruling(&s->p, at, u, v);
+        load_ruling(&s->p, at, u, v);
         triple_combine(du, s->p.b, at->cos, s->p.a, triple_neg(at->sin));
         cross_units(s->N, du, v);
     }
@@ -306,7 +306,7 @@ static void describe_best(search *s)
     if (s->best.feature == CYLINT_FEATURE_LATERAL) {
         s->distance = height_over(s->best.R, s->N);
     } else if (cylint_is_on_end(s->best.feature)) {
-        cylint_from_end(&s->p, cylint_feature_end(s->best.feature), from);
+        from_end(&s->p, cylint_feature_end(s->best.feature), from);
         s->distance = height_over(from, s->N);
     } else {
         s->distance = length_of(s->best.R);
@@ -344,13 +344,13 @@ static int has_outward(search *s)
 
 static void search_lateral(search *s)
 {
-    direction at[CYLINT_MOST_CRITICAL];
+    direction at[MOST_CRITICAL];
     stationary *form = &s->form[CYLINT_FEATURE_LATERAL];
     const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
     if (s->only != ANY_FEATURE && s->only != CYLINT_FEATURE_LATERAL)
         return;
-    cylint_lateral_form(&s->p, form);
-    const int n = cylint_critical_directions(form, at);
+    lateral_form(&s->p, form);
+    const int n = critical_directions(form, at);
     for (int nappe = 1; nappe >= last; nappe -= 2)
         for (int i = 0; i < n; i++)
             try_lateral(s, &at[i], nappe);
@@ -359,11 +359,11 @@ static void search_lateral(search *s)
 static void search_rim(search *s, int end)
 {
     triple from[3];
-    direction at[CYLINT_MOST_CRITICAL];
+    direction at[MOST_CRITICAL];
     stationary *form = &s->form[CYLINT_FEATURE_RIM0 + end];
-    cylint_from_end(&s->p, end, from);
-    cylint_rim_form(&s->p, from, cylint_end_factor(s->p.shape, end), form);
-    const int n = cylint_critical_directions(form, at);
+    from_end(&s->p, end, from);
+    rim_form(&s->p, from, cylint_end_factor(s->p.shape, end), form);
+    const int n = critical_directions(form, at);
     for (int i = 0; i < n; i++)
         try_rim(s, end, &at[i]);
 }
@@ -442,14 +442,13 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
     const elliptic_terms *p = &s->p;
     const candidate *best = &s->best;
     const double turn =
-        best->factor > 0
-            ? cylint_direction_error(&s->form[best->feature], &best->at)
-            : 0;
+        best->factor > 0 ? direction_error(&s->form[best->feature], &best->at)
+                         : 0;
     triple u[3], v[3];
     const triple beside = triple_scaled(best->z, p->far - p->whole),
                  z = triple_add(beside, p->moved);
     const double z_terms = fabs(beside.a) + fabs(p->moved.a);
-    cylint_load_ruling(p, &best->at, u, v);
+    load_ruling(p, &best->at, u, v);
     for (int i = 0; i < 3; i++) {
         const double turned = turn * fabs(p->b[i].a * best->at.cos.a -
                                           p->a[i].a * best->at.sin.a);
@@ -481,7 +480,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
 {
     search s;
     const int side = cylint_contains(shape, point);
-    cylint_load_elliptic(&s.p, shape, point);
+    load_elliptic(&s.p, shape, point);
     s.only = ANY_FEATURE;
     s.best.feature = CYLINT_NO_FEATURE;
     /* mutant '0' -> '1': no effect, feet beyond the ends are then passed over */
@@ -511,7 +510,7 @@ double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
 {
     elliptic_terms p;
     triple M[3];
-    cylint_load_elliptic(&p, shape, point);
+    load_elliptic(&p, shape, point);
     triple_cross(M, p.a, p.b);
     if (!cylint_rounds_to_nearest() || !(fabs(triple_dot(M, p.h).a) >= FLAT))
         return 0;

@@ -42,23 +42,233 @@ static inline int exponent_or_none(double x)
     return cylint_sign(x) == 0 ? NO_EXPONENT : cylint_any_exponent(x);
 }
 
-void cylint_load_elliptic(elliptic_terms *p, const cylint_shape *shape,
-                          const double point[3]);
+enum { MOST_RATIO = 400, MOST_FAR = 900, MOST_STRETCH = 900 };
+
+static int larger(int x, int y)
+{
+    return x > y ? x : y;
+}
+
+static int exponent_of(const double v[3])
+{
+    return larger(larger(exponent_or_none(v[0]), exponent_or_none(v[1])),
+                  exponent_or_none(v[2]));
+}
+
+static void load_scaled(triple to[3], const double v[3], int e)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = triple_of(cylint_scaled(v[i], -e));
+}
+
+/* The exponent of the longest of a, b, h, k a and k b. */
+static int exponent_of_shape(const cylint_shape *shape)
+{
+    const int section =
+        larger(exponent_of(cylint_a(shape)), exponent_of(cylint_b(shape)));
+    const int k = cylint_r1(shape) > 1
+                      ? section + cylint_any_exponent(cylint_r1(shape))
+                      : section;
+    return larger(k, exponent_of(cylint_axis(shape)));
+}
+
+/* g and k1.  The largest component of v is then about 1. */
+static void load_stretched(elliptic_terms *p)
+{
+    const triple k1 = triple_add(triple_of(cylint_r1(p->shape)), triple_of(-1));
+    const int section = larger(exponent_of(cylint_a(p->shape)),
+                               exponent_of(cylint_b(p->shape))) -
+                        p->e;
+    const int grown = exponent_or_none(k1.a) + section;
+    const int e = larger(exponent_of(cylint_axis(p->shape)) - p->e, grown);
+    p->stretch = cylint_power_of_two(larger(-MOST_STRETCH, -e) < MOST_STRETCH
+                                         ? larger(-MOST_STRETCH, -e)
+                                         : MOST_STRETCH);
+    p->k1 = triple_scale(k1, p->stretch);
+    for (int i = 0; i < 3; i++)
+        p->g[i] = triple_scale(p->h[i], p->stretch);
+}
+
+/* A component of Q: x 2^e, exactly. */
+typedef struct {
+    pair x;
+    int e;
+} difference;
+
+static difference difference_of(double x, double y)
+{
+    const pair d = cylint_difference(x, y);
+    return fabs(d.hi) <= DBL_MAX
+               ? (difference){d, 0}
+               : (difference){cylint_difference(0.5 * x, 0.5 * y), 1};
+}
+
+static triple in_unit(const difference *d, int unit)
+{
+    return triple_scaled(triple_of_pair(d->x), d->e - unit);
+}
+
+static void choose_unit(elliptic_terms *p, int most)
+{
+    p->far = larger(0, most - p->e - MOST_RATIO);
+    p->near = cylint_power_of_two(larger(-MOST_FAR, -p->far));
+}
+
+/* Moves an unbounded cylinder along its axis.  Components of Q along which g is 0
+ * keep all their digits. */
+static void move_along(elliptic_terms *p, const difference d[3])
+{
+    int most = NO_EXPONENT, exponent[3];
+    const double gg = triple_dot_doubles(p->g, p->g).a;
+    for (int digits = 0; digits < 3; digits++) {
+        const double z = triple_value(triple_dot_doubles(p->Q, p->g)) / gg;
+        p->moved = triple_add(p->moved, triple_of(z));
+        for (int i = 0; i < 3; i++)
+            p->Q[i] =
+                triple_sub(p->Q[i], triple_times(triple_of(z), p->g[i].a));
+    }
+    for (int i = 0; i < 3; i++) {
+        exponent[i] = p->g[i].a == 0
+                          ? exponent_or_none(d[i].x.hi) + d[i].e
+                          : exponent_or_none(p->Q[i].a) + p->e + p->far;
+        most = larger(most, exponent[i]);
+    }
+    choose_unit(p, most);
+    for (int i = 0; i < 3; i++)
+        p->Q[i] = p->g[i].a == 0 ? in_unit(&d[i], p->e + p->far)
+                                 : triple_scaled(p->Q[i], p->whole - p->far);
+}
+
+static void load_point(elliptic_terms *p)
+{
+    const cylint_shape *s = p->shape;
+    difference d[3];
+    int most = NO_EXPONENT;
+    for (int i = 0; i < 3; i++) {
+        d[i] = difference_of(p->point[i], cylint_base(s)[i]);
+        most = larger(most, exponent_or_none(d[i].x.hi) + d[i].e);
+    }
+    choose_unit(p, most);
+    for (int i = 0; i < 3; i++)
+        p->Q[i] = in_unit(&d[i], p->e + p->far);
+    p->whole = p->far;
+    p->moved = triple_of(0);
+    p->length = triple_largest(p->Q);
+    if (!cylint_is_bounded(s) && !cylint_is_tapered(s->kind))
+        move_along(p, d);
+}
+
+static void load_elliptic(elliptic_terms *p, const cylint_shape *shape,
+                          const double point[3])
+{
+    p->shape = shape;
+    p->point = point;
+    p->e = exponent_of_shape(shape);
+    load_scaled(p->a, cylint_a(shape), p->e);
+    load_scaled(p->b, cylint_b(shape), p->e);
+    load_scaled(p->h, cylint_axis(shape), p->e);
+    load_stretched(p);
+    load_point(p);
+    p->aa = triple_dot_doubles(p->a, p->a);
+    p->ab = triple_dot_doubles(p->a, p->b);
+    p->bb = triple_dot_doubles(p->b, p->b);
+    p->ag = triple_dot_doubles(p->a, p->g);
+    p->bg = triple_dot_doubles(p->b, p->g);
+    p->gg = triple_dot_doubles(p->g, p->g);
+    p->Qa = triple_dot_doubles(p->Q, p->a);
+    p->Qb = triple_dot_doubles(p->Q, p->b);
+    p->Qg = triple_dot_doubles(p->Q, p->g);
+}
 
 /* Q minus the centre of an end, in the unit of Q. */
-void cylint_from_end(const elliptic_terms *p, int end, triple to[3]);
+static void from_end(const elliptic_terms *p, int end, triple to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] =
+            end ? triple_sub(p->Q[i], triple_scale(p->h[i], p->near)) : p->Q[i];
+}
 
-/* The angles at which the distance from a ruling, and from a rim of the given
- * factor, is stationary.  from: cylint_from_end(). */
-void cylint_lateral_form(const elliptic_terms *p, stationary *f);
-void cylint_rim_form(const elliptic_terms *p, const triple from[3],
-                     double factor, stationary *f);
+/* The sizes of the terms of u.v. */
+static double dot_sizes(const triple u[3], const triple v[3])
+{
+    return fabs(u[0].a * v[0].a) + fabs(u[1].a * v[1].a) +
+           fabs(u[2].a * v[2].a);
+}
+
+/* The squares of cylinders and rims. */
+static double square_sizes(const stationary *f)
+{
+    return fabs(f->square[0].a) + fabs(f->square[1].a);
+}
+
+/* The angles at which the distance from a ruling is stationary:
+ * E.u' v.v - E.v v.u', E = Q - near u, without the terms that cancel.  v occurs
+ * twice in each term, so `stretch` does not change the zeros. */
+static void lateral_form(const elliptic_terms *p, stationary *f)
+{
+    const triple ag = triple_scale(p->ag, p->near),
+                 bg = triple_scale(p->bg, p->near);
+    const triple x =
+        triple_mul(p->k1, triple_add(triple_mul(p->k1, p->Qa), ag));
+    const triple y =
+        triple_mul(p->k1, triple_add(triple_mul(p->k1, p->Qb), bg));
+    const triple k =
+        triple_add(triple_scale(p->gg, p->near), triple_mul(p->k1, p->Qg));
+    const triple ab = triple_mul(p->Qa, p->bg), ba = triple_mul(p->Qb, p->ag);
+    const triple turned = triple_det(ag, p->bg, k, p->ab);
+    f->linear[0] = triple_add(triple_det(p->aa, y, p->ab, x),
+                              triple_det(p->gg, p->Qb, p->Qg, p->bg));
+    f->linear[1] = triple_sub(triple_det(p->ab, y, p->bb, x),
+                              triple_det(p->gg, p->Qa, p->Qg, p->ag));
+    f->square[0] = triple_add(
+        triple_mul(p->k1, triple_sub(triple_scale(ba, 2), ab)), turned);
+    f->square[2] = triple_sub(
+        triple_mul(p->k1, triple_sub(ba, triple_scale(ab, 2))), turned);
+    f->square[1] = triple_sub(
+        triple_add(triple_mul(p->k1, triple_det(p->Qb, p->bg, p->Qa, p->ag)),
+                   triple_det(bg, p->bg, ag, p->ag)),
+        triple_mul(k, triple_sub(p->bb, p->aa)));
+    f->terms = p->gg.a * (dot_sizes(p->Q, p->a) + dot_sizes(p->Q, p->b)) +
+               dot_sizes(p->Q, p->g) *
+                   (dot_sizes(p->a, p->g) + dot_sizes(p->b, p->g)) +
+               square_sizes(f);
+}
+
+/* The same of a rim of this factor: E.u' for E = Q - near (f + e u).  from:
+ * from_end(). */
+static void rim_form(const elliptic_terms *p, const triple from[3],
+                     double factor, stationary *f)
+{
+    const triple e = triple_scale(triple_of(factor), p->near);
+    const triple ab = triple_mul(e, p->ab);
+    f->linear[0] = triple_dot(from, p->b);
+    f->linear[1] = triple_neg(triple_dot(from, p->a));
+    f->square[0] = triple_neg(ab);
+    f->square[1] = triple_mul(e, triple_sub(p->aa, p->bb));
+    f->square[2] = ab;
+    f->terms = dot_sizes(from, p->a) + dot_sizes(from, p->b) + square_sizes(f);
+}
 
 /* u and v of a ruling. */
-void cylint_load_ruling(const elliptic_terms *p, const direction *at,
-                        triple u[3], triple v[3]);
+static void load_ruling(const elliptic_terms *p, const direction *at,
+                        triple u[3], triple v[3])
+{
+    triple_combine(u, p->a, at->cos, p->b, at->sin);
+    for (int i = 0; i < 3; i++)
+        v[i] = triple_add(p->g[i], triple_mul(p->k1, u[i]));
+}
 
 /* (Q - near u).v, where terms that are exactly 0 stay 0. */
-triple cylint_along_ruling(const elliptic_terms *p, const direction *at);
+static triple along_ruling(const elliptic_terms *p, const direction *at)
+{
+    const triple Qu = triple_mul2(p->Qa, at->cos, p->Qb, at->sin);
+    const triple uh = triple_mul2(p->ag, at->cos, p->bg, at->sin);
+    const triple by_cos = triple_mul2(p->aa, at->cos, p->ab, at->sin);
+    const triple by_sin = triple_mul2(p->ab, at->cos, p->bb, at->sin);
+    const triple uu = triple_mul2(by_cos, at->cos, by_sin, at->sin);
+    return triple_add(
+        triple_sub(p->Qg, triple_scale(uh, p->near)),
+        triple_mul(p->k1, triple_sub(Qu, triple_scale(uu, p->near))));
+}
 
 #endif
