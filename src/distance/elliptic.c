@@ -30,8 +30,6 @@
 #include "elliptic_terms.h"
 #include "nearest.h"
 
-enum { ANY_FEATURE = CYLINT_NO_FEATURE };
-
 /* The error of a distance relative to the longest length, for shapes with a
  * volume a.(b x h) of at least FLAT of the cube of the longest of a, b and h. */
 #define DISTANCE_ERROR 0x1p-80
@@ -49,9 +47,8 @@ typedef struct {
     int feature;     /* CYLINT_NO_FEATURE: none */
     int nappe;       /* the sign of the section's factor there */
     direction at;    /* of lateral surface and rims; else the angle 0 */
-    double factor;   /* of u in G; else 0 */
+    double factor;   /* of a and b in G; of an apex 0 */
     triple G[3];     /* in the unit of the shape */
-    double terms[3]; /* the sizes of the terms of G */
     triple z, zv[3]; /* of the lateral surface, in the unit of Q; else 0 */
     triple R[3];     /* Q - F */
 } candidate;
@@ -59,13 +56,17 @@ typedef struct {
 typedef struct {
     elliptic_terms p;
     stationary form[CYLINT_FEATURE_APEX]; /* of lateral surface and rims */
-    int only;        /* the feature to be found, or ANY_FEATURE */
-    int inside;      /* the point is inside a solid with both caps */
+    int inside;                           /* feet beyond the ends serve, too */
     int has_lateral; /* there is a candidate on the lateral surface */
     candidate best;
     triple N[3];   /* its normal, but for the length */
     pair distance; /* of it */
 } search;
+
+static double sizes(const triple v[3])
+{
+    return fabs(v[0].a) + fabs(v[1].a) + fabs(v[2].a);
+}
 
 /* -------------------------------------------------------- candidates ---- */
 
@@ -99,6 +100,14 @@ static int sign_beyond(double x, double error)
     return fabs(x) <= error ? 0 : x < 0 ? -1 : 1;
 }
 
+/* The sizes of the terms of G, at least. */
+static double terms_of(const search *s, const candidate *x, int i)
+{
+    return fabs(x->G[i].a) +
+           (cylint_feature_end(x->feature) ? fabs(s->p.h[i].a) : 0) +
+           x->factor * (fabs(s->p.a[i].a) + fabs(s->p.b[i].a));
+}
+
 /* -1: x is nearer than the best so far, 1: it is farther, 0: the difference of
  * their distances is not certain. */
 static int compare(const search *s, const candidate *x)
@@ -122,7 +131,7 @@ static int compare(const search *s, const candidate *x)
             triple_add(triple_scale(triple_sub(best->G[i], x->G[i]), s->p.near),
                        triple_sub(best->zv[i], x->zv[i]));
         sum[i] = triple_add(best->R[i], x->R[i]);
-        error += (s->p.near * (best->terms[i] + x->terms[i]) +
+        error += (s->p.near * (terms_of(s, best, i) + terms_of(s, x, i)) +
                   fabs(best->zv[i].a) + fabs(x->zv[i].a)) *
                  (fabs(best->R[i].a) + fabs(x->R[i].a));
     }
@@ -135,7 +144,7 @@ static int compare(const search *s, const candidate *x)
 static void offer(search *s, const candidate *x)
 {
     const candidate *best = &s->best;
-    if (s->only != ANY_FEATURE && x->feature != s->only)
+    if (!(sizes(x->R) <= DBL_MAX))
         return;
     const int part = cylint_feature_part(x->feature),
               best_part = cylint_feature_part(best->feature);
@@ -152,11 +161,9 @@ static void place(const search *s, candidate *x, const triple origin[3],
                   const triple u[3], triple p, const triple v[3], triple q)
 {
     for (int i = 0; i < 3; i++) {
-        const triple up = triple_mul(u[i], p), vq = triple_mul(v[i], q);
-        x->G[i] = triple_add(origin[i], triple_add(up, vq));
+        x->G[i] = triple_add(origin[i], triple_mul2(u[i], p, v[i], q));
         x->R[i] = triple_sub(
             triple_sub(s->p.Q[i], triple_scale(x->G[i], s->p.near)), x->zv[i]);
-        x->terms[i] = fabs(origin[i].a) + fabs(up.a) + fabs(vq.a);
     }
 }
 
@@ -166,7 +173,7 @@ static const triple nowhere[3]; /* the base */
  * is 1 + k1 z, are in the unit of Q. */
 static int is_within(const search *s, triple z, double rho)
 {
-    if (s->only != ANY_FEATURE || s->inside)
+    if (s->inside)
         return 1;
     if (cylint_is_bounded(s->p.shape))
         return z.a > 0 && triple_value(triple_sub(z, triple_of(s->p.near))) < 0;
@@ -227,7 +234,8 @@ static void try_cap(search *s, int end)
 {
     triple from[3], a[3], b[3], M[3], right[3], up[3];
     candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end);
-    const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
+    c.factor = cylint_end_factor(s->p.shape, end);
+    const triple factor = triple_of(c.factor);
     const double of_a = triple_unit(a, s->p.a), of_b = triple_unit(b, s->p.b);
     from_end(&s->p, end, from);
     triple_cross(M, a, b);
@@ -241,7 +249,7 @@ static void try_cap(search *s, int end)
     const triple in_a = triple_scale(x, of_a), in_b = triple_scale(y, of_b);
     const triple room = triple_sub(triple_mul(factor, factor),
                                    triple_mul2(in_a, in_a, in_b, in_b));
-    if (s->only == ANY_FEATURE && !s->inside && !(triple_value(room) > 0))
+    if (!s->inside && !(triple_value(room) > 0))
         return;
     place(s, &c, end ? s->p.h : nowhere, a, x, b, y);
     offer(s, &c);
@@ -290,44 +298,21 @@ static void load_normal(search *s)
         s->N[i] = triple_scale(s->N[i], sign);
 }
 
-static int is_direction(const triple v[3])
-{
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        sum += fabs(v[i].a);
-    /* untaken 1 of 4: no known direction overflows */
-    return sum > 0 && sum <= DBL_MAX;
-}
-
-static void describe_best(search *s)
-{
-    triple from[3];
-    load_normal(s);
-    if (s->best.feature == CYLINT_FEATURE_LATERAL) {
-        s->distance = height_over(s->best.R, s->N);
-    } else if (cylint_is_on_end(s->best.feature)) {
-        from_end(&s->p, cylint_feature_end(s->best.feature), from);
-        s->distance = height_over(from, s->N);
-    } else {
-        s->distance = length_of(s->best.R);
-    }
-}
-
 /* Normal and distance of the best candidate.  Where exponents differ by more than
- * 900, products underflow: then the end of a is the answer, and a normal that
- * vanished is replaced by a. */
+ * 900, products underflow: a normal that vanished is replaced by a. */
 static void measure_best(search *s)
 {
-    if (s->best.feature != CYLINT_NO_FEATURE)
-        describe_best(s);
-    if (s->best.feature == CYLINT_NO_FEATURE || !(s->distance.hi <= DBL_MAX)) {
-        s->best = candidate_of(CYLINT_FEATURE_LATERAL);
-        place(s, &s->best, nowhere, s->p.a, triple_of(1), s->p.b, triple_of(0));
-        load_normal(s);
-        s->distance = length_of(s->best.R);
-    }
-    if (!is_direction(s->N))
-        triple_unit(s->N, is_direction(s->p.a) ? s->p.a : s->p.h);
+    if (s->best.feature == CYLINT_NO_FEATURE)
+        s->best.feature = CYLINT_FEATURE_LATERAL;
+    load_normal(s);
+    const double size = sizes(s->N);
+    /* untaken 1 of 4: no known direction overflows */
+    const int vanished = !(size > 0 && size <= DBL_MAX);
+    s->distance = vanished || s->best.feature >= CYLINT_FEATURE_RIM0
+                      ? length_of(s->best.R)
+                      : height_over(s->best.R, s->N);
+    if (vanished)
+        triple_unit(s->N, sizes(s->p.a) > 0 ? s->p.a : s->p.h);
 }
 
 /* Whether there is a point of a cap or of the lateral surface from which the
@@ -347,8 +332,6 @@ static void search_lateral(search *s)
     direction at[MOST_CRITICAL];
     stationary *form = &s->form[CYLINT_FEATURE_LATERAL];
     const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
-    if (s->only != ANY_FEATURE && s->only != CYLINT_FEATURE_LATERAL)
-        return;
     lateral_form(&s->p, form);
     const int n = critical_directions(form, at);
     for (int nappe = 1; nappe >= last; nappe -= 2)
@@ -374,7 +357,7 @@ static void search_ends(search *s)
     for (int end = 0; end < 2; end++) {
         if (cylint_sign(cylint_end_factor(s->p.shape, end)) == 0)
             try_apex(s, s->p.h, triple_of(end));
-        else if (s->only == ANY_FEATURE || s->only == CYLINT_FEATURE_RIM0 + end)
+        else
             search_rim(s, end);
     }
 }
@@ -414,6 +397,17 @@ static void search_all(search *s, int side)
         try_apex(s, s->p.g, triple_div(triple_of(-1), s->p.k1));
 }
 
+/* The point is on this feature.  Normals of caps and apex need no angle. */
+static void search_feature(search *s, int feature)
+{
+    s->inside = 1;
+    if (feature == CYLINT_FEATURE_LATERAL)
+        search_lateral(s);
+    else if (!cylint_is_on_end(feature) && feature != CYLINT_FEATURE_APEX)
+        search_rim(s, cylint_feature_end(feature));
+    s->best.feature = feature;
+}
+
 /* ---------------------------------------------------------- the answer -- */
 
 /* The coordinate base + G + z v.  The exponents of the terms can differ by more
@@ -441,24 +435,19 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
 {
     const elliptic_terms *p = &s->p;
     const candidate *best = &s->best;
-    const double turn =
-        best->factor > 0 ? direction_error(&s->form[best->feature], &best->at)
-                         : 0;
     triple u[3], v[3];
     const triple beside = triple_scaled(best->z, p->far - p->whole),
                  z = triple_add(beside, p->moved);
     const double z_terms = fabs(beside.a) + fabs(p->moved.a);
     load_ruling(p, &best->at, u, v);
     for (int i = 0; i < 3; i++) {
-        const double turned = turn * fabs(p->b[i].a * best->at.cos.a -
-                                          p->a[i].a * best->at.sin.a);
         const double v_terms =
-            fabs(p->g[i].a) + fabs(p->k1.a) * (fabs(u[i].a) + turned);
-        const double x = is_on
-                             ? p->point[i]
-                             : point_of(s, i, triple_mul(z, v[i]),
-                                        best->terms[i] + best->factor * turned,
-                                        z_terms * v_terms);
+            fabs(p->g[i].a) +
+            fabs(p->k1.a) * (fabs(p->a[i].a) + fabs(p->b[i].a));
+        const double x =
+            is_on ? p->point[i]
+                  : point_of(s, i, triple_mul(z, v[i]), terms_of(s, best, i),
+                             z_terms * v_terms);
         to[i] = cylint_positive_zero(x);
     }
 }
@@ -481,15 +470,18 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     search s;
     const int side = cylint_contains(shape, point);
     load_elliptic(&s.p, shape, point);
-    s.only = ANY_FEATURE;
-    s.best.feature = CYLINT_NO_FEATURE;
+    s.best = candidate_of(CYLINT_NO_FEATURE); /* the end of a */
+    place(&s, &s.best, nowhere, s.p.a, triple_of(1), s.p.b, triple_of(0));
     /* mutant '0' -> '1': no effect, feet beyond the ends are then passed over */
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
     s.has_lateral = 0;
-    if (side == 0)
-        s.only = cylint_boundary_feature(shape, point);
-    const int is_on = s.only != ANY_FEATURE;
-    search_all(&s, side);
+    const int on =
+        side == 0 ? cylint_boundary_feature(shape, point) : CYLINT_NO_FEATURE;
+    const int is_on = on != CYLINT_NO_FEATURE;
+    if (is_on)
+        search_feature(&s, on);
+    else
+        search_all(&s, side);
     measure_best(&s);
     if (want & CYLINT_WANT_PART)
         cylint_write_feature(shape, s.best.feature, answer);

@@ -42,7 +42,7 @@ static inline int exponent_or_none(double x)
     return cylint_sign(x) == 0 ? NO_EXPONENT : cylint_any_exponent(x);
 }
 
-enum { MOST_RATIO = 400, MOST_FAR = 900, MOST_STRETCH = 900 };
+enum { MOST_RATIO = 400, MOST_FAR = 900 };
 
 static int larger(int x, int y)
 {
@@ -72,42 +72,6 @@ static int exponent_of_shape(const cylint_shape *shape)
     return larger(k, exponent_of(cylint_axis(shape)));
 }
 
-/* g and k1.  The largest component of v is then about 1. */
-static void load_stretched(elliptic_terms *p)
-{
-    const triple k1 = triple_add(triple_of(cylint_r1(p->shape)), triple_of(-1));
-    const int section = larger(exponent_of(cylint_a(p->shape)),
-                               exponent_of(cylint_b(p->shape))) -
-                        p->e;
-    const int grown = exponent_or_none(k1.a) + section;
-    const int e = larger(exponent_of(cylint_axis(p->shape)) - p->e, grown);
-    p->stretch = cylint_power_of_two(larger(-MOST_STRETCH, -e) < MOST_STRETCH
-                                         ? larger(-MOST_STRETCH, -e)
-                                         : MOST_STRETCH);
-    p->k1 = triple_scale(k1, p->stretch);
-    for (int i = 0; i < 3; i++)
-        p->g[i] = triple_scale(p->h[i], p->stretch);
-}
-
-/* A component of Q: x 2^e, exactly. */
-typedef struct {
-    pair x;
-    int e;
-} difference;
-
-static difference difference_of(double x, double y)
-{
-    const pair d = cylint_difference(x, y);
-    return fabs(d.hi) <= DBL_MAX
-               ? (difference){d, 0}
-               : (difference){cylint_difference(0.5 * x, 0.5 * y), 1};
-}
-
-static triple in_unit(const difference *d, int unit)
-{
-    return triple_scaled(triple_of_pair(d->x), d->e - unit);
-}
-
 static void choose_unit(elliptic_terms *p, int most)
 {
     p->far = larger(0, most - p->e - MOST_RATIO);
@@ -116,46 +80,47 @@ static void choose_unit(elliptic_terms *p, int most)
 
 /* Moves an unbounded cylinder along its axis.  Components of Q along which g is 0
  * keep all their digits. */
-static void move_along(elliptic_terms *p, const difference d[3])
+static void move_along(elliptic_terms *p, const triple D[3], int unit)
 {
-    int most = NO_EXPONENT, exponent[3];
-    const double gg = triple_dot_doubles(p->g, p->g).a;
+    int most = NO_EXPONENT;
     for (int digits = 0; digits < 3; digits++) {
-        const double z = triple_value(triple_dot_doubles(p->Q, p->g)) / gg;
+        const double z = triple_value(triple_dot_doubles(p->Q, p->g)) / p->gg.a;
         p->moved = triple_add(p->moved, triple_of(z));
         for (int i = 0; i < 3; i++)
             p->Q[i] =
                 triple_sub(p->Q[i], triple_times(triple_of(z), p->g[i].a));
     }
-    for (int i = 0; i < 3; i++) {
-        exponent[i] = p->g[i].a == 0
-                          ? exponent_or_none(d[i].x.hi) + d[i].e
-                          : exponent_or_none(p->Q[i].a) + p->e + p->far;
-        most = larger(most, exponent[i]);
-    }
+    for (int i = 0; i < 3; i++)
+        most = larger(most, p->g[i].a == 0
+                                ? exponent_or_none(D[i].a) + unit
+                                : exponent_or_none(p->Q[i].a) + p->e + p->far);
     choose_unit(p, most);
     for (int i = 0; i < 3; i++)
-        p->Q[i] = p->g[i].a == 0 ? in_unit(&d[i], p->e + p->far)
+        p->Q[i] = p->g[i].a == 0 ? triple_scaled(D[i], unit - p->e - p->far)
                                  : triple_scaled(p->Q[i], p->whole - p->far);
 }
 
 static void load_point(elliptic_terms *p)
 {
-    const cylint_shape *s = p->shape;
-    difference d[3];
+    const double *x = p->point, *base = cylint_base(p->shape);
+    /* a difference of large numbers can overflow */
+    const int unit =
+        cylint_larger(cylint_largest(x), cylint_largest(base)) > 0x1p1000;
+    triple D[3]; /* the difference over 2^unit */
     int most = NO_EXPONENT;
     for (int i = 0; i < 3; i++) {
-        d[i] = difference_of(p->point[i], cylint_base(s)[i]);
-        most = larger(most, exponent_or_none(d[i].x.hi) + d[i].e);
+        D[i] = triple_of_pair(cylint_difference(cylint_scaled(x[i], -unit),
+                                                cylint_scaled(base[i], -unit)));
+        most = larger(most, exponent_or_none(D[i].a) + unit);
     }
     choose_unit(p, most);
     for (int i = 0; i < 3; i++)
-        p->Q[i] = in_unit(&d[i], p->e + p->far);
+        p->Q[i] = triple_scaled(D[i], unit - p->e - p->far);
     p->whole = p->far;
     p->moved = triple_of(0);
     p->length = triple_largest(p->Q);
-    if (!cylint_is_bounded(s) && !cylint_is_tapered(s->kind))
-        move_along(p, d);
+    if (!cylint_is_bounded(p->shape) && !cylint_is_tapered(p->shape->kind))
+        move_along(p, D, unit);
 }
 
 static void load_elliptic(elliptic_terms *p, const cylint_shape *shape,
@@ -167,14 +132,21 @@ static void load_elliptic(elliptic_terms *p, const cylint_shape *shape,
     load_scaled(p->a, cylint_a(shape), p->e);
     load_scaled(p->b, cylint_b(shape), p->e);
     load_scaled(p->h, cylint_axis(shape), p->e);
-    load_stretched(p);
+    const triple k1 = triple_add(triple_of(cylint_r1(shape)), triple_of(-1));
+    const double section =
+        cylint_larger(triple_largest(p->a), triple_largest(p->b));
+    p->stretch =
+        normalizer(cylint_larger(triple_largest(p->h), fabs(k1.a) * section));
+    p->k1 = triple_scale(k1, p->stretch);
+    for (int i = 0; i < 3; i++)
+        p->g[i] = triple_scale(p->h[i], p->stretch);
+    p->gg = triple_dot_doubles(p->g, p->g);
     load_point(p);
     p->aa = triple_dot_doubles(p->a, p->a);
     p->ab = triple_dot_doubles(p->a, p->b);
     p->bb = triple_dot_doubles(p->b, p->b);
     p->ag = triple_dot_doubles(p->a, p->g);
     p->bg = triple_dot_doubles(p->b, p->g);
-    p->gg = triple_dot_doubles(p->g, p->g);
     p->Qa = triple_dot_doubles(p->Q, p->a);
     p->Qb = triple_dot_doubles(p->Q, p->b);
     p->Qg = triple_dot_doubles(p->Q, p->g);
@@ -202,8 +174,7 @@ static double square_sizes(const stationary *f)
 }
 
 /* The angles at which the distance from a ruling is stationary:
- * E.u' v.v - E.v v.u', E = Q - near u, without the terms that cancel.  v occurs
- * twice in each term, so `stretch` does not change the zeros. */
+ * E.u' v.v - E.v v.u', E = Q - near u, without the terms that cancel.  */
 static void lateral_form(const elliptic_terms *p, stationary *f)
 {
     const triple ag = triple_scale(p->ag, p->near),
