@@ -102,7 +102,7 @@ $(BUILD)/src/%: extra := $(hidden) -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DC
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
 $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
-$(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point)): extra += $(small)
+$(call of,src/roots/root% $(patsubst %,src/distance/%.o,exact_distance)): extra += $(small)
 # The builds for x86 processors without AVX2.
 $(if $(X86),$(call of,src/filter/one.o src/signs/origin.o src/distance/one_distance.o src/distance/elliptic_certain.o)): extra += $(small)
 $(if $(X86),$(call of,src/distance/elliptic_certain.o)): extra += -DCYLINT_LOOPS

@@ -55,42 +55,8 @@ typedef struct {
     exact height[2]; /* D_i.w */
 } meridian;
 
-/* Sums and products in the arena of a meridian *m.  A function that begins with
- * EXACT_BEGIN and ends with EXACT_RETURN(x) leaves only x in the arena. */
-#define EXACT_ADD(x, y) cylint_exact_add(m->arena, x, y)
-#define EXACT_SUB(x, y) cylint_exact_sub(m->arena, x, y)
-#define EXACT_MUL(x, y) cylint_exact_mul(m->arena, x, y)
-#define EXACT_BEGIN const int used_before = m->arena->used;
-#define EXACT_RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
-
-/* W (g + dr^2). */
-static inline exact exact_unit(meridian *m)
-{
-    EXACT_BEGIN
-    exact x = EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
-    EXACT_RETURN(x)
-}
-
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
                           const double point[3]);
-
-/* The end that a feature belongs to; a ball is about the base. */
-static inline int cylint_end_of(const meridian *m, int feature)
-{
-    return m->L->kind != CYLINT_KIND_SPHERE && cylint_feature_end(feature);
-}
-
-static inline int cylint_is_on_ball(const meridian *m, int feature)
-{
-    return m->L->kind == CYLINT_KIND_SPHERE ||
-           (cylint_is_round(m->L->kind) && cylint_is_on_end(feature));
-}
-
-/* Of no ball: on a cap or a half-space. */
-static inline int cylint_is_on_plane(const meridian *m, int feature)
-{
-    return cylint_is_plane(m->L->kind) || cylint_is_on_end(feature);
-}
 
 /* The feature of a valid shape that is not elliptic; CYLINT_NO_FEATURE where there
  * is no surface.  A rim of radius 0 is an apex: cylint_stated_feature(). */

@@ -2,7 +2,7 @@
  * find_nearest.h - the nearest feature and the distance in pairs, at one lane: of
  * shapes with any ends, and of angle cones
  *
- * Signs decide the feature as in meridian.c: those of the foot on the lateral line
+ * Signs decide the feature as in exact_distance.c: those of the foot on the lateral line
  * from its ends, then for each cap that is present those of the point against its
  * circle and of the distance found against that from its plane.  Of shapes along an
  * axis of coordinates, and in the centres of balls, signs of 0 are certain, too.

@@ -218,7 +218,7 @@ static int is_on_axis(const triple D[3], const triple w[3], const triple X[3])
 }
 
 /* The direction from the axis to a point beside it: that of w x (D x w), or on the
- * axis that of phi = 0, e x w (nearest_point.c).  m->across is a multiple of
+ * axis that of phi = 0, e x w (exact_distance.c).  m->across is a multiple of
  * it; m->inverse and m->rho_error are those of its length. */
 ASIDE void find_direction(half_plane *m, const cylint_shape *s,
                           const double point[3])
