@@ -148,9 +148,8 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  * infinite ends |P - base| * 1.42 takes the place of d in E.  The result is the
  * double below d, or 0 if d is 0, where the bound so computed is not above 0,
  * where E is below 2^-1073, and for cap0, cap1, nappe, angle cones, half-spaces
- * and round kinds that are not capped.  Of a library that neither gcc nor clang
- * compiled it is always that.  In other rounding modes it is at most 2 E below d,
- * and its last bits can depend on the kernels in use.
+ * and round kinds that are not capped.  In other rounding modes, and of a library
+ * that neither gcc nor clang compiled, it is always that, and no cheaper than d.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);

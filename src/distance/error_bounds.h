@@ -125,8 +125,7 @@ enum {
  *          rim, and 1 of the difference; the last difference
  *
  * The errors of z and rho are at right angles, and a distance from a solid
- * changes by at most that of the position.  In the other rounding modes no
- * rounding is more than twice as large, so twice the error is subtracted.
+ * changes by at most that of the position.
  *
  * Which feature is nearest follows from the sign of a foot, whose roundings are
  * at most 3 of its distance from the rim.  Where that sign is wrong the true foot
@@ -135,11 +134,7 @@ enum {
  *
  * CYLINT_SPHERE_SAFETY_ERROR: the same of a sphere, relative to the distance plus
  * the radius.  Proved.
- *
- * The squares of the differences of coordinates up to CYLINT_SAFETY_MOST do not
- * overflow.
  */
-#define CYLINT_SAFETY_MOST 0x1p500
 #define CYLINT_SAFETY_ERROR (15.4 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SPHERE_SAFETY_ERROR (5.501 * CYLINT_NEAREST_ROUNDING)
 

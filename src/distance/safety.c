@@ -2,10 +2,10 @@
  * safety.c - a lower bound of a distance, in doubles
  *
  * The distance is computed in the half plane through the axis and the point, with a
- * bound on its error (error_bounds.h), which is subtracted.  Rounding to nearest
- * halves the bound.  Where the distance is below the bound or overflows, where
- * local coordinates (shapes/local.h) are not accurate enough, and for the other
- * shapes that cylint_distance.h names, the result is the double below the distance.
+ * bound on its error (error_bounds.h), which is subtracted.  Where the distance is
+ * below the bound or overflows, where rounding is directed, where local coordinates
+ * (shapes/local.h) are not accurate enough, and for the other shapes that
+ * cylint_distance.h names, the result is the double below the distance.
  *
  * Which feature is nearest is hard to predict, so maxima and masks take the
  * place of branches.
@@ -171,23 +171,10 @@ INLINE double from_infinite(const cylint_shape *s, position at, double C,
 
 /* ------------------------------------------------------- lower bounds --- */
 
-/* In the other rounding modes.  An overflow can be the largest double there, so
- * points whose squares can overflow get 0. */
-ASIDE double less_directed_error(double distance, double error, double size,
-                                 const cylint_shape *s, const double point[3])
+/* 0 in the other rounding modes, where errors are larger. */
+INLINE double less_error(double distance, double error)
 {
-    const double most =
-        cylint_larger(cylint_largest(point), cylint_largest(cylint_base(s)));
-    return most <= CYLINT_SAFETY_MOST ? distance - 2 * error * size : 0;
-}
-
-/* error: in rounding to nearest.  size: of the coordinates and the shape. */
-INLINE double less_error(double distance, double error, double size,
-                         const cylint_shape *s, const double point[3])
-{
-    return cylint_rounds_to_nearest()
-               ? distance - error * size
-               : less_directed_error(distance, error, size, s, point);
+    return cylint_rounds_to_nearest() ? distance - error : 0;
 }
 
 /* 0 or less: the distance is below its error, or can overflow.  NaN: it
@@ -209,13 +196,12 @@ ASIDE double other_safety(const cylint_shape *s, const double point[3])
         bound = CYLINT_OF_FMA(cylint_elliptic_kernels)->safety(s, point);
     } else if (s->ends == CYLINT_ENDS_INFINITE) {
         const position at = locate(s, point);
-        bound = less_error(from_infinite(s, at, C, S), CYLINT_SAFETY_ERROR,
-                           root(at.square) + fabs(at.z) + cylint_reach(s), s,
-                           point);
+        const double size = root(at.square) + fabs(at.z) + cylint_reach(s);
+        bound =
+            less_error(from_infinite(s, at, C, S), CYLINT_SAFETY_ERROR * size);
     } else if (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind)) {
         const double d = from_cone(s, locate(s, point), C, S, 0);
-        bound =
-            less_error(d, CYLINT_SAFETY_ERROR, d + cylint_reach(s), s, point);
+        bound = less_error(d, CYLINT_SAFETY_ERROR * (d + cylint_reach(s)));
     }
     return if_positive(bound, s, point);
 }
@@ -234,9 +220,9 @@ double cylint_safety(const cylint_shape *s, const double point[3])
         break;
     case CYLINT_KIND_SPHERE:
         d = from_sphere(s, point);
-        return if_positive(less_error(d, CYLINT_SPHERE_SAFETY_ERROR,
-                                      d + cylint_r0(s), s, point),
-                           s, point);
+        return if_positive(
+            less_error(d, CYLINT_SPHERE_SAFETY_ERROR * (d + cylint_r0(s))), s,
+            point);
     case CYLINT_KIND_CAPSULE:
         d = from_capsule(s, locate(s, point));
         break;
@@ -247,8 +233,7 @@ double cylint_safety(const cylint_shape *s, const double point[3])
         return other_safety(s, point);
     }
     return if_positive(
-        less_error(d, CYLINT_SAFETY_ERROR, d + cylint_reach(s), s, point), s,
-        point);
+        less_error(d, CYLINT_SAFETY_ERROR * (d + cylint_reach(s))), s, point);
 }
 
 #else

@@ -425,7 +425,7 @@ static double gap_of(const cylint_shape *s, const double p[3], double distance,
                : (distance - safe) / safety_size(s, p, distance) * 0x1p52;
 }
 
-/* The safety of the default environment, number 0, is nearer than others. */
+/* Where rounding is directed, the safety is the double below the distance. */
 static void check_environments(const struct family_case *c, const double p[3])
 {
     const cylint_closest want = answer_to(&c->shape, p, WANT);
@@ -436,8 +436,8 @@ static void check_environments(const struct family_case *c, const double p[3])
         const double safe = cylint_safety(&c->shape, p);
         environment_reset();
         const double gap = gap_of(&c->shape, p, far, safe);
-        const int close =
-            there.number == 0 ? gap <= 16 : gap <= 32 || far < 2 * DBL_MIN;
+        const int close = gap <= (there.rounding == FE_TONEAREST ? 16 : 0) ||
+                          (there.number != 0 && far < 2 * DBL_MIN);
         if (!CHECK(same(&got, &want) && safe >= 0 && !signbit(safe) &&
                    safe <= far && !has_negative_zero(&got) &&
                    close)) { /* below 2 DBL_MIN it may be flushed to 0 */
