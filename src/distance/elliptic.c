@@ -115,8 +115,8 @@ static int compare(const search *s, const candidate *x)
     const candidate *best = &s->best;
     triple between[3], sum[3];
     double error = 0;
-    if (x->feature == best->feature && (x->feature != CYLINT_FEATURE_LATERAL ||
-                                        !cylint_is_tapered(s->p.shape->kind))) {
+    if (x->feature == best->feature &&
+        (x->feature != CYLINT_FEATURE_LATERAL || s->p.k1.a == 0)) {
         /* half of the difference of the squares */
         const stationary *form = &s->form[x->feature];
         const triple more =

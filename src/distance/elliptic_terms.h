@@ -119,7 +119,7 @@ static void load_point(elliptic_terms *p)
     p->whole = p->far;
     p->moved = triple_of(0);
     p->length = triple_largest(p->Q);
-    if (!cylint_is_bounded(p->shape) && !cylint_is_tapered(p->shape->kind))
+    if (!cylint_is_bounded(p->shape) && p->k1.a == 0)
         move_along(p, D, unit);
 }
 
