@@ -40,10 +40,8 @@ typedef struct {
 #define CYLINT_ANGLE_STEP 0x1p-20
 #define CYLINT_SECULAR_STEP 0x1p-10
 
-/* A step of Newton's iteration is shorter than CYLINT_LONGEST_STEP.  Where it is
- * not, or leads down, as at skewed oblique cones, CYLINT_STEP_UP leads up. */
+/* A step of Newton's iteration is shorter than this, and does not lead away. */
 #define CYLINT_LONGEST_STEP 0.5
-#define CYLINT_STEP_UP 0.4
 
 /* Where a rough angle is enough. */
 #define CYLINT_ROUGH_STEP 0x1p-6
@@ -133,10 +131,6 @@ static inline angle secular_angle(double along, double across, double excess,
     /* mutant '>' -> '>=': no effect */
     double s = v > u - excess ? v : u - excess, by;
     angle to;
-    if (!(v > 0)) { /* on the long axis */
-        const double c = u < excess ? u / excess : 1;
-        return (angle){copysign(c, along), sqrt((1 - c) * (1 + c))};
-    }
     for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
         const double to_u = 1 / (s + excess), to_v = 1 / s;
         const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
@@ -203,36 +197,6 @@ CYLINT_INLINE angle turned_by(angle at, double by)
                    (at.sin + at.cos * by) * scale};
 }
 
-/* The height over the tangent plane. */
-CYLINT_INLINE double height_at(const elliptic_place *p, angle at)
-{
-    tangent_plane t;
-    load_tangent_plane(&t, p, at);
-    return t.n / sqrt(t.q);
-}
-
-/* Of an angle in the axes and its mirror images the one with the largest height:
- * the section of an oblique cone is not perpendicular to its axis. */
-static inline angle highest_of(const principal_axes *axes, angle e,
-                               const elliptic_place *p)
-{
-    angle best = turned_back(axes, e.sin, e.cos);
-    if (p->slope == 0 ||
-        (cylint_dot(p->X, p->Z) == 0 && cylint_dot(p->Y, p->Z) == 0))
-        return best;
-    double height = height_at(p, best);
-    for (int i = 1; i < 4; i++) {
-        const angle other =
-            turned_back(axes, i & 1 ? -e.sin : e.sin, i & 2 ? -e.cos : e.cos);
-        const double h = height_at(p, other);
-        if (h > height) {
-            height = h;
-            best = other;
-        }
-    }
-    return best;
-}
-
 /* lint: the analyzer takes three rounds of EACH for one */
 /* Writes the angle, and its tangent plane.  rough: an angle with an error of
  * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
@@ -250,7 +214,7 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
     const double r = p->rho > p->error ? p->rho : p->error;
     const angle e = secular_angle(ratio * long_way / r, short_way / r,
                                   axes.gap / axes.least, rough);
-    *at = highest_of(&axes, e, p);
+    *at = turned_back(&axes, e.sin, e.cos);
     double by = 1;
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);
@@ -260,7 +224,7 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                      slope = slope_of_height(t, p);
         by = -g / slope;
         if (!(slope < 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
-            by = copysign(CYLINT_STEP_UP, g);
+            return 0;
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);

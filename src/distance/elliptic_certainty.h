@@ -129,9 +129,7 @@ static inline double turn_of_normal(const tangent_plane *t)
 }
 
 /* l: an upper bound.  rho: at the foot.  The normals of the nearest point and
- * of the angle differ by 2 away / h at most, and (x, y) of the nearest point
- * and of the foot, which is l beside the direction of the angle, by away times
- * the norm. */
+ * of the angle differ by 2 away / h at most. */
 static inline uncertainty outside_lateral(const tangent_plane *t,
                                           const elliptic_place *p, double l,
                                           double rho)
@@ -147,10 +145,8 @@ static inline uncertainty outside_lateral(const tangent_plane *t,
         4 * p->relative * p->norm;
     if (!(8 * l * beside <= rho * size))
         return uncertain_angle;
-    const double by_foot = (p->norm * away + l) / rho,
-                 by_normal = away * t->q / (h * turn_of_normal(t));
     return (uncertainty){deeper, away,
-                         4 * (by_normal < by_foot ? by_normal : by_foot)};
+                         4 * away * t->q / (h * turn_of_normal(t))};
 }
 
 static inline uncertainty inside_lateral_surface(const tangent_plane *t,

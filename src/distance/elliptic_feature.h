@@ -315,13 +315,9 @@ static inline int is_nearer_nappe(const elliptic_question *q)
         (t->n + q->at.error) / (sqrt(t->q) * (1 - relative)) + q->by.distance;
     elliptic_place turned = q->at;
     tangent_plane other;
-    angle e = {-q->e.cos, -q->e.sin};
     turn_place(&turned);
-    load_tangent_plane(&other, &turned, e);
-    /* untaken 1 of 4: the iteration ends in every known case */
-    return plane_less(&other, other.n, &turned) > most ||
-           (find_lateral_angle(&e, &other, &turned, 1) &&
-            plane_less(&other, other.n, &turned) > most);
+    load_tangent_plane(&other, &turned, (angle){-q->e.cos, -q->e.sin});
+    return plane_less(&other, other.n, &turned) > most;
 }
 
 static inline int feature_outside(elliptic_question *q)
