@@ -70,18 +70,12 @@ static double sizes(const triple v[3])
 
 /* -------------------------------------------------------- candidates ---- */
 
-static candidate candidate_of(int feature)
+static const direction along_a = {{1, 0, 0}, {0, 0, 0}};
+
+static candidate candidate_of(int feature, double factor, const direction *at)
 {
     return (candidate){
-        .feature = feature, .nappe = 1, .at = {{1, 0, 0}, {0, 0, 0}}};
-}
-
-static candidate on_ellipse(int feature, double factor, const direction *at)
-{
-    candidate x = candidate_of(feature);
-    x.factor = factor;
-    x.at = *at;
-    return x;
+        .feature = feature, .nappe = 1, .at = *at, .factor = factor};
 }
 
 /* Whether phi of x is less than that of y; both from 0 to a turn.  On the other
@@ -156,18 +150,18 @@ static void offer(search *s, const candidate *x)
         s->best = *x;
 }
 
-/* G = origin + u p + v q, R = Q - G - z v. */
-static void place(const search *s, candidate *x, const triple origin[3],
-                  const triple u[3], triple p, const triple v[3], triple q)
+/* G = centre of the end + u p + v q, R = Q - G - z v. */
+static void place(const search *s, candidate *x, const triple u[3], triple p,
+                  const triple v[3], triple q)
 {
+    const int end = cylint_feature_end(x->feature);
     for (int i = 0; i < 3; i++) {
-        x->G[i] = triple_add(origin[i], triple_mul2(u[i], p, v[i], q));
+        const triple from = triple_mul2(u[i], p, v[i], q);
+        x->G[i] = end ? triple_add(s->p.h[i], from) : from;
         x->R[i] = triple_sub(
             triple_sub(s->p.Q[i], triple_scale(x->G[i], s->p.near)), x->zv[i]);
     }
 }
-
-static const triple nowhere[3]; /* the base */
 
 /* Whether the lateral surface has the point z of a ruling.  z and rho, which
  * is 1 + k1 z, are in the unit of Q. */
@@ -184,7 +178,7 @@ static int is_within(const search *s, triple z, double rho)
 static void try_lateral(search *s, const direction *at, int nappe)
 {
     triple u[3], v[3];
-    candidate x = on_ellipse(CYLINT_FEATURE_LATERAL, 1, at);
+    candidate x = candidate_of(CYLINT_FEATURE_LATERAL, 1, at);
     load_ruling(&s->p, at, u, v);
     x.nappe = nappe;
     x.z = triple_div(along_ruling(&s->p, at), triple_dot(v, v));
@@ -196,24 +190,24 @@ static void try_lateral(search *s, const direction *at, int nappe)
     for (int i = 0; i < 3; i++)
         x.zv[i] = triple_mul(x.z, v[i]);
     s->has_lateral = 1;
-    place(s, &x, nowhere, s->p.a, at->cos, s->p.b, at->sin);
+    place(s, &x, s->p.a, at->cos, s->p.b, at->sin);
     offer(s, &x);
 }
 
 static void try_rim(search *s, int end, const direction *at)
 {
     const double factor = cylint_end_factor(s->p.shape, end);
-    candidate x = on_ellipse(CYLINT_FEATURE_RIM0 + end, factor, at);
-    place(s, &x, end ? s->p.h : nowhere, s->p.a, triple_times(at->cos, factor),
-          s->p.b, triple_times(at->sin, factor));
+    candidate x = candidate_of(CYLINT_FEATURE_RIM0 + end, factor, at);
+    place(s, &x, s->p.a, triple_times(at->cos, factor), s->p.b,
+          triple_times(at->sin, factor));
     offer(s, &x);
 }
 
 /* The apex is at h share. */
 static void try_apex(search *s, const triple h[3], triple share)
 {
-    candidate x = candidate_of(CYLINT_FEATURE_APEX);
-    place(s, &x, nowhere, h, share, h, triple_of(0));
+    candidate x = candidate_of(CYLINT_FEATURE_APEX, 0, &along_a);
+    place(s, &x, h, share, h, triple_of(0));
     offer(s, &x);
 }
 
@@ -233,9 +227,9 @@ static void cross_units(triple to[3], const triple u[3], const triple v[3])
 static void try_cap(search *s, int end)
 {
     triple from[3], a[3], b[3], M[3], right[3], up[3];
-    candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end);
-    c.factor = cylint_end_factor(s->p.shape, end);
-    const triple factor = triple_of(c.factor);
+    const double f = cylint_end_factor(s->p.shape, end);
+    candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end, f, &along_a);
+    const triple factor = triple_of(f);
     const double of_a = triple_unit(a, s->p.a), of_b = triple_unit(b, s->p.b);
     from_end(&s->p, end, from);
     triple_cross(M, a, b);
@@ -251,7 +245,7 @@ static void try_cap(search *s, int end)
                                    triple_mul2(in_a, in_a, in_b, in_b));
     if (!s->inside && !(triple_value(room) > 0))
         return;
-    place(s, &c, end ? s->p.h : nowhere, a, x, b, y);
+    place(s, &c, a, x, b, y);
     offer(s, &c);
 }
 
@@ -470,8 +464,8 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     search s;
     const int side = cylint_contains(shape, point);
     load_elliptic(&s.p, shape, point);
-    s.best = candidate_of(CYLINT_NO_FEATURE); /* the end of a */
-    place(&s, &s.best, nowhere, s.p.a, triple_of(1), s.p.b, triple_of(0));
+    s.best = candidate_of(CYLINT_NO_FEATURE, 1, &along_a); /* the end of a */
+    place(&s, &s.best, s.p.a, triple_of(1), s.p.b, triple_of(0));
     /* mutant '0' -> '1': no effect, feet beyond the ends are then passed over */
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
     s.has_lateral = 0;
