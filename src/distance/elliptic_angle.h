@@ -122,12 +122,12 @@ static inline principal_axes axes_of(double xx, double xy, double yy)
                             copysign(half < 0 ? large : small, xy)};
 }
 
-/* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1. */
+/* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1.  The iteration ends after
+ * a relative step of `last`. */
 static inline angle secular_angle(double along, double across, double excess,
-                                  int rough)
+                                  double last)
 {
     const double u = fabs(along), v = fabs(across);
-    const double last = rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP;
     /* mutant '>' -> '>=': no effect */
     double s = v > u - excess ? v : u - excess, by;
     angle to;
@@ -212,8 +212,9 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                  long_way = axes.c * p->y - axes.s * p->x;
     const double ratio = axes.most / axes.least;
     const double r = p->rho > p->error ? p->rho : p->error;
-    const angle e = secular_angle(ratio * long_way / r, short_way / r,
-                                  axes.gap / axes.least, rough);
+    const angle e = secular_angle(
+        ratio * long_way / r, short_way / r, axes.gap / axes.least,
+        rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP);
     *at = turned_back(&axes, e.sin, e.cos);
     double by = 1;
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
@@ -249,8 +250,9 @@ CYLINT_INLINE void load_rim_place(rim_place *r, const cylint_shape *s, angle at)
     }
 }
 
-ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
-                         const elliptic_place *p, int end, int rough)
+/* Writes the angle, and its place.  rough: as above. */
+ASIDE void find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
+                          const elliptic_place *p, int end, int rough)
 {
     const double *a = cylint_a(s), *b = cylint_b(s);
     r->f = cylint_end_factor(s, end);
@@ -259,28 +261,12 @@ ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
         axes_of(cylint_dot(a, a), cylint_dot(a, b), cylint_dot(b, b));
     const double Fa = cylint_dot(r->F, a), Fb = cylint_dot(r->F, b);
     const double least = axes.least * r->f;
-    const angle e = secular_angle((axes.c * Fa + axes.s * Fb) / least,
-                                  (axes.c * Fb - axes.s * Fa) / least,
-                                  axes.gap / axes.least, rough);
-    double by = 1;
+    const angle e = secular_angle(
+        (axes.c * Fa + axes.s * Fb) / least,
+        (axes.c * Fb - axes.s * Fa) / least, axes.gap / axes.least,
+        rough ? CYLINT_ROUGH_STEP : CYLINT_ANGLE_STEP);
     *at = turned_back(&axes, e.cos, e.sin);
-    /* untaken 1 of 2: no known case takes all steps */
-    for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
-        load_rim_place(r, s, *at);
-        if (fabs(by) <= CYLINT_ANGLE_STEP)
-            return 1;
-        const double slope =
-            r->f * cylint_dot(r->v, r->v) + cylint_dot(r->R, r->u);
-        by = cylint_dot(r->R, r->v) / slope;
-        /* untaken 1 of 4: the secular angle is closer in every known case */
-        if (!(slope > 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
-            return 0;
-        /* untaken 1 of 4: the first step is as small in every known case */
-        if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
-            return 1;
-        *at = turned_by(*at, by);
-    }
-    return 0;
+    load_rim_place(r, s, *at);
 }
 
 #endif

@@ -130,8 +130,7 @@ static inline int find_on_lateral(elliptic_question *q)
 
 static inline int find_on_rim(elliptic_question *q, int end)
 {
-    if (!find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough))
-        return CYLINT_NO_FEATURE;
+    find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough);
     const rim_place *r = &q->rim;
     const double g = r->f * (fabs(cylint_dot(r->R, r->v)) +
                              CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q) *
