@@ -41,8 +41,8 @@
 #include "elliptic_angle.h"
 
 /* The numbers of the angle in doubles stay in use after a step in pairs.  It is at
- * most 1/16 of |N| / norm, so that N changes by 1/16 of it; and where k is used, at
- * most CYLINT_PAIR_TURN.  K2 is at least CYLINT_CURVATURE_ERROR of the sizes of the
+ * most 1/16 of |N| / norm, so that N changes by 1/16 of it, and at most
+ * CYLINT_PAIR_TURN.  K2 is at least CYLINT_CURVATURE_ERROR of the sizes of the
  * terms, or k is not positive, and K3^2 is below 4 K2 K4, so that K2 changes by a
  * part of about 2 sqrt(K4 / K2) of the step: 2^-3.  The bounds are twice what is
  * needed. */

@@ -228,11 +228,10 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const double cube = m->unit * m->unit * m->unit;
     const sized before = load_slope(t, m, e);
     const double sign = copysign(1, m->volume.v.hi);
-    const double most = q->curvature > 0 ? CYLINT_PAIR_TURN : CYLINT_ANGLE_STEP;
     *by = uncertain_angle;
-    if (!turn_direction(
-            e, -sign * rounded(before.v) * cube / slope,
-            cylint_smaller(most, 0x1p-4 * sqrt(q->plane.q) / q->at.norm)))
+    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope,
+                        cylint_smaller(CYLINT_PAIR_TURN,
+                                       0x1p-4 * sqrt(q->plane.q) / q->at.norm)))
         return;
     load_plane(t, m, e);
     const sized after = load_slope(t, m, e);
