@@ -19,8 +19,8 @@
  * This has one root s > -B^2, that of the nearest point of all: it is computed as
  * that of sqrt(cos^2 + sin^2) = 1, whose inverse is nearly a straight line, by
  * Newton's iteration from the left.  [Eberly 2013, "Distance from a point to an
- * ellipse".]  Newton's iteration on the height
- * gives the digits of that on the lateral surface.
+ * ellipse".]  Newton's iteration on the height gives the digits of that on the
+ * lateral surface.
  *
  * Whether it is the nearest of all does not depend on that iteration: see
  * elliptic_certainty.h.

@@ -73,11 +73,9 @@ static inline double normal_error(const tangent_plane *t,
     return 4 * p->relative * p->norm / sqrt(t->q);
 }
 
-/* k for tangent planes and a point on the inner side of all.  place_error: 0 where
- * a lower bound of the distance is reduced by it at the end. */
+/* k for tangent planes and a point on the inner side of all. */
 static inline double inner_curvature(const tangent_plane *t,
-                                     const elliptic_place *p,
-                                     double place_error)
+                                     const elliptic_place *p)
 {
     const double a = t->n + p->rho, b = t->slope_of_n;
     const double hh = t->n * t->n / t->q;
@@ -85,7 +83,7 @@ static inline double inner_curvature(const tangent_plane *t,
     const double of_N = hh * p->norm * p->norm;
     const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
                          16 * normal_error(t, p) * of_N +
-                         64 * place_error * (size + of_N / fabs(t->n));
+                         64 * p->error * (size + of_N / fabs(t->n));
     return least_curvature(2 * (hh * cylint_dot(t->N, t->U) - t->n * a),
                            b * b - hh * cylint_dot(t->V, t->V),
                            2 * (hh * cylint_dot(t->U, t->V) - a * b),

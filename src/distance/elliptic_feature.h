@@ -122,7 +122,7 @@ static inline int find_on_lateral(elliptic_question *q)
         fabs(t->slope_of_n - t->n * t->half_q / t->q) + slope_error(q);
     q->curvature = curvature_beside(t, &q->at, l);
     if (!(q->curvature > 0) && q->side > 0)
-        q->curvature = inner_curvature(t, &q->at, q->rough ? 0 : q->at.error);
+        q->curvature = inner_curvature(t, &q->at);
     q->by = uncertainty_of_plane(q, l);
     return normal_error(&q->plane, &q->at) < 0x1p-10 &&
            (q->curvature > 0 || (q->side < 0 && rho_at_foot(q) > 0));
