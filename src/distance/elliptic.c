@@ -177,11 +177,13 @@ static int is_within(const search *s, triple z, double rho)
 /* nappe: the sign of rho that is wanted. */
 static void try_lateral(search *s, const direction *at, int nappe)
 {
-    triple u[3], v[3];
+    triple u[3], v[3], E[3];
     candidate x = candidate_of(CYLINT_FEATURE_LATERAL, 1, at);
     load_ruling(&s->p, at, u, v);
     x.nappe = nappe;
-    x.z = triple_div(along_ruling(&s->p, at), triple_dot(v, v));
+    for (int i = 0; i < 3; i++)
+        E[i] = triple_sub(s->p.Q[i], triple_scale(u[i], s->p.near));
+    x.z = triple_div(triple_dot(E, v), triple_dot(v, v));
     const double rho = triple_value(
         triple_add(triple_of(s->p.near), triple_mul(s->p.k1, x.z)));
     if ((rho < 0) != (nappe < 0) ||

@@ -241,15 +241,6 @@ typedef struct {
     double u[3], v[3], R[3]; /* u' = v */
 } rim_place;
 
-CYLINT_INLINE void load_rim_place(rim_place *r, const cylint_shape *s, angle at)
-{
-    EACH(i, 3) {
-        r->u[i] = at.cos * cylint_a(s)[i] + at.sin * cylint_b(s)[i];
-        r->v[i] = at.cos * cylint_b(s)[i] - at.sin * cylint_a(s)[i];
-        r->R[i] = r->F[i] - r->f * r->u[i];
-    }
-}
-
 /* Writes the angle, and its place.  rough: as above. */
 ASIDE void find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
                           const elliptic_place *p, int end, int rough)
@@ -266,7 +257,11 @@ ASIDE void find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
         (axes.c * Fb - axes.s * Fa) / least, axes.gap / axes.least,
         rough ? CYLINT_ROUGH_STEP : CYLINT_ANGLE_STEP);
     *at = turned_back(&axes, e.cos, e.sin);
-    load_rim_place(r, s, *at);
+    EACH(i, 3) {
+        r->u[i] = at->cos * a[i] + at->sin * b[i];
+        r->v[i] = at->cos * b[i] - at->sin * a[i];
+        r->R[i] = r->F[i] - r->f * r->u[i];
+    }
 }
 
 #endif

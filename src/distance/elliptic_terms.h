@@ -66,10 +66,9 @@ static int exponent_of_shape(const cylint_shape *shape)
 {
     const int section =
         larger(exponent_of(cylint_a(shape)), exponent_of(cylint_b(shape)));
-    const int k = cylint_r1(shape) > 1
-                      ? section + cylint_any_exponent(cylint_r1(shape))
-                      : section;
-    return larger(k, exponent_of(cylint_axis(shape)));
+    const double k = cylint_larger(1, cylint_r1(shape));
+    return larger(section + cylint_exponent(k),
+                  exponent_of(cylint_axis(shape)));
 }
 
 static void choose_unit(elliptic_terms *p, int most)
@@ -227,19 +226,6 @@ static void load_ruling(const elliptic_terms *p, const direction *at,
     triple_combine(u, p->a, at->cos, p->b, at->sin);
     for (int i = 0; i < 3; i++)
         v[i] = triple_add(p->g[i], triple_mul(p->k1, u[i]));
-}
-
-/* (Q - near u).v, where terms that are exactly 0 stay 0. */
-static triple along_ruling(const elliptic_terms *p, const direction *at)
-{
-    const triple Qu = triple_mul2(p->Qa, at->cos, p->Qb, at->sin);
-    const triple uh = triple_mul2(p->ag, at->cos, p->bg, at->sin);
-    const triple by_cos = triple_mul2(p->aa, at->cos, p->ab, at->sin);
-    const triple by_sin = triple_mul2(p->ab, at->cos, p->bb, at->sin);
-    const triple uu = triple_mul2(by_cos, at->cos, by_sin, at->sin);
-    return triple_add(
-        triple_sub(p->Qg, triple_scale(uh, p->near)),
-        triple_mul(p->k1, triple_sub(Qu, triple_scale(uu, p->near))));
 }
 
 #endif
