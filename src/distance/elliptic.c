@@ -134,7 +134,7 @@ static int compare(const search *s, const candidate *x)
 }
 
 /* Accepts a candidate if it is nearer than all before, or as near and of an
- * earlier part or of smaller phi. */
+ * earlier part, of the nappe of the base, or of smaller phi. */
 static void offer(search *s, const candidate *x)
 {
     const candidate *best = &s->best;
@@ -143,10 +143,11 @@ static void offer(search *s, const candidate *x)
     const int part = cylint_feature_part(x->feature),
               best_part = cylint_feature_part(best->feature);
     const int order = best->feature == CYLINT_NO_FEATURE ? -1 : compare(s, x);
-    if (order < 0 ||
-        (order == 0 &&
-         (part < best_part || (x->feature == best->feature &&
-                               x->nappe == best->nappe && is_before(x, best)))))
+    const int is_earlier = part != best_part             ? part < best_part
+                           : x->feature != best->feature ? 0
+                           : x->nappe != best->nappe     ? x->nappe > 0
+                                                         : is_before(x, best);
+    if (order < 0 || (order == 0 && is_earlier))
         s->best = *x;
 }
 
@@ -167,27 +168,27 @@ static void place(const search *s, candidate *x, const triple u[3], triple p,
  * is 1 + k1 z, are in the unit of Q. */
 static int is_within(const search *s, triple z, double rho)
 {
+    if (rho < 0 && s->p.shape->ends != CYLINT_ENDS_INFINITE)
+        return 0;
     if (s->inside)
         return 1;
     if (cylint_is_bounded(s->p.shape))
         return z.a > 0 && triple_value(triple_sub(z, triple_of(s->p.near))) < 0;
-    return s->p.shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
+    return rho != 0;
 }
 
-/* nappe: the sign of rho that is wanted. */
-static void try_lateral(search *s, const direction *at, int nappe)
+static void try_lateral(search *s, const direction *at)
 {
     triple u[3], v[3], E[3];
     candidate x = candidate_of(CYLINT_FEATURE_LATERAL, 1, at);
     load_ruling(&s->p, at, u, v);
-    x.nappe = nappe;
     for (int i = 0; i < 3; i++)
         E[i] = triple_sub(s->p.Q[i], triple_scale(u[i], s->p.near));
     x.z = triple_div(triple_dot(E, v), triple_dot(v, v));
     const double rho = triple_value(
         triple_add(triple_of(s->p.near), triple_mul(s->p.k1, x.z)));
-    if ((rho < 0) != (nappe < 0) ||
-        !is_within(s, triple_scale(x.z, s->p.stretch), rho))
+    x.nappe = rho < 0 ? -1 : 1;
+    if (!is_within(s, triple_scale(x.z, s->p.stretch), rho))
         return;
     for (int i = 0; i < 3; i++)
         x.zv[i] = triple_mul(x.z, v[i]);
@@ -327,12 +328,10 @@ static void search_lateral(search *s)
 {
     direction at[MOST_CRITICAL];
     stationary *form = &s->form[CYLINT_FEATURE_LATERAL];
-    const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
     lateral_form(&s->p, form);
     const int n = critical_directions(form, at);
-    for (int nappe = 1; nappe >= last; nappe -= 2)
-        for (int i = 0; i < n; i++)
-            try_lateral(s, &at[i], nappe);
+    for (int i = 0; i < n; i++)
+        try_lateral(s, &at[i]);
 }
 
 static void search_rim(search *s, int end)
