@@ -1,6 +1,6 @@
 /*
- * exact_distance.c - the nearest feature, from exact signs, and the doubles nearest to
- * the distance, the nearest point and the normal
+ * exact_distance.c - the nearest feature, from exact signs, and the doubles nearest
+ * to the distance, the nearest point and the normal
  */
 #include "exact_distance.h"
 #include "../dispatch.h"

@@ -2,10 +2,10 @@
  * find_nearest.h - the nearest feature and the distance in pairs, at one lane: of
  * shapes with any ends, and of angle cones
  *
- * Signs decide the feature as in exact_distance.c: those of the foot on the lateral line
- * from its ends, then for each cap that is present those of the point against its
- * circle and of the distance found against that from its plane.  Of shapes along an
- * axis of coordinates, and in the centres of balls, signs of 0 are certain, too.
+ * Signs decide the feature as in exact_distance.c: those of the foot on the lateral
+ * line from its ends, then for each cap that is present those of the point against
+ * its circle and of the distance found against that from its plane.  Of shapes along
+ * an axis of coordinates, and in the centres of balls, signs of 0 are certain, too.
  *
  * The distance is that from the side of the feature that is outside a solid.  Where
  * the surface does not enclose a solid, write_certain() (one_distance.c) takes the
