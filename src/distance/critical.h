@@ -260,6 +260,20 @@ static direction corrected(const stationary *f, direction at, int in_triples)
     return at;
 }
 
+/* The error of its angle, in units of the rounding of triples, at most 1.  It
+ * is far below 1 only where cos or sin, and most terms, are nearly 0. */
+static double direction_error(const stationary *f, const direction *at)
+{
+    const double c = fabs(at->cos.a), s = fabs(at->sin.a);
+    const double terms = c * (fabs(f->linear[0].a) + fabs(f->square[0].a) * c +
+                              fabs(f->square[1].a) * s) +
+                         s * (fabs(f->linear[1].a) + fabs(f->square[2].a) * s);
+    const double residual =
+        fabs(triple_value(form_at(f, at))) / CYLINT_TRIPLE_ROUNDING;
+    const double error = (terms + residual) / fabs(slope_at(f, at, 0));
+    return error < 1 ? error : 1;
+}
+
 static direction direction_at(double t, int sign)
 {
     const double length = sign * (1 + t * t);

@@ -47,8 +47,9 @@ typedef struct {
     int feature;     /* CYLINT_NO_FEATURE: none */
     int nappe;       /* the sign of the section's factor there */
     direction at;    /* of lateral surface and rims; else the angle 0 */
-    double factor;   /* of a and b in G; of an apex 0 */
+    double factor;   /* of u in G; else 0 */
     triple G[3];     /* in the unit of the shape */
+    double terms[3]; /* the sizes of the terms of G */
     triple z, zv[3]; /* of the lateral surface, in the unit of Q; else 0 */
     triple R[3];     /* Q - F */
 } candidate;
@@ -94,14 +95,6 @@ static int sign_beyond(double x, double error)
     return fabs(x) <= error ? 0 : x < 0 ? -1 : 1;
 }
 
-/* The sizes of the terms of G, at least. */
-static double terms_of(const search *s, const candidate *x, int i)
-{
-    return fabs(x->G[i].a) +
-           (cylint_feature_end(x->feature) ? fabs(s->p.h[i].a) : 0) +
-           x->factor * (fabs(s->p.a[i].a) + fabs(s->p.b[i].a));
-}
-
 /* -1: x is nearer than the best so far, 1: it is farther, 0: the difference of
  * their distances is not certain. */
 static int compare(const search *s, const candidate *x)
@@ -125,7 +118,7 @@ static int compare(const search *s, const candidate *x)
             triple_add(triple_scale(triple_sub(best->G[i], x->G[i]), s->p.near),
                        triple_sub(best->zv[i], x->zv[i]));
         sum[i] = triple_add(best->R[i], x->R[i]);
-        error += (s->p.near * (terms_of(s, best, i) + terms_of(s, x, i)) +
+        error += (s->p.near * (best->terms[i] + x->terms[i]) +
                   fabs(best->zv[i].a) + fabs(x->zv[i].a)) *
                  (fabs(best->R[i].a) + fabs(x->R[i].a));
     }
@@ -157,8 +150,10 @@ static void place(const search *s, candidate *x, const triple u[3], triple p,
 {
     const int end = cylint_feature_end(x->feature);
     for (int i = 0; i < 3; i++) {
-        const triple from = triple_mul2(u[i], p, v[i], q);
+        const triple up = triple_mul(u[i], p), vq = triple_mul(v[i], q);
+        const triple from = triple_add(up, vq);
         x->G[i] = end ? triple_add(s->p.h[i], from) : from;
+        x->terms[i] = (end ? fabs(s->p.h[i].a) : 0) + fabs(up.a) + fabs(vq.a);
         x->R[i] = triple_sub(
             triple_sub(s->p.Q[i], triple_scale(x->G[i], s->p.near)), x->zv[i]);
     }
@@ -230,9 +225,8 @@ static void cross_units(triple to[3], const triple u[3], const triple v[3])
 static void try_cap(search *s, int end)
 {
     triple from[3], a[3], b[3], M[3], right[3], up[3];
-    const double f = cylint_end_factor(s->p.shape, end);
-    candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end, f, &along_a);
-    const triple factor = triple_of(f);
+    candidate c = candidate_of(CYLINT_FEATURE_CAP0 + end, 0, &along_a);
+    const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
     const double of_a = triple_unit(a, s->p.a), of_b = triple_unit(b, s->p.b);
     from_end(&s->p, end, from);
     triple_cross(M, a, b);
@@ -430,19 +424,24 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
 {
     const elliptic_terms *p = &s->p;
     const candidate *best = &s->best;
+    const double turn =
+        best->factor > 0 ? direction_error(&s->form[best->feature], &best->at)
+                         : 0;
     triple u[3], v[3];
     const triple beside = triple_scaled(best->z, p->far - p->whole),
                  z = triple_add(beside, p->moved);
     const double z_terms = fabs(beside.a) + fabs(p->moved.a);
     load_ruling(p, &best->at, u, v);
     for (int i = 0; i < 3; i++) {
+        const double turned = turn * fabs(p->b[i].a * best->at.cos.a -
+                                          p->a[i].a * best->at.sin.a);
         const double v_terms =
-            fabs(p->g[i].a) +
-            fabs(p->k1.a) * (fabs(p->a[i].a) + fabs(p->b[i].a));
-        const double x =
-            is_on ? p->point[i]
-                  : point_of(s, i, triple_mul(z, v[i]), terms_of(s, best, i),
-                             z_terms * v_terms);
+            fabs(p->g[i].a) + fabs(p->k1.a) * (fabs(u[i].a) + turned);
+        const double x = is_on
+                             ? p->point[i]
+                             : point_of(s, i, triple_mul(z, v[i]),
+                                        best->terms[i] + best->factor * turned,
+                                        z_terms * v_terms);
         to[i] = cylint_positive_zero(x);
     }
 }
@@ -465,7 +464,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     search s;
     const int side = cylint_contains(shape, point);
     load_elliptic(&s.p, shape, point);
-    s.best = candidate_of(CYLINT_NO_FEATURE, 1, &along_a); /* the end of a */
+    s.best = candidate_of(CYLINT_NO_FEATURE, 0, &along_a); /* the end of a */
     place(&s, &s.best, s.p.a, triple_of(1), s.p.b, triple_of(0));
     /* mutant '0' -> '1': no effect, feet beyond the ends are then passed over */
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
