@@ -133,18 +133,16 @@ static inline void turn_numbers_about_apex(elliptic_numbers *m)
     m->outward = -m->outward;
 }
 
-/* CYLINT_NO_FEATURE: also of a shape too flat for pairs. */
+/* CYLINT_NO_FEATURE: also of a shape so small that products underflow.  No prepared
+ * shape is too flat for pairs: the volume is at least 2^-29 of its terms. */
 static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
                                 const double point[3])
 {
     if (find_elliptic_feature(q) == CYLINT_NO_FEATURE)
         return CYLINT_NO_FEATURE;
     load_numbers(m, q->shape, point);
-    const double volume = fabs(m->volume.v.hi),
-                 error = CYLINT_SIZED_ERROR * m->volume.size;
-    const int flat = !(error <= CYLINT_ROUNDING * volume);
-    /* untaken 2 of 4: no known ordinary shape is so flat */
-    if (flat || !(volume >= CYLINT_DISTANCE_LEAST))
+    /* untaken 1 of 2: no known ordinary shape is so small */
+    if (!(fabs(m->volume.v.hi) >= CYLINT_DISTANCE_LEAST))
         return CYLINT_NO_FEATURE;
     if (q->is_turned)
         turn_numbers_about_apex(m);
