@@ -4,8 +4,8 @@
  *
  * Signs decide the feature as in exact_distance.c: those of the foot on the lateral
  * line from its ends, then for each cap that is present those of the point against
- * its circle and of the distance found against that from its plane.  Of shapes along
- * an axis of coordinates, and in the centres of balls, signs of 0 are certain, too.
+ * its circle and of the distance found against that from its plane.  Signs of 0 are
+ * certain, too, of shapes along an axis of coordinates and in the centres of balls.
  *
  * The distance is that from the side of the feature that is outside a solid.  Where
  * the surface does not enclose a solid, write_certain() (one_distance.c) takes the
