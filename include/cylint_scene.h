@@ -92,7 +92,7 @@ typedef int cylint_scene_progress(void *context, double part);
  * included; 0 stands for one per processor, on Linux of those that the process may
  * use.  Few shapes use fewer threads, and a library built without POSIX threads
  * uses one; the scene is the same.  If `progress` is not NULL, calls
- * progress(context, part) in the calling thread: some 2000 times or more for a
+ * progress(context, part) in the calling thread: some 1700 times or more for a
  * million shapes with one thread, less often with more.  If it returns 0, the work
  * stops with ESTOPPED.  After a failure the scene can only be freed.
  *

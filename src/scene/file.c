@@ -28,16 +28,16 @@
 
 /* The arrays of the scene s, in the order of the file, and how many elements each
  * has. */
-#define FILE_ARRAYS(X)                                     \
-    X(RECORDS, records.record, s->n)                       \
-    X(TAGS, records.tag, s->n)                             \
-    X(SEMI_AXES, records.semi_axes, s->records.n_elliptic) \
-    X(NODES, bvh.nodes, s->bvh.n_nodes)                    \
-    X(LEAVES, bvh.leaves, s->bvh.n_leaves)                 \
-    X(BOUNDED, bounded, s->bounded ? s->n_bounded : 0)     \
-    X(OTHERS, others, s->n_others)                         \
-    X(LABEL_ENDS, labels.end, s->labels.end ? s->n : 0)    \
-    X(LABEL_TEXT, labels.text, label_bytes(s))             \
+#define FILE_ARRAYS(X)                                          \
+    X(RECORDS, records.record, s->n)                            \
+    X(TAGS, records.tag, s->n)                                  \
+    X(SEMI_AXES, records.semi_axes, s->records.n_elliptic)      \
+    X(NODES, bvh.nodes, s->bvh.n_nodes)                         \
+    X(LEAVES, bvh.leaves, s->bvh.n_leaves)                      \
+    X(BOUNDED, bounded, s->n_bounded < s->n ? s->n_bounded : 0) \
+    X(OTHERS, others, s->n_others)                              \
+    X(LABEL_ENDS, labels.end, s->labels.end ? s->n : 0)         \
+    X(LABEL_TEXT, labels.text, label_bytes(s))                  \
     X(SOLIDS, solids.given, s->solids.n_members)
 
 #define NAME(section, array, n) section,

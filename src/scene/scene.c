@@ -78,51 +78,48 @@ static void *allocate(cylint_scene *s, size_t count, size_t size)
     return cylint_resized(NULL, count, size);
 }
 
-/* Totals over all shapes. */
-typedef struct {
-    const cylint_records *records;
-    cylint_watch *watch;
-    cylint_mutex mutex;    /* protects the members below */
-    cylint_shapes_box box; /* of all bounded shapes */
-    size_t valid;          /* the number of valid shapes */
-} totals;
-
-/* Adds shapes [from, to).  The order of threads does not matter. */
-static void count_shapes(void *self, size_t from, size_t to)
+/* Makes the frame of the shapes that one can contain.  Returns 0 if there is
+ * none. */
+static int choose_frame(cylint_scene *s)
 {
-    totals *sum = self;
-    cylint_shapes_box box = CYLINT_NO_BOX;
-    size_t valid = 0;
-    for (size_t i = from; i < to && cylint_watch_item(sum->watch, i); i++) {
-        cylint_shape shape;
-        cylint_record_data(sum->records, i, &shape);
-        valid += shape.kind != CYLINT_KIND_NONE;
-        cylint_extend_by_shape(&box, &shape);
-    }
-    cylint_mutex_lock(&sum->mutex);
-    extend_box(&sum->box, &box);
-    sum->valid += valid;
-    cylint_mutex_unlock(&sum->mutex);
+    if (s->box.n == 0)
+        return 0;
+    cylint_frame_round_box(s->box.lo, s->box.hi);
+    return cylint_frame_make(&s->frame, s->box.lo, s->box.hi);
 }
 
-/* Makes the frame of all bounded shapes.  If it cannot be made, no shape is in
- * the hierarchy. */
-static void choose_frame(cylint_scene *s, int threads, cylint_watch *watch)
+/* Lists the numbers of the shapes in the hierarchy, unless all are, and behind them
+ * those of the others.  A refused shape is in neither list: no line hits it.  In
+ * another rounding mode than before more shapes may fit in a frame. */
+static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
 {
-    totals sum = {.records = &s->records,
-                  .watch = watch,
-                  .mutex = CYLINT_MUTEX_INITIALIZER,
-                  .box = CYLINT_NO_BOX};
-    cylint_watch_step(watch, CYLINT_STEP_BOXES, s->n);
-    cylint_threads_share(threads, s->n, CYLINT_WATCHED,
-                         CYLINT_THREADS_LEAST_SHAPES, count_shapes, &sum);
-    cylint_mutex_destroy(&sum.mutex);
-    if (sum.box.n > 0) {
-        cylint_frame_round_box(sum.box.lo, sum.box.hi);
-        if (cylint_frame_make(&s->frame, sum.box.lo, sum.box.hi))
-            s->n_bounded = sum.box.n;
+    const int has_frame = choose_frame(s);
+    s->n_bounded = s->n;
+    if (has_frame && s->box.n == s->n)
+        return CYLINT_SCENE_OK;
+    uint32_t *const number = allocate(s, s->n, sizeof *number);
+    s->bounded = number;
+    if (!number)
+        return CYLINT_SCENE_EMEMORY;
+    s->n_bounded = 0;
+    for (size_t i = 0; has_frame && i < s->n; i++) {
+        cylint_shape shape;
+        if (!cylint_watch_item(watch, i))
+            return CYLINT_SCENE_ESTOPPED;
+        cylint_record_data(&s->records, i, &shape);
+        if (cylint_extend_by_shape(&s->box, &shape))
+            number[s->n_bounded++] = (uint32_t)i;
     }
-    s->n_others = sum.valid - s->n_bounded;
+    if (has_frame)
+        choose_frame(s);
+    uint32_t *const others = number + s->n_bounded;
+    s->others = others;
+    for (size_t i = 0, next = 0; i < s->n; i++)
+        if (next < s->n_bounded && number[next] == i)
+            next++;
+        else if (cylint_record_kind(&s->records, i) != CYLINT_KIND_NONE)
+            others[s->n_others++] = (uint32_t)i;
+    return CYLINT_SCENE_OK;
 }
 
 static const cylint_shape *data_at(const void *owner, uint32_t number,
@@ -131,29 +128,6 @@ static const cylint_shape *data_at(const void *owner, uint32_t number,
     const cylint_scene *s = owner;
     cylint_record_data(&s->records, number, shape);
     return shape;
-}
-
-/* Lists the numbers of bounded shapes, unless all are bounded, and those of the
- * others.  A refused shape is in neither list: no line hits it. */
-static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
-{
-    if (s->n_bounded == s->n)
-        return CYLINT_SCENE_OK;
-    uint32_t *bounded = allocate(s, s->n_bounded, sizeof *bounded),
-             *others = allocate(s, s->n_others, sizeof *others);
-    s->bounded = bounded;
-    s->others = others;
-    if (!bounded || !others)
-        return CYLINT_SCENE_EMEMORY;
-    for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
-        cylint_shape shape;
-        cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && cylint_extend_by_shape(NULL, &shape))
-            *bounded++ = (uint32_t)i;
-        else if (shape.kind != CYLINT_KIND_NONE)
-            *others++ = (uint32_t)i;
-    }
-    return cylint_watch_add(watch, 0) ? CYLINT_SCENE_OK : CYLINT_SCENE_ESTOPPED;
 }
 
 void cylint_scene_pack_others(cylint_scene *s)
@@ -198,7 +172,6 @@ static cylint_scene_status build(cylint_scene *s, int threads,
     s->own_bytes = sizeof *s;
     s->is_finished = 1;
     cylint_records_trim(&s->records);
-    choose_frame(s, threads, watch);
     const cylint_scene_status status = sort_shapes(s, watch);
     if (status != CYLINT_SCENE_OK)
         return status;
@@ -210,6 +183,8 @@ static cylint_scene_status build(cylint_scene *s, int threads,
 cylint_scene *cylint_scene_begin(size_t expected)
 {
     cylint_scene *s = calloc(1, sizeof *s);
+    if (s)
+        s->box = (cylint_shapes_box)CYLINT_NO_BOX;
     if (s && (expected > CYLINT_SCENE_MOST_SHAPES ||
               cylint_records_reserve(&s->records, expected)))
         return s;
@@ -227,6 +202,8 @@ cylint_scene_status cylint_scene_add(cylint_scene *s,
     if (!cylint_records_add(&s->records, shapes, n))
         return CYLINT_SCENE_EMEMORY;
     s->n += n;
+    for (size_t i = 0; i < n; i++)
+        cylint_extend_by_shape(&s->box, &shapes[i]);
     return CYLINT_SCENE_OK;
 }
 
@@ -288,7 +265,6 @@ void cylint_scene_free(cylint_scene *scene)
         cylint_bvh_free(&scene->bvh);
         cylint_records_free(&scene->records);
         free((void *)(uintptr_t)scene->bounded);
-        free((void *)(uintptr_t)scene->others);
     }
     free(scene->solids.memory);
     free(scene->given);

@@ -52,9 +52,16 @@ typedef struct cylint_solids {
     size_t bytes;
 } cylint_solids;
 
+/* The box of n shapes that a frame can contain. */
+typedef struct cylint_shapes_box {
+    double lo[3], hi[3];
+    size_t n;
+} cylint_shapes_box;
+
 struct cylint_scene {
     cylint_records records;
     size_t n;
+    cylint_shapes_box box; /* of those that were added */
     int is_finished;
     cylint_frame frame;
     cylint_bvh bvh;
@@ -75,12 +82,6 @@ struct cylint_scene {
      * and solids.given lie in it */
     cylint_memory file;
 };
-
-/* The box of n shapes that a frame can contain. */
-typedef struct cylint_shapes_box {
-    double lo[3], hi[3];
-    size_t n;
-} cylint_shapes_box;
 
 #define CYLINT_NO_BOX                                                        \
     {                                                                        \
