@@ -1,6 +1,6 @@
 /*
- * pieces.c - the pieces of a line that are inside the solids of a scene, and which
- * solids contain a point
+ * pieces.c - the pieces of a line that are inside the solids of a scene, where it
+ * first enters or leaves one, and which solids contain a point
  *
  * Chords are collected, sorted by t0, and swept: at each end of a chord the set of
  * solids that contain the line changes.  As a chord is one record, an entry without
@@ -11,6 +11,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "../intersect.h"
+#include "../shapes/shape_facts.h"
 #include "../solid_sweep.h"
 #include "visit.h"
 
@@ -127,14 +129,16 @@ static size_t sort_and_unite(numbered_chord *chord, size_t n,
 
 /* ----------------------------------------------------- chords of solids -- */
 
-/* As cylint_chord(). */
-static int chords_of_shape(const collector *c, const cylint_shape *shape,
-                           cylint_interval chord[2])
+/* The chords of a late member; writes them. */
+static int chords_of_late(const collector *c, const cylint_membership *member,
+                          cylint_interval chord[2])
 {
+    cylint_shape shape;
+    cylint_record_shape(&c->scene->records, member->shape, &shape);
     if (c->line)
-        return cylint_chord(shape, c->line, chord);
+        return cylint_chord(&shape, c->line, chord);
     chord[0] = whole_domain;
-    return cylint_contains(shape, c->point) >= 0;
+    return cylint_contains(&shape, c->point) >= 0;
 }
 
 /* Each chord of a member gives two events.  These are sorted by solid and t; a
@@ -174,10 +178,8 @@ static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
 
 static void add_late_member(assembly *a, const cylint_membership *member)
 {
-    cylint_shape shape;
     cylint_interval chord[2];
-    cylint_record_shape(&a->from->scene->records, member->shape, &shape);
-    const int n = chords_of_shape(a->from, &shape, chord);
+    const int n = chords_of_late(a->from, member, chord);
     for (int i = 0; i < n; i++, a->n_events += 2)
         cylint_add_events(a->event + a->n_events, chord[i], member->solid,
                           member->clause);
@@ -471,37 +473,155 @@ static void collect(collector *c, size_t pieces, double least_complete)
 /* The most pieces for which the line is searched in order, and how often. */
 enum { FEW_PIECES = 4, SEARCHES = 2 };
 
-size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
-                           const cylint_piece_rule *rule, cylint_piece *pieces,
-                           size_t capacity, cylint_workspace *work)
+/* As cylint_scene_pieces().  Afterwards c->chord has the chords in shapes, and
+ * s->chord those in solids: if there are s->capacity pieces, all that begin where
+ * the last one ends, or before. */
+static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
 {
-    sweep s = {.rule = rule, .pieces = pieces, .capacity = capacity};
-    collector c = {.scene = scene,
-                   .line = line,
-                   .chord = work->memory,
-                   .capacity = work->bytes / (2 * sizeof *c.chord)};
     const int are_few =
-        capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS;
+        s->capacity <= FEW_PIECES && s->rule->mode != CYLINT_PIECES_CHORDS;
     double least_complete = -HUGE_VAL;
-    if (!line->valid || capacity == 0)
+    c->chord = work->memory;
+    c->capacity = work->bytes / (2 * sizeof *c->chord);
+    if (!c->line->valid || s->capacity == 0)
         return 0;
     if (!has_room(work))
         return CYLINT_NO_ROOM;
     /* each search is complete up to farther on, the last one up to the end */
     for (int i = are_few ? SEARCHES : 0;; i--) {
-        collect(&c, i > 0 ? capacity : 0, least_complete);
-        if (c.n > c.capacity) {
-            work->wanted = c.n * 2 * sizeof *c.chord;
+        collect(c, i > 0 ? s->capacity : 0, least_complete);
+        if (c->n > c->capacity) {
+            work->wanted = c->n * 2 * sizeof *c->chord;
             return CYLINT_NO_ROOM;
         }
-        const double begin = c.n > 0 ? c.chord[0].t0 : 0,
-                     end = i > 0 ? end_of_last_piece(&c) : 0;
-        const size_t n = pieces_of_chords(&c, work, &s);
-        if (n == capacity || n == CYLINT_NO_ROOM ||
-            !cylint_less(c.complete, line->tmax))
+        const double begin = c->n > 0 ? c->chord[0].t0 : 0,
+                     end = i > 0 ? end_of_last_piece(c) : 0;
+        const size_t n = pieces_of_chords(c, work, s);
+        if (n == s->capacity || n == CYLINT_NO_ROOM ||
+            !cylint_less(c->complete, c->line->tmax))
             return n;
         least_complete = end + 2 * (end - begin);
     }
+}
+
+size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
+                           const cylint_piece_rule *rule, cylint_piece *pieces,
+                           size_t capacity, cylint_workspace *work)
+{
+    collector c = {.scene = scene, .line = line};
+    sweep s = {.rule = rule, .pieces = pieces, .capacity = capacity};
+    return find_pieces(&c, &s, work);
+}
+
+/* ------------------------------------------------------------ boundaries -- */
+
+/* A search among the members of a solid on whose surface the line is at t. */
+typedef struct {
+    const collector *from;
+    double t;
+    int enters;     /* the line enters the solid */
+    uint32_t solid; /* which of the scene's */
+    size_t number;  /* of the shape with the lowest number so far */
+} boundary_search;
+
+/* Keeps the shape if its chord begins or ends at q->t, so that the line enters or
+ * leaves the solid there as wanted, and no kept number is lower. */
+static void consider_chord(boundary_search *q, size_t number,
+                           cylint_interval chord)
+{
+    const cylint_solids *s = &q->from->scene->solids;
+    for (uint32_t i = s->first_of_shape[number];
+         i < s->first_of_shape[number + 1]; i++) {
+        const int is_complement = s->of_shapes[i].clause < 0;
+        const double t = q->enters != is_complement ? chord.t0 : chord.t1;
+        if (s->of_shapes[i].solid == q->solid && number < q->number &&
+            cylint_rank(t) == cylint_rank(q->t))
+            q->number = number;
+    }
+}
+
+/* Finds the shape of the solid that has this number: the shape itself, or one of
+ * its members. */
+static void search_solid(boundary_search *q, size_t number)
+{
+    const cylint_solids *s = &q->from->scene->solids;
+    if (s->n == 0 ||
+        s->first_of_shape[number] == s->first_of_shape[number + 1]) {
+        q->number = number;
+        return;
+    }
+    const cylint_membership *m = s->of_shapes + s->first_of_shape[number];
+    while (s->solid[m->solid].number != number)
+        m++;
+    q->solid = m->solid;
+    const cylint_scene_solid *solid = &s->solid[m->solid];
+    for (uint32_t i = 0; i < solid->n_late; i++) {
+        const cylint_membership *late = &s->late[solid->first_late + i];
+        cylint_interval chord[2];
+        const int n = chords_of_late(q->from, late, chord);
+        for (int k = 0; k < n; k++)
+            consider_chord(q, late->shape, chord[k]);
+    }
+    for (size_t i = 0; i < q->from->n; i++) {
+        const numbered_chord *x = &q->from->chord[i];
+        consider_chord(q, x->number, (cylint_interval){x->t0, x->t1});
+    }
+}
+
+/* Writes the wanted members of the hit at t.  It is the only one: a chord that
+ * begins or ends at t has a length, and so has the gap between the chords of a
+ * double cone.  Of a complement, normal and side are the opposite. */
+static void describe_boundary(const boundary_search *q, unsigned want,
+                              cylint_hit *hit)
+{
+    const int side = q->enters ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
+    cylint_shape shape;
+    cylint_answer answer;
+    cylint_record_shape(&q->from->scene->records, q->number, &shape);
+    shape.ends = cylint_closed_ends(shape.ends);
+    cylint_intersect(&shape, q->from->line,
+                     want | CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
+    for (int i = 0; i < answer.n; i++) {
+        cylint_hit found = answer.hit[i];
+        if (cylint_rank(found.t) != cylint_rank(q->t))
+            continue;
+        for (int j = 0;
+             j < 3 && found.side != side && (want & CYLINT_WANT_NORMAL); j++)
+            found.normal[j] = cylint_positive_zero(-found.normal[j]);
+        found.side = side;
+        cylint_copy_hit(hit, &found, want);
+    }
+}
+
+/* The solid's chord begins or ends where the first piece of the union does: no
+ * solid holds the place before, or behind. */
+size_t cylint_scene_first_boundary(const cylint_scene *scene,
+                                   const cylint_line *line, unsigned want,
+                                   cylint_hit *hit, cylint_workspace *work)
+{
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    cylint_piece piece;
+    collector c = {.scene = scene, .line = line};
+    sweep s = {.rule = &rule, .pieces = &piece, .capacity = 1};
+    const size_t n = find_pieces(&c, &s, work);
+    if (n == 0 || n == CYLINT_NO_ROOM)
+        return n == 0 ? scene->n : n;
+    boundary_search q = {.from = &c,
+                         .enters = cylint_less(line->tmin, piece.t0),
+                         .number = scene->n};
+    q.t = q.enters ? piece.t0 : piece.t1;
+    if (!cylint_less(q.t, line->tmax))
+        return scene->n;
+    size_t solid = scene->n;
+    for (size_t i = 0; i < s.n; i++) {
+        const numbered_chord *x = &s.chord[i];
+        const double t = q.enters ? x->t0 : x->t1;
+        if (cylint_rank(t) == cylint_rank(q.t) && x->number < solid)
+            solid = x->number;
+    }
+    search_solid(&q, solid);
+    describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
+    return q.number;
 }
 
 /* -------------------------------------------------------------- points -- */
