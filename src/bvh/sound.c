@@ -14,10 +14,24 @@ static int are_finite(const float x[3])
     return finite;
 }
 
+static int leaf_is_sound(const cylint_leaf *leaf, size_t n)
+{
+    const int used = cylint_leaf_used(leaf);
+    const float steps = cylint_leaf_steps(leaf);
+    int sound = used >= 1 && used <= CYLINT_LEAF_SIZE &&
+                are_finite(leaf->center) && steps > 0 && steps <= FLT_MAX;
+    for (int i = 0; i < CYLINT_LEAF_SIZE && sound; i++) {
+        const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
+        sound &=
+            i >= used || (leaf->number[i] < n && piece.index < piece.count);
+    }
+    return sound;
+}
+
 /* The next node and leaf that are not in the tree yet. */
 typedef struct {
     const cylint_bvh *bvh;
-    size_t node, leaf;
+    size_t node, leaf, n;
 } sound_tree;
 
 /* The build numbers nodes and leaves in the order of this recursion. */
@@ -33,7 +47,9 @@ static int add_node(sound_tree *t, int depth)
     for (unsigned i = 0; i < CYLINT_CHILDREN && bits >> i; i++) {
         const uint32_t child = node->child[i];
         if (child & CYLINT_LEAF_FLAG) {
-            if ((child & ~CYLINT_LEAF_FLAG) != t->leaf++)
+            if (t->leaf >= t->bvh->n_leaves ||
+                (child & ~CYLINT_LEAF_FLAG) != t->leaf ||
+                !leaf_is_sound(&t->bvh->leaves[t->leaf++], t->n))
                 return 0;
         } else if (child != t->node || !add_node(t, depth + 1)) {
             return 0;
@@ -42,30 +58,9 @@ static int add_node(sound_tree *t, int depth)
     return 1;
 }
 
-static int leaf_is_sound(const cylint_leaf *leaf, size_t n)
-{
-    const int used = cylint_leaf_used(leaf);
-    const float steps = cylint_leaf_steps(leaf);
-    int sound = used >= 1 && used <= CYLINT_LEAF_SIZE &&
-                are_finite(leaf->center) && steps > 0 && steps <= FLT_MAX;
-    for (int i = 0; i < CYLINT_LEAF_SIZE && sound; i++) {
-        const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
-        sound &=
-            i >= used || (leaf->number[i] < n && piece.index < piece.count);
-    }
-    return sound;
-}
-
 int cylint_bvh_is_sound(const cylint_bvh *bvh, size_t n)
 {
-    sound_tree tree = {bvh, 0, 0};
-    if (bvh->n_nodes == 0)
-        return bvh->n_leaves == 0;
-    if (!add_node(&tree, 1) || tree.node != bvh->n_nodes ||
-        tree.leaf != bvh->n_leaves)
-        return 0;
-    for (size_t i = 0; i < bvh->n_leaves; i++)
-        if (!leaf_is_sound(&bvh->leaves[i], n))
-            return 0;
-    return 1;
+    sound_tree tree = {bvh, 0, 0, n};
+    return (bvh->n_nodes == 0 || add_node(&tree, 1)) &&
+           tree.node == bvh->n_nodes && tree.leaf == bvh->n_leaves;
 }
