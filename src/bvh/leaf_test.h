@@ -241,13 +241,18 @@ CYLINT_INLINE unsigned test_bounds(const cylint_leaf *b, const cylinders *all,
     return hit;
 }
 
+/* least[] of a lane without a cylinder is -infinity. */
 CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
                                       const cylinders *all, const leaf_line *l,
                                       float *least, unsigned *certain)
 {
-    return b->used & CYLINT_LEAF_ROUND
-               ? test_bounds(b, all, l, least, certain, LEAF_CAPSULE)
-               : test_bounds(b, all, l, least, certain, LEAF_CYLINDER);
+    const unsigned hit =
+        b->used & CYLINT_LEAF_ROUND
+            ? test_bounds(b, all, l, least, certain, LEAF_CAPSULE)
+            : test_bounds(b, all, l, least, certain, LEAF_CYLINDER);
+    EACH_BIT(lane, least ? hit & b->always : 0)
+        least[lane] = -HUGE_VALF;
+    return hit;
 }
 
 /* Floats are accurate enough for origins up to FAR_LIMIT steps away and E and
@@ -264,11 +269,10 @@ static inline int is_fit(float E)
 
 /* --------------------------------------------- lines in doubles, far rays -- */
 
-static inline unsigned all_lanes(const cylint_leaf *b, double tmin,
-                                 double *least)
+static inline unsigned all_lanes(const cylint_leaf *b, float *least)
 {
     for (int lane = 0; least && lane < cylint_leaf_used(b); lane++)
-        least[lane] = tmin;
+        least[lane] = -HUGE_VALF;
     return lanes_in_use(b);
 }
 
@@ -282,18 +286,6 @@ static inline float clamped(double s)
     return (float)(s < -most ? -most : s > most ? most : s);
 }
 
-/* Writes least[] of the lanes that are hit, where s is a lower bound of
- * t / per_length + before. */
-static inline void write_least(const cylint_leaf *b, unsigned hit,
-                               const float *s, double before, double per_length,
-                               double tmin, double *least)
-{
-    EACH_BIT(lane, hit) {
-        const double t = ((double)s[lane] - before) * per_length;
-        least[lane] = t > tmin && !(b->always >> lane & 1) ? t : tmin;
-    }
-}
-
 /*
  * Moves the line's origin to its point nearest to the leaf's centre, in doubles,
  * and makes e a unit vector.  o - c, the unit vector, the distance along it and
@@ -303,11 +295,11 @@ static inline void write_least(const cylint_leaf *b, unsigned hit,
  */
 ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
                              const double d[3], double tmin, double tmax,
-                             double *least)
+                             float *least)
 {
     const double dd = cylint_dot(d, d);
     if (!(dd > 0x1p-900 && dd < 0x1p900))
-        return all_lanes(b, tmin, least);
+        return all_lanes(b, least);
     const double steps = cylint_leaf_steps(b), length = sqrt(dd);
     const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
@@ -321,7 +313,7 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
     }
     const double q_error = 0x1p-48 * far * steps;
     if (!(q_error <= Q_ERROR_LIMIT))
-        return all_lanes(b, tmin, least);
+        return all_lanes(b, least);
     for (int j = 0; j < 3; j++) {
         const double e = d[j] * per_length;
         const double q = (from[j] - along * e) * steps;
@@ -335,11 +327,10 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
                                    q_error));
     l.first = f_set(clamped((tmin * length + along) * steps - q_error));
     l.last = f_set(clamped((tmax * length + along) * steps + q_error));
-    float s[CYLINT_LEAF_SIZE] = {0};
-    const unsigned hit = test_cylinders(b, NULL, &l, least ? s : NULL, NULL);
-    if (least)
-        write_least(b, hit, s, along + q_error / steps, per_length, tmin,
-                    least);
+    const unsigned hit = test_cylinders(b, NULL, &l, least, NULL);
+    EACH_BIT(lane, least ? hit : 0)
+        least[lane] = cylint_float_below(
+            ((double)least[lane] - (along + q_error / steps)) * per_length);
     return hit;
 }
 
@@ -347,10 +338,9 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
  * accurate enough without that: q, e and tmax are rounded once, which the errors
  * above contain. */
 CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
-                                 const double d[3], double tmax, double *least)
+                                 const double d[3], double tmax, float *least)
 {
     const double steps = cylint_leaf_steps(b);
-    float s[CYLINT_LEAF_SIZE] = {0}, *const to = least ? s : NULL;
     float E = 0, far = 0;
     leaf_line l;
     EACH(j, 3) {
@@ -368,10 +358,7 @@ CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
     l.first = f_set(0);
     l.last = f_set((float)(tmax * steps));
     l.t_per_s = f_set((float)(1 / steps));
-    const unsigned hit = test_cylinders(b, NULL, &l, to, NULL);
-    if (least)
-        write_least(b, hit, s, 0, 1, 0, least);
-    return hit;
+    return test_cylinders(b, NULL, &l, least, NULL);
 }
 
 /* ------------------------------------------------------------------ rays -- */
@@ -381,11 +368,7 @@ ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
 {
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
-    double t[CYLINT_LEAF_SIZE];
-    const unsigned hit = test_far_line(b, o, d, ray->tnear, ray->tfar, t);
-    EACH_BIT(lane, hit)
-        least[lane] = cylint_float_below(t[lane]);
-    return hit;
+    return test_far_line(b, o, d, ray->tnear, ray->tfar, least);
 }
 
 static inline float size_of(const cylint_float_ray *ray)
@@ -426,10 +409,7 @@ CYLINT_INLINE unsigned test_ray(const cylint_leaf *b, const cylinders *all,
     const float far = to_leaf_line(b, ray, E, &l);
     if (!(is_fit(E) & (far < FAR_LIMIT)))
         return test_far_ray(b, ray, least);
-    const unsigned hit = test_cylinders(b, all, &l, least, certain);
-    EACH_BIT(lane, hit & b->always)
-        least[lane] = -HUGE_VALF;
-    return hit;
+    return test_cylinders(b, all, &l, least, certain);
 }
 
 #endif

@@ -51,7 +51,7 @@ static inline void push_start(traversal *t, const cylint_bvh *bvh,
  * has a point inside a shape, it hits the shape behind that point. */
 CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
                               const cylint_float_ray *ray,
-                              cylint_ray_leaf_callback *callback, void *self,
+                              cylint_leaf_callback *callback, void *self,
                               int certain)
 {
     const float E = size_of(ray);
@@ -78,7 +78,7 @@ CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
 }
 
 static int traverse_ray(const cylint_bvh *bvh, const cylint_float_ray *ray,
-                        cylint_ray_leaf_callback *callback, void *self, int any)
+                        cylint_leaf_callback *callback, void *self, int any)
 {
     return any && ends_outside(bvh, ray)
                ? traverse_as(bvh, ray, callback, self, 1)
@@ -87,10 +87,10 @@ static int traverse_ray(const cylint_bvh *bvh, const cylint_float_ray *ray,
 
 static void traverse_line(const cylint_bvh *bvh, const double o[3],
                           const double d[3], const double *tmax,
-                          cylint_line_leaf_callback *callback, void *self)
+                          cylint_leaf_callback *callback, void *self)
 {
     const cylint_leaf *leaf;
-    double least[CYLINT_LEAF_SIZE];
+    float least[CYLINT_LEAF_SIZE];
     ray_state state;
     traversal t;
     start_line(&state, bvh, o, d, *tmax);
@@ -168,7 +168,7 @@ static inline void visit_nodes(waiting *w, const ray_state *state)
 
 static void traverse_all(const cylint_bvh *bvh, const double o[3],
                          const double d[3], const double *tmax,
-                         cylint_line_leaf_callback *callback, void *self)
+                         cylint_leaf_callback *callback, void *self)
 {
     ray_state state;
     waiting w;

@@ -23,27 +23,33 @@ typedef struct cylint_float_ray {
  * hit on a lane is at least least[lane].  It may reduce tfar of the ray or *tmax
  * of the line.  It returns 1 to stop the traversal.
  */
-typedef int cylint_ray_leaf_callback(void *self, const cylint_leaf *leaf,
-                                     unsigned lanes,
-                                     const float least[CYLINT_LEAF_SIZE]);
-typedef int cylint_line_leaf_callback(void *self, const cylint_leaf *leaf,
-                                      unsigned lanes,
-                                      const double least[CYLINT_LEAF_SIZE]);
+typedef int cylint_leaf_callback(void *self, const cylint_leaf *leaf,
+                                 unsigned lanes,
+                                 const float least[CYLINT_LEAF_SIZE]);
+
+/* The lane with the least bound. */
+static inline int cylint_nearest_lane(unsigned lanes,
+                                      const float least[CYLINT_LEAF_SIZE])
+{
+    int lane = cylint_lowest(lanes);
+    EACH_BIT(other, lanes & (lanes - 1))
+        lane = least[other] < least[lane] ? other : lane;
+    return lane;
+}
 
 /* Traverses a hierarchy that is not empty with a ray.  any: may return 1 if the ray
  * certainly hits some shape.  If it returns 0, the callback got all pieces that the
  * ray may hit. */
 typedef int cylint_traverse_ray(const cylint_bvh *bvh,
                                 const cylint_float_ray *ray,
-                                cylint_ray_leaf_callback *callback, void *self,
+                                cylint_leaf_callback *callback, void *self,
                                 int any);
 
 /* The same with the line o + t d in doubles, 0 <= t <= *tmax, where d has an error
  * of up to 2^-52 of its length (the high parts of a segment's). */
 typedef void cylint_traverse_line(const cylint_bvh *bvh, const double o[3],
                                   const double d[3], const double *tmax,
-                                  cylint_line_leaf_callback *callback,
-                                  void *self);
+                                  cylint_leaf_callback *callback, void *self);
 
 /* Gets a leaf, of which the pieces of a lane are at least least[lane] away.  It
  * may reduce the distance.  Returns 1 to stop the traversal. */

@@ -122,7 +122,7 @@ typedef struct cylint_ray_test {
     int last_ball, last_leaves;
     float last_t;
     unsigned last_rank;
-    /* of a packet: how the ray may hit a leaf, as in cylint_ray_leaf_callback, and
+    /* of a packet: how the ray may hit a leaf, as in cylint_leaf_callback, and
      * a copy of the ray */
     unsigned lanes;
     float least[CYLINT_LEAF_SIZE];

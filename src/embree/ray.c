@@ -365,9 +365,7 @@ CYLINT_INLINE void prefetch_records(const cylint_embree_data *data,
 CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
                                     unsigned *lanes, const float *least)
 {
-    int lane = cylint_lowest(*lanes);
-    EACH_BIT(other, *lanes & (*lanes - 1))
-        lane = least[other] < least[lane] ? other : lane;
+    const int lane = cylint_nearest_lane(*lanes, least);
     if (least[lane] > r->ray->tfar)
         return 0;
     *lanes &= ~(1u << lane);

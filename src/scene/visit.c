@@ -90,17 +90,6 @@ CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
     }
 }
 
-/* The lane with the least bound. */
-static inline int first_lane(unsigned lanes,
-                             const double least[CYLINT_LEAF_SIZE])
-{
-    int first = cylint_lowest(lanes);
-    EACH_BIT(lane, lanes & (lanes - 1))
-        if (least[lane] < least[first])
-            first = lane;
-    return first;
-}
-
 /* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a
  * function which only prefetches. */
 CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
@@ -237,14 +226,14 @@ static void test_line_lane(line_visit *v, const cylint_leaf *leaf, int lane)
 }
 
 static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
-                          const double least[CYLINT_LEAF_SIZE])
+                          const float least[CYLINT_LEAF_SIZE])
 {
     line_visit *v = self;
     while (lanes && !v->stopped) {
-        const int lane = first_lane(lanes, least);
+        const int lane = cylint_nearest_lane(lanes, least);
         const double last = v->last;
         lanes &= ~(1u << lane);
-        if (least[lane] > v->ray.length)
+        if ((double)least[lane] > v->ray.length)
             continue;
         test_line_lane(v, leaf, lane);
         if (v->last < last)
@@ -307,7 +296,7 @@ static int test_later(line_visit *v)
 }
 
 static int keep_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
-                          const double least[CYLINT_LEAF_SIZE])
+                          const float least[CYLINT_LEAF_SIZE])
 {
     line_visit *v = self;
     (void)least;
@@ -577,7 +566,9 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
         prefetch_shapes(v->scene, leaf, lanes);
     }
     while (lanes && !v->stopped) {
-        const int lane = first_lane(lanes, least);
+        int lane = cylint_lowest(lanes);
+        EACH_BIT(other, lanes & (lanes - 1))
+            lane = least[other] < least[lane] ? other : lane;
         if (least[lane] > v->reach)
             break;
         lanes &= ~(1u << lane);

@@ -365,7 +365,7 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
         const cylint_extent box = cylint_piece_box(&swept, reach, piece);
         const cylint_boxed_piece boxed = {box, 0, piece};
         cylint_leaf leaf;
-        double least[CYLINT_LEAF_SIZE];
+        float least[CYLINT_LEAF_SIZE];
         cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);
         for (int j = 0; j < 3; j++)
             CHECK((double)box.lower[j] <= hit->point[j] &&
@@ -404,7 +404,7 @@ TEST(pieces_contain_the_hits_that_they_own)
 enum { MOST_COUNTED = 50000 };
 
 static int count_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
-                      const double least[CYLINT_LEAF_SIZE])
+                      const float least[CYLINT_LEAF_SIZE])
 {
     long *count = self;
     (void)leaf;
