@@ -268,12 +268,13 @@ static cylint_bvh_status store_leaves(cylint_bvh *bvh,
     for (size_t i = 0; i < pieces && cylint_watch_item(input->watch, i);
          i += CYLINT_LEAF_SIZE)
         memmove(leaves++, leaf_over(&job, i), sizeof *leaves);
+    if (!cylint_watch_add(input->watch, 0))
+        return CYLINT_BVH_ESTOPPED;
     if (!cylint_memory_resize(&bvh->leaf_memory, input->source,
                               bvh->n_leaves * sizeof *bvh->leaves))
         return CYLINT_BVH_EMEMORY;
     bvh->leaves = bvh->leaf_memory.data;
-    return cylint_watch_add(input->watch, 0) ? CYLINT_BVH_OK
-                                             : CYLINT_BVH_ESTOPPED;
+    return CYLINT_BVH_OK;
 }
 
 cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
