@@ -92,12 +92,6 @@ struct cylint_scene {
  * frame can contain the shape. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
 
-/* The number of shape i of those in the hierarchy. */
-static inline size_t cylint_bounded_number(const cylint_scene *scene, size_t i)
-{
-    return scene->bounded ? scene->bounded[i] : i;
-}
-
 /* Writes the shapes that are not in the hierarchy into their pack. */
 void cylint_scene_pack_others(cylint_scene *scene);
 

@@ -60,6 +60,14 @@ static inline uint32_t *slot_of(tested_shapes *s, uint32_t number)
 /* Tests a shape and calls back for it.  Returns whether it did. */
 typedef int shape_test(void *visit, size_t number);
 
+/* Tests shapes [from, to) of a list, or those with these numbers if it is NULL. */
+static void test_each(void *visit, const int *stopped, shape_test *test,
+                      const uint32_t *list, size_t from, size_t to)
+{
+    for (size_t i = from; i < to && !*stopped; i++)
+        test(visit, list ? list[i] : i);
+}
+
 /* Whether the lane's piece is the one that decides about its shape. */
 typedef int owner_test(const void *visit, const cylint_leaf *leaf, int lane);
 
@@ -331,8 +339,7 @@ static void traverse_lines(line_visit *v, int in_no_order)
                            test_line_leaf, v);
         return;
     default:
-        for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-            test_line_at(v, cylint_bounded_number(s, i));
+        test_each(v, &v->stopped, test_line_at, s->bounded, 0, s->n_bounded);
     }
 }
 
@@ -364,8 +371,7 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
     v.context = context;
     begin_tests(&v.tested, options->may_repeat || options->is_of_chords);
     shorten_line(&v, last);
-    for (size_t i = options->first_other; i < n && !v.stopped; i++)
-        test_line_at(&v, others[i]);
+    test_each(&v, &v.stopped, test_line_at, others, options->first_other, n);
     traverse_lines(&v, options->in_no_order);
 }
 
@@ -592,8 +598,7 @@ static void traverse_points(point_visit *v)
         s->traversal->point(&s->bvh, x, &v->reach, test_point_leaf, v);
         return;
     }
-    for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-        test_point_at(v, cylint_bounded_number(s, i));
+    test_each(v, &v->stopped, test_point_at, s->bounded, 0, s->n_bounded);
 }
 
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
@@ -613,7 +618,6 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     v.context = context;
     begin_tests(&v.tested, may_repeat);
     set_point_radius(&v, radius);
-    for (size_t i = 0; i < n && !v.stopped; i++)
-        test_point_at(&v, others[i]);
+    test_each(&v, &v.stopped, test_point_at, others, 0, n);
     traverse_points(&v);
 }
