@@ -435,6 +435,45 @@ TEST(a_hit_gets_the_instance_of_the_context)
     world_free(&w);
 }
 
+static int offers;
+
+static void count_offer(const struct RTCFilterFunctionNArguments *args)
+{
+    (void)args;
+    offers++;
+}
+
+/* The second of two instances in one place has no nearer hit. */
+TEST(a_hit_on_another_instance_stays_at_equal_t)
+{
+    static const float unmoved[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    cylint_shape shapes[SOME];
+    world_shapes(SCENE_LATTICE, shapes, SOME);
+    EACH_WAY(w, shapes, SOME) {
+        int hits = 0;
+        world_filter(&w, count_offer);
+        RTCScene one = world_instance(w.scene, 7, 1, unmoved),
+                 two = world_instance(w.scene, 7, 1, unmoved);
+        rtcAttachGeometryByID(two, rtcGetGeometry(two, 7), 8);
+        rtcCommitScene(two);
+        for (int i = 0; i < 200; i++) {
+            struct rays r, same;
+            aim_all(&r, rays_sizes[i % 4]);
+            same = r;
+            offers = 0;
+            rays_intersect(&r, one, NULL);
+            const int expected = offers;
+            offers = 0;
+            rays_intersect(&same, two, NULL);
+            CHECK(offers == expected);
+            hits += expected > 0;
+        }
+        CHECK(hits > 50);
+        rtcReleaseScene(one);
+        rtcReleaseScene(two);
+    }
+}
+
 /* ------------------------------------------------------ Embree's curves -- */
 
 /* The nearest hit of a ray in a scene: the primitive, -1 for none, and t. */
