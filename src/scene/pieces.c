@@ -58,16 +58,17 @@ typedef struct {
     double least_complete; /* `complete` is not reduced below this */
 } collector;
 
-static numbered_chord chord_of(const cylint_found *x)
+static numbered_chord chord_of(const collector *c, const cylint_found *x)
 {
-    return (numbered_chord){x->chord.t0, x->chord.t1, (uint32_t)x->number};
+    const cylint_interval of = c->line ? x->chord : whole_domain;
+    return (numbered_chord){of.t0, of.t1, (uint32_t)x->number};
 }
 
 static double keep_chord(void *context, const cylint_found *found)
 {
     collector *c = context;
     if (c->n < c->capacity)
-        c->chord[c->n] = chord_of(found);
+        c->chord[c->n] = chord_of(c, found);
     c->n++;
     return HUGE_VAL;
 }
@@ -95,7 +96,7 @@ enum { SORTED_CHORDS = 64 };
 static double keep_first_chord(void *context, const cylint_found *found)
 {
     collector *c = context;
-    const numbered_chord x = chord_of(found);
+    const numbered_chord x = chord_of(c, found);
     if (c->n >= c->capacity || c->n >= SORTED_CHORDS) {
         keep_chord(c, found);
         return c->complete;
@@ -626,12 +627,6 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
 
 /* -------------------------------------------------------------- points -- */
 
-static double keep_container(void *context, const cylint_found *found)
-{
-    return keep_chord(context, &(cylint_found){.number = found->number,
-                                               .chord = whole_domain});
-}
-
 size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
                           const int *rank, size_t *owner,
                           cylint_workspace *work)
@@ -646,7 +641,7 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
         return 0;
     if (!has_room(work))
         return CYLINT_NO_ROOM;
-    cylint_visit_point(scene, point, 0, CYLINT_HOLDING_EARLY, 0, keep_container,
+    cylint_visit_point(scene, point, 0, CYLINT_HOLDING_EARLY, 0, keep_chord,
                        &c);
     work->wanted = c.n * sizeof *c.chord;
     if (c.n > c.capacity)
