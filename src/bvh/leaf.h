@@ -68,15 +68,4 @@ static inline float cylint_leaf_steps(const cylint_leaf *b)
     return cylint_float_of_bfloat16(b->steps);
 }
 
-/*
- * Whether the lane's piece contains the hit at z on its shape.  Exactly one
- * piece of a shape contains a hit, so each hit is reported once.  The leaf test
- * never rejects that piece's lane while t is in the domain.
- */
-static inline int cylint_leaf_owns(const cylint_leaf *leaf, int lane, double z)
-{
-    const cylint_shape_piece piece = cylint_leaf_piece(leaf, lane);
-    return cylint_piece_at(z, piece.count) == piece.index;
-}
-
 #endif

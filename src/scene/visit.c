@@ -218,14 +218,16 @@ static int test_line_at(void *self, size_t number)
 
 /* ----------------------------------------------------- a line and leaves -- */
 
-/* Whether the lane's piece contains the shape's first hit.  The traversal finds
- * that piece, and no other piece contains the hit. */
+/* Whether the lane's piece contains the shape's first hit.  The leaf test never
+ * rejects that piece while t is in the domain, and no other piece contains the
+ * hit. */
 static int owns_first_hit(const void *self, const cylint_leaf *leaf, int lane)
 {
+    const cylint_shape_piece piece = cylint_leaf_piece(leaf, lane);
     cylint_shape shape;
     cylint_hit hit;
     return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &shape, &hit) &&
-           cylint_leaf_owns(leaf, lane, hit.z);
+           cylint_piece_at(hit.z, piece.count) == piece.index;
 }
 
 static void test_line_lane(line_visit *v, const cylint_leaf *leaf, int lane)
