@@ -269,13 +269,6 @@ static inline int is_fit(float E)
 
 /* --------------------------------------------- lines in doubles, far rays -- */
 
-static inline unsigned all_lanes(const cylint_leaf *b, float *least)
-{
-    for (int lane = 0; least && lane < cylint_leaf_used(b); lane++)
-        least[lane] = -HUGE_VALF;
-    return lanes_in_use(b);
-}
-
 /* The largest error of q for which the test is of use. */
 #define Q_ERROR_LIMIT 64.0
 
@@ -291,16 +284,14 @@ static inline float clamped(double s)
  * and makes e a unit vector.  o - c, the unit vector, the distance along it and
  * the sums are rounded: this moves the line, and a t along it, by less than 11
  * roundings of |o - c|; q_error allows 16.  If q is still far, the line misses:
- * a sum of sizes of components is at most sqrt(3) times the length.
+ * a sum of sizes of components is at most sqrt(3) times the length.  d is that of a
+ * float ray, or its largest component is 1, so squares do not over- or underflow.
  */
 ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
                              const double d[3], double tmin, double tmax,
                              float *least)
 {
-    const double dd = cylint_dot(d, d);
-    if (!(dd > 0x1p-900 && dd < 0x1p900))
-        return all_lanes(b, least);
-    const double steps = cylint_leaf_steps(b), length = sqrt(dd);
+    const double steps = cylint_leaf_steps(b), length = sqrt(cylint_dot(d, d));
     const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
     leaf_line l;
@@ -312,8 +303,11 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
         far += fabs(from[j]);
     }
     const double q_error = 0x1p-48 * far * steps;
-    if (!(q_error <= Q_ERROR_LIMIT))
-        return all_lanes(b, least);
+    if (!(q_error <= Q_ERROR_LIMIT)) {
+        for (int lane = 0; least && lane < CYLINT_LEAF_SIZE; lane++)
+            least[lane] = -HUGE_VALF;
+        return lanes_in_use(b);
+    }
     for (int j = 0; j < 3; j++) {
         const double e = d[j] * per_length;
         const double q = (from[j] - along * e) * steps;
