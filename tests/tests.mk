@@ -35,7 +35,7 @@ $(BUILD)/tests/command/pixels: libs := -lpng $(threads_link)
 
 # Without MPFR these programs only say so.
 needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds distance/test_oracle filter/test_local_coordinates \
-              library/test_intersect numbers/test_double_double numbers/test_exact numbers/test_turns shapes/test_errors)
+              library/test_intersect numbers/test_exact numbers/test_turns shapes/test_errors)
 $(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c $$(@D)/flags
 	$(call say,CC $<)$(compile) -c -o $@ $<
 

@@ -1,7 +1,10 @@
 /*
- * test_exact.c - exact arithmetic against MPFR, its memory, and scaling
+ * test_exact.c - exact arithmetic against MPFR, its memory, and scaling; pairs and
+ * their error bounds
  *
- * CYLINT_CASES is the number of cases of most tests; others take a share of it.
+ * error_free_template.h is compiled twice, with products by Dekker's splitting and by
+ * fused multiply-add; both must give the same bits.  CYLINT_CASES is the number of
+ * cases of most tests; others take a share of it.
  */
 #include <float.h>
 #include <gmp.h> /* before mpfr.h */
@@ -10,10 +13,21 @@
 #include "check.h"
 #include "draw.h"
 #include "environment.h"
+#include "real.h"
+#include "ulps.h"
+
+#undef __FMA__
 #include "numbers/bits.h"
 #include "numbers/exact_sum.h"
-#include "real.h"
 #include "roots/roots.h"
+
+#define REAL double
+#define PAIR pair
+#define EFT(name) fused_##name
+#define BROADCAST(x) (x)
+#define INLINE static inline
+#define FUSED(a, b, c) fma(a, b, c)
+#include "numbers/error_free_template.h"
 
 enum { BITS = 4400 }; /* sums and products of two sums have no error */
 
@@ -283,4 +297,123 @@ TEST(a_scaled_double_is_rounded_once_in_every_environment)
             if (!CHECK(cylint_bits(got) == cylint_bits(want)))
                 REPORT("%a 2^%d: %a, want %a", x, e, got, want);
         }
+}
+
+/* --------------------------------------------------------------- pairs -- */
+
+/* Of all digits, of few, or next to a power of two.  Exponents are those of the
+ * forms: up to the eighth power of the window. */
+static double any_high_part(void)
+{
+    const int kind = one_of(3), reach = one_of(4) ? 8 : 480;
+    const int e = whole_between(-reach, reach - 1), bit = one_of(53);
+    const double x = kind == 0   ? random_mantissa(&stream)
+                     : kind == 1 ? 1 + ldexp(one_of(4), -bit)
+                                 : stepped(1, whole_between(-3, 3));
+    return ldexp(one_of(2) ? x : -x, e);
+}
+
+/* The low part is 0, nearly half an ulp, or any. */
+static pair any_pair(void)
+{
+    const double hi = any_high_part(), half = ulp(hi) / 2;
+    const int kind = one_of(3);
+    const double low = kind == 0   ? 0
+                       : kind == 1 ? half * (1 - 0x1p-53)
+                                   : half * between(0, 1);
+    return two_sum(hi, one_of(2) ? low : -low);
+}
+
+/* A pair that cancels a, exactly or nearly, in half of the cases. */
+static pair cancelling(pair a)
+{
+    const int kind = one_of(4);
+    if (kind == 0)
+        return two_sum(-a.hi, -a.lo * one_of(3));
+    if (kind == 1)
+        return two_sum(-stepped(a.hi, one_of(2) ? 1 : -1), a.lo);
+    return any_pair();
+}
+
+static real sum_of(pair a)
+{
+    return plus(real_of(a.hi), real_of(a.lo));
+}
+
+static int is_sum(pair a, real x)
+{
+    return mpfr_equal_p(sum_of(a)->x, x->x);
+}
+
+TEST(sums_and_products_have_no_error)
+{
+    for (int i = 0; i < 3 * cases(); i++) {
+        const double a = any_high_part(), b = cancelling((pair){a, 0}).hi;
+        const pair p = two_prod(a, b), fused = fused_two_prod(a, b);
+        real_fixed(BITS);
+        const real x = real_of(a), y = real_of(b);
+        if (!CHECK(is_sum(two_sum(a, b), plus(x, y)) &&
+                   is_sum(p, times(x, y)) && p.hi == fused.hi &&
+                   p.lo == fused.lo))
+            REPORT("%a and %a", a, b);
+    }
+}
+
+enum { SUM, PRODUCT, QUOTIENT, ROOT, OPERATIONS };
+
+/* Dekker's splitting is correct in rounding to nearest only; the other modes
+ * use the fused product. */
+static pair product_in_mode(pair a, pair b, int mode)
+{
+    if (mode == FE_TONEAREST)
+        return pair_mul(a, b);
+    const pair p = fused_two_prod(a.hi, b.hi);
+    return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+/* The errors of operations on a and b, relative to the sizes of their high parts. */
+static void measure_errors(pair a, pair b, int mode, double error[OPERATIONS])
+{
+    const pair size = a.hi < 0 ? pair_neg(a) : a;
+    fesetround(mode);
+    const pair got[] = {pair_add(a, b), product_in_mode(a, b, mode),
+                        pair_div(a, b), pair_sqrt(size)};
+    fesetround(FE_TONEAREST);
+    real_fixed(1200);
+    const real x = sum_of(a), y = sum_of(b);
+    const real due[] = {plus(x, y), times(x, y), over(x, y),
+                        root_of(sum_of(size))};
+    const double unit[] = {size.hi + fabs(b.hi), fabs(a.hi * b.hi),
+                           fabs(a.hi / b.hi), sqrt(size.hi)};
+    for (int k = 0; k < OPERATIONS; k++)
+        error[k] = fabs(mpfr_get_d(
+            over(minus(sum_of(got[k]), due[k]), real_of(unit[k]))->x, RND));
+}
+
+/* Quotients and roots are computed in rounding to nearest only. */
+TEST(pairs_stay_within_their_bounds_in_every_rounding_mode)
+{
+    static const double nearest[] = {CYLINT_PAIR_ADD, CYLINT_PAIR_MUL,
+                                     CYLINT_PAIR_DIV, CYLINT_PAIR_SQRT};
+    for (int m = 0; m < ROUNDINGS; m++) {
+        double worst[OPERATIONS] = {0};
+        for (int i = 0; i < 3 * cases(); i++) {
+            double error[OPERATIONS];
+            const pair a = any_pair(), b = cancelling(a);
+            if (b.hi == 0)
+                continue;
+            measure_errors(a, b, roundings[m], error);
+            for (int k = SUM; k < (m ? QUOTIENT : OPERATIONS); k++) {
+                const double bound = m ? CYLINT_PAIR_ROUNDING : nearest[k];
+                worst[k] = fmax(worst[k], error[k] / bound);
+                if (!CHECK(error[k] <= bound))
+                    REPORT("operation %d, rounding %d: %a + %a, %a + %a", k, m,
+                           a.hi, a.lo, b.hi, b.lo);
+            }
+        }
+        printf(
+            "note: rounding mode %d, largest error over its bound: sum %.2f, "
+            "product %.2f, quotient %.2f, root %.2f\n",
+            m, worst[SUM], worst[PRODUCT], worst[QUOTIENT], worst[ROOT]);
+    }
 }
